@@ -51,7 +51,8 @@ mod resolve;
 pub mod skeleton;
 pub mod snippet;
 pub mod span;
-mod suggest;
 pub mod token;
 mod types;
 mod words;
+
+use cga_split::suggest;

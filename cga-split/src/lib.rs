@@ -1,6 +1,6 @@
 //! The split solver: sizes and an extent in, pieces out. Pure arithmetic on `f64`, with the same bits on every platform
 //! and without dependencies: the compiler solves rules with the same code as a run. For the same reason this crate has
-//! [`files`]: the places where files are looked up.
+//! [`files`], the places where files are looked up, and [`suggest`], the names that may be meant.
 //!
 //! ```
 //! use cga_split::{Item, Size, solve};
@@ -23,6 +23,7 @@ mod groups;
 mod runs;
 mod search;
 mod solve;
+pub mod suggest;
 
 pub use choices::is_size;
 pub use cursor::{Cursor, Group, List, ListGroup};

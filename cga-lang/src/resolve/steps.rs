@@ -19,9 +19,6 @@ use crate::types::Type;
 /// Most declarations of a rule that a message names.
 const MOST_DECLARED: usize = 3;
 
-/// The longest argument that a message repeats.
-const LONGEST: usize = 40;
-
 /// Returns true if the braces hold what the row has there.
 fn has_braces(row: &Operation, block: &Block) -> bool {
     match (row.braces, block.parts.first()) {
@@ -193,26 +190,6 @@ impl<'a> Scope<'_, 'a, '_> {
         }
         self.note_later(name);
         self.note(name, Use::Operation(row));
-    }
-
-    /// Reports two arguments that fit the other way round.
-    fn swapped(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) -> bool {
-        let [first, second] = args else { return false };
-        let words = [word(second), word(first)];
-        let Some(row) = rows.iter().find(|row| row.words(&words).is_some()) else { return false };
-        let text = |arg: &Arg| {
-            let text = self.cx.globals.program.tokens.quoted(arg.span, LONGEST);
-            text.strip_prefix("- ").map_or(text.clone(), |rest| format!("-{rest}"))
-        };
-        let meant = format!("{}({}, {})", name.text, text(second), text(first));
-        let message = format!("the arguments of `{}` are in the wrong order", name.text);
-        self.cx.diags.report(Code::UnknownWord, first.span, message).help(format!("write `{meant}`"));
-        for (param, arg) in row.params.iter().zip([second, first]) {
-            if !matches!(param.kind, ParamKind::Word(_)) {
-                self.expr(&arg.value);
-            }
-        }
-        true
     }
 
     fn needs_braces(&mut self, name: &Name, row: &Operation) {

@@ -11,6 +11,9 @@ use crate::ops::{self, Operation, Param, ParamKind, Words};
 use crate::span::Span;
 use crate::suggest::nearest;
 
+/// The longest argument that a message repeats.
+const LONGEST: usize = 40;
+
 /// The rows whose words stand among the arguments: of those that fit, the ones with the most words. Bare words go before
 /// text, which an operation may take as such.
 pub(crate) fn fitting(rows: &[&'static Operation], args: &[Arg], door: Door) -> Vec<&'static Operation> {
@@ -57,6 +60,26 @@ impl<'a> Scope<'_, 'a, '_> {
             ExprKind::Binary(crate::ast::Binary::Add, ..) => text,
             _ => false,
         }
+    }
+
+    /// Reports two arguments that fit the other way round.
+    pub(super) fn swapped(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) -> bool {
+        let [first, second] = args else { return false };
+        let words = [word(second), word(first)];
+        let Some(row) = rows.iter().find(|row| row.words(&words).is_some()) else { return false };
+        let text = |arg: &Arg| {
+            let text = self.cx.globals.program.tokens.quoted(arg.span, LONGEST);
+            text.strip_prefix("- ").map_or(text.clone(), |rest| format!("-{rest}"))
+        };
+        let meant = format!("{}({}, {})", name.text, text(second), text(first));
+        let message = format!("the arguments of `{}` are in the wrong order", name.text);
+        self.cx.diags.report(Code::UnknownWord, first.span, message).help(format!("write `{meant}`"));
+        for (param, arg) in row.params.iter().zip([second, first]) {
+            if !matches!(param.kind, ParamKind::Word(_)) {
+                self.expr(&arg.value);
+            }
+        }
+        true
     }
 
     /// Resolves what such words are computed from, and says that they do not run yet.

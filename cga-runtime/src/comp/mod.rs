@@ -1,5 +1,6 @@
 //! The component split: the arms of components, and the shapes that they make.
 
+mod arms;
 mod candidate;
 mod mesh_parts;
 pub(crate) mod orientation;
@@ -26,6 +27,8 @@ use crate::shape::seed::{self, Seed, Tag};
 use crate::shape::trim::{Surface, Trims};
 use crate::shape::{Counter, Geometry, Shape, ShapeRef};
 
+pub use arms::divide;
+pub(crate) use arms::{Arms, Faces, face_edges};
 pub(crate) use candidate::Candidate;
 pub use candidate::{is_tagged, is_tagged_at};
 pub use select::Subcomponent;

@@ -136,6 +136,7 @@ impl Quads {
     fn is(&self, looks: &Looks, number: usize, word: Word) -> bool {
         match word.sense() {
             Sense::All => true,
+            Sense::Part => false,
             Sense::Looks(Axes::Scope, direction) => direction.takes_side(self.face(number).side),
             Sense::Looks(axes, direction) => {
                 let normal = self.face(number).side.normal();

@@ -6,9 +6,9 @@
 //! ending is accepted, a comment ends with its line, and keywords may be in capitals. Unknown statements give a
 //! warning.
 //!
-//! Statements are read here and not by `tobj`, which keeps positions as f32 (its `use_f64` would change its types for
-//! every other crate in the build), starts a new mesh at each group, and cannot distinguish lines from triangles. The
-//! material libraries are read by `tobj`.
+//! Statements are read here and not by `tobj`. It keeps positions as f32, and its feature `use_f64` would change its
+//! types for every other crate in the build. It also starts a new mesh at each group, and cannot distinguish lines from
+//! triangles. The material libraries are read by `tobj`.
 
 mod lines;
 mod mtl;

@@ -25,7 +25,8 @@ pub(super) struct State {
 /// The number of slabs from which on faces are counted before they are cut.
 const MANY_SLABS: usize = 8;
 
-/// The approximate number of faces that are counted, in total and per slab. In a large mesh this is a sample.
+/// The approximate number of faces that are counted: the larger of a total and a number per slab. In a large mesh this
+/// is a sample.
 const SAMPLE: usize = 1 << 14;
 const SAMPLE_A_SLAB: usize = 1 << 9;
 

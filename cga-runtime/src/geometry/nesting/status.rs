@@ -10,7 +10,7 @@ const BLOCK: usize = 128;
 /// The block number of an edge that is in no block.
 const NONE: u32 = u32::MAX;
 
-/// The row. No block in it is empty.
+/// A row of edges. No block of it is empty.
 #[derive(Default)]
 pub(crate) struct Row {
     blocks: Vec<Block>,

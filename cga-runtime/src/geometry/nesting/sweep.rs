@@ -189,8 +189,8 @@ impl Sweep {
         // The distances of the two edges at the higher of their low ends and at the lower of their high ends.
         let low = if is_below(left.low, right.low) { -left.side(right.low) } else { right.side(left.low) };
         let high = if is_below(left.high, right.high) { right.side(left.high) } else { -left.side(right.high) };
-        // Where two solids touch, one ends and the other begins. Where the area between a hole and its outline has no
-        // width, it begins and ends.
+        // If two solids touch, one ends and the other begins. If the area between a hole and its outline has no width,
+        // it begins and ends.
         let touch = low == 0 && high == 0 && left.enters != right.enters;
         low >= 0 && high >= 0 && (low + high > 0 || touch)
     }

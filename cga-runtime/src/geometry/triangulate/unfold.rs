@@ -20,7 +20,7 @@ const NONE: u32 = u32::MAX;
 /// The largest number of triangles in a patch, by round. Small patches nearly always suffice.
 const PATCHES: [usize; 4] = [6, 24, 96, 180];
 
-/// The limits on tried triangles per triangle of the polygon, and for any polygon.
+/// The limit on tried triangles is `TRIED`, plus `TRIED_EACH` per corner of the polygon.
 const TRIED_EACH: usize = 64;
 const TRIED: usize = 1 << 20;
 

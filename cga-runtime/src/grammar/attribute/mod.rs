@@ -2,14 +2,13 @@
 
 mod error;
 mod limits;
-mod nearest;
 
 pub use error::AttributeError;
 pub use limits::{ChoiceValues, Choices, Range, check};
 
 use crate::value::ValueType;
 use crate::value::text::shortened;
-use nearest::nearest;
+use cga_split::suggest::nearest;
 
 /// An attribute of a grammar. Generated code makes attributes; programs read them.
 #[derive(Clone, Copy, Debug, PartialEq)]

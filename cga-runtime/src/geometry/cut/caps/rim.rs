@@ -31,8 +31,8 @@ struct Edge {
 pub(crate) struct Rim {
     /// Edges made by a cut: the face below has them in this direction, the face above in the opposite direction.
     cuts: Vec<Edge>,
-    /// All other edges, ends in increasing order, with the net numbers of uses in this direction by faces below and
-    /// above.
+    /// All other uses of edges, with ends in increasing order. Each is 1 or -1 by its direction, for a face below or
+    /// for a face above.
     edges: Vec<(Edge, [i32; 2])>,
     /// `cuts` in the order of planes, as pairs of points, and the end of each plane's edges.
     sorted: Vec<[u32; 2]>,

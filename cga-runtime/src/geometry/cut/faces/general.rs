@@ -51,7 +51,7 @@ struct OnPlane {
 struct PlaneEdge {
     plane: u32,
     nodes: [usize; 2],
-    /// 1 for an edge of the face, -1 for an edge that a piece got there.
+    /// 1 for an edge of the face, -1 for an edge that the cut gave to a piece.
     count: i32,
 }
 
