@@ -22,7 +22,7 @@ pub struct Ast {
     pub lost: Vec<String>,
 }
 
-/// A name and where it stands.
+/// A name with its place.
 #[derive(Clone, Debug)]
 pub struct Name {
     /// As written; dotted names with their dots.
@@ -32,7 +32,7 @@ pub struct Name {
 }
 
 impl Name {
-    /// What side tables know it by.
+    /// The key of the name in side tables.
     pub fn id(&self) -> u32 {
         self.span.first
     }
@@ -45,25 +45,25 @@ pub struct Import {
     pub annotations: Vec<Annotation>,
     /// The prefix of its names.
     pub id: Name,
-    /// The styles it is limited to, in parentheses behind the id.
+    /// The styles to which it is limited, in parentheses after the id.
     pub styles: Option<Vec<Name>>,
     /// The path, as written.
     pub path: String,
     /// The path's token.
     pub path_span: Span,
-    /// What stands in parentheses behind the path. `None` when there are none: then attributes of the importing file
+    /// The parentheses after the path. `None` without parentheses: then attributes of the importing file
     /// override those of the same name; an empty list protects all.
     pub overrides: Option<Vec<Override>>,
     /// All of it, without annotations.
     pub span: Span,
 }
 
-/// What an import changes in the file it imports.
+/// A change that an import makes to the imported file.
 #[derive(Clone, Debug)]
 pub enum Override {
     /// `name`: this attribute keeps its value.
     Keep(Name),
-    /// `name = expr`, evaluated where the import stands.
+    /// `name = expr`, evaluated in the importing file.
     Value(Name, Expr),
     /// `Name(params) --> ops`: replaces an extension rule.
     Rule(Decl),
@@ -87,7 +87,7 @@ pub struct Decl {
     pub annotations: Vec<Annotation>,
     /// Doc comments before it.
     pub docs: Vec<String>,
-    /// What it declares. Dotted for a rule that continues a leaf of an import (`id.Name --> …`).
+    /// The declared name. Dotted for a rule that continues a leaf of an import (`id.Name --> …`).
     pub name: Name,
     /// The style it belongs to: 0 for `Default`, else a number into [`Ast::styles`], plus 1.
     pub style: u32,
@@ -97,7 +97,7 @@ pub struct Decl {
     pub params: Vec<Name>,
     /// `with ( name := expr … )`: values computed once when it is entered, each seeing those before.
     pub locals: Vec<(Name, Expr)>,
-    /// What the name stands for.
+    /// The meaning of the name.
     pub body: Body,
     /// The declaration without annotations.
     pub span: Span,
@@ -115,7 +115,7 @@ pub enum Role {
     Extension,
 }
 
-/// What a declaration stands for.
+/// The meaning of a declaration.
 #[derive(Clone, Debug)]
 pub enum Body {
     /// `attr name = expr`.
@@ -149,22 +149,22 @@ pub struct AnnotationArg {
 /// A step of a rule.
 #[derive(Clone, Debug)]
 pub struct Op {
-    /// What it does.
+    /// The kind of step.
     pub kind: OpKind,
-    /// Where it stands.
+    /// Its place.
     pub span: Span,
 }
 
-/// What a step of a rule does.
+/// The kinds of steps.
 #[derive(Clone, Debug)]
 pub enum OpKind {
     /// `name` or `name(args)`: an operation or a successor. The name is dotted for what an import declares.
     Call(Name, Vec<Arg>),
-    /// `id(overrides).Name(args)`: a rule of an import whose attributes start anew.
+    /// `id(overrides).Name(args)`: a rule of an import whose attributes are computed again.
     Dynamic {
         /// The import.
         import: Name,
-        /// What stands in its parentheses.
+        /// The contents of its parentheses.
         overrides: Vec<Override>,
         /// The rule, without the import's name.
         rule: Name,
@@ -209,7 +209,7 @@ pub struct Arg {
     pub span: Span,
 }
 
-/// How a size is to be read.
+/// The prefix of a size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Prefix {
     /// `'`
@@ -234,7 +234,7 @@ pub struct Arm {
     pub selector: Expr,
     /// The operator.
     pub mode: ArmMode,
-    /// What they become.
+    /// The successors.
     pub ops: Vec<Op>,
 }
 
@@ -277,20 +277,20 @@ pub enum BlockPart {
 /// `length : depth : operations`: a part of a boundary.
 #[derive(Clone, Debug)]
 pub struct Section {
-    /// How long it is.
+    /// The length.
     pub length: Arg,
-    /// How far it is set back; evaluated for each section that is made.
+    /// The setback distance; evaluated for each section that is made.
     pub depth: Expr,
-    /// What becomes of it.
+    /// The successors.
     pub ops: Vec<Op>,
 }
 
 /// An expression.
 #[derive(Clone, Debug)]
 pub struct Expr {
-    /// What it is.
+    /// The kind of expression.
     pub kind: ExprKind,
-    /// Where it stands.
+    /// Its place.
     pub span: Span,
 }
 

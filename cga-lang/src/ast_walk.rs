@@ -1,4 +1,4 @@
-//! What expressions and operations of a tree are made of.
+//! The parts of expressions and operations of a tree.
 
 use crate::ast::{BlockPart, Expr, ExprKind, Op, OpKind, SplitItem};
 

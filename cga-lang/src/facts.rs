@@ -49,7 +49,7 @@ pub struct RuleFacts {
     /// the shape, the arguments, and the attributes and constants of the run. The place in the world, the pivot, trim planes,
     /// the seed, the counters and attributes that shapes hold make no difference.
     pub rigid: bool,
-    /// The same of the steps of the rule itself: rules that it calls may do anything.
+    /// The facts of the steps of the rule itself, without the rules that it calls.
     pub own_rigid: bool,
 }
 

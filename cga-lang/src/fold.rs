@@ -1,7 +1,7 @@
 //! Constant folding.
 //!
 //! Folds only what gives the same bits at run time on every platform: arithmetic and comparisons, not `sin` or `pow`.
-//! What would give infinity or no number stays as it is, because at run time that is a fault with a place.
+//! A result of infinity or NaN is not folded, because at run time it is a fault with a place.
 
 use crate::ir::{Binary, Expr, ExprKind, Type, Value};
 use crate::ops::Meaning;

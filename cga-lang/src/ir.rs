@@ -1,4 +1,4 @@
-//! What a checked grammar means, ready to be written as Rust.
+//! The intermediate representation: a checked grammar, ready to be emitted as Rust.
 //!
 //! Every name is an index, the operations of each part in braces are a rule of their own with the parameters it captures, every
 //! expression has a type. Code generation reads this and decides nothing. `ir_print` shows it as text.
@@ -54,7 +54,7 @@ pub struct Grammar {
     pub starts: Vec<Start>,
     /// Attributes and constants in an order in which each is ready before it is used. Lazy ones of a cycle follow each other.
     pub init: Vec<Init>,
-    /// Imports that start anew somewhere.
+    /// Imports whose values some call computes again.
     pub renewals: Vec<Renewal>,
     /// Rust values used in the rules, one entry a use, in source order.
     pub hosts: Vec<Host>,
@@ -71,7 +71,7 @@ impl Grammar {
 /// A rule that a run can begin with.
 #[derive(Clone, Debug)]
 pub struct Start {
-    /// How the host program calls it: `Lot`, or `Style$Lot`.
+    /// The name for the host program: `Lot`, or `Style$Lot`.
     pub name: String,
     /// The style in force, by number; `Default` is 0.
     pub style: u32,
@@ -127,9 +127,9 @@ pub struct Const {
     pub value: Expr,
     /// The value when it is known while compiling.
     pub known: Option<Value>,
-    /// Whether an import that starts anew gives it another value: only then do reads look at the shape first.
+    /// True if a renewal may give it another value on a shape: only then do reads look at the shape first.
     pub is_set: bool,
-    /// Whether it is on a cycle that conditions may keep open: it is computed when it is first read.
+    /// True on a cycle that conditions may keep open: it is computed on its first read.
     pub lazy: bool,
     /// The name in its declaration.
     pub span: Span,
@@ -148,7 +148,7 @@ pub struct Function {
     pub ty: Type,
     /// The value.
     pub body: Expr,
-    /// Whether it can reach itself: then it counts its depth.
+    /// True for a recursive function, which counts its depth.
     pub recursive: bool,
     /// The name in its declaration.
     pub span: Span,
@@ -172,15 +172,15 @@ pub struct Rule {
     pub name: String,
     /// The name its implicit leaves carry: `Facade`, for its blocks too.
     pub label: String,
-    /// Parameters, then locals; a block's are the captured ones, in the order of the rule it stands in.
+    /// Parameters, then locals; those of a block are captured, in the order of the enclosing rule.
     pub params: Vec<Param>,
     /// The values of its locals, computed in order when it is entered: they belong to the last parameters.
     pub locals: Vec<Expr>,
-    /// What it does.
+    /// The steps.
     pub body: Vec<Step>,
     /// True for a block: a part of the rule around it, not a rule that is called.
     pub block: bool,
-    /// Whether the shape itself becomes a leaf when the body is through.
+    /// Tells if the shape becomes a leaf at the end of the body.
     pub leaf: Childless,
     /// The cycle of rules it belongs to, if any: a call from a rule to one of the same cycle may be deferred.
     pub cycle: Option<u32>,
@@ -190,7 +190,7 @@ pub struct Rule {
     pub span: Span,
 }
 
-/// Whether a rule has made no child by the end of its body. A childless shape is a leaf.
+/// Tells if a rule has no child at the end of its body. A shape without children is a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Childless {
     /// No path makes a child, so the shape is a leaf.
@@ -220,7 +220,7 @@ pub enum Step {
     Block(Block),
     /// `[ … ]`: works on a copy.
     Push(Vec<Step>),
-    /// `import( … ).Rule`: a copy on which the attributes and constants of an import start anew.
+    /// `import( … ).Rule`: a copy on which the attributes and constants of an import are computed again.
     Anew(Anew),
     /// `case … else`.
     Case {
@@ -238,12 +238,12 @@ pub enum Step {
     },
 }
 
-/// A rule of an import whose attributes start anew (*import*).
+/// A call of a rule of an import whose attributes are computed again (*import*).
 #[derive(Clone, Debug)]
 pub struct Anew {
     /// The values given in the call. They and the rule's arguments are evaluated before anything changes.
     pub given: Vec<(AttrId, Expr)>,
-    /// What starts anew, but for what is given.
+    /// The values that are computed again, except the given ones.
     pub renewal: RenewalId,
     /// The rule that goes on with the copy.
     pub target: Target,
@@ -251,17 +251,17 @@ pub struct Anew {
     pub span: Span,
 }
 
-/// What an import has that starts anew.
+/// The values of an import that are computed again.
 #[derive(Clone, Debug)]
 pub struct Renewal {
-    /// What the import is called, where it is called first.
+    /// The name of the import at its first call.
     pub import: String,
     /// Its attributes and constants and those of what it imports, in an order in which each is ready before it is used.
     /// They are evaluated on the copy.
     pub globals: Vec<Global>,
 }
 
-/// What a child shape becomes.
+/// The successor of a child shape.
 #[derive(Clone, Debug)]
 pub enum Target {
     /// Goes on with a rule. The arguments are evaluated on the shape that is handed on for a split or comp part
@@ -306,7 +306,7 @@ impl Axis {
 /// The size of a slot.
 #[derive(Clone, Debug)]
 pub struct Size {
-    /// How it is to be read.
+    /// The kind of size.
     pub prefix: Prefix,
     /// The number.
     pub value: Expr,
@@ -326,7 +326,7 @@ pub enum Arg {
 /// One use of a Rust value.
 #[derive(Clone, Debug)]
 pub struct Host {
-    /// The door's handle: which Rust expression it is.
+    /// The number of the Rust expression in its source.
     pub handle: u32,
     /// The type the rules need it to have.
     pub ty: Type,

@@ -230,7 +230,7 @@ impl Expr {
         parts!(&self.kind, iter,)
     }
 
-    /// The same, to change them.
+    /// The parts, mutably.
     pub(crate) fn parts_mut(&mut self) -> Vec<&mut Expr> {
         parts!(&mut self.kind, iter_mut, mut)
     }

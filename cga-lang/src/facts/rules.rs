@@ -57,7 +57,7 @@ impl Facts {
         own
     }
 
-    /// Uses of an import that starts anew: its attributes and constants are evaluated on the shape.
+    /// Uses of a renewal: its attributes and constants are evaluated on the shape.
     fn renewal(&self, grammar: &Grammar, renewal: &Renewal) -> Uses {
         let uses = renewal.globals.iter().map(|global| {
             let (value, lazy) = match *global {

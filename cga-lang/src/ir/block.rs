@@ -58,7 +58,7 @@ pub struct Arm<T> {
     pub text: String,
     /// The operator.
     pub mode: ArmMode,
-    /// What becomes of a part. A value is computed with the part as current shape.
+    /// The successor of a part, or a value with the part as current shape.
     pub then: T,
 }
 
@@ -69,7 +69,7 @@ pub enum Selector {
     Word(&'static str),
     /// By index, evaluated once on the whole shape.
     Index(Expr),
-    /// By a condition, with the part as current shape. Words stand in it.
+    /// A condition with the part as current shape. It may contain words.
     When(Expr),
 }
 

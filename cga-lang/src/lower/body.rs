@@ -152,7 +152,7 @@ impl<'c> Lower<'c> {
     }
 }
 
-/// Numbers the parameters a body reads anew, without gaps; returns the old numbers in order.
+/// Renumbers the parameters that a body reads, without gaps; returns the old numbers in order.
 fn capture(body: &mut [Step]) -> Vec<u32> {
     let mut captured = Vec::new();
     ir_walk::exprs_mut(body, &mut |expr| ir_walk::params_mut(expr, &mut |index| captured.push(*index)));
@@ -164,7 +164,7 @@ fn capture(body: &mut [Step]) -> Vec<u32> {
     captured
 }
 
-/// What counts for an argument that was left out.
+/// The default of an omitted argument.
 fn default(param: &ops::Param, span: Span) -> Option<Arg> {
     let value = |value, ty| Expr { kind: ExprKind::Value(value), ty, span };
     let value = match param.default? {
@@ -179,7 +179,7 @@ fn default(param: &ops::Param, span: Span) -> Option<Arg> {
     })
 }
 
-/// The word that an argument says.
+/// The word in an argument.
 fn word(arg: &ast::Expr, words: &Words) -> &'static str {
     let text = arg.word().unwrap_or_default();
     words.list.iter().copied().find(|word| *word == text).unwrap_or_default()

@@ -117,7 +117,7 @@ impl Lower<'_> {
         Expr { kind: ExprKind::File(Box::new(name), folder), ty, span }
     }
 
-    /// A call of a function of the language. What was left out is filled in.
+    /// A call of a function of the language. Omitted arguments get their defaults.
     fn builtin(row: &'static ops::Function, mut args: Vec<Expr>) -> (ExprKind, Type) {
         let span = args.last().map_or_else(crate::span::Span::default, |last| last.span);
         for param in row.params.iter().skip(args.len()) {

@@ -114,7 +114,7 @@ fn types(params: &[Param], locals: &[Expr]) -> Vec<Type> {
     params[..params.len() - locals.len()].iter().map(|param| param.ty).collect()
 }
 
-/// The same values start anew with renewals of one number.
+/// Renewals of one number compute the same values again.
 fn renewals(grammar: &Grammar, attrs: &[usize], consts: &[usize]) -> Vec<usize> {
     interned(grammar.renewals.iter().map(|renewal| {
         let number = |global: &Global| match *global {
@@ -127,13 +127,13 @@ fn renewals(grammar: &Grammar, attrs: &[usize], consts: &[usize]) -> Vec<usize> 
     }))
 }
 
-/// Numbers the blocks behind the declared rules, and gives the texts of all rules.
+/// Numbers the blocks after the declared rules, and returns the texts of all rules.
 fn blocks(named: &mut Grammar, declared: Vec<usize>) -> (Vec<usize>, Vec<String>) {
     let (first, count) = (declared.len(), named.rules.len());
     let mut texts = vec![String::new(); count];
     let mut known: HashMap<(String, String), usize> = HashMap::new();
     let mut blocks = vec![0; count - first];
-    // Blocks in a block come behind it.
+    // Blocks in a block come after it.
     for at in (first..count).rev() {
         let own = &mut named.rules[at];
         own.name.clear();

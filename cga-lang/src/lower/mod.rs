@@ -61,7 +61,7 @@ struct Lower<'c> {
     inner: Vec<&'c Name>,
     /// The instance whose entries its names have.
     own: InstanceId,
-    /// What the implicit leaves of the rule at hand are called.
+    /// The name of implicit leaves of the current rule.
     label: String,
     /// Name of the rule at hand, with its style.
     name: String,
@@ -71,7 +71,7 @@ struct Lower<'c> {
     hosts: HashMap<Key, HostId>,
     /// By instance.
     renewals: HashMap<InstanceId, RenewalId>,
-    /// Made when an import starts anew.
+    /// Created when an import is computed again.
     below: Option<import::Below>,
     /// Constants and functions whose value is known.
     known: Known,

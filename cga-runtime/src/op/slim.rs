@@ -77,7 +77,7 @@ pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Le
     None
 }
 
-/// `extrude(distance)`, see [`super::extrude`].
+/// `extrude(distance)`, see [`super::extrude()`].
 #[inline]
 pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Option<Box<Base>> {
     let s = shape.size.get();

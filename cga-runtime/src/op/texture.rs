@@ -18,7 +18,7 @@ use crate::shape::texture::Source;
 
 /// The coordinate system of a projection, and its axes for u and v.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names say it")]
+#[allow(missing_docs, reason = "the names are those of the language")]
 pub enum ProjectionAxes {
     ScopeXy,
     ScopeXz,

@@ -81,7 +81,7 @@ impl Profile {
     }
 }
 
-/// The contribution of an edge to the width, from its start on.
+/// A change of the width and of its growth, at the start or the end of an edge.
 #[derive(Clone, Copy)]
 struct Event {
     at: f64,
@@ -146,7 +146,7 @@ impl Sum {
     }
 }
 
-/// Adds the edges of a face that are at least `least` long along the axis, as events at places relative to `base`.
+/// Adds the edges of a face that are longer than `least` along the axis, as events at places relative to `base`.
 /// The area below a place is the signed sum of the areas below the edges, each up to its end. The line that closes
 /// the face at the place runs across the axis and adds nothing.
 fn add_face(face: &FaceRef<'_>, stretch: DVec3, (axis, base, least): (Axis, f64, f64), events: &mut Vec<Event>) {

@@ -33,7 +33,8 @@ use crate::run::settings::Settings;
 use crate::run::sink::Sink;
 use crate::shape::Shape;
 
-/// Runs a grammar on all shapes, with a sink for each stretch. Each sink is [finished](Sink::finish) after its last shape.
+/// Runs a grammar on all shapes, with a sink for each stretch. Each sink is [finished](Sink::finish) after its last
+/// shape.
 ///
 /// # Errors
 /// An error that does not depend on a shape, otherwise the first one in the order of the shapes.

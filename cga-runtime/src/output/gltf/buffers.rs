@@ -63,8 +63,8 @@ impl Primitive {
 }
 
 impl Buffers {
-    /// The buffers as a GLB file; see [`Glb`]. Positions stay relative to the origin of the buffers. Images are referenced:
-    /// [`Glb::with_assets`] and [`Glb::buffers`] embed them.
+    /// The buffers as a GLB file; see [`Glb`]. Positions stay relative to the origin of the buffers. Images are
+    /// referenced: [`Glb::with_assets`] and [`Glb::buffers`] embed them.
     ///
     /// # Errors
     /// As [`Glb::finish`].
