@@ -1,8 +1,8 @@
 //! The tables of the language's words: operations, functions, attributes of shapes, component selectors.
 //!
-//! Every word of the language has a row, whether it runs yet or not. To add an operation that only changes the current
-//! shape: one row and one function in the runtime's `op` module. The parser, the checks and the code generator read
-//! the row.
+//! Every word of the language has a row, whether it runs yet or not. A new operation is one row and one function in the
+//! runtime's `op` module, with braces or without; CONTRIBUTING.md has the steps. The parser, the checks and the code generator
+//! read the row.
 
 mod attributes;
 mod bounds;

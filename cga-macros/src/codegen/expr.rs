@@ -276,7 +276,7 @@ impl Cx<'_> {
             let mut args = args.iter();
             let rows = rows.iter().map(|row| {
                 let parts = args.by_ref().take(row.len());
-                quote_spanned!(place=> &[#(cga_rt::func::Part::from(#parts)),*])
+                quote_spanned!(place=> &[#(cga_rt::func::ArrayPart::from(#parts)),*])
             });
             quote_spanned!(place=> cga_rt::func::array(#env, &[#(#rows),*]))
         };
