@@ -3,12 +3,12 @@
 use crate::diag::code::Code;
 use crate::diag::{Diag, Level};
 use crate::door::Door;
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::info::{Group, Hidden};
 use crate::syntax::ast::{AnnotationArg, Expr, ExprKind, Unary};
 use crate::syntax::span::Span;
 
-pub(super) fn nothing(cx: &mut Cx, name: &str, args: &[AnnotationArg]) {
+pub(super) fn nothing(cx: &mut Context, name: &str, args: &[AnnotationArg]) {
     if let Some(first) = args.first() {
         wrong(cx, whole(first), format!("`@{name}` takes no arguments"));
     }
@@ -20,7 +20,7 @@ pub(super) fn whole(arg: &AnnotationArg) -> Span {
 }
 
 /// The one string that an annotation takes.
-pub(super) fn text(cx: &mut Cx, name: &str, span: Span, args: &[AnnotationArg]) -> Option<String> {
+pub(super) fn text(cx: &mut Context, name: &str, span: Span, args: &[AnnotationArg]) -> Option<String> {
     match args {
         [AnnotationArg { name: None, value: Expr { kind: ExprKind::Text(text), .. } }] => Some(text.clone()),
         _ => {
@@ -31,7 +31,7 @@ pub(super) fn text(cx: &mut Cx, name: &str, span: Span, args: &[AnnotationArg]) 
 }
 
 /// Arguments that must be strings; the others are reported and left out.
-pub(super) fn texts(cx: &mut Cx, needs: &str, args: &[AnnotationArg]) -> Vec<String> {
+pub(super) fn texts(cx: &mut Context, needs: &str, args: &[AnnotationArg]) -> Vec<String> {
     let mut list = Vec::with_capacity(args.len());
     for arg in args {
         match (&arg.name, &arg.value.kind) {
@@ -43,7 +43,7 @@ pub(super) fn texts(cx: &mut Cx, needs: &str, args: &[AnnotationArg]) -> Vec<Str
 }
 
 /// `@Group("A", "B", order)`; without arguments it ends the group.
-pub(super) fn group_of(cx: &mut Cx, args: &[AnnotationArg]) -> Group {
+pub(super) fn group_of(cx: &mut Context, args: &[AnnotationArg]) -> Group {
     let (order, names) = match args.split_last() {
         Some((AnnotationArg { name: None, value }, rest)) if number(value).is_some() => (number(value), rest),
         _ => (None, args),
@@ -56,7 +56,7 @@ pub(super) fn group_of(cx: &mut Cx, args: &[AnnotationArg]) -> Group {
     Group { names: texts(cx, needs, names), order }
 }
 
-pub(super) fn hidden(cx: &mut Cx, args: &[AnnotationArg]) -> Hidden {
+pub(super) fn hidden(cx: &mut Context, args: &[AnnotationArg]) -> Hidden {
     let mut names = Vec::with_capacity(args.len());
     for arg in args {
         match (&arg.name, &arg.value.kind) {
@@ -78,7 +78,7 @@ pub(super) fn number(value: &Expr) -> Option<f64> {
     }
 }
 
-pub(super) fn wrong<'d>(cx: &'d mut Cx, span: Span, message: String) -> &'d mut Diag {
+pub(super) fn wrong<'d>(cx: &'d mut Context, span: Span, message: String) -> &'d mut Diag {
     // In text they are as forgiving as CGA: they describe, they do not generate.
     let door = cx.globals.program.instances[cx.at].file.door;
     let level = if door == Door::Inline { Level::Error } else { Level::Warning };

@@ -3,7 +3,7 @@
 use super::arguments::{number, whole, wrong};
 use crate::diag::code::Code;
 use crate::ir::{AttrId, ChoiceValues, Choices, Presentation, Range, Type};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::globals::Kind;
 use crate::resolve::info::AttrInfo;
 use crate::resolve::tables::Use;
@@ -27,7 +27,7 @@ const BOUNDS: [&str; 4] = ["min", "max", "stepsize", "restricted"];
 
 impl Limits {
     /// `@Range(min=…, max=…)`, positions for names in old files, or a list of values, perhaps with names for them.
-    pub(super) fn range(&mut self, cx: &mut Cx, span: Span, args: &[AnnotationArg]) {
+    pub(super) fn range(&mut self, cx: &mut Context, span: Span, args: &[AnnotationArg]) {
         let is_text = |arg: &AnnotationArg| arg.name.is_none() && matches!(arg.value.kind, ExprKind::Text(_));
         let names: Option<Vec<&str>> = args.iter().map(|arg| Some(arg.name.as_ref()?.text.as_str())).collect();
         let labels = names.is_some_and(|names| !names.is_empty() && !are_bounds(&names));
@@ -49,7 +49,7 @@ impl Limits {
     }
 
     /// `@Enum(value, …, restricted=…)` or `@Enum(valuesAttr=name, restricted=…)`.
-    pub(super) fn choices(&mut self, cx: &mut Cx, span: Span, args: &[AnnotationArg]) {
+    pub(super) fn choices(&mut self, cx: &mut Context, span: Span, args: &[AnnotationArg]) {
         let (mut list, mut source, mut restricted) = (Vec::new(), None, true);
         for arg in args {
             match arg.name.as_ref().map(|name| name.text.as_str()) {
@@ -83,9 +83,9 @@ impl Limits {
     }
 
     /// Gives an attribute what suits its type. Nothing more is said when the type is not known.
-    pub(super) fn settle(self, cx: &mut Cx, decl: &Decl, ty: Option<Type>, info: &mut AttrInfo) {
+    pub(super) fn settle(self, cx: &mut Context, decl: &Decl, ty: Option<Type>, info: &mut AttrInfo) {
         let element = ty.map(Type::element);
-        let unsuited = |cx: &mut Cx, span: Span, what: &str| {
+        let unsuited = |cx: &mut Context, span: Span, what: &str| {
             let (name, ty) = (&decl.name.text, ty.map_or("", Type::word));
             wrong(cx, span, format!("{what}, but `{name}` is a {ty}"));
         };
@@ -131,7 +131,7 @@ impl Limits {
 }
 
 /// Reports values in a `@Range` (*CGA changelog 2017.1*).
-fn old_list(cx: &mut Cx, span: Span, values: &ChoiceValues) {
+fn old_list(cx: &mut Context, span: Span, values: &ChoiceValues) {
     let list: Vec<String> = match values {
         ChoiceValues::Floats(list) => list.iter().map(f64::to_string).collect(),
         ChoiceValues::Texts(list) => list.iter().map(|text| format!("{text:?}")).collect(),
@@ -144,7 +144,7 @@ fn old_list(cx: &mut Cx, span: Span, values: &ChoiceValues) {
 }
 
 /// A default that is none of the values which others are held to.
-fn stray_default(cx: &mut Cx, decl: &Decl, info: &AttrInfo) {
+fn stray_default(cx: &mut Context, decl: &Decl, info: &AttrInfo) {
     let Some(value) = decl.value() else { return };
     let known = number(value);
     let stray = info.held_to_range().zip(known).filter(|(range, known)| *known < range.min || range.max < *known);
@@ -176,7 +176,7 @@ fn are_bounds(names: &[&str]) -> bool {
     names.iter().any(|name| BOUNDS.contains(name)) || names.iter().all(like)
 }
 
-fn truth(cx: &mut Cx, value: &Expr) -> Option<bool> {
+fn truth(cx: &mut Context, value: &Expr) -> Option<bool> {
     match value.kind {
         ExprKind::Bool(value) => Some(value),
         _ => {
@@ -187,7 +187,7 @@ fn truth(cx: &mut Cx, value: &Expr) -> Option<bool> {
 }
 
 /// Values that are all numbers or all strings.
-fn values(cx: &mut Cx, annotation: &str, args: &[&AnnotationArg]) -> Option<ChoiceValues> {
+fn values(cx: &mut Context, annotation: &str, args: &[&AnnotationArg]) -> Option<ChoiceValues> {
     let (mut floats, mut texts) = (Vec::new(), Vec::new());
     for arg in args {
         match (number(&arg.value), &arg.value.kind) {
@@ -204,7 +204,7 @@ fn values(cx: &mut Cx, annotation: &str, args: &[&AnnotationArg]) -> Option<Choi
 }
 
 /// The attribute that `valuesAttr` names.
-fn attribute(cx: &mut Cx, value: &Expr) -> Option<AttrId> {
+fn attribute(cx: &mut Context, value: &Expr) -> Option<AttrId> {
     let ExprKind::Name(name) = &value.kind else {
         wrong(cx, value.span, "`valuesAttr` is the name of an attribute".into());
         return None;
@@ -224,7 +224,7 @@ fn attribute(cx: &mut Cx, value: &Expr) -> Option<AttrId> {
     }
 }
 
-fn bounds(cx: &mut Cx, span: Span, args: &[AnnotationArg]) -> Option<Range> {
+fn bounds(cx: &mut Context, span: Span, args: &[AnnotationArg]) -> Option<Range> {
     let (mut min, mut max, mut step, mut restricted) = (None, None, 0.0, true);
     for (index, arg) in args.iter().enumerate() {
         let name = match &arg.name {

@@ -8,7 +8,7 @@ mod notes;
 
 use crate::diag::code::Code;
 use crate::link::{InstanceId, Key, Program};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::globals::Item;
 use crate::resolve::info::{AttrInfo, Group, Hidden, ImportInfo, RuleInfo};
 use crate::suggest::nearest;
@@ -48,7 +48,7 @@ impl<'a> Place<'a> {
     }
 }
 
-pub(crate) fn read(cx: &mut Cx) {
+pub(crate) fn read(cx: &mut Context) {
     let program = cx.globals.program;
     cx.tables.attrs = vec![AttrInfo::default(); cx.globals.attrs.len()];
     let by_name: HashMap<Key, usize> =
@@ -82,7 +82,12 @@ fn from(program: &Program, parent: InstanceId, id: InstanceId) -> Option<Key> {
 }
 
 /// Reads the annotations of a file. `group` is the one that counts where it is imported.
-fn file<'a>(cx: &mut Cx, ast: &'a Ast, mut group: Group, keep: &mut dyn FnMut(&mut Cx, &'a Decl, AttrInfo)) -> Starts {
+fn file<'a>(
+    cx: &mut Context,
+    ast: &'a Ast,
+    mut group: Group,
+    keep: &mut dyn FnMut(&mut Context, &'a Decl, AttrInfo),
+) -> Starts {
     let mut places: Vec<Place<'_>> = vec![Place::Head(&ast.head)];
     places.extend(ast.imports.iter().map(Place::Import));
     places.extend(ast.styles.iter().map(Place::Style));
@@ -138,7 +143,7 @@ struct Starts {
 }
 
 impl Starts {
-    fn rule(&mut self, cx: &mut Cx, decl: &Decl, start: Option<Span>) {
+    fn rule(&mut self, cx: &mut Context, decl: &Decl, start: Option<Span>) {
         let Some(span) = start else { return };
         if !decl.params.is_empty() {
             let message = format!("`{}` has parameters, so a run cannot begin with it", decl.name.text);
@@ -154,7 +159,7 @@ impl Starts {
 
     /// The rule marked with `start`, else the annotated one of the nearest style, else the first, each without
     /// parameters.
-    fn rule_of(self, cx: &mut Cx) -> Option<u32> {
+    fn rule_of(self, cx: &mut Context) -> Option<u32> {
         let (root, styles) = (cx.at, &cx.globals.program.instances[cx.at].styles);
         let own = |item: &Item| item.instance == root && item.home == root && !item.decl.name.text.contains('.');
         let rules = cx.globals.rules.iter().enumerate().filter(|(_, item)| own(item));
@@ -185,7 +190,7 @@ impl Starts {
 }
 
 /// The annotation's name as the language has it.
-fn known(cx: &mut Cx, annotation: &Annotation) -> Option<&'static str> {
+fn known(cx: &mut Context, annotation: &Annotation) -> Option<&'static str> {
     let name = annotation.name.text.as_str();
     if let Some(known) = ANNOTATIONS.iter().find(|&&known| known == name) {
         return Some(known);

@@ -4,7 +4,7 @@ use super::arguments::{group_of, hidden, nothing, number, text, texts, wrong};
 use super::limits::Limits;
 use crate::diag::code::Code;
 use crate::ir::{Presentation, Type};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::info::{AttrInfo, Group, Hidden};
 use crate::syntax::ast::{AnnotationArg, Decl};
 use crate::syntax::span::Span;
@@ -27,7 +27,7 @@ impl Notes {
     /// Takes in what an annotation says. `group` is the one that counts from here on.
     pub(super) fn read(
         &mut self,
-        cx: &mut Cx,
+        cx: &mut Context,
         name: &'static str,
         span: Span,
         args: &[AnnotationArg],
@@ -77,7 +77,7 @@ impl Notes {
         }
     }
 
-    fn present(&mut self, cx: &mut Cx, name: &str, span: Span, args: &[AnnotationArg], how: Presentation) {
+    fn present(&mut self, cx: &mut Context, name: &str, span: Span, args: &[AnnotationArg], how: Presentation) {
         nothing(cx, name, args);
         match self.presented {
             Some(first) if self.info.presentation != how => {
@@ -96,7 +96,7 @@ impl Notes {
     }
 
     /// What they say about an attribute, as far as it suits the type.
-    pub(super) fn attribute(self, cx: &mut Cx, decl: &Decl, group: &Group) -> AttrInfo {
+    pub(super) fn attribute(self, cx: &mut Context, decl: &Decl, group: &Group) -> AttrInfo {
         let doc = self.doc(decl);
         let Notes { mut info, limits, presented, hidden, .. } = self;
         info.group.clone_from(group);

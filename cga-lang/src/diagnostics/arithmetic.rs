@@ -4,12 +4,12 @@ use super::{bounds, branches, colour, texture};
 use crate::analysis::{Facts, Flow, Turn};
 use crate::diag::Diags;
 use crate::diag::code::Code;
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::tables::Use;
 use crate::syntax::ast::{Binary, Expr, ExprKind};
 
 /// Looks at an expression and its parts.
-pub(crate) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mut Diags) {
+pub(crate) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Context, diags: &mut Diags) {
     match &expr.kind {
         ExprKind::Binary(op @ (Binary::Div | Binary::Rem), _, _, right)
             if flow.value(right, facts).number().known() == Some(0.0) =>
@@ -43,7 +43,7 @@ fn case<'e>(
     facts: &Facts,
     (first, before): (&Facts, &mut Vec<&'e Expr>),
     flow: &Flow,
-    cx: &Cx,
+    cx: &Context,
     diags: &mut Diags,
 ) {
     // What is never computed may be anything.

@@ -5,7 +5,7 @@ use crate::diag::Diags;
 use crate::diag::code::Code;
 use crate::link::Asset;
 use crate::ops::{AssetNames, FileUse, Function, Param, ParamKind};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
 use crate::suggest::nearest;
 use crate::syntax::ast::{Arg, Expr, ExprKind};
@@ -13,7 +13,7 @@ use crate::syntax::token::Tok;
 use cga_split::files::places;
 
 /// Looks at what is met on the way through a rule.
-pub(crate) fn check(site: &Site, facts: &Facts, cx: &Cx, diags: &mut Diags) {
+pub(crate) fn check(site: &Site, facts: &Facts, cx: &Context, diags: &mut Diags) {
     let names = cx.tables.at(facts.own);
     match site {
         Site::Operation(row, args) => {
@@ -27,12 +27,12 @@ pub(crate) fn check(site: &Site, facts: &Facts, cx: &Cx, diags: &mut Diags) {
 }
 
 /// Looks at the arguments that are files.
-fn files(params: &[Param], args: &[&Expr], names: Entries, cx: &Cx, diags: &mut Diags) {
+fn files(params: &[Param], args: &[&Expr], names: Entries, cx: &Context, diags: &mut Diags) {
     params.iter().zip(args).for_each(|(param, value)| named(value, param.kind, names, cx, diags));
 }
 
 /// Looks at an expression and its parts.
-pub(crate) fn expression(expr: &Expr, facts: &Facts, cx: &Cx, diags: &mut Diags) {
+pub(crate) fn expression(expr: &Expr, facts: &Facts, cx: &Context, diags: &mut Diags) {
     let names = cx.tables.at(facts.own);
     if let ExprKind::Call(name, args) = &expr.kind
         && let Some(Use::Builtin(row)) = names.of(name)
@@ -46,7 +46,7 @@ pub(crate) fn expression(expr: &Expr, facts: &Facts, cx: &Cx, diags: &mut Diags)
 }
 
 /// The file that an expression names, and the place where that is written.
-fn text<'c>(expr: &'c Expr, names: Entries, cx: &'c Cx) -> Option<&'c str> {
+fn text<'c>(expr: &'c Expr, names: Entries, cx: &'c Context) -> Option<&'c str> {
     match &expr.kind {
         ExprKind::Text(text) => Some(text),
         ExprKind::Name(name) => match names.of(name)? {
@@ -61,7 +61,7 @@ fn text<'c>(expr: &'c Expr, names: Entries, cx: &'c Cx) -> Option<&'c str> {
 }
 
 /// Looks at an argument or value that may be the name of a file.
-fn named(value: &Expr, kind: ParamKind, names: Entries, cx: &Cx, diags: &mut Diags) {
+fn named(value: &Expr, kind: ParamKind, names: Entries, cx: &Context, diags: &mut Diags) {
     if !matches!(kind, ParamKind::Image(_) | ParamKind::File(FileUse::Read | FileUse::Inserted)) {
         return;
     }
@@ -95,7 +95,7 @@ fn named(value: &Expr, kind: ParamKind, names: Entries, cx: &Cx, diags: &mut Dia
 }
 
 /// Looks at the name of a group or material that is looked for among those of the geometry.
-fn within(list: &Expr, text: &Expr, token: u32, entries: Entries, cx: &Cx, diags: &mut Diags) {
+fn within(list: &Expr, text: &Expr, token: u32, entries: Entries, cx: &Context, diags: &mut Diags) {
     let (ExprKind::Name(query) | ExprKind::Call(query, _), ExprKind::Text(wanted)) = (&list.kind, &text.kind) else {
         return;
     };

@@ -8,7 +8,7 @@ use crate::diag::{Detail, Diag, Diags};
 use crate::hash::FastMap;
 use crate::ir::ChoiceValues;
 use crate::link::InstanceId;
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
 use crate::suggest::nearest;
 use crate::syntax::ast::{Binary, Expr, ExprKind, Unary};
@@ -16,7 +16,7 @@ use crate::syntax::token::{Sym, Tok};
 use std::collections::HashSet;
 
 /// Looks at a condition of a `case`.
-pub(crate) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mut Diags) {
+pub(crate) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Context, diags: &mut Diags) {
     let condition = turn.condition;
     let Some(truth) = flow.value(condition, facts).truth() else {
         // A part of it may be wrong even so.
@@ -84,7 +84,7 @@ fn bare(condition: &Expr) -> &Expr {
 }
 
 /// Looks for one in a condition.
-fn unlisted<'e>(condition: &'e Expr, own: InstanceId, cx: &'e Cx) -> Option<Stray<'e>> {
+fn unlisted<'e>(condition: &'e Expr, own: InstanceId, cx: &'e Context) -> Option<Stray<'e>> {
     let (name, text) = match &condition.kind {
         ExprKind::Unary(Unary::Not, operand) => return unlisted(operand, own, cx),
         ExprKind::Binary(Binary::And | Binary::Or, _, left, right) => {
@@ -103,7 +103,7 @@ fn unlisted<'e>(condition: &'e Expr, own: InstanceId, cx: &'e Cx) -> Option<Stra
 }
 
 /// A condition that has failed before, word for word.
-fn again(turn: &Turn, own: InstanceId, cx: &Cx, diags: &mut Diags) {
+fn again(turn: &Turn, own: InstanceId, cx: &Context, diags: &mut Diags) {
     let (condition, tokens) = (turn.condition, cx.globals.program.tokens.as_slice());
     let written = |expr: &Expr| tokens.get(expr.span.first as usize..=expr.span.last as usize);
     let Some(first) = turn.before.iter().find(|first| written(first) == written(condition)) else { return };
@@ -176,7 +176,7 @@ fn told(expr: &Expr, facts: &Facts, flow: &Flow) -> Option<String> {
 }
 
 /// Returns true if it is a switch that decides a condition.
-fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, cx: &Cx) -> bool {
+fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, cx: &Context) -> bool {
     let decides = |side: &Expr, truth: bool| {
         flow.value(side, facts).truth() == Some(truth) && is_decided_by_switch(side, truth, facts, flow, cx)
     };
@@ -193,7 +193,7 @@ fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &Facts, flow: &Flo
 
 /// Returns true if an order comparison tests a switch: a constant against zero, which turns a part off (`overhang > 0`), or a constant
 /// that the rules do nothing with but compare it, more than once (`lod > 1`, `lod > 2`).
-fn is_level(constant: &Expr, bound: &Expr, own: InstanceId, cx: &Cx) -> bool {
+fn is_level(constant: &Expr, bound: &Expr, own: InstanceId, cx: &Context) -> bool {
     let (ExprKind::Name(name) | ExprKind::Call(name, _), ExprKind::Number(bound)) = (&constant.kind, &bound.kind)
     else {
         return false;
@@ -207,7 +207,7 @@ fn is_level(constant: &Expr, bound: &Expr, own: InstanceId, cx: &Cx) -> bool {
 }
 
 /// Constants that are used more than once, always in a comparison with a number.
-pub(crate) fn levels(cx: &Cx) -> HashSet<u32> {
+pub(crate) fn levels(cx: &Context) -> HashSet<u32> {
     let tokens = cx.globals.program.tokens.as_slice();
     let at = |token: u32, step: i64| usize::try_from(i64::from(token) + step).ok().and_then(|at| tokens.get(at));
     let compares = |token: u32, step: i64| {

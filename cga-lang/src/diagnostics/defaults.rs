@@ -5,7 +5,7 @@ use super::{repeat, size};
 use crate::analysis::{Attrs, Calls, Flow, Known, Site, Slots};
 use crate::diag::code::Code;
 use crate::diag::{Basis, Diag, Diags, Level};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
 use crate::syntax::ast::{Expr, ExprKind};
 use crate::syntax::span::Span;
@@ -23,7 +23,7 @@ const TOLD: &[Code] = &[
 ];
 
 /// Looks for them; `certain` is what holds in any case.
-pub(crate) fn check(cx: &Cx, calls: &Calls, certain: &[Diag]) -> Vec<Diag> {
+pub(crate) fn check(cx: &Context, calls: &Calls, certain: &[Diag]) -> Vec<Diag> {
     let program = cx.globals.program;
     let known = Known::new(&cx.globals, &cx.tables, Attrs::Defaults);
     let flow = Flow::new(&cx.globals, &known, Some(calls));
@@ -57,7 +57,7 @@ fn is_told(diag: &Diag, slots: &Slots) -> bool {
 }
 
 /// The attributes whose defaults a diagnostic about a slot follows from.
-fn defaults(span: Span, slots: &Slots, names: Entries, cx: &Cx) -> Vec<(String, Span)> {
+fn defaults(span: Span, slots: &Slots, names: Entries, cx: &Context) -> Vec<(String, Span)> {
     let mut attrs = Vec::new();
     // A slot depends on those before it, one that floats on all.
     let at = slots.list.iter().position(|slot| slot.size.span == span && !slot.floats());

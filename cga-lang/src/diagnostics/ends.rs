@@ -6,7 +6,7 @@ use crate::diag::code::Code;
 use crate::diag::{Basis, Diag, Diags, Level};
 use crate::graph::{components, is_cycle};
 use crate::ops::Effect;
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::globals::Item;
 use crate::resolve::tables::{Entries, Use};
 use crate::syntax::ast::{Block, BlockPart, ExprKind, Op, OpKind, Prefix, SplitItem};
@@ -24,7 +24,7 @@ enum Ends {
     ButChance,
 }
 
-pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
+pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
     let globals = &cx.globals;
     let mut cycle: Vec<Option<usize>> = vec![None; globals.rules.len()];
     let cycles: Vec<Vec<usize>> =
@@ -92,7 +92,7 @@ fn call_of(list: &[Op], wanted: usize, names: Entries) -> Option<Span> {
 }
 
 /// The rules of cycles in which every path comes back to such a rule.
-fn going_on(cx: &Cx, calls: &Calls, cycle: &[Option<usize>], ends: Ends) -> Vec<bool> {
+fn going_on(cx: &Context, calls: &Calls, cycle: &[Option<usize>], ends: Ends) -> Vec<bool> {
     let rules = &cx.globals.rules;
     let mut callers = vec![Vec::new(); rules.len()];
     for (caller, callees) in calls.edges.iter().enumerate() {
@@ -169,7 +169,7 @@ fn calls_one(list: &[Op], names: Entries, within: &dyn Fn(u32) -> bool) -> bool 
 }
 
 /// Whether some step of a rule may change the size of the shape.
-fn sizes(item: &Item, cx: &Cx) -> bool {
+fn sizes(item: &Item, cx: &Context) -> bool {
     let (names, mut found) = (cx.tables.at(item.own), false);
     ops(body(item), &mut |op| {
         found |= match &op.kind {

@@ -5,13 +5,13 @@ use crate::analysis::body;
 use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::ops::{self, Braces, Directions, Operation, Selector};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
 use crate::syntax::ast::{Arm, BlockPart, Expr, ExprKind, OpKind};
 use crate::syntax::span::Span;
 use crate::syntax::walk;
 
-pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
+pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     let mut agreed = Agreed::default();
     for item in &cx.globals.rules {
         if agreed.is_settled(item) {

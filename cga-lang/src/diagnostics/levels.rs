@@ -2,7 +2,7 @@
 
 use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Annotation, ExprKind};
 use crate::syntax::span::Span;
@@ -14,7 +14,7 @@ pub(crate) struct Setting {
     place: Option<Span>,
 }
 
-pub(crate) fn collect(cx: &mut Cx, levels: &[(Code, Level)]) -> Vec<Setting> {
+pub(crate) fn collect(cx: &mut Context, levels: &[(Code, Level)]) -> Vec<Setting> {
     let mut settings: Vec<Setting> = levels.iter().map(|&(code, level)| Setting { code, level, place: None }).collect();
     let program = cx.globals.program;
     for (number, file) in program.files.iter().enumerate() {
@@ -32,7 +32,7 @@ pub(crate) fn collect(cx: &mut Cx, levels: &[(Code, Level)]) -> Vec<Setting> {
     settings
 }
 
-fn read(cx: &mut Cx, annotation: &Annotation, place: Option<Span>, settings: &mut Vec<Setting>) {
+fn read(cx: &mut Context, annotation: &Annotation, place: Option<Span>, settings: &mut Vec<Setting>) {
     let level = match annotation.name.text.as_str() {
         "Allow" => Level::Allow,
         "Warn" => Level::Warning,

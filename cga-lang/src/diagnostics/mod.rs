@@ -24,10 +24,10 @@ use crate::diag::{Basis, Diag, Diags};
 use crate::diagnostics::agreed::Agreed;
 use crate::diagnostics::texture::Projected;
 use crate::ops::ParamKind;
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::syntax::ast::Expr;
 
-pub(crate) fn check(cx: &mut Cx) {
+pub(crate) fn check(cx: &mut Context) {
     cx.tables.levels = branches::levels(cx);
     let program = cx.globals.program;
     // With an error somewhere nobody knows who calls whom.
@@ -106,7 +106,7 @@ pub(crate) fn check(cx: &mut Cx) {
 }
 
 /// What splits of a rule certainly do.
-fn divisions(rule: usize, flow: &Flow, projected: Projected, cx: &Cx) -> Vec<Diag> {
+fn divisions(rule: usize, flow: &Flow, projected: Projected, cx: &Context) -> Vec<Diag> {
     let mut diags = Diags::new();
     flow.visit(&cx.globals, rule, &mut |site, facts| match site {
         Site::Split(slots) => {

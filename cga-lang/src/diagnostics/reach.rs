@@ -7,14 +7,14 @@ use super::agreed::Agreed;
 use crate::analysis::{Calls, body};
 use crate::diag::code::Code;
 use crate::diag::{Basis, Diag, Diags};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::globals::{Item, Kind};
 use crate::suggest::nearest;
 use crate::syntax::ast::Role;
 use std::collections::HashSet;
 
 /// Looks for them, where nobody can import the rules.
-pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
+pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
     let (globals, program) = (&cx.globals, cx.globals.program);
     let mut reached = if calls.starts.is_empty() || program.may_be_imported() {
         vec![true; globals.rules.len()]
@@ -69,7 +69,7 @@ pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
 }
 
 /// Rules without parameters that nothing calls and no annotation names, where another rule is marked as the start.
-fn uncalled(cx: &Cx, calls: &Calls) -> HashSet<usize> {
+fn uncalled(cx: &Context, calls: &Calls) -> HashSet<usize> {
     let program = cx.globals.program;
     let mut others: HashSet<usize> = HashSet::new();
     for (caller, callees) in calls.edges.iter().enumerate() {
@@ -95,7 +95,7 @@ fn is_outward(item: &Item) -> bool {
 }
 
 /// The import before the name of a rule, where the file has no such import.
-fn missing_import<'a>(cx: &Cx<'a, '_>, item: &Item<'a>) -> Option<&'a str> {
+fn missing_import<'a>(cx: &Context<'a, '_>, item: &Item<'a>) -> Option<&'a str> {
     let program = cx.globals.program;
     let (import, _) = item.decl.name.text.split_once('.')?;
     let is_known = program.instances[item.instance].imports.contains_key(import);
@@ -103,7 +103,7 @@ fn missing_import<'a>(cx: &Cx<'a, '_>, item: &Item<'a>) -> Option<&'a str> {
 }
 
 /// By rule: whether a run gets there.
-fn reached(cx: &Cx, calls: &Calls) -> Vec<bool> {
+fn reached(cx: &Context, calls: &Calls) -> Vec<bool> {
     let globals = &cx.globals;
     let mut reached = vec![false; globals.rules.len()];
     let mut open = calls.starts.clone();

@@ -6,7 +6,7 @@ use crate::analysis::{Facts, Flow, UvSets, body};
 use crate::diag::Diags;
 use crate::diag::code::Code;
 use crate::ops::{Function, Operation, ParamKind, UvEffect};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::tables::Use;
 use crate::syntax::ast::{Arg, Block, Expr, ExprKind, Name, OpKind};
 use crate::syntax::walk::ops;
@@ -20,7 +20,7 @@ pub(crate) struct Projected {
 }
 
 impl Projected {
-    pub(crate) fn new(cx: &Cx, flow: &Flow) -> Projected {
+    pub(crate) fn new(cx: &Context, flow: &Flow) -> Projected {
         let (mut bits, mut made, mut set_up) = (0, 0, 0);
         // Rules of a file that imports this one may make some as well.
         if cx.globals.program.may_be_imported() {

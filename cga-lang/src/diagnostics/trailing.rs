@@ -7,11 +7,11 @@ use crate::analysis::body;
 use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::ops::Run;
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
 use crate::syntax::ast::{Block, BlockPart, Op, OpKind};
 
-pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
+pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     let mut agreed = Agreed::default();
     for item in &cx.globals.rules {
         if agreed.is_settled(item) {

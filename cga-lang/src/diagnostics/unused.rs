@@ -5,7 +5,7 @@ use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::ir::{ChoiceValues, Type};
 use crate::ops;
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::globals::{Init, Item};
 use crate::resolve::tables::Use;
 use crate::syntax::ast::{Body, Name, Role};
@@ -14,7 +14,7 @@ use crate::syntax::token::{Sym, Tok};
 use std::collections::{HashMap, HashSet};
 
 /// Looks for both, in the file that is compiled: an imported one may have more than is used here.
-pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
+pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     let (globals, program) = (&cx.globals, cx.globals.program);
     // A file without a start is there for others.
     if cx.tables.starts.iter().all(Option::is_none) {
@@ -59,7 +59,7 @@ struct Used {
 }
 
 impl Used {
-    fn new(cx: &Cx) -> Used {
+    fn new(cx: &Context) -> Used {
         let mut used = Used::default();
         for found in cx.tables.uses.values() {
             match found {
@@ -99,7 +99,7 @@ fn value(item: &Item, what: &str, code: Code, used: bool, diags: &mut Diags) {
 }
 
 /// Names and numbers of parameters of what several styles declare.
-fn styled<'a>(cx: &Cx<'a, '_>) -> HashSet<(&'a str, usize)> {
+fn styled<'a>(cx: &Context<'a, '_>) -> HashSet<(&'a str, usize)> {
     let program = cx.globals.program;
     let mut styles: HashMap<(&str, usize), u32> = HashMap::new();
     let mut found = HashSet::new();
@@ -113,7 +113,7 @@ fn styled<'a>(cx: &Cx<'a, '_>) -> HashSet<(&'a str, usize)> {
 }
 
 /// Parameters and locals.
-fn inner(cx: &Cx, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut Diags) {
+fn inner(cx: &Context, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut Diags) {
     let decl = item.decl;
     let names: Vec<_> = decl.inner().collect();
     let in_styles = styled.contains(&(decl.name.text.as_str(), decl.params.len()));
@@ -160,7 +160,7 @@ fn inner(cx: &Cx, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut Diag
 
 /// The first selector's word in a declaration that may have been meant as the parameter or local value of its name. A text
 /// selects nothing. A value that is read elsewhere is there for that, except a bool where the word is part of a condition.
-fn doubtful_selector(cx: &Cx, item: &Item, name: &Name, is_used: bool) -> Option<u32> {
+fn doubtful_selector(cx: &Context, item: &Item, name: &Name, is_used: bool) -> Option<u32> {
     let word = ops::selector(&name.text)?.name;
     let tokens = cx.globals.program.tokens.as_slice();
     let ty = cx.tables.at(item.own).ty(name);
@@ -180,7 +180,7 @@ fn doubtful_selector(cx: &Cx, item: &Item, name: &Name, is_used: bool) -> Option
 }
 
 /// Imports whose name nothing begins with, and which get no attribute.
-fn imports(cx: &Cx) -> Vec<Diag> {
+fn imports(cx: &Context) -> Vec<Diag> {
     let (globals, program) = (&cx.globals, cx.globals.program);
     let Some(&root) = program.roots.first() else { return Vec::new() };
     let instance = &program.instances[root];

@@ -18,7 +18,7 @@ use crate::door::Door;
 use crate::hash::FastMap;
 use crate::link::{InstanceId, Key, Wanted};
 use crate::ops::ParamKind;
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::globals::{Init, Item};
 use crate::resolve::tables::Use;
 use crate::syntax::ast::{Body, Decl, Expr, Name};
@@ -41,7 +41,7 @@ pub(crate) struct Found {
     pub(crate) unsuited: Vec<InstanceId>,
 }
 
-pub(crate) fn infer(cx: &mut Cx) -> Found {
+pub(crate) fn infer(cx: &mut Context) -> Found {
     let before = cx.diags.so_far().len();
     let mut pass = Infer {
         cx,
@@ -100,7 +100,7 @@ struct Argument {
 }
 
 struct Infer<'p, 'a, 'd> {
-    cx: &'p mut Cx<'a, 'd>,
+    cx: &'p mut Context<'a, 'd>,
     vars: Vars,
     /// By declaration, parameter and local; Rust values and Rust calls by their first token.
     slots: FastMap<Key, Var>,

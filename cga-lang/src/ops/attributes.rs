@@ -1,44 +1,11 @@
 //! The attributes of shapes.
 
+use super::base::{both, get, using};
 use super::material::MATERIAL;
-use super::{AttrValues, B, Changes, Effect, F, Needs, ParamKind, Run, ShapeAttr, T, Uses};
-use crate::types::Type;
+use super::{AttrValues, B, Effect, F, Needs, ParamKind, Run, ShapeAttr, T, Uses};
 
 /// Every attribute of shapes.
 pub static SHAPE_ATTRS: &[&[ShapeAttr]] = &[SHAPE, MATERIAL];
-
-/// Cannot be set.
-const fn get(name: &'static str, get: &'static str, uses: Uses) -> ShapeAttr {
-    ShapeAttr {
-        name,
-        get: Run::Now(get),
-        kind: ParamKind::Value(F),
-        values: AttrValues::Any,
-        needs: Needs::Shape,
-        uses,
-        set: None,
-        set_uses: Uses::NONE,
-        set_changes: Changes::Nothing,
-        set_scope: Effect::Keeps,
-        old: None,
-    }
-}
-
-/// Can be set. Reading and setting use the whole shape.
-pub(super) const fn both(name: &'static str, call: &'static str, ty: Type) -> ShapeAttr {
-    ShapeAttr {
-        kind: ParamKind::Value(ty),
-        set: Some(Run::Now(call)),
-        set_uses: Uses::WHOLE,
-        set_changes: Changes::Whole,
-        ..get(name, call, Uses::WHOLE)
-    }
-}
-
-/// The same row, with other uses.
-pub(super) const fn using(uses: Uses, set_uses: Uses, row: ShapeAttr) -> ShapeAttr {
-    ShapeAttr { uses, set_uses, ..row }
-}
 
 /// Of the initial shape: the run knows it, and it cannot be set.
 const fn initial(name: &'static str, call: &'static str) -> ShapeAttr {

@@ -1,8 +1,9 @@
 //! The functions.
 
+use super::base::later;
 use super::{
-    B, BS, Bounds, Default, F, FILE, FS, Function, Meaning, Needs, Param, Run, T, TS, Uses, Values, boolean, bounds,
-    float, of, or, queries, renamed, set_elements, text, values, within, word, words,
+    B, BS, Bounds, Default, F, FILE, FS, Function, Needs, Param, Run, T, TS, Uses, Values, boolean, bounds, float, of,
+    or, queries, renamed, set_elements, text, values, within, word, words,
 };
 use crate::types::Type;
 
@@ -33,24 +34,6 @@ pub static FUNCTIONS: &[&[Function]] = &[
     MATERIALS,
     REST,
 ];
-
-/// A row that does not run yet, and the base of those that do. The row says what the function needs when it runs.
-pub(super) const fn later(name: &'static str, params: &'static [Param], ty: Type, about: &'static str) -> Function {
-    Function {
-        name,
-        run: Run::Later,
-        params,
-        ty,
-        needs: Needs::Nothing,
-        uses: Uses::NONE,
-        pure: false,
-        meaning: Meaning::Opaque,
-        needs_uv_set: false,
-        names: None,
-        old: None,
-        about,
-    }
-}
 
 /// A question to a component, which does not run yet.
 const fn asked(name: &'static str, call: &'static str, params: &'static [Param], about: &'static str) -> Function {

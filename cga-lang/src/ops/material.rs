@@ -1,6 +1,6 @@
 //! The attributes of the material.
 
-use super::attributes::{both, using};
+use super::base::{both, using};
 use super::{B, Changes, F, ParamKind, ShapeAttr, T, Uses};
 use crate::types::Type;
 

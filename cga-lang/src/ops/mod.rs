@@ -5,6 +5,7 @@
 //! read the row.
 
 mod attributes;
+mod base;
 mod bounds;
 mod directions;
 mod effects;

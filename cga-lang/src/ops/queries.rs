@@ -1,6 +1,6 @@
 //! The functions that look at the shape, its geometry, the run and files.
 
-use super::functions::later;
+use super::base::later;
 use super::{
     AssetNames, B, BS, Default, F, FILE, FS, FileUse, Function, Needs, Param, Run, T, TS, Uses, boolean, file, float,
     of, or, outdated, renamed, text, uv_set, word,

@@ -1,6 +1,6 @@
 //! `setElems`, for every type of array, of values and of indices.
 
-use super::functions::later;
+use super::base::later;
 use super::{B, BS, F, FS, Function, Needs, Param, Run, T, TS, of};
 use crate::types::Type;
 

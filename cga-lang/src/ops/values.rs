@@ -1,7 +1,7 @@
 //! The functions of values: numbers, text, lists in text, arrays, colours, paths, chance. Of rows with one name the one
 //! for single numbers comes first.
 
-use super::functions::later;
+use super::base::later;
 use super::{
     B, BS, Default, F, FS, Function, HEX, Meaning, Needs, Param, Run, T, TS, Uses, boolean, channel, float, of, or,
     text,

@@ -1,6 +1,6 @@
 //! Numbers of arguments, as messages put them.
 
-use super::context::Cx;
+use super::context::Context;
 use crate::diag::code::Code;
 use crate::ops::Operation;
 use crate::syntax::ast::Name;
@@ -28,7 +28,7 @@ pub(crate) fn counts(counts: impl IntoIterator<Item = usize>) -> String {
 }
 
 /// Reports a call with as many arguments as nothing of that name takes.
-pub(crate) fn wrong_count(cx: &mut Cx, what: &str, name: &Name, takes: Vec<usize>, got: usize) {
+pub(crate) fn wrong_count(cx: &mut Context, what: &str, name: &Name, takes: Vec<usize>, got: usize) {
     let message = format!("{what} `{}` takes {}, got {got}", name.text, counts(takes));
     cx.diags.report(Code::ArgumentCount, name.span, message);
 }

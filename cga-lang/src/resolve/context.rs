@@ -6,7 +6,7 @@ use crate::diag::Diags;
 use crate::link::InstanceId;
 
 /// The program, what is known of it so far, and the diagnostics.
-pub(crate) struct Cx<'a, 'd> {
+pub(crate) struct Context<'a, 'd> {
     pub(crate) globals: Globals<'a>,
     pub(crate) tables: Tables,
     /// The instance that is looked at, for passes that go from one to the next.

@@ -1,7 +1,7 @@
 //! Attributes and constants that need each other on every path, and functions that never end. A cycle that conditions may
 //! keep open is computed lazily.
 
-use super::context::Cx;
+use super::context::Context;
 use super::globals::{Init, Item};
 use super::tables::{Entries, Tables, Use};
 use crate::diag::code::Code;
@@ -13,7 +13,7 @@ use crate::syntax::ast::{Expr, ExprKind};
 const MOST_TOLD: usize = 4;
 
 /// Finds cycles among attributes, constants and functions, and the order in which values can be computed.
-pub(crate) fn find(cx: &mut Cx) {
+pub(crate) fn find(cx: &mut Context) {
     let items: Vec<&Item> = cx.globals.values().collect();
     let numbering = Numbering { attrs: cx.globals.attrs.len(), consts: cx.globals.consts.len() };
     let edges: Vec<Vec<usize>> = items

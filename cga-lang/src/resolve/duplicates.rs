@@ -1,7 +1,7 @@
 //! Two declarations of one name.
 
 use super::arity;
-use super::context::Cx;
+use super::context::Context;
 use super::globals::Item;
 use crate::diag::Diags;
 use crate::diag::code::Code;
@@ -14,7 +14,7 @@ use std::collections::hash_map::Entry;
 
 /// Fills the tables of names. Attributes, constants and functions without parameters share their names; parameters and
 /// locals of a declaration do too.
-pub(crate) fn values(cx: &mut Cx) {
+pub(crate) fn values(cx: &mut Context) {
     let diags = &mut *cx.diags;
     cx.globals.name(|item, what, first| duplicate(diags, item.decl, what, first.decl));
     for item in cx.globals.items() {
@@ -54,7 +54,7 @@ pub(crate) fn values(cx: &mut Cx) {
 
 /// Rules that an operation hides: they have its name and parameters of its types. A rule with the name of an operation that
 /// does not run yet is called instead.
-pub(crate) fn operations(cx: &mut Cx) {
+pub(crate) fn operations(cx: &mut Context) {
     for item in &cx.globals.rules {
         let types = item.types_of_params(&cx.tables);
         let rows = ops::operations(&item.decl.name.text).filter(|row| row.run != Run::Later);
@@ -78,7 +78,7 @@ fn hides(row: &Operation, types: &[Option<Type>]) -> bool {
 type Signature<'a> = (InstanceId, u32, &'a str, Vec<Option<Type>>);
 
 /// Rules and functions of one name must differ in number or types of parameters.
-pub(crate) fn overloads(cx: &mut Cx) {
+pub(crate) fn overloads(cx: &mut Context) {
     for (items, what) in [(&cx.globals.rules, "rule"), (&cx.globals.functions, "function")] {
         let mut first: HashMap<Signature<'_>, &Decl> = HashMap::new();
         for item in items.iter().filter(|item| item.home == item.instance) {
@@ -92,7 +92,7 @@ pub(crate) fn overloads(cx: &mut Cx) {
 }
 
 /// A name means the same kind of thing in every style, and a value has one type in all of them (*CGA changelog 2018.0*).
-pub(crate) fn styles(cx: &mut Cx) {
+pub(crate) fn styles(cx: &mut Context) {
     let roots = &cx.globals.program.roots;
     if roots.len() < 2 {
         return;

@@ -2,7 +2,7 @@
 
 use super::arguments::bare;
 use super::arity::wrong_count;
-use super::context::Cx;
+use super::context::Context;
 use super::globals::{Init, Kind, builtins};
 use super::habits;
 use super::scope::Scope;
@@ -17,7 +17,7 @@ use crate::syntax::token::Tok;
 use crate::types::Type;
 
 /// Resolves every use.
-pub(crate) fn uses(cx: &mut Cx) {
+pub(crate) fn uses(cx: &mut Context) {
     let values: Vec<_> = cx.globals.values().cloned().collect();
     for (index, item) in values.iter().enumerate() {
         let Some((value, own)) = item.value() else { continue };

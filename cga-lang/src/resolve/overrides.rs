@@ -1,6 +1,6 @@
 //! What stands in parentheses behind an import: whether it names attributes and extensions of the imported file.
 
-use super::context::Cx;
+use super::context::Context;
 use super::globals::Kind;
 use super::tables::Use;
 use crate::diag::Level;
@@ -10,7 +10,7 @@ use crate::suggest::nearest;
 use crate::syntax::ast::{Decl, Override, Role};
 use std::collections::HashSet;
 
-pub(crate) fn check(cx: &mut Cx) {
+pub(crate) fn check(cx: &mut Context) {
     let program = cx.globals.program;
     for (id, instance) in program.instances.iter().enumerate() {
         for (index, layer) in instance.layers.iter().enumerate() {
@@ -22,13 +22,13 @@ pub(crate) fn check(cx: &mut Cx) {
     }
 }
 
-fn layer_of(cx: &mut Cx, id: InstanceId, layer: &Layer) {
+fn layer_of(cx: &mut Context, id: InstanceId, layer: &Layer) {
     let list = cx.globals.program.overrides(layer).unwrap_or_default();
     list_of(cx, id, list);
 }
 
 /// Checks overrides of an instance.
-pub(crate) fn list_of(cx: &mut Cx, id: InstanceId, list: &[Override]) {
+pub(crate) fn list_of(cx: &mut Context, id: InstanceId, list: &[Override]) {
     let mut seen = HashSet::new();
     for own in list {
         let name = match own {
@@ -52,7 +52,7 @@ pub(crate) fn list_of(cx: &mut Cx, id: InstanceId, list: &[Override]) {
     }
 }
 
-fn attribute(cx: &mut Cx, id: InstanceId, name: &crate::syntax::ast::Name) {
+fn attribute(cx: &mut Context, id: InstanceId, name: &crate::syntax::ast::Name) {
     match cx.globals.value(id, &name.text) {
         // *CGA changelog 2023.0*: not allowed any more. Files older than that are read, and mean what they meant.
         Some(Use::Attr(_)) if name.text.contains('.') => {
@@ -73,7 +73,7 @@ fn attribute(cx: &mut Cx, id: InstanceId, name: &crate::syntax::ast::Name) {
     }
 }
 
-fn extension(cx: &mut Cx, id: InstanceId, own: &Decl) {
+fn extension(cx: &mut Context, id: InstanceId, own: &Decl) {
     let (name, program) = (&own.name, cx.globals.program);
     // Also where the style in force has one of its own, which stays.
     let decls = || program.instances[id].file.ast.decls.iter().filter(|decl| decl.name.text == name.text);

@@ -1,13 +1,13 @@
 //! Where names are looked up.
 
-use super::context::Cx;
+use super::context::Context;
 use crate::link::InstanceId;
 use crate::ops::Places;
 use crate::syntax::ast::Name;
 
 /// Where names are looked up: parameters and locals of one declaration, then everything of an instance.
 pub(crate) struct Scope<'s, 'a, 'd> {
-    pub(crate) cx: &'s mut Cx<'a, 'd>,
+    pub(crate) cx: &'s mut Context<'a, 'd>,
     pub(crate) at: InstanceId,
     /// The instance whose entries are written.
     pub(crate) own: InstanceId,
