@@ -4,8 +4,10 @@
 use std::fmt::Write;
 
 /// The elements of a façade.
-const ELEMENTS: [&str; 12] =
-    ["Window", "Door", "Balcony", "Cornice", "Pillar", "Arcade", "Loggia", "Dormer", "Shop", "Frieze", "Plinth", "Bay"];
+const ELEMENTS: [&str; 12] = [
+    "Window", "Dialect", "Balcony", "Cornice", "Pillar", "Arcade", "Loggia", "Dormer", "Shop", "Frieze", "Plinth",
+    "Bay",
+];
 
 /// The rules, with `styles` styles beside `Default`.
 pub(crate) fn rules(styles: usize) -> String {

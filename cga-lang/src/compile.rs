@@ -4,7 +4,7 @@ use crate::check::{Outcome, check};
 use crate::diag::code::Code;
 use crate::diag::{Diag, Diags, Level};
 
-pub use crate::door::Door;
+pub use crate::dialect::Dialect;
 use crate::editor::index::Named;
 use crate::editor::skeleton::Skeleton;
 use crate::ir::Grammar;
@@ -106,7 +106,7 @@ fn instantiate(program: &mut Program, levels: &[(Code, Level)], read: &[Diag]) {
 pub struct Source {
     /// The tokens.
     pub tokens: Tokens,
-    /// Bytes of the text, one range a token: what [`render`](crate::diag::snippet::render) needs.
+    /// Bytes of the text, one range a token: what [`render`](crate::snippet::render) needs.
     pub ranges: Vec<Range<usize>>,
     /// The result, with diagnostics about characters.
     pub compiled: Compiled,
@@ -115,7 +115,7 @@ pub struct Source {
 /// Compiles CGA text that imports nothing.
 pub fn compile_text(text: &str) -> Source {
     let lexed = lex(text);
-    let root = Unit { found: lexed.diags, ..Unit::new(lexed.tokens.clone(), Door::Text) };
+    let root = Unit { found: lexed.diags, ..Unit::new(lexed.tokens.clone(), Dialect::Text) };
     let compiled = compile(root, &mut NoFiles, &[]);
     Source { tokens: lexed.tokens, ranges: lexed.ranges, compiled }
 }

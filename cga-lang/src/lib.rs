@@ -5,7 +5,7 @@
 //! ```
 //!
 //! - A source (this crate's [`lex`](syntax::lex::lex), or a macro's token stream) makes [`Tokens`](syntax::token::Tokens). Only
-//!   the source knows the place of a token on the screen; this crate refers to tokens by index ([`Span`](syntax::span::Span)).
+//!   the source knows the place of a token on the screen; this crate refers to tokens by index ([`Span`](span::Span)).
 //! - [`parse`](syntax::parse::parse) never fails, never panics and always ends: it returns the tree that it could build.
 //! - [`link`] reads imports: each file once, with an instance for each style and import site.
 //! - `resolve` finds the meaning of names, `infer` the types of values, `analysis` the possible values and shapes.
@@ -30,7 +30,7 @@ pub mod check;
 pub mod compile;
 pub mod diag;
 mod diagnostics;
-mod door;
+mod dialect;
 pub mod editor;
 pub mod graph;
 mod hash;
@@ -40,6 +40,8 @@ pub mod link;
 mod lower;
 pub mod ops;
 mod resolve;
+pub mod snippet;
+pub mod span;
 pub mod syntax;
 mod types;
 

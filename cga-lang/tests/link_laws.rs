@@ -2,7 +2,7 @@
 
 mod common;
 
-use cga_lang::compile::{Compiled, Door, compile};
+use cga_lang::compile::{Compiled, Dialect, compile};
 use cga_lang::diag::Level;
 use cga_lang::diag::code::Code;
 use cga_lang::ir::print::print;
@@ -20,7 +20,7 @@ struct Disk {
 
 impl Disk {
     fn unit(&self, name: &str) -> Unit {
-        Unit { name: name.into(), tokens: self.files[name].clone(), door: Door::Text, found: Vec::new() }
+        Unit { name: name.into(), tokens: self.files[name].clone(), dialect: Dialect::Text, found: Vec::new() }
     }
 
     fn compile(&mut self, root: &str) -> Compiled {

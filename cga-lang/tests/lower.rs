@@ -2,7 +2,7 @@
 
 mod common;
 
-use cga_lang::compile::{Compiled, Door, compile};
+use cga_lang::compile::{Compiled, Dialect, compile};
 use cga_lang::ir::print::print;
 use cga_lang::ir::{Anew, Item, Parts, RuleId, Step, Target, Type};
 use cga_lang::link::{NoFiles, Unit};
@@ -84,7 +84,7 @@ fn slots(pattern: &[Item]) -> usize {
 
 /// Compiles rules among Rust.
 fn inline(tokens: Tokens) -> Compiled {
-    compile(Unit::new(tokens, Door::Inline), &mut NoFiles, &[])
+    compile(Unit::new(tokens, Dialect::Inline), &mut NoFiles, &[])
 }
 
 /// Tokens of a text in which names that begin with `HOST` stand for Rust values.

@@ -2,7 +2,7 @@
 
 use super::interval::Interval;
 use crate::ops::{Directions, Selector};
-use crate::syntax::span::Span;
+use crate::span::Span;
 
 /// The tolerance of bounding boxes of parts of meshes, in metres and relative: points far from the origin are rounded. It
 /// suffices up to a million kilometres.

@@ -2,8 +2,8 @@
 
 use super::facts::Facts;
 use super::interval::Interval;
+use crate::span::Span;
 use crate::syntax::ast::{Arg, Block, Op, Prefix, SplitItem};
-use crate::syntax::span::Span;
 use cga_split::{Item, Piece, solve};
 
 /// The largest number of pieces that are laid out.

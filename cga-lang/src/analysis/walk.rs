@@ -8,8 +8,8 @@ use super::uvs::UvSets;
 use super::value::Value;
 use crate::ops::{self, Braces, Effect, FileUse, MOST_SIZE, Measure, Operation, ParamKind, Places, ShapeAttr};
 use crate::resolve::tables::Use;
+use crate::span::Span;
 use crate::syntax::ast::{Arg, Arm, ArmMode, Block, BlockPart, Expr, ExprKind, Name, Op, OpKind, SplitItem};
-use crate::syntax::span::Span;
 
 /// A site: a place in a rule that checks look at.
 pub(crate) enum Site<'s, 'a> {

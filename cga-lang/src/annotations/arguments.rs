@@ -2,11 +2,11 @@
 
 use crate::diag::code::Code;
 use crate::diag::{Diag, Level};
-use crate::door::Door;
+use crate::dialect::Dialect;
 use crate::resolve::context::Context;
 use crate::resolve::info::{Group, Hidden};
+use crate::span::Span;
 use crate::syntax::ast::{AnnotationArg, Expr, ExprKind, Unary};
-use crate::syntax::span::Span;
 
 pub(super) fn nothing(cx: &mut Context, name: &str, args: &[AnnotationArg]) {
     if let Some(first) = args.first() {
@@ -80,7 +80,7 @@ pub(super) fn number(value: &Expr) -> Option<f64> {
 
 pub(super) fn wrong<'d>(cx: &'d mut Context, span: Span, message: String) -> &'d mut Diag {
     // In text they are as forgiving as CGA: they describe, they do not generate.
-    let door = cx.globals.program.instances[cx.at].file.door;
-    let level = if door == Door::Inline { Level::Error } else { Level::Warning };
+    let dialect = cx.globals.program.instances[cx.at].file.dialect;
+    let level = if dialect == Dialect::Inline { Level::Error } else { Level::Warning };
     cx.diags.report_as(Code::BadAnnotation, level, span, message)
 }

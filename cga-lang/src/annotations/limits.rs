@@ -7,9 +7,9 @@ use crate::resolve::context::Context;
 use crate::resolve::globals::Kind;
 use crate::resolve::info::AttrInfo;
 use crate::resolve::tables::Use;
+use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{AnnotationArg, Decl, Expr, ExprKind};
-use crate::syntax::span::Span;
 
 /// What is said about the values, and where.
 #[derive(Default)]

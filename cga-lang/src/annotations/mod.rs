@@ -11,9 +11,9 @@ use crate::link::{InstanceId, Key, Program};
 use crate::resolve::context::Context;
 use crate::resolve::globals::Item;
 use crate::resolve::info::{AttrInfo, Group, Hidden, ImportInfo, RuleInfo};
+use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Annotation, Ast, Body, Decl, Import, Role, Style};
-use crate::syntax::span::Span;
 use crate::syntax::words::ANNOTATIONS;
 use arguments::wrong;
 use notes::Notes;
@@ -210,7 +210,7 @@ fn known(cx: &mut Context, annotation: &Annotation) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use crate::compile::{Door, compile, compile_text};
+    use crate::compile::{Dialect, compile, compile_text};
     use crate::link::{Files, Unit};
     use crate::syntax::lex::lex;
 
@@ -220,7 +220,7 @@ mod tests {
     impl Files for Library {
         fn open(&mut self, path: &str, _: &str) -> Result<Unit, String> {
             let lexed = lex(self.0);
-            Ok(Unit { name: path.into(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags })
+            Ok(Unit { name: path.into(), tokens: lexed.tokens, dialect: Dialect::Text, found: lexed.diags })
         }
     }
 
@@ -233,7 +233,7 @@ mod tests {
                 "@Group(\"A\") attr x = 1 {before} @Group(\"B\") import lib : \"lib.cga\" attr y = 1 Lot --> lib.Lot"
             );
             let lexed = lex(&text);
-            let root = Unit { name: "a.cga".into(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags };
+            let root = Unit { name: "a.cga".into(), tokens: lexed.tokens, dialect: Dialect::Text, found: lexed.diags };
             let library = "attr a = 1  attr b = 2  @Group(\"C\") attr c = 3  Lot --> t(a, b, c)";
             let compiled = compile(root, &mut Library(library), &[]);
             assert_eq!(compiled.diags, []);

@@ -6,8 +6,8 @@ use crate::diag::code::Code;
 use crate::ir::{Presentation, Type};
 use crate::resolve::context::Context;
 use crate::resolve::info::{AttrInfo, Group, Hidden};
+use crate::span::Span;
 use crate::syntax::ast::{AnnotationArg, Decl};
-use crate::syntax::span::Span;
 
 /// What stands before one thing.
 #[derive(Default)]

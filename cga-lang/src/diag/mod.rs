@@ -3,11 +3,10 @@
 mod basis;
 pub mod code;
 mod line;
-pub mod snippet;
 
 use crate::diag::code::Code;
 pub use crate::diag::code::Level;
-use crate::syntax::span::Span;
+use crate::span::Span;
 pub use basis::Basis;
 pub use line::{Line, RELATIVE};
 

@@ -5,7 +5,7 @@ use super::numbers::shown;
 use crate::analysis::{Facts, Flow};
 use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
-use crate::door::Door;
+use crate::dialect::Dialect;
 use crate::link::Program;
 use crate::ops::{Param, ParamKind};
 use crate::syntax::ast::{Expr, ExprKind};
@@ -53,7 +53,7 @@ pub(crate) fn text(program: &Program, value: &Expr, diags: &mut Diags) {
     if is_colour(text) {
         return;
     }
-    let level = if program.door(value.span.first) == Door::Inline { Level::Error } else { Level::Warning };
+    let level = if program.dialect(value.span.first) == Dialect::Inline { Level::Error } else { Level::Warning };
     let diag = diags.report_as(Code::NotAColor, level, value.span, format!("\"{text}\" is not a colour"));
     diag.note("a colour is `#` and six hexadecimal digits, or eight with opacity");
     let digits = text.trim_start_matches('#');

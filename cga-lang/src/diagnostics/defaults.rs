@@ -7,8 +7,8 @@ use crate::diag::code::Code;
 use crate::diag::{Basis, Diag, Diags, Level};
 use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
+use crate::span::Span;
 use crate::syntax::ast::{Expr, ExprKind};
-use crate::syntax::span::Span;
 use std::collections::HashSet;
 
 /// Findings that are worth a word even so. A size of zero is not: it turns a part off.

@@ -9,8 +9,8 @@ use crate::ops::Effect;
 use crate::resolve::context::Context;
 use crate::resolve::globals::Item;
 use crate::resolve::tables::{Entries, Use};
+use crate::span::Span;
 use crate::syntax::ast::{Block, BlockPart, ExprKind, Op, OpKind, Prefix, SplitItem};
-use crate::syntax::span::Span;
 use crate::syntax::walk::ops;
 
 /// What counts as an end of a cycle.

@@ -7,8 +7,8 @@ use crate::diag::{Diag, Diags};
 use crate::ops::{self, Braces, Directions, Operation, Selector};
 use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
+use crate::span::Span;
 use crate::syntax::ast::{Arm, BlockPart, Expr, ExprKind, OpKind};
-use crate::syntax::span::Span;
 use crate::syntax::walk;
 
 pub(crate) fn check(cx: &Context) -> Vec<Diag> {

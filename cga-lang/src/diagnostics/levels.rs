@@ -3,9 +3,9 @@
 use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
 use crate::resolve::context::Context;
+use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Annotation, ExprKind};
-use crate::syntax::span::Span;
 
 /// A level for findings of a code within a span, or everywhere.
 pub(crate) struct Setting {

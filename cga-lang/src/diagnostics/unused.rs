@@ -8,8 +8,8 @@ use crate::ops;
 use crate::resolve::context::Context;
 use crate::resolve::globals::{Init, Item};
 use crate::resolve::tables::Use;
+use crate::span::Span;
 use crate::syntax::ast::{Body, Name, Role};
-use crate::syntax::span::Span;
 use crate::syntax::token::{Sym, Tok};
 use std::collections::{HashMap, HashSet};
 

@@ -4,8 +4,8 @@ use crate::ir::{self, Grammar, Type, Value};
 use crate::link::Program;
 use crate::ops::{functions, shape_attr};
 use crate::resolve::globals::Item;
+use crate::span::Span;
 use crate::syntax::ast::{Ast, Body, Expr, ExprKind, Unary};
-use crate::syntax::span::Span;
 use std::collections::{HashMap, HashSet};
 
 /// The public names of a grammar.

@@ -5,8 +5,8 @@ use super::{Infer, Type, Use, Var};
 use crate::diag::code::Code;
 use crate::link::InstanceId;
 use crate::ops::{Function, Needs};
+use crate::span::Span;
 use crate::syntax::ast::{CompValue, Expr, ExprKind, Name};
-use crate::syntax::span::Span;
 
 /// What is looked at when the types are known.
 #[derive(Default)]

@@ -14,16 +14,16 @@ mod unify;
 
 use crate::diag::code::Code;
 use crate::diag::{Diag, Line};
-use crate::door::Door;
+use crate::dialect::Dialect;
 use crate::hash::FastMap;
 use crate::link::{InstanceId, Key, Wanted};
 use crate::ops::ParamKind;
 use crate::resolve::context::Context;
 use crate::resolve::globals::{Init, Item};
 use crate::resolve::tables::Use;
+use crate::span::Span;
 use crate::syntax::ast::{Body, Decl, Expr, Name};
 use crate::syntax::lex::without_unit;
-use crate::syntax::span::Span;
 use crate::syntax::token::Tok;
 use crate::types::Type;
 use generic::Stage;
@@ -276,8 +276,8 @@ impl<'a> Infer<'_, 'a, '_> {
     /// A call whose arguments are of types that no rule of that name takes. It matches none, then: in text a leaf, like a
     /// call with as many arguments as none takes.
     fn no_rule(&mut self, name: Span, callee: &str, span: Span, message: String) -> Option<&mut Diag> {
-        let door = self.cx.globals.program.door(name.first);
-        if door == Door::Inline {
+        let dialect = self.cx.globals.program.dialect(name.first);
+        if dialect == Dialect::Inline {
             return Some(self.cx.diags.report(Code::TypeMismatch, span, message));
         }
         // One finding a call.

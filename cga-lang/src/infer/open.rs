@@ -3,8 +3,8 @@
 
 use super::{Infer, State, Type, Use, Var};
 use crate::diag::code::Code;
+use crate::span::Span;
 use crate::syntax::ast::{Binary, Name};
-use crate::syntax::span::Span;
 
 /// Rounds after which the rest is settled by what is likeliest.
 const MOST_ROUNDS: usize = 64;

@@ -1,6 +1,6 @@
 //! Types not known yet, and what becomes of them.
 
-use crate::syntax::span::Span;
+use crate::span::Span;
 use crate::types::Type;
 
 /// A type that may not be known yet.

@@ -1,7 +1,7 @@
 //! Attributes, and what annotations say about them (*annotations*). None of it changes what rules make.
 
 use super::{AttrId, Expr, Type, Value};
-use crate::syntax::span::Span;
+use crate::span::Span;
 
 /// `attr name = expr`.
 #[derive(Clone, Debug)]

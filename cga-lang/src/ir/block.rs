@@ -2,8 +2,8 @@
 
 use super::{Arg, Axis, Expr, Piece, Size, Target};
 use crate::ops::{Default, Operation};
+use crate::span::Span;
 use crate::syntax::ast::ArmMode;
-use crate::syntax::span::Span;
 
 /// `name(args) { … }`: makes parts of the current shape, each with a successor. The shape itself goes on unchanged.
 #[derive(Clone, Debug)]

@@ -2,7 +2,7 @@
 
 use super::{AttrId, Comp, ConstId, FunctionId, HostId, Type, Value};
 use crate::ops::{self, ShapeAttr};
-use crate::syntax::span::Span;
+use crate::span::Span;
 
 /// An expression with its type.
 #[derive(Clone, Debug)]

@@ -11,7 +11,7 @@ pub mod print;
 pub mod walk;
 
 use crate::ops::{Operation, ShapeAttr};
-use crate::syntax::span::Span;
+use crate::span::Span;
 
 pub use crate::types::Type;
 pub use cga_split::{Item, Piece, Prefix};

@@ -12,10 +12,10 @@ mod style;
 
 use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
-use crate::door::Door;
+use crate::dialect::Dialect;
+use crate::span::Span;
 use crate::syntax::ast::{Ast, Import, Name, Override};
 use crate::syntax::parse::parse_part;
-use crate::syntax::span::Span;
 use crate::syntax::token::Tokens;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -44,15 +44,15 @@ pub struct Unit {
     /// Its tokens.
     pub tokens: Tokens,
     /// How strict to be with it.
-    pub door: Door,
+    pub dialect: Dialect,
     /// What whoever made the tokens has found.
     pub found: Vec<Diag>,
 }
 
 impl Unit {
     /// Tokens without a name, in which nothing was found.
-    pub fn new(tokens: Tokens, door: Door) -> Unit {
-        Unit { name: String::new(), tokens, door, found: Vec::new() }
+    pub fn new(tokens: Tokens, dialect: Dialect) -> Unit {
+        Unit { name: String::new(), tokens, dialect, found: Vec::new() }
     }
 }
 
@@ -121,7 +121,7 @@ pub(crate) struct Program {
 /// A file of rules.
 pub(crate) struct File {
     pub(crate) name: String,
-    pub(crate) door: Door,
+    pub(crate) dialect: Dialect,
     pub(crate) ast: Ast,
     /// Its tokens in the program.
     pub(crate) tokens: Range<u32>,
@@ -237,8 +237,8 @@ impl Program {
     }
 
     /// How strict to be with a token.
-    pub(crate) fn door(&self, token: u32) -> Door {
-        self.file(token).map_or(Door::Text, |file| file.door)
+    pub(crate) fn dialect(&self, token: u32) -> Dialect {
+        self.file(token).map_or(Dialect::Text, |file| file.dialect)
     }
 }
 
@@ -274,7 +274,7 @@ impl Link<'_> {
         if let Some(&number) = self.by_name.get(&unit.name) {
             return Rc::clone(&self.program.files[number]);
         }
-        let Unit { name, tokens, door, found } = unit;
+        let Unit { name, tokens, dialect, found } = unit;
         let start = self.program.tokens.len() as u32;
         self.program.tokens.append(tokens);
         let tokens = start..self.program.tokens.len() as u32;
@@ -284,7 +284,7 @@ impl Link<'_> {
         let ast = parse_part(&self.program.tokens, tokens.clone(), self.diags);
         let (number, calls) = (self.program.files.len(), overrides::dynamic_calls(&ast));
         self.by_name.insert(name.clone(), number);
-        let file = Rc::new(File { name, door, ast, tokens, is_torn, number, calls });
+        let file = Rc::new(File { name, dialect, ast, tokens, is_torn, number, calls });
         self.program.files.push(Rc::clone(&file));
         file
     }

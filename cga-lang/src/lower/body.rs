@@ -7,8 +7,8 @@ use crate::ir::{
 use crate::lower::fold::fold;
 use crate::ops::{self, Operation, ParamKind, Run, Words};
 use crate::resolve::tables::Use;
+use crate::span::Span;
 use crate::syntax::ast::{self, OpKind};
-use crate::syntax::span::Span;
 
 impl<'c> Lower<'c> {
     pub(super) fn steps(&mut self, ops: &'c [ast::Op]) -> Vec<Step> {

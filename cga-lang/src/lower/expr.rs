@@ -119,7 +119,7 @@ impl Lower<'_> {
 
     /// A call of a function of the language. Omitted arguments get their defaults.
     fn builtin(row: &'static ops::Function, mut args: Vec<Expr>) -> (ExprKind, Type) {
-        let span = args.last().map_or_else(crate::syntax::span::Span::default, |last| last.span);
+        let span = args.last().map_or_else(crate::span::Span::default, |last| last.span);
         for param in row.params.iter().skip(args.len()) {
             let (value, ty) = match param.default {
                 Some(ops::Default::Float(value)) => (Value::Float(value), Type::Float),

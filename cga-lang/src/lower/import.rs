@@ -5,8 +5,8 @@ use crate::check::Checked;
 use crate::ir::{Anew, AttrId, ConstId, Global, Renewal, RenewalId, Step, Target};
 use crate::link::InstanceId;
 use crate::resolve::tables::Use;
+use crate::span::Span;
 use crate::syntax::ast::{Arg, Name, Override};
-use crate::syntax::span::Span;
 
 impl<'c> Lower<'c> {
     /// Works on a copy: there the attributes and constants of the import get their values, and the rule goes on.

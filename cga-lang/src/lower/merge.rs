@@ -222,7 +222,7 @@ fn chosen(mut values: Vec<Variant<Expr>>) -> Expr {
     Expr { kind: ExprKind::Case(arms, Box::new(otherwise)), ty, span }
 }
 
-fn is_style(styles: Vec<u32>, span: crate::syntax::span::Span) -> Expr {
+fn is_style(styles: Vec<u32>, span: crate::span::Span) -> Expr {
     Expr { kind: ExprKind::Style(styles), ty: Type::Bool, span }
 }
 

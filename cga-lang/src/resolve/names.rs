@@ -9,10 +9,10 @@ use super::scope::Scope;
 use super::tables::Use;
 use crate::diag::Detail;
 use crate::diag::code::Code;
-use crate::door::Door;
+use crate::dialect::Dialect;
 use crate::ops::{self, Function, Needs, ParamKind, Places, Run, Words};
+use crate::span::Span;
 use crate::syntax::ast::{Expr, ExprKind, Name};
-use crate::syntax::span::Span;
 use crate::syntax::token::Tok;
 use crate::types::Type;
 
@@ -76,8 +76,8 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    pub(crate) fn door(&self) -> Door {
-        self.cx.globals.program.instances[self.at].file.door
+    pub(crate) fn dialect(&self) -> Dialect {
+        self.cx.globals.program.instances[self.at].file.dialect
     }
 
     pub(crate) fn expr(&mut self, expr: &'a Expr) {
@@ -207,7 +207,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let truth = ["true", "false"].into_iter().find(|word| text.eq_ignore_ascii_case(word)).map(str::to_owned);
         let help = help.or_else(|| habits::value(text).map(|value| format!("write `{value}`")));
         let near = truth.or(near).filter(|_| help.is_none());
-        let (inline, dotted) = (self.door() == Door::Inline, text.contains('.'));
+        let (inline, dotted) = (self.dialect() == Dialect::Inline, text.contains('.'));
         let diag = self.cx.diags.report(Code::UnknownName, name.span, format!("unknown name `{text}`"));
         if is_rule {
             diag.note(format!("`{text}` is a rule: it makes shapes, it has no value"));
@@ -268,7 +268,7 @@ impl<'a> Scope<'_, 'a, '_> {
         // Words are no names: they tell rows apart, and are not looked up.
         let mut fitting: Vec<_> = rows.iter().copied().filter(|row| words_fit(row, args, bare)).collect();
         if fitting.is_empty() {
-            let said = if self.door() == Door::Text { Expr::word } else { not_text };
+            let said = if self.dialect() == Dialect::Text { Expr::word } else { not_text };
             fitting = rows.iter().copied().filter(|row| words_fit(row, args, said)).collect();
         }
         if candidates.is_empty() && fitting.is_empty() && !rows.is_empty() && conversion(text).is_none() {

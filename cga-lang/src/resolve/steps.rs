@@ -9,11 +9,11 @@ use super::words::fitting;
 use super::{habits, overrides};
 use crate::diag::code::Code;
 use crate::diag::{Level, RELATIVE};
-use crate::door::Door;
+use crate::dialect::Dialect;
 use crate::ops::{self, Braces, Operation, Param, ParamKind, Places, Run};
+use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
-use crate::syntax::span::Span;
 use crate::types::Type;
 
 /// Most declarations of a rule that a message names.
@@ -139,7 +139,7 @@ impl<'a> Scope<'_, 'a, '_> {
             return;
         }
         let rows: Vec<_> = ops::operations(&name.text).filter(|row| row.takes(args.len())).collect();
-        let fitting = fitting(&rows, args, self.door());
+        let fitting = fitting(&rows, args, self.dialect());
         let rules = self.rules(name, args.len());
         // A rule with the name of what does not run yet is older than that.
         if !rules.is_empty() && fitting.iter().all(|row| row.run == Run::Later) {
@@ -240,7 +240,7 @@ impl<'a> Scope<'_, 'a, '_> {
             self.cx.diags.report(Code::NotAnOperation, name.span, message);
             return;
         }
-        let inline = self.door() == Door::Inline;
+        let inline = self.dialect() == Dialect::Inline;
         let habit = habits::step(text);
         let (message, near) = if habit.is_some() && others.is_empty() {
             (format!("there is no rule `{text}`"), None)
@@ -348,7 +348,7 @@ impl<'a> Scope<'_, 'a, '_> {
     /// The arguments of an operation with braces: `all` are its rows, `rows` those of its number of arguments.
     fn block_args(&mut self, block: &'a Block, all: &[&'static Operation], rows: &[&'static Operation]) {
         let (name, args) = (&block.name, &block.args);
-        let fitting = fitting(rows, args, self.door());
+        let fitting = fitting(rows, args, self.dialect());
         if let Some(row) = fitting.first().or(rows.first()).copied() {
             self.operation(if fitting.is_empty() { std::slice::from_ref(&row) } else { &fitting }, args);
             self.about_later(name, Use::Operation(row));

@@ -5,18 +5,18 @@ use super::arity::wrong_count;
 use super::scope::Scope;
 use super::tables::Use;
 use crate::diag::code::Code;
-use crate::door::Door;
+use crate::dialect::Dialect;
 use crate::ops::{self, Operation, Param, ParamKind, Words};
+use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Arg, Expr, ExprKind, Name};
-use crate::syntax::span::Span;
 
 /// The longest argument that a message repeats.
 const LONGEST: usize = 40;
 
 /// The rows whose words stand among the arguments: of those that fit, the ones with the most words. Bare words go before
 /// text, which an operation may take as such.
-pub(crate) fn fitting(rows: &[&'static Operation], args: &[Arg], door: Door) -> Vec<&'static Operation> {
+pub(crate) fn fitting(rows: &[&'static Operation], args: &[Arg], dialect: Dialect) -> Vec<&'static Operation> {
     let bare: Vec<Option<&str>> = args.iter().map(word).collect();
     let best = best(rows, &bare);
     if !best.is_empty() {
@@ -24,7 +24,9 @@ pub(crate) fn fitting(rows: &[&'static Operation], args: &[Arg], door: Door) -> 
     }
     let said: Vec<Option<&str>> = args
         .iter()
-        .map(|arg| plain(arg).filter(|value| door == Door::Text || !matches!(value.kind, ExprKind::Text(_)))?.word())
+        .map(|arg| {
+            plain(arg).filter(|value| dialect == Dialect::Text || !matches!(value.kind, ExprKind::Text(_)))?.word()
+        })
         .collect();
     self::best(rows, &said)
 }
@@ -52,7 +54,7 @@ impl<'a> Scope<'_, 'a, '_> {
 
     /// Whether an argument gives its word in a run. Text does so where text is a word at all; with `sel` anywhere.
     fn is_computed(&mut self, arg: &Expr) -> bool {
-        let text = self.door() == Door::Text;
+        let text = self.dialect() == Dialect::Text;
         match &arg.kind {
             ExprKind::Call(name, args) if name.text == "sel" => args.len() == 1 && arg.word().is_none(),
             ExprKind::Name(name) => text && matches!(self.lookup(&name.text), Some(found) if !is_shape(found)),
@@ -140,7 +142,7 @@ impl<'a> Scope<'_, 'a, '_> {
         match (known, is_text) {
             (true, false) => {}
             // Old files say so, and CityEngine runs them.
-            (true, true) if self.door() == Door::Text => {
+            (true, true) if self.dialect() == Dialect::Text => {
                 let message = format!("`{found}` is a word, as text it is an old spelling");
                 self.cx.diags.report(Code::OldSpelling, arg.span, message).help(format!("write `{found}`"));
             }

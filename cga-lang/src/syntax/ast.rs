@@ -3,7 +3,7 @@
 //! Plain data without back pointers, never changed once built. A name is identified by the index of its token
 //! ([`Name::id`]), so side tables need no other numbering.
 
-use crate::syntax::span::Span;
+use crate::span::Span;
 
 /// A grammar as written.
 #[derive(Clone, Debug, Default)]

@@ -4,7 +4,7 @@
 
 use crate::diag::code::Code;
 use crate::diag::{Diag, Diags, Line};
-use crate::syntax::span::Span;
+use crate::span::Span;
 use crate::syntax::token::{Sym, Tok, Tokens};
 use std::ops::Range;
 

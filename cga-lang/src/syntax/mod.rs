@@ -3,7 +3,6 @@
 pub mod ast;
 pub mod lex;
 pub mod parse;
-pub mod span;
 pub mod token;
 pub mod walk;
 pub(crate) mod words;

@@ -16,7 +16,7 @@
 //! dot of `1.==1` belongs to the operator, that of `1. == 1` to the number.
 
 use crate::diag::RELATIVE;
-use crate::syntax::span::Span;
+use crate::span::Span;
 
 /// One token.
 #[derive(Clone, Debug, PartialEq)]

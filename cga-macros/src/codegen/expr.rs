@@ -257,8 +257,8 @@ impl Generator<'_> {
     }
 
     /// Where all of a call of Rust stands, so that a wrong signature is shown there: the last name of the path.
-    pub(super) fn at_path(&self, span: cga_lang::syntax::span::Span) -> Span {
-        let path = cga_lang::syntax::span::Span::one(span.first);
+    pub(super) fn at_path(&self, span: cga_lang::span::Span) -> Span {
+        let path = cga_lang::span::Span::one(span.first);
         Span::mixed_site().located_at(self.source.span(path).1)
     }
 

@@ -2,8 +2,8 @@
 
 use cga_lang::diag::code::Code;
 use cga_lang::diag::{Diag, Diags};
+use cga_lang::span::Span as TokenSpan;
 use cga_lang::syntax::lex::{NO_UNITS, without_unit};
-use cga_lang::syntax::span::Span as TokenSpan;
 use cga_lang::syntax::token::{Sym, Tok, Tokens};
 use proc_macro2::{Delimiter, Group, Literal, Spacing, Span, TokenStream, TokenTree};
 

@@ -24,8 +24,8 @@ mod with;
 
 use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
+use crate::span::Span;
 use crate::syntax::ast::{Ast, Name};
-use crate::syntax::span::Span;
 use crate::syntax::token::{Sym, Tok, Tokens};
 use layout::Layout;
 use std::collections::HashMap;

@@ -5,10 +5,10 @@ use super::{MAX_DEPTH, Parsed, Parser, Reported};
 use crate::diag::code::Code;
 use crate::diag::{Diag, Line, RELATIVE};
 use crate::ops::{operations, selector};
+use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Ast, Body};
 use crate::syntax::lex::{NO_UNITS, without_unit};
-use crate::syntax::span::Span;
 use crate::syntax::token::{Sym, Tok};
 
 /// What a rule's body consists of.

@@ -19,7 +19,7 @@ impl Parser<'_> {
     pub(super) fn written(&self, from: usize, to: usize) -> String {
         let tokens: Tokens = (from..to).filter_map(|position| self.layout.at(position)).cloned().collect();
         let last = tokens.len().saturating_sub(1) as u32;
-        tokens.quoted(crate::syntax::span::Span { first: 0, last }, LONGEST)
+        tokens.quoted(crate::span::Span { first: 0, last }, LONGEST)
     }
 
     /// Reports an attribute of the shape that is given a value, as in `scope.sy = 3`, and passes over it. The tokens are also

@@ -3,7 +3,7 @@
 use super::{bytes, headline, place, position};
 use crate::compile::Compiled;
 use crate::diag::Diag;
-use crate::syntax::span::Span;
+use crate::span::Span;
 use std::ops::Range;
 
 /// A text that findings are quoted from.
@@ -39,7 +39,7 @@ pub fn render_in<'t>(compiled: &Compiled, quote: &dyn Fn(usize) -> Option<Quote<
 #[cfg(test)]
 mod tests {
     use super::{Quote, render_in};
-    use crate::compile::{Door, compile};
+    use crate::compile::{Dialect, compile};
     use crate::link::{Files, Unit};
     use crate::syntax::lex::lex;
 
@@ -48,7 +48,7 @@ mod tests {
     impl Files for Library {
         fn open(&mut self, path: &str, _: &str) -> Result<Unit, String> {
             let lexed = lex(self.0);
-            Ok(Unit { name: path.into(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags })
+            Ok(Unit { name: path.into(), tokens: lexed.tokens, dialect: Dialect::Text, found: lexed.diags })
         }
     }
 
@@ -57,7 +57,8 @@ mod tests {
         let texts =
             ["# own\nimport lib : \"lib.cga\" (h = \"x\")\nLot --> lib.Roof Wal", "attr h = 1\nRoof --> size(h)"];
         let lexed = texts.map(lex);
-        let root = Unit { name: "a.cga".into(), tokens: lexed[0].tokens.clone(), door: Door::Text, found: Vec::new() };
+        let root =
+            Unit { name: "a.cga".into(), tokens: lexed[0].tokens.clone(), dialect: Dialect::Text, found: Vec::new() };
         let compiled = compile(root, &mut Library(texts[1]), &[]);
         let quote = |file: usize| {
             let name = ["a.cga", "lib.cga"][file];

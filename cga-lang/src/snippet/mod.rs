@@ -10,7 +10,7 @@
 //! ```
 
 use crate::diag::{Diag, Level};
-use crate::syntax::span::Span;
+use crate::span::Span;
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -191,6 +191,6 @@ mod tests {
     #[test]
     fn a_text_without_tokens_has_a_place() {
         assert_eq!(super::position("", 3), super::Position { line: 1, column: 1 });
-        assert!(super::bytes("# x", &[], crate::syntax::span::Span::default()).is_empty());
+        assert!(super::bytes("# x", &[], crate::span::Span::default()).is_empty());
     }
 }
