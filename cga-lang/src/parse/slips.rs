@@ -176,7 +176,8 @@ impl Parser<'_> {
     pub(super) fn no_operator(&mut self, length: usize, meant: Sym) {
         let span = self.span().to(self.span_at(self.at + length - 1));
         let found = self.written(self.at, self.at + length).replace(' ', "");
-        self.syntax_over(self.at, span, format!("`{found}` is not an operator")).help(format!("write `{}`", meant.text()));
+        self.syntax_over(self.at, span, format!("`{found}` is not an operator"))
+            .help(format!("write `{}`", meant.text()));
     }
 
     /// Returns true if a `not` before a value begins here.

@@ -32,10 +32,12 @@ impl Parser<'_> {
                 Some(Tok::Number(percent)) => Some((percent * 1e6).round() / 1e8),
                 _ => None,
             };
-            self.diags.report(Code::Syntax, span, "the size of a slot cannot be a percentage").help(written.map_or_else(
-                || format!("write `{RELATIVE}0.3` for 30 % of the scope"),
-                |share| format!("write `{RELATIVE}{share}`"),
-            ));
+            self.diags.report(Code::Syntax, span, "the size of a slot cannot be a percentage").help(
+                written.map_or_else(
+                    || format!("write `{RELATIVE}0.3` for 30 % of the scope"),
+                    |share| format!("write `{RELATIVE}{share}`"),
+                ),
+            );
             return Err(Reported);
         }
         let size = self.arg()?;
