@@ -25,7 +25,7 @@ pub enum Kind {
 /// A declared name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Named {
-    /// What it stands for.
+    /// The kind of declaration.
     pub kind: Kind,
     /// The name as written.
     pub name: String,

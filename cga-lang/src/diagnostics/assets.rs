@@ -45,7 +45,7 @@ pub(crate) fn expression(expr: &Expr, facts: &Facts, cx: &Cx, diags: &mut Diags)
     expr.parts().into_iter().for_each(|part| expression(part, facts, cx, diags));
 }
 
-/// The file name that an expression stands for: a string, or a constant with a string.
+/// The file name that an expression is: a string, or a constant with a string.
 fn text<'c>(expr: &'c Expr, names: Entries, cx: &'c Cx) -> Option<&'c str> {
     match &expr.kind {
         ExprKind::Text(text) => Some(text),

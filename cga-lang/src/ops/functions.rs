@@ -90,13 +90,8 @@ const GEO_COORDINATE: Param = words("geoCoordinate", &["X", "Y", "lon", "lat"]);
 
 /// Other shapes, the edges of the initial shape, and the place of a shape on Earth.
 static CONTEXT: &[Function] = &[
-    later("inside", &[OPTIONAL_TARGET, OPTIONAL_LABEL], B, "whether the shape lies inside another closed shape"),
-    later(
-        "overlaps",
-        &[OPTIONAL_TARGET, OPTIONAL_LABEL],
-        B,
-        "whether the shape lies partly inside another closed shape",
-    ),
+    later("inside", &[OPTIONAL_TARGET, OPTIONAL_LABEL], B, "whether the shape is inside another closed shape"),
+    later("overlaps", &[OPTIONAL_TARGET, OPTIONAL_LABEL], B, "whether the shape is partly inside another closed shape"),
     later("touches", &[OPTIONAL_TARGET, OPTIONAL_LABEL], B, "whether the shape touches another closed shape"),
     later("minimumDistance", &[TARGET, LABEL], F, "the distance to the nearest shape of a label"),
     later("contextCompare", &[TARGET, LABEL, COMPARISON], F, "the rank among the shapes of a label"),

@@ -138,14 +138,14 @@ pub(super) static GEOMETRY: &[Function] = &[
         "geometry_is_rectangular",
         &[TOLERANCE],
         B,
-        "whether all faces are rectangles, within so many degrees",
+        "whether all faces are rectangles, within a tolerance in degrees",
     ),
     both(
         "geometry.isPlanar",
         "geometry_is_planar",
         &[TOLERANCE],
         B,
-        "whether all faces are flat, within so many degrees",
+        "whether all faces are flat, within a tolerance in degrees",
     ),
     both("geometry.isOriented", "geometry_is_oriented", &[DIRECTION], B, "whether a face looks there"),
     Function {

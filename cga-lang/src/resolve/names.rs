@@ -179,7 +179,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let diag = self.cx.diags.report(Code::NotImplemented, span, format!("{what} is not implemented yet"));
         diag.detail = Detail::Later(what.replace('`', ""));
         if let Some((name, about)) = about.filter(|(_, about)| !about.is_empty()) {
-            diag.note(format!("`{name}` {about}"));
+            diag.note(format!("`{name}`: {about}"));
         }
         diag.note("it does nothing in a run, which reports a fault");
     }
