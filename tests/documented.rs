@@ -37,6 +37,8 @@ mod selectors;
 mod texturing;
 #[path = "documented/thirty.rs"]
 mod thirty;
+#[path = "documented/wings.rs"]
+mod wings;
 
 /// Every example runs, leaves something and has nothing to complain about, and they can be told apart.
 #[test]

@@ -4,9 +4,9 @@
 
 use cga_lang::compile::{Door, Source, compile, compile_text};
 use cga_lang::diag::Diags;
-use cga_lang::lex::lex;
 use cga_lang::link::{NoFiles, Unit};
-use cga_lang::parse::parse;
+use cga_lang::syntax::lex::lex;
+use cga_lang::syntax::parse::parse;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 

@@ -1,12 +1,12 @@
-//! What a program means, and what is wrong with it.
+//! Runs the stages from names to diagnostics.
 //!
 //! Passes read the trees and write side tables and findings; all of them run. What could not be resolved has no entry
 //! in a table, and nothing more is said about it. [`Checked`] is made only when there was no error.
 
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
 use crate::diagnostics::levels;
-use crate::index::{Named, index};
+use crate::editor::index::{Named, index};
 use crate::ir::Type;
 use crate::link::{InstanceId, Program, Wanted};
 use crate::resolve::context::Cx;
@@ -22,15 +22,15 @@ pub struct Checked<'a> {
     _private: (),
 }
 
-/// What a check leaves behind.
+/// The result of a check.
 pub(crate) struct Outcome<'a> {
     /// The program, if it had no error.
     pub(crate) checked: Option<Checked<'a>>,
-    /// The attributes with their types, as far as they could be told.
+    /// The attributes with their types, where these are known.
     pub(crate) attrs: Vec<(Item<'a>, Option<Type>)>,
-    /// Where names are declared and used.
+    /// The places where names are declared and used.
     pub(crate) index: Vec<Named>,
-    /// Whether something is of another type than is needed.
+    /// True after a type mismatch.
     pub(crate) misfit: bool,
     /// Declarations that calls want with other types. When there are some, only that was found out.
     pub(crate) wanted: Vec<Wanted>,

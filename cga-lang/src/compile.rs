@@ -1,17 +1,17 @@
 //! The whole way from tokens to a grammar, in one call.
 
 use crate::check::{Outcome, check};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Diags, Level};
 
 pub use crate::door::Door;
-use crate::index::Named;
+use crate::editor::index::Named;
+use crate::editor::skeleton::Skeleton;
 use crate::ir::Grammar;
-use crate::lex::lex;
 use crate::link::{File, FileTokens, Files, NoFiles, Program, Unit, link};
 use crate::lower::lower;
-use crate::skeleton::Skeleton;
-use crate::token::Tokens;
+use crate::syntax::lex::lex;
+use crate::syntax::token::Tokens;
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -25,16 +25,16 @@ const LEAST_ROUNDS: usize = 16;
 /// Declarations that all rounds together may check.
 const MOST_CHECKED: usize = 100_000;
 
-/// What became of some tokens.
+/// The result of compiling tokens.
 #[derive(Clone, Debug)]
 pub struct Compiled {
     /// The grammar; `None` when there was an error.
     pub grammar: Option<Grammar>,
-    /// Every finding, in source order.
+    /// All diagnostics, in source order.
     pub diags: Vec<Diag>,
     /// The public names, errors or not.
     pub names: Skeleton,
-    /// Where the names of the compiled file are declared and used, errors or not.
+    /// The places where names of the compiled file are declared and used, also after errors.
     pub index: Vec<Named>,
     /// The files that were read: the one that is compiled, then those that are imported, each once.
     pub files: Vec<FileTokens>,
@@ -97,7 +97,7 @@ fn instantiate(program: &mut Program, levels: &[(Code, Level)], read: &[Diag]) {
         wanted.into_iter().for_each(|wanted| program.instantiate(wanted));
     }
     program.typed.wanting = false;
-    // What has one type only is reported as if there were no others.
+    // A declaration with one type is reported as if there were no instances.
     program.typed.on = !program.typed.is_empty();
 }
 
@@ -106,9 +106,9 @@ fn instantiate(program: &mut Program, levels: &[(Code, Level)], read: &[Diag]) {
 pub struct Source {
     /// The tokens.
     pub tokens: Tokens,
-    /// Bytes of the text, one range a token: what [`render`](crate::snippet::render) needs.
+    /// Bytes of the text, one range a token: what [`render`](crate::diag::snippet::render) needs.
     pub ranges: Vec<Range<usize>>,
-    /// What became of it; findings about characters are among the others.
+    /// The result, with diagnostics about characters.
     pub compiled: Compiled,
 }
 

@@ -2,8 +2,8 @@
 
 mod common;
 
-use cga_lang::code::Code;
 use cga_lang::diag::Diags;
+use cga_lang::diag::code::Code;
 use std::collections::HashSet;
 use std::fs;
 

@@ -3,11 +3,11 @@
 mod common;
 
 use cga_lang::compile::{Compiled, Door, compile};
+use cga_lang::ir::print::print;
 use cga_lang::ir::{Anew, Item, Parts, RuleId, Step, Target, Type};
-use cga_lang::ir_print::print;
-use cga_lang::lex::lex;
 use cga_lang::link::{NoFiles, Unit};
-use cga_lang::token::{Tok, Tokens};
+use cga_lang::syntax::lex::lex;
+use cga_lang::syntax::token::{Tok, Tokens};
 
 #[test]
 fn trees_become_these_grammars() {

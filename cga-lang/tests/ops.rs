@@ -3,12 +3,12 @@
 use cga_lang::compile::compile_text;
 use cga_lang::diag::Level;
 use cga_lang::ir::Type;
-use cga_lang::lex::lex;
 use cga_lang::ops::{
     self, Braces, COMPONENTS, Default, Needs, Operation, Param, ParamKind, Places, Run, SYNTAX, Uses, component,
     required, selector, syntax,
 };
-use cga_lang::token::{Sym, Tok};
+use cga_lang::syntax::lex::lex;
+use cga_lang::syntax::token::{Sym, Tok};
 use std::collections::{HashMap, HashSet};
 
 /// A row's name, parameters, text and whether it runs.
@@ -116,6 +116,14 @@ fn what_does_not_run_says_what_it_would_do() {
         assert!(is_line(row.about), "{}: {}", row.name, row.about);
         assert_eq!(ops::operations(row.name).count(), 0, "{}", row.name);
         assert_eq!(syntax(row.name), Some(row));
+    }
+}
+
+#[test]
+fn rows_with_braces_run_if_there_is_a_step_for_their_parts() {
+    for row in ops::all_operations().filter(|row| row.run != Run::Later) {
+        let runs = matches!(row.braces, Braces::None | Braces::Slots(_) | Braces::Arms(_) | Braces::Components);
+        assert!(runs, "{}: `lower/block.rs` has no parts of this kind", row.name);
     }
 }
 

@@ -1,7 +1,7 @@
 //! Diagnostics as compiler errors and warnings.
 
+use cga_lang::diag::snippet::place;
 use cga_lang::diag::{Basis, Diag, Level, Line};
-use cga_lang::snippet::place;
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::quote_spanned;
 
@@ -54,8 +54,8 @@ fn message(diag: &Diag, source: &Source) -> String {
     let level = is_lint.then(|| format!("this is `{}`, whose level can be changed", diag.code.name()));
     if let Some((text, first)) = source.text(diag.span.first) {
         let token = |token: u32| source.text(token).map_or(token, |(_, token)| token);
-        let span = cga_lang::span::Span { first, last: token(diag.span.last) };
-        let related = |place: cga_lang::span::Span| source.line(place.first);
+        let span = cga_lang::syntax::span::Span { first, last: token(diag.span.last) };
+        let related = |place: cga_lang::syntax::span::Span| source.line(place.first);
         let mut shown = diag.clone();
         (shown.notes, shown.basis) = (diag.reasons().collect(), Basis::Rules);
         level.into_iter().for_each(|level| _ = shown.note(level));

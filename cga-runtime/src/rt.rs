@@ -8,7 +8,7 @@ pub use cga_split::List;
 
 pub use crate::asset::File;
 pub use crate::comp::select::Word;
-pub use crate::comp::{Align, Arm, Components, Mode, Select, comp, comp_values, never};
+pub use crate::comp::{Align, Arm, Components, Mode, Select, comp, comp_values, divide, never};
 pub use crate::fault::Error;
 pub use crate::func::{host, later};
 pub use crate::geometry::Axis;

@@ -1,4 +1,4 @@
-//! Sizes and an extent → a solution.
+//! Solves a pattern of sizes in an extent.
 
 use std::ops::ControlFlow;
 

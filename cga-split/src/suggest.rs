@@ -1,16 +1,16 @@
-//! Did-you-mean over a closed set of names.
+//! Spelling suggestions from a closed set of names.
 
-/// The name nearest to `word`, if one is near enough to have been meant: a third of its letters may differ, and case does not
-/// count.
+/// The name nearest to `word`, if at most a third of the letters of `word` differ, or one letter of a short word. Case
+/// is ignored.
 pub fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word: Vec<char> = word.chars().flat_map(char::to_lowercase).take(LONGEST).collect();
     let limit = (word.len() / 3).max(1);
     let letters = word.iter().fold(0, |set, c| set | letter(*c));
-    // Of equally near names the one that continues the word, then the one that is as long.
+    // Among equally near names one that begins with the word wins, then the one with the closest length.
     let mut best: Option<((usize, bool, usize), &str)> = None;
     let mut other: Vec<char> = Vec::new();
     for name in names {
-        // Most names can be told to be far by their letters alone: an edit brings in or takes away one of them, or both.
+        // The sets of letters exclude most names: an edit adds one letter, removes one, or both.
         let set = if name.is_ascii() {
             if name.len() < LONGEST && limit < word.len().abs_diff(name.len()) {
                 continue;
@@ -29,7 +29,7 @@ pub fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Opti
         }
         let far = distance(&word, &other);
         let rank = (far, !other.starts_with(&word), word.len().abs_diff(other.len()));
-        // One letter for another is no likeness at all.
+        // A name in which every letter differs is not similar.
         if far <= limit && far < word.len().max(other.len()) && best.is_none_or(|(least, _)| rank < least) {
             best = Some((rank, name));
         }
@@ -37,14 +37,14 @@ pub fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Opti
     best.map(|(_, name)| name)
 }
 
-/// A bit for a letter; several may share one.
+/// The bit of a letter. Several letters may share a bit.
 fn letter(c: char) -> u64 {
     1 << (c as u32 % 64)
 }
 
 const LONGEST: usize = 64;
 
-/// Edits between two words; a swap of neighbours counts as one.
+/// The number of edits between two words. A swap of neighbours is one edit.
 fn distance(a: &[char], b: &[char]) -> usize {
     let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
     for i in 0..=a.len() {

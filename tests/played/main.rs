@@ -12,13 +12,13 @@ mod tails;
 mod write;
 
 use cga::Grammar;
-use cga_lang::code::Code;
 use cga_lang::compile::{Door, compile};
+use cga_lang::diag::code::Code;
+use cga_lang::diag::snippet::render;
 use cga_lang::diag::{Basis, Diags, Level};
-use cga_lang::lex::lex;
 use cga_lang::link::{NoFiles, Unit};
-use cga_lang::parse::parse;
-use cga_lang::snippet::render;
+use cga_lang::syntax::lex::lex;
+use cga_lang::syntax::parse::parse;
 use judge::{Verdict, judge};
 use places::Places;
 use random::Random;

@@ -2,10 +2,10 @@
 
 use cga_lang::compile::Door;
 use cga_lang::diag::Diags;
-use cga_lang::lex::{Lexed, decode, lex};
+use cga_lang::diag::snippet::Quote;
 use cga_lang::link::{Files, Unit, candidates, folder};
-use cga_lang::parse::parse;
-use cga_lang::snippet::Quote;
+use cga_lang::syntax::lex::{Lexed, decode, lex};
+use cga_lang::syntax::parse::parse;
 use std::collections::{HashMap, HashSet};
 use std::fs;
 use std::path::{Component, Path, PathBuf};

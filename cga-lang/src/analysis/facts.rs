@@ -1,4 +1,4 @@
-//! What is known where an expression or a step stands.
+//! The abstract state at one point of a rule.
 
 use super::shape::Shape;
 use super::uvs::UvSets;
@@ -13,7 +13,7 @@ pub(super) enum Global {
     Const(u32),
 }
 
-/// What is known at a place.
+/// The abstract state at one point of a rule.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Facts {
     /// The instance whose entries the names have.
@@ -21,15 +21,15 @@ pub(crate) struct Facts {
     pub(crate) shape: Shape,
     /// Parameters, then locals.
     pub(crate) params: Vec<Value>,
-    /// What conditions on the way say of attributes and constants; each once, in order.
+    /// Attributes and constants refined by conditions, each once, in order.
     pub(super) globals: Vec<(Global, Value)>,
     pub(crate) uvs: UvSets,
-    /// What was inserted, as long as the shape is that or parts of it: the token of the file's name.
+    /// The inserted asset, while the shape is that asset or parts of it: the token of the file's name.
     pub(crate) asset: Option<u32>,
 }
 
 impl Facts {
-    /// Nothing is known.
+    /// The state without any knowledge.
     pub(crate) fn any(own: InstanceId, params: usize) -> Facts {
         Facts {
             own,
@@ -41,7 +41,7 @@ impl Facts {
         }
     }
 
-    /// Nothing but that a run begins there.
+    /// The state at the start of a run.
     pub(super) fn initial(item: &Item) -> Facts {
         Facts { shape: Shape::INITIAL, ..Facts::any(item.own, item.decl.params.len()) }
     }
@@ -51,7 +51,7 @@ impl Facts {
         Facts { shape, ..self.clone() }
     }
 
-    /// The same values on a shape of which nothing is known.
+    /// The same values on an unknown shape.
     pub(crate) fn on_any_shape(&self) -> Facts {
         self.on(Shape::ANY)
     }
@@ -61,13 +61,13 @@ impl Facts {
         Facts { own, params, ..self.clone() }
     }
 
-    /// What conditions say of an attribute or a constant.
+    /// The refined value of an attribute or a constant.
     pub(super) fn global(&self, which: Global) -> Option<Value> {
         let at = self.globals.binary_search_by_key(&which, |(global, _)| *global).ok()?;
         Some(self.globals[at].1)
     }
 
-    /// Keeps what a condition says of one.
+    /// Sets the refined value of an attribute or a constant.
     pub(super) fn set_global(&mut self, which: Global, value: Value) {
         match self.globals.binary_search_by_key(&which, |(global, _)| *global) {
             Ok(at) => self.globals[at].1 = value,
@@ -75,12 +75,12 @@ impl Facts {
         }
     }
 
-    /// What holds for both.
+    /// The join of two states.
     pub(super) fn or(&self, other: &Facts) -> Facts {
         self.joined(other, self.shape.or(&other.shape), Value::or)
     }
 
-    /// What has changed since `before` moves on as far as there is.
+    /// Widens the parts that have changed since `before`.
     pub(super) fn widen(&self, before: &Facts) -> Facts {
         self.joined(before, self.shape.widen(&before.shape), Value::widen)
     }

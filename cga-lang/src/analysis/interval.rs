@@ -1,36 +1,35 @@
-//! The number domain of the checks: which values a number may have.
+//! The abstract domain of numbers: intervals, with flags for infinity and NaN.
 //!
-//! Runs compute in `f64`, rounding to the nearest, and so do these: rounding never turns two results around, so the ends of
-//! an interval bound what a run computes with the same operation, bit for bit. Whether it may be infinite, or no number at
-//! all, is kept beside. Comparisons are those of the language: where one side is no number, `<` and `<=` are true, and `>`,
-//! `>=` and `==` are false.
+//! Intervals compute in `f64` and round to the nearest, as runs do. Rounding is monotone, so the ends of an interval bound the
+//! result of a run bit for bit. Two flags tell whether the value may be infinite or NaN. Comparisons follow the language: with NaN
+//! on one side, `<` and `<=` are true, and `>`, `>=` and `==` are false.
 
-use crate::ast::Binary;
 use crate::ops::Meaning;
+use crate::syntax::ast::Binary;
 
 /// Numbers from `lo` to `hi`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Interval {
     pub(crate) lo: f64,
     pub(crate) hi: f64,
-    /// Whether it may be an end that is infinite; without this such an end stands for any number however large.
+    /// True if the value may be infinite. Otherwise an infinite end means that finite values are unbounded.
     infinite: bool,
-    /// Whether it may be no number.
+    /// True if the value may be NaN.
     nan: bool,
 }
 
 impl Interval {
-    /// Anything a float can be.
+    /// Any float.
     pub(crate) const ALL: Interval = Interval { lo: f64::NEG_INFINITY, hi: f64::INFINITY, infinite: true, nan: true };
-    /// Any number that is finite.
+    /// Any finite number.
     pub(crate) const FINITE: Interval =
         Interval { lo: f64::NEG_INFINITY, hi: f64::INFINITY, infinite: false, nan: false };
-    /// What is always there and never negative, like an extent.
+    /// A finite number of 0 or more, like an extent.
     pub(crate) const EXTENT: Interval = Interval { lo: 0.0, ..Interval::FINITE };
     pub(crate) const ZERO: Interval = Interval::finite(0.0, 0.0);
     const UNIT: Interval = Interval::finite(-1.0, 1.0);
 
-    /// Finite numbers between two ends; infinite ends stand for any number however large.
+    /// Finite numbers between two ends; an infinite end means unbounded.
     pub(crate) const fn finite(lo: f64, hi: f64) -> Interval {
         Interval { lo, hi, infinite: false, nan: false }
     }
@@ -39,37 +38,37 @@ impl Interval {
         if value.is_finite() { Interval::finite(value, value) } else { Interval::ALL }
     }
 
-    /// From one number to another, in either order, both included.
+    /// The closed interval between two numbers, in either order.
     pub(crate) fn between(a: f64, b: f64) -> Interval {
         if a.is_nan() || b.is_nan() { Interval::ALL } else { Interval::result(a.min(b), a.max(b), false) }
     }
 
-    /// The number, if there is only one.
+    /// The only number, if the interval has one.
     pub(crate) fn known(self) -> Option<f64> {
         (self.lo == self.hi && self.lo.is_finite() && !self.nan).then_some(self.lo)
     }
 
-    /// Whether it may be infinite or no number.
+    /// Returns true if the value may be infinite or NaN.
     pub(crate) fn is_odd(self) -> bool {
         self.infinite || self.nan
     }
 
-    /// What of it is finite.
+    /// The finite part.
     pub(crate) fn tame(self) -> Interval {
         Interval { infinite: false, nan: false, ..self }
     }
 
-    /// What of it can be compared: not what is no number.
+    /// The part without NaN.
     pub(crate) fn ordered(self) -> Interval {
         Interval { nan: false, ..self }
     }
 
-    /// Whether it may be no number.
+    /// Returns true if the value may be NaN.
     pub(crate) fn may_be_nan(self) -> bool {
         self.nan
     }
 
-    /// What is in one of two.
+    /// The join of two intervals.
     pub(crate) fn or(self, other: Interval) -> Interval {
         Interval {
             lo: self.lo.min(other.lo),
@@ -79,7 +78,7 @@ impl Interval {
         }
     }
 
-    /// Ends that have moved since `before` move on to zero or as far as there is.
+    /// Widens: ends that have moved since `before` jump to zero or to infinity.
     pub(crate) fn widen(self, before: Interval) -> Interval {
         let lo = if before.lo <= self.lo {
             self.lo
@@ -98,12 +97,12 @@ impl Interval {
         Interval { lo, hi, ..self }
     }
 
-    /// As operations take it: what is not finite counts as zero (*CGA changelog 2013.1*).
+    /// The value that operations take: zero for infinity and NaN (*CGA changelog 2013.1*).
     pub(crate) fn taken(self) -> Interval {
         if self.is_odd() { self.tame().or(Interval::ZERO) } else { self }
     }
 
-    /// The result of an operation of which only the ends are known: where they run out of numbers, so may the result.
+    /// The result of an operation, from its ends: if an end overflows, the result may be infinite.
     fn result(lo: f64, hi: f64, nan: bool) -> Interval {
         if lo.is_nan() || hi.is_nan() {
             return Interval::ALL;
@@ -131,7 +130,7 @@ impl Interval {
     }
 
     pub(crate) fn mul(self, other: Interval) -> Interval {
-        // Nothing times whatever number there is, is nothing.
+        // Zero times any finite number is zero.
         let times = |a: f64, b: f64| if a == 0.0 || b == 0.0 { 0.0 } else { a * b };
         let all =
             [times(self.lo, other.lo), times(self.lo, other.hi), times(self.hi, other.lo), times(self.hi, other.hi)];
@@ -144,7 +143,7 @@ impl Interval {
         if other.has_zero() {
             return Interval::ALL;
         }
-        // An unbounded number by an unbounded one comes near everything of its sign, zero included.
+        // The quotient of two unbounded numbers may be any number of its sign, zero included.
         let by = |a: f64, b: f64| if a == 0.0 || b.is_infinite() { 0.0 } else { a / b };
         let all = [by(self.lo, other.lo), by(self.lo, other.hi), by(self.hi, other.lo), by(self.hi, other.hi)];
         let (lo, hi) = ends(all);
@@ -192,9 +191,9 @@ impl Interval {
         Interval { lo, hi, infinite, nan: false }
     }
 
-    /// What a function of the language makes of its arguments, as far as it is known.
+    /// The result of a function of the language, where its transfer function is known.
     pub(crate) fn function(meaning: Meaning, args: &[Interval]) -> Interval {
-        // Runs take what is not finite as zero.
+        // Runs take infinity and NaN as zero.
         let rising = |of: fn(f64) -> f64, arg: Interval| {
             let arg = arg.taken();
             Interval { lo: of(arg.lo), hi: of(arg.hi), ..arg }
@@ -215,13 +214,13 @@ impl Interval {
         }
     }
 
-    /// With room for what is computed in several steps and off by last bits.
+    /// Widens the ends by the rounding of a computation in several steps.
     fn about(self) -> Interval {
         let room = (self.lo.abs() + self.hi.abs()) * 1e-15;
         Interval::result(self.lo - room, self.hi + room, self.nan)
     }
 
-    /// What `<` says: `None` when that depends. `>=` says the contrary.
+    /// The result of `<`, if it is certain. `>=` has the opposite result.
     pub(crate) fn less(self, other: Interval) -> Option<bool> {
         match () {
             () if self.hi < other.lo => Some(true),
@@ -230,7 +229,7 @@ impl Interval {
         }
     }
 
-    /// What `<=` says: `None` when that depends. `>` says the contrary.
+    /// The result of `<=`, if it is certain. `>` has the opposite result.
     pub(crate) fn at_most(self, other: Interval) -> Option<bool> {
         match () {
             () if self.hi <= other.lo => Some(true),
@@ -239,7 +238,7 @@ impl Interval {
         }
     }
 
-    /// What of it compares so with some number of another. Ends stay in, so that it does not matter whether they are.
+    /// The part that compares so with some number of another interval. Ends stay included, for strict comparisons too.
     pub(crate) fn compared(mut self, op: Binary, with: Interval) -> Option<Interval> {
         match op {
             Binary::Lt | Binary::Le => self.hi = self.hi.min(with.hi),
@@ -250,7 +249,7 @@ impl Interval {
         (self.lo <= self.hi).then_some(self)
     }
 
-    /// Whether both are the same number.
+    /// The result of `==`, if it is certain.
     pub(crate) fn same(self, other: Interval) -> Option<bool> {
         match (self.known(), other.known()) {
             (Some(a), Some(b)) => Some(a == b),
@@ -270,7 +269,7 @@ mod tests {
 
     const SOME: &[f64] = &[-1e300, -7.5, -1.0, -0.1, 0.0, 0.1, 0.3, 1.0, 2.0, 3.2, 60.0, 1e300];
 
-    /// Between any two numbers of the list, as they are, without bounds, and with all that is no number.
+    /// Intervals between any two numbers of the list: closed, unbounded, with infinity and with NaN.
     fn intervals() -> impl Iterator<Item = Interval> {
         let between = SOME.iter().flat_map(|a| SOME.iter().map(|b| Interval::between(*a, *b)));
         let open = SOME.iter().flat_map(|a| {
@@ -320,7 +319,7 @@ mod tests {
     fn functions_and_comparisons_hold_for_every_number() {
         for a in intervals() {
             for x in members(a) {
-                // As operations take it.
+                // The value that operations take.
                 let x_taken = if x.is_finite() { x } else { 0.0 };
                 for (meaning, exact) in [
                     (Meaning::Floor, x_taken.floor()),

@@ -1,44 +1,44 @@
-//! What is known of values: of attributes, constants and functions once, of expressions wherever they stand.
+//! Abstract values of attributes, constants and functions, computed once, and of expressions at any point.
 
 use super::facts::{Facts, Global};
 use super::interval::Interval;
 use super::texts::{TextSet, Texts};
 use super::value::Value;
-use crate::ast::{Binary, Decl, Expr, ExprKind, Name, Unary};
 use crate::ir::{ChoiceValues, Type};
 use crate::link::InstanceId;
 use crate::ops::{AttrValues, Meaning};
 use crate::resolve::globals::{Globals, Init, Item};
 use crate::resolve::info::AttrInfo;
 use crate::resolve::tables::{Tables, Use};
+use crate::syntax::ast::{Binary, Decl, Expr, ExprKind, Name, Unary};
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
 
-/// Functions in functions that are computed with their arguments; deeper down they count as what they are with any.
+/// The nesting depth up to which calls of functions are evaluated with their arguments.
 const DEEPEST: u32 = 3;
 
-/// Steps that are taken to find out a value: what takes more may be anything.
+/// The steps that one evaluation may take; beyond them the result is unknown.
 const MOST_STEPS: u32 = 5_000;
 
-/// Steps for all values of a program; after these each has few.
+/// The steps of all evaluations of a program; after them each evaluation has few.
 const MOST_IN_ALL: u64 = 3_000_000;
 
-/// Steps for a value then.
+/// The steps of one evaluation after that.
 const FEW_STEPS: u32 = 200;
 
-/// Functions with more parameters and locals count as what they are with any.
+/// The largest number of parameters and locals of a function that is evaluated with its arguments.
 const MOST_LOCALS: usize = 40;
 
-/// What attributes count as.
+/// The assumption about the values of attributes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Attrs {
-    /// Whatever a run accepts.
+    /// Any value that a run accepts.
     Accepted,
-    /// The default, where a run accepts anything.
+    /// The default value, where a run accepts any value.
     Defaults,
 }
 
-/// A function that is computed with its arguments.
+/// A function that is evaluated with its arguments.
 #[derive(Clone, Copy)]
 struct Function<'f> {
     /// The instance whose entries its names have.
@@ -47,23 +47,23 @@ struct Function<'f> {
     body: &'f Expr,
 }
 
-/// What is known of the values of a grammar.
+/// The abstract values of a grammar.
 pub(crate) struct Known<'f> {
     tables: &'f Tables,
     texts: Texts,
     attrs: Vec<Value>,
     consts: Vec<Value>,
-    /// With any arguments.
+    /// By function: the result for any arguments.
     functions: Vec<Value>,
-    /// Functions that do not call themselves, to be computed with their arguments.
+    /// Functions without recursion, to be evaluated with their arguments.
     bodies: Vec<Option<Function<'f>>>,
     /// By rule: the instance whose entries its names have.
     pub(super) rules: Vec<InstanceId>,
-    /// Attributes that rules set.
+    /// The attributes that rules set.
     changing: HashSet<u32>,
-    /// How many steps are left.
+    /// The number of steps left for this evaluation.
     steps: Cell<u32>,
-    /// How many were taken for values so far.
+    /// The number of steps taken so far.
     taken: Cell<u64>,
 }
 
@@ -129,7 +129,7 @@ impl<'f> Known<'f> {
     /// The value of an attribute; `first` is the number of the first of its name.
     fn attr(&self, globals: &Globals, index: usize, first: usize, mode: Attrs) -> Value {
         let item = &globals.attrs[index];
-        let any = Value::of(item.ty(&self.tables));
+        let any = Value::of(item.ty(self.tables));
         if self.changing.contains(&(index as u32)) {
             return any;
         }
@@ -137,7 +137,7 @@ impl<'f> Known<'f> {
             Init::Flows(outer) => self.attrs[outer as usize],
             _ => self.alone(item),
         };
-        // What the host program sets is held to these; a default need not be. An attribute has one field, whatever the style.
+        // A value from the host program is checked against them, a default is not. All styles share the field of an attribute.
         let info = self.tables.attrs.get(first);
         if let (Some(range), Value::Number(_)) = (info.and_then(AttrInfo::held_to_range), any) {
             return Value::Number(Interval::between(range.min, range.max)).or(default);
@@ -160,28 +160,28 @@ impl<'f> Known<'f> {
         }
     }
 
-    /// A set of texts as messages show it.
+    /// A set of texts for messages.
     pub(crate) fn told(&self, set: TextSet) -> Option<String> {
         self.texts.told(set)
     }
 
-    /// What a name stands for.
+    /// The meaning of a name.
     pub(super) fn of(&self, name: &Name, facts: &Facts) -> Option<Use> {
         self.tables.at(facts.own).of(name)
     }
 
-    /// Whether an attribute is the same on all shapes of a run.
+    /// Returns true if an attribute has the same value on all shapes of a run.
     pub(super) fn is_constant(&self, attr: u32) -> bool {
         !self.changing.contains(&attr)
     }
 
-    /// What is known of an expression.
+    /// The abstract value of an expression.
     pub(crate) fn value(&self, expr: &Expr, facts: &Facts) -> Value {
         self.begin();
         self.within(expr, facts, 0)
     }
 
-    /// Begins to count steps anew.
+    /// Resets the steps of the evaluation.
     fn begin(&self) {
         let most = |taken: u64| if taken < MOST_IN_ALL { MOST_STEPS } else { FEW_STEPS };
         let taken = self.taken.get();
@@ -190,7 +190,7 @@ impl<'f> Known<'f> {
         self.steps.set(most(taken));
     }
 
-    /// What is known where a condition is true, or false; nothing where it never is.
+    /// The state on the branch where a condition is true, or false; `None` if that branch is never taken.
     pub(crate) fn past(&self, condition: &Expr, truth: bool, facts: Facts) -> Option<Facts> {
         self.begin();
         if self.within(condition, &facts, 0).truth() == Some(!truth) {
@@ -199,7 +199,7 @@ impl<'f> Known<'f> {
         self.refine(condition, truth, facts, 0)
     }
 
-    /// What is known of an expression so deep in functions.
+    /// The abstract value of an expression at a nesting depth of functions.
     pub(super) fn within(&self, expr: &Expr, facts: &Facts, depth: u32) -> Value {
         let Some(left) = self.steps.get().checked_sub(1) else { return Value::Any };
         self.steps.set(left);
@@ -287,7 +287,7 @@ impl<'f> Known<'f> {
                 let args: Vec<Interval> = args.iter().map(|arg| arg.number()).collect();
                 Value::Number(Interval::function(row.meaning, &args))
             }
-            // A chance is true less often than always, and more often than never.
+            // `p` of a share between 0 and 1 is neither always true nor always false.
             Use::Builtin(row) if row.meaning == Meaning::Chance => Value::Truth(match args[..] {
                 [Value::Number(chance)] if 1.0 < chance.lo && !chance.is_odd() => Some(true),
                 [Value::Number(chance)] if chance.hi < 0.0 && !chance.is_odd() => Some(false),

@@ -1,8 +1,8 @@
-//! What the checks can know of shapes and values, without running anything.
+//! Abstract interpretation: the values and shapes that are possible at each point of the rules.
 //!
-//! Facts follow shapes through the steps of rules and on to the rules that they are handed to. A rule knows what all its
-//! calls agree on; one that a run begins with knows nothing. What a rule is called with in a cycle is widened, so that this
-//! ends. With an error somewhere nobody knows who calls whom, and rules know only what they say themselves.
+//! A state follows each shape through the steps of a rule and into the rules that are called with it. The state at the start of a
+//! rule is the join of its calls; it is unknown for a rule that a run may begin with. States in cycles are widened, so the
+//! analysis ends. If the program has an error, calls are unknown and each rule is analysed alone.
 
 mod facts;
 pub(crate) mod interval;
@@ -16,10 +16,10 @@ mod value;
 mod waiting;
 mod walk;
 
-use crate::ast::{Body, Op, OpKind};
-use crate::ast_walk::ops;
 use crate::resolve::globals::{Globals, Item};
 use crate::resolve::tables::{Tables, Use};
+use crate::syntax::ast::{Body, Op, OpKind};
+use crate::syntax::walk::ops;
 
 pub(crate) use facts::Facts;
 pub(crate) use known::{Attrs, Known};
@@ -33,29 +33,29 @@ use std::cell::RefCell;
 use waiting::Waiting;
 use walk::{Visit, Walk};
 
-/// How often what a rule is called with may change before its ends move on as far as there is.
+/// The number of joins at a rule of a cycle before its state is widened.
 const PATIENCE: u32 = 3;
 
-/// How often at most: then nothing is known.
+/// The number of joins after which the state is unknown.
 const MOST_VISITS: u32 = 12;
 
-/// What is known of a grammar.
+/// The states at the starts of the rules.
 pub(crate) struct Flow<'f> {
     pub(crate) known: &'f Known<'f>,
-    /// By rule: what is known where it begins. `None`: nobody calls it.
+    /// By rule: the state at its start; `None` without calls so far.
     entries: RefCell<Vec<Option<Facts>>>,
-    /// By rule: whether another calls it.
+    /// By rule: true if another rule calls it.
     called: Vec<bool>,
-    /// The rules that no shape was followed through yet.
+    /// The components that are not analysed yet.
     waiting: RefCell<Waiting>,
     forgets: bool,
 }
 
 /// The calls of a grammar.
 pub(crate) struct Calls {
-    /// By rule: the rules its steps name, each once, in order.
+    /// By rule: the rules that it calls, each once, in order.
     pub(crate) edges: Vec<Vec<usize>>,
-    /// Rules that a run begins with.
+    /// The rules that a run may begin with.
     pub(crate) starts: Vec<usize>,
 }
 
@@ -96,7 +96,7 @@ pub(crate) fn body<'a>(item: &Item<'a>) -> &'a [Op] {
 }
 
 impl<'f> Flow<'f> {
-    /// Finds out what is known of a rule when it is visited. Without `calls` each rule stands alone.
+    /// Analyses a rule on its first visit. Without `calls` each rule is analysed alone.
     pub(crate) fn new(globals: &Globals, known: &'f Known<'f>, calls: Option<&Calls>) -> Flow<'f> {
         let mut called = vec![false; globals.rules.len()];
         let mut entries = vec![None; globals.rules.len()];
@@ -104,7 +104,7 @@ impl<'f> Flow<'f> {
             for (caller, callees) in calls.edges.iter().enumerate() {
                 callees.iter().filter(|callee| **callee != caller).for_each(|&callee| called[callee] = true);
             }
-            // Nobody knows how a rule that no other calls is used.
+            // A rule without callers may be called with any shape.
             let uncalled = (0..called.len()).filter(|rule| !called[*rule]);
             for rule in calls.starts.iter().copied().chain(uncalled) {
                 entries[rule] = Some(Facts::initial(&globals.rules[rule]));
@@ -114,12 +114,12 @@ impl<'f> Flow<'f> {
         Flow { known, entries: RefCell::new(entries), called, waiting, forgets: false }
     }
 
-    /// What values and conditions alone say: sizes that steps set are forgotten.
+    /// Considers values and conditions alone: sizes set by steps count as unknown.
     pub(crate) fn of_values(globals: &Globals, known: &'f Known<'f>) -> Flow<'f> {
         Flow { forgets: true, ..Flow::new(globals, known, None) }
     }
 
-    /// Follows shapes through the rules of a cycle until nothing new is known.
+    /// Follows shapes through the rules of a cycle until the states are stable.
     fn settle(&self, globals: &Globals, component: Vec<usize>) {
         let mut visits = vec![0u32; component.len()];
         let mut waits: Vec<bool> = component.iter().map(|rule| self.entries.borrow()[*rule].is_some()).collect();
@@ -154,7 +154,7 @@ impl<'f> Flow<'f> {
         }
     }
 
-    /// Goes once through a rule with what is known where it begins.
+    /// Follows a shape once through a rule, from the state at its start.
     fn follow<'a>(&self, globals: &Globals<'a>, rule: usize, visit: &mut dyn Visit<'a>) {
         let item = &globals.rules[rule];
         let entry = self.entries.borrow()[rule].clone();
@@ -168,25 +168,25 @@ impl<'f> Flow<'f> {
         walk.steps(body(item), facts, visit);
     }
 
-    /// Whether another rule calls it.
+    /// Returns true if another rule calls it.
     pub(crate) fn is_called(&self, rule: usize) -> bool {
         self.called[rule]
     }
 
-    /// Shows what is met on the way through a rule.
+    /// Calls `meet` for each site on the way through a rule.
     pub(crate) fn visit<'a>(&self, globals: &Globals<'a>, rule: usize, meet: &mut dyn FnMut(&Site<'_, 'a>, &Facts)) {
         let waiting = self.waiting.borrow_mut().take(rule);
         waiting.into_iter().for_each(|component| self.settle(globals, component));
         self.follow(globals, rule, &mut Met(meet));
     }
 
-    /// What is known of an expression.
-    pub(crate) fn value(&self, expr: &crate::ast::Expr, facts: &Facts) -> Value {
+    /// The abstract value of an expression.
+    pub(crate) fn value(&self, expr: &crate::syntax::ast::Expr, facts: &Facts) -> Value {
         self.known.value(expr, facts)
     }
 }
 
-/// Collects what is handed on.
+/// Collects the calls of a rule, with their states.
 struct Handed {
     list: Vec<(usize, Facts)>,
 }
@@ -199,7 +199,7 @@ impl Visit<'_> for Handed {
     fn meet(&mut self, _: &Site<'_, '_>, _: &Facts) {}
 }
 
-/// Shows what is met.
+/// Passes sites on to a closure.
 struct Met<'m, 'a>(&'m mut dyn FnMut(&Site<'_, 'a>, &Facts));
 
 impl<'a> Visit<'a> for Met<'_, 'a> {

@@ -1,15 +1,15 @@
-//! What a condition says of the values in it, for whoever has come past it.
+//! Refines the values that a condition compares, on the branch that is taken.
 
 use super::facts::{Facts, Global};
 use super::interval::Interval;
 use super::known::Known;
 use super::texts::TextSet;
 use super::value::Value;
-use crate::ast::{Binary, Expr, ExprKind, Unary};
 use crate::ops::AttrValues;
 use crate::resolve::tables::Use;
+use crate::syntax::ast::{Binary, Expr, ExprKind, Unary};
 
-/// A place in what is known.
+/// A value of the state that can be refined.
 enum Place {
     Size(usize),
     Param(usize),
@@ -17,7 +17,7 @@ enum Place {
 }
 
 impl Known<'_> {
-    /// What is known where a condition is true, or false; nothing where that cannot be.
+    /// The state on the branch where a condition is true, or false; `None` if that branch is never taken.
     pub(super) fn refine(&self, condition: &Expr, truth: bool, facts: Facts, depth: u32) -> Option<Facts> {
         match &condition.kind {
             ExprKind::Unary(Unary::Not, operand) => self.refine(operand, !truth, facts, depth),
@@ -55,7 +55,7 @@ impl Known<'_> {
         }
     }
 
-    /// Cuts off what a comparison with something rules out.
+    /// Removes the values that a comparison excludes.
     fn narrow(&self, expr: &Expr, holds: Holds, with: Value, mut facts: Facts) -> Option<Facts> {
         let Some(place) = self.place(expr, &facts) else { return Some(facts) };
         let narrowed = holds.narrowed(self.within(expr, &facts, 0), with)?;
@@ -79,18 +79,18 @@ impl Known<'_> {
     }
 }
 
-/// A comparison that holds for the value on its left side, or an equation that does not.
+/// A comparison that holds for the value on its left side, or an equation that fails.
 #[derive(Clone, Copy)]
 struct Holds {
     op: Binary,
-    /// What is no number makes it hold, too.
+    /// NaN satisfies it too.
     or_nan: bool,
 }
 
 impl Holds {
     const SAME: Holds = Holds { op: Binary::Eq, or_nan: false };
 
-    /// What holds where a comparison is true, or false.
+    /// The comparison that holds on the branch where another one is true, or false.
     fn new(op: Binary, truth: bool) -> Option<Holds> {
         let (op, or_nan) = match (op, truth) {
             (Binary::Lt, true) | (Binary::Ge, false) => (Binary::Lt, true),
@@ -104,7 +104,7 @@ impl Holds {
         Some(Holds { op, or_nan })
     }
 
-    /// With the sides the other way round.
+    /// The comparison with its sides swapped.
     fn turned(self) -> Holds {
         let op = match self.op {
             Binary::Lt => Binary::Gt,
@@ -116,7 +116,7 @@ impl Holds {
         Holds { op, ..self }
     }
 
-    /// What is left of a value on the left side, with that on the right; nothing where nothing is.
+    /// The rest of the left value, given the right one; `None` if no value is left.
     fn narrowed(self, value: Value, with: Value) -> Option<Value> {
         let is_same = self.op == Binary::Eq;
         Some(match (value, with) {
@@ -141,12 +141,12 @@ impl Holds {
         })
     }
 
-    /// Ends stay in, so that it does not matter whether they are.
+    /// Ends stay included, for strict comparisons too.
     fn number(self, number: Interval, with: Interval) -> Option<Interval> {
         match self.op {
             Binary::Ne => Some(number),
             _ if !self.or_nan => number.ordered().compared(self.op, with),
-            // It may hold because of the other side.
+            // NaN on the other side may satisfy it.
             _ if with.may_be_nan() => Some(number),
             _ => match number.compared(self.op, with) {
                 None if number.may_be_nan() => Some(number),

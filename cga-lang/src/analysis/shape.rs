@@ -1,48 +1,48 @@
-//! What is known of a shape on its way through the rules.
+//! The abstract shape: sizes, filling and trim planes.
 
 use super::interval::Interval;
 use crate::ops::{Directions, Selector};
-use crate::span::Span;
+use crate::syntax::span::Span;
 
-/// What boxes around parts of meshes may be off by, in metres and as a share: points far from the origin are rounded. It is
-/// enough up to a million kilometres.
+/// The tolerance of bounding boxes of parts of meshes, in metres and relative: points far from the origin are rounded. It
+/// suffices up to a million kilometres.
 const ROUGH: f64 = 1e-7;
 
-/// What fills the scope, as far as parts of it keep the sizes of their slots.
+/// The geometry in the scope. It decides whether parts have the sizes of their slots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Filling {
     /// A box.
     Box,
-    /// A rectangle across the z axis.
+    /// A rectangle normal to the z axis.
     Sheet,
-    /// Anything.
+    /// Any geometry.
     Unknown,
 }
 
 /// A face of a comp.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Face {
-    /// It is certainly planar.
+    /// A face that is always planar.
     Flat,
     Any,
 }
 
-/// What is known of a shape.
+/// The abstract shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Shape {
     /// The scope's size along each axis.
     pub(crate) size: [Interval; 3],
-    /// The step that a size comes from, where it is one.
+    /// By axis: the step that sets the size, if one step does.
     pub(crate) since: [Option<Span>; 3],
     pub(crate) filling: Filling,
-    /// Trim planes may cut what is put into the scope.
+    /// True if trim planes may cut inserted geometry.
     pub(crate) trimmed: bool,
-    /// It is a face as a comp has made it, perhaps stretched in x and y: flat along z if it is planar.
+    /// The kind of face, for a part of a comp, also after stretching in x and y: flat along z if it is planar.
     pub(super) is_face: bool,
 }
 
 impl Shape {
-    /// Nothing is known. Sizes are always finite, perhaps negative.
+    /// An unknown shape. Sizes are finite and may be negative.
     pub(crate) const ANY: Shape = Shape {
         size: [Interval::FINITE; 3],
         since: [None; 3],
@@ -54,22 +54,22 @@ impl Shape {
     /// An initial shape: without trim planes.
     pub(super) const INITIAL: Shape = Shape { trimmed: false, ..Shape::ANY };
 
-    /// With another scope, of which nothing is known.
+    /// The shape with an unknown scope.
     pub(super) fn moved_on(&self) -> Shape {
         Shape { trimmed: self.trimmed, ..Shape::ANY }
     }
 
-    /// A face, from that comp. Those that are not planar have a depth.
+    /// A face from a comp. A face that is not planar has a depth.
     pub(super) fn face(from: Span) -> Shape {
         Shape { size: [Interval::EXTENT; 3], since: [None, None, Some(from)], is_face: true, ..Shape::ANY }
     }
 
-    /// What a selector takes of its faces, from that comp, where it is a box: rectangles. Without a selector any of them.
+    /// A face of a box from a comp, by its selector: a rectangle. Without a selector, any face.
     pub(super) fn face_of_box(&self, selector: Option<&Selector>, from: Span) -> Shape {
         let [x, y, z] = [0, 1, 2].map(|axis| (self.extent(axis), self.since[axis]));
         let either =
             |a: (Interval, Option<Span>), b: (Interval, Option<Span>)| (a.0.or(b.0), a.1.filter(|_| a.1 == b.1));
-        // The sides are upright; the faces above and below lie along the scope.
+        // The sides are vertical; the top and bottom faces follow the scope.
         let takes = |faces| selector.is_none_or(|row| row.directions.meet(faces));
         let across = takes(Directions::FRONT_FACE) || takes(Directions::BACK_FACE);
         let along = takes(Directions::LEFT_FACE) || takes(Directions::RIGHT_FACE);
@@ -90,12 +90,12 @@ impl Shape {
         self.size[axis].abs()
     }
 
-    /// Whether it certainly has no extent along an axis, as long as a face is planar.
+    /// Returns true if it never has an extent along an axis, provided that a face is planar.
     pub(crate) fn is_flat(&self, axis: usize) -> bool {
         self.extent(axis) == Interval::ZERO || self.is_face && axis == 2
     }
 
-    /// Whether it is flat as a face is: whatever form that has, or if it is planar.
+    /// The kind of face, if it is one: certainly flat, or flat if it is planar.
     pub(crate) fn is_face(&self) -> Option<Face> {
         match self.is_face {
             true if self.size[2] == Interval::ZERO => Some(Face::Flat),
@@ -104,7 +104,7 @@ impl Shape {
         }
     }
 
-    /// What holds for both.
+    /// The join of two shapes.
     pub(super) fn or(&self, other: &Shape) -> Shape {
         let size = [0, 1, 2].map(|axis| self.size[axis].or(other.size[axis]));
         let since = [0, 1, 2].map(|axis| self.since[axis].filter(|_| self.since[axis] == other.since[axis]));
@@ -117,12 +117,12 @@ impl Shape {
         Shape { size: [0, 1, 2].map(|axis| self.size[axis].widen(before.size[axis])), ..*self }
     }
 
-    /// Whether it certainly extends along all axes.
+    /// Returns true if it always extends along all axes.
     pub(super) fn has_room(&self) -> bool {
         self.size.iter().all(|size| size.hi < 0.0 || 0.0 < size.lo)
     }
 
-    /// After `s`, with what the arguments are in metres, and which leave the size as it is.
+    /// The shape after `s`: the sizes in metres, and which axes keep their size.
     pub(super) fn sized(&self, size: [Interval; 3], kept: [bool; 3], by: Span) -> Shape {
         let since = [0, 1, 2].map(|axis| if kept[axis] { self.since[axis] } else { Some(by) });
         let filling = match self.filling {
@@ -133,12 +133,12 @@ impl Shape {
         Shape { size, since, filling, is_face: self.is_face && kept[2], ..*self }
     }
 
-    /// With other geometry that fills it.
+    /// The shape with other geometry in the scope.
     pub(super) fn filled(&self, filling: Filling) -> Shape {
         Shape { filling, is_face: false, ..*self }
     }
 
-    /// After `extrude`: a rectangle without depth becomes a box whose y axis is the way it grew.
+    /// The shape after `extrude`: a rectangle without depth becomes a box with y along the extrusion.
     pub(super) fn extruded(&self, distance: Interval, by: Span) -> Shape {
         let [x, y, z] = self.size;
         if self.filling != Filling::Sheet || z != Interval::ZERO || x.lo < 0.0 || y.lo < 0.0 {
@@ -154,7 +154,7 @@ impl Shape {
         Shape { size: [x, distance, y], since, filling: Filling::Box, is_face: false, ..*self }
     }
 
-    /// A part that shrinks to what is in it: no larger than its slot and the shape.
+    /// A part that shrinks to its geometry: at most as large as its slot and the shape.
     fn shrunk(&self, axis: usize, length: Interval, by: Span) -> Shape {
         let mut part = Shape { filling: Filling::Unknown, ..*self };
         for (at, size) in part.size.iter_mut().enumerate() {
@@ -166,7 +166,7 @@ impl Shape {
         part
     }
 
-    /// A part of a split along an axis: `length` is what its slot may get.
+    /// A part of a split along an axis; `length` is the length of its slot.
     pub(super) fn part(&self, axis: usize, length: Interval, adjust: bool, by: Span) -> Shape {
         let fills = match self.filling {
             Filling::Box => true,

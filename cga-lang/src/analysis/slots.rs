@@ -1,33 +1,33 @@
-//! What is known of the sizes of a split, and where it is solved.
+//! The abstract sizes of a split, and its solution where all sizes are known.
 
 use super::facts::Facts;
 use super::interval::Interval;
-use crate::ast::{Arg, Block, Op, Prefix, SplitItem};
-use crate::span::Span;
+use crate::syntax::ast::{Arg, Block, Op, Prefix, SplitItem};
+use crate::syntax::span::Span;
 use cga_split::{Item, Piece, solve};
 
-/// Splits with more pieces are not laid out.
+/// The largest number of pieces that are laid out.
 const MOST_PIECES: u64 = 10_000;
 
-/// What the last bits of sums may be off by, as a share: claims keep that far from what they claim.
+/// The relative error of sums. Claims keep this margin.
 pub(crate) const MARGIN: f64 = 1e-9;
 
-/// Sums that come this near to the whole fill it: the solver makes nothing that is as small as what is left.
+/// A sum this close to the whole fills it: the solver makes no piece of the rest.
 const FULL: f64 = 1e-13;
 
-/// A share of the extent that makes a piece for certain.
+/// A share of the extent that always makes a piece.
 const PIECE: f64 = 1e-11;
 
-/// Extents that a run divides, however large the initial shape is.
+/// The smallest extent that every run divides, for any size of the initial shape.
 const LEAST: f64 = 1e-3;
 
 /// A slot as written.
 pub(crate) struct Slot<'a> {
     pub(crate) size: &'a Arg,
     pub(crate) ops: &'a [Op],
-    /// The number behind the prefix, as a run takes it.
+    /// The number after the prefix, as a run takes it.
     pub(crate) value: Interval,
-    /// The innermost group with `*` that it stands in, by number; 0 is the whole split's.
+    /// The innermost group with `*` around it, by number; 0 is the whole split.
     pub(crate) group: Option<usize>,
 }
 
@@ -47,15 +47,15 @@ pub(crate) struct Slots<'a> {
     pub(crate) list: Vec<Slot<'a>>,
     pub(crate) groups: Vec<Group>,
     pattern: Vec<Item>,
-    /// By slot: no less than what those before it take that come before it whenever it is made.
+    /// By slot: a lower bound of the space before it, whenever it is made.
     before: Vec<Sum>,
-    /// By slot: no more than what it and all before it take in metres.
+    /// By slot: an upper bound, in metres, of its end.
     most: Vec<f64>,
-    /// No less than what all slots take that do not float and are always there.
+    /// A lower bound of the space of all slots that neither float nor repeat.
     fixed: Sum,
-    /// Whether there are no others.
+    /// True if no slot floats or repeats.
     all_fixed: bool,
-    /// By slot, where everything is known: the lengths of its pieces.
+    /// By slot, if everything is known: the lengths of its pieces.
     pieces: Option<Vec<Option<Interval>>>,
 }
 
@@ -81,18 +81,18 @@ impl Slot<'_> {
         matches!(self.size.prefix, Some((Prefix::Relative, _)))
     }
 
-    /// No less than what it takes of an extent: nothing where it floats.
+    /// A lower bound of its space in an extent: zero for a floating slot.
     fn least(&self, extent: Interval) -> Sum {
         let least = self.value.lo.max(0.0);
         match () {
             () if self.floats() => Sum::default(),
             () if self.is_relative() => Sum { share: if PIECE < least { least } else { 0.0 }, metres: 0.0 },
-            // What is tiny beside the extent makes no piece.
+            // A tiny share of the extent makes no piece.
             () => Sum { share: 0.0, metres: if extent.hi * PIECE < least { least } else { 0.0 } },
         }
     }
 
-    /// Whether it certainly makes no piece, whatever room there is.
+    /// Returns true if it never makes a piece, in any extent.
     pub(crate) fn is_nothing(&self) -> bool {
         self.value.hi <= 0.0
     }
@@ -104,9 +104,9 @@ pub(crate) enum Once {
     Shares(f64),
     /// Its sizes add up to more metres than the scope has at most.
     Metres {
-        /// Of the sizes.
+        /// The sum of the sizes.
         sum: f64,
-        /// Of the scope.
+        /// The largest extent of the scope.
         most: f64,
     },
     /// The solver repeats it once in a scope of that extent.
@@ -114,7 +114,7 @@ pub(crate) enum Once {
 }
 
 impl<'a> Slots<'a> {
-    /// Reads the slots of a split; `value` evaluates a size.
+    /// Reads the slots of a split. `value` evaluates a size.
     pub(super) fn new(
         split: &'a Block,
         (items, repeat): (&'a [SplitItem], bool),
@@ -133,8 +133,8 @@ impl<'a> Slots<'a> {
         slots
     }
 
-    /// Adds up what slots take, from the first on. Those of a group come before what is in that group alone, as it may not
-    /// repeat at all; floats take what is left, and may take nothing.
+    /// Adds up the space of the slots in order. Slots of a group count for slots of the same group alone, as a group may have
+    /// no repetition. Floating slots count as zero.
     fn add_up(&mut self) {
         let (mut outer, mut inner) = (Sum::default(), vec![Sum::default(); self.groups.len()]);
         let mut most = 0.0;
@@ -184,7 +184,7 @@ impl<'a> Slots<'a> {
         }
     }
 
-    /// The pieces, where the extent and all sizes are known numbers.
+    /// The pieces, if the extent and all sizes are known.
     fn solved(&self) -> Option<Vec<Option<Interval>>> {
         let extent = self.extent.known().filter(|extent| 0.0 < *extent)?;
         let sizes: Option<Vec<cga_split::Size>> = self.list.iter().map(Slot::exact).collect();
@@ -202,7 +202,7 @@ impl<'a> Slots<'a> {
         Some(made)
     }
 
-    /// The pieces of what has only known shares in it, in an extent of 1: they are the same shares of any.
+    /// The pieces of a split of known relative sizes, in an extent of 1: they are the same shares of any extent.
     pub(crate) fn shares(&self) -> Option<Vec<Piece>> {
         let sizes: Option<Vec<cga_split::Size>> =
             self.list.iter().map(|slot| slot.exact().filter(|_| slot.is_relative())).collect();
@@ -212,7 +212,7 @@ impl<'a> Slots<'a> {
         (solution.at_most() <= MOST_PIECES).then(|| solution.pieces())
     }
 
-    /// How often a group repeats in an extent of that length.
+    /// The number of repetitions of a group in an extent.
     pub(crate) fn count(&self, group: usize, extent: f64) -> Option<u64> {
         let sizes: Option<Vec<cga_split::Size>> = self.list.iter().map(Slot::exact).collect();
         let sizes = sizes?;
@@ -220,29 +220,29 @@ impl<'a> Slots<'a> {
         Some(solve(&self.pattern, &sizes, &mut lengths, extent).count(group))
     }
 
-    /// No less than what the slots before one take that come before it whenever it is made, itself included if asked.
+    /// A lower bound of the space before a slot whenever it is made; with `itself` the slot counts too.
     pub(crate) fn before(&self, index: usize, itself: bool) -> Sum {
         let before = self.before[index];
         if itself { before.plus(self.list[index].least(self.extent)) } else { before }
     }
 
-    /// No less than what all slots take that do not float and are always there.
+    /// A lower bound of the space of all slots that neither float nor repeat.
     pub(crate) fn fixed(&self) -> Sum {
         self.fixed
     }
 
-    /// Whether a sum fills the scope, whatever its extent.
+    /// Returns true if a sum fills the scope for any extent.
     pub(crate) fn fills(&self, sum: Sum) -> bool {
         1.0 - FULL <= sum.share || 0.0 < sum.metres && (1.0 - FULL - sum.share) * self.extent.hi <= sum.metres
     }
 
-    /// Whether a sum is more than the scope has, whatever its extent.
+    /// Returns true if a sum exceeds the scope for any extent.
     pub(crate) fn exceeds(&self, sum: Sum) -> bool {
         let whole = 1.0 + MARGIN;
         whole <= sum.share || 0.0 < sum.metres && (whole - sum.share) * self.extent.hi <= sum.metres
     }
 
-    /// What the length of a slot's pieces may be.
+    /// The possible lengths of a slot's pieces.
     pub(super) fn length(&self, index: usize) -> Interval {
         if let Some(pieces) = &self.pieces {
             return pieces[index].unwrap_or(Interval::EXTENT);
@@ -254,7 +254,7 @@ impl<'a> Slots<'a> {
         }
         let own = if slot.is_relative() { slot.value.mul(self.extent) } else { slot.value };
         let hi = own.hi.min(self.extent.hi);
-        // Whole, where all before it certainly leaves that much room.
+        // Whole, if the slots before it always leave enough room.
         let most = self.most[index];
         if self.all_fixed && most * (1.0 + MARGIN) <= self.extent.lo && 0.0 < own.lo {
             return Interval::finite(own.lo, hi);
@@ -262,7 +262,7 @@ impl<'a> Slots<'a> {
         up_to(hi)
     }
 
-    /// Whether no piece of a slot is ever made.
+    /// Returns true if a slot never makes a piece.
     pub(crate) fn is_never(&self, index: usize) -> bool {
         if let Some(pieces) = &self.pieces {
             return pieces[index].is_none();
@@ -288,20 +288,20 @@ impl Slot<'_> {
     }
 }
 
-/// What whole splits do.
+/// Claims about the whole split.
 impl Slots<'_> {
-    /// Whether a group has no slot that is ever made, whatever room there is.
+    /// Returns true if no slot of a group ever makes a piece, in any extent.
     pub(crate) fn makes_nothing(&self, group: usize) -> bool {
         self.list[self.groups[group].slots.clone()].iter().all(Slot::is_nothing)
     }
 
-    /// Whether a slot is cut, or not made, in any case: what reaches beyond the end of the scope.
+    /// Returns true if a slot always reaches beyond the end of the scope.
     pub(crate) fn is_cut(&self, index: usize) -> bool {
         let plain = self.groups.is_empty() && !self.list[index].floats();
         plain && !self.list[index].is_nothing() && self.exceeds(self.before(index, true))
     }
 
-    /// What certainly is left at the end: of shares alone a share, of metres alone metres.
+    /// The gap that is always left at the end: a share for relative sizes, metres for absolute ones.
     pub(crate) fn rest(&self) -> Option<f64> {
         if !self.groups.is_empty() || self.list.iter().any(Slot::floats) {
             return None;
@@ -319,7 +319,7 @@ impl Slots<'_> {
         (sum < whole * (1.0 - MARGIN)).then_some(whole - sum)
     }
 
-    /// No more than the pieces that a repeat makes, when it is the whole split.
+    /// A lower bound of the pieces of a repeat that is the whole split.
     pub(crate) fn at_least(&self, group: usize) -> Option<f64> {
         let whole = self.groups.len() == 1 && self.groups[group].slots.len() == self.list.len();
         let (mut share, mut metres, mut made) = (0.0, 0.0, 0.0);
@@ -334,16 +334,16 @@ impl Slots<'_> {
             made += if least < slot.value.lo { 1.0 } else { 0.0 };
         }
         let room = if metres == 0.0 { 1.0 / share } else { self.extent.lo / (metres + share * self.extent.lo) };
-        // Of the counts around it the one of least stretch is taken.
+        // The solver takes the neighbouring count of least stretch.
         let count = (room * (1.0 - MARGIN) - 1.0) * made;
         (0.0 < count && count.is_finite()).then_some(count)
     }
 
-    /// Why a group repeats once, if that is always so.
+    /// The reason why a group always repeats once.
     pub(crate) fn once(&self, group: usize) -> Option<Once> {
         let mut within = self.groups[group].slots.clone();
         let own = &self.list[within.clone()];
-        // It may not happen at all.
+        // A group may have no repetition.
         if self.groups.len() != 1 || within.any(|index| self.list[index].is_nothing() || self.is_never(index)) {
             return None;
         }

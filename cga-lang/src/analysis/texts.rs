@@ -1,15 +1,15 @@
-//! What is known of text: which of the texts that a program compares something with it may be.
+//! The abstract domain of texts: subsets of the texts that the program compares with.
 
-use crate::token::{Sym, Tok};
+use crate::syntax::token::{Sym, Tok};
 use std::collections::HashMap;
 
-/// The last bit stands for whatever is compared with nothing.
+/// The last bit represents all texts that the program never compares with.
 const OTHER: u128 = 1 << 127;
 
-/// Sets of more texts are not listed in messages.
+/// The largest set that messages list.
 const MOST_TOLD: usize = 4;
 
-/// Some of the texts that a program compares with, and perhaps others.
+/// A set of the texts that the program compares with, and possibly others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct TextSet(u128);
 
@@ -21,12 +21,12 @@ impl TextSet {
         TextSet(self.0 | other.0)
     }
 
-    /// What is in both; nothing where no text is.
+    /// The intersection; `None` if it is empty.
     pub(super) fn and(self, other: TextSet) -> Option<TextSet> {
         (self.0 & other.0 != 0).then_some(TextSet(self.0 & other.0))
     }
 
-    /// What is not that text, where the other set has no more than one.
+    /// The set without the other's text, if the other has exactly one.
     pub(super) fn without(self, other: TextSet) -> Option<TextSet> {
         if !other.is_one() {
             return Some(self);
@@ -35,12 +35,12 @@ impl TextSet {
         (left != 0).then_some(TextSet(left))
     }
 
-    /// Whether it is one text that is known.
+    /// Returns true if the set is one known text.
     fn is_one(self) -> bool {
         self.0.count_ones() == 1 && self.0 != OTHER
     }
 
-    /// Whether both are the same text: `None` when that depends.
+    /// The result of `==`, if it is certain.
     pub(super) fn same(self, other: TextSet) -> Option<bool> {
         match () {
             () if self.0 & other.0 == 0 => Some(false),
@@ -50,7 +50,7 @@ impl TextSet {
     }
 }
 
-/// The texts that a program compares something with: each has a bit, as long as there are some.
+/// The texts that the program compares with, each with a bit while bits last.
 #[derive(Default)]
 pub(super) struct Texts {
     bits: HashMap<String, u32>,
@@ -81,7 +81,7 @@ impl Texts {
 }
 
 impl Texts {
-    /// A set as messages show it, where that is a few texts or all but a few.
+    /// A set for messages: a few texts, or all except a few.
     pub(super) fn told(&self, set: TextSet) -> Option<String> {
         let is_listed = set.0 & OTHER == 0;
         let bits = if is_listed { set.0 } else { !set.0 };

@@ -1,34 +1,34 @@
-//! Which texture coordinates a shape may have.
+//! The abstract texture coordinates of a shape.
 
 use crate::ops::{Operation, UvEffect};
 
 /// The uv sets of the language (*texturing*).
 const ALL: u16 = (1 << 10) - 1;
 
-/// What is known of the uv sets of a shape.
+/// The abstract uv sets of a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct UvSets {
-    /// A bit for each that it may have.
+    /// A bit for each set that it may have.
     may: u16,
-    /// A bit for each with a projection that is set up and not made yet.
+    /// A bit for each set whose projection is defined and not applied yet.
     awaits: u16,
 }
 
 impl UvSets {
-    /// Nothing is known.
+    /// Unknown uv sets.
     pub(super) const ANY: UvSets = UvSets { may: ALL, awaits: 0 };
 
-    /// What holds for both.
+    /// The join of two states.
     pub(super) fn or(self, other: UvSets) -> UvSets {
         UvSets { may: self.may | other.may, awaits: self.awaits & other.awaits }
     }
 
-    /// Whether there certainly is no such set.
+    /// Returns true if the shape never has the set.
     pub(crate) fn lacks(self, set: u32) -> bool {
         set < 10 && self.may & 1 << set == 0
     }
 
-    /// Whether its projection is certainly set up and not made.
+    /// Returns true if the projection of the set is always defined and not applied.
     pub(crate) fn awaits(self, set: u32) -> bool {
         set < 10 && self.awaits & 1 << set != 0
     }
@@ -38,7 +38,7 @@ impl UvSets {
         UvSets { may: 0, awaits: 0 }.after(row, [None; 2]).may
     }
 
-    /// After an operation; `sets` are its first two arguments where these are numbers of sets that are known.
+    /// The state after an operation; `sets` are its first two arguments, if they are known numbers of sets.
     pub(super) fn after(self, row: &Operation, sets: [Option<u32>; 2]) -> UvSets {
         let [bit, second] = sets.map(|set| set.filter(|set| *set < 10).map(|set| 1u16 << set));
         let UvSets { may, awaits } = self;

@@ -1,25 +1,25 @@
-//! What is known of one value.
+//! The abstract value of an expression.
 
 use super::interval::Interval;
 use super::texts::TextSet;
-use crate::ast::Binary;
 use crate::ir::Type;
+use crate::syntax::ast::Binary;
 
-/// What is known of a value.
+/// An abstract value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Value {
-    /// One of some numbers.
+    /// A number of an interval.
     Number(Interval),
-    /// `None`: it may be both.
+    /// A truth value; `None` if both are possible.
     Truth(Option<bool>),
-    /// One of some texts.
+    /// A text of a set.
     Text(TextSet),
-    /// Anything, of any type.
+    /// Any value of any type.
     Any,
 }
 
 impl Value {
-    /// Anything of a type.
+    /// Any value of a type.
     pub(super) fn of(ty: Option<Type>) -> Value {
         match ty {
             Some(Type::Float) => Value::Number(Interval::ALL),
@@ -29,7 +29,7 @@ impl Value {
         }
     }
 
-    /// As a number.
+    /// The value as a number.
     pub(crate) fn number(self) -> Interval {
         match self {
             Value::Number(interval) => interval,
@@ -37,7 +37,7 @@ impl Value {
         }
     }
 
-    /// As a truth value.
+    /// The value as a truth value, if it is certain.
     pub(crate) fn truth(self) -> Option<bool> {
         match self {
             Value::Truth(truth) => truth,
@@ -45,7 +45,7 @@ impl Value {
         }
     }
 
-    /// What is one of two.
+    /// The join of two values.
     pub(super) fn or(self, other: Value) -> Value {
         match (self, other) {
             (Value::Number(a), Value::Number(b)) => Value::Number(a.or(b)),
@@ -55,7 +55,7 @@ impl Value {
         }
     }
 
-    /// What has changed since `before` moves on as far as there is.
+    /// Widens the parts that have changed since `before`.
     pub(super) fn widen(self, before: Value) -> Value {
         match (self, before) {
             (Value::Number(a), Value::Number(b)) => Value::Number(a.widen(b)),
@@ -63,7 +63,7 @@ impl Value {
         }
     }
 
-    /// What a binary operator makes of two values.
+    /// The transfer function of a binary operator.
     pub(super) fn binary(op: Binary, left: Value, right: Value) -> Value {
         match (op, left, right) {
             (Binary::And | Binary::Or, ..) => {
@@ -89,12 +89,12 @@ impl Value {
                 Binary::And | Binary::Or | Binary::Eq | Binary::Ne => Value::Any,
             },
             (Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge, ..) => Value::Truth(None),
-            // Text beside it makes `+` text.
+            // With text on one side, `+` concatenates.
             _ => Value::Any,
         }
     }
 
-    /// Whether two are the same: `None` when that depends.
+    /// The result of `==`, if it is certain.
     fn same(self, other: Value) -> Option<bool> {
         match (self, other) {
             (Value::Number(a), Value::Number(b)) => a.same(b),

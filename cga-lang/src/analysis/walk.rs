@@ -6,54 +6,54 @@ use super::shape::{Filling, Shape};
 use super::slots::Slots;
 use super::uvs::UvSets;
 use super::value::Value;
-use crate::ast::{Arg, Arm, ArmMode, Block, BlockPart, Expr, ExprKind, Name, Op, OpKind, SplitItem};
 use crate::ops::{self, Braces, Effect, FileUse, MOST_SIZE, Measure, Operation, ParamKind, Places, ShapeAttr};
 use crate::resolve::tables::Use;
-use crate::span::Span;
+use crate::syntax::ast::{Arg, Arm, ArmMode, Block, BlockPart, Expr, ExprKind, Name, Op, OpKind, SplitItem};
+use crate::syntax::span::Span;
 
-/// What is met on the way.
+/// A site: a place in a rule that checks look at.
 pub(crate) enum Site<'s, 'a> {
     /// A split along an axis of the scope.
     Split(&'s Slots<'a>),
-    /// A split along an axis of a uv set, by number where that is known and there is such a set.
+    /// A split along an axis of a uv set, with the number of the set if it is known and valid.
     TextureSplit(&'a Block, Option<u32>),
-    /// A condition of a `case`, where those before it have failed.
+    /// A condition of a `case`, after the earlier conditions have failed.
     Condition(&'s Turn<'s, 'a>),
-    /// An expression that is computed.
+    /// An evaluated expression.
     Value(&'a Expr),
-    /// An attribute of the shape is set.
+    /// A `set` of an attribute of the shape.
     Set(&'static ShapeAttr, &'a Expr),
     /// An operation with its arguments.
     Operation(&'static Operation, &'a [Arg]),
 }
 
-/// A condition of a `case`, among the others there.
+/// A condition of a `case`, with its neighbours.
 pub(crate) struct Turn<'t, 'e> {
     pub(crate) condition: &'e Expr,
-    /// Those before it, which have failed: also of a `case` that it stands in behind `else`.
+    /// The earlier conditions, which have failed: also those of an enclosing `case` whose `else` contains this one.
     pub(crate) before: &'t [&'e Expr],
     pub(crate) is_last: bool,
-    /// What is known where the first of them stands.
+    /// The state at the first of them.
     pub(crate) first: &'t Facts,
 }
 
-/// Who is told of what is met and handed on.
+/// Receives the sites and the calls of a rule.
 pub(super) trait Visit<'a> {
-    /// A shape goes on with a rule.
+    /// A rule is called with a shape.
     fn hand_on(&mut self, rule: u32, facts: Facts);
-    /// Something was met.
+    /// A site is reached.
     fn meet(&mut self, site: &Site<'_, 'a>, facts: &Facts);
 }
 
-/// A way through one rule.
+/// A walk through one rule.
 pub(super) struct Walk<'w> {
     pub(super) known: &'w Known<'w>,
-    /// Whether sizes that steps set are forgotten.
+    /// True if sizes set by steps count as unknown.
     pub(super) forgets: bool,
 }
 
 impl<'w> Walk<'w> {
-    /// Follows a shape; gives what is known at the end, nothing where no path gets there.
+    /// Follows a shape; returns the state at the end, `None` if no path reaches it.
     pub(super) fn steps<'a>(&self, ops: &'a [Op], facts: Facts, visit: &mut dyn Visit<'a>) -> Option<Facts> {
         let mut facts = facts;
         for op in ops {
@@ -88,12 +88,12 @@ impl<'w> Walk<'w> {
             OpKind::Dynamic { rule, args, overrides, .. } => {
                 self.meet_args(args, &facts, visit);
                 for own in overrides {
-                    if let crate::ast::Override::Value(_, value) = own {
+                    if let crate::syntax::ast::Override::Value(_, value) = own {
                         visit.meet(&Site::Value(value), &facts);
                     }
                 }
                 if let Some(Use::Rule(rule)) = self.known.of(rule, &facts) {
-                    // Attributes and constants of the import begin anew.
+                    // Attributes and constants of the import are computed again.
                     let facts = Facts { globals: Vec::new(), ..facts.clone() };
                     self.hand_on(rule, args, &facts, visit);
                 }
@@ -127,7 +127,7 @@ impl<'w> Walk<'w> {
         self.known.value(expr, facts)
     }
 
-    /// The number of a uv set, where it is known.
+    /// The number of a uv set, if it is known.
     fn uv_set(&self, arg: Option<&Arg>, facts: &Facts) -> Option<u32> {
         let number = self.value(&arg?.value, facts).number().known()?;
         (0.0..10.0).contains(&number).then_some(number as u32)
@@ -147,7 +147,7 @@ impl<'w> Walk<'w> {
         before: &mut Vec<&'a Expr>,
         visit: &mut dyn Visit<'a>,
     ) -> Option<Facts> {
-        // Whoever comes to a condition has failed those before it.
+        // A condition is evaluated after all earlier ones have failed.
         let (mut ends, mut left) = (Vec::new(), Some(facts));
         for (at, (condition, ops)) in arms.iter().enumerate() {
             let Some(here) = left else { break };
@@ -162,7 +162,7 @@ impl<'w> Walk<'w> {
         }
         if let Some(here) = left {
             ends.extend(match otherwise {
-                // The list goes on.
+                // The list of conditions continues in the `else`.
                 [Op { kind: OpKind::Case(arms, otherwise), .. }] => {
                     self.case(arms, otherwise, here, first, before, visit)
                 }
@@ -172,14 +172,14 @@ impl<'w> Walk<'w> {
         joined(ends)
     }
 
-    /// An operation with braces. The shape itself goes on as it was.
+    /// An operation with braces. It does not change the shape itself.
     fn block<'a>(&self, block: &'a Block, facts: &Facts, visit: &mut dyn Visit<'a>) {
         let any = || Facts { asset: None, ..facts.on_any_shape() };
         let row = match self.known.of(&block.name, facts) {
             Some(Use::Operation(row)) => Some(row),
             _ => None,
         };
-        // Some arguments are computed on each edge.
+        // Some arguments are evaluated on each edge.
         let on_edges = row.is_some_and(|row| row.params.iter().any(|param| param.kind == ParamKind::PerEdge));
         let here = if on_edges { any() } else { facts.clone() };
         self.meet_args(&block.args, &here, visit);
@@ -233,7 +233,7 @@ impl<'w> Walk<'w> {
         }
     }
 
-    /// The slots of a split: `shape` says what is known of a part, nothing when there never is one.
+    /// The slots of a split. `shape` returns the abstract shape of a part, `None` for a slot that never makes one.
     fn items<'a>(
         &self,
         items: &'a [SplitItem],
@@ -287,7 +287,7 @@ impl<'w> Walk<'w> {
         self.steps(&arm.ops, if is_comp { part } else { Facts { asset: None, ..part } }, visit);
     }
 
-    /// What an operation leaves of what was known.
+    /// The transfer function of an operation.
     fn after(&self, row: &'static Operation, args: &[Arg], facts: &Facts, span: Span) -> Shape {
         let shape = facts.shape;
         match row.scope {
@@ -314,7 +314,7 @@ impl<'w> Walk<'w> {
             let number = self.value(&arg.value, facts).number().taken();
             let (old, is_share) = (*size, arg.prefix.is_some());
             let new = if is_share { number.mul(old) } else { number };
-            // What is too large for a scope leaves it as it is; a share of what it has is not.
+            // A size that is too large leaves the scope unchanged; a relative size is never too large.
             let is_small = is_share && -1.0 <= number.lo && number.hi <= 1.0 || new.abs().hi <= MOST_SIZE;
             *size = if is_small { new.tame() } else { new.tame().or(old) };
             *kept = is_share && number.known() == Some(1.0);
@@ -323,7 +323,7 @@ impl<'w> Walk<'w> {
     }
 }
 
-/// What the geometry is of behind an operation: the token of a file's name, as long as it is that or parts of it.
+/// The asset of the geometry after an operation: the token of the file's name, while it is that asset or parts of it.
 fn asset_after(row: &Operation, args: &[Arg], before: Option<u32>) -> Option<u32> {
     let inserted = row.params.iter().zip(args).find(|(param, _)| param.kind == ParamKind::File(FileUse::Inserted));
     match inserted {
@@ -332,12 +332,12 @@ fn asset_after(row: &Operation, args: &[Arg], before: Option<u32>) -> Option<u32
     }
 }
 
-/// What holds on all of some ways.
+/// The join of the ends of several paths.
 fn joined(ends: Vec<Facts>) -> Option<Facts> {
     ends.into_iter().reduce(|all, next| all.or(&next))
 }
 
-/// The name of what a slot becomes when that is all, for messages.
+/// The name of the only successor of a slot, for messages.
 pub(crate) fn called(ops: &[Op]) -> Option<&Name> {
     match ops {
         [Op { kind: OpKind::Call(name, _) | OpKind::Leaf(name), .. }] => Some(name),

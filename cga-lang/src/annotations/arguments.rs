@@ -1,12 +1,12 @@
 //! The arguments of one annotation.
 
-use crate::ast::{AnnotationArg, Expr, ExprKind, Unary};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Level};
 use crate::door::Door;
 use crate::resolve::context::Cx;
 use crate::resolve::info::{Group, Hidden};
-use crate::span::Span;
+use crate::syntax::ast::{AnnotationArg, Expr, ExprKind, Unary};
+use crate::syntax::span::Span;
 
 pub(super) fn nothing(cx: &mut Cx, name: &str, args: &[AnnotationArg]) {
     if let Some(first) = args.first() {

@@ -1,15 +1,15 @@
 //! The values that an attribute may have: `@Range`, `@Enum`, and the lists that `@Range` had before 2017.1.
 
 use super::arguments::{number, whole, wrong};
-use crate::ast::{AnnotationArg, Decl, Expr, ExprKind};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::ir::{AttrId, ChoiceValues, Choices, Presentation, Range, Type};
 use crate::resolve::context::Cx;
 use crate::resolve::globals::Kind;
 use crate::resolve::info::AttrInfo;
 use crate::resolve::tables::Use;
-use crate::span::Span;
 use crate::suggest::nearest;
+use crate::syntax::ast::{AnnotationArg, Decl, Expr, ExprKind};
+use crate::syntax::span::Span;
 
 /// The annotated values and their places.
 #[derive(Default)]

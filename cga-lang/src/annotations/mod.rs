@@ -6,15 +6,15 @@ mod arguments;
 mod limits;
 mod notes;
 
-use crate::ast::{Annotation, Ast, Body, Decl, Import, Role, Style};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::link::{InstanceId, Key, Program};
 use crate::resolve::context::Cx;
 use crate::resolve::globals::Item;
 use crate::resolve::info::{AttrInfo, Group, Hidden, ImportInfo, RuleInfo};
-use crate::span::Span;
 use crate::suggest::nearest;
-use crate::words::ANNOTATIONS;
+use crate::syntax::ast::{Annotation, Ast, Body, Decl, Import, Role, Style};
+use crate::syntax::span::Span;
+use crate::syntax::words::ANNOTATIONS;
 use arguments::wrong;
 use notes::Notes;
 use std::collections::HashMap;
@@ -206,8 +206,8 @@ fn known(cx: &mut Cx, annotation: &Annotation) -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use crate::compile::{Door, compile, compile_text};
-    use crate::lex::lex;
     use crate::link::{Files, Unit};
+    use crate::syntax::lex::lex;
 
     /// A provider with one library for all paths.
     struct Library(&'static str);

@@ -2,12 +2,12 @@
 
 use super::arguments::{group_of, hidden, nothing, number, text, texts, wrong};
 use super::limits::Limits;
-use crate::ast::{AnnotationArg, Decl};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::ir::{Presentation, Type};
 use crate::resolve::context::Cx;
 use crate::resolve::info::{AttrInfo, Group, Hidden};
-use crate::span::Span;
+use crate::syntax::ast::{AnnotationArg, Decl};
+use crate::syntax::span::Span;
 
 /// The annotations of one place.
 #[derive(Default)]

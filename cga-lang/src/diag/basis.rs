@@ -1,7 +1,7 @@
 //! The reasons for claims about runs.
 
 use super::Note;
-use crate::span::Span;
+use crate::syntax::span::Span;
 
 /// The reason why the claim of a diagnostic holds.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -2,11 +2,11 @@
 
 use super::{bounds, branches, colour, texture};
 use crate::analysis::{Facts, Flow, Turn};
-use crate::ast::{Binary, Expr, ExprKind};
-use crate::code::Code;
 use crate::diag::Diags;
+use crate::diag::code::Code;
 use crate::resolve::context::Cx;
 use crate::resolve::tables::Use;
+use crate::syntax::ast::{Binary, Expr, ExprKind};
 
 /// Checks an expression and its parts.
 pub(crate) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mut Diags) {

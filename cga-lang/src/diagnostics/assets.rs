@@ -1,15 +1,15 @@
 //! Files that rules name and the package does not have; groups and materials that an asset does not have.
 
 use crate::analysis::{Facts, Site};
-use crate::ast::{Arg, Expr, ExprKind};
-use crate::code::Code;
 use crate::diag::Diags;
+use crate::diag::code::Code;
 use crate::link::Asset;
 use crate::ops::{AssetNames, FileUse, Function, Param, ParamKind};
 use crate::resolve::context::Cx;
 use crate::resolve::tables::{Entries, Use};
 use crate::suggest::nearest;
-use crate::token::Tok;
+use crate::syntax::ast::{Arg, Expr, ExprKind};
+use crate::syntax::token::Tok;
 use cga_split::files::places;
 
 /// Checks a site of a rule.

@@ -3,10 +3,10 @@
 use super::numbers::shown;
 use crate::analysis::interval::Interval;
 use crate::analysis::{Facts, Flow, Value};
-use crate::ast::{Expr, ExprKind};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
 use crate::ops::{Bounds, Param, Values};
+use crate::syntax::ast::{Expr, ExprKind};
 
 /// Reports the arguments of a call that are out of bounds for all their possible values.
 pub(crate) fn check(params: &[Param], args: &[&Expr], facts: &Facts, flow: &Flow, diags: &mut Diags) {

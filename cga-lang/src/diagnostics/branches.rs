@@ -3,8 +3,7 @@
 use super::numbers::range;
 use super::switch::is_switch;
 use crate::analysis::{Facts, Flow, Turn, Value};
-use crate::ast::{Binary, Expr, ExprKind, Unary};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Detail, Diag, Diags};
 use crate::hash::FastMap;
 use crate::ir::ChoiceValues;
@@ -12,7 +11,8 @@ use crate::link::InstanceId;
 use crate::resolve::context::Cx;
 use crate::resolve::tables::{Entries, Use};
 use crate::suggest::nearest;
-use crate::token::{Sym, Tok};
+use crate::syntax::ast::{Binary, Expr, ExprKind, Unary};
+use crate::syntax::token::{Sym, Tok};
 use std::collections::HashSet;
 
 /// Checks a condition of a `case`.

@@ -3,12 +3,12 @@
 
 use super::numbers::shown;
 use crate::analysis::{Facts, Flow};
-use crate::ast::{Expr, ExprKind};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
 use crate::door::Door;
 use crate::link::Program;
 use crate::ops::{Param, ParamKind};
+use crate::syntax::ast::{Expr, ExprKind};
 
 /// Checks the arguments of an operation or function.
 pub(crate) fn check(

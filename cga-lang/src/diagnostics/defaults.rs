@@ -3,12 +3,12 @@
 use super::agreed::Agreed;
 use super::{repeat, size};
 use crate::analysis::{Attrs, Calls, Flow, Known, Site, Slots};
-use crate::ast::{Expr, ExprKind};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Basis, Diag, Diags, Level};
 use crate::resolve::context::Cx;
 use crate::resolve::tables::{Entries, Use};
-use crate::span::Span;
+use crate::syntax::ast::{Expr, ExprKind};
+use crate::syntax::span::Span;
 use std::collections::HashSet;
 
 /// The diagnostics that are reported for defaults. A size of zero is not, because it turns a part off.

@@ -2,16 +2,16 @@
 
 use super::agreed::Agreed;
 use crate::analysis::{Calls, body};
-use crate::ast::{Block, BlockPart, ExprKind, Op, OpKind, Prefix, SplitItem};
-use crate::ast_walk::ops;
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Basis, Diag, Diags, Level};
 use crate::graph::{components, is_cycle};
 use crate::ops::Effect;
 use crate::resolve::context::Cx;
 use crate::resolve::globals::Item;
 use crate::resolve::tables::{Entries, Use};
-use crate::span::Span;
+use crate::syntax::ast::{Block, BlockPart, ExprKind, Op, OpKind, Prefix, SplitItem};
+use crate::syntax::span::Span;
+use crate::syntax::walk::ops;
 
 /// The definition of an end of a cycle.
 #[derive(Clone, Copy, PartialEq, Eq)]

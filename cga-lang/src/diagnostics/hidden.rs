@@ -2,14 +2,14 @@
 
 use super::agreed::Agreed;
 use crate::analysis::body;
-use crate::ast::{Arm, BlockPart, Expr, ExprKind, OpKind};
-use crate::ast_walk;
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::ops::{self, Braces, Directions, Operation, Selector};
 use crate::resolve::context::Cx;
 use crate::resolve::tables::{Entries, Use};
-use crate::span::Span;
+use crate::syntax::ast::{Arm, BlockPart, Expr, ExprKind, OpKind};
+use crate::syntax::span::Span;
+use crate::syntax::walk;
 
 pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
     let mut agreed = Agreed::default();
@@ -18,7 +18,7 @@ pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
             continue;
         }
         let (names, mut diags) = (cx.tables.at(item.own), Diags::new());
-        ast_walk::ops(body(item), &mut |op| {
+        walk::ops(body(item), &mut |op| {
             let OpKind::Block(block) = &op.kind else { return };
             // Setbacks leave remainders, which no other selector takes.
             let Some(Use::Operation(Operation { braces: Braces::Components, .. })) = names.of(&block.name) else {

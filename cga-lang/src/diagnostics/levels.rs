@@ -1,11 +1,11 @@
 //! `@Allow(code)`, `@Warn(code)` and `@Deny(code)`, before a declaration or before `version`.
 
-use crate::ast::{Annotation, ExprKind};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
 use crate::resolve::context::Cx;
-use crate::span::Span;
 use crate::suggest::nearest;
+use crate::syntax::ast::{Annotation, ExprKind};
+use crate::syntax::span::Span;
 
 /// A level for the diagnostics of a code, within a span or everywhere.
 pub(crate) struct Setting {

@@ -20,12 +20,12 @@ mod trailing;
 mod unused;
 
 use crate::analysis::{Attrs, Calls, Facts, Flow, Known, Site};
-use crate::ast::Expr;
 use crate::diag::{Basis, Diag, Diags};
 use crate::diagnostics::agreed::Agreed;
 use crate::diagnostics::texture::Projected;
 use crate::ops::ParamKind;
 use crate::resolve::context::Cx;
+use crate::syntax::ast::Expr;
 
 pub(crate) fn check(cx: &mut Cx) {
     cx.tables.levels = branches::levels(cx);

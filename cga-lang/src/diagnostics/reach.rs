@@ -5,12 +5,12 @@
 
 use super::agreed::Agreed;
 use crate::analysis::{Calls, body};
-use crate::ast::Role;
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Basis, Diag, Diags};
 use crate::resolve::context::Cx;
 use crate::resolve::globals::{Item, Kind};
 use crate::suggest::nearest;
+use crate::syntax::ast::Role;
 use std::collections::HashSet;
 
 /// Finds these rules, if the file cannot be imported.

@@ -3,8 +3,8 @@
 use super::numbers::{about, shown};
 use super::size::axis;
 use crate::analysis::{MARGIN, Once, Slots};
-use crate::code::Code;
 use crate::diag::Diags;
+use crate::diag::code::Code;
 
 /// The maximum number of shapes of a run, unless the host program sets another limit.
 pub(crate) const MOST_SHAPES: f64 = 1e7;

@@ -3,10 +3,10 @@
 use super::numbers::{about, range, shown};
 use super::switch::is_switch;
 use crate::analysis::{Face, Facts, Slot, Slots, Sum, called};
-use crate::ast::Arg;
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::resolve::tables::{Entries, Tables};
+use crate::syntax::ast::Arg;
 
 /// A rest is reported if it is less than this share of the thinnest slot. A larger rest is probably meant.
 const HARDLY: f64 = 0.5;

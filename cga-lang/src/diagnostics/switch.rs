@@ -1,7 +1,7 @@
 //! Conditions that an author sets by hand.
 
-use crate::ast::{Expr, ExprKind};
 use crate::resolve::tables::{Entries, Use};
+use crate::syntax::ast::{Expr, ExprKind};
 
 /// Returns true if an expression is a bare `true` or `false`, or has only constants: a switch that its author sets by
 /// hand.

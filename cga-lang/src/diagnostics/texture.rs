@@ -4,13 +4,13 @@
 //! reported.
 
 use crate::analysis::{Facts, Flow, UvSets, body};
-use crate::ast::{Arg, Block, Expr, ExprKind, Name, OpKind};
-use crate::ast_walk::ops;
-use crate::code::Code;
 use crate::diag::Diags;
+use crate::diag::code::Code;
 use crate::ops::{Function, Operation, ParamKind, UvEffect};
 use crate::resolve::context::Cx;
 use crate::resolve::tables::Use;
+use crate::syntax::ast::{Arg, Block, Expr, ExprKind, Name, OpKind};
+use crate::syntax::walk::ops;
 
 /// The uv sets that any rule makes, one bit per set: by projection, by any operation, and sets with a projection that
 /// is set up.

@@ -4,12 +4,12 @@
 
 use super::agreed::Agreed;
 use crate::analysis::body;
-use crate::ast::{Block, BlockPart, Op, OpKind};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::ops::Run;
 use crate::resolve::context::Cx;
 use crate::resolve::tables::{Entries, Use};
+use crate::syntax::ast::{Block, BlockPart, Op, OpKind};
 
 pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
     let mut agreed = Agreed::default();

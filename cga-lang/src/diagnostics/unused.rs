@@ -1,16 +1,16 @@
 //! Declarations that are never used, and names that hide other declarations.
 
 use super::agreed::Agreed;
-use crate::ast::{Body, Name, Role};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::ir::{ChoiceValues, Type};
 use crate::ops;
 use crate::resolve::context::Cx;
 use crate::resolve::globals::{Init, Item};
 use crate::resolve::tables::Use;
-use crate::span::Span;
-use crate::token::{Sym, Tok};
+use crate::syntax::ast::{Body, Name, Role};
+use crate::syntax::span::Span;
+use crate::syntax::token::{Sym, Tok};
 use std::collections::{HashMap, HashSet};
 
 /// Checks the compiled file. An imported file may have more than is used here.

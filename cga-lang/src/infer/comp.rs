@@ -2,11 +2,11 @@
 
 use super::open::{Open, Place};
 use super::{Infer, Type, Use, Var};
-use crate::ast::{CompValue, Expr, ExprKind, Name};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::link::InstanceId;
 use crate::ops::{Function, Needs};
-use crate::span::Span;
+use crate::syntax::ast::{CompValue, Expr, ExprKind, Name};
+use crate::syntax::span::Span;
 
 /// The checks that wait until the types are known.
 #[derive(Default)]

@@ -2,10 +2,10 @@
 
 use super::open::{Candidate, Open, Takes};
 use super::{Infer, State, Type, Use, Var};
-use crate::ast::{Binary, Expr, ExprKind, Name, Unary};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::ops::Param;
-use crate::span::Span;
+use crate::syntax::ast::{Binary, Expr, ExprKind, Name, Unary};
+use crate::syntax::span::Span;
 
 impl<'a> Infer<'_, 'a, '_> {
     pub(super) fn expr(&mut self, expr: &'a Expr) -> Var {

@@ -6,8 +6,8 @@
 
 use super::open::{Candidate, Place, Takes};
 use super::{Infer, State, Use, Var};
-use crate::ast::{Name, Role};
 use crate::link::{Types, Wanted};
+use crate::syntax::ast::{Name, Role};
 
 /// The permitted reactions to a call.
 #[derive(Clone, Copy, PartialEq, Eq)]

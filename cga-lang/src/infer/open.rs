@@ -2,9 +2,9 @@
 //! soon as enough is known, and at the end by the likeliest choice.
 
 use super::{Infer, State, Type, Use, Var};
-use crate::ast::{Binary, Name};
-use crate::code::Code;
-use crate::span::Span;
+use crate::diag::code::Code;
+use crate::syntax::ast::{Binary, Name};
+use crate::syntax::span::Span;
 
 /// The maximum number of rounds. After them, the likeliest choice decides.
 const MOST_ROUNDS: usize = 64;

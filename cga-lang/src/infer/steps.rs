@@ -2,9 +2,9 @@
 
 use super::open::Open;
 use super::{Infer, Type, Use, Var};
-use crate::ast::{Arg, BlockPart, Name, Op, OpKind, Override, SplitItem};
 use crate::ops::{Operation, ParamKind};
-use crate::span::Span;
+use crate::syntax::ast::{Arg, BlockPart, Name, Op, OpKind, Override, SplitItem};
+use crate::syntax::span::Span;
 
 impl<'a> Infer<'_, 'a, '_> {
     pub(super) fn ops(&mut self, ops: &'a [Op]) {

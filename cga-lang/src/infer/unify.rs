@@ -1,6 +1,6 @@
 //! Type variables and their unification.
 
-use crate::span::Span;
+use crate::syntax::span::Span;
 use crate::types::Type;
 
 /// A type variable.

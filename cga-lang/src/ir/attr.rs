@@ -1,12 +1,12 @@
 //! Attributes, and what annotations say about them (*annotations*). None of it changes what rules make.
 
 use super::{AttrId, Expr, Type, Value};
-use crate::span::Span;
+use crate::syntax::span::Span;
 
 /// `attr name = expr`.
 #[derive(Clone, Debug)]
 pub struct Attr {
-    /// As written, behind the names of imports: `imp.height`.
+    /// The name, after the names of imports: `imp.height`.
     pub name: String,
     /// Its type.
     pub ty: Type,
@@ -34,11 +34,11 @@ pub struct Attr {
     pub order: Option<f64>,
     /// `@Hidden`: user interfaces leave it out.
     pub hidden: bool,
-    /// Whether some rule changes it with `set` or an import that starts anew: only then do reads look at the shape first.
+    /// True if some rule sets it or a renewal may change it: only then do reads look at the shape first.
     pub is_set: bool,
-    /// Whether it is on a cycle that conditions may keep open: it is computed when it is first read.
+    /// True on a cycle that conditions may keep open: it is computed on its first read.
     pub lazy: bool,
-    /// Whether the host program may set it.
+    /// True if the host program may set it.
     pub public: bool,
     /// The name in its declaration.
     pub span: Span,
@@ -53,7 +53,7 @@ pub struct Range {
     pub max: f64,
     /// Step of a slider, 0 when free.
     pub step: f64,
-    /// Whether values outside are refused.
+    /// True if other values are refused.
     pub restricted: bool,
 }
 
@@ -62,13 +62,13 @@ pub struct Range {
 pub struct Choices {
     /// The values.
     pub values: ChoiceValues,
-    /// What the values are called in old files, as in `@Range(few=1, many=5)`; empty, or one for each.
+    /// The names of the values in old files, as in `@Range(few=1, many=5)`; empty, or one for each.
     pub labels: Vec<String>,
-    /// Whether other values are refused.
+    /// True if other values are refused.
     pub restricted: bool,
 }
 
-/// Where the values of an `@Enum` are.
+/// The values of an `@Enum`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ChoiceValues {
     /// Numbers.
@@ -82,7 +82,7 @@ pub enum ChoiceValues {
 /// As what user interfaces show an attribute.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Presentation {
-    /// As what its type says.
+    /// By its type alone.
     #[default]
     Plain,
     /// `@Angle`: in degrees.
@@ -93,7 +93,7 @@ pub enum Presentation {
     Distance,
     /// `@Color`: text like `"#ff8000"`.
     Color,
-    /// `@File`: a file with one of these extensions, with any when there are none.
+    /// `@File`: a file with one of these extensions; any file if the list is empty.
     File(Vec<String>),
     /// `@Directory`.
     Directory,

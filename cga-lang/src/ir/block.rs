@@ -1,9 +1,9 @@
 //! Operations with braces, and `comp` as a value.
 
 use super::{Arg, Axis, Expr, Piece, Size, Target};
-use crate::ast::ArmMode;
 use crate::ops::{Default, Operation};
-use crate::span::Span;
+use crate::syntax::ast::ArmMode;
+use crate::syntax::span::Span;
 
 /// `name(args) { … }`: makes parts of the current shape, each with a successor. The shape itself goes on unchanged.
 #[derive(Clone, Debug)]
@@ -58,7 +58,7 @@ pub struct Arm<T> {
     pub text: String,
     /// The operator.
     pub mode: ArmMode,
-    /// What becomes of a part. A value is computed with the part as current shape.
+    /// The successor of a part, or a value with the part as current shape.
     pub then: T,
 }
 
@@ -69,7 +69,7 @@ pub enum Selector {
     Word(&'static str),
     /// By index, evaluated once on the whole shape.
     Index(Expr),
-    /// By a condition, with the part as current shape. Words stand in it.
+    /// A condition with the part as current shape. It may contain words.
     When(Expr),
 }
 

@@ -2,12 +2,12 @@
 
 use super::{AttrId, Comp, ConstId, FunctionId, HostId, Type, Value};
 use crate::ops::{self, ShapeAttr};
-use crate::span::Span;
+use crate::syntax::span::Span;
 
 /// An expression with its type.
 #[derive(Clone, Debug)]
 pub struct Expr {
-    /// What it computes.
+    /// The kind of expression.
     pub kind: ExprKind,
     /// The type of its value.
     pub ty: Type,
@@ -38,7 +38,7 @@ pub enum ExprKind {
     Shape(&'static ShapeAttr),
     /// `comp(f) { … }`: an array with a value for each component.
     Comp(Box<Comp>),
-    /// Whether a selector's word takes the component that is asked about; in its newest spelling.
+    /// True if a selector's word, in its newest spelling, selects the candidate component.
     Word(&'static str),
     /// Returns true if the style of the run is one of these numbers.
     Style(Vec<u32>),
@@ -79,7 +79,7 @@ pub enum EachUnary {
     Not,
 }
 
-/// Binary operators. Both sides have one type, but for [`Expr::Each`](ExprKind::Each).
+/// Binary operators. Both sides have one type, except for [`Expr::Each`](ExprKind::Each).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Binary {
     /// `+` on floats.

@@ -3,7 +3,7 @@
 use super::{Files, Program, folder_of};
 use crate::ops::{self, FileUse, Param, ParamKind};
 use crate::suggest::nearest;
-use crate::token::{Sym, Tok};
+use crate::syntax::token::{Sym, Tok};
 use cga_split::files::places;
 use std::collections::{BTreeSet, HashMap, HashSet};
 

@@ -5,10 +5,10 @@
 //! required tuples. Tokens and trees are shared; only the entries of the side tables belong to the instance.
 
 use super::{InstanceId, Key, Program};
-use crate::ast::Decl;
 use crate::hash::FastMap;
 use crate::ir::Type;
-use crate::token::Tok;
+use crate::syntax::ast::Decl;
+use crate::syntax::token::Tok;
 use std::collections::{HashMap, HashSet};
 
 /// The maximum number of type tuples of a declaration.

@@ -10,13 +10,13 @@ mod overrides;
 mod paths;
 mod style;
 
-use crate::ast::{Ast, Import, Name, Override};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::door::Door;
-use crate::parse::parse_part;
-use crate::span::Span;
-use crate::token::Tokens;
+use crate::syntax::ast::{Ast, Import, Name, Override};
+use crate::syntax::parse::parse_part;
+use crate::syntax::span::Span;
+use crate::syntax::token::Tokens;
 use std::collections::HashMap;
 use std::ops::Range;
 use std::rc::Rc;

@@ -1,7 +1,7 @@
 //! Dynamic calls that replace rules. Each needs its own instance.
 
-use crate::ast::{Ast, Body, Decl, Name, OpKind, Override};
-use crate::ast_walk;
+use crate::syntax::ast::{Ast, Body, Decl, Name, OpKind, Override};
+use crate::syntax::walk;
 
 /// Returns the calls `id( Rule --> … ).Name` in a tree, with the name of the import.
 pub(super) fn dynamic_calls(ast: &Ast) -> Vec<(Name, Vec<Override>)> {
@@ -22,7 +22,7 @@ fn rules(list: &[Override], found: &mut Vec<(Name, Vec<Override>)>) {
 
 fn rule(decl: &Decl, found: &mut Vec<(Name, Vec<Override>)>) {
     let Body::Rule(body) = &decl.body else { return };
-    ast_walk::ops(body, &mut |op| {
+    walk::ops(body, &mut |op| {
         if let OpKind::Dynamic { import, overrides, .. } = &op.kind
             && overrides.iter().any(|own| matches!(own, Override::Rule(_)))
         {

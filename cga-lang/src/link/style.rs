@@ -1,9 +1,9 @@
 //! Styles of a file.
 
-use crate::ast::Ast;
-use crate::code::Code;
 use crate::diag::Diags;
+use crate::diag::code::Code;
 use crate::suggest::nearest;
+use crate::syntax::ast::Ast;
 use std::collections::HashMap;
 
 /// The style that every file has.
@@ -11,7 +11,7 @@ pub(crate) const DEFAULT: &str = "Default";
 
 /// The style in force and its base styles.
 pub(crate) struct Styles {
-    /// The number of the style in force, as in [`Decl::style`](crate::ast::Decl::style).
+    /// The number of the style in force, as in [`Decl::style`](crate::syntax::ast::Decl::style).
     in_force: u32,
     /// The distance of each style from the one in force, by number; 0 is the nearest. `None` for a style that is not
     /// a base. `Default` is the farthest.

@@ -1,4 +1,4 @@
-//! Whether a rule has made a child by the end of its body. A shape without children is a leaf. `NIL` is a child that
+//! Finds out if a rule has made a child by the end of its body. A shape without children is a leaf. `NIL` is a child that
 //! vanishes.
 
 use crate::ir::{Block, Childless, Parts, Step};

@@ -1,10 +1,10 @@
 //! Expressions, bottom up: each knows its type.
 
 use super::{Lower, block};
-use crate::ast::{self, Unary};
 use crate::ir::{AttrId, Binary, ConstId, EachUnary, Expr, ExprKind, FunctionId, Type, Value};
 use crate::ops::{self, Run};
 use crate::resolve::tables::Use;
+use crate::syntax::ast::{self, Unary};
 
 impl Lower<'_> {
     pub(super) fn expr(&mut self, expr: &ast::Expr) -> Expr {
@@ -117,9 +117,9 @@ impl Lower<'_> {
         Expr { kind: ExprKind::File(Box::new(name), folder), ty, span }
     }
 
-    /// A call of a function of the language. What was left out is filled in.
+    /// A call of a function of the language. Omitted arguments get their defaults.
     fn builtin(row: &'static ops::Function, mut args: Vec<Expr>) -> (ExprKind, Type) {
-        let span = args.last().map_or_else(crate::span::Span::default, |last| last.span);
+        let span = args.last().map_or_else(crate::syntax::span::Span::default, |last| last.span);
         for param in row.params.iter().skip(args.len()) {
             let (value, ty) = match param.default {
                 Some(ops::Default::Float(value)) => (Value::Float(value), Type::Float),

@@ -11,7 +11,7 @@ use cga_split::solve;
 /// Splits with more pieces are solved while rules run: the pieces would take more room than the arithmetic takes time.
 const MOST_PIECES: u64 = 64;
 
-/// What is known of a shape.
+/// The known extents of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Known {
     /// The scope's size along each axis.
@@ -28,7 +28,7 @@ const NOTHING: Known = Known { size: [None; 3], solid: false, trimmed: true };
 const INITIAL: Known = Known { trimmed: false, ..NOTHING };
 
 impl Known {
-    /// What holds on both ways.
+    /// The join of two paths.
     fn and(self, other: Known) -> Known {
         let both = |axis: usize| self.size[axis].filter(|size| other.size[axis] == Some(*size));
         Known {
@@ -43,7 +43,7 @@ impl Known {
         Known { trimmed: self.trimmed, ..NOTHING }
     }
 
-    /// Whether it certainly extends along all axes.
+    /// Returns true if it always extends along all axes.
     fn has_room(self) -> bool {
         self.size.iter().all(|size| size.is_some_and(|size| size != 0.0))
     }
@@ -56,12 +56,12 @@ impl Known {
             }
         }
         let sized = Known { size, ..self };
-        // A box without an extent is flat for good.
+        // A box without an extent stays flat.
         Known { solid: self.solid && sized.has_room(), ..sized }
     }
 }
 
-/// What a length makes of a size, where that is known.
+/// The size after a length is applied, if it is known.
 fn new_size(length: &Size, old: Option<f64>) -> Option<f64> {
     let number = constant(length)?;
     let number = if number.is_finite() { number } else { 0.0 };
@@ -84,7 +84,7 @@ pub(super) fn solve_known(grammar: &mut Grammar) {
         entries[start.rule.0 as usize] = Some(INITIAL);
         changed.push(start.rule);
     }
-    // What a rule knows only shrinks, so this ends.
+    // The knowledge about a rule only shrinks, so the loop ends.
     while let Some(rule) = changed.pop() {
         let index = rule.0 as usize;
         let Some(known) = entries[index] else { continue };
@@ -132,7 +132,7 @@ fn branches<'g>(
     arms.map(|inner| follow(inner, known, hand_on)).reduce(Known::and).unwrap_or(known)
 }
 
-/// What a step that hands nothing on leaves of what was known.
+/// The extents after a step without successors.
 fn after(step: &Step, known: Known) -> Known {
     match step {
         Step::Do(row, args, _) => match row.scope {
@@ -186,7 +186,7 @@ fn solved(slots: &Slots, axis: Axis, known: Known) -> Option<Solved> {
         Some(cga_split::Size { prefix: size.prefix, value })
     });
     let sizes: Vec<cga_split::Size> = sizes.collect::<Option<_>>()?;
-    // The run finds fault with sizes that are no numbers.
+    // NaN and infinite sizes are left to the run, which reports a fault.
     if sizes.iter().any(|size| !size.value.is_finite()) {
         return None;
     }

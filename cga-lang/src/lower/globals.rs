@@ -1,15 +1,15 @@
 //! Attributes, constants and functions, with the order in which they are ready.
 
 use super::{Lower, merge};
-use crate::fold::{Known, fold};
 use crate::ir::{Attr, AttrId, Const, ConstId, Expr, ExprKind, Function, FunctionId, Global, Type, Value};
+use crate::lower::fold::{Known, fold};
 use crate::resolve::globals::{Init, Item};
 use std::collections::HashMap;
 
 impl<'c> Lower<'c> {
     pub(super) fn globals(&mut self) {
         let globals = &self.checked.globals;
-        // Values with locals become functions behind those of the grammar, so these come first.
+        // Values with locals become functions after those of the grammar.
         for (index, item) in globals.functions.iter().enumerate() {
             let function = self.function(item, self.checked.tables.recursive.contains(&(index as u32)));
             self.push_function(function, self.style(item));

@@ -1,12 +1,12 @@
-//! `id(overrides).Rule(args)`: a rule of an import whose attributes start anew.
+//! `id(overrides).Rule(args)`: a rule of an import whose attributes are computed again.
 
 use super::Lower;
-use crate::ast::{Arg, Name, Override};
 use crate::check::Checked;
 use crate::ir::{Anew, AttrId, ConstId, Global, Renewal, RenewalId, Step, Target};
 use crate::link::InstanceId;
 use crate::resolve::tables::Use;
-use crate::span::Span;
+use crate::syntax::ast::{Arg, Name, Override};
+use crate::syntax::span::Span;
 
 impl<'c> Lower<'c> {
     /// Works on a copy: there the attributes and constants of the import get their values, and the rule goes on.
@@ -36,7 +36,7 @@ impl<'c> Lower<'c> {
         Some(Step::Anew(Anew { given, renewal, target, span }))
     }
 
-    /// What starts anew with an instance; the same for all calls.
+    /// The attributes and constants that are computed again with an instance; equal for all calls.
     fn renewal(&mut self, target: InstanceId, import: &str) -> RenewalId {
         if let Some(&known) = self.renewals.get(&target) {
             return known;
@@ -58,7 +58,7 @@ impl<'c> Lower<'c> {
     }
 }
 
-/// What each instance has and imports.
+/// The items and imports of each instance.
 pub(super) struct Below {
     /// Its attributes and constants, with their places in the order of the program.
     own: Vec<Vec<(usize, Global)>>,

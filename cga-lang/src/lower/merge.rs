@@ -7,18 +7,15 @@
 //! References are compared by name, so one pass finds all that differs. A block is a part of its rule: blocks of a name are one
 //! only if they are equal.
 
-use std::cmp::Reverse;
-use std::collections::HashMap;
-use std::hash::Hash;
-
+use super::childless;
 use crate::graph::{components, is_cycle};
 use crate::ir::{
     Attr, AttrId, ChoiceValues, Const, ConstId, Expr, ExprKind, Function, FunctionId, Global, Grammar, Init, Param,
-    Renewal, RenewalId, Rule, RuleId, Step, Target, Type, Value,
+    Renewal, RenewalId, Rule, RuleId, Step, Target, Type, Value, print, walk,
 };
-use crate::{ir_print, ir_walk};
-
-use super::childless;
+use std::cmp::Reverse;
+use std::collections::HashMap;
+use std::hash::Hash;
 
 /// The style that each definition belongs to, by kind. Blocks have none: they follow the rules.
 #[derive(Default)]
@@ -62,14 +59,14 @@ pub(super) fn merge(grammar: &mut Grammar, owners: &Owners, init: &[Vec<Global>]
     let (rules, texts) = blocks(&mut named, rules);
     let merged = Merged { attrs, consts, functions, renewals, rules };
 
-    let text = |value: &Expr| ir_print::expr(&named, value);
+    let text = |value: &Expr| print::expr(&named, value);
     let attrs = std::mem::take(&mut grammar.attrs);
     let attr_texts: Vec<String> = attrs.iter().map(|attr| text(&attr.default)).collect();
     grammar.attrs = variants(attrs, &merged.attrs, &owners.attrs, &attr_texts).into_iter().map(attr).collect();
     let consts = std::mem::take(&mut grammar.consts);
     let const_texts: Vec<String> = consts.iter().map(|it| text(&it.value)).collect();
     grammar.consts = variants(consts, &merged.consts, &owners.consts, &const_texts).into_iter().map(constant).collect();
-    let function_texts: Vec<String> = named.functions.iter().map(|it| ir_print::function(&named, it)).collect();
+    let function_texts: Vec<String> = named.functions.iter().map(|it| print::function(&named, it)).collect();
     let functions = std::mem::take(&mut grammar.functions);
     let functions = variants(functions, &merged.functions, &owners.functions, &function_texts);
     grammar.functions = functions.into_iter().map(function).collect();
@@ -114,7 +111,7 @@ fn types(params: &[Param], locals: &[Expr]) -> Vec<Type> {
     params[..params.len() - locals.len()].iter().map(|param| param.ty).collect()
 }
 
-/// The same values start anew with renewals of one number.
+/// Renewals of one number compute the same values again.
 fn renewals(grammar: &Grammar, attrs: &[usize], consts: &[usize]) -> Vec<usize> {
     interned(grammar.renewals.iter().map(|renewal| {
         let number = |global: &Global| match *global {
@@ -127,24 +124,24 @@ fn renewals(grammar: &Grammar, attrs: &[usize], consts: &[usize]) -> Vec<usize> 
     }))
 }
 
-/// Numbers the blocks behind the declared rules, and gives the texts of all rules.
+/// Numbers the blocks after the declared rules, and returns the texts of all rules.
 fn blocks(named: &mut Grammar, declared: Vec<usize>) -> (Vec<usize>, Vec<String>) {
     let (first, count) = (declared.len(), named.rules.len());
     let mut texts = vec![String::new(); count];
     let mut known: HashMap<(String, String), usize> = HashMap::new();
     let mut blocks = vec![0; count - first];
-    // Blocks in a block come behind it.
+    // Blocks in a block come after it.
     for at in (first..count).rev() {
         let own = &mut named.rules[at];
         own.name.clear();
         let label = own.label.clone();
-        let text = ir_print::rule(named, &named.rules[at]);
+        let text = print::rule(named, &named.rules[at]);
         let next = known.len();
         blocks[at - first] = *known.entry((label, text)).or_insert(next);
         named.rules[at].name = format!("block {}", blocks[at - first]);
     }
     for at in 0..first {
-        texts[at] = ir_print::rule(named, &named.rules[at]);
+        texts[at] = print::rule(named, &named.rules[at]);
     }
     let numbers = declared.into_iter().map(|rule| (false, rule)).chain(blocks.into_iter().map(|block| (true, block)));
     (interned(numbers), texts)
@@ -205,7 +202,7 @@ fn rule(mut variants: Vec<Variant<Rule>>) -> Rule {
         return variants.remove(0).own;
     }
     let own = first(&variants).clone();
-    let each = |it: &mut Rule, change: &mut dyn FnMut(&mut Expr)| ir_walk::exprs_mut(&mut it.body, change);
+    let each = |it: &mut Rule, change: &mut dyn FnMut(&mut Expr)| walk::exprs_mut(&mut it.body, change);
     let (params, locals) = locals(&mut variants, |it| (&it.params, &mut it.locals), each);
     let mut bodies: Vec<(Expr, Vec<Step>)> =
         variants.into_iter().map(|it| (is_style(it.styles, own.span), it.own.body)).collect();
@@ -225,7 +222,7 @@ fn chosen(mut values: Vec<Variant<Expr>>) -> Expr {
     Expr { kind: ExprKind::Case(arms, Box::new(otherwise)), ty, span }
 }
 
-fn is_style(styles: Vec<u32>, span: crate::span::Span) -> Expr {
+fn is_style(styles: Vec<u32>, span: crate::syntax::span::Span) -> Expr {
     Expr { kind: ExprKind::Style(styles), ty: Type::Bool, span }
 }
 
@@ -249,7 +246,7 @@ fn locals<T>(
         all_params.extend_from_slice(&params[given as usize..]);
         let before = all.len() as u32;
         let mut moved = |expr: &mut Expr| {
-            ir_walk::params_mut(expr, &mut |index| *index += if *index < given { 0 } else { before });
+            walk::params_mut(expr, &mut |index| *index += if *index < given { 0 } else { before });
         };
         let mut own = std::mem::take(locals);
         own.iter_mut().for_each(&mut moved);
@@ -288,7 +285,7 @@ fn refer(grammar: &mut Grammar, merged: &Merged) {
     let attr = |id: &mut AttrId| *id = AttrId(merged.attrs[id.0 as usize] as u32);
     let constant = |id: &mut ConstId| *id = ConstId(merged.consts[id.0 as usize] as u32);
     let rule = |id: &mut RuleId| *id = RuleId(merged.rules[id.0 as usize] as u32);
-    ir_walk::all_exprs_mut(grammar, &mut |expr| match &mut expr.kind {
+    walk::all_exprs_mut(grammar, &mut |expr| match &mut expr.kind {
         ExprKind::Attr(id) => attr(id),
         ExprKind::Const(id) => constant(id),
         ExprKind::Call(id, _) => *id = FunctionId(merged.functions[id.0 as usize] as u32),
@@ -303,7 +300,7 @@ fn refer(grammar: &mut Grammar, merged: &Merged) {
         *global = merged.global(*global);
     }
     for own in &mut grammar.rules {
-        ir_walk::steps_mut(&mut own.body, &mut |step| {
+        walk::steps_mut(&mut own.body, &mut |step| {
             match step {
                 Step::SetAttr(id, ..) => attr(id),
                 Step::Anew(anew) => {
@@ -312,7 +309,7 @@ fn refer(grammar: &mut Grammar, merged: &Merged) {
                 }
                 _ => {}
             }
-            for target in ir_walk::targets_mut(step) {
+            for target in walk::targets_mut(step) {
                 if let Target::Rule { rule: id, .. } = target {
                     rule(id);
                 }
@@ -344,7 +341,7 @@ fn order(grammar: &mut Grammar, merged: &Merged, init: &[Vec<Global>]) {
     let needs = |values: &mut dyn Iterator<Item = &Expr>| {
         let mut list = Vec::new();
         for value in values {
-            ir_walk::parts(value, &mut |part| match part.kind {
+            walk::parts(value, &mut |part| match part.kind {
                 ExprKind::Attr(id) => list.push(id.0 as usize),
                 ExprKind::Const(id) => list.push(attrs + id.0 as usize),
                 ExprKind::Call(id, _) => list.push(attrs + consts + id.0 as usize),

@@ -5,22 +5,23 @@ mod body;
 mod childless;
 mod expr;
 mod extent;
+mod fold;
 mod globals;
 mod import;
 mod merge;
 
-use crate::ast::{Body, Decl, Name};
 use crate::check::Checked;
-use crate::fold::Known;
 use crate::graph::{components, is_cycle};
+use crate::ir::walk::called;
 use crate::ir::{Childless, Global, Grammar, Host, HostId, Init, Param, RenewalId, Rule, RuleId, Start, Step, Type};
-use crate::ir_walk::called;
 use crate::link::{InstanceId, Key};
+use crate::lower::fold::Known;
 use crate::resolve::globals::Item;
 use crate::resolve::info::RuleInfo;
 use crate::resolve::tables::Use;
-use crate::span::Span;
-use crate::token::{Tok, Tokens};
+use crate::syntax::ast::{Body, Decl, Name};
+use crate::syntax::span::Span;
+use crate::syntax::token::{Tok, Tokens};
 use merge::Owners;
 use std::collections::HashMap;
 
@@ -61,7 +62,7 @@ struct Lower<'c> {
     inner: Vec<&'c Name>,
     /// The instance whose entries its names have.
     own: InstanceId,
-    /// What the implicit leaves of the rule at hand are called.
+    /// The name of implicit leaves of the current rule.
     label: String,
     /// Name of the rule at hand, with its style.
     name: String,
@@ -71,7 +72,7 @@ struct Lower<'c> {
     hosts: HashMap<Key, HostId>,
     /// By instance.
     renewals: HashMap<InstanceId, RenewalId>,
-    /// Made when an import starts anew.
+    /// Created when an import is computed again.
     below: Option<import::Below>,
     /// Constants and functions whose value is known.
     known: Known,

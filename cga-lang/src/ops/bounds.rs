@@ -1,6 +1,6 @@
 //! The documented values of parameters.
 
-use crate::code::Code;
+use crate::diag::code::Code;
 
 /// The documented values of a parameter.
 #[derive(Debug, PartialEq)]

@@ -1,7 +1,8 @@
 //! The tables of the language's words: operations, functions, attributes of shapes, component selectors.
 //!
-//! Every word of the language has a row, implemented or not. An operation that only changes the current shape needs
-//! one row and one function in the runtime's `op` module. The parser, the checks and the code generator read the row.
+//! Every word of the language has a row, implemented or not. A new operation, with or without braces, is one row and one
+//! function in the runtime's `op` module; CONTRIBUTING.md has the steps. The parser, the checks and the code generator read
+//! the row.
 
 mod attributes;
 mod bounds;

@@ -1,7 +1,7 @@
 //! Parameters of operations and functions.
 
 use super::{Bounds, Values};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::types::Type;
 
 /// A parameter of an operation or function.

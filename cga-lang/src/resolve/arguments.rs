@@ -1,7 +1,7 @@
 //! Arguments as written: bare words, axes, errors.
 
-use crate::ast::{Arg, Block, Expr, ExprKind};
 use crate::ir::Axis;
+use crate::syntax::ast::{Arg, Block, Expr, ExprKind};
 
 impl Block {
     /// The axis named by the first argument; `None` for an unknown axis or one of the texture space.

@@ -1,9 +1,9 @@
 //! Numbers of arguments in messages.
 
 use super::context::Cx;
-use crate::ast::Name;
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::ops::Operation;
+use crate::syntax::ast::Name;
 
 /// Returns "2 arguments", "0 or 3 arguments" or "1, 3 or 4 arguments".
 pub(crate) fn counts(counts: impl IntoIterator<Item = usize>) -> String {

@@ -4,10 +4,10 @@
 use super::context::Cx;
 use super::globals::{Init, Item};
 use super::tables::{Entries, Tables, Use};
-use crate::ast::{Expr, ExprKind};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::graph::{components, is_cycle};
 use crate::link::InstanceId;
+use crate::syntax::ast::{Expr, ExprKind};
 
 /// The maximum number of names in a cycle that get a line each.
 const MOST_TOLD: usize = 4;

@@ -3,11 +3,11 @@
 use super::arity;
 use super::context::Cx;
 use super::globals::Item;
-use crate::ast::{Body, Decl, Role};
-use crate::code::Code;
 use crate::diag::Diags;
+use crate::diag::code::Code;
 use crate::link::InstanceId;
 use crate::ops::{self, Operation, Param, ParamKind, Run};
+use crate::syntax::ast::{Body, Decl, Role};
 use crate::types::Type;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;

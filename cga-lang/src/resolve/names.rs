@@ -7,13 +7,13 @@ use super::globals::{Init, Kind, builtins};
 use super::habits;
 use super::scope::Scope;
 use super::tables::Use;
-use crate::ast::{Expr, ExprKind, Name};
-use crate::code::Code;
 use crate::diag::Detail;
+use crate::diag::code::Code;
 use crate::door::Door;
 use crate::ops::{self, Function, Needs, ParamKind, Places, Run, Words};
-use crate::span::Span;
-use crate::token::Tok;
+use crate::syntax::ast::{Expr, ExprKind, Name};
+use crate::syntax::span::Span;
+use crate::syntax::token::Tok;
 use crate::types::Type;
 
 /// Resolves all uses.
@@ -30,7 +30,7 @@ pub(crate) fn uses(cx: &mut Cx) {
         scope.expr(value);
     }
     for item in cx.globals.rules.clone() {
-        if let crate::ast::Body::Rule(ops) = &item.decl.body {
+        if let crate::syntax::ast::Body::Rule(ops) = &item.decl.body {
             let mut scope = Scope { cx, at: item.home, own: item.own, inner: Vec::new(), owner: None, place: None };
             scope.enter(item.decl);
             scope.ops(ops);
@@ -40,7 +40,7 @@ pub(crate) fn uses(cx: &mut Cx) {
 
 impl<'a> Scope<'_, 'a, '_> {
     /// Enters parameters, then locals. Each local can use the names before it.
-    fn enter(&mut self, decl: &'a crate::ast::Decl) {
+    fn enter(&mut self, decl: &'a crate::syntax::ast::Decl) {
         self.inner.extend(&decl.params);
         for (name, value) in &decl.locals {
             self.expr(value);
@@ -370,7 +370,7 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     /// Reports percentages of a block that add up to more than 100.
-    pub(crate) fn percentages(&mut self, list: impl Iterator<Item = &'a crate::ast::Percent>) {
+    pub(crate) fn percentages(&mut self, list: impl Iterator<Item = &'a crate::syntax::ast::Percent>) {
         let mut sum = 0.0;
         for percent in list {
             sum += percent.value;

@@ -3,11 +3,11 @@
 use super::context::Cx;
 use super::globals::Kind;
 use super::tables::Use;
-use crate::ast::{Decl, Override, Role};
-use crate::code::Code;
 use crate::diag::Level;
+use crate::diag::code::Code;
 use crate::link::{InstanceId, Layer};
 use crate::suggest::nearest;
+use crate::syntax::ast::{Decl, Override, Role};
 use std::collections::HashSet;
 
 pub(crate) fn check(cx: &mut Cx) {
@@ -52,7 +52,7 @@ pub(crate) fn list_of(cx: &mut Cx, id: InstanceId, list: &[Override]) {
     }
 }
 
-fn attribute(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
+fn attribute(cx: &mut Cx, id: InstanceId, name: &crate::syntax::ast::Name) {
     match cx.globals.value(id, &name.text) {
         // *CGA changelog 2023.0*: no longer allowed. Older files keep their meaning.
         Some(Use::Attr(_)) if name.text.contains('.') => {

@@ -1,9 +1,9 @@
 //! Scopes of names.
 
 use super::context::Cx;
-use crate::ast::Name;
 use crate::link::InstanceId;
 use crate::ops::Places;
+use crate::syntax::ast::Name;
 
 /// The scope of a name: parameters and locals of one declaration, then all declarations of an instance.
 pub(crate) struct Scope<'s, 'a, 'd> {

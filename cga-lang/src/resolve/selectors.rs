@@ -3,11 +3,11 @@
 use super::arity::wrong_count;
 use super::scope::Scope;
 use super::tables::Use;
-use crate::ast::{Arm, ArmMode, Binary, CompValue, Expr, ExprKind, Name, SplitItem, Unary};
-use crate::code::Code;
 use crate::diag::Diag;
+use crate::diag::code::Code;
 use crate::ops::{self, Places, Selector};
 use crate::suggest::nearest;
+use crate::syntax::ast::{Arm, ArmMode, Binary, CompValue, Expr, ExprKind, Name, SplitItem, Unary};
 
 impl<'a> Scope<'_, 'a, '_> {
     pub(crate) fn items(&mut self, items: &'a [SplitItem]) {

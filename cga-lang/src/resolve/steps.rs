@@ -7,13 +7,13 @@ use super::scope::Scope;
 use super::tables::Use;
 use super::words::fitting;
 use super::{habits, overrides};
-use crate::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Level, RELATIVE};
 use crate::door::Door;
 use crate::ops::{self, Braces, Operation, Param, ParamKind, Places, Run};
-use crate::span::Span;
 use crate::suggest::nearest;
+use crate::syntax::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
+use crate::syntax::span::Span;
 use crate::types::Type;
 
 /// The maximum number of declarations of a rule that a message names.

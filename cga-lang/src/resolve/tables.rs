@@ -1,10 +1,10 @@
 //! Side tables: the results of the passes, by name.
 
 use super::info::{AttrInfo, ImportInfo, RuleInfo};
-use crate::ast::Name;
 use crate::hash::FastMap;
 use crate::link::{InstanceId, Key};
 use crate::ops::{Function, Operation, ShapeAttr};
+use crate::syntax::ast::Name;
 use crate::types::Type;
 use std::collections::{HashMap, HashSet};
 

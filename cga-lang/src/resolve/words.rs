@@ -4,12 +4,12 @@ use super::arguments::{plain, word};
 use super::arity::wrong_count;
 use super::scope::Scope;
 use super::tables::Use;
-use crate::ast::{Arg, Expr, ExprKind, Name};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::door::Door;
 use crate::ops::{self, Operation, Param, ParamKind, Words};
-use crate::span::Span;
 use crate::suggest::nearest;
+use crate::syntax::ast::{Arg, Expr, ExprKind, Name};
+use crate::syntax::span::Span;
 
 /// The maximum length of a quoted argument in a message.
 const LONGEST: usize = 40;
@@ -59,7 +59,7 @@ impl<'a> Scope<'_, 'a, '_> {
             ExprKind::Call(name, args) if name.text == "sel" => args.len() == 1 && arg.word().is_none(),
             ExprKind::Name(name) => text && matches!(self.lookup(&name.text), Some(found) if !is_shape(found)),
             ExprKind::Call(..) | ExprKind::Case(..) | ExprKind::Chance(..) | ExprKind::Index(..) => text,
-            ExprKind::Binary(crate::ast::Binary::Add, ..) => text,
+            ExprKind::Binary(crate::syntax::ast::Binary::Add, ..) => text,
             _ => false,
         }
     }

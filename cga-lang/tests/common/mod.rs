@@ -14,13 +14,13 @@
 pub(crate) mod parts;
 pub(crate) mod random;
 
-use cga_lang::ast::Ast;
 use cga_lang::compile::{Compiled, Door, compile};
+use cga_lang::diag::snippet::{bytes, position};
 use cga_lang::diag::{Diag, Level};
-use cga_lang::lex::{Lexed, lex};
 use cga_lang::link::{NoFiles, Unit};
-use cga_lang::snippet::{bytes, position};
-use cga_lang::span::Span;
+use cga_lang::syntax::ast::Ast;
+use cga_lang::syntax::lex::{Lexed, lex};
+use cga_lang::syntax::span::Span;
 use std::fmt::Write;
 use std::fs;
 use std::ops::Range;

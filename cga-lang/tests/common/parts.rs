@@ -2,10 +2,10 @@
 
 use super::{annotate, compare, door, fixtures, strip};
 use cga_lang::compile::{Compiled, Door, compile};
-use cga_lang::lex::{Lexed, lex};
+use cga_lang::diag::snippet::bytes;
 use cga_lang::link::{Asset, Files, Unit, candidates, folder};
-use cga_lang::snippet::bytes;
-use cga_lang::span::Span;
+use cga_lang::syntax::lex::{Lexed, lex};
+use cga_lang::syntax::span::Span;
 use std::fs;
 use std::ops::Range;
 

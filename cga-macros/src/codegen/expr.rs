@@ -276,7 +276,7 @@ impl Cx<'_> {
             let mut args = args.iter();
             let rows = rows.iter().map(|row| {
                 let parts = args.by_ref().take(row.len());
-                quote_spanned!(place=> &[#(cga_rt::func::Part::from(#parts)),*])
+                quote_spanned!(place=> &[#(cga_rt::func::ArrayPart::from(#parts)),*])
             });
             quote_spanned!(place=> cga_rt::func::array(#env, &[#(#rows),*]))
         };
@@ -314,8 +314,8 @@ impl Cx<'_> {
     }
 
     /// Where all of a call of Rust stands, so that a wrong signature is shown there: the last name of the path.
-    pub(super) fn at_path(&self, span: cga_lang::span::Span) -> Span {
-        let path = cga_lang::span::Span::one(span.first);
+    pub(super) fn at_path(&self, span: cga_lang::syntax::span::Span) -> Span {
+        let path = cga_lang::syntax::span::Span::one(span.first);
         Span::mixed_site().located_at(self.source.span(path).1)
     }
 

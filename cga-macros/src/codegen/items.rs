@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
+use cga_lang::ir::walk;
 use cga_lang::ir::{ExprKind, Global, RuleId, Type};
-use cga_lang::ir_walk;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
@@ -63,7 +63,7 @@ impl Cx<'_> {
     /// Returns true if something depends on the style of the run.
     fn asks_for_style(&self) -> bool {
         let mut asks = false;
-        ir_walk::exprs(self.grammar, &mut |expr| asks |= matches!(expr.kind, ExprKind::Style(_)));
+        walk::exprs(self.grammar, &mut |expr| asks |= matches!(expr.kind, ExprKind::Style(_)));
         asks
     }
 

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
+use cga_lang::ir::walk;
 use cga_lang::ir::{Childless, Grammar, Target};
-use cga_lang::ir_walk;
 use proc_macro2::Literal;
 
 /// The names of all leaves of a grammar, in the order of the rules.
@@ -19,8 +19,8 @@ impl Leaves {
             if rule.leaf != Childless::Never {
                 leaves.add(&rule.label);
             }
-            ir_walk::steps(&rule.body, &mut |step| {
-                for target in ir_walk::targets(step) {
+            walk::steps(&rule.body, &mut |step| {
+                for target in walk::targets(step) {
                     if let Target::Leaf(name, _) = target {
                         leaves.add(name);
                     }

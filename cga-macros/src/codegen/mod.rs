@@ -27,7 +27,7 @@ mod types;
 use std::cell::RefCell;
 use std::collections::HashMap;
 
-use cga_lang::facts::Facts;
+use cga_lang::ir::facts::Facts;
 use cga_lang::ir::{ExprKind, Grammar, HostId, RuleId, Type};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
@@ -121,7 +121,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
 /// What a `#` value must be: the type that the rules give it, or anything where it is only made into text.
 fn host_types(grammar: &Grammar) -> Vec<HostType> {
     let mut types: Vec<HostType> = grammar.hosts.iter().map(|host| HostType::Is(host.ty)).collect();
-    cga_lang::ir_walk::exprs(grammar, &mut |expr| {
+    cga_lang::ir::walk::exprs(grammar, &mut |expr| {
         if let ExprKind::ToText(inner) = &expr.kind
             && let ExprKind::Host(HostId(id)) = inner.kind
         {

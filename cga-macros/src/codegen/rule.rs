@@ -1,7 +1,7 @@
 //! One function a rule, one function a function.
 
+use cga_lang::ir::walk;
 use cga_lang::ir::{Block, Childless, Expr, ExprKind, Function, Global, Param, Parts, Rule, RuleId, Step, Target};
-use cga_lang::ir_walk;
 use cga_lang::ops::{Changes, Run, Uses};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
@@ -212,9 +212,9 @@ impl Cx<'_> {
 
     /// Returns true if the arguments of a step are the same in the whole run.
     fn is_settled(&self, step: &Step) -> bool {
-        ir_walk::in_step(step).into_iter().all(|expr| {
+        walk::in_step(step).into_iter().all(|expr| {
             let mut is_settled = self.facts.expr(expr) == Uses::NONE;
-            ir_walk::parts(expr, &mut |part| is_settled &= !matches!(part.kind, ExprKind::Param(_)));
+            walk::parts(expr, &mut |part| is_settled &= !matches!(part.kind, ExprKind::Param(_)));
             is_settled
         })
     }

@@ -4,8 +4,8 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use cga_lang::compile::Door;
-use cga_lang::lex::lex;
 use cga_lang::link::{Asset, Files, Unit, candidates, folder};
+use cga_lang::syntax::lex::lex;
 use proc_macro2::{Literal, TokenStream};
 
 use super::quoted::{QuotedText, text, tracking};

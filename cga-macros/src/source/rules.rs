@@ -5,8 +5,8 @@ use super::quoted::QuotedText;
 use cga_lang::compile::{Compiled, Door};
 use cga_lang::diag::Diag;
 use cga_lang::link::Unit;
-use cga_lang::span;
-use cga_lang::token::{Sym, Tok, Tokens};
+use cga_lang::syntax::span;
+use cga_lang::syntax::token::{Sym, Tok, Tokens};
 use proc_macro2::{Span, TokenStream};
 
 /// Rules as tokens, and what it takes to speak about them.

@@ -16,9 +16,9 @@ use std::ops::Range;
 
 use cga_lang::compile::{Door, compile};
 use cga_lang::diag::Diag;
-use cga_lang::lex::lex;
+use cga_lang::diag::snippet::bytes;
 use cga_lang::link::{Files, Unit};
-use cga_lang::snippet::bytes;
+use cga_lang::syntax::lex::lex;
 use proc_macro2::{Span, TokenStream};
 
 use crate::source::tokens::read;

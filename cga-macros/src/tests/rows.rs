@@ -192,7 +192,7 @@ fn functions(names: BTreeSet<String>) -> BTreeSet<String> {
 }
 
 /// Returns true if the function of an operation is in the module `op`. The code generator has code for slots and components.
-fn is_in_op(row: &&'static Operation) -> bool {
+pub(super) fn is_in_op(row: &&'static Operation) -> bool {
     !matches!(row.braces, Braces::Slots(_) | Braces::Components | Braces::Modified)
 }
 

@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 use super::print::{Spelling, print};
 use cga_lang::compile::{Door, compile};
 use cga_lang::diag::Diags;
-use cga_lang::ir_print;
-use cga_lang::lex::lex;
+use cga_lang::ir::print;
 use cga_lang::link::{Files, Unit, candidates};
-use cga_lang::parse::parse;
-use cga_lang::token::Tokens;
+use cga_lang::syntax::lex::lex;
+use cga_lang::syntax::parse::parse;
+use cga_lang::syntax::token::Tokens;
 use proc_macro2::{Span, TokenStream};
 
 use crate::source::tokens::read;
@@ -57,7 +57,7 @@ fn meaning(tokens: &Tokens, path: &Path) -> String {
     let unit = Unit { name, tokens: tokens.clone(), door: Door::Text, found: Vec::new() };
     let compiled = compile(unit, &mut Below, &[]);
     match &compiled.grammar {
-        Some(grammar) => ir_print::print(grammar),
+        Some(grammar) => print::print(grammar),
         None => compiled.diags.iter().map(|diag| format!("{}: {}\n", diag.code.name(), diag.message)).collect(),
     }
 }

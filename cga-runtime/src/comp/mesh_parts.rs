@@ -172,6 +172,7 @@ impl MeshParts {
         normal != DVec3::ZERO
             && match word.sense() {
                 Sense::All => true,
+                Sense::Part => false,
                 Sense::Looks(axes, direction) => {
                     // Edges and vertices of a face look out of it within its plane, independently of its normal.
                     let within = matches!(self.kind, Components::FaceEdges | Components::FaceVertices);
@@ -192,6 +193,7 @@ impl MeshParts {
         normal != DVec3::ZERO
             && match sense {
                 Sense::All => true,
+                Sense::Part => false,
                 Sense::Looks(axes, direction) => {
                     looks.takes(axes, direction, looks.outwards(normal), || self.middle(face))
                 }

@@ -4,7 +4,7 @@ use crate::shape::direction::Direction;
 
 /// A word that selects components (*comp operation*).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names say it: those of the language")]
+#[allow(missing_docs, reason = "the names are those of the language")]
 pub enum Word {
     Front,
     Back,
@@ -43,6 +43,8 @@ pub enum Word {
     StreetLeft,
     StreetRight,
     StreetSide,
+    Shape,
+    Remainder,
     /// `noStreetSide`, a spelling of versions before 2012.1.
     NotStreetFront,
 }
@@ -67,6 +69,8 @@ pub(crate) enum Sense {
     Border(bool),
     /// The class of an edge of a roof.
     Roof(RoofEdge),
+    /// No component: a part that another operation makes.
+    Part,
 }
 
 /// The axes of a direction.
@@ -97,6 +101,7 @@ impl Word {
         use Direction as D;
         let (axes, direction) = match self {
             Word::All => return Sense::All,
+            Word::Shape | Word::Remainder => return Sense::Part,
             Word::Border => return Sense::Border(true),
             Word::Inside => return Sense::Border(false),
             Word::Eave => return Sense::Roof(RoofEdge::Eave),

@@ -70,6 +70,7 @@ impl WireParts {
     pub(super) fn is(&self, looks: &Looks, index: usize, word: Word) -> bool {
         match word.sense() {
             Sense::All => true,
+            Sense::Part => false,
             Sense::Border(border) => border,
             Sense::Roof(_) => false,
             Sense::Looks(axes, direction) => {

@@ -41,7 +41,7 @@ impl Env {
     }
 }
 
-/// Text that refuses to grow beyond a length in bytes.
+/// Text with a maximum length in bytes. Writing beyond it is an error.
 struct Bounded {
     text: String,
     longest: u64,

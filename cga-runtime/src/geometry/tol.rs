@@ -37,7 +37,7 @@ pub(crate) const LINE_EPSILON: f64 = 1e-7;
 /// the rounding errors of its ends are of that size.
 pub(crate) const EDGE_EPSILON: f64 = 1e-15;
 
-/// The rounding error of rotated coordinates, relative to the largest of them.
+/// An upper bound of the rounding error of rotated coordinates, relative to the largest of them.
 pub(crate) const ROUNDING_EPSILON: f64 = 2e-15;
 
 /// A volume below this, relative to the cube of the largest extent, is a rounding error.

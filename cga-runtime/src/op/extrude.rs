@@ -4,9 +4,8 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::Length;
 use super::align::upright;
-use crate::fault::FaultKind;
+use super::{Length, leads_beyond};
 use crate::geometry::Axis;
 use crate::geometry::mesh::extrude::{Extrude, extrude as extrude_mesh, vertex_normals};
 use crate::geometry::mesh::{Mesh, extrude_wire, point_normals};
@@ -30,7 +29,7 @@ pub enum ExtrudeAlong {
 
 /// An axis of an extrusion in the old form. With and without `world.` it is the world's axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names say it")]
+#[allow(missing_docs, reason = "the names are those of the language")]
 pub enum ExtrudeAxis {
     X,
     Y,
@@ -94,12 +93,10 @@ fn extrude_edges(env: &mut Env, shape: &mut Shape, wire: &Wire, how: Extrude, di
         return;
     }
     match (up, extrude_wire(wire, how, distance)) {
-        (Some(up), Ok(grown)) => stand(env, shape, grown, up, distance),
-        _ => env.fault(FaultKind::Value, BEYOND),
+        (Some(up), Ok(grown)) => stand(env, shape, grown, up, distance, "`extrude`"),
+        _ => leads_beyond(env, "`extrude`"),
     }
 }
-
-const BEYOND: &str = "`extrude` overflows; the shape stays as it is";
 
 /// `extrude(x | y | z | world.x | world.z, distance)`, the old form (*CGA changelog 2009.2*).
 pub fn extrude_axis(env: &mut Env, shape: &mut Shape, axis: ExtrudeAxis, distance: Length) {
@@ -164,11 +161,11 @@ fn extrude_any(env: &mut Env, shape: &mut Shape, how: Extrude, distance: f64) {
     if env.count_corners(6 * mesh.corners().len() as u64).is_break() {
         return;
     }
-    stand(env, shape, extrude_mesh(&mesh, how, distance), up, distance);
+    stand(env, shape, extrude_mesh(&mesh, how, distance), up, distance, "`extrude`");
 }
 
 /// Gives the shape the extruded mesh, in the coordinates of its old scope, with a scope whose y axis is `up`.
-fn stand(env: &mut Env, shape: &mut Shape, grown: Mesh, up: DVec3, distance: f64) {
+pub(super) fn stand(env: &mut Env, shape: &mut Shape, grown: Mesh, up: DVec3, distance: f64, what: &str) {
     if grown.is_empty() {
         // Nothing moved.
         return;
@@ -190,7 +187,7 @@ fn stand(env: &mut Env, shape: &mut Shape, grown: Mesh, up: DVec3, distance: f64
     }
     let scope = Scope { origin, axes, size };
     if !scope.is_bounded() {
-        return env.fault(FaultKind::Value, BEYOND);
+        return leads_beyond(env, what);
     }
     shape.scope = scope;
     shape.geometry = Geometry::Mesh(Arc::new(placed));

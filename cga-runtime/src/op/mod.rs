@@ -21,7 +21,9 @@ mod report;
 #[cfg(test)]
 mod scope_tests;
 pub mod set;
+mod shape_l;
 pub mod slim;
+mod taper;
 pub(crate) mod texture;
 mod transform;
 mod trim;
@@ -47,6 +49,8 @@ pub use primitive::{
     sphere, sphere_sides, sphere_sized,
 };
 pub use report::{label, print, report};
+pub use shape_l::shape_l;
+pub use taper::taper;
 pub use texture::{
     NormalizeMode, NormalizeType, ProjectionAxes, copy_uv, delete_uv, normalize_uv, project_uv, rotate_uv, scale_uv,
     setup_projection, setup_projection_at, setup_projection_uw, setup_uv, tile_uv, translate_uv,

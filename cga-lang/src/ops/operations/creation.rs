@@ -197,7 +197,7 @@ pub(super) static ROWS: &[Operation] = &[
         &[SIDES, float("radius"), float("height")],
         "replaces the geometry by a cone of that size",
     ),
-    keeps_uvs(later("taper", &[float("height")], "makes a pyramid over the first face")),
+    keeps_uvs(op("taper", "taper", &[float("height")], "makes a pyramid over the first face")),
     keeps_uvs(op(
         "offset",
         "offset",

@@ -6,7 +6,7 @@ use super::super::{
     of, or, param, renamed, unknown, uv_set, within, word, words,
 };
 use super::{block, divides, later, old};
-use crate::code::Code;
+use crate::diag::code::Code;
 
 pub(super) const COMPONENT: Param = renamed(
     &[
@@ -123,11 +123,15 @@ pub(super) static ROWS: &[Operation] = &[
         &[AREA, of("minDistances", FS), of("maxDistances", FS), UV_SET],
         TO_AREA,
     ),
-    block(
-        "shapeL",
-        Braces::Arms(Places::SHAPE),
-        &[float("frontWidth"), float("leftWidth")],
-        "sets the front and left edges back and keeps the strip",
+    divides(
+        "shape_l",
+        Uses::WHOLE,
+        block(
+            "shapeL",
+            Braces::Arms(Places::SHAPE),
+            &[float("frontWidth"), float("leftWidth")],
+            "sets the front and left edges back and keeps the strip",
+        ),
     ),
     block(
         "shapeU",

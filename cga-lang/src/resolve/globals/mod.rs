@@ -2,12 +2,13 @@
 
 mod overrides;
 
-use crate::ast::{Body, Decl, Expr, Name, OpKind, Role};
 use crate::link::{InstanceId, Key, Program};
+use crate::ops;
 use crate::resolve::tables::{Tables, Use};
 use crate::suggest::nearest;
+use crate::syntax::ast::{Body, Decl, Expr, Name, OpKind, Role};
+use crate::syntax::walk;
 use crate::types::Type;
-use crate::{ast_walk, ops};
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
 
@@ -348,7 +349,7 @@ impl<'a> Globals<'a> {
         let mut leaves: Vec<&str> = Vec::new();
         for item in self.rules.iter().filter(|item| item.home == from) {
             if let Body::Rule(ops) = &item.decl.body {
-                ast_walk::ops(ops, &mut |op| match &op.kind {
+                walk::ops(ops, &mut |op| match &op.kind {
                     OpKind::Leaf(leaf) if leaf.text != name => leaves.push(&leaf.text),
                     _ => {}
                 });

@@ -1,8 +1,8 @@
 //! Values and rules that importing files give to imported files.
 
 use super::{Globals, Init, Item};
-use crate::ast::{Expr, Override, Role};
 use crate::link::{InstanceId, Key, Program};
+use crate::syntax::ast::{Expr, Override, Role};
 use std::collections::{HashMap, HashSet};
 
 /// Values of attributes in imports of an imported file, by instance and name, with the instance that has the value.

@@ -35,7 +35,8 @@ pub struct Plane {
 ///
 /// ```
 /// use std::sync::Arc;
-/// use cga_runtime::{cut, glam::DVec3, mesh::primitive};
+/// use cga_runtime::geometry::{cut, mesh::primitive};
+/// use cga_runtime::glam::DVec3;
 ///
 /// // A cube of 1, cut across a corner.
 /// let cube = Arc::new(primitive::cube());

@@ -54,6 +54,7 @@ pub(crate) use face::unit;
 pub(crate) use layout::{FaceEnds, Tags};
 pub(crate) use map::flip;
 pub use offset::OffsetFaces;
+pub(crate) use spread::Spread;
 pub use tag::TagSet;
 pub(crate) use tag::matches as tag_matches;
 pub(crate) use uv::UvSets;

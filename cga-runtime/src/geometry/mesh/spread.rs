@@ -4,7 +4,7 @@
 use glam::{DMat2, DVec2};
 
 /// Positions of corners, and their moments about their mean.
-pub(super) struct Spread {
+pub(crate) struct Spread {
     corners: Vec<DVec2>,
     middle: DVec2,
     inverse: DMat2,
@@ -12,7 +12,7 @@ pub(super) struct Spread {
 
 impl Spread {
     /// Corners in a plane that are not all on one line.
-    pub(super) fn of(corners: Vec<DVec2>) -> Self {
+    pub(crate) fn of(corners: Vec<DVec2>) -> Self {
         let middle = corners.iter().sum::<DVec2>() / corners.len() as f64;
         let outer = |d: DVec2| DMat2::from_cols(d * d.x, d * d.y);
         let moments = corners.iter().fold(DMat2::ZERO, |sum, &p| sum + outer(p - middle));
@@ -21,7 +21,7 @@ impl Spread {
     }
 
     /// The weight of each corner at a point. The weights add up to 1.
-    pub(super) fn weights(&self, at: DVec2) -> Vec<f64> {
+    pub(crate) fn weights(&self, at: DVec2) -> Vec<f64> {
         let to = self.inverse * (at - self.middle);
         let share = 1.0 / self.corners.len() as f64;
         self.corners.iter().map(|&corner| share + to.dot(corner - self.middle)).collect()

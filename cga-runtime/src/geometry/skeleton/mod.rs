@@ -6,8 +6,9 @@
 //! *line* of an edge of the polygon ([`wavefront`]). The structure changes only at *events* ([`event`]): an edge
 //! shrinks to a point, or a reflex vertex reaches an edge. Then all contacts are found by position ([`contact`]).
 //! Vertices that coincide form a *cluster*. Clusters divide the edges that they touch into segments ([`arrangement`]).
-//! Coincident opposite segments cancel ([`overlap`]), and the remaining ones are joined again by angle ([`rejoin`]). So
-//! simultaneous events at one place (squares, stars, corridors with parallel walls) need no special case.
+//! Coincident opposite segments touch ([`overlap`]) and cancel. The remaining ones are joined again by angle
+//! ([`rejoin`]). So simultaneous events at one place (squares, stars, corridors with parallel walls) need no special
+//! case.
 //!
 //! Paths of vertices are stored as directed arcs between shared nodes, each for the edges on both its sides
 //! ([`trace`]). So the areas of all strips and of the remaining interior add up to that of the polygon, whatever the

@@ -5,9 +5,9 @@
 //! triangles. With `n` corners and `h` holes there are `n + 2h − 2` triangles, unless loops touch.
 //!
 //! Convex polygons become fans. The others are swept (`sweep.rs`) in time proportional to `n log n`. Triangles that the
-//! sweep reverses, where loops cross, are repaired as far as the loops allow (`unfold.rs`). If no correct triangulation
-//! exists, the result still has every edge of the loops once, and the signed area. Nothing here panics, and the same
-//! input gives the same triangles.
+//! sweep reverses, where loops cross, are repaired where possible (`unfold.rs`). If no correct triangulation exists,
+//! the result still has every edge of the loops once, and the signed area. Nothing here panics, and the same input
+//! gives the same triangles.
 
 mod cap;
 mod convex;

@@ -1,0 +1,237 @@
+//! Over the steps and expressions of a grammar.
+
+use crate::ir::{Anew, Arg, Arm, Block, Expr, ExprKind, Grammar, Parts, Rule, RuleId, Selector, Step, Target};
+
+macro_rules! step_walkers {
+    ($($life:lifetime)?, $iter:ident, [$($mutable:tt)?], $(#[$about:meta])* $steps:ident, $targets:ident, $exprs:ident, $args:ident) => {
+        /// Every step of a body, those in brackets and branches included.
+        $(#[$about])*
+        pub fn $steps$(<$life>)?(
+            list: &$($life)? $($mutable)? [Step],
+            visit: &mut dyn FnMut(&$($life)? $($mutable)? Step),
+        ) {
+            for step in list {
+                visit(step);
+                match step {
+                    Step::Push(inner) => $steps(inner, visit),
+                    Step::Case { arms, otherwise } => {
+                        arms.$iter().for_each(|(_, inner)| $steps(inner, visit));
+                        $steps(otherwise, visit);
+                    }
+                    Step::Chance { arms, otherwise } => {
+                        arms.$iter().for_each(|(_, inner)| $steps(inner, visit));
+                        $steps(otherwise, visit);
+                    }
+                    Step::Do(..)
+                    | Step::SetAttr(..)
+                    | Step::SetShape(..)
+                    | Step::Later(..)
+                    | Step::Rust(..)
+                    | Step::Give(_)
+                    | Step::Block(_)
+                    | Step::Anew(_) => {}
+                }
+            }
+        }
+
+        /// The successors of a step.
+        $(#[$about])*
+        pub fn $targets(step: & $($mutable)? Step) -> Vec<& $($mutable)? Target> {
+            match step {
+                Step::Give(target) | Step::Anew(Anew { target, .. }) => vec![target],
+                Step::Block(Block { parts: Parts::Slots(slots), .. }) => slots.targets.$iter().collect(),
+                Step::Block(Block { parts: Parts::Arms(arms), .. }) => {
+                    arms.$iter().map(|arm| & $($mutable)? arm.then).collect()
+                }
+                Step::Do(..)
+                | Step::SetAttr(..)
+                | Step::SetShape(..)
+                | Step::Later(..)
+                | Step::Rust(..)
+                | Step::Push(_)
+                | Step::Case { .. }
+                | Step::Chance { .. } => Vec::new(),
+            }
+        }
+
+        /// The expressions of a step itself, without the arguments of its successors.
+        $(#[$about])*
+        pub fn $exprs(step: & $($mutable)? Step) -> Vec<& $($mutable)? Expr> {
+            match step {
+                Step::Do(_, args, _) => args.$iter().filter_map($args).collect(),
+                Step::SetAttr(_, value, _) | Step::SetShape(_, value, _) => vec![value],
+                Step::Rust(_, args, _) => args.$iter().collect(),
+                Step::Anew(anew) => anew.given.$iter().map(|(_, value)| value).collect(),
+                Step::Block(block) => {
+                    let mut list: Vec<_> = block.args.$iter().filter_map($args).collect();
+                    match & $($mutable)? block.parts {
+                        Parts::Slots(slots) => list.extend(slots.sizes.$iter().map(|size| & $($mutable)? size.value)),
+                        Parts::Arms(arms) => list.extend(arms.$iter().filter_map(|arm| match & $($mutable)? arm.selector {
+                            Selector::Index(asked) | Selector::When(asked) => Some(asked),
+                            Selector::Word(_) => None,
+                        })),
+                    }
+                    list
+                }
+                Step::Case { arms, .. } => arms.$iter().map(|(condition, _)| condition).collect(),
+                Step::Give(_) | Step::Push(_) | Step::Chance { .. } | Step::Later(..) => Vec::new(),
+            }
+        }
+
+        fn $args(arg: & $($mutable)? Arg) -> Option<& $($mutable)? Expr> {
+            match arg {
+                Arg::Value(value) => Some(value),
+                Arg::Length(size) => Some(& $($mutable)? size.value),
+                Arg::Word(_) => None,
+            }
+        }
+    };
+}
+
+step_walkers!('g, iter, [], steps, targets, in_step, of_arg);
+step_walkers!(, iter_mut, [mut], /// To change them.
+    steps_mut, targets_mut, in_step_mut, of_arg_mut);
+
+/// Every expression in a body, to change it, without its parts.
+pub(crate) fn exprs_mut(list: &mut [Step], visit: &mut dyn FnMut(&mut Expr)) {
+    steps_mut(list, &mut |step| {
+        in_step_mut(step).into_iter().for_each(&mut *visit);
+        for target in targets_mut(step) {
+            if let Target::Rule { args, .. } = target {
+                args.iter_mut().for_each(&mut *visit);
+            }
+        }
+    });
+}
+
+/// Every expression of a grammar, with its parts, to change it.
+pub(crate) fn all_exprs_mut(grammar: &mut Grammar, visit: &mut dyn FnMut(&mut Expr)) {
+    grammar.attrs.iter_mut().for_each(|it| parts_mut(&mut it.default, visit));
+    grammar.consts.iter_mut().for_each(|it| parts_mut(&mut it.value, visit));
+    for function in &mut grammar.functions {
+        function.locals.iter_mut().for_each(|local| parts_mut(local, visit));
+        parts_mut(&mut function.body, visit);
+    }
+    for rule in &mut grammar.rules {
+        rule.locals.iter_mut().for_each(|local| parts_mut(local, visit));
+        exprs_mut(&mut rule.body, &mut |expr| parts_mut(expr, visit));
+    }
+}
+
+/// The parameters that an expression reads, to change them.
+pub(crate) fn params_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut u32)) {
+    parts_mut(expr, &mut |part| {
+        if let ExprKind::Param(index) = &mut part.kind {
+            visit(index);
+        }
+    });
+}
+
+fn parts_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut Expr)) {
+    visit(expr);
+    for part in expr.parts_mut() {
+        parts_mut(part, visit);
+    }
+}
+
+/// The rules that a body calls, each once, in the order of their numbers.
+pub fn called(body: &[Step]) -> Vec<RuleId> {
+    let mut list = Vec::new();
+    steps(body, &mut |step| {
+        list.extend(targets(step).into_iter().filter_map(|target| match target {
+            Target::Rule { rule, .. } => Some(*rule),
+            Target::Leaf(..) | Target::Nil => None,
+        }));
+    });
+    list.sort_unstable();
+    list.dedup();
+    list
+}
+
+/// Every expression of a grammar, with its parts.
+pub fn exprs<'g>(grammar: &'g Grammar, visit: &mut dyn FnMut(&'g Expr)) {
+    grammar.attrs.iter().for_each(|attr| parts(&attr.default, visit));
+    grammar.consts.iter().for_each(|it| parts(&it.value, visit));
+    for function in &grammar.functions {
+        function.locals.iter().for_each(|local| parts(local, visit));
+        parts(&function.body, visit);
+    }
+    grammar.rules.iter().for_each(|rule| in_rule(rule, visit));
+}
+
+/// Every expression of a rule, with its parts.
+pub fn in_rule<'g>(rule: &'g Rule, visit: &mut dyn FnMut(&'g Expr)) {
+    rule.locals.iter().for_each(|local| parts(local, visit));
+    steps(&rule.body, &mut |step| {
+        in_step(step).into_iter().for_each(|expr| parts(expr, visit));
+        for target in targets(step) {
+            if let Target::Rule { args, .. } = target {
+                args.iter().for_each(|arg| parts(arg, visit));
+            }
+        }
+    });
+}
+
+/// An expression and its parts.
+pub fn parts<'g>(expr: &'g Expr, visit: &mut dyn FnMut(&'g Expr)) {
+    visit(expr);
+    for part in expr.parts() {
+        parts(part, visit);
+    }
+}
+
+macro_rules! parts {
+    ($kind:expr, $iter:ident, $($mutable:tt)?) => {
+        match $kind {
+            ExprKind::Value(_)
+            | ExprKind::Param(_)
+            | ExprKind::Attr(_)
+            | ExprKind::Const(_)
+            | ExprKind::Host(_)
+            | ExprKind::Shape(_)
+            | ExprKind::Word(_)
+            | ExprKind::Style(_)
+            | ExprKind::Later(_) => Vec::new(),
+            ExprKind::Call(_, args) | ExprKind::Builtin(_, args) | ExprKind::Rust(_, args) => args.$iter().collect(),
+            ExprKind::Neg(a)
+            | ExprKind::Not(a)
+            | ExprKind::ToText(a)
+            | ExprKind::File(a, _)
+            | ExprKind::EachUnary(_, a) => {
+                vec![&$($mutable)? **a]
+            }
+            ExprKind::Binary(_, a, b) | ExprKind::Each(_, a, b) => vec![&$($mutable)? **a, &$($mutable)? **b],
+            ExprKind::Array(rows) => rows.$iter().flatten().collect(),
+            ExprKind::Comp(comp) => {
+                let parts = comp.arms.$iter().flat_map(|Arm { selector, then, .. }| match selector {
+                    Selector::Index(asked) | Selector::When(asked) => vec![asked, then],
+                    Selector::Word(_) => vec![then],
+                });
+                parts.collect()
+            }
+            ExprKind::Range(base, step, limit) => {
+                vec![&$($mutable)? **base, &$($mutable)? **step, &$($mutable)? **limit]
+            }
+            ExprKind::Index(array, indices) => [&$($mutable)? **array].into_iter().chain(indices.$iter()).collect(),
+            ExprKind::Case(arms, otherwise) => {
+                let arms = arms.$iter().flat_map(|(condition, value)| [condition, value]);
+                arms.chain([&$($mutable)? **otherwise]).collect()
+            }
+            ExprKind::Chance(arms, otherwise) => {
+                arms.$iter().map(|(_, value)| value).chain([&$($mutable)? **otherwise]).collect()
+            }
+        }
+    };
+}
+
+impl Expr {
+    /// The expressions it is made of, in the order of evaluation.
+    pub fn parts(&self) -> Vec<&Expr> {
+        parts!(&self.kind, iter,)
+    }
+
+    /// The parts, mutably.
+    pub(crate) fn parts_mut(&mut self) -> Vec<&mut Expr> {
+        parts!(&mut self.kind, iter_mut, mut)
+    }
+}

@@ -1,0 +1,100 @@
+//! Operations with arms other than `comp`: they make faces, and each face goes to an arm.
+
+use std::ops::ControlFlow;
+
+use super::select::Word;
+use super::{Align, Arm, AssignedComponents, Candidate, Components, Mode, Select};
+use crate::geometry::Frame;
+use crate::geometry::mesh::{Mesh, extract};
+use crate::run::context::Cx;
+use crate::run::env::Env;
+use crate::run::sink::Flow;
+use crate::shape::seed::{self, Seed, Tag};
+use crate::shape::{Shape, ShapeRef};
+
+/// The condition of an arm, by number, for a component.
+pub(crate) type When<'w> = dyn FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool + 'w;
+
+/// The arms of an operation, and the shape that it divides.
+pub struct Arms<'a> {
+    shape: &'a Shape,
+    arms: &'a [Arm],
+    when: &'a mut When<'a>,
+}
+
+/// The faces that an operation makes, in the scope of the shape that it divides.
+#[derive(Debug, Default)]
+pub struct Faces {
+    /// All faces.
+    pub mesh: Mesh,
+    /// The arm of each face, by number.
+    pub arms: Vec<Option<u32>>,
+}
+
+impl<'a> Arms<'a> {
+    pub(crate) fn new(shape: &'a Shape, arms: &'a [Arm], when: &'a mut When<'a>) -> Self {
+        Arms { shape, arms, when }
+    }
+
+    /// The shape that is divided.
+    pub fn shape(&self) -> &Shape {
+        self.shape
+    }
+
+    /// The first arm that selects parts by that word.
+    pub fn of(&self, word: Word) -> Option<u32> {
+        self.arms.iter().position(|arm| arm.select == Select::Word(word)).map(|arm| arm as u32)
+    }
+
+    /// The first arm that selects each edge of each face, by corner, as those of `comp(fe)` (*setback operation*). `Break` when a
+    /// limit was reached.
+    pub fn edges(&mut self, env: &mut Env) -> ControlFlow<(), Vec<Option<u32>>> {
+        face_edges(env, self.shape, self.arms, &mut *self.when)
+    }
+}
+
+/// The first arm that selects each edge of each face of a shape, by corner.
+pub(crate) fn face_edges(
+    env: &mut Env,
+    shape: &Shape,
+    arms: &[Arm],
+    when: &mut When<'_>,
+) -> ControlFlow<(), Vec<Option<u32>>> {
+    let parts = AssignedComponents::of(env, shape, Components::FaceEdges, Align::ZUp, arms, when)?;
+    let mut edges = vec![None; parts.owners.len()];
+    for arm in 0..arms.len() {
+        parts.owners.of(arm as u16).for_each(|edge| edges[edge as usize] = Some(arm as u32));
+    }
+    ControlFlow::Continue(edges)
+}
+
+/// Divides a shape into the faces that `make` gives, and calls `visit` with the arm and the shape of each part: arms in
+/// writing order, the faces of an arm by number. Parts keep the pivot and the axes of the shape; their scopes fit their
+/// geometry. `number` counts the children that the rule makes.
+pub fn divide<C>(
+    cx: &mut Cx<'_, C>,
+    shape: &ShapeRef<'_>,
+    number: u32,
+    arms: &[Arm],
+    when: &mut When<'_>,
+    make: impl FnOnce(&mut Env, &mut Arms<'_>) -> ControlFlow<(), Faces>,
+    visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
+) -> Flow {
+    let mut whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
+    whole.bake();
+    let made = make(cx.env, &mut Arms::new(&whole, arms, when))?;
+    cx.env.count_corners(made.mesh.corners().len() as u64)?;
+    for (number, arm) in arms.iter().enumerate() {
+        let mine = |face: &u32| made.arms.get(*face as usize) == Some(&Some(number as u32));
+        let faces: Vec<u32> = (0..made.mesh.face_count() as u32).filter(mine).collect();
+        let size = if arm.mode == Mode::Each { 1 } else { faces.len().max(1) };
+        for faces in faces.chunks(size) {
+            let mut part = whole.clone();
+            part.seed = Seed::new(seed::part(whole.seed.value(), faces[0], 0));
+            part.set_mesh(extract(&made.mesh, faces, &Frame::WORLD));
+            let base = cx.env.base(part);
+            visit(cx, number as u32, &base.shape())?;
+        }
+    }
+    Flow::Continue(())
+}

@@ -1,0 +1,165 @@
+//! `taper`: a pyramid over a face.
+
+use glam::{DVec2, DVec3};
+
+use super::extrude::stand;
+use crate::geometry::mesh::{FaceRef, FaceTag, Mesh, Spread, TagSet, flip, unit};
+use crate::run::env::Env;
+use crate::shape::Shape;
+
+/// `taper(height)`: a closed pyramid over the first face that has an area, with its apex that far above the face's centre of
+/// gravity (*taper operation*). The new scope's y axis is the normal of the face, its x axis stays as near to the old one as it
+/// can, and the pivot stays. A negative height gives a negative size along y, and faces that look inwards.
+pub fn taper(env: &mut Env, shape: &mut Shape, height: f64) {
+    let height = env.finite(height, "the height of `taper`");
+    if height == 0.0 || !shape.geometry.has_surface() {
+        return;
+    }
+    let mesh = shape.to_mesh();
+    let Some(face) = mesh.faces().find(|face| face.normal() != DVec3::ZERO) else { return };
+    if env.count_corners(4 * face.corner_count() as u64).is_break() {
+        return;
+    }
+    stand(env, shape, pyramid(&mesh, &face, height), face.normal(), height, "`taper`");
+}
+
+/// The face turned over, then a triangle for each of its edges, outline before holes.
+fn pyramid(source: &Mesh, face: &FaceRef<'_>, height: f64) -> Mesh {
+    let (normal, range) = (face.normal(), face.corner_range());
+    let centre = centre_of_gravity(face);
+    let mut mesh = source.alike(4 * face.corner_count());
+    mesh.points = range.clone().map(|corner| face.position(corner)).collect();
+    let apex = mesh.points.len() as u32;
+    mesh.points.push(centre + normal * height);
+    let plain = TagSet::default();
+    let sets = || source.tag_sets().iter().chain([&plain]);
+    let tagged = ["taper.bottom", "taper.side"].map(|tag| sets().map(move |set| set.renewed("taper", tag)));
+    mesh.tag_sets = tagged.into_iter().flatten().collect();
+    let (own, count) = (face.tag(), sets().count() as u32);
+    let tags = [0, count].map(|first| first + own.tags.min(count - 1));
+    // At the apex texture coordinates continue those of the face.
+    let x = unit(face.position(range.start + 1) - face.position(range.start));
+    let flat = |at: DVec3| DVec2::new((at - centre).dot(x), (at - centre).dot(normal.cross(x)));
+    let weights = Spread::of(range.clone().map(|corner| flat(face.position(corner))).collect()).weights(DVec2::ZERO);
+    let number = |corner: usize| (corner - range.start) as u32;
+    for ring in face.loop_ranges() {
+        let mut order: Vec<usize> = ring.collect();
+        flip(&mut order);
+        for corner in order {
+            mesh.corners.push(number(corner));
+            mesh.uvs.push_from(&source.uvs, |list| list[corner]);
+        }
+        mesh.loop_ends.push(mesh.corners.len() as u32);
+    }
+    mesh.face_ends.push(mesh.loop_ends.len());
+    mesh.tags.push(FaceTag { cap: false, tags: tags[0], ..own });
+    for ring in face.loop_ranges() {
+        for corner in ring.clone() {
+            let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
+            mesh.corners.extend([number(corner), number(next), apex]);
+            for at in [corner, next] {
+                mesh.uvs.push_from(&source.uvs, |list| list[at]);
+            }
+            let mixed =
+                |list: &[DVec2]| list[range.clone()].iter().zip(&weights).map(|(&uv, &weight)| uv * weight).sum();
+            mesh.uvs.push_from(&source.uvs, mixed);
+            mesh.loop_ends.push(mesh.corners.len() as u32);
+            mesh.face_ends.push(mesh.loop_ends.len());
+            mesh.tags.push(FaceTag { cap: false, tags: tags[1], ..own });
+        }
+    }
+    mesh
+}
+
+/// The centre of gravity of a face, without its holes.
+fn centre_of_gravity(face: &FaceRef<'_>) -> DVec3 {
+    let (normal, origin) = (face.normal(), face.position(face.corner_range().start));
+    let (mut area, mut moment) = (0.0, DVec3::ZERO);
+    for ring in face.loop_ranges() {
+        for corner in ring.clone() {
+            let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
+            let [a, b] = [corner, next].map(|corner| face.position(corner) - origin);
+            let twice = a.cross(b).dot(normal);
+            area += twice;
+            moment += (a + b) * twice;
+        }
+    }
+    origin + moment / (3.0 * area)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::mesh::Mesh;
+
+    fn tapered(mut shape: Shape, height: f64) -> Shape {
+        let env = &mut Env::for_tests();
+        let pivot = shape.pivot;
+        taper(env, &mut shape, height);
+        assert!(env.take_faults().0.is_empty());
+        assert_eq!(shape.pivot, pivot);
+        shape
+    }
+
+    #[test]
+    fn a_rectangle_becomes_a_pyramid_of_five_faces() {
+        let shape = tapered(Shape::rectangle(10.0, 8.0), 10.0);
+        let mesh = shape.to_mesh();
+        assert_eq!((mesh.face_count(), mesh.points().len()), (5, 5));
+        assert!(mesh.is_closed() && mesh.check().is_empty());
+        assert!((mesh.volume() - 10.0 * 8.0 * 10.0 / 3.0).abs() < 1e-9);
+        assert_eq!(shape.scope.size, DVec3::new(10.0, 10.0, 8.0));
+        let tags = |face: usize, tag| mesh.tag_sets()[mesh.face(face).tag().tags as usize].matches(tag);
+        assert!(tags(0, "taper.bottom") && (1..5).all(|face| tags(face, "taper.side")));
+    }
+
+    #[test]
+    fn a_negative_height_leads_downwards() {
+        let shape = tapered(Shape::rectangle(10.0, 8.0), -6.0);
+        assert_eq!(shape.scope.size, DVec3::new(10.0, -6.0, 8.0));
+        assert!((shape.to_mesh().volume() + 160.0).abs() < 1e-9 && shape.to_mesh().is_closed());
+    }
+
+    #[test]
+    fn the_apex_stands_over_the_centre_of_gravity() {
+        let hole = [[1.0, 0.0, -1.0], [1.0, 0.0, -3.0], [3.0, 0.0, -3.0], [3.0, 0.0, -1.0]].map(DVec3::from_array);
+        for (outline, holes, centre, volume) in [
+            (
+                [[0.0, 0.0, 0.0], [6.0, 0.0, 0.0], [0.0, 0.0, -9.0]].map(DVec3::from_array).to_vec(),
+                vec![],
+                (2.0, -3.0),
+                27.0,
+            ),
+            (
+                [[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [10.0, 0.0, -4.0], [0.0, 0.0, -4.0]]
+                    .map(DVec3::from_array)
+                    .to_vec(),
+                vec![hole.to_vec()],
+                (192.0 / 36.0, -2.0),
+                36.0,
+            ),
+        ] {
+            let shape = Shape::mesh_axis_aligned(Mesh::from_polygon(&outline, &holes).expect("a face"));
+            let shape = tapered(shape, 3.0);
+            let mesh = shape.to_mesh();
+            let apex = mesh.points()[mesh.points().len() - 1];
+            let apex = shape.scope.origin + shape.scope.axes * apex;
+            assert!((apex - DVec3::new(centre.0, 3.0, centre.1)).length() < 1e-9, "{apex}");
+            assert!(mesh.is_closed() && mesh.check().is_empty(), "{:?}", mesh.check());
+            assert!((mesh.volume() - volume).abs() < 1e-9, "{}", mesh.volume());
+        }
+    }
+
+    #[test]
+    fn nothing_to_taper_stays_as_it_is() {
+        for (shape, height) in
+            [(Shape::rectangle(1.0, 1.0), 0.0), (Shape::line([0.0; 3], [2.0, 0.0, 0.0]).unwrap(), 3.0)]
+        {
+            let before = shape.scope;
+            assert_eq!(tapered(shape, height).scope, before);
+        }
+        let (env, mut shape) = (&mut Env::for_tests(), Shape::rectangle(1.0, 1.0));
+        taper(env, &mut shape, f64::NAN);
+        assert_eq!(env.take_faults().0.len(), 1);
+    }
+}
