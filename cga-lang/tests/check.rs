@@ -56,7 +56,7 @@ fn messages_follow_the_house_style() {
 }
 
 #[test]
-#[should_panic(expected = "findings were dropped unread")]
+#[should_panic(expected = "diagnostics were dropped unread")]
 fn findings_cannot_be_dropped_unread() {
     drop(Diags::new());
 }

@@ -14,12 +14,12 @@ pub(super) fn nothing(cx: &mut Context, name: &str, args: &[AnnotationArg]) {
     }
 }
 
-/// An argument with its name.
+/// The span of an argument with its name.
 pub(super) fn whole(arg: &AnnotationArg) -> Span {
     arg.name.as_ref().map_or(arg.value.span, |name| name.span.to(arg.value.span))
 }
 
-/// The one string that an annotation takes.
+/// The only string argument of an annotation.
 pub(super) fn text(cx: &mut Context, name: &str, span: Span, args: &[AnnotationArg]) -> Option<String> {
     match args {
         [AnnotationArg { name: None, value: Expr { kind: ExprKind::Text(text), .. } }] => Some(text.clone()),
@@ -30,7 +30,7 @@ pub(super) fn text(cx: &mut Context, name: &str, span: Span, args: &[AnnotationA
     }
 }
 
-/// Arguments that must be strings; the others are reported and left out.
+/// Arguments that must be strings. Other arguments are reported and left out.
 pub(super) fn texts(cx: &mut Context, needs: &str, args: &[AnnotationArg]) -> Vec<String> {
     let mut list = Vec::with_capacity(args.len());
     for arg in args {
@@ -42,13 +42,13 @@ pub(super) fn texts(cx: &mut Context, needs: &str, args: &[AnnotationArg]) -> Ve
     list
 }
 
-/// `@Group("A", "B", order)`; without arguments it ends the group.
+/// `@Group("A", "B", order)`. Without arguments it ends the group.
 pub(super) fn group_of(cx: &mut Context, args: &[AnnotationArg]) -> Group {
     let (order, names) = match args.split_last() {
         Some((AnnotationArg { name: None, value }, rest)) if number(value).is_some() => (number(value), rest),
         _ => (None, args),
     };
-    let needs = "`@Group` has strings, and perhaps a number at the end";
+    let needs = "`@Group` takes strings, and optionally a number at the end";
     if let (Some(_), [], [arg]) = (order, names, args) {
         wrong(cx, whole(arg), needs.to_owned());
         return Group::default();
@@ -62,7 +62,7 @@ pub(super) fn hidden(cx: &mut Context, args: &[AnnotationArg]) -> Hidden {
         match (&arg.name, &arg.value.kind) {
             (None, ExprKind::Name(name)) => names.push(name.text.clone()),
             (None, ExprKind::Text(text)) => names.push(text.clone()),
-            _ => _ = wrong(cx, whole(arg), "`@Hidden` has names of attributes of the import behind it".into()),
+            _ => _ = wrong(cx, whole(arg), "`@Hidden` takes names of attributes of the import after it".into()),
         }
     }
     if args.is_empty() { Hidden::All } else { Hidden::Names(names) }
@@ -79,7 +79,7 @@ pub(super) fn number(value: &Expr) -> Option<f64> {
 }
 
 pub(super) fn wrong<'d>(cx: &'d mut Context, span: Span, message: String) -> &'d mut Diag {
-    // In text they are as forgiving as CGA: they describe, they do not generate.
+    // In text the checks are as lenient as CGA: annotations describe, they do not generate.
     let dialect = cx.globals.program.instances[cx.at].file.dialect;
     let level = if dialect == Dialect::Inline { Level::Error } else { Level::Warning };
     cx.diags.report_as(Code::BadAnnotation, level, span, message)

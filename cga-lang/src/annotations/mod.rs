@@ -1,6 +1,6 @@
-//! What annotations say about attributes and imports, and which rule comes first (*annotations*).
+//! Annotations of attributes, imports and rules (*annotations*).
 //!
-//! They describe and generate nothing. What cannot be understood is reported, and the rest counts as if it were not there.
+//! Annotations describe and generate nothing. Unclear annotations are reported and ignored.
 
 mod arguments;
 mod limits;
@@ -19,7 +19,7 @@ use arguments::wrong;
 use notes::Notes;
 use std::collections::HashMap;
 
-/// What annotations can stand before.
+/// The possible places of annotations.
 enum Place<'a> {
     Head(&'a [Annotation]),
     Import(&'a Import),
@@ -39,7 +39,7 @@ impl<'a> Place<'a> {
 
     fn span(&self) -> Span {
         match self {
-            // Before everything.
+            // Before all other places.
             Place::Head(_) => Span::default(),
             Place::Import(import) => import.span,
             Place::Style(style) => style.name.span,
@@ -54,7 +54,7 @@ pub(crate) fn read(cx: &mut Context) {
     let by_name: HashMap<Key, usize> =
         cx.globals.attrs.iter().enumerate().map(|(index, item)| (item.key(), index)).collect();
     let mut hidden = vec![false; program.instances.len()];
-    // Importing files come before the imported ones.
+    // Importing files come before imported files.
     for (id, instance) in program.instances.iter().enumerate() {
         cx.at = id;
         let import = instance.parent.and_then(|parent| from(program, parent, id));
@@ -81,7 +81,7 @@ fn from(program: &Program, parent: InstanceId, id: InstanceId) -> Option<Key> {
     Some((parent, import.id.id()))
 }
 
-/// Reads the annotations of a file. `group` is the one that counts where it is imported.
+/// Reads the annotations of a file. `group` is the group at the place of its import.
 fn file<'a>(
     cx: &mut Context,
     ast: &'a Ast,
@@ -106,7 +106,7 @@ fn file<'a>(
                 .help("move it before the rule that begins a model");
         }
         if let Some(span) = notes.names.filter(|_| !matches!(place, Place::Import(_))) {
-            wrong(cx, span, "`@Hidden` has names only before an import".into());
+            wrong(cx, span, "`@Hidden` takes names before an import only".into());
         }
         match place {
             Place::Import(import) => {
@@ -135,10 +135,10 @@ fn file<'a>(
     starts
 }
 
-/// The search for the rule that a run begins with.
+/// The search for the start rule.
 #[derive(Default)]
 struct Starts {
-    /// The first `@StartRule` of each style: the id of the rule's name.
+    /// The id of the name of the first `@StartRule` rule, by style.
     first: HashMap<u32, u32>,
 }
 
@@ -153,12 +153,12 @@ impl Starts {
             wrong(cx, span, message).help(format!("mark a rule that calls it, such as `{outer} --> {name}({values})`"));
             return;
         }
-        // All of them can be started; a run begins with the first, or with the first of its style.
+        // All annotated rules can be started. A run begins with the first one, or with the first one of its style.
         self.first.entry(decl.style).or_insert(decl.name.id());
     }
 
-    /// The rule marked with `start`, else the annotated one of the nearest style, else the first, each without
-    /// parameters.
+    /// The rule marked with `start`, otherwise the annotated rule of the nearest style, otherwise the first rule. It
+    /// has no parameters.
     fn rule_of(self, cx: &mut Context) -> Option<u32> {
         let (root, styles) = (cx.at, &cx.globals.program.instances[cx.at].styles);
         let own = |item: &Item| item.instance == root && item.home == root && !item.decl.name.text.contains('.');
@@ -189,14 +189,14 @@ impl Starts {
     }
 }
 
-/// The annotation's name as the language has it.
+/// The official name of an annotation.
 fn known(cx: &mut Context, annotation: &Annotation) -> Option<&'static str> {
     let name = annotation.name.text.as_str();
     if let Some(known) = ANNOTATIONS.iter().find(|&&known| known == name) {
         return Some(known);
     }
     let span = annotation.name.span;
-    // *CGA changelog 2019.1*: other capitals are a warning, and it counts.
+    // *CGA changelog 2019.1*: other capitals are a warning, and the annotation counts.
     if let Some(known) = ANNOTATIONS.iter().find(|known| known.eq_ignore_ascii_case(name)) {
         let message = format!("annotation `@{name}` is written `@{known}`");
         cx.diags.report(Code::UnknownAnnotation, span, message);
@@ -214,7 +214,7 @@ mod tests {
     use crate::link::{Files, Unit};
     use crate::syntax::lex::lex;
 
-    /// One library for every path.
+    /// A provider with one library for all paths.
     struct Library(&'static str);
 
     impl Files for Library {
@@ -240,7 +240,7 @@ mod tests {
             let grammar = compiled.grammar.expect("no error");
             let shown: Vec<(&str, &str, bool)> =
                 grammar.attrs.iter().map(|attr| (attr.name.as_str(), attr.group[0].as_str(), attr.hidden)).collect();
-            // The group goes on across the import.
+            // The group continues after the import.
             let [first, second] = expected;
             let imported = [("lib.a", "B", first), ("lib.b", "B", second), ("lib.c", "C", second)];
             assert_eq!(shown, [[("x", "A", false), ("y", "B", false)].as_slice(), &imported].concat());

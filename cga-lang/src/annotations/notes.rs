@@ -9,22 +9,22 @@ use crate::resolve::info::{AttrInfo, Group, Hidden};
 use crate::span::Span;
 use crate::syntax::ast::{AnnotationArg, Decl};
 
-/// What stands before one thing.
+/// The annotations of one place.
 #[derive(Default)]
 pub(super) struct Notes {
     pub(super) info: AttrInfo,
     limits: Limits,
-    /// Where it is said how the attribute is shown.
+    /// The annotation that defines the presentation of the attribute.
     presented: Option<Span>,
     pub(super) descriptions: Vec<String>,
     pub(super) start: Option<Span>,
     pub(super) hidden: Hidden,
-    /// Where names of an import are hidden.
+    /// The annotation with names of an import.
     pub(super) names: Option<Span>,
 }
 
 impl Notes {
-    /// Takes in what an annotation says. `group` is the one that counts from here on.
+    /// Reads an annotation. `group` is the current group, and is updated.
     pub(super) fn read(
         &mut self,
         cx: &mut Context,
@@ -72,7 +72,7 @@ impl Notes {
                 let diag = cx.diags.report(Code::OldSpelling, span, "`@Location` is an old annotation without effect");
                 diag.help("leave it out");
             }
-            // `@Out` and `@Handle` are for programs that we are not; `levels` reads the rest.
+            // `@Out` and `@Handle` are for other programs; `levels` reads the rest.
             _ => {}
         }
     }
@@ -81,7 +81,7 @@ impl Notes {
         nothing(cx, name, args);
         match self.presented {
             Some(first) if self.info.presentation != how => {
-                let message = format!("`@{name}` has no effect: something else says how this is shown");
+                let message = format!("`@{name}` has no effect: another annotation defines how this is shown");
                 wrong(cx, span, message).related("said", first);
             }
             _ => (self.info.presentation, self.presented) = (how, Some(span)),
@@ -90,12 +90,12 @@ impl Notes {
 }
 
 impl Notes {
-    /// The description, else the doc comments.
+    /// The description, otherwise the doc comments.
     pub(super) fn doc(&self, decl: &Decl) -> String {
         if self.descriptions.is_empty() { decl.docs.join("\n") } else { self.descriptions.join("\n") }
     }
 
-    /// What they say about an attribute, as far as it suits the type.
+    /// The information about an attribute that fits its type.
     pub(super) fn attribute(self, cx: &mut Context, decl: &Decl, group: &Group) -> AttrInfo {
         let doc = self.doc(decl);
         let Notes { mut info, limits, presented, hidden, .. } = self;

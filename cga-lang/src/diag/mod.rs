@@ -1,4 +1,4 @@
-//! Findings, and a list of them that cannot be lost.
+//! Diagnostics, and a list of them that cannot be dropped unread.
 
 mod basis;
 pub mod code;
@@ -10,24 +10,24 @@ use crate::span::Span;
 pub use basis::Basis;
 pub use line::{Line, RELATIVE};
 
-/// A finding: what is wrong, where, why, and what to type instead.
+/// A diagnostic: the problem, its place, the reasons, and the text to type instead.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diag {
-    /// Which kind.
+    /// The kind of diagnostic.
     pub code: Code,
-    /// How bad.
+    /// The level.
     pub level: Level,
     /// The guilty tokens.
     pub span: Span,
-    /// What is wrong here.
+    /// The problem.
     pub message: Line,
     /// The content of the message that programs read.
     pub detail: Detail,
-    /// The reason why it holds, if it is a claim about runs.
+    /// The reason for a claim about runs.
     pub basis: Basis,
-    /// Why. [`reasons`](Diag::reasons) has these and the basis.
+    /// The reasons. [`reasons`](Diag::reasons) returns these and the basis.
     pub notes: Vec<Note>,
-    /// What to type.
+    /// The text to type.
     pub help: Vec<Line>,
 }
 
@@ -43,7 +43,7 @@ pub enum Detail {
     Later(String),
 }
 
-/// A line that says why, and perhaps points to a second place.
+/// A reason, with an optional second place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Note {
     /// The line.
@@ -53,7 +53,7 @@ pub struct Note {
 }
 
 impl Diag {
-    /// Why it is reported: the notes, then the basis.
+    /// The reasons: the notes, then the basis.
     pub fn reasons(&self) -> impl Iterator<Item = Note> {
         self.notes.iter().cloned().chain(self.basis.notes())
     }
@@ -64,19 +64,19 @@ impl Diag {
         self
     }
 
-    /// Adds a reason that lies elsewhere. It is shown with its line, as in "first declared in line 3".
+    /// Adds a reason with a second place. It is shown with its line, as in "first declared in line 3".
     pub fn related(&mut self, text: impl Into<Line>, place: Span) -> &mut Self {
         self.notes.push(Note { text: text.into(), related: Some(place) });
         self
     }
 
-    /// Adds what to type.
+    /// Adds the text to type.
     pub fn help(&mut self, text: impl Into<Line>) -> &mut Self {
         self.help.push(text.into());
         self
     }
 
-    /// The same finding in other places.
+    /// The same diagnostic in other places.
     pub(crate) fn moved(mut self, to: impl Fn(Span) -> Span) -> Diag {
         self.span = to(self.span);
         for note in &mut self.notes {
@@ -86,7 +86,7 @@ impl Diag {
         self
     }
 
-    /// Adds "did you mean" when there is something near.
+    /// Adds "did you mean" if there is a near name.
     pub(crate) fn suggest(&mut self, near: Option<impl std::fmt::Display>) -> &mut Self {
         if let Some(near) = near {
             self.help(format!("did you mean `{near}`?"));
@@ -95,7 +95,7 @@ impl Diag {
     }
 }
 
-/// Collects findings. Dropping it before [`finish`](Diags::finish) panics, so none can be lost by accident.
+/// A collection of diagnostics. Dropping it before [`finish`](Diags::finish) panics, so none are lost by accident.
 #[derive(Debug, Default)]
 pub struct Diags {
     list: Vec<Diag>,
@@ -108,12 +108,12 @@ impl Diags {
         Self::default()
     }
 
-    /// Adds a finding of the code's own level.
+    /// Adds a diagnostic with the level of its code.
     pub fn report(&mut self, code: Code, span: Span, message: impl Into<Line>) -> &mut Diag {
         self.report_as(code, code.level(), span, message)
     }
 
-    /// Adds a finding of another level than the code's own.
+    /// Adds a diagnostic with another level than that of its code.
     pub fn report_as(&mut self, code: Code, level: Level, span: Span, message: impl Into<Line>) -> &mut Diag {
         self.list.push(Diag {
             code,
@@ -128,12 +128,12 @@ impl Diags {
         self.list.last_mut().expect("one was pushed")
     }
 
-    /// Takes over what another list has collected.
+    /// Appends the diagnostics of another list.
     pub fn append(&mut self, list: Vec<Diag>) {
         self.list.extend(list);
     }
 
-    /// Whether one of them is an error.
+    /// Returns true if one of the diagnostics is an error.
     pub fn has_errors(&self) -> bool {
         self.list.iter().any(|diag| diag.level == Level::Error)
     }
@@ -143,12 +143,13 @@ impl Diags {
         &mut self.list
     }
 
-    /// Changes what has been collected so far.
+    /// Changes or removes diagnostics collected so far.
     pub(crate) fn retain_mut(&mut self, keep: impl FnMut(&mut Diag) -> bool) {
         self.list.retain_mut(keep);
     }
 
-    /// Hands over every finding, in source order. Several instances of a file report the same finding: the first is kept.
+    /// Returns all diagnostics in source order. Several instances of a file report the same diagnostic: the first is
+    /// kept.
     pub fn finish(mut self) -> Vec<Diag> {
         self.finished = true;
         let mut list = std::mem::take(&mut self.list);
@@ -161,7 +162,7 @@ impl Diags {
 impl Drop for Diags {
     fn drop(&mut self) {
         if !self.finished && !std::thread::panicking() {
-            panic!("findings were dropped unread");
+            panic!("diagnostics were dropped unread");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Files that rules name and that the package does not have; groups and materials that an asset does not have.
+//! Files that rules name and the package does not have; groups and materials that an asset does not have.
 
 use crate::analysis::{Facts, Site};
 use crate::diag::Diags;
@@ -12,7 +12,7 @@ use crate::syntax::ast::{Arg, Expr, ExprKind};
 use crate::syntax::token::Tok;
 use cga_split::files::places;
 
-/// Looks at what is met on the way through a rule.
+/// Checks a site of a rule.
 pub(crate) fn check(site: &Site, facts: &Facts, cx: &Context, diags: &mut Diags) {
     let names = cx.tables.at(facts.own);
     match site {
@@ -26,12 +26,12 @@ pub(crate) fn check(site: &Site, facts: &Facts, cx: &Context, diags: &mut Diags)
     }
 }
 
-/// Looks at the arguments that are files.
+/// Checks the arguments that are files.
 fn files(params: &[Param], args: &[&Expr], names: Entries, cx: &Context, diags: &mut Diags) {
     params.iter().zip(args).for_each(|(param, value)| named(value, param.kind, names, cx, diags));
 }
 
-/// Looks at an expression and its parts.
+/// Checks an expression and its parts.
 pub(crate) fn expression(expr: &Expr, facts: &Facts, cx: &Context, diags: &mut Diags) {
     let names = cx.tables.at(facts.own);
     if let ExprKind::Call(name, args) = &expr.kind
@@ -45,7 +45,7 @@ pub(crate) fn expression(expr: &Expr, facts: &Facts, cx: &Context, diags: &mut D
     expr.parts().into_iter().for_each(|part| expression(part, facts, cx, diags));
 }
 
-/// The file that an expression names, and the place where that is written.
+/// The file name that an expression is: a string, or a constant with a string.
 fn text<'c>(expr: &'c Expr, names: Entries, cx: &'c Context) -> Option<&'c str> {
     match &expr.kind {
         ExprKind::Text(text) => Some(text),
@@ -60,7 +60,7 @@ fn text<'c>(expr: &'c Expr, names: Entries, cx: &'c Context) -> Option<&'c str> 
     }
 }
 
-/// Looks at an argument or value that may be the name of a file.
+/// Checks an argument or value that may be the name of a file.
 fn named(value: &Expr, kind: ParamKind, names: Entries, cx: &Context, diags: &mut Diags) {
     if !matches!(kind, ParamKind::Image(_) | ParamKind::File(FileUse::Read | FileUse::Inserted)) {
         return;
@@ -75,26 +75,27 @@ fn named(value: &Expr, kind: ParamKind, names: Entries, cx: &Context, diags: &mu
             let places: Vec<String> = places.iter().map(|place| format!("`{place}`")).collect();
             match places.as_slice() {
                 [] => {}
-                [place] => _ = diag.note(format!("{place} is not there")),
-                [places @ .., last] => _ = diag.note(format!("neither {} nor {last} is there", places.join(", "))),
+                [place] => _ = diag.note(format!("{place} does not exist")),
+                [places @ .., last] => _ = diag.note(format!("neither {} nor {last} exists", places.join(", "))),
             }
             let mut names: Vec<&str> = beside.iter().map(String::as_str).collect();
             names.sort_unstable();
             match nearest(name, names) {
                 Some(near) => diag.help(format!("did you mean \"{near}\"?")),
-                None => diag
-                    .help("put it there; where a run takes its assets from elsewhere, write `@Allow(missing_asset)`"),
+                None => {
+                    diag.help("add the file; if runs take their assets from elsewhere, write `@Allow(missing_asset)`")
+                }
             };
         }
         Some(Asset::Mesh { has_faces: false, .. }) if kind == ParamKind::File(FileUse::Inserted) => {
             let diag = diags.report(Code::MissingAsset, value.span, format!("`{name}` has no faces"));
-            diag.note("a run puts a box in its place, with a fault");
+            diag.note("a run inserts a box instead, with a fault");
         }
         _ => {}
     }
 }
 
-/// Looks at the name of a group or material that is looked for among those of the geometry.
+/// Checks the name of a group or material that is searched in the names of the geometry.
 fn within(list: &Expr, text: &Expr, token: u32, entries: Entries, cx: &Context, diags: &mut Diags) {
     let (ExprKind::Name(query) | ExprKind::Call(query, _), ExprKind::Text(wanted)) = (&list.kind, &text.kind) else {
         return;

@@ -1,4 +1,4 @@
-//! What holds for the defaults of attributes only: a host program may set them to anything.
+//! Diagnostics that only hold for the defaults of attributes. A host program may set other values.
 
 use super::agreed::Agreed;
 use super::{repeat, size};
@@ -11,7 +11,7 @@ use crate::span::Span;
 use crate::syntax::ast::{Expr, ExprKind};
 use std::collections::HashSet;
 
-/// Findings that are worth a word even so. A size of zero is not: it turns a part off.
+/// The diagnostics that are reported for defaults. A size of zero is not, because it turns a part off.
 const TOLD: &[Code] = &[
     Code::SizeNotPositive,
     Code::SlotNeverMade,
@@ -22,7 +22,7 @@ const TOLD: &[Code] = &[
     Code::TooManyPieces,
 ];
 
-/// Looks for them; `certain` is what holds in any case.
+/// Runs the checks with defaults; `certain` are the diagnostics that hold in any case.
 pub(crate) fn check(cx: &Context, calls: &Calls, certain: &[Diag]) -> Vec<Diag> {
     let program = cx.globals.program;
     let known = Known::new(&cx.globals, &cx.tables, Attrs::Defaults);
@@ -56,10 +56,10 @@ fn is_told(diag: &Diag, slots: &Slots) -> bool {
     TOLD.contains(&diag.code) && !off
 }
 
-/// The attributes whose defaults a diagnostic about a slot follows from.
+/// The attributes whose defaults a diagnostic about a slot depends on.
 fn defaults(span: Span, slots: &Slots, names: Entries, cx: &Context) -> Vec<(String, Span)> {
     let mut attrs = Vec::new();
-    // A slot depends on those before it, one that floats on all.
+    // A slot depends on the slots before it, a floating slot on all.
     let at = slots.list.iter().position(|slot| slot.size.span == span && !slot.floats());
     let count = at.map_or(slots.list.len(), |at| at + 1);
     slots.list[..count].iter().for_each(|slot| read(&slot.size.value, names, &mut attrs));

@@ -1,4 +1,4 @@
-//! Selectors that find nothing left, as earlier ones take all that they could.
+//! Selectors that never find a component, because earlier selectors take all candidates.
 
 use super::agreed::Agreed;
 use crate::analysis::body;
@@ -35,7 +35,7 @@ pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     agreed.finish()
 }
 
-/// What a selector takes, as far as it is known without the geometry.
+/// The components that a selector takes, as far as the text tells.
 #[derive(Clone, Copy, PartialEq)]
 enum Takes {
     Word(&'static Selector),
@@ -74,8 +74,7 @@ fn arms(list: &[Arm], names: Entries, diags: &mut Diags) {
             diag.note(ONCE).related(format!("{text} takes all of them"), *place);
             diag.help(if *other == own { "leave it out" } else { "move it before the others, or leave it out" });
         } else if directions.within(taken) && directions != Directions::ALL {
-            let diag =
-                never(diags, own, span).note(ONCE).note("the selectors before it take every direction that it has");
+            let diag = never(diags, own, span).note(ONCE).note("the selectors before it take all its directions");
             diag.help("move it before the others, or leave it out");
         }
         taken = taken.and(directions);
@@ -83,7 +82,7 @@ fn arms(list: &[Arm], names: Entries, diags: &mut Diags) {
     }
 }
 
-const ONCE: &str = "what one selector takes, the next ones cannot have";
+const ONCE: &str = "a component goes to the first selector that matches";
 
 fn never(diags: &mut Diags, own: Takes, span: Span) -> &mut Diag {
     diags.report(Code::SelectorHidden, span, format!("{} never finds anything", shown(own)))
@@ -96,7 +95,7 @@ fn shown(of: Takes) -> String {
     }
 }
 
-/// Returns true if one selector takes everything that another could.
+/// Returns true if one selector takes all components that the other one could.
 fn covers(one: Takes, other: Takes) -> bool {
     one == other
         || match (one, other) {

@@ -7,7 +7,7 @@ use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Annotation, ExprKind};
 
-/// A level for findings of a code within a span, or everywhere.
+/// A level for the diagnostics of a code, within a span or everywhere.
 pub(crate) struct Setting {
     code: Code,
     level: Level,
@@ -18,7 +18,7 @@ pub(crate) fn collect(cx: &mut Context, levels: &[(Code, Level)]) -> Vec<Setting
     let mut settings: Vec<Setting> = levels.iter().map(|&(code, level)| Setting { code, level, place: None }).collect();
     let program = cx.globals.program;
     for (number, file) in program.files.iter().enumerate() {
-        // Annotations before `version` count for all of their file.
+        // Annotations before `version` apply to the whole file.
         let whole = Span { first: file.tokens.start, last: file.tokens.end.saturating_sub(1) };
         for annotation in &file.ast.head {
             read(cx, annotation, Some(whole).filter(|_| number != 0), &mut settings);
@@ -54,14 +54,14 @@ fn read(cx: &mut Context, annotation: &Annotation, place: Option<Span>, settings
             None => {
                 let lints = Code::ALL.iter().filter(|code| code.is_lint()).map(|code| code.name());
                 cx.diags
-                    .report(Code::UnknownCode, arg.value.span, format!("there is no finding `{word}`"))
+                    .report(Code::UnknownCode, arg.value.span, format!("there is no diagnostic `{word}`"))
                     .suggest(nearest(word, lints));
             }
         }
     }
 }
 
-/// Gives the findings so far their levels: of several settings for a place the last counts.
+/// Sets the levels of the diagnostics so far. The last of several settings for a place counts.
 pub(crate) fn apply(settings: &[Setting], diags: &mut Diags) {
     if settings.is_empty() {
         return;

@@ -1,5 +1,5 @@
-//! Where the names of the compiled file are declared and used: what editors ask for. Known as far as it could be told, even
-//! when there are errors.
+//! The declarations and uses of names in the compiled file, for editors. With errors, the index has all names that
+//! are known.
 
 use crate::ir::Type;
 use crate::resolve::globals::Globals;
@@ -7,7 +7,7 @@ use crate::resolve::tables::{Tables, Use};
 use crate::syntax::ast::Name;
 use std::collections::HashMap;
 
-/// What a name stands for.
+/// The kind of a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
     /// An attribute.
@@ -18,31 +18,31 @@ pub enum Kind {
     Function,
     /// A rule.
     Rule,
-    /// A parameter or local value of the declaration whose name is that token.
+    /// A parameter or local value of the declaration whose name is the token.
     Param(u32),
 }
 
 /// A declared name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Named {
-    /// What it stands for.
+    /// The kind of declaration.
     pub kind: Kind,
-    /// As written.
+    /// The name as written.
     pub name: String,
-    /// The type of its value, as far as it could be told; none for a rule.
+    /// The type of its value, if known; `None` for a rule.
     pub ty: Option<Type>,
-    /// The token where it is declared.
+    /// The token of its declaration.
     pub token: u32,
-    /// The tokens where it is used, in order.
+    /// The tokens of its uses, in order.
     pub uses: Vec<u32>,
 }
 
-/// Collects the names of the file that is compiled, in the style `Default`.
+/// Collects the names of the compiled file in the style `Default`.
 pub(crate) fn index(globals: &Globals, tables: &Tables) -> Vec<Named> {
     let program = globals.program;
     let Some(&root) = program.roots.first() else { return Vec::new() };
     let mut list = Vec::new();
-    // By kind and number: the place in the list.
+    // The index in the list, by kind and number.
     let mut places: HashMap<(Kind, u32), usize> = HashMap::new();
     let mut add = |kind: Kind, number: u32, name: &Name| {
         // Names with dots are several tokens.
@@ -74,7 +74,7 @@ pub(crate) fn index(globals: &Globals, tables: &Tables) -> Vec<Named> {
     for (token, found) in uses {
         let key = match found {
             Use::Attr(index) => (Kind::Attr, index),
-            // Of `set(name, …)` the word is noted.
+            // In `set(name, …)` the name is a use of the attribute.
             Use::SetAttr(index) => (Kind::Attr, index),
             Use::Const(index) => (Kind::Const, index),
             Use::Function(index) => (Kind::Function, index),

@@ -1,4 +1,4 @@
-//! The public names of a grammar, known even when it has errors: what the rest of a program can use of it.
+//! The public names of a grammar, known even if it has errors. The rest of a program can use these.
 
 use crate::ir::{self, Grammar, Type, Value};
 use crate::link::Program;
@@ -18,13 +18,13 @@ pub struct Skeleton {
 /// An attribute of a grammar that may have errors.
 #[derive(Clone, Debug)]
 pub struct Attr {
-    /// As written.
+    /// The name as written.
     pub name: String,
-    /// Its type, as far as it could be told.
+    /// Its type, if known.
     pub ty: Option<Type>,
-    /// The default. Without errors the same as in [`ir::Attr`], else only if it is a literal.
+    /// The default. Without errors it is that of [`ir::Attr`], otherwise it is only known for a literal.
     pub known: Option<Value>,
-    /// Whether the default is computed for each initial shape. With errors a good guess.
+    /// True if the default is computed for each initial shape. With errors this is an estimate.
     pub computed: bool,
     /// The name in its declaration.
     pub span: Span,
@@ -59,7 +59,7 @@ impl Skeleton {
     }
 }
 
-/// Whether a value depends on more than constants, as far as can be told without checks.
+/// Returns true if a value depends on more than constants, as far as the tree shows.
 fn computed(value: &Expr, ast: &Ast, depth: u32) -> bool {
     let part = |value: &Expr| computed(value, ast, depth);
     match &value.kind {
@@ -69,7 +69,8 @@ fn computed(value: &Expr, ast: &Ast, depth: u32) -> bool {
             match decl {
                 Some(decl) if matches!(decl.body, Body::Attr(_)) || DEEPEST < depth => true,
                 Some(decl) => decl.value().is_some_and(|value| computed(value, ast, depth + 1)),
-                // One that is not declared is another finding; the rest are attributes of the shape and draws.
+                // An unknown name has its own diagnostic; the remaining names are attributes of the shape and random
+                // draws.
                 None => shape_attr(&name.text).is_some() || functions(&name.text).any(|row| !row.pure),
             }
         }
@@ -79,7 +80,7 @@ fn computed(value: &Expr, ast: &Ast, depth: u32) -> bool {
     }
 }
 
-/// How far constants are followed.
+/// The maximum depth to which constants are followed.
 const DEEPEST: u32 = 32;
 
 fn literal(value: &Expr) -> Option<Value> {

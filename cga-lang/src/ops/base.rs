@@ -3,7 +3,8 @@
 use super::{AttrValues, Changes, Effect, F, Function, Meaning, Needs, Param, ParamKind, Run, ShapeAttr, Uses};
 use crate::types::Type;
 
-/// A row that does not run yet, and the base of those that do. The row says what the function needs when it runs.
+/// A row that is not implemented yet, and the base of implemented rows. The row has the needs of the implemented
+/// function.
 pub(super) const fn later(name: &'static str, params: &'static [Param], ty: Type, about: &'static str) -> Function {
     Function {
         name,
@@ -21,7 +22,7 @@ pub(super) const fn later(name: &'static str, params: &'static [Param], ty: Type
     }
 }
 
-/// An attribute of the shape that cannot be set.
+/// A row that cannot be set.
 pub(super) const fn get(name: &'static str, get: &'static str, uses: Uses) -> ShapeAttr {
     ShapeAttr {
         name,
@@ -38,7 +39,7 @@ pub(super) const fn get(name: &'static str, get: &'static str, uses: Uses) -> Sh
     }
 }
 
-/// An attribute that can be set. Reading and setting use the whole shape.
+/// A row that can be set. Reading and setting use the whole shape.
 pub(super) const fn both(name: &'static str, call: &'static str, ty: Type) -> ShapeAttr {
     ShapeAttr {
         kind: ParamKind::Value(ty),
@@ -49,7 +50,7 @@ pub(super) const fn both(name: &'static str, call: &'static str, ty: Type) -> Sh
     }
 }
 
-/// The same row, with other uses.
+/// The row with other uses.
 pub(super) const fn using(uses: Uses, set_uses: Uses, row: ShapeAttr) -> ShapeAttr {
     ShapeAttr { uses, set_uses, ..row }
 }

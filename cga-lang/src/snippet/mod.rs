@@ -1,4 +1,4 @@
-//! A finding with its place and source line, for the doors that read text.
+//! A diagnostic with its place and source line, for sources with text.
 //!
 //! ```text
 //! warning[undefined_rule]: there is no rule `Wal`
@@ -18,14 +18,14 @@ mod program;
 
 pub use program::{Quote, render_in};
 
-/// A finding as text, without a line end behind. `ranges` are the tokens' places in `text`, in bytes.
+/// A diagnostic as text, without a newline at the end. `ranges` are the byte ranges of the tokens in `text`.
 pub fn render(text: &str, ranges: &[Range<usize>], file: &str, diag: &Diag) -> String {
     let related = |span| Some(format!("line {}", position(text, bytes(text, ranges, span).start).line));
     let place = place(text, ranges, file, diag.span, diag, &related);
     format!("{}\n{place}", headline(diag))
 }
 
-/// The first line of a finding.
+/// The first line of a diagnostic.
 fn headline(diag: &Diag) -> String {
     let level = match diag.level {
         Level::Error => "error",
@@ -34,8 +34,8 @@ fn headline(diag: &Diag) -> String {
     format!("{level}[{}]: {}", diag.code.name(), diag.message)
 }
 
-/// Where a finding is, and its notes and help: [`render`] without the first line. `span` is the finding's place in this
-/// text, and `related` says where a second place is: "line 3", or "line 3 of lib.cga".
+/// The place, notes and help of a diagnostic: [`render`] without the first line. `span` is its place in this text.
+/// `related` names a second place: "line 3", or "line 3 of lib.cga".
 pub fn place(
     text: &str,
     ranges: &[Range<usize>],
@@ -67,7 +67,7 @@ pub fn place(
     out
 }
 
-/// A place in a text as people count: from 1, columns in characters.
+/// A place in a text for people: lines and columns count from 1, columns in characters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Position {
     /// The line.
@@ -80,8 +80,8 @@ pub struct Position {
 pub fn position(text: &str, byte: usize) -> Position {
     let byte = border(text, byte);
     let start = line_start(text, byte);
-    // Old files end their lines with `\r` alone, or with both ways. Bytes are counted many at a time, characters are
-    // not; no character has these bytes inside.
+    // Old files end their lines with `\r`, or mix the endings. Bytes are counted many at a time, characters are not;
+    // no other character contains these bytes.
     let before = &text.as_bytes()[..start];
     let count = |end: u8| before.iter().filter(|&&byte| byte == end).count();
     let both = before.windows(2).filter(|pair| pair == b"\r\n").count();
@@ -90,7 +90,7 @@ pub fn position(text: &str, byte: usize) -> Position {
     Position { line, column }
 }
 
-/// The bytes of a span; the end of the text when there are no tokens.
+/// The bytes of a span, or the end of the text without tokens.
 pub fn bytes(text: &str, ranges: &[Range<usize>], span: Span) -> Range<usize> {
     let last = ranges.get(span.last as usize).or(ranges.last());
     let (Some(first), Some(last)) = (ranges.get(span.first as usize).or(ranges.last()), last) else {
@@ -100,12 +100,12 @@ pub fn bytes(text: &str, ranges: &[Range<usize>], span: Span) -> Range<usize> {
     start..border(text, last.end).max(start)
 }
 
-/// The nearest border of a character at or before a byte.
+/// The nearest character boundary at or before a byte.
 fn border(text: &str, byte: usize) -> usize {
     (0..=byte.min(text.len())).rev().find(|&byte| text.is_char_boundary(byte)).unwrap_or(0)
 }
 
-/// The line a byte stands in, without its end.
+/// The line of a byte, without its end.
 fn line_at(text: &str, byte: usize) -> Range<usize> {
     let start = line_start(text, byte);
     let start = if text[start..].starts_with('\u{feff}') { start + '\u{feff}'.len_utf8() } else { start };
@@ -117,7 +117,7 @@ fn line_start(text: &str, byte: usize) -> usize {
     text[..byte].rfind(['\n', '\r']).map_or(0, |end| end + 1)
 }
 
-/// What stands on the line before the bytes, what of them stands on the line, and what behind.
+/// The parts of the line before, inside and after `bytes`.
 fn split_line<'t>(text: &'t str, line: &Range<usize>, bytes: &Range<usize>) -> (&'t str, &'t str, &'t str) {
     let start = bytes.start.clamp(line.start, line.end);
     let end = bytes.end.clamp(start, line.end);
@@ -125,7 +125,7 @@ fn split_line<'t>(text: &'t str, line: &Range<usize>, bytes: &Range<usize>) -> (
     (&text[line.start..start], &text[start..end], text[end..line.end].trim_end())
 }
 
-/// Longest piece of a line shown before, under and behind the carets, in characters.
+/// The maximum length of each part of a line around the carets, in characters.
 const LONGEST: usize = 120;
 
 fn clip_front(text: &str) -> Cow<'_, str> {
@@ -142,7 +142,7 @@ fn clip_back(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// White space as wide as some text: tabs stay tabs, because nobody knows how wide they are shown.
+/// White space as wide as the text. Tabs stay tabs, because their displayed width is unknown.
 fn blank(text: &str) -> String {
     text.chars().map(|c| if c == '\t' { '\t' } else { ' ' }).collect()
 }

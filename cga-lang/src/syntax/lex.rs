@@ -1,6 +1,6 @@
-//! CGA text to tokens.
+//! The lexer: CGA text to tokens.
 //!
-//! Never fails: what cannot be read is reported and becomes [`Tok::Bad`], and reading goes on.
+//! It never fails. Unreadable text is reported and becomes [`Tok::Bad`], and reading continues.
 
 use crate::diag::code::Code;
 use crate::diag::{Diag, Diags, Line};
@@ -14,14 +14,14 @@ mod slips;
 pub use decode::decode;
 pub use slips::{NO_UNITS, without_unit};
 
-/// Tokens of a text, and where each stands in it.
+/// The tokens of a text and their places in it.
 #[derive(Clone, Debug, Default)]
 pub struct Lexed {
     /// The tokens.
     pub tokens: Tokens,
-    /// Bytes of the text, one range a token.
+    /// The byte range of each token in the text.
     pub ranges: Vec<Range<usize>>,
-    /// What could not be read.
+    /// The diagnostics of the lexer.
     pub diags: Vec<Diag>,
 }
 
@@ -30,8 +30,8 @@ pub fn lex(text: &str) -> Lexed {
     lex_joined(text, &[])
 }
 
-/// Reads CGA text that was put together from parts. The name of a rule does not go on in another part; `borders` has the
-/// bytes at which they begin, in order.
+/// Reads CGA text that was joined from parts. The name of a rule does not continue in another part. `borders` has the
+/// bytes at which the parts begin, in order.
 pub fn lex_joined(text: &str, borders: &[usize]) -> Lexed {
     let mut lexer = Lexer { text, at: 0, tokens: Tokens::new(), ranges: Vec::new(), diags: Diags::new() };
     lexer.run();
@@ -46,7 +46,7 @@ pub fn lex_joined(text: &str, borders: &[usize]) -> Lexed {
 
 struct Lexer<'a> {
     text: &'a str,
-    /// Next byte, always at the border of a character.
+    /// The next byte, always at a character boundary.
     at: usize,
     tokens: Tokens,
     ranges: Vec<Range<usize>>,
@@ -58,7 +58,7 @@ impl<'a> Lexer<'a> {
         while let Some(c) = self.peek() {
             let start = self.at;
             match c {
-                // A byte order mark is in the middle where files were put together.
+                // In joined files a byte order mark may be in the middle.
                 c if c.is_whitespace() || c == '\u{feff}' => self.at += c.len_utf8(),
                 '#' | '\'' if self.holds_colour() => self.colour(start),
                 '#' => _ = self.line(),
@@ -120,7 +120,7 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// A dot begins a number when a digit follows and no name stands right before it (`X.5`).
+    /// A dot begins a number if a digit follows and no name precedes it directly (`X.5`).
     fn starts_fraction(&self) -> bool {
         let before = self.text[..self.at].chars().next_back();
         self.rest()[1..].starts_with(|c: char| c.is_ascii_digit()) && !before.is_some_and(continues_name)
@@ -129,7 +129,7 @@ impl<'a> Lexer<'a> {
     fn number(&mut self, start: usize) {
         self.skip_while(|c| c.is_ascii_digit());
         if let Some(after) = self.rest().strip_prefix('.') {
-            // `0..3`, a range of Rust: no dot belongs to a number.
+            // `0..3` is a range of Rust, so the dot does not belong to a number.
             if after.starts_with('.')
                 && after[1..].starts_with(|c: char| c.is_ascii_digit() || starts_name(c))
                 && let Some(whole) = self.text[start..self.at].parse().ok().filter(|whole: &f64| whole.is_finite())
@@ -142,8 +142,8 @@ impl<'a> Lexer<'a> {
                 }
                 return;
             }
-            // `1.==1` is `1 .== 1`: the dot belongs to the operator (*changelog*, 2020.0). White space counts here, as
-            // in `1. == 1`, because it does in CGA; the token door looks at the places.
+            // `1.==1` is `1 .== 1`: the dot belongs to the operator (*changelog*, 2020.0). White space counts here,
+            // as in `1. == 1`, because it does in CGA; the inline source compares the positions of the tokens.
             let operator =
                 ["+", "-", "*", "/", "%", "!", "&&", "||", "==", "<", ">"].iter().any(|op| after.starts_with(op));
             if !operator && !after.starts_with(starts_name) {
@@ -178,7 +178,7 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// Whether a colour stands here that was meant as text: `#ff0000`, `'#ff0000'`.
+    /// Returns true if a colour that was meant as text begins here: `#ff0000`, `'#ff0000'`.
     fn holds_colour(&self) -> bool {
         let rest = self.rest().strip_prefix('\'').unwrap_or(self.rest());
         let Some(length) = slips::colour(rest) else { return false };
@@ -189,7 +189,7 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// A colour that is not written as text.
+    /// Reads a colour without its quotation marks.
     fn colour(&mut self, start: usize) {
         let quoted = self.peek() == Some('\'');
         self.at += usize::from(quoted);
@@ -229,7 +229,8 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// A character that means nothing. Where it is clear what was meant that is taken, so that it is reported only once.
+    /// Reports an unknown character. If the intended token is clear, the token is used, so that the mistake is
+    /// reported only once.
     fn unknown(&mut self, start: usize, c: char) {
         let (mut help, mut meant) = match lookalike(c) {
             Some((sym, text)) => (format!("write {text}"), sym.map(Tok::Sym)),
@@ -278,13 +279,13 @@ impl<'a> Lexer<'a> {
         let span = self.push(start, Tok::Str(text));
         if let Some(wrong) = wrong {
             self.diags
-                .report(Code::BadEscape, span, format!("`{wrong}` means nothing in a string, the backslash stays"))
+                .report(Code::BadEscape, span, format!("`{wrong}` is not an escape, the backslash is kept"))
                 .help("write `\\\\` for a backslash, or `/` in a path");
         }
     }
 }
 
-/// What a character that means nothing was meant for, if that is known, and how to write it.
+/// The token that an unknown character was meant as, if known, and the help text for it.
 fn lookalike(c: char) -> Option<(Option<Sym>, &'static str)> {
     Some(match c {
         '‘' | '’' | '‛' | '′' | '`' | '´' => (Some(Sym::Quote), "the straight quote `'`"),
@@ -300,9 +301,9 @@ fn lookalike(c: char) -> Option<(Option<Sym>, &'static str)> {
         '˜' | '∼' | '～' => (Some(Sym::Tilde), "the plain `~`"),
         '¦' | '∣' | '｜' => (Some(Sym::Bar), "the plain `|`"),
         '&' => (Some(Sym::AndAnd), "`&&`"),
-        '…' => (None, "out what the dots stand for"),
+        '…' => (None, "out the code that the dots replace"),
         '?' => (None, "`case condition : a else : b`"),
-        '\\' => (None, "`\\\\` inside a string; it means nothing outside"),
+        '\\' => (None, "`\\\\` inside a string; it has no meaning outside"),
         _ => return None,
     })
 }
@@ -316,7 +317,7 @@ fn starts_name(c: char) -> bool {
     c == '_' || is_letter(c)
 }
 
-/// `$` is in names of rules only; the parser says so.
+/// `$` is only allowed in names of rules, which the parser checks.
 fn continues_name(c: char) -> bool {
     c == '_' || c == '$' || c.is_ascii_digit() || is_letter(c)
 }
@@ -328,7 +329,7 @@ fn is_letter(c: char) -> bool {
             && c.is_alphabetic())
 }
 
-/// Where the quote that ends a string stands. Strings may go over several lines.
+/// The position of the closing quotation mark. Strings may span several lines.
 fn closing_quote(text: &str) -> Option<usize> {
     let mut escaped = false;
     text.bytes().position(|byte| {
@@ -338,7 +339,7 @@ fn closing_quote(text: &str) -> Option<usize> {
     })
 }
 
-/// Whether a string has run into declarations of further lines because its own quote is missing.
+/// Returns true if a string without a closing quotation mark contains declarations of later lines.
 fn holds_rules(text: &str) -> bool {
     let begins = |line: &str| {
         let line = line.trim_start();
@@ -347,7 +348,7 @@ fn holds_rules(text: &str) -> bool {
     text.split(['\n', '\r']).skip(1).any(begins)
 }
 
-/// Resolves escapes; also returns the first one that means nothing.
+/// Resolves escapes and returns the first unknown one.
 fn unescape(text: &str) -> (String, Option<String>) {
     let mut out = String::with_capacity(text.len());
     let mut wrong = None;

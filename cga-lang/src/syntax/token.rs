@@ -1,19 +1,19 @@
-//! Tokens, the form in which both doors hand over rules.
+//! Tokens, the form in which all sources deliver rules.
 //!
-//! Nothing here depends on whether white space stood between two tokens, because a macro cannot always know. So signs
-//! that Rust does not glue are tokens of their own (`:=`, `=:`, `.+`), and what a dot means is for the parser to say, by
-//! what stands around it:
+//! Nothing here depends on white space between two tokens, because a macro cannot always know it. Signs that Rust
+//! does not glue are therefore separate tokens (`:=`, `=:`, `.+`). The parser derives the meaning of a dot from the
+//! tokens around it:
 //!
-//! - before a sign of an operator, in an expression, it makes that work element by element: `a .+ b`, `.![true]`;
-//! - between two names, in an expression, it makes one of them: `scope.sx`;
-//! - between two names, in a step of a rule, it does so if the first is an import of the grammar: `lib.Wall`;
-//! - behind any other name in a step it makes a leaf: `Wall.`.
+//! - before an operator in an expression, it makes the operator work element by element: `a .+ b`, `.![true]`;
+//! - between two names in an expression, it joins them: `scope.sx`;
+//! - between two names in a rule, it joins them if the first is an import of the grammar: `lib.Wall`;
+//! - after any other name in a rule, it makes a leaf: `Wall.`.
 //!
-//! The name of a rule is one exception: `foo.Tile -->` without an import `foo` differs from a leaf `foo.` before
-//! `Tile -->` by white space alone. Where a source knows that there is none, the dot is a [`Tok::Joint`].
+//! The name of a rule is one exception: only white space distinguishes `foo.Tile -->` without an import `foo` from a
+//! leaf `foo.` before `Tile -->`. If a source knows that there is no white space, the dot is a [`Tok::Joint`].
 //!
-//! Numbers are the other exception, because in CGA they are: `.5` stands close together and not close behind a name, and the
-//! dot of `1.==1` belongs to the operator, that of `1. == 1` to the number.
+//! Numbers are the other exception, as in CGA. `.5` has no space inside and does not directly follow a name. The dot
+//! of `1.==1` belongs to the operator, the dot of `1. == 1` to the number.
 
 use crate::diag::RELATIVE;
 use crate::span::Span;
@@ -27,17 +27,17 @@ pub enum Tok {
     Number(f64),
     /// A string, without its quotes and with its escapes resolved.
     Str(String),
-    /// `#name` or `#(…)`: a Rust value, by the door's handle. Only the token door makes it.
+    /// `#name` or `#(…)`: a Rust value, as a handle of the source. Only inline rules have it.
     Host(u32),
     /// A Rust path with at least one `::`, like `crate::noise`.
     Path(String),
-    /// A doc comment (`/// …`), without the slashes. Counts only before a declaration.
+    /// A doc comment (`/// …`), without the slashes. It only counts before a declaration.
     Doc(String),
     /// Punctuation.
     Sym(Sym),
-    /// The dot in the name of a rule that is declared, close to the names on both sides. It counts as [`Sym::Dot`].
+    /// The dot in the name of a declared rule, without white space on either side. It counts as [`Sym::Dot`].
     Joint,
-    /// Something the door could not read and has reported. The parser passes over it.
+    /// Text that the source could not read and has reported. The parser passes over it.
     Bad,
 }
 
@@ -48,10 +48,10 @@ macro_rules! symbols {
         pub enum Sym { $(#[doc = $about] $name,)* }
 
         impl Sym {
-            /// Every symbol; those with more characters come first.
+            /// All symbols; those with more characters come first.
             pub const ALL: &'static [Sym] = &[$(Sym::$name,)*];
 
-            /// As written in CGA text.
+            /// The spelling in CGA text.
             pub const fn text(self) -> &'static str {
                 match self { $(Sym::$name => $text,)* }
             }
@@ -93,7 +93,7 @@ symbols! {
 }
 
 impl Tok {
-    /// Whether it is that symbol.
+    /// Returns true if the token is the symbol.
     pub fn is(&self, sym: Sym) -> bool {
         match self {
             Tok::Sym(own) => *own == sym,
@@ -110,7 +110,7 @@ impl Tok {
         }
     }
 
-    /// How a message speaks of it: `` `}` ``, a string.
+    /// The description in messages: `` `}` ``, a string.
     pub(crate) fn describe(&self) -> String {
         match self {
             Tok::Ident(name) => format!("`{name}`"),
@@ -140,7 +140,7 @@ impl Tok {
     }
 }
 
-/// Appends a string as CGA text would write it.
+/// Appends a string in the syntax of CGA text.
 pub(crate) fn push_quoted(out: &mut String, text: &str) {
     out.push('"');
     for c in text.chars() {
@@ -156,14 +156,14 @@ pub(crate) fn push_quoted(out: &mut String, text: &str) {
     out.push('"');
 }
 
-/// A grammar as tokens.
+/// The tokens of a grammar.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tokens {
     list: Vec<Tok>,
 }
 
 impl Tokens {
-    /// No tokens.
+    /// An empty list.
     pub fn new() -> Self {
         Self::default()
     }
@@ -174,7 +174,7 @@ impl Tokens {
         (self.list.len() - 1) as u32
     }
 
-    /// Joins the names of rules that are declared: `is_close` tells whether the token of an index is close to those on both
+    /// Joins the names of declared rules. `is_close` returns true if the token at an index touches the tokens on both
     /// sides.
     pub fn join_rule_names(&mut self, mut is_close: impl FnMut(usize) -> bool) {
         for arrow in 0..self.list.len() {
@@ -191,7 +191,7 @@ impl Tokens {
         }
     }
 
-    /// The last part of the name that a rule's arrow belongs to: before parameters and local values.
+    /// The last part of the name that a rule's arrow belongs to. The name precedes parameters and local values.
     fn name_before(&self, arrow: usize) -> Option<usize> {
         let mut at = arrow.checked_sub(1)?;
         // Local values, then parameters.
@@ -224,7 +224,7 @@ impl Tokens {
         self.list.extend_from_slice(&other.list);
     }
 
-    /// Appends other tokens without copying them, as far as possible.
+    /// Appends other tokens, without a copy if the list is empty.
     pub(crate) fn append(&mut self, mut other: Tokens) {
         if self.list.is_empty() {
             self.list = other.list;
@@ -233,12 +233,12 @@ impl Tokens {
         }
     }
 
-    /// How many there are.
+    /// The number of tokens.
     pub fn len(&self) -> usize {
         self.list.len()
     }
 
-    /// Whether there is none.
+    /// Returns true if there are no tokens.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()
     }
@@ -248,12 +248,12 @@ impl Tokens {
         &self.list
     }
 
-    /// The tokens of a span as one line of CGA text, cut short after `limit` bytes.
+    /// The tokens of a span as one line of CGA text, shortened to `limit` bytes.
     pub fn text(&self, span: Span, limit: usize) -> String {
         self.line(span, limit, '\'')
     }
 
-    /// The same for the line of a diagnostic.
+    /// The tokens of a span for the line of a diagnostic.
     pub(crate) fn quoted(&self, span: Span, limit: usize) -> String {
         self.line(span, limit, RELATIVE)
     }
@@ -261,7 +261,7 @@ impl Tokens {
     fn line(&self, span: Span, limit: usize, relative: char) -> String {
         let mut out = String::new();
         let mut before: Option<&Tok> = None;
-        // Whether the token before is the dot of an operator like `.+`.
+        // True if the previous token is the dot of an operator like `.+`.
         let mut dotted = false;
         let from = (span.first as usize).min(self.list.len());
         let to = (span.last as usize + 1).clamp(from, self.list.len());
@@ -291,14 +291,14 @@ impl FromIterator<Tok> for Tokens {
     }
 }
 
-/// Whether it is an operator that may have a dot in front.
+/// Returns true for an operator that may have a dot before it.
 fn is_operator(token: &Tok) -> bool {
     use Sym::{AndAnd, Bang, EqEq, Greater, GreaterEq, Less, LessEq, Minus, NotEq, OrOr, Percent, Plus, Slash, Star};
     let all = [AndAnd, Bang, EqEq, Greater, GreaterEq, Less, LessEq, Minus, NotEq, OrOr, Percent, Plus, Slash, Star];
     matches!(token, Tok::Sym(sym) if all.contains(sym))
 }
 
-/// Whether a space looks right between two tokens.
+/// Returns true if a space belongs between two tokens.
 fn spaced(left: &Tok, right: &Tok) -> bool {
     use Sym::{At, Bang, Comma, Dot, LBrace, LParen, Quote, RParen, Star, Tilde};
     let (l, r) = (|sym| left.is(sym), |sym| right.is(sym));
@@ -309,7 +309,7 @@ fn spaced(left: &Tok, right: &Tok) -> bool {
         return !matches!(left, Tok::Ident(_) | Tok::Path(_));
     }
     if l(Dot) {
-        // A dotted name goes on; after a leaf something else comes.
+        // A dotted name continues; other tokens after a leaf do not.
         return !right.ident().is_some_and(|name| name.starts_with(char::is_lowercase) && name != "else");
     }
     !(r(Dot) || (left.is(Sym::RBrace) && r(Star)) || (l(LBrace) && r(Sym::RBrace)))

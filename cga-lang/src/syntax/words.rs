@@ -1,6 +1,6 @@
 //! Annotations by name.
 
-/// Every annotation of the language, and our own three for levels of findings.
+/// All annotations of the language, and the three annotations for levels of diagnostics.
 pub(crate) const ANNOTATIONS: &[&str] = &[
     "StartRule",
     "Range",

@@ -102,7 +102,7 @@ pub(crate) fn dialect(text: &str) -> Dialect {
     if text.starts_with("// inline") { Dialect::Inline } else { Dialect::Text }
 }
 
-/// Compiles a fixture as its door would.
+/// Compiles a fixture in its dialect.
 pub(crate) fn compiled(text: &str) -> (Compiled, Lexed) {
     let lexed = lex(text);
     let unit = Unit { found: lexed.diags.clone(), ..Unit::new(lexed.tokens.clone(), dialect(text)) };

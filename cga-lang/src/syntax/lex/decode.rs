@@ -1,9 +1,9 @@
-//! Bytes of a rule file to text. Old files were written in whatever encoding their editor had.
+//! Decoding of rule files. Old files have the encoding of the editor that wrote them.
 
 use std::borrow::Cow;
 
-/// The text of a rule file. UTF-8 is taken as it is; bytes that are none count as Windows-1252, which is what editors
-/// wrote before; a byte order mark says UTF-16. Never fails, and the byte order mark is gone.
+/// Decodes a rule file. Text is UTF-8; invalid bytes are read as Windows-1252, the usual encoding of older editors. A
+/// byte order mark selects UTF-16. Decoding never fails and removes the byte order mark.
 ///
 /// ```
 /// use cga_lang::syntax::lex::decode;
@@ -21,7 +21,7 @@ pub fn decode(bytes: &[u8]) -> Cow<'_, str> {
     }
 }
 
-/// Piece by piece, because files were edited in more than one encoding.
+/// Decodes piece by piece, because a file may have been edited in several encodings.
 fn utf_8(bytes: &[u8]) -> Cow<'_, str> {
     if let Ok(text) = std::str::from_utf8(bytes) {
         return Cow::Borrowed(text);
@@ -37,13 +37,13 @@ fn utf_8(bytes: &[u8]) -> Cow<'_, str> {
 fn utf_16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> String {
     let units = bytes.chunks(2).map(|pair| match *pair {
         [first, second] => unit([first, second]),
-        // Half a character at the end.
+        // An odd byte at the end.
         _ => 0xfffd,
     });
     char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
 }
 
-/// Latin-1, with letters and signs where that has control characters.
+/// Latin-1, with letters and signs in place of its control characters.
 fn windows_1252(byte: u8) -> char {
     const HIGH: [char; 32] = [
         '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}', '‘',
@@ -83,7 +83,7 @@ mod tests {
     #[test]
     fn other_bytes_are_windows_1252() {
         assert_eq!(decode(b"# gr\xf6\xdfer \x80 \x93x\x94 \x81"), "# größer € “x” \u{81}");
-        // Both in one file.
+        // Both encodings in one file.
         assert_eq!(decode(b"# \xc3\xa4 \xe4 \xe2\x82\xac \x80"), "# ä ä € €");
         // A character cut off at the end.
         assert_eq!(decode(b"A\xe2\x82"), "Aâ‚");

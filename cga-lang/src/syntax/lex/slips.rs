@@ -1,6 +1,6 @@
-//! What other languages write and CGA does not: units behind numbers, colours that are no text.
+//! Spellings of other languages: units after numbers, colours without quotation marks.
 
-/// Units people put behind a number, and what one of them is in metres or degrees.
+/// Units that may follow a number, with the factor to metres or degrees.
 const UNITS: &[(&str, f64)] = &[
     ("m", 1.0),
     ("cm", 0.01),
@@ -9,25 +9,25 @@ const UNITS: &[(&str, f64)] = &[
     ("ft", 0.3048),
     ("inch", 0.0254),
     ("deg", 1.0),
-    // How languages like C mark a number with a fraction.
+    // The suffix of a float in languages like C.
     ("f", 1.0),
     ("F", 1.0),
 ];
 
-/// Bytes looked through for a bracket; a bound keeps this linear.
+/// The limit of the search for a bracket in bytes; it keeps the lexer linear.
 const FARTHEST: usize = 500;
 
-/// Why there are no units.
+/// The note that CGA has no units.
 pub const NO_UNITS: &str = "there are no units: lengths are metres, angles are degrees";
 
-/// What a number with a unit behind it is without one, if it is a unit.
+/// Converts a number with a unit, if the unit is known.
 pub fn without_unit(number: f64, unit: &str) -> Option<f64> {
     let (_, factor) = UNITS.iter().find(|(own, _)| *own == unit)?;
-    // As many digits as somebody would write.
+    // Rounding to as many digits as a person would write.
     Some((number * factor * 1e9).round() / 1e9)
 }
 
-/// The length of a colour like `#ff0000` that a text begins with.
+/// The length of a colour like `#ff0000` at the beginning of a text.
 pub(super) fn colour(text: &str) -> Option<usize> {
     let digits = text.strip_prefix('#')?;
     let end = digits.find(|c| !super::continues_name(c)).unwrap_or(digits.len());
@@ -35,14 +35,14 @@ pub(super) fn colour(text: &str) -> Option<usize> {
     is_colour.then_some(1 + end)
 }
 
-/// Whether what stands behind a colour must have been meant as text: as a comment it would swallow the bracket that
-/// closes the one before it, or the value of a declaration.
+/// Returns true if a colour must have been meant as text. As a comment, it would hide the closing bracket or the
+/// value of a declaration. `rest` is the text after it.
 pub(super) fn is_no_comment(rest: &str, in_brackets: bool) -> bool {
     let (line, below) = rest.split_at(rest.find(['\n', '\r']).unwrap_or(rest.len()));
     if in_brackets { line.contains([')', ']']) && !closes(below) } else { begins_declaration(below) }
 }
 
-/// Whether a bracket is closed, or may be, that stands open before a text.
+/// Returns true if a bracket that is open before the text is closed in it, or may be.
 fn closes(text: &str) -> bool {
     let (mut open, mut passed) = (1, 0);
     for line in text.split(['\n', '\r']) {
@@ -68,7 +68,7 @@ fn closes(text: &str) -> bool {
     false
 }
 
-/// Whether the first line that is not empty begins a declaration, or there is none.
+/// Returns true if the first line that is not empty begins a declaration, or if all lines are empty.
 fn begins_declaration(text: &str) -> bool {
     let Some(line) = text.split(['\n', '\r']).map(|line| code(line).trim()).find(|line| !line.is_empty()) else {
         return true;
@@ -81,7 +81,7 @@ fn begins_declaration(text: &str) -> bool {
         || (!word.is_empty() && behind.starts_with('=') && !behind.starts_with("=="))
 }
 
-/// A line without its comment. Text counts as code.
+/// A line without its comment. Strings count as code.
 fn code(line: &str) -> &str {
     let mut quoted = false;
     for (at, c) in line.char_indices() {

@@ -1,4 +1,4 @@
-//! `@Name(…)`. Annotations never change what a grammar makes, so what is wrong with one stops nothing.
+//! `@Name(…)`. Annotations never change the result of a grammar, so a mistake in one does not stop the build.
 
 use super::{Parsed, Parser};
 use crate::diag::Level;
@@ -7,11 +7,12 @@ use crate::syntax::ast::{Annotation, AnnotationArg};
 use crate::syntax::token::Sym;
 use crate::syntax::words;
 
-/// Has a syntax of its own, with braces and bare words.
+/// The annotation with a syntax of its own: braces and bare words.
 const HANDLE: &str = "Handle";
 
 impl Parser<'_> {
-    /// One annotation. Its arguments are `None` when they cannot be read, which is a warning where they count.
+    /// Parses an annotation. Its arguments are `None` if they cannot be read, which is a warning where they have a
+    /// meaning.
     pub(super) fn annotation(&mut self) -> Parsed<Option<Annotation>> {
         self.bump();
         let Some(name) = self.take_name() else { return self.fail("the name of an annotation") };
@@ -52,7 +53,7 @@ impl Parser<'_> {
     }
 }
 
-/// How an annotation with arguments is written.
+/// Returns the written form of an annotation with arguments.
 fn form(name: &str) -> Option<&'static str> {
     Some(match name {
         "Range" => "@Range(min = 0, max = 10)",

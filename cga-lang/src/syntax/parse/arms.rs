@@ -5,11 +5,11 @@ use super::{Parsed, Parser, Reported};
 use crate::syntax::ast::{Arm, ArmMode, CompValue, Expr, ExprKind, Name};
 use crate::syntax::token::Sym;
 
-/// How an arm is written.
+/// The form of an arm in messages.
 pub(super) const ARM: &str = "selector : operations";
 
 impl Parser<'_> {
-    /// Behind the word `comp` of a value that begins at a position.
+    /// Parses the rest of a `comp` value, after the word `comp` at `start`.
     pub(super) fn comp_value(&mut self, name: Name, start: usize) -> Parsed<Part> {
         const USAGE: &str = "write `comp(f) { selector : value | … }`";
         if !self.is(Sym::LParen) {
@@ -35,7 +35,7 @@ impl Parser<'_> {
         Ok((Expr { kind, span: self.span_from(start) }, depth))
     }
 
-    /// Takes away a `*` behind braces that make no parts of one kind after the other.
+    /// Reports and skips a `*` after braces whose parts cannot repeat.
     pub(super) fn not_repeated(&mut self, name: &str) {
         if self.is(Sym::Star) {
             self.syntax(self.at, format!("`{name}` is not repeated")).help("leave out the `*`");
@@ -43,7 +43,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `selector : operations`.
+    /// Parses `selector : operations`.
     pub(super) fn arm(&mut self) -> Parsed<Arm> {
         let selector = self.expr()?;
         let mode = self.arm_mode()?;

@@ -1,4 +1,4 @@
-//! `[a, b; c, d]`, and `[i]` behind a value.
+//! `[a, b; c, d]`, and `[i]` after a value.
 
 use super::expr::Part;
 use super::{Parsed, Parser, Reported};
@@ -6,7 +6,7 @@ use crate::syntax::ast::{Expr, ExprKind};
 use crate::syntax::token::{Sym, Tok};
 
 impl Parser<'_> {
-    /// At the `[` that begins an array (*array initialization function*).
+    /// Parses an array from its `[` (*array initialization function*).
     pub(super) fn array(&mut self) -> Parsed<Part> {
         let start = self.at;
         let close = self.closing()?;
@@ -41,7 +41,7 @@ impl Parser<'_> {
         Ok((Expr { kind: ExprKind::Array(rows), span: self.span_from(start) }, depth))
     }
 
-    /// At the `[` behind a value that begins at `start` (*index operator*).
+    /// Parses the `[ … ]` after a value that begins at `start` (*index operator*).
     pub(super) fn index(&mut self, (array, depth): Part, start: usize) -> Parsed<Part> {
         let close = self.closing()?;
         self.bump();
@@ -66,12 +66,12 @@ impl Parser<'_> {
         Ok((Expr { kind: ExprKind::Index(Box::new(array), indices), span: self.span_from(start) }, depth))
     }
 
-    /// At the `..` of a range that begins at a position.
+    /// Reports the `..` of a range that begins at `start`.
     fn dots<T>(&mut self, start: usize) -> Parsed<T> {
         let base = self.written(start, self.at);
         let limit = match self.nth(2) {
             Some(Tok::Sym(Sym::Assign)) => self.written(self.at + 3, self.at + 4),
-            // Rust's `..` leaves its limit out.
+            // A range in Rust does not include the limit after `..`.
             Some(Tok::Number(limit)) => (limit - 1.0).to_string(),
             Some(Tok::Ident(limit))
                 if matches!(self.nth(3), Some(Tok::Sym(Sym::Comma | Sym::Semi | Sym::RBracket))) =>
@@ -87,7 +87,7 @@ impl Parser<'_> {
         Err(Reported)
     }
 
-    /// A value, or `base : limit`, or `base : step : limit` (*colon operator*).
+    /// Parses a value, `base : limit` or `base : step : limit` (*colon operator*).
     fn entry(&mut self) -> Parsed<Part> {
         let start = self.at;
         let (base, mut deepest) = self.deep_expr()?;

@@ -1,7 +1,7 @@
 //! Operations with braces: `split(x) { ~1 : A }`, `setback(2) { front : A | remainder : B }`.
 //!
-//! The operation's row in the table tells what the braces hold. Without a row the parser guesses, so that it can read the rest of
-//! the rule; the check of names reports the unknown operation.
+//! The operation's row in the table defines the contents of the braces. Without a row the parser guesses, so that it
+//! can read the rest of the rule; the check of names reports the unknown operation.
 
 use super::arms::ARM;
 use super::{Parsed, Parser, Reported};
@@ -10,20 +10,20 @@ use crate::ops::{self, Braces, Measure};
 use crate::syntax::ast::{Arg, Block, BlockPart, Name, Op, OpKind, Section};
 use crate::syntax::token::{Sym, Tok};
 
-/// The braces after an operation, if the table has it.
+/// Returns the kind of braces after an operation, if the table has the operation.
 fn block_of(name: &str) -> Option<Braces> {
     let mut rows = ops::operations(name).map(|row| row.braces).filter(|braces| *braces != Braces::None);
-    // Old rows of `union` and its like have none.
+    // Old rows, such as those of `union`, have no braces.
     rows.clone().find(|braces| *braces != Braces::Inline).or_else(|| rows.next())
 }
 
-/// Returns true if an operation cannot do without arguments.
+/// Returns true if an operation needs arguments.
 pub(super) fn needs_arguments(name: &str) -> bool {
     ops::operations(name).all(|row| 0 < ops::required(row.params))
 }
 
 impl Parser<'_> {
-    /// At the `{` behind a name and its arguments.
+    /// Parses the braces after a name and its arguments.
     pub(super) fn block(&mut self, name: Name, args: Vec<Arg>) -> Parsed<OpKind> {
         let braces = match block_of(&name.text) {
             Some(known) => known,
@@ -44,7 +44,7 @@ impl Parser<'_> {
         Ok(OpKind::Block(Block { name, args, parts: vec![part] }))
     }
 
-    /// What to write when an operation lacks its braces.
+    /// Returns the help for an operation without its braces.
     pub(super) fn missing_braces(&self, name: &str) -> Option<String> {
         let inside = match block_of(name)? {
             Braces::None => return None,
@@ -59,7 +59,7 @@ impl Parser<'_> {
         Some(format!("write `{name}{} {inside}`", if arguments { "(…)" } else { "" }))
     }
 
-    /// What seems to stand in the braces of an unknown operation: an operator of arms, a size, or neither.
+    /// Guesses the contents of the braces of an unknown operation from arm separators, sizes and bars.
     fn guess(&mut self) -> Parsed<Braces> {
         let close = self.closing()?;
         let (mut at, mut arms, mut size, mut bar) = (self.at + 1, false, false, false);
@@ -88,7 +88,7 @@ impl Parser<'_> {
         })
     }
 
-    /// Steps on so many sides of `|`. What cannot be read is an error step.
+    /// Parses `count` sequences of operations, separated by `|`. A sequence that cannot be read is an error step.
     fn operands(&mut self, name: &Name, count: usize) -> Parsed<Vec<Vec<Op>>> {
         let close = self.closing()?;
         let list = self.between_bars(None, |parser| {
@@ -114,7 +114,7 @@ impl Parser<'_> {
         if self.is(Sym::LBrace) {
             parts.push(BlockPart::Arms(self.between_bars(Some(ARM), Self::arm)?));
         } else {
-            self.expected("`{`").help("write `{ remainder : operations }` behind the sections");
+            self.expected("`{`").help("write `{ remainder : operations }` after the sections");
         }
         Ok(OpKind::Block(Block { name, args, parts }))
     }
@@ -134,7 +134,7 @@ impl Parser<'_> {
         Ok(Section { length, depth, ops: self.ops(false)? })
     }
 
-    /// Whether `inline …`, or `union Rule` as it was written before 2025, goes on here behind its name.
+    /// Returns true if `inline …`, or `union Rule` as written before 2025, continues here after its name.
     pub(super) fn at_inlined(&self, name: &str) -> bool {
         if !ops::operations(name).any(|row| row.braces == Braces::Inline) {
             return false;
@@ -149,7 +149,7 @@ impl Parser<'_> {
         (step && !self.layout.is_border(next)) || (brace && block_of(name) == Some(Braces::Inline))
     }
 
-    /// Whether an operation can follow `inline` without braces: a rule or a subdivision (*Rule inlining*).
+    /// Returns true if an operation can follow `inline` without braces: a rule or a subdivision (*Rule inlining*).
     fn can_inline(&self, op: &Op) -> bool {
         let is_operation = |name: &str| name == "set" || ops::operations(name).next().is_some();
         match &op.kind {
@@ -160,7 +160,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `inline(mode) Rule`, `inline comp(f) { … }`, `subtract(swap) Rule`, behind the name.
+    /// Parses `inline(mode) Rule`, `inline comp(f) { … }` or `subtract(swap) Rule`, after the name.
     pub(super) fn inlined(&mut self, name: Name) -> Parsed<OpKind> {
         let args = if self.is(Sym::LParen) { self.args()? } else { Vec::new() };
         if self.is(Sym::LBrace) {

@@ -1,10 +1,11 @@
-//! Which bracket closes which.
+//! Pairs of brackets.
 
 use crate::syntax::token::{Sym, Tok};
 
 pub(super) const NONE: u32 = u32::MAX;
 
-/// Brackets that are open, with how many there are of each kind: a bracket that closes none must not look for one.
+/// The open brackets and their number for each kind. The counts avoid a search for a closing bracket without a
+/// partner.
 #[derive(Default)]
 pub(super) struct Open {
     list: Vec<(Sym, usize)>,
@@ -16,7 +17,7 @@ impl Open {
         self.list.is_empty()
     }
 
-    /// Passes over a symbol; where it closes a bracket that is noted. What was opened in between stays open for ever.
+    /// Passes over a symbol and records the bracket that it closes. Brackets opened in between stay unclosed.
     pub(super) fn pass(&mut self, sym: Sym, position: usize, close: &mut [u32]) {
         match sym {
             Sym::LParen | Sym::LBracket | Sym::LBrace => {
@@ -45,12 +46,13 @@ fn kind(sym: Sym) -> usize {
     }
 }
 
-/// Which bracket closes which, without a notion of declarations but for the words that never stand in brackets.
+/// Returns the closing bracket of each bracket. Declarations are ignored, except for the words that never occur in
+/// brackets.
 pub(super) fn pairs<'t>(tokens: impl Iterator<Item = &'t Tok>, length: usize) -> Vec<u32> {
     let (mut open, mut close) = (Open::default(), vec![NONE; length]);
     let mut word = false;
     for (position, token) in tokens.enumerate() {
-        // Behind such a word its name.
+        // The name after such a word.
         if token.is(Sym::At) || (word && token.ident().is_some()) {
             open = Open::default();
         }

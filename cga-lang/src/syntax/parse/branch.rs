@@ -1,4 +1,4 @@
-//! `case … else` and `30% : … else`, the same for steps of a rule and for values.
+//! `case … else` and `30% : … else`, for operations of a rule and for values.
 
 use super::expr::Part;
 use super::{Parsed, Parser, Reported};
@@ -6,7 +6,7 @@ use crate::diag::code::Code;
 use crate::syntax::ast::{Expr, ExprKind, Op, OpKind, Percent};
 use crate::syntax::token::{Sym, Tok};
 
-/// Arms of either kind; only one of the lists is filled unless the kinds were mixed, which is reported.
+/// Arms of a branch block. Only one of the lists is filled, unless the kinds were mixed, which is reported.
 struct Arms<T> {
     cases: Vec<(Expr, T)>,
     chances: Vec<(Percent, T)>,
@@ -28,7 +28,7 @@ impl Parser<'_> {
         matches!(self.peek(), Some(Tok::Number(_))) && self.nth_is(1, Sym::Percent) && self.nth_is(2, Sym::Colon)
     }
 
-    /// A branch block of steps; `in_arm` as for [`Parser::ops`].
+    /// Parses a branch block of operations; `in_arm` as for [`Parser::ops`].
     pub(super) fn branch_ops(&mut self, in_arm: bool) -> Parsed<Op> {
         let start = self.at;
         let arms = self.arms(
@@ -45,7 +45,7 @@ impl Parser<'_> {
         Ok(Op { kind, span: self.span_from(start) })
     }
 
-    /// A branch block of values.
+    /// Parses a branch block of values.
     pub(super) fn branch_value(&mut self) -> Parsed<Part> {
         let start = self.at;
         let mut deepest = 0;
@@ -66,7 +66,7 @@ impl Parser<'_> {
         Ok((Expr { kind, span }, depth))
     }
 
-    /// Passes over `case` or what was written for it.
+    /// Passes over `case` or the word written in its place.
     fn case_word(&mut self) -> Parsed<()> {
         if self.is_word("case") {
             self.bump();
@@ -78,7 +78,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Behind a condition.
+    /// Parses the `:` after a condition.
     fn colon_of_case(&mut self) -> Parsed<()> {
         if self.is(Sym::LBrace) && !self.at_border() {
             self.expected("`:`").help("a branch has no braces: write `case condition : … else : …`");

@@ -1,7 +1,7 @@
 //! Values: precedence climbing with C's levels.
 //!
-//! Every part comes with its depth, because a long chain makes as deep a tree as many brackets do, and whoever walks
-//! the tree later must not run out of stack.
+//! Every part comes with its depth. A long chain makes as deep a tree as many brackets do, and code that walks the
+//! tree later must not overflow the stack.
 
 use super::{MAX_DEPTH, Parsed, Parser, Reported};
 use crate::diag::RELATIVE;
@@ -12,7 +12,7 @@ use crate::syntax::token::{Sym, Tok};
 /// A part and the depth of its tree.
 pub(super) type Part = (Expr, u32);
 
-/// The level of `+` and `-`: what a size prefix reaches over.
+/// The level of `+` and `-`, the lowest inside the operand of a size prefix.
 const ADDITIVE: u8 = 5;
 
 /// The level of `==`, the lowest above `&&`.
@@ -39,17 +39,17 @@ fn operator(token: &Tok) -> Option<(Binary, u8)> {
 }
 
 impl Parser<'_> {
-    /// A value; `case` and percentages included.
+    /// Parses a value, including `case` and percentages.
     pub(super) fn expr(&mut self) -> Parsed<Expr> {
         self.deep_expr().map(|(expr, _)| expr)
     }
 
-    /// A value with its depth.
+    /// Parses a value and returns its depth.
     pub(super) fn deep_expr(&mut self) -> Parsed<Part> {
         self.binary(0)
     }
 
-    /// A value that may have a size prefix.
+    /// Parses a value that may have a size prefix.
     pub(super) fn arg(&mut self) -> Parsed<Arg> {
         let start = self.at;
         let prefix = match self.peek() {
@@ -66,15 +66,15 @@ impl Parser<'_> {
         if self.is(Sym::Quote) && (self.nth_is(1, Sym::Comma) || self.nth_is(1, Sym::RParen)) {
             let span = self.span();
             self.diags
-                .report(Code::StrayQuote, span, format!("`{RELATIVE}` stands before a relative size, not behind it"))
+                .report(Code::StrayQuote, span, format!("`{RELATIVE}` comes before a relative size, not after it"))
                 .help("leave it out");
             self.bump();
         }
         Ok(Arg { prefix, value, span: self.span_from(start) })
     }
 
-    /// The operator here: which, its level, whether it works element by element, how many tokens it has. With what
-    /// stands for it, if that is none in CGA.
+    /// Returns the operator here, its level, true if it works element by element, and the number of its tokens. The
+    /// last item is the CGA symbol for an operator of another language.
     fn operator(&self) -> Option<(Binary, u8, bool, usize, Option<Sym>)> {
         let each = self.is(Sym::Dot);
         let meant = match (self.peek()?, self.nth(1)) {
@@ -143,7 +143,7 @@ impl Parser<'_> {
         Ok((Expr { kind, span: self.span_from(start) }, depth))
     }
 
-    /// At the word `not`, which in other languages reaches over comparisons.
+    /// Parses an operand of the word `not`, which includes comparisons in other languages.
     fn negation(&mut self) -> Parsed<Part> {
         let start = self.at;
         self.bump();
@@ -158,7 +158,7 @@ impl Parser<'_> {
         let (span, sign) = (self.span(), self.peek().map_or("it".into(), Tok::describe));
         let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at));
         let second = matches!(before, Some(Tok::Sym(Sym::Quote | Sym::Tilde)));
-        let diag = self.diags.report(Code::MisplacedPrefix, span, format!("{sign} cannot stand here"));
+        let diag = self.diags.report(Code::MisplacedPrefix, span, format!("{sign} is not allowed here"));
         if second {
             diag.note("a size is relative or floating, never both").help(format!("write `{RELATIVE}0.5` or `~0.5`"));
             return;
@@ -211,7 +211,7 @@ impl Parser<'_> {
             return self.fail("`)`");
         }
         self.bump();
-        // What a message underlines includes the parentheses.
+        // The underlined text includes the parentheses.
         expr.span = self.span_from(start);
         Ok((expr, depth))
     }
@@ -242,7 +242,7 @@ impl Parser<'_> {
         Ok((Expr { kind, span: self.span_from(start) }, depth))
     }
 
-    /// Whether a dot at a position joins the names around it.
+    /// Returns true if a dot at `position` joins the names around it.
     fn dotted_on(&self, position: usize) -> bool {
         self.layout.at(position).is_some_and(|token| token.is(Sym::Dot))
             && self.layout.at(position + 1).is_some_and(|token| token.ident().is_some())

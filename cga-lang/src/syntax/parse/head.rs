@@ -1,7 +1,7 @@
-//! How declarations begin, and which names have dots.
+//! Heads of declarations, and names with dots.
 //!
-//! Nobody can tell `lib.Wall` from a leaf `lib.` and a call of `Wall` by looking at the two names: where a step may
-//! stand, a dot joins names if the first of them is an import of this grammar, or if a rule of that name is declared.
+//! Tokens alone do not tell `lib.Wall` from a leaf `lib.` and a call of `Wall`. In a rule, a dot joins names if the
+//! first name is an import of this grammar, or if a rule with the joined name is declared.
 
 use super::brackets::pairs;
 use super::type_words::is_type;
@@ -9,30 +9,30 @@ use crate::ops;
 use crate::syntax::token::{Sym, Tok};
 use std::collections::HashSet;
 
-/// Tokens looked at where the end of what is searched through is not known; a bound keeps this linear.
+/// The limit for searches without a known end; it keeps the parser linear.
 const LONGEST_HEAD: usize = 100;
 
-/// How a declaration goes on behind its name, parameters and `with`.
+/// The continuation of a declaration after its name, parameters and `with`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Head {
-    /// With `-->`.
+    /// `-->`.
     Rule,
-    /// With `. -->`, as old files have it.
+    /// `. -->`, as in old files.
     Leaf,
-    /// With `=`.
+    /// `=`.
     Function,
-    /// With something that was meant to be `-->`; how many tokens it has.
+    /// A misspelled `-->`, with the number of its tokens.
     Slip(usize),
 }
 
 impl Head {
-    /// Whether nothing but a declaration goes on like that.
+    /// Returns true if only a declaration continues like this.
     pub(super) fn is_sure(self) -> bool {
         matches!(self, Head::Rule | Head::Leaf)
     }
 }
 
-/// The tokens that count, without a notion of declarations.
+/// The significant tokens, without knowledge of declarations.
 pub(super) struct Heads<'a> {
     tokens: &'a [Tok],
     view: Vec<u32>,
@@ -40,7 +40,7 @@ pub(super) struct Heads<'a> {
     imports: HashSet<&'a str>,
     /// Names of rules that are declared with a dot.
     dotted: HashSet<(&'a str, &'a str)>,
-    /// Where parentheses behind the path of an import begin.
+    /// The positions of parentheses after the path of an import.
     overrides: HashSet<usize>,
 }
 
@@ -63,7 +63,7 @@ impl<'a> Heads<'a> {
     /// `import id (styles) : "path" (overrides)`.
     fn import(&mut self, position: usize) {
         if let Some(Tok::Str(path)) = self.at(position + 1) {
-            // Without a prefix the name of the file was meant as one.
+            // Without a prefix, the name of the file was meant as the prefix.
             self.imports.insert(stem(path));
         }
         let Some(id) = self.word(position + 1) else { return };
@@ -71,7 +71,7 @@ impl<'a> Heads<'a> {
         if self.is(next, Sym::LParen) {
             next = self.pair(next).map_or(next, |close| close + 1);
         }
-        // Without its colon it is still clear what the dots behind its name mean.
+        // Without the colon, the prefix still tells the meaning of the dots after it.
         self.imports.insert(id);
         if !self.is(next, Sym::Colon) {
             return;
@@ -101,7 +101,7 @@ impl<'a> Heads<'a> {
         self.at(position).and_then(Tok::ident)
     }
 
-    /// The bracket that closes the one at a position, declarations or not.
+    /// The bracket that closes the one at `position`, regardless of declarations.
     pub(super) fn pair(&self, position: usize) -> Option<usize> {
         self.pairs.get(position).filter(|&&close| close != u32::MAX).map(|&close| close as usize)
     }
@@ -110,12 +110,13 @@ impl<'a> Heads<'a> {
         self.word(position).is_some_and(|name| self.imports.contains(name))
     }
 
-    /// The position behind a name that may have dots.
+    /// The position after a name that may have dots.
     pub(super) fn name_end(&self, position: usize) -> usize {
         if self.is_import(position) { self.path_end(position) } else { self.dotted_end(position) }
     }
 
-    /// The position behind a name that begins at a position and is no import's: with dots where such a rule is declared.
+    /// The position after a name at `position` that is not an import. The name includes dots if such a rule is
+    /// declared.
     fn dotted_end(&self, position: usize) -> usize {
         let mut end = position + 1;
         while self.at(end) == Some(&Tok::Joint) && self.word(end + 1).is_some() {
@@ -126,17 +127,17 @@ impl<'a> Heads<'a> {
         }
         let parts = self.word(position).zip(self.word(position + 2)).filter(|_| self.is(position + 1, Sym::Dot));
         let is_declared = parts.is_some_and(|parts| self.dotted.contains(&parts));
-        // Else it is a leaf before the declaration of another rule.
+        // Otherwise it is a leaf before the declaration of another rule.
         let is_call = || !self.is_head(position + 2, position + 3);
         if is_declared && is_call() { position + 3 } else { position + 1 }
     }
 
-    /// Whether a name that goes from one position to another is certainly declared there.
+    /// Returns true if a name from `position` to `end` is certainly declared there.
     fn is_head(&self, position: usize, end: usize) -> bool {
         self.head_behind(position, end).is_some_and(Head::is_sure)
     }
 
-    /// The position behind words with dots between them.
+    /// The position after words joined by dots.
     pub(super) fn path_end(&self, position: usize) -> usize {
         let mut next = position + 1;
         while self.is(next, Sym::Dot) && self.word(next + 1).is_some() {
@@ -145,7 +146,7 @@ impl<'a> Heads<'a> {
         next
     }
 
-    /// Whether the parentheses at a position replace attributes and rules of an import.
+    /// Returns true if the parentheses at `position` replace attributes and rules of an import.
     pub(super) fn holds_overrides(&self, position: usize) -> bool {
         if self.overrides.contains(&position) {
             return true;
@@ -157,13 +158,13 @@ impl<'a> Heads<'a> {
         if !self.is(close + 1, Sym::Dot) || self.word(close + 2).is_none() {
             return false;
         }
-        // Of an import that was forgotten the rest is clear enough.
+        // A missing import leaves enough evidence.
         self.is_import(position - 1)
             || (self.word(position + 1).is_some() && self.is(self.path_end(position + 1), Sym::Assign))
             || self.override_head(position + 1) == Some(Head::Rule)
     }
 
-    /// Whether a word stands there that only declarations have, and what it goes with.
+    /// Returns true if a word at `position` begins a declaration, together with the tokens that it requires.
     pub(super) fn keyword(&self, position: usize) -> bool {
         let name = self.word(position + 1).is_some();
         match self.word(position) {
@@ -176,7 +177,8 @@ impl<'a> Heads<'a> {
         }
     }
 
-    /// Whether the name at a position is that of an attribute or constant with a type before it, or the type behind it.
+    /// Returns true if the name at `position` belongs to an attribute or constant and has a type before it, or if it
+    /// is the type after such a name.
     pub(super) fn behind_type(&self, position: usize) -> bool {
         let word = |back: usize| position.checked_sub(back).and_then(|position| self.word(position));
         let declares = |back: usize| matches!(word(back), Some("attr" | "const"));
@@ -187,26 +189,26 @@ impl<'a> Heads<'a> {
                 && declares(3))
     }
 
-    /// How a declaration of the name at a position goes on, if there is one.
+    /// The continuation of a declaration of the name at `position`, if it is declared there.
     pub(super) fn head(&self, position: usize) -> Option<Head> {
-        // `case h = 3 :` means `==`, and the parser says so.
+        // `case h = 3 :` means `==`, and the parser reports it.
         self.head_behind(position, self.name_end(position))
             .filter(|head| if head.is_sure() { !self.is_selector(position) } else { !self.in_value(position) })
     }
 
-    /// Whether the name of a selector begins an arm at a position, whatever separates it from its operations.
+    /// Returns true if the name of a selector begins an arm at `position`, whatever separates it from its operations.
     fn is_selector(&self, position: usize) -> bool {
         let begins = |before| self.is(before, Sym::LBrace) || self.is(before, Sym::Bar);
         position.checked_sub(1).is_some_and(begins)
             && self.word(position).is_some_and(|word| ops::selector(word).is_some())
     }
 
-    /// The same between the parentheses of an import.
+    /// The continuation of a name at `position` between the parentheses of an import.
     pub(super) fn override_head(&self, position: usize) -> Option<Head> {
         self.head_behind(position, self.path_end(position))
     }
 
-    /// What follows a name that goes from one position to another.
+    /// The continuation after a name from `position` to `end`.
     fn head_behind(&self, position: usize, end: usize) -> Option<Head> {
         if self.word(position)? == "with" {
             return None;
@@ -215,7 +217,7 @@ impl<'a> Heads<'a> {
         let mut names = true;
         if self.is(next, Sym::LParen) {
             next += 1;
-            // To the next parenthesis of either kind, so that nothing is looked at twice.
+            // The search ends at the next parenthesis of either kind, so that no token is visited twice.
             while !self.is(next, Sym::RParen) {
                 let token = self.at(next).filter(|token| !token.is(Sym::LParen))?;
                 names &= token.is(Sym::Comma) || token.ident().is_some();
@@ -256,9 +258,9 @@ impl<'a> Heads<'a> {
         (position..position + LONGEST_HEAD).any(|next| self.is(next, Sym::Arrow))
     }
 
-    /// Whether something stands before a name that only a value goes on behind.
+    /// Returns true if the token before the name requires a value.
     fn in_value(&self, mut position: usize) -> bool {
-        // Before the first part of a name with dots.
+        // Go back to the first part of a name with dots.
         for _ in 0..LONGEST_HEAD {
             if position < 2 || !self.is(position - 1, Sym::Dot) || self.word(position - 2).is_none() {
                 break;
@@ -277,7 +279,7 @@ impl<'a> Heads<'a> {
         }
     }
 
-    /// Whether a `case` stands before a position, with nothing but parts of a value between.
+    /// Returns true if a `case` precedes `position`, with only parts of a value in between.
     fn in_condition(&self, position: usize) -> bool {
         let parts = |token: &&Tok| match token {
             Tok::Ident(_) | Tok::Number(_) | Tok::Str(_) | Tok::Host(_) | Tok::Path(_) => true,
@@ -298,7 +300,7 @@ pub(super) fn stem(path: &str) -> &str {
     name.split_once('.').map_or(name, |(stem, _)| stem)
 }
 
-/// Whether it is a sign that an operand follows.
+/// Returns true if an operand follows the symbol.
 fn operand_follows(sym: Sym) -> bool {
     matches!(
         sym,

@@ -7,7 +7,7 @@ use crate::syntax::ast::{Annotation, Body, Decl, Import, Name, Op, OpKind, Overr
 use crate::syntax::token::{Sym, Tok};
 
 impl Parser<'_> {
-    /// At the word `import`.
+    /// Parses an import from the word `import`.
     pub(super) fn import(&mut self, annotations: Vec<Annotation>) -> Parsed<Import> {
         let start = self.at;
         self.bump();
@@ -30,7 +30,7 @@ impl Parser<'_> {
         Ok(Import { annotations, id, styles, path: path.clone(), path_span, overrides, span })
     }
 
-    /// At the word `import` with a path right behind it. The name of the file was meant as the prefix.
+    /// Reports an import with a path directly after the word `import`. The name of the file was meant as the prefix.
     pub(super) fn import_without_prefix<T>(&mut self) -> Parsed<T> {
         if let Some(Tok::Str(path)) = self.nth(1) {
             // `import "file.cga" as prefix`.
@@ -62,7 +62,7 @@ impl Parser<'_> {
         Ok(styles)
     }
 
-    /// `(attr, attr = value, Rule(params) --> steps)`. What cannot be read is left out.
+    /// Parses `(attr, attr = value, Rule(params) --> steps)`. Overrides that cannot be read are left out.
     pub(super) fn overrides(&mut self) -> Parsed<Vec<Override>> {
         let close = self.closing()?;
         self.bump();
@@ -72,7 +72,7 @@ impl Parser<'_> {
                 list.push(one);
                 if self.at < close && !self.is(Sym::Comma) {
                     let diag = self.expected("`,` or `)`");
-                    diag.help("put `,` between what is replaced");
+                    diag.help("put `,` between the overrides");
                 }
             }
             while self.at < close && !self.is(Sym::Comma) {
@@ -97,7 +97,7 @@ impl Parser<'_> {
         match head {
             Some(head) if head != Head::Function => {
                 if name.text.contains('.') {
-                    let message = "rules of what the imported file imports itself cannot be replaced here";
+                    let message = "rules of nested imports cannot be replaced here";
                     self.diags.report(Code::Syntax, name.span, message).help("replace it where it is imported");
                 }
                 let params = self.params()?;
@@ -123,7 +123,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Behind an import's name, at parentheses behind which a dot and a rule follow.
+    /// Parses a dynamic call after the name of an import: parentheses, a dot and a rule.
     pub(super) fn dynamic(&mut self, import: Name) -> Parsed<OpKind> {
         let overrides = self.overrides()?;
         if !self.eat(Sym::Dot) {

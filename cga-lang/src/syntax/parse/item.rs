@@ -18,7 +18,7 @@ const DECLARATIONS: &[&str] = &["attr", "const", "import", "style", "version", "
 /// The one attribute with a parameter (*changelog*, 2019.1).
 const STREET_WIDTH: &str = "streetWidth";
 
-/// Returns true if nothing can be declared with that name.
+/// Returns true if the name cannot be declared.
 pub(super) fn is_keyword(name: &str) -> bool {
     KEYWORDS.contains(&name)
 }
@@ -43,7 +43,7 @@ impl Parser<'_> {
         ast
     }
 
-    /// Skips to the next declaration. Names that seem to be declared on the way are remembered as lost.
+    /// Skips to the next declaration. Skipped names that appear to be declared are recorded as lost.
     fn skip_to_border(&mut self) {
         while !self.at_border() {
             if let (Some(_), Some(name)) = (self.layout.head(self.at), self.peek().and_then(Tok::ident)) {
@@ -79,7 +79,7 @@ impl Parser<'_> {
                 let id = self.nth(1).and_then(Tok::ident).map(str::to_owned);
                 ast.imports.push(self.import(annotations).inspect_err(|_| self.lost.extend(id))?);
                 if self.nth_is_name(0) && self.nth_is(1, Sym::Colon) && !self.at_border() {
-                    self.syntax(self.at, "every import begins with the word").help("write `import` before it");
+                    self.syntax(self.at, "every import begins with `import`").help("write `import` before the prefix");
                     return Err(Reported);
                 }
                 return Ok(());
@@ -137,7 +137,7 @@ impl Parser<'_> {
                     return Err(Reported);
                 }
                 match word {
-                    // A value for each edge: nothing can be asked for but by its number.
+                    // The attribute has a value for each edge, which can only be read by the number of the edge.
                     "attr" if !params.is_empty() => Body::Function(value),
                     "attr" => Body::Attr(value),
                     _ => Body::Const(value),
@@ -159,12 +159,12 @@ impl Parser<'_> {
 
     pub(super) fn not_a_keyword(&mut self, name: &Name) {
         if is_keyword(&name.text) {
-            let message = format!("`{}` is a word of the language, it cannot be declared", name.text);
+            let message = format!("`{}` is a keyword and cannot be declared", name.text);
             self.diags.report(Code::Syntax, name.span, message);
         }
     }
 
-    /// Only names of rules have a `$` (*changelog*, 2021.0, 2023.1).
+    /// Reports a `$`, which only names of rules can have (*changelog*, 2021.0, 2023.1).
     pub(super) fn no_dollar(&mut self, name: &Name, what: &str) {
         if name.text.contains('$') {
             let message = format!("the name of {what} has no `$`");
@@ -172,7 +172,7 @@ impl Parser<'_> {
         }
     }
 
-    /// The name of an attribute or constant. Says whether it is clear how the name is used.
+    /// Checks the name of an attribute or constant. Returns true if the use of the name is clear.
     fn value_name(&mut self, name: &Name, what: &str, params: &[Name]) -> bool {
         self.no_dollar(name, what);
         self.no_dot(name);
@@ -193,11 +193,11 @@ impl Parser<'_> {
             let message = format!("`{}` belongs to an import, it is not declared here", name.text);
             self.diags
                 .report(Code::Syntax, name.span, message)
-                .help("behind the path of the import write `(name = value)` to replace an attribute");
+                .help("write `(name = value)` after the path of the import to replace an attribute");
         }
     }
 
-    /// The name of a rule: with one dot it continues a leaf of an import (*changelog*, 2023.0).
+    /// Checks the name of a rule: with one dot it continues a leaf of an import (*changelog*, 2023.0).
     fn rule_name(&mut self, name: &Name) {
         if 1 < name.text.matches('.').count() {
             let message = format!("`{}` has more than one import before it", name.text);
@@ -213,7 +213,7 @@ impl Parser<'_> {
 
     fn no_declaration<T>(&mut self) -> Parsed<T> {
         if self.at_border() && 0 < self.at {
-            // Annotations with nothing behind them.
+            // Annotations without a declaration after them.
             return self.fail("a declaration");
         }
         let word = self.peek().and_then(Tok::ident);
@@ -236,7 +236,7 @@ impl Parser<'_> {
         Err(Reported)
     }
 
-    /// Passes over `-->` or what was written for it.
+    /// Passes over `-->` or the symbols written in its place.
     pub(super) fn arrow(&mut self, head: Head) {
         match head {
             Head::Slip(length) => {
@@ -252,7 +252,7 @@ impl Parser<'_> {
             Head::Leaf => {
                 let at = self.at;
                 self.at += 2;
-                self.syntax(at, "the name of a rule has no dot behind it")
+                self.syntax(at, "the name of a rule does not end with a dot")
                     .help("leave out the dot; it makes a leaf where no rule is declared");
             }
             Head::Rule | Head::Function => self.bump(),
@@ -301,7 +301,7 @@ impl Parser<'_> {
         })
     }
 
-    /// Behind the `=` of a function. Steps there are a rule's with the wrong arrow.
+    /// Parses the body of a function after its `=`. Operations in the body mean a rule with the wrong arrow.
     fn function(&mut self, name: &Name) -> Body {
         let (start, lost) = (self.at, self.lost.len());
         let (value, found) = self.tried(Self::body_expr);
@@ -316,7 +316,7 @@ impl Parser<'_> {
             {
                 self.lost.truncate(lost);
                 self.rule_name(name);
-                self.syntax(start - 1, "`=` stands before a value, and these are operations").help("write `-->`");
+                self.syntax(start - 1, "`=` begins a value, but these are operations").help("write `-->`");
                 return Body::Rule(steps);
             }
             self.at = end;
@@ -328,7 +328,7 @@ impl Parser<'_> {
     }
 }
 
-/// Whether it is the call of an operation, as far as the tables know.
+/// Returns true if the value is the call of an operation of the tables and not of a function.
 fn is_operation(value: &Expr) -> bool {
     match &value.kind {
         ExprKind::Name(name) if name.text == "NIL" => true,
@@ -343,7 +343,7 @@ fn any_step(steps: &[Op]) -> bool {
     steps.iter().any(is_step)
 }
 
-/// Whether it can be nothing but a step of a rule.
+/// Returns true if the step cannot be a value.
 fn is_step(step: &Op) -> bool {
     match &step.kind {
         OpKind::Call(name, _) => ops::operations(&name.text).next().is_some(),

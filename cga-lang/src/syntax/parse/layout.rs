@@ -1,35 +1,35 @@
-//! What can be told before parsing: which bracket closes which, and where declarations begin.
+//! The structure that is known before parsing: pairs of brackets, and the starts of declarations.
 //!
-//! A rule's body has no end of its own: it runs to the next declaration. `Name -->`, `attr name` and `@` begin one
-//! wherever they stand, even inside brackets that were left open. `name =` does so only outside brackets, because
-//! in a comp block it is an arm. Nothing begins between the parentheses of an import, where rules are replaced.
+//! The body of a rule has no end symbol: it runs to the next declaration. `Name -->`, `attr name` and `@` always
+//! begin a declaration, even inside brackets that were left open. `name =` does so only outside brackets, because it
+//! is an arm in a comp block. No declaration begins between the parentheses of an import, where rules are replaced.
 
 use super::brackets::{NONE, Open};
 use super::head::{Head, Heads};
 use crate::syntax::token::{Sym, Tok};
 use std::collections::HashSet;
 
-/// The tokens that count, and what can be told of them.
+/// The significant tokens and their structure.
 pub(super) struct Layout<'a> {
     heads: Heads<'a>,
     close: Vec<u32>,
-    /// Whether a declaration begins at a position.
+    /// True for each position where a declaration begins.
     starts: Vec<bool>,
-    /// The next position where one begins, for each position.
+    /// For each position, the next position where a declaration begins.
     borders: Vec<u32>,
-    /// How many tokens before a position were unreadable.
+    /// The number of unreadable tokens before each position.
     bad: Vec<u32>,
-    /// Names of rules.
+    /// The names of rules.
     rules: HashSet<&'a str>,
-    /// Names of everything that is declared.
+    /// The names of all declarations.
     declared: HashSet<&'a str>,
 }
 
 impl<'a> Layout<'a> {
-    /// `view` are the indices of the tokens that count.
+    /// `view` has the indices of the significant tokens.
     pub(super) fn new(tokens: &'a [Tok], view: Vec<u32>) -> Self {
         let mut bad = Vec::with_capacity(view.len());
-        // What stands before them belongs to other files.
+        // Tokens before the first one belong to other files.
         let (mut count, mut next) = (0, view.first().map_or(tokens.len(), |&first| first as usize));
         for &index in &view {
             count += tokens[next..index as usize].iter().filter(|token| matches!(token, Tok::Bad)).count() as u32;
@@ -58,7 +58,7 @@ impl<'a> Layout<'a> {
 
     fn find_starts(&mut self) {
         let mut open = Open::default();
-        // Up to where a name with dots goes, or what an import replaces.
+        // The ends of a name with dots, and of the overrides of an import.
         let (mut name_end, mut quiet) = (0, 0);
         for position in 0..self.heads.len() {
             let Some(token) = self.heads.at(position) else { break };
@@ -86,7 +86,8 @@ impl<'a> Layout<'a> {
                 quiet = quiet.max(self.heads.pair(position).unwrap_or(0));
             }
             if let Tok::Sym(sym) = token {
-                // One that is never closed hides no declarations; a brace does, because arms look like functions.
+                // An unclosed parenthesis or bracket hides no declarations. An unclosed brace does, because arms look
+                // like functions.
                 if !matches!(sym, Sym::LParen | Sym::LBracket) || self.heads.pair(position).is_some() {
                     open.pass(*sym, position, &mut self.close);
                 }
@@ -94,7 +95,7 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// How many tokens count.
+    /// The number of significant tokens.
     pub(super) fn len(&self) -> usize {
         self.heads.len()
     }
@@ -109,52 +110,52 @@ impl<'a> Layout<'a> {
         self.heads.index(position)
     }
 
-    /// How a declaration of the name at a position goes on, if there is one.
+    /// The continuation of a declaration of the name at `position`, if it is declared there.
     pub(super) fn head(&self, position: usize) -> Option<Head> {
         self.heads.head(position)
     }
 
-    /// The same between the parentheses of an import.
+    /// The continuation of a name at `position` between the parentheses of an import.
     pub(super) fn override_head(&self, position: usize) -> Option<Head> {
         self.heads.override_head(position)
     }
 
-    /// Whether the name at a position is that of an import.
+    /// Returns true if the name at `position` is an import.
     pub(super) fn is_import(&self, position: usize) -> bool {
         self.heads.is_import(position)
     }
 
-    /// The position behind the name that begins at a position: behind `lib.Wall` where `lib` is an import.
+    /// The position after the name at `position`: after `lib.Wall` if `lib` is an import.
     pub(super) fn name_end(&self, position: usize) -> usize {
         self.heads.name_end(position)
     }
 
-    /// The position behind words with dots between them.
+    /// The position after words joined by dots.
     pub(super) fn path_end(&self, position: usize) -> usize {
         self.heads.path_end(position)
     }
 
-    /// Whether the parentheses that begin at a position replace attributes and rules of an import.
+    /// Returns true if the parentheses at `position` replace attributes and rules of an import.
     pub(super) fn holds_overrides(&self, position: usize) -> bool {
         self.heads.holds_overrides(position)
     }
 
-    /// Whether a declaration begins at a position, or the text ends.
+    /// Returns true if a declaration begins at `position`, or if the text ends there.
     pub(super) fn is_border(&self, position: usize) -> bool {
         self.starts.get(position).copied().unwrap_or(true)
     }
 
-    /// The first position from one on where a declaration begins.
+    /// The first position at or after `position` where a declaration begins.
     pub(super) fn border(&self, position: usize) -> usize {
         self.borders.get(position).map_or(self.len(), |&border| border as usize)
     }
 
-    /// Whether a rule of that name is declared.
+    /// Returns true if a rule with the name is declared.
     pub(super) fn has_rule(&self, name: &str) -> bool {
         self.rules.contains(name)
     }
 
-    /// Whether something of that name is declared.
+    /// Returns true if the name is declared.
     pub(super) fn declares(&self, name: &str) -> bool {
         self.declared.contains(name)
     }
@@ -164,14 +165,14 @@ impl<'a> Layout<'a> {
         self.close.get(position).filter(|&&close| close != NONE).map(|&close| close as usize)
     }
 
-    /// Whether something unreadable stands right before or behind the token at a position.
+    /// Returns true if an unreadable token is directly before or after the token at `position`.
     pub(super) fn beside_bad(&self, position: usize) -> bool {
         let bad = |position: usize| self.bad.get(position).or(self.bad.last()).copied().unwrap_or(0);
         let before = position.checked_sub(1).map_or(0, bad);
         before < bad(position + 1)
     }
 
-    /// Whether something unreadable stands between a position and the end of the declaration.
+    /// Returns true if an unreadable token is between `position` and the end of the declaration.
     pub(super) fn bad_until_border(&self, position: usize) -> bool {
         let border = self.border(position + 1);
         let bad = |position: usize| self.bad.get(position).or(self.bad.last()).copied().unwrap_or(0);

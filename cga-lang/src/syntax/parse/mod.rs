@@ -1,7 +1,8 @@
-//! Tokens to tree. Never fails, never panics, always ends.
+//! The parser. It never fails, never panics and always ends.
 //!
-//! A function that met something wrong reports it and returns `Err(Reported)`; nobody reports it again. The nearest
-//! slot or arm, else the declaration, goes on behind it: a mistake in one rule does not hide those of another.
+//! A function that meets a mistake reports it and returns `Err(Reported)`, which is not reported again. Parsing
+//! continues after the nearest slot or arm, otherwise after the declaration, so a mistake in one rule does not hide
+//! those of another.
 
 mod annotation;
 mod arms;
@@ -31,15 +32,15 @@ use layout::Layout;
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// Deepest nesting of brackets and branches, and deepest expression.
+/// The maximum depth of brackets and branches, and of an expression.
 pub const MAX_DEPTH: u32 = 200;
 
-/// Builds the tree; what is wrong goes to `diags`.
+/// Builds the tree and reports mistakes to `diags`.
 pub fn parse(tokens: &Tokens, diags: &mut Diags) -> Ast {
     parse_part(tokens, 0..tokens.len() as u32, diags)
 }
 
-/// Builds the tree of some of the tokens. Spans count all of them.
+/// Builds the tree of a part of the tokens. Spans count all tokens.
 pub(crate) fn parse_part(tokens: &Tokens, part: Range<u32>, diags: &mut Diags) -> Ast {
     let mut parser = Parser::new(&tokens.as_slice()[..part.end as usize], part.start);
     let ast = parser.grammar();
@@ -48,29 +49,29 @@ pub(crate) fn parse_part(tokens: &Tokens, part: Range<u32>, diags: &mut Diags) -
     ast
 }
 
-/// Something was wrong and has been reported.
+/// The mark of a mistake that has been reported.
 struct Reported;
 
 type Parsed<T> = Result<T, Reported>;
 
 struct Parser<'a> {
-    /// The tokens that count. Positions count these; spans count all.
+    /// The significant tokens. Positions count these; spans count all tokens.
     layout: Layout<'a>,
-    /// Doc comments, by the position they stand before.
+    /// Doc comments, by the position after them.
     docs: Vec<(usize, &'a str)>,
     at: usize,
     depth: u32,
-    /// Whether `TooDeep` was reported in this declaration.
+    /// True if `TooDeep` was reported in this declaration.
     deep: bool,
-    /// Whether a comma ends the steps of a rule, as between what an import replaces.
+    /// True if a comma ends the operations of a rule, as between overrides.
     comma_ends: bool,
-    /// Steps left before the parser gives up: a guard against a loop that makes no progress.
+    /// The remaining loop steps. The limit guards against a loop without progress.
     fuel: usize,
-    /// Numbers of styles by name.
+    /// The numbers of styles by name.
     styles: HashMap<String, u32>,
     lost: Vec<String>,
     diags: Diags,
-    /// What need not be said because the door has complained about the same place.
+    /// Diagnostics about places where the source has already reported unreadable text.
     muted: Diags,
 }
 
@@ -100,7 +101,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// The token `ahead` of the next one.
+    /// The token at a distance of `ahead` from the current one.
     fn nth(&self, ahead: usize) -> Option<&'a Tok> {
         self.layout.at(self.at + ahead)
     }
@@ -129,7 +130,7 @@ impl<'a> Parser<'a> {
         self.at = (self.at + 1).min(self.layout.len());
     }
 
-    /// Passes over a symbol if it is there.
+    /// Passes over a symbol if it is the current token.
     fn eat(&mut self, sym: Sym) -> bool {
         let found = self.is(sym);
         if found {
@@ -138,12 +139,12 @@ impl<'a> Parser<'a> {
         found
     }
 
-    /// Whether the declaration is through.
+    /// Returns true if the declaration ends here.
     fn at_border(&self) -> bool {
         self.layout.is_border(self.at)
     }
 
-    /// Counts a step of a loop. False when there have been too many; then everything left is skipped.
+    /// Counts a step of a loop. Returns false after the last step, and skips all remaining tokens.
     fn tick(&mut self) -> bool {
         if self.fuel == 1 {
             let span = self.span();
@@ -154,7 +155,7 @@ impl<'a> Parser<'a> {
         0 < self.fuel
     }
 
-    /// The span of the token at a position, or of the last one.
+    /// The span of the token at a position, or of the last token.
     fn span_at(&self, at: usize) -> Span {
         match self.layout.index(at).or_else(|| self.layout.index(self.layout.len().checked_sub(1)?)) {
             Some(index) => Span::one(index),
@@ -166,12 +167,12 @@ impl<'a> Parser<'a> {
         self.span_at(self.at)
     }
 
-    /// From a position to the token before the next one.
+    /// The span from a position to the last token that was passed.
     fn span_from(&self, start: usize) -> Span {
         self.span_at(start).to(self.span_at(self.at.saturating_sub(1).max(start)))
     }
 
-    /// The next token as a name, and passes over it.
+    /// Takes the current token as a name.
     fn take_name(&mut self) -> Option<Name> {
         let text = match self.peek()? {
             Tok::Ident(text) | Tok::Path(text) => text.clone(),
@@ -182,7 +183,7 @@ impl<'a> Parser<'a> {
         Some(Name { text, span })
     }
 
-    /// The next tokens up to a position as a name with dots.
+    /// Takes the tokens up to `end` as a name with dots.
     fn take_dotted(&mut self, end: usize) -> Option<Name> {
         let start = self.at;
         let mut name = self.take_name()?;
@@ -196,7 +197,7 @@ impl<'a> Parser<'a> {
         Some(name)
     }
 
-    /// The position of the bracket that closes the one here; reports it when there is none.
+    /// The position of the bracket that closes the current one. Reports a missing bracket.
     fn closing(&mut self) -> Parsed<usize> {
         if let Some(close) = self.layout.close(self.at) {
             return Ok(close);
@@ -207,14 +208,14 @@ impl<'a> Parser<'a> {
             Some(Tok::Sym(Sym::LBracket)) => "]",
             _ => "}",
         };
-        // Where something could not be read, the bracket may be part of it.
+        // The bracket may be part of the unreadable text.
         let list = if self.layout.bad_until_border(self.at) { &mut self.muted } else { &mut self.diags };
         let diag = list.report(Code::UnclosedBracket, span, format!("this {open} is never closed"));
         diag.help(format!("write `{close}` where it should end"));
         Err(Reported)
     }
 
-    /// Runs a part that may contain itself.
+    /// Parses a part that may contain itself.
     fn nested<T>(&mut self, part: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
         if MAX_DEPTH <= self.depth {
             return self.too_deep();
@@ -225,7 +226,7 @@ impl<'a> Parser<'a> {
         result
     }
 
-    /// Runs a part in brackets of its own, so that a comma in it means nothing outside.
+    /// Parses a part in brackets, where a comma has no meaning for the outer part.
     fn bracketed<T>(&mut self, comma_ends: bool, part: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
         let outside = std::mem::replace(&mut self.comma_ends, comma_ends);
         let result = self.nested(part);
@@ -233,7 +234,7 @@ impl<'a> Parser<'a> {
         result
     }
 
-    /// Runs a part and hands over what it has found, for whoever can say it better.
+    /// Parses a part and returns its diagnostics, so that the caller can replace them.
     fn tried<T>(&mut self, part: impl FnOnce(&mut Self) -> T) -> (T, Vec<Diag>) {
         let before = std::mem::take(&mut self.diags);
         let result = part(self);
@@ -241,8 +242,8 @@ impl<'a> Parser<'a> {
         (result, found)
     }
 
-    /// Reads what stands between `|` in the braces here, one call of `item` each, and passes over the closing brace.
-    /// An item that fails is left out. `form` is what an item looks like, where there has to be one.
+    /// Parses the braces here with one call of `item` for each part between `|`, and passes over the closing brace.
+    /// Parts that fail are left out. If `form` is given, every part is required and has this form.
     fn between_bars<T>(&mut self, form: Option<&str>, mut item: impl FnMut(&mut Self) -> Parsed<T>) -> Parsed<Vec<T>> {
         let close = self.closing()?;
         self.bump();
@@ -253,7 +254,7 @@ impl<'a> Parser<'a> {
             } else if let Ok(one) = self.bracketed(false, &mut item) {
                 items.push(one);
                 if self.at < close && self.is(Sym::Comma) {
-                    self.syntax(self.at, "`|` stands between the parts").help("write `|` for `,`");
+                    self.syntax(self.at, "parts are separated by `|`").help("write `|` for `,`");
                     self.bump();
                     continue;
                 }
@@ -271,22 +272,22 @@ impl<'a> Parser<'a> {
         Ok(items)
     }
 
-    /// Nothing stands here, before a `|` or the end of the braces.
+    /// Reports an empty part before a `|` or the end of the braces.
     fn missing_part(&mut self, form: &str, close: usize) {
         let before = self.at - 1;
         if self.at == close && self.layout.at(before).is_some_and(|token| token.is(Sym::LBrace)) {
             let span = self.span_at(before).to(self.span());
             let list = if self.layout.beside_bad(close) { &mut self.muted } else { &mut self.diags };
-            let diag = list.report(Code::EmptyGroup, span, "nothing stands in these braces");
+            let diag = list.report(Code::EmptyGroup, span, "these braces are empty");
             diag.help(format!("write `{form}` in them"));
             return;
         }
-        let (at, side) = if self.at == close { (before, "behind") } else { (self.at, "before") };
-        let diag = self.syntax(at, format!("nothing stands {side} this `|`"));
+        let (at, side) = if self.at == close { (before, "after") } else { (self.at, "before") };
+        let diag = self.syntax(at, format!("there is nothing {side} this `|`"));
         diag.help(format!("leave out the `|`, or write `{form}` {side} it"));
     }
 
-    /// Skips to the end of what stands between `|`.
+    /// Skips to the end of the part between `|`.
     fn skip_to_bar(&mut self, close: usize) {
         while self.at < close && !self.is(Sym::Bar) {
             self.at = self.layout.close(self.at).unwrap_or(self.at) + 1;

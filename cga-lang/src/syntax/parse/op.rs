@@ -1,6 +1,6 @@
-//! Steps of a rule: operations, successors, leaves, brackets.
+//! Operations of a rule: operations, successors, leaves, brackets.
 //!
-//! A `[` in a step pushes, whatever stands before it: a step has no value that could be indexed. In a value it indexes.
+//! A `[` after an operation pushes, because an operation has no value to index. A `[` after a value indexes.
 
 use super::block::needs_arguments;
 use super::item::is_keyword;
@@ -12,8 +12,8 @@ use crate::syntax::ast::{Arg, Expr, ExprKind, Name, Op, OpKind};
 use crate::syntax::token::{Sym, Tok};
 
 impl Parser<'_> {
-    /// Steps up to something that is none. A branch block may stand only at the beginning; `in_arm` says that the
-    /// steps are themselves an arm, so that a further `case` belongs to the block outside.
+    /// Parses operations up to the first token that does not begin one. A branch block must come first. With
+    /// `in_arm`, the operations are an arm, so a further `case` belongs to the outer block.
     pub(super) fn ops(&mut self, in_arm: bool) -> Parsed<Vec<Op>> {
         let mut ops = Vec::new();
         while !self.at_border() && self.tick() {
@@ -47,9 +47,9 @@ impl Parser<'_> {
                 Some(Tok::Sym(sym @ (Sym::Semi | Sym::Comma))) => {
                     let help = match sym {
                         Sym::Semi => "leave out the `;`: a rule runs to the next declaration",
-                        _ => "leave out the `,`: operations stand one behind the other",
+                        _ => "leave out the `,`: operations need no separator",
                     };
-                    self.syntax(self.at, "nothing ends an operation").help(help);
+                    self.syntax(self.at, "operations have no end symbol").help(help);
                     self.bump();
                 }
                 Some(token) if token.ident() == Some("else") => break,
@@ -59,12 +59,12 @@ impl Parser<'_> {
         Ok(ops)
     }
 
-    /// Whether a size stands behind the next token: then that should have been a `|`.
+    /// Returns true if a size follows the current token, which was then meant as `|`.
     fn size_follows(&self) -> bool {
         matches!(self.nth(1), Some(Tok::Number(_) | Tok::Sym(Sym::Tilde | Sym::Quote)))
     }
 
-    /// Whether an arm of a comp stands behind the next token, as in `top : Roof, side : Wall`.
+    /// Returns true if an arm of a comp follows the current token, as in `top : Roof, side : Wall`.
     fn arm_follows(&self) -> bool {
         matches!(self.nth(1), Some(Tok::Ident(word)) if word != "case" && ops::selector(word).is_some())
             && matches!(self.nth(2), Some(Tok::Sym(Sym::Colon | Sym::Assign)))
@@ -82,7 +82,7 @@ impl Parser<'_> {
                 return self.fail("`:`");
             }
             Some(Tok::Host(_)) => {
-                self.expected(STEP).help("a Rust value can stand in an expression only");
+                self.expected(STEP).help("a Rust value is allowed in expressions only");
                 return Err(Reported);
             }
             _ => return self.fail(STEP),
@@ -101,7 +101,7 @@ impl Parser<'_> {
             }
             _ => {}
         }
-        // An old file may have a rule of that name; then braces tell.
+        // An old file may declare a rule with that name; then the braces decide.
         let own = self.layout.has_rule(&name.text) && !is_keyword(&name.text);
         if !own && self.at_inlined(&name.text) {
             return self.inlined(name);
@@ -111,7 +111,7 @@ impl Parser<'_> {
         }
         if self.is(Sym::LParen) && !own && self.layout.is_import(self.at - 1) && !name.text.contains('.') {
             let close = self.closing()?;
-            self.syntax(close, format!("`{}` is an import, its rules are called", name.text))
+            self.syntax(close, format!("`{}` is an import and cannot be called, only its rules can", name.text))
                 .help(format!("write `{}(…).Rule`", name.text));
             self.at = close + 1;
             return Ok(OpKind::Error);
@@ -139,7 +139,7 @@ impl Parser<'_> {
         Ok(OpKind::Call(name, args))
     }
 
-    /// A leaf, after its dot. In a function of its own, as what nests needs little stack then.
+    /// Parses a leaf after its dot. It is a function of its own, so that nested operations need little stack.
     fn leaf(&mut self, name: Name) -> Parsed<OpKind> {
         if self.assignment(&name)? {
             return Ok(OpKind::Error);
@@ -148,7 +148,7 @@ impl Parser<'_> {
         Ok(OpKind::Leaf(name))
     }
 
-    /// Old files have arguments behind a leaf. They do nothing.
+    /// Parses the arguments of a leaf, as in old files. They have no effect.
     fn leaf_arguments(&mut self) -> Parsed<()> {
         if self.is(Sym::LParen) {
             let start = self.at;
@@ -186,7 +186,8 @@ impl Parser<'_> {
         Ok(OpKind::Push(ops))
     }
 
-    /// `( … )`. When an argument cannot be read it is an error value, so that nothing more is said about the call.
+    /// Parses `( … )`. An argument that cannot be read becomes an error value, which silences further diagnostics
+    /// about the call.
     pub(super) fn args(&mut self) -> Parsed<Vec<Arg>> {
         let close = self.closing()?;
         self.bump();

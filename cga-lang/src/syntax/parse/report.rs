@@ -1,4 +1,4 @@
-//! Findings of the parser: what was expected, what stands there, what to type.
+//! Diagnostics of the parser: the expected text, the found text, and the text to type.
 
 use super::type_words::is_type;
 use super::{MAX_DEPTH, Parsed, Parser, Reported};
@@ -11,32 +11,32 @@ use crate::syntax::ast::{Ast, Body};
 use crate::syntax::lex::{NO_UNITS, without_unit};
 use crate::syntax::token::{Sym, Tok};
 
-/// What a rule's body consists of.
+/// The description of the contents of a rule's body.
 pub(super) const STEP: &str = "an operation or a rule";
 
-/// What begins the last branch, here and elsewhere.
+/// The words that begin the last branch, in CGA and elsewhere.
 const ELSE: [&str; 3] = ["else", "default", "otherwise"];
 
-/// Words that declare something.
+/// The words that begin a declaration.
 const DECLARING: [&str; 6] = ["attr", "const", "style", "import", "version", "extension"];
 
-/// Words that declare something in other languages.
+/// The words that begin a declaration in other languages.
 const ELSEWHERE: [&str; 8] = ["let", "var", "fn", "func", "function", "def", "static", "attribute"];
 
 impl Parser<'_> {
-    /// Reports a mistake at a position; not where the door has found something unreadable right beside it.
+    /// Reports a mistake at a position, unless the source has reported unreadable text directly beside it.
     pub(super) fn syntax(&mut self, at: usize, message: impl Into<Line>) -> &mut Diag {
         let span = self.span_at(at);
         self.syntax_over(at, span, message)
     }
 
-    /// The same with more to underline.
+    /// Reports a mistake at a position and underlines `span`.
     pub(super) fn syntax_over(&mut self, at: usize, span: Span, message: impl Into<Line>) -> &mut Diag {
         let list = if self.layout.beside_bad(at) { &mut self.muted } else { &mut self.diags };
         list.report(Code::Syntax, span, message)
     }
 
-    /// Reports that something else was expected here, with what is usually meant.
+    /// Reports an unexpected token, with help for the usual mistakes.
     pub(super) fn expected(&mut self, what: &str) -> &mut Diag {
         if what == STEP && self.at_selector_without_bar() {
             return self.missing_bar();
@@ -52,7 +52,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether a `:` stands here after a selector that was read as a rule.
+    /// Returns true if a `:` follows a selector that was read as a rule.
     fn at_selector_without_bar(&self) -> bool {
         let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at)).and_then(Tok::ident);
         let begins = self.at.checked_sub(2).and_then(|at| self.layout.at(at)).is_none_or(|token| token.is(Sym::Arrow));
@@ -62,7 +62,7 @@ impl Parser<'_> {
             && before.is_some_and(|word| selector(word).is_some() && !self.layout.has_rule(word))
     }
 
-    /// At the `:` of such a selector.
+    /// Reports the missing `|` before such a selector, at its `:`.
     fn missing_bar(&mut self) -> &mut Diag {
         let word = self.layout.at(self.at - 1).and_then(Tok::ident).unwrap_or_default().to_owned();
         let sign = if self.is(Sym::Colon) { ":" } else { "=" };
@@ -70,7 +70,7 @@ impl Parser<'_> {
         diag.help(format!("write `| {word} {sign}`"))
     }
 
-    /// What is usually meant by what stands here.
+    /// Returns the help for the usual mistake with the current token.
     fn meant(&self, what: &str) -> Option<String> {
         let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at));
         let follows = |sym: Sym| before.is_some_and(|token| token.is(sym));
@@ -119,16 +119,16 @@ impl Parser<'_> {
                 _ => "a value has no braces: write `( … )` around a part of it",
             },
             Tok::Sym(Sym::Quote) => {
-                return Some(format!("`{RELATIVE}` stands before a relative size; a power is `pow(base, exponent)`"));
+                return Some(format!("`{RELATIVE}` begins a relative size; a power is `pow(base, exponent)`"));
             }
             Tok::Sym(Sym::Star) if follows(Sym::Star) => "a power is `pow(base, exponent)`",
-            Tok::Sym(Sym::Star) if what == STEP => "`*` stands behind the `}` of what it repeats",
+            Tok::Sym(Sym::Star) if what == STEP => "`*` comes after the `}` of the repeated slots",
             _ => return None,
         };
         Some(help.to_owned())
     }
 
-    /// What to type for `as` and a type.
+    /// Returns the help for `as` and a type.
     fn cast(&self) -> Option<String> {
         let ty = self.nth(1).and_then(Tok::ident).filter(|ty| self.is_word("as") && is_type(ty))?;
         Some(match ty {
@@ -138,13 +138,13 @@ impl Parser<'_> {
         })
     }
 
-    /// Whether a rule's body begins here.
+    /// Returns true if the body of a rule begins here.
     fn begins_body(&self) -> bool {
         let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at));
         before.is_some_and(|token| token.is(Sym::Arrow))
     }
 
-    /// Whether the name that is set stands right before.
+    /// Returns true directly after the name in a call of `set`.
     fn is_behind_set(&self) -> bool {
         let before = |back: usize| self.at.checked_sub(back).and_then(|at| self.layout.at(at));
         let (mut back, is_part) = (1, |token: &Tok| token.ident().is_some() || token.is(Sym::Dot));
@@ -154,7 +154,7 @@ impl Parser<'_> {
         before(back).is_some_and(|token| token.is(Sym::LParen)) && before(back + 1).and_then(Tok::ident) == Some("set")
     }
 
-    /// What the number right before is without the unit that stands here.
+    /// Converts the previous number, if the current token is its unit.
     fn number_with_unit(&self) -> Option<f64> {
         let unit = self.peek().and_then(Tok::ident).filter(|_| !self.at_border())?;
         match self.layout.at(self.at.checked_sub(1)?)? {
@@ -163,7 +163,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Reports that something else was expected here.
+    /// Reports an unexpected token.
     pub(super) fn expected_only(&mut self, what: &str) -> &mut Diag {
         if self.at_border() && 0 < self.at {
             let tail = if self.layout.len() <= self.at { "the end" } else { "the next declaration" };
@@ -178,12 +178,12 @@ impl Parser<'_> {
         Err(Reported)
     }
 
-    /// Passes over a symbol that has to be there.
+    /// Passes over a required symbol.
     pub(super) fn expect(&mut self, sym: Sym) -> Parsed<()> {
         if self.eat(sym) { Ok(()) } else { self.fail(&format!("`{}`", sym.text())) }
     }
 
-    /// Something stands behind a declaration that does not belong to it.
+    /// Reports tokens after a declaration that do not belong to it.
     pub(super) fn leftover(&mut self, ast: &Ast) {
         let found = self.peek().map_or("nothing".into(), Tok::describe);
         match self.peek() {
@@ -194,7 +194,7 @@ impl Parser<'_> {
                 self.syntax(self.at, format!("this {found} closes nothing"))
             }
             Some(Tok::Sym(Sym::Semi)) => self
-                .syntax(self.at, "nothing ends a declaration")
+                .syntax(self.at, "declarations have no end symbol")
                 .help("leave out the `;`: the next one begins by itself"),
             Some(Tok::Ident(word)) => {
                 let near = nearest(word, DECLARING).map(|near| format!("did you mean `{near}`?"));
@@ -225,7 +225,7 @@ impl Parser<'_> {
     }
 }
 
-/// What to type for `Rule --> name = value …`, which ends the rule and declares a function.
+/// Returns the help for `Rule --> name = value …`, which ends the rule and declares a function.
 fn assigned(ast: &Ast) -> Option<String> {
     let [.., rule, function] = ast.decls.as_slice() else { return None };
     let is_empty = matches!(&rule.body, Body::Rule(ops) if ops.is_empty());
@@ -234,7 +234,7 @@ fn assigned(ast: &Ast) -> Option<String> {
         .then(|| format!("in a rule write `set({}, …)` to change an attribute", function.name.text))
 }
 
-/// Whether a word may be the name of an attribute.
+/// Returns true if the word may be the name of an attribute.
 fn is_plain(word: &str) -> bool {
     word.starts_with(|c: char| c.is_lowercase() || c == '_') && operations(word).next().is_none()
 }

@@ -1,6 +1,7 @@
-//! What other languages write and CGA does not, where it is clear what was meant: `if`, `and`, `<>`, `=>`, types.
+//! Spellings of other languages with a clear meaning: `if`, `and`, `<>`, `=>`, types.
 //!
-//! All of it would be a mistake anyway: a rule or attribute may have such a word as its name.
+//! They are recognised only where CGA would report a mistake, because a rule or attribute may have such a word as its
+//! name.
 
 use super::head::Head;
 use super::type_words::is_type;
@@ -11,19 +12,19 @@ use crate::syntax::ast::Name;
 use crate::syntax::token::{Sym, Tok, Tokens};
 use std::ops::Range;
 
-/// The longest piece of the rules that a message repeats.
+/// The maximum length of quoted rules in a message, in bytes.
 const LONGEST: usize = 40;
 
 impl Parser<'_> {
-    /// The text from one position to before another.
+    /// The text from one position to another, exclusive.
     pub(super) fn written(&self, from: usize, to: usize) -> String {
         let tokens: Tokens = (from..to).filter_map(|position| self.layout.at(position)).cloned().collect();
         let last = tokens.len().saturating_sub(1) as u32;
         tokens.quoted(crate::span::Span { first: 0, last }, LONGEST)
     }
 
-    /// Reports an attribute of the shape that is given a value, as in `scope.sy = 3`, and passes over it. The tokens are also
-    /// those of a leaf `scope.` before a function `sy`, which is never meant.
+    /// Reports and skips an assignment to an attribute of the shape, as in `scope.sy = 3`. The same tokens could be a
+    /// leaf `scope.` before a function `sy`, which is never meant.
     pub(super) fn assignment(&mut self, name: &Name) -> Parsed<bool> {
         let Some(word) = self.peek().and_then(Tok::ident) else { return Ok(false) };
         let attribute = format!("{}.{word}", name.text);
@@ -40,7 +41,7 @@ impl Parser<'_> {
         Ok(true)
     }
 
-    /// Whether `if`, or a word like it, begins a condition here.
+    /// Returns true if `if`, or a similar word, begins a condition here.
     pub(super) fn at_if(&self) -> bool {
         self.peek().and_then(Tok::ident).is_some_and(is_if)
             && !self.at_border()
@@ -49,7 +50,7 @@ impl Parser<'_> {
             && (self.colon_of_condition(self.at + 1).is_some() || self.braces(self.at + 1).is_some())
     }
 
-    /// Whether a value may begin `ahead` of here, and nothing else that goes on behind a name.
+    /// Returns true if the token `ahead` of the current one may begin a value but cannot follow a name.
     fn begins_operand(&self, ahead: usize) -> bool {
         !self.layout.is_border(self.at + ahead)
             && match self.nth(ahead) {
@@ -60,7 +61,7 @@ impl Parser<'_> {
             }
     }
 
-    /// The position of the `:` behind a condition that begins at a position.
+    /// The position of the `:` after a condition at `from`.
     fn colon_of_condition(&self, from: usize) -> Option<usize> {
         let mut at = from;
         while !self.layout.is_border(at) {
@@ -80,7 +81,7 @@ impl Parser<'_> {
         None
     }
 
-    /// The positions of a condition that begins at one and has `{` after it. Its parentheses are left out.
+    /// The positions of a condition at `from` that is followed by `{`, without its parentheses.
     fn braces(&self, from: usize) -> Option<Range<usize>> {
         if self.layout.at(from).is_some_and(|token| token.is(Sym::LParen))
             && let Some(close) = self.layout.close(from)
@@ -95,7 +96,7 @@ impl Parser<'_> {
                 Tok::Sym(Sym::Colon | Sym::Bar | Sym::Comma | Sym::Semi | Sym::Arrow) => return None,
                 Tok::Sym(Sym::RBrace | Sym::RBracket | Sym::RParen) => return None,
                 Tok::Sym(Sym::LParen | Sym::LBracket) => at = self.layout.close(at)?,
-                // The braces are its own.
+                // The braces belong to the inner branch.
                 Tok::Ident(word) if matches!(word.as_str(), "case" | "else") || is_if(word) => {
                     return None;
                 }
@@ -107,8 +108,7 @@ impl Parser<'_> {
         None
     }
 
-    /// At an `if`, or a `case` behind `else`: says how it is written, and passes over the word. Fails where the arms
-    /// stand in braces.
+    /// Reports `if`, or `case` after `else`, and passes over the word. Fails if the arms are in braces.
     pub(super) fn if_for_case(&mut self) -> Parsed<()> {
         let word = self.peek().map_or(String::new(), Tok::describe);
         if let Some(braces) = self.braces(self.at + 1) {
@@ -125,7 +125,7 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// At an `if` behind operations: says how it is written there.
+    /// Reports an `if` after operations.
     pub(super) fn if_behind_steps<T>(&mut self) -> Parsed<T> {
         let word = self.peek().map_or(String::new(), Tok::describe);
         let colon = self.colon_of_condition(self.at + 1);
@@ -134,11 +134,11 @@ impl Parser<'_> {
             (colon, _) => self.written(self.at + 1, colon.unwrap_or(self.at + 1)),
         };
         self.syntax(self.at, format!("a condition begins with `case`, not with {word}"))
-            .help(format!("behind operations write `[ case {condition} : … else : … ]`"));
+            .help(format!("after operations write `[ case {condition} : … else : … ]`"));
         Err(Reported)
     }
 
-    /// Whether a further condition stands behind the `else` here.
+    /// Returns true if a further condition follows the `else` here.
     pub(super) fn at_else_if(&self) -> bool {
         let next = self.nth(1).and_then(Tok::ident);
         self.is_word("else")
@@ -146,7 +146,7 @@ impl Parser<'_> {
             && (self.colon_of_condition(self.at + 2).is_some() || self.braces(self.at + 2).is_some())
     }
 
-    /// At such an `else`: passes over it and what stands for `case` behind it. Fails where the arms stand in braces.
+    /// Reports such an `else` and passes over it and the word after it. Fails if the arms are in braces.
     pub(super) fn else_if_for_case(&mut self) -> Parsed<()> {
         let from = self.at + 2;
         let braces = self.braces(from);
@@ -160,7 +160,7 @@ impl Parser<'_> {
         if braces.is_some() { Err(Reported) } else { Ok(()) }
     }
 
-    /// The operator that a word here stands for between two values.
+    /// The operator that the current word means between two values.
     pub(super) fn operator_word(&self) -> Option<Sym> {
         if self.at_border() {
             return None;
@@ -172,14 +172,15 @@ impl Parser<'_> {
         }
     }
 
-    /// Reports that the tokens here, so many, are no operator, and which one was meant.
+    /// Reports that the current `length` tokens are not an operator, and suggests the intended one.
     pub(super) fn no_operator(&mut self, length: usize, meant: Sym) {
         let span = self.span().to(self.span_at(self.at + length - 1));
         let found = self.written(self.at, self.at + length).replace(' ', "");
-        self.syntax_over(self.at, span, format!("`{found}` is no operator")).help(format!("write `{}`", meant.text()));
+        self.syntax_over(self.at, span, format!("`{found}` is not an operator"))
+            .help(format!("write `{}`", meant.text()));
     }
 
-    /// Whether `not` stands here before a value.
+    /// Returns true if a `not` before a value begins here.
     pub(super) fn at_not(&self) -> bool {
         let next_is_operand = match self.nth(1) {
             // `not(a)` may be a function of the file.
@@ -191,16 +192,16 @@ impl Parser<'_> {
         matches!(self.peek().and_then(Tok::ident), Some("not" | "NOT")) && next_is_operand
     }
 
-    /// Behind the `not` at a position and its operand, which goes on to here.
+    /// Reports the `not` at `start`, after its operand.
     pub(super) fn not_for_bang(&mut self, start: usize) {
         let operand = self.written(start + 1, self.at);
         let whole = self.at == start + 2 || self.layout.close(start + 1) == Some(self.at - 1);
         let operand = if whole { operand } else { format!("({operand})") };
         let word = self.layout.at(start).map_or(String::new(), Tok::describe);
-        self.syntax(start, format!("{word} is no operator")).help(format!("write `!{operand}`"));
+        self.syntax(start, format!("{word} is not an operator")).help(format!("write `!{operand}`"));
     }
 
-    /// What was written for the `:` that separates operations from what stands before them: how many tokens it has.
+    /// The number of tokens written in place of the `:` before operations.
     fn separator(&self) -> Option<usize> {
         match (self.peek()?, self.nth(1)) {
             (Tok::Sym(Sym::Assign | Sym::Minus), Some(Tok::Sym(Sym::Greater))) => Some(2),
@@ -209,7 +210,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Passes over what was written for a `:`, if it is there.
+    /// Reports and passes over the tokens written in place of `:`, if there are any.
     pub(super) fn slipped_colon(&mut self, behind: &str) -> bool {
         let Some(length) = self.separator() else { return false };
         let span = self.span().to(self.span_at(self.at + length - 1));
@@ -219,7 +220,7 @@ impl Parser<'_> {
         true
     }
 
-    /// Passes over a type before the name of an attribute or constant, if there is one.
+    /// Reports and passes over a type before the name of an attribute or constant, if there is one.
     pub(super) fn type_before_name(&mut self, word: &str) {
         let next = self.at + 1;
         let declared = !self.layout.is_border(next) || self.layout.head(next) == Some(Head::Function);
@@ -230,7 +231,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Passes over a type before the name of a parameter, if there is one.
+    /// Reports and passes over a type before the name of a parameter, if there is one.
     pub(super) fn type_before_parameter(&mut self) {
         if let (Some(word), Some(name)) = (self.peek().and_then(Tok::ident), self.nth(1).and_then(Tok::ident))
             && is_type(word)
@@ -240,7 +241,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Passes over `: float` behind a name, if it is there.
+    /// Reports and passes over `: float` after a name, if it is there.
     pub(super) fn type_behind_name(&mut self, so: impl FnOnce() -> String) {
         if self.is(Sym::Colon) && self.nth(1).and_then(Tok::ident).is_some_and(is_type) {
             self.no_types(self.at + 1, so());
@@ -251,13 +252,13 @@ impl Parser<'_> {
     fn no_types(&mut self, at: usize, so: String) {
         let span = self.span_at(at);
         self.diags
-            .report(Code::Syntax, span, "types are not written")
-            .note("a value has the type of what it is made of")
+            .report(Code::Syntax, span, "types cannot be declared")
+            .note("the type of a value follows from its expression")
             .help(format!("write `{so}`"));
     }
 }
 
-/// Whether a word begins a condition in other languages.
+/// Returns true if a word begins a condition in other languages.
 fn is_if(word: &str) -> bool {
     matches!(word, "if" | "If" | "IF" | "elif" | "elsif" | "elseif" | "when")
 }

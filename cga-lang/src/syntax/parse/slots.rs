@@ -7,7 +7,7 @@ use crate::syntax::ast::{BlockPart, SplitItem};
 use crate::syntax::token::{Sym, Tok};
 
 impl Parser<'_> {
-    /// At the `{` of an operation with slots.
+    /// Parses the slots of an operation from the `{`.
     pub(super) fn slots(&mut self) -> Parsed<BlockPart> {
         let (items, repeat) = self.items()?;
         Ok(BlockPart::Slots(items, repeat))
@@ -32,10 +32,12 @@ impl Parser<'_> {
                 Some(Tok::Number(percent)) => Some((percent * 1e6).round() / 1e8),
                 _ => None,
             };
-            self.diags.report(Code::Syntax, span, "the size of a slot is no percentage").help(written.map_or_else(
-                || format!("write `{RELATIVE}0.3` for 30 % of the scope"),
-                |share| format!("write `{RELATIVE}{share}`"),
-            ));
+            self.diags.report(Code::Syntax, span, "the size of a slot cannot be a percentage").help(
+                written.map_or_else(
+                    || format!("write `{RELATIVE}0.3` for 30 % of the scope"),
+                    |share| format!("write `{RELATIVE}{share}`"),
+                ),
+            );
             return Err(Reported);
         }
         let size = self.arg()?;
@@ -46,12 +48,12 @@ impl Parser<'_> {
         Ok(SplitItem::Slot(size, ops))
     }
 
-    /// Whether a `:` follows before the slot ends.
+    /// Returns true if a `:` follows before the slot ends.
     fn has_colon(&self) -> bool {
         self.slot_has(|token| token.is(Sym::Colon))
     }
 
-    /// Whether an `else` follows before the slot ends.
+    /// Returns true if an `else` follows before the slot ends.
     fn has_else(&self) -> bool {
         self.slot_has(|token| token.ident() == Some("else"))
     }

@@ -9,7 +9,7 @@ use crate::syntax::token::Sym;
 const DEFAULT: &str = "Default";
 
 impl Parser<'_> {
-    /// At the word `style`. Gives the number of the style that begins.
+    /// Parses a style from the word `style`. Returns the number of the style that begins.
     pub(super) fn style(&mut self, ast: &mut Ast, annotations: Vec<Annotation>) -> Parsed<u32> {
         self.bump();
         let Some(name) = self.take_name() else { return self.fail("the name of a style") };
@@ -23,7 +23,7 @@ impl Parser<'_> {
                 None => _ = self.expected("the name of a style"),
             }
         }
-        // To extend `Default` is to extend nothing.
+        // To extend `Default` has no effect.
         let base = base.filter(|base| base.text != DEFAULT);
         if name.text == DEFAULT {
             if let Some(base) = base {
@@ -41,7 +41,7 @@ impl Parser<'_> {
         style.annotations.extend(annotations);
         let known = style.base.as_ref().map_or(DEFAULT, |base| &base.text);
         if let Some(base) = base.filter(|base| base.text != known) {
-            let message = format!("style `{}` extends `{known}` already", name.text);
+            let message = format!("style `{}` already extends `{known}`", name.text);
             self.diags.report(Code::Syntax, base.span, message).related("first named", style.name.span);
         }
         Ok(number)

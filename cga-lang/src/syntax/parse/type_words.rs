@@ -1,12 +1,12 @@
-//! The words that other languages have for types.
+//! The type names of other languages.
 
-/// What other languages call the types of values.
+/// The type names of other languages.
 const TYPES: &[&str] = &[
     "float", "double", "int", "number", "bool", "boolean", "string", "str", "String", "f32", "f64", "i32", "u32",
     "usize", "var", "let",
 ];
 
-/// Whether a name before another one was meant as its type.
+/// Returns true if a name before another name was meant as its type.
 pub(super) fn is_type(word: &str) -> bool {
     TYPES.contains(&word)
 }

@@ -1,4 +1,4 @@
-//! `with ( name := value … )`: what a declaration computes once.
+//! `with ( name := value … )`: values that a declaration computes once.
 
 use super::{Parsed, Parser, Reported};
 use crate::diag::code::Code;
@@ -6,7 +6,7 @@ use crate::syntax::ast::{Expr, ExprKind, Name};
 use crate::syntax::token::{Sym, Tok};
 
 impl Parser<'_> {
-    /// The locals of a declaration, if it has some. One that cannot be read is left out.
+    /// Parses the locals of a declaration, if it has any. Locals that cannot be read are left out.
     pub(super) fn locals(&mut self) -> Parsed<Vec<(Name, Expr)>> {
         let mut locals = Vec::new();
         if !self.is_word("with") || !self.nth_is(1, Sym::LParen) {
@@ -26,7 +26,7 @@ impl Parser<'_> {
             if let Some(Tok::Sym(sym @ (Sym::Comma | Sym::Semi))) = self.peek()
                 && self.at < close
             {
-                self.syntax(self.at, "nothing stands between locals").help(format!("leave out the `{}`", sym.text()));
+                self.syntax(self.at, "locals have no separator").help(format!("leave out the `{}`", sym.text()));
                 self.bump();
             }
         }
@@ -41,7 +41,7 @@ impl Parser<'_> {
         if self.is(Sym::Colon) && self.nth_is(1, Sym::Assign) {
             self.at += 2;
         } else if self.is(Sym::Assign) {
-            self.syntax(self.at, "the value of a local stands behind `:=`").help(format!("write `{} :=`", name.text));
+            self.syntax(self.at, "the value of a local follows `:=`").help(format!("write `{} :=`", name.text));
             self.bump();
         } else {
             return self.fail("`:=`");
@@ -63,7 +63,7 @@ impl Parser<'_> {
     }
 }
 
-/// The first `comp` in an expression.
+/// Returns the first `comp` in an expression.
 fn comp_in(expr: &Expr) -> Option<&Expr> {
     if matches!(expr.kind, ExprKind::Comp(_)) {
         return Some(expr);
