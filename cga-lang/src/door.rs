@@ -1,9 +1,9 @@
-//! How strict to be with rules.
+//! The dialect of rules.
 
-/// How strict to be.
+/// The dialect of rules, which decides how strict the checks are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Door {
-    /// Rules among Rust: a call without a rule is an error.
+    /// Rules in Rust code: a call without a rule is an error.
     Inline,
     /// CGA text: a call without a rule is a leaf and a warning, as CGA documents.
     Text,
