@@ -63,7 +63,7 @@ fn arms(list: &[Arm], names: Entries, diags: &mut Diags) {
             && index.fract() != 0.0
         {
             let diag = never(diags, own, span);
-            diag.note("components have whole numbers, from 0 on").help("write another index, or leave it out");
+            diag.note("indices of components are whole numbers from 0").help("write another index, or leave it out");
             continue;
         }
         let one = before.iter().find(|(other, _)| covers(*other, own));
