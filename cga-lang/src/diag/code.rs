@@ -1,11 +1,11 @@
 //! The kinds of diagnostics: name, default level, meaning.
 
-/// How bad a finding is.
+/// The level of a diagnostic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Level {
     /// Not shown.
     Allow,
-    /// The rules have a meaning, though hardly the one that was meant.
+    /// The rules have a meaning, but probably not the intended one.
     Warning,
     /// The rules have no meaning.
     Error,
@@ -18,7 +18,7 @@ macro_rules! codes {
         pub enum Code { $(#[doc = $about] $name,)* }
 
         impl Code {
-            /// Every code.
+            /// All codes.
             pub const ALL: &'static [Code] = &[$(Code::$name,)*];
 
             /// The name in `@Allow(…)` and in the documentation.
@@ -31,7 +31,7 @@ macro_rules! codes {
                 match self { $(Code::$name => Level::$level,)* }
             }
 
-            /// The meaning, in a line.
+            /// The meaning, in one line.
             pub const fn about(self) -> &'static str {
                 match self { $(Code::$name => $about,)* }
             }
@@ -124,12 +124,12 @@ codes! {
 }
 
 impl Code {
-    /// The code of that name.
+    /// The code with a name.
     pub fn from_name(name: &str) -> Option<Code> {
         Code::ALL.iter().copied().find(|code| code.name() == name)
     }
 
-    /// Returns true for an error whose rules could run: to a limit, or with a fault.
+    /// Returns true for an error in rules that could still run, up to a limit or with a fault.
     const fn is_wrong_in_runs(self) -> bool {
         matches!(
             self,
@@ -137,7 +137,7 @@ impl Code {
         )
     }
 
-    /// Returns true if `@Allow`, `@Warn` and `@Deny` may change the level: then the rules have a meaning.
+    /// Returns true if `@Allow`, `@Warn` and `@Deny` may change the level, because the rules have a meaning.
     pub fn is_lint(self) -> bool {
         self.level() != Level::Error || self.is_wrong_in_runs()
     }

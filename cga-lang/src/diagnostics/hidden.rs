@@ -35,7 +35,7 @@ pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     agreed.finish()
 }
 
-/// The components that a selector takes, as far as the text tells.
+/// The components that a selector takes, if the text determines them.
 #[derive(Clone, Copy, PartialEq)]
 enum Takes {
     Word(&'static Selector),
@@ -63,7 +63,7 @@ fn arms(list: &[Arm], names: Entries, diags: &mut Diags) {
             && index.fract() != 0.0
         {
             let diag = never(diags, own, span);
-            diag.note("components have whole numbers, from 0 on").help("write another index, or leave it out");
+            diag.note("indices of components are whole numbers from 0").help("write another index, or leave it out");
             continue;
         }
         let one = before.iter().find(|(other, _)| covers(*other, own));
@@ -85,7 +85,7 @@ fn arms(list: &[Arm], names: Entries, diags: &mut Diags) {
 const ONCE: &str = "a component goes to the first selector that matches";
 
 fn never(diags: &mut Diags, own: Takes, span: Span) -> &mut Diag {
-    diags.report(Code::SelectorHidden, span, format!("{} never finds anything", shown(own)))
+    diags.report(Code::SelectorHidden, span, format!("{} never finds a component", shown(own)))
 }
 
 fn shown(of: Takes) -> String {

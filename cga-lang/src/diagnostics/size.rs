@@ -62,7 +62,7 @@ fn flat(slots: &Slots, facts: &Facts, diags: &mut Diags) {
         diag.related(format!("it is flat along {name}"), place);
     }
     if face.is_some() {
-        diag.help("a face lies in x and y: write `split(x)` or `split(y)`");
+        diag.help("a face extends along x and y: write `split(x)` or `split(y)`");
     }
 }
 

@@ -67,7 +67,7 @@ pub(crate) fn check(split: &Block, set: u32, projected: Projected, facts: &Facts
     if facts.uvs.lacks(set) {
         let message = format!("the shape has no uv set {set}: it is never split");
         let diag = diags.report(Code::SplitWithoutUv, span, message);
-        diag.note(format!("nothing makes texture coordinates of set {set} before it"));
+        diag.note(format!("no operation before it makes texture coordinates of set {set}"));
         diag.help(format!("write `setupProjection({set}, …) projectUV({set})` before it"));
     } else if facts.uvs.awaits(set) && !projected.has(set) {
         let message = format!("the projection of uv set {set} is set up, but never made");
@@ -98,7 +98,7 @@ pub(crate) fn changed(
             let Some(set) = set().filter(|set| facts.uvs.lacks(*set)) else { return };
             let message = format!("the shape has no uv set {set}: `{}` has no effect", row.name);
             let diag = diags.report(Code::MissingUvSet, arg.value.span, message);
-            diag.note(format!("nothing makes texture coordinates of set {set} before it"));
+            diag.note(format!("no operation before it makes texture coordinates of set {set}"));
             diag.help(format!("write `setupProjection({set}, …) projectUV({set})` before it"));
         }
         _ => {}
@@ -111,7 +111,7 @@ pub(crate) fn asked(row: &Function, name: &Name, args: &[Expr], (facts, flow): (
     let Some(set) = set.filter(|set| row.needs_uv_set && facts.uvs.lacks(*set)) else { return };
     let message = format!("the shape has no uv set {set}: `{}` is 0", name.text);
     let diag = diags.report(Code::MissingUvSet, name.span, message);
-    diag.note(format!("nothing makes texture coordinates of set {set} before it"));
+    diag.note(format!("no operation before it makes texture coordinates of set {set}"));
     diag.help(format!("write `setupProjection({set}, …) projectUV({set})` before it"));
 }
 
@@ -129,7 +129,7 @@ pub(crate) fn carried(image: &Expr, kind: ParamKind, projected: Projected, facts
     if is_off || !none(0) || !none(set) {
         return;
     }
-    let message = "the shape has no texture coordinates: nothing shows this texture";
+    let message = "the shape has no texture coordinates: this texture is not visible";
     let diag = diags.report(Code::TextureWithoutUv, image.span, message);
     diag.note("no rule makes texture coordinates, and those that an initial shape may bring are deleted before it");
     diag.help("write `setupProjection(0, …) projectUV(0)` before it");

@@ -59,7 +59,7 @@ impl Skeleton {
     }
 }
 
-/// Returns true if a value depends on more than constants, as far as the tree shows.
+/// Returns true if a value depends on more than constants, according to the tree alone.
 fn computed(value: &Expr, ast: &Ast, depth: u32) -> bool {
     let part = |value: &Expr| computed(value, ast, depth);
     match &value.kind {

@@ -16,7 +16,7 @@ pub(super) struct Comps<'a> {
 }
 
 impl<'a> Infer<'_, 'a, '_> {
-    /// Infers a selector. Its type tells a condition from an index.
+    /// Infers a selector. Its type distinguishes a condition from an index.
     pub(super) fn selector(&mut self, selector: &'a Expr) {
         let var = self.expr(selector);
         self.comps.selectors.push((self.own, var, selector));

@@ -285,7 +285,7 @@ impl<'a> Infer<'_, 'a, '_> {
             return None;
         }
         let diag = self.cx.diags.report(Code::UndefinedRule, span, message);
-        Some(diag.note(format!("no rule takes that, it becomes a leaf named `{callee}`")))
+        Some(diag.note(format!("no rule takes these types, so it becomes a leaf named `{callee}`")))
     }
 
     fn solve(&mut self) {

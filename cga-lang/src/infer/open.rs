@@ -426,7 +426,7 @@ impl Infer<'_, '_, '_> {
             Some(self.cx.diags.report(Code::TypeMismatch, span, message))
         };
         if let Some(diag) = diag {
-            diag.note(format!("there is {}", forms.join(", ")));
+            diag.note(format!("the forms are {}", forms.join(", ")));
         }
     }
 }

@@ -13,7 +13,7 @@ const MOST: usize = 4000;
 /// The known properties of a file that rules name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Asset {
-    /// The file does not exist; these names are similar.
+    /// The file does not exist; one of these names may have been meant.
     Missing(Vec<String>),
     /// The file exists.
     There,

@@ -16,7 +16,7 @@ const fn row(name: &'static str, about: &'static str) -> Syntax {
 /// All words and signs of a rule's body that are neither an operation of the table nor a successor.
 pub static SYNTAX: &[Syntax] = &[
     row("set", "sets an attribute of the shape"),
-    row("NIL", "makes nothing of the shape"),
+    row("NIL", "deletes the shape"),
     row("[", "works on a copy of the shape up to `]`"),
     row("]", "restores the shape as it was before `[`"),
     row("case", "continues with the first branch whose condition is true"),

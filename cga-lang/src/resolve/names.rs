@@ -181,7 +181,7 @@ impl<'a> Scope<'_, 'a, '_> {
         if let Some((name, about)) = about.filter(|(_, about)| !about.is_empty()) {
             diag.note(format!("`{name}`: {about}"));
         }
-        diag.note("it does nothing in a run, which reports a fault");
+        diag.note("a run ignores it and reports a fault");
     }
 
     pub(crate) fn deprecated(&mut self, name: &Name, old: Option<&str>) {

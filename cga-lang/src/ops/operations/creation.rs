@@ -50,7 +50,7 @@ const SIXTEEN: Default = Default::Float(16.0);
 /// Assets are trimmed at the trim planes of the shape.
 const FROM_FILE: Uses = Uses::WHOLE.and(Uses::SAYS);
 
-const NO_DIRECTION: &str = "say which way is up: `envelope(normal, …)`";
+const NO_DIRECTION: &str = "give the up direction: `envelope(normal, …)`";
 
 const INSERTED: Param = file("filePath", FileUse::Inserted);
 

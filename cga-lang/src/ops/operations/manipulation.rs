@@ -6,10 +6,10 @@ use super::super::{
 use super::{block, later, old, op, with};
 
 /// *cleanupGeometry* and *reduceGeometry operation*.
-static TOLERANCES: Bounds = bounds(Values::Between(0.0, 1.0), "it goes from 0 to 1");
+static TOLERANCES: Bounds = bounds(Values::Between(0.0, 1.0), "it is from 0 to 1");
 
 /// *rectify operation*.
-static DEVIATIONS: Bounds = bounds(Values::Between(0.0, 45.0), "it goes from 0 to 45 degrees");
+static DEVIATIONS: Bounds = bounds(Values::Between(0.0, 45.0), "it is from 0 to 45 degrees");
 
 const TOLERANCE: Param = within(float("tolerance"), &TOLERANCES);
 

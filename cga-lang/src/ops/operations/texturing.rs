@@ -22,7 +22,7 @@ const NORMALIZE_TYPE: Param = word("normalizeType", "NormalizeType", &["separate
 
 const WIDTH: Param = size("textureWidth");
 const HEIGHT: Param = size("textureHeight");
-const PROJECTION: &str = "says how a texture is to be laid on the shape";
+const PROJECTION: &str = "defines how a texture is placed on the shape";
 
 /// The row of an operation that reads texture coordinates, which may depend on the place in the world.
 const fn reads_place(row: Operation) -> Operation {

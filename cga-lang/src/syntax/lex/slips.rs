@@ -23,7 +23,7 @@ pub const NO_UNITS: &str = "there are no units: lengths are metres, angles are d
 /// Converts a number with a unit, if the unit is known.
 pub fn without_unit(number: f64, unit: &str) -> Option<f64> {
     let (_, factor) = UNITS.iter().find(|(own, _)| *own == unit)?;
-    // Rounding to as many digits as a person would write.
+    // The rounding keeps the digits that a person would write.
     Some((number * factor * 1e9).round() / 1e9)
 }
 

@@ -24,7 +24,7 @@ impl Parser<'_> {
         let (args, found) = self.tried(|parser| parser.annotation_args(close));
         if let (Some(first), true) = (found.first(), name.text != HANDLE && words::ANNOTATIONS.contains(&&*name.text)) {
             let diag = self.diags.report_as(Code::BadAnnotation, Level::Warning, first.span, first.message.clone());
-            diag.note(format!("`@{}` counts for nothing", name.text));
+            diag.note(format!("`@{}` is ignored", name.text));
             diag.help.clone_from(&first.help);
             if let Some(form) = form(&name.text).filter(|_| first.help.is_empty()) {
                 diag.help(format!("write `{form}`"));

@@ -1,7 +1,7 @@
 //! Values: precedence climbing with C's levels.
 //!
-//! Every part comes with its depth. A long chain makes as deep a tree as many brackets do, and code that walks the
-//! tree later must not overflow the stack.
+//! Every part comes with its depth. A long chain of operators makes a tree as deep as nested brackets do, and code that
+//! walks the tree later must not overflow the stack.
 
 use super::{MAX_DEPTH, Parsed, Parser, Reported};
 use crate::diag::RELATIVE;

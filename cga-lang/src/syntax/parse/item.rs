@@ -200,7 +200,7 @@ impl Parser<'_> {
     /// Checks the name of a rule: with one dot it continues a leaf of an import (*changelog*, 2023.0).
     fn rule_name(&mut self, name: &Name) {
         if 1 < name.text.matches('.').count() {
-            let message = format!("`{}` has more than one import before it", name.text);
+            let message = format!("`{}` has more than one import prefix", name.text);
             self.diags.report(Code::Syntax, name.span, message).help("declare it in the file that imports it");
         }
     }

@@ -155,7 +155,7 @@ impl Parser<'_> {
             self.args()?;
             let span = self.span_from(start);
             self.diags
-                .report(Code::OldSpelling, span, "a leaf has no arguments, these do nothing")
+                .report(Code::OldSpelling, span, "a leaf has no arguments; these have no effect")
                 .help("leave them out");
         }
         Ok(())

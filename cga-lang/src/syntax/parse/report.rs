@@ -191,7 +191,7 @@ impl Parser<'_> {
                 self.syntax(self.at, "`else` without a `case` or percentage before it")
             }
             Some(Tok::Sym(Sym::RParen | Sym::RBrace | Sym::RBracket)) => {
-                self.syntax(self.at, format!("this {found} closes nothing"))
+                self.syntax(self.at, format!("this {found} has no matching opening bracket"))
             }
             Some(Tok::Sym(Sym::Semi)) => self
                 .syntax(self.at, "declarations have no end symbol")
