@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 /// The elements of a façade.
 const ELEMENTS: [&str; 12] = [
-    "Window", "Dialect", "Balcony", "Cornice", "Pillar", "Arcade", "Loggia", "Dormer", "Shop", "Frieze", "Plinth",
+    "Window", "Door", "Balcony", "Cornice", "Pillar", "Arcade", "Loggia", "Dormer", "Shop", "Frieze", "Plinth",
     "Bay",
 ];
 
