@@ -142,8 +142,8 @@ fn blocks(named: &mut Grammar, declared: Vec<usize>) -> (Vec<usize>, Vec<String>
         blocks[at - first] = *known.entry((label, text)).or_insert(next);
         named.rules[at].name = format!("block {}", blocks[at - first]);
     }
-    for at in 0..first {
-        texts[at] = ir_print::rule(named, &named.rules[at]);
+    for (text, rule) in texts.iter_mut().zip(&named.rules[..first]) {
+        *text = ir_print::rule(named, rule);
     }
     let numbers = declared.into_iter().map(|rule| (false, rule)).chain(blocks.into_iter().map(|block| (true, block)));
     (interned(numbers), texts)

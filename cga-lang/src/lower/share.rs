@@ -35,72 +35,43 @@ enum Reference {
     Rule(RuleId),
 }
 
+/// The place of a reference.
+enum Place<'p> {
+    /// An attribute, a constant or a call.
+    Expr(&'p mut Expr),
+    /// The rule of a successor.
+    Rule(&'p mut RuleId, &'p mut Vec<u32>),
+}
+
+/// Visits all references in a definition, in one order.
+type Visit<T> = fn(&mut T, &mut dyn FnMut(Reference, Place<'_>));
+
 /// Shares definitions; returns true if there were some to share.
 pub(super) fn share(grammar: &mut Grammar) -> bool {
     if !is_repeated(grammar) {
         return false;
     }
-    let facts = Facts::new(grammar);
-    let functions = Groups::new(grammar.functions.iter().enumerate().map(|(at, it)| {
-        let uses = facts.function(FunctionId(at as u32));
-        format!("{:?} {:?} {:?} {uses:?} {}", it.span, it.ty, types(&it.params, &it.locals), it.recursive)
-    }));
-    let rules = Groups::new(rule_keys(grammar, &facts).into_iter());
-    let mut named = grammar.clone();
-    named.attrs.iter_mut().for_each(|it| it.name = format!("a value of type {:?}", it.ty));
-    named.consts.iter_mut().for_each(|it| it.name = format!("a value of type {:?}", it.ty));
-    named.functions.iter_mut().zip(&functions.numbers).for_each(|(it, number)| it.name = format!("function {number}"));
-    for (number, (rule, group)) in named.rules.iter_mut().zip(&rules.numbers).enumerate() {
-        rule.name = format!("rule {group}");
-        rule.cycle = None;
-        // What is set is part of the text.
-        let (attrs, renewals) = changed(&grammar.rules[number]);
-        rule.label = format!("sets {attrs:?}, computes {renewals:?} again");
-    }
-    let function_texts: Vec<String> = named.functions.iter().map(|it| ir_print::function(&named, it)).collect();
-    let rule_texts: Vec<String> =
-        named.rules.iter().map(|it| format!("{}{}", it.label, ir_print::rule(&named, it))).collect();
+    let (functions, rules) = groups(grammar);
+    let (function_texts, rule_texts) = texts(grammar, &functions, &rules);
+    let mut shared = Shared { functions: &functions, rules: &rules, readers: HashMap::new(), made: Vec::new() };
 
+    grammar.attrs.iter_mut().for_each(|it| shared.alone(&mut it.default));
+    grammar.consts.iter_mut().for_each(|it| shared.alone(&mut it.value));
+    for start in &mut grammar.starts {
+        start.rule = RuleId(rules.numbers[start.rule.0 as usize] as u32);
+    }
+    let all = shared.variants(std::mem::take(&mut grammar.functions), &functions, &function_texts, in_function);
+    grammar.functions = all.into_iter().map(|own| variant::function(own, ExprKind::Site)).collect();
+    for (own, sites) in grammar.functions.iter_mut().zip(functions.shared()) {
+        own.sites = sites.len() as u32;
+    }
     let names: Vec<RuleSite> =
         grammar.rules.iter().map(|it| RuleSite { name: it.name.clone(), label: it.label.clone() }).collect();
-    let mut shared = Shared { functions, rules, first: 0, readers: HashMap::new(), made: Vec::new() };
-    shared.first = shared.functions.members.len();
-    let refs = |walk: &mut dyn FnMut(&mut dyn FnMut(Place<'_>))| {
-        let mut list = Vec::new();
-        walk(&mut |place| list.push(place.reference()));
-        list
-    };
-    let function_refs: Vec<Vec<Reference>> =
-        named.functions.iter_mut().map(|it| refs(&mut |visit| in_function(it, visit))).collect();
-    let rule_refs: Vec<Vec<Reference>> =
-        named.rules.iter_mut().map(|it| refs(&mut |visit| in_rule(it, visit))).collect();
-
-    grammar.attrs.iter_mut().for_each(|it| in_expr(&mut it.default, &mut |place| shared.alone(place)));
-    grammar.consts.iter_mut().for_each(|it| in_expr(&mut it.value, &mut |place| shared.alone(place)));
-    for start in &mut grammar.starts {
-        start.rule = RuleId(shared.rules.numbers[start.rule.0 as usize] as u32);
-    }
-    let old = std::mem::take(&mut grammar.functions);
-    for (group, mut variants) in shared.functions.variants(old, &function_texts).into_iter().enumerate() {
-        let members = shared.functions.members[group].clone();
-        for variant in &mut variants {
-            let lists = lists(&members, &variant.cases, &function_refs);
-            let mut lists = lists.iter();
-            in_function(&mut variant.own, &mut |place| shared.refer(place, lists.next()));
-        }
-        let sites = if members.len() == 1 { 0 } else { members.len() as u32 };
-        grammar.functions.push(Function { sites, ..variant::function(variants, ExprKind::Site) });
-    }
-    let old = std::mem::take(&mut grammar.rules);
-    for (group, mut variants) in shared.rules.variants(old, &rule_texts).into_iter().enumerate() {
-        let members = shared.rules.members[group].clone();
-        for variant in &mut variants {
-            let lists = lists(&members, &variant.cases, &rule_refs);
-            let mut lists = lists.iter();
-            in_rule(&mut variant.own, &mut |place| shared.refer(place, lists.next()));
-        }
-        let sites = members.iter().filter(|_| 1 < members.len()).map(|&rule| names[rule].clone()).collect();
-        grammar.rules.push(Rule { sites, cycle: None, ..variant::rule(variants, ExprKind::Site) });
+    let all = shared.variants(std::mem::take(&mut grammar.rules), &rules, &rule_texts, in_rule);
+    grammar.rules = all.into_iter().map(|own| variant::rule(own, ExprKind::Site)).collect();
+    for (own, sites) in grammar.rules.iter_mut().zip(rules.shared()) {
+        own.sites = sites.iter().map(|&rule| names[rule].clone()).collect();
+        own.cycle = None;
     }
     grammar.functions.append(&mut shared.made);
     true
@@ -112,6 +83,16 @@ fn is_repeated(grammar: &Grammar) -> bool {
     let mut names: Vec<u32> = declared.chain(grammar.functions.iter().map(|it| it.span.first)).collect();
     names.sort_unstable();
     names.windows(2).any(|pair| pair[0] == pair[1])
+}
+
+/// The functions and the rules by declaration.
+fn groups(grammar: &Grammar) -> (Groups, Groups) {
+    let facts = Facts::new(grammar);
+    let functions = grammar.functions.iter().enumerate().map(|(at, it)| {
+        let uses = facts.function(FunctionId(at as u32));
+        format!("{:?} {:?} {:?} {uses:?} {}", it.span, it.ty, types(&it.params, &it.locals), it.recursive)
+    });
+    (Groups::new(functions), Groups::new(rule_keys(grammar, &facts).into_iter()))
 }
 
 /// The keys of rules: the declaration and the types, or the place in the rule around a block.
@@ -149,6 +130,21 @@ fn rule_keys(grammar: &Grammar, facts: &Facts) -> Vec<String> {
     keys
 }
 
+/// The texts of functions and rules, without the names of what they refer to: these are compared by position.
+fn texts(grammar: &Grammar, functions: &Groups, rules: &Groups) -> (Vec<String>, Vec<String>) {
+    let mut named = grammar.clone();
+    named.attrs.iter_mut().for_each(|it| it.name = format!("a {:?}", it.ty));
+    named.consts.iter_mut().for_each(|it| it.name = format!("a {:?}", it.ty));
+    named.functions.iter_mut().zip(&functions.numbers).for_each(|(it, number)| it.name = format!("function {number}"));
+    for (rule, number) in named.rules.iter_mut().zip(&rules.numbers) {
+        rule.name = format!("rule {number}");
+        rule.cycle = None;
+    }
+    let functions = named.functions.iter().map(|it| ir_print::function(&named, it)).collect();
+    let rules = named.rules.iter().map(|it| format!("{:?} {}", changed(it), ir_print::rule(&named, it))).collect();
+    (functions, rules)
+}
+
 /// The attributes that a rule sets, and the imports that it computes again.
 fn changed(rule: &Rule) -> (Vec<AttrId>, Vec<u32>) {
     let (mut attrs, mut renewals) = (Vec::new(), Vec::new());
@@ -161,16 +157,6 @@ fn changed(rule: &Rule) -> (Vec<AttrId>, Vec<u32>) {
         _ => {}
     });
     (attrs, renewals)
-}
-
-/// For each reference of a variant, the references of all sites. Sites of other variants have that of its first site.
-fn lists(members: &[usize], cases: &[u32], refs: &[Vec<Reference>]) -> Vec<Vec<Reference>> {
-    let of = |site: u32| &refs[members[site as usize]];
-    let list = |at: usize| {
-        let site = |site: u32| if cases.contains(&site) { of(site)[at] } else { of(cases[0])[at] };
-        (0..members.len() as u32).map(site).collect()
-    };
-    (0..of(cases[0]).len()).map(list).collect()
 }
 
 impl Groups {
@@ -186,58 +172,88 @@ impl Groups {
         Groups { numbers, sites, members }
     }
 
-    fn variants<T>(&self, items: Vec<T>, texts: &[String]) -> Vec<Vec<Variant<T>>> {
-        variants(items, &self.numbers, &self.sites, texts)
+    /// The definitions of each number by site; none for one that is not shared.
+    fn shared(&self) -> impl Iterator<Item = &[usize]> {
+        self.members.iter().map(|members| if members.len() == 1 { &[][..] } else { members })
     }
 
-    /// The shared definition for those of all sites, and the site to tell it.
-    fn of(&self, list: &[usize]) -> (u32, Vec<u32>) {
-        let group = self.numbers[list[0]];
-        let is_shared = 1 < self.members[group].len();
-        let sites = list.iter().filter(|_| is_shared).map(|&at| self.sites[at]);
-        (group as u32, sites.collect())
+    /// The shared definition for those of all sites of a caller, and the sites to pass to it.
+    fn of(&self, list: impl Iterator<Item = usize>) -> (u32, Vec<u32>) {
+        let (mut group, mut sites) = (0, Vec::new());
+        for at in list {
+            group = self.numbers[at];
+            if 1 < self.members[group].len() {
+                sites.push(self.sites[at]);
+            }
+        }
+        (group as u32, sites)
     }
 }
 
 /// The shared definitions.
-struct Shared {
-    functions: Groups,
-    rules: Groups,
-    /// The number of the first function in `made`.
-    first: usize,
-    /// Functions that read the value of a site.
+struct Shared<'g> {
+    functions: &'g Groups,
+    rules: &'g Groups,
+    /// Functions that read the value of a site, by the values of all sites.
     readers: HashMap<Vec<Reference>, FunctionId>,
+    /// These functions. They come after the others.
     made: Vec<Function>,
 }
 
-impl Shared {
-    /// Changes a reference of a value that is not shared.
-    fn alone(&mut self, place: Place<'_>) {
-        let reference = place.reference();
-        self.refer(place, Some(&vec![reference]));
+impl Shared<'_> {
+    /// The variants of each shared definition, with references to shared definitions.
+    fn variants<T: Clone>(
+        &mut self,
+        items: Vec<T>,
+        groups: &Groups,
+        texts: &[String],
+        visit: Visit<T>,
+    ) -> Vec<Vec<Variant<T>>> {
+        let references = items.clone().into_iter().map(|mut item| {
+            let mut list = Vec::new();
+            visit(&mut item, &mut |reference, _| list.push(reference));
+            list
+        });
+        let references: Vec<Vec<Reference>> = references.collect();
+        let mut all = variants(items, &groups.numbers, &groups.sites, texts);
+        for (variants, members) in all.iter_mut().zip(&groups.members) {
+            for Variant { cases, own } in variants {
+                // Sites of other variants have the references of the first site of this one.
+                let first = members[cases[0] as usize];
+                let sites = members.iter().zip(0..).map(|(at, site)| if cases.contains(&site) { *at } else { first });
+                let sites: Vec<&Vec<Reference>> = sites.map(|at| &references[at]).collect();
+                let mut number = 0;
+                visit(own, &mut |_, place| {
+                    let list: Vec<Reference> = sites.iter().map(|list| list[number]).collect();
+                    self.refer(place, &list);
+                    number += 1;
+                });
+            }
+        }
+        all
+    }
+
+    /// Changes the references of a value that is not shared.
+    fn alone(&mut self, value: &mut Expr) {
+        in_expr(value, &mut |reference, place| self.refer(place, &[reference]));
     }
 
     /// Changes a reference to the shared definition. `list` has the references of all sites.
-    fn refer(&mut self, place: Place<'_>, list: Option<&Vec<Reference>>) {
-        let Some(list) = list else { return };
+    fn refer(&mut self, place: Place<'_>, list: &[Reference]) {
         match place {
             Place::Rule(rule, sites) => {
-                let rules: Vec<usize> = list.iter().filter_map(|it| it.rule()).collect();
-                let (number, told) = self.rules.of(&rules);
-                (*rule, *sites) = (RuleId(number), told);
+                let (number, passed) = self.rules.of(list.iter().filter_map(|it| it.rule()));
+                (*rule, *sites) = (RuleId(number), passed);
             }
-            Place::Expr(expr) => match &mut expr.kind {
-                ExprKind::Call(id, sites, _) => {
-                    let functions: Vec<usize> = list.iter().filter_map(|it| it.function()).collect();
-                    let (number, told) = self.functions.of(&functions);
-                    (*id, *sites) = (FunctionId(number), told);
-                }
-                _ if list.iter().any(|it| *it != list[0]) => {
-                    let reader = self.reader(list, expr);
-                    expr.kind = ExprKind::Call(reader, (0..list.len() as u32).collect(), Vec::new());
-                }
-                _ => {}
-            },
+            Place::Expr(Expr { kind: ExprKind::Call(function, sites, _), .. }) => {
+                let (number, passed) = self.functions.of(list.iter().filter_map(|it| it.function()));
+                (*function, *sites) = (FunctionId(number), passed);
+            }
+            Place::Expr(expr) if list.iter().any(|it| *it != list[0]) => {
+                let sites = (0..list.len() as u32).collect();
+                expr.kind = ExprKind::Call(self.reader(list, expr), sites, Vec::new());
+            }
+            Place::Expr(_) => {}
         }
     }
 
@@ -246,22 +262,20 @@ impl Shared {
         if let Some(&known) = self.readers.get(list) {
             return known;
         }
-        let mut values: Vec<Variant<Expr>> = Vec::new();
-        let mut by_value: HashMap<Reference, usize> = HashMap::new();
-        for (site, reference) in list.iter().enumerate() {
+        let mut values: Vec<(Reference, Variant<Expr>)> = Vec::new();
+        for (reference, site) in list.iter().zip(0..) {
             let kind = match *reference {
                 Reference::Attr(id) => ExprKind::Attr(id),
                 Reference::Const(id) => ExprKind::Const(id),
                 Reference::Function(_) | Reference::Rule(_) => continue,
             };
-            let next = values.len();
-            let at = *by_value.entry(*reference).or_insert(next);
-            if at == next {
-                values.push(Variant { cases: Vec::new(), own: Expr { kind, ..expr.clone() } });
+            match values.iter_mut().find(|(known, _)| known == reference) {
+                Some((_, variant)) => variant.cases.push(site),
+                None => values.push((*reference, Variant { cases: vec![site], own: Expr { kind, ..expr.clone() } })),
             }
-            values[at].cases.push(site as u32);
         }
-        let id = FunctionId((self.first + self.made.len()) as u32);
+        let values = values.into_iter().map(|(_, variant)| variant).collect();
+        let id = FunctionId((self.functions.members.len() + self.made.len()) as u32);
         self.made.push(Function {
             name: "of_site".into(),
             params: Vec::new(),
@@ -287,48 +301,30 @@ impl Reference {
     }
 }
 
-/// The place of a reference.
-enum Place<'p> {
-    /// An attribute, a constant or a call.
-    Expr(&'p mut Expr),
-    Rule(&'p mut RuleId, &'p mut Vec<u32>),
-}
-
-impl Place<'_> {
-    fn reference(&self) -> Reference {
-        match self {
-            Place::Rule(rule, _) => Reference::Rule(**rule),
-            Place::Expr(expr) => match expr.kind {
-                ExprKind::Attr(id) => Reference::Attr(id),
-                ExprKind::Call(id, ..) => Reference::Function(id),
-                ExprKind::Const(id) => Reference::Const(id),
-                _ => unreachable!("places are references"),
-            },
-        }
-    }
-}
-
-/// The references in an expression.
-fn in_expr(expr: &mut Expr, visit: &mut dyn FnMut(Place<'_>)) {
+fn in_expr(expr: &mut Expr, visit: &mut dyn FnMut(Reference, Place<'_>)) {
     ir_walk::parts_mut(expr, &mut |part| {
-        if matches!(part.kind, ExprKind::Attr(_) | ExprKind::Const(_) | ExprKind::Call(..)) {
-            visit(Place::Expr(part));
-        }
+        let reference = match part.kind {
+            ExprKind::Attr(id) => Reference::Attr(id),
+            ExprKind::Const(id) => Reference::Const(id),
+            ExprKind::Call(id, ..) => Reference::Function(id),
+            _ => return,
+        };
+        visit(reference, Place::Expr(part));
     });
 }
 
-fn in_function(function: &mut Function, visit: &mut dyn FnMut(Place<'_>)) {
+fn in_function(function: &mut Function, visit: &mut dyn FnMut(Reference, Place<'_>)) {
     function.locals.iter_mut().for_each(|local| in_expr(local, visit));
     in_expr(&mut function.body, visit);
 }
 
-fn in_rule(rule: &mut Rule, visit: &mut dyn FnMut(Place<'_>)) {
+fn in_rule(rule: &mut Rule, visit: &mut dyn FnMut(Reference, Place<'_>)) {
     rule.locals.iter_mut().for_each(|local| in_expr(local, visit));
     ir_walk::exprs_mut(&mut rule.body, &mut |expr| in_expr(expr, visit));
     ir_walk::steps_mut(&mut rule.body, &mut |step| {
         for target in ir_walk::targets_mut(step) {
             if let Target::Rule { rule, sites, .. } = target {
-                visit(Place::Rule(rule, sites));
+                visit(Reference::Rule(*rule), Place::Rule(rule, sites));
             }
         }
     });
