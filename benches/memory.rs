@@ -1,7 +1,7 @@
 //! The memory of workloads A, B, B2 and D: the peak of a run beside its output, and the peak of growing buffers.
 //!
-//! `cargo bench --bench memory`. A counting allocator gives the same bytes in every run and on every system. The stack is not
-//! counted.
+//! `cargo bench --bench memory`. A counting allocator gives the same bytes in every run and on every system. The
+//! stack is not counted.
 
 mod common;
 mod workloads;

@@ -1,6 +1,7 @@
 //! Outlines moved inwards until nothing is left.
 //!
-//! `cargo bench --bench offset`. Time grows as the square of the corners, whether events come one by one or all at once.
+//! `cargo bench --bench offset`. The time is proportional to the square of the number of corners, both for separate
+//! and for simultaneous events.
 
 mod common;
 
@@ -13,13 +14,13 @@ use common::clock::{fastest, nanoseconds_each};
 use common::table::{Table, number};
 
 cga! {
-    /// The border faces of an offset that sweeps all of a lot.
+    /// The border faces of an offset that sweeps a whole lot.
     grammar Swept;
 
     Lot --> offset(-10, border) Border.
 }
 
-/// Numbers from 0 to 1 without order.
+/// Pseudo-random numbers from 0 to 1.
 fn mixed(i: u32) -> f64 {
     let mixed = (u64::from(i) + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     ((mixed ^ mixed >> 29).wrapping_mul(0xBF58_476D_1CE4_E5B9) >> 11) as f64 / (1u64 << 53) as f64

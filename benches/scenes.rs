@@ -146,7 +146,7 @@ fn sinks(scenes: &mut [Box<dyn Scene>]) {
                 &mut || {
                     let mut glb = Glb::new();
                     shared.borrow_mut().glb(&mut glb);
-                    let bytes = glb.finish().expect("it fits");
+                    let bytes = glb.into_bytes().expect("it fits");
                     assert!(12 * expected.triangles < bytes.len());
                 },
             ],

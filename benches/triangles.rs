@@ -127,7 +127,7 @@ fn main() {
     let buffers = sink(&mut table, "buffers", &shape, Buffers::new());
     assert_eq!(buffers.triangle_count(), outline.len() - 2);
     let glb = sink(&mut table, "GLB", &shape, Glb::new());
-    assert!(glb.finish().expect("it fits").len() > 12 * outline.len());
+    assert!(glb.into_bytes().expect("it fits").len() > 12 * outline.len());
     sink(&mut table, "OBJ", &shape, Obj::new(Vec::new(), "a.mtl"));
     table.print();
 }

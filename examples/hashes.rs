@@ -60,7 +60,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             let (mut flat, mut file) = (Buffers::new(), Glb::new());
             scene.buffers(&mut flat);
             scene.glb(&mut file);
-            println!("{}: buffers {:016x}, GLB {:016x}", scene.name(), buffers(&flat), Hash::of(&file.finish()?));
+            println!("{}: buffers {:016x}, GLB {:016x}", scene.name(), buffers(&flat), Hash::of(&file.into_bytes()?));
         }
     }
     grammar("Tower", &tower::Tower::default())?;
@@ -92,7 +92,11 @@ fn grammar(name: &str, grammar: &(dyn Grammar + Sync)) -> Result<(), Box<dyn Err
         let (mut flat, mut file) = (Buffers::new(), Glb::new());
         run(repeats, &mut flat)?;
         run(repeats, &mut file)?;
-        println!("{name}, templates {way}: buffers {:016x}, GLB {:016x}", buffers(&flat), Hash::of(&file.finish()?));
+        println!(
+            "{name}, templates {way}: buffers {:016x}, GLB {:016x}",
+            buffers(&flat),
+            Hash::of(&file.into_bytes()?)
+        );
     }
     let parts = derive_all(grammar, &lots, &Settings::default(), |_| Buffers::new())?;
     let hashes: Vec<String> = parts.sinks().map(|part| format!("{:016x}", buffers(part))).collect();

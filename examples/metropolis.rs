@@ -1,8 +1,8 @@
 //! A city of any size, streamed in parallel and in constant memory: each chunk of triangles is measured, or written
 //! to a file, and dropped.
 //!
-//! `cargo run --release --features rayon --example metropolis -- 100000` derives 100,000 buildings with 59 million parts. A
-//! folder as second argument gets a GLB file for each chunk.
+//! `cargo run --release --features rayon --example metropolis -- 100000` derives 100,000 buildings with 59 million
+//! parts. With a folder as second argument, it writes a GLB file for each chunk.
 
 use std::ops::ControlFlow;
 use std::path::PathBuf;

@@ -114,8 +114,8 @@ fn point(point: &Value) -> Option<[f64; 2]> {
     Some([point.get(0)?.as_f64()?, point.get(1)?.as_f64()?])
 }
 
-/// A main street with an X-junction, two T-junctions, a side street with bends, a lane and a dead end; and a feature that is
-/// not a line.
+/// A main street with an X-junction, two T-junctions, a side street with bends, a lane and a dead end; and a feature
+/// that is not a line.
 const SAMPLE: &str = r#"{ "type": "FeatureCollection", "features": [
     { "type": "Feature", "properties": { "roadway": 11, "sidewalk": 3 }, "geometry": { "type": "LineString", "coordinates": [
         [10.0000, 50.0000], [10.0012, 50.0001], [10.0030, 50.0001]] } },

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use cga::glam::{DMat3, DVec3};
 use cga::{Model, Scope, Settings, Shape, cga};
 use cga_lang::compile::compile_text;
-use cga_lang::facts::{Facts, RuleFacts};
+use cga_lang::ir::facts::{Facts, RuleFacts};
 
 cga! { grammar Rules in "tests/rules/facts.cga"; }
 

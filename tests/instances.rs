@@ -156,7 +156,7 @@ fn fresh(shapes: &[Shape], mut glb: Glb) -> Vec<u8> {
     for shape in shapes {
         Street::default().generate_into(shape, &settings(), &mut glb).expect("no limit");
     }
-    glb.finish().expect("a file")
+    glb.into_bytes().expect("a file")
 }
 
 #[test]
@@ -186,7 +186,7 @@ fn kept_and_fresh_templates_give_the_same_bytes() {
         for shape in &shapes {
             session.run(shape, &mut glb).expect("no limit");
         }
-        assert!(glb.finish().expect("a file") == expected);
+        assert!(glb.into_bytes().expect("a file") == expected);
     }
 }
 
@@ -202,7 +202,7 @@ fn a_part_whose_template_was_forgotten_is_the_same_part() {
                 session.run(&shape, &mut glb).expect("no limit");
             }
         }
-        File::new(&glb.finish().expect("a file")).json["meshes"].as_array().map_or(0, Vec::len)
+        File::new(&glb.into_bytes().expect("a file")).json["meshes"].as_array().map_or(0, Vec::len)
     };
     assert_eq!((meshes(1), meshes(3)), (40, 40));
 }
@@ -217,7 +217,7 @@ fn parts_in_the_material_of_their_shape_are_told_apart() {
         Bays::default().generate_into(&lot, &settings(), &mut glb).expect("no limit");
         Bays::default().generate_into(&lot, &settings(), &mut merged).expect("no limit");
     }
-    let [merged, instanced] = [merged, glb].map(|glb| File::new(&glb.finish().expect("a file")));
+    let [merged, instanced] = [merged, glb].map(|glb| File::new(&glb.into_bytes().expect("a file")));
     assert_same(merged.triangles(), instanced.triangles());
     assert_eq!(instanced.json["meshes"].as_array().map_or(0, Vec::len), 3);
 }
@@ -227,7 +227,7 @@ fn a_part_at_one_place_is_no_instance() {
     for (width, has_instances) in [(2.0, false), (12.0, true)] {
         let mut glb = Glb::new().with_instances();
         Bays::default().generate_into(&Shape::cuboid(width, 3.0, 1.0), &settings(), &mut glb).expect("no limit");
-        let file = File::new(&glb.finish().expect("a file"));
+        let file = File::new(&glb.into_bytes().expect("a file"));
         assert_eq!(!file.json["extensionsRequired"].is_null(), has_instances);
         assert_eq!(file.triangles().len(), 4 * (width / 2.0) as usize);
     }
@@ -250,7 +250,7 @@ fn axes_that_are_no_rotation_make_no_instances() {
         lot.set_scope(Scope { axes: DMat3::from_diagonal(DVec3::new(1.0, 1.0, depth)), ..*lot.scope() });
         let [merged, instanced] = [Glb::new(), Glb::new().with_instances()].map(|mut glb| {
             Rows::default().generate_into(&lot, &settings(), &mut glb).expect("no limit");
-            File::new(&glb.finish().expect("a file"))
+            File::new(&glb.into_bytes().expect("a file"))
         });
         assert_same(merged.triangles(), instanced.triangles());
         assert_eq!(!instanced.json["extensionsRequired"].is_null(), has_instances);

@@ -1,22 +1,53 @@
-//! The layers of the library crates: what a file imports lies in its own layer or below, and no files import each other.
+//! The layers of the library crates: a file imports only from its own layer or from below, and no files import each other.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The layers of a crate, from the ground up: the folders and files of its `src`. `lib.rs` stands outside.
+/// The layers of a crate, from the ground up: the folders and files of its `src`. `lib.rs` is outside.
 struct Layers {
     package: &'static str,
     layers: &'static [&'static str],
 }
 
-const CRATES: &[Layers] = &[Layers {
-    package: "cga-runtime",
-    layers: &[
-        "value", "fault", "material", "geometry", "shape", "street", "asset", "run", "func", "comp", "split", "query",
-        "op", "output", "grammar", "rt",
-    ],
-}];
+const CRATES: &[Layers] = &[
+    Layers {
+        package: "cga-lang",
+        layers: &[
+            "hash",
+            "graph",
+            "types",
+            "dialect",
+            "span",
+            "diag",
+            "ops",
+            "syntax",
+            "ir",
+            "link",
+            "resolve",
+            "infer",
+            "annotations",
+            "analysis",
+            "diagnostics",
+            "editor",
+            "check",
+            "lower",
+            "compile",
+            "snippet",
+        ],
+    },
+    Layers {
+        package: "cga-macros",
+        layers: &["problem", "header", "source", "report", "output", "codegen", "skeleton", "editor"],
+    },
+    Layers {
+        package: "cga-runtime",
+        layers: &[
+            "value", "fault", "material", "geometry", "shape", "street", "asset", "run", "func", "comp", "split",
+            "query", "op", "output", "grammar", "rt",
+        ],
+    },
+];
 
 /// A module path from the root of a crate.
 type Module = Vec<String>;

@@ -97,7 +97,7 @@ pub(crate) fn run(scene: &str, way: &str) {
         _ if way == SINKS[2] => twice(&mut || {
             let mut glb = Glb::new();
             scene.glb(&mut glb);
-            black_box(glb.finish().expect("it fits"));
+            black_box(glb.into_bytes().expect("it fits"));
         }),
         _ if way == SINKS[3] => twice(&mut || {
             let mut obj = Obj::new(std::io::sink(), "scene.mtl");

@@ -2,11 +2,11 @@
 //!
 //! `cargo bench -p cga-lang --bench front`
 
-use cga_lang::compile::{Door, Source, compile, compile_text};
+use cga_lang::compile::{Dialect, Source, compile, compile_text};
 use cga_lang::diag::Diags;
-use cga_lang::lex::lex;
 use cga_lang::link::{NoFiles, Unit};
-use cga_lang::parse::parse;
+use cga_lang::syntax::lex::lex;
+use cga_lang::syntax::parse::parse;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -34,7 +34,7 @@ Mass_(tall, levels) -->
 Sides_(levels) --> comp(f) { front : Facade_(levels, true) | side : Facade_(levels, false) | top : Roof_ }
 Facade_(levels, shop) --> # the ground floor differs
 	split(y) { ground_ : Ground_(shop) | { ~3.2 : Floor_(split.index, levels) | 0.2 : color(colour_(facade_)) Ledge. }* | 0.5 : Cornice. }
-Ground_(shop) --> case shop : split(x) { 1 : Wall_ | { ~4 : ShopWindow. | 0.4 : Wall_ }* | 1.2 : Door. | 1 : Wall_ } else : Wall_
+Ground_(shop) --> case shop : split(x) { 1 : Wall_ | { ~4 : ShopWindow. | 0.4 : Wall_ }* | 1.2 : Dialect. | 1 : Wall_ } else : Wall_
 Floor_(i, n) -->
 	split(x) { 0.5 : Wall_ | { ~width_(i, n) : Tile_(i, split.index) }* | 0.5 : Wall_ }
 Tile_(row, column) -->
@@ -68,7 +68,7 @@ fn times(text: &str) -> [Duration; 3] {
             &|| {
                 let lexed = lex(black_box(text));
                 black_box(compile(
-                    Unit { found: lexed.diags, ..Unit::new(lexed.tokens, Door::Text) },
+                    Unit { found: lexed.diags, ..Unit::new(lexed.tokens, Dialect::Text) },
                     &mut NoFiles,
                     &[],
                 ));

@@ -3,13 +3,13 @@
 //! Passes read the trees and write side tables and findings; all of them run. What could not be resolved has no entry
 //! in a table, and nothing more is said about it. [`Checked`] is made only when there was no error.
 
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
 use crate::diagnostics::levels;
-use crate::index::{Named, index};
+use crate::editor::index::{Named, index};
 use crate::ir::Type;
 use crate::link::{InstanceId, Program, Wanted};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::globals::{Globals, Item};
 use crate::resolve::tables::Tables;
 use crate::resolve::{cycles, duplicates, names, overrides};
@@ -42,7 +42,7 @@ pub(crate) struct Outcome<'a> {
 /// What follows from sizes and calls is looked for when `program` is as it will be: `last` says that no more declarations
 /// are instantiated, and without misfits none are.
 pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bool, diags: &mut Diags) -> Outcome<'a> {
-    let mut cx = Cx { globals: Globals::new(program), tables: Tables::default(), at: 0, diags };
+    let mut cx = Context { globals: Globals::new(program), tables: Tables::default(), at: 0, diags };
     let levels = levels::collect(&mut cx, levels);
     duplicates::values(&mut cx);
     overrides::check(&mut cx);
@@ -59,7 +59,7 @@ pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bo
     if last || !misfit {
         diagnostics::check(&mut cx);
     }
-    let Cx { globals, tables, diags, .. } = cx;
+    let Context { globals, tables, diags, .. } = cx;
     levels::apply(&levels, diags);
     let ty = |item: &Item| item.ty(&tables);
     let attrs = globals.attrs.iter().map(|item| (item.clone(), ty(item))).collect();

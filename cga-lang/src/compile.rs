@@ -1,17 +1,17 @@
 //! The whole way from tokens to a grammar, in one call.
 
 use crate::check::{Outcome, check};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Diags, Level};
 
-pub use crate::door::Door;
-use crate::index::Named;
+pub use crate::dialect::Dialect;
+use crate::editor::index::Named;
+use crate::editor::skeleton::Skeleton;
 use crate::ir::Grammar;
-use crate::lex::lex;
 use crate::link::{File, FileTokens, Files, NoFiles, Program, Unit, link};
 use crate::lower::lower;
-use crate::skeleton::Skeleton;
-use crate::token::Tokens;
+use crate::syntax::lex::lex;
+use crate::syntax::token::Tokens;
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -115,7 +115,7 @@ pub struct Source {
 /// Compiles CGA text that imports nothing.
 pub fn compile_text(text: &str) -> Source {
     let lexed = lex(text);
-    let root = Unit { found: lexed.diags, ..Unit::new(lexed.tokens.clone(), Door::Text) };
+    let root = Unit { found: lexed.diags, ..Unit::new(lexed.tokens.clone(), Dialect::Text) };
     let compiled = compile(root, &mut NoFiles, &[]);
     Source { tokens: lexed.tokens, ranges: lexed.ranges, compiled }
 }

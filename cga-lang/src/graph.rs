@@ -1,13 +1,13 @@
 //! Strongly connected components of a directed graph.
 
-/// The components, each after those it can reach. Nodes of a component are in ascending order.
+/// The components, each after those it can reach. The nodes of a component are in ascending order.
 pub fn components(edges: &[Vec<usize>]) -> Vec<Vec<usize>> {
     const UNSEEN: usize = usize::MAX;
     let mut order = vec![UNSEEN; edges.len()];
     let mut low = vec![0; edges.len()];
     let mut on_stack = vec![false; edges.len()];
     let (mut count, mut stack, mut found) = (0, Vec::new(), Vec::new());
-    // Tarjan's algorithm with a stack of its own: nodes, and how many of their edges are done.
+    // Tarjan's algorithm with an explicit stack: nodes, and the number of their finished edges.
     let mut work: Vec<(usize, usize)> = Vec::new();
     for root in 0..edges.len() {
         if order[root] != UNSEEN {
@@ -49,7 +49,7 @@ pub fn components(edges: &[Vec<usize>]) -> Vec<Vec<usize>> {
     found
 }
 
-/// Whether a component is a cycle: several nodes, or one that reaches itself.
+/// Returns true if a component is a cycle: several nodes, or one node with an edge to itself.
 pub(crate) fn is_cycle(component: &[usize], edges: &[Vec<usize>]) -> bool {
     match component {
         [one] => edges[*one].contains(one),

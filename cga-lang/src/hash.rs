@@ -1,13 +1,14 @@
-//! Hashing for keys that nobody can choose to collide: numbers of tokens and instances, and the words of the language's tables.
+//! Hashing for keys that an attacker cannot choose: numbers of tokens and instances, and the words of the language's
+//! tables.
 
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
-/// A map by such keys, several times as fast as one that must be safe from bad ones. What it iterates over is in no
-/// useful order, as with any.
+/// A map with such keys, several times as fast as one that must resist chosen collisions. Its iteration order is
+/// undefined, as for any hash map.
 pub(crate) type FastMap<K, V> = HashMap<K, V, BuildHasherDefault<Fast>>;
 
-/// Multiplies and folds.
+/// A hasher that multiplies and folds.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Fast(u64);
 
@@ -60,7 +61,7 @@ mod tests {
         };
         let all: HashSet<u64> = (0..100_000).map(number).collect();
         assert_eq!(all.len(), 100_000);
-        // A map takes the upper seven bits for its tags and the lower ones for places.
+        // A map uses the upper seven bits for its tags and the lower ones for places.
         for part in [0, 16, 32, 48] {
             let low: HashSet<u64> = (0..1000).map(|value| number(value) >> part & 0xffff).collect();
             assert!(900 < low.len(), "{part}: {}", low.len());

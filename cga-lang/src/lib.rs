@@ -1,18 +1,19 @@
-//! The CGA language: tokens, parser, checks, lowering. Knows nothing of Rust macros and does no IO.
+//! The CGA language: tokens, parser, checks, lowering. It is independent of Rust macros and does no IO.
 //!
 //! ```text
-//! door ─► Tokens ─► parse ─► Ast ─► link ─► check ─► Checked ─► lower ─► ir::Grammar
+//! source ─► tokens ─► parse ─► trees ─► link ─► resolve ─► infer ─► analysis ─► diagnostics ─► lower ─► IR
 //! ```
 //!
-//! - A door (this crate's [`lex`](lex::lex), or a macro's token stream) brings [`Tokens`](token::Tokens). Only the door
-//!   knows where a token is on screen; everything here speaks of tokens by index ([`Span`](span::Span)).
-//! - [`parse`](parse::parse) never fails, never panics and always ends: it returns the tree it could build.
-//! - [`link`] reads what is imported: a file once for each place and style it is used in.
-//! - [`check`] reads the trees and writes side tables. It makes a [`Checked`](check::Checked) only when there was no
-//!   error, and only that can be lowered.
-//! - lowering turns names into indices and blocks into rules.
+//! - A source (this crate's [`lex`](syntax::lex::lex), or a macro's token stream) makes [`Tokens`](syntax::token::Tokens). Only
+//!   the source knows the place of a token on the screen; this crate refers to tokens by index ([`Span`](span::Span)).
+//! - [`parse`](syntax::parse::parse) never fails, never panics and always ends: it returns the tree that it could build.
+//! - [`link`] reads imports: each file once, with an instance for each style and import site.
+//! - `resolve` finds the meaning of names, `infer` the types of values, `analysis` the possible values and shapes.
+//!   `diagnostics` reports what follows from these.
+//! - [`check`] makes a [`Checked`](check::Checked) only for a program without errors, and only that can be lowered.
+//! - Lowering turns names into indices and blocks into rules.
 //!
-//! [`compile`](compile::compile) is the whole way in one call.
+//! [`compile`](compile::compile) runs all stages.
 //!
 //! ```
 //! use cga_lang::compile::compile_text;
@@ -25,34 +26,23 @@
 
 mod analysis;
 mod annotations;
-pub mod ast;
-pub mod ast_walk;
 pub mod check;
-pub mod code;
 pub mod compile;
 pub mod diag;
 mod diagnostics;
-mod door;
-pub mod facts;
-mod fold;
+mod dialect;
+pub mod editor;
 pub mod graph;
 mod hash;
-pub mod index;
 mod infer;
 pub mod ir;
-pub mod ir_print;
-pub mod ir_walk;
-pub mod lex;
 pub mod link;
 mod lower;
 pub mod ops;
-pub mod parse;
 mod resolve;
-pub mod skeleton;
 pub mod snippet;
 pub mod span;
-pub mod token;
+pub mod syntax;
 mod types;
-mod words;
 
 use cga_split::suggest;

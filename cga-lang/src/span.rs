@@ -1,8 +1,8 @@
-//! Where something stands in the source, as a handle.
+//! Places in the source, as handles.
 
 /// A run of tokens by index, both ends included.
 ///
-/// Only the door that brought the text in knows where token 7 is on screen.
+/// Only the source that delivered the tokens knows the place of a token in a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Span {
     /// Index of the first token.
@@ -17,12 +17,12 @@ impl Span {
         Span { first: token, last: token }
     }
 
-    /// The span as many tokens further on.
+    /// The span moved by `tokens` tokens.
     pub(crate) fn behind(self, tokens: u32) -> Span {
         Span { first: self.first + tokens, last: self.last + tokens }
     }
 
-    /// The smallest span that holds both.
+    /// The smallest span that contains both.
     pub fn to(self, other: Span) -> Span {
         Span { first: self.first.min(other.first), last: self.last.max(other.last) }
     }

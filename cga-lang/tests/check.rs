@@ -2,8 +2,8 @@
 
 mod common;
 
-use cga_lang::code::Code;
 use cga_lang::diag::Diags;
+use cga_lang::diag::code::Code;
 use std::collections::HashSet;
 use std::fs;
 
@@ -56,7 +56,7 @@ fn messages_follow_the_house_style() {
 }
 
 #[test]
-#[should_panic(expected = "findings were dropped unread")]
+#[should_panic(expected = "diagnostics were dropped unread")]
 fn findings_cannot_be_dropped_unread() {
     drop(Diags::new());
 }

@@ -3,8 +3,8 @@
 
 mod common;
 
-use cga_lang::code::Code;
 use cga_lang::diag::Level;
+use cga_lang::diag::code::Code;
 use common::parts::Parts;
 use std::fs;
 use std::path::Path;

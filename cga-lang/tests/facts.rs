@@ -2,8 +2,8 @@
 
 mod common;
 
-use cga_lang::facts::{Facts, RuleFacts, Uses};
 use cga_lang::ir::RuleId;
+use cga_lang::ir::facts::{Facts, RuleFacts, Uses};
 use common::parts::Parts;
 
 /// The facts of the rule `Lot`.

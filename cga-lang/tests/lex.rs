@@ -2,7 +2,7 @@
 
 mod common;
 
-use cga_lang::lex::lex;
+use cga_lang::syntax::lex::lex;
 use std::fmt::Write;
 
 #[test]

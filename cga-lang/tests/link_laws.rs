@@ -2,13 +2,13 @@
 
 mod common;
 
-use cga_lang::code::Code;
-use cga_lang::compile::{Compiled, Door, compile};
+use cga_lang::compile::{Compiled, Dialect, compile};
 use cga_lang::diag::Level;
-use cga_lang::ir_print::print;
-use cga_lang::lex::lex;
+use cga_lang::diag::code::Code;
+use cga_lang::ir::print::print;
 use cga_lang::link::{Files, Unit, candidates};
-use cga_lang::token::{Sym, Tok, Tokens};
+use cga_lang::syntax::lex::lex;
+use cga_lang::syntax::token::{Sym, Tok, Tokens};
 use common::random::Random;
 use std::collections::BTreeMap;
 
@@ -20,7 +20,7 @@ struct Disk {
 
 impl Disk {
     fn unit(&self, name: &str) -> Unit {
-        Unit { name: name.into(), tokens: self.files[name].clone(), door: Door::Text, found: Vec::new() }
+        Unit { name: name.into(), tokens: self.files[name].clone(), dialect: Dialect::Text, found: Vec::new() }
     }
 
     fn compile(&mut self, root: &str) -> Compiled {

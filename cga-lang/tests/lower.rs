@@ -2,12 +2,12 @@
 
 mod common;
 
-use cga_lang::compile::{Compiled, Door, compile};
+use cga_lang::compile::{Compiled, Dialect, compile};
+use cga_lang::ir::print::print;
 use cga_lang::ir::{Anew, Item, Parts, RuleId, Step, Target, Type};
-use cga_lang::ir_print::print;
-use cga_lang::lex::lex;
 use cga_lang::link::{NoFiles, Unit};
-use cga_lang::token::{Tok, Tokens};
+use cga_lang::syntax::lex::lex;
+use cga_lang::syntax::token::{Tok, Tokens};
 
 #[test]
 fn trees_become_these_grammars() {
@@ -84,7 +84,7 @@ fn slots(pattern: &[Item]) -> usize {
 
 /// Compiles rules among Rust.
 fn inline(tokens: Tokens) -> Compiled {
-    compile(Unit::new(tokens, Door::Inline), &mut NoFiles, &[])
+    compile(Unit::new(tokens, Dialect::Inline), &mut NoFiles, &[])
 }
 
 /// Tokens of a text in which names that begin with `HOST` stand for Rust values.

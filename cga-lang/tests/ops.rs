@@ -3,12 +3,12 @@
 use cga_lang::compile::compile_text;
 use cga_lang::diag::Level;
 use cga_lang::ir::Type;
-use cga_lang::lex::lex;
 use cga_lang::ops::{
     self, Braces, COMPONENTS, Default, Needs, Operation, Param, ParamKind, Places, Run, SYNTAX, Uses, component,
     required, selector, syntax,
 };
-use cga_lang::token::{Sym, Tok};
+use cga_lang::syntax::lex::lex;
+use cga_lang::syntax::token::{Sym, Tok};
 use std::collections::{HashMap, HashSet};
 
 /// A row's name, parameters, text and whether it runs.

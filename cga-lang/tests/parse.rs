@@ -4,8 +4,8 @@ mod common;
 mod print;
 
 use cga_lang::diag::{Diags, Level};
-use cga_lang::lex::lex;
-use cga_lang::parse::parse;
+use cga_lang::syntax::lex::lex;
+use cga_lang::syntax::parse::parse;
 use print::{Spelling, print};
 use std::fs;
 

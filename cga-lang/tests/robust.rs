@@ -4,15 +4,15 @@ mod common;
 mod print;
 
 use crate::print::{Spelling, print as print_tree};
-use cga_lang::code::Code;
-use cga_lang::compile::{Door, compile, compile_text};
+use cga_lang::compile::{Dialect, compile, compile_text};
+use cga_lang::diag::code::Code;
 use cga_lang::diag::{Diags, Level};
-use cga_lang::ir_print::print;
-use cga_lang::lex::{decode, lex};
+use cga_lang::ir::print::print;
 use cga_lang::link::{NoFiles, Unit};
-use cga_lang::parse::parse;
 use cga_lang::snippet::render;
-use cga_lang::token::{Sym, Tok, Tokens};
+use cga_lang::syntax::lex::{decode, lex};
+use cga_lang::syntax::parse::parse;
+use cga_lang::syntax::token::{Sym, Tok, Tokens};
 use common::random::Random;
 use std::fs;
 
@@ -88,8 +88,8 @@ fn token(random: &mut Random) -> Tok {
 }
 
 fn try_tokens(tokens: &Tokens) {
-    for door in [Door::Inline, Door::Text] {
-        let compiled = compile(Unit::new(tokens.clone(), door), &mut NoFiles, &[]);
+    for dialect in [Dialect::Inline, Dialect::Text] {
+        let compiled = compile(Unit::new(tokens.clone(), dialect), &mut NoFiles, &[]);
         for diag in &compiled.diags {
             let places = diag.notes.iter().filter_map(|note| note.related).chain([diag.span]);
             for place in places {

@@ -5,7 +5,7 @@
 //! generated code, constants may be folded, and an attribute is read where it is kept for a run.
 
 use cga_lang::compile::Compiled;
-use cga_lang::index::{Kind, Named};
+use cga_lang::editor::index::{Kind, Named};
 use cga_lang::ir::Type;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;

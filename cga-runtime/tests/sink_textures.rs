@@ -139,7 +139,7 @@ fn rectangles_and_boxes_have_the_coordinates_of_their_meshes() {
     let glb = |as_meshes| {
         let mut glb = Glb::new();
         fill(&mut glb, &sets, as_meshes);
-        glb.finish().expect("a file").len()
+        glb.into_bytes().expect("a file").len()
     };
     assert_eq!(glb(false), glb(true));
     let mut obj = Vec::new();
@@ -292,7 +292,7 @@ fn images_can_be_referenced() {
     for name in ["maps/a.png", "builtin:default"] {
         glb.mesh("A", &look(|look| look.texture = Some(name.into())), &square(&[0]), DAffine3::IDENTITY);
     }
-    let file = String::from_utf8_lossy(&glb.0.finish().expect("a file")).into_owned();
+    let file = String::from_utf8_lossy(&glb.0.into_bytes().expect("a file")).into_owned();
     assert!(file.contains("\"uri\":\"maps/a.png\"") && file.contains("\"mimeType\":\"image/png\""));
 }
 

@@ -160,6 +160,14 @@ impl<'s> List<'s> {
     }
 }
 
+impl Solution<'_> {
+    /// A cursor at the low end, for code that knows the pattern and requests one slot after the other.
+    #[inline(always)]
+    pub fn cursor(&self) -> Cursor<'_> {
+        Cursor::new(self.lengths, self.extent)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -3,7 +3,6 @@
 use std::ops::ControlFlow;
 
 use crate::choices::{is_extent, is_size, smallest_piece};
-use crate::cursor::Cursor;
 use crate::groups;
 use crate::runs::{AnyGroups, OneGroup, Run, Turns};
 use crate::search::Sum;
@@ -13,8 +12,8 @@ use crate::{Item, Piece, Prefix, Size};
 #[derive(Clone, Debug)]
 pub struct Solution<'a> {
     pattern: &'a [Item],
-    lengths: &'a [f64],
-    extent: f64,
+    pub(crate) lengths: &'a [f64],
+    pub(crate) extent: f64,
     repeats: Repeats,
 }
 
@@ -236,12 +235,6 @@ impl Solution<'_> {
             }
         }
         sum
-    }
-
-    /// A cursor at the low end, for code that knows the pattern and requests one slot after the other.
-    #[inline(always)]
-    pub fn cursor(&self) -> Cursor<'_> {
-        Cursor::new(self.lengths, self.extent)
     }
 
     /// The repetitions of a group. Groups are numbered in the order in which they open.

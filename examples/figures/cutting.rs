@@ -12,14 +12,14 @@ use cga_runtime::geometry::cut;
 use crate::pen::{BLUE, GREEN, INK, ORANGE, Paint, Pen, RED, STONE, edges, hue, places, rings};
 use crate::sheet::Cell;
 
-/// The heights of the planes. The second one is that of the lower roof, a face in the plane.
+/// The heights of the planes. The second plane contains the lower roof.
 const PLANES: [f64; 4] = [1.5, 3.0, 4.6, 6.2];
 
-/// How wide bars and dots are.
+/// The width of bars and dots.
 const BAR: f64 = 0.07;
 const DOT: f64 = 0.3;
 
-/// How deep the building is.
+/// The depth of the building.
 const DEPTH: f64 = 4.0;
 
 /// The front from the lower left corner on, and the window in it, as (x, y).
@@ -107,7 +107,7 @@ fn outline_all(pen: &mut Pen, mesh: &Mesh) {
     rings(mesh).iter().for_each(|ring| pen.ring(ring, 0.4 * BAR, INK, DVec3::ZERO));
 }
 
-/// The slab of a height, or nothing when a plane is there.
+/// The slab at a height; `None` at a plane.
 fn slab(y: f64) -> Option<usize> {
     (!PLANES.contains(&y)).then(|| PLANES.partition_point(|&plane| plane < y))
 }
@@ -163,14 +163,14 @@ fn face_depth(mesh: &Mesh, face: &FaceRef<'_>) -> f64 {
     mesh.points()[face.outer()[0] as usize].z
 }
 
-/// The caps that look up, with the plane of each: those below a plane.
+/// The caps that look up, at the upper ends of the slabs, each with its part.
 fn upward(parts: &[Arc<Mesh>]) -> impl Iterator<Item = (&Arc<Mesh>, FaceRef<'_>)> {
     parts.iter().flat_map(|part| {
         part.faces().filter(|face| is_cap(face) && 0.0 < face.normal().y).map(move |face| (part, face))
     })
 }
 
-/// How far planes are pulled apart.
+/// The distance by which planes are pulled apart.
 const APART: f64 = 1.0;
 
 fn lift(y: f64) -> DVec3 {

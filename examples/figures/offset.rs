@@ -13,7 +13,7 @@ use crate::pen::{BLUE, GREEN, INK, ORANGE, Pen, RED, STONE, edges, hue, rings};
 use crate::sheet::Cell;
 
 cga! {
-    /// What is inside the moved outlines, and the border faces.
+    /// The inside of the moved outlines, and the border faces.
     grammar Offset;
     attr distance = 1
     @StartRule
@@ -22,11 +22,11 @@ cga! {
     Border --> offset(distance, border) Border.
 }
 
-/// How wide bars and dots are.
+/// The width of bars and dots.
 const BAR: f64 = 0.09;
 const DOT: f64 = 0.55;
 
-/// Far enough for everything to be swept.
+/// A distance at which everything is swept.
 const FAR: f64 = 1000.0;
 
 /// Corners as (x, z).
@@ -43,7 +43,7 @@ const OUTLINE: [[f64; 2]; 9] = [
 ];
 const COURTYARD: [[f64; 2]; 4] = [[4.2, 5.6], [8.4, 4.2], [9.8, 8.2], [5.4, 9.4]];
 
-/// A corridor of one width around a courtyard: all of it meets at once.
+/// A corridor of constant width around a courtyard: all its edges meet at once.
 const CLOISTER: [[f64; 2]; 6] = [[0.0, 0.0], [30.0, 0.0], [30.0, 5.0], [22.0, 5.0], [22.0, 13.0], [0.0, 13.0]];
 const COURT: [[f64; 2]; 4] = [[4.0, 4.0], [18.0, 4.0], [18.0, 9.0], [4.0, 9.0]];
 
@@ -92,7 +92,7 @@ const CLUSTERS: &str = "E  corridors of one width: parallel walls meet\n   along
 const RELIEF: &str =
     "F  a face that is not planar: its corners stay, new\n   points get heights from the edges beside them";
 
-/// The one leaf of a run, in the world; an empty mesh where there is none.
+/// The only leaf of a run, in the world; an empty mesh if there is none.
 fn run(shape: &Shape, start: &str, distance: f64) -> Result<Mesh, Box<dyn Error>> {
     let settings = cga::Settings { start: Some(start.into()), ..Default::default() };
     let model = Offset { distance }.generate_with(shape, &settings)?;
@@ -155,7 +155,7 @@ fn result(shape: &Shape, distance: f64) -> Result<Pen, Box<dyn Error>> {
     let mut pen = Pen::default();
     let (left, border) = (inside(shape, distance)?, border(shape, distance)?);
     pen.faces(left.faces(), &left, STONE, DVec3::ZERO);
-    // Outside of a face border faces look down; they are drawn from their other side.
+    // Border faces outside of a face look down; they are drawn from the other side.
     let turned = |mesh: &Mesh| {
         let mut builder = MeshBuilder::new();
         for face in mesh.faces() {
@@ -213,7 +213,7 @@ fn skeleton(shape: &Shape) -> Result<Pen, Box<dyn Error>> {
     Ok(pen)
 }
 
-/// Heights nearer than this are the same.
+/// Heights that differ by less are equal.
 const NEAR: f64 = 1e-6;
 
 /// The edges of a face, in their order.

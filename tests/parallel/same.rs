@@ -35,7 +35,7 @@ fn one_grammar<G: Rules + Grammar + Sync>(grammar: &G, shapes: &[Shape]) {
     let (one, _) = serial(grammar, shapes, Buffers::new());
     let mut from_loop = Glb::new();
     assert!(from_loop.buffers(&one).is_continue());
-    let from_loop = from_loop.finish().expect("a file");
+    let from_loop = from_loop.into_bytes().expect("a file");
     let first = with_threads(1, || buffers(grammar, shapes));
     for threads in THREADS {
         let (models, parts) = with_threads(threads, || {

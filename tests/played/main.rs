@@ -12,13 +12,13 @@ mod tails;
 mod write;
 
 use cga::Grammar;
-use cga_lang::code::Code;
-use cga_lang::compile::{Door, compile};
+use cga_lang::compile::{Dialect, compile};
+use cga_lang::diag::code::Code;
 use cga_lang::diag::{Basis, Diags, Level};
-use cga_lang::lex::lex;
 use cga_lang::link::{NoFiles, Unit};
-use cga_lang::parse::parse;
 use cga_lang::snippet::render;
+use cga_lang::syntax::lex::lex;
+use cga_lang::syntax::parse::parse;
 use judge::{Verdict, judge};
 use places::Places;
 use random::Random;
@@ -121,7 +121,7 @@ fn play(seed: u64, make: Make, counts: &mut BTreeMap<Code, usize>, broken: &mut 
     // What is an error of this kind runs all the same.
     let levels = [(Code::RepeatNoProgress, Level::Warning), (Code::EndlessRules, Level::Warning)];
     let lexed = lex(&text);
-    let compiled = compile(Unit::new(lexed.tokens.clone(), Door::Text), &mut NoFiles, &levels);
+    let compiled = compile(Unit::new(lexed.tokens.clone(), Dialect::Text), &mut NoFiles, &levels);
     let mut diags = Diags::new();
     let places = Places::new(&parse(&lexed.tokens, &mut diags));
     assert!(diags.finish().is_empty(), "{text}");

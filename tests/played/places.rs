@@ -1,9 +1,9 @@
 //! Where what rules print stands among what findings are about.
 
 use crate::write::FIRST_MARK;
-use cga_lang::ast::{Arg, Ast, Binary, Block, BlockPart, Body, Expr, ExprKind, Op, OpKind, Prefix, SplitItem};
-use cga_lang::ast_walk::ops;
 use cga_lang::span::Span;
+use cga_lang::syntax::ast::{Arg, Ast, Binary, Block, BlockPart, Body, Expr, ExprKind, Op, OpKind, Prefix, SplitItem};
+use cga_lang::syntax::walk::ops;
 use std::ops::Range;
 
 /// The places of a grammar, each with the numbers that a run prints when it comes by.

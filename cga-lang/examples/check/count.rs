@@ -1,7 +1,7 @@
 //! How much a file does.
 
-use cga_lang::ast::{Ast, BlockPart, Body, OpKind};
-use cga_lang::ast_walk;
+use cga_lang::syntax::ast::{Ast, BlockPart, Body, OpKind};
+use cga_lang::syntax::walk;
 
 /// Numbers of what stands in a file.
 #[derive(Clone, Copy, Default)]
@@ -16,7 +16,7 @@ pub(crate) fn count(ast: &Ast) -> Counts {
     for decl in &ast.decls {
         if let Body::Rule(ops) = &decl.body {
             counts.rules += 1;
-            ast_walk::ops(ops, &mut |op| {
+            walk::ops(ops, &mut |op| {
                 let OpKind::Block(block) = &op.kind else { return };
                 match block.parts.first() {
                     Some(BlockPart::Slots(..)) => counts.splits += 1,

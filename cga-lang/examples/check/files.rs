@@ -1,11 +1,11 @@
 //! Rule files on disk: found, read once and remembered.
 
-use cga_lang::compile::Door;
+use cga_lang::compile::Dialect;
 use cga_lang::diag::Diags;
-use cga_lang::lex::{Lexed, decode, lex};
 use cga_lang::link::{Files, Unit, candidates, folder};
-use cga_lang::parse::parse;
 use cga_lang::snippet::Quote;
+use cga_lang::syntax::lex::{Lexed, decode, lex};
+use cga_lang::syntax::parse::parse;
 use std::collections::{HashMap, HashSet};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -89,7 +89,7 @@ impl Library {
         Unit {
             name: entry.name.clone(),
             tokens: entry.lexed.tokens.clone(),
-            door: Door::Text,
+            dialect: Dialect::Text,
             found: entry.lexed.diags.clone(),
         }
     }

@@ -3,11 +3,11 @@
 use crate::count::count;
 use crate::files::Library;
 use crate::options::Options;
-use cga_lang::code::Code;
 use cga_lang::compile::compile;
+use cga_lang::diag::code::Code;
 use cga_lang::diag::{Detail, Diag, Diags, Level, Line};
-use cga_lang::parse::parse;
 use cga_lang::snippet::render_in;
+use cga_lang::syntax::parse::parse;
 use std::collections::{BTreeMap, HashSet};
 use std::io::{Result, Write};
 use std::time::Duration;

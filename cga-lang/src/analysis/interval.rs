@@ -4,8 +4,8 @@
 //! result of a run bit for bit. Two flags tell whether the value may be infinite or NaN. Comparisons follow the language: with NaN
 //! on one side, `<` and `<=` are true, and `>`, `>=` and `==` are false.
 
-use crate::ast::Binary;
 use crate::ops::Meaning;
+use crate::syntax::ast::Binary;
 
 /// Numbers from `lo` to `hi`.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,13 +4,13 @@ use super::facts::{Facts, Global};
 use super::interval::Interval;
 use super::texts::{TextSet, Texts};
 use super::value::Value;
-use crate::ast::{Binary, Decl, Expr, ExprKind, Name, Unary};
 use crate::ir::{ChoiceValues, Type};
 use crate::link::InstanceId;
 use crate::ops::{AttrValues, Meaning};
 use crate::resolve::globals::{Globals, Init, Item};
 use crate::resolve::info::AttrInfo;
 use crate::resolve::tables::{Tables, Use};
+use crate::syntax::ast::{Binary, Decl, Expr, ExprKind, Name, Unary};
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
 

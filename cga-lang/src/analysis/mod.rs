@@ -16,10 +16,10 @@ mod value;
 mod waiting;
 mod walk;
 
-use crate::ast::{Body, Op, OpKind};
-use crate::ast_walk::ops;
 use crate::resolve::globals::{Globals, Item};
 use crate::resolve::tables::{Tables, Use};
+use crate::syntax::ast::{Body, Op, OpKind};
+use crate::syntax::walk::ops;
 
 pub(crate) use facts::Facts;
 pub(crate) use known::{Attrs, Known};
@@ -181,7 +181,7 @@ impl<'f> Flow<'f> {
     }
 
     /// The abstract value of an expression.
-    pub(crate) fn value(&self, expr: &crate::ast::Expr, facts: &Facts) -> Value {
+    pub(crate) fn value(&self, expr: &crate::syntax::ast::Expr, facts: &Facts) -> Value {
         self.known.value(expr, facts)
     }
 }

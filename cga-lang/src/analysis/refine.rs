@@ -5,9 +5,9 @@ use super::interval::Interval;
 use super::known::Known;
 use super::texts::TextSet;
 use super::value::Value;
-use crate::ast::{Binary, Expr, ExprKind, Unary};
 use crate::ops::AttrValues;
 use crate::resolve::tables::Use;
+use crate::syntax::ast::{Binary, Expr, ExprKind, Unary};
 
 /// A value of the state that can be refined.
 enum Place {

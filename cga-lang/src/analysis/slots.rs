@@ -2,8 +2,8 @@
 
 use super::facts::Facts;
 use super::interval::Interval;
-use crate::ast::{Arg, Block, Op, Prefix, SplitItem};
 use crate::span::Span;
+use crate::syntax::ast::{Arg, Block, Op, Prefix, SplitItem};
 use cga_split::{Item, Piece, solve};
 
 /// The largest number of pieces that are laid out.

@@ -1,6 +1,6 @@
 //! The abstract domain of texts: subsets of the texts that the program compares with.
 
-use crate::token::{Sym, Tok};
+use crate::syntax::token::{Sym, Tok};
 use std::collections::HashMap;
 
 /// The last bit represents all texts that the program never compares with.

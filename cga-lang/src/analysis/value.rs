@@ -2,8 +2,8 @@
 
 use super::interval::Interval;
 use super::texts::TextSet;
-use crate::ast::Binary;
 use crate::ir::Type;
+use crate::syntax::ast::Binary;
 
 /// An abstract value.
 #[derive(Clone, Copy, Debug, PartialEq)]

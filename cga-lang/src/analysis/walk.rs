@@ -6,10 +6,10 @@ use super::shape::{Filling, Shape};
 use super::slots::Slots;
 use super::uvs::UvSets;
 use super::value::Value;
-use crate::ast::{Arg, Arm, ArmMode, Block, BlockPart, Expr, ExprKind, Name, Op, OpKind, SplitItem};
 use crate::ops::{self, Braces, Effect, FileUse, MOST_SIZE, Measure, Operation, ParamKind, Places, ShapeAttr};
 use crate::resolve::tables::Use;
 use crate::span::Span;
+use crate::syntax::ast::{Arg, Arm, ArmMode, Block, BlockPart, Expr, ExprKind, Name, Op, OpKind, SplitItem};
 
 /// A site: a place in a rule that checks look at.
 pub(crate) enum Site<'s, 'a> {
@@ -88,7 +88,7 @@ impl<'w> Walk<'w> {
             OpKind::Dynamic { rule, args, overrides, .. } => {
                 self.meet_args(args, &facts, visit);
                 for own in overrides {
-                    if let crate::ast::Override::Value(_, value) = own {
+                    if let crate::syntax::ast::Override::Value(_, value) = own {
                         visit.meet(&Site::Value(value), &facts);
                     }
                 }

@@ -1,26 +1,26 @@
 //! The arguments of one annotation.
 
-use crate::ast::{AnnotationArg, Expr, ExprKind, Unary};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Level};
-use crate::door::Door;
-use crate::resolve::context::Cx;
+use crate::dialect::Dialect;
+use crate::resolve::context::Context;
 use crate::resolve::info::{Group, Hidden};
 use crate::span::Span;
+use crate::syntax::ast::{AnnotationArg, Expr, ExprKind, Unary};
 
-pub(super) fn nothing(cx: &mut Cx, name: &str, args: &[AnnotationArg]) {
+pub(super) fn nothing(cx: &mut Context, name: &str, args: &[AnnotationArg]) {
     if let Some(first) = args.first() {
         wrong(cx, whole(first), format!("`@{name}` takes no arguments"));
     }
 }
 
-/// An argument with its name.
+/// The span of an argument with its name.
 pub(super) fn whole(arg: &AnnotationArg) -> Span {
     arg.name.as_ref().map_or(arg.value.span, |name| name.span.to(arg.value.span))
 }
 
-/// The one string that an annotation takes.
-pub(super) fn text(cx: &mut Cx, name: &str, span: Span, args: &[AnnotationArg]) -> Option<String> {
+/// The only string argument of an annotation.
+pub(super) fn text(cx: &mut Context, name: &str, span: Span, args: &[AnnotationArg]) -> Option<String> {
     match args {
         [AnnotationArg { name: None, value: Expr { kind: ExprKind::Text(text), .. } }] => Some(text.clone()),
         _ => {
@@ -30,8 +30,8 @@ pub(super) fn text(cx: &mut Cx, name: &str, span: Span, args: &[AnnotationArg]) 
     }
 }
 
-/// Arguments that must be strings; the others are reported and left out.
-pub(super) fn texts(cx: &mut Cx, needs: &str, args: &[AnnotationArg]) -> Vec<String> {
+/// Arguments that must be strings. Other arguments are reported and left out.
+pub(super) fn texts(cx: &mut Context, needs: &str, args: &[AnnotationArg]) -> Vec<String> {
     let mut list = Vec::with_capacity(args.len());
     for arg in args {
         match (&arg.name, &arg.value.kind) {
@@ -42,13 +42,13 @@ pub(super) fn texts(cx: &mut Cx, needs: &str, args: &[AnnotationArg]) -> Vec<Str
     list
 }
 
-/// `@Group("A", "B", order)`; without arguments it ends the group.
-pub(super) fn group_of(cx: &mut Cx, args: &[AnnotationArg]) -> Group {
+/// `@Group("A", "B", order)`. Without arguments it ends the group.
+pub(super) fn group_of(cx: &mut Context, args: &[AnnotationArg]) -> Group {
     let (order, names) = match args.split_last() {
         Some((AnnotationArg { name: None, value }, rest)) if number(value).is_some() => (number(value), rest),
         _ => (None, args),
     };
-    let needs = "`@Group` has strings, and perhaps a number at the end";
+    let needs = "`@Group` takes strings, and optionally a number at the end";
     if let (Some(_), [], [arg]) = (order, names, args) {
         wrong(cx, whole(arg), needs.to_owned());
         return Group::default();
@@ -56,13 +56,13 @@ pub(super) fn group_of(cx: &mut Cx, args: &[AnnotationArg]) -> Group {
     Group { names: texts(cx, needs, names), order }
 }
 
-pub(super) fn hidden(cx: &mut Cx, args: &[AnnotationArg]) -> Hidden {
+pub(super) fn hidden(cx: &mut Context, args: &[AnnotationArg]) -> Hidden {
     let mut names = Vec::with_capacity(args.len());
     for arg in args {
         match (&arg.name, &arg.value.kind) {
             (None, ExprKind::Name(name)) => names.push(name.text.clone()),
             (None, ExprKind::Text(text)) => names.push(text.clone()),
-            _ => _ = wrong(cx, whole(arg), "`@Hidden` has names of attributes of the import behind it".into()),
+            _ => _ = wrong(cx, whole(arg), "`@Hidden` takes names of attributes of the import after it".into()),
         }
     }
     if args.is_empty() { Hidden::All } else { Hidden::Names(names) }
@@ -78,9 +78,9 @@ pub(super) fn number(value: &Expr) -> Option<f64> {
     }
 }
 
-pub(super) fn wrong<'d>(cx: &'d mut Cx, span: Span, message: String) -> &'d mut Diag {
-    // In text they are as forgiving as CGA: they describe, they do not generate.
-    let door = cx.globals.program.instances[cx.at].file.door;
-    let level = if door == Door::Inline { Level::Error } else { Level::Warning };
+pub(super) fn wrong<'d>(cx: &'d mut Context, span: Span, message: String) -> &'d mut Diag {
+    // In text the checks are as lenient as CGA: annotations describe, they do not generate.
+    let dialect = cx.globals.program.instances[cx.at].file.dialect;
+    let level = if dialect == Dialect::Inline { Level::Error } else { Level::Warning };
     cx.diags.report_as(Code::BadAnnotation, level, span, message)
 }

@@ -1,37 +1,38 @@
-//! Which values an attribute may have: `@Range`, `@Enum`, and the lists that `@Range` had before 2017.1.
+//! The values that an attribute may have: `@Range`, `@Enum`, and the lists that `@Range` had before 2017.1.
 
 use super::arguments::{number, whole, wrong};
-use crate::ast::{AnnotationArg, Decl, Expr, ExprKind};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::ir::{AttrId, ChoiceValues, Choices, Presentation, Range, Type};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::globals::Kind;
 use crate::resolve::info::AttrInfo;
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::suggest::nearest;
+use crate::syntax::ast::{AnnotationArg, Decl, Expr, ExprKind};
 
-/// What is said about the values, and where.
+/// The annotated values and their places.
 #[derive(Default)]
 pub(super) struct Limits {
     range: Option<(Range, Span)>,
     choices: Option<(Choices, Span)>,
-    /// `valuesAttr`: the values stand in that attribute.
+    /// `valuesAttr`: the attribute that has the values.
     source: Option<(AttrId, Span)>,
 }
 
-/// More values than these are not listed in a message.
+/// The maximum number of values listed in a message.
 const MOST_SHOWN: usize = 6;
 
 const BOUNDS: [&str; 4] = ["min", "max", "stepsize", "restricted"];
 
 impl Limits {
-    /// `@Range(min=…, max=…)`, positions for names in old files, or a list of values, perhaps with names for them.
-    pub(super) fn range(&mut self, cx: &mut Cx, span: Span, args: &[AnnotationArg]) {
+    /// Reads `@Range(min=…, max=…)`, positional arguments in old files, or a list of values, optionally with labels.
+    pub(super) fn range(&mut self, cx: &mut Context, span: Span, args: &[AnnotationArg]) {
         let is_text = |arg: &AnnotationArg| arg.name.is_none() && matches!(arg.value.kind, ExprKind::Text(_));
         let names: Option<Vec<&str>> = args.iter().map(|arg| Some(arg.name.as_ref()?.text.as_str())).collect();
         let labels = names.is_some_and(|names| !names.is_empty() && !are_bounds(&names));
-        // Three numbers without names are values (*annotations*, 2017.0), not a step: that came with the names in 2017.1.
+        // Three numbers without names are values (*annotations*, 2017.0). The step was added with the names in
+        // 2017.1.
         let numbers = 2 < args.len() && args.iter().all(|arg| arg.name.is_none() && number(&arg.value).is_some());
         if labels || numbers || args.iter().any(is_text) {
             let (lists, restricted) = (args.iter().collect::<Vec<_>>(), true);
@@ -48,8 +49,8 @@ impl Limits {
         }
     }
 
-    /// `@Enum(value, …, restricted=…)` or `@Enum(valuesAttr=name, restricted=…)`.
-    pub(super) fn choices(&mut self, cx: &mut Cx, span: Span, args: &[AnnotationArg]) {
+    /// Reads `@Enum(value, …, restricted=…)` or `@Enum(valuesAttr=name, restricted=…)`.
+    pub(super) fn choices(&mut self, cx: &mut Context, span: Span, args: &[AnnotationArg]) {
         let (mut list, mut source, mut restricted) = (Vec::new(), None, true);
         for arg in args {
             match arg.name.as_ref().map(|name| name.text.as_str()) {
@@ -58,7 +59,7 @@ impl Limits {
                 Some("valuesAttr") => source = Some(&arg.value),
                 Some(name) => {
                     let near = nearest(name, ["restricted", "valuesAttr"]);
-                    let message = "`@Enum` has values, `valuesAttr` and `restricted`";
+                    let message = "`@Enum` takes values, `valuesAttr` and `restricted`";
                     wrong(cx, whole(arg), message.into()).suggest(near);
                     return;
                 }
@@ -75,17 +76,17 @@ impl Limits {
                 ChoiceValues::Attr(id)
             }),
             (Some(source), _) => {
-                wrong(cx, source.span, "`@Enum` has either values or `valuesAttr`".into());
+                wrong(cx, source.span, "`@Enum` takes either values or `valuesAttr`".into());
                 return;
             }
         };
         self.choices = values.map(|values| (Choices { values, labels: Vec::new(), restricted }, span));
     }
 
-    /// Gives an attribute what suits its type. Nothing more is said when the type is not known.
-    pub(super) fn settle(self, cx: &mut Cx, decl: &Decl, ty: Option<Type>, info: &mut AttrInfo) {
+    /// Stores the limits that fit the type of an attribute. An unknown type causes no further diagnostics.
+    pub(super) fn settle(self, cx: &mut Context, decl: &Decl, ty: Option<Type>, info: &mut AttrInfo) {
         let element = ty.map(Type::element);
-        let unsuited = |cx: &mut Cx, span: Span, what: &str| {
+        let unsuited = |cx: &mut Context, span: Span, what: &str| {
             let (name, ty) = (&decl.name.text, ty.map_or("", Type::word));
             wrong(cx, span, format!("{what}, but `{name}` is a {ty}"));
         };
@@ -106,7 +107,7 @@ impl Limits {
             };
             let is_truth = |text: &String| text == "true" || text == "false";
             match (element, needs) {
-                // Rule files spell out what a bool has anyway.
+                // Rule files list the values of a bool, although these are implied.
                 (Some(Type::Bool), _) if matches!(&choices.values, ChoiceValues::Texts(texts) if texts.iter().all(is_truth)) =>
                     {}
                 (Some(Type::Bool), _) => unsuited(cx, span, "values to choose from are for a float or a string"),
@@ -118,7 +119,7 @@ impl Limits {
             }
         }
         stray_default(cx, decl, info);
-        // Sliders that do not restrict (*annotations*), unless something else is said.
+        // Unrestricted sliders (*annotations*), unless a range is given.
         let max = match info.presentation {
             Presentation::Angle => 360.0,
             Presentation::Percent => 1.0,
@@ -131,7 +132,7 @@ impl Limits {
 }
 
 /// Reports values in a `@Range` (*CGA changelog 2017.1*).
-fn old_list(cx: &mut Cx, span: Span, values: &ChoiceValues) {
+fn old_list(cx: &mut Context, span: Span, values: &ChoiceValues) {
     let list: Vec<String> = match values {
         ChoiceValues::Floats(list) => list.iter().map(f64::to_string).collect(),
         ChoiceValues::Texts(list) => list.iter().map(|text| format!("{text:?}")).collect(),
@@ -143,8 +144,8 @@ fn old_list(cx: &mut Cx, span: Span, values: &ChoiceValues) {
     diag.help(format!("write `@Enum({written})`"));
 }
 
-/// A default that is none of the values which others are held to.
-fn stray_default(cx: &mut Cx, decl: &Decl, info: &AttrInfo) {
+/// Reports a default outside the restricted values.
+fn stray_default(cx: &mut Context, decl: &Decl, info: &AttrInfo) {
     let Some(value) = decl.value() else { return };
     let known = number(value);
     let stray = info.held_to_range().zip(known).filter(|(range, known)| *known < range.min || range.max < *known);
@@ -155,28 +156,28 @@ fn stray_default(cx: &mut Cx, decl: &Decl, info: &AttrInfo) {
         }
         (_, Some(ChoiceValues::Texts(list)), ExprKind::Text(text)) if !list.contains(text) => {
             let near = nearest(text, list.iter().map(String::as_str)).map(|near| format!("did you mean \"{near}\"?"));
-            (format!("the default of `{name}` is none of the values it may have"), near)
+            (format!("the default of `{name}` is not one of its allowed values"), near)
         }
         (_, Some(ChoiceValues::Floats(list)), _) if known.is_some_and(|known| !list.contains(&known)) => {
-            (format!("the default of `{name}` is none of the values it may have"), None)
+            (format!("the default of `{name}` is not one of its allowed values"), None)
         }
         _ => return,
     };
     let diag = cx.diags.report(Code::StrayDefault, value.span, message);
-    diag.note("a program that has set it to something else cannot set it back");
+    diag.note("a host program that sets another value cannot set the default again");
     if let Some(near) = near {
         diag.help(near);
     }
 }
 
-/// Whether names were meant for the bounds of a range, not for its values.
+/// Returns true if the names were meant as bounds of a range and not as labels of its values.
 fn are_bounds(names: &[&str]) -> bool {
     let like =
         |name: &&str| ["min", "max", "step", "restrict"].iter().any(|bound| name.to_lowercase().starts_with(bound));
     names.iter().any(|name| BOUNDS.contains(name)) || names.iter().all(like)
 }
 
-fn truth(cx: &mut Cx, value: &Expr) -> Option<bool> {
+fn truth(cx: &mut Context, value: &Expr) -> Option<bool> {
     match value.kind {
         ExprKind::Bool(value) => Some(value),
         _ => {
@@ -186,8 +187,8 @@ fn truth(cx: &mut Cx, value: &Expr) -> Option<bool> {
     }
 }
 
-/// Values that are all numbers or all strings.
-fn values(cx: &mut Cx, annotation: &str, args: &[&AnnotationArg]) -> Option<ChoiceValues> {
+/// Reads values that are all numbers or all strings.
+fn values(cx: &mut Context, annotation: &str, args: &[&AnnotationArg]) -> Option<ChoiceValues> {
     let (mut floats, mut texts) = (Vec::new(), Vec::new());
     for arg in args {
         match (number(&arg.value), &arg.value.kind) {
@@ -204,9 +205,9 @@ fn values(cx: &mut Cx, annotation: &str, args: &[&AnnotationArg]) -> Option<Choi
 }
 
 /// The attribute that `valuesAttr` names.
-fn attribute(cx: &mut Cx, value: &Expr) -> Option<AttrId> {
+fn attribute(cx: &mut Context, value: &Expr) -> Option<AttrId> {
     let ExprKind::Name(name) = &value.kind else {
-        wrong(cx, value.span, "`valuesAttr` is the name of an attribute".into());
+        wrong(cx, value.span, "`valuesAttr` takes the name of an attribute".into());
         return None;
     };
     match cx.globals.value(cx.at, &name.text) {
@@ -224,7 +225,7 @@ fn attribute(cx: &mut Cx, value: &Expr) -> Option<AttrId> {
     }
 }
 
-fn bounds(cx: &mut Cx, span: Span, args: &[AnnotationArg]) -> Option<Range> {
+fn bounds(cx: &mut Context, span: Span, args: &[AnnotationArg]) -> Option<Range> {
     let (mut min, mut max, mut step, mut restricted) = (None, None, 0.0, true);
     for (index, arg) in args.iter().enumerate() {
         let name = match &arg.name {
@@ -238,7 +239,7 @@ fn bounds(cx: &mut Cx, span: Span, args: &[AnnotationArg]) -> Option<Range> {
         if !matches!(name, "min" | "max" | "stepsize") {
             let place = arg.name.as_ref().map_or(arg.value.span, |name| name.span);
             let near = nearest(name, BOUNDS);
-            wrong(cx, place, "`@Range` has `min`, `max`, `stepsize` and `restricted`".into()).suggest(near);
+            wrong(cx, place, "`@Range` takes `min`, `max`, `stepsize` and `restricted`".into()).suggest(near);
             return None;
         }
         let Some(value) = number(&arg.value) else {

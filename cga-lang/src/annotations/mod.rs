@@ -1,25 +1,25 @@
-//! What annotations say about attributes and imports, and which rule comes first (*annotations*).
+//! Annotations of attributes, imports and rules (*annotations*).
 //!
-//! They describe and generate nothing. What cannot be understood is reported, and the rest counts as if it were not there.
+//! Annotations describe and generate nothing. Unclear annotations are reported and ignored.
 
 mod arguments;
 mod limits;
 mod notes;
 
-use crate::ast::{Annotation, Ast, Body, Decl, Import, Role, Style};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::link::{InstanceId, Key, Program};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::globals::Item;
 use crate::resolve::info::{AttrInfo, Group, Hidden, ImportInfo, RuleInfo};
 use crate::span::Span;
 use crate::suggest::nearest;
-use crate::words::ANNOTATIONS;
+use crate::syntax::ast::{Annotation, Ast, Body, Decl, Import, Role, Style};
+use crate::syntax::words::ANNOTATIONS;
 use arguments::wrong;
 use notes::Notes;
 use std::collections::HashMap;
 
-/// What annotations can stand before.
+/// The possible places of annotations.
 enum Place<'a> {
     Head(&'a [Annotation]),
     Import(&'a Import),
@@ -39,7 +39,7 @@ impl<'a> Place<'a> {
 
     fn span(&self) -> Span {
         match self {
-            // Before everything.
+            // Before all other places.
             Place::Head(_) => Span::default(),
             Place::Import(import) => import.span,
             Place::Style(style) => style.name.span,
@@ -48,13 +48,13 @@ impl<'a> Place<'a> {
     }
 }
 
-pub(crate) fn read(cx: &mut Cx) {
+pub(crate) fn read(cx: &mut Context) {
     let program = cx.globals.program;
     cx.tables.attrs = vec![AttrInfo::default(); cx.globals.attrs.len()];
     let by_name: HashMap<Key, usize> =
         cx.globals.attrs.iter().enumerate().map(|(index, item)| (item.key(), index)).collect();
     let mut hidden = vec![false; program.instances.len()];
-    // Importing files come before the imported ones.
+    // Importing files come before imported files.
     for (id, instance) in program.instances.iter().enumerate() {
         cx.at = id;
         let import = instance.parent.and_then(|parent| from(program, parent, id));
@@ -81,8 +81,13 @@ fn from(program: &Program, parent: InstanceId, id: InstanceId) -> Option<Key> {
     Some((parent, import.id.id()))
 }
 
-/// Reads the annotations of a file. `group` is the one that counts where it is imported.
-fn file<'a>(cx: &mut Cx, ast: &'a Ast, mut group: Group, keep: &mut dyn FnMut(&mut Cx, &'a Decl, AttrInfo)) -> Starts {
+/// Reads the annotations of a file. `group` is the group at the place of its import.
+fn file<'a>(
+    cx: &mut Context,
+    ast: &'a Ast,
+    mut group: Group,
+    keep: &mut dyn FnMut(&mut Context, &'a Decl, AttrInfo),
+) -> Starts {
     let mut places: Vec<Place<'_>> = vec![Place::Head(&ast.head)];
     places.extend(ast.imports.iter().map(Place::Import));
     places.extend(ast.styles.iter().map(Place::Style));
@@ -101,7 +106,7 @@ fn file<'a>(cx: &mut Cx, ast: &'a Ast, mut group: Group, keep: &mut dyn FnMut(&m
                 .help("move it before the rule that begins a model");
         }
         if let Some(span) = notes.names.filter(|_| !matches!(place, Place::Import(_))) {
-            wrong(cx, span, "`@Hidden` has names only before an import".into());
+            wrong(cx, span, "`@Hidden` takes names before an import only".into());
         }
         match place {
             Place::Import(import) => {
@@ -130,15 +135,15 @@ fn file<'a>(cx: &mut Cx, ast: &'a Ast, mut group: Group, keep: &mut dyn FnMut(&m
     starts
 }
 
-/// The search for the rule that a run begins with.
+/// The search for the start rule.
 #[derive(Default)]
 struct Starts {
-    /// The first `@StartRule` of each style: the id of the rule's name.
+    /// The id of the name of the first `@StartRule` rule, by style.
     first: HashMap<u32, u32>,
 }
 
 impl Starts {
-    fn rule(&mut self, cx: &mut Cx, decl: &Decl, start: Option<Span>) {
+    fn rule(&mut self, cx: &mut Context, decl: &Decl, start: Option<Span>) {
         let Some(span) = start else { return };
         if !decl.params.is_empty() {
             let message = format!("`{}` has parameters, so a run cannot begin with it", decl.name.text);
@@ -148,13 +153,13 @@ impl Starts {
             wrong(cx, span, message).help(format!("mark a rule that calls it, such as `{outer} --> {name}({values})`"));
             return;
         }
-        // All of them can be started; a run begins with the first, or with the first of its style.
+        // All annotated rules can be started. A run begins with the first one, or with the first one of its style.
         self.first.entry(decl.style).or_insert(decl.name.id());
     }
 
-    /// The rule marked with `start`, else the annotated one of the nearest style, else the first, each without
-    /// parameters.
-    fn rule_of(self, cx: &mut Cx) -> Option<u32> {
+    /// The rule marked with `start`, otherwise the annotated rule of the nearest style, otherwise the first rule. It
+    /// has no parameters.
+    fn rule_of(self, cx: &mut Context) -> Option<u32> {
         let (root, styles) = (cx.at, &cx.globals.program.instances[cx.at].styles);
         let own = |item: &Item| item.instance == root && item.home == root && !item.decl.name.text.contains('.');
         let rules = cx.globals.rules.iter().enumerate().filter(|(_, item)| own(item));
@@ -184,14 +189,14 @@ impl Starts {
     }
 }
 
-/// The annotation's name as the language has it.
-fn known(cx: &mut Cx, annotation: &Annotation) -> Option<&'static str> {
+/// The official name of an annotation.
+fn known(cx: &mut Context, annotation: &Annotation) -> Option<&'static str> {
     let name = annotation.name.text.as_str();
     if let Some(known) = ANNOTATIONS.iter().find(|&&known| known == name) {
         return Some(known);
     }
     let span = annotation.name.span;
-    // *CGA changelog 2019.1*: other capitals are a warning, and it counts.
+    // *CGA changelog 2019.1*: other capitals are a warning, and the annotation counts.
     if let Some(known) = ANNOTATIONS.iter().find(|known| known.eq_ignore_ascii_case(name)) {
         let message = format!("annotation `@{name}` is written `@{known}`");
         cx.diags.report(Code::UnknownAnnotation, span, message);
@@ -205,17 +210,17 @@ fn known(cx: &mut Cx, annotation: &Annotation) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use crate::compile::{Door, compile, compile_text};
-    use crate::lex::lex;
+    use crate::compile::{Dialect, compile, compile_text};
     use crate::link::{Files, Unit};
+    use crate::syntax::lex::lex;
 
-    /// One library for every path.
+    /// A provider with one library for all paths.
     struct Library(&'static str);
 
     impl Files for Library {
         fn open(&mut self, path: &str, _: &str) -> Result<Unit, String> {
             let lexed = lex(self.0);
-            Ok(Unit { name: path.into(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags })
+            Ok(Unit { name: path.into(), tokens: lexed.tokens, dialect: Dialect::Text, found: lexed.diags })
         }
     }
 
@@ -228,14 +233,14 @@ mod tests {
                 "@Group(\"A\") attr x = 1 {before} @Group(\"B\") import lib : \"lib.cga\" attr y = 1 Lot --> lib.Lot"
             );
             let lexed = lex(&text);
-            let root = Unit { name: "a.cga".into(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags };
+            let root = Unit { name: "a.cga".into(), tokens: lexed.tokens, dialect: Dialect::Text, found: lexed.diags };
             let library = "attr a = 1  attr b = 2  @Group(\"C\") attr c = 3  Lot --> t(a, b, c)";
             let compiled = compile(root, &mut Library(library), &[]);
             assert_eq!(compiled.diags, []);
             let grammar = compiled.grammar.expect("no error");
             let shown: Vec<(&str, &str, bool)> =
                 grammar.attrs.iter().map(|attr| (attr.name.as_str(), attr.group[0].as_str(), attr.hidden)).collect();
-            // The group goes on across the import.
+            // The group continues after the import.
             let [first, second] = expected;
             let imported = [("lib.a", "B", first), ("lib.b", "B", second), ("lib.c", "C", second)];
             assert_eq!(shown, [[("x", "A", false), ("y", "B", false)].as_slice(), &imported].concat());

@@ -2,32 +2,32 @@
 
 use super::arguments::{group_of, hidden, nothing, number, text, texts, wrong};
 use super::limits::Limits;
-use crate::ast::{AnnotationArg, Decl};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::ir::{Presentation, Type};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::info::{AttrInfo, Group, Hidden};
 use crate::span::Span;
+use crate::syntax::ast::{AnnotationArg, Decl};
 
-/// What stands before one thing.
+/// The annotations of one place.
 #[derive(Default)]
 pub(super) struct Notes {
     pub(super) info: AttrInfo,
     limits: Limits,
-    /// Where it is said how the attribute is shown.
+    /// The annotation that defines the presentation of the attribute.
     presented: Option<Span>,
     pub(super) descriptions: Vec<String>,
     pub(super) start: Option<Span>,
     pub(super) hidden: Hidden,
-    /// Where names of an import are hidden.
+    /// The annotation with names of an import.
     pub(super) names: Option<Span>,
 }
 
 impl Notes {
-    /// Takes in what an annotation says. `group` is the one that counts from here on.
+    /// Reads an annotation. `group` is the current group, and is updated.
     pub(super) fn read(
         &mut self,
-        cx: &mut Cx,
+        cx: &mut Context,
         name: &'static str,
         span: Span,
         args: &[AnnotationArg],
@@ -72,16 +72,16 @@ impl Notes {
                 let diag = cx.diags.report(Code::OldSpelling, span, "`@Location` is an old annotation without effect");
                 diag.help("leave it out");
             }
-            // `@Out` and `@Handle` are for programs that we are not; `levels` reads the rest.
+            // `@Out` and `@Handle` are for other programs; `levels` reads the rest.
             _ => {}
         }
     }
 
-    fn present(&mut self, cx: &mut Cx, name: &str, span: Span, args: &[AnnotationArg], how: Presentation) {
+    fn present(&mut self, cx: &mut Context, name: &str, span: Span, args: &[AnnotationArg], how: Presentation) {
         nothing(cx, name, args);
         match self.presented {
             Some(first) if self.info.presentation != how => {
-                let message = format!("`@{name}` has no effect: something else says how this is shown");
+                let message = format!("`@{name}` has no effect: another annotation defines how this is shown");
                 wrong(cx, span, message).related("said", first);
             }
             _ => (self.info.presentation, self.presented) = (how, Some(span)),
@@ -90,13 +90,13 @@ impl Notes {
 }
 
 impl Notes {
-    /// The description, else the doc comments.
+    /// The description, otherwise the doc comments.
     pub(super) fn doc(&self, decl: &Decl) -> String {
         if self.descriptions.is_empty() { decl.docs.join("\n") } else { self.descriptions.join("\n") }
     }
 
-    /// What they say about an attribute, as far as it suits the type.
-    pub(super) fn attribute(self, cx: &mut Cx, decl: &Decl, group: &Group) -> AttrInfo {
+    /// The information about an attribute that fits its type.
+    pub(super) fn attribute(self, cx: &mut Context, decl: &Decl, group: &Group) -> AttrInfo {
         let doc = self.doc(decl);
         let Notes { mut info, limits, presented, hidden, .. } = self;
         info.group.clone_from(group);

@@ -25,20 +25,20 @@ pub enum Basis {
 }
 
 impl Basis {
-    /// The notes about it. What other notes explain has none.
+    /// The notes about the basis. A basis that other notes explain has none.
     pub(super) fn notes(&self) -> Vec<Note> {
         match self {
             Basis::Rules | Basis::Start | Basis::Extent => Vec::new(),
             Basis::Calls { rule, begins } => {
                 let start = if *begins { "; a run that begins with it may differ" } else { "" };
-                vec![Note { text: format!("so it is wherever `{rule}` is called{start}").into(), related: None }]
+                vec![Note { text: format!("this holds wherever `{rule}` is called{start}").into(), related: None }]
             }
             Basis::Defaults(list) if list.is_empty() => {
-                vec![Note { text: "so it is with the defaults of the attributes".into(), related: None }]
+                vec![Note { text: "this holds with the defaults of the attributes".into(), related: None }]
             }
             Basis::Defaults(list) => {
                 let note = |(name, place): &(String, Span)| Note {
-                    text: format!("so it is with the default of `{name}`").into(),
+                    text: format!("this holds with the default of `{name}`").into(),
                     related: Some(*place),
                 };
                 list.iter().map(note).collect()

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-/// The sign of relative sizes in the lines of diagnostics. Sources spell it differently, so it is not a character of any.
+/// The sign of relative sizes in the lines of diagnostics. Sources spell it differently, so the sign is not a
+/// character of any source.
 pub const RELATIVE: char = '\u{FDD0}';
 
 /// A line of a diagnostic: lower case, no full stop, names and code in backticks.
@@ -10,14 +11,14 @@ pub const RELATIVE: char = '\u{FDD0}';
 pub struct Line(String);
 
 impl Line {
-    /// The line with a source's sign of relative sizes.
+    /// The line with the source's sign of relative sizes.
     pub fn spelled(&self, relative: char) -> String {
         self.0.replace(RELATIVE, relative.encode_utf8(&mut [0; 4]))
     }
 }
 
 impl fmt::Display for Line {
-    /// As text sources spell it.
+    /// Writes the line in the spelling of text sources.
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.write_str(&self.spelled('\''))
     }

@@ -1,22 +1,23 @@
-//! Checks of expressions: division by zero, arguments out of bounds, conditions that are always the same.
+//! Checks of expressions: division by zero, arguments out of bounds, constant conditions.
 
 use super::{bounds, branches, colour, texture};
 use crate::analysis::{Facts, Flow, Turn};
-use crate::ast::{Binary, Expr, ExprKind};
-use crate::code::Code;
 use crate::diag::Diags;
-use crate::resolve::context::Cx;
+use crate::diag::code::Code;
+use crate::resolve::context::Context;
 use crate::resolve::tables::Use;
+use crate::syntax::ast::{Binary, Expr, ExprKind};
 
-/// Looks at an expression and its parts.
-pub(crate) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mut Diags) {
+/// Checks an expression and its parts.
+pub(crate) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Context, diags: &mut Diags) {
     match &expr.kind {
         ExprKind::Binary(op @ (Binary::Div | Binary::Rem), _, _, right)
             if flow.value(right, facts).number().known() == Some(0.0) =>
         {
-            let what = if *op == Binary::Div { "this divides by zero" } else { "the remainder of zero is no number" };
+            let what =
+                if *op == Binary::Div { "this divides by zero" } else { "the remainder of a division by zero is NaN" };
             let diag = diags.report(Code::DivisionByZero, right.span, what);
-            diag.note("the result is no number: operations take it as 0, with a fault");
+            diag.note("the result is not finite: operations use 0 instead, with a fault");
         }
         ExprKind::Case(arms, other) => return case(arms, other, facts, (facts, &mut Vec::new()), flow, cx, diags),
         ExprKind::Call(name, args) => {
@@ -29,24 +30,24 @@ pub(crate) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
         }
         _ => {}
     }
-    // What stands in a comp is computed on each component.
+    // The values of a comp are computed on each component.
     let component = matches!(expr.kind, ExprKind::Comp(_)).then(|| facts.on_any_shape());
     let facts = component.as_ref().unwrap_or(facts);
     expr.parts().into_iter().for_each(|part| check(part, facts, flow, cx, diags));
 }
 
-/// Looks at a `case`. `first` is what was known where its first condition stands, with the conditions since: it may stand
-/// behind the `else` of another.
+/// Checks a `case`. `first` has the facts at its first condition, with the conditions since then, because the `case`
+/// may follow the `else` of another one.
 fn case<'e>(
     arms: &'e [(Expr, Expr)],
     other: &'e Expr,
     facts: &Facts,
     (first, before): (&Facts, &mut Vec<&'e Expr>),
     flow: &Flow,
-    cx: &Cx,
+    cx: &Context,
     diags: &mut Diags,
 ) {
-    // What is never computed may be anything.
+    // A part that is never computed has no diagnostics.
     let mut left = Some(facts.clone());
     for (at, (condition, value)) in arms.iter().enumerate() {
         let Some(here) = left else { return };

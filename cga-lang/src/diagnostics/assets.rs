@@ -1,19 +1,19 @@
-//! Files that rules name and that the package does not have; groups and materials that an asset does not have.
+//! Files that rules name and the package does not have; groups and materials that an asset does not have.
 
 use crate::analysis::{Facts, Site};
-use crate::ast::{Arg, Expr, ExprKind};
-use crate::code::Code;
 use crate::diag::Diags;
+use crate::diag::code::Code;
 use crate::link::Asset;
 use crate::ops::{AssetNames, FileUse, Function, Param, ParamKind};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
 use crate::suggest::nearest;
-use crate::token::Tok;
+use crate::syntax::ast::{Arg, Expr, ExprKind};
+use crate::syntax::token::Tok;
 use cga_split::files::places;
 
-/// Looks at what is met on the way through a rule.
-pub(crate) fn check(site: &Site, facts: &Facts, cx: &Cx, diags: &mut Diags) {
+/// Checks a site of a rule.
+pub(crate) fn check(site: &Site, facts: &Facts, cx: &Context, diags: &mut Diags) {
     let names = cx.tables.at(facts.own);
     match site {
         Site::Operation(row, args) => {
@@ -26,13 +26,13 @@ pub(crate) fn check(site: &Site, facts: &Facts, cx: &Cx, diags: &mut Diags) {
     }
 }
 
-/// Looks at the arguments that are files.
-fn files(params: &[Param], args: &[&Expr], names: Entries, cx: &Cx, diags: &mut Diags) {
+/// Checks the arguments that are files.
+fn files(params: &[Param], args: &[&Expr], names: Entries, cx: &Context, diags: &mut Diags) {
     params.iter().zip(args).for_each(|(param, value)| named(value, param.kind, names, cx, diags));
 }
 
-/// Looks at an expression and its parts.
-pub(crate) fn expression(expr: &Expr, facts: &Facts, cx: &Cx, diags: &mut Diags) {
+/// Checks an expression and its parts.
+pub(crate) fn expression(expr: &Expr, facts: &Facts, cx: &Context, diags: &mut Diags) {
     let names = cx.tables.at(facts.own);
     if let ExprKind::Call(name, args) = &expr.kind
         && let Some(Use::Builtin(row)) = names.of(name)
@@ -45,8 +45,8 @@ pub(crate) fn expression(expr: &Expr, facts: &Facts, cx: &Cx, diags: &mut Diags)
     expr.parts().into_iter().for_each(|part| expression(part, facts, cx, diags));
 }
 
-/// The file that an expression names, and the place where that is written.
-fn text<'c>(expr: &'c Expr, names: Entries, cx: &'c Cx) -> Option<&'c str> {
+/// The file name that an expression is: a string, or a constant with a string.
+fn text<'c>(expr: &'c Expr, names: Entries, cx: &'c Context) -> Option<&'c str> {
     match &expr.kind {
         ExprKind::Text(text) => Some(text),
         ExprKind::Name(name) => match names.of(name)? {
@@ -60,8 +60,8 @@ fn text<'c>(expr: &'c Expr, names: Entries, cx: &'c Cx) -> Option<&'c str> {
     }
 }
 
-/// Looks at an argument or value that may be the name of a file.
-fn named(value: &Expr, kind: ParamKind, names: Entries, cx: &Cx, diags: &mut Diags) {
+/// Checks an argument or value that may be the name of a file.
+fn named(value: &Expr, kind: ParamKind, names: Entries, cx: &Context, diags: &mut Diags) {
     if !matches!(kind, ParamKind::Image(_) | ParamKind::File(FileUse::Read | FileUse::Inserted)) {
         return;
     }
@@ -75,27 +75,28 @@ fn named(value: &Expr, kind: ParamKind, names: Entries, cx: &Cx, diags: &mut Dia
             let places: Vec<String> = places.iter().map(|place| format!("`{place}`")).collect();
             match places.as_slice() {
                 [] => {}
-                [place] => _ = diag.note(format!("{place} is not there")),
-                [places @ .., last] => _ = diag.note(format!("neither {} nor {last} is there", places.join(", "))),
+                [place] => _ = diag.note(format!("{place} does not exist")),
+                [places @ .., last] => _ = diag.note(format!("neither {} nor {last} exists", places.join(", "))),
             }
             let mut names: Vec<&str> = beside.iter().map(String::as_str).collect();
             names.sort_unstable();
             match nearest(name, names) {
                 Some(near) => diag.help(format!("did you mean \"{near}\"?")),
-                None => diag
-                    .help("put it there; where a run takes its assets from elsewhere, write `@Allow(missing_asset)`"),
+                None => {
+                    diag.help("add the file; if runs take their assets from elsewhere, write `@Allow(missing_asset)`")
+                }
             };
         }
         Some(Asset::Mesh { has_faces: false, .. }) if kind == ParamKind::File(FileUse::Inserted) => {
             let diag = diags.report(Code::MissingAsset, value.span, format!("`{name}` has no faces"));
-            diag.note("a run puts a box in its place, with a fault");
+            diag.note("a run inserts a box instead, with a fault");
         }
         _ => {}
     }
 }
 
-/// Looks at the name of a group or material that is looked for among those of the geometry.
-fn within(list: &Expr, text: &Expr, token: u32, entries: Entries, cx: &Cx, diags: &mut Diags) {
+/// Checks the name of a group or material that is searched in the names of the geometry.
+fn within(list: &Expr, text: &Expr, token: u32, entries: Entries, cx: &Context, diags: &mut Diags) {
     let (ExprKind::Name(query) | ExprKind::Call(query, _), ExprKind::Text(wanted)) = (&list.kind, &text.kind) else {
         return;
     };

@@ -3,12 +3,12 @@
 use super::numbers::shown;
 use crate::analysis::interval::Interval;
 use crate::analysis::{Facts, Flow, Value};
-use crate::ast::{Expr, ExprKind};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
 use crate::ops::{Bounds, Param, Values};
+use crate::syntax::ast::{Expr, ExprKind};
 
-/// Reports the arguments of a call that are out of bounds for every value they may have.
+/// Reports the arguments of a call that are out of bounds for all their possible values.
 pub(crate) fn check(params: &[Param], args: &[&Expr], facts: &Facts, flow: &Flow, diags: &mut Diags) {
     for (param, arg) in params.iter().zip(args) {
         let Some(bounds) = param.bounds else { continue };
@@ -39,7 +39,7 @@ fn report(param: &Param, bounds: &Bounds, arg: &Expr, found: &str, diags: &mut D
     }
 }
 
-/// Whether no number of an interval is allowed. Runs take NaN as 0, with a fault.
+/// Returns true if no number of an interval is allowed. Runs treat NaN as 0, with a fault.
 fn is_outside(values: Values, number: Interval) -> bool {
     if number.is_odd() {
         return false;

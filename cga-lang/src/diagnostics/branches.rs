@@ -3,23 +3,23 @@
 use super::numbers::range;
 use super::switch::is_switch;
 use crate::analysis::{Facts, Flow, Turn, Value};
-use crate::ast::{Binary, Expr, ExprKind, Unary};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Detail, Diag, Diags};
 use crate::hash::FastMap;
 use crate::ir::ChoiceValues;
 use crate::link::InstanceId;
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
 use crate::suggest::nearest;
-use crate::token::{Sym, Tok};
+use crate::syntax::ast::{Binary, Expr, ExprKind, Unary};
+use crate::syntax::token::{Sym, Tok};
 use std::collections::HashSet;
 
-/// Looks at a condition of a `case`.
-pub(crate) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mut Diags) {
+/// Checks a condition of a `case`.
+pub(crate) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Context, diags: &mut Diags) {
     let condition = turn.condition;
     let Some(truth) = flow.value(condition, facts).truth() else {
-        // A part of it may be wrong even so.
+        // A part of the condition may still be wrong.
         if let Some(stray) = unlisted(condition, facts.own, cx)
             && let Some(truth) = flow.value(stray.part, facts).truth()
         {
@@ -30,7 +30,7 @@ pub(crate) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
     if is_decided_by_switch(condition, truth, facts, flow, cx) {
         return;
     }
-    // Whoever names the last of all possibilities, has to write `else` even so.
+    // A condition that names the last possibility is not reported, because `else` is required after it.
     if truth && turn.is_last && flow.value(condition, turn.first).truth().is_none() {
         return;
     }
@@ -45,7 +45,7 @@ pub(crate) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
     for note in notes {
         diag.note(note);
     }
-    diag.note(if truth { "what comes after it is never done" } else { "what it leads to is never done" });
+    diag.note(if truth { "the branches after it are never taken" } else { "this branch is never taken" });
 }
 
 fn always<'d>(condition: &Expr, truth: bool, diags: &'d mut Diags) -> &'d mut Diag {
@@ -55,27 +55,27 @@ fn always<'d>(condition: &Expr, truth: bool, diags: &'d mut Diags) -> &'d mut Di
     diag
 }
 
-/// A comparison of an attribute with a text that it never has.
+/// A comparison of an attribute with a text that the attribute never has.
 struct Stray<'e> {
     part: &'e Expr,
     attr: &'e str,
     text: &'e str,
-    /// What may be meant.
+    /// The text that was probably meant.
     near: Option<&'e str>,
 }
 
 impl Stray<'_> {
     fn report(&self, diag: &mut Diag) {
         let Stray { attr, text, .. } = self;
-        diag.note(format!("\"{text}\" is none of the values that `{attr}` may have"));
+        diag.note(format!("\"{text}\" is not one of the allowed values of `{attr}`"));
         diag.help(match self.near {
             Some(near) => format!("did you mean \"{near}\"?"),
-            None => format!("write one of those in its annotation, or add \"{text}\" there"),
+            None => format!("write one of the values in its annotation, or add \"{text}\" there"),
         });
     }
 }
 
-/// A condition without `!` before it.
+/// A condition without its leading `!`.
 fn bare(condition: &Expr) -> &Expr {
     match &condition.kind {
         ExprKind::Unary(Unary::Not, operand) => bare(operand),
@@ -83,8 +83,8 @@ fn bare(condition: &Expr) -> &Expr {
     }
 }
 
-/// Looks for one in a condition.
-fn unlisted<'e>(condition: &'e Expr, own: InstanceId, cx: &'e Cx) -> Option<Stray<'e>> {
+/// Searches a condition for such a comparison.
+fn unlisted<'e>(condition: &'e Expr, own: InstanceId, cx: &'e Context) -> Option<Stray<'e>> {
     let (name, text) = match &condition.kind {
         ExprKind::Unary(Unary::Not, operand) => return unlisted(operand, own, cx),
         ExprKind::Binary(Binary::And | Binary::Or, _, left, right) => {
@@ -102,8 +102,8 @@ fn unlisted<'e>(condition: &'e Expr, own: InstanceId, cx: &'e Cx) -> Option<Stra
     (!list.contains(text)).then_some(Stray { part: condition, attr: &name.text, text, near })
 }
 
-/// A condition that has failed before, word for word.
-fn again(turn: &Turn, own: InstanceId, cx: &Cx, diags: &mut Diags) {
+/// Reports a condition that has already failed, word for word.
+fn again(turn: &Turn, own: InstanceId, cx: &Context, diags: &mut Diags) {
     let (condition, tokens) = (turn.condition, cx.globals.program.tokens.as_slice());
     let written = |expr: &Expr| tokens.get(expr.span.first as usize..=expr.span.last as usize);
     let Some(first) = turn.before.iter().find(|first| written(first) == written(condition)) else { return };
@@ -112,10 +112,10 @@ fn again(turn: &Turn, own: InstanceId, cx: &Cx, diags: &mut Diags) {
     }
     let diag = always(condition, false, diags);
     diag.related("the same condition comes before it", first.span);
-    diag.note("what it leads to is never done");
+    diag.note("this branch is never taken");
 }
 
-/// Returns true if an expression is the same whenever it is computed on one shape: without chance, without Rust.
+/// Returns true if an expression always has the same value on one shape: it uses no chance and no Rust code.
 fn is_settled(expr: &Expr, names: Entries) -> bool {
     let own = match &expr.kind {
         ExprKind::Name(name) | ExprKind::Call(name, _) => match names.of(name) {
@@ -129,7 +129,7 @@ fn is_settled(expr: &Expr, names: Entries) -> bool {
     own && expr.parts().into_iter().all(|part| is_settled(part, names))
 }
 
-/// Collects what is known of the values that are compared, where that decides.
+/// Collects the known values of the compared operands, if these decide the condition.
 fn reasons(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, place: &str, notes: &mut Vec<String>) {
     match &condition.kind {
         ExprKind::Unary(Unary::Not, operand) => reasons(operand, !truth, facts, flow, place, notes),
@@ -141,7 +141,7 @@ fn reasons(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, place: &st
                     is_told = true;
                 }
             }
-            // Or it follows from the other.
+            // Otherwise the value of one side follows from the other.
             let goes_on = *op == Binary::And;
             if !is_told && let Some(facts) = flow.known.past(left, goes_on, facts.clone()) {
                 let place =
@@ -163,11 +163,11 @@ fn reasons(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, place: &st
     }
 }
 
-/// A value as messages show it, if something is known.
+/// A value in a message, if something is known about it.
 fn told(expr: &Expr, facts: &Facts, flow: &Flow) -> Option<String> {
     match flow.value(expr, facts) {
         Value::Number(number) if number.lo.is_finite() || number.hi.is_finite() => {
-            Some(format!("{}{}", range(number), if number.may_be_nan() { ", or no number" } else { "" }))
+            Some(format!("{}{}", range(number), if number.may_be_nan() { ", or NaN" } else { "" }))
         }
         Value::Truth(Some(truth)) => Some(truth.to_string()),
         Value::Text(set) => flow.known.told(set),
@@ -175,14 +175,14 @@ fn told(expr: &Expr, facts: &Facts, flow: &Flow) -> Option<String> {
     }
 }
 
-/// Returns true if it is a switch that decides a condition.
-fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, cx: &Cx) -> bool {
+/// Returns true if a switch decides a condition.
+fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, cx: &Context) -> bool {
     let decides = |side: &Expr, truth: bool| {
         flow.value(side, facts).truth() == Some(truth) && is_decided_by_switch(side, truth, facts, flow, cx)
     };
     match &condition.kind {
         ExprKind::Unary(Unary::Not, operand) => decides(operand, !truth),
-        // One side is enough, or one of the two it takes.
+        // One side is enough, or one of the two sides that are needed.
         ExprKind::Binary(Binary::And | Binary::Or, _, left, right) => decides(left, truth) || decides(right, truth),
         ExprKind::Binary(Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge, _, left, right) => {
             is_level(left, right, facts.own, cx) || is_level(right, left, facts.own, cx)
@@ -191,9 +191,9 @@ fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &Facts, flow: &Flo
     }
 }
 
-/// Returns true if an order comparison tests a switch: a constant against zero, which turns a part off (`overhang > 0`), or a constant
-/// that the rules do nothing with but compare it, more than once (`lod > 1`, `lod > 2`).
-fn is_level(constant: &Expr, bound: &Expr, own: InstanceId, cx: &Cx) -> bool {
+/// Returns true if an order comparison tests a switch: a constant against zero, which turns a part off (`overhang >
+/// 0`), or a constant that the rules only compare, and more than once (`lod > 1`, `lod > 2`).
+fn is_level(constant: &Expr, bound: &Expr, own: InstanceId, cx: &Context) -> bool {
     let (ExprKind::Name(name) | ExprKind::Call(name, _), ExprKind::Number(bound)) = (&constant.kind, &bound.kind)
     else {
         return false;
@@ -206,8 +206,8 @@ fn is_level(constant: &Expr, bound: &Expr, own: InstanceId, cx: &Cx) -> bool {
     }
 }
 
-/// Constants that are used more than once, always in a comparison with a number.
-pub(crate) fn levels(cx: &Cx) -> HashSet<u32> {
+/// The constants that are used more than once, always in a comparison with a number.
+pub(crate) fn levels(cx: &Context) -> HashSet<u32> {
     let tokens = cx.globals.program.tokens.as_slice();
     let at = |token: u32, step: i64| usize::try_from(i64::from(token) + step).ok().and_then(|at| tokens.get(at));
     let compares = |token: u32, step: i64| {

@@ -1,16 +1,16 @@
-//! Colours that are none: text is an error among Rust, and old text keeps running, with a fault; numbers are cut to what
-//! there is.
+//! Invalid colours. Invalid text is an error in inline rules; in text sources it is a warning, and a run continues
+//! with a fault. Numbers are clamped to the valid range.
 
 use super::numbers::shown;
 use crate::analysis::{Facts, Flow};
-use crate::ast::{Expr, ExprKind};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
-use crate::door::Door;
+use crate::dialect::Dialect;
 use crate::link::Program;
 use crate::ops::{Param, ParamKind};
+use crate::syntax::ast::{Expr, ExprKind};
 
-/// Looks at the arguments of an operation or function.
+/// Checks the arguments of an operation or function.
 pub(crate) fn check(
     program: &Program,
     params: &[Param],
@@ -28,7 +28,7 @@ pub(crate) fn check(
     let Some(stray) = stray else { return };
     let number = flow.value(stray, facts).number().known();
     let what = number.map_or_else(|| "this".to_owned(), shown);
-    let message = format!("{what} is no part of a colour");
+    let message = format!("{what} is not a valid part of a colour");
     let diag = diags.report_as(Code::NotAColor, Level::Warning, stray.span, message);
     diag.note("red, green, blue and opacity go from 0 to 1");
     match hex(of(ParamKind::Channel).map(|part| flow.value(part, facts).number().known())) {
@@ -37,7 +37,7 @@ pub(crate) fn check(
     };
 }
 
-/// The colour that is meant by numbers from 0 to 255.
+/// The colour meant by numbers from 0 to 255.
 fn hex(parts: impl Iterator<Item = Option<f64>>) -> Option<String> {
     let parts: Vec<f64> = parts.collect::<Option<_>>()?;
     let is_byte = |part: &f64| (*part == 0.0 || (2.0..=255.0).contains(part)) && part.fract() == 0.0;
@@ -47,13 +47,13 @@ fn hex(parts: impl Iterator<Item = Option<f64>>) -> Option<String> {
     (are_bytes && are_large).then(|| format!("#{}", digits()))
 }
 
-/// Looks at a value that must be a colour.
+/// Checks a value that must be a colour.
 pub(crate) fn text(program: &Program, value: &Expr, diags: &mut Diags) {
     let ExprKind::Text(text) = &value.kind else { return };
     if is_colour(text) {
         return;
     }
-    let level = if program.door(value.span.first) == Door::Inline { Level::Error } else { Level::Warning };
+    let level = if program.dialect(value.span.first) == Dialect::Inline { Level::Error } else { Level::Warning };
     let diag = diags.report_as(Code::NotAColor, level, value.span, format!("\"{text}\" is not a colour"));
     diag.note("a colour is `#` and six hexadecimal digits, or eight with opacity");
     let digits = text.trim_start_matches('#');

@@ -1,17 +1,17 @@
-//! What holds for the defaults of attributes only: a host program may set them to anything.
+//! Diagnostics that only hold for the defaults of attributes. A host program may set other values.
 
 use super::agreed::Agreed;
 use super::{repeat, size};
 use crate::analysis::{Attrs, Calls, Flow, Known, Site, Slots};
-use crate::ast::{Expr, ExprKind};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Basis, Diag, Diags, Level};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
 use crate::span::Span;
+use crate::syntax::ast::{Expr, ExprKind};
 use std::collections::HashSet;
 
-/// Findings that are worth a word even so. A size of zero is not: it turns a part off.
+/// The diagnostics that are reported for defaults. A size of zero is not, because it turns a part off.
 const TOLD: &[Code] = &[
     Code::SizeNotPositive,
     Code::SlotNeverMade,
@@ -22,8 +22,8 @@ const TOLD: &[Code] = &[
     Code::TooManyPieces,
 ];
 
-/// Looks for them; `certain` is what holds in any case.
-pub(crate) fn check(cx: &Cx, calls: &Calls, certain: &[Diag]) -> Vec<Diag> {
+/// Runs the checks with defaults; `certain` are the diagnostics that hold in any case.
+pub(crate) fn check(cx: &Context, calls: &Calls, certain: &[Diag]) -> Vec<Diag> {
     let program = cx.globals.program;
     let known = Known::new(&cx.globals, &cx.tables, Attrs::Defaults);
     let flow = Flow::new(&cx.globals, &known, Some(calls));
@@ -56,10 +56,10 @@ fn is_told(diag: &Diag, slots: &Slots) -> bool {
     TOLD.contains(&diag.code) && !off
 }
 
-/// The attributes whose defaults a diagnostic about a slot follows from.
-fn defaults(span: Span, slots: &Slots, names: Entries, cx: &Cx) -> Vec<(String, Span)> {
+/// The attributes whose defaults a diagnostic about a slot depends on.
+fn defaults(span: Span, slots: &Slots, names: Entries, cx: &Context) -> Vec<(String, Span)> {
     let mut attrs = Vec::new();
-    // A slot depends on those before it, one that floats on all.
+    // A slot depends on the slots before it, a floating slot on all.
     let at = slots.list.iter().position(|slot| slot.size.span == span && !slot.floats());
     let count = at.map_or(slots.list.len(), |at| at + 1);
     slots.list[..count].iter().for_each(|slot| read(&slot.size.value, names, &mut attrs));

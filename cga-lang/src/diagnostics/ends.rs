@@ -2,29 +2,29 @@
 
 use super::agreed::Agreed;
 use crate::analysis::{Calls, body};
-use crate::ast::{Block, BlockPart, ExprKind, Op, OpKind, Prefix, SplitItem};
-use crate::ast_walk::ops;
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Basis, Diag, Diags, Level};
 use crate::graph::{components, is_cycle};
 use crate::ops::Effect;
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::globals::Item;
 use crate::resolve::tables::{Entries, Use};
 use crate::span::Span;
+use crate::syntax::ast::{Block, BlockPart, ExprKind, Op, OpKind, Prefix, SplitItem};
+use crate::syntax::walk::ops;
 
-/// What counts as an end of a cycle.
+/// The definition of an end of a cycle.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Ends {
-    /// Whatever may stop a run: paths without a call, splits of what is too small.
+    /// Everything that may stop a run: paths without a call, splits of shapes that are too small.
     All,
-    /// Not splits that hand on all of the shape: nothing gets smaller.
+    /// All, except splits that pass on the whole shape, because the shape gets no smaller.
     ButWholeSplits,
-    /// Not what chance alone decides.
+    /// All, except the decisions of chance.
     ButChance,
 }
 
-pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
+pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
     let globals = &cx.globals;
     let mut cycle: Vec<Option<usize>> = vec![None; globals.rules.len()];
     let cycles: Vec<Vec<usize>> =
@@ -53,17 +53,17 @@ pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
         let diag = match ends {
             Ends::All => {
                 let diag = diags.report(Code::EndlessRules, name.span, format!("{what} and never ends"));
-                diag.note("each path through it comes back to it, and nothing on the way stops")
+                diag.note("every path through it leads back to it, and nothing on the way ends the cycle")
             }
             Ends::ButWholeSplits => {
-                let message = format!("{what}, and nothing gets smaller on the way");
+                let message = format!("{what}, and the shape never gets smaller");
                 let diag = diags.report_as(Code::EndlessRules, Level::Warning, name.span, message);
                 diag.basis = Basis::Extent;
-                diag.note("its split hands on all of the shape, so only one without an extent ends it")
+                diag.note("its split passes on the whole shape, so only a shape without an extent ends the cycle")
             }
             Ends::ButChance => {
                 let diag = diags.report(Code::OnlyChanceEnds, name.span, format!("{what} until chance ends it"));
-                diag.note("only percentages decide whether it goes on")
+                diag.note("only percentages end it")
             }
         };
         let itself = component.len() == 1;
@@ -77,7 +77,7 @@ pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
     agreed.finish()
 }
 
-/// Where some steps name a rule first.
+/// The first call of a rule in a list of operations.
 fn call_of(list: &[Op], wanted: usize, names: Entries) -> Option<Span> {
     let mut found = None;
     ops(list, &mut |op| {
@@ -91,15 +91,15 @@ fn call_of(list: &[Op], wanted: usize, names: Entries) -> Option<Span> {
     found
 }
 
-/// The rules of cycles in which every path comes back to such a rule.
-fn going_on(cx: &Cx, calls: &Calls, cycle: &[Option<usize>], ends: Ends) -> Vec<bool> {
+/// The rules of cycles in which every path leads back to such a rule.
+fn going_on(cx: &Context, calls: &Calls, cycle: &[Option<usize>], ends: Ends) -> Vec<bool> {
     let rules = &cx.globals.rules;
     let mut callers = vec![Vec::new(); rules.len()];
     for (caller, callees) in calls.edges.iter().enumerate() {
         callees.iter().for_each(|&callee| callers[callee].push(caller));
     }
     let mut going: Vec<bool> = cycle.iter().map(Option::is_some).collect();
-    // What is left when nothing more can be taken away.
+    // Rules that can end are removed until no more can be removed.
     let mut open: Vec<usize> = (0..rules.len()).filter(|rule| going[*rule]).collect();
     while let Some(rule) = open.pop() {
         let within = |other: u32| going[other as usize] && cycle[other as usize] == cycle[rule];
@@ -111,7 +111,7 @@ fn going_on(cx: &Cx, calls: &Calls, cycle: &[Option<usize>], ends: Ends) -> Vec<
     going
 }
 
-/// Whether every path through some steps calls one of those rules.
+/// Returns true if every path through a list of operations calls one of the rules.
 fn goes_on(list: &[Op], names: Entries, ends: Ends, within: &dyn Fn(u32) -> bool) -> bool {
     let inner = |ops: &[Op]| goes_on(ops, names, ends, within);
     for op in list {
@@ -127,7 +127,8 @@ fn goes_on(list: &[Op], names: Entries, ends: Ends, within: &dyn Fn(u32) -> bool
                 let taken = arms.iter().filter(|(percent, _)| 0.0 < percent.value).map(|(_, ops)| ops);
                 let rest = 100.0 <= sum;
                 if ends == Ends::ButChance {
-                    // What does not go on must not ask either: else a condition may end it.
+                    // A branch that ends the cycle must not call the rules either; otherwise a condition may end the
+                    // cycle.
                     let all = || taken.clone().chain((!rest).then_some(otherwise));
                     all().any(|ops| inner(ops)) && all().all(|ops| inner(ops) || !calls_one(ops, names, within))
                 } else {
@@ -135,7 +136,7 @@ fn goes_on(list: &[Op], names: Entries, ends: Ends, within: &dyn Fn(u32) -> bool
                 }
             }
             OpKind::Block(block) if ends == Ends::ButWholeSplits => whole(block).is_some_and(inner),
-            // A shape may be too small to divide, or have no such components: that ends the cycle.
+            // A shape may be too small to divide, or have no such components. That ends the cycle.
             OpKind::Block(_) | OpKind::Leaf(_) | OpKind::Nil | OpKind::Path(..) => false,
         };
         if goes {
@@ -145,7 +146,7 @@ fn goes_on(list: &[Op], names: Entries, ends: Ends, within: &dyn Fn(u32) -> bool
     false
 }
 
-/// The operations of the only slot, if it takes all of the shape.
+/// The operations of the only slot, if it takes the whole shape.
 fn whole(block: &Block) -> Option<&[Op]> {
     let [BlockPart::Slots(items, repeat)] = block.parts.as_slice() else { return None };
     let [SplitItem::Slot(size, ops)] = items.as_slice() else { return None };
@@ -157,7 +158,7 @@ fn whole(block: &Block) -> Option<&[Op]> {
     takes_all.then_some(ops)
 }
 
-/// Whether some step names one of those rules.
+/// Returns true if an operation calls one of the rules.
 fn calls_one(list: &[Op], names: Entries, within: &dyn Fn(u32) -> bool) -> bool {
     let mut found = false;
     ops(list, &mut |op| {
@@ -168,8 +169,8 @@ fn calls_one(list: &[Op], names: Entries, within: &dyn Fn(u32) -> bool) -> bool 
     found
 }
 
-/// Whether some step of a rule may change the size of the shape.
-fn sizes(item: &Item, cx: &Cx) -> bool {
+/// Returns true if an operation of a rule may change the size of the shape.
+fn sizes(item: &Item, cx: &Context) -> bool {
     let (names, mut found) = (cx.tables.at(item.own), false);
     ops(body(item), &mut |op| {
         found |= match &op.kind {
@@ -178,7 +179,7 @@ fn sizes(item: &Item, cx: &Cx) -> bool {
                 Some(Use::Rule(_) | Use::Leaf | Use::SetAttr(_)) => false,
                 _ => true,
             },
-            // Slots hand on what they leave of the shape.
+            // Slots pass on the sizes that they leave of the shape.
             OpKind::Block(block) => !matches!(block.parts.as_slice(), [BlockPart::Slots(..)]),
             OpKind::Path(..) | OpKind::Error => true,
             _ => false,

@@ -1,24 +1,24 @@
-//! Selectors that find nothing left, as earlier ones take all that they could.
+//! Selectors that never find a component, because earlier selectors take all candidates.
 
 use super::agreed::Agreed;
 use crate::analysis::body;
-use crate::ast::{Arm, BlockPart, Expr, ExprKind, OpKind};
-use crate::ast_walk;
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::ops::{self, Braces, Directions, Operation, Selector};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
 use crate::span::Span;
+use crate::syntax::ast::{Arm, BlockPart, Expr, ExprKind, OpKind};
+use crate::syntax::walk;
 
-pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
+pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     let mut agreed = Agreed::default();
     for item in &cx.globals.rules {
         if agreed.is_settled(item) {
             continue;
         }
         let (names, mut diags) = (cx.tables.at(item.own), Diags::new());
-        ast_walk::ops(body(item), &mut |op| {
+        walk::ops(body(item), &mut |op| {
             let OpKind::Block(block) = &op.kind else { return };
             // Setbacks leave remainders, which no other selector takes.
             let Some(Use::Operation(Operation { braces: Braces::Components, .. })) = names.of(&block.name) else {
@@ -35,7 +35,7 @@ pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
     agreed.finish()
 }
 
-/// What a selector takes, as far as it is known without the geometry.
+/// The components that a selector takes, if the text determines them.
 #[derive(Clone, Copy, PartialEq)]
 enum Takes {
     Word(&'static Selector),
@@ -63,7 +63,7 @@ fn arms(list: &[Arm], names: Entries, diags: &mut Diags) {
             && index.fract() != 0.0
         {
             let diag = never(diags, own, span);
-            diag.note("components have whole numbers, from 0 on").help("write another index, or leave it out");
+            diag.note("indices of components are whole numbers from 0").help("write another index, or leave it out");
             continue;
         }
         let one = before.iter().find(|(other, _)| covers(*other, own));
@@ -74,8 +74,7 @@ fn arms(list: &[Arm], names: Entries, diags: &mut Diags) {
             diag.note(ONCE).related(format!("{text} takes all of them"), *place);
             diag.help(if *other == own { "leave it out" } else { "move it before the others, or leave it out" });
         } else if directions.within(taken) && directions != Directions::ALL {
-            let diag =
-                never(diags, own, span).note(ONCE).note("the selectors before it take every direction that it has");
+            let diag = never(diags, own, span).note(ONCE).note("the selectors before it take all its directions");
             diag.help("move it before the others, or leave it out");
         }
         taken = taken.and(directions);
@@ -83,10 +82,10 @@ fn arms(list: &[Arm], names: Entries, diags: &mut Diags) {
     }
 }
 
-const ONCE: &str = "what one selector takes, the next ones cannot have";
+const ONCE: &str = "a component goes to the first selector that matches";
 
 fn never(diags: &mut Diags, own: Takes, span: Span) -> &mut Diag {
-    diags.report(Code::SelectorHidden, span, format!("{} never finds anything", shown(own)))
+    diags.report(Code::SelectorHidden, span, format!("{} never finds a component", shown(own)))
 }
 
 fn shown(of: Takes) -> String {
@@ -96,7 +95,7 @@ fn shown(of: Takes) -> String {
     }
 }
 
-/// Returns true if one selector takes everything that another could.
+/// Returns true if one selector takes all components that the other one could.
 fn covers(one: Takes, other: Takes) -> bool {
     one == other
         || match (one, other) {

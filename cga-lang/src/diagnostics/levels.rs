@@ -1,24 +1,24 @@
 //! `@Allow(code)`, `@Warn(code)` and `@Deny(code)`, before a declaration or before `version`.
 
-use crate::ast::{Annotation, ExprKind};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::span::Span;
 use crate::suggest::nearest;
+use crate::syntax::ast::{Annotation, ExprKind};
 
-/// A level for findings of a code within a span, or everywhere.
+/// A level for the diagnostics of a code, within a span or everywhere.
 pub(crate) struct Setting {
     code: Code,
     level: Level,
     place: Option<Span>,
 }
 
-pub(crate) fn collect(cx: &mut Cx, levels: &[(Code, Level)]) -> Vec<Setting> {
+pub(crate) fn collect(cx: &mut Context, levels: &[(Code, Level)]) -> Vec<Setting> {
     let mut settings: Vec<Setting> = levels.iter().map(|&(code, level)| Setting { code, level, place: None }).collect();
     let program = cx.globals.program;
     for (number, file) in program.files.iter().enumerate() {
-        // Annotations before `version` count for all of their file.
+        // Annotations before `version` apply to the whole file.
         let whole = Span { first: file.tokens.start, last: file.tokens.end.saturating_sub(1) };
         for annotation in &file.ast.head {
             read(cx, annotation, Some(whole).filter(|_| number != 0), &mut settings);
@@ -32,7 +32,7 @@ pub(crate) fn collect(cx: &mut Cx, levels: &[(Code, Level)]) -> Vec<Setting> {
     settings
 }
 
-fn read(cx: &mut Cx, annotation: &Annotation, place: Option<Span>, settings: &mut Vec<Setting>) {
+fn read(cx: &mut Context, annotation: &Annotation, place: Option<Span>, settings: &mut Vec<Setting>) {
     let level = match annotation.name.text.as_str() {
         "Allow" => Level::Allow,
         "Warn" => Level::Warning,
@@ -54,14 +54,14 @@ fn read(cx: &mut Cx, annotation: &Annotation, place: Option<Span>, settings: &mu
             None => {
                 let lints = Code::ALL.iter().filter(|code| code.is_lint()).map(|code| code.name());
                 cx.diags
-                    .report(Code::UnknownCode, arg.value.span, format!("there is no finding `{word}`"))
+                    .report(Code::UnknownCode, arg.value.span, format!("there is no diagnostic `{word}`"))
                     .suggest(nearest(word, lints));
             }
         }
     }
 }
 
-/// Gives the findings so far their levels: of several settings for a place the last counts.
+/// Sets the levels of the diagnostics so far. The last of several settings for a place counts.
 pub(crate) fn apply(settings: &[Setting], diags: &mut Diags) {
     if settings.is_empty() {
         return;

@@ -1,4 +1,4 @@
-//! Runs the checks that follow from what is known of shapes and values.
+//! Runs the checks that depend on known facts about shapes and values.
 
 mod agreed;
 mod arithmetic;
@@ -20,17 +20,17 @@ mod trailing;
 mod unused;
 
 use crate::analysis::{Attrs, Calls, Facts, Flow, Known, Site};
-use crate::ast::Expr;
 use crate::diag::{Basis, Diag, Diags};
 use crate::diagnostics::agreed::Agreed;
 use crate::diagnostics::texture::Projected;
 use crate::ops::ParamKind;
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
+use crate::syntax::ast::Expr;
 
-pub(crate) fn check(cx: &mut Cx) {
+pub(crate) fn check(cx: &mut Context) {
     cx.tables.levels = branches::levels(cx);
     let program = cx.globals.program;
-    // With an error somewhere nobody knows who calls whom.
+    // With an error anywhere, the calls are not known.
     let calls = (!cx.diags.has_errors()).then(|| Calls::new(&cx.globals, &cx.tables));
     let known = Known::new(&cx.globals, &cx.tables, Attrs::Accepted);
     let alone = Flow::new(&cx.globals, &known, None);
@@ -43,8 +43,8 @@ pub(crate) fn check(cx: &mut Cx) {
             continue;
         }
         let mut diags = Diags::new();
-        // A rule may be made for more than what its calls give it today, and rules ask for sizes that they have set: conditions
-        // are judged by values and other conditions.
+        // A rule may be written for more than its current calls, and rules may test sizes that they have set.
+        // Conditions are therefore judged by values and other conditions only.
         values.visit(&cx.globals, rule, &mut |site, facts| {
             assets::check(site, facts, cx, &mut diags);
             match site {
@@ -68,7 +68,7 @@ pub(crate) fn check(cx: &mut Cx) {
                 }
             }
         });
-        // Nobody knows who else imports a file.
+        // The files that import this one are unknown.
         let is_root = program.roots.contains(&item.instance);
         let mut list = divisions(rule, if is_root { &joined } else { &alone }, projected, cx);
         if is_root && !list.is_empty() {
@@ -105,8 +105,8 @@ pub(crate) fn check(cx: &mut Cx) {
     found.into_iter().for_each(|list| cx.diags.append(list));
 }
 
-/// What splits of a rule certainly do.
-fn divisions(rule: usize, flow: &Flow, projected: Projected, cx: &Cx) -> Vec<Diag> {
+/// The diagnostics about the splits of a rule.
+fn divisions(rule: usize, flow: &Flow, projected: Projected, cx: &Context) -> Vec<Diag> {
     let mut diags = Diags::new();
     flow.visit(&cx.globals, rule, &mut |site, facts| match site {
         Site::Split(slots) => {

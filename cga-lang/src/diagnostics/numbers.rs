@@ -1,21 +1,21 @@
-//! Numbers as messages show them.
+//! Numbers in messages.
 
 use crate::analysis::interval::Interval;
 
-/// A number as messages show it.
+/// A number in a message.
 pub(crate) fn shown(number: f64) -> String {
     let rounded = (number * 1e6).round() / 1e6;
-    // Not what is small, and no zero with a sign.
+    // Very small and very large numbers keep their exponent. The sum removes the sign of zero.
     let is_far = rounded == 0.0 && number != 0.0 || 1e15 < number.abs();
     if is_far { format!("{number:e}") } else { format!("{}", rounded + 0.0) }
 }
 
-/// A bound as messages show it, without what rounding may add.
+/// A bound in a message, without the digits that rounding may add.
 pub(crate) fn about(number: f64) -> String {
     shown((number * 1e4).round() / 1e4)
 }
 
-/// Numbers as messages show them: "3", "between 3 and 60", "3 or more".
+/// An interval in a message: "3", "between 3 and 60", "3 or more".
 pub(crate) fn range(of: Interval) -> String {
     match (of.lo == of.hi, of.lo.is_finite(), of.hi.is_finite()) {
         (true, ..) => shown(of.lo),

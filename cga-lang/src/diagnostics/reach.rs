@@ -1,20 +1,20 @@
-//! Rules that no run gets to.
+//! Rules that no run reaches.
 //!
-//! A host program may begin with any rule without parameters, marked or not. A file may be imported by others, and there
-//! only rules are reported that go on with an import which does not exist.
+//! A host program may begin with any rule without parameters, marked or not. A file may be imported by other files;
+//! in such a file, only rules are reported that continue a leaf of an import that does not exist.
 
 use super::agreed::Agreed;
 use crate::analysis::{Calls, body};
-use crate::ast::Role;
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Basis, Diag, Diags};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::globals::{Item, Kind};
 use crate::suggest::nearest;
+use crate::syntax::ast::Role;
 use std::collections::HashSet;
 
-/// Looks for them, where nobody can import the rules.
-pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
+/// Finds these rules, if the file cannot be imported.
+pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
     let (globals, program) = (&cx.globals, cx.globals.program);
     let mut reached = if calls.starts.is_empty() || program.may_be_imported() {
         vec![true; globals.rules.len()]
@@ -25,7 +25,7 @@ pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
     for (rule, item) in globals.rules.iter().enumerate() {
         reached[rule] &= is_called.contains(&rule) || missing_import(cx, item).is_none();
     }
-    // Whoever calls what is not reached is to blame; in a cycle the first.
+    // The caller of an unreached rule is reported; in a cycle the first rule.
     let mut called = vec![false; globals.rules.len()];
     for (caller, callees) in calls.edges.iter().enumerate().filter(|(caller, _)| !reached[*caller]) {
         callees.iter().filter(|callee| caller < **callee).for_each(|&callee| called[callee] = true);
@@ -59,7 +59,7 @@ pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
                     };
                 }
                 None => {
-                    diag.note("no rule that a run gets to calls it, and no run begins with a rule that has parameters");
+                    diag.note("no rule that a run reaches calls it, and no run begins with a rule that has parameters");
                 }
             }
         }
@@ -68,8 +68,8 @@ pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
     agreed.finish()
 }
 
-/// Rules without parameters that nothing calls and no annotation names, where another rule is marked as the start.
-fn uncalled(cx: &Cx, calls: &Calls) -> HashSet<usize> {
+/// The rules without parameters that no rule calls and no annotation names, if another rule is marked as the start.
+fn uncalled(cx: &Context, calls: &Calls) -> HashSet<usize> {
     let program = cx.globals.program;
     let mut others: HashSet<usize> = HashSet::new();
     for (caller, callees) in calls.edges.iter().enumerate() {
@@ -89,21 +89,21 @@ fn uncalled(cx: &Cx, calls: &Calls) -> HashSet<usize> {
     alone.map(|(rule, _)| rule).collect()
 }
 
-/// Whether a rule replaces or goes on with a rule of an import, and is called from there.
+/// Returns true if a rule replaces or continues a rule of an import, and is called from there.
 fn is_outward(item: &Item) -> bool {
     item.decl.role != Role::Plain || item.decl.name.text.contains('.') || item.home != item.instance
 }
 
-/// The import before the name of a rule, where the file has no such import.
-fn missing_import<'a>(cx: &Cx<'a, '_>, item: &Item<'a>) -> Option<&'a str> {
+/// The import before the name of a rule, if the file has no such import.
+fn missing_import<'a>(cx: &Context<'a, '_>, item: &Item<'a>) -> Option<&'a str> {
     let program = cx.globals.program;
     let (import, _) = item.decl.name.text.split_once('.')?;
     let is_known = program.instances[item.instance].imports.contains_key(import);
     (!is_known && !cx.globals.is_lost(item.instance, import)).then_some(import)
 }
 
-/// By rule: whether a run gets there.
-fn reached(cx: &Cx, calls: &Calls) -> Vec<bool> {
+/// Returns true for each rule that a run reaches.
+fn reached(cx: &Context, calls: &Calls) -> Vec<bool> {
     let globals = &cx.globals;
     let mut reached = vec![false; globals.rules.len()];
     let mut open = calls.starts.clone();

@@ -1,15 +1,15 @@
-//! Repeats that make no progress, too many pieces, one repetition or a sliver.
+//! Repeats without progress, with too many pieces, with one repetition or with a sliver.
 
 use super::numbers::{about, shown};
 use super::size::axis;
 use crate::analysis::{MARGIN, Once, Slots};
-use crate::code::Code;
 use crate::diag::Diags;
+use crate::diag::code::Code;
 
-/// The shapes that a run makes at most, where the host program sets no other limit.
+/// The maximum number of shapes of a run, unless the host program sets another limit.
 pub(crate) const MOST_SHAPES: f64 = 1e7;
 
-/// A last piece that is cut to less than that share of its size is a sliver.
+/// The share of its size below which a last piece is a sliver.
 const SLIVER: f64 = 0.1;
 
 pub(crate) fn check(slots: &Slots, diags: &mut Diags) {
@@ -24,7 +24,7 @@ pub(crate) fn check(slots: &Slots, diags: &mut Diags) {
             if outer.into_iter().any(|(outer, _)| slots.makes_nothing(outer)) {
                 continue;
             }
-            let message = "this repeat can make no progress: no size in it is positive";
+            let message = "this repeat makes no progress: none of its sizes is positive";
             let span = if group.slots.len() == 1 { first } else { group.span };
             diags.report(Code::RepeatNoProgress, span, message).help("give one of its slots a positive size");
         } else if let Some(count) = slots.at_least(number).filter(|count| MOST_SHAPES < *count) {
@@ -33,18 +33,18 @@ pub(crate) fn check(slots: &Slots, diags: &mut Diags) {
             let most = MOST_SHAPES * 1e-6;
             diag.note(format!("a run ends at {most} million shapes, unless the host program sets another limit"));
         } else if let Some(why) = slots.once(number) {
-            let diag = diags.report(Code::RepeatOnce, first, "this is repeated once only, always");
+            let diag = diags.report(Code::RepeatOnce, first, "this always repeats only once");
             diag.note(reason(&why, slots)).help("leave out the `*`, or make the sizes smaller");
         } else if let Some((share, own)) = sliver(slots) {
             let message = format!("the last piece is a sliver: {} of the scope", shown(share));
             let diag = diags.report(Code::RepeatSliver, first, message);
-            diag.note(format!("of its {} nothing more fits in along {}", shown(own), axis(slots)));
+            diag.note(format!("its size is {}, but no more space is left along {}", shown(own), axis(slots)));
             diag.help("put `~` before the size: then the repeats fill the scope evenly");
         }
     }
 }
 
-/// Why a group repeats once, for a note.
+/// The note about the reason why a group repeats once.
 fn reason(once: &Once, slots: &Slots) -> String {
     let axis = axis(slots);
     match *once {
@@ -56,7 +56,7 @@ fn reason(once: &Once, slots: &Slots) -> String {
     }
 }
 
-/// The last piece of a repeat of shares, when it is much smaller than its slot: what it gets, and what it should.
+/// The length of the last piece and the size of its slot, if a repeat of shares leaves a piece that is much smaller.
 fn sliver(slots: &Slots) -> Option<(f64, f64)> {
     let alone = matches!(&slots.groups[..], [group] if group.slots.len() == slots.list.len());
     let pieces = slots.shares().filter(|_| alone)?;

@@ -3,15 +3,16 @@
 use super::numbers::{about, range, shown};
 use super::switch::is_switch;
 use crate::analysis::{Face, Facts, Slot, Slots, Sum, called};
-use crate::ast::Arg;
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::resolve::tables::{Entries, Tables};
+use crate::syntax::ast::Arg;
 
-/// A rest is worth a word when it is less than that share of the thinnest slot: more looks as if it was meant.
+/// A rest is reported if it is less than this share of the thinnest slot. A larger rest is probably meant.
 const HARDLY: f64 = 0.5;
 
-/// A rest is worth a word when it is more than that share of the extent: less is rounding, as of three times 0.33.
+/// A rest is reported if it is more than this share of the extent. A smaller rest is rounding, as of three times
+/// 0.33.
 const VISIBLE: f64 = 0.02 + 1e-9;
 
 pub(crate) fn check(slots: &Slots, facts: &Facts, tables: &Tables, diags: &mut Diags) {
@@ -19,7 +20,7 @@ pub(crate) fn check(slots: &Slots, facts: &Facts, tables: &Tables, diags: &mut D
         return flat(slots, facts, diags);
     }
     for (index, slot) in slots.list.iter().enumerate() {
-        // A group without any is reported as such.
+        // A group without any pieces has its own diagnostic.
         if slot.is_nothing() && !slot.group.is_some_and(|group| slots.makes_nothing(group)) {
             nothing(slot, tables.at(facts.own), diags);
         } else if !slot.is_nothing() && slots.is_never(index) {
@@ -32,12 +33,12 @@ pub(crate) fn check(slots: &Slots, facts: &Facts, tables: &Tables, diags: &mut D
     gap(slots, facts, diags);
 }
 
-/// What a slot becomes, for messages.
+/// The name of the successor of a slot in messages.
 fn label(slot: &Slot) -> String {
     called(slot.ops).map_or_else(|| "this slot".into(), |name| format!("`{}`", name.text))
 }
 
-/// Names the place where the extent comes from.
+/// Adds the place that defines the extent.
 fn since(slots: &Slots, facts: &Facts, diag: &mut Diag) {
     if let Some(place) = facts.shape.since[slots.axis] {
         diag.related(format!("the shape gets this extent along {}", axis(slots)), place);
@@ -61,13 +62,13 @@ fn flat(slots: &Slots, facts: &Facts, diags: &mut Diags) {
         diag.related(format!("it is flat along {name}"), place);
     }
     if face.is_some() {
-        diag.help("a face lies in x and y: write `split(x)` or `split(y)`");
+        diag.help("a face extends along x and y: write `split(x)` or `split(y)`");
     }
 }
 
 fn nothing(slot: &Slot, names: Entries, diags: &mut Diags) {
     if slot.value.known() == Some(0.0) && is_switch(&slot.size.value, names) {
-        // A part that its author has turned off.
+        // The author has turned the part off.
         return;
     }
     let message = match slot.value.known() {
@@ -78,10 +79,10 @@ fn nothing(slot: &Slot, names: Entries, diags: &mut Diags) {
     if slot.value.known().is_none() {
         diag.note(format!("it is {}", range(slot.value)));
     }
-    diag.note("slots without a positive size are left out and take no room");
+    diag.note("slots without a positive size are left out and use no space");
 }
 
-/// A sum as messages show it: "1.1 of the scope", or metres and how many the scope has.
+/// A sum in a message: "1.1 of the scope", or the metres and the extent of the scope.
 fn quantity(slots: &Slots, sum: Sum) -> String {
     let (extent, axis) = (slots.extent, axis(slots));
     let room = match extent.known() {
@@ -102,7 +103,7 @@ fn starved(slots: &Slots, index: usize, facts: &Facts, diags: &mut Diags) {
     } else {
         (Code::SlotNeverMade, slots.before(index, false), "the sizes before it")
     };
-    let message = format!("{} is never made: no room is left for it", label(slot));
+    let message = format!("{} is never made: no space is left for it", label(slot));
     let diag = diags.report(code, slot.size.span, message);
     if slots.fills(sum) {
         diag.note(format!("{which} add up to {}", quantity(slots, sum)));
@@ -124,11 +125,11 @@ fn starved(slots: &Slots, index: usize, facts: &Facts, diags: &mut Diags) {
     diag.help(if slot.floats() {
         "make one of the others smaller, or put `~` before it"
     } else {
-        "put `~` before one of the sizes to share what room there is"
+        "put `~` before one of the sizes to share the available space"
     });
 }
 
-/// The slot that reaches beyond the end of the scope.
+/// Reports the slot that reaches beyond the end of the scope.
 fn crossing(slots: &Slots, facts: &Facts, diags: &mut Diags) {
     let Some(index) = (0..slots.list.len()).find(|&index| slots.is_cut(index)) else { return };
     let slot = &slots.list[index];
@@ -145,26 +146,26 @@ fn crossing(slots: &Slots, facts: &Facts, diags: &mut Diags) {
     if 0.0 < sum.metres {
         since(slots, facts, diag);
     }
-    diag.help("put `~` before one of the sizes to share what room there is");
+    diag.help("put `~` before one of the sizes to share the available space");
 }
 
-/// A rest at the end that is too thin to be meant.
+/// Reports a rest at the end that is too thin to be meant.
 fn gap(slots: &Slots, facts: &Facts, diags: &mut Diags) {
     let Some(rest) = slots.rest() else { return };
     let made = || slots.list.iter().filter(|slot| !slot.is_nothing());
     let thinnest = made().map(|slot| slot.value.lo).fold(f64::INFINITY, f64::min);
-    // A single slot is a part that is cut out.
+    // A single slot cuts a part out.
     let several = 1 < made().count();
     let Some(last) = made().next_back().filter(|_| several && rest < thinnest * HARDLY) else { return };
     let (whole, unit) = if last.is_relative() { (1.0, " of the scope") } else { (slots.extent.hi, "") };
     if rest <= whole * VISIBLE {
         return;
     }
-    let message = format!("a gap of {}{unit} is left behind the last slot", shown(rest));
+    let message = format!("a gap of {}{unit} is left after the last slot", shown(rest));
     let diag = diags.report(Code::GapLeft, last.size.span, message);
     diag.note(format!("the sizes add up to {}{unit}, and nothing floats", shown(whole - rest)));
     if !last.is_relative() {
         since(slots, facts, diag);
     }
-    diag.help("put `~` before one of the sizes to share what room there is");
+    diag.help("put `~` before one of the sizes to share the available space");
 }

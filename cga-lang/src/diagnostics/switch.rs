@@ -1,9 +1,10 @@
 //! Conditions that an author sets by hand.
 
-use crate::ast::{Expr, ExprKind};
 use crate::resolve::tables::{Entries, Use};
+use crate::syntax::ast::{Expr, ExprKind};
 
-/// Returns true if an expression is a bare `true` or `false`, or made of constants alone: a switch that its author sets by hand.
+/// Returns true if an expression is a bare `true` or `false`, or has only constants: a switch that its author sets by
+/// hand.
 pub(crate) fn is_switch(expr: &Expr, names: Entries) -> bool {
     fn count(expr: &Expr, names: Entries, constants: &mut usize, others: &mut usize) {
         if let ExprKind::Name(name) | ExprKind::Call(name, _) = &expr.kind {

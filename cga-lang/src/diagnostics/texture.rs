@@ -1,17 +1,19 @@
-//! Splits in texture space, and textures, where there are no texture coordinates.
+//! Splits in texture space, and textures, on shapes without texture coordinates.
 //!
-//! Initial shapes may bring some, and a projection may be set up for what comes later: then nothing is said.
+//! Initial shapes may have texture coordinates, and a projection may be set up for later. In these cases nothing is
+//! reported.
 
 use crate::analysis::{Facts, Flow, UvSets, body};
-use crate::ast::{Arg, Block, Expr, ExprKind, Name, OpKind};
-use crate::ast_walk::ops;
-use crate::code::Code;
 use crate::diag::Diags;
+use crate::diag::code::Code;
 use crate::ops::{Function, Operation, ParamKind, UvEffect};
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::tables::Use;
+use crate::syntax::ast::{Arg, Block, Expr, ExprKind, Name, OpKind};
+use crate::syntax::walk::ops;
 
-/// The uv sets that some rule makes, a bit each: by a projection, and by any operation; and those with a projection.
+/// The uv sets that any rule makes, one bit per set: by projection, by any operation, and sets with a projection that
+/// is set up.
 #[derive(Clone, Copy)]
 pub(crate) struct Projected {
     projected: u16,
@@ -20,9 +22,9 @@ pub(crate) struct Projected {
 }
 
 impl Projected {
-    pub(crate) fn new(cx: &Cx, flow: &Flow) -> Projected {
+    pub(crate) fn new(cx: &Context, flow: &Flow) -> Projected {
         let (mut bits, mut made, mut set_up) = (0, 0, 0);
-        // Rules of a file that imports this one may make some as well.
+        // Rules of a file that imports this one may also make sets.
         if cx.globals.program.may_be_imported() {
             (made, set_up) = (u16::MAX, u16::MAX);
         }
@@ -59,23 +61,23 @@ impl Projected {
     }
 }
 
-/// Looks at a split along `u` or `v` of a uv set.
+/// Checks a split along `u` or `v` of a uv set.
 pub(crate) fn check(split: &Block, set: u32, projected: Projected, facts: &Facts, diags: &mut Diags) {
     let span = split.args.first().map_or(split.name.span, |axis| axis.span);
     if facts.uvs.lacks(set) {
         let message = format!("the shape has no uv set {set}: it is never split");
         let diag = diags.report(Code::SplitWithoutUv, span, message);
-        diag.note(format!("nothing makes texture coordinates of set {set} before it"));
+        diag.note(format!("no operation before it makes texture coordinates of set {set}"));
         diag.help(format!("write `setupProjection({set}, …) projectUV({set})` before it"));
     } else if facts.uvs.awaits(set) && !projected.has(set) {
         let message = format!("the projection of uv set {set} is set up, but never made");
         let diag = diags.report(Code::SplitWithoutUv, span, message);
-        diag.note("a split goes by the texture coordinates that are there");
+        diag.note("a split uses the existing texture coordinates");
         diag.help(format!("write `projectUV({set})` before it"));
     }
 }
 
-/// Looks at an operation on a set that is there already, or on a projection.
+/// Checks an operation that changes an existing set or uses a projection.
 pub(crate) fn changed(
     row: &Operation,
     args: &[Arg],
@@ -94,32 +96,32 @@ pub(crate) fn changed(
         }
         effect if effect.needs_set() => {
             let Some(set) = set().filter(|set| facts.uvs.lacks(*set)) else { return };
-            let message = format!("the shape has no uv set {set}: `{}` has nothing to go by", row.name);
+            let message = format!("the shape has no uv set {set}: `{}` has no effect", row.name);
             let diag = diags.report(Code::MissingUvSet, arg.value.span, message);
-            diag.note(format!("nothing makes texture coordinates of set {set} before it"));
+            diag.note(format!("no operation before it makes texture coordinates of set {set}"));
             diag.help(format!("write `setupProjection({set}, …) projectUV({set})` before it"));
         }
         _ => {}
     }
 }
 
-/// Looks at a function of texture coordinates. `geometry.hasUVs` may ask for sets that are missing.
+/// Checks a function of texture coordinates. `geometry.hasUVs` may test sets that are missing.
 pub(crate) fn asked(row: &Function, name: &Name, args: &[Expr], (facts, flow): (&Facts, &Flow), diags: &mut Diags) {
     let set = args.first().map_or(Some(0), |set| known_set(set, facts, flow));
     let Some(set) = set.filter(|set| row.needs_uv_set && facts.uvs.lacks(*set)) else { return };
     let message = format!("the shape has no uv set {set}: `{}` is 0", name.text);
     let diag = diags.report(Code::MissingUvSet, name.span, message);
-    diag.note(format!("nothing makes texture coordinates of set {set} before it"));
+    diag.note(format!("no operation before it makes texture coordinates of set {set}"));
     diag.help(format!("write `setupProjection({set}, …) projectUV({set})` before it"));
 }
 
-/// The number of a uv set, where it is known and there is such a set.
+/// The number of a uv set, if it is known and such a set exists.
 fn known_set(number: &Expr, facts: &Facts, flow: &Flow) -> Option<u32> {
     let number = flow.value(number, facts).number().known()?;
     (0.0..10.0).contains(&number).then_some(number as u32)
 }
 
-/// Looks at a value that may be a texture. A layer without its uv set goes by the first one (*texturing*).
+/// Checks a value that may be a texture. A layer without its uv set uses the first one (*texturing*).
 pub(crate) fn carried(image: &Expr, kind: ParamKind, projected: Projected, facts: &Facts, diags: &mut Diags) {
     let ParamKind::Image(set) = kind else { return };
     let is_off = matches!(&image.kind, ExprKind::Text(text) if text.is_empty());
@@ -127,7 +129,7 @@ pub(crate) fn carried(image: &Expr, kind: ParamKind, projected: Projected, facts
     if is_off || !none(0) || !none(set) {
         return;
     }
-    let message = "the shape has no texture coordinates: nothing shows this texture";
+    let message = "the shape has no texture coordinates: this texture is not visible";
     let diag = diags.report(Code::TextureWithoutUv, image.span, message);
     diag.note("no rule makes texture coordinates, and those that an initial shape may bring are deleted before it");
     diag.help("write `setupProjection(0, …) projectUV(0)` before it");

@@ -1,17 +1,17 @@
-//! Operations after which nothing is made.
+//! Operations without a result.
 //!
-//! A shape with children is no leaf, so what is done to it after its last child nobody ever sees.
+//! A shape with children is not a leaf, so operations after its last child have no visible effect.
 
 use super::agreed::Agreed;
 use crate::analysis::body;
-use crate::ast::{Block, BlockPart, Op, OpKind};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::ops::Run;
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
+use crate::syntax::ast::{Block, BlockPart, Op, OpKind};
 
-pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
+pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     let mut agreed = Agreed::default();
     for item in &cx.globals.rules {
         if agreed.is_settled(item) {
@@ -24,11 +24,11 @@ pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
     agreed.finish()
 }
 
-/// Looks through the steps of one shape; says whether it certainly has a child behind them. `made`: it has one before them;
-/// `restored`: the state it had is back behind them.
+/// Checks the operations of one shape, and returns true if the shape certainly has a child after them. `made` is true
+/// if it has a child before them, and `restored` if its earlier state is restored after them.
 fn sequence(ops: &[Op], made: bool, restored: bool, names: Entries, diags: &mut Diags) -> bool {
     let mut made = made;
-    // Where what changes the shape alone begins.
+    // The index of the first operation that only changes the shape.
     let mut idle = None;
     for (at, op) in ops.iter().enumerate() {
         let changes = match &op.kind {
@@ -70,13 +70,13 @@ fn sequence(ops: &[Op], made: bool, restored: bool, names: Entries, diags: &mut 
     }
     if let Some(first) = idle.filter(|_| made || restored) {
         let span = ops[first].span.to(ops[ops.len() - 1].span);
-        let diag = diags.report(Code::NoEffect, span, "nothing is made of the shape after this");
+        let diag = diags.report(Code::NoEffect, span, "this has no effect: no successor follows it");
         if restored {
-            diag.note("the bracket gives the shape back as it was");
+            diag.note("the bracket restores the shape");
         } else {
-            diag.note("a shape that has become others is no leaf: nobody sees what is done to it afterwards");
+            diag.note("a shape with successors is not a leaf, so later changes to it are not visible");
         }
-        diag.help("move it before what is made");
+        diag.help("move it before the successors");
     }
     made
 }
@@ -88,12 +88,12 @@ fn branches<'a>(
     names: Entries,
     diags: &mut Diags,
 ) -> bool {
-    // Each of them is looked at.
+    // Every branch is checked, even after the result is known.
     let ends: Vec<bool> = all.map(|ops| sequence(ops, made, restored, names, diags)).collect();
     ends.into_iter().all(|made| made)
 }
 
-/// Returns true if an operation with braces certainly makes a child. Slots may find nothing to divide.
+/// Returns true if an operation with braces certainly makes a child. The slots of a split may find nothing to divide.
 fn makes_children(block: &Block, names: Entries) -> bool {
     let runs = matches!(names.of(&block.name), Some(Use::Operation(row)) if row.run != Run::Later);
     runs && block.parts.iter().any(|part| match part {
@@ -102,7 +102,7 @@ fn makes_children(block: &Block, names: Entries) -> bool {
     })
 }
 
-/// Parts are shapes of their own.
+/// Checks the parts of an operation, which are shapes of their own.
 fn parts(op: &Op, names: Entries, diags: &mut Diags) {
     op.bodies().into_iter().for_each(|ops| _ = sequence(ops, false, false, names, diags));
 }

@@ -1,31 +1,31 @@
-//! What is declared and never used, and what hides something of the same name.
+//! Declarations that are never used, and names that hide other declarations.
 
 use super::agreed::Agreed;
-use crate::ast::{Body, Name, Role};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::ir::{ChoiceValues, Type};
 use crate::ops;
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::globals::{Init, Item};
 use crate::resolve::tables::Use;
 use crate::span::Span;
-use crate::token::{Sym, Tok};
+use crate::syntax::ast::{Body, Name, Role};
+use crate::syntax::token::{Sym, Tok};
 use std::collections::{HashMap, HashSet};
 
-/// Looks for both, in the file that is compiled: an imported one may have more than is used here.
-pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
+/// Checks the compiled file. An imported file may have more than is used here.
+pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     let (globals, program) = (&cx.globals, cx.globals.program);
-    // A file without a start is there for others.
+    // A file without a start rule is a library.
     if cx.tables.starts.iter().all(Option::is_none) {
         return Vec::new();
     }
     let used = Used::new(cx);
     let is_root = |item: &&Item| program.roots.contains(&item.instance) && item.home == item.instance && !item.origin;
     let mut agreed = Agreed::default();
-    // What a file declares others may read.
+    // Other files may read the values of a file.
     let styled = styled(cx);
-    // A style may redefine a value for rules that only the other style has.
+    // A style may redefine a value for rules that only another style has.
     let is_styled = |item: &Item| styled.contains(&(item.decl.name.text.as_str(), item.decl.params.len()));
     let values = |item: &&Item| is_root(item) && !program.may_be_imported() && !is_styled(item);
     for (index, item) in globals.attrs.iter().enumerate().filter(|(_, item)| values(item)) {
@@ -51,7 +51,7 @@ pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
     list
 }
 
-/// What the values and steps of a grammar name.
+/// The names used by the values and rules of a grammar.
 #[derive(Default)]
 struct Used {
     attrs: HashSet<u32>,
@@ -59,7 +59,7 @@ struct Used {
 }
 
 impl Used {
-    fn new(cx: &Cx) -> Used {
+    fn new(cx: &Context) -> Used {
         let mut used = Used::default();
         for found in cx.tables.uses.values() {
             match found {
@@ -80,7 +80,7 @@ impl Used {
     }
 }
 
-/// Whoever begins a name with `_` knows.
+/// Returns true if a leading `_` marks the name as unused on purpose.
 fn is_meant(name: &str) -> bool {
     name.starts_with('_')
 }
@@ -92,14 +92,14 @@ fn value(item: &Item, what: &str, code: Code, used: bool, diags: &mut Diags) {
     }
     let diag = diags.report(code, name.span, format!("{what} `{}` is never used", name.text));
     diag.help(match code {
-        // Its name is known outside.
+        // Host programs may use the name.
         Code::UnusedAttribute => "leave it out, or write `@Allow(unused_attribute)` before it".to_owned(),
         _ => format!("leave it out, or call it `_{}`", name.text),
     });
 }
 
-/// Names and numbers of parameters of what several styles declare.
-fn styled<'a>(cx: &Cx<'a, '_>) -> HashSet<(&'a str, usize)> {
+/// The names and parameter counts of declarations in several styles.
+fn styled<'a>(cx: &Context<'a, '_>) -> HashSet<(&'a str, usize)> {
     let program = cx.globals.program;
     let mut styles: HashMap<(&str, usize), u32> = HashMap::new();
     let mut found = HashSet::new();
@@ -112,8 +112,8 @@ fn styled<'a>(cx: &Cx<'a, '_>) -> HashSet<(&'a str, usize)> {
     found
 }
 
-/// Parameters and locals.
-fn inner(cx: &Cx, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut Diags) {
+/// Checks parameters and locals.
+fn inner(cx: &Context, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut Diags) {
     let decl = item.decl;
     let names: Vec<_> = decl.inner().collect();
     let in_styles = styled.contains(&(decl.name.text.as_str(), decl.params.len()));
@@ -133,7 +133,7 @@ fn inner(cx: &Cx, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut Diag
             diag.help(help);
             continue;
         }
-        // Those of an extension, or of one of several styles, are there for the others as well.
+        // Parameters of an extension, or of one of several styles, may be used by the other versions.
         if !used && !is_meant(&name.text) && decl.role != Role::Extension && !in_styles {
             let message = format!("{what} `{}` is never used", name.text);
             diags
@@ -151,16 +151,17 @@ fn inner(cx: &Cx, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut Diag
             let diag = diags.report(Code::Shadowing, name.span, message);
             diag.related(format!("the {kind} is declared"), other.decl.name.span);
             diag.help(match decl.body {
-                Body::Rule(_) => "give it another name; what stands in this rule means the inner one",
-                _ => "give it another name; what stands in this function means the inner one",
+                Body::Rule(_) => "give it another name; in this rule, the name means the inner one",
+                _ => "give it another name; in this function, the name means the inner one",
             });
         }
     }
 }
 
-/// The first selector's word in a declaration that may have been meant as the parameter or local value of its name. A text
-/// selects nothing. A value that is read elsewhere is there for that, except a bool where the word is part of a condition.
-fn doubtful_selector(cx: &Cx, item: &Item, name: &Name, is_used: bool) -> Option<u32> {
+/// The first selector in a declaration that may have been meant as the parameter or local value of the same name. A
+/// text is never meant. A value that is read elsewhere is not meant either, except a bool next to an operator of a
+/// condition.
+fn doubtful_selector(cx: &Context, item: &Item, name: &Name, is_used: bool) -> Option<u32> {
     let word = ops::selector(&name.text)?.name;
     let tokens = cx.globals.program.tokens.as_slice();
     let ty = cx.tables.at(item.own).ty(name);
@@ -179,8 +180,8 @@ fn doubtful_selector(cx: &Cx, item: &Item, name: &Name, is_used: bool) -> Option
     }
 }
 
-/// Imports whose name nothing begins with, and which get no attribute.
-fn imports(cx: &Cx) -> Vec<Diag> {
+/// Reports imports whose prefix is never used and that get no attribute.
+fn imports(cx: &Context) -> Vec<Diag> {
     let (globals, program) = (&cx.globals, cx.globals.program);
     let Some(&root) = program.roots.first() else { return Vec::new() };
     let instance = &program.instances[root];

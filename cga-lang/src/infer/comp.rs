@@ -2,13 +2,13 @@
 
 use super::open::{Open, Place};
 use super::{Infer, Type, Use, Var};
-use crate::ast::{CompValue, Expr, ExprKind, Name};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::link::InstanceId;
 use crate::ops::{Function, Needs};
 use crate::span::Span;
+use crate::syntax::ast::{CompValue, Expr, ExprKind, Name};
 
-/// What is looked at when the types are known.
+/// The checks that wait until the types are known.
 #[derive(Default)]
 pub(super) struct Comps<'a> {
     selectors: Vec<(InstanceId, Var, &'a Expr)>,
@@ -16,13 +16,13 @@ pub(super) struct Comps<'a> {
 }
 
 impl<'a> Infer<'_, 'a, '_> {
-    /// A condition or an index. Which of them, the types say.
+    /// Infers a selector. Its type distinguishes a condition from an index.
     pub(super) fn selector(&mut self, selector: &'a Expr) {
         let var = self.expr(selector);
         self.comps.selectors.push((self.own, var, selector));
     }
 
-    /// An array with a value for each component.
+    /// Infers an array with a value for each component.
     pub(super) fn comp_value(&mut self, comp: &'a CompValue, span: Span) -> Var {
         let mut entries = Vec::new();
         for (selector, _, value) in &comp.arms {
@@ -34,7 +34,7 @@ impl<'a> Infer<'_, 'a, '_> {
         self.wait(Open::Array { entries, result, span })
     }
 
-    /// Looks at all of them.
+    /// Checks all selectors and values.
     pub(super) fn comps(&mut self) {
         let Comps { selectors, values } = std::mem::take(&mut self.comps);
         for (own, var, selector) in selectors {
@@ -62,16 +62,16 @@ impl<'a> Infer<'_, 'a, '_> {
         }
     }
 
-    /// Nothing is asked in an index: it is computed before there are components.
+    /// Reports a function of components in an index, which is computed before there are components.
     fn asked_in_index(&mut self, part: &Expr) {
         if let ExprKind::Name(name) | ExprKind::Call(name, _) = &part.kind
             && self.is_asked(name)
         {
-            let message = format!("`{}` cannot stand in an index", name.text);
+            let message = format!("`{}` is not allowed in an index", name.text);
             let diag = self.cx.diags.report(Code::UnknownSelector, name.span, message);
             diag.note("a selector that is a float is an index, computed once for the whole shape");
         }
-        // What stands in another comp asks about that one's components.
+        // The parts of another `comp` read the components of that `comp`.
         if !matches!(part.kind, ExprKind::Comp(_)) {
             part.parts().into_iter().for_each(|part| self.asked_in_index(part));
         }

@@ -2,10 +2,10 @@
 
 use super::open::{Candidate, Open, Takes};
 use super::{Infer, State, Type, Use, Var};
-use crate::ast::{Binary, Expr, ExprKind, Name, Unary};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::ops::Param;
 use crate::span::Span;
+use crate::syntax::ast::{Binary, Expr, ExprKind, Name, Unary};
 
 impl<'a> Infer<'_, 'a, '_> {
     pub(super) fn expr(&mut self, expr: &'a Expr) -> Var {
@@ -92,10 +92,11 @@ impl<'a> Infer<'_, 'a, '_> {
         result
     }
 
-    /// A name or call in an expression.
+    /// Infers a name or call in an expression.
     fn used(&mut self, name: &'a Name, args: &'a [Expr]) -> Var {
         let found = self.cx.tables.at(self.own).of(name);
-        // Words among the arguments have no entry in the tables: they come out as poison and disturb nobody.
+        // Words among the arguments have no entry in the tables; their type is poison, which silences later
+        // diagnostics.
         let args: Vec<(Var, Span)> = args.iter().map(|arg| (self.expr(arg), arg.span)).collect();
         match found {
             Some(Use::Param(index)) => {
@@ -145,7 +146,7 @@ impl<'a> Infer<'_, 'a, '_> {
         self.need_kind(var, span, param.kind, &who);
     }
 
-    /// What a call may be, with the types it takes.
+    /// The candidates of a call, with the types of their parameters.
     pub(super) fn candidates(&mut self, open: u32) -> Vec<Candidate> {
         let list = self.cx.tables.open[open as usize].clone();
         list.into_iter().map(|found| self.candidate(found)).collect()
@@ -210,7 +211,7 @@ impl<'a> Infer<'_, 'a, '_> {
         }
     }
 
-    /// Whether anything is known about a type.
+    /// Returns true if the type is unknown.
     pub(super) fn is_free(&mut self, var: Var) -> bool {
         self.vars.state(var) == State::Free
     }

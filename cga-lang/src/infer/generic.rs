@@ -1,28 +1,29 @@
-//! Parameters that may be of another type in each call.
+//! Parameters that have different types in different calls.
 //!
-//! Only in programs in which something does not fit when every parameter has one type. A call then waits for the types of
-//! its arguments, and wants the declaration with these if there is none yet; `link/instantiate.rs` makes it.
+//! They only occur in programs that do not type-check with one type per parameter. A call then waits for the types of
+//! its arguments, and requests an instance of the declaration with these types if there is none yet;
+//! `link/instantiate.rs` makes it.
 
 use super::open::{Candidate, Place, Takes};
 use super::{Infer, State, Use, Var};
-use crate::ast::{Name, Role};
 use crate::link::{Types, Wanted};
+use crate::syntax::ast::{Name, Role};
 
-/// What calls may do.
+/// The permitted reactions to a call.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Stage {
-    /// Wait: not all bodies are read.
+    /// Wait, because not all bodies are read.
     Bodies,
-    /// Choose among what is there.
+    /// Choose among the existing declarations.
     Calls,
-    /// Want declarations with other types.
+    /// Request declarations with other types.
     Wanting,
 }
 
-/// What a call does not fit but might with other types.
+/// A request for a candidate with types that fit the call.
 struct Wish {
     wanted: Wanted,
-    /// Whether something about its arguments was reported already.
+    /// True if a diagnostic about its arguments was already reported.
     poison: bool,
 }
 
@@ -36,7 +37,7 @@ impl Infer<'_, '_, '_> {
             Use::Rule(index) => &self.cx.globals.rules[index as usize],
             _ => return false,
         };
-        // An import can have one form of an extension.
+        // An extension has only one form per import.
         let is_plain = item.home == item.instance && item.decl.role != Role::Extension;
         is_plain && !item.decl.params.is_empty() && program.typed.may_have(item.decl)
     }
@@ -45,7 +46,7 @@ impl Infer<'_, '_, '_> {
         self.cx.globals.program.typed.on && candidates.iter().any(|candidate| self.is_generic(candidate.found))
     }
 
-    /// Which of a candidate's parameters may be of another type: those that nothing but calls has something to say about.
+    /// Marks the parameters of a candidate that may have another type: those that only calls restrict.
     fn loose(&mut self, candidate: &Candidate) -> Vec<bool> {
         let item = match candidate.found {
             _ if !self.is_generic(candidate.found) => return vec![false; candidate.takes.len()],
@@ -60,7 +61,7 @@ impl Infer<'_, '_, '_> {
         candidate.takes.iter().map(free).zip(given).map(|(free, given)| free || given).collect()
     }
 
-    /// As `choose`, where some of the candidates may be had with other types.
+    /// Chooses like `choose`, if some candidates may have instances with other types.
     pub(super) fn choose_generic(
         &mut self,
         name: &Name,
@@ -76,7 +77,7 @@ impl Infer<'_, '_, '_> {
         let fitting: Vec<_> = all.iter().filter(|(candidate, _)| self.fits(candidate, args)).collect();
         if args.iter().any(|&(var, _)| self.is_free(var)) && !fitting.is_empty() {
             if force {
-                // The likeliest is one that is there already, and gives what is needed.
+                // An existing instance that returns the required type is the likeliest.
                 let likely = fitting.iter().find(|(candidate, _)| self.may_give(candidate, result));
                 self.choose_this(name, likely.unwrap_or(&fitting[0]).0, args, result);
             } else {
@@ -98,7 +99,7 @@ impl Infer<'_, '_, '_> {
                 if !poison {
                     self.wanted.push(wanted);
                 }
-                // It is known when the instance is there.
+                // The type is known once the instance exists.
                 if let Some(result) = result {
                     self.vars.poison(result);
                 }
@@ -126,7 +127,7 @@ impl Infer<'_, '_, '_> {
         matches!(takes, Takes::Var(var) if self.is_free(*var))
     }
 
-    /// What all candidates that fit need of an argument is known, if no other types can be had.
+    /// Binds the types of arguments on which all fitting candidates agree, if no other types are possible.
     fn learn(&mut self, fitting: &[&(&Candidate, Vec<bool>)], args: &[Place]) {
         for (index, &(var, span)) in args.iter().enumerate() {
             if !self.is_free(var) {
@@ -152,7 +153,7 @@ impl Infer<'_, '_, '_> {
         }
     }
 
-    /// The types that a declaration would have to have.
+    /// The types that a declaration would need for a call.
     fn wish(&mut self, candidate: &Candidate, loose: &[bool], args: &[Place]) -> Option<Wish> {
         let item = match candidate.found {
             _ if !loose.contains(&true) => return None,
@@ -179,7 +180,7 @@ impl Infer<'_, '_, '_> {
         Some(Wish { wanted: Wanted { decl, types }, poison })
     }
 
-    /// Where there is one only, what is wrong is the argument.
+    /// Reports a call without a fitting candidate. With only one candidate, the argument is blamed.
     fn none_fits(&mut self, name: &Name, candidates: &[Candidate], args: &[Place], result: Option<Var>) {
         let (item, rule) = match candidates {
             [Candidate { found: Use::Function(index), .. }] => (&self.cx.globals.functions[*index as usize], None),

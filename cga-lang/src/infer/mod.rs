@@ -1,9 +1,9 @@
-//! Which values are floats, bools, strings and arrays of these.
+//! Type inference: floats, bools, strings and arrays of these.
 //!
-//! There are no type annotations: every declaration and parameter has one type, found from its uses and from the calls.
-//! Bodies come first and calls last, so that a wrong argument is blamed at the call. What is not clear when it is read
-//! (`+`, overloaded calls, arrays) waits in `open` until more is known. Where one type is not enough, `generic` asks for
-//! instances of declarations with other ones.
+//! There are no type annotations: every declaration and parameter has one type, inferred from its uses and from the
+//! calls. Bodies come first and calls last, so that a wrong argument is blamed at the call. Unclear expressions (`+`,
+//! overloaded calls, arrays) wait in `open` until more is known. If one type is not enough, `generic` requests
+//! instances of declarations with other types.
 
 mod comp;
 mod expr;
@@ -12,36 +12,36 @@ mod open;
 mod steps;
 mod unify;
 
-use crate::ast::{Body, Decl, Expr, Name};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Line};
-use crate::door::Door;
+use crate::dialect::Dialect;
 use crate::hash::FastMap;
-use crate::lex::without_unit;
 use crate::link::{InstanceId, Key, Wanted};
 use crate::ops::ParamKind;
-use crate::resolve::context::Cx;
+use crate::resolve::context::Context;
 use crate::resolve::globals::{Init, Item};
 use crate::resolve::tables::Use;
 use crate::span::Span;
-use crate::token::Tok;
+use crate::syntax::ast::{Body, Decl, Expr, Name};
+use crate::syntax::lex::without_unit;
+use crate::syntax::token::Tok;
 use crate::types::Type;
 use generic::Stage;
 use open::{Open, Place};
 use std::collections::{HashMap, HashSet};
 use unify::{State, Var, Vars};
 
-/// What `infer` has found.
+/// The result of `infer`.
 pub(crate) struct Found {
-    /// Whether something is of another type than is needed.
+    /// True if a value has another type than needed.
     pub(crate) misfit: bool,
-    /// Declarations that calls want with other types. When there are some, the rest is not settled.
+    /// Requests for declarations with other types. With requests, the remaining types are not settled.
     pub(crate) wanted: Vec<Wanted>,
-    /// Declarations with types of their own that do not suit them: something is wrong there and in no other instance.
+    /// Instances of declarations with their own types that have a mismatch of their own.
     pub(crate) unsuited: Vec<InstanceId>,
 }
 
-pub(crate) fn infer(cx: &mut Cx) -> Found {
+pub(crate) fn infer(cx: &mut Context) -> Found {
     let before = cx.diags.so_far().len();
     let mut pass = Infer {
         cx,
@@ -83,48 +83,48 @@ pub(crate) fn infer(cx: &mut Cx) -> Found {
 /// A declaration in a style: its name and parameters.
 type InStyle = (u32, Vec<Key>);
 
-/// A mismatch of types: the instance in which it was found, and what is reported.
+/// A type mismatch: its instance, place and message.
 type Misfit = (InstanceId, Span, Line);
 
-/// An argument of a rule or function of the grammar: joined with the parameter when all bodies are read.
+/// An argument of a rule or function of the grammar. It is joined with the parameter once all bodies are read.
 struct Argument {
-    /// The instance that has the call.
+    /// The instance that contains the call.
     own: InstanceId,
     arg: Var,
     span: Span,
     param: Var,
     callee: String,
     name: String,
-    /// The name in the call of a rule.
+    /// The name, if a rule is called.
     rule: Option<Span>,
 }
 
 struct Infer<'p, 'a, 'd> {
-    cx: &'p mut Cx<'a, 'd>,
+    cx: &'p mut Context<'a, 'd>,
     vars: Vars,
-    /// By declaration, parameter and local; Rust values and Rust calls by their first token.
+    /// Types of declarations, parameters and locals by name; of Rust values and Rust calls by their first token.
     slots: FastMap<Key, Var>,
-    /// With the instances that they are in.
+    /// Open expressions, with their instances.
     open: Vec<(InstanceId, Open)>,
     calls: Vec<Argument>,
-    /// Operands of `<` and its like, which bools have not.
+    /// Operands of `<`, `<=`, `>` and `>=`, which bools do not have.
     ordered: Vec<(InstanceId, Var, Span)>,
-    /// Selectors, and values for components.
+    /// Selectors, and values of components.
     comps: comp::Comps<'a>,
-    /// Parameters and locals of the declaration at hand.
+    /// The parameters and locals of the current declaration.
     inner: Vec<&'a Name>,
-    /// The instance whose entries its names have.
+    /// The instance that has the entries of its names.
     own: InstanceId,
     stage: Stage,
-    /// Whether something became known without anything being decided.
+    /// True if a type became known without a decision.
     moved: bool,
     wanted: Vec<Wanted>,
-    /// Collected where declarations may have types of their own.
+    /// Mismatches, collected if declarations may have types of their own.
     misfits: Vec<Misfit>,
 }
 
 impl<'a> Infer<'_, 'a, '_> {
-    /// Does a part of the work in an instance, and notes the mismatches that it finds there.
+    /// Runs a part of the work in an instance, and records the mismatches found there.
     fn inside<T>(&mut self, own: InstanceId, part: impl FnOnce(&mut Self) -> T) -> T {
         let outside = std::mem::replace(&mut self.own, own);
         let before = self.cx.diags.so_far().len();
@@ -137,7 +137,7 @@ impl<'a> Infer<'_, 'a, '_> {
         result
     }
 
-    /// The declarations with types of their own in which something is wrong that is right where it was written.
+    /// The instances with their own types that have mismatches which the declaration as written does not have.
     fn unsuited(&self) -> Vec<InstanceId> {
         let program = self.cx.globals.program;
         let (typed, written): (Vec<&Misfit>, Vec<&Misfit>) =
@@ -147,7 +147,7 @@ impl<'a> Infer<'_, 'a, '_> {
         alone.map(|(own, ..)| *own).collect()
     }
 
-    /// The value of an attribute, constant or function.
+    /// Infers the value of an attribute, constant or function.
     fn declared(&mut self, item: &Item<'a>) {
         let own = self.slot(item.key());
         if let Init::Flows(outer) = item.init {
@@ -160,10 +160,10 @@ impl<'a> Infer<'_, 'a, '_> {
         }
         let ty = self.expr(value);
         if !item.is_own() {
-            // The declaration says what it is, and a wrong override is blamed.
+            // The declaration defines the type, and a wrong override is blamed.
             return self.argument(ty, value.span, own, (String::new(), item.decl.name.text.clone()), None);
         }
-        // Fails only for a recursive function that was used as something else inside its own body.
+        // This only fails for a recursive function that was used with another type inside its own body.
         if let Err((own, other)) = self.vars.join(own, ty) {
             let name = &item.decl.name.text;
             let needs = format!("`{name}` is used as a {}, but this is", own.word());
@@ -185,7 +185,7 @@ impl<'a> Infer<'_, 'a, '_> {
         var
     }
 
-    /// The type of a name or Rust value in the declaration at hand.
+    /// The type of a name or Rust value in the current declaration.
     fn inner_slot(&mut self, token: u32) -> Var {
         self.slot((self.own, token))
     }
@@ -207,7 +207,7 @@ impl<'a> Infer<'_, 'a, '_> {
         self.vars.add(State::Is(ty), Some(span))
     }
 
-    /// Parameters and locals become names; locals get the types of their values.
+    /// Enters parameters and locals as names; locals get the types of their values.
     fn enter(&mut self, decl: &'a Decl) {
         self.inner.extend(&decl.params);
         for (name, value) in &decl.locals {
@@ -218,7 +218,7 @@ impl<'a> Infer<'_, 'a, '_> {
         }
     }
 
-    /// An attribute that gets its value from the importing file's.
+    /// Infers an attribute that gets its value from the importing file.
     fn flows(&mut self, own: Var, decl: &Decl, outer: u32) {
         let from = self.cx.globals.attrs[outer as usize].clone();
         let var = self.slot(from.key());
@@ -229,7 +229,7 @@ impl<'a> Infer<'_, 'a, '_> {
         self.cx.diags.report(Code::TypeMismatch, span, format!("{needs} a {}", got.word()))
     }
 
-    /// Demands a type of an expression.
+    /// Requires a type of an expression.
     fn need(&mut self, expr: &'a Expr, ty: Type, who: &str) {
         let var = self.expr(expr);
         self.need_var(var, expr.span, ty, who);
@@ -239,7 +239,7 @@ impl<'a> Infer<'_, 'a, '_> {
         self.need_kind(var, span, ParamKind::Value(ty), who);
     }
 
-    /// Demands the type of a kind of value.
+    /// Requires the type of a kind of value.
     fn need_kind(&mut self, var: Var, span: Span, kind: ParamKind, who: &str) {
         let Some(ty) = kind.ty() else { return };
         if self.vars.bind(var, ty, span) {
@@ -265,7 +265,7 @@ impl<'a> Infer<'_, 'a, '_> {
         self.calls.push(Argument { own: self.own, arg, span, param, callee, name, rule });
     }
 
-    /// The arguments of a call of a declaration.
+    /// Adds the arguments of a call of a declaration.
     fn arguments(&mut self, item: &Item, args: Vec<Place>, rule: Option<Span>) {
         let params = self.params(item);
         for (((arg, span), var), param) in args.into_iter().zip(params).zip(&item.decl.params) {
@@ -273,19 +273,19 @@ impl<'a> Infer<'_, 'a, '_> {
         }
     }
 
-    /// A call whose arguments are of types that no rule of that name takes. It matches none, then: in text a leaf, like a
-    /// call with as many arguments as none takes.
+    /// Reports a call whose argument types no rule of that name takes. The call matches no rule, so in text it is a
+    /// leaf, like a call with a wrong number of arguments.
     fn no_rule(&mut self, name: Span, callee: &str, span: Span, message: String) -> Option<&mut Diag> {
-        let door = self.cx.globals.program.door(name.first);
-        if door == Door::Inline {
+        let dialect = self.cx.globals.program.dialect(name.first);
+        if dialect == Dialect::Inline {
             return Some(self.cx.diags.report(Code::TypeMismatch, span, message));
         }
-        // One finding a call.
+        // One diagnostic per call.
         if self.cx.tables.uses.insert((self.own, name.first), Use::Leaf) == Some(Use::Leaf) {
             return None;
         }
         let diag = self.cx.diags.report(Code::UndefinedRule, span, message);
-        Some(diag.note(format!("no rule takes that, it becomes a leaf named `{callee}`")))
+        Some(diag.note(format!("no rule takes these types, so it becomes a leaf named `{callee}`")))
     }
 
     fn solve(&mut self) {
@@ -318,7 +318,7 @@ impl<'a> Infer<'_, 'a, '_> {
         self.comps();
     }
 
-    /// A value has one type in every style, and so have parameters. Who differs is reported by `duplicates`.
+    /// Joins the types of each value and its parameters over all styles. `duplicates` reports differences.
     fn join_styles(&mut self) {
         if self.cx.globals.program.roots.len() < 2 {
             return;
@@ -332,7 +332,7 @@ impl<'a> Infer<'_, 'a, '_> {
         }
         let mut pairs = Vec::new();
         for group in groups.into_values() {
-            // Of overloads nobody knows yet which is which.
+            // It is not known yet which overloads correspond.
             let overloads = group.windows(2).any(|pair| pair[0].0 == pair[1].0);
             let Some(((_, first), others)) = group.split_first().filter(|_| !overloads) else { continue };
             for (_, other) in others {
@@ -389,8 +389,8 @@ impl<'a> Infer<'_, 'a, '_> {
     }
 }
 
-/// What to type for a value of the wrong type. `literal` is the value where it is one token, and `declared` tells
-/// whether a name has a value.
+/// The help for a value of the wrong type. `literal` is the value if it is one token, and `declared` returns true for
+/// the name of a value.
 fn conversion(kind: ParamKind, got: Type, literal: Option<&Tok>, declared: impl Fn(&str) -> bool) -> Option<String> {
     Some(match (kind.ty()?, got, literal) {
         (Type::Text, ..) if kind == ParamKind::Color => "write a colour, as in `\"#ff8000\"`".into(),
@@ -409,7 +409,7 @@ fn conversion(kind: ParamKind, got: Type, literal: Option<&Tok>, declared: impl 
     })
 }
 
-/// The number that a text holds, perhaps with a unit.
+/// The number in a text, which may have a unit.
 fn number(text: &str) -> Option<f64> {
     let text = text.trim();
     let unit = text.trim_start_matches(|c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | '+')).trim();

@@ -1,15 +1,15 @@
-//! What cannot be told when it is read: `+`, calls of one of several, arrays. Decided as soon as enough is known, and at
-//! the end by what is likeliest.
+//! Expressions that are unclear when they are read: `+`, calls with several candidates, arrays. They are decided as
+//! soon as enough is known, and at the end by the likeliest choice.
 
 use super::{Infer, State, Type, Use, Var};
-use crate::ast::{Binary, Name};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::span::Span;
+use crate::syntax::ast::{Binary, Name};
 
-/// Rounds after which the rest is settled by what is likeliest.
+/// The maximum number of rounds. After them, the likeliest choice decides.
 const MOST_ROUNDS: usize = 64;
 
-/// A type and where it is needed.
+/// A type and the place where it is needed.
 pub(super) type Place = (Var, Span);
 
 pub(super) enum Open {
@@ -20,7 +20,7 @@ pub(super) enum Open {
         result: Var,
         at: Span,
     },
-    /// `a .+ b` and its like.
+    /// `a .+ b` and other operators that work element by element.
     Each {
         op: Binary,
         at: Span,
@@ -41,7 +41,7 @@ pub(super) enum Open {
         result: Var,
         span: Span,
     },
-    /// A call of one of several.
+    /// A call with several candidates.
     Call {
         name: Name,
         candidates: Vec<Candidate>,
@@ -51,7 +51,7 @@ pub(super) enum Open {
     Done,
 }
 
-/// What a call may be.
+/// A candidate of a call.
 #[derive(Clone)]
 pub(super) struct Candidate {
     pub(super) found: Use,
@@ -61,14 +61,14 @@ pub(super) struct Candidate {
 
 #[derive(Clone, Copy)]
 pub(super) enum Takes {
-    /// Anything, or a word.
+    /// Any type, or a word.
     Any,
     Type(Type),
     Var(Var),
 }
 
 impl Infer<'_, '_, '_> {
-    /// Decides it if that is possible, else lets it wait; gives the type of its value.
+    /// Decides the expression if possible, otherwise lets it wait. Returns the type of its value.
     pub(super) fn wait(&mut self, open: Open) -> Var {
         let result = match &open {
             Open::Plus { result, .. }
@@ -83,16 +83,17 @@ impl Infer<'_, '_, '_> {
     }
 
     pub(super) fn wait_for(&mut self, open: Open) {
-        // Most are clear at once, and what follows sees their type.
+        // Most expressions are clear at once, and later ones use their types.
         self.open.push((self.own, open));
         self.decide(self.open.len() - 1, false);
     }
 
-    /// Decides all that can be decided. The number of rounds is bounded: what is open then is settled by what is likeliest.
+    /// Decides all expressions that can be decided. The number of rounds is bounded; the likeliest choice decides the
+    /// remaining ones.
     pub(super) fn propagate(&mut self) {
         for _ in 0..MOST_ROUNDS {
             let mut changed = false;
-            // Forwards, then backwards: chains of functions stand in either order.
+            // Forwards, then backwards, because chains of functions may be in either order.
             for index in (0..self.open.len()).chain((0..self.open.len()).rev()) {
                 changed |= self.decide(index, false);
             }
@@ -103,7 +104,8 @@ impl Infer<'_, '_, '_> {
         }
     }
 
-    /// Decides the rest in source order: what has become clear on the way, and the others by what is likeliest.
+    /// Decides the remaining expressions in source order: as inferred if they have become clear, otherwise by the
+    /// likeliest choice.
     pub(super) fn settle(&mut self) {
         for index in 0..self.open.len() {
             if !self.decide(index, false) {
@@ -112,7 +114,7 @@ impl Infer<'_, '_, '_> {
         }
     }
 
-    /// True if something became known. `force` decides in any case.
+    /// Returns true if a type became known. With `force`, the expression is decided in any case.
     fn decide(&mut self, index: usize, force: bool) -> bool {
         let (own, mut open) = (self.open[index].0, std::mem::replace(&mut self.open[index].1, Open::Done));
         if matches!(open, Open::Done) {
@@ -144,7 +146,7 @@ impl Infer<'_, '_, '_> {
             return true;
         }
         if l == State::Poison || r == State::Poison {
-            // Nothing more is said about it.
+            // No further diagnostic is needed.
             return true;
         }
         let is_other = |state: State| matches!(state, State::Is(ty) if ty != Type::Float);
@@ -205,7 +207,7 @@ impl Infer<'_, '_, '_> {
             self.cx.diags.report(Code::TypeMismatch, at, "bools have no order").help("write `.==` or `.!=`");
             return true;
         }
-        // Text takes anything beside it.
+        // Text can be joined with any type.
         let strict = !(op == Binary::Add && element == Type::Text);
         for (var, span) in [left, right] {
             if strict
@@ -219,7 +221,7 @@ impl Infer<'_, '_, '_> {
             }
         }
         if is_single(l) && is_single(r) {
-            // `1.+2` reads so, and nothing else can be meant.
+            // `1.+2` is read like this and has no other meaning.
             self.gives(result, gives.element(), at, &who);
             return true;
         }
@@ -229,7 +231,7 @@ impl Infer<'_, '_, '_> {
         self.gives(result, gives, at, &who);
         match (self.vars.known(left.0), self.vars.known(right.0)) {
             (Some(_), Some(_)) => true,
-            // One side is no array, so the other is.
+            // One side is not an array, so the other side is.
             (Some(a), None) if !a.is_array() => self.vars.bind(right.0, element.array(), at),
             (None, Some(b)) if !b.is_array() => self.vars.bind(left.0, element.array(), at),
             _ if force => {
@@ -315,7 +317,7 @@ impl Infer<'_, '_, '_> {
         true
     }
 
-    /// Leaves out the candidates that do not fit; decides when one is left.
+    /// Removes candidates that do not fit, and decides if one is left.
     fn choose(
         &mut self,
         name: &Name,
@@ -339,7 +341,7 @@ impl Infer<'_, '_, '_> {
         candidates.retain(|_| keep.next() == Some(true));
         let settled = args.iter().all(|&(var, _)| !self.is_free(var));
         if 1 < candidates.len() && !force && !(settled && self.all_known(candidates)) {
-            // What they have in common is known already.
+            // The type that all candidates return is already known.
             if let (Some(result), Some(ty)) = (result, self.common(candidates)) {
                 self.vars.bind(result, ty, name.span);
             }
@@ -388,7 +390,7 @@ impl Infer<'_, '_, '_> {
         })
     }
 
-    /// The type that every candidate gives.
+    /// The type that all candidates return.
     fn common(&mut self, candidates: &[Candidate]) -> Option<Type> {
         let mut types = candidates.iter().map(|candidate| match candidate.gives {
             Takes::Any => None,
@@ -424,7 +426,7 @@ impl Infer<'_, '_, '_> {
             Some(self.cx.diags.report(Code::TypeMismatch, span, message))
         };
         if let Some(diag) = diag {
-            diag.note(format!("there is {}", forms.join(", ")));
+            diag.note(format!("the forms are {}", forms.join(", ")));
         }
     }
 }

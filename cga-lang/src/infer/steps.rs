@@ -1,10 +1,10 @@
-//! Types in the steps of rules.
+//! Types in the operations of rules.
 
 use super::open::Open;
 use super::{Infer, Type, Use, Var};
-use crate::ast::{Arg, BlockPart, Name, Op, OpKind, Override, SplitItem};
 use crate::ops::{Operation, ParamKind};
 use crate::span::Span;
+use crate::syntax::ast::{Arg, BlockPart, Name, Op, OpKind, Override, SplitItem};
 
 impl<'a> Infer<'_, 'a, '_> {
     pub(super) fn ops(&mut self, ops: &'a [Op]) {
@@ -75,7 +75,7 @@ impl<'a> Infer<'_, 'a, '_> {
         }
     }
 
-    /// Values for attributes of an import.
+    /// Infers the values for attributes of an import.
     fn dynamic(&mut self, import: &'a Name, overrides: &'a [Override]) {
         for own in overrides {
             let Override::Value(name, value) = own else { continue };
@@ -125,7 +125,7 @@ impl<'a> Infer<'_, 'a, '_> {
     fn operation(&mut self, row: &'static Operation, args: &'a [Arg]) {
         for (param, arg) in row.params.iter().zip(args) {
             match param.kind {
-                // A word that is computed; any other has no entry in the tables.
+                // A word that is computed. Other words have no entry in the tables.
                 ParamKind::Word(_) => _ = self.expr(&arg.value),
                 ParamKind::Selector => self.selector(&arg.value),
                 _ => {

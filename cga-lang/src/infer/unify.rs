@@ -1,9 +1,9 @@
-//! Types not known yet, and what becomes of them.
+//! Type variables and their unification.
 
 use crate::span::Span;
 use crate::types::Type;
 
-/// A type that may not be known yet.
+/// A type variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Var(u32);
 
@@ -13,7 +13,7 @@ pub(super) enum State {
     Free,
     /// Known.
     Is(Type),
-    /// Something wrong was reported: goes with everything.
+    /// A mistake was reported; the type is compatible with all types.
     Poison,
 }
 
@@ -21,11 +21,11 @@ pub(super) enum State {
 struct Node {
     parent: u32,
     state: State,
-    /// What made the type known.
+    /// The place that determined the type.
     why: Option<Span>,
 }
 
-/// Sets of types that must be equal.
+/// Sets of type variables with equal types.
 #[derive(Default)]
 pub(super) struct Vars {
     nodes: Vec<Node>,
@@ -65,7 +65,7 @@ impl Vars {
         self.nodes[root].why
     }
 
-    /// Says that something wrong was reported about it.
+    /// Marks a type as wrong and reported.
     pub(super) fn poison(&mut self, var: Var) {
         let root = self.root(var);
         if self.nodes[root].state == State::Free {
@@ -73,7 +73,7 @@ impl Vars {
         }
     }
 
-    /// Says what a free one is; false when it is something else.
+    /// Binds a free variable to a type. Returns false if it has another type.
     pub(super) fn bind(&mut self, var: Var, ty: Type, why: Span) -> bool {
         let root = self.root(var);
         let node = &mut self.nodes[root];
@@ -88,12 +88,12 @@ impl Vars {
         }
     }
 
-    /// Makes two equal; gives both types when they differ, and leaves them alone.
+    /// Joins two variables. If their types differ, returns both types and leaves the variables unchanged.
     pub(super) fn join(&mut self, a: Var, b: Var) -> Result<(), (Type, Type)> {
         let (a, b) = (self.root(a), self.root(b));
         match (self.nodes[a].state, self.nodes[b].state) {
             (State::Is(first), State::Is(second)) if first != second => return Err((first, second)),
-            // What went wrong in one place says nothing about the other.
+            // A mistake in one place does not affect the other.
             (State::Poison, _) | (_, State::Poison) => {}
             (State::Is(_), State::Free) => self.nodes[b].parent = a as u32,
             _ => self.nodes[a].parent = b as u32,

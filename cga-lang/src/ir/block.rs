@@ -1,9 +1,9 @@
 //! Operations with braces, and `comp` as a value.
 
 use super::{Arg, Axis, Expr, Piece, Size, Target};
-use crate::ast::ArmMode;
 use crate::ops::{Default, Operation};
 use crate::span::Span;
+use crate::syntax::ast::ArmMode;
 
 /// `name(args) { … }`: makes parts of the current shape, each with a successor. The shape itself goes on unchanged.
 #[derive(Clone, Debug)]

@@ -1,35 +1,35 @@
-//! Files that rules name: what is known of them while compiling.
+//! The files that rules name, as known at compile time.
 
 use super::{Files, Program, folder_of};
 use crate::ops::{self, FileUse, Param, ParamKind};
 use crate::suggest::nearest;
-use crate::token::{Sym, Tok};
+use crate::syntax::token::{Sym, Tok};
 use cga_split::files::places;
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-/// Names in folders that are looked for; of more nothing is known.
+/// The maximum number of names looked up in folders. Nothing is known about the remaining files.
 const MOST: usize = 4000;
 
-/// What is known of a file that rules name.
+/// The known properties of a file that rules name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Asset {
-    /// There is none of that name; one of these may have been meant.
+    /// The file does not exist; one of these names may have been meant.
     Missing(Vec<String>),
-    /// There is one.
+    /// The file exists.
     There,
-    /// It is a mesh.
+    /// The file is a mesh.
     Mesh {
-        /// Whether there are faces in it.
+        /// True if it has faces.
         has_faces: bool,
-        /// The groups that it names.
+        /// The names of its groups.
         groups: Vec<String>,
-        /// The materials that it names.
+        /// The names of its materials.
         materials: Vec<String>,
     },
 }
 
 impl Asset {
-    /// What the statements of an OBJ file say (*Asset search*; groups are `g` and `o`, materials `usemtl`).
+    /// Reads the statements of an OBJ file (*Asset search*; groups are `g` and `o`, materials `usemtl`).
     pub fn obj(text: &str) -> Asset {
         let (mut has_faces, mut groups, mut materials) = (false, Vec::new(), Vec::new());
         for line in text.split(['\n', '\r']).map(|line| line.split('#').next().unwrap_or_default().trim()) {
@@ -52,17 +52,17 @@ impl Asset {
     }
 }
 
-/// The files that texts of a program name.
+/// The files named by the strings of a program.
 #[derive(Default)]
 pub(crate) struct Assets {
-    /// By folder of a rule file and name.
+    /// By folder of the rule file, then by name.
     by_name: HashMap<String, HashMap<String, Asset>>,
-    /// Files of which the rules ask whether they exist.
+    /// Files whose existence the rules test.
     asked_for: HashSet<String>,
 }
 
 impl Assets {
-    /// Asks for all texts that look like names of files, from the folder of each rule file: a constant may be used in
+    /// Looks up all strings that look like file names, from the folder of each rule file: a constant may be used in
     /// another file than its own.
     pub(super) fn new(program: &Program, files: &mut dyn Files) -> Assets {
         let mut assets = Assets::default();
@@ -81,7 +81,7 @@ impl Assets {
         });
         let names: Vec<&String> = names.take(MOST).collect();
         let folders: BTreeSet<&str> = program.files.iter().map(|file| folder_of(&file.name)).collect();
-        // What is at a place, if anything is known of it.
+        // The known files by path, to look up each path once.
         let mut known = HashMap::new();
         for folder in folders.into_iter().take(MOST / names.len().max(1)) {
             let mut found = HashMap::new();
@@ -95,14 +95,14 @@ impl Assets {
         assets
     }
 
-    /// What is known of a file that a rule file in some folder names.
+    /// The known properties of a file named in a rule file in `folder`.
     pub(super) fn of(&self, name: &str, folder: &str) -> Option<&Asset> {
         let may_lack = |asset: &&Asset| matches!(asset, Asset::Missing(_)) && self.asked_for.contains(name);
         self.by_name.get(folder)?.get(name).filter(|asset| !may_lack(asset))
     }
 }
 
-/// What is known of the file that a run would use.
+/// The known properties of the file that a run would use.
 fn look_up(
     name: &str,
     folder: &str,
@@ -119,11 +119,11 @@ fn look_up(
     Some(Asset::Missing(others))
 }
 
-/// What is known of a file, with the name that is most like its own in place of all: a folder has hundreds.
+/// Reduces the names of a missing file to the nearest one, because a folder may have hundreds.
 fn with_nearest(asset: Asset, name: &str) -> Asset {
     let Asset::Missing(names) = asset else { return asset };
     let mut names: Vec<String> = names.iter().map(|other| beside(name, other)).filter(|other| other != name).collect();
-    // A folder has no order of its own.
+    // The order of a folder listing is undefined.
     names.sort_unstable();
     Asset::Missing(nearest(name, names.iter().map(String::as_str)).map(str::to_owned).into_iter().collect())
 }
@@ -134,13 +134,13 @@ fn beside(name: &str, other: &str) -> String {
     format!("{folder}{}", other.rsplit('/').next().unwrap_or(other))
 }
 
-/// Returns true for the name of a function that asks whether there is a file.
+/// Returns true for the name of a function that tests the existence of a file.
 fn asks_for_file(word: &str) -> bool {
     let asks = |param: &Param| param.kind == ParamKind::File(FileUse::Asked);
     ops::functions(word).any(|row| row.params.first().is_some_and(asks))
 }
 
-/// Whether a text is the name of a file below a folder, other than rules.
+/// Returns true if a string is a file name below a folder and not the name of a rule file.
 fn is_file_name(text: &str) -> bool {
     let Some((stem, extension)) = text.rsplit_once('.') else { return false };
     let is_extension = (2..=5).contains(&extension.len()) && extension.bytes().all(|byte| byte.is_ascii_alphanumeric());

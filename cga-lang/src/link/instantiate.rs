@@ -1,28 +1,28 @@
 //! Declarations that are instantiated for several tuples of types.
 //!
-//! A parameter whose type the body leaves open may be of another type in each call. Each further tuple of types makes the
-//! declaration an instance of its own, with its types given: an overload like any other. The checker finds out which are
-//! wanted. Tokens and trees are shared; only the entries of the side tables are the instance's own.
+//! A parameter whose type the body leaves open may have another type in each call. Each further tuple of types
+//! creates an instance of the declaration with these types: an overload like any other. The checker finds the
+//! required tuples. Tokens and trees are shared; only the entries of the side tables belong to the instance.
 
 use super::{InstanceId, Key, Program};
-use crate::ast::Decl;
 use crate::hash::FastMap;
 use crate::ir::Type;
-use crate::token::Tok;
+use crate::syntax::ast::Decl;
+use crate::syntax::token::Tok;
 use std::collections::{HashMap, HashSet};
 
-/// Most tuples of types that a declaration is made for.
+/// The maximum number of type tuples of a declaration.
 const MOST_OF_ONE: usize = 16;
 
-/// Most such instances in all.
+/// The maximum number of such instances in a program.
 const MOST_IN_ALL: usize = 1000;
 
-/// The types of the parameters; `None` for those that the body knows.
+/// The types of the parameters; `None` for parameters whose type the body determines.
 pub(crate) type Types = Vec<Option<Type>>;
 
-/// A declaration that is wanted for some types.
+/// A request for a declaration with other types.
 pub(crate) struct Wanted {
-    /// The instance of its file, and its name.
+    /// The declaration in the instance of its file.
     pub(crate) decl: Key,
     pub(crate) types: Types,
 }
@@ -30,38 +30,38 @@ pub(crate) struct Wanted {
 /// The instances of declarations.
 #[derive(Default)]
 pub(crate) struct Instantiations {
-    /// Whether calls may want some.
+    /// True if calls may request instances.
     pub(crate) wanting: bool,
-    /// Whether parameters may be of several types at all.
+    /// True if parameters may have several types.
     pub(crate) on: bool,
-    /// Tokens that have one meaning in one place, in order: Rust values, which are computed once, and imports that dynamic
-    /// calls replace rules of.
+    /// Tokens that need one meaning per place, in order: Rust values, which are computed once, and imports whose
+    /// rules are replaced by dynamic calls.
     single: Vec<u32>,
-    /// Their numbers begin after those of the instances of files.
+    /// The instances of declarations, numbered after the instances of files.
     list: Vec<Typed>,
-    /// Types of parameters.
+    /// The given types of parameters.
     types: FastMap<Key, Type>,
-    /// By the declaration in the instance of its file: what it is made for, and what it cannot be.
+    /// By declaration in the instance of its file: the tuples that were made, including the removed ones.
     made: FastMap<Key, HashSet<Types>>,
 }
 
-/// A declaration with types of its own.
+/// An instance of a declaration with its own types.
 struct Typed {
     /// The instance of its file.
     home: InstanceId,
     /// Its index in the tree.
     decl: usize,
-    /// Its types did not suit it.
+    /// True if the types do not fit the body.
     gone: bool,
 }
 
 impl Instantiations {
-    /// The type that a parameter is given.
+    /// The given type of a parameter.
     pub(crate) fn given(&self, param: Key) -> Option<Type> {
         self.types.get(&param).copied().filter(|_| self.on)
     }
 
-    /// Whether a declaration may have instances of its own.
+    /// Returns true if a declaration may have instances of its own.
     pub(crate) fn may_have(&self, decl: &Decl) -> bool {
         let at = self.single.partition_point(|token| *token < decl.span.first);
         self.single.get(at).is_none_or(|token| decl.span.last < *token)
@@ -71,7 +71,7 @@ impl Instantiations {
         self.list.iter().all(|typed| typed.gone)
     }
 
-    /// Whether there may be one more of a declaration.
+    /// Returns true if another instance of a declaration may be made.
     pub(crate) fn may_be(&self, decl: Key, types: &Types) -> bool {
         let made = self.made.get(&decl);
         self.wanting
@@ -81,7 +81,7 @@ impl Instantiations {
 }
 
 impl Program {
-    /// Lets calls want instances of declarations.
+    /// Allows calls to request instances of declarations.
     pub(crate) fn begin_instantiation(&mut self) {
         (self.typed.on, self.typed.wanting) = (true, true);
         let hosts = (0..).zip(self.tokens.as_slice()).filter(|(_, token)| matches!(token, Tok::Host(_)));
@@ -109,7 +109,7 @@ impl Program {
         }
     }
 
-    /// By instance of a file: the declarations with types of their own, with their numbers.
+    /// The instances with their own types, by instance of the file, with their numbers.
     pub(crate) fn typed_declarations(&self) -> HashMap<InstanceId, Vec<(InstanceId, &Decl)>> {
         let mut found: HashMap<InstanceId, Vec<(InstanceId, &Decl)>> = HashMap::new();
         for (own, typed) in (self.instances.len()..).zip(&self.typed.list).filter(|(_, typed)| !typed.gone) {
@@ -119,22 +119,22 @@ impl Program {
         found
     }
 
-    /// The instance in which the names of an instance are looked up.
+    /// The instance whose names are visible in `own`.
     pub(crate) fn home(&self, own: InstanceId) -> InstanceId {
         own.checked_sub(self.instances.len()).map_or(own, |at| self.typed.list[at].home)
     }
 
-    /// Whether it is a declaration with types of its own.
+    /// Returns true if `own` is an instance of a declaration with its own types.
     pub(crate) fn is_typed(&self, own: InstanceId) -> bool {
         self.instances.len() <= own
     }
 
-    /// Takes back every declaration with types of its own.
+    /// Removes all instances of declarations with their own types.
     pub(crate) fn take_back_all(&mut self) {
         self.typed.list.iter_mut().for_each(|typed| typed.gone = true);
     }
 
-    /// Takes declarations back whose types do not suit them.
+    /// Removes the instances whose types do not fit.
     pub(crate) fn take_back(&mut self, unsuited: &[InstanceId]) {
         for own in unsuited {
             self.typed.list[own - self.instances.len()].gone = true;

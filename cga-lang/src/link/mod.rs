@@ -1,4 +1,4 @@
-//! Files to one program: imports and styles are resolved before anything is checked.
+//! The linker: joins files into one program. Imports and styles are resolved before any check.
 //!
 //! Each file is parsed once. An *instance* is one file with one style in force at one import site. Instances share the
 //! tokens and the tree of their file; side tables are keyed by the instance and the name. Two imports of one file share no
@@ -10,13 +10,13 @@ mod overrides;
 mod paths;
 mod style;
 
-use crate::ast::{Ast, Import, Name, Override};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
-use crate::door::Door;
-use crate::parse::parse_part;
+use crate::dialect::Dialect;
 use crate::span::Span;
-use crate::token::Tokens;
+use crate::syntax::ast::{Ast, Import, Name, Override};
+use crate::syntax::parse::parse_part;
+use crate::syntax::token::Tokens;
 use std::collections::HashMap;
 use std::ops::Range;
 use std::rc::Rc;
@@ -27,57 +27,58 @@ pub(crate) use instantiate::{Instantiations, Types, Wanted};
 pub use paths::{candidates, folder, stray_character};
 pub(crate) use style::Styles;
 
-/// Most instances a program may have: files that import each other twice, level by level, would become millions.
+/// The maximum number of instances in a program. Files that import each other twice on each level would create
+/// millions.
 const MOST_INSTANCES: usize = 1000;
 
-/// Most declarations that all instances together may have: each is checked and lowered once for each instance.
+/// The maximum number of declarations in all instances. Each declaration is checked and lowered once per instance.
 const MOST_DECLARATIONS: usize = 250_000;
 
-/// How deep imports may be nested.
+/// The maximum depth of nested imports.
 const MOST_NESTED: usize = 64;
 
-/// A file of rules as tokens.
+/// A rule file as tokens.
 #[derive(Clone, Debug)]
 pub struct Unit {
-    /// What messages call it. Units of one name are one file.
+    /// The name in messages. Units with the same name are one file.
     pub name: String,
-    /// Its tokens.
+    /// The tokens of the file.
     pub tokens: Tokens,
-    /// How strict to be with it.
-    pub door: Door,
-    /// What whoever made the tokens has found.
+    /// The dialect of the file.
+    pub dialect: Dialect,
+    /// The diagnostics of the source that made the tokens.
     pub found: Vec<Diag>,
 }
 
 impl Unit {
-    /// Tokens without a name, in which nothing was found.
-    pub fn new(tokens: Tokens, door: Door) -> Unit {
-        Unit { name: String::new(), tokens, door, found: Vec::new() }
+    /// Creates a unit without a name and without diagnostics.
+    pub fn new(tokens: Tokens, dialect: Dialect) -> Unit {
+        Unit { name: String::new(), tokens, dialect, found: Vec::new() }
     }
 }
 
-/// Where imported files come from.
+/// The provider of imported files.
 pub trait Files {
-    /// The file of a path that stands in the file `from`.
+    /// Opens the file for a path written in the file `from`.
     ///
     /// # Errors
-    /// Why there is none, as a message goes on after "cannot import `path`: ".
+    /// Returns the reason if the file cannot be opened. The message continues after "cannot import `path`: ".
     fn open(&mut self, path: &str, from: &str) -> Result<Unit, String>;
 
-    /// The names of the files in the folder to which a path leads that stands in the file `from`: one of them may have
-    /// been meant where there is none of that name.
+    /// The names of the files in the folder of a path written in the file `from`. They are candidates for a
+    /// suggestion if the path does not exist.
     fn beside(&mut self, _path: &str, _from: &str) -> Vec<String> {
         Vec::new()
     }
 
-    /// What is known of a file that rules name: a mesh, an image, a table. The path is the file's place below the folder of
-    /// assets, for which the package stands. `None` where nothing is known.
+    /// The known properties of a file that rules name: a mesh, an image, a table. The path is relative to the asset
+    /// folder, for which the package is used. Returns `None` if nothing is known.
     fn asset(&mut self, _path: &str) -> Option<Asset> {
         None
     }
 }
 
-/// There are no files.
+/// A provider without files.
 #[derive(Clone, Copy, Debug)]
 pub struct NoFiles;
 
@@ -92,24 +93,24 @@ impl Files for NoFiles {
 pub struct FileTokens {
     /// The name of its [`Unit`].
     pub name: String,
-    /// Its tokens, as spans count them: those of all files, one file after the other.
+    /// The range of its tokens, as spans count them. The tokens of all files follow each other.
     pub tokens: Range<u32>,
 }
 
-/// Number of an instance: an index into [`Program::instances`], or beyond these the number of a declaration that is
+/// The number of an instance: an index into [`Program::instances`], or beyond it the number of a declaration that is
 /// instantiated for types of its own.
 pub(crate) type InstanceId = usize;
 
-/// Key of the side tables: a name, by [`Name::id`], in an instance.
+/// The key of the side tables: a name, by [`Name::id`], in an instance.
 pub(crate) type Key = (InstanceId, u32);
 
-/// Everything that was read.
+/// All files and instances.
 pub(crate) struct Program {
     /// The tokens of all files, in the order of `files`.
     pub(crate) tokens: Tokens,
-    /// The file that is compiled first.
+    /// The files; the compiled file comes first.
     pub(crate) files: Vec<Rc<File>>,
-    /// The root with its style `Default` first.
+    /// The instances; the root with its style `Default` comes first.
     pub(crate) instances: Vec<Instance>,
     /// The root's instances by style: `Default`, then the others in source order.
     pub(crate) roots: Vec<InstanceId>,
@@ -121,52 +122,52 @@ pub(crate) struct Program {
 /// A file of rules.
 pub(crate) struct File {
     pub(crate) name: String,
-    pub(crate) door: Door,
+    pub(crate) dialect: Dialect,
     pub(crate) ast: Ast,
-    /// Its tokens in the program.
+    /// The range of its tokens in the program.
     pub(crate) tokens: Range<u32>,
-    /// Whether a comment or string without an end has swallowed declarations.
+    /// True if a comment or string without an end has swallowed declarations.
     pub(crate) is_torn: bool,
     number: usize,
-    /// Dynamic calls with rules: the import's name, and the overrides.
+    /// Dynamic calls with rules: the name of the import, and the overrides.
     calls: Vec<(Name, Vec<Override>)>,
 }
 
-/// A file with a style in force, in one place.
+/// A file with the style in force, at one import site.
 pub(crate) struct Instance {
     pub(crate) file: Rc<File>,
-    /// Its styles, from the one in force to `Default`.
+    /// The styles of the file, from the one in force to `Default`.
     pub(crate) styles: Styles,
-    /// The number of the root's style it belongs to.
+    /// The number of the style of the root that it belongs to.
     pub(crate) root_style: u32,
-    /// The names of imports that lead to its names: `imp.`, empty for the root.
+    /// The names of the imports that lead to its names: `imp.`, empty for the root.
     pub(crate) prefix: String,
     /// The importing instance.
     pub(crate) parent: Option<InstanceId>,
-    /// What it imports. `None` for a file that could not be read.
+    /// The imported instances by prefix. `None` for a file that could not be read.
     pub(crate) imports: HashMap<String, Option<InstanceId>>,
-    /// Overrides of its import, then those of a dynamic call.
+    /// The overrides of its import, then those of a dynamic call.
     pub(crate) layers: Vec<Layer>,
-    /// By the id of the import's name in a dynamic call with rules: the instance made for it.
+    /// The instance for each dynamic call with rules, by the id of the import's name in the call.
     pub(crate) dynamic: HashMap<u32, InstanceId>,
 }
 
-/// Overrides from one place.
+/// The overrides of one place.
 #[derive(Clone)]
 pub(crate) struct Layer {
-    /// The instance that has them, and where their names are looked up.
+    /// The instance that has the overrides and in which their names are looked up.
     pub(crate) home: InstanceId,
     source: LayerSource,
 }
 
-/// The place of overrides in the file that has them, by number.
+/// The number of the overrides in the file that has them.
 #[derive(Clone, Copy)]
 enum LayerSource {
     Import(usize),
     Call(usize),
 }
 
-/// Reads all that a file needs.
+/// Reads all files of a program.
 pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Program {
     let mut link = Link {
         files,
@@ -201,17 +202,17 @@ pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Prog
 }
 
 impl Program {
-    /// Whether what is compiled is a file, which others may import as well.
+    /// Returns true if the compiled file can be imported by other files.
     pub(crate) fn may_be_imported(&self) -> bool {
         self.files.first().is_some_and(|file| !file.name.is_empty())
     }
 
-    /// Number of declarations over all instances.
+    /// The number of declarations in all instances.
     pub(crate) fn declarations(&self) -> usize {
         self.instances.iter().map(|instance| instance.file.ast.decls.len()).sum()
     }
 
-    /// Overrides of a layer. `None`: none are written, and attributes of the same name flow in.
+    /// The overrides of a layer. With `None`, none are written, and attributes of the same name flow in.
     pub(crate) fn overrides(&self, layer: &Layer) -> Option<&[Override]> {
         let file = &self.instances[layer.home].file;
         match layer.source {
@@ -220,12 +221,13 @@ impl Program {
         }
     }
 
-    /// The folder of the file that a token is written in, by the file's name.
+    /// The folder of the file that has the token, by the name of the file.
     pub(crate) fn folder(&self, token: u32) -> &str {
         self.file(token).map_or("", |file| folder_of(&file.name))
     }
 
-    /// What is known of a file that is named in the file of a token. One that rules ask for may be missing.
+    /// The known properties of a file named in the file of a token. `None` for a missing file whose existence the
+    /// rules test.
     pub(crate) fn asset(&self, name: &str, token: u32) -> Option<&Asset> {
         self.assets.of(name, self.folder(token))
     }
@@ -236,9 +238,9 @@ impl Program {
         after.checked_sub(1).map(|at| &*self.files[at])
     }
 
-    /// How strict to be with a token.
-    pub(crate) fn door(&self, token: u32) -> Door {
-        self.file(token).map_or(Door::Text, |file| file.door)
+    /// The dialect of the file of a token.
+    pub(crate) fn dialect(&self, token: u32) -> Dialect {
+        self.file(token).map_or(Dialect::Text, |file| file.dialect)
     }
 }
 
@@ -247,7 +249,7 @@ fn folder_of(name: &str) -> &str {
     name.rsplit_once('/').map_or("", |(folder, _)| folder)
 }
 
-/// Where an instance comes from.
+/// The origin of an instance.
 #[derive(Clone)]
 struct Origin {
     prefix: String,
@@ -259,37 +261,37 @@ struct Link<'l> {
     files: &'l mut dyn Files,
     diags: &'l mut Diags,
     by_name: HashMap<String, usize>,
-    /// Numbers of files that are being imported, outermost first.
+    /// The numbers of files that are being imported, outermost first.
     under_way: Vec<usize>,
-    /// Number of declarations over all instances.
+    /// The number of declarations in all instances.
     declared: usize,
-    /// Whether too many instances were reported.
+    /// True if the limit of instances was reported.
     full: bool,
     program: Program,
 }
 
 impl Link<'_> {
-    /// The file of a unit: parsed when it is seen first.
+    /// The file of a unit. It is parsed at its first use.
     fn file(&mut self, unit: Unit) -> Rc<File> {
         if let Some(&number) = self.by_name.get(&unit.name) {
             return Rc::clone(&self.program.files[number]);
         }
-        let Unit { name, tokens, door, found } = unit;
+        let Unit { name, tokens, dialect, found } = unit;
         let start = self.program.tokens.len() as u32;
         self.program.tokens.append(tokens);
         let tokens = start..self.program.tokens.len() as u32;
-        // Such a token has swallowed what follows it.
+        // Such a token has swallowed the declarations after it.
         let is_torn = found.iter().any(|diag| matches!(diag.code, Code::UnclosedComment | Code::UnclosedString));
         self.diags.append(found.into_iter().map(|diag| diag.moved(|span| span.behind(start))).collect());
         let ast = parse_part(&self.program.tokens, tokens.clone(), self.diags);
         let (number, calls) = (self.program.files.len(), overrides::dynamic_calls(&ast));
         self.by_name.insert(name.clone(), number);
-        let file = Rc::new(File { name, door, ast, tokens, is_torn, number, calls });
+        let file = Rc::new(File { name, dialect, ast, tokens, is_torn, number, calls });
         self.program.files.push(Rc::clone(&file));
         file
     }
 
-    /// Instantiates a file with a style in force, and what it imports.
+    /// Instantiates a file with the style in force, and its imports.
     fn instance(&mut self, file: &Rc<File>, style: u32, root_style: u32, origin: Origin) -> InstanceId {
         let id = self.program.instances.len();
         self.declared += file.ast.decls.len();
@@ -337,7 +339,7 @@ impl Link<'_> {
         id
     }
 
-    /// Whether there is no room for a file, which is said once.
+    /// Returns true if a limit is reached, which is reported once.
     fn full_up(&mut self, file: &File, span: Span) -> bool {
         let full = if MOST_INSTANCES <= self.program.instances.len() {
             format!("more than {MOST_INSTANCES} files")
@@ -371,14 +373,14 @@ impl Link<'_> {
     }
 
     fn import(&mut self, from: InstanceId, at: usize, import: &Import) -> Option<InstanceId> {
-        // Nobody opens files for nothing.
+        // No file is opened without use.
         if self.full {
             return None;
         }
         let own = &self.program.instances[from];
         let (root_style, prefix) = (own.root_style, format!("{}{}.", own.prefix, import.id.text));
         let file = Rc::clone(&own.file);
-        // *CGA changelog 2023.0*; and nobody reads other files this way.
+        // *CGA changelog 2023.0*. No file is read under another extension.
         if !import.path.ends_with(".cga") {
             let message = format!("cannot import `{}`: only files that end in `.cga` can be imported", import.path);
             let diag = self.diags.report(Code::CannotImport, import.path_span, message);
@@ -397,7 +399,7 @@ impl Link<'_> {
             Err(why) => {
                 let message = format!("cannot import `{}`: {why}", import.path);
                 let mut names = self.files.beside(&import.path, &file.name);
-                // A folder has no order of its own.
+                // The order of a folder listing is undefined.
                 names.sort();
                 let near = paths::like(&import.path, &names);
                 self.diags.report(Code::CannotImport, import.path_span, message).suggest(near);
@@ -416,7 +418,7 @@ impl Link<'_> {
         }
         let layer = Layer { home: from, source: LayerSource::Import(at) };
         let origin = Origin { prefix, parent: Some(from), layers: vec![layer] };
-        // The first is in force; the others are for whoever chooses among them.
+        // The first style is in force; a host program may choose among the others.
         let mut wanted =
             import.styles.iter().flatten().map(|name| self.wanted_style(&opened, name)).collect::<Vec<_>>();
         let style = if wanted.is_empty() { 0 } else { wanted.swap_remove(0) };

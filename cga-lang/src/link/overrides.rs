@@ -1,9 +1,9 @@
-//! Dynamic calls that replace rules: each needs an instance of its own.
+//! Dynamic calls that replace rules. Each needs its own instance.
 
-use crate::ast::{Ast, Body, Decl, Name, OpKind, Override};
-use crate::ast_walk;
+use crate::syntax::ast::{Ast, Body, Decl, Name, OpKind, Override};
+use crate::syntax::walk;
 
-/// Calls `id( Rule --> … ).Name` in a tree, with the import's name.
+/// Returns the calls `id( Rule --> … ).Name` in a tree, with the name of the import.
 pub(super) fn dynamic_calls(ast: &Ast) -> Vec<(Name, Vec<Override>)> {
     let mut found = Vec::new();
     ast.decls.iter().for_each(|decl| rule(decl, &mut found));
@@ -11,7 +11,7 @@ pub(super) fn dynamic_calls(ast: &Ast) -> Vec<(Name, Vec<Override>)> {
     found
 }
 
-/// The rules that overrides put in the place of others are bodies too.
+/// Collects the calls in the bodies of overriding rules.
 fn rules(list: &[Override], found: &mut Vec<(Name, Vec<Override>)>) {
     for own in list {
         if let Override::Rule(decl) = own {
@@ -22,7 +22,7 @@ fn rules(list: &[Override], found: &mut Vec<(Name, Vec<Override>)>) {
 
 fn rule(decl: &Decl, found: &mut Vec<(Name, Vec<Override>)>) {
     let Body::Rule(body) = &decl.body else { return };
-    ast_walk::ops(body, &mut |op| {
+    walk::ops(body, &mut |op| {
         if let OpKind::Dynamic { import, overrides, .. } = &op.kind
             && overrides.iter().any(|own| matches!(own, Override::Rule(_)))
         {

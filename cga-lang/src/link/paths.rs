@@ -1,18 +1,19 @@
-//! Where an imported file may be.
+//! The possible paths of an imported file.
 
 use crate::suggest::nearest;
 
-/// Folders above the importing file that are looked into.
+/// The maximum number of folders above the importing file that are searched.
 const MOST_FOLDERS: usize = 16;
 
-/// How the names of rule files end.
+/// The ending of the names of rule files.
 const ENDING: &str = ".cga";
 
-/// The names a file may have that `from` imports as `path`, the likeliest first. All are written with `/`.
+/// The possible names of a file that `from` imports as `path`, the likeliest first. All names are written with `/`.
 ///
-/// A path counts from the folder of the importing file, else from a folder above it or the `assets` folder in one
-/// (*Asset search*: the project's assets, then the project). With a `/` in front it is a path of a workspace whose first
-/// part is the name of a project (*import*): it counts from the folders above too, with and without that part.
+/// A path is relative to the folder of the importing file, to a folder above it, or to the `assets` folder in one of
+/// these (*Asset search*: the project's assets, then the project). A path with a leading `/` is a path of a
+/// workspace, and its first part is the name of a project (*import*). It is also relative to the folders above, with
+/// and without its first part.
 pub fn candidates(path: &str, from: &str) -> Vec<String> {
     let path = path.replace('\\', "/");
     let from = from.replace('\\', "/");
@@ -50,19 +51,19 @@ pub fn candidates(path: &str, from: &str) -> Vec<String> {
     list
 }
 
-/// The folder in which the file is that `from` imports as `path`, as far as its own place says.
+/// The folder of the file that `from` imports as `path`, if it is relative to the importing file.
 pub fn folder(path: &str, from: &str) -> String {
     let name = candidates(path, from).swap_remove(0);
     name.rsplit_once('/').map_or(String::new(), |(folder, _)| if folder.is_empty() { "/" } else { folder }.to_owned())
 }
 
-/// A character of a rule file's name that CGA does not allow there (*CGA changelog 2023.0*).
+/// Returns the first character in the name of a rule file that CGA does not allow (*CGA changelog 2023.0*).
 pub fn stray_character(path: &str) -> Option<char> {
     let name = path.rsplit(['/', '\\']).next()?;
     name.strip_suffix(ENDING)?.chars().find(|character| matches!(character, '$' | '[' | ';' | '.'))
 }
 
-/// A path to the rule file most like it among some names of files in its folder.
+/// The path of the most similar rule file among the names of files in its folder.
 pub(super) fn like(path: &str, names: &[String]) -> Option<String> {
     let (folder, name) = path.split_at(path.rfind(['/', '\\']).map_or(0, |slash| slash + 1));
     let others = names.iter().filter(|other| *other != name).filter_map(|other| other.strip_suffix(ENDING));
@@ -70,7 +71,7 @@ pub(super) fn like(path: &str, names: &[String]) -> Option<String> {
     Some(format!("{folder}{near}{ENDING}"))
 }
 
-/// Without `.` and, as far as possible, without `..`.
+/// The path without `.` and without `..` where possible.
 fn normal(path: &str) -> String {
     let mut parts: Vec<&str> = Vec::new();
     for part in path.split('/') {

@@ -1,31 +1,31 @@
 //! Styles of a file.
 
-use crate::ast::Ast;
-use crate::code::Code;
 use crate::diag::Diags;
+use crate::diag::code::Code;
 use crate::suggest::nearest;
+use crate::syntax::ast::Ast;
 use std::collections::HashMap;
 
 /// The style that every file has.
 pub(crate) const DEFAULT: &str = "Default";
 
-/// The style in force and those it builds on.
+/// The style in force and its base styles.
 pub(crate) struct Styles {
-    /// The number of the style in force, as in [`Decl::style`](crate::ast::Decl::style).
+    /// The number of the style in force, as in [`Decl::style`](crate::syntax::ast::Decl::style).
     in_force: u32,
-    /// By number: how near it is to the one in force, 0 being the nearest; `None` when it does not count. `Default` is
-    /// the farthest.
+    /// The distance of each style from the one in force, by number; 0 is the nearest. `None` for a style that is not
+    /// a base. `Default` is the farthest.
     ranks: Vec<Option<usize>>,
-    /// Its name; `None` for `Default`.
+    /// The name of the style in force; `None` for `Default`.
     pub(crate) name: Option<String>,
 }
 
 impl Styles {
-    /// Follows the styles from one to `Default`. Reports bases that do not exist or form a ring.
+    /// Follows the base styles from `style` to `Default`. Reports bases that do not exist or form a cycle.
     pub(crate) fn new(ast: &Ast, style: u32, diags: &mut Diags) -> Self {
         let mut ranks = vec![None; ast.styles.len() + 1];
         let first = style.checked_sub(1).and_then(|index| ast.styles.get(index as usize));
-        // The first of a name counts.
+        // The first style with a name counts.
         let numbers: HashMap<&str, usize> =
             ast.styles.iter().enumerate().rev().map(|(index, own)| (own.name.text.as_str(), index + 1)).collect();
         let (mut at, mut rank) = (style as usize, 0);
@@ -35,13 +35,14 @@ impl Styles {
             let Some(base) = own.base.as_ref().filter(|base| base.text != DEFAULT) else { break };
             match numbers.get(base.text.as_str()) {
                 Some(&next) if ranks[next].is_some() => {
-                    // Said of the ring's first style, whichever of them is in force: it is one mistake.
+                    // The cycle is reported at its first style, whichever style is in force, because it is one
+                    // mistake.
                     let ring = |(index, rank): (usize, &Option<usize>)| {
                         rank.filter(|own| ranks[next] <= Some(*own)).map(|_| index)
                     };
                     let first = ranks.iter().enumerate().find_map(ring).unwrap_or(at);
                     if let Some((own, Some(base))) = ast.styles.get(first - 1).map(|own| (own, &own.base)) {
-                        let message = format!("style `{}` builds on itself", own.name.text);
+                        let message = format!("style `{}` extends itself", own.name.text);
                         diags.report(Code::UnknownStyle, base.span, message);
                     }
                     break;
@@ -66,13 +67,13 @@ impl Styles {
         self.in_force
     }
 
-    /// How near a style is to the one in force, 0 being the nearest; `None` when it does not count.
+    /// The distance of a style from the one in force, 0 being the nearest. `None` for a style that is not a base.
     pub(crate) fn rank(&self, style: u32) -> Option<usize> {
         self.ranks.get(style as usize).copied().flatten()
     }
 }
 
-/// The number that a style has in a file, or else a name like it.
+/// Returns the number of a style in a file, or else a similar name.
 pub(super) fn position(ast: &Ast, name: &str) -> Result<u32, Option<String>> {
     let names = || ast.styles.iter().map(|style| style.name.text.as_str());
     match names().position(|own| own == name) {

@@ -1,12 +1,12 @@
 //! Operations with braces, and `comp` as a value.
 
 use super::{LONGEST_SOURCE, Lower};
-use crate::ast::{self, ArmMode, BlockPart, SplitItem};
-use crate::fold::fold;
 use crate::ir::{Arm, Block, Comp, Expr, ExprKind, Item, Parts, Selector, Slots, Step, Target, Type};
+use crate::lower::fold::fold;
 use crate::ops::{self, Run};
 use crate::resolve::tables::Use;
 use crate::span::Span;
+use crate::syntax::ast::{self, ArmMode, BlockPart, SplitItem};
 
 impl<'c> Lower<'c> {
     pub(super) fn block(&mut self, block: &'c ast::Block, span: Span) -> Option<Step> {

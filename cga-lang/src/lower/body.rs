@@ -1,13 +1,14 @@
 //! Steps of a rule. Operations of a part in braces become a rule of their own, unless they only name a successor.
 
 use super::Lower;
-use crate::ast::{self, OpKind};
-use crate::fold::fold;
-use crate::ir::{Arg, AttrId, Childless, Expr, ExprKind, Param, Prefix, Rule, RuleId, Size, Step, Target, Type, Value};
-use crate::ir_walk;
+use crate::ir::{
+    Arg, AttrId, Childless, Expr, ExprKind, Param, Prefix, Rule, RuleId, Size, Step, Target, Type, Value, walk,
+};
+use crate::lower::fold::fold;
 use crate::ops::{self, Operation, ParamKind, Run, Words};
 use crate::resolve::tables::Use;
 use crate::span::Span;
+use crate::syntax::ast::{self, OpKind};
 
 impl<'c> Lower<'c> {
     pub(super) fn steps(&mut self, ops: &'c [ast::Op]) -> Vec<Step> {
@@ -158,11 +159,11 @@ impl<'c> Lower<'c> {
 /// Renumbers the parameters that a body reads, without gaps; returns the old numbers in order.
 fn capture(body: &mut [Step]) -> Vec<u32> {
     let mut captured = Vec::new();
-    ir_walk::exprs_mut(body, &mut |expr| ir_walk::params_mut(expr, &mut |index| captured.push(*index)));
+    walk::exprs_mut(body, &mut |expr| walk::params_mut(expr, &mut |index| captured.push(*index)));
     captured.sort_unstable();
     captured.dedup();
-    ir_walk::exprs_mut(body, &mut |expr| {
-        ir_walk::params_mut(expr, &mut |index| *index = captured.binary_search(index).unwrap_or_default() as u32);
+    walk::exprs_mut(body, &mut |expr| {
+        walk::params_mut(expr, &mut |index| *index = captured.binary_search(index).unwrap_or_default() as u32);
     });
     captured
 }

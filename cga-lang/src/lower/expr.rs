@@ -1,10 +1,10 @@
 //! Expressions, bottom up: each knows its type.
 
 use super::{Lower, block};
-use crate::ast::{self, Unary};
 use crate::ir::{AttrId, Binary, ConstId, EachUnary, Expr, ExprKind, FunctionId, Type, Value};
 use crate::ops::{self, Run};
 use crate::resolve::tables::Use;
+use crate::syntax::ast::{self, Unary};
 
 impl Lower<'_> {
     pub(super) fn expr(&mut self, expr: &ast::Expr) -> Expr {

@@ -1,8 +1,8 @@
 //! Attributes, constants and functions, with the order in which they are ready.
 
 use super::{Lower, merge};
-use crate::fold::{Known, fold};
 use crate::ir::{Attr, AttrId, Const, ConstId, Expr, ExprKind, Function, FunctionId, Global, Type, Value};
+use crate::lower::fold::{Known, fold};
 use crate::resolve::globals::{Init, Item};
 use std::collections::HashMap;
 

@@ -1,12 +1,12 @@
 //! `id(overrides).Rule(args)`: a rule of an import whose attributes are computed again.
 
 use super::Lower;
-use crate::ast::{Arg, Name, Override};
 use crate::check::Checked;
 use crate::ir::{Anew, AttrId, ConstId, Global, Renewal, RenewalId, Step, Target};
 use crate::link::InstanceId;
 use crate::resolve::tables::Use;
 use crate::span::Span;
+use crate::syntax::ast::{Arg, Name, Override};
 
 impl<'c> Lower<'c> {
     /// Works on a copy: there the attributes and constants of the import get their values, and the rule goes on.

@@ -7,17 +7,14 @@
 //! References are compared by name, so one pass finds all that differs. A block is a part of its rule: blocks of a name are one
 //! only if they are equal.
 
-use std::collections::HashMap;
-use std::hash::Hash;
-
+use super::variant::{attr, constant, function, rule, variants};
 use crate::graph::{components, is_cycle};
 use crate::ir::{
     AttrId, ChoiceValues, ConstId, Expr, ExprKind, Function, FunctionId, Global, Grammar, Init, Param, Renewal,
-    RenewalId, RuleId, Step, Target, Type,
+    RenewalId, RuleId, Step, Target, Type, print, walk,
 };
-use crate::{ir_print, ir_walk};
-
-use super::variant::{attr, constant, function, rule, variants};
+use std::collections::HashMap;
+use std::hash::Hash;
 
 /// The style that each definition belongs to, by kind. Blocks have none: they follow the rules.
 #[derive(Default)]
@@ -55,7 +52,7 @@ pub(super) fn merge(grammar: &mut Grammar, owners: &Owners, init: &[Vec<Global>]
     let (rules, texts) = blocks(&mut named, rules);
     let merged = Merged { attrs, consts, functions, renewals, rules };
 
-    let text = |value: &Expr| ir_print::expr(&named, value);
+    let text = |value: &Expr| print::expr(&named, value);
     let attrs = std::mem::take(&mut grammar.attrs);
     let attr_texts: Vec<String> = attrs.iter().map(|attr| text(&attr.default)).collect();
     grammar.attrs = variants(attrs, &merged.attrs, &owners.attrs, &attr_texts)
@@ -68,7 +65,7 @@ pub(super) fn merge(grammar: &mut Grammar, owners: &Owners, init: &[Vec<Global>]
         .into_iter()
         .map(|it| constant(it, ExprKind::Style))
         .collect();
-    let function_texts: Vec<String> = named.functions.iter().map(|it| ir_print::function(&named, it)).collect();
+    let function_texts: Vec<String> = named.functions.iter().map(|it| print::function(&named, it)).collect();
     let functions = std::mem::take(&mut grammar.functions);
     let functions = variants(functions, &merged.functions, &owners.functions, &function_texts);
     grammar.functions = functions.into_iter().map(|it| function(it, ExprKind::Style)).collect();
@@ -137,13 +134,13 @@ fn blocks(named: &mut Grammar, declared: Vec<usize>) -> (Vec<usize>, Vec<String>
         let own = &mut named.rules[at];
         own.name.clear();
         let label = own.label.clone();
-        let text = ir_print::rule(named, &named.rules[at]);
+        let text = print::rule(named, &named.rules[at]);
         let next = known.len();
         blocks[at - first] = *known.entry((label, text)).or_insert(next);
         named.rules[at].name = format!("block {}", blocks[at - first]);
     }
     for (text, rule) in texts.iter_mut().zip(&named.rules[..first]) {
-        *text = ir_print::rule(named, rule);
+        *text = print::rule(named, rule);
     }
     let numbers = declared.into_iter().map(|rule| (false, rule)).chain(blocks.into_iter().map(|block| (true, block)));
     (interned(numbers), texts)
@@ -163,7 +160,7 @@ fn refer(grammar: &mut Grammar, merged: &Merged) {
     let attr = |id: &mut AttrId| *id = AttrId(merged.attrs[id.0 as usize] as u32);
     let constant = |id: &mut ConstId| *id = ConstId(merged.consts[id.0 as usize] as u32);
     let rule = |id: &mut RuleId| *id = RuleId(merged.rules[id.0 as usize] as u32);
-    ir_walk::all_exprs_mut(grammar, &mut |expr| match &mut expr.kind {
+    walk::all_exprs_mut(grammar, &mut |expr| match &mut expr.kind {
         ExprKind::Attr(id) => attr(id),
         ExprKind::Const(id) => constant(id),
         ExprKind::Call(id, ..) => *id = FunctionId(merged.functions[id.0 as usize] as u32),
@@ -178,7 +175,7 @@ fn refer(grammar: &mut Grammar, merged: &Merged) {
         *global = merged.global(*global);
     }
     for own in &mut grammar.rules {
-        ir_walk::steps_mut(&mut own.body, &mut |step| {
+        walk::steps_mut(&mut own.body, &mut |step| {
             match step {
                 Step::SetAttr(id, ..) => attr(id),
                 Step::Anew(anew) => {
@@ -187,7 +184,7 @@ fn refer(grammar: &mut Grammar, merged: &Merged) {
                 }
                 _ => {}
             }
-            for target in ir_walk::targets_mut(step) {
+            for target in walk::targets_mut(step) {
                 if let Target::Rule { rule: id, .. } = target {
                     rule(id);
                 }
@@ -219,7 +216,7 @@ fn order(grammar: &mut Grammar, merged: &Merged, init: &[Vec<Global>]) {
     let needs = |values: &mut dyn Iterator<Item = &Expr>| {
         let mut list = Vec::new();
         for value in values {
-            ir_walk::parts(value, &mut |part| match part.kind {
+            walk::parts(value, &mut |part| match part.kind {
                 ExprKind::Attr(id) => list.push(id.0 as usize),
                 ExprKind::Const(id) => list.push(attrs + id.0 as usize),
                 ExprKind::Call(id, ..) => list.push(attrs + consts + id.0 as usize),

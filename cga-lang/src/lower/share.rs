@@ -7,14 +7,13 @@
 //! References in equal bodies come in the same order, so they are compared by position. Bodies that differ are a `case` on the
 //! site. Definitions with different facts are not shared: code generation must not lose what it knows of one of them.
 
-use std::collections::HashMap;
-
-use crate::facts::Facts;
-use crate::ir::{AttrId, ConstId, Expr, ExprKind, Function, FunctionId, Grammar, Rule, RuleId, RuleSite, Step, Target};
-use crate::{ir_print, ir_walk};
-
 use super::merge::{interned, types};
 use super::variant::{self, Variant, variants};
+use crate::ir::facts::Facts;
+use crate::ir::{
+    AttrId, ConstId, Expr, ExprKind, Function, FunctionId, Grammar, Rule, RuleId, RuleSite, Step, Target, print, walk,
+};
+use std::collections::HashMap;
 
 /// Definitions by declaration.
 struct Groups {
@@ -35,8 +34,8 @@ enum Reference {
     Rule(RuleId),
 }
 
-/// The place of a reference.
-enum Place<'p> {
+/// The expression or successor that has a reference.
+enum Referrer<'p> {
     /// An attribute, a constant or a call.
     Expr(&'p mut Expr),
     /// The rule of a successor.
@@ -44,7 +43,7 @@ enum Place<'p> {
 }
 
 /// Visits all references in a definition, in one order.
-type Visit<T> = fn(&mut T, &mut dyn FnMut(Reference, Place<'_>));
+type Visit<T> = fn(&mut T, &mut dyn FnMut(Reference, Referrer<'_>));
 
 /// Shares definitions; returns true if there were some to share.
 pub(super) fn share(grammar: &mut Grammar) -> bool {
@@ -112,8 +111,8 @@ fn rule_keys(grammar: &Grammar, facts: &Facts) -> Vec<String> {
     }
     while let Some(at) = todo.pop() {
         let mut number = 0;
-        ir_walk::steps(&grammar.rules[at].body, &mut |step| {
-            for target in ir_walk::targets(step) {
+        walk::steps(&grammar.rules[at].body, &mut |step| {
+            for target in walk::targets(step) {
                 if let Target::Rule { rule, .. } = target
                     && grammar.rules[rule.0 as usize].block
                 {
@@ -140,15 +139,15 @@ fn texts(grammar: &Grammar, functions: &Groups, rules: &Groups) -> (Vec<String>,
         rule.name = format!("rule {number}");
         rule.cycle = None;
     }
-    let functions = named.functions.iter().map(|it| ir_print::function(&named, it)).collect();
-    let rules = named.rules.iter().map(|it| format!("{:?} {}", changed(it), ir_print::rule(&named, it))).collect();
+    let functions = named.functions.iter().map(|it| print::function(&named, it)).collect();
+    let rules = named.rules.iter().map(|it| format!("{:?} {}", changed(it), print::rule(&named, it))).collect();
     (functions, rules)
 }
 
 /// The attributes that a rule sets, and the imports that it computes again.
 fn changed(rule: &Rule) -> (Vec<AttrId>, Vec<u32>) {
     let (mut attrs, mut renewals) = (Vec::new(), Vec::new());
-    ir_walk::steps(&rule.body, &mut |step| match step {
+    walk::steps(&rule.body, &mut |step| match step {
         Step::SetAttr(id, ..) => attrs.push(*id),
         Step::Anew(anew) => {
             attrs.extend(anew.given.iter().map(|(id, _)| *id));
@@ -223,9 +222,9 @@ impl Shared<'_> {
                 let sites = members.iter().zip(0..).map(|(at, site)| if cases.contains(&site) { *at } else { first });
                 let sites: Vec<&Vec<Reference>> = sites.map(|at| &references[at]).collect();
                 let mut number = 0;
-                visit(own, &mut |_, place| {
+                visit(own, &mut |_, referrer| {
                     let list: Vec<Reference> = sites.iter().map(|list| list[number]).collect();
-                    self.refer(place, &list);
+                    self.refer(referrer, &list);
                     number += 1;
                 });
             }
@@ -235,25 +234,25 @@ impl Shared<'_> {
 
     /// Changes the references of a value that is not shared.
     fn alone(&mut self, value: &mut Expr) {
-        in_expr(value, &mut |reference, place| self.refer(place, &[reference]));
+        in_expr(value, &mut |reference, referrer| self.refer(referrer, &[reference]));
     }
 
     /// Changes a reference to the shared definition. `list` has the references of all sites.
-    fn refer(&mut self, place: Place<'_>, list: &[Reference]) {
-        match place {
-            Place::Rule(rule, sites) => {
+    fn refer(&mut self, referrer: Referrer<'_>, list: &[Reference]) {
+        match referrer {
+            Referrer::Rule(rule, sites) => {
                 let (number, passed) = self.rules.of(list.iter().filter_map(|it| it.rule()));
                 (*rule, *sites) = (RuleId(number), passed);
             }
-            Place::Expr(Expr { kind: ExprKind::Call(function, sites, _), .. }) => {
+            Referrer::Expr(Expr { kind: ExprKind::Call(function, sites, _), .. }) => {
                 let (number, passed) = self.functions.of(list.iter().filter_map(|it| it.function()));
                 (*function, *sites) = (FunctionId(number), passed);
             }
-            Place::Expr(expr) if list.iter().any(|it| *it != list[0]) => {
+            Referrer::Expr(expr) if list.iter().any(|it| *it != list[0]) => {
                 let sites = (0..list.len() as u32).collect();
                 expr.kind = ExprKind::Call(self.reader(list, expr), sites, Vec::new());
             }
-            Place::Expr(_) => {}
+            Referrer::Expr(_) => {}
         }
     }
 
@@ -301,30 +300,30 @@ impl Reference {
     }
 }
 
-fn in_expr(expr: &mut Expr, visit: &mut dyn FnMut(Reference, Place<'_>)) {
-    ir_walk::parts_mut(expr, &mut |part| {
+fn in_expr(expr: &mut Expr, visit: &mut dyn FnMut(Reference, Referrer<'_>)) {
+    walk::parts_mut(expr, &mut |part| {
         let reference = match part.kind {
             ExprKind::Attr(id) => Reference::Attr(id),
             ExprKind::Const(id) => Reference::Const(id),
             ExprKind::Call(id, ..) => Reference::Function(id),
             _ => return,
         };
-        visit(reference, Place::Expr(part));
+        visit(reference, Referrer::Expr(part));
     });
 }
 
-fn in_function(function: &mut Function, visit: &mut dyn FnMut(Reference, Place<'_>)) {
+fn in_function(function: &mut Function, visit: &mut dyn FnMut(Reference, Referrer<'_>)) {
     function.locals.iter_mut().for_each(|local| in_expr(local, visit));
     in_expr(&mut function.body, visit);
 }
 
-fn in_rule(rule: &mut Rule, visit: &mut dyn FnMut(Reference, Place<'_>)) {
+fn in_rule(rule: &mut Rule, visit: &mut dyn FnMut(Reference, Referrer<'_>)) {
     rule.locals.iter_mut().for_each(|local| in_expr(local, visit));
-    ir_walk::exprs_mut(&mut rule.body, &mut |expr| in_expr(expr, visit));
-    ir_walk::steps_mut(&mut rule.body, &mut |step| {
-        for target in ir_walk::targets_mut(step) {
+    walk::exprs_mut(&mut rule.body, &mut |expr| in_expr(expr, visit));
+    walk::steps_mut(&mut rule.body, &mut |step| {
+        for target in walk::targets_mut(step) {
             if let Target::Rule { rule, sites, .. } = target {
-                visit(Reference::Rule(*rule), Place::Rule(rule, sites));
+                visit(Reference::Rule(*rule), Referrer::Rule(rule, sites));
             }
         }
     });

@@ -2,13 +2,10 @@
 //!
 //! They become one definition. Its value is a `case` with one branch for each variant, and so is the body of a rule.
 
-use std::cmp::Reverse;
-
-use crate::ir::{Attr, Const, Expr, ExprKind, Function, Param, Rule, Step, Type, Value};
-use crate::ir_walk;
-use crate::span::Span;
-
 use super::childless;
+use crate::ir::{Attr, Const, Expr, ExprKind, Function, Param, Rule, Step, Type, Value, walk};
+use crate::span::Span;
+use std::cmp::Reverse;
 
 /// The condition that holds in some cases: [`ExprKind::Style`] or [`ExprKind::Site`].
 type When = fn(Vec<u32>) -> ExprKind;
@@ -75,7 +72,7 @@ pub(super) fn rule(mut variants: Vec<Variant<Rule>>, when: When) -> Rule {
         return variants.remove(0).own;
     }
     let own = first(&variants).clone();
-    let each = |it: &mut Rule, change: &mut dyn FnMut(&mut Expr)| ir_walk::exprs_mut(&mut it.body, change);
+    let each = |it: &mut Rule, change: &mut dyn FnMut(&mut Expr)| walk::exprs_mut(&mut it.body, change);
     let (params, locals) = locals(&mut variants, |it| (&it.params, &mut it.locals), each, when);
     let mut bodies: Vec<(Expr, Vec<Step>)> =
         variants.into_iter().map(|it| (is_case(it.cases, own.span, when), it.own.body)).collect();
@@ -120,7 +117,7 @@ fn locals<T>(
         all_params.extend_from_slice(&params[given as usize..]);
         let before = all.len() as u32;
         let mut moved = |expr: &mut Expr| {
-            ir_walk::params_mut(expr, &mut |index| *index += if *index < given { 0 } else { before });
+            walk::params_mut(expr, &mut |index| *index += if *index < given { 0 } else { before });
         };
         let mut own = std::mem::take(locals);
         own.iter_mut().for_each(&mut moved);

@@ -1,56 +1,23 @@
 //! The attributes of shapes.
 
+use super::base::{both, get, using};
 use super::material::MATERIAL;
-use super::{AttrValues, B, Changes, Effect, F, Needs, ParamKind, Run, ShapeAttr, T, Uses};
-use crate::types::Type;
+use super::{AttrValues, B, Effect, F, Needs, ParamKind, Run, ShapeAttr, T, Uses};
 
-/// Every attribute of shapes.
+/// All attributes of shapes.
 pub static SHAPE_ATTRS: &[&[ShapeAttr]] = &[SHAPE, MATERIAL];
 
-/// Cannot be set.
-const fn get(name: &'static str, get: &'static str, uses: Uses) -> ShapeAttr {
-    ShapeAttr {
-        name,
-        get: Run::Now(get),
-        kind: ParamKind::Value(F),
-        values: AttrValues::Any,
-        needs: Needs::Shape,
-        uses,
-        set: None,
-        set_uses: Uses::NONE,
-        set_changes: Changes::Nothing,
-        set_scope: Effect::Keeps,
-        old: None,
-    }
-}
-
-/// Can be set. Reading and setting use the whole shape.
-pub(super) const fn both(name: &'static str, call: &'static str, ty: Type) -> ShapeAttr {
-    ShapeAttr {
-        kind: ParamKind::Value(ty),
-        set: Some(Run::Now(call)),
-        set_uses: Uses::WHOLE,
-        set_changes: Changes::Whole,
-        ..get(name, call, Uses::WHOLE)
-    }
-}
-
-/// The same row, with other uses.
-pub(super) const fn using(uses: Uses, set_uses: Uses, row: ShapeAttr) -> ShapeAttr {
-    ShapeAttr { uses, set_uses, ..row }
-}
-
-/// Of the initial shape: the run knows it, and it cannot be set.
+/// A row of the initial shape: the run knows it, and it cannot be set.
 const fn initial(name: &'static str, call: &'static str) -> ShapeAttr {
     ShapeAttr { needs: Needs::Both, ..get(name, call, Uses::SAYS) }
 }
 
-/// In the coordinates of the initial shape.
+/// A row in the coordinates of the initial shape.
 const fn pivot(name: &'static str, call: &'static str) -> ShapeAttr {
     ShapeAttr { needs: Needs::Both, ..both(name, call, F) }
 }
 
-/// A number of the scope: setting it changes the scope.
+/// A number of the scope. Setting it changes the scope.
 const fn scope(name: &'static str, call: &'static str) -> ShapeAttr {
     ShapeAttr { set_scope: Effect::Any, ..both(name, call, F) }
 }
@@ -60,7 +27,7 @@ const fn scope_size(name: &'static str, call: &'static str, axis: usize) -> Shap
     ShapeAttr { values: AttrValues::Size(axis), ..using(Uses::SIZE, Uses::NONE, scope(name, call)) }
 }
 
-/// The same row, of an attribute with finite values from a number on.
+/// The row for finite values from `least`.
 const fn from(least: f64, row: ShapeAttr) -> ShapeAttr {
     ShapeAttr { values: AttrValues::From(least), ..row }
 }
@@ -79,7 +46,7 @@ static SHAPE: &[ShapeAttr] = &[
     scope("scope.ry", "scope_ry"),
     scope("scope.rz", "scope_rz"),
     get("scope.elevation", "scope_elevation", Uses::PLACE),
-    // Before the first split it is -1 of 0.
+    // Before the first split, the index is -1 and the total is 0.
     from(-1.0, get("split.index", "split_index", Uses::INDEX)),
     from(0.0, get("split.total", "split_total", Uses::TOTAL)),
     get("comp.index", "comp_index", Uses::WHOLE),
@@ -88,7 +55,7 @@ static SHAPE: &[ShapeAttr] = &[
     both("trim.vertical", "trim_vertical", B),
     both("trim.horizontal", "trim_horizontal", B),
     using(Uses::DRAWS, Uses::DRAWS, both("seedian", "seedian", F)),
-    // Old rules tell shapes apart by it; *getTreeKey* came in its place.
+    // Old rules distinguish shapes by it; *getTreeKey* replaced it.
     ShapeAttr { get: Run::Later, old: Some("write `getTreeKey()`, which is text"), ..get("uid", "", Uses::WHOLE) },
     ShapeAttr { kind: TEXT, ..initial("initialShape.name", "initial_shape_name") },
     ShapeAttr { kind: TEXT, ..initial("initialShape.startRule", "initial_shape_start_rule") },

@@ -1,30 +1,30 @@
 //! The documented values of parameters.
 
-use crate::code::Code;
+use crate::diag::code::Code;
 
 /// The documented values of a parameter.
 #[derive(Debug, PartialEq)]
 pub struct Bounds {
-    /// The values that are allowed.
+    /// The allowed values.
     pub values: Values,
     /// The allowed values in words, for a note.
     pub about: &'static str,
-    /// The code for any other value.
+    /// The code for other values.
     pub code: Code,
-    /// The documented result of any other value. Without one the value has no meaning.
+    /// The documented result of other values. `None` if other values have no meaning.
     pub result: Option<&'static str>,
 }
 
 /// A set of values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Values {
-    /// The numbers between two numbers, ends included.
+    /// The numbers between two numbers, inclusive.
     Between(f64, f64),
-    /// The whole numbers between two numbers, ends included.
+    /// The whole numbers between two numbers, inclusive.
     Whole(f64, f64),
-    /// The numbers from a number on.
+    /// The numbers from a minimum, inclusive.
     AtLeast(f64),
-    /// The numbers above a number.
+    /// The numbers from a minimum, exclusive.
     Above(f64),
     /// Text with at least one character.
     NotEmpty,

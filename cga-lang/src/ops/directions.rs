@@ -1,12 +1,12 @@
-//! The directions that components look in.
+//! The directions that components face.
 
-/// Directions in the axes of the scope. A direction is a quadrant and an inclination; a quadrant is that of the largest
-/// coordinate, so what looks to the front is never steeper than 45 degrees.
+/// Directions in the axes of the scope. A direction is a quadrant and an inclination. The quadrant is that of the
+/// largest coordinate, so a component that faces the front is never steeper than 45 degrees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Directions(u16);
 
 impl Directions {
-    /// None.
+    /// No direction.
     pub const NONE: Directions = Directions(0);
     /// Every direction.
     pub const ALL: Directions = Directions(u16::MAX);
@@ -45,12 +45,12 @@ impl Directions {
     /// To the right, upright.
     pub const RIGHT_FACE: Directions = Directions(Directions::RIGHT.0 & Directions::VERTICAL.0);
 
-    /// Union.
+    /// The union.
     pub const fn and(self, other: Directions) -> Directions {
         Directions(self.0 | other.0)
     }
 
-    /// The directions that are not among others.
+    /// The directions that are not in `other`.
     pub const fn but(self, other: Directions) -> Directions {
         Directions(self.0 & !other.0)
     }
@@ -60,7 +60,7 @@ impl Directions {
         self.0 & other.0 != 0
     }
 
-    /// Returns true if there are some, all of which are among others.
+    /// Returns true if the set is not empty and all its directions are in `others`.
     pub const fn within(self, others: Directions) -> bool {
         self.0 != 0 && self.0 & !others.0 == 0
     }

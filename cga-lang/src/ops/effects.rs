@@ -1,6 +1,6 @@
-//! Effects of operations and of attributes that are set, as far as they are known at compile time.
+//! Effects of operations and of set attributes, as known at compile time.
 
-/// Sizes that a scope may have, in metres: an operation does not set a larger one (*s operation* of the runtime).
+/// The maximum size of a scope in metres. Operations do not set a larger one (*s operation* of the runtime).
 pub(crate) const MOST_SIZE: f64 = 1e149;
 
 /// The effect on the scope and on the geometry in it.
@@ -8,19 +8,19 @@ pub(crate) const MOST_SIZE: f64 = 1e149;
 pub enum Effect {
     /// Any effect.
     Any,
-    /// None: the geometry keeps its place in the scope too.
+    /// No effect: the geometry also keeps its place in the scope.
     Keeps,
-    /// The scope keeps its size, the geometry in it changes.
+    /// The scope keeps its size, but the geometry in it changes.
     KeepsSize,
-    /// The scope is another one, the geometry stays: `setPivot`, `alignScopeToAxes`.
+    /// The scope changes, but the geometry stays: `setPivot`, `alignScopeToAxes`.
     MovesScope,
     /// The arguments set the size of the scope: `s`.
     Sizes,
-    /// A rectangle becomes a box of that height: `extrude`.
+    /// A rectangle becomes a box with the given height: `extrude`.
     Extrudes,
     /// A box replaces the geometry and fills the scope, if the scope has a size along all axes.
     FillsWithBox,
-    /// The same with another geometry.
+    /// Another geometry replaces the geometry and fills the scope, under the same condition.
     Fills,
 }
 
@@ -36,23 +36,23 @@ impl Effect {
 pub enum Changes {
     /// Any part.
     Whole,
-    /// The scope or the geometry of rectangles and boxes. The runtime has a second function in its `slim` module, which makes
-    /// the shape whole where that does not suffice.
+    /// The scope, or the geometry of rectangles and boxes. The runtime has a second function in its `slim` module,
+    /// which makes the shape whole where necessary.
     Scope,
-    /// The material alone.
+    /// The material only.
     Material,
-    /// Nothing: the run is told something.
+    /// Nothing. The operation gives information to the run.
     Nothing,
 }
 
-/// The effect on the sets of texture coordinates. The first argument is the number of a set, where an effect has one.
+/// The effect on the sets of texture coordinates. If an effect has a set, the first argument is its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UvEffect {
     /// Any effect.
     Any,
-    /// None.
+    /// No effect.
     Keeps,
-    /// The new geometry has the first set alone.
+    /// The new geometry has the first set only.
     First,
     /// Sets up a projection of the set.
     SetsUp,
@@ -64,7 +64,7 @@ pub enum UvEffect {
     Copies,
     /// Removes the set.
     Deletes,
-    /// The new geometry goes by the set, which must exist; it may have any sets.
+    /// The new geometry uses the set, which must exist. The result may have any sets.
     Follows,
 }
 

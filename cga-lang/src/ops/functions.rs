@@ -1,13 +1,14 @@
 //! The functions.
 
+use super::base::later;
 use super::{
-    B, BS, Bounds, Default, F, FILE, FS, Function, Meaning, Needs, Param, Run, T, TS, Uses, Values, boolean, bounds,
-    float, of, or, queries, renamed, set_elements, text, values, within, word, words,
+    B, BS, Bounds, Default, F, FILE, FS, Function, Needs, Param, Run, T, TS, Uses, Values, boolean, bounds, float, of,
+    or, queries, renamed, set_elements, text, values, within, word, words,
 };
 use crate::types::Type;
 
-/// Every function. `str`, `floatArray` and their like of a value that has the type already are the value itself, and `str`
-/// of a float or bool is [`ToText`](crate::ir::ExprKind::ToText): these need no row.
+/// All functions. `str`, `floatArray` and similar conversions of a value that already has the type are the value
+/// itself, and `str` of a float or bool is [`ToText`](crate::ir::ExprKind::ToText). These need no row.
 pub static FUNCTIONS: &[&[Function]] = &[
     values::CHANCE,
     values::MATH,
@@ -34,25 +35,7 @@ pub static FUNCTIONS: &[&[Function]] = &[
     REST,
 ];
 
-/// A row that does not run yet, and the base of those that do. The row says what the function needs when it runs.
-pub(super) const fn later(name: &'static str, params: &'static [Param], ty: Type, about: &'static str) -> Function {
-    Function {
-        name,
-        run: Run::Later,
-        params,
-        ty,
-        needs: Needs::Nothing,
-        uses: Uses::NONE,
-        pure: false,
-        meaning: Meaning::Opaque,
-        needs_uv_set: false,
-        names: None,
-        old: None,
-        about,
-    }
-}
-
-/// A question to a component, which does not run yet.
+/// A query of a component that is not implemented yet.
 const fn asked(name: &'static str, call: &'static str, params: &'static [Param], about: &'static str) -> Function {
     Function { run: Run::Now(call), needs: Needs::Component, uses: Uses::WHOLE, ..later(name, params, B, about) }
 }
@@ -65,10 +48,10 @@ const LABEL: Param = within(text("label"), &LABELS);
 
 const TARGET: Param = words("target", &["intra", "inter", "all"]);
 
-/// No target means all (*occlusion queries*).
+/// Without a target, `all` is used (*occlusion queries*).
 const OPTIONAL_TARGET: Param = or(TARGET, Default::Word("all"));
 
-/// An empty label means none.
+/// An empty label means no label.
 const OPTIONAL_LABEL: Param = or(text("label"), Default::Text(""));
 
 const COMPARISON: Param = words(
@@ -87,15 +70,10 @@ const COMPARISON: Param = words(
 
 const GEO_COORDINATE: Param = words("geoCoordinate", &["X", "Y", "lon", "lat"]);
 
-/// Other shapes, the initial shape's edges, and where on Earth a shape is.
+/// Other shapes, the edges of the initial shape, and the place of a shape on Earth.
 static CONTEXT: &[Function] = &[
-    later("inside", &[OPTIONAL_TARGET, OPTIONAL_LABEL], B, "whether the shape lies inside another closed shape"),
-    later(
-        "overlaps",
-        &[OPTIONAL_TARGET, OPTIONAL_LABEL],
-        B,
-        "whether the shape lies partly inside another closed shape",
-    ),
+    later("inside", &[OPTIONAL_TARGET, OPTIONAL_LABEL], B, "whether the shape is inside another closed shape"),
+    later("overlaps", &[OPTIONAL_TARGET, OPTIONAL_LABEL], B, "whether the shape is partly inside another closed shape"),
     later("touches", &[OPTIONAL_TARGET, OPTIONAL_LABEL], B, "whether the shape touches another closed shape"),
     later("minimumDistance", &[TARGET, LABEL], F, "the distance to the nearest shape of a label"),
     later("contextCompare", &[TARGET, LABEL, COMPARISON], F, "the rank among the shapes of a label"),
@@ -109,11 +87,11 @@ static CONTEXT: &[Function] = &[
 
 const TAGGED: Param = or(words("components", &["all", "faces", "edges", "vertices"]), Default::Word("all"));
 
-/// What `isTagged` looks at instead of the component itself.
+/// The subcomponents that `isTagged` tests instead of the component itself.
 const SUBCOMPONENT: Param =
     renamed(&[("e", "Edges"), ("v", "Vertices")], word("subcomponent", "Subcomponent", &["e", "v"]));
 
-/// A question about the geometry, which does not run yet.
+/// A query of the geometry that is not implemented yet.
 const fn tags(name: &'static str, params: &'static [Param], ty: Type, about: &'static str) -> Function {
     Function { needs: Needs::Shape, uses: Uses::WHOLE, ..later(name, params, ty, about) }
 }
@@ -126,7 +104,7 @@ static GEOMETRY: &[Function] = &[
     tags("geometry.hasTags", &[text("tagQuery"), TAGGED], B, "whether components have tags that match"),
 ];
 
-/// Tags, as selectors ask for them (*comp operation*).
+/// Tags in selectors (*comp operation*).
 static TAGS: &[Function] = &[
     asked("isTagged", "is_tagged", &[text("tagQuery")], "whether a component has a tag that matches"),
     asked(
@@ -147,8 +125,8 @@ const QUERY: Param = text("searchQuery");
 const KEY: Param = text("key");
 const METADATA: &str = "a value kept in an asset's file";
 
-/// Assets and images that suit the shape, and what their files know. The functions whose axes are text are written in CGA
-/// in the reference's utility library.
+/// Assets and images that fit the shape, and data in their files. The functions whose axes are text are written in
+/// CGA in the reference's utility library.
 static ASSETS: &[Function] = &[
     later("assetsSortRatio", &[text("filePathList"), ASSET_RATIO], T, "assets by how well their proportions suit"),
     later("assetsSortRatio", &[of("filePaths", TS), ASSET_RATIO], TS, "assets by how well their proportions suit"),
@@ -196,7 +174,7 @@ static MATERIALS: &[Function] =
     &[later("readMaterial", &[FILE], TS, "the attributes of a material file, as names and values")];
 
 /// Words from text.
-static REST: &[Function] = &[later("sel", &[text("selString")], T, "a word from text, where a word must stand")];
+static REST: &[Function] = &[later("sel", &[text("selString")], T, "a word from text, where a word is required")];
 
 #[cfg(test)]
 mod tests {

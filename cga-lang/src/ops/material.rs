@@ -1,6 +1,6 @@
 //! The attributes of the material.
 
-use super::attributes::{both, using};
+use super::base::{both, using};
 use super::{B, Changes, F, ParamKind, ShapeAttr, T, Uses};
 use crate::types::Type;
 
@@ -16,8 +16,8 @@ const fn map(name: &'static str, call: &'static str, layer: u32) -> ShapeAttr {
     ShapeAttr { kind: ParamKind::Image(layer), ..look(name, call, T) }
 }
 
-/// Reading it uses the whole shape: where rules have set nothing, the geometry's own material counts. Setting it uses the
-/// material alone.
+/// A row of the material. Reading it uses the whole shape: if rules have set nothing, the geometry's own material
+/// counts. Setting it uses the material only.
 const fn look(name: &'static str, call: &'static str, ty: Type) -> ShapeAttr {
     let row = using(Uses::WHOLE, Uses::NONE, both(name, call, ty));
     ShapeAttr { set_changes: Changes::Material, ..row }

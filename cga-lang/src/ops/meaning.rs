@@ -1,25 +1,25 @@
-//! Values of functions and attributes, as far as they are known at compile time.
+//! Values of functions and attributes, as known at compile time.
 
 /// The meaning of a function to constant folding and to the analysis of values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Meaning {
-    /// Not known at compile time.
+    /// Unknown at compile time.
     Opaque,
-    /// The largest whole number that is not above.
+    /// The largest whole number that is not greater.
     Floor,
-    /// The smallest whole number that is not below.
+    /// The smallest whole number that is not less.
     Ceil,
-    /// The nearest whole number, the even one of two.
+    /// The nearest whole number, the even one if two are equally near.
     Round,
     /// The number without its sign.
     Abs,
     /// The square root.
     Sqrt,
-    /// A number from -1 to 1.
+    /// A number from -1 to 1, as of a sine.
     Wave,
-    /// The smaller one of two numbers.
+    /// The minimum of two numbers.
     Min,
-    /// The larger one of two numbers.
+    /// The maximum of two numbers.
     Max,
     /// The number of a truth value.
     BoolToFloat,
@@ -27,7 +27,7 @@ pub enum Meaning {
     FloatToBool,
     /// A random number: from 0 to 1, from 0 to the argument, or from one argument to the other.
     Random,
-    /// True with that probability.
+    /// True with the given probability.
     Chance,
 }
 
@@ -36,8 +36,8 @@ pub enum Meaning {
 pub enum AttrValues {
     /// Any value of its type.
     Any,
-    /// The size of the scope along the axis of that number.
+    /// The size of the scope along the axis with this number.
     Size(usize),
-    /// Finite numbers, from that number on.
+    /// Finite numbers from this number.
     From(f64),
 }

@@ -1,10 +1,11 @@
 //! The tables of the language's words: operations, functions, attributes of shapes, component selectors.
 //!
-//! Every word of the language has a row, whether it runs yet or not. To add an operation that only changes the current
-//! shape: one row and one function in the runtime's `op` module. The parser, the checks and the code generator read
+//! Every word of the language has a row, implemented or not. A new operation, with or without braces, is one row and one
+//! function in the runtime's `op` module; CONTRIBUTING.md has the steps. The parser, the checks and the code generator read
 //! the row.
 
 mod attributes;
+mod base;
 mod bounds;
 mod directions;
 mod effects;
@@ -42,23 +43,23 @@ use params::{
     unknown, uv_set, within, word, words,
 };
 
-/// True if a row of a table can run.
+/// The implementation of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Run {
-    /// By the function of that name in the runtime's module (`op`, `func`, `get`, `set`).
+    /// The function with this name in the runtime's module (`op`, `func`, `get`, `set`).
     Now(&'static str),
-    /// Not yet: using it is a warning, and a fault in a run.
+    /// Not implemented yet. A use is a warning, and a fault in a run.
     Later,
 }
 
-/// An operation: it changes the current shape or makes shapes of it.
+/// An operation. It changes the current shape or makes shapes of it.
 #[derive(Debug, PartialEq)]
 pub struct Operation {
-    /// As written in rules. Several rows may share a name; number and kinds of arguments tell them apart.
+    /// The name in rules. Several rows may share a name; they differ in the number and kinds of parameters.
     pub name: &'static str,
-    /// What does it.
+    /// The implementation.
     pub run: Run,
-    /// Its parameters. Those with a default stand last.
+    /// The parameters. Parameters with a default come last.
     pub params: &'static [Param],
     /// The braces after its arguments.
     pub braces: Braces,
@@ -66,21 +67,23 @@ pub struct Operation {
     pub scope: Effect,
     /// The effect on the sets of texture coordinates.
     pub uvs: UvEffect,
-    /// True if it looks at the state at the start of the rule, bracket or part (`center`).
+    /// True if it reads the state at the start of the rule, bracket or part (`center`).
     pub uses_base: bool,
-    /// The parts of the shape that it reads or changes besides the scope and the material. Arguments count on their own.
+    /// The parts of the shape that it reads or changes, besides the scope and the material. Arguments have uses of
+    /// their own.
     pub uses: Uses,
     /// The part of the shape that it changes.
     pub changes: Changes,
-    /// True if a rule of its name with as many parameters of other types can be called (*CGA changelog 2019.1*).
+    /// True if a rule with its name and the same number of parameters of other types can be called (*CGA changelog
+    /// 2019.1*).
     pub overloads: bool,
-    /// It is accepted though nobody should write it any more: what to do instead, as a help line says it.
+    /// The help for a deprecated operation: its replacement.
     pub old: Option<&'static str>,
-    /// What it does, in a line.
+    /// The description of its effect, in one line.
     pub about: &'static str,
 }
 
-/// The kinds of braces after an operation: what they hold.
+/// The kinds of braces after an operation, by their contents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Braces {
     /// No braces.
@@ -89,11 +92,11 @@ pub enum Braces {
     Slots(Measure),
     /// `length : depth : operations`, repeatable, then a second pair of braces with `remainder : operations`.
     Sections,
-    /// `selector : operations`, as in a comp, with the selectors of those places.
+    /// `selector : operations`, as in a comp, with the selectors of these places.
     Arms(Places),
-    /// `selector : operations`, with the selectors of the components that the first argument names.
+    /// `selector : operations`, with the selectors of the components named by the first argument.
     Components,
-    /// The same, and what becomes of the components is joined up again.
+    /// `selector : operations`, where the results of the components are joined again.
     Modified,
     /// Operations.
     Ops,
@@ -106,7 +109,8 @@ pub enum Braces {
 /// The meaning of the sizes of slots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
-    /// Lengths along the axis of the scope that the first argument names. The second one is `adjust` or `noAdjust`.
+    /// Lengths along the axis of the scope named by the first argument. The second argument is `adjust` or
+    /// `noAdjust`.
     Length,
     /// Areas of the geometry, with the same arguments.
     Area,
@@ -117,33 +121,33 @@ pub enum Measure {
 /// A function of the language.
 #[derive(Debug, PartialEq)]
 pub struct Function {
-    /// As written. Rows of one name and as many parameters differ in their kinds.
+    /// The name in rules. Rows with the same name and number of parameters differ in their kinds.
     pub name: &'static str,
-    /// What computes it. When it runs later, its value is 0, false, empty or without elements.
+    /// The implementation. The value of an unimplemented function is 0, false, empty or without elements.
     pub run: Run,
-    /// Its parameters. Those with a default stand last.
+    /// The parameters. Parameters with a default come last.
     pub params: &'static [Param],
-    /// Type of its result.
+    /// The type of its result.
     pub ty: Type,
-    /// What it gets before its arguments.
+    /// The arguments of the runtime function before those of the call.
     pub needs: Needs,
-    /// The parts of the current shape that it reads. Arguments count on their own.
+    /// The parts of the current shape that it reads. Arguments have uses of their own.
     pub uses: Uses,
     /// True if equal arguments always give equal results, so that it may be folded.
     pub pure: bool,
     /// The meaning to constant folding and to the analysis of values.
     pub meaning: Meaning,
-    /// True if it is 0 where the shape does not have the uv set that the first argument names.
+    /// True if it is 0 without the uv set named by the first argument.
     pub needs_uv_set: bool,
-    /// The list of names of an asset that it gives, if it gives one.
+    /// The list of names of an asset that it returns, if any.
     pub names: Option<AssetNames>,
-    /// For an old spelling: what to write instead, as a help line.
+    /// The help for a deprecated function: its replacement.
     pub old: Option<&'static str>,
-    /// What it gives, in a line.
+    /// The description of its result, in one line.
     pub about: &'static str,
 }
 
-/// What a function of the runtime gets before its arguments, mutably.
+/// The mutable arguments of a runtime function before those of the call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Needs {
     /// Nothing.
@@ -154,11 +158,11 @@ pub enum Needs {
     Env,
     /// The run, then the current shape.
     Both,
-    /// The component that a selector asks about: it stands in selectors only.
+    /// The component of a selector. Such a function is only allowed in selectors.
     Component,
 }
 
-/// The names in an asset, in the geometry of a shape.
+/// The names in an asset, kept in the geometry of a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AssetNames {
     /// The names of its groups.
@@ -170,27 +174,27 @@ pub enum AssetNames {
 /// An attribute of the current shape.
 #[derive(Debug, PartialEq)]
 pub struct ShapeAttr {
-    /// As written: `scope.sx`.
+    /// The name in rules: `scope.sx`.
     pub name: &'static str,
-    /// What reads it.
+    /// The implementation of reading.
     pub get: Run,
     /// The kind of its value.
     pub kind: ParamKind,
     /// The values that it may have.
     pub values: AttrValues,
-    /// What it is read from.
+    /// The arguments of the runtime function that reads it.
     pub needs: Needs,
-    /// The parts of the shape that reading it uses.
+    /// The parts of the shape that reading uses.
     pub uses: Uses,
-    /// The function in the runtime's `set` module, if it can be set.
+    /// The implementation of setting, in the runtime's `set` module. `None` if it cannot be set.
     pub set: Option<Run>,
-    /// The parts of the shape that setting it uses, besides the scope and the material.
+    /// The parts of the shape that setting uses, besides the scope and the material.
     pub set_uses: Uses,
-    /// The part of the shape that setting it changes.
+    /// The part of the shape that setting changes.
     pub set_changes: Changes,
-    /// The effect of setting it on the scope.
+    /// The effect of setting on the scope.
     pub set_scope: Effect,
-    /// Why it is accepted though nobody should write it any more, and what to write instead.
+    /// The help for a deprecated attribute: its replacement.
     pub old: Option<&'static str>,
 }
 
@@ -212,7 +216,7 @@ impl ShapeAttr {
 }
 
 impl Braces {
-    /// Returns true if the braces hold parts of the shape, each with operations: a subdivision (*Rule inlining*).
+    /// Returns true if the braces have parts of the shape, each with operations: a subdivision (*Rule inlining*).
     pub fn divides(self) -> bool {
         match self {
             Braces::Slots(_) | Braces::Sections | Braces::Arms(_) | Braces::Components | Braces::Ops => true,
@@ -222,7 +226,7 @@ impl Braces {
 }
 
 impl Operation {
-    /// The selectors of its arms; `first` is its first argument where that is a word.
+    /// The selectors of its arms. `first` is its first argument if that is a word.
     pub fn places(&self, first: Option<&str>) -> Places {
         match self.braces {
             Braces::Arms(places) => places,
@@ -232,24 +236,24 @@ impl Operation {
         }
     }
 
-    /// Returns true if it changes geometry in its scope: texture coordinates that follow from the place are written before.
-    /// Operations with a slim form take them along.
+    /// Returns true if it changes the geometry in its scope. Texture coordinates that depend on the place are written
+    /// before it. Operations with a slim form carry them along.
     pub fn reshapes(&self) -> bool {
         !matches!(self.scope, Effect::Keeps | Effect::Sizes) && self.changes != Changes::Scope
     }
 
-    /// Returns true if its result is not for the shape, which it leaves as it is, but for the run: `report`, `print`, `label`.
+    /// Returns true if its result is for the run and the shape stays unchanged: `report`, `print`, `label`.
     pub fn is_for_run(&self) -> bool {
         self.uses.says && self.scope == Effect::Keeps
     }
 
-    /// Returns true if it takes that number of arguments.
+    /// Returns true if it takes `count` arguments.
     pub fn takes(&self, count: usize) -> bool {
         takes(self.params, count)
     }
 
-    /// How many arguments are words of it; `None` when one that must be is none. `args` has what stands in each
-    /// argument: a bare word or something else.
+    /// The number of arguments that are words of its parameters; `None` if an argument must be a word and is not.
+    /// `args` has the bare word of each argument, or `None`.
     pub fn words(&self, args: &[Option<&str>]) -> Option<usize> {
         let mut found = 0;
         for (param, arg) in self.params.iter().zip(args) {
@@ -264,12 +268,12 @@ impl Operation {
 }
 
 impl Function {
-    /// Returns true if it gives the same result whenever it is called with equal arguments on one shape.
+    /// Returns true if equal arguments on one shape always give the same result.
     pub fn is_settled(&self) -> bool {
         self.pure || (!self.uses.is_none() && !self.uses.draws && !self.uses.says)
     }
 
-    /// Returns true if it takes that number of arguments.
+    /// Returns true if it takes `count` arguments.
     pub fn takes(&self, count: usize) -> bool {
         takes(self.params, count)
     }
@@ -285,44 +289,44 @@ fn by_name<T>(rows: impl Iterator<Item = &'static T>, name: fn(&T) -> &'static s
     map
 }
 
-/// The rows of an operation's name.
+/// The rows of an operation with a name.
 pub fn operations(name: &str) -> impl Iterator<Item = &'static Operation> + Clone + use<> {
     static ROWS: LazyLock<Rows<Operation>> = LazyLock::new(|| by_name(all_operations(), |row| row.name));
     ROWS.get(name).map(Vec::as_slice).unwrap_or_default().iter().copied()
 }
 
-/// The row that a call means by the number of its arguments and the words among them; types may leave a choice between
-/// later ones. The first that takes that number of arguments if none has the words, so that a message can name those it has.
+/// The row of a call, selected by the number of its arguments and their words; the types may choose among later rows.
+/// If no row has the words, it is the first row with this number of arguments, so that a message can list its words.
 pub fn operation(name: &str, args: &[Option<&str>]) -> Option<&'static Operation> {
     let rows = || operations(name).filter(|row| row.takes(args.len()));
-    // Of equals the first: `max_by_key` would take the last.
+    // The first of several equal rows counts; `max_by_key` would take the last.
     let best = rows().filter_map(|row| Some((row.words(args)?, row))).reduce(|a, b| if a.0 < b.0 { b } else { a });
     best.map(|(_, row)| row).or_else(|| rows().next())
 }
 
-/// Every operation.
+/// All operations.
 pub fn all_operations() -> impl Iterator<Item = &'static Operation> + Clone {
     OPERATIONS.iter().copied().flatten()
 }
 
-/// The rows of a function's name.
+/// The rows of a function with a name.
 pub fn functions(name: &str) -> impl Iterator<Item = &'static Function> + Clone + use<> {
     static ROWS: LazyLock<Rows<Function>> = LazyLock::new(|| by_name(all_functions(), |row| row.name));
     ROWS.get(name).map(Vec::as_slice).unwrap_or_default().iter().copied()
 }
 
-/// Every function.
+/// All functions.
 pub fn all_functions() -> impl Iterator<Item = &'static Function> + Clone {
     FUNCTIONS.iter().copied().flatten()
 }
 
-/// The attribute of that name.
+/// The attribute with a name.
 pub fn shape_attr(name: &str) -> Option<&'static ShapeAttr> {
     static ROWS: LazyLock<Rows<ShapeAttr>> = LazyLock::new(|| by_name(all_shape_attrs(), |row| row.name));
     ROWS.get(name)?.first().copied()
 }
 
-/// Every attribute of shapes.
+/// All attributes of shapes.
 pub fn all_shape_attrs() -> impl Iterator<Item = &'static ShapeAttr> + Clone {
     SHAPE_ATTRS.iter().copied().flatten()
 }

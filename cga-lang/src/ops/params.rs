@@ -1,7 +1,7 @@
 //! Parameters of operations and functions.
 
 use super::{Bounds, Values};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::types::Type;
 
 /// A parameter of an operation or function.
@@ -13,7 +13,7 @@ pub struct Param {
     pub kind: ParamKind,
     /// The value of an argument that is left out.
     pub default: Option<Default>,
-    /// The values that the reference allows, where it does not allow all.
+    /// The values that the reference allows, if it restricts them.
     pub bounds: Option<&'static Bounds>,
 }
 
@@ -26,16 +26,16 @@ pub enum Default {
     Bool(bool),
     /// Text.
     Text(&'static str),
-    /// One of the parameter's words.
+    /// A word of the parameter.
     Word(&'static str),
 }
 
-/// The kind of argument that a parameter takes, and of value that an attribute of shapes takes.
+/// The kind of argument of a parameter, and of value of an attribute of shapes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ParamKind {
-    /// A value of that type.
+    /// A value of this type.
     Value(Type),
-    /// A value of any type. The runtime's function is generic in it.
+    /// A value of any type. The runtime's function is generic.
     Any,
     /// A length in metres, or relative with `'`.
     Length,
@@ -45,28 +45,28 @@ pub enum ParamKind {
     Color,
     /// A part of a colour, from 0 to 1.
     Channel,
-    /// Text: the name of a file, which is looked for from the folder of the rule file that it is written in.
+    /// Text: the name of a file, which is searched from the folder of the rule file that contains it.
     File(FileUse),
-    /// The same for the image of a texture layer, which is not opened: materials keep its name. The layer has the number of
-    /// its uv set (*texturing*).
+    /// Text: the name of the image of a texture layer. The file is not opened, because materials only keep its name.
+    /// The number of the layer is that of its uv set (*texturing*).
     Image(u32),
-    /// One of the selectors of components, or an index, or a condition. Rows that run have no such parameter yet.
+    /// A selector of components, an index or a condition. No implemented row has such a parameter yet.
     Selector,
-    /// A float that is computed for each edge of each face, with that edge as current shape. Rows that run have no such
-    /// parameter yet.
+    /// A float that is computed for each edge of each face, with the edge as current shape. No implemented row has
+    /// such a parameter yet.
     PerEdge,
     /// A word.
     Word(Words),
 }
 
-/// The use of a file that an argument names.
+/// The use of a file named by an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileUse {
     /// It is read, so it must exist.
     Read,
     /// It is inserted as geometry, so it must exist and have faces.
     Inserted,
-    /// The question is whether it exists.
+    /// Its existence is tested.
     Asked,
     /// It is a pattern that several files may match.
     Searched,
@@ -75,15 +75,15 @@ pub enum FileUse {
 /// The words that a parameter takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Words {
-    /// As written.
+    /// The words in rules.
     pub list: &'static [&'static str],
-    /// Old words, and what to write instead. They are in the list too.
+    /// Old words with their replacements. They are also in the list.
     pub old: Pairs,
-    /// The enum of the runtime, which has a variant for each word. Rows that do not run have none.
+    /// The enum of the runtime that has a variant for each word. Rows that are not implemented have none.
     pub rust: Option<&'static str>,
-    /// Words whose variant has another name than they have, and that name.
+    /// Words whose variant has another name, with this name.
     pub renamed: Pairs,
-    /// The code of a diagnostic about any other word.
+    /// The code of a diagnostic about an unknown word.
     pub unknown: Code,
 }
 
@@ -91,17 +91,17 @@ pub struct Words {
 type Pairs = &'static [(&'static str, &'static str)];
 
 impl Words {
-    /// Returns true if it is one of them.
+    /// Returns true if `word` is one of the words.
     pub fn has(&self, word: &str) -> bool {
         self.list.contains(&word)
     }
 
-    /// The words without old ones.
+    /// The words without the old ones.
     pub fn current(self) -> impl Iterator<Item = &'static str> + Clone {
         self.list.iter().copied().filter(move |word| self.old.iter().all(|(old, _)| old != word))
     }
 
-    /// An old word, and what to write instead.
+    /// The word and replacement of an old word.
     pub fn old(&self, word: &str) -> Option<(&'static str, &'static str)> {
         self.old.iter().copied().find(|(old, _)| *old == word)
     }
@@ -115,7 +115,7 @@ impl Words {
     }
 }
 
-/// The usual name of a word's variant in an enum of the runtime: `WorldUp` for `world.up`.
+/// The usual variant name of a word in an enum of the runtime: `WorldUp` for `world.up`.
 pub fn variant(word: &str) -> String {
     let capitalized = |part: &str| {
         let mut chars = part.chars();
@@ -133,12 +133,12 @@ impl ParamKind {
         }
     }
 
-    /// Returns true if a bare word can be that word: not the name of a value.
+    /// Returns true if a bare word means this word and not the name of a value.
     pub fn has_word(&self, word: &str) -> bool {
         self.words().is_some_and(|words| words.has(word))
     }
 
-    /// Returns true if one argument can be meant for both.
+    /// Returns true if an argument can fit both kinds.
     pub fn overlaps(&self, other: &ParamKind) -> bool {
         match (self, other) {
             (ParamKind::Word(words), ParamKind::Word(others)) => words.list.iter().any(|word| others.has(word)),
@@ -149,7 +149,7 @@ impl ParamKind {
         }
     }
 
-    /// The type of the value; none for words and where any type fits.
+    /// The type of the value; `None` for words and if any type fits.
     pub const fn ty(&self) -> Option<Type> {
         match self {
             ParamKind::Value(ty) => Some(*ty),
@@ -165,12 +165,12 @@ impl ParamKind {
     }
 }
 
-/// Returns true if parameters take that number of arguments.
+/// Returns true if the parameters take `count` arguments.
 pub(super) fn takes(params: &[Param], count: usize) -> bool {
     required(params) <= count && count <= params.len()
 }
 
-/// The number of arguments that cannot be left out.
+/// The number of required arguments.
 pub fn required(params: &[Param]) -> usize {
     params.iter().take_while(|param| param.default.is_none()).count()
 }
@@ -220,7 +220,7 @@ pub(super) const fn channel(name: &'static str) -> Param {
     param(name, ParamKind::Channel)
 }
 
-/// A parameter that may be left out.
+/// A parameter with a default.
 pub(super) const fn or(param: Param, default: Default) -> Param {
     Param { default: Some(default), ..param }
 }
@@ -230,7 +230,7 @@ pub(super) const fn within(param: Param, bounds: &'static Bounds) -> Param {
     Param { bounds: Some(bounds), ..param }
 }
 
-/// Bounds without a documented result of other values.
+/// Bounds without a documented result for other values.
 pub(super) const fn bounds(values: Values, about: &'static str) -> Bounds {
     Bounds { values, about, code: Code::OutOfRange, result: None }
 }
@@ -252,12 +252,12 @@ pub(super) const fn word(name: &'static str, rust: &'static str, list: &'static 
     param(name, ParamKind::Word(Words { list, rust: Some(rust), ..WORDS }))
 }
 
-/// A parameter for words, in a row that does not run.
+/// A parameter for words, in a row that is not implemented.
 pub(super) const fn words(name: &'static str, list: &'static [&'static str]) -> Param {
     param(name, ParamKind::Word(Words { list, ..WORDS }))
 }
 
-/// The same parameter, with words whose variants have other names.
+/// The parameter with words whose variants have other names.
 pub(super) const fn renamed(renamed: Pairs, row: Param) -> Param {
     match row.kind {
         ParamKind::Word(words) => Param { kind: ParamKind::Word(Words { renamed, ..words }), ..row },
@@ -265,7 +265,7 @@ pub(super) const fn renamed(renamed: Pairs, row: Param) -> Param {
     }
 }
 
-/// The same parameter, with another code for unknown words.
+/// The parameter with another code for unknown words.
 pub(super) const fn unknown(unknown: Code, row: Param) -> Param {
     match row.kind {
         ParamKind::Word(words) => Param { kind: ParamKind::Word(Words { unknown, ..words }), ..row },
@@ -273,7 +273,7 @@ pub(super) const fn unknown(unknown: Code, row: Param) -> Param {
     }
 }
 
-/// The same parameter, with old words.
+/// The parameter with old words.
 pub(super) const fn outdated(old: Pairs, row: Param) -> Param {
     match row.kind {
         ParamKind::Word(words) => Param { kind: ParamKind::Word(Words { old, ..words }), ..row },

@@ -1,6 +1,6 @@
-//! The functions that look at the shape, its geometry, the run and files.
+//! The functions that query the shape, its geometry, the run and files.
 
-use super::functions::later;
+use super::base::later;
 use super::{
     AssetNames, B, BS, Default, F, FILE, FS, FileUse, Function, Needs, Param, Run, T, TS, Uses, boolean, file, float,
     of, or, outdated, renamed, text, uv_set, word,
@@ -18,7 +18,7 @@ const fn row(
     Function { run: Run::Now(call), needs, uses, ..later(name, params, ty, about) }
 }
 
-/// Asks the shape alone.
+/// A query of the shape.
 const fn shape(
     name: &'static str,
     call: &'static str,
@@ -29,7 +29,7 @@ const fn shape(
     row(name, call, params, ty, (Needs::Shape, Uses::WHOLE), about)
 }
 
-/// Asks the shape and the run.
+/// A query of the shape and the run.
 const fn both(
     name: &'static str,
     call: &'static str,
@@ -40,7 +40,7 @@ const fn both(
     row(name, call, params, ty, (Needs::Both, Uses::WHOLE), about)
 }
 
-/// Asks the run alone: prints and files.
+/// A query of the run: prints and files.
 const fn run(
     name: &'static str,
     call: &'static str,
@@ -51,8 +51,8 @@ const fn run(
     row(name, call, params, ty, (Needs::Env, Uses::SAYS), about)
 }
 
-/// The directions that faces can look in; of areas also all. `$no_street` is the new spelling of `noStreetSide`, which is
-/// deprecated like `streetSide` (*CGA changelog 2012.1*).
+/// The directions that faces can have; for areas also `all`. `$no_street` is the new spelling of `noStreetSide`,
+/// which is deprecated like `streetSide` (*CGA changelog 2012.1*).
 macro_rules! directions {
     ($no_street:literal $(, $more:expr)*) => {
         outdated(
@@ -110,7 +110,7 @@ const TOLERANCE: Param = float("tolerance");
 /// The geometry of the shape.
 pub(super) static GEOMETRY: &[Function] = &[
     both("geometry.area", "geometry_area", &[FACES], F, "the area of the faces, in square metres"),
-    shape("geometry.volume", "geometry_volume", &[], F, "what the faces enclose, in cubic metres"),
+    shape("geometry.volume", "geometry_volume", &[], F, "the volume that the faces enclose, in cubic metres"),
     shape("geometry.height", "geometry_height", &[], F, "the height in the world, in metres"),
     shape(
         "geometry.boundaryLength",
@@ -119,7 +119,13 @@ pub(super) static GEOMETRY: &[Function] = &[
         F,
         "the length of the edges that no two faces share, in metres",
     ),
-    shape("geometry.angle", "geometry_angle", &[ANGLE], F, "how steep the steepest face is, or where it looks"),
+    shape(
+        "geometry.angle",
+        "geometry_angle",
+        &[ANGLE],
+        F,
+        "the slope of the steepest face, or the direction that it faces",
+    ),
     shape("geometry.nVertices", "geometry_n_vertices", &[], F, "how many vertices there are"),
     shape("geometry.nEdges", "geometry_n_edges", &[], F, "how many edges there are"),
     shape("geometry.nFaces", "geometry_n_faces", &[], F, "how many faces there are"),
@@ -132,14 +138,14 @@ pub(super) static GEOMETRY: &[Function] = &[
         "geometry_is_rectangular",
         &[TOLERANCE],
         B,
-        "whether all faces are rectangles, within so many degrees",
+        "whether all faces are rectangles, within a tolerance in degrees",
     ),
     both(
         "geometry.isPlanar",
         "geometry_is_planar",
         &[TOLERANCE],
         B,
-        "whether all faces are flat, within so many degrees",
+        "whether all faces are flat, within a tolerance in degrees",
     ),
     both("geometry.isOriented", "geometry_is_oriented", &[DIRECTION], B, "whether a face looks there"),
     Function {
@@ -161,12 +167,13 @@ const COORDINATE: Param = word("coordinate", "Axis", &["x", "y", "z"]);
 const SOURCE: Param = word("source", "MaterialSource", &["used", "shape", "geometry"]);
 const MODE: Param = word("mode", "MaterialMode", &["changed", "all"]);
 
-/// The same row, of a function that asks for texture coordinates, which may follow from the place in the world.
+/// The row with uses of texture coordinates, which may depend on the place in the world.
 const fn placed(row: Function) -> Function {
     Function { uses: Uses::WHOLE.and(Uses::PLACE), ..row }
 }
 
-/// The same row, of a function that measures a uv set, and gives 0 where it is missing (*geometry.du, dv*, *geometry.uMin …*).
+/// The row of a function that measures a uv set and returns 0 if it is missing (*geometry.du, dv*, *geometry.uMin
+/// …*).
 const fn measured(row: Function) -> Function {
     Function { needs_uv_set: true, ..placed(row) }
 }
@@ -208,7 +215,7 @@ pub(super) static TEXTURE: &[Function] = &[
     )),
 ];
 
-/// The shape itself, its material, and what is printed on the way.
+/// The shape itself, its material, and printing.
 pub(super) static SHAPES: &[Function] = &[
     both(
         "convert",
@@ -233,7 +240,7 @@ pub(super) static SHAPES: &[Function] = &[
     run("print", "print", &[of("value", TS)], TS, "shows a value and gives it"),
 ];
 
-/// What it finds is named so that it is found from the rule file.
+/// The names of the found files are relative to the rule file.
 const QUERY: Param = file("searchQuery", FileUse::Searched);
 
 const ASSET: Param = word("attribute", "AssetDimension", &["sx", "sy", "sz", "tx", "ty", "tz"]);
@@ -241,7 +248,7 @@ const IMAGE: Param = word("attribute", "ImageDimension", &["sx", "sy"]);
 const NAMING: Param =
     renamed(&[("g", "Groups"), ("m", "Materials")], word("namingAttribute", "AssetNaming", &["g", "m"]));
 
-/// Files and what is in them.
+/// Files and their contents.
 pub(super) static FILES: &[Function] = &[
     run(
         "fileExists",

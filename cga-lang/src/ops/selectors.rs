@@ -1,21 +1,21 @@
-//! The components of shapes, and the words that select among them.
+//! The components of shapes, and the words that select them.
 
 use super::Directions;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
-/// A kind of component: what `comp(…)` and `modify(…)` divide into.
+/// A kind of component, as in `comp(…)` and `modify(…)`.
 #[derive(Debug, PartialEq)]
 pub struct Component {
-    /// As written.
+    /// The name in rules.
     pub name: &'static str,
-    /// It, as a place of selectors.
+    /// Its place of selectors.
     pub place: Places,
-    /// What it is, in a line.
+    /// The description, in one line.
     pub about: &'static str,
 }
 
-/// Every kind of component.
+/// All kinds of components.
 pub static COMPONENTS: &[Component] = &[
     Component { name: "f", place: Places::FACES, about: "faces" },
     Component { name: "e", place: Places::EDGES, about: "edges, shared ones once" },
@@ -27,17 +27,17 @@ pub static COMPONENTS: &[Component] = &[
     Component { name: "h", place: Places::HOLES, about: "holes of faces" },
 ];
 
-/// The kind of component of that name.
+/// The kind of component with a name.
 pub fn component(name: &str) -> Option<&'static Component> {
     COMPONENTS.iter().find(|row| row.name == name)
 }
 
-/// Where a selector may stand: any number of places.
+/// A set of places where a selector is allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Places(u16);
 
 impl Places {
-    /// Nowhere.
+    /// No place.
     pub const NONE: Places = Places(0);
     /// `comp(f)`.
     pub const FACES: Places = Places(1);
@@ -57,30 +57,30 @@ impl Places {
     pub const HOLES: Places = Places(1 << 7);
     /// `setback`, `setbackPerEdge` and `setbackToArea`.
     pub const SETBACK: Places = Places(1 << 8);
-    /// `shapeL`, `shapeU`, `shapeO` and `innerRectangle`, which know two words only.
+    /// `shapeL`, `shapeU`, `shapeO` and `innerRectangle`, which only have two words.
     pub const SHAPE: Places = Places(1 << 9);
     /// The second braces of `splitAndSetbackPerimeter`.
     pub const PERIMETER: Places = Places(1 << 10);
-    /// Every comp.
+    /// All kinds of `comp`.
     pub const COMP: Places = Places((1 << 8) - 1);
 
-    /// Here and there.
+    /// The union.
     pub const fn and(self, other: Places) -> Places {
         Places(self.0 | other.0)
     }
 
-    /// Here, but not there.
+    /// The places that are not in `other`.
     pub const fn but(self, other: Places) -> Places {
         Places(self.0 & !other.0)
     }
 
-    /// Returns true if selectors are words alone there, no indices and no conditions (*innerRectangle*, *shapeL, shapeU, shapeO
-    /// operations*; *CGA changelog 2019.0*).
+    /// Returns true if only words are allowed there, no indices and no conditions (*innerRectangle*, *shapeL, shapeU,
+    /// shapeO operations*; *CGA changelog 2019.0*).
     pub const fn has_words_only(self) -> bool {
         self.0 != 0 && Places::SHAPE.and(Places::PERIMETER).has(self)
     }
 
-    /// Returns true if a selector takes `=:`: only components are connected (*comp* and *modify operation*).
+    /// Returns true if a selector takes `=:`. Only components are connected (*comp* and *modify operation*).
     pub const fn connects(self) -> bool {
         self.meets(Places::COMP)
     }
@@ -90,7 +90,7 @@ impl Places {
         self.0 & other.0 != 0
     }
 
-    /// Returns true if all of those are among these.
+    /// Returns true if all places of `other` are in this set.
     pub const fn has(self, other: Places) -> bool {
         self.0 & other.0 == other.0
     }
@@ -99,21 +99,21 @@ impl Places {
 /// A word that selects components. `isTagged` is a function, and a number is an index.
 #[derive(Debug, PartialEq)]
 pub struct Selector {
-    /// As written.
+    /// The name in rules.
     pub name: &'static str,
-    /// Where it may stand.
+    /// The places where it is allowed.
     pub on: Places,
-    /// The directions, in the axes of the scope, that the components it takes may look in. Words of other axes have none.
+    /// The directions, in the axes of the scope, of the components that it takes. Words of other axes have none.
     pub directions: Directions,
-    /// True if it takes the same components of a shape wherever the shape is and however it is turned.
+    /// True if it takes the same components of a shape in every position and orientation of the shape.
     pub rigid: bool,
-    /// It is accepted though nobody should write it any more: what to do instead, as a help line says it.
+    /// The help for a deprecated selector: its replacement.
     pub old: Option<&'static str>,
-    /// What it takes, in a line.
+    /// The description of the components that it takes, in one line.
     pub about: &'static str,
 }
 
-/// A word for every comp and for setbacks.
+/// A word for all kinds of `comp` and for setbacks.
 const fn facing(name: &'static str, about: &'static str) -> Selector {
     only(name, Places::COMP.and(Places::SETBACK), about)
 }
@@ -122,12 +122,12 @@ const fn only(name: &'static str, on: Places, about: &'static str) -> Selector {
     Selector { name, on, directions: Directions::NONE, rigid: false, old: None, about }
 }
 
-/// The same row, of a word that asks for directions in the axes of the scope.
+/// The row of a word for directions in the axes of the scope.
 const fn towards(directions: Directions, row: Selector) -> Selector {
     Selector { directions, rigid: true, ..row }
 }
 
-/// The same row, of a word that asks for nothing but the shape itself.
+/// The row of a word that only depends on the shape itself.
 const fn rigid(row: Selector) -> Selector {
     Selector { rigid: true, ..row }
 }
@@ -136,7 +136,7 @@ const fn old(row: Selector, instead: &'static str) -> Selector {
     Selector { old: Some(instead), ..row }
 }
 
-/// Every selector; in messages they stand in this order.
+/// All selectors, in their order in messages.
 static ROWS: &[Selector] = &[
     towards(Directions::FRONT, facing("front", "what faces the scope's front, its z axis")),
     towards(Directions::BACK, facing("back", "what faces the scope's back")),
@@ -145,8 +145,8 @@ static ROWS: &[Selector] = &[
     towards(Directions::TOP, facing("top", "what faces the scope's top, its y axis")),
     towards(Directions::BOTTOM, facing("bottom", "what faces the scope's bottom")),
     towards(Directions::SIDE, facing("side", "what is not horizontal")),
-    towards(Directions::VERTICAL, only("vertical", Places::COMP, "what stands upright")),
-    towards(Directions::HORIZONTAL, only("horizontal", Places::COMP, "what lies flat")),
+    towards(Directions::VERTICAL, only("vertical", Places::COMP, "what is upright")),
+    towards(Directions::HORIZONTAL, only("horizontal", Places::COMP, "what is flat")),
     towards(Directions::ASLANT, only("aslant", Places::COMP, "what leans back, as a roof does")),
     towards(Directions::NUTANT, only("nutant", Places::COMP, "what leans forward")),
     towards(Directions::ALL, facing("all", "everything that is left")),
@@ -156,7 +156,7 @@ static ROWS: &[Selector] = &[
     facing("object.right", "what faces the object's right"),
     facing("object.top", "what faces the object's top"),
     facing("object.bottom", "what faces the object's bottom"),
-    facing("object.side", "what faces none of the object's top and bottom"),
+    facing("object.side", "what faces neither the object's top nor its bottom"),
     facing("world.south", "what faces south"),
     facing("world.north", "what faces north"),
     facing("world.west", "what faces west"),
@@ -165,10 +165,10 @@ static ROWS: &[Selector] = &[
     facing("world.down", "what faces downwards"),
     facing("world.side", "what faces neither upwards nor downwards"),
     facing("street.front", "what borders a street"),
-    facing("street.back", "what lies opposite a street"),
-    facing("street.left", "what lies left between front and back"),
-    facing("street.right", "what lies right between front and back"),
-    facing("street.side", "what lies between front and back"),
+    facing("street.back", "what is opposite a street"),
+    facing("street.left", "what is left between front and back"),
+    facing("street.right", "what is right between front and back"),
+    facing("street.side", "what is between front and back"),
     rigid(only("border", Places::COMP.but(Places::HOLES), "what has an edge that only one face has")),
     rigid(only("inside", Places::COMP.but(Places::HOLES), "what is not at the border")),
     only("eave", Places::EDGES, "edges at the foot of a roof"),
@@ -189,12 +189,12 @@ static ROWS: &[Selector] = &[
     old(facing("noStreetSide", "what borders no street"), "write `!street.front`"),
 ];
 
-/// Every selector.
+/// All selectors.
 pub fn selectors() -> std::slice::Iter<'static, Selector> {
     ROWS.iter()
 }
 
-/// The selector of that name.
+/// The selector with a name.
 pub fn selector(name: &str) -> Option<&'static Selector> {
     static BY_NAME: LazyLock<HashMap<&str, &Selector>> =
         LazyLock::new(|| ROWS.iter().map(|row| (row.name, row)).collect());

@@ -1,6 +1,6 @@
-//! `setElems`, for every type of array, of values and of indices.
+//! `setElems`, for all types of arrays, values and indices.
 
-use super::functions::later;
+use super::base::later;
 use super::{B, BS, F, FS, Function, Needs, Param, Run, T, TS, of};
 use crate::types::Type;
 
@@ -9,7 +9,8 @@ const fn row(call: &'static str, params: &'static [Param], ty: Type) -> Function
     Function { run: Run::Now(call), needs: Needs::Env, pure: true, ..later("setElems", params, ty, about) }
 }
 
-/// The rows for an array and values: with one index, which may be a number, numbers or truth values, and with two.
+/// The rows for an array and values, with one index, which may be a number, numbers or truth values, and with two
+/// indices.
 macro_rules! rows {
     ($array:expr, $values:expr) => {
         &[

@@ -1,11 +1,11 @@
-//! Words and signs of rule bodies that are syntax, not rows: what they do, for messages.
+//! Words and signs of rule bodies that are syntax and not rows, with descriptions for messages.
 
 /// A word or sign with a syntax of its own.
 #[derive(Debug, PartialEq)]
 pub struct Syntax {
-    /// As written.
+    /// The spelling in rules.
     pub name: &'static str,
-    /// What it does, in a line.
+    /// The description of its effect, in one line.
     pub about: &'static str,
 }
 
@@ -13,14 +13,14 @@ const fn row(name: &'static str, about: &'static str) -> Syntax {
     Syntax { name, about }
 }
 
-/// Everything in a rule's body that is neither an operation of the table nor a successor.
+/// All words and signs of a rule's body that are neither an operation of the table nor a successor.
 pub static SYNTAX: &[Syntax] = &[
     row("set", "sets an attribute of the shape"),
-    row("NIL", "makes nothing of the shape"),
+    row("NIL", "deletes the shape"),
     row("[", "works on a copy of the shape up to `]`"),
-    row("]", "goes on with the shape as it was before `[`"),
-    row("case", "goes on as the first condition that holds says"),
-    row("else", "goes on when nothing before it holds"),
+    row("]", "restores the shape as it was before `[`"),
+    row("case", "continues with the first branch whose condition is true"),
+    row("else", "continues here if no condition before it is true"),
 ];
 
 /// The row of a word or sign.

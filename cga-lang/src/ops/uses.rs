@@ -1,10 +1,10 @@
-//! The parts of a shape that something reads.
+//! The parts of a shape that are read.
 
 use std::ops::BitOr;
 
 /// The parts of the current shape that an expression, an operation, a rule or a function reads or changes.
 ///
-/// A `true` may be wrong: it costs time. A `false` is a promise.
+/// A wrong `true` costs time. A `false` is a promise.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Uses {
     /// Random numbers are drawn from the shape's seed, or the seed itself is read or set: `rand`, `p`, chances in
@@ -14,18 +14,18 @@ pub struct Uses {
     pub index: bool,
     /// `split.total` is read.
     pub total: bool,
-    /// An expression reads sizes or the position of the scope: `scope.sx`, `scope.elevation`. Operations and splits always
-    /// have the scope, so that they do not count.
+    /// An expression reads sizes or the position of the scope: `scope.sx`, `scope.elevation`. The scope of operations
+    /// and splits does not count, because they always have it.
     pub scope: bool,
-    /// An expression or an operation reads where the scope is in the world, or how it is turned: `scope.elevation`.
+    /// An expression or an operation reads the position or orientation of the scope in the world: `scope.elevation`.
     pub place: bool,
     /// More than the scope and the material is read or changed: the pivot, the geometry, trim planes, `comp.index`, the
     /// values of the material, tags.
     pub whole: bool,
-    /// An attribute or constant is read of which shapes may hold a value of their own (`is_set`).
+    /// An attribute or constant is read that may have a value of its own in each shape (`is_set`).
     pub state: bool,
-    /// The run or the host program is asked or changed: prints, reports, files, Rust code, the limit of calls, the initial
-    /// shape. Such a derivation must not be replayed. Faults alone do not count.
+    /// The run or the host program is queried or changed: prints, reports, files, Rust code, the limit of calls, the
+    /// initial shape. Such a derivation must not be replayed. Faults alone do not count.
     pub says: bool,
 }
 
@@ -41,7 +41,7 @@ impl Uses {
         state: false,
         says: false,
     };
-    /// Everything: the uses of Rust code that gets the shape.
+    /// Everything, as for Rust code that gets the shape.
     pub const ALL: Uses =
         Uses { draws: true, index: true, total: true, scope: true, place: true, whole: true, state: true, says: true };
     /// Random numbers.
@@ -61,7 +61,7 @@ impl Uses {
     /// The run.
     pub const SAYS: Uses = Uses { says: true, ..Uses::NONE };
 
-    /// Union, in constants.
+    /// The union, in constants.
     pub const fn and(self, other: Uses) -> Uses {
         Uses {
             draws: self.draws || other.draws,
@@ -75,12 +75,12 @@ impl Uses {
         }
     }
 
-    /// The counters of the last split alone.
+    /// Only the counters of the last split.
     pub const fn counters(self) -> Uses {
         Uses { index: self.index, total: self.total, ..Uses::NONE }
     }
 
-    /// Everything but the counters of the last split.
+    /// Everything except the counters of the last split.
     pub const fn without_counters(self) -> Uses {
         Uses { index: false, total: false, ..self }
     }
@@ -90,12 +90,12 @@ impl Uses {
         self == Uses::NONE
     }
 
-    /// Returns true if no more is read than what shapes of one size have in common wherever they are: nothing, or sizes of the scope.
+    /// Returns true if at most sizes of the scope are read. All shapes of one size have these in common.
     pub fn is_rigid(self) -> bool {
         self.and(Uses::SIZE) == Uses::SIZE
     }
 
-    /// The names of what is used, in the order of the fields.
+    /// The names of the used parts, in the order of the fields.
     pub fn names(self) -> impl Iterator<Item = &'static str> {
         let Uses { draws, index, total, scope, place, whole, state, says } = self;
         let flags = [
@@ -121,7 +121,7 @@ impl BitOr for Uses {
 }
 
 impl FromIterator<Uses> for Uses {
-    /// Union.
+    /// The union.
     fn from_iter<I: IntoIterator<Item = Uses>>(list: I) -> Uses {
         list.into_iter().fold(Uses::NONE, Uses::and)
     }

@@ -1,14 +1,14 @@
-//! The functions of values: numbers, text, lists in text, arrays, colours, paths, chance. Of rows with one name the one
-//! for single numbers comes first.
+//! The functions of values: numbers, text, lists in text, arrays, colours, paths, chance. The row for single numbers
+//! comes first among rows with one name.
 
-use super::functions::later;
+use super::base::later;
 use super::{
     B, BS, Default, F, FS, Function, HEX, Meaning, Needs, Param, Run, T, TS, Uses, boolean, channel, float, of, or,
     text,
 };
 use crate::types::Type;
 
-/// A function of its arguments alone.
+/// A function of its arguments only.
 const fn plain(
     name: &'static str,
     call: &'static str,
@@ -19,7 +19,7 @@ const fn plain(
     Function { run: Run::Now(call), pure: true, ..later(name, params, ty, about) }
 }
 
-/// One that can leave a fault or end the run.
+/// A function that can leave a fault or end the run.
 const fn run(
     name: &'static str,
     call: &'static str,
@@ -30,7 +30,7 @@ const fn run(
     Function { needs: Needs::Env, ..plain(name, call, params, ty, about) }
 }
 
-/// One that uses up random numbers of the shape.
+/// A function that draws random numbers of the shape.
 const fn draw(
     name: &'static str,
     call: &'static str,
@@ -42,12 +42,12 @@ const fn draw(
     Function { needs, uses: Uses::DRAWS, pure: false, ..plain(name, call, params, ty, about) }
 }
 
-/// The same row, of a function with a meaning at compile time.
+/// The row of a function with a meaning at compile time.
 const fn means(meaning: Meaning, row: Function) -> Function {
     Function { meaning, ..row }
 }
 
-/// The same row, of an old spelling.
+/// The row of an old spelling.
 const fn old(row: Function, instead: &'static str) -> Function {
     Function { old: Some(instead), ..row }
 }
@@ -115,7 +115,7 @@ pub(super) static MATH: &[Function] = &[
         "clamp_text",
         &[text("x"), text("min"), text("max")],
         T,
-        "the text, or the one it must not come before or behind",
+        "the text, or the nearer one of the two limits",
     ),
     run(
         "clamp",
@@ -135,25 +135,13 @@ pub(super) static MATH: &[Function] = &[
     plain("isnan", "isnan_each", &[of("x", FS)], BS, "whether it is not a number, for each element"),
     plain("isinf", "isinf", &[float("x")], B, "whether it is infinite"),
     plain("isinf", "isinf_each", &[of("x", FS)], BS, "whether it is infinite, for each element"),
-    plain("isNull", "isnull_float", &[float("value")], B, "whether it stands for a missing value"),
-    plain("isNull", "isnull_text", &[text("value")], B, "whether it stands for a missing value"),
-    plain(
-        "isNull",
-        "isnull_float_each",
-        &[of("values", FS)],
-        BS,
-        "whether it stands for a missing value, for each element",
-    ),
-    plain(
-        "isNull",
-        "isnull_text_each",
-        &[of("values", TS)],
-        BS,
-        "whether it stands for a missing value, for each element",
-    ),
+    plain("isNull", "isnull_float", &[float("value")], B, "whether it is a missing value"),
+    plain("isNull", "isnull_text", &[text("value")], B, "whether it is a missing value"),
+    plain("isNull", "isnull_float_each", &[of("values", FS)], BS, "whether it is a missing value, for each element"),
+    plain("isNull", "isnull_text_each", &[of("values", TS)], BS, "whether it is a missing value, for each element"),
 ];
 
-/// Values of one type as values of another.
+/// Conversions between types.
 pub(super) static CONVERSIONS: &[Function] = &[
     means(Meaning::BoolToFloat, plain("float", "bool_to_float", &[boolean("value")], F, "1 or 0")),
     plain("float", "text_to_float", &[text("value")], F, "the number that a text begins with"),
@@ -235,21 +223,21 @@ pub(super) static TEXTS: &[Function] = &[
         "get_prefix",
         &[text("inputString"), text("matchString")],
         T,
-        "what stands before the first occurrence",
+        "the text before the first occurrence",
     ),
     plain(
         "getSuffix",
         "get_suffix",
         &[text("inputString"), text("matchString")],
         T,
-        "what stands behind the last occurrence",
+        "the text after the last occurrence",
     ),
     plain(
         "getRange",
         "get_range",
         &[text("inputString"), text("leftMatchString"), text("rightMatchString")],
         T,
-        "what stands between two occurrences",
+        "the text between two occurrences",
     ),
     plain(
         "fileBasename",
@@ -322,15 +310,15 @@ pub(super) static ARRAYS: &[Function] = &[
     plain("nColumns", "n_columns", &[of("array", TS)], F, "how many columns"),
     plain("sum", "sum", &[of("array", FS)], F, "the sum of the elements"),
     plain("sum", "count_true", &[of("array", BS)], F, "how many elements are true"),
-    run("sum", "join", &[of("array", TS)], T, "the elements one behind the other"),
-    plain("findFirst", "find_element", &[of("array", BS), boolean("value")], F, "where a value stands first, or -1"),
-    plain("findFirst", "find_element", &[of("array", TS), text("value")], F, "where a value stands first, or -1"),
+    run("sum", "join", &[of("array", TS)], T, "the elements joined in order"),
+    plain("findFirst", "find_element", &[of("array", BS), boolean("value")], F, "the first index of a value, or -1"),
+    plain("findFirst", "find_element", &[of("array", TS), text("value")], F, "the first index of a value, or -1"),
     run(
         "findFirst",
         "find_near",
         &[of("array", FS), float("value"), float("epsilon")],
         F,
-        "where a value stands first, within a tolerance, or -1",
+        "the first index of a value, within a tolerance, or -1",
     ),
     plain("sortIndices", "sort_indices", &[of("array", FS)], FS, "the places of the elements of each row, in order"),
     plain("sortIndices", "sort_indices", &[of("array", TS)], FS, "the places of the elements of each row, in order"),

@@ -1,21 +1,21 @@
 //! Arguments as written: bare words, axes, errors.
 
-use crate::ast::{Arg, Block, Expr, ExprKind};
 use crate::ir::Axis;
+use crate::syntax::ast::{Arg, Block, Expr, ExprKind};
 
 impl Block {
-    /// The axis that the first argument names; `None` for an unknown one or one of the texture space.
+    /// The axis named by the first argument; `None` for an unknown axis or one of the texture space.
     pub(crate) fn axis(&self) -> Option<Axis> {
         Axis::named(self.args.first()?.value.word()?)
     }
 
-    /// Returns true if parts shrink to their geometry, unless the second argument says otherwise (*split operation*).
+    /// Returns true if parts shrink to their geometry, which the second argument can turn off (*split operation*).
     pub(crate) fn adjusts(&self) -> bool {
         self.args.get(1).and_then(|arg| arg.value.word()) != Some("noAdjust")
     }
 }
 
-/// An expression that is a bare word.
+/// The bare word that an expression consists of.
 pub(crate) fn bare(expr: &Expr) -> Option<&str> {
     match &expr.kind {
         ExprKind::Name(name) => Some(&name.text),
@@ -23,18 +23,18 @@ pub(crate) fn bare(expr: &Expr) -> Option<&str> {
     }
 }
 
-/// An argument that is a bare word.
+/// The bare word that an argument consists of.
 pub(crate) fn word(arg: &Arg) -> Option<&str> {
     plain(arg).and_then(bare)
 }
 
-/// An argument without a prefix.
+/// The value of an argument without a prefix.
 pub(crate) fn plain(arg: &Arg) -> Option<&Expr> {
     Some(&arg.value).filter(|_| arg.prefix.is_none())
 }
 
 impl Expr {
-    /// The word it says: bare, in `sel("…")` (*sel*), or as text.
+    /// The word that the expression is: bare, in `sel("…")` (*sel*), or as text.
     pub(crate) fn word(&self) -> Option<&str> {
         match &self.kind {
             ExprKind::Name(name) => Some(&name.text),

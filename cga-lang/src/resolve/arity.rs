@@ -1,11 +1,11 @@
-//! Numbers of arguments, as messages put them.
+//! Numbers of arguments in messages.
 
-use super::context::Cx;
-use crate::ast::Name;
-use crate::code::Code;
+use super::context::Context;
+use crate::diag::code::Code;
 use crate::ops::Operation;
+use crate::syntax::ast::Name;
 
-/// "2 arguments", "0 or 3 arguments", "1, 3 or 4 arguments".
+/// Returns "2 arguments", "0 or 3 arguments" or "1, 3 or 4 arguments".
 pub(crate) fn counts(counts: impl IntoIterator<Item = usize>) -> String {
     let mut list: Vec<usize> = counts.into_iter().collect();
     list.sort_unstable();
@@ -27,13 +27,13 @@ pub(crate) fn counts(counts: impl IntoIterator<Item = usize>) -> String {
     }
 }
 
-/// Reports a call with as many arguments as nothing of that name takes.
-pub(crate) fn wrong_count(cx: &mut Cx, what: &str, name: &Name, takes: Vec<usize>, got: usize) {
+/// Reports a call with a wrong number of arguments.
+pub(crate) fn wrong_count(cx: &mut Context, what: &str, name: &Name, takes: Vec<usize>, got: usize) {
     let message = format!("{what} `{}` takes {}, got {got}", name.text, counts(takes));
     cx.diags.report(Code::ArgumentCount, name.span, message);
 }
 
-/// How an operation is called: `s(x, y, z)`.
+/// The usage of an operation: `s(x, y, z)`.
 pub(crate) fn usage(row: &Operation) -> String {
     let params: Vec<&str> = row.params.iter().map(|param| param.name).collect();
     format!("{}({})", row.name, params.join(", "))

@@ -1,15 +1,15 @@
-//! What every pass is given.
+//! The input of every pass.
 
 use super::globals::Globals;
 use super::tables::Tables;
 use crate::diag::Diags;
 use crate::link::InstanceId;
 
-/// The program, what is known of it so far, and the diagnostics.
-pub(crate) struct Cx<'a, 'd> {
+/// The program, its side tables, and the diagnostics.
+pub(crate) struct Context<'a, 'd> {
     pub(crate) globals: Globals<'a>,
     pub(crate) tables: Tables,
-    /// The instance that is looked at, for passes that go from one to the next.
+    /// The current instance, for passes that visit one after the other.
     pub(crate) at: InstanceId,
     pub(crate) diags: &'d mut Diags,
 }

@@ -1,19 +1,19 @@
-//! Attributes and constants that need each other on every path, and functions that never end. A cycle that conditions may
-//! keep open is computed lazily.
+//! Attributes and constants that need each other on every path, and functions that never end. A cycle that conditions
+//! may break is computed lazily.
 
-use super::context::Cx;
+use super::context::Context;
 use super::globals::{Init, Item};
 use super::tables::{Entries, Tables, Use};
-use crate::ast::{Expr, ExprKind};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::graph::{components, is_cycle};
 use crate::link::InstanceId;
+use crate::syntax::ast::{Expr, ExprKind};
 
-/// Of longer cycles not all are named line by line.
+/// The maximum number of names in a cycle that get a line each.
 const MOST_TOLD: usize = 4;
 
 /// Finds cycles among attributes, constants and functions, and the order in which values can be computed.
-pub(crate) fn find(cx: &mut Cx) {
+pub(crate) fn find(cx: &mut Context) {
     let items: Vec<&Item> = cx.globals.values().collect();
     let numbering = Numbering { attrs: cx.globals.attrs.len(), consts: cx.globals.consts.len() };
     let edges: Vec<Vec<usize>> = items
@@ -39,10 +39,10 @@ pub(crate) fn find(cx: &mut Cx) {
         let is_value = |node: &usize| *node < first_function;
         let endless = component.iter().copied().find(|&node| !ends[node]);
         let value = component.iter().copied().find(|node| is_value(node) && !ends[*node]);
-        // The others of a cycle.
+        // The other names of a cycle.
         let way = |node: usize| {
             let others = component.iter().filter(|&&other| other != node).map(|&other| {
-                // As the blamed one's file would write it, or as the main file does.
+                // The name is as written in the file of the blamed declaration, or as the main file writes it.
                 let (other, near) = (items[other], items[other].instance == items[node].instance);
                 format!("`{}`", if near { &other.decl.name.text } else { &other.name })
             });
@@ -84,7 +84,8 @@ pub(crate) fn find(cx: &mut Cx) {
     }
 }
 
-/// The expressions an item's value is made of, locals first, and the instance whose entries their names have.
+/// The expressions that make up the value of an item, locals first, and the instance that has the entries of their
+/// names.
 fn values<'a>(item: &Item<'a>) -> impl Iterator<Item = (&'a Expr, InstanceId)> {
     let own = item.own;
     let locals = item.is_own().then(|| item.decl.locals.iter().map(move |(_, value)| (value, own)));
@@ -109,7 +110,7 @@ impl Numbering {
     }
 }
 
-/// Collects what an expression uses.
+/// Collects the items that an expression uses.
 fn needs(expr: &Expr, names: Entries, numbering: Numbering, list: &mut Vec<usize>) {
     for part in expr.parts() {
         needs(part, names, numbering, list);
@@ -119,7 +120,7 @@ fn needs(expr: &Expr, names: Entries, numbering: Numbering, list: &mut Vec<usize
     }
 }
 
-/// Finds out which declarations of a component can end: those of which some path calls only what can end.
+/// Marks the declarations of a component that can end: those with a path on which all calls can end.
 fn settle(component: &[usize], items: &[&Item], tables: &Tables, numbering: Numbering, ends: &mut [bool]) {
     for _ in component {
         let mut changed = false;
@@ -145,7 +146,7 @@ fn can_end(expr: &Expr, names: Entries, numbering: Numbering, ends: &[bool]) -> 
             arms.first().is_none_or(|(first, _)| can(first))
                 && (can(otherwise) || arms.iter().any(|(_, value)| can(value)))
         }
-        // What no selector takes has no value to compute.
+        // A value that no selector takes is never computed.
         ExprKind::Comp(comp) => {
             comp.arms.first().is_none_or(|(first, ..)| can(first)) && comp.arms.iter().any(|(_, _, value)| can(value))
         }

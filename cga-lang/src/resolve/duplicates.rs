@@ -1,20 +1,20 @@
 //! Two declarations of one name.
 
 use super::arity;
-use super::context::Cx;
+use super::context::Context;
 use super::globals::Item;
-use crate::ast::{Body, Decl, Role};
-use crate::code::Code;
 use crate::diag::Diags;
+use crate::diag::code::Code;
 use crate::link::InstanceId;
 use crate::ops::{self, Operation, Param, ParamKind, Run};
+use crate::syntax::ast::{Body, Decl, Role};
 use crate::types::Type;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
-/// Fills the tables of names. Attributes, constants and functions without parameters share their names; parameters and
-/// locals of a declaration do too.
-pub(crate) fn values(cx: &mut Cx) {
+/// Fills the tables of names. Attributes, constants and functions without parameters share one namespace; so do the
+/// parameters and locals of a declaration.
+pub(crate) fn values(cx: &mut Context) {
     let diags = &mut *cx.diags;
     cx.globals.name(|item, what, first| duplicate(diags, item.decl, what, first.decl));
     for item in cx.globals.items() {
@@ -37,13 +37,13 @@ pub(crate) fn values(cx: &mut Cx) {
             Role::Extension => "extension",
         };
         if decl.style != 0 {
-            let message = format!("`{word}` cannot stand in a style");
+            let message = format!("`{word}` is not allowed in a style");
             cx.diags.report(Code::Syntax, name.span, message).help("move the rule before the first `style`");
         } else if decl.role == Role::Extension && item.home == item.instance {
             match extensions.entry((item.instance, &name.text)) {
                 Entry::Vacant(entry) => _ = entry.insert(decl),
                 Entry::Occupied(entry) => {
-                    let message = format!("extension `{}` is declared twice, an extension has one form", name.text);
+                    let message = format!("extension `{}` is declared twice, but an extension has one form", name.text);
                     let first = entry.get().name.span;
                     cx.diags.report(Code::DuplicateName, name.span, message).related("first declared", first);
                 }
@@ -52,9 +52,9 @@ pub(crate) fn values(cx: &mut Cx) {
     }
 }
 
-/// Rules that an operation hides: they have its name and parameters of its types. A rule with the name of an operation that
-/// does not run yet is called instead.
-pub(crate) fn operations(cx: &mut Cx) {
+/// Reports rules that an operation hides because it has their name and takes their parameters. A rule with the name
+/// of an operation that is not implemented yet is called instead of it.
+pub(crate) fn operations(cx: &mut Context) {
     for item in &cx.globals.rules {
         let types = item.types_of_params(&cx.tables);
         let rows = ops::operations(&item.decl.name.text).filter(|row| row.run != Run::Later);
@@ -65,7 +65,7 @@ pub(crate) fn operations(cx: &mut Cx) {
     }
 }
 
-/// Whether an operation is called wherever a rule with parameters of these types could be.
+/// Returns true if an operation is called in every case that fits a rule with parameters of these types.
 fn hides(row: &Operation, types: &[Option<Type>]) -> bool {
     let takes = |(param, ty): (&Param, &Option<Type>)| match &param.kind {
         ParamKind::Any => true,
@@ -74,11 +74,11 @@ fn hides(row: &Operation, types: &[Option<Type>]) -> bool {
     row.takes(types.len()) && (!row.overloads || row.params.iter().zip(types).all(takes))
 }
 
-/// Instance, style, name and types of parameters.
+/// The instance, style, name and parameter types of a declaration.
 type Signature<'a> = (InstanceId, u32, &'a str, Vec<Option<Type>>);
 
-/// Rules and functions of one name must differ in number or types of parameters.
-pub(crate) fn overloads(cx: &mut Cx) {
+/// Reports rules or functions of one name that do not differ in the number or types of parameters.
+pub(crate) fn overloads(cx: &mut Context) {
     for (items, what) in [(&cx.globals.rules, "rule"), (&cx.globals.functions, "function")] {
         let mut first: HashMap<Signature<'_>, &Decl> = HashMap::new();
         for item in items.iter().filter(|item| item.home == item.instance) {
@@ -91,13 +91,14 @@ pub(crate) fn overloads(cx: &mut Cx) {
     }
 }
 
-/// A name means the same kind of thing in every style, and a value has one type in all of them (*CGA changelog 2018.0*).
-pub(crate) fn styles(cx: &mut Cx) {
+/// Checks that a name has the same kind in every style, and that a value has one type in all styles (*CGA changelog
+/// 2018.0*).
+pub(crate) fn styles(cx: &mut Context) {
     let roots = &cx.globals.program.roots;
     if roots.len() < 2 {
         return;
     }
-    // Rules have their names to themselves, and cannot be anything else.
+    // Rules have a namespace of their own.
     let kinds = [
         (&cx.globals.attrs, "an attribute"),
         (&cx.globals.consts, "a constant"),

@@ -1,6 +1,6 @@
-//! Names from other languages, other programs and everyday speech, and what CGA writes instead.
+//! Names from other languages, other programs and everyday speech, with their CGA forms.
 
-/// Steps of rules by names that CGA does not have.
+/// Operations with names that CGA does not have.
 const STEPS: &[(&[&str], &str)] = &[
     (&["scale", "resize"], "`s(sx, sy, sz)` sets the size of the scope"),
     (&["translate", "move"], "`t(tx, ty, tz)` moves the scope along its own axes"),
@@ -16,12 +16,12 @@ const STEPS: &[(&[&str], &str)] = &[
     (&["match", "switch", "select"], "write `case value == 1 : … case value == 2 : … else : …`"),
 ];
 
-/// The CGA form of a step that other languages write differently.
+/// The CGA form of an operation with another name in other languages.
 pub(crate) fn step(name: &str) -> Option<&'static str> {
     STEPS.iter().find(|(names, _)| names.contains(&name)).map(|(_, help)| *help)
 }
 
-/// Numbers of the scope by names that CGA does not have.
+/// Attributes of the scope with names that CGA does not have.
 const VALUES: &[(&str, &str)] = &[
     ("scope.width", "scope.sx"),
     ("scope.height", "scope.sy"),
@@ -34,7 +34,7 @@ const VALUES: &[(&str, &str)] = &[
     ("PI", "3.14159265"),
 ];
 
-/// The CGA form of a value that other languages write differently.
+/// The CGA form of a value with another name in other languages.
 pub(crate) fn value(name: &str) -> Option<&'static str> {
     let own = name.strip_prefix("this.").unwrap_or(name);
     VALUES.iter().find(|(name, _)| *name == own).map(|(_, meant)| *meant)
@@ -59,7 +59,7 @@ const COLOURS: &[(&str, &str)] = &[
     ("beige", "#f5f5dc"),
 ];
 
-/// The colour of that name, as text.
+/// The colour with that name, as text.
 pub(crate) fn colour(name: &str) -> Option<&'static str> {
     COLOURS.iter().find(|(own, _)| name.eq_ignore_ascii_case(own)).map(|(_, hex)| *hex)
 }
@@ -69,10 +69,10 @@ mod tests {
     use super::{STEPS, VALUES};
     use crate::ops;
 
-    /// A row for a name that CGA has would never be found, or mislead.
+    /// A row with a name of CGA would never be found, or would mislead.
     #[test]
     fn names_are_not_those_of_cga_and_what_they_lead_to_is() {
-        // These two exist with more arguments.
+        // These two names exist in CGA with more arguments.
         let longer = ["translate", "rotate"];
         for name in STEPS.iter().flat_map(|(names, _)| *names).filter(|name| !longer.contains(name)) {
             assert!(ops::operations(name).next().is_none(), "{name}");

@@ -1,8 +1,8 @@
-//! What annotations and comments say about declarations.
+//! Annotations and doc comments of declarations.
 
 use crate::ir::{ChoiceValues, Choices, Presentation, Range};
 
-/// What annotations and comments say about an attribute.
+/// The annotations and doc comment of an attribute.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct AttrInfo {
     pub(crate) range: Option<Range>,
@@ -16,18 +16,18 @@ pub(crate) struct AttrInfo {
 }
 
 impl AttrInfo {
-    /// The range that a run holds the attribute to.
+    /// The range to which a run restricts the attribute.
     pub(crate) fn held_to_range(&self) -> Option<Range> {
         self.range.filter(|range| range.restricted)
     }
 
-    /// The values that a run holds the attribute to.
+    /// The values to which a run restricts the attribute.
     pub(crate) fn held_to_choices(&self) -> Option<&ChoiceValues> {
         self.choices.as_ref().filter(|choices| choices.restricted).map(|choices| &choices.values)
     }
 }
 
-/// What annotations and comments say about a rule.
+/// The annotations and doc comment of a rule.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct RuleInfo {
     pub(crate) doc: String,
@@ -35,31 +35,31 @@ pub(crate) struct RuleInfo {
     pub(crate) hidden: bool,
 }
 
-/// The group that attributes belong to, from one `@Group` to the next, across imports.
+/// The group of attributes. It continues from one `@Group` to the next, across imports.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Group {
-    /// From the outermost to the innermost; empty when they belong to none.
+    /// From the outermost to the innermost name; empty without a group.
     pub(crate) names: Vec<String>,
-    /// Where the innermost is shown.
+    /// The position of the innermost group in the order of groups.
     pub(crate) order: Option<f64>,
 }
 
-/// What annotations say about an import.
+/// The annotations of an import.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ImportInfo {
-    /// Which of its attributes user interfaces leave out.
+    /// The attributes of the import that user interfaces leave out.
     pub(crate) hidden: Hidden,
-    /// The group its attributes belong to as long as they name none.
+    /// The group of its attributes until they name another.
     pub(crate) group: Group,
 }
 
-/// What `@Hidden` hides.
+/// The effect of `@Hidden`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) enum Hidden {
-    /// Nothing: there is none.
+    /// Nothing, because there is no such annotation.
     #[default]
     Nothing,
-    /// What it stands before; of an import every attribute, and every import in it.
+    /// The annotated item. For an import: all its attributes and all imports in it.
     All,
     /// `@Hidden(a, b)`: these attributes of an import.
     Names(Vec<String>),

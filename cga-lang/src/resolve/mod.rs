@@ -1,4 +1,4 @@
-//! Names: what is declared, and what each use stands for.
+//! Name resolution: declarations, and the meaning of each use.
 
 pub(crate) mod arguments;
 pub(crate) mod arity;

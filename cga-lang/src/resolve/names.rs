@@ -1,23 +1,23 @@
-//! What each name in an expression stands for. Steps of rules are in `steps`.
+//! Resolves the names in expressions. `steps` resolves the operations of rules.
 
 use super::arguments::bare;
 use super::arity::wrong_count;
-use super::context::Cx;
+use super::context::Context;
 use super::globals::{Init, Kind, builtins};
 use super::habits;
 use super::scope::Scope;
 use super::tables::Use;
-use crate::ast::{Expr, ExprKind, Name};
-use crate::code::Code;
 use crate::diag::Detail;
-use crate::door::Door;
+use crate::diag::code::Code;
+use crate::dialect::Dialect;
 use crate::ops::{self, Function, Needs, ParamKind, Places, Run, Words};
 use crate::span::Span;
-use crate::token::Tok;
+use crate::syntax::ast::{Expr, ExprKind, Name};
+use crate::syntax::token::Tok;
 use crate::types::Type;
 
-/// Resolves every use.
-pub(crate) fn uses(cx: &mut Cx) {
+/// Resolves all uses.
+pub(crate) fn uses(cx: &mut Context) {
     let values: Vec<_> = cx.globals.values().cloned().collect();
     for (index, item) in values.iter().enumerate() {
         let Some((value, own)) = item.value() else { continue };
@@ -30,7 +30,7 @@ pub(crate) fn uses(cx: &mut Cx) {
         scope.expr(value);
     }
     for item in cx.globals.rules.clone() {
-        if let crate::ast::Body::Rule(ops) = &item.decl.body {
+        if let crate::syntax::ast::Body::Rule(ops) = &item.decl.body {
             let mut scope = Scope { cx, at: item.home, own: item.own, inner: Vec::new(), owner: None, place: None };
             scope.enter(item.decl);
             scope.ops(ops);
@@ -39,8 +39,8 @@ pub(crate) fn uses(cx: &mut Cx) {
 }
 
 impl<'a> Scope<'_, 'a, '_> {
-    /// Parameters, then locals, each of which sees those before it.
-    fn enter(&mut self, decl: &'a crate::ast::Decl) {
+    /// Enters parameters, then locals. Each local can use the names before it.
+    fn enter(&mut self, decl: &'a crate::syntax::ast::Decl) {
         self.inner.extend(&decl.params);
         for (name, value) in &decl.locals {
             self.expr(value);
@@ -52,17 +52,17 @@ impl<'a> Scope<'_, 'a, '_> {
         self.cx.tables.uses.insert((self.own, name.id()), found);
     }
 
-    /// Notes a call that cannot run yet.
+    /// Records a call that is not implemented yet.
     pub(crate) fn note_later(&mut self, name: &Name) {
         self.cx.tables.later.insert((self.own, name.id()));
     }
 
-    /// Notes the attribute of an import that an override gives a value to.
+    /// Records the attribute of an import that an override gives a value to.
     pub(crate) fn note_target(&mut self, name: &Name, attr: u32) {
         self.cx.tables.targets.insert((self.own, name.id()), attr);
     }
 
-    /// Notes what a call may stand for; the types decide if there are several.
+    /// Records the candidates of a call. If there are several, the types decide.
     pub(crate) fn note_open(&mut self, name: &Name, mut candidates: Vec<Use>) {
         match candidates.as_slice() {
             [] => {}
@@ -76,8 +76,8 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    pub(crate) fn door(&self) -> Door {
-        self.cx.globals.program.instances[self.at].file.door
+    pub(crate) fn dialect(&self) -> Dialect {
+        self.cx.globals.program.instances[self.at].file.dialect
     }
 
     pub(crate) fn expr(&mut self, expr: &'a Expr) {
@@ -94,14 +94,14 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    /// Whether there is something in a span that could not be read and was reported.
+    /// Returns true if a span has unreadable tokens, which were reported.
     pub(crate) fn has_unread(&self, span: Span) -> bool {
         let tokens = self.cx.globals.program.tokens.as_slice();
         let list = tokens.get(span.first as usize..=span.last as usize).unwrap_or_default();
         list.iter().any(|token| matches!(token, Tok::Bad))
     }
 
-    /// What a bare name stands for, if anything.
+    /// Looks up a bare name.
     pub(crate) fn lookup(&mut self, name: &str) -> Option<Use> {
         if let Some(index) = self.inner.iter().position(|inner| inner.text == name) {
             return Some(Use::Param(index as u32));
@@ -112,7 +112,7 @@ impl<'a> Scope<'_, 'a, '_> {
             .or_else(|| ops::shape_attr(name).map(Use::Shape))
     }
 
-    /// An attribute that overrides another may be made of what that other would be.
+    /// The value of an override may use the value that the attribute would have without it.
     fn unless_own(&mut self, found: Use, name: &str) -> Use {
         let (Use::Attr(index), Some(owner)) = (found, self.owner) else { return found };
         let flows = matches!(self.cx.globals.attrs[index as usize].init, Init::Flows(outer) if outer == owner);
@@ -141,12 +141,12 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    /// Says so when something is used that does not run yet or should not be used any more.
+    /// Reports uses that are not implemented yet or are deprecated.
     pub(crate) fn about_later(&mut self, name: &Name, found: Use) {
         match found {
             Use::Builtin(Function { needs: Needs::Component, .. }) if self.place.is_none() => {
-                let message = format!("`{}` can only stand in a selector", name.text);
-                self.cx.diags.report(Code::UnknownFunction, name.span, message).note("it asks about a component");
+                let message = format!("`{}` is only allowed in a selector", name.text);
+                self.cx.diags.report(Code::UnknownFunction, name.span, message).note("it reads a component");
             }
             Use::Builtin(Function { run: Run::Later, about, .. }) => {
                 self.not_implemented(name.span, &format!("`{}`", name.text), Some((&name.text, about)));
@@ -174,14 +174,14 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    /// Says that something known does nothing yet. `about` is its name and what it will do.
+    /// Reports a known feature that is not implemented yet. `about` is its name and its effect.
     pub(crate) fn not_implemented(&mut self, span: Span, what: &str, about: Option<(&str, &str)>) {
         let diag = self.cx.diags.report(Code::NotImplemented, span, format!("{what} is not implemented yet"));
         diag.detail = Detail::Later(what.replace('`', ""));
         if let Some((name, about)) = about.filter(|(_, about)| !about.is_empty()) {
-            diag.note(format!("`{name}` {about}"));
+            diag.note(format!("`{name}`: {about}"));
         }
-        diag.note("it does nothing in a run, which says so among its faults");
+        diag.note("a run ignores it and reports a fault");
     }
 
     pub(crate) fn deprecated(&mut self, name: &Name, old: Option<&str>) {
@@ -191,7 +191,7 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    /// Reports a name that stands for nothing. `help` is what to type where text is needed.
+    /// Reports an unknown name. `help` is the text to type where text is needed.
     pub(crate) fn unknown_name(&mut self, name: &'a Name, help: Option<String>) {
         let (text, globals, at) = (name.text.as_str(), &self.cx.globals, self.at);
         if globals.is_lost(at, text) {
@@ -207,15 +207,15 @@ impl<'a> Scope<'_, 'a, '_> {
         let truth = ["true", "false"].into_iter().find(|word| text.eq_ignore_ascii_case(word)).map(str::to_owned);
         let help = help.or_else(|| habits::value(text).map(|value| format!("write `{value}`")));
         let near = truth.or(near).filter(|_| help.is_none());
-        let (inline, dotted) = (self.door() == Door::Inline, text.contains('.'));
+        let (inline, dotted) = (self.dialect() == Dialect::Inline, text.contains('.'));
         let diag = self.cx.diags.report(Code::UnknownName, name.span, format!("unknown name `{text}`"));
         if is_rule {
-            diag.note(format!("`{text}` is a rule: it makes shapes, it has no value"));
+            diag.note(format!("`{text}` is a rule: it makes shapes and has no value"));
         }
         let suggested = near.is_some();
         diag.suggest(near);
         if ops::selector(text).is_some() {
-            diag.note(format!("`{text}` selects components: it stands in the selectors of a `comp`, nowhere else"));
+            diag.note(format!("`{text}` selects components: it is only allowed in the selectors of a `comp`"));
         }
         if let Some(help) = help {
             diag.help(help);
@@ -240,7 +240,7 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    /// Numbers of arguments that functions of a name take.
+    /// The numbers of arguments that functions with a name take.
     fn takes(&self, name: &str) -> Vec<usize> {
         let globals = &self.cx.globals;
         let own =
@@ -257,7 +257,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let mut candidates: Vec<Use> = own.map(Use::Function).collect();
         let rows = builtins(text, args.len());
         if candidates.is_empty() && rows.is_empty() && !(args.len() == 1 && conversion(text).is_some()) {
-            // A word that the function takes is no name that is missing.
+            // A word of the function is not an unknown name.
             let is_word = |arg: &&Expr| {
                 let words = || ops::functions(text).flat_map(|row| row.params);
                 bare(arg).is_some_and(|word| words().any(|param| param.kind.has_word(word)))
@@ -265,10 +265,10 @@ impl<'a> Scope<'_, 'a, '_> {
             args.iter().filter(|arg| !is_word(arg)).for_each(|arg| self.expr(arg));
             return self.unknown_call(name, args);
         }
-        // Words are no names: they tell rows apart, and are not looked up.
+        // Words are not names. They select rows and are not looked up.
         let mut fitting: Vec<_> = rows.iter().copied().filter(|row| words_fit(row, args, bare)).collect();
         if fitting.is_empty() {
-            let said = if self.door() == Door::Text { Expr::word } else { not_text };
+            let said = if self.dialect() == Dialect::Text { Expr::word } else { not_text };
             fitting = rows.iter().copied().filter(|row| words_fit(row, args, said)).collect();
         }
         if candidates.is_empty() && fitting.is_empty() && !rows.is_empty() && conversion(text).is_none() {
@@ -303,7 +303,7 @@ impl<'a> Scope<'_, 'a, '_> {
         self.note_open(name, candidates);
     }
 
-    /// A call whose words fit no row.
+    /// Resolves a call whose words do not fit any row.
     fn other_words(&mut self, name: &Name, rows: &[&'static Function], args: &'a [Expr]) {
         let all: Vec<&Expr> = args.iter().collect();
         if let Some(row) = rows.iter().find(|row| self.computes_words(row.params, &all)) {
@@ -339,7 +339,7 @@ impl<'a> Scope<'_, 'a, '_> {
                 Use::Const(_) => "a constant",
                 _ => "an attribute of the shape",
             };
-            let message = format!("`{text}` is {what}, it takes no arguments");
+            let message = format!("`{text}` is {what} and takes no arguments");
             self.cx.diags.report(Code::ArgumentCount, name.span, message).help(format!("write `{text}`"));
             return;
         }
@@ -354,13 +354,13 @@ impl<'a> Scope<'_, 'a, '_> {
         if let Some(call) = method {
             diag.note("values have no methods").help(format!("write `{call}`"));
         } else if shape {
-            diag.note(format!("`{text}` works on shapes, it has no value"));
+            diag.note(format!("`{text}` works on shapes and has no value"));
         } else {
             diag.suggest(near);
         }
     }
 
-    /// `scope.sx.sqrt()` as CGA writes it, where it names a value and a function.
+    /// The CGA form of `scope.sx.sqrt()`, if it names a value and a function.
     fn method(&mut self, text: &str, args: &[Expr]) -> Option<String> {
         let (value, function) = text.rsplit_once('.')?;
         let takes = self.takes(function).contains(&(args.len() + 1));
@@ -369,12 +369,12 @@ impl<'a> Scope<'_, 'a, '_> {
         Some(format!("{function}({value}{rest})"))
     }
 
-    /// Percentages of one block may not add up to more than 100.
-    pub(crate) fn percentages(&mut self, list: impl Iterator<Item = &'a crate::ast::Percent>) {
+    /// Reports percentages of a block that add up to more than 100.
+    pub(crate) fn percentages(&mut self, list: impl Iterator<Item = &'a crate::syntax::ast::Percent>) {
         let mut sum = 0.0;
         for percent in list {
             sum += percent.value;
-            // Written fractions like 33.3 add up with an error in the last digits.
+            // Fractions such as 33.3 add up with a rounding error.
             if 100.0 + 1e-9 < sum {
                 let message = format!("the percentages up to here add up to {}", (sum * 1e6).round() / 1e6);
                 let diag = self.cx.diags.report(Code::PercentOver100, percent.span, message);
@@ -385,7 +385,7 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 }
 
-/// Whether every word of a call is one that the row knows. `word` says what the word of an argument is.
+/// Returns true if the row knows every word of a call. `word` returns the word of an argument.
 fn words_fit(row: &Function, args: &[Expr], word: fn(&Expr) -> Option<&str>) -> bool {
     row.params.iter().zip(args).all(|(param, arg)| match &param.kind {
         ParamKind::Word(_) if matches!(arg.kind, ExprKind::Error) => true,
@@ -394,7 +394,7 @@ fn words_fit(row: &Function, args: &[Expr], word: fn(&Expr) -> Option<&str>) -> 
     })
 }
 
-/// Whether a name that has no value is a word of an operation, or a selector.
+/// Returns true if a name is a word of an operation, or a selector.
 fn is_known_elsewhere(name: &str) -> bool {
     ops::selector(name).is_some()
         || ops::all_operations().any(|row| row.params.iter().any(|param| param.kind.has_word(name)))
@@ -404,7 +404,7 @@ fn not_text(arg: &Expr) -> Option<&str> {
     arg.word().filter(|_| !matches!(arg.kind, ExprKind::Text(_)))
 }
 
-/// The type a conversion function gives.
+/// The result type of a conversion function.
 fn conversion(name: &str) -> Option<Type> {
     match name {
         "float" => Some(Type::Float),

@@ -1,20 +1,20 @@
-//! What stands in parentheses behind an import: whether it names attributes and extensions of the imported file.
+//! Overrides in parentheses after an import: checks that they name attributes and extensions of the imported file.
 
-use super::context::Cx;
+use super::context::Context;
 use super::globals::Kind;
 use super::tables::Use;
-use crate::ast::{Decl, Override, Role};
-use crate::code::Code;
 use crate::diag::Level;
+use crate::diag::code::Code;
 use crate::link::{InstanceId, Layer};
 use crate::suggest::nearest;
+use crate::syntax::ast::{Decl, Override, Role};
 use std::collections::HashSet;
 
-pub(crate) fn check(cx: &mut Cx) {
+pub(crate) fn check(cx: &mut Context) {
     let program = cx.globals.program;
     for (id, instance) in program.instances.iter().enumerate() {
         for (index, layer) in instance.layers.iter().enumerate() {
-            // The layers before the last belong to the static import, which is an instance of its own.
+            // The earlier layers belong to the static import, which is an instance of its own.
             if index + 1 == instance.layers.len() {
                 layer_of(cx, id, layer);
             }
@@ -22,13 +22,13 @@ pub(crate) fn check(cx: &mut Cx) {
     }
 }
 
-fn layer_of(cx: &mut Cx, id: InstanceId, layer: &Layer) {
+fn layer_of(cx: &mut Context, id: InstanceId, layer: &Layer) {
     let list = cx.globals.program.overrides(layer).unwrap_or_default();
     list_of(cx, id, list);
 }
 
-/// Checks overrides of an instance.
-pub(crate) fn list_of(cx: &mut Cx, id: InstanceId, list: &[Override]) {
+/// Checks the overrides of an instance.
+pub(crate) fn list_of(cx: &mut Context, id: InstanceId, list: &[Override]) {
     let mut seen = HashSet::new();
     for own in list {
         let name = match own {
@@ -45,16 +45,16 @@ pub(crate) fn list_of(cx: &mut Cx, id: InstanceId, list: &[Override]) {
         }
         match own {
             Override::Keep(_) | Override::Value(..) => attribute(cx, id, name),
-            // With a dot it was reported when it was read.
+            // A name with a dot was reported by the parser.
             Override::Rule(decl) if decl.name.text.contains('.') => {}
             Override::Rule(decl) => extension(cx, id, decl),
         }
     }
 }
 
-fn attribute(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
+fn attribute(cx: &mut Context, id: InstanceId, name: &crate::syntax::ast::Name) {
     match cx.globals.value(id, &name.text) {
-        // *CGA changelog 2023.0*: not allowed any more. Files older than that are read, and mean what they meant.
+        // *CGA changelog 2023.0*: no longer allowed. Older files keep their meaning.
         Some(Use::Attr(_)) if name.text.contains('.') => {
             let message = format!("`{}` belongs to an import of the imported file", name.text);
             cx.diags
@@ -65,7 +65,7 @@ fn attribute(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
         found => {
             let near = nearest(&name.text, cx.globals.near(id, Kind::Attrs)).map(str::to_owned);
             let message = match found {
-                Some(_) => format!("`{}` is a constant, only attributes can be overridden", name.text),
+                Some(_) => format!("`{}` is a constant, and only attributes can be overridden", name.text),
                 None => format!("the imported file has no attribute `{}`", name.text),
             };
             cx.diags.report(Code::UnknownName, name.span, message).suggest(near);
@@ -73,14 +73,14 @@ fn attribute(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
     }
 }
 
-fn extension(cx: &mut Cx, id: InstanceId, own: &Decl) {
+fn extension(cx: &mut Context, id: InstanceId, own: &Decl) {
     let (name, program) = (&own.name, cx.globals.program);
-    // Also where the style in force has one of its own, which stays.
+    // The search includes an extension that the style in force replaces by a rule of its own, which stays.
     let decls = || program.instances[id].file.ast.decls.iter().filter(|decl| decl.name.text == name.text);
     if let Some(extension) = decls().find(|decl| decl.role == Role::Extension) {
         if extension.params.len() != own.params.len() {
             let message = format!(
-                "extension `{}` has {}, this has {}",
+                "extension `{}` has {}, but this has {}",
                 name.text,
                 parameters(extension.params.len()),
                 own.params.len()
@@ -94,7 +94,7 @@ fn extension(cx: &mut Cx, id: InstanceId, own: &Decl) {
         cx.globals.plain_rules(id, &name.text).iter().map(rule).filter(|item| item.home == id).collect();
     let near = nearest(&name.text, cx.globals.near(id, Kind::Extensions)).map(str::to_owned);
     if let Some(rule) = named.first() {
-        let message = format!("rule `{}` is no extension, it cannot be overridden", name.text);
+        let message = format!("rule `{}` is not an extension and cannot be overridden", name.text);
         cx.diags
             .report_as(Code::UndefinedRule, Level::Error, name.span, message)
             .help(format!("write `extension {}` in the imported file", rule.decl.name.text));

@@ -3,11 +3,11 @@
 use super::arity::wrong_count;
 use super::scope::Scope;
 use super::tables::Use;
-use crate::ast::{Arm, ArmMode, Binary, CompValue, Expr, ExprKind, Name, SplitItem, Unary};
-use crate::code::Code;
 use crate::diag::Diag;
+use crate::diag::code::Code;
 use crate::ops::{self, Places, Selector};
 use crate::suggest::nearest;
+use crate::syntax::ast::{Arm, ArmMode, Binary, CompValue, Expr, ExprKind, Name, SplitItem, Unary};
 
 impl<'a> Scope<'_, 'a, '_> {
     pub(crate) fn items(&mut self, items: &'a [SplitItem]) {
@@ -34,20 +34,20 @@ impl<'a> Scope<'_, 'a, '_> {
         self.ops(&arm.ops);
     }
 
-    /// `comp(f) { selector : value }`.
+    /// Resolves `comp(f) { selector : value }`.
     pub(crate) fn comp_value(&mut self, comp: &'a CompValue) {
         let place = self.comp_args(comp);
         for (selector, _, value) in &comp.arms {
             self.index(selector);
             self.selector(selector, place);
-            // Words ask about the component that is to be selected; the value is none of them.
+            // Words read the component to be selected, so they are not available in the value.
             let outer = self.place.take();
             self.expr(value);
             self.place = outer;
         }
     }
 
-    /// The arguments of `comp` as a value, as those of the operation: gives the selectors.
+    /// Resolves the arguments of `comp` as a value, like those of the operation. Returns the selectors.
     fn comp_args(&mut self, comp: &CompValue) -> Places {
         let Some(row) = ops::operations(&comp.name.text).next() else { return Places::NONE };
         if comp.args.is_empty() {
@@ -74,7 +74,7 @@ impl<'a> Scope<'_, 'a, '_> {
         self.place = outer;
     }
 
-    /// Resolves a selector where only words can stand.
+    /// Resolves a selector where only words are allowed.
     fn only_word(&mut self, selector: &Expr, place: Places) {
         match &selector.kind {
             ExprKind::Error => {}
@@ -91,7 +91,7 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    /// Refuses a negative number as a selector of a comp. Those of `setback` wrap (*setback operation*).
+    /// Reports a negative number as a selector of a comp. Those of `setback` wrap (*setback operation*).
     fn index(&mut self, selector: &Expr) {
         if let ExprKind::Unary(Unary::Minus, operand) = &selector.kind
             && let ExprKind::Number(number) = operand.kind
@@ -99,12 +99,12 @@ impl<'a> Scope<'_, 'a, '_> {
         {
             let message = format!("there is no component with the index -{number}");
             let diag = self.cx.diags.report(Code::UnknownSelector, selector.span, message);
-            diag.note("components are numbered from 0 on").help("write the index of a component, or a selector");
+            diag.note("components are numbered from 0").help("write the index of a component, or a selector");
         }
     }
 
-    /// Resolves a part of a selector that must be a bool: the whole selector, or an operand of `!`, `&&` and `||`. The selector
-    /// of a name goes before everything that is declared. Parentheses make the name an expression, as arithmetic does.
+    /// Resolves a part of a selector that must be a bool: the whole selector, or an operand of `!`, `&&` and `||`. A
+    /// selector takes precedence over declared names. Parentheses make the name an expression, as arithmetic does.
     fn condition(&mut self, part: &'a Expr, place: Places) {
         match &part.kind {
             ExprKind::Name(name) => self.selector_name(name, part.span == name.span, place),
@@ -130,18 +130,18 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    /// A selector's word, where components of that kind are selected.
+    /// Resolves the word of a selector. Reports it if it does not select this kind of component.
     pub(crate) fn known_selector(&mut self, name: &Name, row: &'static Selector, place: Places) {
         self.note(name, Use::Selector(row.name));
         self.deprecated(name, row.old);
         if row.on.has(place) {
             return;
         }
-        let diag = self.wrong_selector(name, place, &format!("selector `{}` cannot stand here", name.text));
+        let diag = self.wrong_selector(name, place, &format!("selector `{}` is not allowed here", name.text));
         let kinds = ops::COMPONENTS.iter().filter(|kind| row.on.has(kind.place));
         let kinds: Vec<String> = kinds.map(|kind| format!("`comp({})`", kind.name)).collect();
         if !kinds.is_empty() {
-            diag.note(format!("`{}` stands in {}", name.text, kinds.join(", ")));
+            diag.note(format!("`{}` is allowed in {}", name.text, kinds.join(", ")));
         }
     }
 
@@ -154,7 +154,8 @@ impl<'a> Scope<'_, 'a, '_> {
             [(Places::GROUPS, "groups"), (Places::MATERIALS, "materials")].into_iter().find(|(kind, _)| *kind == place);
         let diag = self.cx.diags.report(Code::UnknownSelector, name.span, message);
         if let Some((_, list)) = by_name.filter(|_| near.is_none()) {
-            return diag.help(format!("one of a name is `findFirst(geometry.{list}, \"{}\")`", name.text));
+            return diag
+                .help(format!("to find a component by name, write `findFirst(geometry.{list}, \"{}\")`", name.text));
         }
         diag.suggest(near).note(format!("there are {}", all.join(", ")))
     }

@@ -1,4 +1,4 @@
-//! Steps of a rule: which operation, rule or leaf each call is, and whether the words in it exist.
+//! Operations of a rule: resolves each call to an operation, rule or leaf, and checks its words.
 
 use super::arguments::{has_error, word};
 use super::arity::{counts, usage, wrong_count};
@@ -7,19 +7,19 @@ use super::scope::Scope;
 use super::tables::Use;
 use super::words::fitting;
 use super::{habits, overrides};
-use crate::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Level, RELATIVE};
-use crate::door::Door;
+use crate::dialect::Dialect;
 use crate::ops::{self, Braces, Operation, Param, ParamKind, Places, Run};
 use crate::span::Span;
 use crate::suggest::nearest;
+use crate::syntax::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
 use crate::types::Type;
 
-/// Most declarations of a rule that a message names.
+/// The maximum number of declarations of a rule that a message names.
 const MOST_DECLARED: usize = 3;
 
-/// Returns true if the braces hold what the row has there.
+/// Returns true if the braces have the contents that the row requires.
 fn has_braces(row: &Operation, block: &Block) -> bool {
     match (row.braces, block.parts.first()) {
         (Braces::None, _) => false,
@@ -29,7 +29,8 @@ fn has_braces(row: &Operation, block: &Block) -> bool {
     }
 }
 
-/// The rows that an operation with braces may mean: those whose words its arguments have, else all, the likeliest first.
+/// The candidate rows of an operation with braces: those that have the words of the arguments, otherwise all, the
+/// likeliest first.
 fn likely(block: &Block) -> Vec<&'static Operation> {
     let words: Vec<Option<&str>> = block.args.iter().map(word).collect();
     let is_word = |(param, word): &(&Param, &Option<&str>)| match param.kind {
@@ -44,7 +45,7 @@ fn likely(block: &Block) -> Vec<&'static Operation> {
     rows
 }
 
-/// How a rule of those declarations is called: "`Floor(n)` or `Floor(n, height)`".
+/// The calls of the declared rules: "`Floor(n)` or `Floor(n, height)`".
 fn calls(name: &str, declared: &[&Decl]) -> String {
     let call = |decl: &&Decl| {
         let params: Vec<&str> = decl.params.iter().map(|param| param.text.as_str()).collect();
@@ -54,7 +55,7 @@ fn calls(name: &str, declared: &[&Decl]) -> String {
     list.join(" or ")
 }
 
-/// The number that two arguments with a decimal comma between them were meant as.
+/// The number meant by two arguments with a decimal comma between them.
 fn decimal(first: &Arg, second: &Arg) -> Option<String> {
     let digits = |arg: &Arg| match arg.value.kind {
         ExprKind::Number(value) if arg.prefix.is_none() && value.fract() == 0.0 && value < 1e9 => Some(value),
@@ -74,7 +75,7 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    /// `lbi.Lot` is a leaf and a call where `lib` is the import.
+    /// Reports `lbi.Lot` if an import `lib` exists. Otherwise it would be a leaf and a call.
     fn misspelt_import(&mut self, leaf: &Name, next: &Name) {
         let imports = self.cx.globals.program.instances[self.at].imports.keys().map(String::as_str);
         if let Some(near) = nearest(&leaf.text, imports) {
@@ -87,7 +88,7 @@ impl<'a> Scope<'_, 'a, '_> {
     fn op(&mut self, op: &'a Op) {
         match &op.kind {
             OpKind::Leaf(_) | OpKind::Nil | OpKind::Error => {}
-            // What could not be read may be an argument: nothing is known about their number.
+            // The unreadable text may be an argument, so the number of arguments is unknown.
             OpKind::Call(_, args) if self.has_unread(op.span) => args.iter().for_each(|arg| self.expr(&arg.value)),
             OpKind::Call(name, args) if name.text == "set" => self.set(name, args),
             OpKind::Call(name, args) => self.shape_call(name, args),
@@ -112,7 +113,7 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    /// Arguments that are plain values.
+    /// Resolves arguments that are plain values.
     pub(crate) fn values(&mut self, args: &'a [Arg]) {
         for arg in args {
             if let Some((prefix, span)) = arg.prefix {
@@ -124,7 +125,7 @@ impl<'a> Scope<'_, 'a, '_> {
 
     fn no_prefix(&mut self, prefix: Prefix, span: Span) {
         let sign = if prefix == Prefix::Relative { RELATIVE } else { '~' };
-        let diag = self.cx.diags.report(Code::MisplacedPrefix, span, format!("`{sign}` cannot stand here"));
+        let diag = self.cx.diags.report(Code::MisplacedPrefix, span, format!("`{sign}` is not allowed here"));
         match prefix {
             Prefix::Relative => diag.note("only lengths can be relative to the scope"),
             Prefix::Floating => diag.note("only the sizes of a split can float"),
@@ -132,24 +133,24 @@ impl<'a> Scope<'_, 'a, '_> {
         diag.help("leave it out");
     }
 
-    /// An operation or a rule.
+    /// Resolves a call of an operation or a rule.
     fn shape_call(&mut self, name: &'a Name, args: &'a [Arg]) {
         if has_error(args) {
             args.iter().for_each(|arg| self.expr(&arg.value));
             return;
         }
         let rows: Vec<_> = ops::operations(&name.text).filter(|row| row.takes(args.len())).collect();
-        let fitting = fitting(&rows, args, self.door());
+        let fitting = fitting(&rows, args, self.dialect());
         let rules = self.rules(name, args.len());
-        // A rule with the name of what does not run yet is older than that.
+        // A rule with the name of an operation that is not implemented yet is older than the operation.
         if !rules.is_empty() && fitting.iter().all(|row| row.run == Run::Later) {
             self.values(args);
             return self.note_open(name, rules);
         }
         match (fitting.as_slice(), rows.first()) {
             ([], None) => {
-                // What an operation with another number of arguments makes of these nobody can tell: its words would
-                // look like unknown names and its relative lengths misplaced.
+                // With a wrong number of arguments, their meaning is unknown: words would look like unknown names and
+                // relative lengths misplaced.
                 if ops::operations(&name.text).next().is_none() {
                     args.iter().for_each(|arg| self.expr(&arg.value));
                 }
@@ -160,14 +161,14 @@ impl<'a> Scope<'_, 'a, '_> {
                 self.operation(&fitting, args);
                 self.about_later(name, Use::Operation(row));
                 self.needs_braces(name, row);
-                // The types decide; where they fit both, the operation is called.
+                // The types decide. If both fit, the operation is called.
                 let rules = rules.into_iter().filter(|_| row.overloads);
                 self.note_open(name, fitting.iter().copied().map(Use::Operation).chain(rules).collect());
             }
         }
     }
 
-    /// A call whose words fit no row: they are computed, or they are wrong.
+    /// Resolves a call whose words do not fit any row: they are computed, or they are wrong.
     fn wrong_words(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) {
         let values: Vec<&'a Expr> = args.iter().map(|arg| &arg.value).collect();
         let Some(row) = rows.iter().find(|row| self.computes_words(row.params, &values)) else {
@@ -194,19 +195,19 @@ impl<'a> Scope<'_, 'a, '_> {
 
     fn needs_braces(&mut self, name: &Name, row: &Operation) {
         if row.braces != Braces::None {
-            let message = format!("`{}` needs braces behind it", name.text);
+            let message = format!("`{}` needs braces after it", name.text);
             self.cx.diags.report(Code::Syntax, name.span, message).note(format!("it {}", row.about));
         }
     }
 
-    /// The rules a call may mean.
+    /// The candidate rules of a call.
     fn rules(&self, name: &Name, count: usize) -> Vec<Use> {
         let globals = &self.cx.globals;
         let list = globals.rules(self.at, &name.text).into_iter();
         list.filter(|index| globals.rules[*index as usize].decl.params.len() == count).map(Use::Rule).collect()
     }
 
-    /// A call that is neither an operation nor a rule.
+    /// Reports a call that is neither an operation nor a rule.
     fn undefined(&mut self, name: &'a Name, count: usize) {
         let (text, globals, at) = (name.text.as_str(), &self.cx.globals, self.at);
         if globals.is_lost(at, text) {
@@ -219,7 +220,7 @@ impl<'a> Scope<'_, 'a, '_> {
             let mut rows: Vec<String> = new.map(|row| format!("`{}`", usage(row))).collect();
             rows.dedup();
             let message = format!("operation `{text}` takes {}, got {count}", counts(takes));
-            // Of an operation that is only kept for old files.
+            // The help of an operation that only exists for old files.
             let instead = ops::operations(text).find_map(|row| row.old);
             let diag = self.cx.diags.report(Code::ArgumentCount, name.span, message);
             match instead.filter(|_| rows.is_empty()) {
@@ -236,11 +237,11 @@ impl<'a> Scope<'_, 'a, '_> {
         let others: Vec<usize> = declared.iter().map(|decl| decl.params.len()).collect();
         let function = ops::functions(text).next().is_some() || !globals.functions(at, text).is_empty();
         if function && others.is_empty() {
-            let message = format!("`{text}` is a function: it has a value, it does nothing to the shape");
+            let message = format!("`{text}` is a function: it has a value and does not change the shape");
             self.cx.diags.report(Code::NotAnOperation, name.span, message);
             return;
         }
-        let inline = self.door() == Door::Inline;
+        let inline = self.dialect() == Dialect::Inline;
         let habit = habits::step(text);
         let (message, near) = if habit.is_some() && others.is_empty() {
             (format!("there is no rule `{text}`"), None)
@@ -268,7 +269,7 @@ impl<'a> Scope<'_, 'a, '_> {
             diag.related("it is declared", decl.name.span);
         }
         if is_value {
-            diag.note(format!("`{text}` is a value, and does nothing to the shape"));
+            diag.note(format!("`{text}` is a value and does not change the shape"));
         }
         if others.is_empty() && count == 0 && !text.contains('.') {
             diag.help(format!("write `{text}.` for a leaf, or declare it: `{text} --> …`"));
@@ -276,7 +277,7 @@ impl<'a> Scope<'_, 'a, '_> {
         self.note(name, Use::Leaf);
     }
 
-    /// The arguments of an operation. Of several rows the types decide, later.
+    /// Resolves the arguments of an operation. If there are several rows, the types decide later.
     fn operation(&mut self, rows: &[&'static Operation], args: &'a [Arg]) {
         for (index, arg) in args.iter().enumerate() {
             let kinds = || rows.iter().map(|row| &row.params[index].kind);
@@ -320,7 +321,7 @@ impl<'a> Scope<'_, 'a, '_> {
         true
     }
 
-    /// An operation with braces.
+    /// Resolves an operation with braces.
     fn block(&mut self, block: &'a Block) {
         let all = likely(block);
         let rows: Vec<_> = all.iter().copied().filter(|row| row.takes(block.args.len())).collect();
@@ -345,10 +346,11 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    /// The arguments of an operation with braces: `all` are its rows, `rows` those of its number of arguments.
+    /// Resolves the arguments of an operation with braces. `all` are its rows, `rows` those with the right number of
+    /// arguments.
     fn block_args(&mut self, block: &'a Block, all: &[&'static Operation], rows: &[&'static Operation]) {
         let (name, args) = (&block.name, &block.args);
-        let fitting = fitting(rows, args, self.door());
+        let fitting = fitting(rows, args, self.dialect());
         if let Some(row) = fitting.first().or(rows.first()).copied() {
             self.operation(if fitting.is_empty() { std::slice::from_ref(&row) } else { &fitting }, args);
             self.about_later(name, Use::Operation(row));
@@ -366,7 +368,7 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    /// `id(overrides).Rule(args)`.
+    /// Resolves `id(overrides).Rule(args)`.
     fn dynamic(&mut self, import: &'a Name, list: &'a [Override], rule: &'a Name, args: &'a [Arg]) {
         for own in list {
             if let Override::Value(_, value) = own {
@@ -417,7 +419,7 @@ impl<'a> Scope<'_, 'a, '_> {
         self.values(std::slice::from_ref(value));
         match &target.value.kind {
             ExprKind::Name(attr) => self.set_name(name, &attr.text, attr.span),
-            // A word in text: the same as the bare word, as long as it is known.
+            // A word in text means the bare word, if it is known.
             ExprKind::Call(sel, words) if sel.text == "sel" => match words.as_slice() {
                 [Expr { kind: ExprKind::Text(text), span }] => self.set_name(name, text, *span),
                 _ => {
@@ -438,7 +440,7 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     fn set_name(&mut self, set: &'a Name, text: &'a str, span: Span) {
-        // A parameter of that name hides nothing here: it could not be set anyway.
+        // Parameters do not hide attributes here, because they cannot be set.
         let found = match self.cx.globals.value(self.at, text) {
             Some(Use::Attr(index)) => Ok(Use::SetAttr(index)),
             Some(Use::Const(_)) => Err("a constant"),
@@ -456,7 +458,7 @@ impl<'a> Scope<'_, 'a, '_> {
                 self.note(set, found);
             }
             Err(what) => {
-                let message = format!("`{text}` is {what}, it cannot be set");
+                let message = format!("`{text}` is {what} and cannot be set");
                 let diag = self.cx.diags.report(Code::NotSettable, span, message);
                 if what == "a constant" {
                     diag.help(format!("declare it as an attribute: `attr {text} = …`"));

@@ -1,14 +1,14 @@
-//! What the passes have found out: side tables by name.
+//! Side tables: the results of the passes, by name.
 
 use super::info::{AttrInfo, ImportInfo, RuleInfo};
-use crate::ast::Name;
 use crate::hash::FastMap;
 use crate::link::{InstanceId, Key};
 use crate::ops::{Function, Operation, ShapeAttr};
+use crate::syntax::ast::Name;
 use crate::types::Type;
 use std::collections::{HashMap, HashSet};
 
-/// What a name or call stands for.
+/// The meaning of a name or call.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Use {
     /// A parameter or local.
@@ -17,32 +17,32 @@ pub(crate) enum Use {
     Const(u32),
     Function(u32),
     Builtin(&'static Function),
-    /// The value itself, or a float or bool as text: `str`, and `float` of a float.
+    /// A value converted to its own type (`float` of a float), or a float or bool converted to text (`str`).
     Convert(Type),
     Shape(&'static ShapeAttr),
     Rule(u32),
-    /// A call without a rule where that is no error.
+    /// A call without a rule, where that is not an error.
     Leaf,
     Operation(&'static Operation),
     SetAttr(u32),
     SetShape(&'static ShapeAttr),
     Selector(&'static str),
-    /// One of several, by number into [`Tables::open`]: the types of the arguments decide.
+    /// One of several candidates, by number into [`Tables::open`]. The types of the arguments decide.
     Open(u32),
 }
 
-/// What the passes have found out. Names are keys together with their instance.
+/// The results of the passes. The keys are names with their instances.
 #[derive(Default)]
 pub(crate) struct Tables {
     pub(crate) uses: FastMap<Key, Use>,
-    /// What calls may stand for until the types are known.
+    /// The candidates of calls until the types are known.
     pub(crate) open: Vec<Vec<Use>>,
-    /// Types of attributes, constants, functions, parameters and locals by the name in the declaration; of Rust values and
-    /// Rust calls by their first token. No entry: it could not be told.
+    /// Types of attributes, constants, functions, parameters and locals by the name in the declaration; of Rust
+    /// values and Rust calls by their first token. An unknown type has no entry.
     pub(crate) types: FastMap<Key, Type>,
     /// By index of the attribute.
     pub(crate) attrs: Vec<AttrInfo>,
-    /// By style of the root: the index of the rule that a run begins with.
+    /// The index of the start rule, by style of the root.
     pub(crate) starts: Vec<Option<u32>>,
     /// By the name of a rule.
     pub(crate) rules: HashMap<Key, RuleInfo>,
@@ -50,20 +50,20 @@ pub(crate) struct Tables {
     pub(crate) imports: HashMap<Key, ImportInfo>,
     /// `@RuleFileDescription`.
     pub(crate) about: String,
-    /// Attributes, then constants, then functions, as one numbering: each after those it needs, as far as there is such
-    /// an order.
+    /// Attributes, then constants, then functions, in one numbering. Each comes after the values that it needs, if
+    /// such an order exists.
     pub(crate) order: Vec<usize>,
-    /// Functions that can reach themselves, by index.
+    /// Recursive functions, by index.
     pub(crate) recursive: HashSet<u32>,
-    /// Attributes and constants on a cycle that conditions may keep open, in the numbering of `order`.
+    /// Attributes and constants on a cycle that conditions may break, in the numbering of `order`.
     pub(crate) lazy: HashSet<usize>,
-    /// Attributes that a dynamic call gives values to, by the name there.
+    /// The attributes that dynamic calls give values to, by their name in the call.
     pub(crate) targets: HashMap<Key, u32>,
-    /// Calls that cannot run yet though others of their name do, by their name.
+    /// Calls that are not implemented yet although other forms of their name are, by name.
     pub(crate) later: HashSet<Key>,
     /// Constants that serve as levels, by index: rules only compare them with numbers.
     pub(crate) levels: HashSet<u32>,
-    /// Default values of overridden attributes that somebody asks for, by index of the constant.
+    /// Default values of overridden attributes that are used, by index of the constant.
     pub(crate) origins: HashSet<u32>,
 }
 
@@ -82,12 +82,12 @@ pub(crate) struct Entries<'t> {
 }
 
 impl Entries<'_> {
-    /// What a name stands for.
+    /// The meaning of a name.
     pub(crate) fn of(self, name: &Name) -> Option<Use> {
         self.tables.uses.get(&(self.own, name.id())).copied()
     }
 
-    /// The type of a name that is declared.
+    /// The type of a declared name.
     pub(crate) fn ty(self, name: &Name) -> Option<Type> {
         self.tables.types.get(&(self.own, name.id())).copied()
     }

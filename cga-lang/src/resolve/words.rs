@@ -4,19 +4,19 @@ use super::arguments::{plain, word};
 use super::arity::wrong_count;
 use super::scope::Scope;
 use super::tables::Use;
-use crate::ast::{Arg, Expr, ExprKind, Name};
-use crate::code::Code;
-use crate::door::Door;
+use crate::diag::code::Code;
+use crate::dialect::Dialect;
 use crate::ops::{self, Operation, Param, ParamKind, Words};
 use crate::span::Span;
 use crate::suggest::nearest;
+use crate::syntax::ast::{Arg, Expr, ExprKind, Name};
 
-/// The longest argument that a message repeats.
+/// The maximum length of a quoted argument in a message.
 const LONGEST: usize = 40;
 
-/// The rows whose words stand among the arguments: of those that fit, the ones with the most words. Bare words go before
-/// text, which an operation may take as such.
-pub(crate) fn fitting(rows: &[&'static Operation], args: &[Arg], door: Door) -> Vec<&'static Operation> {
+/// The rows whose words are among the arguments: of those that fit, the rows with the most words. Bare words take
+/// precedence over text, because an operation may take the text as a value.
+pub(crate) fn fitting(rows: &[&'static Operation], args: &[Arg], dialect: Dialect) -> Vec<&'static Operation> {
     let bare: Vec<Option<&str>> = args.iter().map(word).collect();
     let best = best(rows, &bare);
     if !best.is_empty() {
@@ -24,7 +24,9 @@ pub(crate) fn fitting(rows: &[&'static Operation], args: &[Arg], door: Door) -> 
     }
     let said: Vec<Option<&str>> = args
         .iter()
-        .map(|arg| plain(arg).filter(|value| door == Door::Text || !matches!(value.kind, ExprKind::Text(_)))?.word())
+        .map(|arg| {
+            plain(arg).filter(|value| dialect == Dialect::Text || !matches!(value.kind, ExprKind::Text(_)))?.word()
+        })
         .collect();
     self::best(rows, &said)
 }
@@ -35,7 +37,8 @@ fn best(rows: &[&'static Operation], words: &[Option<&str>]) -> Vec<&'static Ope
 }
 
 impl<'a> Scope<'_, 'a, '_> {
-    /// Whether every word of a row stands among the arguments or comes out in a run; at least one does that.
+    /// Returns true if every word of a row is among the arguments or is computed in a run, and at least one word is
+    /// computed.
     pub(crate) fn computes_words(&mut self, params: &[Param], args: &[&Expr]) -> bool {
         let mut computed = false;
         for (param, arg) in params.iter().zip(args) {
@@ -50,19 +53,20 @@ impl<'a> Scope<'_, 'a, '_> {
         computed
     }
 
-    /// Whether an argument gives its word in a run. Text does so where text is a word at all; with `sel` anywhere.
+    /// Returns true if an argument computes its word in a run. Text does so where text can be a word; `sel` does so
+    /// everywhere.
     fn is_computed(&mut self, arg: &Expr) -> bool {
-        let text = self.door() == Door::Text;
+        let text = self.dialect() == Dialect::Text;
         match &arg.kind {
             ExprKind::Call(name, args) if name.text == "sel" => args.len() == 1 && arg.word().is_none(),
             ExprKind::Name(name) => text && matches!(self.lookup(&name.text), Some(found) if !is_shape(found)),
             ExprKind::Call(..) | ExprKind::Case(..) | ExprKind::Chance(..) | ExprKind::Index(..) => text,
-            ExprKind::Binary(crate::ast::Binary::Add, ..) => text,
+            ExprKind::Binary(crate::syntax::ast::Binary::Add, ..) => text,
             _ => false,
         }
     }
 
-    /// Reports two arguments that fit the other way round.
+    /// Reports two arguments that fit in the other order.
     pub(super) fn swapped(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) -> bool {
         let [first, second] = args else { return false };
         let words = [word(second), word(first)];
@@ -82,7 +86,7 @@ impl<'a> Scope<'_, 'a, '_> {
         true
     }
 
-    /// Resolves what such words are computed from, and says that they do not run yet.
+    /// Resolves the parts of computed words, and reports that they are not implemented yet.
     pub(crate) fn computed_word(&mut self, kind: &ParamKind, arg: &'a Expr) {
         if !matches!(kind, ParamKind::Word(_)) {
             return self.expr(arg);
@@ -100,7 +104,7 @@ impl<'a> Scope<'_, 'a, '_> {
         self.not_implemented(arg.span, "a word that is computed", None);
     }
 
-    /// An argument that must be a word of a parameter.
+    /// Resolves an argument that must be a word of a parameter.
     pub(crate) fn word(&mut self, name: &str, words: Words, arg: &Arg) {
         match plain(arg) {
             Some(value) => self.word_expr(name, &[words], value),
@@ -108,7 +112,7 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    /// Reports that the first argument is left out, if that is a word.
+    /// Reports a missing first argument, if it is a word.
     pub(super) fn missing_word(&mut self, name: &Name, row: &Operation) -> bool {
         let Some(words @ Words { unknown, .. }) = row.params.first().and_then(|param| param.kind.words()) else {
             return false;
@@ -116,7 +120,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let words: Vec<&str> = words.current().collect();
         let message = format!("`{}` needs a word in parentheses", name.text);
         let diag = self.cx.diags.report(unknown, name.span, message);
-        diag.note(format!("it knows `{}`", words.join("`, `")));
+        diag.note(format!("it takes `{}`", words.join("`, `")));
         diag.help(format!("write `{}({})`", name.text, words.first().unwrap_or(&"")));
         true
     }
@@ -127,7 +131,7 @@ impl<'a> Scope<'_, 'a, '_> {
         self.cx.diags.report(Code::OldSpelling, span, message).help(format!("write `{new}`"));
     }
 
-    /// An expression that must be a word of one of some parameters.
+    /// Resolves an expression that must be a word of one of several parameters.
     pub(crate) fn word_expr(&mut self, name: &str, words: &[Words], arg: &Expr) {
         if let ExprKind::Call(sel, args) = &arg.kind
             && sel.text == "sel"
@@ -139,9 +143,9 @@ impl<'a> Scope<'_, 'a, '_> {
         let (known, is_text) = (words.iter().any(|words| words.has(found)), matches!(arg.kind, ExprKind::Text(_)));
         match (known, is_text) {
             (true, false) => {}
-            // Old files say so, and CityEngine runs them.
-            (true, true) if self.door() == Door::Text => {
-                let message = format!("`{found}` is a word, as text it is an old spelling");
+            // Old files write the word as text, and CityEngine accepts it.
+            (true, true) if self.dialect() == Dialect::Text => {
+                let message = format!("`{found}` is a word; quotation marks are an old spelling");
                 self.cx.diags.report(Code::OldSpelling, arg.span, message).help(format!("write `{found}`"));
             }
             _ => self.unknown_word(name, words, found, arg.span),
@@ -156,7 +160,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let is_word = list.clone().any(|word| word == found);
         let shown = if is_word { "text".into() } else { shown };
         let diag = self.cx.diags.report(first.unknown, span, format!("{shown} is not a word of `{name}`"));
-        diag.note(format!("it knows {all}"));
+        diag.note(format!("it takes {all}"));
         if is_word {
             diag.help(format!("write `{found}`"));
         } else {
@@ -165,7 +169,7 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 }
 
-/// Whether a name belongs to the shape: `scope.sx` is no word, and its value is none either.
+/// Returns true if a name belongs to the shape: `scope.sx` is not a word, and its value is not one either.
 fn is_shape(found: Use) -> bool {
     matches!(found, Use::Shape(_))
 }

@@ -1,4 +1,4 @@
-//! Findings of a program of several files, each quoted from the file it is about.
+//! Diagnostics of a program of several files, each quoted from its own file.
 
 use super::{bytes, headline, place, position};
 use crate::compile::Compiled;
@@ -6,20 +6,19 @@ use crate::diag::Diag;
 use crate::span::Span;
 use std::ops::Range;
 
-/// A text that findings are quoted from.
+/// A text that diagnostics are quoted from.
 #[derive(Clone, Copy, Debug)]
 pub struct Quote<'t> {
-    /// What messages call it.
+    /// The name in messages.
     pub name: &'t str,
     /// The text.
     pub text: &'t str,
-    /// The places of its tokens, in bytes.
+    /// The byte ranges of its tokens.
     pub ranges: &'t [Range<usize>],
 }
 
-/// A finding as text, as [`render`](super::render) makes it, for what
-/// [`compile`](crate::compile::compile) has found. `quote` gives the files, numbered as in
-/// [`Compiled::files`]; of one that it does not have, only the name is shown.
+/// A diagnostic of [`compile`](crate::compile::compile) as text, in the form of [`render`](super::render). `quote`
+/// returns the files, numbered as in [`Compiled::files`]. For a file without a quote, only the name is shown.
 pub fn render_in<'t>(compiled: &Compiled, quote: &dyn Fn(usize) -> Option<Quote<'t>>, diag: &Diag) -> String {
     let (file, first) = compiled.locate(diag.span.first);
     let Some(own) = quote(file) else {
@@ -39,16 +38,16 @@ pub fn render_in<'t>(compiled: &Compiled, quote: &dyn Fn(usize) -> Option<Quote<
 #[cfg(test)]
 mod tests {
     use super::{Quote, render_in};
-    use crate::compile::{Door, compile};
-    use crate::lex::lex;
+    use crate::compile::{Dialect, compile};
     use crate::link::{Files, Unit};
+    use crate::syntax::lex::lex;
 
     struct Library(&'static str);
 
     impl Files for Library {
         fn open(&mut self, path: &str, _: &str) -> Result<Unit, String> {
             let lexed = lex(self.0);
-            Ok(Unit { name: path.into(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags })
+            Ok(Unit { name: path.into(), tokens: lexed.tokens, dialect: Dialect::Text, found: lexed.diags })
         }
     }
 
@@ -57,7 +56,8 @@ mod tests {
         let texts =
             ["# own\nimport lib : \"lib.cga\" (h = \"x\")\nLot --> lib.Roof Wal", "attr h = 1\nRoof --> size(h)"];
         let lexed = texts.map(lex);
-        let root = Unit { name: "a.cga".into(), tokens: lexed[0].tokens.clone(), door: Door::Text, found: Vec::new() };
+        let root =
+            Unit { name: "a.cga".into(), tokens: lexed[0].tokens.clone(), dialect: Dialect::Text, found: Vec::new() };
         let compiled = compile(root, &mut Library(texts[1]), &[]);
         let quote = |file: usize| {
             let name = ["a.cga", "lib.cga"][file];

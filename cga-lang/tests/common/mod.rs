@@ -14,13 +14,13 @@
 pub(crate) mod parts;
 pub(crate) mod random;
 
-use cga_lang::ast::Ast;
-use cga_lang::compile::{Compiled, Door, compile};
+use cga_lang::compile::{Compiled, Dialect, compile};
 use cga_lang::diag::{Diag, Level};
-use cga_lang::lex::{Lexed, lex};
 use cga_lang::link::{NoFiles, Unit};
 use cga_lang::snippet::{bytes, position};
 use cga_lang::span::Span;
+use cga_lang::syntax::ast::Ast;
+use cga_lang::syntax::lex::{Lexed, lex};
 use std::fmt::Write;
 use std::fs;
 use std::ops::Range;
@@ -98,14 +98,14 @@ pub(crate) fn shape(ast: &Ast) -> String {
 }
 
 /// The strictness a fixture asks for.
-pub(crate) fn door(text: &str) -> Door {
-    if text.starts_with("// inline") { Door::Inline } else { Door::Text }
+pub(crate) fn dialect(text: &str) -> Dialect {
+    if text.starts_with("// inline") { Dialect::Inline } else { Dialect::Text }
 }
 
-/// Compiles a fixture as its door would.
+/// Compiles a fixture in its dialect.
 pub(crate) fn compiled(text: &str) -> (Compiled, Lexed) {
     let lexed = lex(text);
-    let unit = Unit { found: lexed.diags.clone(), ..Unit::new(lexed.tokens.clone(), door(text)) };
+    let unit = Unit { found: lexed.diags.clone(), ..Unit::new(lexed.tokens.clone(), dialect(text)) };
     let compiled = compile(unit, &mut NoFiles, &[]);
     (compiled, lexed)
 }

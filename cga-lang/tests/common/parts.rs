@@ -1,11 +1,11 @@
 //! Fixtures of several files.
 
-use super::{annotate, compare, door, fixtures, strip};
-use cga_lang::compile::{Compiled, Door, compile};
-use cga_lang::lex::{Lexed, lex};
+use super::{annotate, compare, dialect, fixtures, strip};
+use cga_lang::compile::{Compiled, Dialect, compile};
 use cga_lang::link::{Asset, Files, Unit, candidates, folder};
 use cga_lang::snippet::bytes;
 use cga_lang::span::Span;
+use cga_lang::syntax::lex::{Lexed, lex};
 use std::fs;
 use std::ops::Range;
 
@@ -17,7 +17,7 @@ pub(crate) struct Parts<'t> {
 
 struct Part {
     name: String,
-    door: Door,
+    dialect: Dialect,
     /// Where it is in the fixture.
     range: Range<usize>,
     lexed: Lexed,
@@ -35,7 +35,7 @@ impl<'t> Parts<'t> {
         let ends = heads.iter().skip(1).map(|(start, _)| *start).chain([text.len()]);
         let part = |((start, name), end): (&(usize, &str), usize)| {
             let own = &text[*start..end];
-            Part { name: (*name).into(), door: door(own), range: *start..end, lexed: lex(own) }
+            Part { name: (*name).into(), dialect: dialect(own), range: *start..end, lexed: lex(own) }
         };
         Parts { text, list: heads.iter().zip(ends).map(part).collect() }
     }
@@ -46,8 +46,8 @@ impl<'t> Parts<'t> {
     }
 
     fn unit(&self, number: usize) -> Unit {
-        let Part { name, door, lexed, .. } = &self.list[number];
-        Unit { name: name.clone(), tokens: lexed.tokens.clone(), door: *door, found: lexed.diags.clone() }
+        let Part { name, dialect, lexed, .. } = &self.list[number];
+        Unit { name: name.clone(), tokens: lexed.tokens.clone(), dialect: *dialect, found: lexed.diags.clone() }
     }
 
     /// The bytes of a span of the program.

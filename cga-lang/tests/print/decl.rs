@@ -2,7 +2,7 @@
 
 use super::Printer;
 use super::push_quoted;
-use cga_lang::ast::{Annotation, Body, Decl, Import, Name, Override, Role, Style};
+use cga_lang::syntax::ast::{Annotation, Body, Decl, Import, Name, Override, Role, Style};
 
 impl Printer<'_> {
     pub(super) fn annotation(&mut self, annotation: &Annotation) {

@@ -2,8 +2,8 @@
 
 use super::Printer;
 use super::push_quoted;
-use cga_lang::ast::{Binary, Expr, ExprKind, Unary};
 use cga_lang::ops;
+use cga_lang::syntax::ast::{Binary, Expr, ExprKind, Unary};
 
 impl Printer<'_> {
     pub(super) fn expr(&mut self, expr: &Expr) {

@@ -6,9 +6,9 @@ mod decl;
 mod expr;
 mod op;
 
-use cga_lang::ast::Ast;
 use cga_lang::span::Span;
-use cga_lang::token::{Tok, Tokens};
+use cga_lang::syntax::ast::Ast;
+use cga_lang::syntax::token::{Tok, Tokens};
 
 /// How relative sizes are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

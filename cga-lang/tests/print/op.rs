@@ -1,7 +1,7 @@
 //! Steps of rules.
 
 use super::{Printer, Spelling};
-use cga_lang::ast::{Arg, Arm, ArmMode, Block, BlockPart, Name, Op, OpKind, Percent, Prefix, SplitItem};
+use cga_lang::syntax::ast::{Arg, Arm, ArmMode, Block, BlockPart, Name, Op, OpKind, Percent, Prefix, SplitItem};
 
 impl Printer<'_> {
     pub(super) fn ops(&mut self, ops: &[Op]) {

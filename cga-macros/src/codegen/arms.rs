@@ -5,14 +5,14 @@ use cga_lang::ops::{Braces, variant};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
-use super::expr::Place;
-use super::{Cx, local};
+use super::access::Access;
+use super::{Generator, local};
 
-impl Cx<'_> {
+impl Generator<'_> {
     /// `number` counts the children that the rule makes.
     pub(super) fn divided(&self, block: &Block, arms: &[Arm<Target>], rule: RuleId, number: u32) -> TokenStream {
         let (place, child) = (Span::mixed_site(), Literal::u32_unsuffixed(number));
-        let (table, when) = (self.arms(arms, &Place::rule(), Cx::asked), self.when(arms));
+        let (table, when) = (self.arms(arms, &Access::rule(), Generator::asked), self.when(arms));
         let parts = arms.iter().enumerate().map(|(number, arm)| {
             let (number, code) = (Literal::u32_unsuffixed(number as u32), self.part(&arm.then, rule));
             quote_spanned!(place=> #number => #code,)
@@ -25,13 +25,13 @@ impl Cx<'_> {
         };
         let name = Ident::new(block.row.run.now().unwrap_or(block.row.name), place);
         if block.row.braces == Braces::Components {
-            let args = self.args(block.row, &block.args, &Place::rule(), Cx::asked, &TokenStream::new());
+            let args = self.args(block.row, &block.args, &Access::rule(), Generator::asked, &TokenStream::new());
             return quote_spanned! { place=>
                 let arms = #table;
                 cga_rt::#name(cx, shape, #child, #(#args,)* &arms, &mut #when, #visit)?;
             };
         }
-        let args = self.args(block.row, &block.args, &Place::rule(), Cx::asked, &quote_spanned!(place=> op::));
+        let args = self.args(block.row, &block.args, &Access::rule(), Generator::asked, &quote_spanned!(place=> op::));
         let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
         quote_spanned! { place=>
             #(let #names = #args;)*
@@ -49,12 +49,12 @@ impl Cx<'_> {
     }
 
     /// An array with a value for each component.
-    pub(super) fn comp_value(&self, comp: &Comp, at: &Place) -> TokenStream {
+    pub(super) fn comp_value(&self, comp: &Comp, at: &Access) -> TokenStream {
         let place = Span::mixed_site();
-        let (arms, when) = (self.arms(&comp.arms, at, Cx::expr), self.when(&comp.arms));
-        let args = self.args(comp.row, &comp.args, at, Cx::expr, &TokenStream::new());
+        let (arms, when) = (self.arms(&comp.arms, at, Generator::expr), self.when(&comp.arms));
+        let args = self.args(comp.row, &comp.args, at, Generator::expr, &TokenStream::new());
         let values = comp.arms.iter().enumerate().map(|(number, arm)| {
-            let (number, value) = (Literal::u32_unsuffixed(number as u32), self.expr(&arm.then, &Place::component()));
+            let (number, value) = (Literal::u32_unsuffixed(number as u32), self.expr(&arm.then, &Access::component()));
             quote_spanned!(place=> #number => #value,)
         });
         let (env, shape) = (&at.env, &at.shape);
@@ -68,7 +68,7 @@ impl Cx<'_> {
     }
 
     /// The table.
-    fn arms<T>(&self, arms: &[Arm<T>], at: &Place, expr: fn(&Self, &Expr, &Place) -> TokenStream) -> TokenStream {
+    fn arms<T>(&self, arms: &[Arm<T>], at: &Access, expr: fn(&Self, &Expr, &Access) -> TokenStream) -> TokenStream {
         let place = Span::mixed_site();
         let table = arms.iter().map(|arm| {
             let select = match &arm.selector {
@@ -99,7 +99,7 @@ impl Cx<'_> {
         let conditions = arms.iter().enumerate().filter_map(|(number, arm)| match &arm.selector {
             Selector::When(condition) => {
                 let number = Literal::u32_unsuffixed(number as u32);
-                let condition = self.expr(condition, &Place::candidate());
+                let condition = self.expr(condition, &Access::candidate());
                 Some(quote_spanned!(place=> #number => #condition,))
             }
             Selector::Word(_) | Selector::Index(_) => None,
@@ -110,11 +110,4 @@ impl Cx<'_> {
         }
         quote_spanned!(place=> |env, arm, candidate| match arm { #(#conditions)* _ => false })
     }
-}
-
-/// A selector's word, inside a condition.
-pub(super) fn asked(word: &str) -> TokenStream {
-    let place = Span::mixed_site();
-    let word = Ident::new(&variant(word), place);
-    quote_spanned!(place=> candidate.is(cga_rt::Word::#word))
 }

@@ -12,8 +12,8 @@
 //! longest way to it from the last question.
 
 use cga_lang::graph::components;
+use cga_lang::ir::walk;
 use cga_lang::ir::{ExprKind, Function, FunctionId};
-use cga_lang::ir_walk;
 
 use super::frame;
 
@@ -83,7 +83,7 @@ impl Calls {
 fn called(function: &Function) -> Vec<usize> {
     let mut list = Vec::new();
     for value in function.locals.iter().chain([&function.body]) {
-        ir_walk::parts(value, &mut |expr| {
+        walk::parts(value, &mut |expr| {
             if let ExprKind::Call(id, ..) = expr.kind {
                 list.push(id.0 as usize);
             }
@@ -96,7 +96,7 @@ fn called(function: &Function) -> Vec<usize> {
 fn divides(function: &Function) -> bool {
     let mut found = false;
     for value in function.locals.iter().chain([&function.body]) {
-        ir_walk::parts(value, &mut |expr| found |= matches!(expr.kind, ExprKind::Comp(_)));
+        walk::parts(value, &mut |expr| found |= matches!(expr.kind, ExprKind::Comp(_)));
     }
     found
 }

@@ -2,80 +2,23 @@
 //! evaluated first and one by one, so that the borrows never overlap.
 
 use cga_lang::ir::{Binary, EachUnary, Expr, ExprKind, Global, Type, Value};
-use cga_lang::ops::{Function, Needs, Param, ParamKind, Words};
+use cga_lang::ops::{Function, Param, ParamKind, Words};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
+use super::access::{Access, asked};
 use super::public::captured;
 use super::types::{self, cloned, value};
-use super::{Cx, arms, local, site};
+use super::{Generator, local, site};
 use crate::output::{HostType, conversion, convert};
 
-/// Where an expression is evaluated: how it gets at the run and at the current shape, both borrowed mutably.
-pub(super) struct Place {
-    pub(super) env: TokenStream,
-    pub(super) shape: TokenStream,
-}
-
-impl Place {
-    /// In a rule, on the current shape.
-    pub(super) fn rule() -> Self {
-        let place = Span::mixed_site();
-        Place { env: quote_spanned!(place=> cx.env), shape: quote_spanned!(place=> (&mut { shape })) }
-    }
-
-    /// In a rule, on a part of a split or comp.
-    pub(super) fn part() -> Self {
-        let place = Span::mixed_site();
-        Place { env: quote_spanned!(place=> cx.env), shape: quote_spanned!(place=> (&mut { part })) }
-    }
-
-    /// In a rule, on the whole of the current shape.
-    pub(super) fn whole() -> Self {
-        let place = Span::mixed_site();
-        Place { env: quote_spanned!(place=> cx.env), shape: quote_spanned!(place=> shape) }
-    }
-
-    /// In a value of `comp`, on a component.
-    pub(super) fn component() -> Self {
-        let place = Span::mixed_site();
-        Place { env: quote_spanned!(place=> env), shape: quote_spanned!(place=> part) }
-    }
-
-    /// In a selector of `comp`, on the component that is asked about.
-    pub(super) fn candidate() -> Self {
-        let place = Span::mixed_site();
-        Place { env: quote_spanned!(place=> env), shape: quote_spanned!(place=> candidate.shape()) }
-    }
-
-    /// In a function, an attribute or a constant.
-    pub(super) fn function() -> Self {
-        let place = Span::mixed_site();
-        Place { env: quote_spanned!(place=> env), shape: quote_spanned!(place=> shape) }
-    }
-}
-
-impl Place {
-    /// What a function of the runtime gets before its arguments.
-    fn needs(&self, needs: Needs) -> TokenStream {
-        let (place, env, shape) = (Span::mixed_site(), &self.env, &self.shape);
-        match needs {
-            Needs::Nothing => TokenStream::new(),
-            Needs::Shape => quote_spanned!(place=> #shape,),
-            Needs::Env => quote_spanned!(place=> #env,),
-            Needs::Both => quote_spanned!(place=> #env, #shape,),
-            Needs::Component => quote_spanned!(place=> candidate,),
-        }
-    }
-}
-
-impl Cx<'_> {
+impl Generator<'_> {
     /// An expression in a rule, on a slim shape. It gets the whole shape if it reads more than the slim one has.
-    pub(super) fn asked(&self, expr: &Expr, at: &Place) -> TokenStream {
+    pub(super) fn asked(&self, expr: &Expr, at: &Access) -> TokenStream {
         if !self.facts.expr(expr).whole {
             return self.expr(expr, at);
         }
-        let (place, env, slim, code) = (Span::mixed_site(), &at.env, &at.shape, self.expr(expr, &Place::whole()));
+        let (place, env, slim, code) = (Span::mixed_site(), &at.env, &at.shape, self.expr(expr, &Access::whole()));
         quote_spanned! { place=> {
             let slim = #slim;
             let mut whole = #env.whole(slim);
@@ -88,7 +31,7 @@ impl Cx<'_> {
         } }
     }
 
-    pub(super) fn expr(&self, expr: &Expr, at: &Place) -> TokenStream {
+    pub(super) fn expr(&self, expr: &Expr, at: &Access) -> TokenStream {
         let place = Span::mixed_site();
         match &expr.kind {
             ExprKind::Value(known) => value(known),
@@ -150,7 +93,7 @@ impl Cx<'_> {
                 quote_spanned!(place=> cga_rt::get::#get(#needs))
             }
             ExprKind::Comp(comp) => self.comp_value(comp, at),
-            ExprKind::Word(word) => arms::asked(word),
+            ExprKind::Word(word) => asked(word),
             ExprKind::Style(styles) => is_one_of(styles, &quote_spanned!(place=> g.style)),
             ExprKind::Site(sites) => is_one_of(sites, &quote_spanned!(place=> site)),
             ExprKind::Later(what) => {
@@ -257,7 +200,7 @@ impl Cx<'_> {
     }
 
     /// The value of the style or of the site.
-    fn by_number(&self, number: &TokenStream, arms: &[(Expr, Expr)], otherwise: &Expr, at: &Place) -> TokenStream {
+    fn by_number(&self, number: &TokenStream, arms: &[(Expr, Expr)], otherwise: &Expr, at: &Access) -> TokenStream {
         let place = Span::mixed_site();
         let arms = arms.iter().map(|(test, value)| {
             let (ExprKind::Style(list) | ExprKind::Site(list)) = &test.kind else { return TokenStream::new() };
@@ -269,7 +212,7 @@ impl Cx<'_> {
     }
 
     /// The name of an image, as text.
-    pub(super) fn image(&self, expr: &Expr, at: &Place) -> TokenStream {
+    pub(super) fn image(&self, expr: &Expr, at: &Access) -> TokenStream {
         let (place, env) = (Span::mixed_site(), &at.env);
         match &expr.kind {
             // Nothing is looked for.
@@ -283,13 +226,13 @@ impl Cx<'_> {
     }
 
     /// `[a, b; c, d]`.
-    fn array(&self, rows: &[Vec<Expr>], at: &Place) -> TokenStream {
+    fn array(&self, rows: &[Vec<Expr>], at: &Access) -> TokenStream {
         let (place, env) = (Span::mixed_site(), &at.env);
         let call = |args: &[TokenStream]| {
             let mut args = args.iter();
             let rows = rows.iter().map(|row| {
                 let parts = args.by_ref().take(row.len());
-                quote_spanned!(place=> &[#(cga_rt::func::Part::from(#parts)),*])
+                quote_spanned!(place=> &[#(cga_rt::func::ArrayPart::from(#parts)),*])
             });
             quote_spanned!(place=> cga_rt::func::array(#env, &[#(#rows),*]))
         };
@@ -300,7 +243,7 @@ impl Cx<'_> {
     pub(super) fn with_args<'e>(
         &self,
         args: impl IntoIterator<Item = &'e Expr> + Clone,
-        at: &Place,
+        at: &Access,
         call: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> TokenStream {
         let place = Span::mixed_site();
@@ -336,7 +279,7 @@ impl Cx<'_> {
     pub(super) fn with_rust_args(
         &self,
         args: &[Expr],
-        at: &Place,
+        at: &Access,
         call: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> TokenStream {
         let place = Span::mixed_site();
@@ -381,7 +324,7 @@ pub(super) fn is_one_of(list: &[u32], number: &TokenStream) -> TokenStream {
 }
 
 /// The conditions of a stochastic block.
-pub(super) fn draws(percents: impl Iterator<Item = f64>, at: &Place) -> Vec<TokenStream> {
+pub(super) fn draws(percents: impl Iterator<Item = f64>, at: &Access) -> Vec<TokenStream> {
     let place = Span::mixed_site();
     let shape = &at.shape;
     let mut before = 0.0;

@@ -3,13 +3,13 @@
 //!
 //! They follow from the rules alone, so that a run is the same in every build.
 
+use cga_lang::ir::walk;
 use cga_lang::ir::{Arm, Expr, ExprKind, Function, Parts, Rule, Selector, Step, Target, Type, Value};
-use cga_lang::ir_walk;
 
 /// Kilobytes that a rule takes, with what the runtime's operations that call it back take.
 pub(super) fn rule(rule: &Rule) -> u32 {
     let mut bytes: usize = 1000;
-    ir_walk::steps(&rule.body, &mut |step| {
+    walk::steps(&rule.body, &mut |step| {
         bytes += match step {
             Step::Give(Target::Nil) => 100,
             Step::Give(_) => 700,
@@ -25,7 +25,7 @@ pub(super) fn rule(rule: &Rule) -> u32 {
         }
     });
     // What is computed on the way has its place too.
-    ir_walk::in_rule(rule, &mut |expr| bytes += own(expr));
+    walk::in_rule(rule, &mut |expr| bytes += own(expr));
     u32::try_from(bytes.div_ceil(1024)).unwrap_or(u32::MAX)
 }
 
@@ -33,7 +33,7 @@ pub(super) fn rule(rule: &Rule) -> u32 {
 pub(super) fn function(function: &Function) -> u32 {
     let mut bytes: usize = 144 + 8 * function.params.len();
     for value in function.locals.iter().chain([&function.body]) {
-        ir_walk::parts(value, &mut |expr| bytes += own(expr) + divided(expr));
+        walk::parts(value, &mut |expr| bytes += own(expr) + divided(expr));
     }
     u32::try_from(bytes).unwrap_or(u32::MAX)
 }
@@ -42,7 +42,7 @@ pub(super) fn function(function: &Function) -> u32 {
 /// among them.
 pub(super) fn lazy(value: &Expr) -> u32 {
     let mut bytes: usize = 2000;
-    ir_walk::parts(value, &mut |expr| bytes += own(expr) + divided(expr));
+    walk::parts(value, &mut |expr| bytes += own(expr) + divided(expr));
     u32::try_from(bytes).unwrap_or(u32::MAX)
 }
 

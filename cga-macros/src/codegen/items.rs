@@ -2,21 +2,22 @@
 
 use std::collections::HashMap;
 
+use cga_lang::ir::walk;
 use cga_lang::ir::{ExprKind, Global, RuleId, Type};
-use cga_lang::ir_walk;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
-use super::expr::{Place, is_one_of};
+use super::access::Access;
+use super::expr::is_one_of;
 use super::fields::Field;
 use super::public::captured;
 use super::rule::given;
 use super::state::stream;
-use super::{Cx, fields, inner_type, local, site, table, types};
+use super::{Generator, fields, inner_type, local, site, table, types};
 use crate::header::Header;
 
 /// Attributes and constants of one run, and captured values.
-pub(super) fn values(cx: &Cx<'_>) -> TokenStream {
+pub(super) fn values(cx: &Generator<'_>) -> TokenStream {
     let place = Span::mixed_site();
     let field = |lazy: bool, ty: Type| {
         let ty = inner_type(ty);
@@ -41,7 +42,7 @@ pub(super) fn values(cx: &Cx<'_>) -> TokenStream {
 }
 
 /// One variant for each rule that a call may have to wait for, or that a template leaves out.
-pub(super) fn calls(cx: &Cx<'_>) -> TokenStream {
+pub(super) fn calls(cx: &Generator<'_>) -> TokenStream {
     let variants = waiting(cx).map(|(id, params)| {
         let name = local("Rule", id.0 as usize);
         quote_spanned!(Span::mixed_site()=> #name(#(#params),*))
@@ -53,7 +54,7 @@ pub(super) fn calls(cx: &Cx<'_>) -> TokenStream {
 }
 
 /// Rules whose calls may have to wait or may be left out, with the types of their parameters.
-fn waiting<'c>(cx: &'c Cx<'_>) -> impl Iterator<Item = (RuleId, Vec<TokenStream>)> + 'c {
+fn waiting<'c>(cx: &'c Generator<'_>) -> impl Iterator<Item = (RuleId, Vec<TokenStream>)> + 'c {
     let rules = cx.grammar.rules.iter().enumerate().map(|(at, rule)| (RuleId(at as u32), rule));
     let rules = rules.filter(|(id, _)| cx.plan.may_wait(*id) || cx.templates.may_be_left_out(*id));
     rules.map(|(id, rule)| {
@@ -62,11 +63,11 @@ fn waiting<'c>(cx: &'c Cx<'_>) -> impl Iterator<Item = (RuleId, Vec<TokenStream>
     })
 }
 
-impl Cx<'_> {
+impl Generator<'_> {
     /// Returns true if something depends on the style of the run.
     fn asks_for_style(&self) -> bool {
         let mut asks = false;
-        ir_walk::exprs(self.grammar, &mut |expr| asks |= matches!(expr.kind, ExprKind::Style(_)));
+        walk::exprs(self.grammar, &mut |expr| asks |= matches!(expr.kind, ExprKind::Style(_)));
         asks
     }
 
@@ -79,7 +80,7 @@ impl Cx<'_> {
 }
 
 /// The function that runs a call that waited or was left out.
-pub(super) fn resume(cx: &Cx<'_>) -> TokenStream {
+pub(super) fn resume(cx: &Generator<'_>) -> TokenStream {
     let place = Span::mixed_site();
     let resume_arms = waiting(cx).map(|(id, params)| {
         let (variant, rule) = (local("Rule", id.0 as usize), cx.rule(id, place));
@@ -104,7 +105,7 @@ pub(super) fn resume(cx: &Cx<'_>) -> TokenStream {
 }
 
 /// The runtime's `Rules` and `Grammar`.
-pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
+pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     let (name, label) = (header.ident(), header.label());
     let place = Span::mixed_site();
     let names = site::names(cx.grammar);
@@ -245,7 +246,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
 }
 
 /// Evaluates the attributes and constants of the style in force.
-fn initial_values(cx: &Cx<'_>, fields: &HashMap<&str, &Field<'_>>) -> TokenStream {
+fn initial_values(cx: &Generator<'_>, fields: &HashMap<&str, &Field<'_>>) -> TokenStream {
     let place = Span::mixed_site();
     let style = cx.asks_for_style().then(|| quote_spanned!(place=> g.style = style;));
     let lazy = cx.grammar.init.iter().filter(|init| cx.is_lazy(init.global));
@@ -264,14 +265,14 @@ fn initial_values(cx: &Cx<'_>, fields: &HashMap<&str, &Field<'_>>) -> TokenStrea
 }
 
 /// The field of an attribute that has one.
-fn field<'f, 'g>(cx: &Cx<'_>, fields: &HashMap<&str, &'f Field<'g>>, global: Global) -> Option<&'f Field<'g>> {
+fn field<'f, 'g>(cx: &Generator<'_>, fields: &HashMap<&str, &'f Field<'g>>, global: Global) -> Option<&'f Field<'g>> {
     let Global::Attr(id) = global else { return None };
     let attr = &cx.grammar.attrs[id.0 as usize];
     fields.get(attr.name.as_str()).copied().filter(|_| attr.public)
 }
 
 /// Evaluates one attribute or constant.
-fn init(cx: &Cx<'_>, fields: &HashMap<&str, &Field<'_>>, global: Global) -> TokenStream {
+fn init(cx: &Generator<'_>, fields: &HashMap<&str, &Field<'_>>, global: Global) -> TokenStream {
     let place = Span::mixed_site();
     if cx.is_lazy(global) {
         let value = cx.lazy_value(global, &quote_spanned!(place=> &g), &quote_spanned!(place=> env));
@@ -289,7 +290,7 @@ fn init(cx: &Cx<'_>, fields: &HashMap<&str, &Field<'_>>, global: Global) -> Toke
         }
     };
     let number = stream(name);
-    let code = cx.expr(computed, &Place::function());
+    let code = cx.expr(computed, &Access::function());
     let computed = match known {
         Some(known) => types::value(known),
         None => quote_spanned! { place=> {

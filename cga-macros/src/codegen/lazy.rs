@@ -5,12 +5,12 @@ use cga_lang::ir::{Expr, Global, Type};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
-use super::expr::Place;
+use super::access::Access;
 use super::fields::Field;
 use super::state::stream;
-use super::{Cx, frame, inner_type, local};
+use super::{Generator, frame, inner_type, local};
 
-impl Cx<'_> {
+impl Generator<'_> {
     /// Whether it is computed when it is first read.
     pub(super) fn is_lazy(&self, global: Global) -> bool {
         match global {
@@ -62,7 +62,7 @@ impl Cx<'_> {
                 let (name, value, ty) = self.global_value(global);
                 let (function, ty, number) = (self.global_name(global), inner_type(ty), stream(name));
                 let stack = Literal::u32_unsuffixed(frame::lazy(value));
-                let code = self.expr(value, &Place::function());
+                let code = self.expr(value, &Access::function());
                 let doc = format!("`{name}`, which may need itself: computed when it is first read.");
                 quote_spanned! { place=>
                     #[doc = #doc]

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
+use cga_lang::ir::walk;
 use cga_lang::ir::{Childless, Grammar, Rule, Target};
-use cga_lang::ir_walk;
 use proc_macro2::{Literal, TokenStream};
 
 use super::site;
@@ -21,8 +21,8 @@ impl Leaves {
             if rule.leaf != Childless::Never {
                 labels(rule).into_iter().for_each(|label| leaves.add(label));
             }
-            ir_walk::steps(&rule.body, &mut |step| {
-                for target in ir_walk::targets(step) {
+            walk::steps(&rule.body, &mut |step| {
+                for target in walk::targets(step) {
                     if let Target::Leaf(name, _) = target {
                         leaves.add(name);
                     }

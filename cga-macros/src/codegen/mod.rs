@@ -5,6 +5,7 @@
 //! calls that may wait, and one function a rule, generic over the sink. Local names are hygienic; rule functions carry
 //! the span of their definition so that editors find them.
 
+mod access;
 mod arms;
 mod calls;
 mod expr;
@@ -27,7 +28,7 @@ mod types;
 
 use std::cell::RefCell;
 
-use cga_lang::facts::Facts;
+use cga_lang::ir::facts::Facts;
 use cga_lang::ir::{ExprKind, Grammar, HostId, RuleId, Type};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
@@ -41,7 +42,7 @@ pub(crate) use names::is_plain;
 pub(crate) use public::{Public, PublicAttr, public};
 
 /// What every part of the generator looks things up in.
-struct Cx<'a> {
+struct Generator<'a> {
     grammar: &'a Grammar,
     source: &'a Source,
     names: names::Names,
@@ -68,7 +69,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
     let (hosts, renewed) = (host_types(grammar), state::renewed(grammar));
     let (facts, leaves) = (Facts::new(grammar), leaves::Leaves::new(grammar));
     let templates = templates::Templates::new(grammar, &facts, &plan);
-    let cx = Cx {
+    let cx = Generator {
         grammar,
         source,
         names,
@@ -123,7 +124,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
 /// What a `#` value must be: the type that the rules give it, or anything where it is only made into text.
 fn host_types(grammar: &Grammar) -> Vec<HostType> {
     let mut types: Vec<HostType> = grammar.hosts.iter().map(|host| HostType::Is(host.ty)).collect();
-    cga_lang::ir_walk::exprs(grammar, &mut |expr| {
+    cga_lang::ir::walk::exprs(grammar, &mut |expr| {
         if let ExprKind::ToText(inner) = &expr.kind
             && let ExprKind::Host(HostId(id)) = inner.kind
         {
@@ -138,7 +139,7 @@ fn inner_type(ty: Type) -> TokenStream {
     types::inner(ty, &quote_spanned!(Span::mixed_site()=> cga_rt))
 }
 
-impl Cx<'_> {
+impl Generator<'_> {
     /// A function of the hidden impl, with the span of a use.
     fn rule(&self, rule: RuleId, place: Span) -> Ident {
         self.names.rule(rule, place)

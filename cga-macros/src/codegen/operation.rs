@@ -5,15 +5,16 @@ use cga_lang::ops::{Operation, ParamKind};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
-use super::expr::{Place, word_variant};
+use super::access::Access;
+use super::expr::word_variant;
 use super::split::prefixed;
-use super::{Cx, local};
+use super::{Generator, local};
 
-impl Cx<'_> {
+impl Generator<'_> {
     /// An operation on the whole shape.
     pub(super) fn operation(&self, operation: &Operation, args: &[Arg]) -> TokenStream {
         let place = Span::mixed_site();
-        let (lets, call) = self.operation_on(operation, args, &Place::whole(), Cx::expr);
+        let (lets, call) = self.operation_on(operation, args, &Access::whole(), Generator::expr);
         let bake = operation.reshapes().then(|| quote_spanned!(place=> cga_rt::bake(shape);));
         quote_spanned!(place=> { #lets #bake cga_rt::op::#call; })
     }
@@ -23,8 +24,8 @@ impl Cx<'_> {
         &self,
         operation: &Operation,
         args: &[Arg],
-        at: &Place,
-        expr: fn(&Self, &Expr, &Place) -> TokenStream,
+        at: &Access,
+        expr: fn(&Self, &Expr, &Access) -> TokenStream,
     ) -> (TokenStream, TokenStream) {
         let place = Span::mixed_site();
         let name = Ident::new(operation.run.now().unwrap_or(operation.name), place);
@@ -42,8 +43,8 @@ impl Cx<'_> {
         &self,
         operation: &Operation,
         args: &[Arg],
-        at: &Place,
-        expr: fn(&Self, &Expr, &Place) -> TokenStream,
+        at: &Access,
+        expr: fn(&Self, &Expr, &Access) -> TokenStream,
         module: &TokenStream,
     ) -> Vec<TokenStream> {
         let place = Span::mixed_site();

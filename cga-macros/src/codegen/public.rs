@@ -1,7 +1,7 @@
 //! The public struct: its fields, defaults and methods.
 
+use cga_lang::editor::skeleton;
 use cga_lang::ir::{Type, Value};
-use cga_lang::skeleton;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 

@@ -1,19 +1,20 @@
 //! One function a rule, one function a function.
 
+use cga_lang::ir::walk;
 use cga_lang::ir::{Block, Childless, Expr, ExprKind, Function, Global, Param, Parts, Rule, RuleId, Step, Target};
-use cga_lang::ir_walk;
 use cga_lang::ops::{Changes, Run, Uses};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
-use super::expr::{Place, draws};
-use super::{Cx, inner_type, local, site};
+use super::access::Access;
+use super::expr::draws;
+use super::{Generator, inner_type, local, site};
 
-pub(super) fn rules(cx: &Cx<'_>) -> TokenStream {
+pub(super) fn rules(cx: &Generator<'_>) -> TokenStream {
     (0..cx.grammar.rules.len() as u32).map(|number| cx.rule_function(RuleId(number))).collect()
 }
 
-pub(super) fn functions(cx: &Cx<'_>) -> TokenStream {
+pub(super) fn functions(cx: &Generator<'_>) -> TokenStream {
     let numbers = 0..cx.grammar.functions.len() as u32;
     numbers.map(|number| cx.function(cga_lang::ir::FunctionId(number))).collect()
 }
@@ -34,14 +35,14 @@ struct Tail {
     otherwise: TokenStream,
 }
 
-impl Cx<'_> {
+impl Generator<'_> {
     fn rule_function(&self, id: RuleId) -> TokenStream {
         let place = Span::mixed_site();
         let rule = &self.grammar.rules[id.0 as usize];
         let name = self.rule(id, self.source.token(rule.span.first));
         let site = site::param(rule.sites.len());
         let (names, types): (Vec<_>, Vec<_>) = site.into_iter().chain(given(&rule.params, &rule.locals)).unzip();
-        let locals = self.locals(&rule.params, &rule.locals, &Place::rule(), Cx::asked);
+        let locals = self.locals(&rule.params, &rule.locals, &Access::rule(), Generator::asked);
         let doc = (!rule.source.is_empty()).then(|| {
             let source = &rule.source;
             quote_spanned!(place=> #[doc = #source])
@@ -92,8 +93,8 @@ impl Cx<'_> {
         let site = site::param(function.sites as usize);
         let (names, types): (Vec<_>, Vec<_>) = site.into_iter().chain(params).unzip();
         let ty = inner_type(function.ty);
-        let locals = self.locals(&function.params, &function.locals, &Place::function(), Cx::expr);
-        let body = self.expr(&function.body, &Place::function());
+        let locals = self.locals(&function.params, &function.locals, &Access::function(), Generator::expr);
+        let body = self.expr(&function.body, &Access::function());
         let body = quote_spanned!(place=> { #locals #body });
         let shape = match self.facts.function(id).whole {
             true => quote_spanned!(place=> cga_rt::Shape),
@@ -135,8 +136,8 @@ impl Cx<'_> {
         &self,
         params: &[Param],
         locals: &[Expr],
-        at: &Place,
-        expr: fn(&Self, &Expr, &Place) -> TokenStream,
+        at: &Access,
+        expr: fn(&Self, &Expr, &Access) -> TokenStream,
     ) -> TokenStream {
         let first = params.len() - locals.len();
         let locals = locals.iter().enumerate().map(|(number, value)| {
@@ -198,11 +199,11 @@ impl Cx<'_> {
             Step::Do(operation, args, _) => match operation.changes {
                 Changes::Whole => None,
                 Changes::Nothing => {
-                    let (lets, call) = self.operation_on(operation, args, &Place::rule(), Cx::asked);
+                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), Generator::asked);
                     Some(quote_spanned!(place=> { #lets let shape = &mut { shape }; cga_rt::op::#call }))
                 }
                 Changes::Scope => {
-                    let (lets, call) = self.operation_on(operation, args, &Place::rule(), Cx::asked);
+                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), Generator::asked);
                     Some(quote_spanned! { place=>
                         let mut own;
                         let changed = {
@@ -225,15 +226,15 @@ impl Cx<'_> {
 
     /// Returns true if the arguments of a step are the same in the whole run.
     fn is_settled(&self, step: &Step) -> bool {
-        ir_walk::in_step(step).into_iter().all(|expr| {
+        walk::in_step(step).into_iter().all(|expr| {
             let mut is_settled = self.facts.expr(expr) == Uses::NONE;
-            ir_walk::parts(expr, &mut |part| is_settled &= !matches!(part.kind, ExprKind::Param(_)));
+            walk::parts(expr, &mut |part| is_settled &= !matches!(part.kind, ExprKind::Param(_)));
             is_settled
         })
     }
 
     fn change(&self, step: &Step) -> TokenStream {
-        let (place, at) = (Span::mixed_site(), Place::whole());
+        let (place, at) = (Span::mixed_site(), Access::whole());
         match step {
             Step::Do(operation, args, _) => self.operation(operation, args),
             Step::SetAttr(id, expr, _) => {
@@ -262,7 +263,7 @@ impl Cx<'_> {
 
     /// The branches of a rule, each with the steps that follow.
     fn branches(&self, step: &Step, body: Body<'_>, number: u32, tail: &Tail) -> TokenStream {
-        let (place, at) = (Span::mixed_site(), Place::rule());
+        let (place, at) = (Span::mixed_site(), Access::rule());
         let (conditions, bodies, otherwise): (Vec<_>, Vec<_>, _) = match step {
             Step::Case { arms, otherwise } => (
                 arms.iter().map(|(condition, _)| self.asked(condition, &at)).collect(),
@@ -347,7 +348,7 @@ impl Cx<'_> {
             Target::Rule { rule, sites, args, span } => {
                 let call = self.call(from, (*rule, sites), args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
-                let values = args.iter().map(|arg| self.asked(arg, &Place::rule()));
+                let values = args.iter().map(|arg| self.asked(arg, &Access::rule()));
                 quote_spanned!(place=> {
                     #(let #names = #values;)*
                     #copy
@@ -409,7 +410,7 @@ impl Cx<'_> {
             Target::Rule { rule, sites, args, span } => {
                 let call = self.call(from, (*rule, sites), args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
-                let values = args.iter().map(|arg| self.asked(arg, &Place::part()));
+                let values = args.iter().map(|arg| self.asked(arg, &Access::part()));
                 let hand_on = self.hand_on(*rule);
                 quote_spanned!(place=> {
                     #(let #names = #values;)*

@@ -3,12 +3,11 @@
 
 use std::collections::HashMap;
 
-use cga_lang::ir::{ExprKind, Grammar, Step};
-use cga_lang::ir_walk;
+use cga_lang::ir::{ExprKind, Grammar, Step, walk};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
-use super::{Cx, local};
+use super::{Generator, local};
 
 /// Changes of the material that are the same in the whole run, or at a site.
 #[derive(Default)]
@@ -68,8 +67,8 @@ pub(super) fn of_site(numbers: &[u32]) -> TokenStream {
 /// The number of sites that a step depends on; 0 for none.
 fn sites(step: &Step) -> usize {
     let mut count = 0;
-    for expr in ir_walk::in_step(step) {
-        ir_walk::parts(expr, &mut |part| {
+    for expr in walk::in_step(step) {
+        walk::parts(expr, &mut |part| {
             if let ExprKind::Call(_, sites, _) = &part.kind
                 && sites.iter().any(|site| *site != sites[0])
             {
@@ -80,7 +79,7 @@ fn sites(step: &Step) -> usize {
     count
 }
 
-impl Cx<'_> {
+impl Generator<'_> {
     /// A step that changes the material in the same way in the whole run, or at a site; `change` is its code.
     pub(super) fn paint(&self, step: &Step, change: TokenStream) -> TokenStream {
         let (place, count) = (Span::mixed_site(), sites(step));

@@ -5,8 +5,8 @@ use cga_lang::ops::{Braces, Measure};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
-use super::expr::Place;
-use super::{Cx, local, site, templates};
+use super::access::Access;
+use super::{Generator, local, site, templates};
 
 /// A split with what its slots have in common.
 struct Slots<'s> {
@@ -52,7 +52,7 @@ struct At {
     group: usize,
 }
 
-impl Cx<'_> {
+impl Generator<'_> {
     /// Statements that divide the shape; whether they have done so is `division.has_parts()`. `number` counts the children that
     /// the rule makes.
     pub(super) fn split(&self, block: &Block, slots: &ir::Slots, rule: RuleId, number: u32) -> TokenStream {
@@ -255,7 +255,7 @@ impl Cx<'_> {
     fn textures(&self, block: &Block, slots: &ir::Slots) -> TokenStream {
         let place = Span::mixed_site();
         let (sizes, name) = self.sizes(slots, false);
-        let args = self.args(block.row, &block.args, &Place::rule(), Cx::asked, &TokenStream::new());
+        let args = self.args(block.row, &block.args, &Access::rule(), Generator::asked, &TokenStream::new());
         quote_spanned! { place=>
             #sizes
             let axis = (#(#args),*);
@@ -274,7 +274,7 @@ impl Cx<'_> {
                 quote_spanned!(place=> cga_rt::Item::Repeat(#len))
             }
         });
-        let place_of = Place::rule();
+        let place_of = Access::rule();
         let values = slots.sizes.iter().map(|size| prefixed(size.prefix, &self.asked(&size.value, &place_of)));
         let constant =
             |size: &Size| matches!(size.value.kind, ExprKind::Value(Value::Float(value)) if value.is_finite());

@@ -12,8 +12,8 @@
 use std::collections::HashMap;
 
 use cga_lang::graph::components;
+use cga_lang::ir::walk::called;
 use cga_lang::ir::{Grammar, RuleId};
-use cga_lang::ir_walk::called;
 
 use super::frame;
 use super::rule::is_block;

@@ -6,17 +6,17 @@ use cga_lang::ir::{Anew, AttrId, Expr, ExprKind, Global, Grammar, Type};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
-use super::expr::Place;
+use super::access::Access;
 use super::fields::Field;
 use super::types::{self, cloned};
-use super::{Cx, inner_type, local};
+use super::{Generator, inner_type, local};
 
 /// Attributes and constants that one function starts anew.
 const PIECE: usize = 32;
 
-impl Cx<'_> {
+impl Generator<'_> {
     /// The value of an attribute or constant of the run. Where it may be set the shape is asked first.
-    pub(super) fn global(&self, global: Global, ty: Type, is_set: bool, at: &Place) -> TokenStream {
+    pub(super) fn global(&self, global: Global, ty: Type, is_set: bool, at: &Access) -> TokenStream {
         let (place, name) = (Span::mixed_site(), self.global_name(global));
         let (lazy, g) = (self.is_lazy(global), quote_spanned!(place=> g));
         let held = if lazy { self.lazy_value(global, &g, &at.env) } else { quote_spanned!(place=> g.#name) };
@@ -56,7 +56,7 @@ impl Cx<'_> {
 
     /// The given values, and the copy on which everything starts anew.
     pub(super) fn anew(&self, anew: &Anew, number: &Literal) -> (TokenStream, TokenStream) {
-        let (place, at) = (Span::mixed_site(), Place::rule());
+        let (place, at) = (Span::mixed_site(), Access::rule());
         let names: Vec<Ident> = (0..anew.given.len()).map(|number| local("given_", number)).collect();
         let values = anew.given.iter().map(|(_, value)| self.asked(value, &at));
         let given = quote_spanned!(place=> #(let #names = #values;)*);
@@ -191,7 +191,7 @@ impl Cx<'_> {
     /// numbers of its own.
     fn started_anew(&self, global: Global, computed: &Expr) -> TokenStream {
         let place = Span::mixed_site();
-        let code = self.expr(computed, &Place::function());
+        let code = self.expr(computed, &Access::function());
         let (name, field) = match global {
             Global::Attr(id) => {
                 let name = &self.grammar.attrs[id.0 as usize].name;

@@ -3,9 +3,9 @@
 use std::cell::Cell;
 use std::collections::HashSet;
 
-use cga_lang::facts::Facts;
+use cga_lang::ir::facts::Facts;
+use cga_lang::ir::walk;
 use cga_lang::ir::{Block, Grammar, Item, Parts, RuleId, Step, Target};
-use cga_lang::ir_walk;
 
 use super::stack::Plan;
 
@@ -24,7 +24,7 @@ impl Templates {
         let is_open = |from: RuleId, to: RuleId| !facts.rule(to).own_rigid || plan.step(from, to).is_some();
         let mut todo: Vec<RuleId> = Vec::new();
         for (at, rule) in grammar.rules.iter().enumerate() {
-            ir_walk::steps(&rule.body, &mut |step| {
+            walk::steps(&rule.body, &mut |step| {
                 if let Step::Block(Block { parts: Parts::Slots(slots), .. }) = step {
                     let repeated = slots.targets.iter().zip(in_groups(&slots.pattern)).filter(|(_, is_in)| *is_in);
                     todo.extend(repeated.filter_map(|(target, _)| root(target, RuleId(at as u32), facts, plan)));
@@ -36,7 +36,7 @@ impl Templates {
             if !met.insert(rule) {
                 continue;
             }
-            for called in ir_walk::called(&grammar.rules[rule.0 as usize].body) {
+            for called in walk::called(&grammar.rules[rule.0 as usize].body) {
                 if is_open(rule, called) {
                     holes.insert((rule, called));
                 } else {

@@ -2,8 +2,8 @@
 
 mod read;
 
-use cga_lang::code::Code;
 use cga_lang::diag::Level;
+use cga_lang::diag::code::Code;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::format_ident;
 

@@ -1,7 +1,7 @@
 //! Reads the header: attributes, levels, visibility, name and the source.
 
-use cga_lang::code::Code;
 use cga_lang::diag::Level;
+use cga_lang::diag::code::Code;
 use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree};
 use quote::quote;
 

@@ -3,8 +3,8 @@
 use std::io::ErrorKind;
 use std::path::{Component, Path};
 
-use cga_lang::lex::lex;
 use cga_lang::link::stray_character;
+use cga_lang::syntax::lex::lex;
 use proc_macro2::Literal;
 
 use super::content::value;

@@ -3,9 +3,9 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use cga_lang::compile::Door;
-use cga_lang::lex::lex;
+use cga_lang::compile::Dialect;
 use cga_lang::link::{Asset, Files, Unit, candidates, folder};
+use cga_lang::syntax::lex::lex;
 use proc_macro2::{Literal, TokenStream};
 
 use super::quoted::{QuotedText, text, tracking};
@@ -65,7 +65,7 @@ impl Files for Imports {
             let text = QuotedText { name: name.clone(), written: text, ranges: lexed.ranges };
             self.opened.push(Imported { text, path });
         }
-        Ok(Unit { name: name.clone(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags })
+        Ok(Unit { name: name.clone(), tokens: lexed.tokens, dialect: Dialect::Text, found: lexed.diags })
     }
 
     fn beside(&mut self, path: &str, from: &str) -> Vec<String> {

@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use cga_lang::diag::Diag;
-use cga_lang::lex::lex_joined;
-use cga_lang::token::Tokens;
+use cga_lang::syntax::lex::lex_joined;
+use cga_lang::syntax::token::Tokens;
 use proc_macro2::{Literal, Span, TokenStream};
 
 use super::content::Content;

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{Error, Read};
 use std::path::Path;
 
-use cga_lang::lex::decode;
+use cga_lang::syntax::lex::decode;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 

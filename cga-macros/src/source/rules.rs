@@ -2,11 +2,11 @@
 
 use super::import::{self, Imported};
 use super::quoted::QuotedText;
-use cga_lang::compile::{Compiled, Door};
+use cga_lang::compile::{Compiled, Dialect};
 use cga_lang::diag::Diag;
 use cga_lang::link::Unit;
 use cga_lang::span;
-use cga_lang::token::{Sym, Tok, Tokens};
+use cga_lang::syntax::token::{Sym, Tok, Tokens};
 use proc_macro2::{Span, TokenStream};
 
 /// Rules as tokens, and what it takes to speak about them.
@@ -52,16 +52,16 @@ impl Source {
     /// The rules as a file that others may be imported into.
     pub(crate) fn unit(&self) -> Unit {
         // Inline is strict, text is compatible.
-        let door = match self.places {
-            Places::Inline { .. } => Door::Inline,
-            Places::Text { .. } => Door::Text,
+        let dialect = match self.places {
+            Places::Inline { .. } => Dialect::Inline,
+            Places::Text { .. } => Dialect::Text,
         };
         // Paths in a string or inline count from the package's folder.
         let name = match &self.places {
             Places::Text { text, tracking, .. } if !tracking.is_empty() => text.name.clone(),
             _ => String::new(),
         };
-        Unit { name, tokens: self.tokens.clone(), door, found: self.findings.clone() }
+        Unit { name, tokens: self.tokens.clone(), dialect, found: self.findings.clone() }
     }
 
     /// Takes over what was imported.

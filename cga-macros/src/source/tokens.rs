@@ -1,10 +1,10 @@
 //! Inline rules: Rust's tokens become ours.
 
-use cga_lang::code::Code;
+use cga_lang::diag::code::Code;
 use cga_lang::diag::{Diag, Diags};
-use cga_lang::lex::{NO_UNITS, without_unit};
 use cga_lang::span::Span as TokenSpan;
-use cga_lang::token::{Sym, Tok, Tokens};
+use cga_lang::syntax::lex::{NO_UNITS, without_unit};
+use cga_lang::syntax::token::{Sym, Tok, Tokens};
 use proc_macro2::{Delimiter, Group, Literal, Spacing, Span, TokenStream, TokenTree};
 
 use super::rules::{Host, Places, Source};

@@ -79,12 +79,12 @@ fn habits_of_other_languages_are_named_once() {
         ("Lot --> extrude(3 < 4 ? 5 : 6) X.", "`?` has no meaning in CGA", "write `case condition : a else : b`"),
         ("Lot --> color(#00ff00) X.", "a colour is text", "write `\"#00ff00\"`"),
         ("attr h = 3 Lot --> if h > 3 : X. else : Y.", "a condition begins with `case`", "write `case h > 3 :`"),
-        ("attr h = 3 Lot --> case h <> 3 : X. else : Y.", "`<>` is no operator", "write `!=`"),
-        ("attr a = 3 Lot --> case not a > 3 : X. else : Y.", "`not` is no operator", "write `!(a > 3)`"),
+        ("attr h = 3 Lot --> case h <> 3 : X. else : Y.", "`<>` is not an operator", "write `!=`"),
+        ("attr a = 3 Lot --> case not a > 3 : X. else : Y.", "`not` is not an operator", "write `!(a > 3)`"),
         ("attr b = True Lot --> case b : X. else : Y.", "unknown name `True`", "did you mean `true`?"),
         ("Lot --> comp(f) { side => X. }", "expected `:` after the selector, found `=>`", "write `:`"),
         ("Lot --> split(x) { 3 = X. | ~1 : Y. }", "expected `:` after the size, found `=`", "write `:`"),
-        ("attr h: f32 = 3 Lot --> extrude(h) X.", "types are not written", "write `attr h = …`"),
+        ("attr h: f32 = 3 Lot --> extrude(h) X.", "types cannot be declared", "write `attr h = …`"),
         ("import lib \"lib.cga\" Lot --> lib.Wall", "expected `:`, found a string", "write `import lib : "),
     ] {
         let list = errors(&format!("grammar A; {rules}"));

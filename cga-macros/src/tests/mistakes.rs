@@ -14,11 +14,11 @@
 use std::fmt::Write;
 use std::ops::Range;
 
-use cga_lang::compile::{Door, compile};
+use cga_lang::compile::{Dialect, compile};
 use cga_lang::diag::Diag;
-use cga_lang::lex::lex;
 use cga_lang::link::{Files, Unit};
 use cga_lang::snippet::bytes;
+use cga_lang::syntax::lex::lex;
 use proc_macro2::{Span, TokenStream};
 
 use crate::source::tokens::read;
@@ -49,7 +49,7 @@ struct Library;
 impl Files for Library {
     fn open(&mut self, path: &str, _: &str) -> Result<Unit, String> {
         let lexed = lex("Roof --> X.\n");
-        let unit = Unit { name: path.into(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags };
+        let unit = Unit { name: path.into(), tokens: lexed.tokens, dialect: Dialect::Text, found: lexed.diags };
         if path == "lib.cga" { Ok(unit) } else { Err("there is no such file".into()) }
     }
 }
@@ -104,7 +104,7 @@ fn first_inline(rules: &str) -> Option<(Diag, Range<usize>)> {
 /// The same of rules in a text.
 fn first_in_text(rules: &str) -> Option<(Diag, Range<usize>)> {
     let lexed = lex(rules);
-    let unit = Unit { name: String::new(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags };
+    let unit = Unit { name: String::new(), tokens: lexed.tokens, dialect: Dialect::Text, found: lexed.diags };
     let diag = compile(unit, &mut Library, &[]).diags.into_iter().next()?;
     let range = bytes(rules, &lexed.ranges, diag.span);
     Some((diag, range))

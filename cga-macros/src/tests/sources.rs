@@ -4,13 +4,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::print::{Spelling, print};
-use cga_lang::compile::{Door, compile};
+use cga_lang::compile::{Dialect, compile};
 use cga_lang::diag::Diags;
-use cga_lang::ir_print;
-use cga_lang::lex::lex;
+use cga_lang::ir::print;
 use cga_lang::link::{Files, Unit, candidates};
-use cga_lang::parse::parse;
-use cga_lang::token::Tokens;
+use cga_lang::syntax::lex::lex;
+use cga_lang::syntax::parse::parse;
+use cga_lang::syntax::token::Tokens;
 use proc_macro2::{Span, TokenStream};
 
 use crate::source::tokens::read;
@@ -47,17 +47,17 @@ impl Files for Below {
         let name = found.ok_or("there is no such file in the package")?;
         let text = fs::read_to_string(root().join(&name)).map_err(|error| error.to_string())?;
         let lexed = lex(&text);
-        Ok(Unit { name, tokens: lexed.tokens, door: Door::Text, found: lexed.diags })
+        Ok(Unit { name, tokens: lexed.tokens, dialect: Dialect::Text, found: lexed.diags })
     }
 }
 
 /// Both readings of some tokens: the grammar, or else the findings.
 fn meaning(tokens: &Tokens, path: &Path) -> String {
     let name = path.strip_prefix(root()).expect("below the root").to_string_lossy().replace('\\', "/");
-    let unit = Unit { name, tokens: tokens.clone(), door: Door::Text, found: Vec::new() };
+    let unit = Unit { name, tokens: tokens.clone(), dialect: Dialect::Text, found: Vec::new() };
     let compiled = compile(unit, &mut Below, &[]);
     match &compiled.grammar {
-        Some(grammar) => ir_print::print(grammar),
+        Some(grammar) => print::print(grammar),
         None => compiled.diags.iter().map(|diag| format!("{}: {}\n", diag.code.name(), diag.message)).collect(),
     }
 }

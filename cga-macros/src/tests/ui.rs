@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 
-use cga_lang::code::Code;
 use cga_lang::compile::compile;
+use cga_lang::diag::code::Code;
 use cga_lang::diag::{Diag, Level};
 use cga_lang::link::Files;
 use proc_macro2::{TokenStream, TokenTree};

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::select::Word;
-use super::{Align, Arm, Candidate, Components, Mode, Parts, Select};
+use super::{Align, Arm, AssignedComponents, Candidate, Components, Mode, Select};
 use crate::geometry::Frame;
 use crate::geometry::mesh::{Mesh, extract};
 use crate::run::context::Cx;
@@ -60,7 +60,7 @@ pub(crate) fn face_edges(
     arms: &[Arm],
     when: &mut When<'_>,
 ) -> ControlFlow<(), Vec<Option<u32>>> {
-    let parts = Parts::of(env, shape, Components::FaceEdges, Align::ZUp, arms, when)?;
+    let parts = AssignedComponents::of(env, shape, Components::FaceEdges, Align::ZUp, arms, when)?;
     let mut edges = vec![None; parts.owners.len()];
     for arm in 0..arms.len() {
         parts.owners.of(arm as u16).for_each(|edge| edges[edge as usize] = Some(arm as u32));

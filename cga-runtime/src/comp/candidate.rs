@@ -1,7 +1,7 @@
 //! The components that conditions test.
 
 use super::select::{Sense, Subcomponent, Word};
-use super::source::Source;
+use super::source::ComponentSource;
 use crate::comp::orientation::Looks;
 use crate::shape::seed::Tag;
 use crate::shape::{Counter, Shape};
@@ -22,7 +22,7 @@ pub fn is_tagged_at(candidate: &mut Candidate<'_>, query: Text, of: Subcomponent
 /// operation*, logical selection expressions).
 #[derive(Debug)]
 pub struct Candidate<'c> {
-    pub(super) source: &'c Source,
+    pub(super) source: &'c ComponentSource,
     pub(super) looks: &'c Looks,
     pub(super) parent: &'c Shape,
     pub(super) number: usize,
@@ -32,7 +32,7 @@ pub struct Candidate<'c> {
 }
 
 impl<'c> Candidate<'c> {
-    pub(super) fn new(source: &'c Source, looks: &'c Looks, parent: &'c Shape, number: usize) -> Self {
+    pub(super) fn new(source: &'c ComponentSource, looks: &'c Looks, parent: &'c Shape, number: usize) -> Self {
         Candidate { source, looks, parent, number, shape: None, as_roof: false }
     }
 
@@ -47,9 +47,9 @@ impl<'c> Candidate<'c> {
     /// Returns true if a query matches one of its tags, or one of its subcomponents' tags.
     fn tagged(&self, query: &str, of: Option<Subcomponent>) -> bool {
         match self.source {
-            Source::Mesh(parts) => parts.tagged(self.number, of, query),
-            Source::Quads(quads) => quads.tagged(self.number, of, query),
-            Source::Wire(_) => false,
+            ComponentSource::Mesh(parts) => parts.tagged(self.number, of, query),
+            ComponentSource::Quads(quads) => quads.tagged(self.number, of, query),
+            ComponentSource::Wire(_) => false,
         }
     }
 

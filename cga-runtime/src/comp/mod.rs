@@ -36,9 +36,9 @@ pub use value::comp_values;
 
 use orientation::Looks;
 use owners::Owners;
-use part::Part;
+use part::Component;
 use select::Word;
-use source::{Quads, Source};
+use source::{ComponentSource, Quads};
 
 /// The kind of components (*comp operation*).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -135,8 +135,8 @@ pub fn comp<C>(
     visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
 ) -> Flow {
     let whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
-    let parts = Parts::of(cx.env, &whole, components, align, arms, when)?;
-    if let Source::Quads(quads) = &parts.source {
+    let parts = AssignedComponents::of(cx.env, &whole, components, align, arms, when)?;
+    if let ComponentSource::Quads(quads) = &parts.source {
         return parts.each_side(quads, cx, visit);
     }
     parts.each(|arm, _, part| {
@@ -147,18 +147,18 @@ pub fn comp<C>(
 
 /// The components of a shape, each assigned to an arm.
 #[derive(Debug)]
-struct Parts<'s> {
+struct AssignedComponents<'s> {
     parent: &'s Shape,
     align: Align,
     arms: &'s [Arm],
     owners: Owners,
-    source: Source,
+    source: ComponentSource,
     /// True for each arm that takes edges as edges of a roof.
     as_roof: Vec<bool>,
     trims: Option<Arc<Surface>>,
 }
 
-impl<'s> Parts<'s> {
+impl<'s> AssignedComponents<'s> {
     /// Assigns every component to the first arm that selects it. The seed of the shape must be that of the step;
     /// seeds of components follow from it. `Break` when a limit is reached.
     #[inline]
@@ -177,7 +177,7 @@ impl<'s> Parts<'s> {
                 env.fault(FaultKind::Value, format!("an index of `comp` is {number}; it takes nothing"));
             }
         }
-        let source = Source::of(env, shape, components, align, arms)?;
+        let source = ComponentSource::of(env, shape, components, align, arms)?;
         let count = source.len();
         let parent = shape;
         let looks = Looks::of(env, parent);
@@ -203,13 +203,15 @@ impl<'s> Parts<'s> {
         });
         let trims = match &source {
             // *comp operation*: only faces, and only with `:`.
-            Source::Mesh(parts) if components == Components::Faces && arms.iter().any(|arm| arm.mode == Mode::Each) => {
+            ComponentSource::Mesh(parts)
+                if components == Components::Faces && arms.iter().any(|arm| arm.mode == Mode::Each) =>
+            {
                 let up = (align == Align::Keep).then(|| parent.scope.axes.transpose() * parent.pivot.axes.y_axis);
                 Some(Arc::new(Surface::new(parts.mesh.clone(), parent.scope.frame(), up)))
             }
             _ => None,
         };
-        ControlFlow::Continue(Parts { parent, align, arms, owners, source, as_roof, trims })
+        ControlFlow::Continue(AssignedComponents { parent, align, arms, owners, source, as_roof, trims })
     }
 
     /// Calls `visit` with every part: its arm, the numbers of its components, and its shape.
@@ -252,7 +254,7 @@ impl<'s> Parts<'s> {
         cx: &mut Cx<'_, C>,
         visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
     ) -> Flow {
-        let material = cx.env.leaf_tables.materials.id(self.parent.state.look());
+        let material = cx.env.leaf_tables.looks.id(self.parent.state.look());
         for number in 0..self.arms.len() {
             let mine = || self.owners.of(number as u16);
             let total = mine().count();
@@ -276,11 +278,11 @@ impl<'s> Parts<'s> {
     #[inline]
     fn part(&self, number: usize, comp: Counter, components: &[u32]) -> Shape {
         let (parent, arm) = (self.parent, &self.arms[number]);
-        if let Source::Quads(quads) = &self.source {
+        if let ComponentSource::Quads(quads) = &self.source {
             return self.side(quads, number, comp, components[0]);
         }
         let as_roof = self.as_roof.get(number) == Some(&true);
-        let Part { scope, pivot, geometry } = self.source.part(parent, self.align, components, as_roof);
+        let Component { scope, pivot, geometry } = self.source.part(parent, self.align, components, as_roof);
         let own = match &self.trims {
             Some(surface) if arm.mode == Mode::Each => Trims::Face(surface.clone(), components[0]),
             _ => Trims::None,

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::source::Source;
+use super::source::ComponentSource;
 
 /// The arm of each component. Up to six components need no allocation: `comp` of a box is the façade path.
 #[derive(Debug)]
@@ -45,7 +45,7 @@ impl Owners {
 }
 
 /// The sets of connected components, in the order of their first components (*comp operation*, `=:`).
-pub(super) fn connected(source: &Source, components: impl Iterator<Item = u32>) -> Vec<Vec<u32>> {
+pub(super) fn connected(source: &ComponentSource, components: impl Iterator<Item = u32>) -> Vec<Vec<u32>> {
     let components: Vec<u32> = components.collect();
     // The first component for each bond, and for each component an earlier one that it is connected with.
     let mut first: HashMap<u32, usize> = HashMap::new();

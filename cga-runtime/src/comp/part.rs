@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::mesh_parts::MeshParts;
-use super::source::Source;
+use super::source::ComponentSource;
 use super::{Align, Components};
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::tol::PLANAR_EPSILON;
@@ -17,32 +17,32 @@ use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Placed, Shape};
 
 /// The scope, pivot and geometry of a component, or of several together.
-pub(super) struct Part {
+pub(super) struct Component {
     pub(super) scope: Scope,
     pub(super) pivot: Frame,
     pub(super) geometry: Geometry,
 }
 
-impl Source {
+impl ComponentSource {
     /// The part of the components with those numbers, aligned to the first. Edges may be edges of a roof (*comp
     /// operation*).
     #[inline]
-    pub(super) fn part(&self, parent: &Shape, align: Align, numbers: &[u32], as_roof: bool) -> Part {
+    pub(super) fn part(&self, parent: &Shape, align: Align, numbers: &[u32], as_roof: bool) -> Component {
         let first = numbers[0] as usize;
         if align == Align::Keep {
             return self.kept(parent, numbers, as_roof);
         }
         match self {
             // These are used unchanged, unless a condition needs their shapes.
-            Source::Quads(_) => self.kept(parent, numbers, as_roof),
-            Source::Mesh(parts) => {
+            ComponentSource::Quads(_) => self.kept(parent, numbers, as_roof),
+            ComponentSource::Mesh(parts) => {
                 if let [_] = numbers
                     && let Some((found, provenance)) = parts.rectangle(first)
                 {
                     let pivot = in_world(&parent.scope, &found.frame);
                     let size = (found.high - found.low).extend(0.0);
                     let scope = Scope { origin: pivot.origin, axes: pivot.axes, size };
-                    return Part {
+                    return Component {
                         scope,
                         pivot,
                         geometry: Geometry::Rect(Axis::Z, UnitMesh::face(Axis::Z, provenance)),
@@ -56,7 +56,7 @@ impl Source {
                     },
                 }
             }
-            Source::Wire(parts) => match parts.frame(first) {
+            ComponentSource::Wire(parts) => match parts.frame(first) {
                 Some(frame) => wire(in_world(&parent.scope, &frame), parts.wire(numbers).seen_from(&frame)),
                 None => self.kept(parent, numbers, as_roof),
             },
@@ -64,21 +64,21 @@ impl Source {
     }
 
     /// The part with the pivot and the axes of the shape (*comp operation*, noAlign).
-    pub(super) fn kept(&self, parent: &Shape, numbers: &[u32], as_roof: bool) -> Part {
+    pub(super) fn kept(&self, parent: &Shape, numbers: &[u32], as_roof: bool) -> Component {
         let here = parent.scope.frame();
         let part = match self {
             // The mesh of a box has its sides in the same order.
-            Source::Quads(_) => {
+            ComponentSource::Quads(_) => {
                 let parts = MeshParts::new(parent.to_mesh(), Components::Faces, false);
-                return Source::Mesh(Box::new(parts)).kept(parent, numbers, as_roof);
+                return ComponentSource::Mesh(Box::new(parts)).kept(parent, numbers, as_roof);
             }
-            Source::Mesh(parts) => match parts.surface(numbers, &Frame::WORLD) {
+            ComponentSource::Mesh(parts) => match parts.surface(numbers, &Frame::WORLD) {
                 Some(mesh) => surface(here, Placed::fitted(mesh)),
                 None => wire(here, parts.wire(numbers, as_roof)),
             },
-            Source::Wire(parts) => wire(here, parts.wire(numbers)),
+            ComponentSource::Wire(parts) => wire(here, parts.wire(numbers)),
         };
-        Part { pivot: parent.pivot, ..part }
+        Component { pivot: parent.pivot, ..part }
     }
 }
 
@@ -93,13 +93,13 @@ fn levelled(mut mesh: Mesh) -> Mesh {
 }
 
 /// A mesh in the coordinates of a pivot.
-fn surface(pivot: Frame, placed: Placed) -> Part {
+fn surface(pivot: Frame, placed: Placed) -> Component {
     let scope = Scope { origin: pivot.to_world(placed.low), axes: pivot.axes, size: placed.size };
-    Part { scope, pivot, geometry: Geometry::Mesh(Arc::new(placed)) }
+    Component { scope, pivot, geometry: Geometry::Mesh(Arc::new(placed)) }
 }
 
 /// Edges or points in the coordinates of a pivot.
-fn wire(pivot: Frame, wire: Wire) -> Part {
+fn wire(pivot: Frame, wire: Wire) -> Component {
     let placed = PlacedWire::fitted(wire);
     let mut scope = Scope { origin: pivot.to_world(placed.low), axes: pivot.axes, size: placed.size };
     let geometry = match (&placed.wire.edges[..], placed.wire.points.len()) {
@@ -112,7 +112,7 @@ fn wire(pivot: Frame, wire: Wire) -> Part {
         }
         _ => Geometry::Wire(Arc::new(placed)),
     };
-    Part { scope, pivot, geometry }
+    Component { scope, pivot, geometry }
 }
 
 fn is_along_x(end: DVec3) -> bool {

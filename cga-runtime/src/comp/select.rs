@@ -4,7 +4,7 @@ use crate::shape::direction::Direction;
 
 /// A word that selects components (*comp operation*).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names say it: those of the language")]
+#[allow(missing_docs, reason = "the names are those of the language")]
 pub enum Word {
     Front,
     Back,

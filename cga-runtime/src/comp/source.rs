@@ -18,14 +18,14 @@ use crate::shape::{Geometry, Shape};
 
 /// A shape's components of one kind, by number.
 #[derive(Debug)]
-pub(super) enum Source {
+pub(super) enum ComponentSource {
     /// The faces of a box or a rectangle, used one by one.
     Quads(Quads),
     Mesh(Box<MeshParts>),
     Wire(WireParts),
 }
 
-impl Source {
+impl ComponentSource {
     /// The components of a shape. `Break` when a limit is reached.
     #[inline]
     pub(super) fn of(
@@ -40,7 +40,7 @@ impl Source {
             && each
             && let Some(quads) = Quads::of(shape)
         {
-            return ControlFlow::Continue(Source::Quads(quads));
+            return ControlFlow::Continue(ComponentSource::Quads(quads));
         }
         let wire = match &shape.geometry {
             Geometry::Wire(placed) => placed.in_scope(shape.scope.size),
@@ -54,22 +54,22 @@ impl Source {
                 }
                 let mesh = shape.to_mesh();
                 env.count_vertices(&mesh)?;
-                return ControlFlow::Continue(Source::Mesh(Box::new(MeshParts::new(
+                return ControlFlow::Continue(ComponentSource::Mesh(Box::new(MeshParts::new(
                     mesh,
                     components,
                     env.initial.as_meshes,
                 ))));
             }
         };
-        ControlFlow::Continue(Source::Wire(WireParts::new(wire, components)))
+        ControlFlow::Continue(ComponentSource::Wire(WireParts::new(wire, components)))
     }
 
     #[inline]
     pub(super) fn len(&self) -> usize {
         match self {
-            Source::Quads(quads) => quads.len(),
-            Source::Mesh(parts) => parts.len(),
-            Source::Wire(parts) => parts.len(),
+            ComponentSource::Quads(quads) => quads.len(),
+            ComponentSource::Mesh(parts) => parts.len(),
+            ComponentSource::Wire(parts) => parts.len(),
         }
     }
 
@@ -77,18 +77,18 @@ impl Source {
     #[inline]
     pub(super) fn is(&self, looks: &Looks, number: usize, word: Word) -> bool {
         match self {
-            Source::Quads(quads) => quads.is(looks, number, word),
-            Source::Mesh(parts) => parts.is(looks, number, word),
-            Source::Wire(parts) => parts.is(looks, number, word),
+            ComponentSource::Quads(quads) => quads.is(looks, number, word),
+            ComponentSource::Mesh(parts) => parts.is(looks, number, word),
+            ComponentSource::Wire(parts) => parts.is(looks, number, word),
         }
     }
 
     /// Calls `bond` with the numbers of a component's edges or points. Components with a common number are connected.
     pub(super) fn bonds(&self, number: usize, bond: impl FnMut(u32)) {
         match self {
-            Source::Quads(_) => {}
-            Source::Mesh(parts) => parts.bonds(number, bond),
-            Source::Wire(parts) => parts.bonds(number, bond),
+            ComponentSource::Quads(_) => {}
+            ComponentSource::Mesh(parts) => parts.bonds(number, bond),
+            ComponentSource::Wire(parts) => parts.bonds(number, bond),
         }
     }
 }

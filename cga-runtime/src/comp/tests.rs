@@ -4,7 +4,7 @@
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use super::select::Word;
-use super::{Align, Arm, Components, Mode, Parts, Select, comp_values, never};
+use super::{Align, Arm, AssignedComponents, Components, Mode, Select, comp_values, never};
 use crate::geometry::mesh::{Extrude, Mesh, MeshBuilder, extrude, primitive};
 use crate::run::env::Env;
 use crate::run::sink::Flow;
@@ -32,7 +32,7 @@ fn arm(word: Word, mode: Mode) -> Arm {
 fn parts(shape: &Shape, components: Components, align: Align, arms: &[Arm]) -> Vec<(u32, Vec<u32>, Shape)> {
     let (env, shape) = (&mut Env::for_tests(), shape.clone());
     let mut out = Vec::new();
-    let parts = Parts::of(env, &shape, components, align, arms, never);
+    let parts = AssignedComponents::of(env, &shape, components, align, arms, never);
     let std::ops::ControlFlow::Continue(parts) = parts else { panic!("no limit is near") };
     let _: Flow = parts.each(|arm, members, part| {
         out.push((arm, members.to_vec(), part.clone()));

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::{Align, Arm, Candidate, Components, Parts};
+use super::{Align, Arm, AssignedComponents, Candidate, Components};
 use crate::run::env::Env;
 use crate::run::sink::Flow;
 use crate::shape::Shape;
@@ -21,7 +21,7 @@ pub fn comp_values<T: Element>(
     mut value: impl FnMut(&mut Env, u32, &mut Shape) -> T,
 ) -> Array<T> {
     let whole = Shape { seed: shape.seed.branch(), ..shape.clone() };
-    let ControlFlow::Continue(parts) = Parts::of(env, &whole, components, align, arms, when) else {
+    let ControlFlow::Continue(parts) = AssignedComponents::of(env, &whole, components, align, arms, when) else {
         return Array::default();
     };
     if !env.may_hold(parts.owners.len()) {

@@ -65,11 +65,11 @@ impl Wire {
             let mut number = |point: u32, place: f64| {
                 let inside = place.clamp(low, high);
                 let (key, found) = match inside == place {
-                    true => (End::Point(point), self.points[point as usize]),
+                    true => (CutEnd::Point(point), self.points[point as usize]),
                     false if inside == low => {
-                        (End::Low(min, max), cut_at(start, end, (low - own) / (end.dot(along) - own)))
+                        (CutEnd::Low(min, max), cut_at(start, end, (low - own) / (end.dot(along) - own)))
                     }
-                    false => (End::High(min, max), cut_at(start, end, (high - own) / (end.dot(along) - own))),
+                    false => (CutEnd::High(min, max), cut_at(start, end, (high - own) / (end.dot(along) - own))),
                 };
                 *numbers.entry(key).or_insert_with(|| {
                     part.points.push(found);
@@ -99,7 +99,7 @@ impl Wire {
 
 /// An end of an edge of a part: a point of the wire, or the cut of the edge between two points.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
-enum End {
+enum CutEnd {
     Point(u32),
     Low(u32, u32),
     High(u32, u32),

@@ -10,7 +10,7 @@ use crate::shape::Shape;
 
 /// The axes that a scope is aligned to: one or all three, of the world or of the object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names say it")]
+#[allow(missing_docs, reason = "the names are those of the language")]
 pub enum AlignAxes {
     WorldX,
     WorldY,

@@ -10,7 +10,7 @@ use crate::shape::{Geometry, Shape};
 
 /// The two axes that are aligned; the first takes the longer side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names say it")]
+#[allow(missing_docs, reason = "the names are those of the language")]
 pub enum BoxAxes {
     Xy,
     Yx,

@@ -33,9 +33,9 @@ pub fn translate_in(env: &mut Env, shape: &mut Shape, mode: TransformMode, syste
     shape.carry(&before);
 }
 
-/// `rotate(abs | rel, system, x, y, z)`: turns the scope about its origin, to angles in the system or by angles about the
-/// system's axes, x then y then z, in degrees (*rotate operation*; *r operation*: `r` is `rotate(rel, pivot, …)`). In the
-/// scope's own system both mean the same.
+/// `rotate(abs | rel, system, x, y, z)`: turns the scope about its origin, to angles in the system or by angles about
+/// the system's axes, x then y then z, in degrees (*rotate operation*; *r operation*: `r` is `rotate(rel, pivot,
+/// …)`). In the scope's own system both mean the same.
 pub fn rotate_in(env: &mut Env, shape: &mut Shape, mode: TransformMode, system: System, x: f64, y: f64, z: f64) {
     let angles = finite(env, "`rotate`", [x, y, z]);
     let frame = system.frame(env, shape).axes;

@@ -16,7 +16,7 @@ use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::primitive::Made;
 use crate::run::env::Env;
-use crate::shape::texture::Source;
+use crate::shape::texture::UvSource;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
 
@@ -157,7 +157,7 @@ fn fit_flat(shape: &mut Shape, across: Axis) {
 /// Makes a rectangle. Across x it needs a mesh, as rectangles without a mesh have another first edge there.
 fn put_quad(env: &mut Env, shape: &mut Shape, across: Axis) {
     if across != Axis::X {
-        let coordinates = Source::of_quad(&shape.scope, across);
+        let coordinates = UvSource::of_quad(&shape.scope, across);
         fill_plainly(env, shape, Geometry::Rect(across, UnitMesh::quad(across)), Some(coordinates));
     } else if let Some(mesh) = env.primitive(Made::Square { across }) {
         put(env, shape, mesh);
@@ -180,12 +180,12 @@ fn fill_to_size(env: &mut Env, shape: &mut Shape, made: Made, size: DVec3, acros
 
 /// Replaces the geometry by a cube, with texture coordinates or without.
 pub(super) fn fill_with_cube(env: &mut Env, shape: &mut Shape, is_textured: bool) {
-    let coordinates = is_textured.then(|| Source::of_cube(&shape.scope));
+    let coordinates = is_textured.then(|| UvSource::of_cube(&shape.scope));
     fill_plainly(env, shape, Geometry::Box(UnitMesh::cube()), coordinates);
 }
 
 /// Replaces the geometry by a box or a rectangle with those texture coordinates in set 0.
-fn fill_plainly(env: &mut Env, shape: &mut Shape, geometry: Geometry, coordinates: Option<Source>) {
+fn fill_plainly(env: &mut Env, shape: &mut Shape, geometry: Geometry, coordinates: Option<UvSource>) {
     shape.geometry = geometry;
     super::inserted(env, shape);
     if let Some(source) = coordinates {

@@ -9,7 +9,7 @@ use super::{Length, settle_origin};
 use crate::geometry::Axis;
 use crate::run::env::Env;
 use crate::shape::base::{Base, Form};
-use crate::shape::look_ids::MaterialId;
+use crate::shape::look_id::LookId;
 use crate::shape::scope::Scope;
 use crate::shape::{Shape, ShapeRef};
 
@@ -77,7 +77,7 @@ pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Le
     None
 }
 
-/// `extrude(distance)`, see [`super::extrude`].
+/// `extrude(distance)`, see [`super::extrude()`].
 #[inline]
 pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Option<Box<Base>> {
     let s = shape.size.get();
@@ -114,22 +114,22 @@ pub fn paint<G>(
     g: &G,
     change: fn(&G, &mut Env, &mut Shape),
 ) -> Option<Box<Base>> {
-    let (before, faults) = (shape.material.get(), env.fault_count());
-    let materials = &mut env.leaf_tables.materials;
+    let (before, faults) = (shape.look.get(), env.fault_count());
+    let materials = &mut env.leaf_tables.looks;
     if let Some(after) = materials.painted(place, before).or_else(|| materials.painted_before(place, before)) {
-        shape.material.set(after);
+        shape.look.set(after);
         return None;
     }
     let base = whole(env, shape, |env, shape| change(g, env, shape))?;
     // If the material before has no number, the new one must not get one: templates are kept by number, and all
     // materials without a number share `OF_BASE`.
-    if before == MaterialId::OF_BASE || faults != env.fault_count() {
+    if before == LookId::OF_BASE || faults != env.fault_count() {
         return Some(base);
     }
-    let materials = &mut env.leaf_tables.materials;
+    let materials = &mut env.leaf_tables.looks;
     let after = materials.intern(base.shape.state.look());
     if materials.keep_paint(place, before, after) {
-        shape.material.set(after);
+        shape.look.set(after);
         return None;
     }
     Some(base)

@@ -14,11 +14,11 @@ use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::uv_map::UvMap;
 use crate::run::env::Env;
 use crate::shape::Shape;
-use crate::shape::texture::Source;
+use crate::shape::texture::UvSource;
 
 /// The coordinate system of a projection, and its axes for u and v.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names say it")]
+#[allow(missing_docs, reason = "the names are those of the language")]
 pub enum ProjectionAxes {
     ScopeXy,
     ScopeXz,
@@ -139,13 +139,13 @@ pub fn setup_projection_at(
 /// projection the set is empty.
 pub fn project_uv(env: &mut Env, shape: &mut Shape, set: f64) {
     let Some(set) = env.uv_set(set, "projectUV") else { return };
-    shape.state.change_look().coordinates.set(set, Source::Stored(set));
+    shape.state.change_look().coordinates.set(set, UvSource::Stored(set));
 }
 
 /// `deleteUV(uvSet)` (*deleteUV operation*).
 pub fn delete_uv(env: &mut Env, shape: &mut Shape, set: f64) {
     let Some(set) = env.uv_set(set, "deleteUV") else { return };
-    shape.state.change_look().coordinates.set(set, Source::Deleted);
+    shape.state.change_look().coordinates.set(set, UvSource::Deleted);
 }
 
 /// `copyUV(uvSetSource, uvSetDest)` (*copyUV operation*).

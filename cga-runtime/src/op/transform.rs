@@ -66,7 +66,7 @@ pub fn rotate_about(env: &mut Env, shape: &mut Shape, about: RotateAbout, x: f64
 
 /// The scope axes along which `center` moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names say it")]
+#[allow(missing_docs, reason = "the names are those of the language")]
 pub enum CenterAxes {
     X,
     Y,

@@ -203,7 +203,7 @@ impl Buffers {
     /// is room for it.
     #[inline(always)]
     fn goes_on(&self, leaf: &Filled<'_>, vertices: usize) -> bool {
-        self.last == Some((leaf.rule, leaf.shape.material.get().0))
+        self.last == Some((leaf.rule, leaf.shape.look.get().0))
             && vertices <= self.limit - self.vertices.len()
             && self.vertices.has(vertices)
             && self.indices.has(vertices / 4 * 6)

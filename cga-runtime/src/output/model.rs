@@ -387,7 +387,7 @@ impl Sink for Model {
         self.records.reserve(replay.leaf_count());
         let mut leaf = 0;
         for (filled, mark) in replay.marks() {
-            let (rule, material) = self.numbers.with_material(&filled, mark.material);
+            let (rule, material) = self.numbers.with_look(&filled, mark.look);
             let leaves = replay.leaves(leaf..leaf + mark.leaves);
             leaf += mark.leaves;
             self.records.extend(leaves.filter_map(|(placed, record, axes)| {

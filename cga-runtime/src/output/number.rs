@@ -42,12 +42,12 @@ where
 /// The texts of recently printed numbers: neighbours have equal coordinates, and finding the shortest digits is slow.
 #[derive(Debug)]
 pub(crate) struct Texts {
-    places: Vec<Known>,
+    places: Vec<CachedText>,
 }
 
 /// A number as bits, and its text. The bits 0 mark an unused entry, as 0 is never looked up.
 #[derive(Clone, Copy, Debug, Default)]
-struct Known {
+struct CachedText {
     bits: u64,
     length: u8,
     text: [u8; 23],
@@ -58,7 +58,7 @@ const PLACE_BITS: u32 = 10;
 
 impl Default for Texts {
     fn default() -> Self {
-        Texts { places: vec![Known::default(); 1 << PLACE_BITS] }
+        Texts { places: vec![CachedText::default(); 1 << PLACE_BITS] }
     }
 }
 
@@ -80,7 +80,7 @@ impl Texts {
 
 /// Prints a number, and keeps its text unless it is long.
 #[inline(never)]
-fn print(known: &mut Known, to: &mut Vec<u8>, value: f64) {
+fn print(known: &mut CachedText, to: &mut Vec<u8>, value: f64) {
     let start = to.len();
     // Writing to memory does not fail.
     let _ = write!(to, "{value}");

@@ -7,7 +7,7 @@ use std::fmt;
 
 use super::table::Table;
 use crate::run::sink::{Filled, Leaf};
-use crate::shape::look_ids::MaterialId;
+use crate::shape::look_id::LookId;
 
 /// A table of rule names and materials, and a map from numbers of the current run to numbers of the table.
 #[derive(Clone, Default)]
@@ -49,7 +49,7 @@ impl Numbers {
     /// The rule and the material of a leaf that fills its scope.
     #[inline]
     pub(crate) fn filled(&mut self, leaf: &Filled<'_>) -> (u32, u32) {
-        self.with_material(leaf, leaf.shape.material.get())
+        self.with_look(leaf, leaf.shape.look.get())
     }
 
     /// The rule of a leaf, for sinks that ignore materials.
@@ -65,24 +65,24 @@ impl Numbers {
         }
     }
 
-    /// The rule of a leaf and another material of the run.
+    /// The rule of a leaf and the material of another look of the run.
     #[inline]
-    pub(crate) fn with_material(&mut self, leaf: &Filled<'_>, material: MaterialId) -> (u32, u32) {
-        match (self.rules.get(leaf.rule as usize), self.materials.get(material.index() as usize)) {
+    pub(crate) fn with_look(&mut self, leaf: &Filled<'_>, look: LookId) -> (u32, u32) {
+        match (self.rules.get(leaf.rule as usize), self.materials.get(look.index() as usize)) {
             (Some(&rule), Some(&material)) if rule != UNKNOWN && material != UNKNOWN => (rule, material),
-            _ => self.find(leaf, material),
+            _ => self.find(leaf, look),
         }
     }
 
     /// Looks the leaf up in the table, and keeps the result if the material has a number.
     #[cold]
     #[inline(never)]
-    fn find(&mut self, leaf: &Filled<'_>, material: MaterialId) -> (u32, u32) {
+    fn find(&mut self, leaf: &Filled<'_>, look: LookId) -> (u32, u32) {
         let rule = self.table.rule(leaf.rule());
-        let found = self.table.material(leaf.of_id(material));
+        let found = self.table.material(leaf.of_id(look));
         keep(&mut self.rules, leaf.rule, rule);
-        if material != MaterialId::OF_BASE {
-            keep(&mut self.materials, material.index(), found);
+        if look != LookId::OF_BASE {
+            keep(&mut self.materials, look.index(), found);
         }
         (rule, found)
     }

@@ -10,7 +10,7 @@ use crate::run::env::Env;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
 
 /// `geometry.isConcave()`: true if a face has a reflex corner (*geometry.isConcave function*). A straight corner is
-/// not reflex. The corners of a hole are.
+/// not reflex. Some corners of every hole are.
 pub fn geometry_is_concave(shape: &Shape) -> bool {
     let Geometry::Mesh(placed) = &shape.geometry else { return false };
     let stretch = placed.stretch(shape.scope.size);

@@ -12,7 +12,7 @@ use crate::run::settings::Settings;
 use crate::run::sink::{Flow, Sink};
 use crate::run::template::Templates;
 use crate::shape::Shape;
-use crate::shape::look_ids::MaterialIds;
+use crate::shape::look_id::LookIds;
 
 /// The start rule of a run: its number, its style and its name.
 #[derive(Clone, Copy, Debug)]
@@ -25,12 +25,12 @@ pub(crate) struct Start {
 /// The state of a run that the next run of the session can reuse. No result depends on it.
 pub(crate) struct Kept<C> {
     templates: Templates<C>,
-    materials: MaterialIds,
+    materials: LookIds,
 }
 
 impl<C> Default for Kept<C> {
     fn default() -> Self {
-        Kept { templates: Templates::default(), materials: MaterialIds::default() }
+        Kept { templates: Templates::default(), materials: LookIds::default() }
     }
 }
 
@@ -65,7 +65,7 @@ pub(crate) fn run<R: Rules>(
     sink.begin();
     kept.begin(R::SETTLED);
     // Both are taken: templates contain numbers of these looks. If a sink panics, neither stays in the session.
-    std::mem::swap(&mut env.leaf_tables.materials, &mut kept.materials);
+    std::mem::swap(&mut env.leaf_tables.looks, &mut kept.materials);
     let mut templates = std::mem::take(&mut kept.templates);
     let mut cx =
         Cx { env: &mut env, sink, waiting: VecDeque::new(), stack: 0, depth: 0, templates: &mut templates, tape: None };
@@ -83,7 +83,7 @@ pub(crate) fn run<R: Rules>(
         let base = cx.env.base(next.shape);
         flow = R::resume(&values, &mut cx, &base.shape(), next.call);
     }
-    std::mem::swap(&mut env.leaf_tables.materials, &mut kept.materials);
+    std::mem::swap(&mut env.leaf_tables.looks, &mut kept.materials);
     kept.templates = templates;
     env.tell_watch(flow.is_continue());
     let (faults, faults_left_out) = env.take_faults();

@@ -27,7 +27,8 @@ pub struct Progress {
 
 /// Follows the progress of runs and ends them early. Copies are the same watch.
 ///
-/// Put it into [`Settings::watch`]. It works for a single run, for a session and for runs in parallel.
+/// Put it into [`Settings::watch`](crate::run::settings::Settings::watch). It works for single runs, for sessions and
+/// for parallel runs.
 ///
 /// ```
 /// use cga_runtime::run::settings::Settings;

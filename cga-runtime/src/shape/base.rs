@@ -7,7 +7,7 @@ use super::{Counter, Geometry, Shape, ShapeRef};
 use crate::geometry::Axis;
 use crate::geometry::uv_map::SetMap;
 use crate::shape::look::Look;
-use crate::shape::look_ids::MaterialId;
+use crate::shape::look_id::LookId;
 use crate::shape::scope::Scope;
 use crate::shape::texture::kept::KeptMaps;
 use crate::shape::trim::Trims;
@@ -20,7 +20,7 @@ pub struct Base {
     /// The axes after a rectangle across z has grown.
     raised: Axes,
     pub(crate) shape: Shape,
-    material: MaterialId,
+    look: LookId,
     maps: KeptMaps,
     /// True for each axis along which all implicit coordinates are constant, now and after `projectUV`.
     constant: [bool; 3],
@@ -44,19 +44,19 @@ impl Base {
     /// The slim shape.
     #[inline]
     pub fn shape(&self) -> ShapeRef<'_> {
-        ShapeRef::of(self, self.form(), self.material)
+        ShapeRef::of(self, self.form(), self.look)
     }
 
     /// The base of a shape whose look has the number `material`. Inlined, and it calls nothing that can unwind, so
     /// the shape need not be in memory before it is in its base.
     #[inline(always)]
-    pub(crate) fn new(shape: Shape, material: MaterialId, number: u64) -> Self {
+    pub(crate) fn new(shape: Shape, look: LookId, number: u64) -> Self {
         let axes = Axes::new(shape.scope.axes);
         let constant = match shape.state.has_texture_space() {
             false => [true; 3],
             true => constant(&shape),
         };
-        Base { axes, raised: axes.raised(), shape, material, maps: KeptMaps::default(), constant, number }
+        Base { axes, raised: axes.raised(), shape, look, maps: KeptMaps::default(), constant, number }
     }
 
     /// A base at the origin with the axes of the world, for a part that is moved there.
@@ -79,7 +79,7 @@ impl Base {
             axes,
             raised: axes.raised(),
             shape,
-            material: part.material.get(),
+            look: part.look.get(),
             maps: KeptMaps::default(),
             constant,
             number: 0,
@@ -101,7 +101,7 @@ impl Base {
     /// `None` is the base's own look.
     #[cold]
     #[inline(never)]
-    pub(crate) fn maps(&self, id: MaterialId, look: Option<&Look>, normal: DVec3) -> &[SetMap] {
+    pub(crate) fn maps(&self, id: LookId, look: Option<&Look>, normal: DVec3) -> &[SetMap] {
         let coordinates = &look.unwrap_or(self.shape.state.look()).coordinates;
         if coordinates.is_empty() {
             return &[];

@@ -107,7 +107,7 @@ impl Shape {
     ///
     /// ```
     /// # use cga_runtime as cga;
-    /// use cga::mesh::{FaceTag, MeshBuilder};
+    /// use cga::geometry::mesh::{FaceTag, MeshBuilder};
     /// use cga::shape::Shape;
     ///
     /// // A wall 4 m long and 3 m high that runs along the world's z axis.

@@ -8,7 +8,7 @@ pub(crate) mod base;
 pub(crate) mod direction;
 mod initial;
 pub(crate) mod look;
-pub(crate) mod look_ids;
+pub(crate) mod look_id;
 pub(crate) mod place;
 mod placed;
 pub mod scope;

@@ -13,7 +13,7 @@ use super::axes::Axes;
 use super::base::{Base, Form};
 use super::{Counter, Geometry, Shape};
 use crate::geometry::Axis;
-use crate::shape::look_ids::MaterialId;
+use crate::shape::look_id::LookId;
 use crate::shape::scope::Scope;
 use crate::shape::seed::{self, Seed, Tag};
 use crate::shape::unit::UnitMesh;
@@ -35,7 +35,7 @@ pub struct ShapeRef<'a> {
     pub(crate) seed: Cell<Seed>,
     pub(crate) split: Cell<Counter>,
     pub(crate) form: Form,
-    pub(crate) material: Cell<MaterialId>,
+    pub(crate) look: Cell<LookId>,
 }
 
 /// The size of a slim shape, in metres. Each extent is read and written alone, so none waits for the others.
@@ -78,7 +78,7 @@ impl From<DVec3> for Extents {
 impl<'a> ShapeRef<'a> {
     /// The shape of a base.
     #[inline]
-    pub(crate) fn of(base: &'a Base, (form, unit): (Form, UnitMesh), material: MaterialId) -> Self {
+    pub(crate) fn of(base: &'a Base, (form, unit): (Form, UnitMesh), look: LookId) -> Self {
         let shape = &base.shape;
         ShapeRef {
             origin: Cell::new(shape.scope.origin.extend(0.0)),
@@ -89,7 +89,7 @@ impl<'a> ShapeRef<'a> {
             seed: Cell::new(shape.seed),
             split: Cell::new(shape.split),
             form,
-            material: Cell::new(material),
+            look: Cell::new(look),
         }
     }
 
@@ -129,8 +129,8 @@ impl<'a> ShapeRef<'a> {
     /// Returns true if there are implicit texture coordinates.
     #[inline]
     pub(crate) fn has_coordinates(&self) -> bool {
-        let look = self.material.get();
-        look.may_have_coordinates() && (look != MaterialId::OF_BASE || !self.base.shape.state.coordinates().is_empty())
+        let look = self.look.get();
+        look.may_have_coordinates() && (look != LookId::OF_BASE || !self.base.shape.state.coordinates().is_empty())
     }
 
     /// Returns true if a point that moves by `by` along the axes keeps its implicit coordinates.
@@ -147,7 +147,7 @@ impl<'a> ShapeRef<'a> {
     /// coordinates.
     #[inline]
     pub(crate) fn has_sides(&self) -> bool {
-        self.material.get() == MaterialId::OF_BASE && self.base.shape.state.coordinates().has_cube()
+        self.look.get() == LookId::OF_BASE && self.base.shape.state.coordinates().has_cube()
     }
 
     /// Returns true if the parts of a split along an axis fill their scopes.

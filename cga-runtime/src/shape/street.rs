@@ -14,11 +14,11 @@ use crate::shape::direction::Direction;
 #[derive(Clone, Debug)]
 pub(crate) struct Streets {
     up: DVec3,
-    edges: Vec<Edge>,
+    edges: Vec<LotEdge>,
 }
 
 #[derive(Clone, Debug)]
-struct Edge {
+struct LotEdge {
     middle: DVec3,
     /// The outward direction.
     out: DVec3,
@@ -56,7 +56,7 @@ impl Streets {
                 () => Direction::Left,
             }
         };
-        let edges = edges.iter().map(|&(i, middle, out, _)| Edge { middle, out, class: class(i, out) });
+        let edges = edges.iter().map(|&(i, middle, out, _)| LotEdge { middle, out, class: class(i, out) });
         Some(Streets { up, edges: edges.collect() })
     }
 

@@ -13,12 +13,12 @@ pub(super) enum Profile {
     /// A total area that is evenly distributed.
     Even(f64),
     /// Sections in which the area grows quadratically. The last one is at the end of the geometry.
-    Sections(Vec<Section>),
+    Sections(Vec<WidthSection>),
 }
 
 /// The section between two consecutive vertices along the axis.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Section {
+pub(super) struct WidthSection {
     /// The start.
     at: f64,
     /// The area before it.
@@ -81,15 +81,15 @@ impl Profile {
     }
 }
 
-/// The contribution of an edge to the width, from its start on.
+/// A change of the width and of its growth, at the start or the end of an edge.
 #[derive(Clone, Copy)]
-struct Event {
+struct WidthChange {
     at: f64,
     width: f64,
     growth: f64,
 }
 
-fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<Section> {
+fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<WidthSection> {
     let stretch = placed.stretch(size).abs();
     // Edges without an extent along the axis, except for rounding.
     let across = size[axis.index()].abs() * EDGE_EPSILON;
@@ -100,7 +100,7 @@ fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<Section> {
         add_face(&face, stretch, (axis, base, across), &mut events);
     }
     events.sort_by(|a, b| a.at.total_cmp(&b.at));
-    let mut list: Vec<Section> = Vec::new();
+    let mut list: Vec<WidthSection> = Vec::new();
     let (mut width, mut growth, mut area) = (Sum::default(), Sum::default(), Sum::default());
     for (index, event) in events.iter().enumerate() {
         // The width at the event, and the area between it and the previous one.
@@ -113,7 +113,7 @@ fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<Section> {
         width.add(event.width);
         growth.add(event.growth);
         let section =
-            Section { at: event.at, before: area.value(), width: width.value().max(0.0), growth: growth.value() };
+            WidthSection { at: event.at, before: area.value(), width: width.value().max(0.0), growth: growth.value() };
         match list.last_mut() {
             Some(last) if last.at == event.at => *last = section,
             _ => list.push(section),
@@ -146,10 +146,10 @@ impl Sum {
     }
 }
 
-/// Adds the edges of a face that are at least `least` long along the axis, as events at places relative to `base`.
+/// Adds the edges of a face that are longer than `least` along the axis, as events at places relative to `base`.
 /// The area below a place is the signed sum of the areas below the edges, each up to its end. The line that closes
 /// the face at the place runs across the axis and adds nothing.
-fn add_face(face: &FaceRef<'_>, stretch: DVec3, (axis, base, least): (Axis, f64, f64), events: &mut Vec<Event>) {
+fn add_face(face: &FaceRef<'_>, stretch: DVec3, (axis, base, least): (Axis, f64, f64), events: &mut Vec<WidthChange>) {
     let at = axis.index();
     let normal = face.stretched_normal(stretch);
     // The direction of the axis within the face: a metre in it is `slant` along the axis.
@@ -174,8 +174,8 @@ fn add_face(face: &FaceRef<'_>, stretch: DVec3, (axis, base, least): (Axis, f64,
             let width = |point: DVec3| sign * across.dot(point - origin) / slant;
             let (first, last) = (width(low), width(high));
             let growth = (last - first) / length;
-            events.push(Event { at: low[at] - base, width: first, growth });
-            events.push(Event { at: high[at] - base, width: -last, growth: -growth });
+            events.push(WidthChange { at: low[at] - base, width: first, growth });
+            events.push(WidthChange { at: high[at] - base, width: -last, growth: -growth });
         }
     }
 }

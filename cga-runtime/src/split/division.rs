@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use glam::DVec4;
 
-use super::parts::{Parts, within_limit};
+use super::parts::{SplitParts, within_limit};
 use super::row::{Row, Slots};
 use super::{Adjust, Piece};
 use crate::geometry::Axis;
@@ -13,7 +13,7 @@ use crate::run::context::{Cx, filled};
 use crate::run::env::Env;
 use crate::run::sink::Flow;
 use crate::shape::base::{Base, Form};
-use crate::shape::look_ids::MaterialId;
+use crate::shape::look_id::LookId;
 use crate::shape::seed::{self, Seed, Tag};
 use crate::shape::unit::{Band, UnitMesh};
 use crate::shape::{Counter, ShapeRef};
@@ -52,7 +52,7 @@ struct Whole {
     unit: UnitMesh,
     seed: Seed,
     split: Counter,
-    material: MaterialId,
+    look: LookId,
 }
 
 /// The pieces of a shape that does not simply fill its scope, made at once. Empty for other shapes.
@@ -107,7 +107,7 @@ impl Made {
     #[inline(never)]
     fn cut(env: &mut Env, whole: &ShapeRef<'_>, axis: Axis, adjust: Adjust, row: impl Row) -> ControlFlow<(), Self> {
         let whole = env.whole(whole);
-        let mut parts = Parts::new(env, &whole, axis, adjust, row)?;
+        let mut parts = SplitParts::new(env, &whole, axis, adjust, row)?;
         let mut pieces = Vec::with_capacity(parts.total());
         let _ = row.each(|piece| {
             pieces.push(env.base(parts.next(piece)));
@@ -239,7 +239,7 @@ impl<'s> Division<'s> {
         }
         let (shape, whole) = (self.shape, &self.whole);
         // An operation may have painted the previous part.
-        shape.material.set(whole.material);
+        shape.look.set(whole.look);
         shape.origin.set(whole.origin + shape.axes.along(axis) * piece.start);
         shape.size.set_along(axis, piece.length);
         if self.has_bands {
@@ -267,7 +267,7 @@ impl Whole {
             unit: shape.unit.get(),
             seed: shape.seed.get(),
             split: shape.split.get(),
-            material: shape.material.get(),
+            look: shape.look.get(),
         };
         if adjust == Adjust::Adjust
             && let Form::Rect(across) = shape.form
@@ -288,7 +288,7 @@ impl Whole {
         shape.unit.set(self.unit);
         shape.seed.set(self.seed);
         shape.split.set(self.split);
-        shape.material.set(self.material);
+        shape.look.set(self.look);
         if self.thickness != 0.0
             && let Form::Rect(across) = shape.form
         {

@@ -22,7 +22,7 @@ use crate::shape::{Geometry, Inserted, Placed, Shape};
 
 /// The parts of a shape, in order.
 #[derive(Debug)]
-pub(super) struct Parts<'s> {
+pub(super) struct SplitParts<'s> {
     parent: &'s Shape,
     axis: Axis,
     adjust: Adjust,
@@ -35,7 +35,7 @@ pub(super) struct Parts<'s> {
     slabs: Vec<Option<Arc<Mesh>>>,
 }
 
-impl<'s> Parts<'s> {
+impl<'s> SplitParts<'s> {
     /// Counts the pieces and cuts the geometry. `Break` when a limit is reached.
     pub(super) fn new(
         env: &mut Env,
@@ -52,7 +52,7 @@ impl<'s> Parts<'s> {
         // A negative size extends in the other direction from the origin.
         let sign = if shape.scope.size[axis.index()] < 0.0 { -1.0 } else { 1.0 };
         let along = shape.scope.axes.col(axis.index()) * sign;
-        ControlFlow::Continue(Parts { parent: shape, axis, adjust, along, sign, index: 0, total, slabs })
+        ControlFlow::Continue(SplitParts { parent: shape, axis, adjust, along, sign, index: 0, total, slabs })
     }
 
     pub(super) fn total(&self) -> usize {

@@ -39,7 +39,7 @@ impl Widths {
 
 /// The kind of a chain's end.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum End {
+pub(super) enum ChainEnd {
     /// A dead end.
     Open,
     /// A node, by number.
@@ -48,7 +48,7 @@ pub(super) enum End {
 
 /// A point where chains meet.
 #[derive(Clone, Debug)]
-pub(super) struct Node {
+pub(super) struct ChainNode {
     pub(super) place: DVec2,
     pub(super) height: f64,
     /// True if it is a bend too tight for a mitre, rather than a vertex of the graph where streets meet.
@@ -65,7 +65,7 @@ pub(super) struct Chain {
     /// The line of each segment, and whether the chain has the line's direction.
     pub(super) lines: Vec<(u32, bool)>,
     pub(super) widths: Widths,
-    pub(super) ends: [End; 2],
+    pub(super) ends: [ChainEnd; 2],
     pub(super) closed: bool,
     /// The distance of each place from the start.
     pub(super) along: Vec<f64>,
@@ -102,8 +102,8 @@ impl Walker<'_> {
     fn walk(&mut self, from: u32, first: u32) -> Chain {
         let graph = self.graph;
         let end = |vertex: u32| match graph.around[vertex as usize].len() {
-            1 => End::Open,
-            _ => End::Node(vertex),
+            1 => ChainEnd::Open,
+            _ => ChainEnd::Node(vertex),
         };
         let mut chain = Chain {
             places: vec![graph.places[from as usize]],
@@ -134,7 +134,7 @@ impl Walker<'_> {
 }
 
 /// The chains of a graph with arcs at bends, and the nodes where they meet.
-pub(super) fn chains(graph: &Graph, lines: &[Centerline], options: &NetworkOptions) -> (Vec<Chain>, Vec<Node>) {
+pub(super) fn chains(graph: &Graph, lines: &[Centerline], options: &NetworkOptions) -> (Vec<Chain>, Vec<ChainNode>) {
     let mut walker = Walker { graph, lines, seen: vec![false; graph.edges.len()] };
     let mut raw = Vec::new();
     for (vertex, around) in graph.around.iter().enumerate() {
@@ -149,13 +149,13 @@ pub(super) fn chains(graph: &Graph, lines: &[Centerline], options: &NetworkOptio
             raw.push(walker.walk(ends.ends[0], edge as u32));
         }
     }
-    let node = |vertex: usize| Node {
+    let node = |vertex: usize| ChainNode {
         place: graph.places[vertex],
         height: graph.heights[vertex],
         is_bend: false,
         arms: Vec::new(),
     };
-    let mut nodes: Vec<Node> = (0..graph.places.len()).map(node).collect();
+    let mut nodes: Vec<ChainNode> = (0..graph.places.len()).map(node).collect();
     let mut done: Vec<Chain> = Vec::new();
     for mut chain in raw {
         chain.round_bends(options.arc_above.to_radians());
@@ -169,7 +169,7 @@ pub(super) fn chains(graph: &Graph, lines: &[Centerline], options: &NetworkOptio
             chain.along.push(sum);
         }
         for (at, end) in chain.ends.iter().enumerate() {
-            if let (End::Node(node), false) = (*end, chain.closed) {
+            if let (ChainEnd::Node(node), false) = (*end, chain.closed) {
                 nodes[node as usize].arms.push((number as u32, at));
             }
         }
@@ -267,7 +267,7 @@ impl Chain {
     }
 
     /// The parts of the chain between bends that are too tight for a mitre. Each such bend becomes a node.
-    fn broken(self, nodes: &mut Vec<Node>) -> Vec<Chain> {
+    fn broken(self, nodes: &mut Vec<ChainNode>) -> Vec<Chain> {
         let count = self.len();
         let mut bends: Vec<f64> = (0..=count).map(|at| self.bend(at)).collect();
         let mut breaks: Vec<bool> = bends.iter().map(|bend| MOST_MITRE.to_radians() < bend.abs()).collect();
@@ -305,9 +305,9 @@ impl Chain {
                 numbers[at] = numbers[0];
                 continue;
             }
-            nodes.push(Node { place: self.places[at], height: self.heights[at], is_bend: true, arms: Vec::new() });
+            nodes.push(ChainNode { place: self.places[at], height: self.heights[at], is_bend: true, arms: Vec::new() });
         }
-        let part = |from: usize, to: usize, ends: [End; 2]| Chain {
+        let part = |from: usize, to: usize, ends: [ChainEnd; 2]| Chain {
             places: self.places[from..=to].to_vec(),
             heights: self.heights[from..=to].to_vec(),
             lines: self.lines[from..to].to_vec(),
@@ -316,7 +316,7 @@ impl Chain {
             closed: false,
             along: Vec::new(),
         };
-        let end = |at: usize| End::Node(numbers[at]);
+        let end = |at: usize| ChainEnd::Node(numbers[at]);
         let mut parts: Vec<Chain> =
             cuts.windows(2).map(|cut| part(cut[0], cut[1], [end(cut[0]), end(cut[1])])).collect();
         let last = cuts[cuts.len() - 1];

@@ -11,7 +11,7 @@ use super::{MOST_CROSSINGS, StreetError};
 
 /// A straight part of a centre line between two vertices, in the direction of the line.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Edge {
+pub(super) struct StreetEdge {
     pub(super) ends: [u32; 2],
     pub(super) line: u32,
 }
@@ -21,7 +21,7 @@ pub(super) struct Edge {
 pub(super) struct Graph {
     pub(super) places: Vec<DVec2>,
     pub(super) heights: Vec<f64>,
-    pub(super) edges: Vec<Edge>,
+    pub(super) edges: Vec<StreetEdge>,
     pub(super) around: Vec<Vec<u32>>,
 }
 
@@ -79,7 +79,7 @@ impl Graph {
                     let key = [here.min(before), here.max(before)];
                     if known.insert(key, ()).is_none() {
                         let number = graph.edges.len() as u32;
-                        graph.edges.push(Edge { ends: [before, here], line: segment.line });
+                        graph.edges.push(StreetEdge { ends: [before, here], line: segment.line });
                         graph.around[before as usize].push(number);
                         graph.around[here as usize].push(number);
                     }
@@ -107,11 +107,11 @@ impl Graph {
             }
             at
         };
-        let length = |edge: &Edge| {
+        let length = |edge: &StreetEdge| {
             let [a, b] = edge.ends.map(|end| self.places[end as usize]);
             a.distance(b)
         };
-        let mut short: Vec<&Edge> = self.edges.iter().filter(|edge| length(edge) < snap).collect();
+        let mut short: Vec<&StreetEdge> = self.edges.iter().filter(|edge| length(edge) < snap).collect();
         short.sort_by(|a, b| length(a).total_cmp(&length(b)));
         for edge in short {
             let [a, b] = edge.ends.map(|end| find(&to, end));

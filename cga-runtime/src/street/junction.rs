@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use glam::DVec2;
 
 use super::cell::{Cell, Trace, strip};
-use super::chain::{Chain, Node, turn};
+use super::chain::{Chain, ChainNode, turn};
 use super::grid::{Point, orient, twice_area};
 use super::section::{Section, Station};
 
@@ -87,7 +87,7 @@ impl Meeting {
 }
 
 /// The arms of a node in counter-clockwise order.
-fn arms(node: &Node, chains: &[Chain]) -> Vec<Arm> {
+fn arms(node: &ChainNode, chains: &[Chain]) -> Vec<Arm> {
     let arm = |&(number, end): &(u32, usize)| {
         let chain = &chains[number as usize];
         Arm { chain: if end == 0 { chain.clone() } else { chain.reversed() }, number, end }
@@ -108,7 +108,7 @@ fn gap(a: &Arm, b: &Arm) -> f64 {
 }
 
 /// Lays out a junction with kerbs of a given radius. `None` if the arms do not fit.
-pub(super) fn layout(node: &Node, chains: &[Chain], radius: f64) -> Option<Layout> {
+pub(super) fn layout(node: &ChainNode, chains: &[Chain], radius: f64) -> Option<Layout> {
     let arms = arms(node, chains);
     let count = arms.len();
     let pair = |at: usize| (&arms[at], &arms[(at + 1) % count]);
@@ -319,7 +319,7 @@ fn is_simple(ring: &[Point]) -> bool {
 }
 
 /// The fans that fill the outer sides of a junction whose arms begin at its node: triangles of roadway, and sidewalks.
-pub(super) fn fans(node: &Node, chains: &[Chain]) -> (Vec<Vec<Point>>, Vec<Corner>) {
+pub(super) fn fans(node: &ChainNode, chains: &[Chain]) -> (Vec<Vec<Point>>, Vec<Corner>) {
     let arms = arms(node, chains);
     let (mut roadway, mut corners) = (Vec::new(), Vec::new());
     let centre = Point::near(node.place);

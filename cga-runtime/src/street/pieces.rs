@@ -1,7 +1,7 @@
 //! The pieces of a network: cells of streets and sidewalks, and areas of junctions, which may still overlap.
 
 use super::cell::{Cell, Corner};
-use super::chain::{Chain, End, Node};
+use super::chain::{Chain, ChainEnd, ChainNode};
 use super::grid::Point;
 use super::junction::{self, Layout};
 use super::section::{Section, Station};
@@ -63,7 +63,7 @@ pub(super) struct Pieces {
 /// The extents of the junctions of a network: chains, nodes, and the results of earlier attempts.
 pub(super) struct Plan {
     pub(super) chains: Vec<Chain>,
-    pub(super) nodes: Vec<Node>,
+    pub(super) nodes: Vec<ChainNode>,
     /// By node: 0 for rounded kerbs, 1 for sharp ones, 2 for arms that do not fit and overlap.
     pub(super) levels: Vec<u8>,
     /// By chain: the parts that belong to junctions, as distances from the start.
@@ -78,8 +78,8 @@ const OVERLAID: u8 = 2;
 const LEAST_STREET: f64 = 0.5;
 
 impl Plan {
-    pub(super) fn new(chains: Vec<Chain>, nodes: Vec<Node>, radius: f64) -> Self {
-        let level = |node: &Node| if node.is_bend { OVERLAID } else { u8::from(radius == 0.0) };
+    pub(super) fn new(chains: Vec<Chain>, nodes: Vec<ChainNode>, radius: f64) -> Self {
+        let level = |node: &ChainNode| if node.is_bend { OVERLAID } else { u8::from(radius == 0.0) };
         Plan { levels: nodes.iter().map(level).collect(), cuts: vec![Vec::new(); chains.len()], chains, nodes, radius }
     }
 
@@ -114,7 +114,7 @@ impl Plan {
             for (chain, stations) in self.chains.iter().zip(&ends) {
                 if chain.along(stations[1]) < chain.along(stations[0]) {
                     for end in chain.ends {
-                        if let End::Node(node) = end
+                        if let ChainEnd::Node(node) = end
                             && self.levels[node as usize] < OVERLAID
                         {
                             self.levels[node as usize] += 1;
@@ -167,7 +167,7 @@ impl Plan {
         parts.sort_by(|a, b| chain.along(a[0]).total_cmp(&chain.along(b[0])));
         let least = LEAST_STREET * 2.0 * chain.widths.half;
         let is_short = |from: Station, to: Station| chain.along(to) - chain.along(from) < least;
-        let [from_node, to_node] = chain.ends.map(|end| end != End::Open && !chain.closed);
+        let [from_node, to_node] = chain.ends.map(|end| end != ChainEnd::Open && !chain.closed);
         let mut merged: Vec<[Station; 2]> = Vec::new();
         for part in parts {
             match merged.last_mut() {

@@ -5,7 +5,7 @@ mod splits;
 use crate::places::Places;
 use crate::run::Run;
 use Verdict::{Broken, Silent, So};
-use cga_lang::code::Code;
+use cga_lang::diag::code::Code;
 use cga_lang::diag::{Basis, Detail, Diag};
 
 /// What a run says of a finding.

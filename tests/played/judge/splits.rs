@@ -3,9 +3,9 @@
 use super::Verdict::{self, Broken, Silent, So};
 use crate::places::{Divided, Places};
 use crate::run::{Run, Seen};
-use cga_lang::ast::Prefix;
-use cga_lang::code::Code;
 use cga_lang::diag::Diag;
+use cga_lang::diag::code::Code;
+use cga_lang::syntax::ast::Prefix;
 
 /// Pieces that a repeat is warned of beyond that.
 const MANY: f64 = 1e7;

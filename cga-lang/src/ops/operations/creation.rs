@@ -47,19 +47,19 @@ const N_DIVISIONS: Param = within(float("divisions"), &DIVISIONS);
 
 const SIXTEEN: Default = Default::Float(16.0);
 
-/// Assets are trimmed at the planes of the shape.
+/// Assets are trimmed at the trim planes of the shape.
 const FROM_FILE: Uses = Uses::WHOLE.and(Uses::SAYS);
 
-const NO_DIRECTION: &str = "say which way is up: `envelope(normal, …)`";
+const NO_DIRECTION: &str = "give the up direction: `envelope(normal, …)`";
 
 const INSERTED: Param = file("filePath", FileUse::Inserted);
 
-/// The same row, of an operation whose new faces have no texture coordinates.
+/// The row of an operation whose new faces have no texture coordinates.
 const fn keeps_uvs(row: Operation) -> Operation {
     uvs(UvEffect::Keeps, row)
 }
 
-/// A primitive. It has the first uv set only (*primitiveCube operation*).
+/// A primitive. It only has the first uv set (*primitiveCube operation*).
 const fn primitive(name: &'static str, call: &'static str, params: &'static [Param], about: &'static str) -> Operation {
     uvs(UvEffect::First, op(name, call, params, about))
 }
@@ -173,7 +173,7 @@ pub(super) static ROWS: &[Operation] = &[
             "primitiveCylinder",
             "cylinder_sides",
             &[SIDES],
-            "replaces the geometry by a cylinder that fills the scope, with so many sides",
+            "replaces the geometry by a cylinder that fills the scope, with the given number of sides",
         ),
     ),
     primitive(

@@ -25,7 +25,7 @@ pub(super) static ROWS: &[Operation] = &[
         &[channel("red"), channel("green"), channel("blue"), channel("opacity")],
         "sets colour and opacity, each from 0 to 1",
     )),
-    // Its page is gone since 2020.0: it was short for `set` (*opacity operation*, 2019.1).
+    // The reference has no page since 2020.0; it was short for `set` (*opacity operation*, 2019.1).
     old(
         paints(op("opacity", "opacity", &[channel("opacity")], "sets the opacity, from 0 to 1")),
         "write `set(material.opacity, …)`",

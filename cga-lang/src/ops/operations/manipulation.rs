@@ -6,10 +6,10 @@ use super::super::{
 use super::{block, later, old, op, with};
 
 /// *cleanupGeometry* and *reduceGeometry operation*.
-static TOLERANCES: Bounds = bounds(Values::Between(0.0, 1.0), "it goes from 0 to 1");
+static TOLERANCES: Bounds = bounds(Values::Between(0.0, 1.0), "it is from 0 to 1");
 
 /// *rectify operation*.
-static DEVIATIONS: Bounds = bounds(Values::Between(0.0, 45.0), "it goes from 0 to 45 degrees");
+static DEVIATIONS: Bounds = bounds(Values::Between(0.0, 45.0), "it is from 0 to 45 degrees");
 
 const TOLERANCE: Param = within(float("tolerance"), &TOLERANCES);
 
@@ -26,9 +26,9 @@ const STRATEGY: Param = or(words("geometryMergeStrategy", &["append", "unify", "
 /// *Boolean 3D operations*, 2024.1.
 const SWAP: Param = words("swapMode", &["noSwap", "swap"]);
 
-const UNION: &str = "joins what both sides make of the shape";
-const SUBTRACT: &str = "takes what the right side makes of the shape away from what the left side makes";
-const INTERSECT: &str = "keeps what both sides have in common";
+const UNION: &str = "joins the results of both sides";
+const SUBTRACT: &str = "removes the result of the right side from the result of the left side";
+const INTERSECT: &str = "keeps the common part of both results";
 
 /// The syntax up to 2024.1, where the left operand was the current shape (*CGA changelog 2025.0*).
 const fn one_operand(name: &'static str, params: &'static [Param], about: &'static str) -> Operation {
@@ -36,7 +36,7 @@ const fn one_operand(name: &'static str, params: &'static [Param], about: &'stat
 }
 
 pub(super) static ROWS: &[Operation] = &[
-    later("cleanupGeometry", &[CLEANUP, TOLERANCE], "merges what is nearly the same"),
+    later("cleanupGeometry", &[CLEANUP, TOLERANCE], "merges parts that are nearly the same"),
     later("convexify", &[], "cuts concave faces into convex ones"),
     later("convexify", &[float("maxLength")], "cuts concave faces where the cut is short"),
     later("deleteHoles", &[], "fills the holes of faces"),
@@ -60,12 +60,7 @@ pub(super) static ROWS: &[Operation] = &[
     later("deleteTags", &[], "removes all tags"),
     later("deleteTags", &[text("tagQuery"), UNTAGGED], "removes the tags that match"),
     later("setTagsFromEdgeAttrs", &[], "makes tags of the initial shape's edge attributes"),
-    block(
-        "inline",
-        Braces::Inline,
-        &[STRATEGY],
-        "derives a rule at once and goes on with what comes of it as one shape",
-    ),
+    block("inline", Braces::Inline, &[STRATEGY], "derives a rule at once and continues with its result as one shape"),
     block("union", Braces::Operands, &[], UNION),
     block("subtract", Braces::Operands, &[], SUBTRACT),
     block("intersect", Braces::Operands, &[], INTERSECT),

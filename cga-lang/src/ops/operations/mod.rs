@@ -1,5 +1,5 @@
-//! The operations, by topic. Parameters have the names of the reference; where one takes several types there is a row for
-//! each.
+//! The operations, by topic. Parameters have the names of the reference. A parameter with several types has a row for
+//! each type.
 
 mod creation;
 mod flow;
@@ -12,7 +12,7 @@ mod transform;
 
 use super::{Braces, Changes, Effect, Operation, Param, Run, Uses, UvEffect};
 
-/// Every operation.
+/// All operations.
 pub static OPERATIONS: &[&[Operation]] = &[
     creation::ROWS,
     roofs::ROWS,
@@ -24,12 +24,12 @@ pub static OPERATIONS: &[&[Operation]] = &[
     flow::ROWS,
 ];
 
-/// A row that runs, by the function `call` of the runtime.
+/// A row that the runtime function `call` implements.
 const fn op(name: &'static str, call: &'static str, params: &'static [Param], about: &'static str) -> Operation {
     Operation { run: Run::Now(call), ..later(name, params, about) }
 }
 
-/// A row that does not run yet.
+/// A row that is not implemented yet.
 const fn later(name: &'static str, params: &'static [Param], about: &'static str) -> Operation {
     Operation {
         name,
@@ -47,63 +47,63 @@ const fn later(name: &'static str, params: &'static [Param], about: &'static str
     }
 }
 
-/// The same row, of an operation with that effect. Sets of texture coordinates stay with their geometry.
+/// The row with another effect. Sets of texture coordinates stay with their geometry.
 const fn with(scope: Effect, row: Operation) -> Operation {
     let uvs = if scope.keeps_geometry() { UvEffect::Keeps } else { row.uvs };
     Operation { scope, uvs, ..row }
 }
 
-/// The same row, of an operation with that effect on the sets of texture coordinates.
+/// The row with another effect on the sets of texture coordinates.
 const fn uvs(uvs: UvEffect, row: Operation) -> Operation {
     Operation { uvs, ..row }
 }
 
-/// The same row, of an operation that leaves the scope's size and what is in it alone.
+/// The row of an operation that keeps the size of the scope and its contents.
 const fn keeps(row: Operation) -> Operation {
     with(Effect::Keeps, row)
 }
 
-/// The same row, of an operation with those uses.
+/// The row with other uses.
 const fn using(uses: Uses, row: Operation) -> Operation {
     Operation { uses, ..row }
 }
 
-/// The same row, of an operation that needs the scope and the material alone, and does the same wherever the shape is.
+/// The row of an operation that only needs the scope and the material, and has the same effect in every place.
 const fn slim(row: Operation) -> Operation {
     using(Uses::NONE, row)
 }
 
-/// The same row, of an operation that sets the material and looks at nothing else.
+/// The row of an operation that sets the material and reads nothing else.
 const fn paints(row: Operation) -> Operation {
     Operation { changes: Changes::Material, ..keeps(slim(row)) }
 }
 
-/// The same row, of an operation that has a second function for slim shapes.
+/// The row of an operation with a second function for slim shapes.
 const fn moves(row: Operation) -> Operation {
     Operation { changes: Changes::Scope, ..slim(row) }
 }
 
-/// The same row, of an operation that tells the run something.
+/// The row of an operation that gives information to the run.
 const fn says(row: Operation) -> Operation {
     Operation { changes: Changes::Nothing, ..keeps(using(Uses::SAYS, row)) }
 }
 
-/// The same row, of an operation that no rule overloads (*CGA changelog 2020.0*).
+/// The row of an operation that no rule overloads (*CGA changelog 2020.0*).
 const fn alone(row: Operation) -> Operation {
     Operation { overloads: false, ..row }
 }
 
-/// A row with braces that does not run yet.
+/// A row with braces that is not implemented yet.
 const fn block(name: &'static str, braces: Braces, params: &'static [Param], about: &'static str) -> Operation {
     Operation { braces, ..later(name, params, about) }
 }
 
-/// A row with braces that runs. The shape itself goes on unchanged.
+/// A row with braces that is implemented. The shape itself stays unchanged.
 const fn divides(call: &'static str, uses: Uses, row: Operation) -> Operation {
     Operation { run: Run::Now(call), ..keeps(using(uses, row)) }
 }
 
-/// The same row, as something that only old files should have.
+/// The row of an operation that only old files should have.
 const fn old(row: Operation, instead: &'static str) -> Operation {
     Operation { old: Some(instead), ..row }
 }

@@ -1,4 +1,4 @@
-//! Roofs. Each is by angle in degrees, or by angle or height as a word says.
+//! Roofs. Each has rows for an angle in degrees, and for an angle or height selected by a word.
 
 use super::super::{Default, Operation, Param, UvEffect, boolean, float, or, words};
 use super::{later, uvs};
@@ -13,7 +13,7 @@ const OVERHANG_Y: Param = or(float("overhangY"), Default::Float(0.0));
 const EVEN: Param = or(boolean("even"), Default::Bool(false));
 const INDEX: Param = or(float("index"), Default::Float(0.0));
 
-/// A roof, which does not run yet. Its faces have no texture coordinates.
+/// A roof, which is not implemented yet. Its faces have no texture coordinates.
 const fn roof(name: &'static str, params: &'static [Param], about: &'static str) -> Operation {
     uvs(UvEffect::Keeps, later(name, params, about))
 }

@@ -1,4 +1,4 @@
-//! The scope and the pivot: the geometry stays where it is.
+//! Operations on the scope and the pivot. The geometry keeps its position.
 
 use super::super::{
     Bounds, Default, Effect, Operation, Param, Values, boolean, bounds, float, or, renamed, within, word,
@@ -33,7 +33,7 @@ const UP_AXIS: Param = word("upAxis", "UpAxis", &["yUp", "zUp"]);
 
 const FACE: Param = word("faceSelector", "AlignFace", &["world.lowest", "largest"]);
 
-/// `any` means the face whose edge is picked, so an edge must be picked by a word.
+/// `any` means the face of the selected edge, so a word must select the edge.
 const FACE_BY_EDGE: Param = word("faceSelector", "AlignFace", &["world.lowest", "largest", "any"]);
 
 const EDGE: Param = word("edgeSelector", "AlignEdge", &["world.lowest", "longest"]);
@@ -49,7 +49,7 @@ const AXIS_MAP: Param = word("axisMap", "AxisMap", &["xyz", "yzx", "zxy"]);
 
 const TO_GEOMETRY: &str = "turns the scope to an edge and the normal of a face";
 
-/// A row that runs, by the function `call` of the runtime.
+/// A row that the runtime function `call` implements.
 const fn scope(name: &'static str, call: &'static str, params: &'static [Param], about: &'static str) -> Operation {
     with(Effect::MovesScope, op(name, call, params, about))
 }
@@ -60,7 +60,7 @@ pub(super) static ROWS: &[Operation] = &[
     scope("alignScopeToGeometry", "align_to_face", &[UP_AXIS, FACE, float("edgeIndex")], TO_GEOMETRY),
     scope("alignScopeToGeometry", "align_to_edge", &[UP_AXIS, float("faceIndex"), EDGE], TO_GEOMETRY),
     scope("alignScopeToGeometry", "align_to_selected", &[UP_AXIS, FACE_BY_EDGE, EDGE], TO_GEOMETRY),
-    // Both deprecated in 2010.1 (*CGA changelog*).
+    // Both are deprecated since 2010.1 (*CGA changelog*).
     old(
         scope("alignScopeToGeometry", "align_to_first_edge", &[UP_AXIS, float("faceIndex")], TO_GEOMETRY),
         "name the edge too: `alignScopeToGeometry(yUp, 0, 0)`",

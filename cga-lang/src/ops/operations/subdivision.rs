@@ -6,7 +6,7 @@ use super::super::{
     of, or, param, renamed, unknown, uv_set, within, word, words,
 };
 use super::{block, divides, later, old};
-use crate::code::Code;
+use crate::diag::code::Code;
 
 pub(super) const COMPONENT: Param = renamed(
     &[

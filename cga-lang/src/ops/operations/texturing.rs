@@ -22,19 +22,19 @@ const NORMALIZE_TYPE: Param = word("normalizeType", "NormalizeType", &["separate
 
 const WIDTH: Param = size("textureWidth");
 const HEIGHT: Param = size("textureHeight");
-const PROJECTION: &str = "says how a texture is to be laid on the shape";
+const PROJECTION: &str = "defines how a texture is placed on the shape";
 
-/// The same row, of an operation that reads texture coordinates, which may follow from the place in the world.
+/// The row of an operation that reads texture coordinates, which may depend on the place in the world.
 const fn reads_place(row: Operation) -> Operation {
     keeps(using(Uses::WHOLE.and(Uses::PLACE), row))
 }
 
-/// The same row, of an operation that sets up a projection.
+/// The row of an operation that sets up a projection.
 const fn sets_up(row: Operation) -> Operation {
     uvs(UvEffect::SetsUp, keeps(row))
 }
 
-/// The same row, of an operation that changes a set of texture coordinates.
+/// The row of an operation that changes a set of texture coordinates.
 const fn changes(row: Operation) -> Operation {
     uvs(UvEffect::Changes, row)
 }
@@ -114,7 +114,7 @@ pub(super) static ROWS: &[Operation] = &[
             "copies texture coordinates to another set",
         )),
     ),
-    // No reference page has these any more; the parameters are those that old rule files give them.
+    // No reference page has these any more; the parameters are those in old rule files.
     old(
         sets_up(op(
             "setupUV",

@@ -1,4 +1,4 @@
-//! Moving, turning and sizing.
+//! Operations that move, turn and scale.
 
 use super::super::queries::SYSTEMS;
 use super::super::{Effect, Operation, Param, float, length, word};
@@ -33,7 +33,7 @@ pub(super) static ROWS: &[Operation] = &[
         &[MODE, SYSTEM, float("x"), float("y"), float("z")],
         "moves to a place or by an amount in a coordinate system",
     )),
-    // `r` turns about the axes of the pivot, which parts of a split have from their parent.
+    // `r` turns about the axes of the pivot, which parts of a split inherit from their parent.
     keeps(op("r", "rotate", &[X_ANGLE, Y_ANGLE, Z_ANGLE], "rotates about the origin of the scope, in degrees")),
     keeps(op(
         "r",

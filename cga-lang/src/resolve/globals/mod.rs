@@ -1,17 +1,18 @@
-//! What is declared, in every instance of every file, and how names find it.
+//! Declarations of all instances of all files, and the lookup of names.
 
 mod overrides;
 
-use crate::ast::{Body, Decl, Expr, Name, OpKind, Role};
 use crate::link::{InstanceId, Key, Program};
+use crate::ops;
 use crate::resolve::tables::{Tables, Use};
 use crate::suggest::nearest;
+use crate::syntax::ast::{Body, Decl, Expr, Name, OpKind, Role};
+use crate::syntax::walk;
 use crate::types::Type;
-use crate::{ast_walk, ops};
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
 
-/// Everything that is declared. Indices count the items of a kind: instance by instance, in source order.
+/// All declarations. Indices count the items of a kind: instance by instance, in source order.
 pub(crate) struct Globals<'a> {
     pub(crate) program: &'a Program,
     pub(crate) attrs: Vec<Item<'a>>,
@@ -19,75 +20,77 @@ pub(crate) struct Globals<'a> {
     pub(crate) functions: Vec<Item<'a>>,
     pub(crate) rules: Vec<Item<'a>>,
     names: Vec<Names<'a>>,
-    /// How many more suggestions there may be.
+    /// The remaining number of suggestions.
     hints: Cell<u32>,
 }
 
-/// Most findings that suggest a name of the grammar: a large file with a mistake in each line would take for ever.
+/// The maximum number of diagnostics that suggest a name of the grammar. It bounds the time for a large file with a
+/// mistake on each line.
 const MOST_HINTS: u32 = 100;
 
-/// Most overloads of a name with as many parameters that calls know of. There are hardly as many types, and each call
-/// looks at all.
+/// The maximum number of overloads of a name with the same number of parameters. There are hardly that many types,
+/// and each call visits all overloads.
 const MOST_OVERLOADS: usize = 64;
 
-/// A declaration in its place.
+/// A declaration in an instance.
 #[derive(Clone)]
 pub(crate) struct Item<'a> {
     pub(crate) decl: &'a Decl,
-    /// The instance it belongs to.
+    /// The instance that contains it.
     pub(crate) instance: InstanceId,
-    /// The instance in which its names are looked up: another one for a rule that an import overrides.
+    /// The instance in which its names are looked up: another one for a rule that overrides an extension of an
+    /// import.
     pub(crate) home: InstanceId,
-    /// The instance whose entries in the side tables are its own: `home`, or the number of its types.
+    /// The instance that has its entries in the side tables: `home`, or the number of its types.
     pub(crate) own: InstanceId,
-    /// With the names of imports before it: `imp.height`.
+    /// The name with the prefixes of imports: `imp.height`.
     pub(crate) name: String,
-    /// Where its value comes from.
+    /// The origin of its value.
     pub(crate) init: Init<'a>,
-    /// How near its style is to the one in force.
+    /// The distance of its style from the one in force.
     pub(crate) rank: usize,
-    /// Whether it is what an overridden attribute would be without the override.
+    /// True for the value that an overridden attribute would have without the override.
     pub(crate) origin: bool,
 }
 
-/// Where the value of an attribute comes from.
+/// The origin of the value of an attribute.
 #[derive(Clone, Copy)]
 pub(crate) enum Init<'a> {
-    /// What its declaration says.
+    /// The declaration.
     Own,
-    /// From an override in an import, whose names are looked up there.
+    /// An override in an import. Its names are looked up in the importing instance.
     Override(&'a Expr, InstanceId),
-    /// From the importing file's attribute of the same name.
+    /// The attribute of the same name in the importing file.
     Flows(u32),
 }
 
-/// What names mean in an instance.
+/// The meaning of names in an instance.
 #[derive(Default)]
 struct Names<'a> {
     /// Attributes, constants and functions without parameters.
     values: HashMap<&'a str, Use>,
     functions: HashMap<&'a str, Vec<u32>>,
     rules: HashMap<&'a str, Vec<u32>>,
-    /// Rules that replace extensions, for calls from inside.
+    /// Rules that replace extensions, for calls inside the instance.
     replaced: HashMap<&'a str, u32>,
     /// Rules marked with `start`.
     start: Vec<u32>,
-    /// Names that may be declared where something could not be read.
+    /// Names that may be declared in unreadable text.
     lost: HashSet<&'a str>,
-    /// Default values of overridden attributes, which the overriding expression may ask for.
+    /// Default values of overridden attributes, which the overriding expression may use.
     origins: HashMap<&'a str, u32>,
 }
 
-/// Where a name, perhaps dotted, is to be looked up.
+/// The target of a name that may have dots.
 pub(crate) enum Way<'n> {
-    /// In that instance, by the rest of the name.
+    /// An instance, and the rest of the name.
     To(InstanceId, &'n str),
-    /// In a file that could not be read.
+    /// A file that could not be read.
     Missing,
 }
 
 impl<'a> Item<'a> {
-    /// The expression that makes its value, and the instance whose entries its names have; none for a rule.
+    /// The expression of its value, and the instance that has the entries of its names; `None` for a rule.
     pub(crate) fn value(&self) -> Option<(&'a Expr, InstanceId)> {
         match self.init {
             Init::Own => self.decl.value().map(|value| (value, self.own)),
@@ -96,12 +99,12 @@ impl<'a> Item<'a> {
         }
     }
 
-    /// What side tables know it by.
+    /// Its key in the side tables.
     pub(crate) fn key(&self) -> Key {
         (self.own, self.decl.name.id())
     }
 
-    /// The type of its value, as far as it could be told.
+    /// The type of its value, if known.
     pub(crate) fn ty(&self, tables: &Tables) -> Option<Type> {
         tables.at(self.own).ty(&self.decl.name)
     }
@@ -111,7 +114,7 @@ impl<'a> Item<'a> {
         self.decl.params.iter().map(|param| tables.at(self.own).ty(param)).collect()
     }
 
-    /// Whether its own parameters and locals count in its value.
+    /// Returns true if its value is that of the declaration, which may use the parameters and locals.
     pub(crate) fn is_own(&self) -> bool {
         matches!(self.init, Init::Own)
     }
@@ -138,13 +141,14 @@ impl<'a> Globals<'a> {
         globals
     }
 
-    /// The declarations of an instance that count with its style in force. `typed` are those with types of their own.
+    /// Collects the declarations of an instance that count with its style in force. `typed` are those with types of
+    /// their own.
     fn collect(&mut self, id: InstanceId, typed: Vec<(InstanceId, &'a Decl)>) {
         let instance = &self.program.instances[id];
         let ast = &instance.file.ast;
         self.names[id].lost = ast.lost.iter().map(String::as_str).collect();
         let decls = || ast.decls.iter().map(|decl| (id, decl)).chain(typed.iter().copied());
-        // A declaration takes the place of another that belongs to a style further down.
+        // A declaration replaces another one of a style further down.
         let key = |decl: &'a Decl| (decl.name.text.as_str(), decl.params.len());
         let mut nearest: HashMap<(&str, usize), usize> = HashMap::new();
         let mut counts: HashMap<(&str, usize, usize), usize> = HashMap::new();
@@ -156,7 +160,7 @@ impl<'a> Globals<'a> {
         }
         for (own, decl) in decls() {
             let Some(rank) = instance.styles.rank(decl.style) else { continue };
-            // Which of several overloads is meant only the types can tell: then all stay, and the nearest is tried first.
+            // Only the types can choose among overloads. All of them stay, and the nearest is tried first.
             let overloads =
                 counts.get(&(decl.name.text.as_str(), decl.params.len(), rank)).is_some_and(|count| 1 < *count);
             if !overloads && nearest.get(&key(decl)).is_some_and(|least| *least < rank) {
@@ -181,7 +185,7 @@ impl<'a> Globals<'a> {
         }
     }
 
-    /// Fills the tables of names. A name that an earlier declaration has already goes to `twice`.
+    /// Fills the tables of names. A name that is already declared goes to `twice`.
     pub(super) fn name<'s>(&'s mut self, mut twice: impl FnMut(&Item<'a>, &str, &Item<'a>)) {
         let mut found: Vec<(&Item<'a>, &str, Use)> = Vec::new();
         let mut enter = |items: &'s [Item<'a>], what: &'static str, make: fn(u32) -> Use| {
@@ -201,7 +205,7 @@ impl<'a> Globals<'a> {
                 }
             }
             match names.values.get(name) {
-                // Functions are compared by their types, later.
+                // Functions are compared by their types later.
                 Some(Use::Function(_)) if matches!(own, Use::Function(_)) => {}
                 Some(Use::Attr(first)) => twice(item, what, &self.attrs[*first as usize]),
                 Some(Use::Const(first)) => twice(item, what, &self.consts[*first as usize]),
@@ -209,7 +213,7 @@ impl<'a> Globals<'a> {
                 _ => _ = names.values.insert(name, own),
             }
         }
-        // What dynamic calls start anew is an instance of its own.
+        // The parts that a dynamic call starts again are an instance of their own.
         let mut renewed: HashMap<(InstanceId, &str), Vec<InstanceId>> = HashMap::new();
         for (id, instance) in self.program.instances.iter().enumerate() {
             if let (Some(parent), true) = (instance.parent, 1 < instance.layers.len()) {
@@ -217,7 +221,7 @@ impl<'a> Globals<'a> {
             }
         }
         for (index, item) in self.rules.iter().enumerate() {
-            // A rule in the place of an extension is found from inside only.
+            // A rule that replaces an extension is only found from inside.
             if item.home != item.instance {
                 continue;
             }
@@ -227,7 +231,7 @@ impl<'a> Globals<'a> {
             if item.decl.role == Role::Start {
                 names.start.push(index as u32);
             }
-            // `id.Name --> …` goes on where the imported file leaves off.
+            // `id.Name --> …` continues a leaf of the imported file.
             if let Some((import, rest)) = name.split_once('.')
                 && let Some(Some(target)) = self.program.instances[item.instance].imports.get(import)
             {
@@ -255,7 +259,7 @@ impl<'a> Globals<'a> {
         Way::To(at, rest)
     }
 
-    /// Whether something of that name may be declared where it could not be read.
+    /// Returns true if a name may be declared in unreadable text.
     pub(crate) fn is_lost(&self, from: InstanceId, name: &str) -> bool {
         match self.way(from, name) {
             Way::Missing => true,
@@ -263,7 +267,7 @@ impl<'a> Globals<'a> {
         }
     }
 
-    /// The attribute, constant or function without parameters of that name.
+    /// The attribute, constant or function without parameters with a name.
     pub(crate) fn value(&self, from: InstanceId, name: &str) -> Option<Use> {
         let Way::To(at, rest) = self.way(from, name) else { return None };
         self.names[at].values.get(rest).copied()
@@ -275,7 +279,7 @@ impl<'a> Globals<'a> {
         self.names[at].origins.get(rest).copied()
     }
 
-    /// The functions of that name.
+    /// The functions with a name.
     pub(crate) fn functions(&self, from: InstanceId, name: &str) -> &[u32] {
         match self.way(from, name) {
             Way::To(at, rest) => self.names[at].functions.get(rest).map(Vec::as_slice).unwrap_or_default(),
@@ -283,7 +287,7 @@ impl<'a> Globals<'a> {
         }
     }
 
-    /// The rules of that name; `start` stands for those marked so.
+    /// The rules with a name; `start` means the rules marked with it.
     pub(crate) fn rules(&self, from: InstanceId, name: &str) -> Vec<u32> {
         // A dotted name that continues a leaf of an import is declared here.
         if let Some(list) = self.names[from].rules.get(name).filter(|_| name.contains('.')) {
@@ -301,23 +305,23 @@ impl<'a> Globals<'a> {
         }
     }
 
-    /// The rules of that name as the instance has them, whatever takes their place.
+    /// The rules with a name as the instance declares them, without replacements.
     pub(crate) fn plain_rules(&self, id: InstanceId, name: &str) -> &[u32] {
         self.names[id].rules.get(name).map(Vec::as_slice).unwrap_or_default()
     }
 
-    /// Everything with a value: attributes, constants, functions.
+    /// All items with a value: attributes, constants, functions.
     pub(crate) fn values(&self) -> impl Iterator<Item = &Item<'a>> + '_ {
         self.attrs.iter().chain(&self.consts).chain(&self.functions)
     }
 
-    /// Everything.
+    /// All items.
     pub(crate) fn items(&self) -> impl Iterator<Item = &Item<'a>> + '_ {
         self.rules.iter().chain(self.values())
     }
 
-    /// The declared name that may be meant by another one: of an import where that one begins with an import's name, and
-    /// among `others` too where it does not.
+    /// The declared name that may be meant by `name`. If `name` begins with the name of an import, the imported names
+    /// are searched, otherwise also `others`.
     pub(crate) fn meant<'o>(
         &self,
         from: InstanceId,
@@ -339,13 +343,13 @@ impl<'a> Globals<'a> {
         }
     }
 
-    /// The leaf of an instance whose name is near, with its dot.
+    /// The leaf of an instance with a similar name, with its dot.
     pub(crate) fn leaf(&self, from: InstanceId, name: &str) -> Option<String> {
         self.hints.get().checked_sub(1)?;
         let mut leaves: Vec<&str> = Vec::new();
         for item in self.rules.iter().filter(|item| item.home == from) {
             if let Body::Rule(ops) = &item.decl.body {
-                ast_walk::ops(ops, &mut |op| match &op.kind {
+                walk::ops(ops, &mut |op| match &op.kind {
                     OpKind::Leaf(leaf) if leaf.text != name => leaves.push(&leaf.text),
                     _ => {}
                 });
@@ -356,7 +360,7 @@ impl<'a> Globals<'a> {
         nearest(name, leaves).map(|near| format!("{near}."))
     }
 
-    /// Names that are declared in an instance, sorted; none when there were enough suggestions.
+    /// The names declared in an instance, sorted; empty after the maximum number of suggestions.
     pub(crate) fn near(&self, from: InstanceId, kind: Kind) -> Vec<&'a str> {
         let names = &self.names[from];
         let Some(left) = self.hints.get().checked_sub(1) else { return Vec::new() };
@@ -383,7 +387,7 @@ impl<'a> Globals<'a> {
     }
 }
 
-/// What a suggestion is looked for among.
+/// The kind of names to suggest.
 #[derive(Clone, Copy)]
 pub(crate) enum Kind {
     Values,
@@ -397,10 +401,10 @@ pub(crate) enum Kind {
 /// Adds to the declarations of a name.
 fn overload(list: &mut Vec<u32>, index: u32, items: &[Item]) {
     let params = |index: u32| items[index as usize].decl.params.len();
-    // The last ones are looked at first, for whoever declares one thing ten thousand times.
+    // The last declarations are counted first, in case a name is declared ten thousand times.
     if list.iter().rev().filter(|other| params(**other) == params(index)).take(MOST_OVERLOADS).count() < MOST_OVERLOADS
     {
-        // The nearest style first: of equals the first is taken.
+        // The nearest style comes first, because the first of several fitting overloads is taken.
         let style = |index: u32| items[index as usize].rank;
         let at = list.partition_point(|other| style(*other) <= style(index));
         list.insert(at, index);
@@ -408,7 +412,7 @@ fn overload(list: &mut Vec<u32>, index: u32, items: &[Item]) {
 }
 
 impl Decl {
-    /// The expression it stands for, unless it is a rule.
+    /// The expression of its value, unless it is a rule.
     pub(crate) fn value(&self) -> Option<&Expr> {
         match &self.body {
             Body::Attr(value) | Body::Const(value) | Body::Function(value) => Some(value),
@@ -416,13 +420,13 @@ impl Decl {
         }
     }
 
-    /// Parameters, then locals: what [`Use::Param`] counts.
+    /// The parameters, then the locals, as numbered by [`Use::Param`].
     pub(crate) fn inner(&self) -> impl Iterator<Item = &Name> {
         self.params.iter().chain(self.locals.iter().map(|(name, _)| name))
     }
 }
 
-/// Functions of the language of that name that take so many arguments.
+/// The functions of the language with a name that take `count` arguments.
 pub(crate) fn builtins(name: &str, count: usize) -> Vec<&'static ops::Function> {
     ops::functions(name).filter(|row| row.takes(count)).collect()
 }

@@ -1,40 +1,40 @@
-//! What imported files get from the files that import them.
+//! Values and rules that importing files give to imported files.
 
 use super::{Globals, Init, Item};
-use crate::ast::{Expr, Override, Role};
 use crate::link::{InstanceId, Key, Program};
+use crate::syntax::ast::{Expr, Override, Role};
 use std::collections::{HashMap, HashSet};
 
-/// Values of attributes further down than the file that an import names: by instance and name, with where they stand.
+/// Values of attributes in imports of an imported file, by instance and name, with the instance that has the value.
 type Deep<'a> = HashMap<(InstanceId, &'a str), (&'a Expr, InstanceId)>;
 
 impl<'a> Globals<'a> {
-    /// Once all declarations are known.
+    /// Applies the overrides once all declarations are known.
     pub(super) fn take_overrides(&mut self) {
         let attrs = self.attrs.iter().enumerate();
-        // Of attributes of one name the first.
+        // The first attribute with a name counts.
         let by_name: HashMap<_, _> =
             attrs.rev().map(|(index, item)| ((item.instance, item.decl.name.text.as_str()), index as u32)).collect();
         let deep = deep(self.program);
         let mut replacing = HashMap::new();
-        // Importing files come before the imported ones.
+        // Importing files come before imported files.
         for instance in 0..self.program.instances.len() {
             self.override_attrs(instance, &by_name, &deep);
             self.override_rules(instance, &mut replacing);
         }
     }
 
-    /// Attributes of an imported file that get their values from the importing one.
+    /// Overrides the attributes of an imported file that get their values from the importing one.
     fn override_attrs(&mut self, id: InstanceId, by_name: &HashMap<(InstanceId, &str), u32>, deep: &Deep<'a>) {
         let instance = &self.program.instances[id];
         let Some(layer) = instance.layers.first() else { return };
         let list = self.program.overrides(layer);
         let written = written(list);
-        // They stand in the order of their instances.
+        // They are in the order of their instances.
         let first = self.attrs.partition_point(|item| item.instance < id);
         for index in first..self.attrs.partition_point(|item| item.instance <= id) {
             let item = &self.attrs[index];
-            // Only what belongs to the style `Default` is overridden.
+            // Only attributes of the style `Default` are overridden.
             if item.decl.style != 0 {
                 continue;
             }
@@ -60,13 +60,13 @@ impl<'a> Globals<'a> {
         }
     }
 
-    /// Rules that an importing file puts in the place of extensions.
+    /// Replaces extensions by rules of the importing file.
     fn override_rules(&mut self, id: InstanceId, replacing: &mut HashMap<Key, u32>) {
         let instance = &self.program.instances[id];
         if instance.layers.is_empty() {
             return;
         }
-        // Only what belongs to the style `Default` is overridden (*import*): what the style in force has of its own stays.
+        // Only rules of the style `Default` are overridden (*import*). Rules of the style in force stay.
         let (mut extensions, mut in_style) = (HashSet::new(), HashSet::new());
         for decl in &instance.file.ast.decls {
             if decl.role == Role::Extension {
@@ -95,7 +95,7 @@ impl<'a> Globals<'a> {
                     });
                     self.rules.len() as u32 - 1
                 });
-                // What fits none is an error, and calls go where they went.
+                // An override without a fitting extension is an error and changes no calls.
                 if extensions.contains(&(name, decl.params.len())) && !in_style.contains(name) {
                     self.names[id].replaced.insert(name, index);
                 }
@@ -104,7 +104,7 @@ impl<'a> Globals<'a> {
     }
 }
 
-/// Overrides of attributes; of several the first.
+/// The overrides of attributes by name. The first one of a name counts.
 fn written(list: Option<&[Override]>) -> HashMap<&str, &Override> {
     let mut found = HashMap::new();
     for own in list.into_iter().flatten() {
@@ -115,7 +115,7 @@ fn written(list: Option<&[Override]>) -> HashMap<&str, &Override> {
     found
 }
 
-/// `id : "file" (inner.name = value)`: of several for one attribute the outermost counts.
+/// The values in `id : "file" (inner.name = value)`. The outermost value of an attribute counts.
 fn deep(program: &Program) -> Deep<'_> {
     let mut found = HashMap::new();
     for (id, instance) in program.instances.iter().enumerate() {

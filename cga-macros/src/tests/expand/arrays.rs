@@ -20,8 +20,8 @@ impl CgaRules {
                             cx.env,
                             &[
                                 &[
-                                    cga_rt::func::Part::from(a0),
-                                    cga_rt::func::Part::from(a1),
+                                    cga_rt::func::ArrayPart::from(a0),
+                                    cga_rt::func::ArrayPart::from(a1),
                                 ],
                             ],
                         )

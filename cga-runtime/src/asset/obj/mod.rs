@@ -147,7 +147,7 @@ const LEFT_OUT: [&str; 38] = [
 
 /// A corner of a face: indices into the three lists, from 0.
 #[derive(Clone, Copy)]
-struct Corner {
+struct FaceCorner {
     point: u32,
     uv: Option<u32>,
     normal: Option<u32>,
@@ -169,7 +169,7 @@ struct Reader<'a> {
     looked_up: [usize; 2],
     /// The number of names of libraries that were not looked up.
     libraries_left_out: usize,
-    corners: Vec<Corner>,
+    corners: Vec<FaceCorner>,
     uvs_on: Coverage,
     normals_on: Coverage,
     faces: usize,
@@ -281,7 +281,7 @@ impl<'a> Reader<'a> {
                 .ok_or(ObjError::Line { line, what: "a corner of a face has no vertex" })?;
             let uv = index(parts.next(), self.uvs.len(), line, "a face uses a texture vertex that does not exist")?;
             let normal = index(parts.next(), self.normals.len(), line, "a face uses a normal that does not exist")?;
-            self.corners.push(Corner { point, uv, normal });
+            self.corners.push(FaceCorner { point, uv, normal });
         }
         if self.corners.len() < 3 {
             self.warnings.add(|| format!("line {line}: a face with fewer than three corners was left out"));

@@ -6,7 +6,7 @@ use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use super::{arm, ball, hip_roofs, parts};
 use crate::comp::select::Word;
-use crate::comp::{Align, Arm, Components, Mode, Parts, Select};
+use crate::comp::{Align, Arm, AssignedComponents, Components, Mode, Select};
 use crate::geometry::Axis;
 use crate::geometry::mesh::{Mesh, primitive};
 use crate::op::{self, Length};
@@ -120,7 +120,7 @@ fn edges_of_a_roof_run_upwards_whoever_finds_them() {
         let turned = roof.map(&DAffine3 { matrix3: turn, translation: DVec3::splat(1e5) });
         let (env, shape) = (&mut Env::for_tests(), Shape::mesh_axis_aligned(turned));
         let any = [Arm { select: Select::When, mode: Mode::Each, text: "hip || ridge" }];
-        let found = Parts::of(env, &shape, Components::Edges, Align::ZUp, &any, |_, _, candidate| {
+        let found = AssignedComponents::of(env, &shape, Components::Edges, Align::ZUp, &any, |_, _, candidate| {
             candidate.is(Word::Hip) || candidate.is(Word::Ridge)
         });
         let ControlFlow::Continue(found) = found else { panic!("no limit is near") };

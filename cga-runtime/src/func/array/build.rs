@@ -6,45 +6,45 @@ use crate::value::array::{Array, Element};
 
 /// An entry of `[…]`, between commas.
 #[derive(Clone, Debug)]
-pub enum Part<T> {
+pub enum ArrayPart<T> {
     /// A value.
     One(T),
     /// An array whose elements are inserted side by side, such as that of a range.
     Many(Array<T>),
 }
 
-impl<T: Element> From<T> for Part<T> {
+impl<T: Element> From<T> for ArrayPart<T> {
     fn from(value: T) -> Self {
-        Part::One(value)
+        ArrayPart::One(value)
     }
 }
 
-impl<T> From<Array<T>> for Part<T> {
+impl<T> From<Array<T>> for ArrayPart<T> {
     fn from(array: Array<T>) -> Self {
-        Part::Many(array)
+        ArrayPart::Many(array)
     }
 }
 
-impl<T: Element> Part<T> {
+impl<T: Element> ArrayPart<T> {
     fn rows(&self) -> usize {
         match self {
-            Part::One(_) => 1,
-            Part::Many(array) => array.rows(),
+            ArrayPart::One(_) => 1,
+            ArrayPart::Many(array) => array.rows(),
         }
     }
 
     fn columns(&self) -> usize {
         match self {
-            Part::One(_) => 1,
-            Part::Many(array) => array.columns(),
+            ArrayPart::One(_) => 1,
+            ArrayPart::Many(array) => array.columns(),
         }
     }
 
     fn row(&self, row: usize) -> &[T] {
         match self {
-            Part::One(value) if row == 0 => std::slice::from_ref(value),
-            Part::One(_) => &[],
-            Part::Many(array) => array.row(row).unwrap_or_default(),
+            ArrayPart::One(value) if row == 0 => std::slice::from_ref(value),
+            ArrayPart::One(_) => &[],
+            ArrayPart::Many(array) => array.row(row).unwrap_or_default(),
         }
     }
 }
@@ -53,9 +53,9 @@ impl<T: Element> Part<T> {
 ///
 /// Arrays without elements add nothing: `[floatArray, 1]` is `[1]`. The page defines only parts of equal height in a
 /// row, and rows of equal length. In other cases the default fills the gaps, with a fault.
-pub fn array<T: Element>(env: &mut Env, rows: &[&[Part<T>]]) -> Array<T> {
-    let height = |row: &[Part<T>]| row.iter().map(Part::rows).max().unwrap_or_default();
-    let width = |row: &[Part<T>]| row.iter().map(Part::columns).fold(0, usize::saturating_add);
+pub fn array<T: Element>(env: &mut Env, rows: &[&[ArrayPart<T>]]) -> Array<T> {
+    let height = |row: &[ArrayPart<T>]| row.iter().map(ArrayPart::rows).max().unwrap_or_default();
+    let width = |row: &[ArrayPart<T>]| row.iter().map(ArrayPart::columns).fold(0, usize::saturating_add);
     let count = rows.iter().map(|row| height(row)).fold(0, usize::saturating_add);
     let columns = rows.iter().map(|row| width(row)).max().unwrap_or_default();
     if !env.may_hold(count.saturating_mul(columns)) {
@@ -198,7 +198,7 @@ mod tests {
         let range = range(env, 0.0, 2.0);
         let b = array(env, &[&[range.into()], &[3.0.into(), 3.0.into(), 3.0.into()]]);
         assert_eq!((b.rows(), b.columns()), (2, 3));
-        let (a, b) = (Part::from(a), Part::from(b));
+        let (a, b) = (ArrayPart::from(a), ArrayPart::from(b));
         let c = array(env, &[&[a.clone(), b.clone()], &[b, a]]);
         let lines = ["(4x4)", "   -1   0   1    2", "   -2   3   3    3", "    0   1   2   -1", "    3   3   3   -2"];
         assert_eq!(c.to_string(), lines.join("\n"));
@@ -208,7 +208,7 @@ mod tests {
     #[test]
     fn arrays_without_elements_add_nothing() {
         let env = &mut env();
-        let none = || Part::Many(Array::default());
+        let none = || ArrayPart::Many(Array::default());
         assert_eq!(array(env, &[&[none(), 1.0.into(), none()], &[none()]]), Array::from([1.0]));
         assert!(array::<f64>(env, &[&[none(), none()], &[none()]]).is_empty() && array::<bool>(env, &[]).is_empty());
         assert_eq!(faults(env), 0);
@@ -226,7 +226,7 @@ mod tests {
     #[test]
     fn arrays_have_a_limit() {
         let env = &mut small_env(10, 0);
-        let row = Part::Many(Array::from([0.0; 4]));
+        let row = ArrayPart::Many(Array::from([0.0; 4]));
         assert_eq!(array(env, &[&[row.clone(), row.clone()]]).len(), 8);
         assert!(array(env, &[&[row.clone(), row.clone(), row]]).is_empty());
         assert_eq!(limit(env), Some(LimitKind::Array));

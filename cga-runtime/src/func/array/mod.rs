@@ -7,7 +7,7 @@ mod measure;
 mod replace;
 mod sort;
 
-pub use build::{Part, array, range_by};
+pub use build::{ArrayPart, array, range_by};
 pub use each::{
     Operand, each_add, each_and, each_concat, each_divide, each_equal, each_greater, each_greater_equal, each_less,
     each_less_equal, each_minus, each_multiply, each_not, each_or, each_remainder, each_subtract, each_unequal,

@@ -3,32 +3,39 @@
 use std::ops::Range;
 
 use super::class::Span;
-use super::points::{Node, Place, Points};
+use super::points::{Location, PieceCorner, Points};
 use super::segment::{Segment, comes_first};
-use super::slab::Part;
+use super::slab::Slab;
 use crate::geometry::mesh::Mesh;
 
 impl Points {
     /// The crossing of the edge between two corners with the only plane between them.
     #[inline]
-    pub(super) fn crossing(&mut self, parts: &mut [Part], mesh: &Mesh, plane: u32, from: usize, to: usize) -> Node {
+    pub(super) fn crossing(
+        &mut self,
+        parts: &mut [Slab],
+        mesh: &Mesh,
+        plane: u32,
+        from: usize,
+        to: usize,
+    ) -> PieceCorner {
         let (a, b) = (mesh.corners[from], mesh.corners[to]);
         let (number, new) = self.edges.entry(a, b, self.levels[plane as usize].flat.len() as u32);
         if new {
             self.make(parts, mesh, a, b, plane..plane + 1);
         }
-        self.node(mesh, Place::on(plane, number), from, to)
+        self.node(mesh, Location::on(plane, number), from, to)
     }
 
     /// Appends the crossings of the edge from one corner to another, in the order along the edge.
     #[inline]
     pub(super) fn cross(
         &mut self,
-        parts: &mut [Part],
+        parts: &mut [Slab],
         mesh: &Mesh,
-        from: (usize, Place),
-        to: (usize, Place),
-        nodes: &mut Vec<Node>,
+        from: (usize, Location),
+        to: (usize, Location),
+        nodes: &mut Vec<PieceCorner>,
     ) {
         let rises = from.1.class < to.1.class;
         let [low, high] = if rises { [from.1.class, to.1.class] } else { [to.1.class, from.1.class] };
@@ -45,7 +52,7 @@ impl Points {
         if new {
             self.make(parts, mesh, a, b, planes.clone());
         }
-        let node = |plane: u32, number: u32| self.node(mesh, Place::on(plane, number), from.0, to.0);
+        let node = |plane: u32, number: u32| self.node(mesh, Location::on(plane, number), from.0, to.0);
         let crossings = planes.clone().zip(&self.crossings[first as usize..first as usize + planes.len()]);
         if rises {
             nodes.extend(crossings.map(|(plane, &number)| node(plane, number)));
@@ -56,17 +63,17 @@ impl Points {
 
     /// The node of a crossing on the edge between two corners.
     #[inline]
-    fn node(&self, mesh: &Mesh, place: Place, from: usize, to: usize) -> Node {
+    fn node(&self, mesh: &Mesh, place: Location, from: usize, to: usize) -> PieceCorner {
         // The values of corners are interpolated from the same end as the position.
         let point = |corner: usize| mesh.points[mesh.corners[corner] as usize];
         let ordered = !self.mixes || comes_first(point(from), point(to));
         let (from, to) = if ordered { (from, to) } else { (to, from) };
-        Node { place, from: from as u32, to: to as u32 }
+        PieceCorner { place, from: from as u32, to: to as u32 }
     }
 
     /// Makes the crossings of an edge. The requesting face has pieces on both sides, so the crossings get numbers
     /// there.
-    fn make(&mut self, parts: &mut [Part], mesh: &Mesh, a: u32, b: u32, planes: Range<u32>) {
+    fn make(&mut self, parts: &mut [Slab], mesh: &Mesh, a: u32, b: u32, planes: Range<u32>) {
         let single = planes.len() == 1;
         let axis = self.axis;
         let (p, q) = (mesh.points[a as usize], mesh.points[b as usize]);

@@ -41,7 +41,7 @@ use faces::general::General;
 use faces::near_coplanar::Rough;
 use faces::simple::Simple;
 use faces::triangle;
-use points::Place;
+use points::Location;
 use state::State;
 
 /// The result of a cut.
@@ -111,7 +111,7 @@ pub(crate) struct Cutter {
     rough: Rough,
     caps: Caps,
     /// The places of a block of corners.
-    block: Vec<Place>,
+    block: Vec<Location>,
 }
 
 /// The number of corners whose places are read at once. The memory accesses of a block overlap.

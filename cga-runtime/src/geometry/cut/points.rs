@@ -20,34 +20,34 @@ pub(super) const NONE: u32 = u32::MAX;
 /// The class of a point among the planes, and its number there. It is small, because it is read at random for each
 /// corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Place {
+pub(super) struct Location {
     pub(super) class: Class,
     /// The number in the slab or on the plane.
     pub(super) number: u32,
 }
 
-impl Place {
+impl Location {
     /// A point on a plane.
     pub(super) fn on(plane: u32, number: u32) -> Self {
-        Place { class: Class::on(plane), number }
+        Location { class: Class::on(plane), number }
     }
 }
 
 /// A corner of a piece: a corner of the mesh, or a crossing between two corners.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Node {
-    pub(super) place: Place,
+pub(super) struct PieceCorner {
+    pub(super) place: Location,
     /// The corner, or the corner at the lexicographically first end of the edge.
     pub(super) from: u32,
     /// The same corner, or the corner at the other end.
     pub(super) to: u32,
 }
 
-impl Node {
+impl PieceCorner {
     /// A corner of the mesh.
     #[inline]
-    pub(super) fn corner(corner: usize, place: Place) -> Self {
-        Node { place, from: corner as u32, to: corner as u32 }
+    pub(super) fn corner(corner: usize, place: Location) -> Self {
+        PieceCorner { place, from: corner as u32, to: corner as u32 }
     }
 
     /// Returns true if it is a corner, rather than a crossing.
@@ -57,7 +57,7 @@ impl Node {
 
     /// Returns true if both nodes are crossings of the same edge of a face.
     #[inline]
-    pub(super) fn is_on_edge_of(&self, other: &Node) -> bool {
+    pub(super) fn is_on_edge_of(&self, other: &PieceCorner) -> bool {
         !self.is_corner() && (self.from, self.to) == (other.from, other.to)
     }
 
@@ -94,7 +94,7 @@ pub(super) struct Points {
     /// The planes that meet the mesh.
     pub(super) planes: Vec<f64>,
     /// The place of each point of the mesh.
-    pub(super) places: Vec<Place>,
+    pub(super) places: Vec<Location>,
     /// The points on each plane. The list may be longer than the list of planes.
     pub(super) levels: Vec<Level>,
     /// True if corners have values to interpolate at crossings.
@@ -122,14 +122,14 @@ impl Points {
         places.clear();
         if let [plane] = planes[..] {
             let class = |x: f64| if plane == x { Class::on(0) } else { Class::inside(u32::from(plane < x)) };
-            places.extend(mesh.points.iter().map(|p| Place { class: class(p[axis]), number: 0 }));
+            places.extend(mesh.points.iter().map(|p| Location { class: class(p[axis]), number: 0 }));
         } else {
             let class = |x: f64| {
                 let below = planes.partition_point(|&o| o < x);
                 let is_on_plane = planes.get(below) == Some(&x);
                 if is_on_plane { Class::on(below as u32) } else { Class::inside(below as u32) }
             };
-            places.extend(mesh.points.iter().map(|p| Place { class: class(p[axis]), number: 0 }));
+            places.extend(mesh.points.iter().map(|p| Location { class: class(p[axis]), number: 0 }));
         }
         // Drops the lists left by cuts with many more planes.
         let keep = self.levels.len().min(4 * self.planes.len() + 64).max(self.planes.len());
@@ -210,7 +210,7 @@ impl Points {
 
     /// The position of a corner of a piece.
     #[inline]
-    pub(super) fn position(&self, mesh: &Mesh, node: &Node) -> DVec3 {
+    pub(super) fn position(&self, mesh: &Mesh, node: &PieceCorner) -> DVec3 {
         if node.is_corner() {
             return mesh.points[mesh.corners[node.from as usize] as usize];
         }
@@ -232,7 +232,7 @@ impl Points {
     }
 
     /// The relative position of a crossing on its edge.
-    pub(super) fn share(&self, place: Place) -> f64 {
+    pub(super) fn share(&self, place: Location) -> f64 {
         self.levels[place.class.plane() as usize].shares[place.number as usize]
     }
 }

@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::points::{NONE, Node, Place, Points};
+use super::points::{Location, NONE, PieceCorner, Points};
 use crate::geometry::mesh::{FaceTag, Mesh, keep_used};
 
 /// The mesh of a slab, and the number of its faces that were not cut.
-pub(crate) struct Part {
+pub(crate) struct Slab {
     pub(crate) mesh: Mesh,
     pub(crate) whole: usize,
     /// True if a piece was dropped because it has no extent. Then some points may be unused.
@@ -18,7 +18,7 @@ pub(crate) struct Part {
     pub(crate) lead: Option<usize>,
 }
 
-impl Part {
+impl Slab {
     /// An empty part with capacity for points, corners and loops.
     pub(crate) fn new(source: &Mesh, points: usize, corners: usize, loops: usize) -> Self {
         let mut mesh = source.alike(corners);
@@ -28,7 +28,7 @@ impl Part {
         if !source.normals.is_empty() {
             mesh.normals.reserve(corners);
         }
-        Part { mesh, whole: 0, dropped: false, lead: None }
+        Slab { mesh, whole: 0, dropped: false, lead: None }
     }
 
     /// Adds a triangle of the source. `numbers` are the numbers of its corners in this part.
@@ -50,7 +50,7 @@ impl Part {
 
     /// The number of a point in this slab. A point on a plane gets its number at the first request.
     #[inline]
-    pub(crate) fn number(&mut self, points: &mut Points, place: Place, slab: u32) -> u32 {
+    pub(crate) fn number(&mut self, points: &mut Points, place: Location, slab: u32) -> u32 {
         if !place.class.is_on_plane() {
             return place.number;
         }
@@ -74,7 +74,7 @@ impl Part {
 
     /// Adds corners of a piece with their values.
     #[inline(always)]
-    pub(crate) fn corners(&mut self, points: &mut Points, source: &Mesh, nodes: &[Node], slab: u32) {
+    pub(crate) fn corners(&mut self, points: &mut Points, source: &Mesh, nodes: &[PieceCorner], slab: u32) {
         for node in nodes {
             let number = self.number(points, node.place, slab);
             self.mesh.corners.push(number);
@@ -84,7 +84,7 @@ impl Part {
 
     /// Adds the values of corners of a piece.
     #[inline(always)]
-    pub(crate) fn carry(&mut self, points: &Points, source: &Mesh, nodes: &[Node]) {
+    pub(crate) fn carry(&mut self, points: &Points, source: &Mesh, nodes: &[PieceCorner]) {
         if !source.uvs.is_empty() {
             for node in nodes {
                 let share = if node.is_corner() { 0.0 } else { points.share(node.place) };

@@ -1,10 +1,10 @@
 //! The state that all steps of a cut share, and the faces that are not cut.
 
 use super::class::Span;
-use super::points::{NONE, Place, Points};
-use crate::geometry::cut::caps::rim::{Rim, Side};
+use super::points::{Location, NONE, Points};
+use crate::geometry::cut::caps::rim::{PlaneSide, Rim};
 use crate::geometry::cut::caps::sheets::Sheets;
-use crate::geometry::cut::slab::Part;
+use crate::geometry::cut::slab::Slab;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::{FaceTag, Mesh};
 
@@ -12,7 +12,7 @@ use crate::geometry::mesh::{FaceTag, Mesh};
 #[derive(Default)]
 pub(super) struct State {
     pub(super) points: Points,
-    pub(super) parts: Vec<Part>,
+    pub(super) parts: Vec<Slab>,
     pub(super) rim: Rim,
     pub(super) sheets: Sheets,
     room: Vec<Room>,
@@ -88,7 +88,7 @@ impl State {
                 let share = room.points as f64 / mesh.points.len() as f64 * 1.02;
                 let of = |all: usize| (all as f64 * share) as usize + all.min(SMALL);
                 let points = room.points + room.points / 32 + mesh.points.len().min(SMALL);
-                Part::new(mesh, points, of(mesh.corners.len()), of(mesh.loop_ends.len()))
+                Slab::new(mesh, points, of(mesh.corners.len()), of(mesh.loop_ends.len()))
             }));
             return;
         }
@@ -130,7 +130,7 @@ impl State {
             let crossings = pieces - end;
             pieces = crossings + begin;
             let crossings = crossings + pieces - room[slab + 1].end;
-            Part::new(mesh, spare(points + crossings), spare(corners + 3 * crossings), spare(loops + pieces))
+            Slab::new(mesh, spare(points + crossings), spare(corners + 3 * crossings), spare(loops + pieces))
         }));
     }
 
@@ -162,7 +162,7 @@ impl State {
                 let [a, b] = [last, here].map(|point| self.points.places[point as usize]);
                 if b.class.is_on_plane() && a.class == b.class {
                     let plane = b.class.plane();
-                    self.rim.edge(plane, a.number, b.number, Side::of(slab, plane));
+                    self.rim.edge(plane, a.number, b.number, PlaneSide::of(slab, plane));
                 }
                 last = here;
             }
@@ -193,13 +193,13 @@ impl State {
     }
 
     /// The slab of a triangle in a plane.
-    pub(super) fn slab_of_triangle(&mut self, mesh: &Mesh, corners: [Place; 3], plane: u32) -> u32 {
+    pub(super) fn slab_of_triangle(&mut self, mesh: &Mesh, corners: [Location; 3], plane: u32) -> u32 {
         plane + u32::from(self.is_triangle_above(mesh, corners, plane))
     }
 
     /// Returns true if a triangle in a plane goes above it. The test is exact, because the triangle may be the
     /// narrowest piece of a face.
-    fn is_triangle_above(&mut self, mesh: &Mesh, corners: [Place; 3], plane: u32) -> bool {
+    fn is_triangle_above(&mut self, mesh: &Mesh, corners: [Location; 3], plane: u32) -> bool {
         let flat = &self.points.levels[plane as usize].flat;
         let [a, b, c] = corners.map(|corner| flat[corner.number as usize]);
         self.is_facing_above(mesh, f64::from(orient(a, b, c)))

@@ -147,7 +147,7 @@ impl<'a> Plane<'a> {
             Failure::Tangled => OffsetError::Tangled,
         })?;
         let heights = relief::heights(&self.heights, &rings, &swept);
-        let mut part = Part::new(self, &swept, &heights, outwards, made);
+        let mut part = FaceParts::new(self, &swept, &heights, outwards, made);
         if keep != OffsetFaces::Border {
             part.inside(&edges);
         }
@@ -199,7 +199,7 @@ impl Edges {
 }
 
 /// The parts of one face, while they are added to the mesh.
-struct Part<'p, 'a> {
+struct FaceParts<'p, 'a> {
     plane: &'p Plane<'a>,
     swept: &'p Swept,
     spread: Spread,
@@ -209,7 +209,7 @@ struct Part<'p, 'a> {
     base: u32,
 }
 
-impl<'p, 'a> Part<'p, 'a> {
+impl<'p, 'a> FaceParts<'p, 'a> {
     /// Adds the points to the mesh. Old points are copied bit for bit.
     fn new(plane: &'p Plane<'a>, swept: &'p Swept, heights: &[f64], outwards: bool, made: &'p mut Mesh) -> Self {
         let base = made.points.len() as u32;
@@ -220,7 +220,7 @@ impl<'p, 'a> Part<'p, 'a> {
         };
         made.points.extend(old.chain(new.map(place)));
         let spread = Spread::of(plane.corners.iter().map(|&point| plane.flat[point as usize]).collect());
-        Part { plane, swept, spread, outwards, made, base }
+        FaceParts { plane, swept, spread, outwards, made, base }
     }
 
     /// Adds the interiors of the moved outlines: loops grouped to outlines and holes, each beginning with its first

@@ -66,14 +66,14 @@ fn ring_area(ring: &[DVec3]) -> DVec3 {
 }
 
 /// An edge of a loop, in the plane.
-struct Edge {
+struct LoopEdge {
     a: DVec2,
     b: DVec2,
     ring: usize,
     number: usize,
 }
 
-impl Edge {
+impl LoopEdge {
     fn low(&self) -> DVec2 {
         self.a.min(self.b)
     }
@@ -83,7 +83,7 @@ impl Edge {
     }
 
     /// Returns true if two edges have more in common than corners.
-    fn meets(&self, other: &Edge) -> bool {
+    fn meets(&self, other: &LoopEdge) -> bool {
         if self.low().cmpgt(other.high()).any() || other.low().cmpgt(self.high()).any() {
             return false;
         }
@@ -98,7 +98,7 @@ impl Edge {
             return true;
         }
         // True if a corner of one edge is inside the other edge.
-        let inside = |side: i32, p: DVec2, edge: &Edge| {
+        let inside = |side: i32, p: DVec2, edge: &LoopEdge| {
             side == 0 && p != edge.a && p != edge.b && p.cmpge(edge.low()).all() && p.cmple(edge.high()).all()
         };
         inside(a, self.a, other) || inside(b, self.b, other) || inside(c, other.a, self) || inside(d, other.b, self)
@@ -112,7 +112,7 @@ fn check_crossings(points: &[DVec3], rings: &[Range<usize>], normal: DVec3) -> R
         for number in 0..range.len() {
             let next = range.start + (number + 1) % range.len();
             let [a, b] = [range.start + number, next].map(|i| flat.apply(points[i]));
-            edges.push(Edge { a, b, ring, number });
+            edges.push(LoopEdge { a, b, ring, number });
         }
     }
     edges.sort_by(|e, f| e.low().x.total_cmp(&f.low().x));

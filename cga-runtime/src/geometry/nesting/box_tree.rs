@@ -15,7 +15,7 @@ use super::winding::Budget;
 #[derive(Default)]
 pub(crate) struct BoxTree {
     /// A node is followed by all nodes of its first half, then by all nodes of its second half.
-    nodes: Vec<Node>,
+    nodes: Vec<BoxNode>,
     /// The loops by increasing area.
     by_rank: Vec<u32>,
     /// The nodes that a query still has to visit.
@@ -23,7 +23,7 @@ pub(crate) struct BoxTree {
 }
 
 #[derive(Clone, Copy)]
-struct Node {
+struct BoxNode {
     extent: Extent,
     /// The lowest rank in the node.
     rank: u32,
@@ -39,16 +39,16 @@ impl BoxTree {
         self.by_rank.extend((0..loops.len()).filter(|&number| counts(number)).map(|number| number as u32));
         let area = |number: u32| loops[number as usize].area();
         self.by_rank.sort_unstable_by(|&a, &b| area(a).total_cmp(&area(b)).then(a.cmp(&b)));
-        let leaf = |(rank, &number): (usize, &u32)| Node {
+        let leaf = |(rank, &number): (usize, &u32)| BoxNode {
             extent: loops[number as usize].extent,
             rank: rank as u32,
             second: 0,
         };
-        let mut leaves: Vec<Node> = self.by_rank.iter().enumerate().map(leaf).collect();
+        let mut leaves: Vec<BoxNode> = self.by_rank.iter().enumerate().map(leaf).collect();
         self.add(&mut leaves);
     }
 
-    fn add(&mut self, leaves: &mut [Node]) {
+    fn add(&mut self, leaves: &mut [BoxNode]) {
         if let [leaf] = leaves {
             self.nodes.push(*leaf);
             return;
@@ -57,10 +57,10 @@ impl BoxTree {
         let lows = Extent::union(leaves.iter().map(|leaf| Extent { low: leaf.extent.low, high: leaf.extent.low }));
         let highs = Extent::union(leaves.iter().map(|leaf| Extent { low: leaf.extent.high, high: leaf.extent.high }));
         let number = self.nodes.len();
-        self.nodes.push(Node { extent: Extent { low: lows.low, high: highs.high }, rank, second: 0 });
+        self.nodes.push(BoxNode { extent: Extent { low: lows.low, high: highs.high }, rank, second: 0 });
         let [low, high] = [lows, highs].map(|extent| extent.high * 0.5 - extent.low * 0.5);
         let by = |key: fn(&Extent) -> f64| {
-            move |a: &Node, b: &Node| key(&a.extent).total_cmp(&key(&b.extent)).then(a.rank.cmp(&b.rank))
+            move |a: &BoxNode, b: &BoxNode| key(&a.extent).total_cmp(&key(&b.extent)).then(a.rank.cmp(&b.rank))
         };
         let middle = leaves.len() / 2;
         let widest = low.max(high).max_element();
@@ -93,7 +93,7 @@ impl BoxTree {
         let mut next = (!self.nodes.is_empty() && may_be_in(0)).then_some(0);
         while let Some(node) = next.take().or_else(|| self.open.pop().map(|Reverse((_, node))| node)) {
             budget.spend(1);
-            let Node { rank, second, .. } = self.nodes[node as usize];
+            let BoxNode { rank, second, .. } = self.nodes[node as usize];
             let is_found = second == 0 && accept(self.by_rank[rank as usize] as usize, budget);
             if budget.is_spent() {
                 return None;

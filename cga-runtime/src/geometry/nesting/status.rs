@@ -12,7 +12,7 @@ const NONE: u32 = u32::MAX;
 
 /// A row of edges. No block of it is empty.
 #[derive(Default)]
-pub(crate) struct Row {
+pub(crate) struct Status {
     blocks: Vec<Block>,
     /// The blocks from left to right.
     order: Vec<u32>,
@@ -27,7 +27,7 @@ struct Block {
     place: usize,
 }
 
-impl Row {
+impl Status {
     /// Clears the row for `edges` edges.
     pub(crate) fn reset(&mut self, edges: usize) {
         self.blocks.clear();

@@ -10,7 +10,7 @@ use glam::DVec2;
 
 use super::contour::Section;
 use super::merge_sort::merge_sort;
-use super::status::{Row, Spot};
+use super::status::{Spot, Status};
 use crate::geometry::exact::orient;
 
 /// No outline.
@@ -25,14 +25,14 @@ pub(crate) struct Sweep {
     around: Vec<u32>,
     /// The corners of a loop.
     places: Vec<DVec2>,
-    edges: Vec<Edge>,
-    events: Vec<Event>,
-    row: Row,
+    edges: Vec<SweepEdge>,
+    events: Vec<SweepEvent>,
+    row: Status,
 }
 
 /// The edge that begins at a corner.
 #[derive(Clone, Copy)]
-struct Edge {
+struct SweepEdge {
     low: DVec2,
     high: DVec2,
     /// True if the solid is right of the edge: true for left edges of outlines and right edges of holes.
@@ -42,7 +42,7 @@ struct Edge {
 
 /// A corner.
 #[derive(Clone, Copy)]
-struct Event {
+struct SweepEvent {
     at: DVec2,
     /// True if both its edges are above it. Among corners at one place these come last.
     begins: bool,
@@ -97,9 +97,9 @@ impl Sweep {
                 let down = is_below(next, at);
                 let (low, high) = if down { (next, at) } else { (at, next) };
                 let own = first + i;
-                edges.push(Edge { low, high, enters: down != inverted, owner: owner as u32 });
+                edges.push(SweepEdge { low, high, enters: down != inverted, owner: owner as u32 });
                 let arriving = if i == 0 { first + count - 1 } else { own - 1 };
-                events.push(Event { at, begins: false, edges: [arriving, own] });
+                events.push(SweepEvent { at, begins: false, edges: [arriving, own] });
             }
         }
         if !edges.iter().all(|edge| edge.low.is_finite()) {
@@ -120,7 +120,7 @@ impl Sweep {
     }
 
     /// Processes a corner with both edges above it. The area between them is beside the edge that they lie on, if any.
-    fn begin(&mut self, event: &Event, is_outline: &impl Fn(usize) -> bool) -> bool {
+    fn begin(&mut self, event: &SweepEvent, is_outline: &impl Fn(usize) -> bool) -> bool {
         let [a, b] = event.edges.map(|edge| self.edges[edge as usize]);
         let turn = orient(event.at, a.high, b.high);
         let [left, right] = if turn < 0 { event.edges } else { [event.edges[1], event.edges[0]] };
@@ -128,7 +128,7 @@ impl Sweep {
         let owner = a.owner as usize;
         if self.around[owner] == UNKNOWN {
             self.around[owner] = self.row.before(spot).map_or(NONE, |beside| {
-                let Edge { enters, owner, .. } = self.edges[beside as usize];
+                let SweepEdge { enters, owner, .. } = self.edges[beside as usize];
                 if enters && is_outline(owner as usize) { owner } else { self.around[owner as usize] }
             });
         }
@@ -139,7 +139,7 @@ impl Sweep {
     }
 
     /// Processes a corner where an edge ends. The other edge continues or ends too.
-    fn go_on(&mut self, event: &Event) -> bool {
+    fn go_on(&mut self, event: &SweepEvent) -> bool {
         let [a, b] = event.edges;
         match event.edges.map(|edge| self.edges[edge as usize].high == event.at) {
             [true, true] => self.remove(a) && self.remove(b),
@@ -196,7 +196,7 @@ impl Sweep {
     }
 }
 
-impl Edge {
+impl SweepEdge {
     /// 1 if a point is left of the edge, -1 if it is right, 0 on its line.
     #[inline]
     fn side(&self, p: DVec2) -> i32 {
@@ -206,7 +206,7 @@ impl Edge {
     /// Returns true if it is left of the low end of another edge, or contains that end and is left of the high end.
     /// `None` if the two edges are collinear there.
     #[inline]
-    fn is_left_of(&self, other: &Edge) -> Option<bool> {
+    fn is_left_of(&self, other: &SweepEdge) -> Option<bool> {
         let side = match self.side(other.low) {
             0 => orient(self.low, self.high, other.high),
             side => side,
@@ -216,16 +216,16 @@ impl Edge {
 }
 
 /// The order of two corners at one place with their edges above: a corner comes before the corners that it contains.
-fn which_is_around(a: &Event, b: &Event, edges: &[Edge]) -> Ordering {
-    let sides = |event: &Event| {
+fn which_is_around(a: &SweepEvent, b: &SweepEvent, edges: &[SweepEdge]) -> Ordering {
+    let sides = |event: &SweepEvent| {
         let [p, q] = event.edges.map(|edge| &edges[edge as usize]);
         if orient(event.at, p.high, q.high) < 0 { [p, q] } else { [q, p] }
     };
     let ([left, right], [other_left, other_right]) = (sides(a), sides(b));
-    let turn = |from: &Edge, to: &Edge| orient(a.at, from.high, to.high);
+    let turn = |from: &SweepEdge, to: &SweepEdge| orient(a.at, from.high, to.high);
     let by_left = turn(left, other_left).cmp(&0);
     let by_right = 0.cmp(&turn(right, other_right));
-    let longer = |a: &Edge, b: &Edge| is_below(a.high, b.high).cmp(&is_below(b.high, a.high));
+    let longer = |a: &SweepEdge, b: &SweepEdge| is_below(a.high, b.high).cmp(&is_below(b.high, a.high));
     let by_length = longer(left, other_left).then(longer(right, other_right));
     by_left.then(by_right).then(by_length).then(other_left.enters.cmp(&left.enters))
 }

@@ -8,14 +8,14 @@ use super::wavefront::Wavefront;
 /// An end of a segment: a vertex that does not change, or a cluster where the wavefront changes, named by its first
 /// vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum End {
+pub(super) enum SegmentEnd {
     Vertex(u32),
     Cluster(u32),
 }
 
-impl End {
+impl SegmentEnd {
     pub(super) fn vertex(self) -> u32 {
-        let (End::Vertex(vertex) | End::Cluster(vertex)) = self;
+        let (SegmentEnd::Vertex(vertex) | SegmentEnd::Cluster(vertex)) = self;
         vertex
     }
 }
@@ -23,8 +23,8 @@ impl End {
 /// An edge of the wavefront, or the part of an edge between clusters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Segment {
-    pub(super) from: End,
-    pub(super) to: End,
+    pub(super) from: SegmentEnd,
+    pub(super) to: SegmentEnd,
     pub(super) edge: u32,
     /// The number of its line.
     pub(super) line: u32,
@@ -79,14 +79,14 @@ impl Arrangement {
         edges.dedup();
         let end = |vertex: u32| {
             let cluster = cluster(vertex);
-            if changes[cluster as usize] { End::Cluster(cluster) } else { End::Vertex(vertex) }
+            if changes[cluster as usize] { SegmentEnd::Cluster(cluster) } else { SegmentEnd::Vertex(vertex) }
         };
         let mut segments: Vec<Segment> = Vec::new();
         for &edge in &edges {
             let first = divisions.partition_point(|division| division.0 < edge);
             let on = divisions[first..].iter().take_while(|division| division.0 == edge);
             let mut from = end(edge);
-            for to in on.map(|division| End::Cluster(division.2)).chain([end(next(edge))]) {
+            for to in on.map(|division| SegmentEnd::Cluster(division.2)).chain([end(next(edge))]) {
                 if from != to {
                     segments.push(Segment { from, to, edge, line: front.vertices[edge as usize].after });
                 }
@@ -113,9 +113,9 @@ fn incidences(clusters: impl Iterator<Item = u32>, segments: &[Segment]) -> Vec<
     let none = |cluster| Incidence { cluster, incoming: Vec::new(), outgoing: Vec::new() };
     let mut incidences: Vec<Incidence> = clusters.map(none).collect();
     for (segment, &Segment { from, to, .. }) in segments.iter().enumerate() {
-        let at = |end: End| match end {
-            End::Cluster(cluster) => number(&incidences, cluster),
-            End::Vertex(_) => None,
+        let at = |end: SegmentEnd| match end {
+            SegmentEnd::Cluster(cluster) => number(&incidences, cluster),
+            SegmentEnd::Vertex(_) => None,
         };
         let ends = [at(from), at(to)];
         if let Some(from) = ends[0] {
@@ -131,9 +131,9 @@ fn incidences(clusters: impl Iterator<Item = u32>, segments: &[Segment]) -> Vec<
 /// Removes pairs of opposite segments between the same two clusters.
 fn cancel(segments: &mut Vec<Segment>) -> Vec<[Segment; 2]> {
     // For each pair of clusters the segments from one to the other that are not cancelled, last first.
-    let mut between: BTreeMap<[End; 2], Vec<usize>> = BTreeMap::new();
+    let mut between: BTreeMap<[SegmentEnd; 2], Vec<usize>> = BTreeMap::new();
     for (number, segment) in segments.iter().enumerate().rev() {
-        if let (End::Cluster(_), End::Cluster(_)) = (segment.from, segment.to) {
+        if let (SegmentEnd::Cluster(_), SegmentEnd::Cluster(_)) = (segment.from, segment.to) {
             between.entry([segment.from, segment.to]).or_default().push(number);
         }
     }

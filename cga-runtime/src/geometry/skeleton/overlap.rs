@@ -1,7 +1,7 @@
 //! Coincident segments with opposite directions: they touch up to the end of the shorter one.
 
 use super::Failure;
-use super::arrangement::{Arrangement, End, Segment};
+use super::arrangement::{Arrangement, Segment, SegmentEnd};
 use super::contact::{Contacts, to_segment};
 use super::wavefront::{Wavefront, turn_back};
 
@@ -48,7 +48,7 @@ impl Arrangement {
     /// Records that a segment to a cluster and a segment from it touch, if they do. Returns whether this is new.
     fn overlap(&self, front: &Wavefront, contacts: &mut Contacts, pair: [usize; 2], near: f64) -> bool {
         let [incoming, outgoing] = pair.map(|segment| &self.segments[segment]);
-        let position = |end: End| front.positions[end.vertex() as usize];
+        let position = |end: SegmentEnd| front.positions[end.vertex() as usize];
         let (far, here, end) = (position(incoming.from), position(incoming.to), position(outgoing.to));
         let (a, b) = (far - here, end - here);
         if a.dot(b) <= 0.0 {

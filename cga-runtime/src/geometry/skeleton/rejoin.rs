@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::arrangement::{Arrangement, End, Incidence};
+use super::arrangement::{Arrangement, Incidence, SegmentEnd};
 use super::contact::Contacts;
 use super::wavefront::{NONE, Wavefront};
 
@@ -64,7 +64,7 @@ pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &A
     }
     // The vertices at the ends of each segment.
     let mut ends: Vec<[u32; 2]> =
-        arrangement.segments.iter().map(|segment| [segment.from, segment.to].map(End::vertex)).collect();
+        arrangement.segments.iter().map(|segment| [segment.from, segment.to].map(SegmentEnd::vertex)).collect();
     let mut made = Vec::new();
     for [incoming, outgoing] in arrangement.pairs(front) {
         let new = front.vertices.len() as u32;

@@ -7,7 +7,7 @@ use super::disjoint::DisjointSets;
 
 /// The kind of a strip's side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Side {
+enum StripSide {
     Inner,
     Front,
 }
@@ -17,7 +17,7 @@ enum Side {
 struct Arc {
     from: u32,
     to: u32,
-    side: Side,
+    side: StripSide,
 }
 
 /// The sides of all strips. The sides of each strip begin with its edge.
@@ -29,21 +29,21 @@ pub(super) struct Arcs {
 impl Arcs {
     /// Adds the next edge.
     pub(super) fn edge(&mut self, from: u32, to: u32) {
-        self.of.push(vec![Arc { from, to, side: Side::Inner }]);
+        self.of.push(vec![Arc { from, to, side: StripSide::Inner }]);
     }
 
     /// Adds a path with one strip on its left and one on its right.
     pub(super) fn path(&mut self, from: u32, to: u32, left: u32, right: u32) {
         if from != to && left != right {
-            self.of[left as usize].push(Arc { from, to, side: Side::Inner });
-            self.of[right as usize].push(Arc { from: to, to: from, side: Side::Inner });
+            self.of[left as usize].push(Arc { from, to, side: StripSide::Inner });
+            self.of[right as usize].push(Arc { from: to, to: from, side: StripSide::Inner });
         }
     }
 
     /// Adds an edge of the final wavefront, with its strip on the right.
     pub(super) fn front(&mut self, from: u32, to: u32, edge: u32) {
         if from != to {
-            self.of[edge as usize].push(Arc { from: to, to: from, side: Side::Front });
+            self.of[edge as usize].push(Arc { from: to, to: from, side: StripSide::Front });
         }
     }
 
@@ -95,7 +95,7 @@ fn follow(edge: u32, arcs: &[Arc], strips: &mut Vec<Strip>) {
         while let Some(arc) = at {
             used[arc] = true;
             strip.ring.push(arcs[arc].from);
-            strip.front.push(arcs[arc].side == Side::Front);
+            strip.front.push(arcs[arc].side == StripSide::Front);
             let end = arcs[arc].to;
             at =
                 if end == arcs[start].from { None } else { (0..arcs.len()).find(|&k| !used[k] && arcs[k].from == end) };

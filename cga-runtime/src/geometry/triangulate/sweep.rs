@@ -46,7 +46,7 @@ struct Link {
 
 /// A corner in the order of the sweep.
 #[derive(Clone, Copy)]
-struct Event {
+struct SweepCorner {
     y: f64,
     x: f64,
     corner: u32,
@@ -57,7 +57,7 @@ struct Event {
 pub(super) struct Sweep {
     next: Vec<u32>,
     prev: Vec<u32>,
-    order: Vec<Event>,
+    order: Vec<SweepCorner>,
     /// For each corner the region that its edge bounds.
     region: Vec<u32>,
     regions: Vec<Region>,
@@ -139,7 +139,7 @@ impl Sweep {
             let kept = (first..end).filter(|&corner| self.next[corner as usize] != NONE);
             self.order.extend(kept.map(|corner| {
                 let DVec2 { x, y } = points[corner as usize];
-                Event { y, x, corner }
+                SweepCorner { y, x, corner }
             }));
         }
     }

@@ -36,14 +36,14 @@ pub(super) struct Unfold {
     /// True if a triangle was in a patch of this round.
     taken: Vec<bool>,
     patch: Vec<u32>,
-    rim: Vec<Edge>,
+    rim: Vec<RimEdge>,
     chain: Vec<u32>,
     table: Vec<Cell>,
     stretches: Vec<[usize; 2]>,
 }
 
 /// An edge of a patch's rim.
-struct Edge {
+struct RimEdge {
     corner: u32,
     /// The side of the triangle in the patch.
     side: u32,
@@ -177,7 +177,7 @@ impl Unfold {
         self.taken[turned as usize] = true;
         self.rim.clear();
         let corner = |side: u32| triangles[side as usize / 3][side as usize % 3];
-        let edge = |side: u32, next: usize| Edge { corner: corner(side), side, next };
+        let edge = |side: u32, next: usize| RimEdge { corner: corner(side), side, next };
         self.rim.extend([0, 1, 2].map(|k| edge(3 * turned + k, (k as usize + 1) % 3)));
         let mut at = 0;
         while at < self.rim.len() && self.patch.len() < size {

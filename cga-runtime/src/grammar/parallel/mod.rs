@@ -22,7 +22,7 @@ pub use crate::output::parts::{Part, Parts, ShapeError};
 pub use stretch::Stretch;
 
 use self::order::in_order;
-use self::stretch::{Done, End, derive_stretch};
+use self::stretch::{Done, EarlyEnd, derive_stretch};
 use crate::grammar::Grammar;
 use crate::grammar::session::{Session, Setup};
 use crate::output::model::Model;
@@ -33,7 +33,8 @@ use crate::run::settings::Settings;
 use crate::run::sink::Sink;
 use crate::shape::Shape;
 
-/// Runs a grammar on all shapes, with a sink for each stretch. Each sink is [finished](Sink::finish) after its last shape.
+/// Runs a grammar on all shapes, with a sink for each stretch. Each sink is [finished](Sink::finish) after its last
+/// shape.
 ///
 /// # Errors
 /// An error that does not depend on a shape, otherwise the first one in the order of the shapes.
@@ -118,9 +119,9 @@ impl<W, A: Fn() -> Option<W> + Sync> Crew<'_, W, A> {
         let job = |worker: &mut W, stretch: &Stretch, ended: &dyn Fn() -> bool| {
             let mut sink = sink(stretch);
             let mut done = derive_stretch(shapes, stretch, ended, |shape| run(worker, shape, &mut sink));
-            let failed = matches!(done.end, Some(End::Failed(..)));
+            let failed = matches!(done.end, Some(EarlyEnd::Failed(..)));
             if !failed && !ended() && sink.finish().is_break() {
-                done.end.get_or_insert(End::Stopped);
+                done.end.get_or_insert(EarlyEnd::Stopped);
             }
             done.with(sink)
         };
@@ -155,8 +156,8 @@ impl<W, A: Fn() -> Option<W> + Sync> Crew<'_, W, A> {
             }
             parts.report.merge(counts, &settings.limits);
             match end {
-                Some(End::Failed(at, error)) => failed = Some(ShapeError { shape: Some(at), error }),
-                Some(End::Stopped) => parts.report.stopped = true,
+                Some(EarlyEnd::Failed(at, error)) => failed = Some(ShapeError { shape: Some(at), error }),
+                Some(EarlyEnd::Stopped) => parts.report.stopped = true,
                 None => {}
             }
             put(&mut parts.parts, shapes, output);

@@ -53,7 +53,7 @@ pub(super) struct Done<T> {
     /// All other reports, merged.
     pub(super) counts: Report,
     /// The reason for an early end.
-    pub(super) end: Option<End>,
+    pub(super) end: Option<EarlyEnd>,
 }
 
 impl Done<()> {
@@ -65,7 +65,7 @@ impl Done<()> {
 }
 
 /// The reason why no later shape is derived.
-pub(super) enum End {
+pub(super) enum EarlyEnd {
     /// The sink or the watch ended its run.
     Stopped,
     /// The run of a shape failed. The number is the index of the shape in the list.
@@ -94,7 +94,7 @@ pub(super) fn derive_stretch(
         } else {
             done.reports.push(report);
         }
-        done.end = error.map(|error| End::Failed(at, error)).or(stopped.then_some(End::Stopped));
+        done.end = error.map(|error| EarlyEnd::Failed(at, error)).or(stopped.then_some(EarlyEnd::Stopped));
         if done.end.is_some() {
             break;
         }

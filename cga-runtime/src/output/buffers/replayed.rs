@@ -3,7 +3,7 @@
 use super::part::Run;
 use crate::output::numbers::Numbers;
 use crate::run::sink::Replay;
-use crate::shape::look_ids::MaterialId;
+use crate::shape::look_id::LookId;
 
 /// The number of parts whose marks are kept.
 const KNOWN: usize = 32;
@@ -41,12 +41,12 @@ impl Marks {
     fn find(&mut self, replay: &Replay<'_>, numbers: &mut Numbers) {
         self.runs.clear();
         self.runs.extend(replay.marks().map(|(leaf, mark)| {
-            let (rule, material) = numbers.with_material(&leaf, mark.material);
+            let (rule, material) = numbers.with_look(&leaf, mark.look);
             Run { rule, material, triangle: mark.before / 2, vertex: mark.before }
         }));
         self.is_distinct = self.runs.windows(2).all(|pair| !pair[0].is_like(&pair[1]));
         // The next base may have another material.
-        let is_known = replay.mark_list().iter().all(|mark| mark.material != MaterialId::OF_BASE);
+        let is_known = replay.mark_list().iter().all(|mark| mark.look != LookId::OF_BASE);
         self.part = if is_known { replay.number() } else { (0, 0) };
     }
 }

@@ -87,7 +87,7 @@ impl UvLists {
         for (leaf, mark) in replay.marks() {
             let (range, vertex_of_mark) = (first..first + mark.leaves, vertex + mark.before as usize);
             first = range.end;
-            for SetMap { set, map } in leaf.uvs_of(mark.material) {
+            for SetMap { set, map } in leaf.uvs_of(mark.look) {
                 let Some(list) = self.list(*set, vertex + count) else { continue };
                 let map = Columns::from(map);
                 let (mut faces, _) = list[vertex_of_mark..][..mark.corners].as_chunks_mut::<4>();

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use super::{Glb, Places, Shared};
+use super::{Glb, Instances, Shared};
 use crate::geometry::mesh::Mesh;
 
 /// Assets by mesh, rule and material, in the order of their first use.
@@ -51,7 +51,7 @@ impl Glb {
                 self.add_mesh(rule, material, &mesh, &DAffine3::IDENTITY);
                 self.origin = origin;
                 let primitives = std::mem::replace(&mut self.primitives, main);
-                shared.push(Shared { primitives: primitives.into_list(), places: Places::Nodes(own) });
+                shared.push(Shared { primitives: primitives.into_list(), places: Instances::Nodes(own) });
             } else {
                 own.iter().for_each(|placement| self.add_mesh(rule, material, &mesh, placement));
             }

@@ -24,7 +24,7 @@ impl Glb {
     /// let parts = [Buffers::new(), Buffers::new()];
     /// let mut glb = Glb::new();
     /// let _ = parts.iter().try_for_each(|part| glb.buffers(part));
-    /// assert!(glb.finish().unwrap().starts_with(b"glTF"));
+    /// assert!(glb.into_bytes().unwrap().starts_with(b"glTF"));
     /// ```
     pub fn buffers(&mut self, buffers: &Buffers) -> Flow {
         let sets = SetMask::of(|set| !buffers.uv_set(set).is_empty());
@@ -63,16 +63,16 @@ impl Primitive {
 }
 
 impl Buffers {
-    /// The buffers as a GLB file; see [`Glb`]. Positions stay relative to the origin of the buffers. Images are referenced:
-    /// [`Glb::with_assets`] and [`Glb::buffers`] embed them.
+    /// The buffers as a GLB file; see [`Glb`]. Positions stay relative to the origin of the buffers. Images are
+    /// referenced: [`Glb::with_assets`] and [`Glb::buffers`] embed them.
     ///
     /// # Errors
-    /// As [`Glb::finish`].
+    /// As [`Glb::into_bytes`].
     pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
         let mut glb = Glb::new().with_origin(self.origin());
-        // It stops when it is full; `finish` reports that.
+        // It stops when it is full; `into_bytes` reports that.
         let _ = glb.buffers(self);
-        glb.finish()
+        glb.into_bytes()
     }
 
     /// Writes the buffers as a GLB file: a chunk of a stream, for example.
@@ -95,7 +95,7 @@ impl Buffers {
     /// ```
     ///
     /// # Errors
-    /// As [`Glb::finish`], and errors of the file system.
+    /// As [`Glb::into_bytes`], and errors of the file system.
     pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
         Ok(std::fs::write(path, self.to_glb()?)?)
     }
@@ -105,11 +105,11 @@ impl Parts<Buffers> {
     /// All parts as one GLB file, with positions relative to the origin of the first.
     ///
     /// # Errors
-    /// As [`Glb::finish`].
+    /// As [`Glb::into_bytes`].
     pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
         let origin = self.sinks().next().map_or(DVec3::ZERO, Buffers::origin);
         let mut glb = Glb::new().with_origin(origin);
         let _ = self.sinks().try_for_each(|buffers| glb.buffers(buffers));
-        glb.finish()
+        glb.into_bytes()
     }
 }

@@ -10,7 +10,7 @@ use super::json::quoted;
 use super::textures::{ImageKey, LookTexture};
 use crate::asset::Assets;
 use crate::asset::image::header::ImageKind;
-use crate::output::texture::source::{self, Source};
+use crate::output::texture::source::{self, ImageSource};
 
 /// The images in the order in which looks first use them. Every image has one texture with the same number.
 #[derive(Debug, Default)]
@@ -70,11 +70,11 @@ impl<'a> Images<'a> {
             return Some(Image::Referenced(uri(name)));
         }
         match source::find(self.assets, name) {
-            Source::File(header, bytes) => Some(Image::Embedded { kind: header.kind, bytes }),
-            Source::Drawn(image) => {
+            ImageSource::File(header, bytes) => Some(Image::Embedded { kind: header.kind, bytes }),
+            ImageSource::Drawn(image) => {
                 combine::encoded(&image).map(|bytes| Image::Embedded { kind: ImageKind::Png, bytes })
             }
-            Source::Absent => Some(Image::Referenced(uri(name))),
+            ImageSource::Absent => Some(Image::Referenced(uri(name))),
         }
     }
 

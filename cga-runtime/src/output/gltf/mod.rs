@@ -36,7 +36,7 @@ use glam::{DAffine3, DVec3};
 
 use self::assets::AssetList;
 use self::look::Looks;
-use self::parts::{Parts, Place};
+use self::parts::{Instance, RepeatedParts};
 use self::primitive::{INDEX_BYTES, Primitive, Primitives, UV_BYTES, VERTEX_BYTES};
 use super::error::WriteError;
 use super::flatten::Flattener;
@@ -62,7 +62,7 @@ pub struct Glb {
     primitives: Primitives,
     assets: AssetList,
     /// The repeated parts, if they become instances.
-    parts: Option<Parts>,
+    parts: Option<RepeatedParts>,
     flattener: Flattener,
     bytes: u64,
     files: Files,
@@ -72,14 +72,14 @@ pub struct Glb {
 /// A glTF mesh at several places.
 struct Shared {
     primitives: Vec<Primitive>,
-    places: Places,
+    places: Instances,
 }
 
-enum Places {
+enum Instances {
     /// A node for each place.
     Nodes(Vec<DAffine3>),
     /// One node for all places.
-    Instances(Vec<Place>),
+    Instances(Vec<Instance>),
 }
 
 /// The largest 32-bit length of the format, less room for the description.
@@ -122,10 +122,10 @@ impl Glb {
     ///
     /// let glb = Glb::new().with_instances();
     /// // … `grammar.generate_into(&shape, &settings, &mut glb)?`, then:
-    /// assert!(glb.finish().unwrap().starts_with(b"glTF"));
+    /// assert!(glb.into_bytes().unwrap().starts_with(b"glTF"));
     /// ```
     pub fn with_instances(mut self) -> Self {
-        self.parts = Some(Parts::default());
+        self.parts = Some(RepeatedParts::default());
         self
     }
 
@@ -134,7 +134,7 @@ impl Glb {
     /// # Errors
     /// [`WriteError::TooLarge`] for more than 4 GiB, [`WriteError::NotFinite`] for coordinates beyond the range of
     /// `f32`.
-    pub fn finish(mut self) -> Result<Vec<u8>, WriteError> {
+    pub fn into_bytes(mut self) -> Result<Vec<u8>, WriteError> {
         let mut shared = self.place_assets();
         if let Some(parts) = self.parts.take() {
             shared.extend(self.place_parts(parts));
@@ -188,7 +188,7 @@ impl Glb {
 impl Sink for Glb {
     fn begin(&mut self) {
         self.numbers.begin();
-        self.parts.iter_mut().for_each(Parts::begin);
+        self.parts.iter_mut().for_each(RepeatedParts::begin);
     }
 
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
@@ -226,7 +226,7 @@ impl Sink for Glb {
         }
         let (mut leaf, origin) = (0, four(self.origin));
         for (filled, mark) in replay.marks() {
-            let (rule, material) = self.numbers.with_material(&filled, mark.material);
+            let (rule, material) = self.numbers.with_look(&filled, mark.look);
             let leaves = leaf..leaf + mark.leaves;
             leaf = leaves.end;
             self.plain(material).repeat(rule, replay, leaves, mark.corners / 4, origin);
@@ -278,19 +278,19 @@ impl Model {
     /// middle.
     ///
     /// # Errors
-    /// As [`Glb::finish`].
+    /// As [`Glb::into_bytes`].
     pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
         let glb = Glb::new().with_origin(near_origin(self.bounds()));
         let mut glb = Glb { files: self.files().clone(), ..glb };
-        // It stops when it is full; `finish` reports that.
+        // It stops when it is full; `into_bytes` reports that.
         let _ = self.replay(&mut glb);
-        glb.finish()
+        glb.into_bytes()
     }
 
     /// Writes the model as a GLB file; see [`Model::to_glb`].
     ///
     /// # Errors
-    /// As [`Glb::finish`], and errors of the file system.
+    /// As [`Glb::into_bytes`], and errors of the file system.
     pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
         Ok(std::fs::write(path, self.to_glb()?)?)
     }
@@ -300,19 +300,19 @@ impl super::parts::Parts<Model> {
     /// All models as one GLB file, equal to that of one model with all leaves.
     ///
     /// # Errors
-    /// As [`Glb::finish`].
+    /// As [`Glb::into_bytes`].
     pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
         let glb = Glb::new().with_origin(near_origin(self.bounds()));
         let mut glb =
             Glb { files: self.sinks().next().map_or_else(Files::default, |model| model.files().clone()), ..glb };
         let _ = self.replay(&mut glb);
-        glb.finish()
+        glb.into_bytes()
     }
 
     /// Writes all models as one GLB file.
     ///
     /// # Errors
-    /// As [`Glb::finish`], and errors of the file system.
+    /// As [`Glb::into_bytes`], and errors of the file system.
     pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
         Ok(std::fs::write(path, self.to_glb()?)?)
     }

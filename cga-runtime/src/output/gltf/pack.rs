@@ -8,11 +8,11 @@ use glam::{DVec3, Vec4};
 use super::binary::{Binary, container, text};
 use super::images::Images;
 use super::json::joined;
-use super::parts::Place;
+use super::parts::Instance;
 use super::primitive::Primitive;
 use super::streams::Stream;
 use super::textures::LookTexture;
-use super::{Glb, MAX_BYTES, Places, Shared};
+use super::{Glb, Instances, MAX_BYTES, Shared};
 use crate::output::error::WriteError;
 use crate::output::number::list;
 
@@ -118,13 +118,13 @@ fn write_nodes(json: &mut String, origin: DVec3, has_main: bool, shared: &[Share
     for (i, asset) in shared.iter().enumerate() {
         let mesh = i + usize::from(has_main);
         match &asset.places {
-            Places::Nodes(nodes) => children.extend(nodes.iter().map(|place| {
+            Instances::Nodes(nodes) => children.extend(nodes.iter().map(|place| {
                 let [x, y, z] = [place.matrix3.x_axis, place.matrix3.y_axis, place.matrix3.z_axis];
                 let columns = [x.extend(0.0), y.extend(0.0), z.extend(0.0), (place.translation - origin).extend(1.0)];
                 let matrix = list(columns.map(|column| column.to_array()).as_flattened());
                 format!("{{\"mesh\":{mesh},\"matrix\":[{matrix}]}}")
             })),
-            Places::Instances(_) => children.extend(places.next().map(|[translation, rotation]| {
+            Instances::Instances(_) => children.extend(places.next().map(|[translation, rotation]| {
                 format!(
                     "{{\"mesh\":{mesh},\"extensions\":{{\"EXT_mesh_gpu_instancing\":{{\"attributes\":\
                      {{\"TRANSLATION\":{translation},\"ROTATION\":{rotation}}}}}}}}}"
@@ -213,10 +213,10 @@ impl<'a> Binary<'a> {
     /// The accessors of the translations and the rotations of instances, for each mesh with instances.
     fn places(&mut self, shared: &'a [Shared]) -> Vec<[usize; 2]> {
         let lists = shared.iter().filter_map(|mesh| match &mesh.places {
-            Places::Instances(places) => Some(&places[..]),
-            Places::Nodes(_) => None,
+            Instances::Instances(places) => Some(&places[..]),
+            Instances::Nodes(_) => None,
         });
-        let lists: Vec<&[Place]> = lists.collect();
+        let lists: Vec<&[Instance]> = lists.collect();
         let count = lists.iter().map(|list| list.len()).sum::<usize>();
         if count == 0 {
             return Vec::new();

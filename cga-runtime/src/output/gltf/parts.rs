@@ -9,14 +9,14 @@ use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
 use glam::{DAffine3, DQuat, DVec3};
 
 use super::primitive::Primitive;
-use super::{Glb, Places, Shared};
+use super::{Glb, Instances, Shared};
 use crate::material::layer::SetMask;
 use crate::run::sink::{Flow, PartId, Replay};
 
 /// The parts in the order of their first use.
 #[derive(Debug, Default)]
-pub(super) struct Parts {
-    list: Vec<Part>,
+pub(super) struct RepeatedParts {
+    list: Vec<RepeatedPart>,
     /// The parts of the current run. Only for look-ups, never iterated.
     by_id: HashMap<PartId, usize>,
     /// The parts by a hash of their triangles. Only for look-ups, never iterated.
@@ -25,34 +25,34 @@ pub(super) struct Parts {
 
 /// A part and its places.
 #[derive(Debug)]
-struct Part {
+struct RepeatedPart {
     primitives: Vec<Primitive>,
     /// The first place.
     first: DAffine3,
-    places: Vec<Place>,
+    places: Vec<Instance>,
 }
 
 /// A place of an instance, relative to the origin of the file.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct Instance {
     pub(super) translation: [f32; 3],
     /// A unit quaternion.
     pub(super) rotation: [f32; 4],
 }
 
 /// The bytes of a place.
-const PLACE_BYTES: u64 = size_of::<Place>() as u64;
+const PLACE_BYTES: u64 = size_of::<Instance>() as u64;
 
-impl Place {
+impl Instance {
     fn new(placement: &DAffine3, origin: DVec3) -> Self {
-        Place {
+        Instance {
             translation: (placement.translation - origin).to_array().map(|c| c as f32),
             rotation: DQuat::from_mat3(&placement.matrix3).normalize().to_array().map(|c| c as f32),
         }
     }
 }
 
-impl Parts {
+impl RepeatedParts {
     /// Begins another run, in which identities have another meaning.
     pub(super) fn begin(&mut self) {
         self.by_id.clear();
@@ -67,14 +67,14 @@ impl Parts {
             return (known, false);
         }
         equal.push(self.list.len());
-        self.list.push(Part { primitives, first: *first, places: Vec::new() });
+        self.list.push(RepeatedPart { primitives, first: *first, places: Vec::new() });
         (self.list.len() - 1, true)
     }
 }
 
 impl Glb {
     /// Records a place of a part that repeats.
-    pub(super) fn place_part(&mut self, parts: &mut Parts, replay: &Replay<'_>) -> Flow {
+    pub(super) fn place_part(&mut self, parts: &mut RepeatedParts, replay: &Replay<'_>) -> Flow {
         let placement = replay.placement();
         // A host program may set axes that are not a rotation, which a list of places cannot express.
         if 1e-6 < (placement.matrix3.determinant() - 1.0).abs() {
@@ -92,7 +92,7 @@ impl Glb {
                 number
             }
         };
-        parts.list[number].places.push(Place::new(&placement, self.origin));
+        parts.list[number].places.push(Instance::new(&placement, self.origin));
         self.add_bytes(PLACE_BYTES)
     }
 
@@ -107,11 +107,11 @@ impl Glb {
     }
 
     /// Turns parts at several places into separate meshes; the others join the rest.
-    pub(super) fn place_parts(&mut self, parts: Parts) -> Vec<Shared> {
+    pub(super) fn place_parts(&mut self, parts: RepeatedParts) -> Vec<Shared> {
         let mut shared = Vec::new();
-        for Part { primitives, first, places } in parts.list {
+        for RepeatedPart { primitives, first, places } in parts.list {
             if 2 <= places.len() {
-                shared.push(Shared { primitives, places: Places::Instances(places) });
+                shared.push(Shared { primitives, places: Instances::Instances(places) });
                 continue;
             }
             for primitive in &primitives {

@@ -133,7 +133,7 @@ fn transform(placement: &Placement) -> Option<[u32; 5]> {
     Some(numbers.map(|number| (number as f32 + 0.0).to_bits()))
 }
 
-/// The coordinates that a normal map uses: a list of the primitive, and the linear part of the placement with v upwards.
+/// The coordinates of a normal map: a list of the primitive, and the linear part of the placement with v upwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct NormalSpace {
     pub(super) list: usize,

@@ -1,7 +1,7 @@
 //! Rasterisation of triangles.
 
-/// Corners are rounded to multiples of `1 / GRID` pixels. Edge functions are then exact in `f64`, so triangles that share
-/// an edge neither share nor omit a pixel.
+/// Corners are rounded to multiples of `1 / GRID` pixels. Edge functions are then exact in `f64`, so triangles that
+/// share an edge neither share nor omit a pixel.
 const GRID: f64 = 256.0;
 
 /// Calls `put` with index and nearness of each pixel whose centre is in a triangle. Corners have x and y in pixels

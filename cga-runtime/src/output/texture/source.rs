@@ -7,7 +7,7 @@ use crate::asset::{AssetError, Assets};
 use crate::asset::image::builtin;
 
 /// The image with a name.
-pub(crate) enum Source {
+pub(crate) enum ImageSource {
     /// An unchanged file.
     File(ImageHeader, Vec<u8>),
     /// A built-in texture, or the replacement of a missing or broken file.
@@ -17,14 +17,14 @@ pub(crate) enum Source {
 }
 
 /// Finds an image.
-pub(crate) fn find(assets: Option<&Assets>, name: &str) -> Source {
+pub(crate) fn find(assets: Option<&Assets>, name: &str) -> ImageSource {
     if name.starts_with("builtin:") {
-        return Source::Drawn(builtin::image(name).unwrap_or_else(builtin::unknown));
+        return ImageSource::Drawn(builtin::image(name).unwrap_or_else(builtin::unknown));
     }
     match assets.map_or(Err(AssetError::NoFolder), |assets| assets.image_file(name)) {
-        Ok((header, bytes)) => Source::File(header, bytes),
-        Err(AssetError::NoFolder) => Source::Absent,
-        Err(_) => Source::Drawn(builtin::unknown()),
+        Ok((header, bytes)) => ImageSource::File(header, bytes),
+        Err(AssetError::NoFolder) => ImageSource::Absent,
+        Err(_) => ImageSource::Drawn(builtin::unknown()),
     }
 }
 
@@ -49,13 +49,13 @@ impl Pixels {
 /// The pixels of the image with a name, if there is one. Without the feature `png`, files cannot be read.
 pub(crate) fn pixels(assets: Option<&Assets>, name: &str) -> Option<Pixels> {
     match find(assets, name) {
-        Source::File(header, bytes) => {
+        ImageSource::File(header, bytes) => {
             let image = decoded(&header, &bytes)?;
             let has_alpha = header.has_alpha && image.is_some();
             Some(Pixels { image: image.unwrap_or_else(builtin::unknown), has_alpha })
         }
-        Source::Drawn(image) => Some(Pixels { image, has_alpha: false }),
-        Source::Absent => None,
+        ImageSource::Drawn(image) => Some(Pixels { image, has_alpha: false }),
+        ImageSource::Absent => None,
     }
 }
 

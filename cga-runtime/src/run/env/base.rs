@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::Env;
 use crate::shape::base::Base;
-use crate::shape::look_ids::MaterialId;
+use crate::shape::look_id::LookId;
 use crate::shape::{Shape, ShapeRef};
 
 impl Env {
@@ -14,7 +14,7 @@ impl Env {
     pub fn whole(&self, shape: &ShapeRef<'_>) -> Shape {
         let base = &shape.base.shape;
         let mut state = base.state.clone();
-        if let Some(look) = self.leaf_tables.materials.get(shape.material.get())
+        if let Some(look) = self.leaf_tables.looks.get(shape.look.get())
             && !Arc::ptr_eq(look, state.look())
         {
             state.change().look = look.clone();
@@ -35,14 +35,14 @@ impl Env {
     /// The base of a whole shape, for slim shapes.
     #[inline(never)]
     pub fn base(&self, shape: Shape) -> Base {
-        let material = self.leaf_tables.materials.id(shape.state.look());
-        self.base_painted(shape, material)
+        let look = self.leaf_tables.looks.id(shape.state.look());
+        self.base_painted(shape, look)
     }
 
     /// The base of a whole shape whose look has the number `material`; inlined.
     #[inline(always)]
-    pub(crate) fn base_painted(&self, shape: Shape, material: MaterialId) -> Base {
+    pub(crate) fn base_painted(&self, shape: Shape, look: LookId) -> Base {
         self.bases.set(self.bases.get() + 1);
-        Base::new(shape, material, self.bases.get())
+        Base::new(shape, look, self.bases.get())
     }
 }

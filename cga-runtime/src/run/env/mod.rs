@@ -21,7 +21,7 @@ use crate::run::report::{FAULTS_KEPT, Prints, Reports};
 use crate::run::settings::{Limits, Settings};
 use crate::run::sink::{Flow, LeafTables};
 use crate::shape::Shape;
-use crate::shape::look_ids::MaterialIds;
+use crate::shape::look_id::LookIds;
 use crate::shape::street::Streets;
 use crate::value::Value;
 use crate::value::array::Array;
@@ -151,7 +151,7 @@ impl Env {
             },
             too_small: if extent == 0.0 { TOO_SMALL.1 } else { (extent * TOO_SMALL.0).min(TOO_SMALL.1) },
             names,
-            leaf_tables: LeafTables { names: &[], materials: MaterialIds::default() },
+            leaf_tables: LeafTables { names: &[], looks: LookIds::default() },
             trail: Vec::new(),
             before: None,
             shapes: 0,

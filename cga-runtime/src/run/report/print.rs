@@ -23,17 +23,18 @@ impl fmt::Display for Print {
 
 /// The lines of a run, collected in order of derivation.
 ///
-/// The reference lists lines breadth first (*getTreeKey function*): by the depth of the shape in the tree of shapes, lines
-/// of equal depth in order of derivation. The depth is the number of rules that were called from the start rule on:
+/// The reference lists lines breadth first (*getTreeKey function*): by the depth of the shape in the tree of shapes,
+/// lines of equal depth in order of derivation. The depth is the number of rules called from the start rule on:
 ///
 /// - The start rule has depth 1, and each call of a rule adds 1.
-/// - Blocks of `split` and `comp` belong to the shape of their rule, whose tree key "stays the same during derivation of
-///   the whole rule". The same holds for conditions, sizes, selectors, arguments of calls, and functions that they call.
+/// - Blocks of `split` and `comp` belong to the shape of their rule, whose tree key "stays the same during derivation
+///   of the whole rule". The same holds for conditions, sizes, selectors, arguments of calls, and functions that they
+///   call.
 /// - Attributes and constants are evaluated before the start rule and have depth 0. An import that is called with new
 ///   values evaluates its attributes again, at the depth of the rule that calls.
 /// - A call that waits on the list of a run keeps the depth of its place in the tree.
 ///
-/// The number of lines is limited while they are collected, so the lines that are kept are the first in order of derivation.
+/// The number of lines is limited while they are collected, so the first lines in order of derivation are kept.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Prints {
     /// Lines, each with the depth of its shape.

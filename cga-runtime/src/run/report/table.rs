@@ -12,7 +12,7 @@ const LEVELS: usize = 8;
 /// The titles of the columns.
 const HEAD: [&str; 9] = ["Report", "N", "%", "Sum", "%", "Avg", "Min", "Max", "NaNs"];
 
-type Row = [String; HEAD.len()];
+type TableRow = [String; HEAD.len()];
 
 /// The groups that a key is in, from the outermost.
 fn groups(key: &str) -> impl Iterator<Item = &str> {
@@ -41,7 +41,7 @@ impl fmt::Display for Reports {
 }
 
 impl Reports {
-    fn rows(&self) -> Vec<Row> {
+    fn rows(&self) -> Vec<TableRow> {
         let mut sums: BTreeMap<&str, Summary> = BTreeMap::new();
         for collection in self.iter() {
             groups(collection.key()).for_each(|group| sums.entry(group).or_default().merge(&collection.summary));
@@ -56,7 +56,7 @@ impl Reports {
         collections.sort_by(|a, b| a.key().split('.').cmp(b.key().split('.')));
         let mut rows = Vec::new();
         let mut open: Vec<&str> = Vec::new();
-        let close = |rows: &mut Vec<Row>, group: &str| {
+        let close = |rows: &mut Vec<TableRow>, group: &str| {
             let sum = sums.get(group).copied().unwrap_or_default();
             let outer = groups(group).last().and_then(|outer| sums.get(outer)).copied().unwrap_or(sum);
             let name = if self.get(group).is_some() { format!("{group}.*") } else { group.to_owned() };
@@ -81,7 +81,7 @@ impl Reports {
     }
 }
 
-fn row(name: String, summary: &Summary, group: Option<&Summary>) -> Row {
+fn row(name: String, summary: &Summary, group: Option<&Summary>) -> TableRow {
     let number = |value: Option<f64>| value.map_or(String::new(), |value| Number(value).to_string());
     let numbers = summary.numbers != 0;
     let count = share(summary.count as f64, group.map(|group| group.count as f64));

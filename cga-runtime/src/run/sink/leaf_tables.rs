@@ -1,10 +1,10 @@
 //! The names and looks of leaves, by number.
 
-use crate::shape::look_ids::MaterialIds;
+use crate::shape::look_id::LookIds;
 
 /// The names and looks of a run's leaves, by number.
 #[derive(Clone, Debug)]
 pub(crate) struct LeafTables {
     pub(crate) names: &'static [&'static str],
-    pub(crate) materials: MaterialIds,
+    pub(crate) looks: LookIds,
 }

@@ -19,7 +19,7 @@ use crate::material::Material;
 use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
-use crate::shape::look_ids::MaterialId;
+use crate::shape::look_id::LookId;
 use crate::shape::place;
 use crate::shape::scope::Scope;
 
@@ -113,21 +113,21 @@ impl<'a> Filled<'a> {
     /// The material set by rules.
     #[inline]
     pub fn material(&self) -> &'a Arc<Material> {
-        self.of_id(self.shape.material.get())
+        self.of_id(self.shape.look.get())
     }
 
     /// The material with a number; without a number, the material of the leaf's base.
     #[inline]
-    pub(crate) fn of_id(&self, id: MaterialId) -> &'a Arc<Material> {
+    pub(crate) fn of_id(&self, id: LookId) -> &'a Arc<Material> {
         let own = self.shape.base.shape.state.material();
-        self.tables.materials.get(id).map_or(own, |look| &look.material)
+        self.tables.looks.get(id).map_or(own, |look| &look.material)
     }
 
     /// The number of the material. Equal numbers of a run are equal materials. `None` for a material that few leaves
     /// have, such as a random colour.
     #[inline]
     pub fn material_number(&self) -> Option<u32> {
-        Some(self.shape.material.get()).filter(|id| *id != MaterialId::OF_BASE).map(MaterialId::index)
+        Some(self.shape.look.get()).filter(|id| *id != LookId::OF_BASE).map(LookId::index)
     }
 
     /// The texture coordinates of a set; `None` if the leaf does not have the set. Leaves of a run with equal
@@ -139,20 +139,20 @@ impl<'a> Filled<'a> {
     /// The maps of all sets of the leaf, sorted by set.
     #[inline]
     pub fn uvs(&self) -> &'a [SetMap] {
-        self.uvs_of(self.shape.material.get())
+        self.uvs_of(self.shape.look.get())
     }
 
     /// The maps that the leaf has with another material of the run.
     #[inline]
-    pub(crate) fn uvs_of(&self, material: MaterialId) -> &'a [SetMap] {
-        if !material.may_have_coordinates() {
+    pub(crate) fn uvs_of(&self, look: LookId) -> &'a [SetMap] {
+        if !look.may_have_coordinates() {
             return &[];
         }
         let normal = match self.shape.form {
             Form::Rect(axis) => self.shape.axes.along(axis).truncate(),
             Form::Box | Form::Empty | Form::Other => DVec3::ZERO,
         };
-        self.shape.base.maps(material, self.tables.materials.get(material).map(|look| &**look), normal)
+        self.shape.base.maps(look, self.tables.looks.get(look).map(|found| &**found), normal)
     }
 
     /// The scope, in the world.

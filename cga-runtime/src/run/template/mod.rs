@@ -10,7 +10,9 @@
 //! at its place and with a seed that is affine in the seed of the repetition. A derivation that makes a fault or a
 //! mesh makes no template, and is run like any other.
 
+mod part_id;
 mod record;
+mod repeat;
 mod replay;
 
 use std::ops::Range;
@@ -22,12 +24,13 @@ use crate::geometry::Axis;
 use crate::run::sink::corners::{Placed, four};
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
-use crate::shape::look_ids::MaterialId;
+use crate::shape::look_id::LookId;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Counter, ShapeRef};
 
+pub use part_id::PartId;
 pub(crate) use record::Tape;
-pub use replay::{PartId, Replay};
+pub use replay::Replay;
 
 /// The number of templates kept for a place in the rules, the last ones used.
 const KEPT: usize = 16;
@@ -61,7 +64,7 @@ struct Key {
     size: DVec3,
     form: Form,
     unit: UnitMesh,
-    material: MaterialId,
+    look: LookId,
     /// True if the shape has texture coordinates. For a look without a number, `material` does not tell.
     has_coordinates: bool,
     /// The axes along which coordinates are constant. A move along another axis makes a shape with another base.
@@ -94,7 +97,7 @@ struct Body {
     /// The ranges of leaves before, between and after the holes.
     segments: Vec<Segment>,
     marks: Vec<Mark>,
-    rows: Vec<Row>,
+    rows: Vec<LeafRow>,
 }
 
 /// A leaf with its position in a template.
@@ -108,7 +111,7 @@ pub(crate) struct Record {
     /// The index of its axes in `frames`.
     frame: u32,
     rule: u32,
-    material: MaterialId,
+    look: LookId,
 }
 
 /// The leaves between two holes.
@@ -129,7 +132,7 @@ struct Segment {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mark {
     pub(crate) rule: u32,
-    pub(crate) material: MaterialId,
+    pub(crate) look: LookId,
     /// The number of leaves, and of their vertices if faces share none.
     pub(crate) leaves: usize,
     pub(crate) corners: usize,
@@ -139,7 +142,7 @@ pub(crate) struct Mark {
 
 /// Consecutive leaves that are all rectangles, or all boxes, along the same axes.
 #[derive(Clone, Debug)]
-pub(crate) struct Row {
+pub(crate) struct LeafRow {
     pub(crate) is_box: bool,
     frame: u32,
     leaves: Range<usize>,
@@ -156,7 +159,7 @@ struct Hole<C> {
     form: Form,
     /// True if its axes are those of the base after it has grown.
     is_raised: bool,
-    material: MaterialId,
+    look: LookId,
     /// The factor and the summand that give its seed from the seed of the repetition.
     seed: [u64; 2],
     split: Counter,
@@ -186,7 +189,7 @@ impl Key {
             size: part.size.get(),
             form: part.form,
             unit: part.unit.get(),
-            material: part.material.get(),
+            look: part.look.get(),
             has_coordinates: part.has_coordinates(),
             constant: part.base.constant(),
             has_sides: part.has_sides(),
@@ -197,7 +200,7 @@ impl Key {
     #[inline]
     fn fits(&self, part: &ShapeRef<'_>, too_small: f64) -> bool {
         self.size == part.size.get()
-            && self.material == part.material.get()
+            && self.look == part.look.get()
             && self.has_coordinates == part.has_coordinates()
             && self.constant == part.base.constant()
             && self.has_sides == part.has_sides()

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::{DAffine3, DMat3};
 
-use super::{Body, Entry, Hole, INHERITED, Key, MOST, Mark, Record, Row, Segment, Template, Templates, Turned};
+use super::{Body, Entry, Hole, INHERITED, Key, LeafRow, MOST, Mark, Record, Segment, Template, Templates, Turned};
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
 use crate::run::context::{Cx, RuleFn};
@@ -60,7 +60,7 @@ impl Sink for Recorder<'_> {
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
         let shape = leaf.shape;
         // A look without a number is the base's, and coordinates follow from projections of the base.
-        let is_known = !shape.material.get().may_have_coordinates() || std::ptr::eq(shape.base, self.base);
+        let is_known = !shape.look.get().may_have_coordinates() || std::ptr::eq(shape.base, self.base);
         if !is_known || MOST <= self.leaves.len() {
             return self.fail();
         }
@@ -76,7 +76,7 @@ impl Sink for Recorder<'_> {
             form: shape.form,
             frame: frame as u32,
             rule: leaf.rule,
-            material: shape.material.get(),
+            look: shape.look.get(),
         });
         ControlFlow::Continue(())
     }
@@ -120,7 +120,7 @@ impl<C: Clone> Cx<'_, C> {
             unit: shape.unit.get(),
             form: shape.form,
             is_raised,
-            material: shape.material.get(),
+            look: shape.look.get(),
             seed: [0, shape.seed.get().value()],
             split: shape.split.get(),
             levels,
@@ -237,22 +237,22 @@ impl Body {
             let (mut corners, mut is_plain, mut may_have_coordinates) = (0, true, false);
             for (at, leaf) in self.leaves[..end].iter().enumerate().skip(start) {
                 is_plain &= matches!(leaf.form, Form::Rect(Axis::Z) | Form::Box);
-                may_have_coordinates |= leaf.material.may_have_coordinates();
+                may_have_coordinates |= leaf.look.may_have_coordinates();
                 let own = 4 * leaf.unit.face_count();
                 match self.marks[first_mark..].last_mut() {
-                    Some(mark) if mark.rule == leaf.rule && mark.material == leaf.material => {
+                    Some(mark) if mark.rule == leaf.rule && mark.look == leaf.look => {
                         mark.leaves += 1;
                         mark.corners += own;
                     }
                     _ => {
-                        let Record { rule, material, .. } = *leaf;
-                        self.marks.push(Mark { rule, material, leaves: 1, corners: own, before: corners as u32 });
+                        let Record { rule, look, .. } = *leaf;
+                        self.marks.push(Mark { rule, look, leaves: 1, corners: own, before: corners as u32 });
                     }
                 }
                 let is_box = leaf.form == Form::Box;
                 match self.rows[first_row..].last_mut() {
                     Some(row) if row.is_box == is_box && row.frame == leaf.frame => row.leaves.end += 1,
-                    _ => self.rows.push(Row { is_box, frame: leaf.frame, leaves: at..at + 1 }),
+                    _ => self.rows.push(LeafRow { is_box, frame: leaf.frame, leaves: at..at + 1 }),
                 }
                 corners += own;
             }

@@ -17,14 +17,14 @@ pub(crate) struct Coordinates {
 #[derive(Clone, Debug, PartialEq)]
 struct Entry {
     set: u8,
-    source: Source,
+    source: UvSource,
     /// An affine change of the source's coordinates.
     change: DAffine2,
 }
 
 /// The source of a set's coordinates.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Source {
+pub(crate) enum UvSource {
     /// The set was deleted.
     Deleted,
     /// An explicit set of the mesh.
@@ -50,17 +50,17 @@ pub(crate) enum Resolved {
     Cube(DAffine3, DAffine2),
 }
 
-impl Source {
+impl UvSource {
     /// The coordinates of a cube that fills a scope: 0 to 1 on each side (*primitiveCube operation*).
     pub(crate) fn of_cube(scope: &Scope) -> Self {
-        Source::Cube(to_unit(scope))
+        UvSource::Cube(to_unit(scope))
     }
 
     /// The coordinates of a rectangle across an axis that fills a scope: 0 to 1, u to the right and v away from the
     /// front (*primitiveQuad operation*).
     pub(crate) fn of_quad(scope: &Scope, across: Axis) -> Self {
         let normal = scope.axes.col(across.index());
-        Source::Fixed(cube_side(&to_unit(scope), normal))
+        UvSource::Fixed(cube_side(&to_unit(scope), normal))
     }
 }
 
@@ -82,24 +82,24 @@ impl Coordinates {
 
     /// Returns true if some sets are functions of the position in the world, which belong to one shape.
     pub(crate) fn is_placed(&self) -> bool {
-        self.sets.iter().any(|entry| matches!(entry.source, Source::Fixed(_) | Source::Cube(_)))
+        self.sets.iter().any(|entry| matches!(entry.source, UvSource::Fixed(_) | UvSource::Cube(_)))
     }
 
     /// Returns true if each side of a box has its own coordinates.
     pub(crate) fn has_cube(&self) -> bool {
-        self.sets.iter().any(|entry| matches!(entry.source, Source::Cube(_)))
+        self.sets.iter().any(|entry| matches!(entry.source, UvSource::Cube(_)))
     }
 
     /// Returns true if some coordinates follow from the stored projection of a set.
     pub(crate) fn is_projected(&self, set: u8) -> bool {
-        self.sets.iter().any(|entry| entry.source == Source::Stored(set))
+        self.sets.iter().any(|entry| entry.source == UvSource::Stored(set))
     }
 
     /// The functions of the position.
     pub(crate) fn maps(&self) -> impl Iterator<Item = &UvMap> {
         self.sets.iter().filter_map(|entry| match &entry.source {
-            Source::Fixed(map) => Some(map),
-            Source::Deleted | Source::Own(_) | Source::Stored(_) | Source::Cube(_) => None,
+            UvSource::Fixed(map) => Some(map),
+            UvSource::Deleted | UvSource::Own(_) | UvSource::Stored(_) | UvSource::Cube(_) => None,
         })
     }
 
@@ -109,7 +109,7 @@ impl Coordinates {
     }
 
     /// Sets the source of a set.
-    pub(crate) fn set(&mut self, set: u8, source: Source) {
+    pub(crate) fn set(&mut self, set: u8, source: UvSource) {
         self.put(Entry { set, source, change: DAffine2::IDENTITY });
     }
 
@@ -134,17 +134,17 @@ impl Coordinates {
     /// Returns true if no function of the position is too large.
     pub(crate) fn is_bounded(&self) -> bool {
         self.sets.iter().all(|entry| match &entry.source {
-            Source::Fixed(map) => map.is_bounded(),
-            Source::Cube(place) => place.to_cols_array().iter().all(|number| number.abs() <= UvMap::MOST),
-            Source::Deleted | Source::Own(_) | Source::Stored(_) => true,
+            UvSource::Fixed(map) => map.is_bounded(),
+            UvSource::Cube(place) => place.to_cols_array().iter().all(|number| number.abs() <= UvMap::MOST),
+            UvSource::Deleted | UvSource::Own(_) | UvSource::Stored(_) => true,
         })
     }
 
     /// Replaces the coordinates of a cube by those of its side with that normal.
     pub(crate) fn choose_side(&mut self, normal: DVec3) {
         for entry in &mut self.sets {
-            if let Source::Cube(place) = &entry.source {
-                entry.source = Source::Fixed(cube_side(place, normal));
+            if let UvSource::Cube(place) = &entry.source {
+                entry.source = UvSource::Fixed(cube_side(place, normal));
             }
         }
     }
@@ -153,7 +153,7 @@ impl Coordinates {
     /// stored.
     pub(crate) fn fix(&mut self, stored: u8, projections: &Projections) {
         for entry in &mut self.sets {
-            if entry.source == Source::Stored(stored) {
+            if entry.source == UvSource::Stored(stored) {
                 entry.source = fixed(stored, projections);
             }
         }
@@ -163,14 +163,14 @@ impl Coordinates {
     pub(crate) fn carry(&mut self, back: &DAffine3, projections: &Projections) {
         for entry in &mut self.sets {
             entry.source = match entry.source {
-                Source::Stored(set) => match fixed(set, projections) {
-                    Source::Fixed(map) => Source::Fixed(map.after(back)),
+                UvSource::Stored(set) => match fixed(set, projections) {
+                    UvSource::Fixed(map) => UvSource::Fixed(map.after(back)),
                     other => other,
                 },
-                Source::Fixed(map) => Source::Fixed(map.after(back)),
-                Source::Cube(place) => Source::Cube(place * *back),
-                Source::Own(set) => Source::Own(set),
-                Source::Deleted => Source::Deleted,
+                UvSource::Fixed(map) => UvSource::Fixed(map.after(back)),
+                UvSource::Cube(place) => UvSource::Cube(place * *back),
+                UvSource::Own(set) => UvSource::Own(set),
+                UvSource::Deleted => UvSource::Deleted,
             };
         }
     }
@@ -180,19 +180,19 @@ impl Coordinates {
         let entry = self.sets.iter().find(|entry| entry.set == set)?;
         let change = &entry.change;
         Some(match &entry.source {
-            Source::Deleted => Resolved::Missing,
-            Source::Own(own) => Resolved::Own(*own, *change),
-            Source::Stored(stored) => {
+            UvSource::Deleted => Resolved::Missing,
+            UvSource::Own(own) => Resolved::Own(*own, *change),
+            UvSource::Stored(stored) => {
                 projections.get(*stored).map_or(Resolved::Missing, |map| Resolved::Map(map.then(change)))
             }
-            Source::Fixed(map) => Resolved::Map(map.then(change)),
-            Source::Cube(place) => Resolved::Cube(*place, *change),
+            UvSource::Fixed(map) => Resolved::Map(map.then(change)),
+            UvSource::Cube(place) => Resolved::Cube(*place, *change),
         })
     }
 
     /// The entry of a set. A set of the mesh gets an entry with that source.
     fn entry(&self, set: u8) -> Entry {
-        let own = || Entry { set, source: Source::Own(set), change: DAffine2::IDENTITY };
+        let own = || Entry { set, source: UvSource::Own(set), change: DAffine2::IDENTITY };
         self.sets.iter().find(|entry| entry.set == set).cloned().unwrap_or_else(own)
     }
 
@@ -204,8 +204,8 @@ impl Coordinates {
     }
 }
 
-fn fixed(stored: u8, projections: &Projections) -> Source {
-    projections.get(stored).map_or(Source::Deleted, |map| Source::Fixed(*map))
+fn fixed(stored: u8, projections: &Projections) -> UvSource {
+    projections.get(stored).map_or(UvSource::Deleted, |map| UvSource::Fixed(*map))
 }
 
 impl Resolved {

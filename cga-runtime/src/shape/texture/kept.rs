@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 
 use crate::geometry::uv_map::SetMap;
-use crate::shape::look_ids::MaterialId;
+use crate::shape::look_id::LookId;
 
 /// Lists of maps by the number of the look, as a tree over the bits of the number. Most bases have one or two looks
 /// below them.
@@ -12,14 +12,14 @@ pub(crate) struct KeptMaps(OnceCell<Box<Kept>>);
 
 #[derive(Debug)]
 struct Kept {
-    look: MaterialId,
+    look: LookId,
     maps: Box<[SetMap]>,
     next: [KeptMaps; 2],
 }
 
 impl KeptMaps {
     /// The list for a look, made by `find` on the first use.
-    pub(crate) fn of(&self, look: MaterialId, find: impl FnOnce() -> Box<[SetMap]>) -> &[SetMap] {
+    pub(crate) fn of(&self, look: LookId, find: impl FnOnce() -> Box<[SetMap]>) -> &[SetMap] {
         let (mut place, mut bits) = (self, look.0);
         while let Some(kept) = place.0.get() {
             if kept.look == look {
@@ -41,7 +41,7 @@ mod tests {
         let (kept, mut found) = (KeptMaps::default(), 0);
         for _ in 0..2 {
             for number in (0..60_000).chain([u32::MAX]) {
-                kept.of(MaterialId(number), || {
+                kept.of(LookId(number), || {
                     found += 1;
                     Box::default()
                 });

@@ -11,7 +11,7 @@ mod coordinates;
 pub(crate) mod kept;
 mod projections;
 
-pub(crate) use coordinates::{Coordinates, Source};
+pub(crate) use coordinates::{Coordinates, UvSource};
 pub(crate) use projections::Projections;
 
 /// The number of sets (*Texturing*: 0 to 9).

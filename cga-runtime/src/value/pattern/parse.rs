@@ -9,22 +9,22 @@ const MOST_REPEATED: u32 = 1000;
 
 /// A pattern as a tree.
 #[derive(Debug, PartialEq)]
-pub(super) enum Node {
+pub(super) enum Syntax {
     Set(Set),
-    At(Place),
-    Sequence(Vec<Node>),
+    At(Assertion),
+    Sequence(Vec<Syntax>),
     /// Alternatives: the first one that leads to a match.
-    Either(Vec<Node>),
+    Either(Vec<Syntax>),
     /// As often as possible, or as rarely as possible (`lazy`).
     Repeat {
-        node: Box<Node>,
+        node: Box<Syntax>,
         least: u32,
         most: Option<u32>,
         lazy: bool,
     },
     /// An assertion: must match here, or must not, and is not part of the match.
     Look {
-        node: Box<Node>,
+        node: Box<Syntax>,
         ahead: bool,
         negated: bool,
     },
@@ -32,7 +32,7 @@ pub(super) enum Node {
 
 /// A position in a text.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Place {
+pub(super) enum Assertion {
     TextStart,
     TextEnd,
     LineStart,
@@ -57,7 +57,7 @@ struct Parser<'p> {
 }
 
 /// The tree of a pattern, or a description of its error.
-pub(super) fn parse(pattern: &str) -> Result<Node, String> {
+pub(super) fn parse(pattern: &str) -> Result<Syntax, String> {
     let pattern: Vec<char> = pattern.chars().collect();
     let mut parser = Parser { pattern: &pattern, at: 0, flags: Flags::default(), depth: 0 };
     parser.flags();
@@ -96,24 +96,24 @@ impl Parser<'_> {
         }
     }
 
-    fn either(&mut self) -> Result<Node, String> {
+    fn either(&mut self) -> Result<Syntax, String> {
         let mut nodes = vec![self.sequence()?];
         while self.take("|") {
             nodes.push(self.sequence()?);
         }
-        Ok(if nodes.len() == 1 { nodes.swap_remove(0) } else { Node::Either(nodes) })
+        Ok(if nodes.len() == 1 { nodes.swap_remove(0) } else { Syntax::Either(nodes) })
     }
 
-    fn sequence(&mut self) -> Result<Node, String> {
+    fn sequence(&mut self) -> Result<Syntax, String> {
         let mut nodes = Vec::new();
         while self.peek().is_some_and(|c| !matches!(c, '|' | ')')) {
             let node = self.atom()?;
             nodes.push(self.repeated(node)?);
         }
-        Ok(Node::Sequence(nodes))
+        Ok(Syntax::Sequence(nodes))
     }
 
-    fn repeated(&mut self, node: Node) -> Result<Node, String> {
+    fn repeated(&mut self, node: Syntax) -> Result<Syntax, String> {
         let Some((least, most)) = self.count()? else { return Ok(node) };
         let lazy = self.take("?");
         if self.peek() == Some('+') {
@@ -122,7 +122,7 @@ impl Parser<'_> {
         if self.count()?.is_some() {
             return Err("a repetition of a repetition".to_owned());
         }
-        Ok(Node::Repeat { node: Box::new(node), least, most, lazy })
+        Ok(Syntax::Repeat { node: Box::new(node), least, most, lazy })
     }
 
     /// `*`, `+`, `?`, `{2}`, `{2,}`, `{2,3}`.
@@ -168,34 +168,34 @@ impl Parser<'_> {
         number
     }
 
-    fn atom(&mut self) -> Result<Node, String> {
+    fn atom(&mut self) -> Result<Syntax, String> {
         let lines = self.flags.lines;
         Ok(match self.next() {
             Some('(') => return self.group(),
-            Some('[') => Node::Set(self.bracket()?),
-            Some('.') => Node::Set(Set::any(self.flags.dot_line_ends)),
-            Some('^') => Node::At(if lines { Place::LineStart } else { Place::TextStart }),
-            Some('$') => Node::At(if lines { Place::LineEnd } else { Place::TextEnd }),
+            Some('[') => Syntax::Set(self.bracket()?),
+            Some('.') => Syntax::Set(Set::any(self.flags.dot_line_ends)),
+            Some('^') => Syntax::At(if lines { Assertion::LineStart } else { Assertion::TextStart }),
+            Some('$') => Syntax::At(if lines { Assertion::LineEnd } else { Assertion::TextEnd }),
             Some('\\') => match self.peek() {
-                Some('b') => self.place(Place::WordEdge),
-                Some('B') => self.place(Place::NoWordEdge),
-                Some('A') => self.place(Place::TextStart),
-                Some('z') => self.place(Place::TextEnd),
-                _ => Node::Set(self.escape()?.fold(self.flags.fold)),
+                Some('b') => self.place(Assertion::WordEdge),
+                Some('B') => self.place(Assertion::NoWordEdge),
+                Some('A') => self.place(Assertion::TextStart),
+                Some('z') => self.place(Assertion::TextEnd),
+                _ => Syntax::Set(self.escape()?.fold(self.flags.fold)),
             },
             Some(c @ ('*' | '+' | '?')) => return Err(format!("nothing before `{c}` to repeat")),
-            Some(c) => Node::Set(Set::one(c).fold(self.flags.fold)),
-            None => Node::Sequence(Vec::new()),
+            Some(c) => Syntax::Set(Set::one(c).fold(self.flags.fold)),
+            None => Syntax::Sequence(Vec::new()),
         })
     }
 
-    fn place(&mut self, place: Place) -> Node {
+    fn place(&mut self, place: Assertion) -> Syntax {
         self.at += 1;
-        Node::At(place)
+        Syntax::At(place)
     }
 
     /// Parses a group, after its `(`.
-    fn group(&mut self) -> Result<Node, String> {
+    fn group(&mut self) -> Result<Syntax, String> {
         if self.depth == DEEPEST {
             return Err(format!("more than {DEEPEST} groups inside each other"));
         }
@@ -212,7 +212,7 @@ impl Parser<'_> {
             return Err("a `(` without a `)`".to_owned());
         }
         Ok(match look {
-            Some((_, ahead, negated)) => Node::Look { node: Box::new(node), ahead, negated },
+            Some((_, ahead, negated)) => Syntax::Look { node: Box::new(node), ahead, negated },
             None => node,
         })
     }

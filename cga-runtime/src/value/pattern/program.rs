@@ -1,6 +1,6 @@
 //! The steps of a compiled pattern.
 
-use super::parse::{Node, Place, parse};
+use super::parse::{Assertion, Syntax, parse};
 use super::set::Set;
 
 /// The largest number of steps, so that `(((a{99}){99}){99})` does not exhaust the memory.
@@ -15,7 +15,7 @@ pub(super) enum Step {
         back: bool,
     },
     /// Continues only at such a position.
-    At(Place),
+    At(Assertion),
     /// Continues at `first` and, if that fails, at `second`. Forks are numbered.
     Fork {
         first: usize,
@@ -48,10 +48,14 @@ impl Pattern {
 
     /// Compiles a pattern that must match the whole text.
     pub(super) fn whole(pattern: &str) -> Result<Self, String> {
-        Pattern::of(&Node::Sequence(vec![Node::At(Place::TextStart), parse(pattern)?, Node::At(Place::TextEnd)]))
+        Pattern::of(&Syntax::Sequence(vec![
+            Syntax::At(Assertion::TextStart),
+            parse(pattern)?,
+            Syntax::At(Assertion::TextEnd),
+        ]))
     }
 
-    fn of(node: &Node) -> Result<Self, String> {
+    fn of(node: &Syntax) -> Result<Self, String> {
         let mut made = Pattern { steps: Vec::new(), forks: 0 };
         made.node(node, false)?;
         made.push(Step::Match)?;
@@ -82,15 +86,15 @@ impl Pattern {
     }
 
     /// Adds the steps of a node. With `back` they match the text before the position, from right to left.
-    fn node(&mut self, node: &Node, back: bool) -> Result<(), String> {
+    fn node(&mut self, node: &Syntax, back: bool) -> Result<(), String> {
         match node {
-            Node::Set(set) => _ = self.push(Step::Over { set: set.clone(), back })?,
-            Node::At(place) => _ = self.push(Step::At(*place))?,
-            Node::Sequence(nodes) if back => nodes.iter().rev().try_for_each(|node| self.node(node, back))?,
-            Node::Sequence(nodes) => nodes.iter().try_for_each(|node| self.node(node, back))?,
-            Node::Either(nodes) => self.either(nodes, back)?,
-            Node::Repeat { node, least, most, lazy } => self.repeat(node, *least, *most, *lazy, back)?,
-            Node::Look { node, ahead, negated } => {
+            Syntax::Set(set) => _ = self.push(Step::Over { set: set.clone(), back })?,
+            Syntax::At(place) => _ = self.push(Step::At(*place))?,
+            Syntax::Sequence(nodes) if back => nodes.iter().rev().try_for_each(|node| self.node(node, back))?,
+            Syntax::Sequence(nodes) => nodes.iter().try_for_each(|node| self.node(node, back))?,
+            Syntax::Either(nodes) => self.either(nodes, back)?,
+            Syntax::Repeat { node, least, most, lazy } => self.repeat(node, *least, *most, *lazy, back)?,
+            Syntax::Look { node, ahead, negated } => {
                 let look = self.push(Step::Look { end: 0, negated: *negated })?;
                 self.node(node, !ahead)?;
                 self.push(Step::Match)?;
@@ -100,7 +104,7 @@ impl Pattern {
         Ok(())
     }
 
-    fn either(&mut self, nodes: &[Node], back: bool) -> Result<(), String> {
+    fn either(&mut self, nodes: &[Syntax], back: bool) -> Result<(), String> {
         let mut jumps = Vec::new();
         for (i, node) in nodes.iter().enumerate() {
             if i + 1 == nodes.len() {
@@ -118,7 +122,7 @@ impl Pattern {
         Ok(())
     }
 
-    fn repeat(&mut self, node: &Node, least: u32, most: Option<u32>, lazy: bool, back: bool) -> Result<(), String> {
+    fn repeat(&mut self, node: &Syntax, least: u32, most: Option<u32>, lazy: bool, back: bool) -> Result<(), String> {
         for _ in 0..least {
             let before = self.steps.len();
             self.node(node, back)?;

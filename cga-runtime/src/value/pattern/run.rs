@@ -1,6 +1,6 @@
 //! Runs the steps of a pattern over a text.
 
-use super::parse::Place;
+use super::parse::Assertion;
 use super::program::{Pattern, Step};
 use super::set::is_word;
 
@@ -100,17 +100,17 @@ impl<'a> Search<'a> {
         Ok(None)
     }
 
-    fn at(&self, what: Place, place: usize) -> bool {
+    fn at(&self, what: Assertion, place: usize) -> bool {
         let before = place.checked_sub(1).and_then(|at| self.text.get(at));
         let behind = self.text.get(place);
         let word = |c: Option<&char>| c.is_some_and(|c| is_word(*c));
         match what {
-            Place::TextStart => before.is_none(),
-            Place::TextEnd => behind.is_none(),
-            Place::LineStart => before.is_none_or(|c| *c == '\n'),
-            Place::LineEnd => behind.is_none_or(|c| *c == '\n'),
-            Place::WordEdge => word(before) != word(behind),
-            Place::NoWordEdge => word(before) == word(behind),
+            Assertion::TextStart => before.is_none(),
+            Assertion::TextEnd => behind.is_none(),
+            Assertion::LineStart => before.is_none_or(|c| *c == '\n'),
+            Assertion::LineEnd => behind.is_none_or(|c| *c == '\n'),
+            Assertion::WordEdge => word(before) != word(behind),
+            Assertion::NoWordEdge => word(before) == word(behind),
         }
     }
 }

@@ -10,7 +10,7 @@ use std::ops::Range;
 use glam::{DVec2, DVec3};
 
 use crate::geometry::cut::class::Span;
-use crate::geometry::cut::points::Node;
+use crate::geometry::cut::points::PieceCorner;
 use crate::geometry::cut::state::State;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::check::winding;
@@ -22,7 +22,7 @@ pub(crate) struct Lead {
     slabs: Range<u32>,
     /// The edges of the wall in the planes: the plane, and the numbers of the points there, the lower first. Sorted.
     wall: Vec<(u32, [u32; 2])>,
-    nodes: Vec<Node>,
+    nodes: Vec<PieceCorner>,
 }
 
 impl Lead {
@@ -49,18 +49,19 @@ impl Lead {
                 let [from, to] = [last, here].map(|c| (c, state.points.places[mesh.corners[c] as usize]));
                 // These crossings exist already: the wall was cut like all faces.
                 state.points.cross(&mut state.parts, mesh, from, to, &mut self.nodes);
-                self.nodes.push(Node::corner(here, to.1));
+                self.nodes.push(PieceCorner::corner(here, to.1));
                 last = here;
             }
         }
         let points = &state.points;
         let wall = Wall::of(mesh, wall);
         self.nodes.retain(|node| node.class().is_on_plane());
-        self.nodes.sort_by_key(Node::class);
+        self.nodes.sort_by_key(PieceCorner::class);
         self.nodes.dedup_by_key(|node| node.place);
         let mut left = QUESTIONS;
         for met in self.nodes.chunk_by_mut(|a, b| a.class() == b.class()) {
-            let flat = |node: &Node| points.levels[node.class().plane() as usize].flat[node.place.number as usize];
+            let flat =
+                |node: &PieceCorner| points.levels[node.class().plane() as usize].flat[node.place.number as usize];
             let from = flat(&met[0]);
             let reach = met.iter().fold(DVec2::ZERO, |reach, node| reach.max((flat(node) - from).abs()));
             let along = usize::from(reach.x < reach.y);
@@ -71,7 +72,7 @@ impl Lead {
             if few && met.len() > 2 {
                 left -= questions;
             }
-            let is_wall = |pair: &&[Node]| {
+            let is_wall = |pair: &&[PieceCorner]| {
                 let middle = || pair.iter().map(|node| points.position(mesh, node)).sum::<DVec3>() * 0.5;
                 met.len() == 2 || (few && wall.holds(middle()))
             };

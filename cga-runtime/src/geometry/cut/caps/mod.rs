@@ -11,7 +11,7 @@ pub(crate) mod sheets;
 
 use glam::{DVec2, DVec3};
 
-use super::points::{Place, Points};
+use super::points::{Location, Points};
 use super::state::State;
 use crate::geometry::cut::caps::first_face::{Lead, Wish};
 use crate::geometry::mesh::{FaceTag, Mesh};
@@ -112,7 +112,7 @@ impl Caps {
                 for i in 0..ring.len() {
                     // Reversed, with the first edge first: 1 0 n-1 … 2.
                     let corner = ring[if up { i } else { (ring.len() + 1 - i) % ring.len() }];
-                    let number = part.number(points, Place::on(plane, corner), slab);
+                    let number = part.number(points, Location::on(plane, corner), slab);
                     part.mesh.corners.push(number);
                     let point = part.mesh.points[number as usize];
                     let metres = (point - self.low) * self.stretch;

@@ -6,21 +6,21 @@
 
 /// The side of a plane that a face is on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Side {
+pub(crate) enum PlaneSide {
     Below,
     Above,
 }
 
-impl Side {
+impl PlaneSide {
     /// The side of a face in a slab that touches a plane.
     pub(crate) fn of(slab: u32, plane: u32) -> Self {
-        if slab == plane { Side::Below } else { Side::Above }
+        if slab == plane { PlaneSide::Below } else { PlaneSide::Above }
     }
 }
 
 /// An edge in a plane, directed as in its face.
 #[derive(Clone, Copy)]
-struct Edge {
+struct PlaneEdge {
     plane: u32,
     a: u32,
     b: u32,
@@ -30,10 +30,10 @@ struct Edge {
 #[derive(Default)]
 pub(crate) struct Rim {
     /// Edges made by a cut: the face below has them in this direction, the face above in the opposite direction.
-    cuts: Vec<Edge>,
+    cuts: Vec<PlaneEdge>,
     /// All other uses of edges, with ends in increasing order. Each is 1 or -1 by its direction, for a face below or
     /// for a face above.
-    edges: Vec<(Edge, [i32; 2])>,
+    edges: Vec<(PlaneEdge, [i32; 2])>,
     /// `cuts` in the order of planes, as pairs of points, and the end of each plane's edges.
     sorted: Vec<[u32; 2]>,
     ends: Vec<usize>,
@@ -53,13 +53,13 @@ impl Rim {
 
     #[inline]
     pub(crate) fn cut(&mut self, plane: u32, a: u32, b: u32) {
-        self.cuts.push(Edge { plane, a, b });
+        self.cuts.push(PlaneEdge { plane, a, b });
     }
 
-    pub(crate) fn edge(&mut self, plane: u32, a: u32, b: u32, side: Side) {
+    pub(crate) fn edge(&mut self, plane: u32, a: u32, b: u32, side: PlaneSide) {
         let by = if a < b { 1 } else { -1 };
-        let count = if side == Side::Below { [by, 0] } else { [0, by] };
-        self.edges.push((Edge { plane, a: a.min(b), b: a.max(b) }, count));
+        let count = if side == PlaneSide::Below { [by, 0] } else { [0, by] };
+        self.edges.push((PlaneEdge { plane, a: a.min(b), b: a.max(b) }, count));
     }
 
     /// Prepares calls of [`Rim::missing`] for each plane in turn.

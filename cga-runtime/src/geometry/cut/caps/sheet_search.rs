@@ -12,7 +12,7 @@
 //! Then the faces are cut again. Parts are closed with any result, because caps follow from the positions of faces.
 
 use super::sheets::Flat;
-use crate::geometry::cut::points::Place;
+use crate::geometry::cut::points::Location;
 use crate::geometry::cut::state::State;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::nesting::Nest;
@@ -81,7 +81,7 @@ struct Search<'f> {
 }
 
 impl<'f> Search<'f> {
-    fn new(mesh: &Mesh, places: &[Place], flat: &'f [Flat], missing: &mut [[u32; 2]]) -> Self {
+    fn new(mesh: &Mesh, places: &[Location], flat: &'f [Flat], missing: &mut [[u32; 2]]) -> Self {
         missing.sort_unstable();
         let missing = missing.chunk_by(|a, b| a == b).map(|same| (same[0], same.len())).collect();
         let mut uses = Vec::new();

@@ -7,13 +7,13 @@
 
 use std::ops::Range;
 
-use crate::geometry::cut::points::Node;
+use crate::geometry::cut::points::PieceCorner;
 
 /// The index of the node that a piece begins with. `outline` is the range of the face's outline; other nodes, such as
 /// corners of holes, are skipped.
 #[inline]
 pub(crate) fn first_node<'a>(
-    nodes: impl DoubleEndedIterator<Item = &'a Node> + Clone,
+    nodes: impl DoubleEndedIterator<Item = &'a PieceCorner> + Clone,
     outline: &Range<usize>,
 ) -> usize {
     let mut before = nodes.clone().next_back().and_then(|node| step(node, outline));
@@ -42,7 +42,7 @@ pub(crate) fn first_node<'a>(
 
 /// The same for a piece whose first two nodes are on one edge and the other two on another.
 #[inline]
-pub(crate) fn first_node_of_band([up, down]: [&Node; 2], outline: &Range<usize>) -> usize {
+pub(crate) fn first_node_of_band([up, down]: [&PieceCorner; 2], outline: &Range<usize>) -> usize {
     match step(up, outline) < step(down, outline) {
         true if step(up, outline) == Some(1) => 0,
         true => 3,
@@ -53,7 +53,7 @@ pub(crate) fn first_node_of_band([up, down]: [&Node; 2], outline: &Range<usize>)
 
 /// The position of a node along the outline: 2i for corner i, 2i + 1 for a crossing of the edge after it.
 #[inline]
-fn step(node: &Node, outline: &Range<usize>) -> Option<u32> {
+fn step(node: &PieceCorner, outline: &Range<usize>) -> Option<u32> {
     let (a, b) = (node.from.min(node.to) as usize, node.from.max(node.to) as usize);
     if a < outline.start || outline.end <= b {
         return None;

@@ -14,9 +14,9 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::pieces::Rings;
-use crate::geometry::cut::caps::rim::Side;
+use crate::geometry::cut::caps::rim::PlaneSide;
 use crate::geometry::cut::class::Class;
-use crate::geometry::cut::points::Node;
+use crate::geometry::cut::points::PieceCorner;
 use crate::geometry::cut::state::State;
 use crate::geometry::mesh::{FaceRef, FaceTag, Mesh};
 use crate::geometry::triangulate::Projection;
@@ -57,7 +57,7 @@ struct PlaneEdge {
 
 /// An end of a fragment on a plane.
 #[derive(Clone, Copy)]
-struct End {
+struct FragmentEnd {
     along: f64,
     /// True if the interior of the face begins here, in the direction of the line.
     opens: bool,
@@ -67,18 +67,18 @@ struct End {
 /// Buffers.
 #[derive(Default)]
 pub(crate) struct General {
-    nodes: Vec<Node>,
+    nodes: Vec<PieceCorner>,
     fragments: Vec<Fragment>,
     untouched: Vec<Untouched>,
     on_planes: Vec<OnPlane>,
     plane_edges: Vec<PlaneEdge>,
     /// The ends in one slab on one plane, from left to right.
-    ends: Vec<End>,
+    ends: Vec<FragmentEnd>,
     /// Ends where the interior begins, not paired yet.
-    open: Vec<End>,
+    open: Vec<FragmentEnd>,
     /// Ends where the interior ends before it has begun, after rounding has swapped the two. Each is paired with the
     /// next beginning.
-    early: Vec<End>,
+    early: Vec<FragmentEnd>,
     /// Nodes on the connections between fragments.
     ways: Vec<usize>,
     rings: Rings,
@@ -121,9 +121,9 @@ impl General {
             let group = next_fragment..next_fragment + count;
             next_fragment = group.end;
             if slab > 0 {
-                self.join(state, mesh, line, group.clone(), slab - 1, Side::Above);
+                self.join(state, mesh, line, group.clone(), slab - 1, PlaneSide::Above);
             }
-            self.join(state, mesh, line, group.clone(), slab, Side::Below);
+            self.join(state, mesh, line, group.clone(), slab, PlaneSide::Below);
             self.trace(group);
             while let Some(ring) = self.untouched.get(next_untouched).filter(|ring| ring.slab == slab) {
                 self.rings.nodes.extend_from_slice(&self.nodes[ring.nodes.clone()]);
@@ -148,7 +148,7 @@ impl General {
             for corner in ring.clone() {
                 let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
                 let [here, there] = [corner, next].map(|c| (c, state.points.places[mesh.corners[c] as usize]));
-                self.nodes.push(Node::corner(corner, here.1));
+                self.nodes.push(PieceCorner::corner(corner, here.1));
                 state.points.cross(&mut state.parts, mesh, here, there, &mut self.nodes);
             }
             let Some(first) = self.nodes[start..].iter().position(|node| node.class().is_on_plane()) else {
@@ -184,7 +184,7 @@ impl General {
     }
 
     /// Pairs the ends that fragments of one slab have on one of its planes.
-    fn join(&mut self, state: &mut State, mesh: &Mesh, line: Line, group: Range<usize>, plane: u32, side: Side) {
+    fn join(&mut self, state: &mut State, mesh: &Mesh, line: Line, group: Range<usize>, plane: u32, side: PlaneSide) {
         self.ends.clear();
         let class = Class::on(plane);
         for fragment in group {
@@ -194,8 +194,8 @@ impl General {
                 if node.class() == class {
                     // With the normal towards the viewer and the line to the right: below the plane a loop comes up at
                     // the right end of the interior, above it a loop comes down at the left end.
-                    let opens = starts == (side == Side::Below);
-                    self.ends.push(End { along: place(state, mesh, line, node), opens, fragment });
+                    let opens = starts == (side == PlaneSide::Below);
+                    self.ends.push(FragmentEnd { along: place(state, mesh, line, node), opens, fragment });
                 }
             }
         }
@@ -220,7 +220,7 @@ impl General {
     }
 
     /// Pairs an end with the interior that began last.
-    fn close(&mut self, state: &mut State, end: End, plane: u32, side: Side) {
+    fn close(&mut self, state: &mut State, end: FragmentEnd, plane: u32, side: PlaneSide) {
         match self.open.pop() {
             Some(open) => self.link(state, open, end, plane, side),
             None => self.early.push(end),
@@ -228,8 +228,8 @@ impl General {
     }
 
     /// Makes one fragment the successor of another along a plane.
-    fn link(&mut self, state: &mut State, open: End, close: End, plane: u32, side: Side) {
-        let (from, to) = if side == Side::Below { (close, open) } else { (open, close) };
+    fn link(&mut self, state: &mut State, open: FragmentEnd, close: FragmentEnd, plane: u32, side: PlaneSide) {
+        let (from, to) = if side == PlaneSide::Below { (close, open) } else { (open, close) };
         let [a, b] = [self.fragments[from.fragment].end, self.fragments[to.fragment].start];
         let low = from.along.min(to.along);
         let high = from.along.max(to.along);
@@ -310,7 +310,7 @@ impl General {
             let ring = &self.rings.nodes;
             for i in 0..ring.len() {
                 let [a, b] = [i, (i + 1) % ring.len()].map(|at| ring[at].place.number);
-                state.rim.edge(plane, a, b, Side::Below);
+                state.rim.edge(plane, a, b, PlaneSide::Below);
             }
             self.rings.end_ring();
             self.rings.emit(state, mesh, plane);
@@ -319,6 +319,6 @@ impl General {
 }
 
 /// The position of a node along the line.
-fn place(state: &State, mesh: &Mesh, line: Line, node: Node) -> f64 {
+fn place(state: &State, mesh: &Mesh, line: Line, node: PieceCorner) -> f64 {
     line.sign * state.points.position(mesh, &node)[line.axis] + 0.0
 }

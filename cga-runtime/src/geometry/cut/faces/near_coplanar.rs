@@ -10,9 +10,9 @@ use std::ops::Range;
 use glam::DVec2;
 
 use super::pieces::Rings;
-use crate::geometry::cut::caps::rim::Side;
+use crate::geometry::cut::caps::rim::PlaneSide;
 use crate::geometry::cut::class::Span;
-use crate::geometry::cut::points::Node;
+use crate::geometry::cut::points::PieceCorner;
 use crate::geometry::cut::state::State;
 use crate::geometry::mesh::{Bounds, FaceRef, FaceTag, Mesh};
 use crate::geometry::tol::{ACROSS_EPSILON, LINE_EPSILON};
@@ -26,7 +26,7 @@ pub(crate) struct Rough {
     triangulator: Triangulator,
     triangles: Vec<[u32; 3]>,
     /// The rim of a triangle, with crossings.
-    nodes: Vec<Node>,
+    nodes: Vec<PieceCorner>,
     rings: Rings,
 }
 
@@ -90,7 +90,7 @@ impl Rough {
         let places = corners.map(|corner| state.points.places[mesh.corners[corner] as usize]);
         self.nodes.clear();
         for (at, next) in [(0, 1), (1, 2), (2, 0)] {
-            self.nodes.push(Node::corner(corners[at], places[at]));
+            self.nodes.push(PieceCorner::corner(corners[at], places[at]));
             let [from, to] = [at, next].map(|i| (corners[i], places[i]));
             state.points.cross(&mut state.parts, mesh, from, to, &mut self.nodes);
         }
@@ -106,7 +106,7 @@ impl Rough {
             for (a, b) in inside.clone().zip(inside.clone().cycle().skip(1)) {
                 if a.class().is_on_plane() && a.class() == b.class() {
                     let plane = a.class().plane();
-                    state.rim.edge(plane, a.place.number, b.place.number, Side::of(slab, plane));
+                    state.rim.edge(plane, a.place.number, b.place.number, PlaneSide::of(slab, plane));
                 }
             }
             self.rings.nodes.extend(inside);

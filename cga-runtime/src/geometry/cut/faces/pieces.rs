@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::DVec2;
 
 use crate::geometry::cut::faces::first_edge::first_node;
-use crate::geometry::cut::points::Node;
+use crate::geometry::cut::points::PieceCorner;
 use crate::geometry::cut::state::State;
 use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::nesting::Nest;
@@ -16,7 +16,7 @@ use crate::geometry::triangulate::Projection;
 #[derive(Default)]
 pub(crate) struct Rings {
     /// The nodes of all rings. The nodes after the last end belong to the current ring.
-    pub(crate) nodes: Vec<Node>,
+    pub(crate) nodes: Vec<PieceCorner>,
     ends: Vec<usize>,
     view: Option<(Projection, FaceTag)>,
     /// The corners of the face's outline.

@@ -5,10 +5,10 @@
 
 use std::ops::Range;
 
-use crate::geometry::cut::caps::rim::Side;
+use crate::geometry::cut::caps::rim::PlaneSide;
 use crate::geometry::cut::class::{Class, Span};
 use crate::geometry::cut::faces::first_edge::{first_node, first_node_of_band};
-use crate::geometry::cut::points::{Node, Place};
+use crate::geometry::cut::points::{Location, PieceCorner};
 use crate::geometry::cut::state::State;
 use crate::geometry::mesh::{FaceTag, Mesh};
 
@@ -16,9 +16,9 @@ use crate::geometry::mesh::{FaceTag, Mesh};
 #[derive(Default)]
 pub(crate) struct Simple {
     /// The way up, with all nodes at the lowest and the highest level.
-    up: Vec<Node>,
+    up: Vec<PieceCorner>,
     /// The way down, from the top.
-    down: Vec<Node>,
+    down: Vec<PieceCorner>,
 }
 
 impl Simple {
@@ -30,7 +30,7 @@ impl Simple {
         mesh: &Mesh,
         tag: FaceTag,
         corners: Range<usize>,
-        places: &[Place],
+        places: &[Location],
         span: Span,
     ) -> bool {
         if !self.walk(state, mesh, corners.clone(), places, span) {
@@ -87,7 +87,7 @@ impl Simple {
             part.end_face(tag);
         }
         // Edges along the lowest and the highest plane are on the way up.
-        for (level, side) in [(span.low, Side::Above), (span.high, Side::Below)] {
+        for (level, side) in [(span.low, PlaneSide::Above), (span.high, PlaneSide::Below)] {
             if level.is_on_plane() {
                 for pair in self.up.windows(2).filter(|pair| pair[0].class() == level && pair[1].class() == level) {
                     rim.edge(level.plane(), pair[0].place.number, pair[1].place.number, side);
@@ -98,7 +98,7 @@ impl Simple {
     }
 
     /// Fills both ways. Returns `false` if the loop is not of this kind.
-    fn walk(&mut self, state: &mut State, mesh: &Mesh, corners: Range<usize>, places: &[Place], span: Span) -> bool {
+    fn walk(&mut self, state: &mut State, mesh: &Mesh, corners: Range<usize>, places: &[Location], span: Span) -> bool {
         // Checks the way by classes alone first, because crossings are never removed.
         if places.len() > 3 && !is_simple(places.iter().map(|place| place.class), span) {
             return false;
@@ -107,7 +107,7 @@ impl Simple {
         self.down.clear();
         let count = places.len();
         let after = |i: usize| if i + 1 == count { 0 } else { i + 1 };
-        let node = |i: usize| Node::corner(corners.start + i, places[i]);
+        let node = |i: usize| PieceCorner::corner(corners.start + i, places[i]);
         let mut before = places[count - 1].class;
         let Some(start) = places
             .iter()

@@ -6,7 +6,7 @@
 
 use std::ops::Range;
 
-use crate::geometry::cut::points::{Node, Place};
+use crate::geometry::cut::points::{Location, PieceCorner};
 use crate::geometry::cut::state::State;
 use crate::geometry::mesh::{FaceTag, Mesh};
 
@@ -16,14 +16,14 @@ pub(crate) fn clip(
     mesh: &Mesh,
     tag: FaceTag,
     corners: Range<usize>,
-    places: [Place; 3],
+    places: [Location; 3],
     plane: u32,
     lone: usize,
 ) {
     let State { points, parts, rim, .. } = state;
     let corner = |at: usize| {
         let at = if at < 3 { at } else { at - 3 };
-        Node::corner(corners.start + at, places[at])
+        PieceCorner::corner(corners.start + at, places[at])
     };
     let [l, m, n] = [corner(lone), corner(lone + 1), corner(lone + 2)];
     let x = points.crossing(parts, mesh, plane, l.from as usize, m.from as usize);

@@ -8,12 +8,12 @@ use glam::{DVec2, DVec3};
 use super::coordinate::Coordinate;
 use super::crossings::Crossings;
 use crate::geometry::cut::faces::first_edge::first_node;
-use crate::geometry::cut::points::{NONE, Node};
+use crate::geometry::cut::points::{NONE, PieceCorner};
 use crate::geometry::mesh::{FaceTag, Mesh};
 
 /// The source of pieces.
 #[derive(Clone, Copy)]
-pub(super) struct Source<'c> {
+pub(super) struct BandSource<'c> {
     pub(super) mesh: &'c Mesh,
     pub(super) crossings: &'c Crossings,
     pub(super) coordinate: Coordinate,
@@ -55,15 +55,16 @@ impl Band {
     /// dropped.
     pub(super) fn piece(
         &mut self,
-        source: Source<'_>,
-        ahead: &[Node],
-        mut back: &[Node],
+        source: BandSource<'_>,
+        ahead: &[PieceCorner],
+        mut back: &[PieceCorner],
         outline: &Range<usize>,
         tag: FaceTag,
     ) {
         // If the loop meets itself on a line, the same corner must not follow itself.
-        let same =
-            |a: Option<&Node>, b: Option<&Node>| a.is_some_and(|a| b.is_some_and(|b| a.place.number == b.place.number));
+        let same = |a: Option<&PieceCorner>, b: Option<&PieceCorner>| {
+            a.is_some_and(|a| b.is_some_and(|b| a.place.number == b.place.number))
+        };
         if same(ahead.last(), back.first()) {
             back = &back[1..];
         }
@@ -86,8 +87,8 @@ impl Band {
     }
 
     /// Adds corners with their values.
-    pub(super) fn corners(&mut self, source: Source<'_>, nodes: &[Node]) {
-        let Source { mesh: source, crossings, coordinate } = source;
+    pub(super) fn corners(&mut self, source: BandSource<'_>, nodes: &[PieceCorner]) {
+        let BandSource { mesh: source, crossings, coordinate } = source;
         for node in nodes {
             self.mesh.corners.push(node.place.number);
             let [from, to] = [node.from as usize, node.to as usize];

@@ -1,15 +1,15 @@
 //! Loops on which the coordinate rises once and falls once: each band has one piece of them.
 
 use super::super::class::{Class, Span};
-use super::super::points::{Node, Place};
+use super::super::points::{Location, PieceCorner};
 
 /// The two ways of a loop: from the lowest corner up, and from the highest corner down.
 #[derive(Default)]
 pub(super) struct Chain {
     /// The way up, with all nodes at the lowest and the highest level.
-    up: Vec<Node>,
+    up: Vec<PieceCorner>,
     /// The way down, from the top.
-    down: Vec<Node>,
+    down: Vec<PieceCorner>,
 }
 
 /// The borders of a band that cut a loop.
@@ -23,9 +23,9 @@ impl Chain {
     /// Walks around a loop, given as corners with their places, and makes its crossings.
     pub(super) fn walk(
         &mut self,
-        ring: impl ExactSizeIterator<Item = (usize, Place)> + Clone,
+        ring: impl ExactSizeIterator<Item = (usize, Location)> + Clone,
         span: Span,
-        mut cross: impl FnMut((usize, Class), (usize, Class), &mut Vec<Node>),
+        mut cross: impl FnMut((usize, Class), (usize, Class), &mut Vec<PieceCorner>),
     ) {
         self.up.clear();
         self.down.clear();
@@ -42,7 +42,7 @@ impl Chain {
         while let Some((corner, place)) = cycle.next() {
             let Some(&(next, next_place)) = cycle.peek() else { break };
             let way = if rising { &mut self.up } else { &mut self.down };
-            way.push(Node::corner(corner, place));
+            way.push(PieceCorner::corner(corner, place));
             // The way down begins after the last corner at the highest level.
             rising &= place.class != span.high || next_place.class == span.high;
             let way = if rising { &mut self.up } else { &mut self.down };
@@ -51,7 +51,7 @@ impl Chain {
     }
 
     /// Calls `each` with the nodes in each band: first the way up, then the way down.
-    pub(super) fn bands(&self, span: Span, mut each: impl FnMut(u32, &[Node], &[Node], Borders)) {
+    pub(super) fn bands(&self, span: Span, mut each: impl FnMut(u32, &[PieceCorner], &[PieceCorner], Borders)) {
         let (mut up, mut down) = (0, self.down.len());
         let mut lower = false;
         for band in span.slabs() {

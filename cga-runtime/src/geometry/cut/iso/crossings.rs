@@ -6,7 +6,7 @@ use glam::DVec3;
 use super::sites::Sites;
 use crate::geometry::cut::class::{Class, Span};
 use crate::geometry::cut::edges::Edges;
-use crate::geometry::cut::points::{Node, Place};
+use crate::geometry::cut::points::{Location, PieceCorner};
 use crate::geometry::cut::segment::{Segment, comes_first};
 use crate::geometry::mesh::Mesh;
 
@@ -38,7 +38,7 @@ impl Crossings {
         sites: &Sites,
         from: (usize, Class),
         to: (usize, Class),
-        nodes: &mut impl Extend<Node>,
+        nodes: &mut impl Extend<PieceCorner>,
     ) {
         let span = Span { low: from.1.min(to.1), high: from.1.max(to.1) };
         let lines = span.planes();
@@ -61,8 +61,8 @@ impl Crossings {
         let [first, last] = if comes_first(at(from), at(to)) { [from, to] } else { [to, from] };
         let (first_line, first_crossing) = (lines.start, self.base + number);
         let node = |line: u32| {
-            let place = Place::on(line, first_crossing + (line - first_line));
-            Node { place, from: first as u32, to: last as u32 }
+            let place = Location::on(line, first_crossing + (line - first_line));
+            PieceCorner { place, from: first as u32, to: last as u32 }
         };
         if rises {
             nodes.extend(lines.map(node));
@@ -72,7 +72,7 @@ impl Crossings {
     }
 
     /// The relative position of a crossing on its edge.
-    pub(super) fn share(&self, place: Place) -> f64 {
+    pub(super) fn share(&self, place: Location) -> f64 {
         self.shares[(place.number - self.base) as usize]
     }
 

@@ -22,11 +22,11 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::class::Span;
-use super::points::Place;
+use super::points::Location;
 use super::rising;
 use crate::geometry::mesh::{FaceTag, Mesh, TooManyCorners, UvAxis};
 use affine::is_affine;
-use band::{Band, Numbers, Source};
+use band::{Band, BandSource, Numbers};
 use chain::Chain;
 use coordinate::Coordinate;
 use crossings::Crossings;
@@ -111,7 +111,7 @@ struct Cutter<'m> {
     crossings: Crossings,
     bands: Vec<Band>,
     /// The places of the corners of the current face.
-    places: Vec<Place>,
+    places: Vec<Location>,
     chain: Chain,
     patch: Patch,
     /// The number of corners made so far.
@@ -194,7 +194,7 @@ impl<'m> Cutter<'m> {
         let Cutter { mesh, sites, crossings, chain, .. } = self;
         let ring = corners.clone().zip(self.places.iter().copied());
         chain.walk(ring, span, |from, to, nodes| crossings.cross(mesh, sites, from, to, nodes));
-        let source = Source { mesh, crossings, coordinate: self.coordinate };
+        let source = BandSource { mesh, crossings, coordinate: self.coordinate };
         chain.bands(span, |band, ahead, back, _| {
             self.bands[band as usize].piece(source, ahead, back, &corners, tag);
         });

@@ -10,12 +10,12 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::band::Source;
+use super::band::BandSource;
 use super::chain::Chain;
 use super::{Cutter, next_in};
 use crate::geometry::cut::class::Span;
 use crate::geometry::cut::faces::first_edge::first_node;
-use crate::geometry::cut::points::{NONE, Node};
+use crate::geometry::cut::points::{NONE, PieceCorner};
 use crate::geometry::mesh::table::PairTable;
 use crate::geometry::mesh::{FaceTag, TooManyCorners};
 use crate::geometry::nesting::Nest;
@@ -26,7 +26,7 @@ use crate::geometry::triangulate::{Projection, Triangulator};
 /// An edge of a piece of a triangle, with the node where it begins.
 #[derive(Clone, Copy)]
 struct Half {
-    node: Node,
+    node: PieceCorner,
     band: u32,
     /// The next edge in its piece.
     next: u32,
@@ -39,7 +39,7 @@ struct Half {
 
 /// The kind of a side of a triangle.
 #[derive(Clone, Copy, PartialEq)]
-enum Side {
+enum TriangleSide {
     /// An edge of a loop, or a line.
     Rim,
     /// A diagonal between two triangles: twice its number, plus 1 in backward direction.
@@ -64,7 +64,7 @@ pub(super) struct Patch {
     /// For each corner of the face, the next one of its loop.
     next: Vec<u32>,
     diagonals: PairTable,
-    sides: Vec<[Side; 3]>,
+    sides: Vec<[TriangleSide; 3]>,
     chain: Chain,
     halves: Vec<Half>,
     /// For each diagonal and band the edge without a twin so far.
@@ -74,7 +74,7 @@ pub(super) struct Patch {
     /// For each of their diagonals the number in this list.
     flat_sides: PairTable,
     /// The nodes of all rings, and whether each is the crossing of a diagonal with a line.
-    nodes: Vec<(Node, bool)>,
+    nodes: Vec<(PieceCorner, bool)>,
     rings: Vec<Ring>,
     nest: Nest,
 }
@@ -128,11 +128,11 @@ impl Patch {
             self.sides.push([(0, 1), (1, 2), (2, 0)].map(|(from, to)| {
                 let (from, to) = (triangle[from], triangle[to]);
                 if self.next[from as usize] == to {
-                    return Side::Rim;
+                    return TriangleSide::Rim;
                 }
                 let (number, new) = self.diagonals.entry(from.min(to), from.max(to), count);
                 count += u32::from(new);
-                Side::Diagonal(2 * *number + u32::from(to < from))
+                TriangleSide::Diagonal(2 * *number + u32::from(to < from))
             }));
         }
     }
@@ -163,7 +163,7 @@ impl Patch {
                     _ => false,
                 };
                 let (side, is_inner) = self.side_after(triangle, &corners, node);
-                let side = if is_on_border { Side::Rim } else { side };
+                let side = if is_on_border { TriangleSide::Rim } else { side };
                 let next = from + if at as u32 + 1 == count { 0 } else { at as u32 + 1 };
                 self.half(Half { node: *node, band, next, twin: NONE, is_inner, is_traced: false }, side);
             }
@@ -172,19 +172,19 @@ impl Patch {
     }
 
     /// The side of a triangle that contains the edge after a node, and whether the node is on a diagonal.
-    fn side_after(&self, triangle: usize, corners: &[usize; 3], node: &Node) -> (Side, bool) {
+    fn side_after(&self, triangle: usize, corners: &[usize; 3], node: &PieceCorner) -> (TriangleSide, bool) {
         let sides = &self.sides[triangle];
         let at = |corner: u32| corners.iter().position(|&own| own == corner as usize).unwrap_or(0);
         let (a, b) = (at(node.from), at(node.to));
         // A crossing between two corners is on the side from one of them to its successor.
         let side = sides[if (a + 1) % 3 == b || a == b { a } else { b }];
-        (side, a != b && side != Side::Rim)
+        (side, a != b && side != TriangleSide::Rim)
     }
 
     /// Adds an edge and finds its twin.
-    fn half(&mut self, mut half: Half, side: Side) {
+    fn half(&mut self, mut half: Half, side: TriangleSide) {
         let number = self.halves.len() as u32;
-        if let Side::Diagonal(side) = side {
+        if let TriangleSide::Diagonal(side) = side {
             let other = self.open.get(side ^ 1, half.band).filter(|&other| self.halves[other as usize].twin == NONE);
             if let Some(other) = other {
                 half.twin = other;
@@ -250,7 +250,7 @@ impl Patch {
         let corners = self.triangles[triangle].map(|corner| start + corner as usize);
         let from = self.halves.len() as u32;
         for (at, corner) in (0u32..).zip(corners) {
-            let node = Node::corner(corner, cutter.sites.place(cutter.mesh, corner));
+            let node = PieceCorner::corner(corner, cutter.sites.place(cutter.mesh, corner));
             let half = Half { node, band, next: from + (at + 1) % 3, twin: NONE, is_inner: false, is_traced: false };
             self.half(half, self.sides[triangle][at as usize]);
         }
@@ -312,7 +312,7 @@ impl Patch {
     fn emit(&mut self, cutter: &mut Cutter<'_>, projection: Projection, outline: &Range<usize>, tag: FaceTag) {
         let coordinate = cutter.coordinate;
         let (mut flat, mut numbers, mut ends) = (Vec::new(), Vec::new(), Vec::new());
-        let (mut nodes, mut marks): (Vec<Node>, Vec<Node>) = (Vec::new(), Vec::new());
+        let (mut nodes, mut marks): (Vec<PieceCorner>, Vec<PieceCorner>) = (Vec::new(), Vec::new());
         for rings in self.rings.chunk_by(|a, b| a.band == b.band) {
             nodes.clear();
             marks.clear();
@@ -321,7 +321,7 @@ impl Patch {
                 for &(node, is_inner) in &self.nodes[ring.nodes.clone()] {
                     nodes.push(node);
                     // A node on a diagonal is on no edge of the outline.
-                    marks.push(if is_inner { Node { from: NONE, to: NONE, ..node } } else { node });
+                    marks.push(if is_inner { PieceCorner { from: NONE, to: NONE, ..node } } else { node });
                 }
                 ends.push(nodes.len());
             }
@@ -329,14 +329,15 @@ impl Patch {
                 self.nest.single(end);
             } else {
                 flat.clear();
-                let at = |node: &Node| projection.apply(cutter.crossings.position(cutter.mesh, node.place.number));
+                let at =
+                    |node: &PieceCorner| projection.apply(cutter.crossings.position(cutter.mesh, node.place.number));
                 flat.extend(nodes.iter().map(at));
                 numbers.clear();
                 numbers.extend(0..nodes.len() as u32);
                 self.nest.sort(&Section { flat: &flat, corners: &numbers, ends: &ends });
             }
             let Cutter { mesh, crossings, bands, .. } = &mut *cutter;
-            let source = Source { mesh, crossings, coordinate };
+            let source = BandSource { mesh, crossings, coordinate };
             let band = &mut bands[rings[0].band as usize];
             let mut start = 0;
             for &end in &self.nest.ends {
@@ -354,14 +355,14 @@ impl Patch {
 }
 
 /// The edge that contains a node, by the corner where the edge begins.
-fn edge_of(node: &Node) -> u32 {
+fn edge_of(node: &PieceCorner) -> u32 {
     let (low, high) = (node.from.min(node.to), node.from.max(node.to));
     // The last edge of a loop ends at its first corner.
     if high - low <= 1 { low } else { high }
 }
 
 /// The first node of a ring: by the rule for first edges, or the first corner for a hole.
-fn first_of_ring(marks: &[Node], outline: &Range<usize>) -> usize {
+fn first_of_ring(marks: &[PieceCorner], outline: &Range<usize>) -> usize {
     if marks.iter().any(|node| outline.contains(&(node.from as usize))) {
         return first_node(marks.iter(), outline);
     }
@@ -370,9 +371,9 @@ fn first_of_ring(marks: &[Node], outline: &Range<usize>) -> usize {
 }
 
 /// The diagonals among the sides of a triangle.
-fn diagonals(sides: [Side; 3]) -> impl Iterator<Item = u32> {
+fn diagonals(sides: [TriangleSide; 3]) -> impl Iterator<Item = u32> {
     sides.into_iter().filter_map(|side| match side {
-        Side::Rim => None,
-        Side::Diagonal(side) => Some(side),
+        TriangleSide::Rim => None,
+        TriangleSide::Diagonal(side) => Some(side),
     })
 }

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use super::coordinate::Coordinate;
 use crate::geometry::cut::class::Class;
-use crate::geometry::cut::points::{NONE, Place};
+use crate::geometry::cut::points::{Location, NONE};
 use crate::geometry::mesh::Mesh;
 
 /// The sites of a mesh.
@@ -67,7 +67,7 @@ impl Sites {
     }
 
     /// The class and the point of a corner.
-    pub(super) fn place(&self, mesh: &Mesh, corner: usize) -> Place {
-        Place { class: self.class(corner), number: mesh.corners[corner] }
+    pub(super) fn place(&self, mesh: &Mesh, corner: usize) -> Location {
+        Location { class: self.class(corner), number: mesh.corners[corner] }
     }
 }

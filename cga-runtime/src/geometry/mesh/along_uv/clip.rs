@@ -10,18 +10,18 @@ use crate::geometry::tol::NEXT_EPSILON;
 
 /// A corner of a piece, above a point of texture space.
 #[derive(Clone, Copy)]
-pub(super) struct Node {
+pub(super) struct ClipVertex {
     pub(super) uv: DVec2,
     pub(super) height: f64,
     /// The edges of the patch below it, as bits.
     above: u8,
     /// The source of the edge after it.
-    edge: Edge,
+    edge: EdgeSource,
     /// The start of its texture coordinates in the list.
     carried: u32,
 }
 
-impl Node {
+impl ClipVertex {
     /// Its position on the surface.
     pub(super) fn place(&self, patch: &Patch) -> DVec3 {
         patch.place(self.uv, self.height, self.on(patch))
@@ -49,7 +49,7 @@ impl Node {
 }
 
 #[derive(Clone, Copy)]
-enum Edge {
+enum EdgeSource {
     /// The edge after a corner of the polygon.
     Own(u32),
     /// A cut at an edge of the patch.
@@ -61,10 +61,10 @@ pub(super) struct Clip<'a> {
     asset: &'a Mesh,
     /// The texture sets of the asset.
     pub(super) sets: Vec<usize>,
-    pub(super) nodes: Vec<Node>,
-    spare: Vec<Node>,
+    pub(super) nodes: Vec<ClipVertex>,
+    spare: Vec<ClipVertex>,
     /// The uncut polygon.
-    own: Vec<Node>,
+    own: Vec<ClipVertex>,
     carried: Vec<DVec2>,
 }
 
@@ -76,7 +76,7 @@ impl<'a> Clip<'a> {
     }
 
     /// The texture coordinates of a node, set by set.
-    pub(super) fn carried(&self, node: &Node) -> &[DVec2] {
+    pub(super) fn carried(&self, node: &ClipVertex) -> &[DVec2] {
         &self.carried[node.carried as usize..][..self.sets.len()]
     }
 
@@ -115,8 +115,8 @@ impl<'a> Clip<'a> {
             let at = asset.at(corner, cell);
             let carried = self.carried.len() as u32;
             self.carried.extend(self.sets.iter().map(|&set| self.asset.uv_set(set)[corner as usize]));
-            let edge = Edge::Own(number);
-            let mut node = Node { uv: at.truncate(), height: at.z, above: 0, edge, carried };
+            let edge = EdgeSource::Own(number);
+            let mut node = ClipVertex { uv: at.truncate(), height: at.z, above: 0, edge, carried };
             node.above = node.above_of(patch);
             self.own.push(node);
         }
@@ -132,10 +132,10 @@ impl<'a> Clip<'a> {
             match [here, next].map(|node| node.side(edge, patch)) {
                 [1, -1] => {
                     let crossing = self.crossing(&here, &next, edge, patch);
-                    kept.extend([here, Node { edge: Edge::Cut(edge), ..crossing }]);
+                    kept.extend([here, ClipVertex { edge: EdgeSource::Cut(edge), ..crossing }]);
                 }
                 [-1, 1] => kept.push(self.crossing(&here, &next, edge, patch)),
-                [0, -1] => kept.push(Node { edge: Edge::Cut(edge), ..here }),
+                [0, -1] => kept.push(ClipVertex { edge: EdgeSource::Cut(edge), ..here }),
                 [-1, _] => {}
                 _ => kept.push(here),
             }
@@ -144,24 +144,24 @@ impl<'a> Clip<'a> {
     }
 
     /// The crossing of the edge between two nodes with an edge of the patch.
-    fn crossing(&mut self, here: &Node, next: &Node, edge: usize, patch: &Patch) -> Node {
-        if let Edge::Cut(other) = here.edge
+    fn crossing(&mut self, here: &ClipVertex, next: &ClipVertex, edge: usize, patch: &Patch) -> ClipVertex {
+        if let EdgeSource::Cut(other) = here.edge
             && let Some(corner) = patch.corner_between(other, edge)
         {
             let uv = patch.corner(corner);
             let share = share_at(here, next, uv);
             let height = self.height_at_corner(uv).unwrap_or(here.height + (next.height - here.height) * share);
             let carried = self.mix(here.carried, next.carried, share);
-            return Node { uv, height, above: patch.edges_at(corner), edge: here.edge, carried };
+            return ClipVertex { uv, height, above: patch.edges_at(corner), edge: here.edge, carried };
         }
         // Computed from the ends of the polygon's edge, with the same result for both polygons at the edge and for all
         // patches around.
         let (from, to) = match here.edge {
-            Edge::Own(number) => {
+            EdgeSource::Own(number) => {
                 let next = if number as usize + 1 == self.own.len() { 0 } else { number as usize + 1 };
                 (self.own[number as usize], self.own[next])
             }
-            Edge::Cut(_) => (*here, *next),
+            EdgeSource::Cut(_) => (*here, *next),
         };
         let (from, to) = if is_before(&from, &to) { (from, to) } else { (to, from) };
         let [a, b] = patch.edge(edge);
@@ -173,7 +173,7 @@ impl<'a> Clip<'a> {
         let uv = from.uv + (to.uv - from.uv) * share;
         let height = from.height + (to.height - from.height) * share;
         let carried = self.mix(from.carried, to.carried, share);
-        let mut node = Node { uv, height, above: 1 << edge, edge: here.edge, carried };
+        let mut node = ClipVertex { uv, height, above: 1 << edge, edge: here.edge, carried };
         // Rounding may lead to an end of the edge.
         node.above |= node.above_of(patch);
         let is_through = |end: &usize| orient(from.uv, to.uv, patch.corner(*end)) == 0;
@@ -205,7 +205,7 @@ impl<'a> Clip<'a> {
         }
         let from = self.own[0];
         let mut normal = DVec3::ZERO;
-        let off = |node: &Node| (node.uv - from.uv).extend(node.height - from.height);
+        let off = |node: &ClipVertex| (node.uv - from.uv).extend(node.height - from.height);
         for pair in self.own[1..].windows(2) {
             normal += off(&pair[0]).cross(off(&pair[1]));
         }
@@ -227,14 +227,14 @@ impl<'a> Clip<'a> {
 }
 
 /// The relative position of a point between two nodes.
-fn share_at(from: &Node, to: &Node, uv: DVec2) -> f64 {
+fn share_at(from: &ClipVertex, to: &ClipVertex, uv: DVec2) -> f64 {
     let along = to.uv - from.uv;
     let share = (uv - from.uv).dot(along) / along.length_squared();
     if share.is_nan() { 0.5 } else { share.clamp(0.0, 1.0) }
 }
 
 /// The height of an edge of the polygon above a point on it.
-fn height_on_edge(from: &Node, to: &Node, uv: DVec2) -> f64 {
+fn height_on_edge(from: &ClipVertex, to: &ClipVertex, uv: DVec2) -> f64 {
     match [from, to].into_iter().find(|end| is_next_to(end.uv, uv)) {
         Some(end) => end.height,
         None => from.height + (to.height - from.height) * share_at(from, to, uv),
@@ -245,6 +245,6 @@ fn is_next_to(a: DVec2, b: DVec2) -> bool {
     (a - b).abs().max_element() <= b.abs().max_element().max(1.0) * NEXT_EPSILON
 }
 
-fn is_before(a: &Node, b: &Node) -> bool {
+fn is_before(a: &ClipVertex, b: &ClipVertex) -> bool {
     comes_first(a.uv, b.uv) || (a.uv == b.uv && a.height < b.height)
 }

@@ -18,7 +18,7 @@ use glam::DVec3;
 
 use super::{FaceTag, Mesh, MeshBuilder, TooManyCorners};
 use crate::geometry::tol::PLANAR_EPSILON;
-use clip::{Clip, Node};
+use clip::{Clip, ClipVertex};
 use patch::{Patch, Patches};
 use unit::UnitAsset;
 
@@ -110,7 +110,7 @@ struct Made<'a> {
 impl Made<'_> {
     /// Adds a piece of a face of the asset.
     fn add(&mut self, clip: &Clip<'_>, patch: &Patch, face: usize, turns_over: bool) {
-        let mut nodes: Vec<(DVec3, &Node)> = clip.nodes.iter().map(|node| (node.place(patch), node)).collect();
+        let mut nodes: Vec<(DVec3, &ClipVertex)> = clip.nodes.iter().map(|node| (node.place(patch), node)).collect();
         nodes.dedup_by_key(|node| node.0);
         while nodes.len() > 1 && nodes[0].0 == nodes[nodes.len() - 1].0 {
             nodes.pop();
@@ -129,7 +129,7 @@ impl Made<'_> {
         }
     }
 
-    fn face(&mut self, clip: &Clip<'_>, nodes: &[(DVec3, &Node)], tag: FaceTag) {
+    fn face(&mut self, clip: &Clip<'_>, nodes: &[(DVec3, &ClipVertex)], tag: FaceTag) {
         self.corners += nodes.len();
         let corners: Vec<u32> = nodes.iter().map(|(point, _)| self.builder.point(*point)).collect();
         self.builder.face(&corners, &[], tag);
@@ -141,7 +141,7 @@ impl Made<'_> {
 }
 
 /// Returns true if the corners of a piece are in one plane, except for rounding.
-fn is_planar(nodes: &[(DVec3, &Node)]) -> bool {
+fn is_planar(nodes: &[(DVec3, &ClipVertex)]) -> bool {
     if nodes.len() == 3 {
         return true;
     }

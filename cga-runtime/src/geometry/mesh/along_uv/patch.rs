@@ -13,7 +13,7 @@ use crate::geometry::triangulate::Triangulator;
 
 /// A triangle, or a quad whose coordinates are a parallelogram. Corners are counter-clockwise in texture space.
 pub(super) struct Patch {
-    corners: Vec<Corner>,
+    corners: Vec<PatchCorner>,
     /// True if u, v and height are left-handed on the surface.
     pub(super) is_mirrored: bool,
     /// The scalar products with these vectors, applied to the offset from the first corner, are the shares along the
@@ -30,7 +30,7 @@ pub(super) enum On {
 }
 
 #[derive(Clone, Copy)]
-struct Corner {
+struct PatchCorner {
     uv: DVec2,
     point: DVec3,
     /// The displacement for a height of 1.
@@ -41,7 +41,7 @@ struct Corner {
 
 impl Patch {
     /// A patch; `None` for corners without area in texture space.
-    fn of(mut corners: Vec<Corner>) -> Option<Self> {
+    fn of(mut corners: Vec<PatchCorner>) -> Option<Self> {
         let turn = orient(corners[0].uv, corners[1].uv, corners[2].uv);
         let between = |from: usize, to: usize| corners[to].point - corners[from].point;
         let normal = match corners.len() {
@@ -160,7 +160,7 @@ impl Patch {
             On::Inside => {
                 let off = uv - self.corners[0].uv;
                 let [s, t] = self.along.map(|way| way.dot(off));
-                let mix = |of: fn(&Corner) -> DVec3| match &self.corners[..] {
+                let mix = |of: fn(&PatchCorner) -> DVec3| match &self.corners[..] {
                     [a, b, c] => of(a) + (of(b) - of(a)) * s + (of(c) - of(a)) * t,
                     [a, b, c, d] => {
                         let (low, high) = (of(a) + (of(b) - of(a)) * s, of(d) + (of(c) - of(d)) * s);
@@ -190,14 +190,14 @@ pub(super) fn comes_first(a: DVec2, b: DVec2) -> bool {
 }
 
 /// The end of an edge: its point and its coordinates.
-type End = (u32, [u64; 2]);
+type EdgeEnd = (u32, [u64; 2]);
 
 /// All patches of a carrier.
 #[derive(Default)]
 pub(super) struct Patches {
     pub(super) list: Vec<Patch>,
     /// For each edge the first patches that have it.
-    neighbours: BTreeMap<[End; 2], Vec<u32>>,
+    neighbours: BTreeMap<[EdgeEnd; 2], Vec<u32>>,
 }
 
 impl Patches {
@@ -218,11 +218,11 @@ impl Patches {
                 HeightDirection::ScopeY => DVec3::Y,
                 HeightDirection::VertexNormal => normals[number as usize],
             };
-            Corner { uv: uvs[corner as usize] + 0.0, point: carrier.points[number as usize], up, number }
+            PatchCorner { uv: uvs[corner as usize] + 0.0, point: carrier.points[number as usize], up, number }
         };
         let (mut triangulator, mut triangles) = (Triangulator::new(), Vec::new());
         for face in carrier.faces().filter(|face| matches!(face.corner_count(), 3 | 4)) {
-            let corners: Vec<Corner> = face.corner_range().map(|at| corner(at as u32)).collect();
+            let corners: Vec<PatchCorner> = face.corner_range().map(|at| corner(at as u32)).collect();
             if is_parallelogram(&corners) {
                 patches.add(Patch::of(corners));
                 continue;
@@ -259,14 +259,14 @@ impl Patches {
     }
 }
 
-fn key(patch: &Patch, edge: usize) -> [End; 2] {
-    let end = |corner: Corner| (corner.number, corner.uv.to_array().map(f64::to_bits));
+fn key(patch: &Patch, edge: usize) -> [EdgeEnd; 2] {
+    let end = |corner: PatchCorner| (corner.number, corner.uv.to_array().map(f64::to_bits));
     let (a, b) = (end(patch.corners[edge]), end(patch.corners[patch.after(edge)]));
     [a.min(b), a.max(b)]
 }
 
 /// Returns true if coordinates are the corners of a parallelogram, except for rounding.
-fn is_parallelogram(corners: &[Corner]) -> bool {
+fn is_parallelogram(corners: &[PatchCorner]) -> bool {
     let [a, b, c, d] = corners else { return false };
     let gap = (a.uv - b.uv) + (c.uv - d.uv);
     let size = (c.uv - a.uv).abs().max((d.uv - b.uv).abs()).max_element();

@@ -10,7 +10,7 @@ use super::NONE;
 
 /// A region in the tree. Links are indices, or [`NONE`].
 #[derive(Clone, Copy)]
-struct Node {
+struct TreeNode {
     parent: u32,
     /// The subtrees of regions to the left and to the right.
     children: [u32; 2],
@@ -26,7 +26,7 @@ const RIGHT: usize = 1;
 
 /// Regions in order, by number.
 pub(super) struct Status {
-    nodes: Vec<Node>,
+    nodes: Vec<TreeNode>,
     root: u32,
 }
 
@@ -69,7 +69,7 @@ impl Status {
             None if self.root == NONE => (NONE, LEFT),
             None => (self.leftmost(self.root), LEFT),
         };
-        self.nodes.push(Node { parent, children: [NONE; 2], height: 1, edge });
+        self.nodes.push(TreeNode { parent, children: [NONE; 2], height: 1, edge });
         if parent == NONE {
             self.root = new;
         } else {
@@ -86,7 +86,7 @@ impl Status {
 
     /// Removes a region.
     pub(super) fn remove(&mut self, region: u32) {
-        let Node { parent, children, height, .. } = self.nodes[region as usize];
+        let TreeNode { parent, children, height, .. } = self.nodes[region as usize];
         let [left, right] = children;
         if left == NONE || right == NONE {
             let child = if left == NONE { right } else { left };
@@ -99,7 +99,7 @@ impl Status {
         let lowest = if next == right {
             next
         } else {
-            let Node { parent: above, children: [_, below], .. } = self.nodes[next as usize];
+            let TreeNode { parent: above, children: [_, below], .. } = self.nodes[next as usize];
             self.adopt(above, LEFT, below);
             self.adopt(next, RIGHT, right);
             above
@@ -164,7 +164,7 @@ impl Status {
             } else {
                 self.nodes[at as usize].height = 1 + left.max(right);
             }
-            let Node { parent, height, .. } = self.nodes[at as usize];
+            let TreeNode { parent, height, .. } = self.nodes[at as usize];
             if height == old {
                 return;
             }
@@ -174,7 +174,7 @@ impl Status {
 
     /// Lifts the child on one side above its parent. Returns the child.
     fn rotate(&mut self, at: u32, side: usize) -> u32 {
-        let Node { parent, children, .. } = self.nodes[at as usize];
+        let TreeNode { parent, children, .. } = self.nodes[at as usize];
         let child = children[side];
         self.replace(parent, at, child);
         self.adopt(at, side, self.nodes[child as usize].children[1 - side]);

@@ -1,0 +1,123 @@
+//! Uses of rules, and which of them are rigid.
+
+use super::closure::closure;
+use super::{Facts, RuleFacts, Uses};
+use crate::ir::{Arm, Block, Global, Grammar, Parts, Renewal, Rule, Selector, Step, Target, walk};
+use crate::ops;
+
+/// The facts of a rule without the rules that it reaches.
+struct Own {
+    uses: Uses,
+    /// True if it is rigid, apart from the counters that it gets with its shape.
+    rigid: bool,
+}
+
+impl Facts {
+    /// Finds the facts of rules from those of functions.
+    pub(super) fn find_rules(&mut self, grammar: &Grammar) {
+        let renewals: Vec<Uses> = grammar.renewals.iter().map(|renewal| self.renewal(grammar, renewal)).collect();
+        let own: Vec<Own> = grammar.rules.iter().map(|rule| self.own(rule, &renewals)).collect();
+        let uses: Vec<Uses> = own.iter().map(|own| own.uses).collect();
+        let edges: Vec<Vec<usize>> = grammar.rules.iter().map(|rule| called(rule, |_| true)).collect();
+        let handed: Vec<Vec<usize>> = grammar.rules.iter().map(|rule| called(rule, hands_counters_on)).collect();
+
+        let all = closure(&edges, &uses);
+        let counters = closure(&handed, &uses.iter().map(|uses| uses.counters()).collect::<Vec<_>>());
+        let loose = closure(&edges, &own.iter().map(|own| !own.rigid).collect::<Vec<_>>());
+        let facts = uses.into_iter().zip(all).zip(counters).zip(loose);
+        self.rules = facts
+            .zip(&own)
+            .map(|((((uses, all), counters), loose), own)| RuleFacts {
+                own: uses,
+                below: all.without_counters() | counters,
+                rigid: !loose && counters.is_none(),
+                own_rigid: own.rigid && uses.counters().is_none(),
+            })
+            .collect();
+    }
+
+    fn own(&self, rule: &Rule, renewals: &[Uses]) -> Own {
+        let locals = self.exprs(&rule.locals);
+        let mut own = Own { uses: locals, rigid: locals.without_counters().is_rigid() };
+        walk::steps(&rule.body, &mut |step| {
+            let args = walk::targets(step).into_iter().map(|target| match target {
+                Target::Rule { args, .. } => self.exprs(args),
+                Target::Leaf(..) | Target::Nil => Uses::NONE,
+            });
+            let args: Uses = args.collect();
+            let args = if hands_counters_on(step) { args } else { args.without_counters() };
+            let (exprs, itself) = (self.exprs(walk::in_step(step)) | args, itself(step, renewals));
+            own.uses = own.uses | exprs | itself;
+            own.rigid &= exprs.without_counters().is_rigid();
+            own.rigid &= match step {
+                Step::Block(block @ Block { parts: Parts::Arms(arms), .. }) => is_rigid(block, arms),
+                _ => itself.without_counters().is_rigid(),
+            };
+        });
+        own
+    }
+
+    /// Uses of a renewal: its attributes and constants are evaluated on the shape.
+    fn renewal(&self, grammar: &Grammar, renewal: &Renewal) -> Uses {
+        let uses = renewal.globals.iter().map(|global| {
+            let (value, lazy) = match *global {
+                Global::Attr(id) => {
+                    let attr = &grammar.attrs[id.0 as usize];
+                    (&attr.default, attr.lazy)
+                }
+                Global::Const(id) => {
+                    let constant = &grammar.consts[id.0 as usize];
+                    (&constant.value, constant.lazy)
+                }
+            };
+            // Lazy ones are computed on a copy of the shape.
+            let copied = if lazy { Uses::WHOLE | Uses::DRAWS } else { Uses::NONE };
+            self.expr(value) | copied
+        });
+        uses.collect()
+    }
+}
+
+/// Uses of a step itself, without its expressions and the steps in it.
+fn itself(step: &Step, renewals: &[Uses]) -> Uses {
+    match step {
+        Step::Do(row, ..) => row.uses,
+        Step::SetShape(row, ..) => row.set_uses,
+        Step::Rust(..) => Uses::ALL,
+        Step::Block(block) => block.row.uses,
+        Step::Anew(anew) => renewals[anew.renewal.0 as usize],
+        Step::Chance { .. } => Uses::DRAWS,
+        Step::SetAttr(..) | Step::Later(..) | Step::Give(_) | Step::Push(_) | Step::Case { .. } => Uses::NONE,
+    }
+}
+
+/// Returns true if the shapes that a step makes keep `split.index` and `split.total`.
+fn hands_counters_on(step: &Step) -> bool {
+    !matches!(step, Step::Block(Block { parts: Parts::Slots(_), .. }))
+}
+
+/// The rules that steps hand shapes to, by number.
+fn called(rule: &Rule, from: fn(&Step) -> bool) -> Vec<usize> {
+    let mut list = Vec::new();
+    walk::steps(&rule.body, &mut |step| {
+        let targets = if from(step) { walk::targets(step) } else { Vec::new() };
+        list.extend(targets.into_iter().filter_map(|target| match target {
+            Target::Rule { rule, .. } => Some(rule.0 as usize),
+            Target::Leaf(..) | Target::Nil => None,
+        }));
+    });
+    list.sort_unstable();
+    list.dedup();
+    list
+}
+
+/// Returns true if an operation makes the same parts of a shape wherever the shape is. `noAlign` gives parts the axes of the pivot,
+/// and a condition asks about a whole shape.
+fn is_rigid(block: &Block, arms: &[Arm<Target>]) -> bool {
+    let selects = |arm: &Arm<Target>| match &arm.selector {
+        Selector::Word(word) => ops::selector(word).is_some_and(|row| row.rigid),
+        Selector::Index(_) => true,
+        Selector::When(_) => false,
+    };
+    block.is_plain() && !block.row.uses.place && arms.iter().all(selects)
+}

@@ -1,0 +1,353 @@
+//! The intermediate representation: a checked grammar, ready to be emitted as Rust.
+//!
+//! Every name is an index, the operations of each part in braces are a rule of their own with the parameters it captures, every
+//! expression has a type. Code generation reads this and decides nothing. [`print`] shows it as text.
+
+mod attr;
+mod block;
+mod expr;
+pub mod facts;
+pub mod print;
+pub mod walk;
+
+use crate::ops::{Operation, ShapeAttr};
+use crate::span::Span;
+
+pub use crate::types::Type;
+pub use cga_split::{Item, Piece, Prefix};
+
+pub use crate::syntax::ast::ArmMode;
+pub use attr::{Attr, ChoiceValues, Choices, Presentation, Range};
+pub use block::{Arm, Block, Comp, Parts, Selector, Slots, Solved};
+pub use expr::{Binary, EachUnary, Expr, ExprKind};
+
+/// Index into [`Grammar::rules`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct RuleId(pub u32);
+/// Index into [`Grammar::attrs`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct AttrId(pub u32);
+/// Index into [`Grammar::consts`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ConstId(pub u32);
+/// Index into [`Grammar::functions`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FunctionId(pub u32);
+/// Index into [`Grammar::renewals`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct RenewalId(pub u32);
+/// Index into [`Grammar::hosts`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct HostId(pub u32);
+
+/// A grammar that has passed every check.
+#[derive(Clone, Debug, Default)]
+pub struct Grammar {
+    /// `@RuleFileDescription`: what it makes, in Markdown. Empty when nothing is said.
+    pub about: String,
+    /// Attributes, in source order.
+    pub attrs: Vec<Attr>,
+    /// Constants, in source order.
+    pub consts: Vec<Const>,
+    /// Functions, in source order.
+    pub functions: Vec<Function>,
+    /// Rules in source order, then the blocks that became rules.
+    pub rules: Vec<Rule>,
+    /// The rules a run can begin with: the default first.
+    pub starts: Vec<Start>,
+    /// Attributes and constants in an order in which each is ready before it is used. Lazy ones of a cycle follow each other.
+    pub init: Vec<Init>,
+    /// Imports whose values some call computes again.
+    pub renewals: Vec<Renewal>,
+    /// Rust values used in the rules, one entry a use, in source order.
+    pub hosts: Vec<Host>,
+}
+
+impl Grammar {
+    /// Attributes, then constants.
+    pub fn globals(&self) -> impl Iterator<Item = Global> + use<> {
+        let attrs = (0..self.attrs.len() as u32).map(|id| Global::Attr(AttrId(id)));
+        attrs.chain((0..self.consts.len() as u32).map(|id| Global::Const(ConstId(id))))
+    }
+}
+
+/// A rule that a run can begin with.
+#[derive(Clone, Debug)]
+pub struct Start {
+    /// The name for the host program: `Lot`, or `Style$Lot`.
+    pub name: String,
+    /// The style in force, by number; `Default` is 0.
+    pub style: u32,
+    /// The rule; it has no parameters.
+    pub rule: RuleId,
+    /// `@Description`, else doc comments, joined by line ends.
+    pub doc: String,
+    /// `@StartRule`, or marked with `start`.
+    pub marked: bool,
+    /// `@Hidden`: user interfaces leave it out.
+    pub hidden: bool,
+}
+
+/// One value that is computed once for an initial shape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Global {
+    /// An attribute.
+    Attr(AttrId),
+    /// A constant.
+    Const(ConstId),
+}
+
+/// A value that is computed when a run begins.
+#[derive(Clone, Debug)]
+pub struct Init {
+    /// The attribute or constant.
+    pub global: Global,
+    /// The styles that have it, by number; `None` for all.
+    pub styles: Option<Vec<u32>>,
+}
+
+/// A value known while compiling.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// A number.
+    Float(f64),
+    /// A truth value.
+    Bool(bool),
+    /// Text.
+    Text(String),
+    /// An array; never empty, all rows of one length.
+    Array(Vec<Vec<Value>>),
+}
+
+/// `const name = expr`.
+#[derive(Clone, Debug)]
+pub struct Const {
+    /// As written.
+    pub name: String,
+    /// Its type.
+    pub ty: Type,
+    /// Its value, evaluated once for each initial shape.
+    pub value: Expr,
+    /// The value when it is known while compiling.
+    pub known: Option<Value>,
+    /// True if a renewal may give it another value on a shape: only then do reads look at the shape first.
+    pub is_set: bool,
+    /// True on a cycle that conditions may keep open: it is computed on its first read.
+    pub lazy: bool,
+    /// The name in its declaration.
+    pub span: Span,
+}
+
+/// `name(params) = expr`, evaluated in the current shape at each use.
+#[derive(Clone, Debug)]
+pub struct Function {
+    /// As written; several may share a name.
+    pub name: String,
+    /// Its parameters, then its locals.
+    pub params: Vec<Param>,
+    /// The values of its locals, computed in order when it is entered: they belong to the last parameters.
+    pub locals: Vec<Expr>,
+    /// The type of the result.
+    pub ty: Type,
+    /// The value.
+    pub body: Expr,
+    /// True for a recursive function, which counts its depth.
+    pub recursive: bool,
+    /// The number of sites that share it; 0 for a function of one site.
+    pub sites: u32,
+    /// The name in its declaration.
+    pub span: Span,
+}
+
+/// A parameter of a rule or function.
+#[derive(Clone, Debug)]
+pub struct Param {
+    /// As written.
+    pub name: String,
+    /// Inferred type.
+    pub ty: Type,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// `Name(params) --> body`, or the operations of a part in braces.
+#[derive(Clone, Debug)]
+pub struct Rule {
+    /// `Facade`; blocks inside it are `Facade/1`, `Facade/2`, … Several rules may share a name with other parameters.
+    pub name: String,
+    /// The name its implicit leaves carry: `Facade`, for its blocks too.
+    pub label: String,
+    /// Parameters, then locals; those of a block are captured, in the order of the enclosing rule.
+    pub params: Vec<Param>,
+    /// The values of its locals, computed in order when it is entered: they belong to the last parameters.
+    pub locals: Vec<Expr>,
+    /// The steps.
+    pub body: Vec<Step>,
+    /// True for a block: a part of the rule around it, not a rule that is called.
+    pub block: bool,
+    /// Tells if the shape becomes a leaf at the end of the body.
+    pub leaf: Childless,
+    /// The cycle of rules it belongs to, if any: a call from a rule to one of the same cycle may be deferred.
+    pub cycle: Option<u32>,
+    /// Its text, for the doc line in the generated code; empty for blocks.
+    pub source: String,
+    /// The sites that share it; empty for a rule of one site.
+    pub sites: Vec<RuleSite>,
+    /// The name in its declaration; for a block, its first token.
+    pub span: Span,
+}
+
+/// A site of a shared rule. A file that is imported several times is one definition, which is told its site.
+#[derive(Clone, Debug)]
+pub struct RuleSite {
+    /// The name of the rule there.
+    pub name: String,
+    /// The name of its implicit leaves there.
+    pub label: String,
+}
+
+/// Tells if a rule has no child at the end of its body. A shape without children is a leaf.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Childless {
+    /// No path makes a child, so the shape is a leaf.
+    Always,
+    /// Every path that gets to the end has made a child.
+    Never,
+    /// It depends on the path taken, or on a split that may not divide: a flag decides.
+    Depends,
+}
+
+/// One step of a rule. Steps act on the current shape, in order.
+#[derive(Clone, Debug)]
+pub enum Step {
+    /// Changes the current shape.
+    Do(&'static Operation, Vec<Arg>, Span),
+    /// `set(name, value)` on a declared attribute.
+    SetAttr(AttrId, Expr, Span),
+    /// `set(name, value)` on an attribute of the shape itself.
+    SetShape(&'static ShapeAttr, Expr, Span),
+    /// Something that is known and does nothing yet.
+    Later(String, Span),
+    /// A Rust function as operation: `path::to(args)`.
+    Rust(String, Vec<Expr>, Span),
+    /// A successor: hands a copy of the current shape on.
+    Give(Target),
+    /// Makes parts of the current shape, each with a successor.
+    Block(Block),
+    /// `[ … ]`: works on a copy.
+    Push(Vec<Step>),
+    /// `import( … ).Rule`: a copy on which the attributes and constants of an import are computed again.
+    Anew(Anew),
+    /// `case … else`.
+    Case {
+        /// Condition and body, tried in order.
+        arms: Vec<(Expr, Vec<Step>)>,
+        /// The `else` body.
+        otherwise: Vec<Step>,
+    },
+    /// `p% : … else`.
+    Chance {
+        /// Percentage and body. Drawn one after the other with conditional probability.
+        arms: Vec<(f64, Vec<Step>)>,
+        /// The `else` body.
+        otherwise: Vec<Step>,
+    },
+}
+
+/// A call of a rule of an import whose attributes are computed again (*import*).
+#[derive(Clone, Debug)]
+pub struct Anew {
+    /// The values given in the call. They and the rule's arguments are evaluated before anything changes.
+    pub given: Vec<(AttrId, Expr)>,
+    /// The values that are computed again, except the given ones.
+    pub renewal: RenewalId,
+    /// The rule that goes on with the copy.
+    pub target: Target,
+    /// The call.
+    pub span: Span,
+}
+
+/// The values of an import that are computed again.
+#[derive(Clone, Debug)]
+pub struct Renewal {
+    /// The name of the import at its first call.
+    pub import: String,
+    /// Its attributes and constants and those of what it imports, in an order in which each is ready before it is used.
+    /// They are evaluated on the copy.
+    pub globals: Vec<Global>,
+}
+
+/// The successor of a child shape.
+#[derive(Clone, Debug)]
+pub enum Target {
+    /// Goes on with a rule. The arguments are evaluated on the shape that is handed on for a split or comp part
+    /// (so `split.index` is the part's), and on the current shape for a successor.
+    Rule {
+        /// The rule.
+        rule: RuleId,
+        /// The site that a shared rule is told: one number for each site of the caller; empty if the rule is not shared.
+        sites: Vec<u32>,
+        /// One a parameter.
+        args: Vec<Expr>,
+        /// The use, for go-to-definition.
+        span: Span,
+    },
+    /// Becomes a leaf of that name.
+    Leaf(String, Span),
+    /// `NIL`: makes no leaf. It is a child all the same.
+    Nil,
+}
+
+/// A scope axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// The scope's x axis.
+    X,
+    /// The scope's y axis.
+    Y,
+    /// The scope's z axis.
+    Z,
+}
+
+impl Axis {
+    /// The axis of that name.
+    pub fn named(name: &str) -> Option<Axis> {
+        match name {
+            "x" => Some(Axis::X),
+            "y" => Some(Axis::Y),
+            "z" => Some(Axis::Z),
+            _ => None,
+        }
+    }
+}
+
+/// The size of a slot.
+#[derive(Clone, Debug)]
+pub struct Size {
+    /// The kind of size.
+    pub prefix: Prefix,
+    /// The number.
+    pub value: Expr,
+}
+
+/// An argument of an operation.
+#[derive(Clone, Debug)]
+pub enum Arg {
+    /// A plain value.
+    Value(Expr),
+    /// A length that may be relative to the scope.
+    Length(Size),
+    /// A word of the parameter's set of words.
+    Word(&'static str),
+}
+
+/// One use of a Rust value.
+#[derive(Clone, Debug)]
+pub struct Host {
+    /// The number of the Rust expression in its source.
+    pub handle: u32,
+    /// The type the rules need it to have.
+    pub ty: Type,
+    /// Where it stands.
+    pub span: Span,
+}

@@ -1,0 +1,56 @@
+//! The rows that other rows are made from.
+
+use super::{AttrValues, Changes, Effect, F, Function, Meaning, Needs, Param, ParamKind, Run, ShapeAttr, Uses};
+use crate::types::Type;
+
+/// A row that is not implemented yet, and the base of implemented rows. The row has the needs of the implemented
+/// function.
+pub(super) const fn later(name: &'static str, params: &'static [Param], ty: Type, about: &'static str) -> Function {
+    Function {
+        name,
+        run: Run::Later,
+        params,
+        ty,
+        needs: Needs::Nothing,
+        uses: Uses::NONE,
+        pure: false,
+        meaning: Meaning::Opaque,
+        needs_uv_set: false,
+        names: None,
+        old: None,
+        about,
+    }
+}
+
+/// A row that cannot be set.
+pub(super) const fn get(name: &'static str, get: &'static str, uses: Uses) -> ShapeAttr {
+    ShapeAttr {
+        name,
+        get: Run::Now(get),
+        kind: ParamKind::Value(F),
+        values: AttrValues::Any,
+        needs: Needs::Shape,
+        uses,
+        set: None,
+        set_uses: Uses::NONE,
+        set_changes: Changes::Nothing,
+        set_scope: Effect::Keeps,
+        old: None,
+    }
+}
+
+/// A row that can be set. Reading and setting use the whole shape.
+pub(super) const fn both(name: &'static str, call: &'static str, ty: Type) -> ShapeAttr {
+    ShapeAttr {
+        kind: ParamKind::Value(ty),
+        set: Some(Run::Now(call)),
+        set_uses: Uses::WHOLE,
+        set_changes: Changes::Whole,
+        ..get(name, call, Uses::WHOLE)
+    }
+}
+
+/// The row with other uses.
+pub(super) const fn using(uses: Uses, set_uses: Uses, row: ShapeAttr) -> ShapeAttr {
+    ShapeAttr { uses, set_uses, ..row }
+}

@@ -1,0 +1,196 @@
+//! A diagnostic with its place and source line, for sources with text.
+//!
+//! ```text
+//! warning[undefined_rule]: there is no rule `Wal`
+//!  --> rules/tower.cga:3:22
+//!   |
+//! 3 | Lot --> extrude(3) Wal
+//!   |                    ^^^
+//!   = help: did you mean `Wall`?
+//! ```
+
+use crate::diag::{Diag, Level};
+use crate::span::Span;
+use std::borrow::Cow;
+use std::ops::Range;
+
+mod program;
+
+pub use program::{Quote, render_in};
+
+/// A diagnostic as text, without a newline at the end. `ranges` are the byte ranges of the tokens in `text`.
+pub fn render(text: &str, ranges: &[Range<usize>], file: &str, diag: &Diag) -> String {
+    let related = |span| Some(format!("line {}", position(text, bytes(text, ranges, span).start).line));
+    let place = place(text, ranges, file, diag.span, diag, &related);
+    format!("{}\n{place}", headline(diag))
+}
+
+/// The first line of a diagnostic.
+fn headline(diag: &Diag) -> String {
+    let level = match diag.level {
+        Level::Error => "error",
+        Level::Warning | Level::Allow => "warning",
+    };
+    format!("{level}[{}]: {}", diag.code.name(), diag.message)
+}
+
+/// The place, notes and help of a diagnostic: [`render`] without the first line. `span` is its place in this text.
+/// `related` names a second place: "line 3", or "line 3 of lib.cga".
+pub fn place(
+    text: &str,
+    ranges: &[Range<usize>],
+    file: &str,
+    span: Span,
+    diag: &Diag,
+    related: &dyn Fn(Span) -> Option<String>,
+) -> String {
+    let bytes = bytes(text, ranges, span);
+    let at = position(text, bytes.start);
+    let line = line_at(text, bytes.start);
+    let margin = " ".repeat(at.line.to_string().len());
+    let (before, marked, after) = split_line(text, &line, &bytes);
+    let before = clip_front(before);
+    let marked = clip_back(marked);
+    let after = clip_back(after);
+    let carets = "^".repeat(marked.chars().count().max(1));
+    let mut out = format!("{margin}--> {file}:{}:{}\n{margin} |\n", at.line, at.column);
+    out.push_str(&format!("{} | {before}{marked}{after}\n{margin} | {}{carets}", at.line, blank(&before)));
+    for note in diag.reasons() {
+        out.push_str(&format!("\n{margin} = note: {}", note.text));
+        if let Some(line) = note.related.and_then(related) {
+            out.push_str(&format!(" in {line}"));
+        }
+    }
+    for help in &diag.help {
+        out.push_str(&format!("\n{margin} = help: {help}"));
+    }
+    out
+}
+
+/// A place in a text for people: lines and columns count from 1, columns in characters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Position {
+    /// The line.
+    pub line: usize,
+    /// The column.
+    pub column: usize,
+}
+
+/// The place of a byte of a text.
+pub fn position(text: &str, byte: usize) -> Position {
+    let byte = border(text, byte);
+    let start = line_start(text, byte);
+    // Old files end their lines with `\r`, or mix the endings. Bytes are counted many at a time, characters are not;
+    // no other character contains these bytes.
+    let before = &text.as_bytes()[..start];
+    let count = |end: u8| before.iter().filter(|&&byte| byte == end).count();
+    let both = before.windows(2).filter(|pair| pair == b"\r\n").count();
+    let line = 1 + count(b'\n') + count(b'\r') - both;
+    let column = text[start..byte].trim_start_matches('\u{feff}').chars().count() + 1;
+    Position { line, column }
+}
+
+/// The bytes of a span, or the end of the text without tokens.
+pub fn bytes(text: &str, ranges: &[Range<usize>], span: Span) -> Range<usize> {
+    let last = ranges.get(span.last as usize).or(ranges.last());
+    let (Some(first), Some(last)) = (ranges.get(span.first as usize).or(ranges.last()), last) else {
+        return text.len()..text.len();
+    };
+    let start = border(text, first.start);
+    start..border(text, last.end).max(start)
+}
+
+/// The nearest character boundary at or before a byte.
+fn border(text: &str, byte: usize) -> usize {
+    (0..=byte.min(text.len())).rev().find(|&byte| text.is_char_boundary(byte)).unwrap_or(0)
+}
+
+/// The line of a byte, without its end.
+fn line_at(text: &str, byte: usize) -> Range<usize> {
+    let start = line_start(text, byte);
+    let start = if text[start..].starts_with('\u{feff}') { start + '\u{feff}'.len_utf8() } else { start };
+    let end = text[start..].find(['\n', '\r']).map_or(text.len(), |end| start + end);
+    start..end
+}
+
+fn line_start(text: &str, byte: usize) -> usize {
+    text[..byte].rfind(['\n', '\r']).map_or(0, |end| end + 1)
+}
+
+/// The parts of the line before, inside and after `bytes`.
+fn split_line<'t>(text: &'t str, line: &Range<usize>, bytes: &Range<usize>) -> (&'t str, &'t str, &'t str) {
+    let start = bytes.start.clamp(line.start, line.end);
+    let end = bytes.end.clamp(start, line.end);
+    let end = start + text[start..end].trim_end().len();
+    (&text[line.start..start], &text[start..end], text[end..line.end].trim_end())
+}
+
+/// The maximum length of each part of a line around the carets, in characters.
+const LONGEST: usize = 120;
+
+fn clip_front(text: &str) -> Cow<'_, str> {
+    match text.char_indices().rev().nth(LONGEST) {
+        Some((at, _)) => Cow::Owned(format!("…{}", &text[at..])),
+        None => Cow::Borrowed(text),
+    }
+}
+
+fn clip_back(text: &str) -> Cow<'_, str> {
+    match text.char_indices().nth(LONGEST) {
+        Some((at, _)) => Cow::Owned(format!("{}…", &text[..at])),
+        None => Cow::Borrowed(text),
+    }
+}
+
+/// White space as wide as the text. Tabs stay tabs, because their displayed width is unknown.
+fn blank(text: &str) -> String {
+    text.chars().map(|c| if c == '\t' { '\t' } else { ' ' }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::compile::compile_text;
+
+    fn shown(text: &str) -> String {
+        let source = compile_text(text);
+        let list = source.compiled.diags.iter().map(|diag| super::render(text, &source.ranges, "a.cga", diag));
+        list.collect::<Vec<_>>().join("\n")
+    }
+
+    #[test]
+    fn shows_the_line_with_carets_under_the_guilty_token() {
+        let text = "# ein Haus\r\nLot -->\r\n\tprint(\"grün\") extrud(3)\r\nextrude2 --> NIL\r\n";
+        assert_eq!(
+            shown(text),
+            "warning[undefined_rule]: there is no rule `extrud`\n --> a.cga:3:16\n  |\n3 | \tprint(\"grün\") extrud(3)\n  \
+             | \t              ^^^^^^\n  = note: it becomes a leaf named `extrud`\n  = help: did you mean `extrude`?"
+        );
+    }
+
+    #[test]
+    fn names_the_line_of_a_second_place() {
+        assert_eq!(
+            shown("\u{feff}A --> NIL\nA --> NIL"),
+            "error[duplicate_name]: rule `A` is declared twice\n --> a.cga:2:1\n  |\n2 | A --> NIL\n  | ^\n  = note: \
+             first declared in line 1"
+        );
+    }
+
+    #[test]
+    fn lines_end_in_every_way() {
+        let text = "a\rb\r\nc\nd\n\re";
+        let places = ["a", "b", "c", "d", "e"].map(|name| super::position(text, text.find(name).unwrap()));
+        assert_eq!(places.map(|place| (place.line, place.column)), [(1, 1), (2, 1), (3, 1), (4, 1), (6, 1)]);
+        assert_eq!(
+            shown("A --> NIL\r\rA --> NIL\rB --> NIL"),
+            "error[duplicate_name]: rule `A` is declared twice\n --> a.cga:3:1\n  |\n3 | A --> NIL\n  | ^\n  = note: \
+             first declared in line 1"
+        );
+    }
+
+    #[test]
+    fn a_text_without_tokens_has_a_place() {
+        assert_eq!(super::position("", 3), super::Position { line: 1, column: 1 });
+        assert!(super::bytes("# x", &[], crate::span::Span::default()).is_empty());
+    }
+}

@@ -1,0 +1,145 @@
+//! `case … else` and `30% : … else`, for operations of a rule and for values.
+
+use super::expr::Part;
+use super::{Parsed, Parser, Reported};
+use crate::diag::code::Code;
+use crate::syntax::ast::{Expr, ExprKind, Op, OpKind, Percent};
+use crate::syntax::token::{Sym, Tok};
+
+/// Arms of a branch block. Only one of the lists is filled, unless the kinds were mixed, which is reported.
+struct Arms<T> {
+    cases: Vec<(Expr, T)>,
+    chances: Vec<(Percent, T)>,
+    otherwise: Option<T>,
+    /// The depth of the deepest condition.
+    deepest: u32,
+}
+
+impl Parser<'_> {
+    pub(super) fn at_branch(&self) -> bool {
+        self.at_case() || self.at_percent()
+    }
+
+    fn at_case(&self) -> bool {
+        self.is_word("case") || self.at_if()
+    }
+
+    pub(super) fn at_percent(&self) -> bool {
+        matches!(self.peek(), Some(Tok::Number(_))) && self.nth_is(1, Sym::Percent) && self.nth_is(2, Sym::Colon)
+    }
+
+    /// Parses a branch block of operations; `in_arm` as for [`Parser::ops`].
+    pub(super) fn branch_ops(&mut self, in_arm: bool) -> Parsed<Op> {
+        let start = self.at;
+        let arms = self.arms(
+            |parser| parser.ops(true),
+            |parser| parser.ops(in_arm),
+            "end it with `else : …`; `else : NIL` makes nothing",
+        )?;
+        let otherwise = arms.otherwise.unwrap_or_default();
+        let kind = if arms.cases.is_empty() {
+            OpKind::Chance(arms.chances, otherwise)
+        } else {
+            OpKind::Case(arms.cases, otherwise)
+        };
+        Ok(Op { kind, span: self.span_from(start) })
+    }
+
+    /// Parses a branch block of values.
+    pub(super) fn branch_value(&mut self) -> Parsed<Part> {
+        let start = self.at;
+        let mut deepest = 0;
+        let arms = self.arms(Self::deep_expr, Self::deep_expr, "end it with `else : …` and a value")?;
+        let span = self.span_from(start);
+        let mut value = |(value, depth): Part| {
+            deepest = deepest.max(depth);
+            value
+        };
+        let otherwise = arms.otherwise.map(&mut value).unwrap_or(Expr { kind: ExprKind::Error, span });
+        let otherwise = Box::new(otherwise);
+        let kind = if arms.cases.is_empty() {
+            ExprKind::Chance(arms.chances.into_iter().map(|(percent, arm)| (percent, value(arm))).collect(), otherwise)
+        } else {
+            ExprKind::Case(arms.cases.into_iter().map(|(test, arm)| (test, value(arm))).collect(), otherwise)
+        };
+        let depth = self.deepen(deepest.max(arms.deepest))?;
+        Ok((Expr { kind, span }, depth))
+    }
+
+    /// Passes over `case` or the word written in its place.
+    fn case_word(&mut self) -> Parsed<()> {
+        if self.is_word("case") {
+            self.bump();
+            Ok(())
+        } else if self.is_word("else") {
+            self.else_if_for_case()
+        } else {
+            self.if_for_case()
+        }
+    }
+
+    /// Parses the `:` after a condition.
+    fn colon_of_case(&mut self) -> Parsed<()> {
+        if self.is(Sym::LBrace) && !self.at_border() {
+            self.expected("`:`").help("a branch has no braces: write `case condition : … else : …`");
+            return Err(Reported);
+        }
+        self.expect(Sym::Colon)
+    }
+
+    fn arms<T>(
+        &mut self,
+        mut arm: impl FnMut(&mut Self) -> Parsed<T>,
+        otherwise: impl FnOnce(&mut Self) -> Parsed<T>,
+        help: &str,
+    ) -> Parsed<Arms<T>> {
+        let start = self.at;
+        let first_is_case = self.at_case();
+        let mut arms = Arms { cases: Vec::new(), chances: Vec::new(), otherwise: None, deepest: 0 };
+        let mut mixed = false;
+        while (self.at_branch() || (first_is_case && self.at_else_if())) && self.tick() {
+            let case = !self.at_percent();
+            if case != first_is_case && !mixed {
+                mixed = true;
+                let span = self.span().to(self.span_at(if case { self.at } else { self.at + 1 }));
+                self.diags
+                    .report(Code::MixedBranches, span, "conditions and percentages in one block")
+                    .help("put one of them inside the other: `case a : 30% : X else : Y else : Z`");
+            }
+            if case {
+                self.case_word()?;
+                let (condition, depth) = self.nested(Self::deep_expr)?;
+                arms.deepest = arms.deepest.max(depth);
+                self.colon_of_case()?;
+                let body = self.nested(&mut arm)?;
+                arms.cases.push((condition, body));
+            } else if let Some(&Tok::Number(value)) = self.peek() {
+                let percent = Percent { value, span: self.span().to(self.span_at(self.at + 1)) };
+                self.at += 3;
+                let body = self.nested(&mut arm)?;
+                arms.chances.push((percent, body));
+            }
+        }
+        if self.is_word("else") {
+            self.bump();
+            self.expect(Sym::Colon)?;
+            arms.otherwise = Some(self.nested(otherwise)?);
+            return Ok(arms);
+        }
+        if !matches!(
+            self.peek(),
+            None | Some(Tok::Sym(Sym::Bar | Sym::RBrace | Sym::RBracket | Sym::RParen | Sym::Comma))
+        ) && !self.at_border()
+        {
+            return self.fail("`else`");
+        }
+        let (last, message) = if first_is_case {
+            (start, "this `case` has no `else`")
+        } else {
+            (start + 1, "these percentages have no `else`")
+        };
+        let span = self.span_at(start).to(self.span_at(last));
+        self.diags.report(Code::MissingElse, span, message).help(help);
+        if mixed { Err(Reported) } else { Ok(arms) }
+    }
+}

@@ -1,0 +1,270 @@
+//! Values: precedence climbing with C's levels.
+//!
+//! Every part comes with its depth. A long chain of operators makes a tree as deep as nested brackets do, and code that
+//! walks the tree later must not overflow the stack.
+
+use super::{MAX_DEPTH, Parsed, Parser, Reported};
+use crate::diag::RELATIVE;
+use crate::diag::code::Code;
+use crate::syntax::ast::{Arg, Binary, Expr, ExprKind, Prefix, Unary};
+use crate::syntax::token::{Sym, Tok};
+
+/// A part and the depth of its tree.
+pub(super) type Part = (Expr, u32);
+
+/// The level of `+` and `-`, the lowest inside the operand of a size prefix.
+const ADDITIVE: u8 = 5;
+
+/// The level of `==`, the lowest above `&&`.
+const COMPARISON: u8 = 3;
+
+fn operator(token: &Tok) -> Option<(Binary, u8)> {
+    let Tok::Sym(sym) = token else { return None };
+    Some(match sym {
+        Sym::OrOr => (Binary::Or, 1),
+        Sym::AndAnd => (Binary::And, 2),
+        Sym::EqEq => (Binary::Eq, 3),
+        Sym::NotEq => (Binary::Ne, 3),
+        Sym::Less => (Binary::Lt, 4),
+        Sym::LessEq => (Binary::Le, 4),
+        Sym::Greater => (Binary::Gt, 4),
+        Sym::GreaterEq => (Binary::Ge, 4),
+        Sym::Plus => (Binary::Add, ADDITIVE),
+        Sym::Minus => (Binary::Sub, ADDITIVE),
+        Sym::Star => (Binary::Mul, 6),
+        Sym::Slash => (Binary::Div, 6),
+        Sym::Percent => (Binary::Rem, 6),
+        _ => return None,
+    })
+}
+
+impl Parser<'_> {
+    /// Parses a value, including `case` and percentages.
+    pub(super) fn expr(&mut self) -> Parsed<Expr> {
+        self.deep_expr().map(|(expr, _)| expr)
+    }
+
+    /// Parses a value and returns its depth.
+    pub(super) fn deep_expr(&mut self) -> Parsed<Part> {
+        self.binary(0)
+    }
+
+    /// Parses a value that may have a size prefix.
+    pub(super) fn arg(&mut self) -> Parsed<Arg> {
+        let start = self.at;
+        let prefix = match self.peek() {
+            Some(Tok::Sym(Sym::Quote)) => Some((Prefix::Relative, self.span())),
+            Some(Tok::Sym(Sym::Tilde)) => Some((Prefix::Floating, self.span())),
+            _ => None,
+        };
+        let value = if prefix.is_some() {
+            self.bump();
+            self.binary(ADDITIVE)?.0
+        } else {
+            self.expr()?
+        };
+        if self.is(Sym::Quote) && (self.nth_is(1, Sym::Comma) || self.nth_is(1, Sym::RParen)) {
+            let span = self.span();
+            self.diags
+                .report(Code::StrayQuote, span, format!("`{RELATIVE}` comes before a relative size, not after it"))
+                .help("leave it out");
+            self.bump();
+        }
+        Ok(Arg { prefix, value, span: self.span_from(start) })
+    }
+
+    /// Returns the operator here, its level, true if it works element by element, and the number of its tokens. The
+    /// last item is the CGA symbol for an operator of another language.
+    fn operator(&self) -> Option<(Binary, u8, bool, usize, Option<Sym>)> {
+        let each = self.is(Sym::Dot);
+        let meant = match (self.peek()?, self.nth(1)) {
+            (Tok::Sym(Sym::Less), Some(Tok::Sym(Sym::Greater))) => Some((Sym::NotEq, 2)),
+            // An arrow.
+            (Tok::Sym(Sym::Minus), Some(Tok::Sym(Sym::Greater))) => return None,
+            (Tok::Ident(_), _) => Some((self.operator_word()?, 1)),
+            _ => None,
+        };
+        if let Some((meant, length)) = meant {
+            let (op, level) = operator(&Tok::Sym(meant))?;
+            return Some((op, level, false, length, Some(meant)));
+        }
+        let length = 1 + usize::from(each);
+        let (op, level) = self.nth(length - 1).and_then(operator)?;
+        Some((op, level, each, length, None))
+    }
+
+    fn binary(&mut self, least: u8) -> Parsed<Part> {
+        let start = self.at;
+        let (mut left, mut depth) = self.unary()?;
+        while let Some((op, level, each, length, meant)) = self.operator() {
+            if level < least || !self.tick() {
+                break;
+            }
+            if let Some(meant) = meant {
+                self.no_operator(length, meant);
+            }
+            let at = self.span().to(self.span_at(self.at + length - 1));
+            self.at += length;
+            let (right, right_depth) = self.binary(level + 1)?;
+            depth = self.deepen(depth.max(right_depth))?;
+            let (left_box, right_box) = (Box::new(left), Box::new(right));
+            let kind = match each {
+                false => ExprKind::Binary(op, at, left_box, right_box),
+                true => ExprKind::Each(op, at, left_box, right_box),
+            };
+            left = Expr { kind, span: self.span_from(start) };
+        }
+        Ok((left, depth))
+    }
+
+    pub(super) fn deepen(&mut self, depth: u32) -> Parsed<u32> {
+        if MAX_DEPTH <= depth { self.too_deep() } else { Ok(depth + 1) }
+    }
+
+    fn unary(&mut self) -> Parsed<Part> {
+        let start = self.at;
+        let each = self.is(Sym::Dot);
+        let op = match self.nth(usize::from(each)) {
+            Some(Tok::Sym(Sym::Minus)) => Unary::Minus,
+            Some(Tok::Sym(Sym::Plus)) => Unary::Plus,
+            Some(Tok::Sym(Sym::Bang)) => Unary::Not,
+            Some(Tok::Sym(Sym::Quote | Sym::Tilde)) if !each => {
+                self.misplaced_prefix();
+                return Err(Reported);
+            }
+            _ if self.at_not() => return self.negation(),
+            _ => return self.primary(),
+        };
+        self.at += 1 + usize::from(each);
+        let (operand, depth) = self.nested(Self::unary)?;
+        let depth = self.deepen(depth)?;
+        let operand = Box::new(operand);
+        let kind = if each { ExprKind::EachUnary(op, operand) } else { ExprKind::Unary(op, operand) };
+        Ok((Expr { kind, span: self.span_from(start) }, depth))
+    }
+
+    /// Parses an operand of the word `not`, which includes comparisons in other languages.
+    fn negation(&mut self) -> Parsed<Part> {
+        let start = self.at;
+        self.bump();
+        let (operand, depth) = self.nested(|parser| parser.binary(COMPARISON))?;
+        let depth = self.deepen(depth)?;
+        self.not_for_bang(start);
+        let kind = ExprKind::Unary(Unary::Not, Box::new(operand));
+        Ok((Expr { kind, span: self.span_from(start) }, depth))
+    }
+
+    fn misplaced_prefix(&mut self) {
+        let (span, sign) = (self.span(), self.peek().map_or("it".into(), Tok::describe));
+        let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at));
+        let second = matches!(before, Some(Tok::Sym(Sym::Quote | Sym::Tilde)));
+        let diag = self.diags.report(Code::MisplacedPrefix, span, format!("{sign} is not allowed here"));
+        if second {
+            diag.note("a size is relative or floating, never both").help(format!("write `{RELATIVE}0.5` or `~0.5`"));
+            return;
+        }
+        diag.help(format!("it begins the size of a slot or a length: `{RELATIVE}0.5 * a`, `{RELATIVE}-a`, `~(a + b)`"));
+    }
+
+    fn primary(&mut self) -> Parsed<Part> {
+        if self.at_border() {
+            return self.fail("a value");
+        }
+        let start = self.at;
+        let mut part = self.atom()?;
+        while self.is(Sym::LBracket) && self.tick() {
+            part = self.index(part, start)?;
+        }
+        Ok(part)
+    }
+
+    fn atom(&mut self) -> Parsed<Part> {
+        if self.at_branch() {
+            return self.branch_value();
+        }
+        let span = self.span();
+        let kind = match self.peek() {
+            Some(Tok::Number(value)) => ExprKind::Number(*value),
+            Some(Tok::Str(text)) => ExprKind::Text(text.clone()),
+            Some(Tok::Host(handle)) => ExprKind::Host(*handle),
+            Some(Tok::Sym(Sym::LParen)) => return self.parentheses(),
+            Some(Tok::Sym(Sym::LBracket)) => return self.array(),
+            Some(Tok::Ident(word)) => match word.as_str() {
+                "true" => ExprKind::Bool(true),
+                "false" => ExprKind::Bool(false),
+                "else" => return self.fail("a value"),
+                _ => return self.name_or_call(),
+            },
+            Some(Tok::Path(_)) => return self.name_or_call(),
+            _ => return self.fail("a value"),
+        };
+        self.bump();
+        Ok((Expr { kind, span }, 1))
+    }
+
+    fn parentheses(&mut self) -> Parsed<Part> {
+        let start = self.at;
+        let close = self.closing()?;
+        self.bump();
+        let (mut expr, depth) = self.bracketed(false, Self::deep_expr)?;
+        if self.at != close {
+            return self.fail("`)`");
+        }
+        self.bump();
+        // The underlined text includes the parentheses.
+        expr.span = self.span_from(start);
+        Ok((expr, depth))
+    }
+
+    fn name_or_call(&mut self) -> Parsed<Part> {
+        let start = self.at;
+        let path = matches!(self.peek(), Some(Tok::Path(_)));
+        let mut end = start + 1;
+        while !path && self.dotted_on(end) {
+            end += 2;
+        }
+        let Some(name) = self.take_dotted(end) else { return self.fail("a name") };
+        if name.text == "comp" && (self.is(Sym::LParen) || self.is(Sym::LBrace)) {
+            return self.comp_value(name, start);
+        }
+        if !self.is(Sym::LParen) {
+            if path {
+                self.expected("`(`").help(format!("a Rust function is called as `{}()`", name.text));
+                return Err(Reported);
+            }
+            let span = name.span;
+            return Ok((Expr { kind: ExprKind::Name(name), span }, 1));
+        }
+        let args = self.call_args(&name.text)?;
+        let depth = self.deepen(args.iter().map(|(_, depth)| *depth).max().unwrap_or(0))?;
+        let args = args.into_iter().map(|(expr, _)| expr).collect();
+        let kind = if path { ExprKind::Path(name, args) } else { ExprKind::Call(name, args) };
+        Ok((Expr { kind, span: self.span_from(start) }, depth))
+    }
+
+    /// Returns true if a dot at `position` joins the names around it.
+    fn dotted_on(&self, position: usize) -> bool {
+        self.layout.at(position).is_some_and(|token| token.is(Sym::Dot))
+            && self.layout.at(position + 1).is_some_and(|token| token.ident().is_some())
+            && !self.layout.is_border(position)
+            && !self.layout.is_border(position + 1)
+    }
+
+    pub(super) fn call_args(&mut self, name: &str) -> Parsed<Vec<Part>> {
+        let close = self.closing()?;
+        self.bump();
+        let mut args = Vec::new();
+        while self.at < close && self.tick() {
+            args.push(self.bracketed(false, Self::deep_expr)?);
+            if self.at < close && !self.eat(Sym::Comma) {
+                return self.fail("`,` or `)`");
+            }
+            if self.at == close && self.layout.at(close - 1).is_some_and(|token| token.is(Sym::Comma)) {
+                self.expected(&format!("another argument of `{name}`"));
+                return Err(Reported);
+            }
+        }
+        self.at = close + 1;
+        Ok(args)
+    }
+}

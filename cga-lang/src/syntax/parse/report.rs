@@ -1,0 +1,240 @@
+//! Diagnostics of the parser: the expected text, the found text, and the text to type.
+
+use super::type_words::is_type;
+use super::{MAX_DEPTH, Parsed, Parser, Reported};
+use crate::diag::code::Code;
+use crate::diag::{Diag, Line, RELATIVE};
+use crate::ops::{operations, selector};
+use crate::span::Span;
+use crate::suggest::nearest;
+use crate::syntax::ast::{Ast, Body};
+use crate::syntax::lex::{NO_UNITS, without_unit};
+use crate::syntax::token::{Sym, Tok};
+
+/// The description of the contents of a rule's body.
+pub(super) const STEP: &str = "an operation or a rule";
+
+/// The words that begin the last branch, in CGA and elsewhere.
+const ELSE: [&str; 3] = ["else", "default", "otherwise"];
+
+/// The words that begin a declaration.
+const DECLARING: [&str; 6] = ["attr", "const", "style", "import", "version", "extension"];
+
+/// The words that begin a declaration in other languages.
+const ELSEWHERE: [&str; 8] = ["let", "var", "fn", "func", "function", "def", "static", "attribute"];
+
+impl Parser<'_> {
+    /// Reports a mistake at a position, unless the source has reported unreadable text directly beside it.
+    pub(super) fn syntax(&mut self, at: usize, message: impl Into<Line>) -> &mut Diag {
+        let span = self.span_at(at);
+        self.syntax_over(at, span, message)
+    }
+
+    /// Reports a mistake at a position and underlines `span`.
+    pub(super) fn syntax_over(&mut self, at: usize, span: Span, message: impl Into<Line>) -> &mut Diag {
+        let list = if self.layout.beside_bad(at) { &mut self.muted } else { &mut self.diags };
+        list.report(Code::Syntax, span, message)
+    }
+
+    /// Reports an unexpected token, with help for the usual mistakes.
+    pub(super) fn expected(&mut self, what: &str) -> &mut Diag {
+        if what == STEP && self.at_selector_without_bar() {
+            return self.missing_bar();
+        }
+        if let Some(value) = self.number_with_unit() {
+            return self.expected_only(what).note(NO_UNITS).help(format!("write `{value}`"));
+        }
+        let help = self.meant(what);
+        let diag = self.expected_only(what);
+        match help {
+            Some(help) => diag.help(help),
+            None => diag,
+        }
+    }
+
+    /// Returns true if a `:` follows a selector that was read as a rule.
+    fn at_selector_without_bar(&self) -> bool {
+        let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at)).and_then(Tok::ident);
+        let begins = self.at.checked_sub(2).and_then(|at| self.layout.at(at)).is_none_or(|token| token.is(Sym::Arrow));
+        !begins
+            && matches!(self.peek(), Some(Tok::Sym(Sym::Colon | Sym::Assign)))
+            && !self.at_border()
+            && before.is_some_and(|word| selector(word).is_some() && !self.layout.has_rule(word))
+    }
+
+    /// Reports the missing `|` before such a selector, at its `:`.
+    fn missing_bar(&mut self) -> &mut Diag {
+        let word = self.layout.at(self.at - 1).and_then(Tok::ident).unwrap_or_default().to_owned();
+        let sign = if self.is(Sym::Colon) { ":" } else { "=" };
+        let diag = self.syntax(self.at - 1, format!("there is no `|` before the selector `{word}`"));
+        diag.help(format!("write `| {word} {sign}`"))
+    }
+
+    /// Returns the help for the usual mistake with the current token.
+    fn meant(&self, what: &str) -> Option<String> {
+        let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at));
+        let follows = |sym: Sym| before.is_some_and(|token| token.is(sym));
+        let word = before.and_then(Tok::ident);
+        let help = match self.peek()? {
+            _ if self.at_border() => return None,
+            Tok::Sym(Sym::Assign) if self.nth_is(1, Sym::Greater) => "write `>=`",
+            Tok::Sym(Sym::Assign) if self.nth_is(1, Sym::Less) => "write `<=`",
+            Tok::Sym(Sym::Assign) if self.nth_is(1, Sym::Bang) => "write `!=`",
+            Tok::Sym(Sym::Assign) if self.is_behind_set() => "write `,`: as in `set(name, value)`",
+            Tok::Sym(Sym::Assign) if what == STEP && word.is_some_and(is_plain) => {
+                let name = word.unwrap_or_default();
+                let value = match self.nth(1) {
+                    Some(Tok::Number(_) | Tok::Str(_)) => self.written(self.at + 1, self.at + 2),
+                    _ => "…".into(),
+                };
+                return Some(format!("write `set({name}, {value})` to change an attribute"));
+            }
+            Tok::Sym(Sym::Assign) => "two values are compared with `==`",
+            Tok::Number(value) if what == STEP && word.is_some_and(|word| operations(word).next().is_some()) => {
+                return Some(format!("write `{}({value})`", word.unwrap_or_default()));
+            }
+            Tok::Number(value)
+                if what == STEP && self.nth_is(1, Sym::Colon) && self.begins_body() && *value <= 100.0 =>
+            {
+                let percent = if *value < 1.0 { (*value * 1e8).round() / 1e6 } else { *value };
+                return Some(format!("write `{percent}% :` for a chance"));
+            }
+            Tok::Number(value) if what == STEP && self.nth_is(1, Sym::Colon) && 0.0 < *value && *value <= 100.0 => {
+                return Some(format!("put `|` between the slots of a split; a percentage is `{value}% :`"));
+            }
+            Tok::Sym(Sym::Tilde | Sym::Quote) | Tok::Number(_) if what == STEP => {
+                "put `|` between the slots of a split"
+            }
+            Tok::Sym(Sym::Colon) if what == STEP && word.and_then(|word| nearest(word, ELSE)).is_some() => {
+                "did you mean `else`?"
+            }
+            Tok::Sym(Sym::Colon) if what == STEP && word.is_some_and(|word| operations(word).next().is_none()) => {
+                let name = word.unwrap_or_default();
+                return Some(format!("put `|` between the parts of a split or comp; a rule begins with `{name} -->`"));
+            }
+            Tok::Sym(Sym::Colon) if what == STEP => "put `|` between the parts of a split or comp",
+            Tok::Ident(_) if self.cast().is_some() => return self.cast(),
+            Tok::Sym(Sym::LBrace) if what == "a value" => match (self.nth(1), self.nth_is(2, Sym::RBrace)) {
+                (Some(Tok::Ident(name)), true) => return Some(format!("write `{name}`: a value has no braces")),
+                _ => "a value has no braces: write `( … )` around a part of it",
+            },
+            Tok::Sym(Sym::Quote) => {
+                return Some(format!("`{RELATIVE}` begins a relative size; a power is `pow(base, exponent)`"));
+            }
+            Tok::Sym(Sym::Star) if follows(Sym::Star) => "a power is `pow(base, exponent)`",
+            Tok::Sym(Sym::Star) if what == STEP => "`*` comes after the `}` of the repeated slots",
+            _ => return None,
+        };
+        Some(help.to_owned())
+    }
+
+    /// Returns the help for `as` and a type.
+    fn cast(&self) -> Option<String> {
+        let ty = self.nth(1).and_then(Tok::ident).filter(|ty| self.is_word("as") && is_type(ty))?;
+        Some(match ty {
+            "str" | "String" | "string" => "leave out `as`: `str(…)` makes text".into(),
+            "bool" | "boolean" => "leave out `as`: `bool(…)` makes a truth value".into(),
+            _ => format!("leave out `as {ty}`: every number is a float"),
+        })
+    }
+
+    /// Returns true if the body of a rule begins here.
+    fn begins_body(&self) -> bool {
+        let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at));
+        before.is_some_and(|token| token.is(Sym::Arrow))
+    }
+
+    /// Returns true directly after the name in a call of `set`.
+    fn is_behind_set(&self) -> bool {
+        let before = |back: usize| self.at.checked_sub(back).and_then(|at| self.layout.at(at));
+        let (mut back, is_part) = (1, |token: &Tok| token.ident().is_some() || token.is(Sym::Dot));
+        while before(back).is_some_and(is_part) && back < 8 {
+            back += 1;
+        }
+        before(back).is_some_and(|token| token.is(Sym::LParen)) && before(back + 1).and_then(Tok::ident) == Some("set")
+    }
+
+    /// Converts the previous number, if the current token is its unit.
+    fn number_with_unit(&self) -> Option<f64> {
+        let unit = self.peek().and_then(Tok::ident).filter(|_| !self.at_border())?;
+        match self.layout.at(self.at.checked_sub(1)?)? {
+            Tok::Number(value) => without_unit(*value, unit),
+            _ => None,
+        }
+    }
+
+    /// Reports an unexpected token.
+    pub(super) fn expected_only(&mut self, what: &str) -> &mut Diag {
+        if self.at_border() && 0 < self.at {
+            let tail = if self.layout.len() <= self.at { "the end" } else { "the next declaration" };
+            return self.syntax(self.at - 1, format!("expected {what} after this, found {tail}"));
+        }
+        let found = self.peek().map_or("nothing".into(), Tok::describe);
+        self.syntax(self.at, format!("expected {what}, found {found}"))
+    }
+
+    pub(super) fn fail<T>(&mut self, what: &str) -> Parsed<T> {
+        self.expected(what);
+        Err(Reported)
+    }
+
+    /// Passes over a required symbol.
+    pub(super) fn expect(&mut self, sym: Sym) -> Parsed<()> {
+        if self.eat(sym) { Ok(()) } else { self.fail(&format!("`{}`", sym.text())) }
+    }
+
+    /// Reports tokens after a declaration that do not belong to it.
+    pub(super) fn leftover(&mut self, ast: &Ast) {
+        let found = self.peek().map_or("nothing".into(), Tok::describe);
+        match self.peek() {
+            Some(token) if token.ident() == Some("else") => {
+                self.syntax(self.at, "`else` without a `case` or percentage before it")
+            }
+            Some(Tok::Sym(Sym::RParen | Sym::RBrace | Sym::RBracket)) => {
+                self.syntax(self.at, format!("this {found} has no matching opening bracket"))
+            }
+            Some(Tok::Sym(Sym::Semi)) => self
+                .syntax(self.at, "declarations have no end symbol")
+                .help("leave out the `;`: the next one begins by itself"),
+            Some(Tok::Ident(word)) => {
+                let near = nearest(word, DECLARING).map(|near| format!("did you mean `{near}`?"));
+                let near = near.or_else(|| self.cast()).or_else(|| assigned(ast));
+                let help = near.or_else(|| {
+                    let is_other = ELSEWHERE.contains(&word.as_str());
+                    is_other.then(|| "write `name = value`, `name(parameters) = value` or `const name = value`".into())
+                });
+                let diag = self.syntax(self.at, format!("unexpected {found}"));
+                if let Some(help) = help {
+                    diag.help(help);
+                }
+                diag
+            }
+            _ => self.syntax(self.at, format!("unexpected {found}")),
+        };
+    }
+
+    pub(super) fn too_deep<T>(&mut self) -> Parsed<T> {
+        if !self.deep {
+            self.deep = true;
+            let span = self.span();
+            self.diags
+                .report(Code::TooDeep, span, format!("nested more than {MAX_DEPTH} deep"))
+                .help("move a part into a rule or function of its own");
+        }
+        Err(Reported)
+    }
+}
+
+/// Returns the help for `Rule --> name = value …`, which ends the rule and declares a function.
+fn assigned(ast: &Ast) -> Option<String> {
+    let [.., rule, function] = ast.decls.as_slice() else { return None };
+    let is_empty = matches!(&rule.body, Body::Rule(ops) if ops.is_empty());
+    let is_function = matches!(function.body, Body::Function(_)) && function.params.is_empty();
+    (is_empty && is_function)
+        .then(|| format!("in a rule write `set({}, …)` to change an attribute", function.name.text))
+}
+
+/// Returns true if the word may be the name of an attribute.
+fn is_plain(word: &str) -> bool {
+    word.starts_with(|c: char| c.is_lowercase() || c == '_') && operations(word).next().is_none()
+}

@@ -1,0 +1,264 @@
+//! Spellings of other languages with a clear meaning: `if`, `and`, `<>`, `=>`, types.
+//!
+//! They are recognised only where CGA would report a mistake, because a rule or attribute may have such a word as its
+//! name.
+
+use super::head::Head;
+use super::type_words::is_type;
+use super::{Parsed, Parser, Reported};
+use crate::diag::code::Code;
+use crate::ops::{operations, shape_attr};
+use crate::syntax::ast::Name;
+use crate::syntax::token::{Sym, Tok, Tokens};
+use std::ops::Range;
+
+/// The maximum length of quoted rules in a message, in bytes.
+const LONGEST: usize = 40;
+
+impl Parser<'_> {
+    /// The text from one position to another, exclusive.
+    pub(super) fn written(&self, from: usize, to: usize) -> String {
+        let tokens: Tokens = (from..to).filter_map(|position| self.layout.at(position)).cloned().collect();
+        let last = tokens.len().saturating_sub(1) as u32;
+        tokens.quoted(crate::span::Span { first: 0, last }, LONGEST)
+    }
+
+    /// Reports and skips an assignment to an attribute of the shape, as in `scope.sy = 3`. The same tokens could be a
+    /// leaf `scope.` before a function `sy`, which is never meant.
+    pub(super) fn assignment(&mut self, name: &Name) -> Parsed<bool> {
+        let Some(word) = self.peek().and_then(Tok::ident) else { return Ok(false) };
+        let attribute = format!("{}.{word}", name.text);
+        if !self.nth_is(1, Sym::Assign) || shape_attr(&attribute).is_none() {
+            return Ok(false);
+        }
+        let start = self.at - 2;
+        self.at += 2;
+        let (from, span) = (self.at, self.span_from(start));
+        self.expr()?;
+        let value = self.written(from, self.at);
+        self.syntax_over(start, span, format!("`{attribute}` is changed by an operation"))
+            .help(format!("write `set({attribute}, {value})`"));
+        Ok(true)
+    }
+
+    /// Returns true if `if`, or a similar word, begins a condition here.
+    pub(super) fn at_if(&self) -> bool {
+        self.peek().and_then(Tok::ident).is_some_and(is_if)
+            && !self.at_border()
+            && self.begins_operand(1)
+            && !self.layout.declares(self.peek().and_then(Tok::ident).unwrap_or_default())
+            && (self.colon_of_condition(self.at + 1).is_some() || self.braces(self.at + 1).is_some())
+    }
+
+    /// Returns true if the token `ahead` of the current one may begin a value but cannot follow a name.
+    fn begins_operand(&self, ahead: usize) -> bool {
+        !self.layout.is_border(self.at + ahead)
+            && match self.nth(ahead) {
+                Some(Tok::Ident(word)) => !matches!(word.as_str(), "case" | "else") && !is_if(word),
+                Some(Tok::Number(_) | Tok::Str(_) | Tok::Host(_) | Tok::Path(_)) => true,
+                Some(Tok::Sym(Sym::LParen | Sym::Bang)) => true,
+                _ => false,
+            }
+    }
+
+    /// The position of the `:` after a condition at `from`.
+    fn colon_of_condition(&self, from: usize) -> Option<usize> {
+        let mut at = from;
+        while !self.layout.is_border(at) {
+            match self.layout.at(at)? {
+                Tok::Sym(Sym::Colon) => return (from < at).then_some(at),
+                Tok::Sym(Sym::Bar | Sym::Comma | Sym::Semi | Sym::LBrace) => return None,
+                Tok::Sym(Sym::RBrace | Sym::RBracket | Sym::RParen) => return None,
+                Tok::Sym(Sym::LParen | Sym::LBracket) => at = self.layout.close(at)?,
+                Tok::Sym(Sym::Percent) if self.layout.at(at + 1).is_some_and(|token| token.is(Sym::Colon)) => {
+                    return None;
+                }
+                Tok::Ident(word) if matches!(word.as_str(), "case" | "else") || is_if(word) => return None,
+                _ => {}
+            }
+            at += 1;
+        }
+        None
+    }
+
+    /// The positions of a condition at `from` that is followed by `{`, without its parentheses.
+    fn braces(&self, from: usize) -> Option<Range<usize>> {
+        if self.layout.at(from).is_some_and(|token| token.is(Sym::LParen))
+            && let Some(close) = self.layout.close(from)
+            && self.layout.at(close + 1).is_some_and(|token| token.is(Sym::LBrace))
+        {
+            return Some(from + 1..close);
+        }
+        let mut at = from;
+        while !self.layout.is_border(at) {
+            match self.layout.at(at)? {
+                Tok::Sym(Sym::LBrace) => return (from < at).then_some(from..at),
+                Tok::Sym(Sym::Colon | Sym::Bar | Sym::Comma | Sym::Semi | Sym::Arrow) => return None,
+                Tok::Sym(Sym::RBrace | Sym::RBracket | Sym::RParen) => return None,
+                Tok::Sym(Sym::LParen | Sym::LBracket) => at = self.layout.close(at)?,
+                // The braces belong to the inner branch.
+                Tok::Ident(word) if matches!(word.as_str(), "case" | "else") || is_if(word) => {
+                    return None;
+                }
+                Tok::Ident(word) if operations(word).next().is_some() => return None,
+                _ => {}
+            }
+            at += 1;
+        }
+        None
+    }
+
+    /// Reports `if`, or `case` after `else`, and passes over the word. Fails if the arms are in braces.
+    pub(super) fn if_for_case(&mut self) -> Parsed<()> {
+        let word = self.peek().map_or(String::new(), Tok::describe);
+        if let Some(braces) = self.braces(self.at + 1) {
+            let condition = self.written(braces.start, braces.end);
+            self.syntax(self.at, format!("a condition begins with `case`, not with {word}"))
+                .help(format!("write `case {condition} : … else : …`"));
+            return Err(Reported);
+        }
+        let colon = self.colon_of_condition(self.at + 1).unwrap_or(self.at + 1);
+        let condition = self.written(self.at + 1, colon);
+        self.syntax(self.at, format!("a condition begins with `case`, not with {word}"))
+            .help(format!("write `case {condition} :`"));
+        self.bump();
+        Ok(())
+    }
+
+    /// Reports an `if` after operations.
+    pub(super) fn if_behind_steps<T>(&mut self) -> Parsed<T> {
+        let word = self.peek().map_or(String::new(), Tok::describe);
+        let colon = self.colon_of_condition(self.at + 1);
+        let condition = match (colon, self.braces(self.at + 1)) {
+            (None, Some(braces)) => self.written(braces.start, braces.end),
+            (colon, _) => self.written(self.at + 1, colon.unwrap_or(self.at + 1)),
+        };
+        self.syntax(self.at, format!("a condition begins with `case`, not with {word}"))
+            .help(format!("after operations write `[ case {condition} : … else : … ]`"));
+        Err(Reported)
+    }
+
+    /// Returns true if a further condition follows the `else` here.
+    pub(super) fn at_else_if(&self) -> bool {
+        let next = self.nth(1).and_then(Tok::ident);
+        self.is_word("else")
+            && next.is_some_and(|word| word == "case" || is_if(word))
+            && (self.colon_of_condition(self.at + 2).is_some() || self.braces(self.at + 2).is_some())
+    }
+
+    /// Reports such an `else` and passes over it and the word after it. Fails if the arms are in braces.
+    pub(super) fn else_if_for_case(&mut self) -> Parsed<()> {
+        let from = self.at + 2;
+        let braces = self.braces(from);
+        let help = match (braces.clone(), self.colon_of_condition(from)) {
+            (Some(braces), _) => format!("write `case {} : … else : …`", self.written(braces.start, braces.end)),
+            (None, colon) => format!("write `case {} :`", self.written(from, colon.unwrap_or(from))),
+        };
+        let span = self.span().to(self.span_at(self.at + 1));
+        self.syntax_over(self.at, span, "further conditions begin with `case` too, `else` is what remains").help(help);
+        self.at += 2;
+        if braces.is_some() { Err(Reported) } else { Ok(()) }
+    }
+
+    /// The operator that the current word means between two values.
+    pub(super) fn operator_word(&self) -> Option<Sym> {
+        if self.at_border() {
+            return None;
+        }
+        match self.peek()?.ident()? {
+            "and" | "AND" => Some(Sym::AndAnd),
+            "or" | "OR" => Some(Sym::OrOr),
+            _ => None,
+        }
+    }
+
+    /// Reports that the current `length` tokens are not an operator, and suggests the intended one.
+    pub(super) fn no_operator(&mut self, length: usize, meant: Sym) {
+        let span = self.span().to(self.span_at(self.at + length - 1));
+        let found = self.written(self.at, self.at + length).replace(' ', "");
+        self.syntax_over(self.at, span, format!("`{found}` is not an operator"))
+            .help(format!("write `{}`", meant.text()));
+    }
+
+    /// Returns true if a `not` before a value begins here.
+    pub(super) fn at_not(&self) -> bool {
+        let next_is_operand = match self.nth(1) {
+            // `not(a)` may be a function of the file.
+            Some(Tok::Sym(Sym::LParen)) => !self.layout.declares("not"),
+            Some(Tok::Ident(word)) if matches!(word.as_str(), "and" | "or" | "AND" | "OR") => false,
+            Some(Tok::Sym(Sym::Bang)) => !self.nth_is(2, Sym::Assign),
+            _ => self.begins_operand(1),
+        };
+        matches!(self.peek().and_then(Tok::ident), Some("not" | "NOT")) && next_is_operand
+    }
+
+    /// Reports the `not` at `start`, after its operand.
+    pub(super) fn not_for_bang(&mut self, start: usize) {
+        let operand = self.written(start + 1, self.at);
+        let whole = self.at == start + 2 || self.layout.close(start + 1) == Some(self.at - 1);
+        let operand = if whole { operand } else { format!("({operand})") };
+        let word = self.layout.at(start).map_or(String::new(), Tok::describe);
+        self.syntax(start, format!("{word} is not an operator")).help(format!("write `!{operand}`"));
+    }
+
+    /// The number of tokens written in place of the `:` before operations.
+    fn separator(&self) -> Option<usize> {
+        match (self.peek()?, self.nth(1)) {
+            (Tok::Sym(Sym::Assign | Sym::Minus), Some(Tok::Sym(Sym::Greater))) => Some(2),
+            (Tok::Sym(Sym::Assign | Sym::Arrow), _) => Some(1),
+            _ => None,
+        }
+    }
+
+    /// Reports and passes over the tokens written in place of `:`, if there are any.
+    pub(super) fn slipped_colon(&mut self, behind: &str) -> bool {
+        let Some(length) = self.separator() else { return false };
+        let span = self.span().to(self.span_at(self.at + length - 1));
+        let found = self.written(self.at, self.at + length).replace(' ', "");
+        self.syntax_over(self.at, span, format!("expected `:` after {behind}, found `{found}`")).help("write `:`");
+        self.at += length;
+        true
+    }
+
+    /// Reports and passes over a type before the name of an attribute or constant, if there is one.
+    pub(super) fn type_before_name(&mut self, word: &str) {
+        let next = self.at + 1;
+        let declared = !self.layout.is_border(next) || self.layout.head(next) == Some(Head::Function);
+        if self.peek().and_then(Tok::ident).is_some_and(is_type) && self.nth_is_name(1) && declared {
+            let rest = self.written(next, self.layout.border(next + 1));
+            self.no_types(self.at, format!("{word} {rest}"));
+            self.bump();
+        }
+    }
+
+    /// Reports and passes over a type before the name of a parameter, if there is one.
+    pub(super) fn type_before_parameter(&mut self) {
+        if let (Some(word), Some(name)) = (self.peek().and_then(Tok::ident), self.nth(1).and_then(Tok::ident))
+            && is_type(word)
+        {
+            self.no_types(self.at, name.to_owned());
+            self.bump();
+        }
+    }
+
+    /// Reports and passes over `: float` after a name, if it is there.
+    pub(super) fn type_behind_name(&mut self, so: impl FnOnce() -> String) {
+        if self.is(Sym::Colon) && self.nth(1).and_then(Tok::ident).is_some_and(is_type) {
+            self.no_types(self.at + 1, so());
+            self.at += 2;
+        }
+    }
+
+    fn no_types(&mut self, at: usize, so: String) {
+        let span = self.span_at(at);
+        self.diags
+            .report(Code::Syntax, span, "types cannot be declared")
+            .note("the type of a value follows from its expression")
+            .help(format!("write `{so}`"));
+    }
+}
+
+/// Returns true if a word begins a condition in other languages.
+fn is_if(word: &str) -> bool {
+    matches!(word, "if" | "If" | "IF" | "elif" | "elsif" | "elseif" | "when")
+}

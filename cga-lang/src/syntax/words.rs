@@ -1,0 +1,32 @@
+//! Annotations by name.
+
+/// All annotations of the language, and the three annotations for levels of diagnostics.
+pub(crate) const ANNOTATIONS: &[&str] = &[
+    "StartRule",
+    "Range",
+    "Group",
+    "Order",
+    "Hidden",
+    "Description",
+    "Allow",
+    "Warn",
+    "Deny",
+    "Enum",
+    "Angle",
+    "Percent",
+    "Distance",
+    "Color",
+    "File",
+    "Directory",
+    "MaterialFile",
+    "DisplayName",
+    "RuleFileDescription",
+    "Handle",
+    "InPolygon",
+    "InMesh",
+    "InLine",
+    "InPoint",
+    "InPointCloud",
+    "Out",
+    "Location",
+];
