@@ -1,5 +1,5 @@
-//! The build cost of rules: a program with 1,000 rules in release, with one sink and with three, and a façade with and
-//! without styles.
+//! The build cost of rules: a program with 1,000 rules in release, with one sink and with three, a façade with and
+//! without styles, and a library at one site and at nine.
 //!
 //! `cargo bench --bench build`; a number after `--` changes the count of rules. The program is written to a temporary
 //! folder and built there. Its dependencies are built before and not counted.
@@ -35,6 +35,14 @@ cga::cga! { pub grammar Rules in "src/plain.cga"; }
 
 const STYLES: &str = r##"
 cga::cga! { pub grammar Rules in "src/styles.cga"; }
+"##;
+
+const ONE_SITE: &str = r##"
+cga::cga! { pub grammar Rules in "src/wings0/main.cga"; }
+"##;
+
+const NINE_SITES: &str = r##"
+cga::cga! { pub grammar Rules in "src/wings4/main.cga"; }
 "##;
 
 /// The number of styles of the façade, beside `Default`.
@@ -83,6 +91,7 @@ fn main() {
     table.note("Buffers; buffers, a model and statistics. Bytes are those of the stripped binary, without those of a program with one rule.");
     table.print();
     styles(&project, empty);
+    imports(&project, empty);
 }
 
 /// Builds a façade without styles and with them. `empty` is the size of a program with one rule.
@@ -98,6 +107,25 @@ fn styles(project: &Project, empty: u64) {
             number(time.as_secs_f64() / plain_time.as_secs_f64(), 2),
             number(time.as_secs_f64(), 1),
             facade::rules(count).lines().count().to_string(),
+            number((size - empty) as f64 / 1000.0, 0),
+        ];
+        table.row(name, &cells);
+    }
+    table.print();
+}
+
+/// Builds a building with a library at one site and at nine. `empty` is the size of a program with one rule.
+fn imports(project: &Project, empty: u64) {
+    let columns = ["program", "time / one site", "build, s", "lines", "kilobytes"];
+    let mut table = Table::new("Build: a library in release", &columns);
+    let (one_time, one) = project.build("one_site", Some("Lot"));
+    let (nine_time, nine) = project.build("nine_sites", Some("Lot"));
+    for (name, wings, time, size) in [("one site", 0, one_time, one), ("nine sites", 4, nine_time, nine)] {
+        let lines: usize = facade::imports(wings).iter().map(|(_, text)| text.lines().count()).sum();
+        let cells = [
+            number(time.as_secs_f64() / one_time.as_secs_f64(), 2),
+            number(time.as_secs_f64(), 1),
+            lines.to_string(),
             number((size - empty) as f64 / 1000.0, 0),
         ];
         table.row(name, &cells);
@@ -141,8 +169,20 @@ impl Project {
         project.write("src/rules.cga", text);
         project.write("src/plain.cga", &facade::rules(0));
         project.write("src/styles.cga", &facade::rules(STYLE_COUNT));
-        let programs =
-            [("empty", EMPTY, 3), ("one", RULES, 1), ("three", RULES, 3), ("plain", PLAIN, 1), ("styles", STYLES, 1)];
+        for wings in [0, 4] {
+            for (name, text) in facade::imports(wings) {
+                project.write(&format!("src/wings{wings}/{name}"), &text);
+            }
+        }
+        let programs = [
+            ("empty", EMPTY, 3),
+            ("one", RULES, 1),
+            ("three", RULES, 3),
+            ("plain", PLAIN, 1),
+            ("styles", STYLES, 1),
+            ("one_site", ONE_SITE, 1),
+            ("nine_sites", NINE_SITES, 1),
+        ];
         for (name, head, sinks) in programs {
             let main = MAIN.replace("SINKS", &SINKS[..sinks].concat());
             project.write(&format!("src/bin/{name}.rs"), &format!("{head}{main}"));

@@ -1,25 +1,17 @@
 //! A façade file with styles, similar to published ones: elements with attributes, constants, functions and rules.
 //! Each style changes a quarter of the attributes and has two rules of its own.
+//!
+//! The elements can be a library, too, that several files import.
 
 use std::fmt::Write;
 
 /// The elements of a façade.
-const ELEMENTS: [&str; 12] = [
-    "Window", "Door", "Balcony", "Cornice", "Pillar", "Arcade", "Loggia", "Dormer", "Shop", "Frieze", "Plinth",
-    "Bay",
-];
+const ELEMENTS: [&str; 12] =
+    ["Window", "Door", "Balcony", "Cornice", "Pillar", "Arcade", "Loggia", "Dormer", "Shop", "Frieze", "Plinth", "Bay"];
 
 /// The rules, with `styles` styles beside `Default`.
 pub(crate) fn rules(styles: usize) -> String {
-    let mut text = String::from(HEAD);
-    for (number, name) in ELEMENTS.iter().enumerate() {
-        let next = ELEMENTS[(number + 1) % ELEMENTS.len()];
-        text += &ELEMENT
-            .replace("Element", name)
-            .replace("element", &name.to_lowercase())
-            .replace("NEXT", next)
-            .replace("NUMBER", &number.to_string());
-    }
+    let mut text = String::from(HEAD) + &elements(&ELEMENTS);
     for style in 0..styles {
         let _ = writeln!(text, "\nstyle Style{style}");
         for at in 0..15 {
@@ -36,6 +28,62 @@ pub(crate) fn rules(styles: usize) -> String {
     }
     text
 }
+
+/// The files of a building with a library of five elements, which each wing imports twice. The first file is the main one.
+pub(crate) fn imports(wings: usize) -> Vec<(String, String)> {
+    let mut main = String::from(MAIN);
+    let mut files = vec![(
+        "library.cga".to_owned(),
+        String::from(LIBRARY) + &elements(&["Window", "Door", "Balcony", "Cornice", "Pillar"]),
+    )];
+    for wing in 0..wings {
+        let text = WING.replace("NUMBER", &wing.to_string());
+        files.push((format!("wing{wing}.cga"), text));
+        let _ = writeln!(main, "import wing{wing} : \"wing{wing}.cga\"");
+    }
+    main += "Lot --> split(x) { ~1 : extrude(height) comp(f) { side : library.WindowFloor(1) }";
+    for wing in 0..wings {
+        let _ = write!(main, " | ~1 : wing{wing}.Wing");
+    }
+    main += " }\n";
+    files.insert(0, ("main.cga".to_owned(), main));
+    files
+}
+
+/// Elements that refer to each other in a circle.
+fn elements(names: &[&str]) -> String {
+    let element = |(number, name): (usize, &&str)| {
+        ELEMENT
+            .replace("Element", name)
+            .replace("element", &name.to_lowercase())
+            .replace("NEXT", names[(number + 1) % names.len()])
+            .replace("NUMBER", &number.to_string())
+    };
+    names.iter().enumerate().map(element).collect()
+}
+
+const MAIN: &str = r##"import library : "library.cga"
+attr height = 20
+"##;
+
+const LIBRARY: &str = r##"attr wall_color = "#c8b8a0"
+kind(n) = case n % 3 == 0 : "plain" case n % 3 == 1 : "arched" else : "framed"
+"##;
+
+const WING: &str = r##"import front : "library.cga" (window_width = NUMBER.5, door_depth = own)
+import back : "library.cga"
+attr own = 0.3
+attr floor_height = 3.NUMBER
+Wing -->
+    extrude(own * 30)
+    comp(f) { front : Front | back : Back | side : Side | top : Roof. }
+Front -->
+    split(y) { 4 : front.DoorFloor(1) | { ~floor_height : front.WindowFloor(split.index) }* }
+Back -->
+    split(y) { 4 : back.DoorFloor(2) | { ~floor_height : back.BalconyFloor(split.index) }* }
+Side -->
+    split(x) { ~1 : front.WindowTrim | ~1 : back.PillarTrim }
+"##;
 
 const HEAD: &str = r##"/** A façade of elements. */
 @Group("Building", 0) @Range(min=6, max=60)

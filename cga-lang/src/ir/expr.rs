@@ -28,8 +28,8 @@ pub enum ExprKind {
     Const(ConstId),
     /// `#name` or `#(…)`.
     Host(HostId),
-    /// A function of the grammar.
-    Call(FunctionId, Vec<Expr>),
+    /// A function of the grammar. A shared one is told its site: one number for each site of the caller.
+    Call(FunctionId, Vec<u32>, Vec<Expr>),
     /// A function of the language.
     Builtin(&'static ops::Function, Vec<Expr>),
     /// A Rust function: `path::to(args)`.
@@ -42,6 +42,8 @@ pub enum ExprKind {
     Word(&'static str),
     /// Returns true if the style of the run is one of these numbers.
     Style(Vec<u32>),
+    /// Returns true if the site of the shared rule or function is one of these numbers.
+    Site(Vec<u32>),
     /// A value that is known and cannot be computed yet: 0, false, empty, or what is given.
     Later(String),
     /// `[a, b; c, d]`: entries are elements or arrays.

@@ -98,7 +98,7 @@ impl Facts {
         match &expr.kind {
             ExprKind::Attr(id) => self.attrs[id.0 as usize],
             ExprKind::Const(id) => self.consts[id.0 as usize],
-            ExprKind::Call(id, _) => self.function(*id),
+            ExprKind::Call(id, ..) => self.function(*id),
             ExprKind::Builtin(row, _) => row.uses,
             ExprKind::Shape(row) => row.uses,
             // Rust code may give another value each time.
@@ -108,6 +108,7 @@ impl Facts {
             ExprKind::Value(_)
             | ExprKind::Param(_)
             | ExprKind::Style(_)
+            | ExprKind::Site(_)
             | ExprKind::Later(_)
             | ExprKind::Array(_)
             | ExprKind::Range(..)

@@ -153,6 +153,8 @@ pub struct Function {
     pub body: Expr,
     /// True for a recursive function, which counts its depth.
     pub recursive: bool,
+    /// The number of sites that share it; 0 for a function of one site.
+    pub sites: u32,
     /// The name in its declaration.
     pub span: Span,
 }
@@ -189,8 +191,19 @@ pub struct Rule {
     pub cycle: Option<u32>,
     /// Its text, for the doc line in the generated code; empty for blocks.
     pub source: String,
+    /// The sites that share it; empty for a rule of one site.
+    pub sites: Vec<RuleSite>,
     /// The name in its declaration; for a block, its first token.
     pub span: Span,
+}
+
+/// A site of a shared rule. A file that is imported several times is one definition, which is told its site.
+#[derive(Clone, Debug)]
+pub struct RuleSite {
+    /// The name of the rule there.
+    pub name: String,
+    /// The name of its implicit leaves there.
+    pub label: String,
 }
 
 /// Tells if a rule has no child at the end of its body. A shape without children is a leaf.
@@ -272,6 +285,8 @@ pub enum Target {
     Rule {
         /// The rule.
         rule: RuleId,
+        /// The site that a shared rule is told: one number for each site of the caller; empty if the rule is not shared.
+        sites: Vec<u32>,
         /// One a parameter.
         args: Vec<Expr>,
         /// The use, for go-to-definition.

@@ -181,7 +181,8 @@ impl<'g> Printer<'g> {
         self.params = &function.params;
         let recursive = if function.recursive { ", recursive" } else { "" };
         let head = format!("{}{}: {}", function.name, params(&function.params), function.ty.word());
-        let text = format!("function {head} = {}{recursive}", self.expr(&function.body));
+        let shared = if function.sites == 0 { String::new() } else { format!(", {} sites", function.sites) };
+        let text = format!("function {head} = {}{recursive}{shared}", self.expr(&function.body));
         self.line(&text);
         self.locals(&function.params, &function.locals);
     }
@@ -195,6 +196,10 @@ impl<'g> Printer<'g> {
         };
         let cycle = rule.cycle.map(|cycle| format!(", cycle {cycle}")).unwrap_or_default();
         self.line(&format!("rule {}{}{leaf}{cycle}", rule.name, params(&rule.params)));
+        if let [_, others @ ..] = &rule.sites[..] {
+            let names: Vec<&str> = others.iter().map(|site| site.name.as_str()).collect();
+            self.line(&format!("  also {}", names.join(", ")));
+        }
         if let Some(facts) = facts {
             self.rule_facts(facts);
         }
@@ -292,9 +297,9 @@ impl<'g> Printer<'g> {
 
     fn target(&self, target: &Target) -> String {
         match target {
-            Target::Rule { rule, args, .. } if args.is_empty() => self.grammar.rules[rule.0 as usize].name.clone(),
-            Target::Rule { rule, args, .. } => {
-                format!("{}{}", self.grammar.rules[rule.0 as usize].name, self.args(args))
+            Target::Rule { rule, sites, args, .. } => {
+                let args = if args.is_empty() { String::new() } else { self.args(args) };
+                format!("{}{}{args}", self.grammar.rules[rule.0 as usize].name, passed(sites))
             }
             Target::Leaf(name, _) => format!("leaf {name}"),
             Target::Nil => "nil".into(),
@@ -332,13 +337,16 @@ impl<'g> Printer<'g> {
             ExprKind::Attr(id) => self.grammar.attrs[id.0 as usize].name.clone(),
             ExprKind::Const(id) => self.grammar.consts[id.0 as usize].name.clone(),
             ExprKind::Host(id) => format!("#{}", id.0),
-            ExprKind::Call(id, args) => format!("{}{}", self.grammar.functions[id.0 as usize].name, self.args(args)),
+            ExprKind::Call(id, sites, args) => {
+                format!("{}{}{}", self.grammar.functions[id.0 as usize].name, passed(sites), self.args(args))
+            }
             ExprKind::Builtin(row, args) => format!("{}{}", row.run.now().unwrap_or(row.name), self.args(args)),
             ExprKind::Rust(path, args) => format!("{path}{}", self.args(args)),
             ExprKind::Shape(row) => row.name.to_owned(),
             ExprKind::Comp(comp) => self.comp_value(comp),
             ExprKind::Word(word) => (*word).to_owned(),
             ExprKind::Style(styles) => format!("style {styles:?}"),
+            ExprKind::Site(sites) => format!("site {sites:?}"),
             ExprKind::Later(what) => format!("later {what}"),
             ExprKind::Array(rows) => {
                 let row = |row: &Vec<Expr>| row.iter().map(|entry| self.expr(entry)).collect::<Vec<_>>().join(", ");
@@ -374,6 +382,11 @@ impl<'g> Printer<'g> {
             }
         }
     }
+}
+
+/// The site that a call passes to a shared rule or function.
+fn passed(sites: &[u32]) -> String {
+    if sites.is_empty() { String::new() } else { format!("@{sites:?}") }
 }
 
 fn value(known: &Value) -> String {

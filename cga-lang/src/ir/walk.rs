@@ -127,7 +127,7 @@ pub(crate) fn params_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut u32)) {
     });
 }
 
-fn parts_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut Expr)) {
+pub(crate) fn parts_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut Expr)) {
     visit(expr);
     for part in expr.parts_mut() {
         parts_mut(part, visit);
@@ -191,8 +191,9 @@ macro_rules! parts {
             | ExprKind::Shape(_)
             | ExprKind::Word(_)
             | ExprKind::Style(_)
+            | ExprKind::Site(_)
             | ExprKind::Later(_) => Vec::new(),
-            ExprKind::Call(_, args) | ExprKind::Builtin(_, args) | ExprKind::Rust(_, args) => args.$iter().collect(),
+            ExprKind::Call(_, _, args) | ExprKind::Builtin(_, args) | ExprKind::Rust(_, args) => args.$iter().collect(),
             ExprKind::Neg(a)
             | ExprKind::Not(a)
             | ExprKind::ToText(a)

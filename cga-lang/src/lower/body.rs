@@ -101,7 +101,9 @@ impl<'c> Lower<'c> {
 
     pub(super) fn successor(&mut self, name: &'c ast::Name, args: &'c [ast::Arg]) -> Option<Target> {
         match self.used(name)? {
-            Use::Rule(index) => Some(Target::Rule { rule: RuleId(index), args: self.values(args), span: name.span }),
+            Use::Rule(index) => {
+                Some(Target::Rule { rule: RuleId(index), sites: Vec::new(), args: self.values(args), span: name.span })
+            }
             Use::Leaf => Some(Target::Leaf(name.text.clone(), name.span)),
             _ => None,
         }
@@ -136,6 +138,7 @@ impl<'c> Lower<'c> {
             leaf: Childless::Always,
             cycle: None,
             source: String::new(),
+            sites: Vec::new(),
             span,
         });
         let mut body = self.steps(ops);
@@ -149,7 +152,7 @@ impl<'c> Lower<'c> {
         let args = captured.iter().zip(&params).map(pass).collect();
         self.out.rules[rule.0 as usize].params = params;
         self.finish(rule.0 as usize, body);
-        Target::Rule { rule, args, span }
+        Target::Rule { rule, sites: Vec::new(), args, span }
     }
 }
 

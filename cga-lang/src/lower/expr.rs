@@ -139,7 +139,7 @@ impl Lower<'_> {
             Some(Use::Attr(index)) => (ExprKind::Attr(AttrId(index)), self.type_of(&globals.attrs[index as usize])),
             Some(Use::Const(index)) => (ExprKind::Const(ConstId(index)), self.type_of(&globals.consts[index as usize])),
             Some(Use::Function(index)) => {
-                (ExprKind::Call(FunctionId(index), args), self.type_of(&globals.functions[index as usize]))
+                (ExprKind::Call(FunctionId(index), Vec::new(), args), self.type_of(&globals.functions[index as usize]))
             }
             Some(Use::Builtin(row)) if row.run == Run::Later => (ExprKind::Later(row.name.into()), row.ty),
             Some(Use::Builtin(row)) => Self::builtin(row, args),

@@ -26,7 +26,7 @@ pub(crate) fn fold(expr: &mut Expr, known: &Known) -> Option<Value> {
     let value = match &mut expr.kind {
         ExprKind::Value(value) => return Some(value.clone()),
         ExprKind::Const(id) => known.consts.get(id.0 as usize)?.clone()?,
-        ExprKind::Call(id, args) => {
+        ExprKind::Call(id, _, args) => {
             for arg in args.iter_mut() {
                 fold(arg, known);
             }
@@ -86,6 +86,7 @@ pub(crate) fn fold(expr: &mut Expr, known: &Known) -> Option<Value> {
         | ExprKind::Shape(_)
         | ExprKind::Word(_)
         | ExprKind::Style(_)
+        | ExprKind::Site(_)
         | ExprKind::Later(_) => return None,
     };
     expr.kind = ExprKind::Value(value.clone());

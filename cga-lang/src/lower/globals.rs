@@ -64,6 +64,7 @@ impl<'c> Lower<'c> {
             ty: body.ty,
             body,
             recursive,
+            sites: 0,
             span: item.decl.name.span,
         }
     }
@@ -78,7 +79,7 @@ impl<'c> Lower<'c> {
             let function = self.function(item, lazy);
             let (id, ty) = (FunctionId(self.out.functions.len() as u32), function.ty);
             self.push_function(function, self.style(item));
-            return Expr { kind: ExprKind::Call(id, Vec::new()), ty, span: item.decl.name.span };
+            return Expr { kind: ExprKind::Call(id, Vec::new(), Vec::new()), ty, span: item.decl.name.span };
         }
         self.inner.clear();
         self.own = item.value().map_or(item.own, |(_, own)| own);

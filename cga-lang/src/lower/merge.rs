@@ -7,13 +7,12 @@
 //! References are compared by name, so one pass finds all that differs. A block is a part of its rule: blocks of a name are one
 //! only if they are equal.
 
-use super::childless;
+use super::variant::{attr, constant, function, rule, variants};
 use crate::graph::{components, is_cycle};
 use crate::ir::{
-    Attr, AttrId, ChoiceValues, Const, ConstId, Expr, ExprKind, Function, FunctionId, Global, Grammar, Init, Param,
-    Renewal, RenewalId, Rule, RuleId, Step, Target, Type, Value, print, walk,
+    AttrId, ChoiceValues, ConstId, Expr, ExprKind, Function, FunctionId, Global, Grammar, Init, Param, Renewal,
+    RenewalId, RuleId, Step, Target, Type, print, walk,
 };
-use std::cmp::Reverse;
 use std::collections::HashMap;
 use std::hash::Hash;
 
@@ -33,12 +32,6 @@ struct Merged {
     functions: Vec<usize>,
     renewals: Vec<usize>,
     rules: Vec<usize>,
-}
-
-/// A definition that holds in some styles.
-struct Variant<T> {
-    styles: Vec<u32>,
-    own: T,
 }
 
 /// Merges the styles of a grammar. `init` has the attributes and constants of each style.
@@ -62,18 +55,24 @@ pub(super) fn merge(grammar: &mut Grammar, owners: &Owners, init: &[Vec<Global>]
     let text = |value: &Expr| print::expr(&named, value);
     let attrs = std::mem::take(&mut grammar.attrs);
     let attr_texts: Vec<String> = attrs.iter().map(|attr| text(&attr.default)).collect();
-    grammar.attrs = variants(attrs, &merged.attrs, &owners.attrs, &attr_texts).into_iter().map(attr).collect();
+    grammar.attrs = variants(attrs, &merged.attrs, &owners.attrs, &attr_texts)
+        .into_iter()
+        .map(|it| attr(it, ExprKind::Style))
+        .collect();
     let consts = std::mem::take(&mut grammar.consts);
     let const_texts: Vec<String> = consts.iter().map(|it| text(&it.value)).collect();
-    grammar.consts = variants(consts, &merged.consts, &owners.consts, &const_texts).into_iter().map(constant).collect();
+    grammar.consts = variants(consts, &merged.consts, &owners.consts, &const_texts)
+        .into_iter()
+        .map(|it| constant(it, ExprKind::Style))
+        .collect();
     let function_texts: Vec<String> = named.functions.iter().map(|it| print::function(&named, it)).collect();
     let functions = std::mem::take(&mut grammar.functions);
     let functions = variants(functions, &merged.functions, &owners.functions, &function_texts);
-    grammar.functions = functions.into_iter().map(function).collect();
+    grammar.functions = functions.into_iter().map(|it| function(it, ExprKind::Style)).collect();
     let mut owners = owners.rules.clone();
     owners.resize(grammar.rules.len(), 0);
     let rules = variants(std::mem::take(&mut grammar.rules), &merged.rules, &owners, &texts);
-    grammar.rules = rules.into_iter().map(rule).collect();
+    grammar.rules = rules.into_iter().map(|it| rule(it, ExprKind::Style)).collect();
     keep_first(&mut grammar.renewals, &merged.renewals);
 
     refer(grammar, &merged);
@@ -97,7 +96,7 @@ pub(super) fn numbers<T, K: Hash + Eq + Clone>(items: &[T], owners: &[u32], key:
 }
 
 /// Numbers keys in the order in which they come first.
-fn interned<K: Hash + Eq>(keys: impl Iterator<Item = K>) -> Vec<usize> {
+pub(super) fn interned<K: Hash + Eq>(keys: impl Iterator<Item = K>) -> Vec<usize> {
     let mut known = HashMap::new();
     keys.map(|key| {
         let next = known.len();
@@ -107,7 +106,7 @@ fn interned<K: Hash + Eq>(keys: impl Iterator<Item = K>) -> Vec<usize> {
 }
 
 /// The types of the parameters that are given.
-fn types(params: &[Param], locals: &[Expr]) -> Vec<Type> {
+pub(super) fn types(params: &[Param], locals: &[Expr]) -> Vec<Type> {
     params[..params.len() - locals.len()].iter().map(|param| param.ty).collect()
 }
 
@@ -140,135 +139,11 @@ fn blocks(named: &mut Grammar, declared: Vec<usize>) -> (Vec<usize>, Vec<String>
         blocks[at - first] = *known.entry((label, text)).or_insert(next);
         named.rules[at].name = format!("block {}", blocks[at - first]);
     }
-    for at in 0..first {
-        texts[at] = print::rule(named, &named.rules[at]);
+    for (text, rule) in texts.iter_mut().zip(&named.rules[..first]) {
+        *text = print::rule(named, rule);
     }
     let numbers = declared.into_iter().map(|rule| (false, rule)).chain(blocks.into_iter().map(|block| (true, block)));
     (interned(numbers), texts)
-}
-
-/// The definitions of each number: those with one text are one. The last one is that of most styles, and holds otherwise.
-fn variants<T>(items: Vec<T>, numbers: &[usize], owners: &[u32], texts: &[String]) -> Vec<Vec<Variant<T>>> {
-    let mut all: Vec<Vec<(&str, Variant<T>)>> = Vec::new();
-    for (((own, &number), &style), text) in items.into_iter().zip(numbers).zip(owners).zip(texts) {
-        if number == all.len() {
-            all.push(Vec::new());
-        }
-        let list = &mut all[number];
-        match list.iter_mut().find(|(known, _)| *known == text) {
-            Some((_, variant)) => variant.styles.push(style),
-            None => list.push((text, Variant { styles: vec![style], own })),
-        }
-    }
-    let sorted = all.into_iter().map(|list| {
-        let mut list: Vec<Variant<T>> = list.into_iter().map(|(_, variant)| variant).collect();
-        list.sort_by_key(|variant| (variant.styles.len(), Reverse(variant.styles[0])));
-        list
-    });
-    sorted.collect()
-}
-
-/// The definition of the first style, for all that does not depend on the style.
-fn first<T>(variants: &[Variant<T>]) -> &T {
-    let first = variants.iter().min_by_key(|variant| variant.styles[0]);
-    &first.expect("each number has a definition").own
-}
-
-fn attr(mut variants: Vec<Variant<Attr>>) -> Attr {
-    let own = first(&variants).clone();
-    let known = own.known.clone().filter(|_| variants.len() == 1);
-    let is_set = variants.iter().any(|variant| variant.own.is_set);
-    let values = variants.drain(..).map(|it| Variant { styles: it.styles, own: it.own.default });
-    Attr { default: chosen(values.collect()), known, is_set, ..own }
-}
-
-fn constant(mut variants: Vec<Variant<Const>>) -> Const {
-    let own = first(&variants).clone();
-    let known = own.known.clone().filter(|_| variants.len() == 1);
-    let is_set = variants.iter().any(|variant| variant.own.is_set);
-    let values = variants.drain(..).map(|it| Variant { styles: it.styles, own: it.own.value });
-    Const { value: chosen(values.collect()), known, is_set, ..own }
-}
-
-fn function(mut variants: Vec<Variant<Function>>) -> Function {
-    let own = first(&variants).clone();
-    let (params, locals) = locals(&mut variants, |it| (&it.params, &mut it.locals), |it, change| change(&mut it.body));
-    let values = variants.into_iter().map(|it| Variant { styles: it.styles, own: it.own.body });
-    Function { body: chosen(values.collect()), params, locals, ..own }
-}
-
-fn rule(mut variants: Vec<Variant<Rule>>) -> Rule {
-    if variants.len() == 1 {
-        return variants.remove(0).own;
-    }
-    let own = first(&variants).clone();
-    let each = |it: &mut Rule, change: &mut dyn FnMut(&mut Expr)| walk::exprs_mut(&mut it.body, change);
-    let (params, locals) = locals(&mut variants, |it| (&it.params, &mut it.locals), each);
-    let mut bodies: Vec<(Expr, Vec<Step>)> =
-        variants.into_iter().map(|it| (is_style(it.styles, own.span), it.own.body)).collect();
-    let otherwise = bodies.pop().map(|(_, body)| body).unwrap_or_default();
-    let body = vec![Step::Case { arms: bodies, otherwise }];
-    Rule { leaf: childless::of(&body), body, params, locals, ..own }
-}
-
-/// The value of the style in force.
-fn chosen(mut values: Vec<Variant<Expr>>) -> Expr {
-    let otherwise = values.pop().expect("each number has a definition").own;
-    if values.is_empty() {
-        return otherwise;
-    }
-    let (ty, span) = (otherwise.ty, otherwise.span);
-    let arms = values.into_iter().map(|it| (is_style(it.styles, span), it.own)).collect();
-    Expr { kind: ExprKind::Case(arms, Box::new(otherwise)), ty, span }
-}
-
-fn is_style(styles: Vec<u32>, span: crate::span::Span) -> Expr {
-    Expr { kind: ExprKind::Style(styles), ty: Type::Bool, span }
-}
-
-/// The parameters and locals of variants together. Each variant keeps its locals; those of other styles are not computed.
-fn locals<T>(
-    variants: &mut [Variant<T>],
-    parts: impl Fn(&mut T) -> (&Vec<Param>, &mut Vec<Expr>),
-    exprs: impl Fn(&mut T, &mut dyn FnMut(&mut Expr)),
-) -> (Vec<Param>, Vec<Expr>) {
-    if let [only] = variants {
-        let (params, locals) = parts(&mut only.own);
-        return (params.clone(), std::mem::take(locals));
-    }
-    let (mut all_params, mut all) = (Vec::new(), Vec::new());
-    for variant in variants {
-        let (params, locals) = parts(&mut variant.own);
-        let given = (params.len() - locals.len()) as u32;
-        if all_params.is_empty() {
-            all_params.extend_from_slice(&params[..given as usize]);
-        }
-        all_params.extend_from_slice(&params[given as usize..]);
-        let before = all.len() as u32;
-        let mut moved = |expr: &mut Expr| {
-            walk::params_mut(expr, &mut |index| *index += if *index < given { 0 } else { before });
-        };
-        let mut own = std::mem::take(locals);
-        own.iter_mut().for_each(&mut moved);
-        exprs(&mut variant.own, &mut moved);
-        all.extend(own.into_iter().map(|value| {
-            let (ty, span) = (value.ty, value.span);
-            let unused = Expr { kind: ExprKind::Value(unused(ty)), ty, span };
-            let arms = vec![(is_style(variant.styles.clone(), span), value)];
-            Expr { kind: ExprKind::Case(arms, Box::new(unused)), ty, span }
-        }));
-    }
-    (all_params, all)
-}
-
-/// A value that is never read.
-fn unused(ty: Type) -> Value {
-    match ty {
-        Type::Float => Value::Float(0.0),
-        Type::Bool => Value::Bool(false),
-        Type::Text => Value::Text(String::new()),
-        _ => Value::Array(vec![vec![unused(ty.element())]]),
-    }
 }
 
 fn keep_first<T>(items: &mut Vec<T>, numbers: &[usize]) {
@@ -288,7 +163,7 @@ fn refer(grammar: &mut Grammar, merged: &Merged) {
     walk::all_exprs_mut(grammar, &mut |expr| match &mut expr.kind {
         ExprKind::Attr(id) => attr(id),
         ExprKind::Const(id) => constant(id),
-        ExprKind::Call(id, _) => *id = FunctionId(merged.functions[id.0 as usize] as u32),
+        ExprKind::Call(id, ..) => *id = FunctionId(merged.functions[id.0 as usize] as u32),
         _ => {}
     });
     for own in &mut grammar.attrs {
@@ -344,7 +219,7 @@ fn order(grammar: &mut Grammar, merged: &Merged, init: &[Vec<Global>]) {
             walk::parts(value, &mut |part| match part.kind {
                 ExprKind::Attr(id) => list.push(id.0 as usize),
                 ExprKind::Const(id) => list.push(attrs + id.0 as usize),
-                ExprKind::Call(id, _) => list.push(attrs + consts + id.0 as usize),
+                ExprKind::Call(id, ..) => list.push(attrs + consts + id.0 as usize),
                 _ => {}
             });
         }

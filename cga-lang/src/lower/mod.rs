@@ -9,6 +9,8 @@ mod fold;
 mod globals;
 mod import;
 mod merge;
+mod share;
+mod variant;
 
 use crate::check::Checked;
 use crate::graph::{components, is_cycle};
@@ -50,8 +52,11 @@ pub(crate) fn lower(checked: &Checked) -> Grammar {
     lower.globals();
     lower.rules();
     lower.merge();
+    cycles(&mut lower.out);
+    if share::share(&mut lower.out) {
+        cycles(&mut lower.out);
+    }
     extent::solve_known(&mut lower.out);
-    lower.cycles();
     lower.out
 }
 
@@ -166,6 +171,7 @@ impl<'c> Lower<'c> {
                 leaf: Childless::Always,
                 cycle: None,
                 source: self.tokens.text(item.decl.span, LONGEST_SOURCE),
+                sites: Vec::new(),
                 span: item.decl.name.span,
             });
         }
@@ -210,18 +216,19 @@ impl<'c> Lower<'c> {
         self.out.rules[rule].leaf = childless::of(&body);
         self.out.rules[rule].body = body;
     }
+}
 
-    fn cycles(&mut self) {
-        let edges: Vec<Vec<usize>> =
-            self.out.rules.iter().map(|rule| called(&rule.body).iter().map(|id| id.0 as usize).collect()).collect();
-        let mut count = 0;
-        for component in components(&edges) {
-            if is_cycle(&component, &edges) {
-                for rule in component {
-                    self.out.rules[rule].cycle = Some(count);
-                }
-                count += 1;
+/// Numbers the cycles of rules.
+fn cycles(grammar: &mut Grammar) {
+    let edges: Vec<Vec<usize>> =
+        grammar.rules.iter().map(|rule| called(&rule.body).iter().map(|id| id.0 as usize).collect()).collect();
+    let mut count = 0;
+    for component in components(&edges) {
+        if is_cycle(&component, &edges) {
+            for rule in component {
+                grammar.rules[rule].cycle = Some(count);
             }
+            count += 1;
         }
     }
 }

@@ -84,7 +84,7 @@ fn called(function: &Function) -> Vec<usize> {
     let mut list = Vec::new();
     for value in function.locals.iter().chain([&function.body]) {
         walk::parts(value, &mut |expr| {
-            if let ExprKind::Call(id, _) = expr.kind {
+            if let ExprKind::Call(id, ..) = expr.kind {
                 list.push(id.0 as usize);
             }
         });

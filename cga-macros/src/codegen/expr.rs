@@ -9,7 +9,7 @@ use quote::{quote, quote_spanned};
 use super::access::{Access, asked};
 use super::public::captured;
 use super::types::{self, cloned, value};
-use super::{Generator, local};
+use super::{Generator, local, site};
 use crate::output::{HostType, conversion, convert};
 
 impl Generator<'_> {
@@ -59,10 +59,13 @@ impl Generator<'_> {
                 let ty = self.hosts[id.0 as usize];
                 convert(&quote_spanned!(place=> cga_rt), ty, &self.source.hosts()[host.handle as usize])
             }
-            ExprKind::Call(id, args) => {
+            ExprKind::Call(id, sites, args) => {
                 let name = self.names.function(*id, self.source.token(expr.span.first));
-                let (env, shape) = (&at.env, &at.shape);
-                self.with_args(args, at, |args| quote_spanned!(place=> CgaRules::#name(g, #env, #shape, #(#args),*)))
+                let (env, shape, site) = (&at.env, &at.shape, site::passed(sites));
+                let site = site.map(|site| quote_spanned!(place=> #site,));
+                let call =
+                    |args: &[TokenStream]| quote_spanned!(place=> CgaRules::#name(g, #env, #shape, #site #(#args),*));
+                self.with_args(args, at, call)
             }
             ExprKind::Builtin(function, args) => {
                 let name = Ident::new(function.run.now().unwrap_or(function.name), place);
@@ -91,7 +94,8 @@ impl Generator<'_> {
             }
             ExprKind::Comp(comp) => self.comp_value(comp, at),
             ExprKind::Word(word) => asked(word),
-            ExprKind::Style(styles) => is_style(styles, &quote_spanned!(place=> g.style)),
+            ExprKind::Style(styles) => is_one_of(styles, &quote_spanned!(place=> g.style)),
+            ExprKind::Site(sites) => is_one_of(sites, &quote_spanned!(place=> site)),
             ExprKind::Later(what) => {
                 let (later, env) = (types::later(expr.ty), &at.env);
                 quote_spanned!(place=> cga_rt::later::#later(#env, #what))
@@ -175,13 +179,10 @@ impl Generator<'_> {
                 quote_spanned!(place=> cga_rt::func::#convert(#inner))
             }
             ExprKind::Case(arms, otherwise) if are_styles(arms) => {
-                let arms = arms.iter().map(|(test, value)| {
-                    let ExprKind::Style(styles) = &test.kind else { return TokenStream::new() };
-                    let (styles, value) = (style_numbers(styles), self.expr(value, at));
-                    quote_spanned!(place=> #(#styles)|* => #value,)
-                });
-                let otherwise = self.expr(otherwise, at);
-                quote_spanned!(place=> (match g.style { #(#arms)* _ => #otherwise }))
+                self.by_number(&quote_spanned!(place=> g.style), arms, otherwise, at)
+            }
+            ExprKind::Case(arms, otherwise) if are_sites(arms) => {
+                self.by_number(&quote_spanned!(place=> site), arms, otherwise, at)
             }
             ExprKind::Case(arms, otherwise) => {
                 let conditions = arms.iter().map(|(condition, _)| self.expr(condition, at));
@@ -196,6 +197,18 @@ impl Generator<'_> {
                 quote_spanned!(place=> (#(if #draws { #values } else)* { #otherwise }))
             }
         }
+    }
+
+    /// The value of the style or of the site.
+    fn by_number(&self, number: &TokenStream, arms: &[(Expr, Expr)], otherwise: &Expr, at: &Access) -> TokenStream {
+        let place = Span::mixed_site();
+        let arms = arms.iter().map(|(test, value)| {
+            let (ExprKind::Style(list) | ExprKind::Site(list)) = &test.kind else { return TokenStream::new() };
+            let (list, value) = (numbers(list), self.expr(value, at));
+            quote_spanned!(place=> #(#list)|* => #value,)
+        });
+        let otherwise = self.expr(otherwise, at);
+        quote_spanned!(place=> (match #number { #(#arms)* _ => #otherwise }))
     }
 
     /// The name of an image, as text.
@@ -295,14 +308,19 @@ fn are_styles(arms: &[(Expr, Expr)]) -> bool {
     !arms.is_empty() && arms.iter().all(|(test, _)| matches!(test.kind, ExprKind::Style(_)))
 }
 
-fn style_numbers(styles: &[u32]) -> impl Iterator<Item = Literal> {
-    styles.iter().map(|number| Literal::u32_suffixed(*number))
+/// Returns true if a `case` chooses by site alone.
+fn are_sites(arms: &[(Expr, Expr)]) -> bool {
+    !arms.is_empty() && arms.iter().all(|(test, _)| matches!(test.kind, ExprKind::Site(_)))
 }
 
-/// Returns true in some styles.
-pub(super) fn is_style(styles: &[u32], style: &TokenStream) -> TokenStream {
-    let styles = style_numbers(styles);
-    quote_spanned!(Span::mixed_site()=> ::core::matches!(#style, #(#styles)|*))
+fn numbers(list: &[u32]) -> impl Iterator<Item = Literal> {
+    list.iter().map(|number| Literal::u32_suffixed(*number))
+}
+
+/// Returns true if a style or site is in a list.
+pub(super) fn is_one_of(list: &[u32], number: &TokenStream) -> TokenStream {
+    let list = numbers(list);
+    quote_spanned!(Span::mixed_site()=> ::core::matches!(#number, #(#list)|*))
 }
 
 /// The conditions of a stochastic block.

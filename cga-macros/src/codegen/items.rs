@@ -8,12 +8,12 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
 use super::access::Access;
-use super::expr::is_style;
+use super::expr::is_one_of;
 use super::fields::Field;
 use super::public::captured;
 use super::rule::given;
 use super::state::stream;
-use super::{Generator, fields, inner_type, local, table, types};
+use super::{Generator, fields, inner_type, local, site, table, types};
 use crate::header::Header;
 
 /// Attributes and constants of one run, and captured values.
@@ -57,7 +57,10 @@ pub(super) fn calls(cx: &Generator<'_>) -> TokenStream {
 fn waiting<'c>(cx: &'c Generator<'_>) -> impl Iterator<Item = (RuleId, Vec<TokenStream>)> + 'c {
     let rules = cx.grammar.rules.iter().enumerate().map(|(at, rule)| (RuleId(at as u32), rule));
     let rules = rules.filter(|(id, _)| cx.plan.may_wait(*id) || cx.templates.may_be_left_out(*id));
-    rules.map(|(id, rule)| (id, given(&rule.params, &rule.locals).map(|(_, ty)| ty).collect()))
+    rules.map(|(id, rule)| {
+        let site = site::param(rule.sites.len()).map(|(_, ty)| ty);
+        (id, site.into_iter().chain(given(&rule.params, &rule.locals).map(|(_, ty)| ty)).collect())
+    })
 }
 
 impl Generator<'_> {
@@ -105,7 +108,7 @@ pub(super) fn resume(cx: &Generator<'_>) -> TokenStream {
 pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     let (name, label) = (header.ident(), header.label());
     let place = Span::mixed_site();
-    let names = cx.grammar.rules.iter().map(|rule| &rule.name);
+    let names = site::names(cx.grammar);
     let leaves = cx.leaves.names();
     let is_settled = cx.is_settled_globally();
     let starts = &cx.grammar.starts;
@@ -252,7 +255,7 @@ fn initial_values(cx: &Generator<'_>, fields: &HashMap<&str, &Field<'_>>) -> Tok
         let values = inits.iter().map(|own| init(cx, fields, own.global));
         match &inits[0].styles {
             Some(styles) => {
-                let is_style = is_style(styles, &quote_spanned!(place=> style));
+                let is_style = is_one_of(styles, &quote_spanned!(place=> style));
                 quote_spanned!(place=> if #is_style { #(#values)* })
             }
             None => values.collect(),

@@ -18,6 +18,7 @@ mod names;
 mod operation;
 mod public;
 mod rule;
+mod site;
 mod split;
 mod stack;
 mod state;
@@ -26,7 +27,6 @@ mod templates;
 mod types;
 
 use std::cell::RefCell;
-use std::collections::HashMap;
 
 use cga_lang::ir::facts::Facts;
 use cga_lang::ir::{ExprKind, Grammar, HostId, RuleId, Type};
@@ -46,6 +46,8 @@ struct Generator<'a> {
     grammar: &'a Grammar,
     source: &'a Source,
     names: names::Names,
+    /// The numbers of rules for trails, by rule: that of its first site.
+    numbers: Vec<u32>,
     plan: stack::Plan,
     calls: calls::Calls,
     /// Whether `#` values were captured, as in the expression form.
@@ -57,8 +59,7 @@ struct Generator<'a> {
     facts: Facts,
     leaves: leaves::Leaves,
     templates: templates::Templates,
-    /// Changes of the material that are the same in the whole run, so far: by text, with their numbers.
-    paints: RefCell<HashMap<String, (usize, TokenStream)>>,
+    paints: RefCell<site::Paints>,
 }
 
 /// Writes a grammar.
@@ -72,6 +73,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         grammar,
         source,
         names,
+        numbers: site::numbers(grammar),
         plan,
         calls,
         captured: header.name.is_none(),

@@ -8,7 +8,7 @@ use quote::{quote, quote_spanned};
 
 use super::access::Access;
 use super::expr::draws;
-use super::{Generator, inner_type, local};
+use super::{Generator, inner_type, local, site};
 
 pub(super) fn rules(cx: &Generator<'_>) -> TokenStream {
     (0..cx.grammar.rules.len() as u32).map(|number| cx.rule_function(RuleId(number))).collect()
@@ -40,7 +40,8 @@ impl Generator<'_> {
         let place = Span::mixed_site();
         let rule = &self.grammar.rules[id.0 as usize];
         let name = self.rule(id, self.source.token(rule.span.first));
-        let (names, types): (Vec<_>, Vec<_>) = given(&rule.params, &rule.locals).unzip();
+        let site = site::param(rule.sites.len());
+        let (names, types): (Vec<_>, Vec<_>) = site.into_iter().chain(given(&rule.params, &rule.locals)).unzip();
         let locals = self.locals(&rule.params, &rule.locals, &Access::rule(), Generator::asked);
         let doc = (!rule.source.is_empty()).then(|| {
             let source = &rule.source;
@@ -48,7 +49,7 @@ impl Generator<'_> {
         });
         let base = base(&rule.body);
         let flag = (rule.leaf == Childless::Depends).then(|| quote_spanned!(place=> let mut childless = true;));
-        let label = self.leaves.number(&rule.label);
+        let label = self.leaves.implicit(rule);
         // A block was not counted as a shape, so its leaf is one more.
         let (leaf, any_leaf) = match is_block(rule) {
             true => (quote_spanned!(place=> symbol), quote_spanned!(place=> any_symbol)),
@@ -64,7 +65,7 @@ impl Generator<'_> {
             Childless::Never => Tail::default(),
         };
         let steps = self.steps(&rule.body, Body { id, rule }, 0, &tail);
-        let (enter, leave) = (enter(rule, id), leave(rule));
+        let (enter, leave) = (self.enter(rule, id), leave(rule));
         quote_spanned! { place=>
             #doc
             #[inline(never)]
@@ -89,7 +90,8 @@ impl Generator<'_> {
         let function: &Function = &self.grammar.functions[id.0 as usize];
         let name = self.names.function(id, self.source.token(function.span.first));
         let params = given(&function.params, &function.locals);
-        let (names, types): (Vec<_>, Vec<_>) = params.unzip();
+        let site = site::param(function.sites as usize);
+        let (names, types): (Vec<_>, Vec<_>) = site.into_iter().chain(params).unzip();
         let ty = inner_type(function.ty);
         let locals = self.locals(&function.params, &function.locals, &Access::function(), Generator::expr);
         let body = self.expr(&function.body, &Access::function());
@@ -116,6 +118,17 @@ impl Generator<'_> {
                 #body
             }
         }
+    }
+
+    /// Adds a rule to the trail; a block is a part of its rule.
+    fn enter(&self, rule: &Rule, id: RuleId) -> TokenStream {
+        if is_block(rule) {
+            return TokenStream::new();
+        }
+        let first = self.numbers[id.0 as usize];
+        let numbers: Vec<u32> = (first..first + rule.sites.len().max(1) as u32).collect();
+        let number = site::of_site(&numbers);
+        quote_spanned!(Span::mixed_site()=> cx.enter(#number)?;)
     }
 
     /// The values of locals: they are the last parameters.
@@ -202,10 +215,10 @@ impl Generator<'_> {
                         let shape = &cga_rt::slim::after(own, &changed);
                     })
                 }
-                Changes::Material => self.is_settled(step).then(|| self.paint(step)),
+                Changes::Material => self.is_settled(step).then(|| self.paint(step, self.change(step))),
             },
             Step::SetShape(attr, ..) if attr.set_changes == Changes::Material => {
-                self.is_settled(step).then(|| self.paint(step))
+                self.is_settled(step).then(|| self.paint(step, self.change(step)))
             }
             _ => None,
         }
@@ -218,39 +231,6 @@ impl Generator<'_> {
             walk::parts(expr, &mut |part| is_settled &= !matches!(part.kind, ExprKind::Param(_)));
             is_settled
         })
-    }
-
-    /// A step that changes the material in the same way in the whole run.
-    fn paint(&self, step: &Step) -> TokenStream {
-        let change = self.change(step);
-        let mut paints = self.paints.borrow_mut();
-        let next = paints.len();
-        // Equal steps are one.
-        let number = paints.entry(change.to_string()).or_insert((next, change)).0;
-        let (name, number) = (local("paint_", number), Literal::usize_unsuffixed(number));
-        quote_spanned! { Span::mixed_site()=>
-            let changed = cga_rt::slim::paint(cx.env, shape, #number, g, CgaValues::#name);
-            let changed = cga_rt::slim::instead(&changed);
-            let shape = changed.as_ref().unwrap_or(shape);
-        }
-    }
-
-    /// One function for each such change. The rules come first.
-    pub(super) fn paints(&self) -> TokenStream {
-        let place = Span::mixed_site();
-        let mut paints: Vec<(usize, TokenStream)> = self.paints.take().into_values().collect();
-        paints.sort_by_key(|(number, _)| *number);
-        let functions = paints.into_iter().map(|(number, change)| {
-            let name = local("paint_", number);
-            // The expressions of the step ask for `cx`.
-            quote_spanned! { place=>
-                fn #name(g: &CgaValues, env: &mut cga_rt::Env, shape: &mut cga_rt::Shape) {
-                    let cx = cga_rt::Painting { env };
-                    #change
-                }
-            }
-        });
-        functions.collect()
     }
 
     fn change(&self, step: &Step) -> TokenStream {
@@ -365,8 +345,8 @@ impl Generator<'_> {
                 quote_spanned!(place=> #copy cx.symbol(shape, #name)?;)
             }
             Target::Nil => TokenStream::new(),
-            Target::Rule { rule, args, span } => {
-                let call = self.call(from, *rule, args.len(), self.source.token(span.first));
+            Target::Rule { rule, sites, args, span } => {
+                let call = self.call(from, (*rule, sites), args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
                 let values = args.iter().map(|arg| self.asked(arg, &Access::rule()));
                 quote_spanned!(place=> {
@@ -382,10 +362,11 @@ impl Generator<'_> {
 
     /// Calls a rule on `part`, with arguments in `a0`, `a1`, …; of type `Flow`. Where the stack may grow long the call may wait, and
     /// while a template is made it may be left out.
-    pub(super) fn call(&self, from: RuleId, rule: RuleId, args: usize, span: Span) -> TokenStream {
+    pub(super) fn call(&self, from: RuleId, (rule, sites): (RuleId, &[u32]), args: usize, span: Span) -> TokenStream {
         let place = Span::mixed_site();
         let name = self.rule(rule, span);
-        let args: Vec<TokenStream> = (0..args).map(|number| local("a", number)).map(|name| quote!(#name)).collect();
+        let args = (0..args).map(|number| local("a", number)).map(|name| quote!(#name));
+        let args: Vec<TokenStream> = site::passed(sites).into_iter().chain(args).collect();
         let direct = quote_spanned!(place=> CgaRules::#name(g, cx, part, #(#args),*));
         let ask = self.plan.step(from, rule);
         let (levels, stack) = ask.map_or((0, 0), |ask| (ask.levels, ask.stack));
@@ -426,8 +407,8 @@ impl Generator<'_> {
                 let name = self.leaves.number(name);
                 quote_spanned!(place=> cx.symbol(part, #name))
             }
-            Target::Rule { rule, args, span } => {
-                let call = self.call(from, *rule, args.len(), self.source.token(span.first));
+            Target::Rule { rule, sites, args, span } => {
+                let call = self.call(from, (*rule, sites), args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
                 let values = args.iter().map(|arg| self.asked(arg, &Access::part()));
                 let hand_on = self.hand_on(*rule);
@@ -455,11 +436,6 @@ fn changes(step: &Step) -> bool {
 /// Returns true for a block of a split or comp: a part of the rule around it, not a rule that is called.
 pub(super) fn is_block(rule: &Rule) -> bool {
     rule.block
-}
-
-fn enter(rule: &Rule, id: RuleId) -> TokenStream {
-    let number = Literal::u32_suffixed(id.0);
-    if is_block(rule) { TokenStream::new() } else { quote_spanned!(Span::mixed_site()=> cx.enter(#number)?;) }
 }
 
 fn leave(rule: &Rule) -> TokenStream {

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
 use super::access::Access;
-use super::{Generator, local, templates};
+use super::{Generator, local, site, templates};
 
 /// A split with what its slots have in common.
 struct Slots<'s> {
@@ -201,10 +201,26 @@ impl Generator<'_> {
 
     /// Runs a rule on a part that repeats; of type `Flow`.
     fn repeat(&self, rule: RuleId, target: &Target, slots: &Slots<'_>, slot: usize) -> TokenStream {
-        let Target::Rule { span, .. } = target else { return TokenStream::new() };
+        let Target::Rule { sites, span, .. } = target else { return TokenStream::new() };
         let (place, name) = (Span::mixed_site(), self.rule(rule, self.source.token(span.first)));
-        let (number, hand_on) = (Literal::u32_unsuffixed(self.templates.place()), self.hand_on(rule));
-        let (axis, last) = (&slots.axis, local("last", slot));
+        let number = Literal::u32_unsuffixed(self.templates.places(sites.len().max(1) as u32));
+        let (hand_on, axis, last) = (self.hand_on(rule), &slots.axis, local("last", slot));
+        if let Some(passed) = site::passed(sites) {
+            // A template for each site of the caller.
+            let number =
+                if sites.len() == 1 { quote_spanned!(place=> #number) } else { quote_spanned!(place=> #number + site) };
+            return quote_spanned! { place=> {
+                #hand_on
+                cx.repeat(
+                    #number,
+                    &mut #last,
+                    &(g, #passed),
+                    (part, #axis),
+                    |(g, site), cx, part| CgaRules::#name(g, cx, part, *site),
+                    |(g, _), cx, part, call| CgaRules::cga_resume(g, cx, part, call),
+                )
+            } };
+        }
         quote_spanned! { place=> {
             #hand_on
             cx.repeat(#number, &mut #last, g, (part, #axis), CgaRules::#name, CgaRules::cga_resume)

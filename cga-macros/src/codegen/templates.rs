@@ -58,10 +58,10 @@ impl Templates {
         self.left_out.contains(&rule)
     }
 
-    /// The number of another place with a template.
-    pub(super) fn place(&self) -> u32 {
+    /// The first number of `count` more places with a template.
+    pub(super) fn places(&self, count: u32) -> u32 {
         let place = self.places.get();
-        self.places.set(place + 1);
+        self.places.set(place + count);
         place
     }
 }

@@ -163,6 +163,26 @@ fn styles_share_their_code() {
     assert!(ratio < 1.5, "{ratio}");
 }
 
+#[test]
+fn sites_of_an_import_share_their_code() {
+    // A site adds the attributes of the library and a choice where they are read, whatever the library has besides. Rule files
+    // must be in the package.
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = format!("target/sites-{}", std::process::id());
+    let tokens = |wings: usize| {
+        let folder = format!("{folder}/{wings}");
+        fs::create_dir_all(package.join(&folder)).expect("a folder");
+        for (name, text) in facade::imports(wings) {
+            fs::write(package.join(&folder).join(name), text).expect("a file");
+        }
+        let text = format!("grammar Building in \"{folder}/main.cga\";");
+        count(crate::expand(text.parse().expect("a path")))
+    };
+    let ratio = tokens(4) as f64 / tokens(0) as f64;
+    fs::remove_dir_all(package.join(&folder)).expect("a folder");
+    assert!(1.5 < ratio && ratio < 2.5, "{ratio}");
+}
+
 fn count(stream: TokenStream) -> usize {
     let tokens = stream.into_iter().map(|token| match token {
         proc_macro2::TokenTree::Group(group) => 2 + count(group.stream()),

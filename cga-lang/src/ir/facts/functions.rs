@@ -33,7 +33,7 @@ fn called(function: &Function) -> Vec<usize> {
     let mut list = Vec::new();
     for expr in exprs(function) {
         walk::parts(expr, &mut |part| {
-            if let ExprKind::Call(id, _) = &part.kind {
+            if let ExprKind::Call(id, ..) = &part.kind {
                 list.push(id.0 as usize);
             }
         });

@@ -1,0 +1,132 @@
+//! Definitions that several sites share: a file that is imported several times. Each gets the number of its site from its
+//! caller.
+
+use std::collections::HashMap;
+
+use cga_lang::ir::{ExprKind, Grammar, Step, walk};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::quote_spanned;
+
+use super::{Generator, local};
+
+/// Changes of the material that are the same in the whole run, or at a site.
+#[derive(Default)]
+pub(super) struct Paints {
+    /// By text and count of sites: the first number and the function.
+    known: HashMap<(String, usize), (u32, TokenStream)>,
+    /// The next number.
+    next: u32,
+}
+
+/// The first number of each rule for trails: one for each site.
+pub(super) fn numbers(grammar: &Grammar) -> Vec<u32> {
+    let mut next = 0;
+    let numbers = grammar.rules.iter().map(|rule| {
+        let first = next;
+        next += rule.sites.len().max(1) as u32;
+        first
+    });
+    numbers.collect()
+}
+
+/// The names of rules by number.
+pub(super) fn names(grammar: &Grammar) -> impl Iterator<Item = &String> {
+    grammar.rules.iter().flat_map(|rule| {
+        let own = rule.sites.is_empty().then_some(&rule.name);
+        own.into_iter().chain(rule.sites.iter().map(|site| &site.name))
+    })
+}
+
+/// The parameter of a definition with `count` sites, if it is shared.
+pub(super) fn param(count: usize) -> Option<(Ident, TokenStream)> {
+    let place = Span::mixed_site();
+    (0 < count).then(|| (Ident::new("site", place), quote_spanned!(place=> ::core::primitive::u32)))
+}
+
+/// The site that a call passes on, if the called definition is shared.
+pub(super) fn passed(sites: &[u32]) -> Option<TokenStream> {
+    (!sites.is_empty()).then(|| of_site(sites))
+}
+
+/// The number of the site.
+pub(super) fn of_site(numbers: &[u32]) -> TokenStream {
+    let place = Span::mixed_site();
+    let literal = |number: &u32| Literal::u32_suffixed(*number);
+    let first = numbers.first().copied().unwrap_or_default();
+    let value = literal(&first);
+    if numbers.iter().all(|number| *number == first) {
+        return quote_spanned!(place=> #value);
+    }
+    if numbers.iter().zip(first..).all(|(number, next)| *number == next) {
+        return if first == 0 { quote_spanned!(place=> site) } else { quote_spanned!(place=> #value + site) };
+    }
+    let values = numbers.iter().map(literal);
+    quote_spanned!(place=> [#(#values),*][site as ::core::primitive::usize])
+}
+
+/// The number of sites that a step depends on; 0 for none.
+fn sites(step: &Step) -> usize {
+    let mut count = 0;
+    for expr in walk::in_step(step) {
+        walk::parts(expr, &mut |part| {
+            if let ExprKind::Call(_, sites, _) = &part.kind
+                && sites.iter().any(|site| *site != sites[0])
+            {
+                count = sites.len();
+            }
+        });
+    }
+    count
+}
+
+impl Generator<'_> {
+    /// A step that changes the material in the same way in the whole run, or at a site; `change` is its code.
+    pub(super) fn paint(&self, step: &Step, change: TokenStream) -> TokenStream {
+        let (place, count) = (Span::mixed_site(), sites(step));
+        let paints = &mut *self.paints.borrow_mut();
+        let next = paints.next;
+        // Equal steps are one.
+        let number = paints.known.entry((change.to_string(), count)).or_insert((next, change)).0;
+        if number == next {
+            paints.next += count.max(1) as u32;
+        }
+        let (name, number) = (local("paint_", number as usize), Literal::u32_unsuffixed(number));
+        let (number, values) = match count {
+            0 => (quote_spanned!(place=> #number), quote_spanned!(place=> g)),
+            _ => (quote_spanned!(place=> #number + site), quote_spanned!(place=> &(g, site))),
+        };
+        quote_spanned! { place=>
+            let changed = cga_rt::slim::paint(cx.env, shape, #number, #values, CgaValues::#name);
+            let changed = cga_rt::slim::instead(&changed);
+            let shape = changed.as_ref().unwrap_or(shape);
+        }
+    }
+
+    /// One function for each such change. The rules come first.
+    pub(super) fn paints(&self) -> TokenStream {
+        let place = Span::mixed_site();
+        let mut paints: Vec<(usize, u32, TokenStream)> = self
+            .paints
+            .take()
+            .known
+            .into_iter()
+            .map(|((_, count), (number, change))| (count, number, change))
+            .collect();
+        paints.sort_by_key(|(_, number, _)| *number);
+        let functions = paints.into_iter().map(|(count, number, change)| {
+            let name = local("paint_", number as usize);
+            let values = match count {
+                0 => quote_spanned!(place=> g: &CgaValues),
+                _ => quote_spanned!(place=> &(g, site): &(&CgaValues, ::core::primitive::u32)),
+            };
+            // The expressions of the step ask for `cx`.
+            quote_spanned! { place=>
+                fn #name(#values, env: &mut cga_rt::Env, shape: &mut cga_rt::Shape) {
+                    let cx = cga_rt::Painting { env };
+                    #change
+                }
+            }
+        });
+        functions.collect()
+    }
+}
