@@ -39,8 +39,8 @@ pub(crate) struct Outcome<'a> {
 }
 
 /// Runs every pass. `levels` are those of the grammar as a whole; annotations in the tree come on top.
-/// What follows from sizes and calls is looked for when `program` is as it will be: `last` says that no more declarations
-/// are instantiated, and without misfits none are.
+/// Diagnostics of sizes and calls need the final program: with `last`, or without a type mismatch, no more declarations are
+/// instantiated.
 pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bool, diags: &mut Diags) -> Outcome<'a> {
     let mut cx = Context { globals: Globals::new(program), tables: Tables::default(), at: 0, diags };
     let levels = levels::collect(&mut cx, levels);

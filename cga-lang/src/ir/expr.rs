@@ -28,7 +28,7 @@ pub enum ExprKind {
     Const(ConstId),
     /// `#name` or `#(…)`.
     Host(HostId),
-    /// A function of the grammar. A shared one is told its site: one number for each site of the caller.
+    /// A function of the grammar. A shared one has a site: one number for each site of the caller.
     Call(FunctionId, Vec<u32>, Vec<Expr>),
     /// A function of the language.
     Builtin(&'static ops::Function, Vec<Expr>),

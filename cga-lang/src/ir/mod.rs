@@ -197,7 +197,7 @@ pub struct Rule {
     pub span: Span,
 }
 
-/// A site of a shared rule. A file that is imported several times is one definition, which is told its site.
+/// A site of a shared rule. A file that is imported several times is one definition with the site as a parameter.
 #[derive(Clone, Debug)]
 pub struct RuleSite {
     /// The name of the rule there.
@@ -285,7 +285,7 @@ pub enum Target {
     Rule {
         /// The rule.
         rule: RuleId,
-        /// The site that a shared rule is told: one number for each site of the caller; empty if the rule is not shared.
+        /// The site of a shared rule: one number for each site of the caller; empty if the rule is not shared.
         sites: Vec<u32>,
         /// One a parameter.
         args: Vec<Expr>,

@@ -1,8 +1,8 @@
 //! One definition for all sites of a file that is imported several times.
 //!
-//! Each instance of a file is lowered on its own. The functions and rules of one declaration then become one, which is told its
-//! site by its caller. Attributes and constants stay apart, as each site has values of its own. A function without parameters
-//! reads the one of the site.
+//! Each instance of a file is lowered on its own. The functions and rules of one declaration then become one, with the
+//! site as a parameter. Attributes and constants stay separate, as each site has values of its own; a function without parameters
+//! reads the value of the site.
 //!
 //! References in equal bodies come in the same order, so they are compared by position. Bodies that differ are a `case` on the
 //! site. Definitions with different facts are not shared: code generation must not lose what it knows of one of them.

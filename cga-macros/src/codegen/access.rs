@@ -35,7 +35,7 @@ impl Access {
         Access { env: quote_spanned!(place=> env), shape: quote_spanned!(place=> part) }
     }
 
-    /// In a selector of `comp`, on the component that is asked about.
+    /// In a selector of `comp`, on the candidate component.
     pub(super) fn candidate() -> Self {
         let place = Span::mixed_site();
         Access { env: quote_spanned!(place=> env), shape: quote_spanned!(place=> candidate.shape()) }
@@ -49,7 +49,7 @@ impl Access {
 }
 
 impl Access {
-    /// What a function of the runtime gets before its arguments.
+    /// The first arguments of a function of the runtime.
     pub(super) fn needs(&self, needs: Needs) -> TokenStream {
         let (place, env, shape) = (Span::mixed_site(), &self.env, &self.shape);
         match needs {

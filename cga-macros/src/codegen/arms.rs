@@ -1,4 +1,4 @@
-//! Arms: a table, a closure for what is asked about parts, and a `match` over the arms.
+//! Arms: a table, a closure for the conditions on parts, and a `match` over the arms.
 
 use cga_lang::ir::{Arm, ArmMode, Block, Comp, Expr, RuleId, Selector, Target};
 use cga_lang::ops::{Braces, variant};
@@ -93,7 +93,7 @@ impl Generator<'_> {
         quote_spanned!(place=> [#(#table),*])
     }
 
-    /// What answers the conditions.
+    /// The closure that evaluates the conditions.
     fn when<T>(&self, arms: &[Arm<T>]) -> TokenStream {
         let place = Span::mixed_site();
         let conditions = arms.iter().enumerate().filter_map(|(number, arm)| match &arm.selector {

@@ -1,14 +1,14 @@
 //! Which functions ask before they run, and for how much.
 //!
 //! Functions call each other directly, while an expression is evaluated, and nothing of that can wait: where they ask and
-//! there is no room left, the run ends with an error. Those that ask:
+//! the stack is used up, the run ends with an error. These functions ask:
 //!
 //! - a function that can reach itself, for its own share;
 //! - one on a chain that may have grown by [`UNASKED`] since the last question, for all of that;
 //! - one that makes very many calls without any recursion (`f(n) = g(n) + g(n)`, and `g` the same, and so on): they are
 //!   counted.
 //!
-//! Invariant: when a function runs, the stack in use by functions is at most what was asked for plus its *reach*, the
+//! Invariant: when a function runs, functions use at most the requested stack plus its *reach*, the
 //! longest way to it from the last question.
 
 use cga_lang::graph::components;
@@ -28,7 +28,7 @@ const COMPONENTS: u64 = 100;
 
 /// The functions that ask.
 pub(super) struct Calls {
-    /// For how many bytes each asks, if it does.
+    /// By function: the bytes of stack that it requests, if it does.
     asks: Vec<Option<u32>>,
 }
 
@@ -38,7 +38,7 @@ impl Calls {
         let calls: Vec<Vec<usize>> = functions.iter().map(called).collect();
         let groups = components(&calls);
         let mut asks = vec![None; functions.len()];
-        // The calls that come of one; what is asked for counts as one itself. Every group before all that call it.
+        // By function: the calls that follow from one call. A counted function is one call. Groups come before their callers.
         let mut made: Vec<u64> = vec![1; functions.len()];
         for group in &groups {
             for &at in group.iter().filter(|&&at| !functions[at].recursive) {
@@ -73,7 +73,7 @@ impl Calls {
         Calls { asks }
     }
 
-    /// How many bytes of the stack for functions one asks for before it runs, if it asks.
+    /// The bytes of stack that a function requests before it runs, if it does.
     pub(super) fn stack(&self, function: FunctionId) -> Option<u32> {
         self.asks[function.0 as usize]
     }
@@ -92,7 +92,7 @@ fn called(function: &Function) -> Vec<usize> {
     list
 }
 
-/// Whether it has values for components.
+/// Returns true if it has values for components.
 fn divides(function: &Function) -> bool {
     let mut found = false;
     for value in function.locals.iter().chain([&function.body]) {

@@ -71,7 +71,7 @@ impl Generator<'_> {
                 let name = Ident::new(function.run.now().unwrap_or(function.name), place);
                 let needs = at.needs(function.needs);
                 let call = |args: &[TokenStream]| {
-                    // Words stand in the call itself.
+                    // Words are part of the call.
                     let mut values = args.iter();
                     let args = function.params.iter().zip(words(function, expr)).map(|(param, word)| match word {
                         Some(word) => word_variant(&param.kind, word, &quote_spanned!(place=> func::)),
@@ -140,7 +140,7 @@ impl Generator<'_> {
                 quote_spanned!(place=> (!(#inner)))
             }
             ExprKind::Binary(operator @ (Binary::Lt | Binary::Le), left, right) if left.ty == Type::Float => {
-                // What is no number is less than anything; see `func::compare`.
+                // NaN is less than anything; see `func::compare`.
                 let (left, right) = (self.expr(left, at), self.expr(right, at));
                 let opposite = operator_of(if *operator == Binary::Lt { Binary::Ge } else { Binary::Gt });
                 quote_spanned!(place=> (!(#left #opposite #right)))
@@ -257,7 +257,7 @@ impl Generator<'_> {
         quote_spanned!(place=> { #(let #names = #values;)* #call })
     }
 
-    /// Whether an argument needs neither the shape nor the run.
+    /// Returns true if an argument needs neither the shape nor the run.
     fn is_plain(&self, expr: &Expr) -> bool {
         match &expr.kind {
             ExprKind::Value(_) | ExprKind::Param(_) => true,
@@ -269,13 +269,13 @@ impl Generator<'_> {
         }
     }
 
-    /// Where all of a call of Rust stands, so that a wrong signature is shown there: the last name of the path.
+    /// The span of a call of Rust, where rustc shows a wrong signature: the last name of the path.
     pub(super) fn at_path(&self, span: cga_lang::span::Span) -> Span {
         let path = cga_lang::span::Span::one(span.first);
         Span::mixed_site().located_at(self.source.span(path).1)
     }
 
-    /// The same for a function of the user: text arrives as `&str`, and each argument stands where it was written.
+    /// The arguments of a Rust function of the user: text arrives as `&str`, and each argument keeps its span.
     pub(super) fn with_rust_args(
         &self,
         args: &[Expr],

@@ -42,7 +42,7 @@ pub(super) fn by_name<'f, 'g>(fields: &'f [Field<'g>]) -> HashMap<&'g str, &'f F
 }
 
 impl Field<'_> {
-    /// The value of a field that is no `Option`, as the rules need it.
+    /// The value of a field without `Option`, converted for the rules.
     pub(super) fn plain(&self) -> TokenStream {
         let (place, name) = (Span::mixed_site(), &self.name);
         match self.attr.ty {

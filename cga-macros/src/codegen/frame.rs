@@ -24,7 +24,7 @@ pub(super) fn rule(rule: &Rule) -> u32 {
             Step::Later(..) | Step::Case { .. } | Step::Chance { .. } => 100,
         }
     });
-    // What is computed on the way has its place too.
+    // Intermediate values have stack slots too.
     walk::in_rule(rule, &mut |expr| bytes += own(expr));
     u32::try_from(bytes.div_ceil(1024)).unwrap_or(u32::MAX)
 }
@@ -63,7 +63,7 @@ fn own(expr: &Expr) -> usize {
         + match &expr.kind {
             // Each entry becomes a `Part` before it gets into the slice.
             ExprKind::Array(rows) => rows.iter().map(|row| 16 + 64 * row.len()).sum::<usize>() + 32,
-            // The elements stand side by side; texts once more where they are made.
+            // The elements are adjacent; texts have a second slot each.
             ExprKind::Value(Value::Array(rows)) => {
                 let element = if expr.ty == Type::Texts { 48 } else { 8 };
                 rows.iter().map(|row| element * row.len()).sum()

@@ -1,4 +1,4 @@
-//! The items behind the public struct: evaluated attributes, calls that may wait, and the trait implementations.
+//! The items besides the public struct: evaluated attributes, calls that may wait, and the trait implementations.
 
 use std::collections::HashMap;
 
@@ -26,7 +26,7 @@ pub(super) fn values(cx: &Generator<'_>) -> TokenStream {
     let attrs = cx.grammar.attrs.iter().enumerate().map(|(at, it)| (local("attr_", at), field(it.lazy, it.ty)));
     let consts = cx.grammar.consts.iter().enumerate().map(|(at, it)| (local("const_", at), field(it.lazy, it.ty)));
     let origin = cx.has_lazy().then(|| (Ident::new("origin", place), quote_spanned!(place=> cga_rt::Origin)));
-    // Imports that start anew open a cycle on a copy.
+    // Renewals of imports open a cycle on a copy.
     let copied = cx.renews_lazy().then(|| quote_spanned!(place=> #[derive(::core::clone::Clone)]));
     let style =
         cx.asks_for_style().then(|| (Ident::new("style", place), quote_spanned!(place=> ::core::primitive::u32)));

@@ -11,7 +11,7 @@ use super::state::stream;
 use super::{Generator, frame, inner_type, local};
 
 impl Generator<'_> {
-    /// Whether it is computed when it is first read.
+    /// Returns true if it is computed on its first read.
     pub(super) fn is_lazy(&self, global: Global) -> bool {
         match global {
             Global::Attr(id) => self.grammar.attrs[id.0 as usize].lazy,
@@ -28,7 +28,7 @@ impl Generator<'_> {
         self.lazy().next().is_some()
     }
 
-    /// Whether an import that starts anew has some.
+    /// Returns true if a renewal has lazy values.
     pub(super) fn renews_lazy(&self) -> bool {
         self.grammar.renewals.iter().flat_map(|renewal| &renewal.globals).any(|global| self.is_lazy(*global))
     }
@@ -83,7 +83,7 @@ impl Generator<'_> {
         quote_spanned!(Span::mixed_site()=> CgaValues::#name(#g, #env))
     }
 
-    /// What is known of one before any is computed: the value that the host program gave. Nothing for the others.
+    /// The value before any is computed: the one that the host program gave, else none.
     pub(super) fn lazy_given(&self, global: Global, field: Option<&Field<'_>>) -> Option<TokenStream> {
         let (place, name) = (Span::mixed_site(), self.global_name(global));
         let field = field?;

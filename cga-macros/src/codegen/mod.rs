@@ -41,7 +41,7 @@ pub(crate) use names::Taken;
 pub(crate) use names::is_plain;
 pub(crate) use public::{Public, PublicAttr, public};
 
-/// What every part of the generator looks things up in.
+/// The tables that all parts of the generator use.
 struct Generator<'a> {
     grammar: &'a Grammar,
     source: &'a Source,
@@ -50,11 +50,11 @@ struct Generator<'a> {
     numbers: Vec<u32>,
     plan: stack::Plan,
     calls: calls::Calls,
-    /// Whether `#` values were captured, as in the expression form.
+    /// True if `#` values are captured, as in the expression form.
     captured: bool,
-    /// What each `#` value must be.
+    /// The required type of each `#` value.
     hosts: Vec<HostType>,
-    /// Attributes of imports that start anew, by name.
+    /// The attributes of renewals, by name.
     renewed: Vec<String>,
     facts: Facts,
     leaves: leaves::Leaves,
@@ -121,7 +121,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
     Output { code: public::public(&public, header), captures }
 }
 
-/// What a `#` value must be: the type that the rules give it, or anything where it is only made into text.
+/// The required type of a `#` value: the type that the rules infer, or any type if it is only converted to text.
 fn host_types(grammar: &Grammar) -> Vec<HostType> {
     let mut types: Vec<HostType> = grammar.hosts.iter().map(|host| HostType::Is(host.ty)).collect();
     cga_lang::ir::walk::exprs(grammar, &mut |expr| {

@@ -82,7 +82,7 @@ pub(super) fn ident(name: &str, place: Span) -> Ident {
     }
 }
 
-/// Whether Rust takes a name as it is, in any edition.
+/// Returns true if a name is a plain identifier in every edition of Rust.
 pub(crate) fn is_plain(name: &str) -> bool {
     !NEVER.contains(&name) && !RESERVED.contains(&name) && syn::parse_str::<Ident>(name).is_ok()
 }

@@ -12,7 +12,7 @@ use crate::header::Header;
 use crate::output::{HostType, capture};
 use crate::source::Source;
 
-/// What the user's code sees of a grammar. Without `hidden` it is a skeleton that cannot run: there are errors.
+/// The public part of a grammar. Without `hidden` it is a skeleton that cannot run, for rules with errors.
 pub(crate) struct Public {
     pub(crate) attrs: Vec<PublicAttr>,
     /// Types of captured `#` values, in the order of the rules.
@@ -167,7 +167,7 @@ pub(super) fn captured(number: usize) -> Ident {
     local("captured_", number)
 }
 
-/// What rustc's lint accepts.
+/// A name that rustc's lint accepts.
 fn is_snake_case(name: &str) -> bool {
     !name.trim_matches('_').contains("__") && !name.contains(char::is_uppercase)
 }

@@ -19,7 +19,7 @@ pub(super) fn functions(cx: &Generator<'_>) -> TokenStream {
     numbers.map(|number| cx.function(cga_lang::ir::FunctionId(number))).collect()
 }
 
-/// What the steps of a rule need to know of where they stand.
+/// The rule that contains the steps.
 #[derive(Clone, Copy)]
 struct Body<'a> {
     id: RuleId,
@@ -398,7 +398,7 @@ impl Generator<'_> {
         is_called.then(|| quote_spanned!(Span::mixed_site()=> cga_rt::hand_on(part);))
     }
 
-    /// What a part of a split or comp becomes; of type `Flow`.
+    /// The successor of a part of a split or comp; of type `Flow`.
     pub(super) fn part(&self, target: &Target, from: RuleId) -> TokenStream {
         let place = Span::mixed_site();
         match target {

@@ -45,7 +45,7 @@ impl Names {
     }
 }
 
-/// Where the next item of a pattern is: so many slots and groups come before it.
+/// The position of the next item of a pattern: the numbers of slots and groups before it.
 #[derive(Clone, Copy, Default)]
 struct At {
     slot: usize,

@@ -1,13 +1,13 @@
-//! Which calls of rules ask whether the stack suffices, and for how much of it.
+//! The calls of rules that request stack, and how much.
 //!
-//! Rules call each other directly. Where that could go on and on, calls ask the runtime whether the stack suffices, and
-//! wait on its list if not:
+//! Rules call each other directly. A call that could nest too deep requests stack from the runtime first, and waits on a list if the
+//! stack is used up:
 //!
-//! - a call inside a cycle of rules always asks, for the callee's own share;
-//! - a chain of rules without a cycle asks as soon as it may have grown by [`UNASKED`] since the last question.
+//! - a call inside a cycle of rules always requests the callee's own share;
+//! - a chain of rules without a cycle requests stack once it may have grown by [`UNASKED`] since the last request.
 //!
-//! Short chains, and so nearly all rules, are direct calls and nothing else. Invariant: when a rule runs, the stack in
-//! use is at most what was asked for plus the rule's *reach*, the longest way to it from the last question.
+//! Short chains, and so nearly all rules, are plain calls. Invariant: when a rule runs, the stack in
+//! use is at most the requested stack plus the rule's *reach*, the longest way to it from the last request.
 
 use std::collections::HashMap;
 
@@ -26,7 +26,7 @@ const UNASKED: u32 = 256;
 pub(super) struct Ask {
     /// 1 for a call inside a cycle: it counts for the limit of depth.
     pub(super) levels: u32,
-    /// What it takes of the runtime's `STACK`.
+    /// The share of the runtime's `STACK` that it takes.
     pub(super) stack: u32,
 }
 
@@ -79,7 +79,7 @@ impl Plan {
         self.asks.get(&(from, to)).copied()
     }
 
-    /// Whether some call of the rule may have to wait.
+    /// Returns true if a call of the rule may have to wait.
     pub(super) fn may_wait(&self, rule: RuleId) -> bool {
         self.may_wait[rule.0 as usize]
     }

@@ -1,4 +1,4 @@
-//! Attributes and constants that shapes hold: those that some rule sets, and those of imports that start anew.
+//! Attributes and constants that shapes hold: those that some rule sets, and those of renewals of imports.
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
@@ -11,11 +11,11 @@ use super::fields::Field;
 use super::types::{self, cloned};
 use super::{Generator, inner_type, local};
 
-/// Attributes and constants that one function starts anew.
+/// The largest number of attributes and constants that one function computes again.
 const PIECE: usize = 32;
 
 impl Generator<'_> {
-    /// The value of an attribute or constant of the run. Where it may be set the shape is asked first.
+    /// The value of an attribute or constant of the run. If rules may set it, the shape's own value comes first.
     pub(super) fn global(&self, global: Global, ty: Type, is_set: bool, at: &Access) -> TokenStream {
         let (place, name) = (Span::mixed_site(), self.global_name(global));
         let (lazy, g) = (self.is_lazy(global), quote_spanned!(place=> g));
@@ -36,13 +36,13 @@ impl Generator<'_> {
         }
     }
 
-    /// Gives the current shape a value of its own, which stands in `value`.
+    /// Gives the current shape a value of its own, from the local `value`.
     pub(super) fn set(&self, global: Global, ty: Type, value: &Ident) -> TokenStream {
         let (number, kind) = (self.number(global), types::variant(ty));
         quote_spanned!(Span::mixed_site()=> cga_rt::set::attribute(shape, #number, cga_rt::Value::#kind(#value));)
     }
 
-    /// Under which number a shape holds it: constants come behind the attributes.
+    /// The number of the value in a shape: constants come after the attributes.
     fn number(&self, global: Global) -> Literal {
         Literal::u32_suffixed(self.plain_number(global))
     }
@@ -54,7 +54,7 @@ impl Generator<'_> {
         }
     }
 
-    /// The given values, and the copy on which everything starts anew.
+    /// The given values, and the copy on which all others are computed again.
     pub(super) fn anew(&self, anew: &Anew, number: &Literal) -> (TokenStream, TokenStream) {
         let (place, at) = (Span::mixed_site(), Access::rule());
         let names: Vec<Ident> = (0..anew.given.len()).map(|number| local("given_", number)).collect();
@@ -80,7 +80,7 @@ impl Generator<'_> {
         )
     }
 
-    /// One function for each import that starts anew: it sets everything but what is given, on the copy.
+    /// One function for each renewal: it sets all values except the given ones, on the copy.
     pub(super) fn renewals(&self) -> TokenStream {
         let place = Span::mixed_site();
         self.grammar
@@ -128,7 +128,7 @@ impl Generator<'_> {
             .collect()
     }
 
-    /// Sets one attribute or constant anew. The numbers in `given` are sorted; constants cannot be given.
+    /// Computes one attribute or constant again. The numbers in `given` are sorted; constants cannot be given.
     fn renewed_global(&self, global: Global) -> TokenStream {
         let place = Span::mixed_site();
         let (computed, is_given) = match global {
@@ -147,7 +147,7 @@ impl Generator<'_> {
         }
     }
 
-    /// Sets lazy attributes and constants anew: they are computed on a copy of the run's values in which they are open.
+    /// Computes lazy attributes and constants again, on a copy of the run's values in which they are open.
     fn renewed_lazy(&self, globals: &[Global]) -> TokenStream {
         let place = Span::mixed_site();
         let mut numbers: Vec<u32> = globals.iter().map(|global| self.plain_number(*global)).collect();
@@ -187,7 +187,7 @@ impl Generator<'_> {
         }
     }
 
-    /// What an attribute or constant is when it starts anew: what the host program gave, else it is computed, with random
+    /// The renewed value of an attribute or constant: the one from the host program, else it is computed, with random
     /// numbers of its own.
     fn started_anew(&self, global: Global, computed: &Expr) -> TokenStream {
         let place = Span::mixed_site();
@@ -220,7 +220,7 @@ impl Generator<'_> {
         }
     }
 
-    /// What the host program gave those attributes that start anew somewhere: names and types of values of the run.
+    /// The values that the host program gave to attributes of renewals: names and types of values of the run.
     pub(super) fn held_fields(&self) -> Vec<(Ident, TokenStream)> {
         let types: HashMap<&String, Type> = self.grammar.attrs.iter().map(|attr| (&attr.name, attr.ty)).collect();
         let held = self.renewed.iter().enumerate().filter_map(|(number, name)| Some((number, *types.get(name)?)));
@@ -249,7 +249,7 @@ impl Generator<'_> {
     }
 }
 
-/// The names of attributes that start anew somewhere and have a field.
+/// The names of attributes of renewals that have a field.
 pub(super) fn renewed(grammar: &Grammar) -> Vec<String> {
     let globals = grammar.renewals.iter().flat_map(|renewal| &renewal.globals);
     let names: BTreeSet<&String> = globals

@@ -7,7 +7,7 @@ use quote::quote_spanned;
 use super::fields::Field;
 use super::types::{self, value};
 
-/// Whether a run has to check what the field holds.
+/// Returns true if a run has to check the value of the field.
 pub(super) fn is_restricted(field: &Field<'_>) -> bool {
     let choices = field.attr.choices.as_ref();
     field.attr.range.is_some_and(|range| range.restricted) || choices.is_some_and(|choices| choices.restricted)

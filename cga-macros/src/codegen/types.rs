@@ -1,4 +1,4 @@
-//! What the types of the language are in Rust: everything that differs from type to type.
+//! The Rust types of the language's types, and everything else that differs from type to type.
 
 use cga_lang::ir::{Type, Value};
 use proc_macro2::{Ident, Literal, Span, TokenStream};

@@ -41,7 +41,7 @@ impl Printer<'_> {
         self.depth -= 1;
     }
 
-    /// On one line, as it stands in an expression.
+    /// A comp as a value, on one line.
     pub(super) fn comp_value(&self, comp: &Comp) -> String {
         let arms: Vec<String> = comp.arms.iter().map(|arm| self.arm(arm, &self.expr(&arm.then))).collect();
         format!("{} {{ {} }}", self.head(comp.row, &comp.args), arms.join(" | "))
