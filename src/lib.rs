@@ -167,7 +167,7 @@ pub mod parallel {
 /// for part in Network::new(&lines, &NetworkOptions::default())?.parts() {
 ///     let _ = Streets::default().generate_from(part.start_rule(), &part.shape())?.replay(&mut model as &mut dyn Sink);
 /// }
-/// Four streets and the crossing; four times two sidewalks, and four corners.
+/// // Four streets and the crossing; four times two sidewalks, and four corners.
 /// assert_eq!((model.count("Roadway"), model.count("Pavement")), (5, 12));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

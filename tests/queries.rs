@@ -15,7 +15,7 @@ fn lot() -> Shape {
 }
 
 #[test]
-fn fact_75_a_report_counts_and_sums() {
+fn a_report_counts_and_sums() {
     let rules = cga! {
         attr h = 1
         Lot --> extrude(h) report("myHeight", scope.sy) report("kind", "house") report("tall", scope.sy > 5) X.
@@ -30,7 +30,7 @@ fn fact_75_a_report_counts_and_sums() {
 }
 
 #[test]
-fn fact_76_values_print_as_they_are() {
+fn values_print_as_they_are() {
     let rules = cga! {
         const a = floatArray(splitString("0,1,2", ","))
         const b = boolArray(splitString("f,f,t", ","))
@@ -52,7 +52,7 @@ fn fact_76_values_print_as_they_are() {
 }
 
 #[test]
-fn fact_99_the_report_of_the_reference_is_a_table() {
+fn the_report_of_the_reference_is_a_table() {
     // *report operation*, its rules on a box of four façades.
     cga! {
         grammar Windows;

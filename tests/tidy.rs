@@ -1,4 +1,4 @@
-//! What the tree promises about itself.
+//! Promises of the tree about itself.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -71,11 +71,12 @@ fn the_readme_has_the_two_commands() {
 #[test]
 fn the_files_that_docs_name_exist() {
     let sources: Vec<String> = sources().iter().map(|path| path.display().to_string()).collect();
-    for page in ["cutting", "offset", "decisions", "glossary"] {
-        let text = fs::read_to_string(root().join(format!("docs/{page}.md"))).expect("a page");
-        for name in text.split('`').filter(|name| name.ends_with(".rs") && !name.contains('*')) {
+    let pages = ["ARCHITECTURE", "CONTRIBUTING", "docs/cutting", "docs/offset", "docs/decisions", "docs/glossary"];
+    for page in pages {
+        let text = fs::read_to_string(root().join(format!("{page}.md"))).expect("a page");
+        for name in text.split('`').filter(|name| name.ends_with(".rs") && !name.contains(['*', ' ', '…', '\n'])) {
             let end = format!("/{name}");
-            assert!(sources.iter().any(|path| path.ends_with(&end)), "docs/{page}.md names {name}");
+            assert!(sources.iter().any(|path| path.ends_with(&end)), "{page}.md names {name}");
         }
     }
 }

@@ -32,7 +32,7 @@ Facade{name}(entrance) -->
     case scope.sx < {door} : Wall{name}
     else : split(y) {{ 4 : Ground{name}(entrance) | {{ ~floorHeight : Floor{name}(split.index) }}* | {frame} : Trim{name} }}
 Ground{name}(entrance) -->
-    case entrance : split(x) {{ ~1 : Wall{name} | {door} : t(0, 0, -{depth}) Dialect. | ~1 : Wall{name} }}
+    case entrance : split(x) {{ ~1 : Wall{name} | {door} : t(0, 0, -{depth}) Door. | ~1 : Wall{name} }}
     else : split(x) {{ {{ ~{sill} * 3 : Wall{name} | ~2 : Window{name}(2) }}* | ~{sill} : Wall{name} }}
 Floor{name}(level) -->
     case level % 4 == 3 && wear < 0.9 : split(x) {{ {frame} : Trim{name} | ~1 : Wall{name} | {frame} : Trim{name} }}

@@ -219,7 +219,8 @@ fn what_multiplies_by_imports_is_bounded() {
             format!("import a : \"f{next}.cga\" import b : \"f{next}.cga\" attr h = 1 Lot --> a.Lot b.Lot"),
         )
     };
-    let mut disk = disk_of((0..40).map(level));
+    let last = ("f40.cga".to_owned(), "attr h = 1 Lot --> X.".to_owned());
+    let mut disk = disk_of((0..40).map(level).chain([last]));
     let compiled = disk.compile("f0.cga");
     disk.check(&compiled);
     assert_eq!(count_of(&compiled, Code::CannotImport), 1);

@@ -44,7 +44,7 @@ cga! {
 }
 
 #[test]
-fn fact_47_attributes_of_components_are_per_selector() {
+fn attributes_of_components_are_per_selector() {
     let model = run(&Facts::default(), "Cube", &Shape::cuboid(1.0, 1.0, 1.0));
     assert_eq!(
         lines(&model),
@@ -67,7 +67,7 @@ fn wings() -> Shape {
 }
 
 #[test]
-fn fact_48_six_front_faces_are_six_shapes_or_one_or_two() {
+fn six_front_faces_are_six_shapes_or_one_or_two() {
     let counts = |rule: &str| {
         let model = run(&Facts::default(), rule, &wings());
         let fronts = model.counts().into_iter().find(|(name, _)| *name == "Front");
@@ -80,7 +80,7 @@ fn fact_48_six_front_faces_are_six_shapes_or_one_or_two() {
 }
 
 #[test]
-fn fact_50_a_steep_roof_goes_to_whoever_stands_first() {
+fn a_steep_roof_goes_to_whoever_stands_first() {
     let (sin, cos) = (libm::sin(60f64.to_radians()), libm::cos(60f64.to_radians()));
     let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(|[x, up]| [x, up * cos, -up * sin]);
     let roof = Shape::mesh_axis_aligned(mesh(&corners, &[&[0, 1, 2, 3]]));
@@ -89,7 +89,7 @@ fn fact_50_a_steep_roof_goes_to_whoever_stands_first() {
 }
 
 #[test]
-fn fact_51_indices_select_exactly_these_faces() {
+fn indices_select_exactly_these_faces() {
     let cube = Shape::cuboid(1.0, 2.0, 3.0);
     let model = run(&Facts::default(), "Indices", &cube);
     let faces = cube.to_mesh();
@@ -99,7 +99,7 @@ fn fact_51_indices_select_exactly_these_faces() {
 }
 
 #[test]
-fn fact_53_vertices_by_number() {
+fn vertices_by_number() {
     let corners = [[0.0, 0.0], [2.0, 0.0], [3.0, 1.0], [2.0, 2.0], [0.0, 2.0], [-1.0, 1.0]].map(|[x, z]| [x, 0.0, -z]);
     let six = Shape::mesh(mesh(&corners, &[&[0, 1, 2, 3, 4, 5]]));
     assert_eq!(lines(&run(&Facts::default(), "Vertices", &six)), ["(6)[0,1,2,3,4,5]"]);
@@ -117,20 +117,20 @@ fn quadrangles() -> Shape {
 }
 
 #[test]
-fn fact_54_an_edge_that_is_not_selected_is_zero() {
+fn an_edge_that_is_not_selected_is_zero() {
     let model = run(&Facts::default(), "Edges", &quadrangles());
     assert_eq!(lines(&model), ["(7)[7,15,0,17,15,10,16]", "7", "16"]);
 }
 
 #[test]
-fn fact_55_face_edges_put_together_are_computed_once() {
+fn face_edges_put_together_are_computed_once() {
     let points = [[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0], [2.0, 1.0], [2.0, 0.0]].map(|[x, z]| [x, 0.0, z]);
     let two = Shape::mesh(mesh(&points, &[&[0, 1, 2, 3], &[4, 5, 2, 1]]));
     assert_eq!(lines(&run(&Facts::default(), "FaceEdges", &two)), ["(8)[front0,,0,,,0,,front1]"]);
 }
 
 #[test]
-fn fact_56_edges_of_two_faces_are_counted_through() {
+fn edges_of_two_faces_are_counted_through() {
     let points = [[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0], [2.0, 1.0], [2.0, 0.0], [1.5, -0.3]];
     let points = points.map(|[x, z]| [x, 0.0, z]);
     let two = Shape::mesh(mesh(&points, &[&[0, 1, 2, 3], &[1, 4, 5, 6, 2]]));
@@ -139,7 +139,7 @@ fn fact_56_edges_of_two_faces_are_counted_through() {
 }
 
 #[test]
-fn fact_57_what_no_selector_takes_is_zero() {
+fn what_no_selector_takes_is_zero() {
     assert_eq!(lines(&run(&Facts::default(), "Quad", &square())), ["(4)[5,5,0,0]"]);
     assert_eq!(lines(&run(&Facts::default(), "Quad", &Shape::rectangle(1.0, 1.0))), ["(4)[5,5,0,0]"]);
 }

@@ -85,7 +85,7 @@ fn fitted(leaf: &LeafView<'_>) {
 }
 
 #[test]
-fn fact_46_scopes_of_split_shrink_to_the_geometry_or_fill_the_parent() {
+fn scopes_of_split_shrink_to_the_geometry_or_fill_the_parent() {
     for (rule, depth) in [("X", 1.0), ("XAdjust", 1.0), ("XFill", 4.0)] {
         let model = run(rule, &u());
         assert_eq!(model.counts(), [("P", 6)], "{rule}");
@@ -99,7 +99,7 @@ fn fact_46_scopes_of_split_shrink_to_the_geometry_or_fill_the_parent() {
 }
 
 #[test]
-fn fact_46_adjusted_scopes_are_boxes_around_the_pieces() {
+fn adjusted_scopes_are_boxes_around_the_pieces() {
     for lot in lots() {
         for rule in ["X", "XAdjust", "ZAdjust", "AreaX", "AreaXAdjust", "AreaZAdjust"] {
             let model = run(rule, &lot);
@@ -117,7 +117,7 @@ fn fact_46_adjusted_scopes_are_boxes_around_the_pieces() {
 }
 
 #[test]
-fn fact_46_unadjusted_scopes_tile_the_parent() {
+fn unadjusted_scopes_tile_the_parent() {
     for lot in lots() {
         for (rule, axis) in [("XFill", Axis::X), ("ZFill", Axis::Z), ("AreaXFill", Axis::X), ("AreaZFill", Axis::Z)] {
             let model = run(rule, &lot);
@@ -146,7 +146,7 @@ const BORDERS: [(f64, [f64; 4]); 5] = [
 
 /// The page's disconnected outlines in 5 × 5 parts of equal area, with and without adjusting.
 #[test]
-fn fact_46_twenty_five_parts_of_disconnected_outlines() {
+fn twenty_five_parts_of_disconnected_outlines() {
     let settings = Settings::default();
     let whole = scope_of_shapes::EXAMPLE.model(&settings);
     let parent = *whole.leaves_of("Pink").next().expect("the scope").scope();
@@ -171,7 +171,7 @@ fn fact_46_twenty_five_parts_of_disconnected_outlines() {
 /// Without adjusting the scopes of the parts make up the scope of the whole (*splitArea operation*): columns do, and the
 /// parts of each column, the last of which goes on to the scope's border beyond the geometry.
 #[test]
-fn fact_46_columns_of_parts_without_adjusting() {
+fn columns_of_parts_without_adjusting() {
     let settings = Settings::default();
     let model = not_adjusted::EXAMPLE.model(&settings);
     let whole = scope_of_shapes::EXAMPLE.model(&settings);

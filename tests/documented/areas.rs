@@ -49,7 +49,7 @@ fn extents(model: &Model) -> Vec<(f64, f64)> {
 }
 
 #[test]
-fn fact_44_seventy_and_thirty_per_cent() {
+fn seventy_and_thirty_per_cent() {
     let model = check(&relative::EXAMPLE, 1000.0, &[("Green", 700.0, GREEN), ("Yellow", 300.0, YELLOW)]);
     // The upright of the L is 600, a metre of its foot 10.
     assert!(
@@ -58,7 +58,7 @@ fn fact_44_seventy_and_thirty_per_cent() {
 }
 
 #[test]
-fn fact_44_fifths_of_a_triangle() {
+fn fifths_of_a_triangle() {
     let parts = [("Red", RED), ("Yellow", YELLOW), ("Green", GREEN), ("Cyan", CYAN), ("Blue", BLUE)];
     let model = check(&repeating::EXAMPLE, 900.0, &parts.map(|(rule, color)| (rule, 180.0, color)));
     // Left of x there is x² / 2, up to the tip in the middle.
@@ -69,14 +69,14 @@ fn fact_44_fifths_of_a_triangle() {
 }
 
 #[test]
-fn fact_44_three_parts_of_thirty_per_cent_and_the_rest() {
+fn three_parts_of_thirty_per_cent_and_the_rest() {
     let parts = [("Red", 270.0, RED), ("Yellow", 270.0, YELLOW), ("Green", 270.0, GREEN), ("Cyan", 90.0, CYAN)];
     check(&repeating_with_a_rest::EXAMPLE, 900.0, &parts);
 }
 
 /// The borders of the part in the middle run along the hole, so that it is two faces without holes.
 #[test]
-fn fact_44_floating_and_absolute_areas_along_a_hole() {
+fn floating_and_absolute_areas_along_a_hole() {
     let parts = [("Green", 400.0, GREEN), ("Yellow", 600.0, YELLOW), ("Blue", 400.0, BLUE)];
     let model = check(&floating_and_absolute::EXAMPLE, 1400.0, &parts);
     assert_eq!(extents(&model), [(0.0, 10.0), (10.0, 40.0), (40.0, 50.0)]);
@@ -88,7 +88,7 @@ fn fact_44_floating_and_absolute_areas_along_a_hole() {
 }
 
 #[test]
-fn fact_44_six_equal_parts_of_a_triangle() {
+fn six_equal_parts_of_a_triangle() {
     let parts =
         [("Red", RED), ("Yellow", YELLOW), ("Green", GREEN), ("Cyan", CYAN), ("Blue", BLUE), ("Magenta", MAGENTA)];
     let model = check(&nested::EXAMPLE, 900.0, &parts.map(|(rule, color)| (rule, 150.0, color)));
@@ -143,7 +143,7 @@ cga! {
 /// The page lets shares sum to less than 1, which discards the rest, and to more, which ignores what is beyond. The rules
 /// for sizes are those of `split`.
 #[test]
-fn fact_44_sums_of_areas_that_are_not_the_whole() {
+fn sums_of_areas_that_are_not_the_whole() {
     let lot = frame();
     let hollow: [(&str, &[f64]); 8] = [
         ("Less", &[420.0, 420.0]),

@@ -68,14 +68,14 @@ fn index_of(rule: &str, shape: &Shape) -> Model {
 }
 
 #[test]
-fn fact_31_index_and_total_run_over_the_whole_split() {
+fn index_and_total_run_over_the_whole_split() {
     let model = interleaved::EXAMPLE.model(&Settings::default());
     let expected: Vec<_> = (0..10).map(|at| (["A", "B"][at % 2], format!("{at} of 10"))).collect();
     assert_eq!(names(&model), expected);
 }
 
 #[test]
-fn fact_32_the_first_slice_is_the_lowest() {
+fn the_first_slice_is_the_lowest() {
     let model = slices::EXAMPLE.model(&Settings::default());
     assert_eq!(model.len(), 10);
     for (at, leaf) in model.leaves().enumerate() {

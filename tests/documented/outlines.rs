@@ -180,14 +180,14 @@ fn check(name: &str, lot: &Shape, rules: &Areas) {
 }
 
 #[test]
-fn fact_44_shares_of_outlines_of_every_kind() {
+fn shares_of_outlines_of_every_kind() {
     for (name, lot) in lots() {
         check(name, &lot, &Areas::default());
     }
 }
 
 #[test]
-fn fact_44_shares_of_lots_that_are_turned_or_tilted() {
+fn shares_of_lots_that_are_turned_or_tilted() {
     for (name, lot) in lots() {
         check(name, &turned(&lot.clone().at([3.0, 1.0, -2.0]), [0.0, 1.0, 0.0], 33.0), &Areas::default());
         check(name, &turned(&lot, [1.0, 0.3, -0.2], 50.0), &Areas::default());
@@ -196,7 +196,7 @@ fn fact_44_shares_of_lots_that_are_turned_or_tilted() {
 }
 
 #[test]
-fn fact_44_shares_of_lots_that_were_stretched() {
+fn shares_of_lots_that_were_stretched() {
     for (name, lot) in lots() {
         check(name, &lot, &Areas { wide: 2.5, deep: 0.4 });
         check(name, &turned(&lot, [1.0, 0.3, -0.2], 50.0), &Areas { wide: 0.3, deep: 7.0 });

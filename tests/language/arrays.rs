@@ -5,7 +5,7 @@ use cga::{Error, LimitKind, cga};
 use crate::{each_is, lines, lot, model};
 
 #[test]
-fn fact_76_arrays_are_printed_with_their_size() {
+fn arrays_are_printed_with_their_size() {
     cga! {
         grammar Printing = r#"
             attr a = [1, 2, 3]
@@ -29,7 +29,7 @@ fn fact_76_arrays_are_printed_with_their_size() {
 }
 
 #[test]
-fn fact_77_ranges() {
+fn ranges() {
     each_is! { ""
         "[2:4]" => "[2,3,4]",
         "[0.5:3]" => "[0.5,1.5,2.5]",
@@ -65,7 +65,7 @@ fn arrays_are_put_together_from_elements_and_arrays() {
 }
 
 #[test]
-fn fact_78_elements() {
+fn elements() {
     each_is! { "const a = [1,2,3,4]  const m = [1,2,3;4,5,6;7,8,9]  const t = [\"x\"]  const b = [true]"
         "a[0]" => "1",
         "a[3]" => "4",
@@ -112,7 +112,7 @@ fn what_is_no_number_counts_as_0_and_leaves_a_fault() {
 }
 
 #[test]
-fn fact_80_arrays_are_compared_row_by_row() {
+fn arrays_are_compared_row_by_row() {
     each_is! { ""
         "[1,2] == [1,2]" => "true",
         "[1,2] == [1;2]" => "false",
@@ -135,7 +135,7 @@ fn fact_80_arrays_are_compared_row_by_row() {
 }
 
 #[test]
-fn fact_81_elements_are_set_in_a_copy() {
+fn elements_are_set_in_a_copy() {
     each_is! { "const z = [0,0,0,0,0,0]  const m = [0,0,0;0,0,0;0,0,0]  const s = [1:7]"
         "setElems(z,2,1)" => "[0,0,1,0,0,0]",
         "z" => "[0,0,0,0,0,0]",
@@ -161,7 +161,7 @@ fn fact_81_elements_are_set_in_a_copy() {
 }
 
 #[test]
-fn fact_82_indices_in_sorted_order() {
+fn indices_in_sorted_order() {
     each_is! { "const rows = [4,0,1;2,1,9;1,3,0;2,1,0]
         by(a, column) = byAll(a, [column])
         byAll(a, columns) = a[sortRowIndices(a[0:nRows(a)-1,columns]),0:nColumns(a)-1]
@@ -179,7 +179,7 @@ fn fact_82_indices_in_sorted_order() {
 }
 
 #[test]
-fn fact_83_sums() {
+fn sums() {
     each_is! { "sums(a) = case size(a) < 2 : a else : sums(a, floatArray, 0)
         sums(a, so_far, i) = case i == size(a) : so_far else : sums(a, [so_far, sum(a[0:i])], i + 1)"
         "sum([1,2,3])" => "6",

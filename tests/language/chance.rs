@@ -9,7 +9,7 @@ fn seeded(grammar: &dyn Grammar, seed: u64) -> cga::Model {
 }
 
 #[test]
-fn fact_91_certain_and_impossible() {
+fn certain_and_impossible() {
     each_is! { ""
         "p(2)" => "true",
         "p(-one)" => "false",
@@ -19,7 +19,7 @@ fn fact_91_certain_and_impossible() {
 }
 
 #[test]
-fn fact_95_a_stochastic_rule_draws_until_one_is_true() {
+fn a_stochastic_rule_draws_until_one_is_true() {
     cga! { grammar Shares = "Lot --> print(30% : 1 5% : 2 5% : 3 else : 4) print(rand()) Next
         Next --> 30% : A 5% : B 5% : C else : D
         A --> print(rand()) X.  B --> print(rand()) X.  C --> print(rand()) X.  D --> print(rand()) X."; }

@@ -5,7 +5,7 @@ use cga::{Shape, cga};
 use crate::{leaves, lines, model, sum};
 
 #[test]
-fn fact_74_a_dynamic_import_begins_with_what_the_static_one_says() {
+fn a_dynamic_import_begins_with_what_the_static_one_says() {
     cga! { grammar Anew = r#"
         import imp : "tests/rules/import/height.cga" (height = 20, Roof --> Mine.)
         Lot --> imp(height = 30).Lot imp( ).Lot"#; }

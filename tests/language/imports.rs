@@ -5,7 +5,7 @@ use cga::{Grammar, cga};
 use crate::{leaves, lines, lot, model, model_of, sum};
 
 #[test]
-fn fact_74_attributes_flow_into_an_import() {
+fn attributes_flow_into_an_import() {
     cga! { grammar Flows = r#"import imp : "tests/rules/import/height.cga" attr height = 20  Lot --> imp.Lot"#; }
     cga! { grammar Keeps = r#"import imp : "tests/rules/import/height.cga" (height) attr height = 20  Lot --> imp.Lot"#; }
     cga! { grammar KeepsAll = r#"import imp : "tests/rules/import/height.cga" () attr height = 20  Lot --> imp.start"#; }

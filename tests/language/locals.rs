@@ -5,7 +5,7 @@ use cga::cga;
 use crate::{lines, model};
 
 #[test]
-fn fact_94_locals_are_computed_once_in_order() {
+fn locals_are_computed_once_in_order() {
     cga! {
         grammar Locals = r#"
             dist(x1, y1, x2, y2) with ( dx := x2 - x1  dy := y2 - y1 ) = sqrt(dx*dx + dy*dy)

@@ -4,7 +4,7 @@ use crate::{each_is, lines, model};
 use cga::cga;
 
 #[test]
-fn fact_79_operators_over_elements() {
+fn operators_over_elements() {
     each_is! { ""
         "[8;-5;0] .% 3" => "[2;-2;0]",
         "7 .% [2.7,-3]" => "[1.6,1]",
@@ -84,7 +84,7 @@ fn what_is_no_number_is_less_than_anything() {
 }
 
 #[test]
-fn fact_96_both_sides_are_evaluated() {
+fn both_sides_are_evaluated() {
     cga! {
         grammar Sides = r#"
             said(text, truth) = print(text) != "" && truth

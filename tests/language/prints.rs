@@ -5,7 +5,7 @@ use cga::{Limits, Settings, cga};
 use crate::{clean, lines, lot, model};
 
 #[test]
-fn fact_73_lines_come_breadth_first() {
+fn lines_come_breadth_first() {
     cga! {
         grammar Keys = r#"
             Init-->

@@ -5,7 +5,7 @@ use cga::{FaultKind, Value, cga};
 use crate::{leaves, lines, lot, model, sum};
 
 #[test]
-fn fact_75_reports_count_and_add_up() {
+fn reports_count_and_add_up() {
     cga! { grammar Reported = r#"import imp : "tests/rules/import/height.cga" (height = 10)  Lot --> imp.Lot"#; }
     let model = model(&Reported::default());
     let summary = model.reported("height").expect("reported").summary();
@@ -13,7 +13,7 @@ fn fact_75_reports_count_and_add_up() {
 }
 
 #[test]
-fn fact_97_only_operations_make_a_leaf_and_a_division_makes_none() {
+fn only_operations_make_a_leaf_and_a_division_makes_none() {
     cga! {
         grammar Leaves = r##"
             @StartRule
@@ -34,7 +34,7 @@ fn fact_97_only_operations_make_a_leaf_and_a_division_makes_none() {
 }
 
 #[test]
-fn fact_99_values_of_one_key_are_kept_apart_by_type() {
+fn values_of_one_key_are_kept_apart_by_type() {
     cga! {
         grammar Mixed = r#"
             Lot --> report("k.a", 1) report("k.a", true) report("k.a", "x") report("k.b", scope.sx) report("k.a", 2)
@@ -47,7 +47,7 @@ fn fact_99_values_of_one_key_are_kept_apart_by_type() {
 }
 
 #[test]
-fn fact_100_angles_of_faces() {
+fn angles_of_faces() {
     cga! {
         grammar Angles = r#"
             Lot --> extrude(1) comp(f) { all : print(geometry.angle(zenith) == 90 - geometry.angle(maxSlope)) X. }

@@ -3,7 +3,7 @@
 use crate::each_is;
 
 #[test]
-fn fact_84_substring_and_find() {
+fn substring_and_find() {
     each_is! { "const digits = \"0123456789\"  const words = \"CE_Zero CE_One CE_Two\""
         "substring(digits,0,5)" => "\"01234\"",
         "substring(digits,2,5)" => "\"234\"",
@@ -24,7 +24,7 @@ fn fact_84_substring_and_find() {
 }
 
 #[test]
-fn fact_85_matches_do_not_overlap() {
+fn matches_do_not_overlap() {
     each_is! { ""
         "find(\"ababa\",\"aba\",0)" => "0",
         "find(\"ababa\",\"aba\",1)" => "-1",
@@ -34,7 +34,7 @@ fn fact_85_matches_do_not_overlap() {
 }
 
 #[test]
-fn fact_86_text_is_split_at_a_delimiter_or_a_pattern() {
+fn text_is_split_at_a_delimiter_or_a_pattern() {
     each_is! { ""
         r#"splitString("a.b.c",".")"# => r#"["a","b","c"]"#,
         r#"splitString(".b.",".")"# => r#"["","b",""]"#,
@@ -53,7 +53,7 @@ fn fact_86_text_is_split_at_a_delimiter_or_a_pattern() {
 }
 
 #[test]
-fn fact_87_parts_by_what_stands_around_them() {
+fn parts_by_what_stands_around_them() {
     each_is! { "const name = \"myTexture.has.prefix.jpg\"  const slogan = \"rule your city with cityengine\""
         r#"getPrefix(name,".")"# => r#""myTexture""#,
         r#"getSuffix(slogan,"city")"# => r#""engine""#,
@@ -65,7 +65,7 @@ fn fact_87_parts_by_what_stands_around_them() {
 }
 
 #[test]
-fn fact_88_lists_in_text() {
+fn lists_in_text() {
     each_is! { "const list = \"rule;your;city;\""
         r#"listIndex(list,"*y")"# => "2",
         r#"listIndex(list,"*y*")"# => "1",

@@ -3,7 +3,7 @@
 use crate::each_is;
 
 #[test]
-fn fact_89_conversions() {
+fn conversions() {
     each_is! { ""
         "bool(\"f\")" => "false",
         "bool(\"false\")" => "false",
@@ -36,7 +36,7 @@ fn fact_89_conversions() {
 }
 
 #[test]
-fn fact_90_what_is_no_number_and_what_is_infinite() {
+fn what_is_no_number_and_what_is_infinite() {
     each_is! { ""
         "isinf(ln(zero))" => "true",
         "isnan(ln(-one))" => "true",
@@ -53,7 +53,7 @@ fn fact_90_what_is_no_number_and_what_is_infinite() {
 }
 
 #[test]
-fn fact_92_colours() {
+fn colours() {
     each_is! { ""
         "colorHSVToHex(90,0.5,0.5)" => "\"#608040\"",
         "colorRGBToHex(zero,0.5,1)" => "\"#0080FF\"",
@@ -64,7 +64,7 @@ fn fact_92_colours() {
 }
 
 #[test]
-fn fact_93_ramps_have_36_steps() {
+fn ramps_have_36_steps() {
     each_is! { "step(v) = colorRamp(\"whiteToBlack\", v)"
         "step(-one) == step(0)" => "true",
         "step(one) == step(0.99)" => "true",

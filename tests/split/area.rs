@@ -61,7 +61,7 @@ fn tilted(x: f64, y: f64) -> DMat3 {
 
 /// Fact 44 (*splitArea operation*), on anything planar: with holes, concave, tilted.
 #[test]
-fn fact_44_parts_have_the_areas_that_were_asked_for() {
+fn parts_have_the_areas_that_were_asked_for() {
     let mut random = Random(1);
     for round in 0..300 {
         let axes = if round % 2 == 0 { DMat3::IDENTITY } else { tilted(random.share(), random.share()) };
@@ -82,7 +82,7 @@ fn fact_44_parts_have_the_areas_that_were_asked_for() {
 
 /// Sides that lie across the axis only but for rounding, as turned lots have: a steep edge must not drown the others.
 #[test]
-fn fact_44_turning_a_lot_changes_no_area() {
+fn turning_a_lot_changes_no_area() {
     let lots: [&[[f64; 2]]; 3] = [
         &[[0.0, 0.0], [20.0, 0.0], [17.0, 12.0], [3.0, 12.0]],
         &[[0.0, 0.0], [20.0, 0.0], [20.0, 9.0], [17.0, 12.0], [0.0, 12.0]],
@@ -107,7 +107,7 @@ fn fact_44_turning_a_lot_changes_no_area() {
 
 /// Fact 46: without adjusting, the last part ends with the scope and not with the geometry.
 #[test]
-fn fact_46_scopes_without_adjusting_fill_the_scope() {
+fn scopes_without_adjusting_fill_the_scope() {
     let triangle = Mesh::from_polygon(&[[0.0; 3], [0.0, 0.0, 10.0], [10.0, 0.0, 0.0]].map(DVec3::from), &[]).unwrap();
     let model = run("Slot", [1.0; 2], &Shape::mesh(triangle));
     let depths: Vec<f64> = model.leaves().map(|leaf| leaf.size().z).collect();

@@ -50,7 +50,7 @@ fn names(model: &Model) -> Vec<&str> {
 }
 
 #[test]
-fn fact_31_index_and_total_run_through_the_repetitions() {
+fn index_and_total_run_through_the_repetitions() {
     let model = run("Tens", &Shape::cuboid(10.0, 1.0, 1.0));
     assert_eq!(values(&model, "A"), [0.0, 2.0, 4.0, 6.0, 8.0]);
     assert_eq!(values(&model, "B"), [1.0, 3.0, 5.0, 7.0, 9.0]);
@@ -58,14 +58,14 @@ fn fact_31_index_and_total_run_through_the_repetitions() {
 }
 
 #[test]
-fn fact_32_the_first_slice_is_the_lowest() {
+fn the_first_slice_is_the_lowest() {
     let model = run("Up", &Shape::cuboid(3.0, 20.0, 3.0));
     assert_eq!(values(&model, "index"), (0..10).map(f64::from).collect::<Vec<_>>());
     assert_eq!(values(&model, "y"), (0..10).map(|index| 2.0 * f64::from(index)).collect::<Vec<_>>());
 }
 
 #[test]
-fn fact_34_slices_turn_by_their_share_of_a_full_turn() {
+fn slices_turn_by_their_share_of_a_full_turn() {
     let model = run("Turn", &Shape::cuboid(1.0, 18.0, 1.0));
     assert_eq!(model.count("X"), 9);
     for (index, leaf) in model.leaves().enumerate() {

@@ -80,7 +80,7 @@ fn a_part_has_its_slot_as_scope_and_the_pivot_of_the_whole() {
 
 /// Fact 46 (*splitArea operation*, the pictures of adjust and noAdjust).
 #[test]
-fn fact_46_adjusted_scopes_are_bounding_boxes_and_others_tile_the_parent() {
+fn adjusted_scopes_are_bounding_boxes_and_others_tile_the_parent() {
     let model = run("Adj", &u());
     assert_eq!(
         scopes(&model).iter().map(|leaf| leaf.2).collect::<Vec<_>>(),

@@ -40,7 +40,7 @@ cga! {
 }
 
 #[test]
-fn fact_u5_the_first_letter_is_u_and_the_second_one_v() {
+fn the_first_letter_is_u_and_the_second_one_v() {
     let (at, shape) = (DVec3::new(5.0, 6.0, 7.0), Shape::cuboid(4.0, 3.0, 2.0));
     let pairs = [(0, 1), (0, 2), (1, 0), (1, 2), (2, 0), (2, 1)];
     for kind in 0..12 {
@@ -151,7 +151,7 @@ cga! {
 }
 
 #[test]
-fn fact_u37_textures_set_or_reset_the_opacity_map_and_make_no_coordinates() {
+fn textures_set_or_reset_the_opacity_map_and_make_no_coordinates() {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("texture-facts");
     std::fs::create_dir_all(&folder).expect("a folder");
     Image::filled(4, 4, [255, 0, 0, 100]).write_png(folder.join("leaves.png")).expect("a file");

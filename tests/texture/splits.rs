@@ -39,7 +39,7 @@ cga! {
 }
 
 #[test]
-fn fact_42_halves_whatever_the_size_and_pieces_of_five() {
+fn halves_whatever_the_size_and_pieces_of_five() {
     for width in [3.0, 23.0, 400.0] {
         let halves = leaves!(Facades::default(), &Shape::cuboid(width, 4.0, 1.0));
         assert!(near(&areas(&halves, "X"), &[width * 2.0; 2]), "{:?}", areas(&halves, "X"));
@@ -80,7 +80,7 @@ cga! {
 }
 
 #[test]
-fn fact_43_a_band_of_about_three_metres_in_every_period() {
+fn a_band_of_about_three_metres_in_every_period() {
     let shape = Shape::mesh(street(140.0));
     let leaves = leaves!(Street::default(), &shape);
     let bands = areas(&leaves, "Band");

@@ -230,7 +230,7 @@ fn counts_of_a_box_and_of_a_prism_with_a_hole() {
 }
 
 #[test]
-fn fact_48_opposite_sides_are_connected_through_what_is_between() {
+fn opposite_sides_are_connected_through_what_is_between() {
     let shape = Shape::cuboid(1.0, 1.0, 1.0);
     let sets = |words: &[Word], mode| {
         let arms: Vec<Arm> = words.iter().map(|&word| arm(word, mode)).collect();

@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_72_moving_in_the_world() {
+    fn moving_in_the_world() {
         let (env, shape) = (&mut Env::for_tests(), &mut Shape::cuboid(1.0, 1.0, 1.0));
         rotate(env, shape, 0.0, 90.0, 0.0);
         translate_in(env, shape, TransformMode::Rel, System::World, 2.0, 0.0, 0.0);

@@ -256,7 +256,7 @@ mod tests {
         [cube, cylinder, |env, shape| cone(env, shape, 16.0), |env, shape| sphere_sides(env, shape, 16.0, 16.0)];
 
     #[test]
-    fn fact_67_a_primitive_on_a_flat_lot_is_as_high_as_it_is_wide_on_average() {
+    fn a_primitive_on_a_flat_lot_is_as_high_as_it_is_wide_on_average() {
         for fill in SOLID {
             let (env, shape) = (&mut Env::for_tests(), &mut lot());
             fill(env, shape);

@@ -43,7 +43,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_75_a_report_counts_and_sums() {
+    fn a_report_counts_and_sums() {
         let (env, shape) = (&mut Env::for_tests(), &mut Shape::rectangle(4.0, 5.0));
         extrude(env, shape, Length::Absolute(10.0));
         let height = get::scope_sy(shape);
@@ -58,7 +58,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_76_printed_text_is_kept_as_it_is() {
+    fn printed_text_is_kept_as_it_is() {
         let (env, shape) = (&mut Env::for_tests(), &mut Shape::rectangle(4.0, 5.0));
         print(env, shape, Text::fixed("x = 1"));
         env.enter(0);

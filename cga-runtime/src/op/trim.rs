@@ -183,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_63_edges_below_40_degrees_make_horizontal_planes() {
+    fn edges_below_40_degrees_make_horizontal_planes() {
         for (degrees, horizontal) in [(39.0, true), (39.999, true), (40.0, false), (41.0, false)] {
             // A wall in the xy plane whose top rises by `degrees`, and a roof at its back.
             let rise = 2.0 * libm::tan(f64::to_radians(degrees));

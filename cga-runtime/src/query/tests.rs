@@ -180,7 +180,7 @@ fn turning_and_moving_change_no_measure_and_stretching_scales_it() {
 }
 
 #[test]
-fn fact_58_a_prism_with_a_hole_is_counted() {
+fn a_prism_with_a_hole_is_counted() {
     let hole = vec![[4.0, 4.0], [6.0, 4.0], [5.0, 6.0]];
     let square = [[0.0, 0.0], [0.0, 10.0], [10.0, 10.0], [10.0, 0.0]];
     let (env, shape) = (&mut Env::for_tests(), &mut Shape::footprint(&square, &[hole]).expect("a footprint"));
@@ -196,7 +196,7 @@ fn fact_58_a_prism_with_a_hole_is_counted() {
 }
 
 #[test]
-fn fact_100_zenith_and_slope_make_a_right_angle() {
+fn zenith_and_slope_make_a_right_angle() {
     let mut seed = Seed::new(6);
     for _ in 0..100 {
         let mut shape = Shape::rectangle(2.0, 3.0);

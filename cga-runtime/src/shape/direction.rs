@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_49_the_ends_of_the_angle_classes() {
+    fn the_ends_of_the_angle_classes() {
         use Direction::{Aslant, Horizontal, Nutant, Side, Vertical};
         let classes = [
             (78.75, Aslant),

@@ -178,8 +178,8 @@ example! {
     without_uw, "setupProjection operation, Working with the z- resp. w-coordinate: uwFactor 0", lot(),
     r##"Lot --> s(6, 4, 1) primitiveCube() setupProjection(0, scope.xy, 1.5, 1, 0, 0, 0) Front
 
-Front --> split(x) { ~1 : Wall | 2 : Dialect | ~1 : Wall }
-Dialect  --> split(y) { 3 : NIL | ~1 : Wall }
+Front --> split(x) { ~1 : Wall | 2 : Door | ~1 : Wall }
+Door  --> split(y) { 3 : NIL | ~1 : Wall }
 Wall  --> texture("builtin:uvtest.png") projectUV(0)
 "##
 }
@@ -189,8 +189,8 @@ example! {
     with_uw, "setupProjection operation, Working with the z- resp. w-coordinate: uwFactor 1", lot(),
     r##"Lot --> s(6, 4, 1) primitiveCube() setupProjection(0, scope.xy, 1.5, 1, 0, 0, 1) Front
 
-Front --> split(x) { ~1 : Wall | 2 : Dialect | ~1 : Wall }
-Dialect  --> split(y) { 3 : NIL | ~1 : Wall }
+Front --> split(x) { ~1 : Wall | 2 : Door | ~1 : Wall }
+Door  --> split(y) { 3 : NIL | ~1 : Wall }
 Wall  --> texture("builtin:uvtest.png") projectUV(0)
 "##
 }

@@ -10,9 +10,9 @@ cga! {
     const floor = 3
 
     @StartRule
-    Lot --> case height < 2 : A. else : extrude(height) comp(f) { side : Facade(1, 2) | front : Dialect | all : A. }
+    Lot --> case height < 2 : A. else : extrude(height) comp(f) { side : Facade(1, 2) | front : Door | all : A. }
     Facade(height, index) --> split(y) { ~1 : A. | ~height : B. }
-    Dialect --> A. color("#ff0000")
+    Door --> A. color("#ff0000")
     Roof --> 50% : Roof else : A.
     Chimney(size) --> extrude(size) A.
 }

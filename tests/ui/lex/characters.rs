@@ -10,7 +10,7 @@ cga! {
 cga! {
     pub grammar LostQuote = r##"
         Lot --> extrude(3) color("#ff8000) Wall.
-        Dialect --> color("#402010") Leaf."##;
+        Door --> color("#402010") Leaf."##;
 }
 
 cga! {

@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_99_the_table_has_shares_inside_of_groups() {
+    fn the_table_has_shares_inside_of_groups() {
         // *report operation*: the rows of its picture.
         let one = |key, count| std::iter::repeat_n((key, Value::Float(1.0)), count);
         let area = |count| std::iter::repeat_n(("windowarea", Value::Float(21.875)), count);
