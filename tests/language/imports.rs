@@ -2,7 +2,7 @@
 
 use cga::{Grammar, cga};
 
-use crate::{leaves, lines, model, model_of, sum};
+use crate::{leaves, lines, lot, model, model_of, sum};
 
 #[test]
 fn attributes_flow_into_an_import() {
@@ -101,6 +101,59 @@ fn one_file_imported_twice_has_attributes_of_its_own() {
     assert_eq!(leaves(&made), ["X", "X", "Flat", "Two"]);
     let rules = Twice { one_h: 4.0, ..Twice::default() };
     assert_eq!(lines(&model(&rules)), ["changed4 (2)[4,40]", "inner2 (2)[2,20]"]);
+}
+
+#[test]
+fn sites_of_a_file_share_rules_and_keep_their_values() {
+    cga! {
+        grammar Sites = r#"
+            import x : "tests/rules/import/wing.cga"
+            import y : "tests/rules/import/wing.cga" (own = 5)
+            import own : "tests/rules/import/site.cga" (width = 4)
+            Lot --> s(20, 0, 6) [ x.Wing ] [ y.Wing ] own.Row
+            Fails --> x.Fails y.Fails own.Fails
+        "#;
+    }
+    let made = model(&Sites::default());
+    assert_eq!(
+        made.counts(),
+        [("x.a.Panel", 10), ("Trim", 59), ("x.b.Panel", 20), ("y.a.Panel", 4), ("y.b.Panel", 20), ("own.Panel", 5)]
+    );
+    let colours = |name: &str| {
+        let leaves = made.leaves_of(name).map(|leaf| leaf.material().color());
+        leaves.map(|color| [color.r, color.g, color.b]).collect::<Vec<_>>()
+    };
+    for (name, colour) in [
+        ("x.a.Panel", [1.0, 0.0, 0.0]),
+        ("x.b.Panel", [0.0, 0.0, 1.0]),
+        ("y.a.Panel", [1.0, 0.0, 0.0]),
+        ("y.b.Panel", [0.0, 0.0, 1.0]),
+        ("own.Panel", [1.0, 0.0, 0.0]),
+    ] {
+        assert!(colours(name).iter().all(|own| *own == colour), "{name}");
+    }
+    let trims: Vec<f64> = colours("Trim").iter().map(|[_, _, blue]| *blue).collect();
+    let sites = [(10, 0.5), (20, 0.25), (4, 1.25), (20, 0.25), (5, 1.0)];
+    let expected: Vec<f64> = sites.iter().flat_map(|&(count, half)| vec![f64::min(half, 1.0); count]).collect();
+    assert_eq!(trims, expected);
+
+    let made = Sites::default().generate_from("Fails", &lot()).expect("a model");
+    // Breadth first.
+    assert_eq!(
+        lines(&made),
+        ["4", "2", "6", "5", "15", "5", "#ff0000", "3", "#ff0000", "7", "#0000ff", "6", "#ff0000", "16", "#0000ff"]
+    );
+    let trails: Vec<String> = made.faults().iter().map(|fault| fault.trail.join(" ")).collect();
+    assert_eq!(
+        trails,
+        [
+            "Fails x.Fails x.a.Fails",
+            "Fails x.Fails x.b.Fails",
+            "Fails y.Fails y.a.Fails",
+            "Fails y.Fails y.b.Fails",
+            "Fails own.Fails"
+        ]
+    );
 }
 
 #[test]
