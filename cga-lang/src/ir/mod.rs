@@ -1,7 +1,7 @@
 //! The intermediate representation: a checked grammar, ready to be emitted as Rust.
 //!
 //! Every name is an index, the operations of each part in braces are a rule of their own with the parameters it captures, every
-//! expression has a type. Code generation reads this and decides nothing. [`print`] shows it as text.
+//! expression has a type. Code generation reads this and decides nothing. [`print`](mod@print) shows it as text.
 
 mod attr;
 mod block;
