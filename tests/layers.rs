@@ -38,7 +38,7 @@ const CRATES: &[Layers] = &[
     },
     Layers {
         package: "cga-macros",
-        layers: &["problem", "header", "source", "report", "output", "codegen", "skeleton", "editor"],
+        layers: &["problem", "header", "source", "report", "output", "codegen", "stub", "editor"],
     },
     Layers {
         package: "cga-runtime",

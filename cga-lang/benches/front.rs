@@ -2,7 +2,7 @@
 //!
 //! `cargo bench -p cga-lang --bench front`
 
-use cga_lang::compile::{Dialect, Source, compile, compile_text};
+use cga_lang::compile::{CompiledText, Dialect, compile, compile_text};
 use cga_lang::diag::Diags;
 use cga_lang::link::{NoFiles, Unit};
 use cga_lang::syntax::lex::lex;
@@ -88,7 +88,7 @@ fn main() {
     let mut each = 0.0;
     for rules in [100, 1000, 4000] {
         let text = city(rules);
-        let Source { tokens, compiled, .. } = compile_text(&text);
+        let CompiledText { tokens, compiled, .. } = compile_text(&text);
         assert_eq!(compiled.diags, []);
         assert!(rules <= compiled.grammar.expect("no findings").rules.len());
         let best = times(&text);

@@ -6,7 +6,7 @@ use crate::diag::{Diag, Diags, Level};
 
 pub use crate::dialect::Dialect;
 use crate::editor::index::Named;
-use crate::editor::skeleton::Skeleton;
+use crate::editor::public_names::PublicNames;
 use crate::ir::Grammar;
 use crate::link::{File, FileTokens, Files, NoFiles, Program, Unit, link};
 use crate::lower::lower;
@@ -33,7 +33,7 @@ pub struct Compiled {
     /// All diagnostics, in source order.
     pub diags: Vec<Diag>,
     /// The public names, errors or not.
-    pub names: Skeleton,
+    pub names: PublicNames,
     /// The places where names of the compiled file are declared and used, also after errors.
     pub index: Vec<Named>,
     /// The files that were read: the one that is compiled, then those that are imported, each once.
@@ -72,7 +72,7 @@ fn checked<'p>(program: &'p Program, levels: &[(Code, Level)], last: bool, read:
 
 fn finish(program: &Program, (diags, outcome): (Vec<Diag>, Outcome)) -> Compiled {
     let grammar = outcome.checked.map(|checked| lower(&checked));
-    let names = Skeleton::new(program, &outcome.attrs, grammar.as_ref());
+    let names = PublicNames::new(program, &outcome.attrs, grammar.as_ref());
     let piece = |file: &Rc<File>| FileTokens { name: file.name.clone(), tokens: file.tokens.clone() };
     let files = program.files.iter().map(piece).collect();
     Compiled { grammar, diags, names, index: outcome.index, files }
@@ -103,7 +103,7 @@ fn instantiate(program: &mut Program, levels: &[(Code, Level)], read: &[Diag]) {
 
 /// A compiled text.
 #[derive(Clone, Debug)]
-pub struct Source {
+pub struct CompiledText {
     /// The tokens.
     pub tokens: Tokens,
     /// Bytes of the text, one range a token: what [`render`](crate::snippet::render) needs.
@@ -113,9 +113,9 @@ pub struct Source {
 }
 
 /// Compiles CGA text that imports nothing.
-pub fn compile_text(text: &str) -> Source {
+pub fn compile_text(text: &str) -> CompiledText {
     let lexed = lex(text);
     let root = Unit { found: lexed.diags, ..Unit::new(lexed.tokens.clone(), Dialect::Text) };
     let compiled = compile(root, &mut NoFiles, &[]);
-    Source { tokens: lexed.tokens, ranges: lexed.ranges, compiled }
+    CompiledText { tokens: lexed.tokens, ranges: lexed.ranges, compiled }
 }

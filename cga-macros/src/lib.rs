@@ -12,8 +12,8 @@ mod header;
 mod output;
 mod problem;
 mod report;
-mod skeleton;
 mod source;
+mod stub;
 
 use cga_lang::compile::compile;
 use proc_macro2::TokenStream;
@@ -71,7 +71,7 @@ fn expand(input: TokenStream) -> TokenStream {
     let (header, body) = header::read(input);
     let mut source = match body.and_then(|body| source::open(&header, body)) {
         Ok(source) => source,
-        Err(problem) => return skeleton::behind(&problem, &header),
+        Err(problem) => return stub::behind(&problem, &header),
     };
     let mut imports = source::Imports::new();
     let compiled = compile(source.unit(), &mut imports, &header.levels);
@@ -79,7 +79,7 @@ fn expand(input: TokenStream) -> TokenStream {
     let findings = report::findings(&compiled.diags, &source);
     let output = match &compiled.grammar {
         Some(grammar) if !findings.has_errors => codegen::grammar(grammar, &header, &source),
-        _ => skeleton::grammar(&compiled, &header, &source),
+        _ => stub::grammar(&compiled, &header, &source),
     };
     let names = editor::names(&compiled, &header, &source, findings.has_errors);
     let aside: TokenStream = [findings.tokens, names].into_iter().collect();

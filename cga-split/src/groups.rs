@@ -74,7 +74,7 @@ fn one_without_floats(outside: Sum, own: Sum, density: f64, extent: f64, room: f
 
 /// A repeat group.
 #[derive(Clone, Copy, Debug)]
-struct Group {
+struct GroupState {
     /// The sums of its own slots, without the slots of nested groups.
     own: Sum,
     /// The group around it.
@@ -94,7 +94,7 @@ struct Group {
 /// The groups of a pattern in the order in which they open, and the sums outside all of them.
 struct Groups {
     outside: Sum,
-    list: Vec<Group>,
+    list: Vec<GroupState>,
     turns: Vec<Turns>,
     /// The number of groups that can repeat.
     live: u64,
@@ -120,7 +120,7 @@ impl Groups {
                 Item::Repeat(len) => {
                     let limit = inside.map_or(pattern.len(), |group| groups.list[group].end);
                     let index = groups.list.len();
-                    groups.list.push(Group {
+                    groups.list.push(GroupState {
                         own: Sum::default(),
                         parent: inside,
                         top: inside.map_or(index, |group| groups.list[group].top),
@@ -150,7 +150,7 @@ impl Groups {
         for index in (0..self.list.len()).rev() {
             let group = &mut self.list[index];
             group.live |= 0.0 < group.own.nominal();
-            if let Group { live: true, parent: Some(parent), .. } = *group {
+            if let GroupState { live: true, parent: Some(parent), .. } = *group {
                 self.list[parent].live = true;
             }
         }

@@ -130,7 +130,7 @@ pub(crate) struct AnyGroups<'s> {
     turns: &'s [Turns],
     smallest: f64,
     /// The next position, and the ends of the current group's items and room.
-    next: Place,
+    next: Counts,
     stop: usize,
     limit: f64,
     /// The groups whose repetitions are under way.
@@ -139,7 +139,7 @@ pub(crate) struct AnyGroups<'s> {
 
 /// A position in a pattern: the numbers of items, slots and groups before it.
 #[derive(Clone, Copy, Debug, Default)]
-struct Place {
+struct Counts {
     item: usize,
     slot: usize,
     group: usize,
@@ -148,7 +148,7 @@ struct Place {
 /// A group while its repetitions are laid out.
 #[derive(Clone, Copy, Debug)]
 struct Open {
-    first: Place,
+    first: Counts,
     turns: Turns,
     /// The number of repetitions begun.
     number: f64,
@@ -167,7 +167,7 @@ impl<'s> AnyGroups<'s> {
             pattern,
             turns,
             smallest,
-            next: Place::default(),
+            next: Counts::default(),
             stop: pattern.len(),
             limit: extent,
             open: Vec::new(),
@@ -212,10 +212,10 @@ impl<'s> AnyGroups<'s> {
             let items = &self.pattern[item..stop];
             let slots = items.iter().filter(|item| matches!(item, Item::Slot)).count();
             let groups = 1 + items.len() - slots;
-            self.next = Place { item: stop, slot: self.next.slot + slots, group: self.next.group + groups };
+            self.next = Counts { item: stop, slot: self.next.slot + slots, group: self.next.group + groups };
             return;
         }
-        let first = Place { item, slot: self.next.slot, group: self.next.group + 1 };
+        let first = Counts { item, slot: self.next.slot, group: self.next.group + 1 };
         let (outer_stop, outer_limit) = (self.stop, self.limit);
         self.open.push(Open { first, turns, number: 1.0, start, limit, outer_stop, outer_limit });
         self.next = first;

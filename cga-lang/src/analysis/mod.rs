@@ -4,9 +4,9 @@
 //! rule is the join of its calls; it is unknown for a rule that a run may begin with. States in cycles are widened, so the
 //! analysis ends. If the program has an error, calls are unknown and each rule is analysed alone.
 
+mod evaluator;
 mod facts;
 pub(crate) mod interval;
-mod known;
 mod refine;
 mod shape;
 mod slots;
@@ -21,8 +21,8 @@ use crate::resolve::tables::{Tables, Use};
 use crate::syntax::ast::{Body, Op, OpKind};
 use crate::syntax::walk::ops;
 
+pub(crate) use evaluator::{Attrs, Evaluator};
 pub(crate) use facts::Facts;
-pub(crate) use known::{Attrs, Known};
 pub(crate) use shape::Face;
 pub(crate) use slots::{MARGIN, Once, Slot, Slots, Sum};
 pub(crate) use uvs::UvSets;
@@ -41,7 +41,7 @@ const MOST_VISITS: u32 = 12;
 
 /// The states at the starts of the rules.
 pub(crate) struct Flow<'f> {
-    pub(crate) known: &'f Known<'f>,
+    pub(crate) known: &'f Evaluator<'f>,
     /// By rule: the state at its start; `None` without calls so far.
     entries: RefCell<Vec<Option<Facts>>>,
     /// By rule: true if another rule calls it.
@@ -97,7 +97,7 @@ pub(crate) fn body<'a>(item: &Item<'a>) -> &'a [Op] {
 
 impl<'f> Flow<'f> {
     /// Analyses a rule on its first visit. Without `calls` each rule is analysed alone.
-    pub(crate) fn new(globals: &Globals, known: &'f Known<'f>, calls: Option<&Calls>) -> Flow<'f> {
+    pub(crate) fn new(globals: &Globals, known: &'f Evaluator<'f>, calls: Option<&Calls>) -> Flow<'f> {
         let mut called = vec![false; globals.rules.len()];
         let mut entries = vec![None; globals.rules.len()];
         if let Some(calls) = calls {
@@ -115,7 +115,7 @@ impl<'f> Flow<'f> {
     }
 
     /// Considers values and conditions alone: sizes set by steps count as unknown.
-    pub(crate) fn of_values(globals: &Globals, known: &'f Known<'f>) -> Flow<'f> {
+    pub(crate) fn of_values(globals: &Globals, known: &'f Evaluator<'f>) -> Flow<'f> {
         Flow { forgets: true, ..Flow::new(globals, known, None) }
     }
 

@@ -1,8 +1,8 @@
 //! Refines the values that a condition compares, on the branch that is taken.
 
+use super::evaluator::Evaluator;
 use super::facts::{Facts, Global};
 use super::interval::Interval;
-use super::known::Known;
 use super::texts::TextSet;
 use super::value::Value;
 use crate::ops::AttrValues;
@@ -10,13 +10,13 @@ use crate::resolve::tables::Use;
 use crate::syntax::ast::{Binary, Expr, ExprKind, Unary};
 
 /// A value of the state that can be refined.
-enum Place {
+enum Refinable {
     Size(usize),
     Param(usize),
     Global(Global),
 }
 
-impl Known<'_> {
+impl Evaluator<'_> {
     /// The state on the branch where a condition is true, or false; `None` if that branch is never taken.
     pub(super) fn refine(&self, condition: &Expr, truth: bool, facts: Facts, depth: u32) -> Option<Facts> {
         match &condition.kind {
@@ -41,14 +41,14 @@ impl Known<'_> {
         }
     }
 
-    fn place(&self, expr: &Expr, facts: &Facts) -> Option<Place> {
+    fn place(&self, expr: &Expr, facts: &Facts) -> Option<Refinable> {
         let ExprKind::Name(name) = &expr.kind else { return None };
         match self.of(name, facts)? {
-            Use::Param(index) => Some(Place::Param(index as usize)),
-            Use::Attr(index) if self.is_constant(index) => Some(Place::Global(Global::Attr(index))),
-            Use::Const(index) => Some(Place::Global(Global::Const(index))),
+            Use::Param(index) => Some(Refinable::Param(index as usize)),
+            Use::Attr(index) if self.is_constant(index) => Some(Refinable::Global(Global::Attr(index))),
+            Use::Const(index) => Some(Refinable::Global(Global::Const(index))),
             Use::Shape(row) => match row.values {
-                AttrValues::Size(axis) => Some(Place::Size(axis)),
+                AttrValues::Size(axis) => Some(Refinable::Size(axis)),
                 AttrValues::Any | AttrValues::From(_) => None,
             },
             _ => None,
@@ -60,7 +60,7 @@ impl Known<'_> {
         let Some(place) = self.place(expr, &facts) else { return Some(facts) };
         let narrowed = holds.narrowed(self.within(expr, &facts, 0), with)?;
         match place {
-            Place::Size(axis) => {
+            Refinable::Size(axis) => {
                 let size = narrowed.number().tame();
                 if facts.shape.size[axis] != size {
                     (facts.shape.size[axis], facts.shape.since[axis]) = (size, None);
@@ -68,12 +68,12 @@ impl Known<'_> {
                     facts.shape.is_face &= axis != 2 || size.lo <= 0.0 && 0.0 <= size.hi;
                 }
             }
-            Place::Param(index) => {
+            Refinable::Param(index) => {
                 if let Some(param) = facts.params.get_mut(index) {
                     *param = narrowed;
                 }
             }
-            Place::Global(global) => facts.set_global(global, narrowed),
+            Refinable::Global(global) => facts.set_global(global, narrowed),
         }
         Some(facts)
     }

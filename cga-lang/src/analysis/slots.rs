@@ -32,7 +32,7 @@ pub(crate) struct Slot<'a> {
 }
 
 /// A group with `*`.
-pub(crate) struct Group {
+pub(crate) struct Repeated {
     /// Its slots, nested ones included.
     pub(crate) slots: std::ops::Range<usize>,
     /// From its first to its last slot, as written.
@@ -45,7 +45,7 @@ pub(crate) struct Slots<'a> {
     pub(crate) axis: usize,
     pub(crate) extent: Interval,
     pub(crate) list: Vec<Slot<'a>>,
-    pub(crate) groups: Vec<Group>,
+    pub(crate) groups: Vec<Repeated>,
     pattern: Vec<Item>,
     /// By slot: a lower bound of the space before it, whenever it is made.
     before: Vec<Sum>,
@@ -163,7 +163,7 @@ impl<'a> Slots<'a> {
         if repeat {
             self.pattern.push(Item::Repeat(0));
             group = Some(self.groups.len());
-            self.groups.push(Group { slots: first..first, span: self.split.name.span });
+            self.groups.push(Repeated { slots: first..first, span: self.split.name.span });
         }
         for item in items {
             match item {

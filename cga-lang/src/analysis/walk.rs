@@ -1,7 +1,7 @@
 //! Follows a shape through the steps of a rule.
 
+use super::evaluator::Evaluator;
 use super::facts::Facts;
-use super::known::Known;
 use super::shape::{Filling, Shape};
 use super::slots::Slots;
 use super::uvs::UvSets;
@@ -47,7 +47,7 @@ pub(super) trait Visit<'a> {
 
 /// A walk through one rule.
 pub(super) struct Walk<'w> {
-    pub(super) known: &'w Known<'w>,
+    pub(super) known: &'w Evaluator<'w>,
     /// True if sizes set by steps count as unknown.
     pub(super) forgets: bool,
 }

@@ -4,7 +4,7 @@ use crate::diag::code::Code;
 use crate::diag::{Diag, Level};
 use crate::dialect::Dialect;
 use crate::resolve::context::Context;
-use crate::resolve::info::{Group, Hidden};
+use crate::resolve::info::{AttrGroup, Hidden};
 use crate::span::Span;
 use crate::syntax::ast::{AnnotationArg, Expr, ExprKind, Unary};
 
@@ -43,7 +43,7 @@ pub(super) fn texts(cx: &mut Context, needs: &str, args: &[AnnotationArg]) -> Ve
 }
 
 /// `@Group("A", "B", order)`. Without arguments it ends the group.
-pub(super) fn group_of(cx: &mut Context, args: &[AnnotationArg]) -> Group {
+pub(super) fn group_of(cx: &mut Context, args: &[AnnotationArg]) -> AttrGroup {
     let (order, names) = match args.split_last() {
         Some((AnnotationArg { name: None, value }, rest)) if number(value).is_some() => (number(value), rest),
         _ => (None, args),
@@ -51,9 +51,9 @@ pub(super) fn group_of(cx: &mut Context, args: &[AnnotationArg]) -> Group {
     let needs = "`@Group` takes strings, and optionally a number at the end";
     if let (Some(_), [], [arg]) = (order, names, args) {
         wrong(cx, whole(arg), needs.to_owned());
-        return Group::default();
+        return AttrGroup::default();
     }
-    Group { names: texts(cx, needs, names), order }
+    AttrGroup { names: texts(cx, needs, names), order }
 }
 
 pub(super) fn hidden(cx: &mut Context, args: &[AnnotationArg]) -> Hidden {

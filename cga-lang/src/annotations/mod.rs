@@ -10,7 +10,7 @@ use crate::diag::code::Code;
 use crate::link::{InstanceId, Key, Program};
 use crate::resolve::context::Context;
 use crate::resolve::globals::Item;
-use crate::resolve::info::{AttrInfo, Group, Hidden, ImportInfo, RuleInfo};
+use crate::resolve::info::{AttrGroup, AttrInfo, Hidden, ImportInfo, RuleInfo};
 use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Annotation, Ast, Body, Decl, Import, Role, Style};
@@ -20,30 +20,30 @@ use notes::Notes;
 use std::collections::HashMap;
 
 /// The possible places of annotations.
-enum Place<'a> {
+enum Annotated<'a> {
     Head(&'a [Annotation]),
     Import(&'a Import),
     Style(&'a Style),
     Decl(&'a Decl),
 }
 
-impl<'a> Place<'a> {
+impl<'a> Annotated<'a> {
     fn annotations(&self) -> &'a [Annotation] {
         match self {
-            Place::Head(annotations) => annotations,
-            Place::Import(import) => &import.annotations,
-            Place::Style(style) => &style.annotations,
-            Place::Decl(decl) => &decl.annotations,
+            Annotated::Head(annotations) => annotations,
+            Annotated::Import(import) => &import.annotations,
+            Annotated::Style(style) => &style.annotations,
+            Annotated::Decl(decl) => &decl.annotations,
         }
     }
 
     fn span(&self) -> Span {
         match self {
             // Before all other places.
-            Place::Head(_) => Span::default(),
-            Place::Import(import) => import.span,
-            Place::Style(style) => style.name.span,
-            Place::Decl(decl) => decl.span,
+            Annotated::Head(_) => Span::default(),
+            Annotated::Import(import) => import.span,
+            Annotated::Style(style) => style.name.span,
+            Annotated::Decl(decl) => decl.span,
         }
     }
 }
@@ -85,14 +85,14 @@ fn from(program: &Program, parent: InstanceId, id: InstanceId) -> Option<Key> {
 fn file<'a>(
     cx: &mut Context,
     ast: &'a Ast,
-    mut group: Group,
+    mut group: AttrGroup,
     keep: &mut dyn FnMut(&mut Context, &'a Decl, AttrInfo),
 ) -> Starts {
-    let mut places: Vec<Place<'_>> = vec![Place::Head(&ast.head)];
-    places.extend(ast.imports.iter().map(Place::Import));
-    places.extend(ast.styles.iter().map(Place::Style));
-    places.extend(ast.decls.iter().map(Place::Decl));
-    places.sort_by_key(Place::span);
+    let mut places: Vec<Annotated<'_>> = vec![Annotated::Head(&ast.head)];
+    places.extend(ast.imports.iter().map(Annotated::Import));
+    places.extend(ast.styles.iter().map(Annotated::Style));
+    places.extend(ast.decls.iter().map(Annotated::Decl));
+    places.sort_by_key(Annotated::span);
     let mut starts = Starts::default();
     for place in places {
         let mut notes = Notes::default();
@@ -100,20 +100,20 @@ fn file<'a>(
             let (Some(name), Some(args)) = (known(cx, annotation), &annotation.args) else { continue };
             notes.read(cx, name, annotation.name.span, args, &mut group);
         }
-        let is_rule = matches!(place, Place::Decl(Decl { body: Body::Rule(_), .. }));
+        let is_rule = matches!(place, Annotated::Decl(Decl { body: Body::Rule(_), .. }));
         if let Some(span) = notes.start.filter(|_| !is_rule) {
             wrong(cx, span, "only a rule can be the start rule".into())
                 .help("move it before the rule that begins a model");
         }
-        if let Some(span) = notes.names.filter(|_| !matches!(place, Place::Import(_))) {
+        if let Some(span) = notes.names.filter(|_| !matches!(place, Annotated::Import(_))) {
             wrong(cx, span, "`@Hidden` takes names before an import only".into());
         }
         match place {
-            Place::Import(import) => {
+            Annotated::Import(import) => {
                 let info = ImportInfo { hidden: notes.hidden, group: group.clone() };
                 cx.tables.imports.insert((cx.at, import.id.id()), info);
             }
-            Place::Decl(decl) => match &decl.body {
+            Annotated::Decl(decl) => match &decl.body {
                 Body::Attr(_) => {
                     let info = notes.attribute(cx, decl, &group);
                     keep(cx, decl, info);
@@ -129,7 +129,7 @@ fn file<'a>(
                 }
                 _ => {}
             },
-            Place::Head(_) | Place::Style(_) => {}
+            Annotated::Head(_) | Annotated::Style(_) => {}
         }
     }
     starts

@@ -5,7 +5,7 @@ use super::limits::Limits;
 use crate::diag::code::Code;
 use crate::ir::{Presentation, Type};
 use crate::resolve::context::Context;
-use crate::resolve::info::{AttrInfo, Group, Hidden};
+use crate::resolve::info::{AttrGroup, AttrInfo, Hidden};
 use crate::span::Span;
 use crate::syntax::ast::{AnnotationArg, Decl};
 
@@ -31,7 +31,7 @@ impl Notes {
         name: &'static str,
         span: Span,
         args: &[AnnotationArg],
-        group: &mut Group,
+        group: &mut AttrGroup,
     ) {
         match name {
             "Range" => self.limits.range(cx, span, args),
@@ -96,7 +96,7 @@ impl Notes {
     }
 
     /// The information about an attribute that fits its type.
-    pub(super) fn attribute(self, cx: &mut Context, decl: &Decl, group: &Group) -> AttrInfo {
+    pub(super) fn attribute(self, cx: &mut Context, decl: &Decl, group: &AttrGroup) -> AttrInfo {
         let doc = self.doc(decl);
         let Notes { mut info, limits, presented, hidden, .. } = self;
         info.group.clone_from(group);

@@ -5,7 +5,7 @@ use crate::analysis::interval::Interval;
 use crate::analysis::{Facts, Flow, Value};
 use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
-use crate::ops::{Bounds, Param, Values};
+use crate::ops::{Allowed, Bounds, Param};
 use crate::syntax::ast::{Expr, ExprKind};
 
 /// Reports the arguments of a call that are out of bounds for all their possible values.
@@ -13,7 +13,7 @@ pub(crate) fn check(params: &[Param], args: &[&Expr], facts: &Facts, flow: &Flow
     for (param, arg) in params.iter().zip(args) {
         let Some(bounds) = param.bounds else { continue };
         let found = match (bounds.values, flow.value(arg, facts)) {
-            (Values::NotEmpty, _) => is_empty_text(arg).then(|| "this text".to_owned()),
+            (Allowed::NotEmpty, _) => is_empty_text(arg).then(|| "this text".to_owned()),
             (values, Value::Number(number)) => {
                 is_outside(values, number).then(|| number.known().map_or_else(|| "this".to_owned(), shown))
             }
@@ -28,7 +28,7 @@ pub(crate) fn check(params: &[Param], args: &[&Expr], facts: &Facts, flow: &Flow
 fn report(param: &Param, bounds: &Bounds, arg: &Expr, found: &str, diags: &mut Diags) {
     let message = match bounds.code {
         Code::UnknownUvSet => format!("{found} is not the number of a uv set"),
-        _ if bounds.values == Values::NotEmpty => format!("`{}` is empty", param.name),
+        _ if bounds.values == Allowed::NotEmpty => format!("`{}` is empty", param.name),
         _ => format!("{found} is outside the values of `{}`", param.name),
     };
     let level = bounds.result.map_or(bounds.code.level(), |_| Level::Warning);
@@ -40,18 +40,18 @@ fn report(param: &Param, bounds: &Bounds, arg: &Expr, found: &str, diags: &mut D
 }
 
 /// Returns true if no number of an interval is allowed. Runs treat NaN as 0, with a fault.
-fn is_outside(values: Values, number: Interval) -> bool {
+fn is_outside(values: Allowed, number: Interval) -> bool {
     if number.is_odd() {
         return false;
     }
     match values {
-        Values::Between(least, most) => number.hi < least || most < number.lo,
-        Values::Whole(least, most) => {
+        Allowed::Between(least, most) => number.hi < least || most < number.lo,
+        Allowed::Whole(least, most) => {
             number.hi < least || most < number.lo || number.known().is_some_and(|number| number.fract() != 0.0)
         }
-        Values::AtLeast(least) => number.hi < least,
-        Values::Above(least) => number.hi <= least,
-        Values::NotEmpty => false,
+        Allowed::AtLeast(least) => number.hi < least,
+        Allowed::Above(least) => number.hi <= least,
+        Allowed::NotEmpty => false,
     }
 }
 

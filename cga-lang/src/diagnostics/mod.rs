@@ -19,7 +19,7 @@ mod texture;
 mod trailing;
 mod unused;
 
-use crate::analysis::{Attrs, Calls, Facts, Flow, Known, Site};
+use crate::analysis::{Attrs, Calls, Evaluator, Facts, Flow, Site};
 use crate::diag::{Basis, Diag, Diags};
 use crate::diagnostics::agreed::Agreed;
 use crate::diagnostics::texture::Projected;
@@ -32,7 +32,7 @@ pub(crate) fn check(cx: &mut Context) {
     let program = cx.globals.program;
     // With an error anywhere, the calls are not known.
     let calls = (!cx.diags.has_errors()).then(|| Calls::new(&cx.globals, &cx.tables));
-    let known = Known::new(&cx.globals, &cx.tables, Attrs::Accepted);
+    let known = Evaluator::new(&cx.globals, &cx.tables, Attrs::Accepted);
     let alone = Flow::new(&cx.globals, &known, None);
     let values = Flow::of_values(&cx.globals, &known);
     let joined = Flow::new(&cx.globals, &known, calls.as_ref());

@@ -1,4 +1,4 @@
 //! Names for editors and for programs that use a grammar with errors.
 
 pub mod index;
-pub mod skeleton;
+pub mod public_names;

@@ -13,7 +13,7 @@ const MOST_PIECES: u64 = 64;
 
 /// The known extents of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Known {
+struct Extents {
     /// The scope's size along each axis.
     size: [Option<f64>; 3],
     /// The geometry is a box that fills the scope, so parts of it fill their slots.
@@ -22,16 +22,16 @@ struct Known {
     trimmed: bool,
 }
 
-const NOTHING: Known = Known { size: [None; 3], solid: false, trimmed: true };
+const NOTHING: Extents = Extents { size: [None; 3], solid: false, trimmed: true };
 
 /// Of an initial shape, which has no trim planes.
-const INITIAL: Known = Known { trimmed: false, ..NOTHING };
+const INITIAL: Extents = Extents { trimmed: false, ..NOTHING };
 
-impl Known {
+impl Extents {
     /// The join of two paths.
-    fn and(self, other: Known) -> Known {
+    fn and(self, other: Extents) -> Extents {
         let both = |axis: usize| self.size[axis].filter(|size| other.size[axis] == Some(*size));
-        Known {
+        Extents {
             size: [both(0), both(1), both(2)],
             solid: self.solid && other.solid,
             trimmed: self.trimmed || other.trimmed,
@@ -39,8 +39,8 @@ impl Known {
     }
 
     /// With another scope.
-    fn moved_on(self) -> Known {
-        Known { trimmed: self.trimmed, ..NOTHING }
+    fn moved_on(self) -> Extents {
+        Extents { trimmed: self.trimmed, ..NOTHING }
     }
 
     /// Returns true if it always extends along all axes.
@@ -48,16 +48,16 @@ impl Known {
         self.size.iter().all(|size| size.is_some_and(|size| size != 0.0))
     }
 
-    fn resize(self, args: &[Arg]) -> Known {
+    fn resize(self, args: &[Arg]) -> Extents {
         let mut size = [None; 3];
         for ((size, arg), old) in size.iter_mut().zip(args).zip(self.size) {
             if let Arg::Length(length) = arg {
                 *size = new_size(length, old);
             }
         }
-        let sized = Known { size, ..self };
+        let sized = Extents { size, ..self };
         // A box without an extent stays flat.
-        Known { solid: self.solid && sized.has_room(), ..sized }
+        Extents { solid: self.solid && sized.has_room(), ..sized }
     }
 }
 
@@ -78,7 +78,7 @@ fn constant(size: &Size) -> Option<f64> {
 
 /// Solves what can be solved.
 pub(super) fn solve_known(grammar: &mut Grammar) {
-    let mut entries: Vec<Option<Known>> = vec![None; grammar.rules.len()];
+    let mut entries: Vec<Option<Extents>> = vec![None; grammar.rules.len()];
     let mut changed: Vec<RuleId> = Vec::new();
     for start in &grammar.starts {
         entries[start.rule.0 as usize] = Some(INITIAL);
@@ -102,7 +102,7 @@ pub(super) fn solve_known(grammar: &mut Grammar) {
 
 /// Follows a shape through steps and solves the splits on the way; calls `hand_on` with what is known of the shapes that
 /// leave them. A rule is followed again when less is known of it, so the last solution stands.
-fn follow(steps: &mut [Step], mut known: Known, hand_on: &mut dyn FnMut(&Target, Known)) -> Known {
+fn follow(steps: &mut [Step], mut known: Extents, hand_on: &mut dyn FnMut(&Target, Extents)) -> Extents {
     for step in steps {
         match step {
             Step::Give(target) | Step::Anew(Anew { target, .. }) => hand_on(target, known),
@@ -126,21 +126,21 @@ fn follow(steps: &mut [Step], mut known: Known, hand_on: &mut dyn FnMut(&Target,
 
 fn branches<'g>(
     arms: impl Iterator<Item = &'g mut Vec<Step>>,
-    known: Known,
-    hand_on: &mut dyn FnMut(&Target, Known),
-) -> Known {
-    arms.map(|inner| follow(inner, known, hand_on)).reduce(Known::and).unwrap_or(known)
+    known: Extents,
+    hand_on: &mut dyn FnMut(&Target, Extents),
+) -> Extents {
+    arms.map(|inner| follow(inner, known, hand_on)).reduce(Extents::and).unwrap_or(known)
 }
 
 /// The extents after a step without successors.
-fn after(step: &Step, known: Known) -> Known {
+fn after(step: &Step, known: Extents) -> Extents {
     match step {
         Step::Do(row, args, _) => match row.scope {
             Effect::Keeps => known,
-            Effect::KeepsSize => Known { solid: false, ..known },
+            Effect::KeepsSize => Extents { solid: false, ..known },
             Effect::Sizes => known.resize(args),
-            Effect::FillsWithBox if known.has_room() => Known { solid: !known.trimmed, ..known },
-            Effect::Fills if known.has_room() => Known { solid: false, ..known },
+            Effect::FillsWithBox if known.has_room() => Extents { solid: !known.trimmed, ..known },
+            Effect::Fills if known.has_room() => Extents { solid: false, ..known },
             Effect::Any | Effect::MovesScope | Effect::Extrudes | Effect::FillsWithBox | Effect::Fills => {
                 known.moved_on()
             }
@@ -152,7 +152,7 @@ fn after(step: &Step, known: Known) -> Known {
 }
 
 /// Solves the slots of an operation if it can, and hands its parts on.
-fn divide(block: &mut Block, known: Known, hand_on: &mut dyn FnMut(&Target, Known)) {
+fn divide(block: &mut Block, known: Extents, hand_on: &mut dyn FnMut(&Target, Extents)) {
     let (axis, adjusts) = (block.axis(), block.adjusts());
     match (&mut block.parts, block.row.braces, axis) {
         (Parts::Slots(slots), Braces::Slots(measure @ (Measure::Length | Measure::Area)), Some(axis)) => {
@@ -168,7 +168,7 @@ fn divide(block: &mut Block, known: Known, hand_on: &mut dyn FnMut(&Target, Know
 }
 
 /// The parts in a slot, where they fill their pieces.
-fn part(slots: &Slots, axis: Axis, slot: usize, known: Known) -> Known {
+fn part(slots: &Slots, axis: Axis, slot: usize, known: Extents) -> Extents {
     let mut part = known;
     let axis = axis as usize;
     let pieces = slots.solved.as_ref().map_or(&[][..], |solved| &solved.pieces);
@@ -179,7 +179,7 @@ fn part(slots: &Slots, axis: Axis, slot: usize, known: Known) -> Known {
 }
 
 /// The solution of a split, where it can be known.
-fn solved(slots: &Slots, axis: Axis, known: Known) -> Option<Solved> {
+fn solved(slots: &Slots, axis: Axis, known: Extents) -> Option<Solved> {
     let extent = known.size[axis as usize]?.abs();
     let sizes = slots.sizes.iter().map(|size| {
         let value = constant(size)?;

@@ -14,7 +14,7 @@ const MOST_ELEMENTS: usize = 1024;
 
 /// Values of the grammar that are known.
 #[derive(Default)]
-pub(crate) struct Known {
+pub(crate) struct Folded {
     /// By constant.
     pub(crate) consts: Vec<Option<Value>>,
     /// By function; only functions without parameters have one.
@@ -22,7 +22,7 @@ pub(crate) struct Known {
 }
 
 /// Folds an expression in place; returns its value when it is known.
-pub(crate) fn fold(expr: &mut Expr, known: &Known) -> Option<Value> {
+pub(crate) fn fold(expr: &mut Expr, known: &Folded) -> Option<Value> {
     let value = match &mut expr.kind {
         ExprKind::Value(value) => return Some(value.clone()),
         ExprKind::Const(id) => known.consts.get(id.0 as usize)?.clone()?,
@@ -103,7 +103,7 @@ fn put(expr: &mut Expr, chosen: Expr) -> Option<Value> {
 }
 
 /// Leaves out branches that are never taken; returns the one that is always taken.
-fn case(arms: &mut Vec<(Expr, Expr)>, otherwise: &mut Box<Expr>, known: &Known) -> Option<Expr> {
+fn case(arms: &mut Vec<(Expr, Expr)>, otherwise: &mut Box<Expr>, known: &Folded) -> Option<Expr> {
     let mut left = Vec::new();
     let mut settled = None;
     for (mut condition, mut value) in std::mem::take(arms) {
@@ -129,7 +129,7 @@ fn case(arms: &mut Vec<(Expr, Expr)>, otherwise: &mut Box<Expr>, known: &Known) 
 }
 
 /// An array of known single values in equal rows.
-fn array(rows: &mut [Vec<Expr>], known: &Known) -> Option<Value> {
+fn array(rows: &mut [Vec<Expr>], known: &Folded) -> Option<Value> {
     let mut values = Vec::with_capacity(rows.len());
     for row in rows.iter_mut() {
         let row: Vec<Option<Value>> = row.iter_mut().map(|entry| fold(entry, known)).collect();

@@ -2,7 +2,7 @@
 
 use super::{Lower, merge};
 use crate::ir::{Attr, AttrId, Const, ConstId, Expr, ExprKind, Function, FunctionId, Global, Type, Value};
-use crate::lower::fold::{Known, fold};
+use crate::lower::fold::{Folded, fold};
 use crate::resolve::globals::{Init, Item};
 use std::collections::HashMap;
 
@@ -135,9 +135,9 @@ impl<'c> Lower<'c> {
     }
 
     /// Values of constants and functions in their style.
-    fn known_in_a_style(&self) -> Known {
+    fn known_in_a_style(&self) -> Folded {
         let (attrs, consts, functions) = (self.out.attrs.len(), &self.out.consts, &self.out.functions);
-        let mut known = Known { consts: vec![None; consts.len()], functions: vec![None; functions.len()] };
+        let mut known = Folded { consts: vec![None; consts.len()], functions: vec![None; functions.len()] };
         for index in self.checked.tables.order.iter().filter_map(|node| node.checked_sub(attrs)) {
             if let Some(own) = consts.get(index) {
                 known.consts[index] = fold(&mut own.value.clone(), &known);

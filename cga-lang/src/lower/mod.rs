@@ -17,7 +17,7 @@ use crate::graph::{components, is_cycle};
 use crate::ir::walk::called;
 use crate::ir::{Childless, Global, Grammar, Host, HostId, Init, Param, RenewalId, Rule, RuleId, Start, Step, Type};
 use crate::link::{InstanceId, Key};
-use crate::lower::fold::Known;
+use crate::lower::fold::Folded;
 use crate::resolve::globals::Item;
 use crate::resolve::info::RuleInfo;
 use crate::resolve::tables::Use;
@@ -43,7 +43,7 @@ pub(crate) fn lower(checked: &Checked) -> Grammar {
         hosts: HashMap::new(),
         renewals: HashMap::new(),
         below: None,
-        known: Known::default(),
+        known: Folded::default(),
         owners: Owners::default(),
         init: Vec::new(),
         out: Grammar::default(),
@@ -80,7 +80,7 @@ struct Lower<'c> {
     /// Created when an import is computed again.
     below: Option<import::Below>,
     /// Constants and functions whose value is known.
-    known: Known,
+    known: Folded,
     owners: Owners,
     /// By style: attributes and constants in an order in which each is ready before it is used.
     init: Vec<Vec<Global>>,

@@ -6,7 +6,7 @@ use crate::diag::code::Code;
 #[derive(Debug, PartialEq)]
 pub struct Bounds {
     /// The allowed values.
-    pub values: Values,
+    pub values: Allowed,
     /// The allowed values in words, for a note.
     pub about: &'static str,
     /// The code for other values.
@@ -17,7 +17,7 @@ pub struct Bounds {
 
 /// A set of values.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Values {
+pub enum Allowed {
     /// The numbers between two numbers, inclusive.
     Between(f64, f64),
     /// The whole numbers between two numbers, inclusive.

@@ -2,7 +2,7 @@
 
 use super::base::later;
 use super::{
-    B, BS, Bounds, Default, F, FILE, FS, Function, Needs, Param, Run, T, TS, Uses, Values, boolean, bounds, float, of,
+    Allowed, B, BS, Bounds, Default, F, FILE, FS, Function, Needs, Param, Run, T, TS, Uses, boolean, bounds, float, of,
     or, queries, renamed, set_elements, text, values, within, word, words,
 };
 use crate::types::Type;
@@ -42,7 +42,7 @@ const fn asked(name: &'static str, call: &'static str, params: &'static [Param],
 
 /// *contextCompare*, *contextCount* and *minimumDistance function*.
 static LABELS: Bounds =
-    Bounds { result: Some("no shape has an empty label"), ..bounds(Values::NotEmpty, "a label is not empty") };
+    Bounds { result: Some("no shape has an empty label"), ..bounds(Allowed::NotEmpty, "a label is not empty") };
 
 const LABEL: Param = within(text("label"), &LABELS);
 

@@ -1,6 +1,6 @@
 //! Parameters of operations and functions.
 
-use super::{Bounds, Values};
+use super::{Allowed, Bounds};
 use crate::diag::code::Code;
 use crate::types::Type;
 
@@ -231,13 +231,13 @@ pub(super) const fn within(param: Param, bounds: &'static Bounds) -> Param {
 }
 
 /// Bounds without a documented result for other values.
-pub(super) const fn bounds(values: Values, about: &'static str) -> Bounds {
+pub(super) const fn bounds(values: Allowed, about: &'static str) -> Bounds {
     Bounds { values, about, code: Code::OutOfRange, result: None }
 }
 
 /// The numbers of uv sets (*texturing*).
 static UV_SETS: Bounds =
-    Bounds { code: Code::UnknownUvSet, ..bounds(Values::Between(0.0, 9.0), "uv sets are numbered from 0 to 9") };
+    Bounds { code: Code::UnknownUvSet, ..bounds(Allowed::Between(0.0, 9.0), "uv sets are numbered from 0 to 9") };
 
 /// The number of a uv set.
 pub(super) const fn uv_set(name: &'static str) -> Param {

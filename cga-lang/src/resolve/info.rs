@@ -9,7 +9,7 @@ pub(crate) struct AttrInfo {
     pub(crate) choices: Option<Choices>,
     pub(crate) presentation: Presentation,
     pub(crate) display_name: Option<String>,
-    pub(crate) group: Group,
+    pub(crate) group: AttrGroup,
     pub(crate) doc: String,
     pub(crate) order: Option<f64>,
     pub(crate) hidden: bool,
@@ -37,7 +37,7 @@ pub(crate) struct RuleInfo {
 
 /// The group of attributes. It continues from one `@Group` to the next, across imports.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Group {
+pub(crate) struct AttrGroup {
     /// From the outermost to the innermost name; empty without a group.
     pub(crate) names: Vec<String>,
     /// The position of the innermost group in the order of groups.
@@ -50,7 +50,7 @@ pub(crate) struct ImportInfo {
     /// The attributes of the import that user interfaces leave out.
     pub(crate) hidden: Hidden,
     /// The group of its attributes until they name another.
-    pub(crate) group: Group,
+    pub(crate) group: AttrGroup,
 }
 
 /// The effect of `@Hidden`.

@@ -15,11 +15,11 @@ struct Slots<'s> {
     axis: TokenStream,
     /// True if the pieces are a list, false if they are laid out one by one.
     is_list: bool,
-    names: Names,
+    names: SplitFunctions,
 }
 
 /// The functions that a split calls.
-struct Names {
+struct SplitFunctions {
     new: Ident,
     open: Ident,
     turn: Ident,
@@ -29,11 +29,11 @@ struct Names {
     end: Ident,
 }
 
-impl Names {
+impl SplitFunctions {
     /// With `in_place` the functions that become part of the rule, else those that are compiled once.
     fn new(in_place: bool) -> Self {
         let name = |inlined, shared| Ident::new(if in_place { inlined } else { shared }, Span::mixed_site());
-        Names {
+        SplitFunctions {
             new: name("new", "any"),
             open: name("open", "any_open"),
             turn: name("turn", "any_turn"),
@@ -80,9 +80,10 @@ impl Generator<'_> {
         let is_counted = slots.targets.iter().any(|target| self.facts.target(target).total);
         let total =
             if is_counted { quote_spanned!(place=> cga_rt::Row::total(&pieces)) } else { quote_spanned!(place=> 0) };
-        let slots = Slots { slots, rule, axis, is_list, names: Names::new(in_place) };
+        let slots = Slots { slots, rule, axis, is_list, names: SplitFunctions::new(in_place) };
         let statements = self.items(&slots, &slots.slots.pattern, At::default(), false);
-        let (axis, number, Names { new, end, .. }) = (&slots.axis, Literal::u32_unsuffixed(number), &slots.names);
+        let (axis, number, SplitFunctions { new, end, .. }) =
+            (&slots.axis, Literal::u32_unsuffixed(number), &slots.names);
         let made = match measure {
             Measure::Texture => TokenStream::new(),
             _ if in_place => {
@@ -127,7 +128,7 @@ impl Generator<'_> {
                     rest = behind;
                     let count = inside.iter().filter(|item| matches!(item, Item::Slot)).count();
                     let group = local("group", at.group);
-                    let Names { open, turn, .. } = &slots.names;
+                    let SplitFunctions { open, turn, .. } = &slots.names;
                     let opened = if slots.is_list {
                         let [from, to] = [at.slot, at.slot + count].map(|slot| Literal::u32_unsuffixed(slot as u32));
                         quote_spanned!(place=> row.#open(#from..#to))
@@ -157,7 +158,7 @@ impl Generator<'_> {
 
     /// The statement of a slot.
     fn slot(&self, slots: &Slots<'_>, slot: usize, in_group: bool) -> TokenStream {
-        let (place, axis, Names { part, leaf, skip, .. }) = (Span::mixed_site(), &slots.axis, &slots.names);
+        let (place, axis, SplitFunctions { part, leaf, skip, .. }) = (Span::mixed_site(), &slots.axis, &slots.names);
         let number = Literal::usize_unsuffixed(slot);
         match &slots.slots.targets[slot] {
             Target::Nil => quote_spanned!(place=> division.#skip(&mut row, #number);),

@@ -19,7 +19,7 @@ pub(crate) struct Globals<'a> {
     pub(crate) consts: Vec<Item<'a>>,
     pub(crate) functions: Vec<Item<'a>>,
     pub(crate) rules: Vec<Item<'a>>,
-    names: Vec<Names<'a>>,
+    names: Vec<NameTable<'a>>,
     /// The remaining number of suggestions.
     hints: Cell<u32>,
 }
@@ -66,7 +66,7 @@ pub(crate) enum Init<'a> {
 
 /// The meaning of names in an instance.
 #[derive(Default)]
-struct Names<'a> {
+struct NameTable<'a> {
     /// Attributes, constants and functions without parameters.
     values: HashMap<&'a str, Use>,
     functions: HashMap<&'a str, Vec<u32>>,
@@ -75,7 +75,7 @@ struct Names<'a> {
     replaced: HashMap<&'a str, u32>,
     /// Rules marked with `start`.
     start: Vec<u32>,
-    /// Names that may be declared in unreadable text.
+    /// NameTable that may be declared in unreadable text.
     lost: HashSet<&'a str>,
     /// Default values of overridden attributes, which the overriding expression may use.
     origins: HashMap<&'a str, u32>,
@@ -122,7 +122,7 @@ impl<'a> Item<'a> {
 
 impl<'a> Globals<'a> {
     pub(crate) fn new(program: &'a Program) -> Self {
-        let names = program.instances.iter().map(|_| Names::default()).collect();
+        let names = program.instances.iter().map(|_| NameTable::default()).collect();
         let hints = Cell::new(MOST_HINTS);
         let mut globals = Globals {
             program,

@@ -10,7 +10,7 @@ use std::collections::{HashMap, HashSet};
 
 /// The public names of a grammar.
 #[derive(Clone, Debug, Default)]
-pub struct Skeleton {
+pub struct PublicNames {
     /// Attributes, in source order, each name once.
     pub attrs: Vec<Attr>,
 }
@@ -30,7 +30,7 @@ pub struct Attr {
     pub span: Span,
 }
 
-impl Skeleton {
+impl PublicNames {
     pub(crate) fn new(program: &Program, attrs: &[(Item, Option<Type>)], grammar: Option<&Grammar>) -> Self {
         let mut list: Vec<Attr> = Vec::new();
         let mut seen = HashSet::new();
@@ -55,7 +55,7 @@ impl Skeleton {
             };
             list.push(Attr { name: item.name.clone(), ty: *ty, known, computed, span: item.decl.name.span });
         }
-        Skeleton { attrs: list }
+        PublicNames { attrs: list }
     }
 }
 

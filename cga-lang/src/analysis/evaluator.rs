@@ -48,7 +48,7 @@ struct Function<'f> {
 }
 
 /// The abstract values of a grammar.
-pub(crate) struct Known<'f> {
+pub(crate) struct Evaluator<'f> {
     tables: &'f Tables,
     texts: Texts,
     attrs: Vec<Value>,
@@ -67,14 +67,14 @@ pub(crate) struct Known<'f> {
     taken: Cell<u64>,
 }
 
-impl<'f> Known<'f> {
-    pub(crate) fn new(globals: &Globals<'f>, tables: &'f Tables, mode: Attrs) -> Known<'f> {
+impl<'f> Evaluator<'f> {
+    pub(crate) fn new(globals: &Globals<'f>, tables: &'f Tables, mode: Attrs) -> Evaluator<'f> {
         let (attrs, consts) = (globals.attrs.len(), globals.consts.len());
         let body = |(index, item): (usize, &Item<'f>)| {
             let (body, own) = item.value().filter(|_| item.is_own() && !tables.recursive.contains(&(index as u32)))?;
             Some(Function { own, decl: item.decl, body })
         };
-        let mut known = Known {
+        let mut known = Evaluator {
             tables,
             texts: Texts::new(globals.program.tokens.as_slice()),
             attrs: vec![Value::Any; attrs],
