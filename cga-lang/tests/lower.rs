@@ -4,7 +4,7 @@ mod common;
 
 use cga_lang::compile::{Compiled, Dialect, compile};
 use cga_lang::ir::print::print;
-use cga_lang::ir::{Anew, Item, Parts, RuleId, Step, Target, Type};
+use cga_lang::ir::{Item, Parts, Renew, RuleId, Step, Target, Type};
 use cga_lang::link::{NoFiles, Unit};
 use cga_lang::syntax::lex::lex;
 use cga_lang::syntax::token::{Tok, Tokens};
@@ -42,7 +42,7 @@ fn a_target_passes_as_many_arguments_as_its_rule_has_parameters() {
 fn targets(steps: &[Step], visit: &mut dyn FnMut(&Target)) {
     for step in steps {
         match step {
-            Step::Give(target) | Step::Anew(Anew { target, .. }) => visit(target),
+            Step::Give(target) | Step::Renew(Renew { target, .. }) => visit(target),
             Step::Block(block) => {
                 assert_eq!(block.args.len(), block.row.params.len());
                 match &block.parts {

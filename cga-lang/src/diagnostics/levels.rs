@@ -54,7 +54,7 @@ fn read(cx: &mut Context, annotation: &Annotation, place: Option<Span>, settings
             None => {
                 let lints = Code::ALL.iter().filter(|code| code.is_lint()).map(|code| code.name());
                 cx.diags
-                    .report(Code::UnknownCode, arg.value.span, format!("there is no diagnostic `{word}`"))
+                    .report(Code::UnknownCode, arg.value.span, format!("unknown diagnostic `{word}`"))
                     .suggest(nearest(word, lints));
             }
         }

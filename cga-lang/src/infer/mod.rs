@@ -1,6 +1,6 @@
 //! Type inference: floats, bools, strings and arrays of these.
 //!
-//! There are no type annotations: every declaration and parameter has one type, inferred from its uses and from the
+//! Types are never written: every declaration and parameter has one type, inferred from its uses and from the
 //! calls. Bodies come first and calls last, so that a wrong argument is blamed at the call. Unclear expressions (`+`,
 //! overloaded calls, arrays) wait in `open` until more is known. If one type is not enough, `generic` requests
 //! instances of declarations with other types.

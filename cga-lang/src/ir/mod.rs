@@ -237,7 +237,7 @@ pub enum Step {
     /// `[ … ]`: works on a copy.
     Push(Vec<Step>),
     /// `import( … ).Rule`: a copy on which the attributes and constants of an import are computed again.
-    Anew(Anew),
+    Renew(Renew),
     /// `case … else`.
     Case {
         /// Condition and body, tried in order.
@@ -256,7 +256,7 @@ pub enum Step {
 
 /// A call of a rule of an import whose attributes are computed again (*import*).
 #[derive(Clone, Debug)]
-pub struct Anew {
+pub struct Renew {
     /// The values given in the call. They and the rule's arguments are evaluated before anything changes.
     pub given: Vec<(AttrId, Expr)>,
     /// The values that are computed again, except the given ones.

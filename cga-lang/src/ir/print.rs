@@ -5,8 +5,8 @@ mod facts;
 
 use crate::ir::facts::{Facts, RuleFacts};
 use crate::ir::{
-    Anew, Arg, Attr, Binary, Childless, ChoiceValues, Choices, Const, EachUnary, Expr, ExprKind, Function, FunctionId,
-    Global, Grammar, Init, Param, Prefix, Presentation, Renewal, Rule, RuleId, Size, Start, Step, Target, Value,
+    Arg, Attr, Binary, Childless, ChoiceValues, Choices, Const, EachUnary, Expr, ExprKind, Function, FunctionId,
+    Global, Grammar, Init, Param, Prefix, Presentation, Renew, Renewal, Rule, RuleId, Size, Start, Step, Target, Value,
 };
 use crate::syntax::token::push_quoted;
 use std::fmt::Write;
@@ -252,7 +252,7 @@ impl<'g> Printer<'g> {
             }
             Step::Block(block) => self.block(block),
             Step::Push(steps) => self.headed("push", steps),
-            Step::Anew(anew) => self.anew(anew),
+            Step::Renew(call) => self.renew(call),
             Step::Case { arms, otherwise } => {
                 for (condition, steps) in arms {
                     let head = format!("case {}", self.expr(condition));
@@ -283,14 +283,14 @@ impl<'g> Printer<'g> {
         text
     }
 
-    fn anew(&mut self, anew: &'g Anew) {
-        self.line(&format!("anew {}", self.grammar.renewals[anew.renewal.0 as usize].import));
+    fn renew(&mut self, call: &'g Renew) {
+        self.line(&format!("anew {}", self.grammar.renewals[call.renewal.0 as usize].import));
         self.depth += 1;
-        for (id, value) in &anew.given {
+        for (id, value) in &call.given {
             let text = format!("given {} = {}", self.grammar.attrs[id.0 as usize].name, self.expr(value));
             self.line(&text);
         }
-        let text = format!("give {}", self.target(&anew.target));
+        let text = format!("give {}", self.target(&call.target));
         self.line(&text);
         self.depth -= 1;
     }

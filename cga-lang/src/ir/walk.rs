@@ -1,6 +1,6 @@
 //! Over the steps and expressions of a grammar.
 
-use crate::ir::{Anew, Arg, Arm, Block, Expr, ExprKind, Grammar, Parts, Rule, RuleId, Selector, Step, Target};
+use crate::ir::{Arg, Arm, Block, Expr, ExprKind, Grammar, Parts, Renew, Rule, RuleId, Selector, Step, Target};
 
 macro_rules! step_walkers {
     ($($life:lifetime)?, $iter:ident, [$($mutable:tt)?], $(#[$about:meta])* $steps:ident, $targets:ident, $exprs:ident, $args:ident) => {
@@ -29,7 +29,7 @@ macro_rules! step_walkers {
                     | Step::Rust(..)
                     | Step::Give(_)
                     | Step::Block(_)
-                    | Step::Anew(_) => {}
+                    | Step::Renew(_) => {}
                 }
             }
         }
@@ -38,7 +38,7 @@ macro_rules! step_walkers {
         $(#[$about])*
         pub fn $targets(step: & $($mutable)? Step) -> Vec<& $($mutable)? Target> {
             match step {
-                Step::Give(target) | Step::Anew(Anew { target, .. }) => vec![target],
+                Step::Give(target) | Step::Renew(Renew { target, .. }) => vec![target],
                 Step::Block(Block { parts: Parts::Slots(slots), .. }) => slots.targets.$iter().collect(),
                 Step::Block(Block { parts: Parts::Arms(arms), .. }) => {
                     arms.$iter().map(|arm| & $($mutable)? arm.then).collect()
@@ -61,7 +61,7 @@ macro_rules! step_walkers {
                 Step::Do(_, args, _) => args.$iter().filter_map($args).collect(),
                 Step::SetAttr(_, value, _) | Step::SetShape(_, value, _) => vec![value],
                 Step::Rust(_, args, _) => args.$iter().collect(),
-                Step::Anew(anew) => anew.given.$iter().map(|(_, value)| value).collect(),
+                Step::Renew(call) => call.given.$iter().map(|(_, value)| value).collect(),
                 Step::Block(block) => {
                     let mut list: Vec<_> = block.args.$iter().filter_map($args).collect();
                     match & $($mutable)? block.parts {

@@ -35,7 +35,7 @@ fn walk(steps: &[Step], start: Paths) -> Paths {
     for step in steps {
         paths = match step {
             Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) | Step::Later(..) => paths,
-            Step::Give(_) | Step::Anew(_) | Step::Block(Block { parts: Parts::Arms(_), .. }) => paths.child(),
+            Step::Give(_) | Step::Renew(_) | Step::Block(Block { parts: Parts::Arms(_), .. }) => paths.child(),
             // It may not divide: the scope can be empty, every slot dropped.
             Step::Block(Block { parts: Parts::Slots(_), .. }) => paths.or(paths.child()),
             Step::Push(steps) => walk(steps, paths),

@@ -4,7 +4,7 @@
 //! rule that is reached in several ways knows what all of them agree on, and one that the host program may start with knows
 //! nothing.
 
-use crate::ir::{Anew, Arg, Axis, Block, Grammar, Parts, Prefix, RuleId, Size, Slots, Solved, Step, Target, Value};
+use crate::ir::{Arg, Axis, Block, Grammar, Parts, Prefix, Renew, RuleId, Size, Slots, Solved, Step, Target, Value};
 use crate::ops::{Braces, Effect, MOST_SIZE, Measure};
 use cga_split::solve;
 
@@ -105,7 +105,7 @@ pub(super) fn solve_known(grammar: &mut Grammar) {
 fn follow(steps: &mut [Step], mut known: Extents, hand_on: &mut dyn FnMut(&Target, Extents)) -> Extents {
     for step in steps {
         match step {
-            Step::Give(target) | Step::Anew(Anew { target, .. }) => hand_on(target, known),
+            Step::Give(target) | Step::Renew(Renew { target, .. }) => hand_on(target, known),
             Step::Block(block) => divide(block, known, hand_on),
             Step::Push(inner) => {
                 follow(inner, known, hand_on);

@@ -2,7 +2,7 @@
 
 use super::Lower;
 use crate::check::Checked;
-use crate::ir::{Anew, AttrId, ConstId, Global, Renewal, RenewalId, Step, Target};
+use crate::ir::{AttrId, ConstId, Global, Renew, Renewal, RenewalId, Step, Target};
 use crate::link::InstanceId;
 use crate::resolve::tables::Use;
 use crate::span::Span;
@@ -33,7 +33,7 @@ impl<'c> Lower<'c> {
             Use::Leaf => Target::Leaf(format!("{}.{}", import.text, rule.text), rule.span),
             _ => self.successor(rule, args)?,
         };
-        Some(Step::Anew(Anew { given, renewal, target, span }))
+        Some(Step::Renew(Renew { given, renewal, target, span }))
     }
 
     /// The attributes and constants that are computed again with an instance; equal for all calls.

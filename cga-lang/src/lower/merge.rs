@@ -178,9 +178,9 @@ fn refer(grammar: &mut Grammar, merged: &Merged) {
         walk::steps_mut(&mut own.body, &mut |step| {
             match step {
                 Step::SetAttr(id, ..) => attr(id),
-                Step::Anew(anew) => {
-                    anew.given.iter_mut().for_each(|(id, _)| attr(id));
-                    anew.renewal = RenewalId(merged.renewals[anew.renewal.0 as usize] as u32);
+                Step::Renew(call) => {
+                    call.given.iter_mut().for_each(|(id, _)| attr(id));
+                    call.renewal = RenewalId(merged.renewals[call.renewal.0 as usize] as u32);
                 }
                 _ => {}
             }

@@ -149,9 +149,9 @@ fn changed(rule: &Rule) -> (Vec<AttrId>, Vec<u32>) {
     let (mut attrs, mut renewals) = (Vec::new(), Vec::new());
     walk::steps(&rule.body, &mut |step| match step {
         Step::SetAttr(id, ..) => attrs.push(*id),
-        Step::Anew(anew) => {
-            attrs.extend(anew.given.iter().map(|(id, _)| *id));
-            renewals.push(anew.renewal.0);
+        Step::Renew(call) => {
+            attrs.extend(call.given.iter().map(|(id, _)| *id));
+            renewals.push(call.renewal.0);
         }
         _ => {}
     });

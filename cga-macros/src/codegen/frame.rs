@@ -20,7 +20,7 @@ pub(super) fn rule(rule: &Rule) -> u32 {
             Step::Push(_) => 400,
             // A whole shape, a base and two slim shapes; steps after each other share them.
             Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) => 1300,
-            Step::Anew(anew) => 2300 + 200 * anew.given.len(),
+            Step::Renew(call) => 2300 + 200 * call.given.len(),
             Step::Later(..) | Step::Case { .. } | Step::Chance { .. } => 100,
         }
     });

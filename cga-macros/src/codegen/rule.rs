@@ -294,9 +294,9 @@ impl Generator<'_> {
                 let code = self.give(target, body.id, &TokenStream::new(), &successor);
                 quote_spanned!(place=> #code #made)
             }
-            Step::Anew(anew) => {
-                let (given, copy) = self.anew(anew, &child);
-                let code = self.give(&anew.target, body.id, &copy, &successor(0));
+            Step::Renew(call) => {
+                let (given, copy) = self.renew(call, &child);
+                let code = self.give(&call.target, body.id, &copy, &successor(0));
                 quote_spanned!(place=> { #given #code } #made)
             }
             Step::Block(block @ Block { parts: Parts::Slots(slots), .. }) => {

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-use cga_lang::ir::{Anew, AttrId, Expr, ExprKind, Global, Grammar, Type};
+use cga_lang::ir::{AttrId, Expr, ExprKind, Global, Grammar, Renew, Type};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
@@ -55,16 +55,16 @@ impl Generator<'_> {
     }
 
     /// The given values, and the copy on which all others are computed again.
-    pub(super) fn anew(&self, anew: &Anew, number: &Literal) -> (TokenStream, TokenStream) {
+    pub(super) fn renew(&self, call: &Renew, number: &Literal) -> (TokenStream, TokenStream) {
         let (place, at) = (Span::mixed_site(), Access::rule());
-        let names: Vec<Ident> = (0..anew.given.len()).map(|number| local("given_", number)).collect();
-        let values = anew.given.iter().map(|(_, value)| self.asked(value, &at));
+        let names: Vec<Ident> = (0..call.given.len()).map(|number| local("given_", number)).collect();
+        let values = call.given.iter().map(|(_, value)| self.asked(value, &at));
         let given = quote_spanned!(place=> #(let #names = #values;)*);
-        let set = anew.given.iter().zip(&names).map(|((id, value), name)| self.set(Global::Attr(*id), value.ty, name));
-        let mut ids: Vec<AttrId> = anew.given.iter().map(|(id, _)| *id).collect();
+        let set = call.given.iter().zip(&names).map(|((id, value), name)| self.set(Global::Attr(*id), value.ty, name));
+        let mut ids: Vec<AttrId> = call.given.iter().map(|(id, _)| *id).collect();
         ids.sort_unstable();
         let numbers = ids.into_iter().map(|id| self.number(Global::Attr(id)));
-        let renew = local("renew_", anew.renewal.0 as usize);
+        let renew = local("renew_", call.renewal.0 as usize);
         (
             given,
             quote_spanned! { place=>

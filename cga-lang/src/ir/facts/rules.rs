@@ -85,7 +85,7 @@ fn itself(step: &Step, renewals: &[Uses]) -> Uses {
         Step::SetShape(row, ..) => row.set_uses,
         Step::Rust(..) => Uses::ALL,
         Step::Block(block) => block.row.uses,
-        Step::Anew(anew) => renewals[anew.renewal.0 as usize],
+        Step::Renew(call) => renewals[call.renewal.0 as usize],
         Step::Chance { .. } => Uses::DRAWS,
         Step::SetAttr(..) | Step::Later(..) | Step::Give(_) | Step::Push(_) | Step::Case { .. } => Uses::NONE,
     }
