@@ -75,18 +75,6 @@ impl<'s> Cursor<'s> {
         Group { turns, number: 0.0, start, room, outer }
     }
 
-    /// The same as [`Cursor::open`], compiled once.
-    #[inline(never)]
-    pub fn any_open(&mut self, solution: &Solution<'_>, group: usize) -> Group {
-        self.open(solution, group)
-    }
-
-    /// The same as [`Cursor::turn`], compiled once.
-    #[inline(never)]
-    pub fn any_turn(&mut self, group: &mut Group) -> bool {
-        self.turn(group)
-    }
-
     /// Begins the next repetition of a group. Returns false after the last one.
     #[inline(always)]
     pub fn turn(&mut self, group: &mut Group) -> bool {
@@ -139,18 +127,6 @@ impl<'s> List<'s> {
     #[inline(always)]
     pub fn open(&mut self, slots: Range<u32>) -> ListGroup {
         ListGroup { slots }
-    }
-
-    /// The same as [`List::open`], so that generated code calls both cursors alike.
-    #[inline]
-    pub fn any_open(&mut self, slots: Range<u32>) -> ListGroup {
-        self.open(slots)
-    }
-
-    /// The same as [`List::turn`], compiled once.
-    #[inline(never)]
-    pub fn any_turn(&mut self, group: &mut ListGroup) -> bool {
-        self.turn(group)
     }
 
     /// Begins the next repetition of a group. Returns false after the last one.

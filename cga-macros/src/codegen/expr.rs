@@ -150,6 +150,16 @@ impl Generator<'_> {
                 let call = |args: &[TokenStream]| quote_spanned!(place=> cga_rt::func::#name(#(#args),*));
                 self.with_args([&**left, &**right], at, call)
             }
+            ExprKind::Binary(operator @ (Binary::Eq | Binary::Ne), left, right) if left.ty == Type::Text => {
+                let not = (*operator == Binary::Ne).then(|| quote_spanned!(place=> !));
+                // A literal is compared as it is.
+                let (left, right) = if matches!(left.kind, ExprKind::Value(_)) { (right, left) } else { (left, right) };
+                let (text, other) = (self.text(left, at), self.text(right, at));
+                match &right.kind {
+                    ExprKind::Value(Value::Text(other)) => quote_spanned!(place=> (#not #text.is(#other))),
+                    _ => quote_spanned!(place=> (#not #text.is(#other.as_str()))),
+                }
+            }
             ExprKind::Binary(operator, left, right) => match operator_of(*operator) {
                 Some(operator) => {
                     let (left, right) = (self.expr(left, at), self.expr(right, at));
@@ -267,6 +277,27 @@ impl Generator<'_> {
             ExprKind::Binary(_, left, right) => self.is_plain(left) && self.is_plain(right),
             _ => false,
         }
+    }
+
+    /// A text to borrow: parameters, attributes and constants are not copied.
+    fn text(&self, expr: &Expr, at: &Access) -> TokenStream {
+        let place = Span::mixed_site();
+        let global = match &expr.kind {
+            ExprKind::Param(number) => {
+                let name = local("p", *number as usize);
+                return quote_spanned!(place=> #name);
+            }
+            ExprKind::Attr(id) if !self.grammar.attrs[id.0 as usize].is_set => Global::Attr(*id),
+            ExprKind::Const(id) if !self.grammar.consts[id.0 as usize].is_set => Global::Const(*id),
+            _ => return self.expr(expr, at),
+        };
+        if self.is_lazy(global)
+            || matches!(global, Global::Const(id) if self.grammar.consts[id.0 as usize].known.is_some())
+        {
+            return self.expr(expr, at);
+        }
+        let name = self.global_name(global);
+        quote_spanned!(place=> g.#name)
     }
 
     /// The span of a call of Rust, where rustc shows a wrong signature: the last name of the path.

@@ -302,8 +302,11 @@ impl Generator<'_> {
             Step::Block(block @ Block { parts: Parts::Slots(slots), .. }) => {
                 let code = self.split(block, slots, body.id, number);
                 match body.rule.leaf {
-                    Childless::Depends => quote_spanned!(place=> { #code childless &= !division.has_parts(); }),
-                    _ => quote_spanned!(place=> { #code }),
+                    Childless::Depends => quote_spanned! { place=>
+                        let has_parts = #code;
+                        childless &= !has_parts;
+                    },
+                    _ => quote_spanned!(place=> #code;),
                 }
             }
             Step::Block(block @ Block { parts: Parts::Arms(arms), .. }) => {

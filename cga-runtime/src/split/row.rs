@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use cga_split::{Cursor, Item, List, Size, solve_any};
+use cga_split::{Item, Size, solve_any};
 
 use super::{Piece, Solution};
 
@@ -15,26 +15,6 @@ pub trait Row: Copy {
     fn total(&self) -> u64;
     /// Calls `visit` for each piece, from the low end to the high end, until it breaks.
     fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B>;
-}
-
-/// The pieces of a pattern, slot by slot.
-pub trait Slots {
-    /// The piece of the next slot, if it gets one.
-    fn slot(&mut self, slot: u32) -> Option<Piece>;
-}
-
-impl Slots for Cursor<'_> {
-    #[inline(always)]
-    fn slot(&mut self, slot: u32) -> Option<Piece> {
-        Cursor::slot(self, slot as usize)
-    }
-}
-
-impl Slots for List<'_> {
-    #[inline(always)]
-    fn slot(&mut self, slot: u32) -> Option<Piece> {
-        List::slot(self, slot)
-    }
 }
 
 /// A split with constant sizes. Rare code solves it again, so that the first solution need not be in memory.

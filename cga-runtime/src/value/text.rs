@@ -19,6 +19,12 @@ impl Text {
         Text(Repr::Fixed(text))
     }
 
+    /// Returns true if the characters are these. Compiled once: rules have many comparisons.
+    #[inline(never)]
+    pub fn is(&self, other: &str) -> bool {
+        self.as_str() == other
+    }
+
     /// The characters.
     pub fn as_str(&self) -> &str {
         match &self.0 {
