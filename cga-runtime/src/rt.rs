@@ -28,6 +28,7 @@ pub use crate::run::rules::Rules;
 pub use crate::run::settings::Settings;
 pub use crate::run::sink::{Flow, Sink};
 pub use crate::run::start_rule::StartRule;
+pub use crate::shape::bases::Bases;
 pub use crate::shape::slim::{become_successor, hand_on, push, successor};
 pub use crate::shape::view::View;
 pub use crate::shape::{Shape, ShapeRef};

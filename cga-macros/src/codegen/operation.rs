@@ -14,17 +14,18 @@ impl Generator<'_> {
     /// An operation on the whole shape.
     pub(super) fn operation(&self, operation: &Operation, args: &[Arg]) -> TokenStream {
         let place = Span::mixed_site();
-        let (lets, call) = self.operation_on(operation, args, &Access::whole(), Generator::expr);
+        let (lets, call) = self.operation_on(operation, args, &Access::whole(), &TokenStream::new(), Generator::expr);
         let bake = operation.reshapes().then(|| quote_spanned!(place=> cga_rt::bake(shape);));
         quote_spanned!(place=> { #lets #bake cga_rt::op::#call; })
     }
 
-    /// The arguments of an operation, and its call without the module.
+    /// The arguments of an operation, and its call without the module. `further` comes after the shape.
     pub(super) fn operation_on(
         &self,
         operation: &Operation,
         args: &[Arg],
         at: &Access,
+        further: &TokenStream,
         expr: fn(&Self, &Expr, &Access) -> TokenStream,
     ) -> (TokenStream, TokenStream) {
         let place = Span::mixed_site();
@@ -34,7 +35,7 @@ impl Generator<'_> {
         let base = operation.uses_base.then(|| quote_spanned!(place=> &base,));
         (
             quote_spanned!(place=> #(let #names = #values;)*),
-            quote_spanned!(place=> #name(cx.env, shape, #base #(#names),*)),
+            quote_spanned!(place=> #name(cx.env, shape, #further #base #(#names),*)),
         )
     }
 

@@ -175,8 +175,10 @@ impl Generator<'_> {
     /// Steps that change the current shape. They work on the slim shape if all of them can, else on the whole.
     fn changed(&self, steps: &[Step]) -> TokenStream {
         let place = Span::mixed_site();
-        if let Some(code) = steps.iter().map(|step| self.slim(step)).collect() {
-            return code;
+        if let Some(code) = steps.iter().map(|step| self.slim(step)).collect::<Option<TokenStream>>() {
+            let is_change = |step: &Step| !matches!(step, Step::Do(row, ..) if row.changes == Changes::Nothing);
+            let bases = quote_spanned!(place=> let bases = cga_rt::Bases::default(););
+            return if steps.iter().any(is_change) { quote!(#bases #code) } else { code };
         }
         let code: TokenStream = steps.iter().map(|step| self.change(step)).collect();
         quote_spanned! { place=>
@@ -199,20 +201,19 @@ impl Generator<'_> {
             Step::Do(operation, args, _) => match operation.changes {
                 Changes::Whole => None,
                 Changes::Nothing => {
-                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), Generator::asked);
+                    let none = TokenStream::new();
+                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), &none, Generator::asked);
                     Some(quote_spanned!(place=> { #lets let shape = &mut { shape }; cga_rt::op::#call }))
                 }
                 Changes::Scope => {
-                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), Generator::asked);
+                    let further = quote_spanned!(place=> &bases, &mut own,);
+                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), &further, Generator::asked);
                     Some(quote_spanned! { place=>
-                        let mut own;
-                        let changed = {
+                        let mut own = ::core::option::Option::None;
+                        let shape = {
                             #lets
-                            own = ::core::clone::Clone::clone(shape);
-                            let shape = &mut own;
                             cga_rt::slim::#call
                         };
-                        let shape = &cga_rt::slim::after(own, &changed);
                     })
                 }
                 Changes::Material => self.is_settled(step).then(|| self.paint(step, self.change(step))),

@@ -96,9 +96,8 @@ impl Generator<'_> {
             _ => (quote_spanned!(place=> #number + site), quote_spanned!(place=> &(g, site))),
         };
         quote_spanned! { place=>
-            let changed = cga_rt::slim::paint(cx.env, shape, #number, #values, CgaValues::#name);
-            let changed = cga_rt::slim::instead(&changed);
-            let shape = changed.as_ref().unwrap_or(shape);
+            let mut own = ::core::option::Option::None;
+            let shape = cga_rt::slim::paint(cx.env, shape, &bases, &mut own, #number, #values, CgaValues::#name);
         }
     }
 

@@ -81,16 +81,14 @@ impl CgaRules {
         cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
-        let mut own;
-        let changed = {
+        let bases = cga_rt::Bases::default();
+        let mut own = ::core::option::Option::None;
+        let shape = {
             let a0 = cga_rt::Length::Absolute(1f64);
             let a1 = cga_rt::Length::Absolute(2f64);
             let a2 = cga_rt::Length::Absolute(3f64);
-            own = ::core::clone::Clone::clone(shape);
-            let shape = &mut own;
-            cga_rt::slim::size(cx.env, shape, a0, a1, a2)
+            cga_rt::slim::size(cx.env, shape, &bases, &mut own, a0, a1, a2)
         };
-        let shape = &cga_rt::slim::after(own, &changed);
         cx.symbol(shape, 2u32)?;
         cga_rt::Flow::Continue(())
     }
