@@ -2,15 +2,15 @@
 
 use std::ops::{ControlFlow, Range};
 
-use cga_split::{Cursor, Group, List, ListGroup, Solution, solve_any};
+use cga_split::{Cursor, Group, List, ListGroup, Solution};
 
 use super::divide::{areas, check, extent, solved};
 use super::division::{Division, Made, Slot};
-use super::row::Row;
 use super::texture::{TextureAxis, texture};
 use super::{Adjust, Item, Piece, Size};
 use crate::geometry::Axis;
 use crate::run::context::Cx;
+use crate::run::env::Env;
 use crate::run::sink::Flow;
 use crate::shape::ShapeRef;
 
@@ -52,19 +52,17 @@ pub(crate) type Visit<'v, C> = dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> 
 
 /// Splits a shape along an axis (*split operation*). Returns true if there was a piece. `sizes` and `lengths` have one entry
 /// for each slot; the lengths are overwritten. `Break` when the run ends.
-pub fn split<C>(
+pub fn split<'s, C>(
     cx: &mut Cx<'_, C>,
     shape: &ShapeRef<'_>,
-    split: &Split<'_>,
+    split: &Split<'s>,
     sizes: &mut [Size],
-    lengths: &mut [f64],
+    lengths: &'s mut [f64],
     visit: &mut Visit<'_, C>,
 ) -> ControlFlow<(), bool> {
-    check(cx.env, sizes, "a size of `split`");
-    let extent = extent(cx.env, shape, split.axis);
-    let solution = &solve_any(split.pattern, sizes, lengths, extent);
-    let made = made(cx, shape, split, solution)?;
-    walk(cx, shape, split, &made, solution, Solved { solution, cursor: solution.cursor() }, visit)
+    let (solution, made, total) = solve(cx.env, shape, split, sizes, lengths)?;
+    let pieces = Solved { solution: &solution, cursor: solution.cursor() };
+    walk(cx, shape, split, &made, total, pieces, visit)
 }
 
 /// As [`split`], with the pieces that the macro has found for an extent.
@@ -77,8 +75,8 @@ pub fn split_solved<C>(
     visit: &mut Visit<'_, C>,
 ) -> ControlFlow<(), bool> {
     let pieces = solved(cx.env, shape, split.axis, known, pieces);
-    let made = made(cx, shape, split, pieces)?;
-    walk(cx, shape, split, &made, pieces, List::new(pieces), visit)
+    let made = made(cx.env, shape, split, pieces)?;
+    walk(cx, shape, split, &made, pieces.len() as u64, List::new(pieces), visit)
 }
 
 /// Splits a shape into parts of given areas (*splitArea operation*), as [`split`].
@@ -90,9 +88,9 @@ pub fn split_area<C>(
     lengths: &mut [f64],
     visit: &mut Visit<'_, C>,
 ) -> ControlFlow<(), bool> {
-    let pieces = &areas(cx.env, shape, split.axis, split.pattern, sizes, lengths)[..];
-    let made = made(cx, shape, split, pieces)?;
-    walk(cx, shape, split, &made, pieces, List::new(pieces), visit)
+    let pieces = areas(cx.env, shape, split.axis, split.pattern, sizes, lengths);
+    let made = made(cx.env, shape, split, &pieces)?;
+    walk(cx, shape, split, &made, pieces.len() as u64, List::new(&pieces), visit)
 }
 
 /// Splits a shape in texture space (*split operation*), as [`split`].
@@ -106,12 +104,29 @@ pub fn split_texture<C>(
     visit: &mut Visit<'_, C>,
 ) -> ControlFlow<(), bool> {
     let (pieces, made) = texture(cx.env, shape, axis, split.pattern, sizes, lengths)?;
-    walk(cx, shape, split, &made, &pieces[..], List::new(&pieces), visit)
+    walk(cx, shape, split, &made, pieces.len() as u64, List::new(&pieces), visit)
 }
 
-#[inline]
-fn made<C>(cx: &mut Cx<'_, C>, shape: &ShapeRef<'_>, split: &Split<'_>, row: impl Row) -> ControlFlow<(), Made> {
-    Made::new(cx.env, shape, split.axis, split.adjust, row.at_most(), row)
+/// Solves a split. Returns the shapes of the pieces, too, and `split.total` if a rule reads it.
+#[inline(never)]
+fn solve<'s>(
+    env: &mut Env,
+    shape: &ShapeRef<'_>,
+    split: &Split<'s>,
+    sizes: &mut [Size],
+    lengths: &'s mut [f64],
+) -> ControlFlow<(), (Solution<'s>, Made, u64)> {
+    check(env, sizes, "a size of `split`");
+    let solution = cga_split::solve(split.pattern, sizes, lengths, extent(env, shape, split.axis));
+    let made = Made::new(env, shape, split.axis, split.adjust, solution.at_most(), &solution)?;
+    let total = if split.has_total { solution.total() } else { 0 };
+    ControlFlow::Continue((solution, made, total))
+}
+
+/// The shapes of the pieces of a list.
+#[inline(never)]
+fn made(env: &mut Env, shape: &ShapeRef<'_>, split: &Split<'_>, pieces: &[Piece]) -> ControlFlow<(), Made> {
+    Made::new(env, shape, split.axis, split.adjust, pieces.len() as u64, pieces)
 }
 
 /// The pieces of a pattern in order, with its groups.
@@ -186,11 +201,10 @@ fn walk<'w, C>(
     shape: &'w ShapeRef<'w>,
     split: &'w Split<'w>,
     made: &'w Made,
-    row: impl Row,
+    total: u64,
     pieces: impl Pieces,
     visit: &'w mut Visit<'w, C>,
 ) -> ControlFlow<(), bool> {
-    let total = if split.has_total { row.total() } else { 0 };
     let division = Division::new(shape, made, split.axis, split.adjust, split.number, total);
     let mut walk = Walk { split, division, pieces, visit };
     walk.items(cx, split.pattern, At::default(), false)?;
