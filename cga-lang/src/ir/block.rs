@@ -2,7 +2,6 @@
 
 use super::{Arg, Axis, Expr, Piece, Size, Target};
 use crate::ops::{Default, Operation};
-use crate::span::Span;
 use crate::syntax::ast::ArmMode;
 
 /// `name(args) { … }`: makes parts of the current shape, each with a successor. The shape itself goes on unchanged.
@@ -14,8 +13,6 @@ pub struct Block {
     pub args: Vec<Arg>,
     /// The parts.
     pub parts: Parts,
-    /// The operation's name.
-    pub span: Span,
 }
 
 /// The parts that an operation with braces makes.

@@ -166,8 +166,6 @@ pub struct Param {
     pub name: String,
     /// Inferred type.
     pub ty: Type,
-    /// Where it is declared.
-    pub span: Span,
 }
 
 /// `Name(params) --> body`, or the operations of a part in braces.
@@ -221,13 +219,13 @@ pub enum Childless {
 #[derive(Clone, Debug)]
 pub enum Step {
     /// Changes the current shape.
-    Do(&'static Operation, Vec<Arg>, Span),
+    Do(&'static Operation, Vec<Arg>),
     /// `set(name, value)` on a declared attribute.
-    SetAttr(AttrId, Expr, Span),
+    SetAttr(AttrId, Expr),
     /// `set(name, value)` on an attribute of the shape itself.
-    SetShape(&'static ShapeAttr, Expr, Span),
+    SetShape(&'static ShapeAttr, Expr),
     /// Something that is known and does nothing yet.
-    Later(String, Span),
+    Later(String),
     /// A Rust function as operation: `path::to(args)`.
     Rust(String, Vec<Expr>, Span),
     /// A successor: hands a copy of the current shape on.
@@ -263,8 +261,6 @@ pub struct Renew {
     pub renewal: RenewalId,
     /// The rule that goes on with the copy.
     pub target: Target,
-    /// The call.
-    pub span: Span,
 }
 
 /// The values of an import that are computed again.
@@ -293,7 +289,7 @@ pub enum Target {
         span: Span,
     },
     /// Becomes a leaf of that name.
-    Leaf(String, Span),
+    Leaf(String),
     /// `NIL`: makes no leaf. It is a child all the same.
     Nil,
 }

@@ -230,15 +230,15 @@ impl<'g> Printer<'g> {
 
     fn step(&mut self, step: &'g Step) {
         match step {
-            Step::Do(row, args, _) => {
+            Step::Do(row, args) => {
                 let args: Vec<String> = args.iter().map(|arg| self.arg(arg)).collect();
                 self.line(&format!("{}({})", row.run.now().unwrap_or(row.name), args.join(", ")));
             }
-            Step::SetAttr(id, value, _) => {
+            Step::SetAttr(id, value) => {
                 let text = format!("set {} = {}", self.grammar.attrs[id.0 as usize].name, self.expr(value));
                 self.line(&text);
             }
-            Step::SetShape(row, value, _) => {
+            Step::SetShape(row, value) => {
                 let text = format!("set {} = {}", row.name, self.expr(value));
                 self.line(&text);
             }
@@ -266,7 +266,7 @@ impl<'g> Printer<'g> {
                 }
                 self.headed("else", otherwise);
             }
-            Step::Later(what, _) => self.line(&format!("later {what}")),
+            Step::Later(what) => self.line(&format!("later {what}")),
         }
     }
 
@@ -301,7 +301,7 @@ impl<'g> Printer<'g> {
                 let args = if args.is_empty() { String::new() } else { self.args(args) };
                 format!("{}{}{args}", self.grammar.rules[rule.0 as usize].name, passed(sites))
             }
-            Target::Leaf(name, _) => format!("leaf {name}"),
+            Target::Leaf(name) => format!("leaf {name}"),
             Target::Nil => "nil".into(),
         }
     }

@@ -58,8 +58,8 @@ macro_rules! step_walkers {
         $(#[$about])*
         pub fn $exprs(step: & $($mutable)? Step) -> Vec<& $($mutable)? Expr> {
             match step {
-                Step::Do(_, args, _) => args.$iter().filter_map($args).collect(),
-                Step::SetAttr(_, value, _) | Step::SetShape(_, value, _) => vec![value],
+                Step::Do(_, args) => args.$iter().filter_map($args).collect(),
+                Step::SetAttr(_, value) | Step::SetShape(_, value) => vec![value],
                 Step::Rust(_, args, _) => args.$iter().collect(),
                 Step::Renew(call) => call.given.$iter().map(|(_, value)| value).collect(),
                 Step::Block(block) => {

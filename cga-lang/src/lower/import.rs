@@ -5,7 +5,6 @@ use crate::check::Checked;
 use crate::ir::{AttrId, ConstId, Global, Renew, Renewal, RenewalId, Step, Target};
 use crate::link::InstanceId;
 use crate::resolve::tables::Use;
-use crate::span::Span;
 use crate::syntax::ast::{Arg, Name, Override};
 
 impl<'c> Lower<'c> {
@@ -14,7 +13,6 @@ impl<'c> Lower<'c> {
         &mut self,
         (import, overrides): (&'c Name, &'c [Override]),
         (rule, args): (&'c Name, &'c [Arg]),
-        span: Span,
     ) -> Option<Step> {
         let program = self.checked.globals.program;
         let own = &program.instances[program.home(self.own)];
@@ -30,10 +28,10 @@ impl<'c> Lower<'c> {
         }
         let renewal = self.renewal(target, &import.text);
         let target = match self.used(rule)? {
-            Use::Leaf => Target::Leaf(format!("{}.{}", import.text, rule.text), rule.span),
+            Use::Leaf => Target::Leaf(format!("{}.{}", import.text, rule.text)),
             _ => self.successor(rule, args)?,
         };
-        Some(Step::Renew(Renew { given, renewal, target, span }))
+        Some(Step::Renew(Renew { given, renewal, target }))
     }
 
     /// The attributes and constants that are computed again with an instance; equal for all calls.

@@ -145,7 +145,7 @@ impl<'c> Lower<'c> {
 
     /// Parameters and locals of the declaration at hand.
     fn declared_params(&self) -> Vec<Param> {
-        let param = |name: &&Name| Param { name: name.text.clone(), ty: self.ty(name.id()), span: name.span };
+        let param = |name: &&Name| Param { name: name.text.clone(), ty: self.ty(name.id()) };
         self.inner.iter().map(param).collect()
     }
 
