@@ -2,7 +2,7 @@
 
 use super::Lower;
 use crate::ir::{
-    Arg, AttrId, Childless, Expr, ExprKind, Param, Prefix, Rule, RuleId, Size, Step, Target, Type, Value, walk,
+    Arg, Childless, Expr, ExprKind, GlobalId, Param, Prefix, Rule, RuleId, Size, Step, Target, Type, Value, walk,
 };
 use crate::lower::fold::fold;
 use crate::ops::{self, Operation, ParamKind, Run, Words};
@@ -89,8 +89,8 @@ impl<'c> Lower<'c> {
             Use::Operation(row) if row.run == Run::Later => Step::Later(name.text.clone()),
             Use::Operation(row) => Step::Do(row, self.args(row, args, span)),
             Use::SetAttr(index) => {
-                self.out.attrs[index as usize].is_set = true;
-                Step::SetAttr(AttrId(index), self.folded(&args.get(1)?.value))
+                self.out.globals[index as usize].is_set = true;
+                Step::SetAttr(GlobalId(index), self.folded(&args.get(1)?.value))
             }
             Use::SetShape(row) if row.set == Some(Run::Later) => Step::Later(format!("set({})", row.name)),
             Use::SetShape(row) if row.kind.is_file() => Step::SetShape(row, self.file(&args.get(1)?.value)),

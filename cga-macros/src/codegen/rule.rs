@@ -1,7 +1,7 @@
 //! One function a rule, one function a function.
 
 use cga_lang::ir::walk;
-use cga_lang::ir::{Block, Childless, Expr, ExprKind, Function, Global, Param, Parts, Rule, RuleId, Step, Target};
+use cga_lang::ir::{Block, Childless, Expr, ExprKind, Function, Param, Parts, Rule, RuleId, Step, Target};
 use cga_lang::ops::{Changes, Run, Uses};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
@@ -238,7 +238,7 @@ impl Generator<'_> {
         match step {
             Step::Do(operation, args) => self.operation(operation, args),
             Step::SetAttr(id, expr) => {
-                let (value, set) = (self.expr(expr, &at), self.set(Global::Attr(*id), expr.ty, &local("a", 0)));
+                let (value, set) = (self.expr(expr, &at), self.set(*id, expr.ty, &local("a", 0)));
                 quote_spanned!(place=> { let a0 = #value; #set })
             }
             Step::SetShape(attr, expr) => {
