@@ -238,17 +238,10 @@ pub enum Step {
     Push(Vec<Step>),
     /// `import( … ).Rule`: a copy on which the attributes and constants of an import are computed again.
     Renew(Renew),
-    /// `case … else`.
+    /// `case … else`, or `p% : … else` with conditions that are drawn.
     Case {
         /// Condition and body, tried in order.
         arms: Vec<(Expr, Vec<Step>)>,
-        /// The `else` body.
-        otherwise: Vec<Step>,
-    },
-    /// `p% : … else`.
-    Chance {
-        /// Percentage and body. Drawn one after the other with conditional probability.
-        arms: Vec<(f64, Vec<Step>)>,
         /// The `else` body.
         otherwise: Vec<Step>,
     },

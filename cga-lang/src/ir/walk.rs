@@ -18,10 +18,6 @@ macro_rules! step_walkers {
                         arms.$iter().for_each(|(_, inner)| $steps(inner, visit));
                         $steps(otherwise, visit);
                     }
-                    Step::Chance { arms, otherwise } => {
-                        arms.$iter().for_each(|(_, inner)| $steps(inner, visit));
-                        $steps(otherwise, visit);
-                    }
                     Step::Do(..)
                     | Step::SetAttr(..)
                     | Step::SetShape(..)
@@ -49,8 +45,7 @@ macro_rules! step_walkers {
                 | Step::Later(..)
                 | Step::Rust(..)
                 | Step::Push(_)
-                | Step::Case { .. }
-                | Step::Chance { .. } => Vec::new(),
+                | Step::Case { .. } => Vec::new(),
             }
         }
 
@@ -74,7 +69,7 @@ macro_rules! step_walkers {
                     list
                 }
                 Step::Case { arms, .. } => arms.$iter().map(|(condition, _)| condition).collect(),
-                Step::Give(_) | Step::Push(_) | Step::Chance { .. } | Step::Later(..) => Vec::new(),
+                Step::Give(_) | Step::Push(_) | Step::Later(..) => Vec::new(),
             }
         }
 
@@ -176,6 +171,7 @@ macro_rules! parts {
             | ExprKind::Word(_)
             | ExprKind::Style(_)
             | ExprKind::Site(_)
+            | ExprKind::Chance { .. }
             | ExprKind::Later(_) => Vec::new(),
             ExprKind::Call(_, _, args) | ExprKind::Builtin(_, args) | ExprKind::Rust(_, args) => args.$iter().collect(),
             ExprKind::Neg(a)
@@ -201,9 +197,6 @@ macro_rules! parts {
             ExprKind::Case(arms, otherwise) => {
                 let arms = arms.$iter().flat_map(|(condition, value)| [condition, value]);
                 arms.chain([&$($mutable)? **otherwise]).collect()
-            }
-            ExprKind::Chance(arms, otherwise) => {
-                arms.$iter().map(|(_, value)| value).chain([&$($mutable)? **otherwise]).collect()
             }
         }
     };

@@ -1,6 +1,6 @@
 //! Steps of a rule. Operations of a part in braces become a rule of their own, unless they only name a successor.
 
-use super::Lower;
+use super::{Lower, expr};
 use crate::ir::{
     Arg, Childless, Expr, ExprKind, GlobalId, Param, Prefix, Rule, RuleId, Size, Step, Target, Type, Value, walk,
 };
@@ -30,10 +30,11 @@ impl<'c> Lower<'c> {
                 arms: arms.iter().map(|(test, ops)| (self.folded(test), self.steps(ops))).collect(),
                 otherwise: self.steps(otherwise),
             },
-            OpKind::Chance(arms, otherwise) => Step::Chance {
-                arms: arms.iter().map(|(percent, ops)| (percent.value, self.steps(ops))).collect(),
-                otherwise: self.steps(otherwise),
-            },
+            OpKind::Chance(arms, otherwise) => {
+                let draws = expr::draws(arms.iter().map(|(percent, _)| percent));
+                let arms = draws.zip(arms).map(|(draw, (_, ops))| (draw, self.steps(ops))).collect();
+                Step::Case { arms, otherwise: self.steps(otherwise) }
+            }
             OpKind::Error => return None,
         })
     }

@@ -50,10 +50,11 @@ impl Lower<'_> {
                 (ExprKind::Case(arms, Box::new(otherwise)), ty)
             }
             ast::ExprKind::Chance(arms, otherwise) => {
-                let arms = arms.iter().map(|(percent, value)| (percent.value, self.expr(value))).collect();
+                let draws = draws(arms.iter().map(|(percent, _)| percent));
+                let arms = draws.zip(arms).map(|(draw, (_, value))| (draw, self.expr(value))).collect();
                 let otherwise = self.expr(otherwise);
                 let ty = otherwise.ty;
-                (ExprKind::Chance(arms, Box::new(otherwise)), ty)
+                (ExprKind::Case(arms, Box::new(otherwise)), ty)
             }
             ast::ExprKind::EachUnary(Unary::Plus, operand) => return self.expr(operand),
             ast::ExprKind::EachUnary(op, operand) => {
@@ -155,6 +156,16 @@ impl Lower<'_> {
             _ => nothing(),
         }
     }
+}
+
+/// The conditions of branches with percentages.
+pub(super) fn draws<'c>(percents: impl Iterator<Item = &'c ast::Percent>) -> impl Iterator<Item = Expr> {
+    percents.scan(0.0, |sum, percent| {
+        let before = *sum;
+        *sum += percent.value;
+        let kind = ExprKind::Chance { percent: percent.value, before };
+        Some(Expr { kind, ty: Type::Bool, span: percent.span })
+    })
 }
 
 fn each(op: ast::Binary, left: Expr, right: Expr) -> (ExprKind, Type) {

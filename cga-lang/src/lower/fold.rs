@@ -61,13 +61,6 @@ pub(crate) fn fold(expr: &mut Expr, known: &Folded) -> Option<Value> {
         }
         ExprKind::ToText(operand) => to_text(fold(operand, known)?)?,
         ExprKind::Case(arms, otherwise) => return case(arms, otherwise, known).and_then(|chosen| put(expr, chosen)),
-        ExprKind::Chance(arms, otherwise) => {
-            for (_, value) in arms {
-                fold(value, known);
-            }
-            fold(otherwise, known);
-            return None;
-        }
         ExprKind::Array(rows) => array(rows, known)?,
         ExprKind::Range(..)
         | ExprKind::Index(..)
@@ -86,6 +79,7 @@ pub(crate) fn fold(expr: &mut Expr, known: &Folded) -> Option<Value> {
         | ExprKind::Word(_)
         | ExprKind::Style(_)
         | ExprKind::Site(_)
+        | ExprKind::Chance { .. }
         | ExprKind::Later(_) => return None,
     };
     expr.kind = ExprKind::Value(value.clone());

@@ -183,11 +183,10 @@ impl Generator<'_> {
                 let otherwise = self.expr(otherwise, at);
                 quote_spanned!(place=> (#(if #conditions { #values } else)* { #otherwise }))
             }
-            ExprKind::Chance(arms, otherwise) => {
-                let draws = draws(arms.iter().map(|(percent, _)| *percent), at);
-                let values = arms.iter().map(|(_, value)| self.expr(value, at));
-                let otherwise = self.expr(otherwise, at);
-                quote_spanned!(place=> (#(if #draws { #values } else)* { #otherwise }))
+            ExprKind::Chance { percent, before } => {
+                let (shape, percent, before) =
+                    (&at.shape, value(&Value::Float(*percent)), value(&Value::Float(*before)));
+                quote_spanned!(place=> cga_rt::branch(#shape, #percent, #before))
             }
         }
     }
@@ -314,20 +313,6 @@ fn numbers(list: &[u32]) -> impl Iterator<Item = Literal> {
 pub(super) fn is_one_of(list: &[u32], number: &TokenStream) -> TokenStream {
     let list = numbers(list);
     quote_spanned!(Span::mixed_site()=> ::core::matches!(#number, #(#list)|*))
-}
-
-/// The conditions of a stochastic block.
-pub(super) fn draws(percents: impl Iterator<Item = f64>, at: &Access) -> Vec<TokenStream> {
-    let place = Span::mixed_site();
-    let shape = &at.shape;
-    let mut before = 0.0;
-    percents
-        .map(|percent| {
-            let (share, sum) = (value(&Value::Float(percent)), value(&Value::Float(before)));
-            before += percent;
-            quote_spanned!(place=> cga_rt::branch(#shape, #share, #sum))
-        })
-        .collect()
 }
 
 /// The words among the arguments of a call.

@@ -7,7 +7,6 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
 use super::access::Access;
-use super::expr::draws;
 use super::{Generator, inner_type, local, site};
 
 pub(super) fn rules(cx: &Generator<'_>) -> TokenStream {
@@ -160,9 +159,9 @@ impl Generator<'_> {
                 continue;
             }
             rest = behind;
-            if let Step::Case { .. } | Step::Chance { .. } = step {
+            if let Step::Case { arms, otherwise } = step {
                 debug_assert!(rest.is_empty(), "a case takes in everything behind it");
-                code.extend(self.branches(step, body, number, tail));
+                code.extend(self.branches((arms, otherwise), body, number, tail));
                 return code;
             }
             code.extend(self.step(step, body, number, rest.is_empty()));
@@ -262,22 +261,16 @@ impl Generator<'_> {
     }
 
     /// The branches of a rule, each with the steps that follow.
-    fn branches(&self, step: &Step, body: Body<'_>, number: u32, tail: &Tail) -> TokenStream {
+    fn branches(
+        &self,
+        (arms, otherwise): (&[(Expr, Vec<Step>)], &[Step]),
+        body: Body<'_>,
+        number: u32,
+        tail: &Tail,
+    ) -> TokenStream {
         let (place, at) = (Span::mixed_site(), Access::rule());
-        let (conditions, bodies, otherwise): (Vec<_>, Vec<_>, _) = match step {
-            Step::Case { arms, otherwise } => (
-                arms.iter().map(|(condition, _)| self.asked(condition, &at)).collect(),
-                arms.iter().map(|(_, steps)| steps).collect(),
-                otherwise,
-            ),
-            Step::Chance { arms, otherwise } => (
-                draws(arms.iter().map(|(percent, _)| *percent), &at),
-                arms.iter().map(|(_, steps)| steps).collect(),
-                otherwise,
-            ),
-            _ => return TokenStream::new(),
-        };
-        let bodies = bodies.into_iter().map(|steps| self.steps(steps, body, number, tail));
+        let conditions = arms.iter().map(|(condition, _)| self.asked(condition, &at));
+        let bodies = arms.iter().map(|(_, steps)| self.steps(steps, body, number, tail));
         let otherwise = self.steps(otherwise, body, number, tail);
         quote_spanned!(place=> #(if #conditions { #bodies } else)* { #otherwise })
     }
@@ -318,12 +311,9 @@ impl Generator<'_> {
                     #steps
                 })
             }
-            Step::Do(..)
-            | Step::SetAttr(..)
-            | Step::SetShape(..)
-            | Step::Rust(..)
-            | Step::Case { .. }
-            | Step::Chance { .. } => TokenStream::new(),
+            Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) | Step::Case { .. } => {
+                TokenStream::new()
+            }
         }
     }
 
@@ -455,7 +445,6 @@ fn base(steps: &[Step]) -> TokenStream {
         steps.iter().any(|step| match step {
             Step::Do(operation, ..) => operation.uses_base,
             Step::Case { arms, otherwise } => arms.iter().any(|(_, steps)| looks(steps)) || looks(otherwise),
-            Step::Chance { arms, otherwise } => arms.iter().any(|(_, steps)| looks(steps)) || looks(otherwise),
             // A bracket remembers its own.
             _ => false,
         })

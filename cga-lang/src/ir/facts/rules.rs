@@ -77,7 +77,6 @@ fn itself(step: &Step, renewals: &[Uses]) -> Uses {
         Step::Rust(..) => Uses::ALL,
         Step::Block(block) => block.row.uses,
         Step::Renew(call) => renewals[call.renewal.0 as usize],
-        Step::Chance { .. } => Uses::DRAWS,
         Step::SetAttr(..) | Step::Later(..) | Step::Give(_) | Step::Push(_) | Step::Case { .. } => Uses::NONE,
     }
 }
