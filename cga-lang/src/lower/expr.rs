@@ -4,6 +4,7 @@ use super::{Lower, block};
 use crate::ir::{Binary, EachUnary, Expr, ExprKind, FunctionId, GlobalId, Type, Value};
 use crate::ops::{self, Run};
 use crate::resolve::tables::Use;
+use crate::span::Span;
 use crate::syntax::ast::{self, Unary};
 
 impl Lower<'_> {
@@ -120,16 +121,8 @@ impl Lower<'_> {
 
     /// A call of a function of the language. Omitted arguments get their defaults.
     fn builtin(row: &'static ops::Function, mut args: Vec<Expr>) -> (ExprKind, Type) {
-        let span = args.last().map_or_else(crate::span::Span::default, |last| last.span);
-        for param in row.params.iter().skip(args.len()) {
-            let (value, ty) = match param.default {
-                Some(ops::Default::Float(value)) => (Value::Float(value), Type::Float),
-                Some(ops::Default::Bool(value)) => (Value::Bool(value), Type::Bool),
-                Some(ops::Default::Text(value) | ops::Default::Word(value)) => (Value::Text(value.into()), Type::Text),
-                None => continue,
-            };
-            args.push(Expr { kind: ExprKind::Value(value), ty, span });
-        }
+        let span = args.last().map_or_else(Span::default, |last| last.span);
+        args.extend(row.params.iter().skip(args.len()).filter_map(|param| default(param, span)));
         (ExprKind::Builtin(row, args), row.ty)
     }
 
@@ -156,6 +149,16 @@ impl Lower<'_> {
             _ => nothing(),
         }
     }
+}
+
+/// The default of an omitted argument; words are text.
+pub(super) fn default(param: &ops::Param, span: Span) -> Option<Expr> {
+    let value = match param.default? {
+        ops::Default::Float(number) => Value::Float(number),
+        ops::Default::Bool(truth) => Value::Bool(truth),
+        ops::Default::Text(text) | ops::Default::Word(text) => Value::Text(text.into()),
+    };
+    Some(Expr { ty: value.ty(), kind: ExprKind::Value(value), span })
 }
 
 /// The conditions of branches with percentages.

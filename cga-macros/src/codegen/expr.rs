@@ -92,12 +92,8 @@ impl Generator<'_> {
                 code!(cga_rt::later::#later(#env, #what))
             }
             ExprKind::Array(rows) => self.array(rows, at),
-            ExprKind::Range(base, step, limit) => {
-                let env = &at.env;
-                let call = |args: &[TokenStream]| code!(cga_rt::func::range_by(#env, #(#args),*));
-                self.with_args([&**base, &**step, &**limit], at, call)
-            }
-            ExprKind::Index(array, indices) => {
+            ExprKind::Range(..) => self.function_call("range_by", expr, at),
+            ExprKind::Index(_, indices) => {
                 let many = indices.iter().any(|index| index.ty.is_array());
                 let name = match (indices.len(), many) {
                     (1, false) => "element",
@@ -105,9 +101,7 @@ impl Generator<'_> {
                     (_, false) => "element_at",
                     (_, true) => "elements_at",
                 };
-                let (name, env) = (hygienic(name), &at.env);
-                let call = |args: &[TokenStream]| code!(cga_rt::func::#name(#env, #(#args),*));
-                self.with_args([&**array].into_iter().chain(indices), at, call)
+                self.function_call(name, expr, at)
             }
             ExprKind::EachUnary(operator, inner) => {
                 let name = match operator {
@@ -117,11 +111,7 @@ impl Generator<'_> {
                 let inner = self.expr(inner, at);
                 code!(cga_rt::func::#name(#inner))
             }
-            ExprKind::Each(operator, left, right) => {
-                let (name, env) = (hygienic(each(*operator)), &at.env);
-                let call = |args: &[TokenStream]| code!(cga_rt::func::#name(#env, #(#args),*));
-                self.with_args([&**left, &**right], at, call)
-            }
+            ExprKind::Each(operator, ..) => self.function_call(&format!("each_{}", function_name(*operator)), expr, at),
             ExprKind::Neg(inner) => {
                 let inner = self.expr(inner, at);
                 code!((-(#inner)))
@@ -137,7 +127,7 @@ impl Generator<'_> {
                 code!((!(#left #opposite #right)))
             }
             ExprKind::Binary(operator, left, right) if left.ty.is_array() => {
-                let name = hygienic(compare(*operator));
+                let name = hygienic(function_name(*operator));
                 let call = |args: &[TokenStream]| code!(cga_rt::func::#name(#(#args),*));
                 self.with_args([&**left, &**right], at, call)
             }
@@ -146,11 +136,7 @@ impl Generator<'_> {
                     let (left, right) = (self.expr(left, at), self.expr(right, at));
                     code!((#left #operator #right))
                 }
-                None => {
-                    let env = &at.env;
-                    let concat = |args: &[TokenStream]| code!(cga_rt::func::concat(#env, #(#args),*));
-                    self.with_args([&**left, &**right], at, concat)
-                }
+                None => self.function_call("concat", expr, at),
             },
             ExprKind::File(name, folder) => {
                 let name = self.expr(name, at);
@@ -159,22 +145,19 @@ impl Generator<'_> {
             // It came in as text.
             ExprKind::ToText(inner) if matches!(inner.kind, ExprKind::Host(_)) => self.expr(inner, at),
             // Long arrays end the run.
-            ExprKind::ToText(inner) if inner.ty.is_array() => {
-                let env = &at.env;
-                let call = |args: &[TokenStream]| code!(cga_rt::func::array_to_text(#env, #(#args),*));
-                self.with_args([&**inner], at, call)
-            }
+            ExprKind::ToText(inner) if inner.ty.is_array() => self.function_call("array_to_text", expr, at),
             ExprKind::ToText(inner) => {
                 let convert = types::function(inner.ty, "to_text");
                 let inner = self.expr(inner, at);
                 code!(cga_rt::func::#convert(#inner))
             }
-            ExprKind::Case(arms, otherwise) if are_styles(arms) => self.by_number(&code!(g.style), arms, otherwise, at),
-            ExprKind::Case(arms, otherwise) if are_sites(arms) => self.by_number(&code!(site), arms, otherwise, at),
             ExprKind::Case(arms, otherwise) => {
-                let conditions = arms.iter().map(|(condition, _)| self.expr(condition, at));
                 let values = arms.iter().map(|(_, value)| self.expr(value, at));
                 let otherwise = self.expr(otherwise, at);
+                if let Some((number, lists)) = by_number(arms) {
+                    return code!((match #number { #(#lists => #values,)* _ => #otherwise }));
+                }
+                let conditions = arms.iter().map(|(condition, _)| self.expr(condition, at));
                 code!((#(if #conditions { #values } else)* { #otherwise }))
             }
             ExprKind::Chance { percent, before } => {
@@ -185,15 +168,10 @@ impl Generator<'_> {
         }
     }
 
-    /// The value of the style or of the site.
-    fn by_number(&self, number: &TokenStream, arms: &[(Expr, Expr)], otherwise: &Expr, at: &Access) -> TokenStream {
-        let arms = arms.iter().map(|(test, value)| {
-            let (ExprKind::Style(list) | ExprKind::Site(list)) = &test.kind else { return TokenStream::new() };
-            let (list, value) = (numbers(list), self.expr(value, at));
-            code!(#(#list)|* => #value,)
-        });
-        let otherwise = self.expr(otherwise, at);
-        code!((match #number { #(#arms)* _ => #otherwise }))
+    /// A function of the runtime that gets the run and the parts of an expression.
+    fn function_call(&self, name: &str, expr: &Expr, at: &Access) -> TokenStream {
+        let (name, env) = (hygienic(name), &at.env);
+        self.with_args(expr.parts(), at, |args| code!(cga_rt::func::#name(#env, #(#args),*)))
     }
 
     /// The name of an image, as text.
@@ -287,24 +265,31 @@ impl Generator<'_> {
     }
 }
 
-/// Returns true if a `case` chooses by style alone.
-fn are_styles(arms: &[(Expr, Expr)]) -> bool {
-    !arms.is_empty() && arms.iter().all(|(test, _)| matches!(test.kind, ExprKind::Style(_)))
+/// The style or the site with the pattern of each branch, if a `case` chooses by the style alone or by the site alone.
+fn by_number(arms: &[(Expr, Expr)]) -> Option<(TokenStream, Vec<TokenStream>)> {
+    let number = match arms.first()?.0.kind {
+        ExprKind::Style(_) => code!(g.style),
+        ExprKind::Site(_) => code!(site),
+        _ => return None,
+    };
+    let first = &arms[0].0.kind;
+    let lists = arms.iter().map(|(test, _)| match (first, &test.kind) {
+        (ExprKind::Style(_), ExprKind::Style(list)) | (ExprKind::Site(_), ExprKind::Site(list)) => Some(one_of(list)),
+        _ => None,
+    });
+    Some((number, lists.collect::<Option<_>>()?))
 }
 
-/// Returns true if a `case` chooses by site alone.
-fn are_sites(arms: &[(Expr, Expr)]) -> bool {
-    !arms.is_empty() && arms.iter().all(|(test, _)| matches!(test.kind, ExprKind::Site(_)))
-}
-
-fn numbers(list: &[u32]) -> impl Iterator<Item = Literal> {
-    list.iter().map(|number| Literal::u32_suffixed(*number))
+/// A pattern for the numbers of a list.
+fn one_of(list: &[u32]) -> TokenStream {
+    let list = list.iter().map(|number| Literal::u32_suffixed(*number));
+    code!(#(#list)|*)
 }
 
 /// Returns true if a style or site is in a list.
 pub(super) fn is_one_of(list: &[u32], number: &TokenStream) -> TokenStream {
-    let list = numbers(list);
-    code!(::core::matches!(#number, #(#list)|*))
+    let list = one_of(list);
+    code!(::core::matches!(#number, #list))
 }
 
 /// The words among the arguments of a call.
@@ -324,35 +309,23 @@ pub(super) fn word_variant(kind: &ParamKind, word: &str, module: &TokenStream) -
     code!(cga_rt::#module #rust::#variant)
 }
 
-/// The function of an operator that goes over elements.
-fn each(operator: Binary) -> &'static str {
+/// The function that compares two arrays; with `each_` before it, the function that goes over their elements.
+fn function_name(operator: Binary) -> &'static str {
     match operator {
-        Binary::Add => "each_add",
-        Binary::Sub => "each_subtract",
-        Binary::Mul => "each_multiply",
-        Binary::Div => "each_divide",
-        Binary::Rem => "each_remainder",
-        Binary::Concat => "each_concat",
-        Binary::Eq => "each_equal",
-        Binary::Ne => "each_unequal",
-        Binary::Lt => "each_less",
-        Binary::Le => "each_less_equal",
-        Binary::Gt => "each_greater",
-        Binary::Ge => "each_greater_equal",
-        Binary::And => "each_and",
-        Binary::Or => "each_or",
-    }
-}
-
-/// The function that compares two arrays.
-fn compare(operator: Binary) -> &'static str {
-    match operator {
+        Binary::Add => "add",
+        Binary::Sub => "subtract",
+        Binary::Mul => "multiply",
+        Binary::Div => "divide",
+        Binary::Rem => "remainder",
+        Binary::Concat => "concat",
+        Binary::Eq => "equal",
         Binary::Ne => "unequal",
         Binary::Lt => "less",
         Binary::Le => "less_equal",
         Binary::Gt => "greater",
         Binary::Ge => "greater_equal",
-        _ => "equal",
+        Binary::And => "and",
+        Binary::Or => "or",
     }
 }
 

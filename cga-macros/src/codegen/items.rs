@@ -76,14 +76,11 @@ impl Generator<'_> {
 
 /// The function that runs a call that waited or was left out.
 pub(super) fn resume(cx: &Generator<'_>) -> TokenStream {
-    let place = Span::mixed_site();
     let resume_arms = waiting(cx).map(|(id, params)| {
-        let (variant, rule) = (local("Rule", id.0 as usize), cx.rule(id, place));
+        let (variant, rule) = (local("Rule", id.0 as usize), cx.rule(id, Span::mixed_site()));
         let args: Vec<Ident> = (0..params.len()).map(|at| local("a", at)).collect();
         code!(CgaCall::#variant(#(#args),*) => CgaRules::#rule(g, cx, shape, #(#args),*))
     });
-    let resume =
-        if waiting(cx).next().is_some() { code!(match call { #(#resume_arms,)* }) } else { code!(match call {}) };
     code! {
         fn cga_resume(
             g: &CgaValues,
@@ -91,7 +88,7 @@ pub(super) fn resume(cx: &Generator<'_>) -> TokenStream {
             shape: &cga_rt::ShapeRef<'_>,
             call: CgaCall,
         ) -> cga_rt::Flow {
-            #resume
+            match call { #(#resume_arms,)* }
         }
     }
 }
@@ -99,7 +96,6 @@ pub(super) fn resume(cx: &Generator<'_>) -> TokenStream {
 /// The runtime's `Rules` and `Grammar`.
 pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     let (name, label) = (header.ident(), header.label());
-    let place = Span::mixed_site();
     let names = site::names(cx.grammar);
     let leaves = cx.leaves.names();
     let is_settled = cx.is_settled_globally();
@@ -112,7 +108,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     start_rules.sort_unstable();
     start_rules.dedup();
     let start_arms = start_rules.into_iter().map(|rule| {
-        let (number, rule) = (Literal::u32_suffixed(rule.0), cx.rule(rule, place));
+        let (number, rule) = (Literal::u32_suffixed(rule.0), cx.rule(rule, Span::mixed_site()));
         code!(#number => CgaRules::#rule(g, cx, shape))
     });
     let fields = fields::of(cx.grammar, cx.source);

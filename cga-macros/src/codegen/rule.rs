@@ -49,7 +49,7 @@ impl Generator<'_> {
         let flag = (rule.leaf == Childless::Depends).then(|| code!(let mut childless = true;));
         let label = self.leaves.implicit(rule);
         // A block was not counted as a shape, so its leaf is one more.
-        let (leaf, any_leaf) = match is_block(rule) {
+        let (leaf, any_leaf) = match rule.block {
             true => (code!(symbol), code!(any_symbol)),
             false => (code!(leaf), code!(any_leaf)),
         };
@@ -119,7 +119,7 @@ impl Generator<'_> {
 
     /// Adds a rule to the trail; a block is a part of its rule.
     fn enter(&self, rule: &Rule, id: RuleId) -> TokenStream {
-        if is_block(rule) {
+        if rule.block {
             return TokenStream::new();
         }
         let first = self.numbers[id.0 as usize];
@@ -378,7 +378,7 @@ impl Generator<'_> {
 
     /// A part that goes straight to a rule is the successor itself, with the seed of one.
     pub(super) fn hand_on(&self, rule: RuleId) -> Option<TokenStream> {
-        let is_called = !is_block(&self.grammar.rules[rule.0 as usize]) && self.facts.rule(rule).below.draws;
+        let is_called = !self.grammar.rules[rule.0 as usize].block && self.facts.rule(rule).below.draws;
         is_called.then(|| code!(cga_rt::hand_on(part);))
     }
 
@@ -416,13 +416,8 @@ fn changes(step: &Step) -> bool {
     matches!(step, Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..))
 }
 
-/// Returns true for a block of a split or comp: a part of the rule around it, not a rule that is called.
-pub(super) fn is_block(rule: &Rule) -> bool {
-    rule.block
-}
-
 fn leave(rule: &Rule) -> TokenStream {
-    if is_block(rule) { code!(cga_rt::Flow::Continue(())) } else { code!(cx.leave()) }
+    if rule.block { code!(cga_rt::Flow::Continue(())) } else { code!(cx.leave()) }
 }
 
 /// The parameters that are given, with their types; locals are not.

@@ -14,33 +14,14 @@ struct Slots<'s> {
     axis: TokenStream,
     /// True if the pieces are a list, false if they are laid out one by one.
     is_list: bool,
-    names: SplitFunctions,
+    /// True if the split is laid out in the rule.
+    in_place: bool,
 }
 
-/// The functions that a split calls.
-struct SplitFunctions {
-    new: Ident,
-    open: Ident,
-    turn: Ident,
-    part: Ident,
-    leaf: Ident,
-    skip: Ident,
-    end: Ident,
-}
-
-impl SplitFunctions {
-    /// With `in_place` the functions that become part of the rule, else those that are compiled once.
-    fn new(in_place: bool) -> Self {
-        let name = |inlined, shared| hygienic(if in_place { inlined } else { shared });
-        SplitFunctions {
-            new: name("new", "any"),
-            open: name("open", "any_open"),
-            turn: name("turn", "any_turn"),
-            part: name("part", "any_part"),
-            leaf: name("leaf", "any_leaf"),
-            skip: name("skip", "any_skip"),
-            end: name("end", "any_end"),
-        }
+impl Slots<'_> {
+    /// The runtime's function of that name: one that becomes part of the rule, else the one that is compiled once.
+    fn function(&self, name: &str) -> Ident {
+        if self.in_place { hygienic(name) } else { hygienic(&format!("any_{name}")) }
     }
 }
 
@@ -68,7 +49,7 @@ impl Generator<'_> {
         let solved = slots.solved.as_ref().filter(|_| !has_nested_groups(&slots.pattern));
         let in_place = self.is_in_place(slots, rule);
         let is_list = solved.is_some() || measure != Measure::Length;
-        let row = if is_list { list() } else { code!(pieces.cursor()) };
+        let row = if is_list { code!(cga_rt::List::new(pieces)) } else { code!(pieces.cursor()) };
         let pieces = match (solved, measure) {
             (Some(solved), _) => known(solved, &axis),
             (None, Measure::Area) => self.areas(slots, &axis),
@@ -77,10 +58,10 @@ impl Generator<'_> {
         };
         let is_counted = slots.targets.iter().any(|target| self.facts.target(target).total);
         let total = if is_counted { code!(cga_rt::Row::total(&pieces)) } else { code!(0) };
-        let slots = Slots { slots, rule, axis, is_list, names: SplitFunctions::new(in_place) };
+        let slots = Slots { slots, rule, axis, is_list, in_place };
         let statements = self.items(&slots, &slots.slots.pattern, At::default(), false);
-        let (axis, number, SplitFunctions { new, end, .. }) =
-            (&slots.axis, Literal::u32_unsuffixed(number), &slots.names);
+        let (axis, number) = (&slots.axis, Literal::u32_unsuffixed(number));
+        let (new, end) = (hygienic(if in_place { "new" } else { "any" }), slots.function("end"));
         let made = match measure {
             Measure::Texture => TokenStream::new(),
             _ if in_place => {
@@ -124,7 +105,7 @@ impl Generator<'_> {
                     rest = behind;
                     let count = inside.iter().filter(|item| matches!(item, Item::Slot)).count();
                     let group = local("group", at.group);
-                    let SplitFunctions { open, turn, .. } = &slots.names;
+                    let [open, turn] = ["open", "turn"].map(|name| slots.function(name));
                     let opened = if slots.is_list {
                         let [from, to] = [at.slot, at.slot + count].map(|slot| Literal::u32_unsuffixed(slot as u32));
                         code!(row.#open(#from..#to))
@@ -154,7 +135,7 @@ impl Generator<'_> {
 
     /// The statement of a slot.
     fn slot(&self, slots: &Slots<'_>, slot: usize, in_group: bool) -> TokenStream {
-        let (axis, SplitFunctions { part, leaf, skip, .. }) = (&slots.axis, &slots.names);
+        let (axis, [part, leaf, skip]) = (&slots.axis, ["part", "leaf", "skip"].map(|name| slots.function(name)));
         let number = Literal::usize_unsuffixed(slot);
         match &slots.slots.targets[slot] {
             Target::Nil => code!(division.#skip(&mut row, #number);),
@@ -310,10 +291,6 @@ fn known(solved: &Solved, axis: &TokenStream) -> TokenStream {
         const PIECES: &[cga_rt::Piece] = &[#(#pieces),*];
         let pieces = cga_rt::solved(cx.env, shape, #axis, #extent, PIECES);
     }
-}
-
-fn list() -> TokenStream {
-    code!(cga_rt::List::new(pieces))
 }
 
 /// The slots of a pattern that are in none of its groups.
