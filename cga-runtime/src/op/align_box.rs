@@ -6,7 +6,7 @@ use super::refit::{CORNERS, refit};
 use crate::geometry::hull::hull;
 use crate::geometry::tol::{ANGLE_EPSILON, AREA_EPSILON};
 use crate::run::env::Env;
-use crate::shape::{Geometry, Shape};
+use crate::shape::Shape;
 
 /// The two axes that are aligned; the first takes the longer side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,21 +59,13 @@ pub fn align_to_box(env: &mut Env, shape: &mut Shape, axes: BoxAxes) {
 fn seen(shape: &Shape, first: usize, second: usize) -> Vec<DVec2> {
     let flat = |p: DVec3| DVec2::new(p[first], p[second]);
     let size = shape.scope.size;
-    match &shape.geometry {
-        Geometry::Mesh(placed) => {
+    match (shape.geometry.placed(), shape.to_wire()) {
+        (Some(placed), _) => {
             let to_scope = placed.to_scope(size);
             placed.mesh.points().iter().map(|&p| flat(to_scope.transform_point3(p))).collect()
         }
-        Geometry::Edge => vec![DVec2::ZERO, flat(DVec3::X * size.x)],
-        Geometry::Wire(placed) => placed.in_scope(size).points.into_iter().map(flat).collect(),
-        Geometry::Vertex => Vec::new(),
-        Geometry::Rect(across, _) => {
-            // It is at the low end of a scope that may be thick.
-            let mut size = size;
-            size[across.index()] = 0.0;
-            CORNERS.map(|corner| flat(size * corner)).to_vec()
-        }
-        Geometry::Empty | Geometry::Box(_) => CORNERS.map(|corner| flat(size * corner)).to_vec(),
+        (None, Some(wire)) => wire.points.into_iter().map(flat).collect(),
+        (None, None) => CORNERS.map(|corner| flat(size * corner)).to_vec(),
     }
 }
 

@@ -4,16 +4,17 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
-use super::fit::fit;
+use super::fit::{centre, fit, put};
 use super::primitive::fill_with_cube;
 use super::settle;
 use crate::asset::{AssetError, CUBES, File};
+use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
 use crate::material::Layer;
 use crate::material::layer;
 use crate::run::env::Env;
 use crate::shape::place::Cuboid;
-use crate::shape::{Geometry, Inserted, Placed, Shape};
+use crate::shape::{Geometry, Placed, Shape};
 
 /// The up axis of an asset or of an aligned scope.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -113,13 +114,7 @@ fn mark(env: &mut Env, shape: &mut Shape, mode: InsertMode) {
     let origin = (DVec3::ONE - share) * DVec3::new(0.5, 0.0, 0.5);
     let mesh = Cuboid::new(origin, DMat3::from_diagonal(share)).to_mesh();
     if env.count_vertices(&mesh).is_continue() {
-        let placed = Placed {
-            low: DVec3::ZERO,
-            size: DVec3::ONE,
-            mesh: Arc::new(mesh),
-            inserted: Inserted::No,
-            mirrored: false,
-        };
+        let placed = Placed { low: DVec3::ZERO, size: DVec3::ONE, ..Placed::fitted(mesh) };
         shape.geometry = Geometry::Mesh(Arc::new(placed));
         // A size of zero flattens it.
         shape.resize(shape.scope.size);
@@ -127,11 +122,8 @@ fn mark(env: &mut Env, shape: &mut Shape, mode: InsertMode) {
 }
 
 fn place(env: &mut Env, shape: &mut Shape, mesh: Arc<Mesh>, mode: InsertMode) {
-    let (low, size) = (mesh.bounds().low, mesh.bounds().size());
-    arrange(env, shape, low, size, mode);
-    shape.geometry = Geometry::Mesh(Arc::new(Placed { low, size, mesh, inserted: Inserted::Asset, mirrored: false }));
-    super::inserted(env, shape);
-    super::trim(env, shape);
+    arrange(env, shape, mesh.bounds().low, mesh.bounds().size(), mode);
+    put(env, shape, mesh);
 }
 
 /// Sets the scope for geometry with that low corner and size.
@@ -144,9 +136,7 @@ fn arrange(env: &mut Env, shape: &mut Shape, low: DVec3, size: DVec3, mode: Inse
             fit(shape, low, size);
         }
         InsertMode::KeepSizeAlignPosition => {
-            let room = (shape.scope.size - size) * DVec3::new(0.5, 0.0, 0.5);
-            shape.scope.origin += shape.scope.axes * room;
-            shape.scope.size = size;
+            centre(shape, size, Axis::Y);
         }
     }
     settle(env, shape, &before, "`i`");
@@ -155,6 +145,7 @@ fn arrange(env: &mut Env, shape: &mut Shape, low: DVec3, size: DVec3, mode: Inse
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::shape::Inserted;
     use crate::asset::Assets;
     use crate::geometry::mesh::primitive::cone;
     use crate::run::settings::Settings;

@@ -35,8 +35,7 @@ pub(super) fn refit(env: &mut Env, shape: &mut Shape, axes: DMat3, what: &str) -
         Geometry::Edge if stays && 0.0 <= scope.size.x => {
             Some((Scope { axes, size: DVec3::X * scope.size.x, ..scope }, Geometry::Edge))
         }
-        Geometry::Edge => Some(wire(&scope, &turn, axes, Wire::edge(scope.size.x))),
-        Geometry::Wire(placed) => Some(wire(&scope, &turn, axes, placed.in_scope(scope.size))),
+        Geometry::Edge | Geometry::Wire(_) => shape.to_wire().map(|edges| wire(&scope, &turn, axes, edges)),
         Geometry::Vertex => Some((Scope { axes, size: DVec3::ZERO, ..scope }, Geometry::Vertex)),
         Geometry::Empty if stays => Some((Scope { axes, ..scope }, Geometry::Empty)),
         Geometry::Empty => Some((around(&scope, &turn, axes), Geometry::Empty)),
@@ -137,14 +136,4 @@ fn flattened(points: &[DVec3]) -> Option<Vec<DVec3>> {
     let size = bounds.size();
     let flat = size.cmple(DVec3::splat(ANGLE_EPSILON * size.max_element())) & size.cmpgt(DVec3::ZERO);
     flat.any().then(|| points.iter().map(|&p| DVec3::select(flat, bounds.low, p)).collect())
-}
-
-/// The geometry of a shape with a surface as a mesh, and the box that the scope stretches, for all signs of the
-/// sizes.
-pub(super) fn as_placed(shape: &Shape) -> Option<Placed> {
-    match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => None,
-        Geometry::Mesh(placed) => Some(Placed::clone(placed)),
-        Geometry::Box(unit) | Geometry::Rect(_, unit) => Some(Placed::unit(*unit)),
-    }
 }

@@ -14,7 +14,7 @@ use crate::geometry::mesh::uv::spread;
 use crate::geometry::mesh::{Mesh, TextureSpace, UvAxis, UvExtent};
 use crate::run::env::Env;
 use crate::shape::base::Base;
-use crate::shape::{Geometry, Inserted, Placed, Shape, ShapeRef};
+use crate::shape::{Geometry, Placed, Shape, ShapeRef};
 
 /// The coordinate, the unit and the uv set of a split in texture space.
 pub(crate) type TextureAxis = (UvAxis, TextureSpace, f64);
@@ -104,15 +104,10 @@ impl Chart {
 fn part(whole: &Shape, placed: &Placed, mesh: Option<Arc<Mesh>>) -> Shape {
     let mut part = Shape { geometry: Geometry::Empty, ..whole.clone() };
     let Some(mesh) = mesh else { return part };
-    let (bounds, stretch) = (mesh.bounds(), placed.stretch(whole.scope.size));
-    part.scope.origin += whole.scope.axes * ((bounds.low - placed.low) * stretch);
-    part.scope.size = bounds.size() * stretch;
-    part.geometry = Geometry::Mesh(Arc::new(Placed {
-        mesh,
-        low: bounds.low,
-        size: bounds.size(),
-        inserted: Inserted::No,
-        mirrored: placed.mirrored,
-    }));
+    let own = Placed { mirrored: placed.mirrored, ..Placed::fitted(mesh) };
+    let stretch = placed.stretch(whole.scope.size);
+    part.scope.origin += whole.scope.axes * ((own.low - placed.low) * stretch);
+    part.scope.size = own.size * stretch;
+    part.geometry = Geometry::Mesh(Arc::new(own));
     part
 }
