@@ -125,9 +125,9 @@ impl Quads {
 
     #[inline]
     fn is(&self, looks: &Looks, number: usize, word: Word) -> bool {
-        match word.sense() {
+        match word.0 {
             Sense::All => true,
-            Sense::Part => false,
+            Sense::Shape | Sense::Remainder => false,
             Sense::Looks(Axes::Scope, direction) => direction.takes_side(self.face(number).side),
             Sense::Looks(axes, direction) => {
                 let normal = self.face(number).side.normal();

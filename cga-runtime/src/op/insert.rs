@@ -145,10 +145,10 @@ fn arrange(env: &mut Env, shape: &mut Shape, low: DVec3, size: DVec3, mode: Inse
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::Inserted;
     use crate::asset::Assets;
     use crate::geometry::mesh::primitive::cone;
     use crate::run::settings::Settings;
+    use crate::shape::Inserted;
     use crate::shape::Shape;
 
     /// The asset of *i operation*, example 2: 2 by 4 by 6, away from the origin. Its tip is on top.

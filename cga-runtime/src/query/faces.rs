@@ -14,7 +14,7 @@ pub(super) fn selected(env: &Env, shape: &Shape, word: Word, mut each: impl FnMu
     let looks = Looks::of(env, shape);
     area_vectors(shape, |vector, at| {
         let length = vector.length();
-        let takes = || match word.sense() {
+        let takes = || match word.0 {
             Sense::Looks(axes, direction) => looks.takes(axes, direction, looks.outwards(vector / length), || at),
             _ => true,
         };

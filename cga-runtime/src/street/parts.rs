@@ -7,6 +7,7 @@ use super::mesh::{Face, mesh};
 use super::pieces::{Piece, Pieces, Plan, Run, RunKind};
 use super::subdivision::{NONE, Subdivision};
 use super::{Kind, MOST_CROSSINGS, Part, Side, StreetError};
+use crate::geometry::disjoint::DisjointSets;
 
 /// Three arms make a `Junction` if two of them are straight within this many degrees; otherwise a `Crossing`.
 const STRAIGHT_ON: f64 = 30.0;
@@ -79,31 +80,18 @@ impl Owners {
         give_slivers_away(&mut of_cycle, faces);
         // Pieces that overlap or touch form one junction.
         let is_part = |at: u32| at != NONE && !is_walk(at) && !is_free(&&at);
-        let mut first: Vec<u32> = (0..pieces.list.len() as u32).collect();
-        let find = |first: &mut Vec<u32>, mut at: u32| {
-            while first[at as usize] != at {
-                first[at as usize] = first[first[at as usize] as usize];
-                at = first[at as usize];
-            }
-            at
-        };
-        let join = |first: &mut Vec<u32>, a: u32, b: u32| {
-            let (a, b) = (find(first, a), find(first, b));
-            first[a.max(b) as usize] = a.min(b);
-        };
+        let mut junctions = DisjointSets::new(pieces.list.len());
         for (cycle, covers) in faces.covers.iter().enumerate().filter(|(cycle, _)| is_part(of_cycle[*cycle])) {
-            for &other in covers.iter().filter(|&&other| is_part(other)) {
-                join(&mut first, of_cycle[cycle], other);
-            }
+            covers.iter().filter(|&&other| is_part(other)).for_each(|&other| junctions.unite(of_cycle[cycle], other));
         }
         for half in (0..faces.cycle.len()).step_by(2) {
             let [a, b] = [half, half + 1].map(|half| of_cycle[faces.cycle[half] as usize]);
             if is_part(a) && is_part(b) {
-                join(&mut first, a, b);
+                junctions.unite(a, b);
             }
         }
         for owner in of_cycle.iter_mut().filter(|owner| is_part(**owner)) {
-            *owner = find(&mut first, *owner);
+            *owner = junctions.find(*owner);
         }
         Owners { of_cycle }
     }

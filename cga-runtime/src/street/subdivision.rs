@@ -2,6 +2,7 @@
 
 use super::grid::{Point, cross, twice_area, winding};
 use super::rounding::divide;
+use crate::geometry::disjoint::DisjointSets;
 
 /// The number for "no owner".
 pub(super) const NONE: u32 = u32::MAX;
@@ -98,34 +99,19 @@ impl Subdivision {
         for (half, &cycle) in self.cycle.iter().enumerate() {
             members[cycle as usize].push(half as u32);
         }
-        // The connected components.
-        let mut part = vec![NONE; count];
-        let mut parts: Vec<Vec<u32>> = Vec::new();
-        for from in 0..count {
-            if part[from] != NONE {
-                continue;
-            }
-            part[from] = parts.len() as u32;
-            let mut list = vec![from as u32];
-            let mut at = 0;
-            while at < list.len() {
-                for &half in &members[list[at] as usize] {
-                    let other = self.cycle[(half ^ 1) as usize];
-                    if part[other as usize] == NONE {
-                        part[other as usize] = parts.len() as u32;
-                        list.push(other);
-                    }
-                }
-                at += 1;
-            }
-            parts.push(list);
+        let mut components = DisjointSets::new(count);
+        self.cycle.as_chunks::<2>().0.iter().for_each(|[a, b]| components.unite(*a, *b));
+        let parts = components.sets();
+        let mut part = vec![0; count];
+        for (number, cycles) in parts.iter().enumerate() {
+            cycles.iter().for_each(|&cycle| part[cycle as usize] = number);
         }
         let bounds: Vec<[Point; 2]> = parts.iter().map(|list| self.bounds(list, &members)).collect();
         let mut inside: Vec<Vec<u32>> = vec![Vec::new(); parts.len()];
         if 1 < parts.len() {
             for (half, &cycle) in self.cycle.iter().enumerate().step_by(2) {
                 let polygons = changes[half / 2].iter().map(|change| change.0);
-                inside[part[cycle as usize] as usize].extend(polygons);
+                inside[part[cycle as usize]].extend(polygons);
             }
             for list in &mut inside {
                 list.sort_unstable();
