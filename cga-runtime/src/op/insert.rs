@@ -59,13 +59,9 @@ pub fn insert_with(env: &mut Env, shape: &mut Shape, file: File, up: UpAxis, mod
         let is_textured = !file.name.as_str().ends_with(":notex");
         return insert_box(env, shape, mode, is_textured);
     }
-    let assets = Arc::clone(&env.settings.assets);
-    let found = assets.mesh_of(&file).and_then(|mesh| match mesh.is_empty() {
-        true => Err(AssetError::Broken("it has no faces".to_owned())),
-        false => Ok(mesh),
-    });
+    let found = asset(env, &file);
     if let Ok(mesh) = &found
-        && assets.has_folder()
+        && env.settings.assets.has_folder()
     {
         check_images(env, mesh);
     }
@@ -81,6 +77,14 @@ pub fn insert_with(env: &mut Env, shape: &mut Shape, file: File, up: UpAxis, mod
             mark(env, shape, mode);
         }
     }
+}
+
+/// The mesh of a file, with faces.
+pub(super) fn asset(env: &Env, file: &File) -> Result<Arc<Mesh>, AssetError> {
+    env.settings.assets.mesh_of(file).and_then(|mesh| match mesh.is_empty() {
+        true => Err(AssetError::Broken("it has no faces".to_owned())),
+        false => Ok(mesh),
+    })
 }
 
 /// Leaves a fault for each image of a mesh that is missing or broken.

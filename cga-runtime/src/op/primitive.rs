@@ -52,8 +52,7 @@ pub fn cylinder_sides(env: &mut Env, shape: &mut Shape, sides: f64) {
 /// `primitiveCylinder(sides, radius, height)` (*primitiveCylinder operation*).
 pub fn cylinder_sized(env: &mut Env, shape: &mut Shape, sides: f64, radius: f64, height: f64) {
     let sides = count(env, sides, "sides of a cylinder", 3, MOST_SIDES);
-    let (across, height) = (2.0 * env.finite(radius, "the radius"), env.finite(height, "the height"));
-    fill_to_size(env, shape, Made::Cylinder { sides }, DVec3::new(across, height, across), Axis::Y);
+    fill_to_height(env, shape, Made::Cylinder { sides }, radius, height);
 }
 
 /// `primitiveCone()` and `primitiveCone(sides)`, along y, its tip up (*primitiveCone operation*).
@@ -65,8 +64,12 @@ pub fn cone(env: &mut Env, shape: &mut Shape, sides: f64) {
 /// `primitiveCone(sides, radius, height)` (*primitiveCone operation*).
 pub fn cone_sized(env: &mut Env, shape: &mut Shape, sides: f64, radius: f64, height: f64) {
     let sides = count(env, sides, "sides of a cone", 3, MOST_SIDES);
+    fill_to_height(env, shape, Made::Cone { sides }, radius, height);
+}
+
+fn fill_to_height(env: &mut Env, shape: &mut Shape, made: Made, radius: f64, height: f64) {
     let (across, height) = (2.0 * env.finite(radius, "the radius"), env.finite(height, "the height"));
-    fill_to_size(env, shape, Made::Cone { sides }, DVec3::new(across, height, across), Axis::Y);
+    fill_to_size(env, shape, made, DVec3::new(across, height, across), Axis::Y);
 }
 
 /// `primitiveSphere()`, with 16 sides and 16 divisions (*primitiveSphere operation*).
@@ -196,7 +199,7 @@ fn fill_plainly(env: &mut Env, shape: &mut Shape, geometry: Geometry, coordinate
 
 /// A number of sides or the like: an integer within limits.
 fn count(env: &mut Env, wanted: f64, what: &str, least: u32, most: u32) -> u32 {
-    let wanted = env.finite(wanted, &format!("the number of {what}"));
+    let wanted = env.finite(wanted, format_args!("the number of {what}"));
     let count = wanted.clamp(f64::from(least), f64::from(most)) as u32;
     if f64::from(count) != wanted {
         env.fault(FaultKind::Value, format!("the number of {what} cannot be {wanted}; it is {count}"));

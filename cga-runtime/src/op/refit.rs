@@ -104,22 +104,18 @@ fn wire(scope: &Scope, turn: &DMat3, axes: DMat3, wire: Wire) -> (Scope, Geometr
     (new, Geometry::Wire(Arc::new(placed)))
 }
 
-/// The directions of a rectangle's first two edges, as in [`place::rectangle`].
-fn directions(axes: &DMat3, axis: Axis) -> [DVec3; 2] {
-    match axis {
-        Axis::X => [-axes.z_axis, axes.y_axis],
-        Axis::Y => [axes.x_axis, -axes.z_axis],
-        Axis::Z => [axes.x_axis, axes.y_axis],
-    }
-}
-
 /// The rectangle along other axes, if it is one there, with the same first edge and the same normal.
 pub(super) fn rectangle(scope: &Scope, axis: Axis, unit: UnitMesh, axes: DMat3) -> Option<(Scope, Geometry)> {
     let quad = place::rectangle(scope, axis, unit);
     let (across, up) = (quad.u.length(), quad.v.length());
-    let old = directions(&scope.axes, axis);
+    // The directions of the first two edges.
+    let directions = |axes: DMat3, axis: Axis| {
+        let quad = place::rectangle(&Scope { axes, ..Scope::new(DVec3::ONE) }, axis, unit);
+        [quad.u, quad.v]
+    };
+    let old = directions(scope.axes, axis);
     [Axis::X, Axis::Y, Axis::Z].into_iter().find_map(|new| {
-        let near = directions(&axes, new).iter().zip(old).all(|(a, b)| a.abs_diff_eq(b, ANGLE_EPSILON));
+        let near = directions(axes, new).iter().zip(old).all(|(a, b)| a.abs_diff_eq(b, ANGLE_EPSILON));
         let (origin, size) = match new {
             Axis::X => (quad.origin + quad.u, DVec3::new(0.0, up, across)),
             Axis::Y => (quad.origin + quad.v, DVec3::new(across, 0.0, up)),

@@ -25,16 +25,11 @@ pub fn geometry_area(env: &Env, shape: &Shape, selector: Word) -> f64 {
 /// negative, even for a shape that is inside out. Flat geometry has none. For an open mesh it is the volume of the
 /// cones from the faces to the middle.
 pub fn geometry_volume(shape: &Shape) -> f64 {
-    let size = shape.scope.size;
-    match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Rect(..) => 0.0,
-        _ if size.x == 0.0 || size.y == 0.0 || size.z == 0.0 => 0.0,
-        Geometry::Box(_) => (size.x * size.y * size.z).abs(),
-        Geometry::Mesh(placed) => {
-            let stretch = placed.stretch(size);
-            (placed.mesh.volume() * (stretch.x * stretch.y * stretch.z)).abs()
-        }
+    let Some(placed) = shape.geometry.placed() else { return 0.0 };
+    if shape.scope.size.cmpeq(DVec3::ZERO).any() {
+        return 0.0;
     }
+    (placed.mesh.volume() * placed.stretch(shape.scope.size).element_product()).abs()
 }
 
 /// `geometry.height()`: the height from the lowest to the highest point in the world, in metres (*geometry.height

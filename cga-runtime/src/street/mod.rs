@@ -148,11 +148,16 @@ impl Network {
     /// [`StreetError`] if a coordinate, a width or a setting is NaN, infinite or out of range, or if the lines cross
     /// millions of times.
     pub fn new(lines: &[Centerline], options: &NetworkOptions) -> Result<Self, StreetError> {
+        Network::within(lines, options, conflict::MOST_ATTEMPTS)
+    }
+
+    /// The network after a number of attempts to find a plan without overlaps.
+    fn within(lines: &[Centerline], options: &NetworkOptions, attempts: usize) -> Result<Self, StreetError> {
         input::check(lines, options)?;
         let graph = graph::Graph::new(lines, options)?;
         let (chains, nodes) = chain::chains(&graph, lines, options);
         let mut plan = pieces::Plan::new(chains, nodes, options.corner_radius);
-        let pieces = conflict::resolve(&mut plan)?;
+        let pieces = conflict::resolve(&mut plan, attempts)?;
         Ok(Network { parts: parts::parts(&plan, &pieces)? })
     }
 

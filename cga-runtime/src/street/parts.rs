@@ -22,22 +22,15 @@ pub(super) fn parts(plan: &Plan, pieces: &Pieces) -> Result<Vec<Part>, StreetErr
         loops[owner as usize].push(ring);
     }
     let mut heights: Map<Point, f64> = Map::default();
-    // Roadways first: their heights take precedence over those of sidewalks.
-    for roads in [true, false] {
-        for (piece, loops) in pieces.list.iter().zip(&loops) {
-            let cell = match piece {
-                Piece::Road { cell, free: true, .. } if roads => cell,
-                Piece::Walk { cell, .. } if !roads => cell,
+    // Roadways first: their heights take precedence over those of sidewalks, and junctions have the heights around them.
+    for order in 0..3 {
+        for (at, piece) in pieces.list.iter().enumerate() {
+            let (cell, rings) = match (order, piece) {
+                (0, Piece::Road { cell, free: true, .. }) | (1, Piece::Walk { cell, .. }) => (cell, &loops[at][..]),
+                (2, Piece::Road { cell, free: false, .. }) => (cell, std::slice::from_ref(&rings[at])),
                 _ => continue,
             };
-            for &point in loops.iter().flatten() {
-                heights.entry(point).or_insert_with(|| cell.value(point).z);
-            }
-        }
-    }
-    for (piece, ring) in pieces.list.iter().zip(&rings) {
-        if let Piece::Road { cell, free: false, .. } = piece {
-            for &point in ring {
+            for &point in rings.iter().flatten() {
                 heights.entry(point).or_insert_with(|| cell.value(point).z);
             }
         }

@@ -1,6 +1,6 @@
 //! A subdivision of the plane by polygons, with the polygons that cover each of its faces.
 
-use super::grid::{Point, cross, twice_area, winding};
+use super::grid::{Point, cross, sides, twice_area, winding};
 use super::rounding::divide;
 use crate::geometry::disjoint::DisjointSets;
 
@@ -27,11 +27,9 @@ impl Subdivision {
     /// Divides the plane by counter-clockwise polygons, which may overlap. `None` if their edges cross more than `most`
     /// times.
     pub(super) fn new(polygons: &[Vec<Point>], most: usize) -> Option<Self> {
-        let sides = |ring: &Vec<Point>| {
-            (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]).filter(|[a, b]| a != b).collect::<Vec<_>>()
-        };
         let sorted = |[a, b]: [Point; 2]| if a < b { [a, b] } else { [b, a] };
-        let mut segments: Vec<[Point; 2]> = polygons.iter().flat_map(sides).map(sorted).collect();
+        let mut segments: Vec<[Point; 2]> =
+            polygons.iter().flat_map(|ring| sides(ring)).filter(|[a, b]| a != b).map(sorted).collect();
         segments.sort_unstable();
         segments.dedup();
         let chains = divide(&segments, most)?;
@@ -43,6 +41,7 @@ impl Subdivision {
 
         let mut uses: Vec<([u32; 2], u32, i32)> = Vec::new();
         for (polygon, ring) in polygons.iter().enumerate() {
+            // A side without length is not in the list.
             for side in sides(ring) {
                 let Ok(at) = segments.binary_search(&sorted(side)) else { continue };
                 let forward = side == segments[at];
