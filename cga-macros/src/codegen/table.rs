@@ -1,6 +1,6 @@
 //! The table of attributes and the list of start rules: everything annotations say, for user interfaces.
 
-use cga_lang::ir::{Attr, ChoiceValues, Choices, Grammar, Presentation, Range, Start, Value};
+use cga_lang::ir::{AttrInfo, ChoiceValues, Choices, Grammar, Presentation, Range, Start, Value};
 use proc_macro2::{Span, TokenStream};
 use quote::quote_spanned;
 
@@ -9,15 +9,14 @@ use super::types::{self, value};
 
 /// Returns true if a run has to check the value of the field.
 pub(super) fn is_restricted(field: &Field<'_>) -> bool {
-    let choices = field.attr.choices.as_ref();
-    field.attr.range.is_some_and(|range| range.restricted) || choices.is_some_and(|choices| choices.restricted)
+    field.attr.held_to_range().is_some() || field.attr.held_to_choices().is_some()
 }
 
 /// A row of the attribute table.
 pub(super) fn attribute(field: &Field<'_>, grammar: &Grammar) -> TokenStream {
     let place = Span::mixed_site();
     let attr = field.attr;
-    let (name, kind) = (&attr.name, types::variant(attr.ty));
+    let (name, kind) = (&field.global.name, types::variant(field.global.ty));
     let default = match field.known {
         None => quote_spanned!(place=> ::core::option::Option::None),
         Some(known) => {
@@ -38,11 +37,11 @@ pub(super) fn attribute(field: &Field<'_>, grammar: &Grammar) -> TokenStream {
         row.extend(quote_spanned!(place=> .choices(#choices)));
     }
     row.extend(presentation(attr));
-    if !attr.group.is_empty() {
-        let group = &attr.group;
+    if !attr.group.names.is_empty() {
+        let group = &attr.group.names;
         row.extend(quote_spanned!(place=> .group(&[#(#group),*])));
     }
-    if let Some(order) = attr.group_order {
+    if let Some(order) = attr.group.order {
         let order = number(order);
         row.extend(quote_spanned!(place=> .group_order(#order)));
     }
@@ -78,7 +77,7 @@ fn choices_tokens(choices: &Choices, grammar: &Grammar) -> TokenStream {
         }
         ChoiceValues::Texts(list) => quote_spanned!(place=> cga_rt::ChoiceValues::Texts(&[#(#list),*])),
         ChoiceValues::Attr(id) => {
-            let name = &grammar.attrs[id.0 as usize].name;
+            let name = &grammar.global(*id).name;
             quote_spanned!(place=> cga_rt::ChoiceValues::Attribute(#name))
         }
     };
@@ -88,7 +87,7 @@ fn choices_tokens(choices: &Choices, grammar: &Grammar) -> TokenStream {
 }
 
 /// As what an attribute is shown.
-fn presentation(attr: &Attr) -> Option<TokenStream> {
+fn presentation(attr: &AttrInfo) -> Option<TokenStream> {
     let place = Span::mixed_site();
     let kind = match &attr.presentation {
         Presentation::Plain => return None,
