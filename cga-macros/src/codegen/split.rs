@@ -2,25 +2,23 @@
 
 use cga_lang::ir::{Axis, Block, ExprKind, Item, Piece, Prefix, RuleId, Size, Slots, Solved, Target, Value};
 use cga_lang::ops::{Braces, Measure};
-use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote_spanned;
+use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
-use super::{Generator, local, site, templates};
+use super::{Generator, hygienic, local, site, templates};
 
 impl Generator<'_> {
     /// An expression that divides the shape and is true if there was a piece. `number` counts the children that the rule makes.
     pub(super) fn split(&self, block: &Block, slots: &Slots, rule: RuleId, number: u32) -> TokenStream {
-        let place = Span::mixed_site();
         let Braces::Slots(measure) = block.row.braces else { return TokenStream::new() };
         // Parts in texture space do not come along an axis, and their scopes are found with them.
         let axis = match block.axis() {
-            Some(Axis::X) | None => quote_spanned!(place=> cga_rt::Axis::X),
-            Some(Axis::Y) => quote_spanned!(place=> cga_rt::Axis::Y),
-            Some(Axis::Z) => quote_spanned!(place=> cga_rt::Axis::Z),
+            Some(Axis::X) | None => code!(cga_rt::Axis::X),
+            Some(Axis::Y) => code!(cga_rt::Axis::Y),
+            Some(Axis::Z) => code!(cga_rt::Axis::Z),
         };
         let adjusts = block.adjusts() && measure != Measure::Texture;
-        let adjust = if adjusts { quote_spanned!(place=> Adjust) } else { quote_spanned!(place=> NoAdjust) };
+        let adjust = if adjusts { code!(Adjust) } else { code!(NoAdjust) };
         let number = Literal::u32_unsuffixed(number);
         // A list cannot tell the repetitions of a group from those of a group around it.
         let solved = slots.solved.as_ref().filter(|_| !has_nested_groups(&slots.pattern));
@@ -36,11 +34,11 @@ impl Generator<'_> {
         let divided = match (solved, measure) {
             (Some(solved), _) => {
                 let (extent, pieces) = (Literal::f64_unsuffixed(solved.extent), pieces(solved));
-                quote_spanned!(place=> cga_rt::split_solved(cx, shape, SPLIT, #extent, &[#(#pieces),*], #visit)?)
+                code!(cga_rt::split_solved(cx, shape, SPLIT, #extent, &[#(#pieces),*], #visit)?)
             }
             (None, Measure::Texture) => {
                 let args = self.args(block.row, &block.args, &Access::rule(), Generator::asked, &TokenStream::new());
-                quote_spanned! { place=>
+                code! {
                     let sizes = &mut [#(#sizes),*];
                     let axis = (#(#args),*);
                     cga_rt::split_texture(cx, shape, SPLIT, axis, sizes, &mut [0.0; #count], #visit)?
@@ -48,14 +46,14 @@ impl Generator<'_> {
             }
             (None, _) => {
                 let split = if measure == Measure::Area { "split_area" } else { "split" };
-                let split = Ident::new(split, place);
-                quote_spanned! { place=>
+                let split = hygienic(split);
+                code! {
                     let sizes = &mut [#(#sizes),*];
                     cga_rt::#split(cx, shape, SPLIT, sizes, &mut [0.0; #count], #visit)?
                 }
             }
         };
-        quote_spanned! { place=> {
+        code! { {
             const SPLIT: &cga_rt::Split<'_> = &cga_rt::Split {
                 axis: #axis,
                 adjust: cga_rt::Adjust::#adjust,
@@ -71,24 +69,22 @@ impl Generator<'_> {
 
     /// The successor of a slot, as the runtime knows it.
     fn successor(&self, target: &Target) -> TokenStream {
-        let place = Span::mixed_site();
         match target {
-            Target::Nil => quote_spanned!(place=> cga_rt::Successor::Nil),
-            Target::Leaf(name, _) => {
+            Target::Nil => code!(cga_rt::Successor::Nil),
+            Target::Leaf(name) => {
                 let name = self.leaves.number(name);
-                quote_spanned!(place=> cga_rt::Successor::Leaf(#name))
+                code!(cga_rt::Successor::Leaf(#name))
             }
             Target::Rule { .. } => {
                 let uses = self.facts.target(target);
                 let (draws, counts) = (uses.draws, uses.index || uses.total);
-                quote_spanned!(place=> cga_rt::Successor::Rule { draws: #draws, counts: #counts })
+                code!(cga_rt::Successor::Rule { draws: #draws, counts: #counts })
             }
         }
     }
 
     /// The function that calls the rule of a slot, with the variables that it needs.
     fn visit(&self, slots: &Slots, rule: RuleId, axis: &TokenStream) -> (TokenStream, TokenStream) {
-        let place = Span::mixed_site();
         let (mut last, mut calls) = (TokenStream::new(), TokenStream::new());
         for (slot, (target, in_group)) in slots.targets.iter().zip(templates::in_groups(&slots.pattern)).enumerate() {
             if !matches!(target, Target::Rule { .. }) {
@@ -97,17 +93,17 @@ impl Generator<'_> {
             let code = match templates::root(target, rule, &self.facts, &self.plan).filter(|_| in_group) {
                 Some(root) => {
                     let name = local("last", slot);
-                    last.extend(quote_spanned!(place=> let mut #name = ::core::default::Default::default();));
+                    last.extend(code!(let mut #name = ::core::default::Default::default();));
                     self.repeat(root, target, axis, &name)
                 }
                 None => self.part(target, rule),
             };
             let slot = Literal::usize_unsuffixed(slot);
-            calls.extend(quote_spanned!(place=> #slot => #code,));
+            calls.extend(code!(#slot => #code,));
         }
         let visit = match calls.is_empty() {
-            true => quote_spanned!(place=> &mut |_, _, _| cga_rt::Flow::Continue(())),
-            false => quote_spanned! { place=>
+            true => code!(&mut |_, _, _| cga_rt::Flow::Continue(())),
+            false => code! {
                 &mut |cx, slot, part| match slot {
                     #calls
                     _ => cga_rt::Flow::Continue(()),
@@ -137,23 +133,22 @@ impl Generator<'_> {
         [axis, adjust]: [&TokenStream; 2],
         number: &Literal,
     ) -> TokenStream {
-        let (place, count) = (Span::mixed_site(), slots.sizes.len());
+        let count = slots.sizes.len();
         let (items, sizes) = (items(&slots.pattern), self.sizes(slots));
         let is_counted = slots.targets.iter().any(|target| self.facts.target(target).total);
-        let total =
-            if is_counted { quote_spanned!(place=> cga_rt::Row::total(&pieces)) } else { quote_spanned!(place=> 0) };
+        let total = if is_counted { code!(cga_rt::Row::total(&pieces)) } else { code!(0) };
         let statements = slots.targets.iter().enumerate().map(|(slot, target)| {
             let slot = Literal::usize_unsuffixed(slot);
             match target {
-                Target::Nil => quote_spanned!(place=> division.skip(row.slot(#slot));),
-                Target::Leaf(name, _) => {
+                Target::Nil => code!(division.skip(row.slot(#slot));),
+                Target::Leaf(name) => {
                     let name = self.leaves.number(name);
-                    quote_spanned!(place=> division.leaf(cx, row.slot(#slot), #axis, #name)?;)
+                    code!(division.leaf(cx, row.slot(#slot), #axis, #name)?;)
                 }
                 Target::Rule { .. } => {
                     let (uses, code) = (self.facts.target(target), self.part(target, rule));
                     let (draws, counts) = (uses.draws, uses.index || uses.total);
-                    quote_spanned! { place=>
+                    code! {
                         let slot = cga_rt::Slot { number: #slot, in_group: false, draws: #draws, counts: #counts };
                         if let ::core::option::Option::Some(part) = division.part(row.slot(#slot), #axis, slot) {
                             let flow: cga_rt::Flow = #code;
@@ -163,7 +158,7 @@ impl Generator<'_> {
                 }
             }
         });
-        quote_spanned! { place=> {
+        code! { {
             const PATTERN: &[cga_rt::Item] = &[#(#items),*];
             const SIZES: [cga_rt::Size; #count] = [#(#sizes),*];
             let mut lengths = [0.0; #count];
@@ -184,14 +179,13 @@ impl Generator<'_> {
     /// Runs a rule on a part that repeats; of type `Flow`.
     fn repeat(&self, rule: RuleId, target: &Target, axis: &TokenStream, last: &Ident) -> TokenStream {
         let Target::Rule { sites, span, .. } = target else { return TokenStream::new() };
-        let (place, name) = (Span::mixed_site(), self.rule(rule, self.source.token(span.first)));
+        let name = self.rule(rule, self.source.token(span.first));
         let number = Literal::u32_unsuffixed(self.templates.places(sites.len().max(1) as u32));
         let hand_on = self.hand_on(rule);
         if let Some(passed) = site::passed(sites) {
             // A template for each site of the caller.
-            let number =
-                if sites.len() == 1 { quote_spanned!(place=> #number) } else { quote_spanned!(place=> #number + site) };
-            return quote_spanned! { place=> {
+            let number = if sites.len() == 1 { code!(#number) } else { code!(#number + site) };
+            return code! { {
                 #hand_on
                 cx.repeat(
                     #number,
@@ -203,7 +197,7 @@ impl Generator<'_> {
                 )
             } };
         }
-        quote_spanned! { place=> {
+        code! { {
             #hand_on
             cx.repeat(#number, &mut #last, g, (part, #axis), CgaRules::#name, CgaRules::cga_resume)
         } }
@@ -218,22 +212,20 @@ impl Generator<'_> {
 
 /// A size as the solver takes it.
 pub(super) fn prefixed(prefix: Prefix, value: &TokenStream) -> TokenStream {
-    let place = Span::mixed_site();
     match prefix {
-        Prefix::Absolute => quote_spanned!(place=> cga_rt::Size::absolute(#value)),
-        Prefix::Relative => quote_spanned!(place=> cga_rt::Size::relative(#value)),
-        Prefix::Floating => quote_spanned!(place=> cga_rt::Size::floating(#value)),
+        Prefix::Absolute => code!(cga_rt::Size::absolute(#value)),
+        Prefix::Relative => code!(cga_rt::Size::relative(#value)),
+        Prefix::Floating => code!(cga_rt::Size::floating(#value)),
     }
 }
 
 /// Slots and groups as the solver takes them.
 fn items(pattern: &[Item]) -> impl Iterator<Item = TokenStream> {
-    let place = Span::mixed_site();
     pattern.iter().map(move |item| match item {
-        Item::Slot => quote_spanned!(place=> cga_rt::Item::Slot),
+        Item::Slot => code!(cga_rt::Item::Slot),
         Item::Repeat(len) => {
             let len = Literal::u32_unsuffixed(*len);
-            quote_spanned!(place=> cga_rt::Item::Repeat(#len))
+            code!(cga_rt::Item::Repeat(#len))
         }
     })
 }
@@ -244,7 +236,7 @@ fn pieces(solved: &Solved) -> impl Iterator<Item = TokenStream> {
         let Piece { slot, start, end, length } = *piece;
         let slot = Literal::u32_unsuffixed(slot);
         let [start, end, length] = [start, end, length].map(Literal::f64_unsuffixed);
-        quote_spanned!(Span::mixed_site()=> cga_rt::Piece { slot: #slot, start: #start, end: #end, length: #length })
+        code!(cga_rt::Piece { slot: #slot, start: #start, end: #end, length: #length })
     })
 }
 

@@ -6,7 +6,7 @@
 
 use glam::DVec3;
 
-use super::{Length, settle_origin};
+use super::{Length, lengths, settle_origin};
 use crate::geometry::Axis;
 use crate::run::env::Env;
 use crate::shape::base::Form;
@@ -28,11 +28,7 @@ pub fn translate<'s, 'b>(
 ) -> &'s ShapeRef<'b> {
     let shape = own.insert(shape.clone());
     let size = shape.size.get();
-    let by = DVec3::new(
-        x.of(size.x, env, "`t` along x"),
-        y.of(size.y, env, "`t` along y"),
-        z.of(size.z, env, "`t` along z"),
-    );
+    let by = lengths(env, "`t`", [x, y, z], size);
     if shape.has_coordinates() && !shape.keeps_coordinates(by) {
         *shape = whole(env, shape, bases, |env, shape| super::translate(env, shape, x, y, z));
         return shape;

@@ -2,7 +2,7 @@
 
 use std::ops::{ControlFlow, Range};
 
-use cga_split::{Cursor, Group, List, ListGroup, Solution};
+use cga_split::{Cursor, Group, List, Solution};
 
 use super::divide::{areas, check, extent, solved};
 use super::division::{Division, Made, Slot};
@@ -164,17 +164,17 @@ impl Pieces for Solved<'_> {
 }
 
 impl Pieces for List<'_> {
-    type Group = ListGroup;
+    type Group = Range<u32>;
 
     fn slot(&mut self, slot: usize) -> Option<Piece> {
         List::slot(self, slot as u32)
     }
 
-    fn open(&mut self, _: usize, slots: Range<usize>) -> ListGroup {
+    fn open(&mut self, _: usize, slots: Range<usize>) -> Range<u32> {
         List::open(self, slots.start as u32..slots.end as u32)
     }
 
-    fn turn(&mut self, group: &mut ListGroup) -> bool {
+    fn turn(&mut self, group: &mut Range<u32>) -> bool {
         List::turn(self, group)
     }
 }
