@@ -229,7 +229,11 @@ impl<P: Pieces, C> Walk<'_, '_, P, C> {
             let mut group = self.pieces.open(at.group, at.slot..at.slot + slots);
             while self.pieces.turn(&mut group) {
                 self.division.turn(cx.env)?;
-                self.items(cx, inside, At { group: at.group + 1, ..at }, true)?;
+                if slots == inside.len() {
+                    (at.slot..at.slot + slots).try_for_each(|slot| self.slot(cx, slot, true))?;
+                } else {
+                    self.items(cx, inside, At { group: at.group + 1, ..at }, true)?;
+                }
             }
             at = At { slot: at.slot + slots, group: at.group + 1 + inside.len() - slots };
         }
