@@ -421,7 +421,7 @@ impl<'a> Scope<'_, 'a, '_> {
             ExprKind::Name(attr) => self.set_name(name, &attr.text, attr.span),
             // A word in text means the bare word, if it is known.
             ExprKind::Call(sel, words) if sel.text == "sel" => match words.as_slice() {
-                [Expr { kind: ExprKind::Text(text), span }] => self.set_name(name, text, *span),
+                [Expr { kind: ExprKind::Text(text), span, .. }] => self.set_name(name, text, *span),
                 _ => {
                     words.iter().for_each(|word| self.expr(word));
                     self.not_implemented(name.span, "`set` of an attribute whose name is computed", None);

@@ -292,6 +292,15 @@ pub struct Expr {
     pub kind: ExprKind,
     /// Its place.
     pub span: Span,
+    /// The height of its tree. Code that walks the tree must not overflow the stack.
+    pub depth: u32,
+}
+
+impl Expr {
+    /// The place of an expression that could not be read, which was reported.
+    pub(crate) fn error(span: Span) -> Expr {
+        Expr { kind: ExprKind::Error, span, depth: 1 }
+    }
 }
 
 /// The kinds of expressions.

@@ -92,6 +92,17 @@ symbols! {
     At "@" "`@`: begins an annotation.",
 }
 
+impl Sym {
+    /// Returns true for an operator, which has an operand after it and may have a dot before it.
+    pub(crate) fn is_operator(self) -> bool {
+        use Sym::{
+            AndAnd, Bang, EqEq, Greater, GreaterEq, Less, LessEq, Minus, NotEq, OrOr, Percent, Plus, Slash, Star,
+        };
+        [AndAnd, Bang, EqEq, Greater, GreaterEq, Less, LessEq, Minus, NotEq, OrOr, Percent, Plus, Slash, Star]
+            .contains(&self)
+    }
+}
+
 impl Tok {
     /// Returns true if the token is the symbol.
     pub fn is(&self, sym: Sym) -> bool {
@@ -269,7 +280,10 @@ impl Tokens {
             if matches!(token, Tok::Doc(_) | Tok::Bad) {
                 continue;
             }
-            let begins = token.is(Sym::Dot) && self.list[..to].get(from + at + 1).is_some_and(is_operator);
+            let begins = token.is(Sym::Dot)
+                && self.list[..to]
+                    .get(from + at + 1)
+                    .is_some_and(|next| matches!(next, Tok::Sym(sym) if sym.is_operator()));
             if begins || (!dotted && before.is_some_and(|before| spaced(before, token))) {
                 out.push(' ');
             }
@@ -289,13 +303,6 @@ impl FromIterator<Tok> for Tokens {
     fn from_iter<I: IntoIterator<Item = Tok>>(iter: I) -> Self {
         Tokens { list: iter.into_iter().collect() }
     }
-}
-
-/// Returns true for an operator that may have a dot before it.
-fn is_operator(token: &Tok) -> bool {
-    use Sym::{AndAnd, Bang, EqEq, Greater, GreaterEq, Less, LessEq, Minus, NotEq, OrOr, Percent, Plus, Slash, Star};
-    let all = [AndAnd, Bang, EqEq, Greater, GreaterEq, Less, LessEq, Minus, NotEq, OrOr, Percent, Plus, Slash, Star];
-    matches!(token, Tok::Sym(sym) if all.contains(sym))
 }
 
 /// Returns true if a space belongs between two tokens.

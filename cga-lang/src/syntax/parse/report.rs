@@ -174,8 +174,7 @@ impl Parser<'_> {
     }
 
     pub(super) fn fail<T>(&mut self, what: &str) -> Parsed<T> {
-        self.expected(what);
-        Err(Reported)
+        Err(self.expected(what).into())
     }
 
     /// Passes over a required symbol.
