@@ -29,21 +29,22 @@ pub(crate) fn check(cx: &Context, calls: &Calls, certain: &[Diag]) -> Vec<Diag> 
     let flow = Flow::new(&cx.globals, &known, Some(calls));
     let mut agreed = Agreed::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {
-        if !program.roots.contains(&item.instance) || agreed.is_settled(item) {
+        if !program.roots.contains(&item.instance) {
             continue;
         }
-        let mut list = Vec::new();
-        flow.visit(&cx.globals, rule, &mut |site, facts| {
-            let Site::Split(slots) = site else { return };
-            let mut diags = Diags::new();
-            size::check(slots, facts, &cx.tables, &mut diags);
-            repeat::check(slots, &mut diags);
-            list.extend(diags.finish().into_iter().filter(|diag| is_told(diag, slots)).map(|diag| {
-                let basis = Basis::Defaults(defaults(diag.span, slots, cx.tables.at(item.own), cx));
-                Diag { level: Level::Warning, basis, ..diag }
-            }));
+        agreed.check(item, |diags| {
+            flow.visit(&cx.globals, rule, &mut |site, facts| {
+                let Site::Split(slots) = site else { return };
+                let mut found = Diags::new();
+                size::check(slots, facts, &cx.tables, &mut found);
+                repeat::check(slots, &mut found);
+                let told = found.finish().into_iter().filter(|diag| is_told(diag, slots)).map(|diag| {
+                    let basis = Basis::Defaults(defaults(diag.span, slots, cx.tables.at(item.own), cx));
+                    Diag { level: Level::Warning, basis, ..diag }
+                });
+                diags.append(told.collect());
+            });
         });
-        agreed.add(item, list);
     }
     let mut list = agreed.finish();
     let known: HashSet<Span> = certain.iter().map(|diag| diag.span).collect();

@@ -29,22 +29,15 @@ pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     let is_styled = |item: &Item| styled.contains(&(item.decl.name.text.as_str(), item.decl.params.len()));
     let values = |item: &&Item| is_root(item) && !program.may_be_imported() && !is_styled(item);
     for (index, item) in globals.attrs.iter().enumerate().filter(|(_, item)| values(item)) {
-        let mut diags = Diags::new();
-        value(item, "attribute", Code::UnusedAttribute, used.attrs.contains(&(index as u32)), &mut diags);
-        agreed.add(item, diags.finish());
+        let is_used = used.attrs.contains(&(index as u32));
+        agreed.check(item, |diags| value(item, "attribute", Code::UnusedAttribute, is_used, diags));
     }
     for (index, item) in globals.consts.iter().enumerate().filter(|(_, item)| values(item)) {
-        let mut diags = Diags::new();
-        value(item, "constant", Code::UnusedConstant, used.consts.contains(&(index as u32)), &mut diags);
-        agreed.add(item, diags.finish());
+        let is_used = used.consts.contains(&(index as u32));
+        agreed.check(item, |diags| value(item, "constant", Code::UnusedConstant, is_used, diags));
     }
     for item in globals.rules.iter().chain(&globals.functions).filter(is_root) {
-        if agreed.is_settled(item) {
-            continue;
-        }
-        let mut diags = Diags::new();
-        inner(cx, item, &styled, &mut diags);
-        agreed.add(item, diags.finish());
+        agreed.check(item, |diags| inner(cx, item, &styled, diags));
     }
     let mut list = agreed.finish();
     list.extend(imports(cx));

@@ -104,8 +104,8 @@ struct Infer<'p, 'a, 'd> {
     vars: Vars,
     /// Types of declarations, parameters and locals by name; of Rust values and Rust calls by their first token.
     slots: FastMap<Key, Var>,
-    /// Open expressions, with their instances.
-    open: Vec<(InstanceId, Open)>,
+    /// Open expressions; `None` once they are decided.
+    open: Vec<Option<Open>>,
     calls: Vec<Argument>,
     /// Operands of `<`, `<=`, `>` and `>=`, which bools do not have.
     ordered: Vec<(InstanceId, Var, Span)>,

@@ -7,21 +7,10 @@ use crate::diag::Diag;
 use crate::diag::code::Code;
 use crate::ops::{self, Places, Selector};
 use crate::suggest::nearest;
-use crate::syntax::ast::{Arm, ArmMode, Binary, CompValue, Expr, ExprKind, Name, SplitItem, Unary};
+use crate::syntax::ast::{Arm, ArmMode, Binary, CompValue, Expr, ExprKind, Name, Unary};
 
 impl<'a> Scope<'_, 'a, '_> {
-    pub(crate) fn items(&mut self, items: &'a [SplitItem]) {
-        for item in items {
-            match item {
-                SplitItem::Slot(size, ops) => {
-                    self.expr(&size.value);
-                    self.ops(ops);
-                }
-                SplitItem::Group(items, _) => self.items(items),
-            }
-        }
-    }
-
+    /// Resolves the selector of an arm.
     pub(crate) fn arm(&mut self, arm: &'a Arm, place: Places) {
         if place.connects() {
             self.index(&arm.selector);
@@ -31,7 +20,6 @@ impl<'a> Scope<'_, 'a, '_> {
             let message = "only `comp` and `modify` take `=:`";
             self.cx.diags.report(Code::Syntax, arm.selector.span, message).help("write `:` or `=`");
         }
-        self.ops(&arm.ops);
     }
 
     /// Resolves `comp(f) { selector : value }`.

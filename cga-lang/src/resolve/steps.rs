@@ -14,6 +14,7 @@ use crate::ops::{self, Braces, Operation, Param, ParamKind, Places, Run};
 use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
+use crate::syntax::walk::Part;
 use crate::types::Type;
 
 /// The maximum number of declarations of a rule that a message names.
@@ -86,29 +87,25 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     fn op(&mut self, op: &'a Op) {
+        // The selectors of its arms.
+        let mut place = Places::NONE;
         match &op.kind {
-            OpKind::Leaf(_) | OpKind::Nil | OpKind::Error => {}
             // The unreadable text may be an argument, so the number of arguments is unknown.
             OpKind::Call(_, args) if self.has_unread(op.span) => args.iter().for_each(|arg| self.expr(&arg.value)),
             OpKind::Call(name, args) if name.text == "set" => self.set(name, args),
             OpKind::Call(name, args) => self.shape_call(name, args),
             OpKind::Dynamic { import, overrides, rule, args } => self.dynamic(import, overrides, rule, args),
             OpKind::Path(_, args) => self.values(args),
-            OpKind::Push(ops) => self.ops(ops),
-            OpKind::Block(block) => self.block(block),
-            OpKind::Case(arms, otherwise) => {
-                for (condition, ops) in arms {
-                    self.expr(condition);
-                    self.ops(ops);
-                }
-                self.ops(otherwise);
-            }
-            OpKind::Chance(arms, otherwise) => {
-                self.percentages(arms.iter().map(|(percent, _)| percent));
-                for (_, ops) in arms {
-                    self.ops(ops);
-                }
-                self.ops(otherwise);
+            OpKind::Block(block) => place = self.block(block),
+            OpKind::Chance(arms, _) => self.percentages(arms.iter().map(|(percent, _)| percent)),
+            OpKind::Leaf(_) | OpKind::Nil | OpKind::Push(_) | OpKind::Case(..) | OpKind::Error => {}
+        }
+        for part in op.parts() {
+            match part {
+                Part::Size(arg) | Part::Length(arg) => self.expr(&arg.value),
+                Part::Depth(value) | Part::Condition(value) => self.expr(value),
+                Part::Arm(arm) => self.arm(arm, place),
+                Part::Ops(ops) => self.ops(ops),
             }
         }
     }
@@ -321,29 +318,15 @@ impl<'a> Scope<'_, 'a, '_> {
         true
     }
 
-    /// Resolves an operation with braces.
-    fn block(&mut self, block: &'a Block) {
+    /// Resolves the name and arguments of an operation with braces. Returns the selectors of its arms.
+    fn block(&mut self, block: &'a Block) -> Places {
         let all = likely(block);
         let rows: Vec<_> = all.iter().copied().filter(|row| row.takes(block.args.len())).collect();
         if !has_error(&block.args) {
             self.block_args(block, &all, &rows);
         }
         let first = block.args.first().and_then(|arg| arg.value.word());
-        let place = rows.first().or(all.first()).map_or(Places::NONE, |row| row.places(first));
-        for part in &block.parts {
-            match part {
-                BlockPart::Slots(items, _) => self.items(items),
-                BlockPart::Sections(list, _) => {
-                    for section in list {
-                        self.expr(&section.length.value);
-                        self.expr(&section.depth);
-                        self.ops(&section.ops);
-                    }
-                }
-                BlockPart::Arms(arms) => arms.iter().for_each(|arm| self.arm(arm, place)),
-                BlockPart::Ops(list) => list.iter().for_each(|ops| self.ops(ops)),
-            }
-        }
+        rows.first().or(all.first()).map_or(Places::NONE, |row| row.places(first))
     }
 
     /// Resolves the arguments of an operation with braces. `all` are its rows, `rows` those with the right number of

@@ -310,6 +310,18 @@ impl<'a> Globals<'a> {
         self.names[id].rules.get(name).map(Vec::as_slice).unwrap_or_default()
     }
 
+    /// The declaration that a name means.
+    pub(crate) fn item(&self, found: Use) -> Option<&Item<'a>> {
+        let (items, index) = match found {
+            Use::Attr(index) => (&self.attrs, index),
+            Use::Const(index) => (&self.consts, index),
+            Use::Function(index) => (&self.functions, index),
+            Use::Rule(index) => (&self.rules, index),
+            _ => return None,
+        };
+        items.get(index as usize)
+    }
+
     /// All items with a value: attributes, constants, functions.
     pub(crate) fn values(&self) -> impl Iterator<Item = &Item<'a>> + '_ {
         self.attrs.iter().chain(&self.consts).chain(&self.functions)

@@ -335,7 +335,7 @@ fn any_step(steps: &[Op]) -> bool {
 fn is_step(step: &Op) -> bool {
     match &step.kind {
         OpKind::Call(name, _) => ops::operations(&name.text).next().is_some(),
-        OpKind::Push(_) | OpKind::Case(..) | OpKind::Chance(..) => step.bodies().into_iter().any(any_step),
+        OpKind::Push(_) | OpKind::Case(..) | OpKind::Chance(..) => step.bodies().any(any_step),
         OpKind::Path(..) | OpKind::Error => false,
         _ => true,
     }
