@@ -7,6 +7,7 @@ use crate::diag::{Diag, Diags, Level};
 pub use crate::dialect::Dialect;
 use crate::editor::index::Named;
 use crate::editor::public_names::PublicNames;
+use crate::infer::Found;
 use crate::ir::Grammar;
 use crate::link::{File, FileTokens, Files, NoFiles, Program, Unit, link};
 use crate::lower::lower;
@@ -56,7 +57,7 @@ pub fn compile(root: Unit, files: &mut dyn Files, levels: &[(Code, Level)]) -> C
     let mut program = link(root, files, &mut diags);
     let read = diags.finish();
     let outcome = checked(&program, levels, false, &read);
-    if !outcome.1.misfit {
+    if !outcome.1.types.misfit {
         return finish(&program, outcome);
     }
     instantiate(&mut program, levels, &read);
@@ -89,7 +90,7 @@ fn instantiate(program: &mut Program, levels: &[(Code, Level)], read: &[Diag]) {
             program.take_back_all();
             return;
         }
-        let (_, Outcome { wanted, unsuited, .. }) = checked(program, levels, false, read);
+        let Found { wanted, unsuited, .. } = checked(program, levels, false, read).1.types;
         if wanted.is_empty() && unsuited.is_empty() {
             break;
         }

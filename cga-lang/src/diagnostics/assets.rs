@@ -1,8 +1,8 @@
 //! Files that rules name and the package does not have; groups and materials that an asset does not have.
 
 use crate::analysis::{Facts, Site};
-use crate::diag::Diags;
 use crate::diag::code::Code;
+use crate::diag::{Diags, quoted};
 use crate::link::Asset;
 use crate::ops::{AssetNames, FileUse, Function, Param, ParamKind};
 use crate::resolve::context::Context;
@@ -72,11 +72,10 @@ fn named(value: &Expr, kind: ParamKind, names: Entries, cx: &Context, diags: &mu
             let message = format!("there is no file `{name}` in the package");
             let diag = diags.report(Code::MissingAsset, value.span, message);
             let places = places(name, program.folder(value.span.first)).unwrap_or_default();
-            let places: Vec<String> = places.iter().map(|place| format!("`{place}`")).collect();
             match places.as_slice() {
                 [] => {}
-                [place] => _ = diag.note(format!("{place} does not exist")),
-                [places @ .., last] => _ = diag.note(format!("neither {} nor {last} exists", places.join(", "))),
+                [place] => _ = diag.note(format!("`{place}` does not exist")),
+                [places @ .., last] => _ = diag.note(format!("neither {} nor `{last}` exists", quoted(places))),
             }
             let mut names: Vec<&str> = beside.iter().map(String::as_str).collect();
             names.sort_unstable();

@@ -3,7 +3,7 @@
 use super::agreed::Agreed;
 use crate::analysis::{Calls, body};
 use crate::diag::code::Code;
-use crate::diag::{Basis, Diag, Level};
+use crate::diag::{Basis, Diag, Level, by_way_of};
 use crate::graph::{components, is_cycle};
 use crate::ops::Effect;
 use crate::resolve::context::Context;
@@ -44,10 +44,7 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
         let item = &globals.rules[rule];
         let name = &item.decl.name;
         let others = component.iter().filter(|other| **other != rule).map(|other| &globals.rules[*other].decl.name);
-        let way = match others.map(|name| format!("`{}`", name.text)).collect::<Vec<_>>() {
-            list if list.is_empty() => String::new(),
-            list => format!(" by way of {}", list.join(", ")),
-        };
+        let way = by_way_of(others.map(|name| &name.text));
         agreed.check(item, |diags| {
             let what = format!("`{}` calls itself{way}", name.text);
             let diag = match ends {

@@ -30,11 +30,11 @@ pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     let values = |item: &&Item| is_root(item) && !program.may_be_imported() && !is_styled(item);
     for (index, item) in globals.attrs.iter().enumerate().filter(|(_, item)| values(item)) {
         let is_used = used.attrs.contains(&(index as u32));
-        agreed.check(item, |diags| value(item, "attribute", Code::UnusedAttribute, is_used, diags));
+        agreed.check(item, |diags| value(item, Code::UnusedAttribute, is_used, diags));
     }
     for (index, item) in globals.consts.iter().enumerate().filter(|(_, item)| values(item)) {
         let is_used = used.consts.contains(&(index as u32));
-        agreed.check(item, |diags| value(item, "constant", Code::UnusedConstant, is_used, diags));
+        agreed.check(item, |diags| value(item, Code::UnusedConstant, is_used, diags));
     }
     for item in globals.rules.iter().chain(&globals.functions).filter(is_root) {
         agreed.check(item, |diags| inner(cx, item, &styled, diags));
@@ -78,12 +78,12 @@ fn is_meant(name: &str) -> bool {
     name.starts_with('_')
 }
 
-fn value(item: &Item, what: &str, code: Code, used: bool, diags: &mut Diags) {
+fn value(item: &Item, code: Code, used: bool, diags: &mut Diags) {
     let name = &item.decl.name;
     if used || is_meant(&name.text) {
         return;
     }
-    let diag = diags.report(code, name.span, format!("{what} `{}` is never used", name.text));
+    let diag = diags.report(code, name.span, format!("{} `{}` is never used", item.decl.body.word(), name.text));
     diag.help(match code {
         // Host programs may use the name.
         Code::UnusedAttribute => "leave it out, or write `@Allow(unused_attribute)` before it".to_owned(),
@@ -133,13 +133,8 @@ fn inner(cx: &Context, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut
                 .report(Code::UnusedParameter, name.span, message)
                 .help(format!("leave it out, or call it `_{}`", name.text));
         }
-        if let Some(hidden) = cx.globals.value(item.home, &name.text) {
-            let (kind, other) = match hidden {
-                Use::Attr(index) => ("attribute", &cx.globals.attrs[index as usize]),
-                Use::Const(index) => ("constant", &cx.globals.consts[index as usize]),
-                Use::Function(index) => ("function", &cx.globals.functions[index as usize]),
-                _ => continue,
-            };
+        if let Some(other) = cx.globals.value(item.home, &name.text).and_then(|hidden| cx.globals.item(hidden)) {
+            let kind = other.decl.body.word();
             let message = format!("{what} `{}` hides the {kind} of that name", name.text);
             let diag = diags.report(Code::Shadowing, name.span, message);
             diag.related(format!("the {kind} is declared"), other.decl.name.span);

@@ -15,25 +15,8 @@ pub struct Attr {
     /// The default, when it is a constant: then the public field holds it. Otherwise the field is an `Option` and
     /// `None` means "compute the default for each initial shape".
     pub known: Option<Value>,
-    /// `@Range(min, max)`, or what `@Angle` and `@Percent` offer without one. Only for floats; it holds for each element of
-    /// an array.
-    pub range: Option<Range>,
-    /// `@Enum`, or a `@Range` with a list of values. Only for floats and text; it holds for each element of an array.
-    pub choices: Option<Choices>,
-    /// As what user interfaces show it.
-    pub presentation: Presentation,
-    /// `@DisplayName`: shown instead of the name.
-    pub display_name: Option<String>,
-    /// `@Group("A", "B")`, from the outermost to the innermost.
-    pub group: Vec<String>,
-    /// The number in `@Group("A", "B", n)`: where user interfaces show the innermost group.
-    pub group_order: Option<f64>,
-    /// `@Description`, else doc comments, joined by line ends.
-    pub doc: String,
-    /// `@Order(n)`: where user interfaces show it.
-    pub order: Option<f64>,
-    /// `@Hidden`: user interfaces leave it out.
-    pub hidden: bool,
+    /// Its annotations and doc comment.
+    pub info: AttrInfo,
     /// True if some rule sets it or a renewal may change it: only then do reads look at the shape first.
     pub is_set: bool,
     /// True on a cycle that conditions may keep open: it is computed on its first read.
@@ -42,6 +25,49 @@ pub struct Attr {
     pub public: bool,
     /// The name in its declaration.
     pub span: Span,
+}
+
+/// The annotations and doc comment of an attribute.
+#[derive(Clone, Debug, Default)]
+pub struct AttrInfo {
+    /// `@Range(min, max)`, or what `@Angle` and `@Percent` offer without one. Only for floats; it holds for each element of
+    /// an array.
+    pub range: Option<Range>,
+    /// `@Enum`, or a `@Range` with a list of values. Only for floats and text; it holds for each element of an array.
+    pub choices: Option<Choices>,
+    /// The form in which user interfaces show it.
+    pub presentation: Presentation,
+    /// `@DisplayName`: shown instead of the name.
+    pub display_name: Option<String>,
+    /// `@Group`.
+    pub group: AttrGroup,
+    /// `@Description`, else doc comments, joined by line ends.
+    pub doc: String,
+    /// `@Order(n)`: the position in which user interfaces show it.
+    pub order: Option<f64>,
+    /// `@Hidden`: user interfaces leave it out.
+    pub hidden: bool,
+}
+
+impl AttrInfo {
+    /// The range to which a run restricts the attribute.
+    pub(crate) fn held_to_range(&self) -> Option<Range> {
+        self.range.filter(|range| range.restricted)
+    }
+
+    /// The values to which a run restricts the attribute.
+    pub(crate) fn held_to_choices(&self) -> Option<&ChoiceValues> {
+        self.choices.as_ref().filter(|choices| choices.restricted).map(|choices| &choices.values)
+    }
+}
+
+/// `@Group("A", "B", n)`: a group of attributes. It continues from one `@Group` to the next, across imports.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct AttrGroup {
+    /// From the outermost to the innermost name; empty without a group.
+    pub names: Vec<String>,
+    /// The position of the innermost group in the order of groups.
+    pub order: Option<f64>,
 }
 
 /// `@Range(min=…, max=…, stepsize=…, restricted=…)`.

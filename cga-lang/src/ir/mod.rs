@@ -17,7 +17,7 @@ pub use crate::types::Type;
 pub use cga_split::{Item, Piece, Prefix};
 
 pub use crate::syntax::ast::ArmMode;
-pub use attr::{Attr, ChoiceValues, Choices, Presentation, Range};
+pub use attr::{Attr, AttrGroup, AttrInfo, ChoiceValues, Choices, Presentation, Range};
 pub use block::{Arm, Block, Comp, Parts, Selector, Slots, Solved};
 pub use expr::{Binary, EachUnary, Expr, ExprKind};
 

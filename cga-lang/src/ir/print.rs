@@ -60,8 +60,9 @@ impl<'g> Printer<'g> {
     }
 
     fn attr(&self, attr: &Attr) -> String {
+        let info = &attr.info;
         let mut text = format!("attr {}: {} = {}", attr.name, attr.ty.word(), self.expr(&attr.default));
-        if let Some(range) = attr.range {
+        if let Some(range) = info.range {
             let _ = write!(text, ", range {} to {}", range.min, range.max);
             if range.step != 0.0 {
                 let _ = write!(text, " by {}", range.step);
@@ -70,35 +71,35 @@ impl<'g> Printer<'g> {
                 text.push_str(" unrestricted");
             }
         }
-        if let Some(choices) = &attr.choices {
+        if let Some(choices) = &info.choices {
             let _ = write!(text, ", one of {}", self.choices(choices));
         }
-        match &attr.presentation {
+        match &info.presentation {
             Presentation::Plain => {}
             Presentation::File(extensions) => _ = write!(text, ", shown as file {extensions:?}"),
             other => _ = write!(text, ", shown as {other:?}"),
         }
-        if let Some(name) = &attr.display_name {
+        if let Some(name) = &info.display_name {
             let _ = write!(text, ", named {name:?}");
         }
-        if !attr.group.is_empty() {
-            let _ = write!(text, ", group {}", attr.group.join("/"));
+        if !info.group.names.is_empty() {
+            let _ = write!(text, ", group {}", info.group.names.join("/"));
         }
-        if let Some(order) = attr.group_order {
+        if let Some(order) = info.group.order {
             let _ = write!(text, " order {order}");
         }
-        if let Some(order) = attr.order {
+        if let Some(order) = info.order {
             let _ = write!(text, ", order {order}");
         }
         for (flag, word) in
-            [(attr.hidden, "hidden"), (attr.is_set, "set"), (attr.lazy, "lazy"), (attr.known.is_none(), "computed")]
+            [(info.hidden, "hidden"), (attr.is_set, "set"), (attr.lazy, "lazy"), (attr.known.is_none(), "computed")]
         {
             if flag {
                 let _ = write!(text, ", {word}");
             }
         }
-        if !attr.doc.is_empty() {
-            let _ = write!(text, ", doc {:?}", attr.doc);
+        if !info.doc.is_empty() {
+            let _ = write!(text, ", doc {:?}", info.doc);
         }
         text
     }

@@ -186,15 +186,14 @@ pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Prog
         },
     };
     let file = link.file(root);
-    link.under_way.push(file.number);
     let origin = Origin { prefix: String::new(), parent: None, layers: Vec::new() };
-    let first = link.instance(&file, 0, 0, origin.clone());
+    let first = link.instance(&file, 0, origin.clone());
     link.program.roots.push(first);
     for (number, style) in (1..).zip(&file.ast.styles) {
         if link.full_up(&file, style.name.span) {
             break;
         }
-        let root = link.instance(&file, number, number, origin.clone());
+        let root = link.instance(&file, number, origin.clone());
         link.program.roots.push(root);
     }
     link.program.assets = Assets::new(&link.program, link.files);
@@ -292,11 +291,13 @@ impl Link<'_> {
     }
 
     /// Instantiates a file with the style in force, and its imports.
-    fn instance(&mut self, file: &Rc<File>, style: u32, root_style: u32, origin: Origin) -> InstanceId {
+    fn instance(&mut self, file: &Rc<File>, style: u32, origin: Origin) -> InstanceId {
+        self.under_way.push(file.number);
         let id = self.program.instances.len();
         self.declared += file.ast.decls.len();
         let styles = Styles::new(&file.ast, style, self.diags);
         let Origin { prefix, parent, layers } = origin;
+        let root_style = parent.map_or(style, |parent| self.program.instances[parent].root_style);
         self.program.instances.push(Instance {
             file: Rc::clone(file),
             styles,
@@ -326,15 +327,9 @@ impl Link<'_> {
                 break;
             }
             layers.push(Layer { home: id, source: LayerSource::Call(at) });
-            let own = self.under(&file, style, root_style, Origin { prefix, parent: Some(id), layers });
+            let own = self.instance(&file, style, Origin { prefix, parent: Some(id), layers });
             self.program.instances[id].dynamic.insert(import.id(), own);
         }
-        id
-    }
-
-    fn under(&mut self, file: &Rc<File>, style: u32, root_style: u32, origin: Origin) -> InstanceId {
-        self.under_way.push(file.number);
-        let id = self.instance(file, style, root_style, origin);
         self.under_way.pop();
         id
     }
@@ -378,7 +373,7 @@ impl Link<'_> {
             return None;
         }
         let own = &self.program.instances[from];
-        let (root_style, prefix) = (own.root_style, format!("{}{}.", own.prefix, import.id.text));
+        let prefix = format!("{}{}.", own.prefix, import.id.text);
         let file = Rc::clone(&own.file);
         // *CGA changelog 2023.0*. No file is read under another extension.
         if !import.path.ends_with(".cga") {
@@ -422,6 +417,6 @@ impl Link<'_> {
         let mut wanted =
             import.styles.iter().flatten().map(|name| self.wanted_style(&opened, name)).collect::<Vec<_>>();
         let style = if wanted.is_empty() { 0 } else { wanted.swap_remove(0) };
-        Some(self.under(&opened, style, root_style, origin))
+        Some(self.instance(&opened, style, origin))
     }
 }

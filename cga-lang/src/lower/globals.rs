@@ -17,22 +17,13 @@ impl<'c> Lower<'c> {
         for (index, (item, info)) in globals.attrs.iter().zip(&self.checked.tables.attrs).enumerate() {
             let lazy = self.checked.tables.lazy.contains(&index);
             let default = self.value(item, lazy);
-            let info = info.clone();
             let dynamic = 1 < globals.program.instances[item.instance].layers.len();
             self.out.attrs.push(Attr {
                 name: item.name.clone(),
                 ty: self.type_of(item),
                 default,
                 known: None,
-                range: info.range,
-                choices: info.choices,
-                presentation: info.presentation,
-                display_name: info.display_name,
-                group: info.group.names,
-                group_order: info.group.order,
-                doc: info.doc,
-                order: info.order,
-                hidden: info.hidden,
+                info: info.clone(),
                 is_set: false,
                 lazy,
                 public: !dynamic,

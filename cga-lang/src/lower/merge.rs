@@ -167,7 +167,7 @@ fn refer(grammar: &mut Grammar, merged: &Merged) {
         _ => {}
     });
     for own in &mut grammar.attrs {
-        if let Some(ChoiceValues::Attr(id)) = own.choices.as_mut().map(|choices| &mut choices.values) {
+        if let Some(ChoiceValues::Attr(id)) = own.info.choices.as_mut().map(|choices| &mut choices.values) {
             attr(id);
         }
     }

@@ -4,6 +4,7 @@
 use super::context::Context;
 use super::globals::{Init, Item};
 use super::tables::{Entries, Tables, Use};
+use crate::diag::by_way_of;
 use crate::diag::code::Code;
 use crate::graph::{components, is_cycle};
 use crate::link::InstanceId;
@@ -44,12 +45,9 @@ pub(crate) fn find(cx: &mut Context) {
             let others = component.iter().filter(|&&other| other != node).map(|&other| {
                 // The name is as written in the file of the blamed declaration, or as the main file writes it.
                 let (other, near) = (items[other], items[other].instance == items[node].instance);
-                format!("`{}`", if near { &other.decl.name.text } else { &other.name })
+                if near { &other.decl.name.text } else { &other.name }
             });
-            match others.collect::<Vec<_>>() {
-                others if others.is_empty() => String::new(),
-                others => format!(" by way of {}", others.join(", ")),
-            }
+            by_way_of(others)
         };
         if let (true, Some(node)) = (cyclic, value) {
             let name = &items[node].decl.name;

@@ -168,26 +168,19 @@ impl<'a> Scope<'_, 'a, '_> {
     /// Resolves a call whose words do not fit any row: they are computed, or they are wrong.
     fn wrong_words(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) {
         let values: Vec<&'a Expr> = args.iter().map(|arg| &arg.value).collect();
-        let Some(row) = rows.iter().find(|row| self.computes_words(row.params, &values)) else {
-            if self.swapped(name, rows, args) {
-                return;
-            }
-            let before = self.cx.diags.so_far().len();
-            self.operation(&rows[..1], args);
-            if let [first, second] = args
-                && let Some(number) = decimal(first, second)
-                && ops::operations(&name.text).any(|row| row.takes(1))
-            {
-                let first = self.cx.diags.so_far().get_mut(before);
-                first.map(|diag| diag.help(format!("write `{number}`: a number has a decimal point")));
-            }
+        if self.computed(name, rows, |row| (row.params, Use::Operation(row)), &values) || self.swapped(name, rows, args)
+        {
             return;
-        };
-        for (param, value) in row.params.iter().zip(values) {
-            self.computed_word(&param.kind, value);
         }
-        self.note_later(name);
-        self.note(name, Use::Operation(row));
+        let before = self.cx.diags.so_far().len();
+        self.operation(&rows[..1], args);
+        if let [first, second] = args
+            && let Some(number) = decimal(first, second)
+            && ops::operations(&name.text).any(|row| row.takes(1))
+        {
+            let first = self.cx.diags.so_far().get_mut(before);
+            first.map(|diag| diag.help(format!("write `{number}`: a number has a decimal point")));
+        }
     }
 
     fn needs_braces(&mut self, name: &Name, row: &Operation) {

@@ -35,7 +35,7 @@ pub enum Tok {
     Doc(String),
     /// Punctuation.
     Sym(Sym),
-    /// The dot in the name of a declared rule, without white space on either side. It counts as [`Sym::Dot`].
+    /// A dot between two names, without white space on either side. It counts as [`Sym::Dot`].
     Joint,
     /// Text that the source could not read and has reported. The parser passes over it.
     Bad,
@@ -185,49 +185,17 @@ impl Tokens {
         (self.list.len() - 1) as u32
     }
 
-    /// Joins the names of declared rules. `is_close` returns true if the token at an index touches the tokens on both
-    /// sides.
-    pub fn join_rule_names(&mut self, mut is_close: impl FnMut(usize) -> bool) {
-        for arrow in 0..self.list.len() {
-            if !self.list[arrow].is(Sym::Arrow) {
-                continue;
-            }
-            let Some(mut name) = self.name_before(arrow) else { continue };
-            while let [.., Tok::Ident(_), Tok::Sym(Sym::Dot)] = self.list[..name]
-                && is_close(name - 1)
+    /// Marks the dots between two names without white space. `is_close` returns true if the token at an index touches
+    /// the tokens on both sides.
+    pub fn join_names(&mut self, mut is_close: impl FnMut(usize) -> bool) {
+        for dot in 1..self.list.len() {
+            if let [Tok::Ident(_), Tok::Sym(Sym::Dot), Tok::Ident(_)] =
+                self.list[dot - 1..].get(..3).unwrap_or_default()
+                && is_close(dot)
             {
-                self.list[name - 1] = Tok::Joint;
-                name -= 2;
+                self.list[dot] = Tok::Joint;
             }
         }
-    }
-
-    /// The last part of the name that a rule's arrow belongs to. The name precedes parameters and local values.
-    fn name_before(&self, arrow: usize) -> Option<usize> {
-        let mut at = arrow.checked_sub(1)?;
-        // Local values, then parameters.
-        for _ in 0..2 {
-            if !self.list[at].is(Sym::RParen) {
-                break;
-            }
-            let mut open = 0_u32;
-            loop {
-                match &self.list[at] {
-                    Tok::Sym(Sym::RParen) => open += 1,
-                    Tok::Sym(Sym::LParen) => open -= 1,
-                    Tok::Sym(Sym::Arrow) => return None,
-                    _ => {}
-                }
-                at = at.checked_sub(1)?;
-                if open == 0 {
-                    break;
-                }
-            }
-            if self.list[at].ident() == Some("with") {
-                at = at.checked_sub(1)?;
-            }
-        }
-        self.list[at].ident().map(|_| at)
     }
 
     /// Appends other tokens.

@@ -32,7 +32,7 @@ pub(crate) struct PublicAttr {
 impl PublicAttr {
     pub(super) fn of(field: &Field<'_>) -> Self {
         let attr = field.attr;
-        let about = if attr.doc.is_empty() { String::new() } else { format!("\n\n{}", attr.doc) };
+        let about = if attr.info.doc.is_empty() { String::new() } else { format!("\n\n{}", attr.info.doc) };
         let default = match field.known {
             Some(known) => format!("default `{}`", types::show(known)),
             None => "`None` computes the default for each initial shape".into(),

@@ -75,7 +75,7 @@ struct NameTable<'a> {
     replaced: HashMap<&'a str, u32>,
     /// Rules marked with `start`.
     start: Vec<u32>,
-    /// NameTable that may be declared in unreadable text.
+    /// Names that may be declared in unreadable text.
     lost: HashSet<&'a str>,
     /// Default values of overridden attributes, which the overriding expression may use.
     origins: HashMap<&'a str, u32>,
@@ -186,17 +186,16 @@ impl<'a> Globals<'a> {
     }
 
     /// Fills the tables of names. A name that is already declared goes to `twice`.
-    pub(super) fn name<'s>(&'s mut self, mut twice: impl FnMut(&Item<'a>, &str, &Item<'a>)) {
-        let mut found: Vec<(&Item<'a>, &str, Use)> = Vec::new();
-        let mut enter = |items: &'s [Item<'a>], what: &'static str, make: fn(u32) -> Use| {
-            let own = items.iter().enumerate().filter(|(_, item)| !item.origin);
-            found.extend(own.map(|(index, item)| (item, what, make(index as u32))));
+    pub(super) fn name<'s>(&'s mut self, mut twice: impl FnMut(&Item<'a>, &Item<'a>)) {
+        let mut found: Vec<(&Item<'a>, Use)> = Vec::new();
+        let mut enter = |items: &'s [Item<'a>], make: fn(u32) -> Use| {
+            found.extend(items.iter().zip((0..).map(make)).filter(|(item, _)| !item.origin));
         };
-        enter(&self.attrs, "attribute", Use::Attr);
-        enter(&self.consts, "constant", Use::Const);
-        enter(&self.functions, "function", Use::Function);
+        enter(&self.attrs, Use::Attr);
+        enter(&self.consts, Use::Const);
+        enter(&self.functions, Use::Function);
         found.sort_by_key(|(item, ..)| (item.own, item.decl.name.id()));
-        for (item, what, own) in found {
+        for (item, own) in found {
             let (name, names) = (item.decl.name.text.as_str(), &mut self.names[item.instance]);
             if let Use::Function(index) = own {
                 overload(names.functions.entry(name).or_default(), index, &self.functions);
@@ -207,9 +206,9 @@ impl<'a> Globals<'a> {
             match names.values.get(name) {
                 // Functions are compared by their types later.
                 Some(Use::Function(_)) if matches!(own, Use::Function(_)) => {}
-                Some(Use::Attr(first)) => twice(item, what, &self.attrs[*first as usize]),
-                Some(Use::Const(first)) => twice(item, what, &self.consts[*first as usize]),
-                Some(Use::Function(first)) => twice(item, what, &self.functions[*first as usize]),
+                Some(Use::Attr(first)) => twice(item, &self.attrs[*first as usize]),
+                Some(Use::Const(first)) => twice(item, &self.consts[*first as usize]),
+                Some(Use::Function(first)) => twice(item, &self.functions[*first as usize]),
                 _ => _ = names.values.insert(name, own),
             }
         }
@@ -420,6 +419,18 @@ fn overload(list: &mut Vec<u32>, index: u32, items: &[Item]) {
         let style = |index: u32| items[index as usize].rank;
         let at = list.partition_point(|other| style(*other) <= style(index));
         list.insert(at, index);
+    }
+}
+
+impl Body {
+    /// The kind of declaration.
+    pub(crate) fn word(&self) -> &'static str {
+        match self {
+            Body::Attr(_) => "attribute",
+            Body::Const(_) => "constant",
+            Body::Function(_) => "function",
+            Body::Rule(_) => "rule",
+        }
     }
 }
 

@@ -35,7 +35,9 @@ impl<'a> Layout<'a> {
     /// Finds the imports and the rules with dotted names.
     pub(super) fn find_imports(&mut self) {
         for position in 0..self.len() {
-            if self.at(position + 1) == Some(&Tok::Joint) && self.is_head(position, position + 3) {
+            if self.at(position + 1) == Some(&Tok::Joint)
+                && self.head_behind(position, position + 3) == Some(Head::Rule)
+            {
                 self.dotted.extend(self.word(position).zip(self.word(position + 2)));
             }
             if self.word(position) == Some("import") {
@@ -82,7 +84,7 @@ impl<'a> Layout<'a> {
         while self.at(end) == Some(&Tok::Joint) && self.word(end + 1).is_some() {
             end += 2;
         }
-        if position + 1 < end && self.is_head(position, end) {
+        if position + 1 < end && self.head_behind(position, end) == Some(Head::Rule) {
             return end;
         }
         let parts = self.word(position).zip(self.word(position + 2)).filter(|_| self.is(position + 1, Sym::Dot));
@@ -242,7 +244,7 @@ impl<'a> Layout<'a> {
     /// Returns true if a `case` precedes `position`, with only parts of a value in between.
     fn in_condition(&self, position: usize) -> bool {
         let parts = |token: &&Tok| match token {
-            Tok::Ident(_) | Tok::Number(_) | Tok::Str(_) | Tok::Host(_) | Tok::Path(_) => true,
+            Tok::Ident(_) | Tok::Number(_) | Tok::Str(_) | Tok::Host(_) | Tok::Path(_) | Tok::Joint => true,
             Tok::Sym(sym) => {
                 sym.is_operator()
                     || matches!(sym, Sym::LParen | Sym::RParen | Sym::LBracket | Sym::RBracket | Sym::Comma | Sym::Dot)
