@@ -20,7 +20,6 @@ use crate::{annotations, diagnostics};
 pub struct Checked<'a> {
     pub(crate) globals: Globals<'a>,
     pub(crate) tables: Tables,
-    _private: (),
 }
 
 /// The result of a check.
@@ -62,6 +61,6 @@ pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bo
     let ty = |item: &Item| item.ty(&tables);
     let attrs = globals.attrs.iter().map(|item| (item.clone(), ty(item))).collect();
     let index = if is_final { index(&globals, &tables) } else { Vec::new() };
-    let checked = (!diags.has_errors()).then_some(Checked { globals, tables, _private: () });
+    let checked = (!diags.has_errors()).then_some(Checked { globals, tables });
     Outcome { checked, attrs, index, types }
 }

@@ -41,12 +41,12 @@ pub(crate) fn read(cx: &mut Context) {
         let import = instance.parent.and_then(|parent| from(program, parent, id));
         let import = import.and_then(|import| cx.tables.imports.get(&import).cloned()).unwrap_or_default();
         hidden[id] = import.hidden == Hidden::All || instance.parent.is_some_and(|parent| hidden[parent]);
-        file(cx, &instance.file.ast, import.group, &mut |cx, decl, mut info: AttrInfo| {
-            let Some(&index) = by_name.get(&(id, decl.name.id())) else { return };
+        for (decl, mut info) in file(cx, &instance.file.ast, import.group) {
+            let Some(&index) = by_name.get(&(id, decl.name.id())) else { continue };
             info.hidden |=
                 hidden[id] || matches!(&import.hidden, Hidden::Names(names) if names.contains(&decl.name.text));
             cx.tables.attrs[index] = info;
-        });
+        }
         if program.roots.contains(&id) {
             let start = start_rule(cx);
             cx.tables.starts.push(start);
@@ -62,13 +62,9 @@ fn from(program: &Program, parent: InstanceId, id: InstanceId) -> Option<Key> {
     Some((parent, import.id.id()))
 }
 
-/// Reads the annotations of a file. `group` is the group at the place of its import.
-fn file<'a>(
-    cx: &mut Context,
-    ast: &'a Ast,
-    mut group: AttrGroup,
-    keep: &mut dyn FnMut(&mut Context, &'a Decl, AttrInfo),
-) {
+/// Reads the annotations of a file and returns those of its attributes. `group` is the group at the place of its import.
+fn file<'a>(cx: &mut Context, ast: &'a Ast, mut group: AttrGroup) -> Vec<(&'a Decl, AttrInfo)> {
+    let mut attrs = Vec::new();
     // The head comes first.
     let mut places: Vec<(Span, &[Annotation], Annotated<'_>)> = vec![(Span::default(), &ast.head, Annotated::Other)];
     places.extend(ast.imports.iter().map(|own| (own.span, &*own.annotations, Annotated::Import(own))));
@@ -96,7 +92,7 @@ fn file<'a>(
             Annotated::Decl(decl) => match &decl.body {
                 Body::Attr(_) => {
                     let info = notes.attribute(cx, decl, &group);
-                    keep(cx, decl, info);
+                    attrs.push((decl, info));
                 }
                 Body::Rule(_) => {
                     if let Some(span) = notes.start.filter(|_| !decl.params.is_empty()) {
@@ -114,6 +110,7 @@ fn file<'a>(
             Annotated::Other => {}
         }
     }
+    attrs
 }
 
 /// Reports `@StartRule` before a rule with parameters.

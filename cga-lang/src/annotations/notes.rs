@@ -87,9 +87,7 @@ impl Notes {
             _ => (self.info.presentation, self.presented) = (how, Some(span)),
         }
     }
-}
 
-impl Notes {
     /// The description, otherwise the doc comments.
     pub(super) fn doc(&self, decl: &Decl) -> String {
         if self.descriptions.is_empty() { decl.docs.join("\n") } else { self.descriptions.join("\n") }

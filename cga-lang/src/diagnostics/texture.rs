@@ -31,27 +31,21 @@ impl Projected {
         }
         for item in &cx.globals.rules {
             let names = cx.tables.at(item.own);
-            ops(body(item), &mut |op| {
-                if let OpKind::Call(name, _) | OpKind::Block(Block { name, .. }) = &op.kind
-                    && let Some(Use::Operation(row)) = names.of(name)
-                {
+            ops(body(item), &mut |op| match &op.kind {
+                OpKind::Call(name, args) | OpKind::Block(Block { name, args, .. }) => {
+                    let Some(Use::Operation(row)) = names.of(name) else { return };
                     made |= UvSets::made_by(row);
+                    let list = match row.uvs {
+                        UvEffect::Projects => &mut bits,
+                        UvEffect::SetsUp => &mut set_up,
+                        _ => return,
+                    };
+                    let facts = Facts::any(item.own, item.decl.params.len());
+                    let set = args.first().and_then(|arg| flow.value(&arg.value, &facts).number().known());
+                    *list |= set.map_or(u16::MAX, |set| 1u16.checked_shl(set as u32).unwrap_or(0));
                 }
-                match &op.kind {
-                    OpKind::Call(name, args) => {
-                        let Some(Use::Operation(row)) = names.of(name) else { return };
-                        let list = match row.uvs {
-                            UvEffect::Projects => &mut bits,
-                            UvEffect::SetsUp => &mut set_up,
-                            _ => return,
-                        };
-                        let facts = Facts::any(item.own, item.decl.params.len());
-                        let set = args.first().and_then(|arg| flow.value(&arg.value, &facts).number().known());
-                        *list |= set.map_or(u16::MAX, |set| 1u16.checked_shl(set as u32).unwrap_or(0));
-                    }
-                    OpKind::Path(..) => (bits, made, set_up) = (u16::MAX, u16::MAX, u16::MAX),
-                    _ => {}
-                }
+                OpKind::Path(..) => (bits, made, set_up) = (u16::MAX, u16::MAX, u16::MAX),
+                _ => {}
             });
         }
         Projected { projected: bits, made, set_up }

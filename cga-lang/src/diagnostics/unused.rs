@@ -26,7 +26,7 @@ pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     // Other files may read the values of a file.
     let styled = styled(cx);
     // A style may redefine a value for rules that only another style has.
-    let is_styled = |item: &Item| styled.contains(&(item.decl.name.text.as_str(), item.decl.params.len()));
+    let is_styled = |item: &Item| styled.contains(&item.decl.form());
     let values = |item: &&Item| is_root(item) && !program.may_be_imported() && !is_styled(item);
     for (index, item) in globals.attrs.iter().enumerate().filter(|(_, item)| values(item)) {
         let is_used = used.attrs.contains(&(index as u32));
@@ -97,9 +97,8 @@ fn styled<'a>(cx: &Context<'a, '_>) -> HashSet<(&'a str, usize)> {
     let mut styles: HashMap<(&str, usize), u32> = HashMap::new();
     let mut found = HashSet::new();
     for decl in program.roots.first().map_or(&[][..], |&root| &program.instances[root].file.ast.decls) {
-        let key = (decl.name.text.as_str(), decl.params.len());
-        if *styles.entry(key).or_insert(decl.style) != decl.style {
-            found.insert(key);
+        if *styles.entry(decl.form()).or_insert(decl.style) != decl.style {
+            found.insert(decl.form());
         }
     }
     found
@@ -109,7 +108,7 @@ fn styled<'a>(cx: &Context<'a, '_>) -> HashSet<(&'a str, usize)> {
 fn inner(cx: &Context, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut Diags) {
     let decl = item.decl;
     let names: Vec<_> = decl.inner().collect();
-    let in_styles = styled.contains(&(decl.name.text.as_str(), decl.params.len()));
+    let in_styles = styled.contains(&decl.form());
     let mut used = vec![false; names.len()];
     for token in decl.span.first..=decl.span.last {
         if let Some(Use::Param(index)) = cx.tables.uses.get(&(item.own, token)) {

@@ -170,7 +170,7 @@ impl<'c> Lower<'c> {
                 block: false,
                 leaf: Childless::Always,
                 cycle: None,
-                source: self.tokens.text(item.decl.span, LONGEST_SOURCE),
+                source: self.tokens.text(item.decl.span, LONGEST_SOURCE, '\''),
                 sites: Vec::new(),
                 span: item.decl.name.span,
             });

@@ -95,30 +95,18 @@ pub(crate) fn overloads(cx: &mut Context) {
 /// 2018.0*).
 pub(crate) fn styles(cx: &mut Context) {
     let roots = &cx.globals.program.roots;
-    if roots.len() < 2 {
-        return;
-    }
-    // Rules have a namespace of their own.
-    let kinds = [
-        (&cx.globals.attrs, "an attribute"),
-        (&cx.globals.consts, "a constant"),
-        (&cx.globals.functions, "a function"),
-    ];
-    let mut groups: HashMap<(&str, usize), Vec<(&Item, &str)>> = HashMap::new();
-    for (items, what) in kinds {
-        for item in items.iter().filter(|item| !item.origin && roots.contains(&item.instance)) {
-            groups.entry((&item.decl.name.text, item.decl.params.len())).or_default().push((item, what));
-        }
-    }
-    for group in groups.into_values() {
-        // Overloads may differ.
-        let overloads = group.windows(2).any(|pair| pair[0].0.instance == pair[1].0.instance);
-        let Some(((first, kind), others)) = group.split_first().filter(|_| !overloads) else { continue };
-        let ty = |item: &Item| item.ty(&cx.tables);
-        for (item, what) in others {
-            let name = &item.decl.name;
-            let message = if kind != what {
-                format!("`{}` is {what} in this style and {kind} in another", name.text)
+    for group in cx.globals.by_style().iter().filter(|group| roots.contains(&group[0].instance)) {
+        let (first, ty) = (group[0], |item: &Item| item.ty(&cx.tables));
+        for item in &group[1..] {
+            let (name, kind, other) = (&item.decl.name, item.decl.body.word(), first.decl.body.word());
+            let article = |kind: &str| if kind == "attribute" { "an" } else { "a" };
+            let message = if kind != other {
+                format!(
+                    "`{}` is {} {kind} in this style and {} {other} in another",
+                    name.text,
+                    article(kind),
+                    article(other)
+                )
             } else if let (Some(own), Some(other)) = (ty(item), ty(first))
                 && own != other
             {

@@ -230,11 +230,9 @@ impl<'a> Scope<'_, 'a, '_> {
     /// The numbers of arguments that functions with a name take.
     fn takes(&self, name: &str) -> Vec<usize> {
         let globals = &self.cx.globals;
-        let own =
-            globals.functions(self.at, name).iter().map(|index| globals.functions[*index as usize].decl.params.len());
-        let own: Vec<usize> = own.collect();
+        let own = globals.functions(self.at, name).iter().map(|index| &globals.functions[*index as usize]);
         let rows = ops::functions(name).flat_map(|row| ops::required(row.params)..=row.params.len());
-        own.into_iter().chain(rows).chain(conversion(name).map(|_| 1)).collect()
+        own.map(|item| item.decl.params.len()).chain(rows).chain(conversion(name).map(|_| 1)).collect()
     }
 
     fn call(&mut self, name: &'a Name, args: &'a [Expr]) {

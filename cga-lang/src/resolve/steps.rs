@@ -232,16 +232,14 @@ impl<'a> Scope<'_, 'a, '_> {
             return;
         }
         let inline = self.dialect() == Dialect::Inline;
-        let habit = habits::step(text);
-        let (message, near) = if habit.is_some() && others.is_empty() {
-            (format!("there is no rule `{text}`"), None)
-        } else if others.is_empty() {
+        let habit = habits::step(text).filter(|_| others.is_empty());
+        let (mut message, mut near) = (format!("there is no rule `{text}`"), None);
+        if !others.is_empty() {
+            message = format!("rule `{text}` takes {}, got {count}", counts(others.iter().copied()));
+        } else if habit.is_none() {
             let others = ops::all_operations().map(|row| row.name).chain(["set", "NIL"]);
-            let near = globals.meant(at, text, Kind::Rules, others);
-            (format!("there is no rule `{text}`"), near.or_else(|| globals.leaf(at, text)))
-        } else {
-            (format!("rule `{text}` takes {}, got {count}", counts(others.iter().copied())), None)
-        };
+            near = globals.meant(at, text, Kind::Rules, others).or_else(|| globals.leaf(at, text));
+        }
         let level = if inline { Level::Error } else { Level::Warning };
         let is_value = self.lookup(text).is_some() && count == 0;
         let diag = self.cx.diags.report_as(Code::UndefinedRule, level, name.span, message);
@@ -249,7 +247,7 @@ impl<'a> Scope<'_, 'a, '_> {
             diag.note(format!("it becomes a leaf named `{text}`"));
         }
         diag.suggest(near);
-        if let Some(help) = habit.filter(|_| others.is_empty()) {
+        if let Some(help) = habit {
             diag.help(help);
         }
         if !declared.is_empty() {

@@ -5,7 +5,7 @@ use super::arity::wrong_count;
 use super::scope::Scope;
 use super::tables::Use;
 use crate::diag::code::Code;
-use crate::diag::quoted;
+use crate::diag::{RELATIVE, quoted};
 use crate::dialect::Dialect;
 use crate::ops::{self, Operation, Param, ParamKind, Words};
 use crate::span::Span;
@@ -78,7 +78,8 @@ impl<'a> Scope<'_, 'a, '_> {
         let text = self.dialect() == Dialect::Text;
         match &arg.kind {
             ExprKind::Call(name, args) if name.text == "sel" => args.len() == 1 && arg.word().is_none(),
-            ExprKind::Name(name) => text && matches!(self.lookup(&name.text), Some(found) if !is_shape(found)),
+            // `scope.sx` is not a word, and its value is not one either.
+            ExprKind::Name(name) => text && !matches!(self.lookup(&name.text), None | Some(Use::Shape(_))),
             ExprKind::Call(..) | ExprKind::Case(..) | ExprKind::Chance(..) | ExprKind::Index(..) => text,
             ExprKind::Binary(crate::syntax::ast::Binary::Add, ..) => text,
             _ => false,
@@ -91,7 +92,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let words = [word(second), word(first)];
         let Some(row) = rows.iter().find(|row| row.words(&words).is_some()) else { return false };
         let text = |arg: &Arg| {
-            let text = self.cx.globals.program.tokens.quoted(arg.span, LONGEST);
+            let text = self.cx.globals.program.tokens.text(arg.span, LONGEST, RELATIVE);
             text.strip_prefix("- ").map_or(text.clone(), |rest| format!("-{rest}"))
         };
         let meant = format!("{}({}, {})", name.text, text(second), text(first));
@@ -186,9 +187,4 @@ impl<'a> Scope<'_, 'a, '_> {
             diag.suggest(nearest(found, list));
         }
     }
-}
-
-/// Returns true if a name belongs to the shape: `scope.sx` is not a word, and its value is not one either.
-fn is_shape(found: Use) -> bool {
-    matches!(found, Use::Shape(_))
 }

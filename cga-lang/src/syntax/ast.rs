@@ -5,6 +5,9 @@
 
 use crate::span::Span;
 
+/// The style of everything before the first `style`.
+pub(crate) const DEFAULT: &str = "Default";
+
 /// A grammar as written.
 #[derive(Clone, Debug, Default)]
 pub struct Ast {

@@ -198,11 +198,6 @@ impl Tokens {
         }
     }
 
-    /// Appends other tokens.
-    pub fn extend(&mut self, other: &Tokens) {
-        self.list.extend_from_slice(&other.list);
-    }
-
     /// Appends other tokens, without a copy if the list is empty.
     pub(crate) fn append(&mut self, mut other: Tokens) {
         if self.list.is_empty() {
@@ -227,17 +222,9 @@ impl Tokens {
         &self.list
     }
 
-    /// The tokens of a span as one line of CGA text, shortened to `limit` bytes.
-    pub fn text(&self, span: Span, limit: usize) -> String {
-        self.line(span, limit, '\'')
-    }
-
-    /// The tokens of a span for the line of a diagnostic.
-    pub(crate) fn quoted(&self, span: Span, limit: usize) -> String {
-        self.line(span, limit, RELATIVE)
-    }
-
-    fn line(&self, span: Span, limit: usize, relative: char) -> String {
+    /// The tokens of a span as one line of CGA text, shortened to `limit` bytes. `relative` is the sign of relative
+    /// sizes.
+    pub fn text(&self, span: Span, limit: usize, relative: char) -> String {
         let mut out = String::new();
         let mut before: Option<&Tok> = None;
         // True if the previous token is the dot of an operator like `.+`.

@@ -149,21 +149,19 @@ impl<'a> Globals<'a> {
         self.names[id].lost = ast.lost.iter().map(String::as_str).collect();
         let decls = || ast.decls.iter().map(|decl| (id, decl)).chain(typed.iter().copied());
         // A declaration replaces another one of a style further down.
-        let key = |decl: &'a Decl| (decl.name.text.as_str(), decl.params.len());
         let mut nearest: HashMap<(&str, usize), usize> = HashMap::new();
-        let mut counts: HashMap<(&str, usize, usize), usize> = HashMap::new();
+        let mut counts: HashMap<((&str, usize), usize), usize> = HashMap::new();
         for (_, decl) in decls().filter(|_| !ast.styles.is_empty()) {
             if let Some(rank) = instance.styles.rank(decl.style) {
-                nearest.entry(key(decl)).and_modify(|least| *least = rank.min(*least)).or_insert(rank);
-                *counts.entry((&decl.name.text, decl.params.len(), rank)).or_default() += 1;
+                nearest.entry(decl.form()).and_modify(|least| *least = rank.min(*least)).or_insert(rank);
+                *counts.entry((decl.form(), rank)).or_default() += 1;
             }
         }
         for (own, decl) in decls() {
             let Some(rank) = instance.styles.rank(decl.style) else { continue };
             // Only the types can choose among overloads. All of them stay, and the nearest is tried first.
-            let overloads =
-                counts.get(&(decl.name.text.as_str(), decl.params.len(), rank)).is_some_and(|count| 1 < *count);
-            if !overloads && nearest.get(&key(decl)).is_some_and(|least| *least < rank) {
+            let overloads = counts.get(&(decl.form(), rank)).is_some_and(|count| 1 < *count);
+            if !overloads && nearest.get(&decl.form()).is_some_and(|least| *least < rank) {
                 continue;
             }
             let item = Item {
@@ -326,6 +324,28 @@ impl<'a> Globals<'a> {
         self.attrs.iter().chain(&self.consts).chain(&self.functions)
     }
 
+    /// The number of an attribute, constant or function among all [`values`](Globals::values).
+    pub(crate) fn number(&self, found: Use) -> Option<usize> {
+        match found {
+            Use::Attr(index) => Some(index as usize),
+            Use::Const(index) => Some(self.attrs.len() + index as usize),
+            Use::Function(index) => Some(self.attrs.len() + self.consts.len() + index as usize),
+            _ => None,
+        }
+    }
+
+    /// The values that several styles declare, by name and number of parameters. Overloads of a style are left out,
+    /// because it is not known which of them correspond.
+    pub(crate) fn by_style(&self) -> Vec<Vec<&Item<'a>>> {
+        let style = |item: &Item| self.program.instances[item.instance].root_style;
+        let mut groups: HashMap<(&str, usize), Vec<&Item<'a>>> = HashMap::new();
+        for item in self.values().filter(|item| !item.origin && 1 < self.program.roots.len()) {
+            groups.entry((&item.name, item.decl.params.len())).or_default().push(item);
+        }
+        let overloads = |group: &Vec<&Item>| group.windows(2).any(|pair| style(pair[0]) == style(pair[1]));
+        groups.into_values().filter(|group| !overloads(group)).collect()
+    }
+
     /// All items.
     pub(crate) fn items(&self) -> impl Iterator<Item = &Item<'a>> + '_ {
         self.rules.iter().chain(self.values())
@@ -441,6 +461,11 @@ impl Decl {
             Body::Attr(value) | Body::Const(value) | Body::Function(value) => Some(value),
             Body::Rule(_) => None,
         }
+    }
+
+    /// Its name and number of parameters.
+    pub(crate) fn form(&self) -> (&str, usize) {
+        (&self.name.text, self.params.len())
     }
 
     /// The parameters, then the locals, as numbered by [`Use::Param`].

@@ -140,8 +140,7 @@ impl Parser<'_> {
 
     fn misplaced_prefix(&mut self) {
         let (span, sign) = (self.span(), self.peek().map_or("it".into(), Tok::describe));
-        let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at));
-        let second = matches!(before, Some(Tok::Sym(Sym::Quote | Sym::Tilde)));
+        let second = matches!(self.before(1), Some(Tok::Sym(Sym::Quote | Sym::Tilde)));
         let diag = self.diags.report(Code::MisplacedPrefix, span, format!("{sign} is not allowed here"));
         if second {
             diag.note("a size is relative or floating, never both").help(format!("write `{RELATIVE}0.5` or `~0.5`"));
@@ -202,11 +201,7 @@ impl Parser<'_> {
     fn name_or_call(&mut self) -> Parsed<Expr> {
         let start = self.at;
         let path = matches!(self.peek(), Some(Tok::Path(_)));
-        let mut end = start + 1;
-        while !path && self.dotted_on(end) {
-            end += 2;
-        }
-        let Some(name) = self.take_dotted(end) else { return self.fail("a name") };
+        let Some(name) = self.take_joined() else { return self.fail("a name") };
         if name.text == "comp" && (self.is(Sym::LParen) || self.is(Sym::LBrace)) {
             return self.comp_value(name, start);
         }
@@ -222,12 +217,13 @@ impl Parser<'_> {
         Err(self.expected("`(`").help(format!("a Rust function is called as `{}()`", path.text)).into())
     }
 
-    /// Returns true if a dot at `position` joins the names around it.
-    fn dotted_on(&self, position: usize) -> bool {
-        self.layout.is(position, Sym::Dot)
-            && self.layout.word(position + 1).is_some()
-            && !self.layout.is_border(position)
-            && !self.layout.is_border(position + 1)
+    /// Takes a name with all dots after it. A path of Rust has none.
+    pub(super) fn take_joined(&mut self) -> Option<Name> {
+        let mut end = self.at + 1;
+        while self.layout.word(end - 1).is_some() && self.layout.is(end, Sym::Dot) && !self.layout.is_border(end + 1) {
+            end += 2;
+        }
+        self.take_dotted(end)
     }
 
     pub(super) fn call_args(&mut self, name: &str) -> Parsed<Vec<Expr>> {

@@ -116,14 +116,7 @@ impl Parser<'_> {
         if !self.eat(Sym::Dot) {
             return self.fail("`.`");
         }
-        let Some(mut rule) = self.take_name() else { return self.fail("a rule of the import") };
-        let start = self.at - 1;
-        while self.is(Sym::Dot) && self.nth_is_name(1) && !self.layout.is_border(self.at + 1) && self.tick() {
-            rule.text.push('.');
-            rule.text.push_str(self.nth(1).and_then(Tok::ident).unwrap_or_default());
-            self.at += 2;
-        }
-        rule.span = self.span_from(start);
+        let Some(rule) = self.take_joined() else { return self.fail("a rule of the import") };
         let args = if self.is(Sym::LParen) { self.args()? } else { Vec::new() };
         Ok(OpKind::Dynamic { import, overrides, rule, args })
     }

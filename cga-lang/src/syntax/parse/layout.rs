@@ -19,8 +19,6 @@ pub(super) struct Layout<'a> {
     pairs: Vec<Option<usize>>,
     /// The closing bracket of each bracket, between two declarations.
     close: Vec<Option<usize>>,
-    /// True for each position where a declaration begins.
-    starts: Vec<bool>,
     /// For each position, the next position where a declaration begins.
     borders: Vec<usize>,
     /// The number of unreadable tokens before each position.
@@ -42,12 +40,12 @@ impl<'a> Layout<'a> {
     pub(super) fn new(tokens: &'a [Tok], view: Vec<u32>, bad: Vec<u32>) -> Self {
         let length = view.len();
         let pairs = pairs(view.iter().map(|&index| &tokens[index as usize]), length);
-        let (close, starts, borders) = (vec![None; length], vec![false; length], vec![length; length + 1]);
-        let mut layout = Layout { tokens, view, pairs, close, starts, borders, bad, ..Layout::default() };
+        let (close, borders) = (vec![None; length], vec![length; length + 1]);
+        let mut layout = Layout { tokens, view, pairs, close, borders, bad, ..Layout::default() };
         layout.find_imports();
         layout.find_starts();
         for position in (0..length).rev() {
-            layout.borders[position] = if layout.starts[position] { position } else { layout.borders[position + 1] };
+            layout.borders[position] = layout.borders[position].min(layout.borders[position + 1]);
         }
         layout
     }
@@ -63,11 +61,11 @@ impl<'a> Layout<'a> {
                 let head = self.head(position);
                 if head.is_some_and(Head::is_sure) || self.keyword(position) {
                     open = Open::default();
-                    self.starts[position] = true;
+                    self.borders[position] = position;
                 } else if head.is_some() && open.is_empty() && !self.behind_type(position) {
-                    self.starts[position] = true;
+                    self.borders[position] = position;
                 }
-                if self.starts[position] {
+                if self.borders[position] == position {
                     self.declared.insert(name);
                     self.declared.extend(self.at(position + 1).and_then(Tok::ident));
                 }
@@ -76,7 +74,7 @@ impl<'a> Layout<'a> {
                 }
             } else if token.is(Sym::At) && quiet <= position {
                 open = Open::default();
-                self.starts[position] = true;
+                self.borders[position] = position;
             }
             if token.is(Sym::LParen) && self.holds_overrides(position) {
                 quiet = quiet.max(self.pair(position).unwrap_or(0));
@@ -123,12 +121,12 @@ impl<'a> Layout<'a> {
 
     /// Returns true if a declaration begins at `position`, or if the text ends there.
     pub(super) fn is_border(&self, position: usize) -> bool {
-        self.starts.get(position).copied().unwrap_or(true)
+        self.border(position) <= position
     }
 
     /// The first position at or after `position` where a declaration begins.
     pub(super) fn border(&self, position: usize) -> usize {
-        self.borders.get(position).map_or(self.len(), |&border| border)
+        self.borders.get(position).copied().unwrap_or(self.len())
     }
 
     /// Returns true if a rule with the name is declared.

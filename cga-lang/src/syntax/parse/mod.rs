@@ -121,6 +121,11 @@ impl<'a> Parser<'a> {
         self.nth(0)
     }
 
+    /// The token at a distance of `back` before the current one.
+    fn before(&self, back: usize) -> Option<&'a Tok> {
+        self.layout.at(self.at.checked_sub(back)?)
+    }
+
     fn is(&self, sym: Sym) -> bool {
         self.nth_is(0, sym)
     }

@@ -143,12 +143,7 @@ impl Parser<'_> {
         if self.assignment(&name)? {
             return Ok(OpKind::Error);
         }
-        self.leaf_arguments()?;
-        Ok(OpKind::Leaf(name))
-    }
-
-    /// Parses the arguments of a leaf, as in old files. They have no effect.
-    fn leaf_arguments(&mut self) -> Parsed<()> {
+        // Arguments of a leaf, as in old files, have no effect.
         if self.is(Sym::LParen) {
             let start = self.at;
             self.args()?;
@@ -157,7 +152,7 @@ impl Parser<'_> {
                 .report(Code::OldSpelling, span, "a leaf has no arguments; these have no effect")
                 .help("leave them out");
         }
-        Ok(())
+        Ok(OpKind::Leaf(name))
     }
 
     fn rust(&mut self) -> Parsed<OpKind> {

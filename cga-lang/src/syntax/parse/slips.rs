@@ -6,8 +6,10 @@
 use super::head::Head;
 use super::type_words::is_type;
 use super::{Parsed, Parser};
+use crate::diag::RELATIVE;
 use crate::diag::code::Code;
 use crate::ops::{operations, shape_attr};
+use crate::span::Span;
 use crate::syntax::ast::Name;
 use crate::syntax::token::{Sym, Tok, Tokens};
 use std::ops::Range;
@@ -20,7 +22,7 @@ impl Parser<'_> {
     pub(super) fn written(&self, from: usize, to: usize) -> String {
         let tokens: Tokens = (from..to).filter_map(|position| self.layout.at(position)).cloned().collect();
         let last = tokens.len().saturating_sub(1) as u32;
-        tokens.quoted(crate::span::Span { first: 0, last }, LONGEST)
+        tokens.text(Span { first: 0, last }, LONGEST, RELATIVE)
     }
 
     /// Reports and skips an assignment to an attribute of the shape, as in `scope.sy = 3`. The same tokens could be a

@@ -18,12 +18,14 @@ impl Parser<'_> {
             let (items, repeat) = self.slots()?;
             return Ok(SplitItem::Group(items, repeat));
         }
-        if matches!(self.peek(), Some(Tok::Ident(_) | Tok::Path(_) | Tok::Sym(Sym::LBracket))) && !self.has_colon() {
+        if matches!(self.peek(), Some(Tok::Ident(_) | Tok::Path(_) | Tok::Sym(Sym::LBracket)))
+            && !self.slot_has(|token| token.is(Sym::Colon))
+        {
             return self.missing_size();
         }
         if let Some(Tok::Number(percent)) = self.peek()
             && self.at_percent()
-            && !self.has_else()
+            && !self.slot_has(|token| token.ident() == Some("else"))
         {
             let span = self.span().to(self.span_at(self.at + 1));
             let share = (percent * 1e6).round() / 1e8;
@@ -38,16 +40,7 @@ impl Parser<'_> {
         Ok(SplitItem::Slot(size, ops))
     }
 
-    /// Returns true if a `:` follows before the slot ends.
-    fn has_colon(&self) -> bool {
-        self.slot_has(|token| token.is(Sym::Colon))
-    }
-
-    /// Returns true if an `else` follows before the slot ends.
-    fn has_else(&self) -> bool {
-        self.slot_has(|token| token.ident() == Some("else"))
-    }
-
+    /// Returns true if a token follows before the slot ends.
     fn slot_has(&self, wanted: impl Fn(&Tok) -> bool) -> bool {
         let mut at = self.at;
         while let Some(token) = self.layout.at(at) {
