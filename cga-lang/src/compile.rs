@@ -6,7 +6,7 @@ use crate::diag::{Diag, Diags, Level};
 
 pub use crate::dialect::Dialect;
 use crate::editor::index::Named;
-use crate::editor::public_names::PublicNames;
+use crate::editor::public_names::{PublicName, public_names};
 use crate::infer::Found;
 use crate::ir::Grammar;
 use crate::link::{File, FileTokens, Files, NoFiles, Program, Unit, link};
@@ -33,8 +33,8 @@ pub struct Compiled {
     pub grammar: Option<Grammar>,
     /// All diagnostics, in source order.
     pub diags: Vec<Diag>,
-    /// The public names, errors or not.
-    pub names: PublicNames,
+    /// The public names, errors or not: the attributes.
+    pub names: Vec<PublicName>,
     /// The places where names of the compiled file are declared and used, also after errors.
     pub index: Vec<Named>,
     /// The files that were read: the one that is compiled, then those that are imported, each once.
@@ -73,7 +73,7 @@ fn checked<'p>(program: &'p Program, levels: &[(Code, Level)], last: bool, read:
 
 fn finish(program: &Program, (diags, outcome): (Vec<Diag>, Outcome)) -> Compiled {
     let grammar = outcome.checked.map(|checked| lower(&checked));
-    let names = PublicNames::new(program, &outcome.attrs, grammar.as_ref());
+    let names = public_names(program, &outcome.attrs, grammar.as_ref());
     let piece = |file: &Rc<File>| FileTokens { name: file.name.clone(), tokens: file.tokens.clone() };
     let files = program.files.iter().map(piece).collect();
     Compiled { grammar, diags, names, index: outcome.index, files }

@@ -76,8 +76,5 @@ fn sequence(ops: &[Op], made: bool, restored: bool, names: Entries, diags: &mut 
 /// Returns true if an operation with braces certainly makes a child. The slots of a split may find nothing to divide.
 fn makes_children(block: &Block, names: Entries) -> bool {
     let runs = matches!(names.of(&block.name), Some(Use::Operation(row)) if row.run != Run::Later);
-    runs && block.parts.iter().any(|part| match part {
-        BlockPart::Arms(_) => true,
-        BlockPart::Slots(..) | BlockPart::Sections(..) | BlockPart::Ops(_) => false,
-    })
+    runs && block.parts.iter().any(|part| matches!(part, BlockPart::Arms(_)))
 }

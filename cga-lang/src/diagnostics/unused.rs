@@ -20,7 +20,7 @@ pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     if cx.tables.starts.iter().all(Option::is_none) {
         return Vec::new();
     }
-    let used = Used::new(cx);
+    let (attrs, consts) = used(cx);
     let is_root = |item: &&Item| program.roots.contains(&item.instance) && item.home == item.instance && !item.origin;
     let mut agreed = Agreed::default();
     // Other files may read the values of a file.
@@ -29,11 +29,11 @@ pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     let is_styled = |item: &Item| styled.contains(&item.decl.form());
     let values = |item: &&Item| is_root(item) && !program.may_be_imported() && !is_styled(item);
     for (index, item) in globals.attrs.iter().enumerate().filter(|(_, item)| values(item)) {
-        let is_used = used.attrs.contains(&(index as u32));
+        let is_used = attrs.contains(&(index as u32));
         agreed.check(item, |diags| value(item, Code::UnusedAttribute, is_used, diags));
     }
     for (index, item) in globals.consts.iter().enumerate().filter(|(_, item)| values(item)) {
-        let is_used = used.consts.contains(&(index as u32));
+        let is_used = consts.contains(&(index as u32));
         agreed.check(item, |diags| value(item, Code::UnusedConstant, is_used, diags));
     }
     for item in globals.rules.iter().chain(&globals.functions).filter(is_root) {
@@ -44,33 +44,25 @@ pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     list
 }
 
-/// The names used by the values and rules of a grammar.
-#[derive(Default)]
-struct Used {
-    attrs: HashSet<u32>,
-    consts: HashSet<u32>,
-}
-
-impl Used {
-    fn new(cx: &Context) -> Used {
-        let mut used = Used::default();
-        for found in cx.tables.uses.values() {
-            match found {
-                Use::Attr(index) | Use::SetAttr(index) => _ = used.attrs.insert(*index),
-                Use::Const(index) => _ = used.consts.insert(*index),
-                _ => {}
-            }
+/// The attributes and constants that a grammar uses.
+fn used(cx: &Context) -> (HashSet<u32>, HashSet<u32>) {
+    let (mut attrs, mut consts) = (HashSet::new(), HashSet::new());
+    for found in cx.tables.uses.values() {
+        match found {
+            Use::Attr(index) | Use::SetAttr(index) => _ = attrs.insert(*index),
+            Use::Const(index) => _ = consts.insert(*index),
+            _ => {}
         }
-        for (item, info) in cx.globals.attrs.iter().zip(&cx.tables.attrs) {
-            if let Init::Flows(outer) = item.init {
-                used.attrs.insert(outer);
-            }
-            if let Some(ChoiceValues::Attr(attr)) = info.choices.as_ref().map(|choices| &choices.values) {
-                used.attrs.insert(attr.0);
-            }
-        }
-        used
     }
+    for (item, info) in cx.globals.attrs.iter().zip(&cx.tables.attrs) {
+        if let Init::Flows(outer) = item.init {
+            attrs.insert(outer);
+        }
+        if let Some(ChoiceValues::Attr(attr)) = info.choices.as_ref().map(|choices| &choices.values) {
+            attrs.insert(attr.0);
+        }
+    }
+    (attrs, consts)
 }
 
 /// Returns true if a leading `_` marks the name as unused on purpose.

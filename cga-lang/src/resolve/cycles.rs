@@ -3,7 +3,7 @@
 
 use super::context::Context;
 use super::globals::{Globals, Init, Item};
-use super::tables::{Entries, Tables};
+use super::tables::{Entries, Tables, Use};
 use crate::diag::by_way_of;
 use crate::diag::code::Code;
 use crate::graph::{components, is_cycle};
@@ -21,7 +21,8 @@ pub(crate) fn find(cx: &mut Context) {
         .map(|item| {
             let mut list = Vec::new();
             for (value, own) in values(item) {
-                needs(value, cx.tables.at(own), &cx.globals, &mut list);
+                let number = |found: Option<Use>| cx.globals.number(found?);
+                cx.tables.at(own).uses(value, &mut |found| list.extend(number(found)));
             }
             if let Init::Flows(outer) = item.init {
                 list.push(outer as usize);
@@ -87,16 +88,6 @@ fn values<'a>(item: &Item<'a>) -> impl Iterator<Item = (&'a Expr, InstanceId)> {
     let own = item.own;
     let locals = item.is_own().then(|| item.decl.locals.iter().map(move |(_, value)| (value, own)));
     locals.into_iter().flatten().chain(item.value())
-}
-
-/// Collects the items that an expression uses.
-fn needs(expr: &Expr, names: Entries, globals: &Globals, list: &mut Vec<usize>) {
-    for part in expr.parts() {
-        needs(part, names, globals, list);
-    }
-    if let ExprKind::Name(name) | ExprKind::Call(name, _) = &expr.kind {
-        list.extend(names.of(name).and_then(|found| globals.number(found)));
-    }
 }
 
 /// Marks the declarations of a component that can end: those with a path on which all calls can end.

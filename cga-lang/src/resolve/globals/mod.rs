@@ -81,14 +81,6 @@ struct NameTable<'a> {
     origins: HashMap<&'a str, u32>,
 }
 
-/// The target of a name that may have dots.
-pub(crate) enum Way<'n> {
-    /// An instance, and the rest of the name.
-    To(InstanceId, &'n str),
-    /// A file that could not be read.
-    Missing,
-}
-
 impl<'a> Item<'a> {
     /// The expression of its value, and the instance that has the entries of its names; `None` for a rule.
     pub(crate) fn value(&self) -> Option<(&'a Expr, InstanceId)> {
@@ -241,47 +233,44 @@ impl<'a> Globals<'a> {
         }
     }
 
-    /// Follows the names of imports.
-    pub(crate) fn way<'n>(&self, from: InstanceId, name: &'n str) -> Way<'n> {
+    /// Follows the names of imports to an instance and the rest of the name. `None` leads to a file that could not be
+    /// read.
+    fn way<'n>(&self, from: InstanceId, name: &'n str) -> Option<(InstanceId, &'n str)> {
         let (mut at, mut rest) = (from, name);
         while let Some((first, behind)) = rest.split_once('.') {
             match self.program.instances[at].imports.get(first) {
                 Some(Some(next)) => (at, rest) = (*next, behind),
-                Some(None) => return Way::Missing,
+                Some(None) => return None,
                 // The import itself could not be read.
-                None if self.names[at].lost.contains(first) => return Way::Missing,
+                None if self.names[at].lost.contains(first) => return None,
                 None => break,
             }
         }
-        Way::To(at, rest)
+        Some((at, rest))
     }
 
     /// Returns true if a name may be declared in unreadable text.
     pub(crate) fn is_lost(&self, from: InstanceId, name: &str) -> bool {
-        match self.way(from, name) {
-            Way::Missing => true,
-            Way::To(at, rest) => self.program.instances[at].file.is_torn || self.names[at].lost.contains(rest),
-        }
+        self.way(from, name)
+            .is_none_or(|(at, rest)| self.program.instances[at].file.is_torn || self.names[at].lost.contains(rest))
     }
 
     /// The attribute, constant or function without parameters with a name.
     pub(crate) fn value(&self, from: InstanceId, name: &str) -> Option<Use> {
-        let Way::To(at, rest) = self.way(from, name) else { return None };
+        let (at, rest) = self.way(from, name)?;
         self.names[at].values.get(rest).copied()
     }
 
     /// The value that an overridden attribute would have without the override.
     pub(crate) fn origin(&self, from: InstanceId, name: &str) -> Option<u32> {
-        let Way::To(at, rest) = self.way(from, name) else { return None };
+        let (at, rest) = self.way(from, name)?;
         self.names[at].origins.get(rest).copied()
     }
 
     /// The functions with a name.
     pub(crate) fn functions(&self, from: InstanceId, name: &str) -> &[u32] {
-        match self.way(from, name) {
-            Way::To(at, rest) => self.names[at].functions.get(rest).map(Vec::as_slice).unwrap_or_default(),
-            Way::Missing => &[],
-        }
+        let list = self.way(from, name).and_then(|(at, rest)| self.names[at].functions.get(rest));
+        list.map(Vec::as_slice).unwrap_or_default()
     }
 
     /// The rules with a name; `start` means the rules marked with it.
@@ -290,7 +279,7 @@ impl<'a> Globals<'a> {
         if let Some(list) = self.names[from].rules.get(name).filter(|_| name.contains('.')) {
             return list.clone();
         }
-        let Way::To(at, rest) = self.way(from, name) else { return Vec::new() };
+        let Some((at, rest)) = self.way(from, name) else { return Vec::new() };
         let names = &self.names[at];
         if let Some(&rule) = names.replaced.get(rest).filter(|_| at == from) {
             return vec![rule];
@@ -360,18 +349,14 @@ impl<'a> Globals<'a> {
         kind: Kind,
         others: impl IntoIterator<Item = &'o str>,
     ) -> Option<String> {
-        match self.way(from, name) {
-            Way::Missing => None,
-            Way::To(at, rest) if at != from => {
-                let near = nearest(rest, self.near(at, kind))?;
-                Some(format!("{}{near}", &name[..name.len() - rest.len()]))
-            }
-            Way::To(..) => {
-                let own = nearest(name, self.near(from, kind)).map(str::to_owned);
-                let other = nearest(name, others).map(str::to_owned);
-                nearest(name, own.iter().chain(&other).map(String::as_str)).map(str::to_owned)
-            }
+        let (at, rest) = self.way(from, name)?;
+        if at != from {
+            let near = nearest(rest, self.near(at, kind))?;
+            return Some(format!("{}{near}", &name[..name.len() - rest.len()]));
         }
+        let own = nearest(name, self.near(from, kind)).map(str::to_owned);
+        let other = nearest(name, others).map(str::to_owned);
+        nearest(name, own.iter().chain(&other).map(String::as_str)).map(str::to_owned)
     }
 
     /// The leaf of an instance with a similar name, with its dot.
@@ -405,11 +390,8 @@ impl<'a> Globals<'a> {
             Kind::Functions => names.functions.keys().copied().collect(),
             Kind::Rules => names.rules.keys().copied().collect(),
             Kind::Extensions => {
-                let items = names.rules.values().flatten().map(|index| &self.rules[*index as usize]);
-                items
-                    .filter(|item| item.decl.role == Role::Extension)
-                    .map(|item| item.decl.name.text.as_str())
-                    .collect()
+                let decls = names.rules.values().flatten().map(|index| self.rules[*index as usize].decl);
+                decls.filter(|decl| decl.role == Role::Extension).map(|decl| decl.name.text.as_str()).collect()
             }
             Kind::Imports => self.program.instances[from].imports.keys().map(String::as_str).collect(),
         };
