@@ -196,9 +196,10 @@ mod tests {
             assert_eq!(compiled.diags, []);
             let grammar = compiled.grammar.expect("no error");
             let shown: Vec<(&str, &str, bool)> = grammar
-                .attrs
+                .globals
                 .iter()
-                .map(|attr| (attr.name.as_str(), attr.info.group.names[0].as_str(), attr.info.hidden))
+                .filter_map(|global| Some((global, global.attr.as_ref()?)))
+                .map(|(global, attr)| (global.name.as_str(), attr.group.names[0].as_str(), attr.hidden))
                 .collect();
             // The group continues after the import.
             let [first, second] = expected;

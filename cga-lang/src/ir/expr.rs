@@ -1,11 +1,11 @@
 //! Expressions. Each knows its type.
 
-use super::{AttrId, Comp, ConstId, FunctionId, HostId, Type, Value};
+use super::{Comp, FunctionId, GlobalId, HostId, Type, Value};
 use crate::ops::{self, ShapeAttr};
 use crate::span::Span;
 
 /// An expression with its type.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Expr {
     /// The kind of expression.
     pub kind: ExprKind,
@@ -16,16 +16,14 @@ pub struct Expr {
 }
 
 /// The kinds of expressions.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
     /// A constant.
     Value(Value),
     /// A parameter of the rule or function.
     Param(u32),
-    /// An attribute, as the current shape sees it.
-    Attr(AttrId),
-    /// A constant of the grammar.
-    Const(ConstId),
+    /// An attribute, as the current shape sees it, or a constant.
+    Global(GlobalId),
     /// `#name` or `#(…)`.
     Host(HostId),
     /// A function of the grammar. A shared one has a site: one number for each site of the caller.

@@ -58,8 +58,8 @@ macro_rules! step_walkers {
         $(#[$about])*
         pub fn $exprs(step: & $($mutable)? Step) -> Vec<& $($mutable)? Expr> {
             match step {
-                Step::Do(_, args, _) => args.$iter().filter_map($args).collect(),
-                Step::SetAttr(_, value, _) | Step::SetShape(_, value, _) => vec![value],
+                Step::Do(_, args) => args.$iter().filter_map($args).collect(),
+                Step::SetAttr(_, value) | Step::SetShape(_, value) => vec![value],
                 Step::Rust(_, args, _) => args.$iter().collect(),
                 Step::Renew(call) => call.given.$iter().map(|(_, value)| value).collect(),
                 Step::Block(block) => {
@@ -104,20 +104,6 @@ pub(crate) fn exprs_mut(list: &mut [Step], visit: &mut dyn FnMut(&mut Expr)) {
     });
 }
 
-/// Every expression of a grammar, with its parts, to change it.
-pub(crate) fn all_exprs_mut(grammar: &mut Grammar, visit: &mut dyn FnMut(&mut Expr)) {
-    grammar.attrs.iter_mut().for_each(|it| parts_mut(&mut it.default, visit));
-    grammar.consts.iter_mut().for_each(|it| parts_mut(&mut it.value, visit));
-    for function in &mut grammar.functions {
-        function.locals.iter_mut().for_each(|local| parts_mut(local, visit));
-        parts_mut(&mut function.body, visit);
-    }
-    for rule in &mut grammar.rules {
-        rule.locals.iter_mut().for_each(|local| parts_mut(local, visit));
-        exprs_mut(&mut rule.body, &mut |expr| parts_mut(expr, visit));
-    }
-}
-
 /// The parameters that an expression reads, to change them.
 pub(crate) fn params_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut u32)) {
     parts_mut(expr, &mut |part| {
@@ -150,8 +136,7 @@ pub fn called(body: &[Step]) -> Vec<RuleId> {
 
 /// Every expression of a grammar, with its parts.
 pub fn exprs<'g>(grammar: &'g Grammar, visit: &mut dyn FnMut(&'g Expr)) {
-    grammar.attrs.iter().for_each(|attr| parts(&attr.default, visit));
-    grammar.consts.iter().for_each(|it| parts(&it.value, visit));
+    grammar.globals.iter().for_each(|it| parts(&it.value, visit));
     for function in &grammar.functions {
         function.locals.iter().for_each(|local| parts(local, visit));
         parts(&function.body, visit);
@@ -185,8 +170,7 @@ macro_rules! parts {
         match $kind {
             ExprKind::Value(_)
             | ExprKind::Param(_)
-            | ExprKind::Attr(_)
-            | ExprKind::Const(_)
+            | ExprKind::Global(_)
             | ExprKind::Host(_)
             | ExprKind::Shape(_)
             | ExprKind::Word(_)

@@ -1,7 +1,7 @@
 //! Expressions, bottom up: each knows its type.
 
 use super::{Lower, block};
-use crate::ir::{AttrId, Binary, ConstId, EachUnary, Expr, ExprKind, FunctionId, Type, Value};
+use crate::ir::{Binary, EachUnary, Expr, ExprKind, FunctionId, GlobalId, Type, Value};
 use crate::ops::{self, Run};
 use crate::resolve::tables::Use;
 use crate::syntax::ast::{self, Unary};
@@ -136,8 +136,11 @@ impl Lower<'_> {
         let globals = &self.checked.globals;
         match found {
             Some(Use::Param(index)) => (ExprKind::Param(index), self.ty(self.inner[index as usize].id())),
-            Some(Use::Attr(index)) => (ExprKind::Attr(AttrId(index)), self.type_of(&globals.attrs[index as usize])),
-            Some(Use::Const(index)) => (ExprKind::Const(ConstId(index)), self.type_of(&globals.consts[index as usize])),
+            Some(Use::Attr(index)) => (ExprKind::Global(GlobalId(index)), self.type_of(&globals.attrs[index as usize])),
+            Some(Use::Const(index)) => {
+                let id = GlobalId(globals.attrs.len() as u32 + index);
+                (ExprKind::Global(id), self.type_of(&globals.consts[index as usize]))
+            }
             Some(Use::Function(index)) => {
                 (ExprKind::Call(FunctionId(index), Vec::new(), args), self.type_of(&globals.functions[index as usize]))
             }

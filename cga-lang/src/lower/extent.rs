@@ -135,7 +135,7 @@ fn branches<'g>(
 /// The extents after a step without successors.
 fn after(step: &Step, known: Extents) -> Extents {
     match step {
-        Step::Do(row, args, _) => match row.scope {
+        Step::Do(row, args) => match row.scope {
             Effect::Keeps => known,
             Effect::KeepsSize => Extents { solid: false, ..known },
             Effect::Sizes => known.resize(args),

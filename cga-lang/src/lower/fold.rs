@@ -15,8 +15,8 @@ const MOST_ELEMENTS: usize = 1024;
 /// Values of the grammar that are known.
 #[derive(Default)]
 pub(crate) struct Folded {
-    /// By constant.
-    pub(crate) consts: Vec<Option<Value>>,
+    /// By attribute and constant; attributes have none.
+    pub(crate) globals: Vec<Option<Value>>,
     /// By function; only functions without parameters have one.
     pub(crate) functions: Vec<Option<Value>>,
 }
@@ -25,7 +25,7 @@ pub(crate) struct Folded {
 pub(crate) fn fold(expr: &mut Expr, known: &Folded) -> Option<Value> {
     let value = match &mut expr.kind {
         ExprKind::Value(value) => return Some(value.clone()),
-        ExprKind::Const(id) => known.consts.get(id.0 as usize)?.clone()?,
+        ExprKind::Global(id) => known.globals.get(id.0 as usize)?.clone()?,
         ExprKind::Call(id, _, args) => {
             for arg in args.iter_mut() {
                 fold(arg, known);
@@ -81,7 +81,6 @@ pub(crate) fn fold(expr: &mut Expr, known: &Folded) -> Option<Value> {
             return None;
         }
         ExprKind::Param(_)
-        | ExprKind::Attr(_)
         | ExprKind::Host(_)
         | ExprKind::Shape(_)
         | ExprKind::Word(_)

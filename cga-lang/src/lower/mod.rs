@@ -3,6 +3,7 @@
 mod block;
 mod body;
 mod childless;
+mod definition;
 mod expr;
 mod extent;
 mod fold;
@@ -15,13 +16,12 @@ mod variant;
 use crate::check::Checked;
 use crate::graph::{components, is_cycle};
 use crate::ir::walk::called;
-use crate::ir::{Childless, Global, Grammar, Host, HostId, Init, Param, RenewalId, Rule, RuleId, Start, Step, Type};
+use crate::ir::{Childless, GlobalId, Grammar, Host, HostId, Init, Param, RenewalId, Rule, RuleId, Start, Step, Type};
 use crate::link::{InstanceId, Key};
 use crate::lower::fold::Folded;
 use crate::resolve::globals::Item;
 use crate::resolve::info::RuleInfo;
 use crate::resolve::tables::Use;
-use crate::span::Span;
 use crate::syntax::ast::{Body, Decl, Name};
 use crate::syntax::token::{Tok, Tokens};
 use merge::Owners;
@@ -83,7 +83,7 @@ struct Lower<'c> {
     known: Folded,
     owners: Owners,
     /// By style: attributes and constants in an order in which each is ready before it is used.
-    init: Vec<Vec<Global>>,
+    init: Vec<Vec<GlobalId>>,
     out: Grammar,
 }
 
@@ -131,7 +131,7 @@ impl<'c> Lower<'c> {
             let next = HostId(self.out.hosts.len() as u32);
             let id = *numbers.entry((*handle, ty)).or_insert(next);
             if id == next {
-                self.out.hosts.push(Host { handle: *handle, ty, span: Span::one(token) });
+                self.out.hosts.push(Host { handle: *handle, ty });
             }
             self.hosts.insert(key, id);
         }
@@ -145,7 +145,7 @@ impl<'c> Lower<'c> {
 
     /// Parameters and locals of the declaration at hand.
     fn declared_params(&self) -> Vec<Param> {
-        let param = |name: &&Name| Param { name: name.text.clone(), ty: self.ty(name.id()), span: name.span };
+        let param = |name: &&Name| Param { name: name.text.clone(), ty: self.ty(name.id()) };
         self.inner.iter().map(param).collect()
     }
 

@@ -1,4 +1,4 @@
-//! Annotations of rules and imports.
+//! Annotations and doc comments of declarations. Those of attributes are in [`AttrInfo`](crate::ir::AttrInfo).
 
 use crate::ir::AttrGroup;
 

@@ -39,17 +39,10 @@ impl Generator<'_> {
                 let name = local("p", *number as usize);
                 cloned(expr.ty, quote_spanned!(place=> #name))
             }
-            ExprKind::Attr(id) => {
-                let attr = &self.grammar.attrs[id.0 as usize];
-                self.global(Global::Attr(*id), attr.ty, attr.is_set, at)
-            }
-            ExprKind::Const(id) => {
-                let constant = &self.grammar.consts[id.0 as usize];
-                match &constant.known {
-                    Some(known) => value(known),
-                    None => self.global(Global::Const(*id), constant.ty, constant.is_set, at),
-                }
-            }
+            ExprKind::Global(id) => match self.grammar.global(*id) {
+                Global { attr: None, known: Some(known), .. } => value(known),
+                _ => self.global(*id, at),
+            },
             ExprKind::Host(id) if self.captured => {
                 let name = captured(id.0 as usize);
                 cloned(self.hosts[id.0 as usize].inside(), quote_spanned!(place=> g.#name))
@@ -261,7 +254,7 @@ impl Generator<'_> {
     fn is_plain(&self, expr: &Expr) -> bool {
         match &expr.kind {
             ExprKind::Value(_) | ExprKind::Param(_) => true,
-            ExprKind::Const(id) => !self.is_lazy(Global::Const(*id)),
+            ExprKind::Global(id) => self.grammar.global(*id).attr.is_none() && !self.is_lazy(*id),
             ExprKind::Neg(inner) | ExprKind::Not(inner) | ExprKind::File(inner, _) => self.is_plain(inner),
             ExprKind::Binary(Binary::Concat, ..) => false,
             ExprKind::Binary(_, left, right) => self.is_plain(left) && self.is_plain(right),

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use cga_lang::ir::walk;
-use cga_lang::ir::{ExprKind, Global, RuleId, Type};
+use cga_lang::ir::{ExprKind, Global, GlobalId, RuleId, Type};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
@@ -23,8 +23,8 @@ pub(super) fn values(cx: &Generator<'_>) -> TokenStream {
         let ty = inner_type(ty);
         if lazy { quote_spanned!(place=> cga_rt::Lazy<#ty>) } else { ty }
     };
-    let attrs = cx.grammar.attrs.iter().enumerate().map(|(at, it)| (local("attr_", at), field(it.lazy, it.ty)));
-    let consts = cx.grammar.consts.iter().enumerate().map(|(at, it)| (local("const_", at), field(it.lazy, it.ty)));
+    let globals = cx.grammar.globals.iter().zip(0..);
+    let globals = globals.map(|(it, id)| (cx.global_name(GlobalId(id)), field(it.lazy, it.ty)));
     let origin = cx.has_lazy().then(|| (Ident::new("origin", place), quote_spanned!(place=> cga_rt::Origin)));
     // Renewals of imports open a cycle on a copy.
     let copied = cx.renews_lazy().then(|| quote_spanned!(place=> #[derive(::core::clone::Clone)]));
@@ -33,7 +33,7 @@ pub(super) fn values(cx: &Generator<'_>) -> TokenStream {
     let hosts = cx.hosts.iter().enumerate().filter(|_| cx.captured);
     let hosts = hosts.map(|(at, ty)| (captured(at), inner_type(ty.inside())));
     let (names, types): (Vec<_>, Vec<_>) =
-        attrs.chain(consts).chain(style).chain(origin).chain(hosts).chain(cx.held_fields()).unzip();
+        globals.chain(style).chain(origin).chain(hosts).chain(cx.held_fields()).unzip();
     quote_spanned! { place=>
         #copied
         #[derive(::core::default::Default)]
@@ -73,9 +73,7 @@ impl Generator<'_> {
 
     /// Returns true if no attribute and no constant depends on the initial shape.
     fn is_settled_globally(&self) -> bool {
-        let attrs = self.grammar.attrs.iter().map(|attr| (&attr.default, attr.lazy));
-        let consts = self.grammar.consts.iter().map(|constant| (&constant.value, constant.lazy));
-        attrs.chain(consts).all(|(value, lazy)| !lazy && self.facts.expr(value).is_none())
+        self.grammar.globals.iter().all(|global| !global.lazy && self.facts.expr(&global.value).is_none())
     }
 }
 
@@ -265,32 +263,22 @@ fn initial_values(cx: &Generator<'_>, fields: &HashMap<&str, &Field<'_>>) -> Tok
 }
 
 /// The field of an attribute that has one.
-fn field<'f, 'g>(cx: &Generator<'_>, fields: &HashMap<&str, &'f Field<'g>>, global: Global) -> Option<&'f Field<'g>> {
-    let Global::Attr(id) = global else { return None };
-    let attr = &cx.grammar.attrs[id.0 as usize];
-    fields.get(attr.name.as_str()).copied().filter(|_| attr.public)
+fn field<'f, 'g>(cx: &Generator<'_>, fields: &HashMap<&str, &'f Field<'g>>, id: GlobalId) -> Option<&'f Field<'g>> {
+    let global = cx.grammar.global(id);
+    fields.get(global.name.as_str()).copied().filter(|_| global.public)
 }
 
 /// Evaluates one attribute or constant.
-fn init(cx: &Generator<'_>, fields: &HashMap<&str, &Field<'_>>, global: Global) -> TokenStream {
+fn init(cx: &Generator<'_>, fields: &HashMap<&str, &Field<'_>>, id: GlobalId) -> TokenStream {
     let place = Span::mixed_site();
-    if cx.is_lazy(global) {
-        let value = cx.lazy_value(global, &quote_spanned!(place=> &g), &quote_spanned!(place=> env));
+    if cx.is_lazy(id) {
+        let value = cx.lazy_value(id, &quote_spanned!(place=> &g), &quote_spanned!(place=> env));
         return quote_spanned!(place=> cga_rt::computed(#value););
     }
-    let (target, field) = (cx.global_name(global), field(cx, fields, global));
-    let (name, computed, known) = match global {
-        Global::Attr(id) => {
-            let attr = &cx.grammar.attrs[id.0 as usize];
-            (&attr.name, &attr.default, &attr.known)
-        }
-        Global::Const(id) => {
-            let constant = &cx.grammar.consts[id.0 as usize];
-            (&constant.name, &constant.value, &constant.known)
-        }
-    };
+    let (target, field) = (cx.global_name(id), field(cx, fields, id));
+    let Global { name, value, known, .. } = cx.grammar.global(id);
     let number = stream(name);
-    let code = cx.expr(computed, &Access::function());
+    let code = cx.expr(value, &Access::function());
     let computed = match known {
         Some(known) => types::value(known),
         None => quote_spanned! { place=> {

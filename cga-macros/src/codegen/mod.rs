@@ -54,6 +54,8 @@ struct Generator<'a> {
     captured: bool,
     /// The required type of each `#` value.
     hosts: Vec<HostType>,
+    /// The number of attributes. Constants come after them.
+    attrs: u32,
     /// The attributes of renewals, by name.
     renewed: Vec<String>,
     facts: Facts,
@@ -78,6 +80,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         calls,
         captured: header.name.is_none(),
         hosts,
+        attrs: grammar.globals.iter().filter(|global| global.attr.is_some()).count() as u32,
         renewed,
         facts,
         leaves,

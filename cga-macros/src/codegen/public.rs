@@ -31,17 +31,17 @@ pub(crate) struct PublicAttr {
 
 impl PublicAttr {
     pub(super) fn of(field: &Field<'_>) -> Self {
-        let attr = field.attr;
-        let about = if attr.info.doc.is_empty() { String::new() } else { format!("\n\n{}", attr.info.doc) };
+        let (global, attr) = (field.global, field.attr);
+        let about = if attr.doc.is_empty() { String::new() } else { format!("\n\n{}", attr.doc) };
         let default = match field.known {
             Some(known) => format!("default `{}`", types::show(known)),
             None => "`None` computes the default for each initial shape".into(),
         };
         PublicAttr {
             name: field.name.clone(),
-            ty: attr.ty,
+            ty: global.ty,
             known: field.known.cloned(),
-            doc: format!("The attribute `{}`, {default}.{about}", attr.name),
+            doc: format!("The attribute `{}`, {default}.{about}", global.name),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! One function a rule, one function a function.
 
 use cga_lang::ir::walk;
-use cga_lang::ir::{Block, Childless, Expr, ExprKind, Function, Global, Param, Parts, Rule, RuleId, Step, Target};
+use cga_lang::ir::{Block, Childless, Expr, ExprKind, Function, Param, Parts, Rule, RuleId, Step, Target};
 use cga_lang::ops::{Changes, Run, Uses};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
@@ -196,7 +196,7 @@ impl Generator<'_> {
     fn slim(&self, step: &Step) -> Option<TokenStream> {
         let place = Span::mixed_site();
         match step {
-            Step::Do(operation, args, _) => match operation.changes {
+            Step::Do(operation, args) => match operation.changes {
                 Changes::Whole => None,
                 Changes::Nothing => {
                     let (lets, call) = self.operation_on(operation, args, &Access::rule(), Generator::asked);
@@ -236,12 +236,12 @@ impl Generator<'_> {
     fn change(&self, step: &Step) -> TokenStream {
         let (place, at) = (Span::mixed_site(), Access::whole());
         match step {
-            Step::Do(operation, args, _) => self.operation(operation, args),
-            Step::SetAttr(id, expr, _) => {
-                let (value, set) = (self.expr(expr, &at), self.set(Global::Attr(*id), expr.ty, &local("a", 0)));
+            Step::Do(operation, args) => self.operation(operation, args),
+            Step::SetAttr(id, expr) => {
+                let (value, set) = (self.expr(expr, &at), self.set(*id, expr.ty, &local("a", 0)));
                 quote_spanned!(place=> { let a0 = #value; #set })
             }
-            Step::SetShape(attr, expr, _) => {
+            Step::SetShape(attr, expr) => {
                 let Some(set) = attr.set.and_then(Run::now) else { return TokenStream::new() };
                 let (set, value) = (Ident::new(set, place), self.image(expr, &at));
                 quote_spanned!(place=> {
@@ -288,7 +288,7 @@ impl Generator<'_> {
         let made = (body.rule.leaf == Childless::Depends).then(|| quote_spanned!(place=> childless = false;));
         let child = Literal::u32_unsuffixed(number);
         match step {
-            Step::Later(what, _) => quote_spanned!(place=> cga_rt::later::operation(cx.env, #what);),
+            Step::Later(what) => quote_spanned!(place=> cga_rt::later::operation(cx.env, #what);),
             Step::Give(target) => {
                 let successor = if is_last { self.last_successor(target, number) } else { successor(number) };
                 let code = self.give(target, body.id, &TokenStream::new(), &successor);
@@ -340,7 +340,7 @@ impl Generator<'_> {
     fn give(&self, target: &Target, from: RuleId, copy: &TokenStream, successor: &TokenStream) -> TokenStream {
         let place = Span::mixed_site();
         match target {
-            Target::Leaf(name, _) => {
+            Target::Leaf(name) => {
                 let name = self.leaves.number(name);
                 quote_spanned!(place=> #copy cx.symbol(shape, #name)?;)
             }
@@ -403,7 +403,7 @@ impl Generator<'_> {
         let place = Span::mixed_site();
         match target {
             Target::Nil => quote_spanned!(place=> cga_rt::Flow::Continue(())),
-            Target::Leaf(name, _) => {
+            Target::Leaf(name) => {
                 let name = self.leaves.number(name);
                 quote_spanned!(place=> cx.symbol(part, #name))
             }

@@ -162,7 +162,7 @@ impl Generator<'_> {
         let number = Literal::usize_unsuffixed(slot);
         match &slots.slots.targets[slot] {
             Target::Nil => quote_spanned!(place=> division.#skip(&mut row, #number);),
-            Target::Leaf(name, _) => {
+            Target::Leaf(name) => {
                 let name = self.leaves.number(name);
                 quote_spanned!(place=> division.#leaf(cx, &mut row, #axis, #number, #name)?;)
             }

@@ -1,6 +1,6 @@
 //! The table of attributes and the list of start rules: everything annotations say, for user interfaces.
 
-use cga_lang::ir::{ChoiceValues, Choices, Grammar, Presentation, Range, Start, Value};
+use cga_lang::ir::{AttrInfo, ChoiceValues, Choices, Grammar, Presentation, Range, Start, Value};
 use proc_macro2::{Span, TokenStream};
 use quote::quote_spanned;
 
@@ -9,16 +9,14 @@ use super::types::{self, value};
 
 /// Returns true if a run has to check the value of the field.
 pub(super) fn is_restricted(field: &Field<'_>) -> bool {
-    let info = &field.attr.info;
-    let choices = info.choices.as_ref();
-    info.range.is_some_and(|range| range.restricted) || choices.is_some_and(|choices| choices.restricted)
+    field.attr.held_to_range().is_some() || field.attr.held_to_choices().is_some()
 }
 
 /// A row of the attribute table.
 pub(super) fn attribute(field: &Field<'_>, grammar: &Grammar) -> TokenStream {
     let place = Span::mixed_site();
-    let (attr, info) = (field.attr, &field.attr.info);
-    let (name, kind) = (&attr.name, types::variant(attr.ty));
+    let attr = field.attr;
+    let (name, kind) = (&field.global.name, types::variant(field.global.ty));
     let default = match field.known {
         None => quote_spanned!(place=> ::core::option::Option::None),
         Some(known) => {
@@ -27,35 +25,35 @@ pub(super) fn attribute(field: &Field<'_>, grammar: &Grammar) -> TokenStream {
         }
     };
     let mut row = quote_spanned!(place=> cga_rt::Attribute::new(#name, cga_rt::AttributeDefault::#kind(#default)));
-    if let Some(name) = &info.display_name {
+    if let Some(name) = &attr.display_name {
         row.extend(quote_spanned!(place=> .display_name(#name)));
     }
-    if let Some(range) = info.range {
+    if let Some(range) = attr.range {
         let range = range_tokens(range);
         row.extend(quote_spanned!(place=> .range(#range)));
     }
-    if let Some(choices) = &info.choices {
+    if let Some(choices) = &attr.choices {
         let choices = choices_tokens(choices, grammar);
         row.extend(quote_spanned!(place=> .choices(#choices)));
     }
-    row.extend(presentation(&info.presentation));
-    if !info.group.names.is_empty() {
-        let group = &info.group.names;
+    row.extend(presentation(attr));
+    if !attr.group.names.is_empty() {
+        let group = &attr.group.names;
         row.extend(quote_spanned!(place=> .group(&[#(#group),*])));
     }
-    if let Some(order) = info.group.order {
+    if let Some(order) = attr.group.order {
         let order = number(order);
         row.extend(quote_spanned!(place=> .group_order(#order)));
     }
-    if !info.doc.is_empty() {
-        let about = &info.doc;
+    if !attr.doc.is_empty() {
+        let about = &attr.doc;
         row.extend(quote_spanned!(place=> .about(#about)));
     }
-    if let Some(order) = info.order {
+    if let Some(order) = attr.order {
         let order = number(order);
         row.extend(quote_spanned!(place=> .order(#order)));
     }
-    if info.hidden {
+    if attr.hidden {
         row.extend(quote_spanned!(place=> .hidden()));
     }
     row
@@ -79,7 +77,7 @@ fn choices_tokens(choices: &Choices, grammar: &Grammar) -> TokenStream {
         }
         ChoiceValues::Texts(list) => quote_spanned!(place=> cga_rt::ChoiceValues::Texts(&[#(#list),*])),
         ChoiceValues::Attr(id) => {
-            let name = &grammar.attrs[id.0 as usize].name;
+            let name = &grammar.global(*id).name;
             quote_spanned!(place=> cga_rt::ChoiceValues::Attribute(#name))
         }
     };
@@ -89,9 +87,9 @@ fn choices_tokens(choices: &Choices, grammar: &Grammar) -> TokenStream {
 }
 
 /// As what an attribute is shown.
-fn presentation(presentation: &Presentation) -> Option<TokenStream> {
+fn presentation(attr: &AttrInfo) -> Option<TokenStream> {
     let place = Span::mixed_site();
-    let kind = match presentation {
+    let kind = match &attr.presentation {
         Presentation::Plain => return None,
         Presentation::Angle => quote_spanned!(place=> Angle),
         Presentation::Percent => quote_spanned!(place=> Percent),

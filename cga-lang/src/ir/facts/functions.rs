@@ -9,8 +9,7 @@ impl Facts {
     /// computed before the first rule. The shape that reads them only counts where shapes may hold values of their own.
     pub(super) fn find_functions(&mut self, grammar: &Grammar) {
         let held = |is_held: bool| if is_held { Uses::STATE } else { Uses::NONE };
-        self.attrs = grammar.attrs.iter().map(|attr| held(attr.is_set)).collect();
-        self.consts = grammar.consts.iter().map(|it| held(it.is_set && it.known.is_none())).collect();
+        self.globals = grammar.globals.iter().map(|it| held(it.is_set)).collect();
         // Until they are known, calls add nothing.
         self.functions = vec![Uses::NONE; grammar.functions.len()];
         let own = grammar.functions.iter().map(|function| {

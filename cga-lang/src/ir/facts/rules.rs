@@ -2,7 +2,7 @@
 
 use super::closure::closure;
 use super::{Facts, RuleFacts, Uses};
-use crate::ir::{Arm, Block, Global, Grammar, Parts, Renewal, Rule, Selector, Step, Target, walk};
+use crate::ir::{Arm, Block, Grammar, Parts, Renewal, Rule, Selector, Step, Target, walk};
 use crate::ops;
 
 /// The facts of a rule without the rules that it reaches.
@@ -59,20 +59,11 @@ impl Facts {
 
     /// Uses of a renewal: its attributes and constants are evaluated on the shape.
     fn renewal(&self, grammar: &Grammar, renewal: &Renewal) -> Uses {
-        let uses = renewal.globals.iter().map(|global| {
-            let (value, lazy) = match *global {
-                Global::Attr(id) => {
-                    let attr = &grammar.attrs[id.0 as usize];
-                    (&attr.default, attr.lazy)
-                }
-                Global::Const(id) => {
-                    let constant = &grammar.consts[id.0 as usize];
-                    (&constant.value, constant.lazy)
-                }
-            };
+        let uses = renewal.globals.iter().map(|id| {
+            let global = grammar.global(*id);
             // Lazy ones are computed on a copy of the shape.
-            let copied = if lazy { Uses::WHOLE | Uses::DRAWS } else { Uses::NONE };
-            self.expr(value) | copied
+            let copied = if global.lazy { Uses::WHOLE | Uses::DRAWS } else { Uses::NONE };
+            self.expr(&global.value) | copied
         });
         uses.collect()
     }
