@@ -60,10 +60,6 @@ fn targets(steps: &[Step], visit: &mut dyn FnMut(&Target)) {
                 arms.iter().for_each(|(_, steps)| targets(steps, visit));
                 targets(otherwise, visit);
             }
-            Step::Chance { arms, otherwise } => {
-                arms.iter().for_each(|(_, steps)| targets(steps, visit));
-                targets(otherwise, visit);
-            }
             Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) | Step::Later(..) => {}
         }
     }

@@ -1,8 +1,16 @@
 //! Definitions that become one: their expressions and references, and the form that is compared.
 
-use super::variant::{Variant, When};
 use crate::ir::{Expr, ExprKind, FunctionId, GlobalId, Param, RenewalId, RuleId, Step, Target, Type, walk};
 use crate::span::Span;
+
+/// The condition that holds in some cases: [`ExprKind::Style`] or [`ExprKind::Site`].
+pub(super) type When = fn(Vec<u32>) -> ExprKind;
+
+/// A definition that holds in some cases.
+pub(super) struct Variant<T> {
+    pub(super) cases: Vec<u32>,
+    pub(super) own: T,
+}
 
 /// An attribute, a constant, a function or a rule.
 pub(super) trait Definition: Clone {

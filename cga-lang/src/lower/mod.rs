@@ -15,8 +15,8 @@ mod variant;
 
 use crate::check::Checked;
 use crate::graph::{components, is_cycle};
-use crate::ir::walk::called;
-use crate::ir::{Childless, GlobalId, Grammar, Host, HostId, Init, Param, RenewalId, Rule, RuleId, Start, Step, Type};
+use crate::ir::walk::calls;
+use crate::ir::{GlobalId, Grammar, Host, HostId, Init, Param, RenewalId, Rule, RuleId, Start, Step, Type};
 use crate::link::{InstanceId, Key};
 use crate::lower::fold::Folded;
 use crate::resolve::globals::Item;
@@ -165,14 +165,9 @@ impl<'c> Lower<'c> {
                 name: style.map_or_else(|| item.name.clone(), |style| format!("{style}${}", item.name)),
                 label: item.name.clone(),
                 params: self.declared_params(),
-                locals: Vec::new(),
-                body: Vec::new(),
-                block: false,
-                leaf: Childless::Always,
-                cycle: None,
                 source: self.tokens.text(item.decl.span, LONGEST_SOURCE, '\''),
-                sites: Vec::new(),
                 span: item.decl.name.span,
+                ..Rule::default()
             });
         }
         for (index, item) in checked.globals.rules.iter().enumerate() {
@@ -220,8 +215,7 @@ impl<'c> Lower<'c> {
 
 /// Numbers the cycles of rules.
 fn cycles(grammar: &mut Grammar) {
-    let edges: Vec<Vec<usize>> =
-        grammar.rules.iter().map(|rule| called(&rule.body).iter().map(|id| id.0 as usize).collect()).collect();
+    let edges = calls(grammar, |_| true);
     let mut count = 0;
     for component in components(&edges) {
         if is_cycle(&component, &edges) {

@@ -7,9 +7,9 @@
 //! References in equal bodies come in the same order, so they are compared by position. Bodies that differ are a `case` on the
 //! site. Definitions with different facts are not shared: code generation must not lose what it knows of one of them.
 
-use super::definition::{Definition, Form, Reference};
+use super::definition::{Definition, Form, Reference, Variant};
 use super::merge::{interned, types};
-use super::variant::{self, Variant, variants};
+use super::variant::{self, variants};
 use crate::ir::facts::Facts;
 use crate::ir::{Expr, ExprKind, Function, FunctionId, GlobalId, Grammar, RuleId, RuleSite, Target, walk};
 use std::collections::HashMap;

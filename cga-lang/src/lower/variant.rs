@@ -3,19 +3,10 @@
 //! They become one definition. Its value is a `case` with one branch for each variant, and so is the body of a rule.
 
 use super::childless;
-use super::definition::{Definition, Form};
+use super::definition::{Definition, Form, Variant, When};
 use crate::ir::{Expr, ExprKind, Function, Global, Param, Rule, Step, Type, Value, walk};
 use crate::span::Span;
 use std::cmp::Reverse;
-
-/// The condition that holds in some cases: [`ExprKind::Style`] or [`ExprKind::Site`].
-pub(super) type When = fn(Vec<u32>) -> ExprKind;
-
-/// A definition that holds in some cases.
-pub(super) struct Variant<T> {
-    pub(super) cases: Vec<u32>,
-    pub(super) own: T,
-}
 
 /// The definitions of each number: those of one form are one. The last one is that of most cases, and holds otherwise.
 pub(super) fn variants<T>(items: Vec<T>, numbers: &[usize], owners: &[u32], forms: &[Form]) -> Vec<Vec<Variant<T>>> {

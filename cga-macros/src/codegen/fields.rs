@@ -3,8 +3,7 @@
 use std::collections::HashMap;
 
 use cga_lang::ir::{AttrInfo, Global, Grammar, Type, Value};
-use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote_spanned;
+use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::names::{Taken, ident};
 use crate::source::Source;
@@ -47,33 +46,32 @@ pub(super) fn by_name<'f, 'g>(fields: &'f [Field<'g>]) -> HashMap<&'g str, &'f F
 impl Field<'_> {
     /// The value of a field without `Option`, converted for the rules.
     pub(super) fn plain(&self) -> TokenStream {
-        let (place, name) = (Span::mixed_site(), &self.name);
+        let name = &self.name;
         match self.global.ty {
-            Type::Float | Type::Bool => quote_spanned!(place=> self.#name),
-            Type::Text => quote_spanned!(place=> cga_rt::text(&self.#name)),
-            _ => quote_spanned!(place=> ::core::clone::Clone::clone(&self.#name)),
+            Type::Float | Type::Bool => code!(self.#name),
+            Type::Text => code!(cga_rt::text(&self.#name)),
+            _ => code!(::core::clone::Clone::clone(&self.#name)),
         }
     }
 
     /// The value of a field that is an `Option`.
     pub(super) fn optional(&self) -> TokenStream {
-        let (place, name) = (Span::mixed_site(), &self.name);
+        let name = &self.name;
         match self.global.ty {
-            Type::Float | Type::Bool => quote_spanned!(place=> self.#name),
-            Type::Text => quote_spanned!(place=> self.#name.as_deref().map(cga_rt::text)),
-            _ => quote_spanned!(place=> ::core::clone::Clone::clone(&self.#name)),
+            Type::Float | Type::Bool => code!(self.#name),
+            Type::Text => code!(self.#name.as_deref().map(cga_rt::text)),
+            _ => code!(::core::clone::Clone::clone(&self.#name)),
         }
     }
 }
 
 /// Reading and writing by number, for `dyn Grammar`.
 pub(super) fn arms(fields: &[Field<'_>]) -> (Vec<TokenStream>, Vec<TokenStream>) {
-    let place = Span::mixed_site();
     let arm = |(number, field): (usize, &Field<'_>)| {
         let (number, name) = (Literal::usize_unsuffixed(number), &field.name);
         (
-            quote_spanned!(place=> #number => cga_rt::Field::get(&self.#name),),
-            quote_spanned!(place=> #number => cga_rt::Field::set(&mut self.#name, value),),
+            code!(#number => cga_rt::Field::get(&self.#name),),
+            code!(#number => cga_rt::Field::set(&mut self.#name, value),),
         )
     };
     fields.iter().enumerate().map(arm).unzip()
