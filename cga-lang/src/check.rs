@@ -58,8 +58,7 @@ pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bo
     }
     let Context { globals, tables, diags, .. } = cx;
     levels::apply(&levels, diags);
-    let ty = |item: &Item| item.ty(&tables);
-    let attrs = globals.attrs.iter().map(|item| (item.clone(), ty(item))).collect();
+    let attrs = globals.attrs.iter().map(|item| (item.clone(), item.ty(&tables))).collect();
     let index = if is_final { index(&globals, &tables) } else { Vec::new() };
     let checked = (!diags.has_errors()).then_some(Checked { globals, tables });
     Outcome { checked, attrs, index, types }

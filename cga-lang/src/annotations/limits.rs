@@ -1,6 +1,6 @@
 //! The values that an attribute may have: `@Range`, `@Enum`, and the lists that `@Range` had before 2017.1.
 
-use super::arguments::{number, whole, wrong};
+use super::arguments::{number, refuse, whole, wrong};
 use crate::diag::code::Code;
 use crate::ir::{AttrInfo, ChoiceValues, Choices, GlobalId, Presentation, Range, Type};
 use crate::resolve::context::Context;
@@ -179,10 +179,7 @@ fn are_bounds(names: &[&str]) -> bool {
 fn truth(cx: &mut Context, value: &Expr) -> Option<bool> {
     match value.kind {
         ExprKind::Bool(value) => Some(value),
-        _ => {
-            wrong(cx, value.span, "`restricted` is `true` or `false`");
-            None
-        }
+        _ => refuse(cx, value.span, "`restricted` is `true` or `false`"),
     }
 }
 
@@ -195,8 +192,7 @@ fn values(cx: &mut Context, annotation: &str, args: &[&AnnotationArg]) -> Option
             (None, ExprKind::Text(text)) if floats.is_empty() => texts.push(text.clone()),
             _ => {
                 let message = format!("the values of `@{annotation}` are all numbers or all strings");
-                wrong(cx, arg.value.span, message);
-                return None;
+                return refuse(cx, arg.value.span, message);
             }
         }
     }
@@ -206,15 +202,11 @@ fn values(cx: &mut Context, annotation: &str, args: &[&AnnotationArg]) -> Option
 /// The attribute that `valuesAttr` names.
 fn attribute(cx: &mut Context, value: &Expr) -> Option<GlobalId> {
     let ExprKind::Name(name) = &value.kind else {
-        wrong(cx, value.span, "`valuesAttr` takes the name of an attribute");
-        return None;
+        return refuse(cx, value.span, "`valuesAttr` takes the name of an attribute");
     };
     match cx.globals.value(cx.at, &name.text) {
         Some(Use::Attr(index)) => Some(GlobalId(index)),
-        Some(_) => {
-            wrong(cx, value.span, format!("`{}` is not an attribute", name.text));
-            None
-        }
+        Some(_) => refuse(cx, value.span, format!("`{}` is not an attribute", name.text)),
         None if cx.globals.is_lost(cx.at, &name.text) => None,
         None => {
             let near = nearest(&name.text, cx.globals.near(cx.at, Kind::Attrs));
@@ -242,8 +234,7 @@ fn bounds(cx: &mut Context, span: Span, args: &[AnnotationArg]) -> Option<Range>
             return None;
         }
         let Some(value) = number(&arg.value) else {
-            wrong(cx, arg.value.span, format!("`{name}` must be written as a number"));
-            return None;
+            return refuse(cx, arg.value.span, format!("`{name}` must be written as a number"));
         };
         match name {
             "min" => min = Some(value),
@@ -261,9 +252,6 @@ fn bounds(cx: &mut Context, span: Span, args: &[AnnotationArg]) -> Option<Range>
                 .help(format!("write `@Range(min = {max}, max = {min})`"));
             None
         }
-        _ => {
-            wrong(cx, span, "`@Range` needs `min` and `max`");
-            None
-        }
+        _ => refuse(cx, span, "`@Range` needs `min` and `max`"),
     }
 }

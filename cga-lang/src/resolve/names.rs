@@ -57,11 +57,6 @@ impl<'a> Scope<'_, 'a, '_> {
         self.cx.tables.later.insert((self.own, name.id()));
     }
 
-    /// Records the attribute of an import that an override gives a value to.
-    pub(crate) fn note_target(&mut self, name: &Name, attr: u32) {
-        self.cx.tables.targets.insert((self.own, name.id()), attr);
-    }
-
     /// Records the candidates of a call. If there are several, the types decide.
     pub(crate) fn note_open(&mut self, name: &Name, mut candidates: Vec<Use>) {
         match candidates.as_slice() {
@@ -156,17 +151,17 @@ impl<'a> Scope<'_, 'a, '_> {
             _ => return,
         };
         if run == Run::Later {
-            self.not_implemented(name.span, &format!("{name_of}`{}`", name.text), Some((&name.text, about)));
+            self.not_implemented(name.span, &format!("{name_of}`{}`", name.text), about);
         }
         self.deprecated(name, old);
     }
 
-    /// Reports a known feature that is not implemented yet. `about` is its name and its effect.
-    pub(crate) fn not_implemented(&mut self, span: Span, what: &str, about: Option<(&str, &str)>) {
+    /// Reports a known feature that is not implemented yet. `about` is its effect.
+    pub(crate) fn not_implemented(&mut self, span: Span, what: &str, about: &str) {
         let diag = self.cx.diags.report(Code::NotImplemented, span, format!("{what} is not implemented yet"));
         diag.detail = Detail::Later(what.replace('`', ""));
-        if let Some((name, about)) = about.filter(|(_, about)| !about.is_empty()) {
-            diag.note(format!("`{name}`: {about}"));
+        if !about.is_empty() {
+            diag.note(format!("{what}: {about}"));
         }
         diag.note("a run ignores it and reports a fault");
     }

@@ -371,7 +371,7 @@ impl<'a> Scope<'_, 'a, '_> {
             if let Override::Value(name, _) = own
                 && let Some(Use::Attr(attr)) = self.cx.globals.value(target, &name.text)
             {
-                self.note_target(name, attr);
+                self.cx.tables.targets.insert((self.own, name.id()), attr);
             }
         }
         let here = std::mem::replace(&mut self.at, target);
@@ -398,7 +398,7 @@ impl<'a> Scope<'_, 'a, '_> {
                 [Expr { kind: ExprKind::Text(text), span, .. }] => self.set_name(name, text, *span),
                 _ => {
                     words.iter().for_each(|word| self.expr(word));
-                    self.not_implemented(name.span, "`set` of an attribute whose name is computed", None);
+                    self.not_implemented(name.span, "`set` of an attribute whose name is computed", "");
                     self.note_later(name);
                 }
             },

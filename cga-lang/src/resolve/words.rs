@@ -121,7 +121,7 @@ impl<'a> Scope<'_, 'a, '_> {
             }
             _ => self.expr(arg),
         }
-        self.not_implemented(arg.span, "a word that is computed", None);
+        self.not_implemented(arg.span, "a word that is computed", "");
     }
 
     /// Resolves an argument that must be a word of a parameter.

@@ -164,6 +164,13 @@ impl Parser<'_> {
         }
     }
 
+    /// Takes the name of a declaration that is not a rule.
+    pub(super) fn plain_name(&mut self, what: &str) -> Parsed<Name> {
+        let Some(name) = self.take_name() else { return self.fail(&format!("the name of {what}")) };
+        self.no_dollar(&name, what);
+        Ok(name)
+    }
+
     /// Reports a `$`, which only names of rules can have (*changelog*, 2021.0, 2023.1).
     pub(super) fn no_dollar(&mut self, name: &Name, what: &str) {
         if name.text.contains('$') {
