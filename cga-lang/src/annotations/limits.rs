@@ -4,7 +4,7 @@ use super::arguments::{number, refuse, whole, wrong};
 use crate::diag::code::Code;
 use crate::ir::{AttrInfo, ChoiceValues, Choices, GlobalId, Presentation, Range, Type};
 use crate::resolve::context::Context;
-use crate::resolve::globals::Kind;
+use crate::resolve::globals::Namespace;
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::suggest::nearest;
@@ -12,7 +12,7 @@ use crate::syntax::ast::{AnnotationArg, Decl, Expr, ExprKind};
 
 /// The annotated values and their places.
 #[derive(Default)]
-pub(super) struct Limits {
+pub(super) struct AllowedValues {
     range: Option<(Range, Span)>,
     choices: Option<(Choices, Span)>,
     /// `valuesAttr`: the attribute that has the values.
@@ -24,7 +24,7 @@ const MOST_SHOWN: usize = 6;
 
 const BOUNDS: [&str; 4] = ["min", "max", "stepsize", "restricted"];
 
-impl Limits {
+impl AllowedValues {
     /// Reads `@Range(min=…, max=…)`, positional arguments in old files, or a list of values, optionally with labels.
     pub(super) fn range(&mut self, cx: &mut Context, span: Span, args: &[AnnotationArg]) {
         let is_text = |arg: &AnnotationArg| arg.name.is_none() && matches!(arg.value.kind, ExprKind::Text(_));
@@ -209,7 +209,7 @@ fn attribute(cx: &mut Context, value: &Expr) -> Option<GlobalId> {
         Some(_) => refuse(cx, value.span, format!("`{}` is not an attribute", name.text)),
         None if cx.globals.is_lost(cx.at, &name.text) => None,
         None => {
-            let near = nearest(&name.text, cx.globals.near(cx.at, Kind::Attrs));
+            let near = nearest(&name.text, cx.globals.near(cx.at, Namespace::Attrs));
             wrong(cx, value.span, format!("there is no attribute `{}`", name.text)).suggest(near);
             None
         }
