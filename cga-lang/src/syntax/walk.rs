@@ -83,7 +83,7 @@ impl Op {
     }
 
     /// The sequences of operations inside it, in writing order.
-    pub fn bodies(&self) -> impl Iterator<Item = &[Op]> {
+    pub fn bodies(&self) -> impl DoubleEndedIterator<Item = &[Op]> {
         self.parts().into_iter().filter_map(|part| if let OpPart::Ops(ops) = part { Some(ops) } else { None })
     }
 }
@@ -98,9 +98,16 @@ fn slots<'a>(items: &'a [SplitItem], list: &mut Vec<OpPart<'a>>) {
 }
 
 /// Every operation of a sequence, each before those inside it.
-pub fn ops<'a>(list: &'a [Op], visit: &mut dyn FnMut(&'a Op)) {
-    for op in list {
-        visit(op);
-        op.bodies().for_each(|inner| ops(inner, visit));
-    }
+pub fn ops(list: &[Op]) -> impl Iterator<Item = &Op> {
+    let mut open = vec![list.iter()];
+    std::iter::from_fn(move || {
+        while let Some(list) = open.last_mut() {
+            if let Some(op) = list.next() {
+                open.extend(op.bodies().rev().map(<[Op]>::iter));
+                return Some(op);
+            }
+            open.pop();
+        }
+        None
+    })
 }

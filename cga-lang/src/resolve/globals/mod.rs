@@ -365,10 +365,10 @@ impl<'a> Globals<'a> {
         let mut leaves: Vec<&str> = Vec::new();
         for item in self.rules.iter().filter(|item| item.home == from) {
             if let Body::Rule(ops) = &item.decl.body {
-                walk::ops(ops, &mut |op| match &op.kind {
-                    OpKind::Leaf(leaf) if leaf.text != name => leaves.push(&leaf.text),
-                    _ => {}
-                });
+                leaves.extend(walk::ops(ops).filter_map(|op| match &op.kind {
+                    OpKind::Leaf(leaf) if leaf.text != name => Some(leaf.text.as_str()),
+                    _ => None,
+                }));
             }
         }
         leaves.sort_unstable();
