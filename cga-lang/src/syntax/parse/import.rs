@@ -1,6 +1,7 @@
 //! `import id(styles) : "path" (overrides)`, and `id(overrides).Rule(arguments)` in a rule.
 
-use super::head::{Head, stem};
+use super::head::stem;
+use super::layout::Head;
 use super::{Parsed, Parser, Reported};
 use crate::diag::code::Code;
 use crate::syntax::ast::{Annotation, Body, Decl, Import, Name, Op, OpKind, Override, Role};

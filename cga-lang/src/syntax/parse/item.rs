@@ -1,6 +1,6 @@
 //! Declarations: rules, attributes, constants, functions.
 
-use super::head::Head;
+use super::layout::Head;
 use super::type_words::is_type;
 use super::{Parsed, Parser, Reported};
 use crate::diag::code::Code;

@@ -5,9 +5,28 @@
 //! is an arm in a comp block. No declaration begins between the parentheses of an import, where rules are replaced.
 
 use super::brackets::{OpenBrackets, pairs};
-use super::head::Head;
 use crate::syntax::token::{Sym, Tok};
 use std::collections::HashSet;
+
+/// The continuation of a declaration after its name, parameters and `with`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Head {
+    /// `-->`.
+    Rule,
+    /// `. -->`, as in old files.
+    Leaf,
+    /// `=`.
+    Function,
+    /// A misspelled `-->`, with the number of its tokens.
+    Slip(usize),
+}
+
+impl Head {
+    /// Returns true if only a declaration continues like this.
+    pub(super) fn is_sure(self) -> bool {
+        matches!(self, Head::Rule | Head::Leaf)
+    }
+}
 
 /// The significant tokens and their structure. Positions count the significant tokens.
 #[derive(Default)]

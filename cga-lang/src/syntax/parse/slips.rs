@@ -3,7 +3,7 @@
 //! They are recognised only where CGA would report a mistake, because a rule or attribute may have such a word as its
 //! name.
 
-use super::head::Head;
+use super::layout::Head;
 use super::type_words::is_type;
 use super::{Parsed, Parser};
 use crate::diag::RELATIVE;
