@@ -10,6 +10,7 @@ mod nesting;
 pub(crate) mod provenance;
 pub(crate) mod rotation;
 mod skeleton;
+mod status;
 pub mod tol;
 pub mod triangulate;
 pub mod uv_map;

@@ -37,10 +37,10 @@ pub use plane::{Plane, halves};
 
 use caps::{Caps, sheet_search};
 use class::Span;
+use faces::chain::Chain;
 use faces::general::General;
 use faces::near_coplanar::Rough;
-use faces::simple::Simple;
-use faces::triangle;
+use faces::{simple, triangle};
 use points::Location;
 use state::State;
 
@@ -106,7 +106,7 @@ pub(crate) fn stretched_slabs(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64], low
 #[derive(Default)]
 pub(crate) struct Cutter {
     state: State,
-    simple: Simple,
+    chain: Chain,
     general: General,
     rough: Rough,
     caps: Caps,
@@ -248,7 +248,9 @@ impl Cutter {
                 && self.rough.clip(&mut self.state, mesh, face, tag)
             {
                 continue;
-            } else if loops.len() > 1 || !self.simple.clip(&mut self.state, mesh, tag, corners, places, span) {
+            } else if loops.len() > 1
+                || !simple::clip(&mut self.chain, &mut self.state, mesh, tag, corners, places, span)
+            {
                 self.general.clip(&mut self.state, mesh, face, tag);
             }
         }

@@ -55,12 +55,6 @@ impl PieceCorner {
         self.from == self.to
     }
 
-    /// Returns true if both nodes are crossings of the same edge of a face.
-    #[inline]
-    pub(super) fn is_on_edge_of(&self, other: &PieceCorner) -> bool {
-        !self.is_corner() && (self.from, self.to) == (other.from, other.to)
-    }
-
     #[inline]
     pub(super) fn class(&self) -> Class {
         self.place.class
@@ -118,19 +112,8 @@ impl Points {
     /// Classifies the points of a mesh. They have no numbers yet.
     pub(super) fn start(&mut self, mesh: &Mesh) {
         let Points { axis, planes, places, .. } = self;
-        let axis = *axis;
         places.clear();
-        if let [plane] = planes[..] {
-            let class = |x: f64| if plane == x { Class::on(0) } else { Class::inside(u32::from(plane < x)) };
-            places.extend(mesh.points.iter().map(|p| Location { class: class(p[axis]), number: 0 }));
-        } else {
-            let class = |x: f64| {
-                let below = planes.partition_point(|&o| o < x);
-                let is_on_plane = planes.get(below) == Some(&x);
-                if is_on_plane { Class::on(below as u32) } else { Class::inside(below as u32) }
-            };
-            places.extend(mesh.points.iter().map(|p| Location { class: class(p[axis]), number: 0 }));
-        }
+        places.extend(mesh.points.iter().map(|p| Location { class: Class::among(planes, p[*axis]), number: 0 }));
         // Drops the lists left by cuts with many more planes.
         let keep = self.levels.len().min(4 * self.planes.len() + 64).max(self.planes.len());
         self.levels.resize_with(keep, Level::default);
@@ -154,7 +137,7 @@ impl Points {
             for &here in ring {
                 let class = places[here as usize].class;
                 if class != last_class {
-                    let planes = Span { low: class.min(last_class), high: class.max(last_class) }.planes();
+                    let planes = Span::between(class, last_class).planes();
                     let (low, high) = (here.min(last), here.max(last));
                     ahead.push(Ahead { planes, ends: [low, high], head: edges.head(low) });
                 }

@@ -64,7 +64,7 @@ impl State {
             points.places[index].number = if class.is_on_plane() {
                 points.add(class.plane(), p, 0.0, [NONE; 2])
             } else {
-                parts[class.slab() as usize].add_point(p)
+                parts[class.slab() as usize].mesh.add_point(p)
             };
         }
         self.rim.reset();
@@ -98,8 +98,7 @@ impl State {
         let each = if faces / each < slabs { 1 } else { each };
         let mut cut = 0;
         for face in (0..faces).step_by(each) {
-            let loops = mesh.face_loops(face);
-            let corners = mesh.loop_range(loops.start).start..mesh.loop_range(loops.end - 1).end;
+            let corners = mesh.face_corners(face);
             let count = corners.len();
             let classes = mesh.corners[corners].iter().map(|&point| points.places[point as usize].class);
             let span = Span::of(classes.clone());
@@ -113,7 +112,7 @@ impl State {
                 room[top + 1].end += many;
             } else {
                 room[top].corners += each * count;
-                room[top].loops += each * loops.len();
+                room[top].loops += each * mesh.face_loops(face).len();
             }
         }
         // A margin for faces that were not counted, and for meshes that are open or have faces that are not convex.
@@ -139,17 +138,11 @@ impl State {
         let State { parts, points, .. } = self;
         let part = &mut parts[slab as usize];
         part.whole += 1;
-        let loops = mesh.face_loops(face);
-        let corners = mesh.loop_range(loops.start).start..mesh.loop_range(loops.end - 1).end;
-        let shift = part.mesh.corners.len() as u32;
-        let base = corners.start as u32;
-        for &point in &mesh.corners[corners.clone()] {
+        for &point in &mesh.corners[mesh.face_corners(face)] {
             let number = part.number(points, points.places[point as usize], slab);
             part.mesh.corners.push(number);
         }
-        part.mesh.loop_ends.extend(mesh.loop_ends[loops].iter().map(|end| end - base + shift));
-        part.end_face(tag);
-        part.copy_carried(mesh, corners);
+        part.mesh.end_copy(mesh, face, tag);
         if touches_plane {
             self.edges_on_planes(mesh, face, slab);
         }

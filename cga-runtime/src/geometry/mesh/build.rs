@@ -171,13 +171,12 @@ impl MeshBuilder {
                     mesh.uvs.truncate(kept_from);
                     mesh.normals.truncate(kept_from);
                 } else {
-                    mesh.loop_ends.push(mesh.corners.len() as u32);
+                    mesh.end_loop();
                 }
             }
             first_loop = end_loop;
             if mesh.loop_ends.len() > face_start {
-                mesh.face_ends.push(mesh.loop_ends.len());
-                mesh.tags.push(self.tags[face]);
+                mesh.end_face(self.tags[face]);
             }
         }
         mesh.points = keep_used(&self.points, &mut mesh.corners);

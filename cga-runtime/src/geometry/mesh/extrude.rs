@@ -77,19 +77,15 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
                     grown.mesh.corners.push(point);
                 }
                 grown.copy_uvs(&order);
-                grown.end_loop();
+                grown.mesh.end_loop();
             }
-            grown.end_face(tag(if top { 3 } else { 0 }));
+            grown.mesh.end_face(tag(if top { 3 } else { 0 }));
         }
-        for (number, ring) in face.loop_ranges().enumerate() {
-            let tag = tag(if number == 0 { 1 } else { 2 });
-            for corner in ring.clone() {
-                let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
-                if !joints.inner[corner] {
-                    let [a, b] = [corner, next].map(|c| (grown.low(c), grown.high(c, body, way)));
-                    grown.wall([(a.0, corner), (b.0, next), (b.1, next), (a.1, corner)], tag);
-                }
-            }
+        let outline_end = face.corner_range().start + face.outer().len();
+        for [corner, next] in face.edges().filter(|&[corner, _]| !joints.inner[corner]) {
+            let [a, b] = [corner, next].map(|c| (grown.low(c), grown.high(c, body, way)));
+            let tag = tag(if corner < outline_end { 1 } else { 2 });
+            grown.wall([(a.0, corner), (b.0, next), (b.1, next), (a.1, corner)], tag);
         }
     }
     grown.mesh
@@ -205,13 +201,8 @@ impl Joints {
 
 /// Calls `visit` with the face, the corner and the two points of every edge.
 fn each_edge(mesh: &Mesh, mut visit: impl FnMut(usize, usize, u32, u32)) {
-    for (index, face) in mesh.faces().enumerate() {
-        for ring in face.loop_ranges() {
-            for corner in ring.clone() {
-                let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
-                visit(index, corner, mesh.corners[corner], mesh.corners[next]);
-            }
-        }
+    for face in mesh.faces() {
+        face.edges().for_each(|[corner, next]| visit(face.index(), corner, mesh.corners[corner], mesh.corners[next]));
     }
 }
 
@@ -229,8 +220,7 @@ impl Grown<'_> {
     fn low(&mut self, corner: usize) -> u32 {
         let point = self.source.corners[corner] as usize;
         if self.low[point] == u32::MAX {
-            self.low[point] = self.mesh.points.len() as u32;
-            self.mesh.points.push(self.source.points[point]);
+            self.low[point] = self.mesh.add_point(self.source.points[point]);
         }
         self.low[point]
     }
@@ -263,21 +253,12 @@ impl Grown<'_> {
             self.mesh.corners.push(point);
             self.copy_uvs(&[corner]);
         }
-        self.end_loop();
-        self.end_face(tag);
+        self.mesh.end_loop();
+        self.mesh.end_face(tag);
     }
 
     fn copy_uvs(&mut self, corners: &[usize]) {
         corners.iter().for_each(|&corner| self.mesh.uvs.push_from(&self.source.uvs, |list| list[corner]));
-    }
-
-    fn end_loop(&mut self) {
-        self.mesh.loop_ends.push(self.mesh.corners.len() as u32);
-    }
-
-    fn end_face(&mut self, tag: FaceTag) {
-        self.mesh.face_ends.push(self.mesh.loop_ends.len());
-        self.mesh.tags.push(tag);
     }
 }
 

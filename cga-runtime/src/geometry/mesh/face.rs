@@ -45,13 +45,20 @@ impl<'a> FaceRef<'a> {
 
     /// All corners, as a range of [`Mesh::corners`], [`Mesh::uvs`] and [`Mesh::normals`].
     pub fn corner_range(&self) -> Range<usize> {
-        let loops = self.mesh.face_loops(self.index);
-        self.mesh.loop_range(loops.start).start..self.mesh.loop_range(loops.end - 1).end
+        self.mesh.face_corners(self.index)
     }
 
     /// The number of corners, those of holes included.
     pub fn corner_count(&self) -> usize {
         self.corner_range().len()
+    }
+
+    /// The edges of all loops, as their first and their last corner.
+    pub(crate) fn edges(&self) -> impl Iterator<Item = [usize; 2]> + use<'a> {
+        self.loop_ranges().flat_map(|ring| {
+            let next = (ring.start + 1..ring.end).chain([ring.start]);
+            ring.zip(next).map(|(corner, next)| [corner, next])
+        })
     }
 
     /// The group, the material, the tags, and whether a cut made the face.

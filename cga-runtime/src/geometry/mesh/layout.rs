@@ -175,8 +175,7 @@ impl Mesh {
 
     /// Moves a face to the front. The order of the others stays.
     pub(crate) fn bring_to_front(&mut self, face: usize) {
-        let rings = self.face_loops(face);
-        let corners = self.loop_range(rings.start).start..self.loop_range(rings.end - 1).end;
+        let (rings, corners) = (self.face_loops(face), self.face_corners(face));
         to_front(&mut self.corners, corners.clone());
         self.uvs.bring_to_front(&corners);
         if !self.normals.is_empty() {

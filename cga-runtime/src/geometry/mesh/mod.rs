@@ -12,6 +12,7 @@
 
 mod adjacency;
 mod along_uv;
+mod assemble;
 mod build;
 pub mod check;
 mod convex;
@@ -262,5 +263,12 @@ impl Mesh {
     /// The loops of a face.
     pub(crate) fn face_loops(&self, index: usize) -> Range<usize> {
         self.face_ends.loops(index)
+    }
+
+    /// The range of a face in `corners`.
+    #[inline]
+    pub(crate) fn face_corners(&self, index: usize) -> Range<usize> {
+        let loops = self.face_loops(index);
+        self.loop_range(loops.start).start..self.loop_ends[loops.end - 1] as usize
     }
 }

@@ -48,43 +48,17 @@ pub(crate) enum OffsetError {
 /// Moves the faces of a mesh inwards (a negative distance) or outwards. Faces that cannot be moved are copied
 /// unchanged, with points of their own, and are also listed with the reason.
 pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> (Mesh, Vec<(usize, OffsetError)>) {
-    let mut made = Mesh {
-        uvs: mesh.uvs.alike(0),
-        groups: mesh.groups.clone(),
-        materials: mesh.materials.clone(),
-        tag_sets: mesh.tag_sets.clone(),
-        ..Mesh::default()
-    };
+    let mut made = mesh.alike(0);
     let mut refused = Vec::new();
     for face in mesh.faces() {
         if let Err(why) = Plane::of(&face).and_then(|plane| plane.offset(distance, keep, &mut made)) {
             refused.push((face.index(), why));
-            copy(&face, &mut made);
+            made.add_copy(&face);
         }
     }
     // The wavefront numbers points in the order of its events; rules expect vertices in the order of faces.
     made.points = in_order_of_use(&made.points, &mut made.corners);
     (made, refused)
-}
-
-/// Copies a face unchanged.
-fn copy(face: &FaceRef<'_>, made: &mut Mesh) {
-    let source = face.mesh;
-    let mut numbers = BTreeMap::new();
-    for ring in face.loop_ranges() {
-        for corner in ring {
-            let point = *numbers.entry(source.corners[corner]).or_insert_with(|| {
-                made.points.push(face.position(corner));
-                made.points.len() as u32 - 1
-            });
-            made.corners.push(point);
-            made.uvs.push_from(&source.uvs, |list| list[corner]);
-            made.normals.extend(source.normals.get(corner));
-        }
-        made.loop_ends.push(made.corners.len() as u32);
-    }
-    made.face_ends.push(made.loop_ends.len());
-    made.tags.push(face.tag());
 }
 
 /// A face projected to its plane.
@@ -245,7 +219,7 @@ impl<'p, 'a> FaceParts<'p, 'a> {
                     numbers[ring.clone()].iter().map(|&point| (point, None)).collect();
                 self.ring(&ring, 1.0);
             }
-            self.face();
+            self.end_face();
             start = end;
         }
     }
@@ -276,7 +250,7 @@ impl<'p, 'a> FaceParts<'p, 'a> {
             ring.rotate_left(first.unwrap_or(0));
         }
         self.ring(&ring, if self.outwards { -1.0 } else { 1.0 });
-        self.face();
+        self.end_face();
     }
 
     /// Adds a loop of points of the plane. Some are corners of the face.
@@ -301,12 +275,11 @@ impl<'p, 'a> FaceParts<'p, 'a> {
                 self.made.normals.push(corner.map_or_else(mixed, |c| list[c]) * looking);
             }
         }
-        self.made.loop_ends.push(self.made.corners.len() as u32);
+        self.made.end_loop();
     }
 
-    fn face(&mut self) {
-        self.made.face_ends.push(self.made.loop_ends.len());
-        self.made.tags.push(self.plane.face.tag());
+    fn end_face(&mut self) {
+        self.made.end_face(self.plane.face.tag());
     }
 }
 

@@ -19,7 +19,6 @@ mod merge_sort;
 mod pairing;
 mod probe;
 mod ring;
-mod status;
 mod sweep;
 mod winding;
 

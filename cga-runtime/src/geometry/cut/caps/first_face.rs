@@ -44,14 +44,8 @@ impl Lead {
         let Some(wall) = behind_first_edge(mesh) else { return };
         self.nodes.clear();
         for ring in mesh.face(wall).loop_ranges() {
-            let mut last = ring.end - 1;
-            for here in ring {
-                let [from, to] = [last, here].map(|c| (c, state.points.places[mesh.corners[c] as usize]));
-                // These crossings exist already: the wall was cut like all faces.
-                state.points.cross(&mut state.parts, mesh, from, to, &mut self.nodes);
-                self.nodes.push(PieceCorner::corner(here, to.1));
-                last = here;
-            }
+            // These crossings exist already: the wall was cut like all faces.
+            state.points.cross_loop(&mut state.parts, mesh, ring, &mut self.nodes);
         }
         let points = &state.points;
         let wall = Wall::of(mesh, wall);

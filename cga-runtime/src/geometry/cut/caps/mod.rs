@@ -121,9 +121,9 @@ impl Caps {
                         part.mesh.normals.push(normal);
                     }
                 }
-                part.end_loop();
+                part.mesh.end_loop();
             }
-            part.end_face(FaceTag::CAP);
+            part.mesh.end_face(FaceTag::CAP);
         }
     }
 }

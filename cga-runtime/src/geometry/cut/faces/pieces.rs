@@ -81,9 +81,9 @@ impl Rings {
                 let nodes = &mut self.nodes[ring.clone()];
                 nodes.rotate_left(first_node(nodes.iter(), &self.outline));
                 part.corners(points, mesh, nodes, slab);
-                part.end_loop();
+                part.mesh.end_loop();
             }
-            part.end_face(tag);
+            part.mesh.end_face(tag);
             start = end;
         }
         self.nodes.clear();

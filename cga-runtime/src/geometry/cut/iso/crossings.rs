@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use super::sites::Sites;
-use crate::geometry::cut::class::{Class, Span};
+use crate::geometry::cut::class::Span;
 use crate::geometry::cut::edges::Edges;
 use crate::geometry::cut::points::{Location, PieceCorner};
 use crate::geometry::cut::segment::{Segment, comes_first};
@@ -36,16 +36,16 @@ impl Crossings {
         &mut self,
         mesh: &Mesh,
         sites: &Sites,
-        from: (usize, Class),
-        to: (usize, Class),
-        nodes: &mut impl Extend<PieceCorner>,
+        from: PieceCorner,
+        to: PieceCorner,
+        nodes: &mut Vec<PieceCorner>,
     ) {
-        let span = Span { low: from.1.min(to.1), high: from.1.max(to.1) };
-        let lines = span.planes();
+        let lines = Span::between(from.class(), to.class()).planes();
         if lines.is_empty() {
             return;
         }
-        let (from, to, rises) = (from.0, to.0, from.1 < to.1);
+        let rises = from.class() < to.class();
+        let [from, to] = [from, to].map(|corner| corner.from as usize);
         let (number, new) = self.edges.entry(sites.site(from), sites.site(to), self.points.len() as u32);
         let at = |corner: usize| mesh.points[mesh.corners[corner] as usize];
         if new {

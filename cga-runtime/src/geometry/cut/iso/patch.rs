@@ -10,10 +10,10 @@ use std::ops::Range;
 
 use glam::DVec2;
 
+use super::Cutter;
 use super::band::BandSource;
-use super::chain::Chain;
-use super::{Cutter, next_in};
 use crate::geometry::cut::class::Span;
+use crate::geometry::cut::faces::chain::Chain;
 use crate::geometry::cut::faces::first_edge::first_node;
 use crate::geometry::cut::points::{NONE, PieceCorner};
 use crate::geometry::mesh::table::PairTable;
@@ -112,11 +112,9 @@ impl Patch {
         self.flat.clear();
         self.flat.extend(view.corner_range().map(|corner| projection.apply(view.position(corner))));
         self.loop_ends.clear();
+        self.loop_ends.extend(view.loop_ranges().map(|ring| (ring.end - start) as u32));
         self.next.clear();
-        for ring in view.loop_ranges() {
-            self.loop_ends.push((ring.end - start) as u32);
-            self.next.extend(ring.clone().map(|corner| (next_in(&ring, corner) - start) as u32));
-        }
+        self.next.extend(view.edges().map(|[_, next]| (next - start) as u32));
         self.triangles.clear();
         self.triangulator.polygon(&self.flat, &self.loop_ends, &mut self.triangles);
         // If loops overlap, a triangle may have the same corner twice. Then its two other sides are the same.
@@ -139,8 +137,8 @@ impl Patch {
 
     fn cut_triangle(&mut self, cutter: &mut Cutter<'_>, triangle: usize, start: usize) {
         let corners = self.triangles[triangle].map(|corner| start + corner as usize);
-        let places = corners.map(|corner| cutter.sites.place(cutter.mesh, corner));
-        let span = Span::of(places.iter().map(|place| place.class));
+        let nodes = corners.map(|corner| cutter.sites.node(cutter.mesh, corner));
+        let span = Span::of(nodes.iter().map(PieceCorner::class));
         if span.is_flat() {
             for side in diagonals(self.sides[triangle]) {
                 self.flat_sides.entry(side, 0, self.flats.len() as u32);
@@ -150,10 +148,8 @@ impl Patch {
         }
         let mut chain = std::mem::take(&mut self.chain);
         let (mesh, sites, crossings) = (cutter.mesh, &cutter.sites, &mut cutter.crossings);
-        chain.walk(corners.into_iter().zip(places), span, |from, to, nodes| {
-            crossings.cross(mesh, sites, from, to, nodes)
-        });
-        chain.bands(span, |band, ahead, back, borders| {
+        chain.walk(3, span, |i| nodes[i], |from, to, nodes| crossings.cross(mesh, sites, from, to, nodes));
+        chain.pieces(span, |band, ahead, back, borders| {
             let from = self.halves.len() as u32;
             let count = (ahead.len() + back.len()) as u32;
             for (at, node) in ahead.iter().chain(back).enumerate() {
@@ -250,7 +246,7 @@ impl Patch {
         let corners = self.triangles[triangle].map(|corner| start + corner as usize);
         let from = self.halves.len() as u32;
         for (at, corner) in (0u32..).zip(corners) {
-            let node = PieceCorner::corner(corner, cutter.sites.place(cutter.mesh, corner));
+            let node = cutter.sites.node(cutter.mesh, corner);
             let half = Half { node, band, next: from + (at + 1) % 3, twin: NONE, is_inner: false, is_traced: false };
             self.half(half, self.sides[triangle][at as usize]);
         }
@@ -345,9 +341,9 @@ impl Patch {
                     let first = ring.start + first_of_ring(&marks[ring.clone()], outline);
                     band.corners(source, &nodes[first..ring.end]);
                     band.corners(source, &nodes[ring.start..first]);
-                    band.end_loop();
+                    band.mesh.end_loop();
                 }
-                band.end_face(tag);
+                band.mesh.end_face(tag);
                 start = end;
             }
         }

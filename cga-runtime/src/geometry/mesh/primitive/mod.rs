@@ -88,7 +88,7 @@ impl Faces {
             self.mesh.corners.push(point as u32);
             self.uvs.push(uv);
         }
-        self.mesh.loop_ends.push(self.mesh.corners.len() as u32);
+        self.mesh.end_loop();
     }
 
     fn finish(self, closed: bool) -> Mesh {
