@@ -1,6 +1,8 @@
 //! Geometry: meshes and operations on them. This module does not know shapes, rules or sinks.
 
+mod buckets;
 pub mod cut;
+mod disjoint;
 mod exact;
 pub(crate) mod face_frame;
 pub(crate) mod frame;
@@ -9,6 +11,7 @@ pub mod mesh;
 mod nesting;
 pub(crate) mod provenance;
 pub(crate) mod rotation;
+mod segment;
 mod skeleton;
 mod status;
 pub mod tol;

@@ -9,6 +9,12 @@ use glam::DVec2;
 /// No node.
 const NONE: u32 = u32::MAX;
 
+/// The order of a sweep: upwards, then to the right.
+#[inline]
+pub(super) fn is_below(a: DVec2, b: DVec2) -> bool {
+    a.y < b.y || (a.y == b.y && a.x < b.x)
+}
+
 /// An entry in the tree. Links are indices, or [`NONE`].
 #[derive(Clone, Copy)]
 struct TreeNode {

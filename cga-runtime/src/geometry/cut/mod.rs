@@ -140,30 +140,18 @@ impl Cutter {
         if mesh.is_empty() {
             return slabs;
         }
-        let all_rise = offsets.windows(2).all(|w| w[0] < w[1]) && offsets.iter().all(|o| !o.is_nan());
-        let kept: Vec<usize>;
-        let sorted: Vec<f64>;
-        let (planes, slab_of): (&[f64], Option<&[usize]>) = if all_rise {
-            (offsets, None)
-        } else {
-            kept = rising(offsets);
-            sorted = kept.iter().map(|&i| offsets[i]).collect();
-            (&sorted, Some(&kept))
-        };
+        let kept = rising(offsets);
         let bounds = mesh.bounds();
         let (low, high) = (bounds.low[axis.index()], bounds.high[axis.index()]);
         // If the mesh only touches a plane, all of it is on one side, whatever the normals of faces in the plane. The
         // same holds for a plane that contains a whole closed mesh, with faces back to back: the mesh is below.
         let flat = low == high;
-        let first = planes.partition_point(|&o| o < low || (o == low && !flat));
+        let first = kept.partition_point(|&at| offsets[at] < low || (offsets[at] == low && !flat));
         let apart = flat && !mesh.is_closed();
-        let end = planes.partition_point(|&o| o < high || (o == high && apart)).max(first);
+        let end = kept.partition_point(|&at| offsets[at] < high || (offsets[at] == high && apart)).max(first);
         // Maps a slab between the counted planes to its number among all slabs: the slab directly below its upper
         // plane.
-        let number = |slab: usize| match slab_of {
-            None => slab,
-            Some(kept) => kept.get(slab).copied().unwrap_or(offsets.len()),
-        };
+        let number = |slab: usize| kept.get(slab).copied().unwrap_or(offsets.len());
         if first == end {
             slabs.parts[number(first)] = Some(mesh.clone());
             return slabs;
@@ -171,7 +159,7 @@ impl Cutter {
         self.state.points.axis = axis.index();
         self.state.points.planes.clear();
         // Adds 0.0 because a plane at -0 would give points at -0.
-        self.state.points.planes.extend(planes[first..end].iter().map(|&at| at + 0.0));
+        self.state.points.planes.extend(kept[first..end].iter().map(|&at| offsets[at] + 0.0));
         self.cut_faces(mesh);
         self.caps.close(&mut self.state, mesh, |points, plane, chain| {
             let lift = |point| points.lift(plane as u32, point);

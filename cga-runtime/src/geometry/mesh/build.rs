@@ -4,6 +4,7 @@
 //! are removed, and so are loops with fewer than three corners. A hole whose outline was removed stays, because a
 //! closed mesh must stay closed. Unused points are dropped. Otherwise the order of points, faces and corners is kept.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
@@ -125,8 +126,12 @@ impl MeshBuilder {
     }
 
     fn last_corner_count(&self) -> usize {
-        let start = self.face_ends.len().checked_sub(2).map_or(0, |f| self.loop_ends[self.face_ends[f] - 1]);
-        self.corners.len() - start
+        self.tags.len().checked_sub(1).map_or(0, |face| self.face_corners(face).len())
+    }
+
+    fn face_corners(&self, face: usize) -> Range<usize> {
+        let start = if face == 0 { 0 } else { self.loop_ends[self.face_ends[face - 1] - 1] };
+        start..self.loop_ends[self.face_ends[face] - 1]
     }
 
     /// Checks all data and makes the mesh.
@@ -194,18 +199,11 @@ impl MeshBuilder {
         if let Some(point) = self.points.iter().position(|p| !p.is_finite()) {
             return Err(MeshError::NotFinite { point });
         }
-        let (mut start, mut ring) = (0, 0);
-        for (face, &end) in self.face_ends.iter().enumerate() {
-            while ring < end {
-                for &index in &self.corners[start..self.loop_ends[ring]] {
-                    if index as usize >= self.points.len() {
-                        return Err(MeshError::OutOfRange { face, index });
-                    }
-                }
-                start = self.loop_ends[ring];
-                ring += 1;
+        for (face, tag) in self.tags.iter().enumerate() {
+            let mut corners = self.corners[self.face_corners(face)].iter();
+            if let Some(&index) = corners.find(|&&point| self.points.len() <= point as usize) {
+                return Err(MeshError::OutOfRange { face, index });
             }
-            let tag = self.tags[face];
             let fits = |index: u32, len: usize| index == FaceTag::NONE || (index as usize) < len;
             let all = [
                 fits(tag.group, self.groups.len()),

@@ -20,7 +20,7 @@ mod error;
 mod extract;
 pub mod extrude;
 mod extrude_wire;
-mod face;
+pub(crate) mod face;
 mod layout;
 pub(crate) mod map;
 mod measure;

@@ -212,15 +212,13 @@ impl<'p, 'a> FaceParts<'p, 'a> {
             .collect();
         let mut nest = Nest::default();
         nest.sort(&Section { flat: &self.swept.points, corners: &numbers, ends: &ends });
-        let mut start = 0;
-        for &end in &nest.ends {
-            for ring in &nest.order[start..end] {
+        for rings in nest.groups() {
+            for ring in rings {
                 let ring: Vec<(u32, Option<usize>)> =
                     numbers[ring.clone()].iter().map(|&point| (point, None)).collect();
                 self.ring(&ring, 1.0);
             }
             self.end_face();
-            start = end;
         }
     }
 

@@ -11,7 +11,7 @@ use glam::DVec2;
 use super::contour::Section;
 use super::merge_sort::merge_sort;
 use crate::geometry::exact::orient;
-use crate::geometry::status::{LEFT, RIGHT, Status};
+use crate::geometry::status::{LEFT, RIGHT, Status, is_below};
 
 /// No outline.
 const NONE: u32 = u32::MAX;
@@ -283,11 +283,6 @@ fn without_spikes(ring: impl Iterator<Item = DVec2>, places: &mut Vec<DVec2>) {
     if places.len() < 3 {
         places.clear();
     }
-}
-
-/// The order of the sweep: upwards, then to the right.
-fn is_below(a: DVec2, b: DVec2) -> bool {
-    a.y < b.y || (a.y == b.y && a.x < b.x)
 }
 
 #[cfg(test)]

@@ -19,7 +19,7 @@ use std::cmp::Ordering;
 use glam::DVec2;
 
 use crate::geometry::exact::orient;
-use crate::geometry::status::{LEFT, RIGHT, Status};
+use crate::geometry::status::{LEFT, RIGHT, Status, is_below};
 
 const NONE: u32 = u32::MAX;
 
@@ -260,9 +260,8 @@ impl Sweep {
     }
 }
 
-/// The order of the sweep: upwards, then to the right.
+/// Returns true if one corner comes before another in the order of the sweep.
 #[inline]
 fn below(points: &[DVec2], a: u32, b: u32) -> bool {
-    let (p, q) = (points[a as usize], points[b as usize]);
-    p.y < q.y || (p.y == q.y && p.x < q.x)
+    is_below(points[a as usize], points[b as usize])
 }

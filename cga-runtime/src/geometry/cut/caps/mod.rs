@@ -13,7 +13,7 @@ use glam::{DVec2, DVec3};
 
 use super::points::{Location, Points};
 use super::state::State;
-use crate::geometry::cut::caps::first_face::{Lead, Wish};
+use crate::geometry::cut::caps::first_face::Lead;
 use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::Contour;
@@ -73,9 +73,8 @@ impl Caps {
     /// Finds the cap of a plane that comes first and rotates it to begin with its required edge. Returns the number of
     /// the cap.
     fn turn_to_lead(&mut self, plane: u32) -> usize {
-        let mut start = 0;
-        for (group, &end) in self.nest.ends.iter().enumerate() {
-            for (number, range) in self.nest.order[start..end].iter().enumerate() {
+        for (group, rings) in self.nest.groups().enumerate() {
+            for (number, range) in rings.iter().enumerate() {
                 let ring = &mut self.contour.corners[range.clone()];
                 if let Some(at) = self.lead.edge_in(plane, ring) {
                     // The first edge of a face is an edge of its outline.
@@ -85,7 +84,6 @@ impl Caps {
                     return group;
                 }
             }
-            start = end;
         }
         0
     }
@@ -99,15 +97,15 @@ impl Caps {
         let mut normal = DVec3::ZERO;
         normal[axis] = if up { 1.0 } else { -1.0 };
         let (right, upwards) = texture_axes(normal);
-        match self.lead.wants(slab, plane) {
-            Some(Wish::First) => part.lead = Some(part.mesh.face_ends.len()),
-            Some(Wish::Second) => part.lead = part.lead.or(Some(part.mesh.face_ends.len())),
-            None => {}
+        if let Some(is_nearer) = self.lead.is_nearer(slab, plane)
+            && (is_nearer || part.lead.is_none())
+        {
+            part.lead = Some(part.mesh.face_count());
         }
-        let groups = self.nest.ends.len();
-        for group in std::iter::once(first).chain((0..groups).filter(|&group| group != first)) {
-            let start = if group == 0 { 0 } else { self.nest.ends[group - 1] };
-            for range in &self.nest.order[start..self.nest.ends[group]] {
+        let groups = self.nest.groups();
+        for rings in groups.clone().skip(first).take(1).chain(groups.clone().take(first)).chain(groups.skip(first + 1))
+        {
+            for range in rings {
                 let ring = &self.contour.corners[range.clone()];
                 for i in 0..ring.len() {
                     // Reversed, with the first edge first: 1 0 n-1 … 2.

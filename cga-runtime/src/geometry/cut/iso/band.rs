@@ -4,18 +4,9 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::coordinate::Coordinate;
 use super::crossings::Crossings;
 use crate::geometry::cut::points::{NONE, PieceCorner};
 use crate::geometry::mesh::{FaceTag, Mesh};
-
-/// The source of pieces.
-#[derive(Clone, Copy)]
-pub(super) struct BandSource<'c> {
-    pub(super) mesh: &'c Mesh,
-    pub(super) crossings: &'c Crossings,
-    pub(super) coordinate: Coordinate,
-}
 
 /// A band. Until it is finished, its corners are numbers of points of the source, followed by numbers of crossings.
 pub(super) struct Band {
@@ -42,8 +33,8 @@ impl Band {
     }
 
     /// Adds corners with their values.
-    pub(super) fn corners(&mut self, source: BandSource<'_>, nodes: &[PieceCorner]) {
-        let BandSource { mesh: source, crossings, coordinate } = source;
+    pub(super) fn corners(&mut self, source: &Mesh, crossings: &Crossings, nodes: &[PieceCorner]) {
+        let coordinate = crossings.coordinate;
         for node in nodes {
             self.mesh.corners.push(node.place.number);
             let [from, to] = [node.from as usize, node.to as usize];

@@ -3,6 +3,7 @@
 
 use glam::DVec3;
 
+use super::coordinate::Coordinate;
 use super::sites::Sites;
 use crate::geometry::cut::class::Span;
 use crate::geometry::cut::edges::Edges;
@@ -12,6 +13,7 @@ use crate::geometry::mesh::Mesh;
 
 /// All crossings of a cut. They are numbered after the points of the mesh.
 pub(super) struct Crossings {
+    pub(super) coordinate: Coordinate,
     /// The lines within the range of the mesh.
     pub(super) lines: Vec<f64>,
     /// The positions of crossings.
@@ -25,10 +27,10 @@ pub(super) struct Crossings {
 }
 
 impl Crossings {
-    pub(super) fn new(lines: Vec<f64>, sites: usize, points: usize) -> Self {
+    pub(super) fn new(coordinate: Coordinate, lines: Vec<f64>, sites: usize, points: usize) -> Self {
         let mut edges = Edges::default();
         edges.reset(sites);
-        Crossings { lines, points: Vec::new(), shares: Vec::new(), edges, base: points as u32 }
+        Crossings { coordinate, lines, points: Vec::new(), shares: Vec::new(), edges, base: points as u32 }
     }
 
     /// Appends the crossings of the edge from one corner to another, in the order along the edge.

@@ -25,7 +25,7 @@ use super::faces::chain::{Chain, rises_once, runs};
 use super::rising;
 use crate::geometry::mesh::{FaceRef, FaceTag, Mesh, TooManyCorners, UvAxis};
 use affine::is_affine;
-use band::{Band, BandSource, Numbers};
+use band::{Band, Numbers};
 use coordinate::Coordinate;
 use crossings::Crossings;
 use patch::Patch;
@@ -108,7 +108,6 @@ fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
 struct Cutter<'m> {
     mesh: &'m Mesh,
     most: usize,
-    coordinate: Coordinate,
     sites: Sites,
     crossings: Crossings,
     bands: Vec<Band>,
@@ -121,13 +120,13 @@ struct Cutter<'m> {
 impl<'m> Cutter<'m> {
     fn new(mesh: &'m Mesh, coordinate: Coordinate, lines: Vec<f64>, most: usize) -> Self {
         let sites = Sites::of(mesh, coordinate, &lines);
-        let crossings = Crossings::new(lines, sites.len(), mesh.points.len());
+        let crossings = Crossings::new(coordinate, lines, sites.len(), mesh.points.len());
         let count = crossings.lines.len() + 1;
         let bands = (0..count).map(|_| Band::new(mesh, count)).collect();
         let (chain, patch) = Default::default();
         // Points and crossings have 32-bit numbers.
         let most = most.min(u32::MAX as usize / 16);
-        Cutter { mesh, most, coordinate, sites, crossings, bands, chain, patch, made: 0 }
+        Cutter { mesh, most, sites, crossings, bands, chain, patch, made: 0 }
     }
 
     fn cut_faces(&mut self) -> Result<(), TooManyCorners> {
@@ -152,12 +151,14 @@ impl<'m> Cutter<'m> {
         }
         let is_triangle = corners.len() == 3;
         let is_one_way = mesh.face_loops(face).len() == 1 && (is_triangle || self.rises_once(corners.clone()));
-        if is_one_way && (is_triangle || mesh.face(face).is_convex() || is_affine(mesh, face, self.coordinate)) {
+        if is_one_way
+            && (is_triangle || mesh.face(face).is_convex() || is_affine(mesh, face, self.crossings.coordinate))
+        {
             self.count(self.crossings_of(&mesh.face(face)))?;
             self.cut_chain(corners, tag, span);
             return Ok(());
         }
-        let is_affine = is_affine(mesh, face, self.coordinate);
+        let is_affine = is_affine(mesh, face, self.crossings.coordinate);
         let mut patch = std::mem::take(&mut self.patch);
         let result = patch.cut(self, face, is_affine);
         self.patch = patch;
@@ -188,7 +189,9 @@ impl<'m> Cutter<'m> {
 
     /// Returns true if the coordinate rises once and falls once around a loop, and repeats only at its ends.
     fn rises_once(&self, corners: Range<usize>) -> bool {
-        let values = self.mesh.uv_set(self.coordinate.set)[corners].iter().map(|uv| uv[self.coordinate.axis]);
+        let values = self.mesh.uv_set(self.crossings.coordinate.set)[corners]
+            .iter()
+            .map(|uv| uv[self.crossings.coordinate.axis]);
         let (low, high) = range(values.clone());
         rises_once(values, |value| value == low || value == high)
     }
@@ -198,11 +201,10 @@ impl<'m> Cutter<'m> {
         let Cutter { mesh, sites, crossings, chain, .. } = self;
         let node = |i: usize| sites.node(mesh, corners.start + i);
         chain.walk(corners.len(), span, node, |from, to, nodes| crossings.cross(mesh, sites, from, to, nodes));
-        let source = BandSource { mesh, crossings, coordinate: self.coordinate };
         chain.pieces(span, |band, ahead, back, _| {
             let Some(runs) = runs(ahead, back, &corners) else { return };
             let band = &mut self.bands[band as usize];
-            runs.into_iter().for_each(|run| band.corners(source, run));
+            runs.into_iter().for_each(|run| band.corners(mesh, crossings, run));
             band.mesh.end_loop();
             band.mesh.end_face(tag);
         });

@@ -11,15 +11,14 @@ use std::ops::Range;
 use glam::DVec2;
 
 use super::Cutter;
-use super::band::BandSource;
 use crate::geometry::cut::class::Span;
 use crate::geometry::cut::faces::chain::Chain;
 use crate::geometry::cut::faces::first_edge::first_node;
+use crate::geometry::cut::faces::pieces::close_ring;
 use crate::geometry::cut::points::{NONE, PieceCorner};
 use crate::geometry::mesh::table::PairTable;
 use crate::geometry::mesh::{FaceTag, TooManyCorners};
 use crate::geometry::nesting::Nest;
-use crate::geometry::nesting::contour::Section;
 use crate::geometry::tol::AFFINE_EPSILON;
 use crate::geometry::triangulate::{Projection, Triangulator};
 
@@ -284,30 +283,16 @@ impl Patch {
 
     /// Ends a ring. Repeated corners are removed, and rings with fewer than three corners are dropped.
     fn end_ring(&mut self, from: usize, band: u32) {
-        let mut kept = from;
-        for at in from..self.nodes.len() {
-            if kept == from || self.nodes[kept - 1].0.place.number != self.nodes[at].0.place.number {
-                self.nodes[kept] = self.nodes[at];
-                kept += 1;
-            }
-        }
-        if kept > from + 1 && self.nodes[kept - 1].0.place.number == self.nodes[from].0.place.number {
-            kept -= 1;
-        }
-        if kept < from + 3 {
-            kept = from;
-        } else {
-            let nodes = self.nodes[from..kept].iter().filter(|(_, is_inner)| !is_inner);
+        if close_ring(&mut self.nodes, from, |(node, _)| node.place.number) {
+            let nodes = self.nodes[from..].iter().filter(|(_, is_inner)| !is_inner);
             let edge = nodes.map(|(node, _)| edge_of(node)).min().unwrap_or(NONE);
-            self.rings.push(Ring { band, edge, nodes: from..kept });
+            self.rings.push(Ring { band, edge, nodes: from..self.nodes.len() });
         }
-        self.nodes.truncate(kept);
     }
 
     /// Adds the rings to their bands as faces.
     fn emit(&mut self, cutter: &mut Cutter<'_>, projection: Projection, outline: &Range<usize>, tag: FaceTag) {
-        let coordinate = cutter.coordinate;
-        let (mut flat, mut numbers, mut ends) = (Vec::new(), Vec::new(), Vec::new());
+        let mut ends = Vec::new();
         let (mut nodes, mut marks): (Vec<PieceCorner>, Vec<PieceCorner>) = (Vec::new(), Vec::new());
         for rings in self.rings.chunk_by(|a, b| a.band == b.band) {
             nodes.clear();
@@ -321,30 +306,18 @@ impl Patch {
                 }
                 ends.push(nodes.len());
             }
-            if let [end] = ends[..] {
-                self.nest.single(end);
-            } else {
-                flat.clear();
-                let at =
-                    |node: &PieceCorner| projection.apply(cutter.crossings.position(cutter.mesh, node.place.number));
-                flat.extend(nodes.iter().map(at));
-                numbers.clear();
-                numbers.extend(0..nodes.len() as u32);
-                self.nest.sort(&Section { flat: &flat, corners: &numbers, ends: &ends });
-            }
             let Cutter { mesh, crossings, bands, .. } = &mut *cutter;
-            let source = BandSource { mesh, crossings, coordinate };
+            let at = |node: usize| projection.apply(crossings.position(mesh, nodes[node].place.number));
+            self.nest.sort_rings(&ends, at);
             let band = &mut bands[rings[0].band as usize];
-            let mut start = 0;
-            for &end in &self.nest.ends {
-                for ring in &self.nest.order[start..end] {
+            for group in self.nest.groups() {
+                for ring in group {
                     let first = ring.start + first_of_ring(&marks[ring.clone()], outline);
-                    band.corners(source, &nodes[first..ring.end]);
-                    band.corners(source, &nodes[ring.start..first]);
+                    band.corners(mesh, crossings, &nodes[first..ring.end]);
+                    band.corners(mesh, crossings, &nodes[ring.start..first]);
                     band.mesh.end_loop();
                 }
                 band.mesh.end_face(tag);
-                start = end;
             }
         }
     }
