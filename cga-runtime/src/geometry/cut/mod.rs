@@ -35,7 +35,7 @@ pub use iso::iso_bands;
 pub(crate) use plane::above;
 pub use plane::{Plane, halves};
 
-use caps::{Caps, sheet_search};
+use caps::{CapTexture, Caps, sheet_search};
 use class::Span;
 use faces::chain::Chain;
 use faces::general::General;
@@ -88,18 +88,13 @@ pub struct OpenChain {
 /// assert!(slabs.parts[2].is_none() && slabs.open.is_empty());
 /// ```
 pub fn slabs(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64]) -> Slabs {
-    Cutter::with(|cutter| cutter.slabs(mesh, axis, offsets))
+    Cutter::with(|cutter| cutter.slabs(mesh, axis, offsets, CapTexture::UNCHANGED))
 }
 
 /// The same as [`slabs`] for a stretched mesh. The texture coordinates of caps begin at the point `low`, and `stretch`
 /// converts them to metres.
 pub(crate) fn stretched_slabs(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64], low: DVec3, stretch: DVec3) -> Slabs {
-    Cutter::with(|cutter| {
-        cutter.caps.in_metres(low, stretch);
-        let slabs = cutter.slabs(mesh, axis, offsets);
-        cutter.caps.in_metres(DVec3::ZERO, DVec3::ONE);
-        slabs
-    })
+    Cutter::with(|cutter| cutter.slabs(mesh, axis, offsets, CapTexture { low, stretch }))
 }
 
 /// Buffers that are reused by the next cut.
@@ -135,7 +130,7 @@ impl Cutter {
         })
     }
 
-    pub(crate) fn slabs(&mut self, mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64]) -> Slabs {
+    pub(crate) fn slabs(&mut self, mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64], texture: CapTexture) -> Slabs {
         let mut slabs = Slabs { parts: vec![None; offsets.len() + 1], open: Vec::new() };
         if mesh.is_empty() {
             return slabs;
@@ -161,7 +156,7 @@ impl Cutter {
         // Adds 0.0 because a plane at -0 would give points at -0.
         self.state.points.planes.extend(kept[first..end].iter().map(|&at| offsets[at] + 0.0));
         self.cut_faces(mesh);
-        self.caps.close(&mut self.state, mesh, |points, plane, chain| {
+        self.caps.close(&mut self.state, mesh, texture, |points, plane, chain| {
             let lift = |point| points.lift(plane as u32, point);
             let points = chain.into_iter().map(lift).collect();
             slabs.open.push(OpenChain { plane: number(plane + first), points });
@@ -185,14 +180,11 @@ impl Cutter {
 
     /// Reads the places of a block of corners that begins with the corners of a face. Returns the end of the block.
     #[inline(never)]
-    fn read_block(&mut self, mesh: &Mesh, first_loop: usize, corners: Range<usize>) -> usize {
+    fn read_block(&mut self, mesh: &Mesh, corners: Range<usize>) -> usize {
         let end = corners.end.max(corners.start + BLOCK).min(mesh.corners.len());
         let places = &self.state.points.places;
         self.block.clear();
         self.block.extend(mesh.corners[corners.start..end].iter().map(|&point| places[point as usize]));
-        if self.state.reads_ahead {
-            self.state.points.read_ahead(mesh, first_loop, end);
-        }
         end
     }
 
@@ -206,7 +198,7 @@ impl Cutter {
             let corners = start..mesh.loop_ends[loops.end - 1] as usize;
             start = corners.end;
             if block_end < corners.end {
-                (block_start, block_end) = (corners.start, self.read_block(mesh, loops.start, corners.clone()));
+                (block_start, block_end) = (corners.start, self.read_block(mesh, corners.clone()));
             }
             let places = &self.block[corners.start - block_start..corners.end - block_start];
             if let [p, q, r] = *places {

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec2, DVec3};
 
-use super::caps::texture_axes;
+use super::caps::{CapTexture, texture_axes};
 use super::points::NONE;
 use super::{Cutter, OpenChain, Slabs};
 use crate::geometry::Frame;
@@ -96,7 +96,7 @@ impl Cutter {
         let mut slabs = Slabs { parts: Vec::new(), open: Vec::new() };
         let mut open = Vec::new();
         if close {
-            self.caps.close(&mut self.state, &local, |_, _, chain| open.push(chain));
+            self.caps.close(&mut self.state, &local, CapTexture::UNCHANGED, |_, _, chain| open.push(chain));
         }
         let met = self.state.points.on_plane_of(&mesh.points, &local.points);
         for chain in open {

@@ -111,9 +111,6 @@ impl Slab {
             self.mesh.bring_to_front(lead);
         }
         self.mesh.give_back_room();
-        if closed {
-            let _ = self.mesh.derived.closed.set(true);
-        }
-        Some(Arc::new(self.mesh))
+        Some(Arc::new(if closed { self.mesh.known_closed(true) } else { self.mesh }))
     }
 }

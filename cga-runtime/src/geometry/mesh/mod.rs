@@ -254,6 +254,12 @@ impl Mesh {
         }
     }
 
+    /// The same mesh, which is known to be closed or not.
+    pub(crate) fn known_closed(self, closed: bool) -> Mesh {
+        let _ = self.derived.closed.set(closed);
+        self
+    }
+
     /// The range of a loop in `corners`.
     pub(crate) fn loop_range(&self, index: usize) -> Range<usize> {
         let start = if index == 0 { 0 } else { self.loop_ends[index - 1] };

@@ -114,8 +114,7 @@ impl<'a> Plane<'a> {
 
     fn offset(&self, distance: f64, keep: OffsetFaces, made: &mut Mesh) -> Result<(), OffsetError> {
         let outwards = 0.0 < distance;
-        let edges = Edges::of(&self.face, outwards);
-        let rings: Vec<Vec<u32>> = edges.loops().map(|ring| ring.map(|c| self.corners[c]).collect()).collect();
+        let (edges, rings) = self.edges(outwards);
         let swept = skeleton::sweep(&self.flat, &rings, distance.abs()).map_err(|failure| match failure {
             Failure::TooMany => OffsetError::TooMany,
             Failure::Tangled => OffsetError::Tangled,
@@ -126,49 +125,29 @@ impl<'a> Plane<'a> {
             part.inside(&edges);
         }
         if keep != OffsetFaces::Inside {
-            let mut strips: Vec<(usize, &Strip)> =
-                swept.strips.iter().map(|strip| (edges.corner(strip.edge), strip)).collect();
-            strips.sort_by_key(|strip| strip.0);
-            strips.iter().for_each(|(corner, strip)| part.strip(*corner, strip, &edges));
+            let mut strips: Vec<([usize; 2], &Strip)> =
+                swept.strips.iter().map(|strip| (edges[strip.edge as usize], strip)).collect();
+            strips.sort_by_key(|(edge, _)| edge[0]);
+            strips.iter().for_each(|(edge, strip)| part.strip(*edge, strip));
         }
         Ok(())
     }
-}
 
-/// The edges of a face, by their first corner, in the order in which they are swept. For an outward offset the loops
-/// are reversed.
-struct Edges {
-    /// The first corner and the number of corners of each loop.
-    loops: Vec<(usize, usize)>,
-    turned: bool,
-}
-
-impl Edges {
-    fn of(face: &FaceRef<'_>, turned: bool) -> Self {
-        let start = face.corner_range().start;
-        Edges { loops: face.loop_ranges().map(|ring| (ring.start - start, ring.len())).collect(), turned }
-    }
-
-    /// The corners of each loop in swept order.
-    fn loops(&self) -> impl Iterator<Item = impl Iterator<Item = usize>> {
-        let turned = self.turned;
-        let place = move |k: usize, count: usize| if turned { (count - k) % count } else { k };
-        self.loops.iter().map(move |&(start, count)| (0..count).map(move |k| start + place(k, count)))
-    }
-
-    /// The first corner of an edge in the face.
-    fn corner(&self, edge: u32) -> usize {
-        let edge = edge as usize;
-        let ring = self.loops.partition_point(|&(start, _)| start <= edge) - 1;
-        let (start, count) = self.loops[ring];
-        if self.turned { start + count - 1 - (edge - start) } else { edge }
-    }
-
-    /// The next corner in a corner's loop.
-    fn next(&self, corner: usize) -> usize {
-        let ring = self.loops.partition_point(|&(start, _)| start <= corner) - 1;
-        let (start, count) = self.loops[ring];
-        if corner + 1 == start + count { start } else { corner + 1 }
+    /// The edges of the face in the order in which they are swept, with their corners counted from the first one of the
+    /// face, and the points of its loops. For an outward offset the loops are reversed.
+    fn edges(&self, outwards: bool) -> (Vec<[usize; 2]>, Vec<Vec<u32>>) {
+        let start = self.face.corner_range().start;
+        let (mut edges, mut rings) = (Vec::new(), Vec::new());
+        let mut all = self.face.edges().map(|edge| edge.map(|corner| corner - start));
+        for ring in self.face.loops() {
+            let first = edges.len();
+            edges.extend(all.by_ref().take(ring.len()));
+            if outwards {
+                edges[first..].reverse();
+            }
+            rings.push(edges[first..].iter().map(|edge| self.corners[edge[usize::from(outwards)]]).collect());
+        }
+        (edges, rings)
     }
 }
 
@@ -199,7 +178,7 @@ impl<'p, 'a> FaceParts<'p, 'a> {
 
     /// Adds the interiors of the moved outlines: loops grouped to outlines and holes, each beginning with its first
     /// edge.
-    fn inside(&mut self, edges: &Edges) {
+    fn inside(&mut self, edges: &[[usize; 2]]) {
         let mut rings: Vec<Vec<(usize, u32)>> = self.swept.left.iter().map(|ring| self.ahead(ring, edges)).collect();
         rings.sort_unstable_by_key(|ring| ring[0]);
         let numbers: Vec<u32> = rings.iter().flatten().map(|corner| corner.1).collect();
@@ -224,11 +203,11 @@ impl<'p, 'a> FaceParts<'p, 'a> {
 
     /// A loop of the remaining interior in the direction of the face, beginning with the first edge. For each corner it
     /// has the face's edge that the next side belongs to, and the point.
-    fn ahead(&self, ring: &[Left], edges: &Edges) -> Vec<(usize, u32)> {
+    fn ahead(&self, ring: &[Left], edges: &[[usize; 2]]) -> Vec<(usize, u32)> {
         let count = ring.len();
         let side = |k: usize| {
             let (edge, from) = if self.outwards { (count - 1 - k, (count - k) % count) } else { (k, k) };
-            (edges.corner(ring[edge].edge), ring[from].point)
+            (edges[ring[edge].edge as usize][0], ring[from].point)
         };
         let mut sides: Vec<(usize, u32)> = (0..count).map(side).collect();
         let first = (0..count).min_by_key(|&k| sides[k].0).unwrap_or(0);
@@ -236,9 +215,9 @@ impl<'p, 'a> FaceParts<'p, 'a> {
         sides
     }
 
-    /// Adds the strip of the edge from a corner of the face to the next.
-    fn strip(&mut self, corner: usize, strip: &Strip, edges: &Edges) {
-        let own = |point: u32| [corner, edges.next(corner)].into_iter().find(|&c| self.plane.corners[c] == point);
+    /// Adds the strip of an edge of the face.
+    fn strip(&mut self, edge: [usize; 2], strip: &Strip) {
+        let own = |point: u32| edge.into_iter().find(|&c| self.plane.corners[c] == point);
         let mut ring: Vec<(u32, Option<usize>)> = strip.ring.iter().map(|&point| (point, own(point))).collect();
         if self.outwards {
             flip(&mut ring);

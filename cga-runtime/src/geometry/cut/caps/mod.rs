@@ -18,33 +18,38 @@ use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::Contour;
 
-/// Buffers, and the origin and scale of the texture coordinates of caps.
+/// The origin of the texture coordinates of caps, a point of the mesh, and the factors that convert the mesh's lengths to
+/// metres.
+#[derive(Clone, Copy)]
+pub(crate) struct CapTexture {
+    pub(crate) low: DVec3,
+    pub(crate) stretch: DVec3,
+}
+
+impl CapTexture {
+    /// The coordinates of the mesh.
+    pub(crate) const UNCHANGED: CapTexture = CapTexture { low: DVec3::ZERO, stretch: DVec3::ONE };
+}
+
+/// Buffers.
+#[derive(Default)]
 pub(crate) struct Caps {
-    low: DVec3,
-    stretch: DVec3,
     edges: Vec<[u32; 2]>,
     contour: Contour,
     nest: Nest,
     lead: Lead,
 }
 
-impl Default for Caps {
-    fn default() -> Self {
-        let (edges, contour, nest, lead) = Default::default();
-        Caps { low: DVec3::ZERO, stretch: DVec3::ONE, edges, contour, nest, lead }
-    }
-}
-
 impl Caps {
-    /// Sets the origin of the texture coordinates of caps, a point of the mesh, and the factors that convert the mesh's
-    /// lengths to metres.
-    pub(crate) fn in_metres(&mut self, low: DVec3, stretch: DVec3) {
-        (self.low, self.stretch) = (low, stretch);
-    }
-
     /// Adds the caps of every plane to the slabs on both sides of it. Chains that do not close are passed to `open`,
     /// with their plane, as numbers of points on it.
-    pub(crate) fn close(&mut self, state: &mut State, mesh: &Mesh, mut open: impl FnMut(&Points, usize, Vec<u32>)) {
+    pub(crate) fn close(
+        &mut self,
+        state: &mut State,
+        mesh: &Mesh,
+        texture: CapTexture,
+        mut open: impl FnMut(&Points, usize, Vec<u32>),
+    ) {
         let planes = state.points.planes.len();
         state.rim.sort(planes);
         let mut sought = false;
@@ -65,8 +70,9 @@ impl Caps {
             }
             let plane = plane as u32;
             let first = self.turn_to_lead(plane);
-            self.add(state, mesh, plane, plane, first);
-            self.add(state, mesh, plane, plane + 1, first);
+            for slab in [plane, plane + 1] {
+                self.add(state, mesh, texture, plane, slab, first);
+            }
         }
     }
 
@@ -89,7 +95,7 @@ impl Caps {
     }
 
     /// Adds the caps of a plane to one of its slabs, beginning with the cap number `first`.
-    fn add(&self, state: &mut State, mesh: &Mesh, plane: u32, slab: u32, first: usize) {
+    fn add(&self, state: &mut State, mesh: &Mesh, texture: CapTexture, plane: u32, slab: u32, first: usize) {
         let State { parts, points, .. } = state;
         let axis = points.axis;
         let up = slab == plane;
@@ -113,7 +119,7 @@ impl Caps {
                     let number = part.number(points, Location::on(plane, corner), slab);
                     part.mesh.corners.push(number);
                     let point = part.mesh.points[number as usize];
-                    let metres = (point - self.low) * self.stretch;
+                    let metres = (point - texture.low) * texture.stretch;
                     part.mesh.uvs.push_from(&mesh.uvs, |_| DVec2::new(right.dot(metres), upwards.dot(metres)));
                     if !mesh.normals.is_empty() {
                         part.mesh.normals.push(normal);

@@ -29,13 +29,9 @@ pub(crate) fn find(state: &mut State, mesh: &Mesh) -> bool {
     if !flat.is_empty() {
         state.rim.sort(state.points.planes.len());
         let mut missing = Vec::new();
-        let mut next = 0;
         for together in flat.chunk_by(|a, b| a.plane == b.plane) {
             let plane = together[0].plane as usize;
-            // `missing` must be called for each plane in order.
-            for plane in std::mem::replace(&mut next, plane + 1)..=plane {
-                state.rim.missing(plane, &mut missing);
-            }
+            state.rim.missing(plane, &mut missing);
             if !missing.is_empty() {
                 let places = &state.points.places;
                 let mut search = Search::new(mesh, places, together, &mut missing);

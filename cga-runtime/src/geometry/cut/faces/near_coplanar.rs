@@ -96,7 +96,8 @@ impl Rough {
         }
         let span = Span::of(places.iter().map(|place| place.class));
         let slabs = if span.is_flat() {
-            let slab = state.slab_of_triangle(mesh, places, span.low.plane());
+            let plane = span.low.plane();
+            let slab = plane + u32::from(state.is_triangle_above(mesh, places, plane));
             slab..=slab
         } else {
             span.slabs()
