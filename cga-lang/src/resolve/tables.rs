@@ -1,10 +1,11 @@
 //! Side tables: the results of the passes, by name.
 
-use super::info::{AttrInfo, ImportInfo, RuleInfo};
+use super::info::{ImportInfo, RuleInfo};
 use crate::hash::FastMap;
+use crate::ir::AttrInfo;
 use crate::link::{InstanceId, Key};
 use crate::ops::{Function, Operation, ShapeAttr};
-use crate::syntax::ast::Name;
+use crate::syntax::ast::{Expr, ExprKind, Name};
 use crate::types::Type;
 use std::collections::{HashMap, HashSet};
 
@@ -85,6 +86,14 @@ impl Entries<'_> {
     /// The meaning of a name.
     pub(crate) fn of(self, name: &Name) -> Option<Use> {
         self.tables.uses.get(&(self.own, name.id())).copied()
+    }
+
+    /// Calls `visit` with the meaning of each name in an expression.
+    pub(crate) fn uses(self, expr: &Expr, visit: &mut dyn FnMut(Option<Use>)) {
+        if let ExprKind::Name(name) | ExprKind::Call(name, _) = &expr.kind {
+            visit(self.of(name));
+        }
+        expr.parts().into_iter().for_each(|part| self.uses(part, visit));
     }
 
     /// The type of a declared name.

@@ -2,7 +2,7 @@
 
 mod buckets;
 pub mod cut;
-mod disjoint;
+pub(crate) mod disjoint;
 mod exact;
 pub(crate) mod face_frame;
 pub(crate) mod frame;
