@@ -52,6 +52,12 @@ pub(super) fn orient(a: Point, b: Point, c: Point) -> i128 {
     cross(b.from(a), c.from(a))
 }
 
+/// Returns true if the bounding boxes of two segments do not touch.
+pub(super) fn are_apart([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
+    let apart = |a: i64, b: i64, c: i64, d: i64| a.max(b) < c.min(d) || c.max(d) < a.min(b);
+    apart(a.x, b.x, c.x, d.x) || apart(a.y, b.y, c.y, d.y)
+}
+
 /// Twice the signed area of a ring in square grid units, positive when it is counter-clockwise.
 pub(super) fn twice_area(ring: &[Point]) -> i128 {
     let Some(&from) = ring.first() else { return 0 };

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::grid::{Map, Point, is_sliver, twice_area, winding};
 use super::mesh::{Face, mesh};
-use super::pieces::{Piece, Pieces, Plan, Run, RunKind};
+use super::pieces::{Piece, Pieces, Plan, Run};
 use super::subdivision::{NONE, Subdivision};
 use super::{Kind, MOST_CROSSINGS, Part, Side, StreetError};
 use crate::geometry::disjoint::DisjointSets;
@@ -168,7 +168,7 @@ fn street(
 ) -> Option<Part> {
     let forward = run.line.is_none_or(|(_, forward)| forward);
     let length = run.along[1] - run.along[0];
-    let is_road = run.kind == RunKind::Roadway;
+    let is_road = run.kind == Kind::Street;
     let coordinates = |value: DVec3| {
         let [from, to] = [value.x - run.along[0], run.along[1] - value.x];
         let (from, to) = if forward { (from, to) } else { (to, from) };
@@ -190,14 +190,21 @@ fn street(
             faces.push(Face { rings, uvs });
         }
     }
-    let (kind, side) = match run.kind {
-        RunKind::Roadway => (Kind::Street, None),
-        RunKind::Left => (Kind::Sidewalk, Some(if forward { Side::Left } else { Side::Right })),
-        RunKind::Right => (Kind::Sidewalk, Some(if forward { Side::Right } else { Side::Left })),
-        RunKind::Corner => (Kind::Sidewalk, None),
-    };
+    let side = run.side.map(|side| match side {
+        Side::Left if !forward => Side::Right,
+        Side::Right if !forward => Side::Left,
+        side => side,
+    });
     let mesh = mesh(&faces, heights, if run.line.is_some() { 3 } else { 1 })?;
-    Some(Part { kind, side, line: run.line.map(|(line, _)| line as usize), length, width: run.width, arms: 0, mesh })
+    Some(Part {
+        kind: run.kind,
+        side,
+        line: run.line.map(|(line, _)| line as usize),
+        length,
+        width: run.width,
+        arms: 0,
+        mesh,
+    })
 }
 
 /// A junction, with coordinates from 0 to 1 along and across its first arm.
