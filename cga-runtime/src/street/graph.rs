@@ -184,10 +184,7 @@ fn reach_segments(paths: &mut [Vec<Vertex>], snap: f64) {
             homes.push((line, at));
         }
     }
-    let mut buckets = Buckets::for_segments(&segments);
-    for (number, &segment) in segments.iter().enumerate() {
-        buckets.add_segment(segment, number as u32);
-    }
+    let buckets = Buckets::of_segments(&segments);
     let margin = (snap / super::grid::UNIT) as i64 + 1;
     let mut added: BTreeMap<(usize, usize), Vec<Vertex>> = BTreeMap::new();
     for line in 0..paths.len() {

@@ -25,10 +25,12 @@ const MOST_TANGENT: f64 = 4.0;
 const CORNER_STEP: f64 = 15.0;
 
 /// The layout of a junction.
+#[derive(Default)]
 pub(super) struct Layout {
     /// The stations where the arms end, by chain and end.
     pub(super) stations: Vec<(u32, usize, Station)>,
-    pub(super) roadway: Vec<Point>,
+    /// The area of the roadway, in one or more rings.
+    pub(super) roadway: Vec<Vec<Point>>,
     /// The sidewalks around the corners.
     pub(super) corners: Vec<SideStrip>,
 }
@@ -165,7 +167,7 @@ pub(super) fn layout(node: &ChainNode, chains: &[Chain], radius: f64) -> Option<
         let station = if arm.end == 0 { stations[at] } else { arm.chain.reversed_station(stations[at]) };
         (arm.number, arm.end, station)
     };
-    Some(Layout { stations: (0..count).map(to_chain).collect(), roadway, corners })
+    Some(Layout { stations: (0..count).map(to_chain).collect(), roadway: vec![roadway], corners })
 }
 
 impl Section {
@@ -309,9 +311,9 @@ fn is_simple(ring: &[Point]) -> bool {
 }
 
 /// The fans that fill the outer sides of a junction whose arms begin at its node: triangles of roadway, and sidewalks.
-pub(super) fn fans(node: &ChainNode, chains: &[Chain]) -> (Vec<Vec<Point>>, Vec<SideStrip>) {
+pub(super) fn fans(node: &ChainNode, chains: &[Chain]) -> Layout {
     let arms = arms(node, chains);
-    let (mut roadway, mut corners) = (Vec::new(), Vec::new());
+    let mut layout = Layout::default();
     let centre = Point::near(node.point.truncate());
     for at in 0..arms.len() {
         let (a, b) = (&arms[at], &arms[(at + 1) % arms.len()]);
@@ -331,8 +333,8 @@ pub(super) fn fans(node: &ChainNode, chains: &[Chain]) -> (Vec<Vec<Point>>, Vec<
         };
         let (kerb, width) = (line(1), a.chain.widths.left.max(b.chain.widths.right));
         let triangle = |edge: &[Trace]| vec![centre, edge[0].point, edge[1].point];
-        roadway.extend(kerb.windows(2).map(triangle).filter(|ring| 0 < twice_area(ring)));
-        corners.extend(strip(&kerb, &line(0), width).filter(|_| 0.0 < width));
+        layout.roadway.extend(kerb.windows(2).map(triangle).filter(|ring| 0 < twice_area(ring)));
+        layout.corners.extend(strip(&kerb, &line(0), width).filter(|_| 0.0 < width));
     }
-    (roadway, corners)
+    layout
 }

@@ -120,13 +120,10 @@ impl Plan {
         }
         for (number, layout) in layouts.into_iter().enumerate() {
             let node = layout.is_some().then_some(number as u32);
-            let (rings, corners) = match layout {
-                Some(layout) => (vec![layout.roadway], layout.corners),
-                None if self.levels[number] == OVERLAID => junction::fans(&self.nodes[number], &self.chains),
-                None => continue,
-            };
-            pieces.list.extend(rings.into_iter().map(|ring| Piece::Junction { node, ring }));
-            for corner in corners {
+            let fans = || junction::fans(&self.nodes[number], &self.chains);
+            let Some(layout) = layout.or_else(|| (self.levels[number] == OVERLAID).then(fans)) else { continue };
+            pieces.list.extend(layout.roadway.into_iter().map(|ring| Piece::Junction { node, ring }));
+            for corner in layout.corners {
                 let run = pieces.runs.len() as RunId;
                 pieces.list.extend(corner.cells.into_iter().map(|cell| Piece::Walk { cell, run }));
                 let (along, width) = ([0.0, corner.length], corner.width);

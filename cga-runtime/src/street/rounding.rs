@@ -45,10 +45,7 @@ fn sorted(edge: &[Point]) -> [Point; 2] {
 
 /// The crossings of segments: the number of a segment and the rounded point. `None` if there are more than `most`.
 fn crossings(segments: &[[Point; 2]], most: usize) -> Option<Vec<(u32, Point)>> {
-    let mut buckets = Buckets::for_segments(segments);
-    for (number, &segment) in segments.iter().enumerate() {
-        buckets.add_segment(segment, number as u32);
-    }
+    let buckets = Buckets::of_segments(segments);
     let mut found = Vec::new();
     for list in buckets.lists() {
         for (at, &first) in list.iter().enumerate() {
