@@ -42,7 +42,6 @@ pub(crate) fn lower(checked: &Checked) -> Grammar {
         blocks: HashMap::new(),
         hosts: HashMap::new(),
         renewals: HashMap::new(),
-        below: None,
         known: Folded::default(),
         owners: Owners::default(),
         init: Vec::new(),
@@ -77,8 +76,6 @@ struct Lower<'c> {
     hosts: HashMap<Key, HostId>,
     /// By instance.
     renewals: HashMap<InstanceId, RenewalId>,
-    /// Created when an import is computed again.
-    below: Option<import::Below>,
     /// Constants and functions whose value is known.
     known: Folded,
     owners: Owners,

@@ -44,21 +44,12 @@ pub(super) fn by_name<'f, 'g>(fields: &'f [Field<'g>]) -> HashMap<&'g str, &'f F
 }
 
 impl Field<'_> {
-    /// The value of a field without `Option`, converted for the rules.
-    pub(super) fn plain(&self) -> TokenStream {
+    /// The value of the field, converted for the rules; an `Option` without a known default.
+    pub(super) fn value(&self) -> TokenStream {
         let name = &self.name;
         match self.global.ty {
             Type::Float | Type::Bool => code!(self.#name),
-            Type::Text => code!(cga_rt::text(&self.#name)),
-            _ => code!(::core::clone::Clone::clone(&self.#name)),
-        }
-    }
-
-    /// The value of a field that is an `Option`.
-    pub(super) fn optional(&self) -> TokenStream {
-        let name = &self.name;
-        match self.global.ty {
-            Type::Float | Type::Bool => code!(self.#name),
+            Type::Text if self.known.is_some() => code!(cga_rt::text(&self.#name)),
             Type::Text => code!(self.#name.as_deref().map(cga_rt::text)),
             _ => code!(::core::clone::Clone::clone(&self.#name)),
         }

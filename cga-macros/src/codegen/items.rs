@@ -237,7 +237,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
 fn initial_values(cx: &Generator<'_>, fields: &HashMap<&str, &Field<'_>>) -> TokenStream {
     let style = cx.asks_for_style().then(|| code!(g.style = style;));
     let lazy = cx.grammar.init.iter().filter(|init| cx.is_lazy(init.global));
-    let given = lazy.filter_map(|init| cx.lazy_given(init.global, field(cx, fields, init.global)));
+    let given = lazy.filter_map(|init| Some(cx.lazy_given(init.global, field(cx, fields, init.global)?)));
     let values = cx.grammar.init.chunk_by(|a, b| a.styles == b.styles).map(|inits| {
         let values = inits.iter().map(|own| init(cx, fields, own.global));
         match &inits[0].styles {
@@ -277,11 +277,11 @@ fn init(cx: &Generator<'_>, fields: &HashMap<&str, &Field<'_>>, id: GlobalId) ->
     };
     match field {
         Some(field) if field.known.is_some() => {
-            let given = field.plain();
+            let given = field.value();
             code!(g.#target = #given;)
         }
         Some(field) => {
-            let given = field.optional();
+            let given = field.value();
             code! {
                 g.#target = match #given {
                     ::core::option::Option::Some(value) => value,

@@ -115,10 +115,9 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
     };
     let public = Public {
         attrs: fields::of(grammar, source).iter().map(PublicAttr::of).collect(),
-        captures: cx.hosts.clone(),
+        captures: if cx.captured { cx.hosts.clone() } else { Vec::new() },
         hidden: Some(hidden),
     };
-    let public = if cx.captured { public } else { Public { captures: Vec::new(), ..public } };
     let captures = grammar.hosts.iter().zip(&cx.hosts).map(|(host, ty)| (host.handle, Some(*ty))).collect();
     Output { code: public::public(&public, header), captures }
 }

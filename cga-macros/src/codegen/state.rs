@@ -202,14 +202,11 @@ impl Generator<'_> {
     pub(super) fn hold_fields(&self, fields: &HashMap<&str, &Field<'_>>) -> TokenStream {
         let held = self.renewed.iter().enumerate().filter_map(|(number, name)| {
             let (own, field) = (local("field_", number), fields.get(name.as_str())?);
-            let value = match field.known {
-                Some(_) => {
-                    let value = field.plain();
-                    code!(::core::option::Option::Some(#value))
-                }
-                None => field.optional(),
-            };
-            Some(code!(g.#own = #value;))
+            let value = field.value();
+            Some(match field.known {
+                Some(_) => code!(g.#own = ::core::option::Option::Some(#value);),
+                None => code!(g.#own = #value;),
+            })
         });
         held.collect()
     }

@@ -174,18 +174,15 @@ impl Reader {
                 let at = self.push(Tok::Bad, first, last);
                 self.diags.report(Code::BadNumber, at, "this number is too large");
             }
-            Err(_) => match number_and_unit(written) {
-                Some(value) => {
-                    let at = self.push(Tok::Number(value), first, last);
-                    let diag = self.diags.report(Code::BadNumber, at, format!("`{written}` is no number in CGA"));
-                    diag.note(NO_UNITS).help(format!("write `{value}`"));
-                }
-                None => {
-                    let at = self.push(Tok::Bad, first, last);
-                    let diag = self.diags.report(Code::BadNumber, at, format!("`{written}` is no number in CGA"));
-                    diag.help("write it in digits, like `12` or `0.5`");
-                }
-            },
+            Err(_) => {
+                let value = number_and_unit(written);
+                let at = self.push(value.map_or(Tok::Bad, Tok::Number), first, last);
+                let diag = self.diags.report(Code::BadNumber, at, format!("`{written}` is no number in CGA"));
+                match value {
+                    Some(value) => diag.note(NO_UNITS).help(format!("write `{value}`")),
+                    None => diag.help("write it in digits, like `12` or `0.5`"),
+                };
+            }
         }
     }
 
