@@ -5,7 +5,7 @@ use cga_lang::ir::{Global, GlobalId};
 use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
-use super::fields::Field;
+use super::fields::AttrField;
 use super::state::stream;
 use super::{Generator, frame, hygienic, inner_type, local};
 
@@ -61,7 +61,7 @@ impl Generator<'_> {
     }
 
     /// The value before any is computed: the one that the host program gave, if it did.
-    pub(super) fn lazy_given(&self, global: GlobalId, field: &Field<'_>) -> TokenStream {
+    pub(super) fn lazy_given(&self, global: GlobalId, field: &AttrField<'_>) -> TokenStream {
         let (name, value) = (self.global_name(global), field.value());
         let state = hygienic(if field.known.is_some() { "known" } else { "given" });
         code!(g.#name = cga_rt::Lazy::#state(#value);)

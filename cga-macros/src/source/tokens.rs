@@ -11,7 +11,7 @@ use super::rules::{Host, Places, Source};
 
 /// Reads inline rules. `end` is the place of diagnostics if there are no tokens.
 pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
-    let mut reader = Reader::default();
+    let mut reader = InlineReader::default();
     reader.stream(stream);
     reader.report_lifetimes();
     let spans = &reader.spans;
@@ -26,7 +26,7 @@ pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
 }
 
 #[derive(Default)]
-struct Reader {
+struct InlineReader {
     tokens: Tokens,
     /// Where each token begins and ends: a symbol or path of ours can be several tokens of Rust.
     spans: Vec<(Span, Span)>,
@@ -37,7 +37,7 @@ struct Reader {
     diags: Diags,
 }
 
-impl Reader {
+impl InlineReader {
     fn push(&mut self, token: Tok, first: Span, last: Span) -> TokenSpan {
         self.spans.push((first, last));
         TokenSpan::one(self.tokens.push(token))
