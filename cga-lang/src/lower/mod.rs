@@ -162,7 +162,7 @@ impl<'c> Lower<'c> {
                 name: style.map_or_else(|| item.name.clone(), |style| format!("{style}${}", item.name)),
                 label: item.name.clone(),
                 params: self.declared_params(),
-                source: self.tokens.text(item.decl.span, LONGEST_SOURCE),
+                source: self.tokens.text(item.decl.span, LONGEST_SOURCE, '\''),
                 span: item.decl.name.span,
                 ..Rule::default()
             });

@@ -1,6 +1,6 @@
 //! The public struct: its fields, defaults and methods.
 
-use cga_lang::editor::public_names;
+use cga_lang::editor::public_names::PublicName;
 use cga_lang::ir::{Type, Value};
 use proc_macro2::{Ident, TokenStream};
 
@@ -47,7 +47,7 @@ impl PublicAttr {
 
 impl PublicAttr {
     /// Of a grammar with errors: a number, where nothing better is known.
-    pub(crate) fn known_so_far(attr: &public_names::Attr, source: &Source, taken: &mut Taken) -> Self {
+    pub(crate) fn known_so_far(attr: &PublicName, source: &Source, taken: &mut Taken) -> Self {
         let known = attr.known.clone().unwrap_or_else(|| types::nothing(attr.ty));
         PublicAttr {
             name: ident(&taken.field(&attr.name), source.token(attr.span.first)),

@@ -15,7 +15,7 @@ pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
     reader.stream(stream);
     reader.report_lifetimes();
     let spans = &reader.spans;
-    reader.tokens.join_rule_names(|dot| {
+    reader.tokens.join_names(|dot| {
         spans
             .get(dot + 1)
             .is_some_and(|next| is_close(spans[dot - 1].1, spans[dot].0) && is_close(spans[dot].1, next.0))
