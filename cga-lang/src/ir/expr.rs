@@ -64,10 +64,15 @@ pub enum ExprKind {
     ToText(Box<Expr>),
     /// The name of a file, and the folder of the rule file that names it: relative paths are looked for from there.
     File(Box<Expr>, String),
-    /// `case … else`.
+    /// `case … else`, or `p% : … else` with conditions that are drawn.
     Case(Vec<(Expr, Expr)>, Box<Expr>),
-    /// `p% : … else`.
-    Chance(Vec<(f64, Expr)>, Box<Expr>),
+    /// The condition `p%`, after branches that have `before` percent together: it is drawn with the probability that is left.
+    Chance {
+        /// The percentage of the branch.
+        percent: f64,
+        /// The sum of the percentages of the branches before it.
+        before: f64,
+    },
 }
 
 /// Operators over the elements of an array.

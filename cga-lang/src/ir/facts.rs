@@ -101,7 +101,7 @@ impl Facts {
             // Rust code may give another value each time.
             ExprKind::Rust(..) | ExprKind::Host(_) => Uses::SAYS,
             ExprKind::Comp(_) | ExprKind::Word(_) => Uses::WHOLE,
-            ExprKind::Chance(..) => Uses::DRAWS,
+            ExprKind::Chance { .. } => Uses::DRAWS,
             ExprKind::Value(_)
             | ExprKind::Param(_)
             | ExprKind::Style(_)

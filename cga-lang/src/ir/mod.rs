@@ -171,7 +171,7 @@ pub struct Param {
 }
 
 /// `Name(params) --> body`, or the operations of a part in braces.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Rule {
     /// `Facade`; blocks inside it are `Facade/1`, `Facade/2`, … Several rules may share a name with other parameters.
     pub name: String,
@@ -207,9 +207,10 @@ pub struct RuleSite {
 }
 
 /// Tells if a rule has no child at the end of its body. A shape without children is a leaf.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Childless {
     /// No path makes a child, so the shape is a leaf.
+    #[default]
     Always,
     /// Every path that gets to the end has made a child.
     Never,
@@ -238,17 +239,10 @@ pub enum Step {
     Push(Vec<Step>),
     /// `import( … ).Rule`: a copy on which the attributes and constants of an import are computed again.
     Renew(Renew),
-    /// `case … else`.
+    /// `case … else`, or `p% : … else` with conditions that are drawn.
     Case {
         /// Condition and body, tried in order.
         arms: Vec<(Expr, Vec<Step>)>,
-        /// The `else` body.
-        otherwise: Vec<Step>,
-    },
-    /// `p% : … else`.
-    Chance {
-        /// Percentage and body. Drawn one after the other with conditional probability.
-        arms: Vec<(f64, Vec<Step>)>,
         /// The `else` body.
         otherwise: Vec<Step>,
     },

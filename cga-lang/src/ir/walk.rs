@@ -1,6 +1,6 @@
 //! Over the steps and expressions of a grammar.
 
-use crate::ir::{Arg, Arm, Block, Expr, ExprKind, Grammar, Parts, Renew, Rule, RuleId, Selector, Step, Target};
+use crate::ir::{Arg, Arm, Block, Expr, ExprKind, Function, Grammar, Parts, Renew, Rule, Selector, Step, Target};
 
 macro_rules! step_walkers {
     ($($life:lifetime)?, $iter:ident, [$($mutable:tt)?], $(#[$about:meta])* $steps:ident, $targets:ident, $exprs:ident, $args:ident) => {
@@ -15,10 +15,6 @@ macro_rules! step_walkers {
                 match step {
                     Step::Push(inner) => $steps(inner, visit),
                     Step::Case { arms, otherwise } => {
-                        arms.$iter().for_each(|(_, inner)| $steps(inner, visit));
-                        $steps(otherwise, visit);
-                    }
-                    Step::Chance { arms, otherwise } => {
                         arms.$iter().for_each(|(_, inner)| $steps(inner, visit));
                         $steps(otherwise, visit);
                     }
@@ -49,8 +45,7 @@ macro_rules! step_walkers {
                 | Step::Later(..)
                 | Step::Rust(..)
                 | Step::Push(_)
-                | Step::Case { .. }
-                | Step::Chance { .. } => Vec::new(),
+                | Step::Case { .. } => Vec::new(),
             }
         }
 
@@ -74,7 +69,7 @@ macro_rules! step_walkers {
                     list
                 }
                 Step::Case { arms, .. } => arms.$iter().map(|(condition, _)| condition).collect(),
-                Step::Give(_) | Step::Push(_) | Step::Chance { .. } | Step::Later(..) => Vec::new(),
+                Step::Give(_) | Step::Push(_) | Step::Later(..) => Vec::new(),
             }
         }
 
@@ -120,17 +115,33 @@ pub(crate) fn parts_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut Expr)) {
     }
 }
 
-/// The rules that a body calls, each once, in the order of their numbers.
-pub fn called(body: &[Step]) -> Vec<RuleId> {
+/// By rule, the rules that its steps hand shapes to, each once, in order. Only steps that `from` accepts count.
+pub fn calls(grammar: &Grammar, from: impl Fn(&Step) -> bool) -> Vec<Vec<usize>> {
+    let called = |rule: &Rule| {
+        let mut list = Vec::new();
+        steps(&rule.body, &mut |step| {
+            list.extend(targets(step).into_iter().filter_map(|target| match target {
+                Target::Rule { rule, .. } if from(step) => Some(rule.0 as usize),
+                Target::Rule { .. } | Target::Leaf(..) | Target::Nil => None,
+            }));
+        });
+        list.sort_unstable();
+        list.dedup();
+        list
+    };
+    grammar.rules.iter().map(called).collect()
+}
+
+/// The functions that a function calls, by number, each as often as it does.
+pub fn called_functions(function: &Function) -> Vec<usize> {
     let mut list = Vec::new();
-    steps(body, &mut |step| {
-        list.extend(targets(step).into_iter().filter_map(|target| match target {
-            Target::Rule { rule, .. } => Some(*rule),
-            Target::Leaf(..) | Target::Nil => None,
-        }));
-    });
-    list.sort_unstable();
-    list.dedup();
+    for value in function.locals.iter().chain([&function.body]) {
+        parts(value, &mut |part| {
+            if let ExprKind::Call(id, ..) = part.kind {
+                list.push(id.0 as usize);
+            }
+        });
+    }
     list
 }
 
@@ -176,6 +187,7 @@ macro_rules! parts {
             | ExprKind::Word(_)
             | ExprKind::Style(_)
             | ExprKind::Site(_)
+            | ExprKind::Chance { .. }
             | ExprKind::Later(_) => Vec::new(),
             ExprKind::Call(_, _, args) | ExprKind::Builtin(_, args) | ExprKind::Rust(_, args) => args.$iter().collect(),
             ExprKind::Neg(a)
@@ -201,9 +213,6 @@ macro_rules! parts {
             ExprKind::Case(arms, otherwise) => {
                 let arms = arms.$iter().flat_map(|(condition, value)| [condition, value]);
                 arms.chain([&$($mutable)? **otherwise]).collect()
-            }
-            ExprKind::Chance(arms, otherwise) => {
-                arms.$iter().map(|(_, value)| value).chain([&$($mutable)? **otherwise]).collect()
             }
         }
     };

@@ -1,9 +1,7 @@
 //! Steps of a rule. Operations of a part in braces become a rule of their own, unless they only name a successor.
 
-use super::Lower;
-use crate::ir::{
-    Arg, Childless, Expr, ExprKind, GlobalId, Param, Prefix, Rule, RuleId, Size, Step, Target, Type, Value, walk,
-};
+use super::{Lower, expr};
+use crate::ir::{Arg, Expr, ExprKind, GlobalId, Param, Prefix, Rule, RuleId, Size, Step, Target, walk};
 use crate::lower::fold::fold;
 use crate::ops::{self, Operation, ParamKind, Run, Words};
 use crate::resolve::tables::Use;
@@ -30,10 +28,11 @@ impl<'c> Lower<'c> {
                 arms: arms.iter().map(|(test, ops)| (self.folded(test), self.steps(ops))).collect(),
                 otherwise: self.steps(otherwise),
             },
-            OpKind::Chance(arms, otherwise) => Step::Chance {
-                arms: arms.iter().map(|(percent, ops)| (percent.value, self.steps(ops))).collect(),
-                otherwise: self.steps(otherwise),
-            },
+            OpKind::Chance(arms, otherwise) => {
+                let draws = expr::draws(arms.iter().map(|(percent, _)| percent));
+                let arms = draws.zip(arms).map(|(draw, (_, ops))| (draw, self.steps(ops))).collect();
+                Step::Case { arms, otherwise: self.steps(otherwise) }
+            }
             OpKind::Error => return None,
         })
     }
@@ -128,19 +127,7 @@ impl<'c> Lower<'c> {
         *count += 1;
         let name = format!("{}/{count}", self.name);
         let rule = RuleId(self.out.rules.len() as u32);
-        self.out.rules.push(Rule {
-            name,
-            label: self.label.clone(),
-            params: Vec::new(),
-            locals: Vec::new(),
-            body: Vec::new(),
-            block: true,
-            leaf: Childless::Always,
-            cycle: None,
-            source: String::new(),
-            sites: Vec::new(),
-            span,
-        });
+        self.out.rules.push(Rule { name, label: self.label.clone(), block: true, span, ..Rule::default() });
         let mut body = self.steps(ops);
         let captured = capture(&mut body);
         let own = |&index: &u32| {
@@ -170,13 +157,10 @@ fn capture(body: &mut [Step]) -> Vec<u32> {
 
 /// The default of an omitted argument.
 fn default(param: &ops::Param, span: Span) -> Option<Arg> {
-    let value = |value, ty| Expr { kind: ExprKind::Value(value), ty, span };
-    let value = match param.default? {
-        ops::Default::Float(number) => value(Value::Float(number), Type::Float),
-        ops::Default::Bool(truth) => value(Value::Bool(truth), Type::Bool),
-        ops::Default::Text(text) => value(Value::Text(text.into()), Type::Text),
-        ops::Default::Word(word) => return Some(Arg::Word(word)),
-    };
+    if let ops::Default::Word(word) = param.default? {
+        return Some(Arg::Word(word));
+    }
+    let value = expr::default(param, span)?;
     Some(match param.kind {
         ParamKind::Length | ParamKind::Size => Arg::Length(Size { prefix: Prefix::Absolute, value }),
         _ => Arg::Value(value),

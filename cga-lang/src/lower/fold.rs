@@ -41,12 +41,6 @@ pub(crate) fn fold(expr: &mut Expr, known: &Folded) -> Option<Value> {
                 args.iter_mut().map(|arg| fold(arg, known)).collect::<Vec<_>>().into_iter().collect();
             builtin(meaning, &values.filter(|_| pure)?)?
         }
-        ExprKind::Rust(_, args) => {
-            for arg in args {
-                fold(arg, known);
-            }
-            return None;
-        }
         ExprKind::Neg(operand) => match fold(operand, known)? {
             Value::Float(value) => Value::Float(-value),
             _ => return None,
@@ -61,32 +55,13 @@ pub(crate) fn fold(expr: &mut Expr, known: &Folded) -> Option<Value> {
         }
         ExprKind::ToText(operand) => to_text(fold(operand, known)?)?,
         ExprKind::Case(arms, otherwise) => return case(arms, otherwise, known).and_then(|chosen| put(expr, chosen)),
-        ExprKind::Chance(arms, otherwise) => {
-            for (_, value) in arms {
-                fold(value, known);
-            }
-            fold(otherwise, known);
-            return None;
-        }
         ExprKind::Array(rows) => array(rows, known)?,
-        ExprKind::Range(..)
-        | ExprKind::Index(..)
-        | ExprKind::EachUnary(..)
-        | ExprKind::Each(..)
-        | ExprKind::File(..)
-        | ExprKind::Comp(_) => {
+        _ => {
             for part in expr.parts_mut() {
                 fold(part, known);
             }
             return None;
         }
-        ExprKind::Param(_)
-        | ExprKind::Host(_)
-        | ExprKind::Shape(_)
-        | ExprKind::Word(_)
-        | ExprKind::Style(_)
-        | ExprKind::Site(_)
-        | ExprKind::Later(_) => return None,
     };
     expr.kind = ExprKind::Value(value.clone());
     Some(value)

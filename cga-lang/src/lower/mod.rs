@@ -15,8 +15,8 @@ mod variant;
 
 use crate::check::Checked;
 use crate::graph::{components, is_cycle};
-use crate::ir::walk::called;
-use crate::ir::{Childless, GlobalId, Grammar, Host, HostId, Init, Param, RenewalId, Rule, RuleId, Start, Step, Type};
+use crate::ir::walk::calls;
+use crate::ir::{GlobalId, Grammar, Host, HostId, Init, Param, RenewalId, Rule, RuleId, Start, Step, Type};
 use crate::link::{InstanceId, Key};
 use crate::lower::fold::Folded;
 use crate::resolve::globals::Item;
@@ -24,7 +24,7 @@ use crate::resolve::info::RuleInfo;
 use crate::resolve::tables::Use;
 use crate::syntax::ast::{Body, Decl, Name};
 use crate::syntax::token::{Tok, Tokens};
-use merge::Owners;
+use merge::DefinitionStyles;
 use std::collections::HashMap;
 
 /// Longest text of a rule kept for its doc line, in bytes.
@@ -42,9 +42,8 @@ pub(crate) fn lower(checked: &Checked) -> Grammar {
         blocks: HashMap::new(),
         hosts: HashMap::new(),
         renewals: HashMap::new(),
-        below: None,
         known: Folded::default(),
-        owners: Owners::default(),
+        owners: DefinitionStyles::default(),
         init: Vec::new(),
         out: Grammar::default(),
     };
@@ -77,11 +76,9 @@ struct Lower<'c> {
     hosts: HashMap<Key, HostId>,
     /// By instance.
     renewals: HashMap<InstanceId, RenewalId>,
-    /// Created when an import is computed again.
-    below: Option<import::Below>,
     /// Constants and functions whose value is known.
     known: Folded,
-    owners: Owners,
+    owners: DefinitionStyles,
     /// By style: attributes and constants in an order in which each is ready before it is used.
     init: Vec<Vec<GlobalId>>,
     out: Grammar,
@@ -165,14 +162,9 @@ impl<'c> Lower<'c> {
                 name: style.map_or_else(|| item.name.clone(), |style| format!("{style}${}", item.name)),
                 label: item.name.clone(),
                 params: self.declared_params(),
-                locals: Vec::new(),
-                body: Vec::new(),
-                block: false,
-                leaf: Childless::Always,
-                cycle: None,
-                source: self.tokens.text(item.decl.span, LONGEST_SOURCE),
-                sites: Vec::new(),
+                source: self.tokens.text(item.decl.span, LONGEST_SOURCE, '\''),
                 span: item.decl.name.span,
+                ..Rule::default()
             });
         }
         for (index, item) in checked.globals.rules.iter().enumerate() {
@@ -220,8 +212,7 @@ impl<'c> Lower<'c> {
 
 /// Numbers the cycles of rules.
 fn cycles(grammar: &mut Grammar) {
-    let edges: Vec<Vec<usize>> =
-        grammar.rules.iter().map(|rule| called(&rule.body).iter().map(|id| id.0 as usize).collect()).collect();
+    let edges = calls(grammar, |_| true);
     let mut count = 0;
     for component in components(&edges) {
         if is_cycle(&component, &edges) {

@@ -230,14 +230,11 @@ impl<'g> Printer<'g> {
             Step::Renew(call) => self.renew(call),
             Step::Case { arms, otherwise } => {
                 for (condition, steps) in arms {
-                    let head = format!("case {}", self.expr(condition));
+                    let head = match condition.kind {
+                        ExprKind::Chance { percent, .. } => format!("chance {percent}%"),
+                        _ => format!("case {}", self.expr(condition)),
+                    };
                     self.headed(&head, steps);
-                }
-                self.headed("else", otherwise);
-            }
-            Step::Chance { arms, otherwise } => {
-                for (percent, steps) in arms {
-                    self.headed(&format!("chance {percent}%"), steps);
                 }
                 self.headed("else", otherwise);
             }
@@ -339,17 +336,13 @@ impl<'g> Printer<'g> {
             ExprKind::File(name, folder) if folder.is_empty() => self.expr(name),
             ExprKind::File(name, folder) => format!("file({}, in {folder:?})", self.expr(name)),
             ExprKind::Case(arms, otherwise) => {
-                let arms: String = arms
-                    .iter()
-                    .map(|(test, value)| format!("case {} : {} ", self.expr(test), self.expr(value)))
-                    .collect();
-                format!("({arms}else : {})", self.expr(otherwise))
+                let arm = |(test, value): &(Expr, Expr)| match test.kind {
+                    ExprKind::Chance { percent, .. } => format!("{percent}% : {} ", self.expr(value)),
+                    _ => format!("case {} : {} ", self.expr(test), self.expr(value)),
+                };
+                format!("({}else : {})", arms.iter().map(arm).collect::<String>(), self.expr(otherwise))
             }
-            ExprKind::Chance(arms, otherwise) => {
-                let arms: String =
-                    arms.iter().map(|(percent, value)| format!("{percent}% : {} ", self.expr(value))).collect();
-                format!("({arms}else : {})", self.expr(otherwise))
-            }
+            ExprKind::Chance { percent, .. } => format!("{percent}%"),
         }
     }
 }
@@ -365,7 +358,7 @@ fn value(known: &Value) -> String {
         Value::Bool(truth) => truth.to_string(),
         Value::Text(text) => {
             let token: Tokens = std::iter::once(Tok::Str(text.clone())).collect();
-            token.text(Span::one(0), usize::MAX)
+            token.text(Span::one(0), usize::MAX, '\'')
         }
         Value::Array(rows) => {
             let row = |row: &Vec<Value>| row.iter().map(value).collect::<Vec<_>>().join(", ");

@@ -27,15 +27,15 @@ const UNCOUNTED: u64 = 10_000;
 const COMPONENTS: u64 = 100;
 
 /// The functions that ask.
-pub(super) struct Calls {
+pub(super) struct StackChecks {
     /// By function: the bytes of stack that it requests, if it does.
     asks: Vec<Option<u32>>,
 }
 
-impl Calls {
+impl StackChecks {
     pub(super) fn new(functions: &[Function]) -> Self {
         let own: Vec<u32> = functions.iter().map(frame::function).collect();
-        let calls: Vec<Vec<usize>> = functions.iter().map(called).collect();
+        let calls: Vec<Vec<usize>> = functions.iter().map(walk::called_functions).collect();
         let groups = components(&calls);
         let mut asks = vec![None; functions.len()];
         // By function: the calls that follow from one call. A counted function is one call. Groups come before their callers.
@@ -70,26 +70,13 @@ impl Calls {
                 }
             }
         }
-        Calls { asks }
+        StackChecks { asks }
     }
 
     /// The bytes of stack that a function requests before it runs, if it does.
     pub(super) fn stack(&self, function: FunctionId) -> Option<u32> {
         self.asks[function.0 as usize]
     }
-}
-
-/// The functions that one calls, each as often as it does.
-fn called(function: &Function) -> Vec<usize> {
-    let mut list = Vec::new();
-    for value in function.locals.iter().chain([&function.body]) {
-        walk::parts(value, &mut |expr| {
-            if let ExprKind::Call(id, ..) = expr.kind {
-                list.push(id.0 as usize);
-            }
-        });
-    }
-    list
 }
 
 /// Returns true if it has values for components.
@@ -107,7 +94,7 @@ mod tests {
     use cga_lang::compile::compile_text;
 
     fn asks(rules: &str) -> Vec<Option<u32>> {
-        Calls::new(&compile_text(rules).compiled.grammar.expect("good rules").functions).asks
+        StackChecks::new(&compile_text(rules).compiled.grammar.expect("good rules").functions).asks
     }
 
     #[test]

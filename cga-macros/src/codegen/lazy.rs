@@ -2,13 +2,12 @@
 //! when it is first read.
 
 use cga_lang::ir::{Global, GlobalId};
-use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote_spanned;
+use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
-use super::fields::Field;
+use super::fields::AttrField;
 use super::state::stream;
-use super::{Generator, frame, inner_type, local};
+use super::{Generator, frame, hygienic, inner_type, local};
 
 impl Generator<'_> {
     /// Returns true if it is computed on its first read.
@@ -35,7 +34,6 @@ impl Generator<'_> {
 
     /// One function for each, which computes it when it is first read.
     pub(super) fn lazy_functions(&self) -> TokenStream {
-        let place = Span::mixed_site();
         let globals = self.grammar.globals.iter().zip(0..).filter(|(global, _)| global.lazy);
         globals
             .map(|(Global { name, value, ty, .. }, id)| {
@@ -43,7 +41,7 @@ impl Generator<'_> {
                 let stack = Literal::u32_unsuffixed(frame::lazy(value));
                 let code = self.expr(value, &Access::function());
                 let doc = format!("`{name}`, which may need itself: computed when it is first read.");
-                quote_spanned! { place=>
+                code! {
                     #[doc = #doc]
                     fn #function(g: &CgaValues, env: &mut cga_rt::Env) -> #ty {
                         g.#function.get(env, #name, #stack, |env| {
@@ -59,23 +57,13 @@ impl Generator<'_> {
     /// Reads one of them.
     pub(super) fn lazy_value(&self, global: GlobalId, g: &TokenStream, env: &TokenStream) -> TokenStream {
         let name = self.global_name(global);
-        quote_spanned!(Span::mixed_site()=> CgaValues::#name(#g, #env))
+        code!(CgaValues::#name(#g, #env))
     }
 
-    /// The value before any is computed: the one that the host program gave, else none.
-    pub(super) fn lazy_given(&self, global: GlobalId, field: Option<&Field<'_>>) -> Option<TokenStream> {
-        let (place, name) = (Span::mixed_site(), self.global_name(global));
-        let field = field?;
-        let value = match field.known {
-            Some(_) => {
-                let value = field.plain();
-                quote_spanned!(place=> cga_rt::Lazy::known(#value))
-            }
-            None => {
-                let value = field.optional();
-                quote_spanned!(place=> cga_rt::Lazy::given(#value))
-            }
-        };
-        Some(quote_spanned!(place=> g.#name = #value;))
+    /// The value before any is computed: the one that the host program gave, if it did.
+    pub(super) fn lazy_given(&self, global: GlobalId, field: &AttrField<'_>) -> TokenStream {
+        let (name, value) = (self.global_name(global), field.value());
+        let state = hygienic(if field.known.is_some() { "known" } else { "given" });
+        code!(g.#name = cga_rt::Lazy::#state(#value);)
     }
 }

@@ -30,8 +30,8 @@ use std::cell::RefCell;
 
 use cga_lang::ir::facts::Facts;
 use cga_lang::ir::{ExprKind, Grammar, HostId, RuleId, Type};
+use cga_lang::ops::Run;
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote_spanned;
 
 use crate::header::Header;
 use crate::output::{HostType, Output};
@@ -45,11 +45,11 @@ pub(crate) use public::{Public, PublicAttr, public};
 struct Generator<'a> {
     grammar: &'a Grammar,
     source: &'a Source,
-    names: names::Names,
+    names: names::ItemNames,
     /// The numbers of rules for trails, by rule: that of its first site.
     numbers: Vec<u32>,
-    plan: stack::Plan,
-    calls: calls::Calls,
+    plan: stack::StackPlan,
+    calls: calls::StackChecks,
     /// True if `#` values are captured, as in the expression form.
     captured: bool,
     /// The required type of each `#` value.
@@ -59,18 +59,18 @@ struct Generator<'a> {
     /// The attributes of renewals, by name.
     renewed: Vec<String>,
     facts: Facts,
-    leaves: leaves::Leaves,
-    templates: templates::Templates,
-    paints: RefCell<site::Paints>,
+    leaves: leaves::LeafNames,
+    templates: templates::TemplatePlan,
+    paints: RefCell<site::MaterialChanges>,
 }
 
 /// Writes a grammar.
 pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Output {
-    let (names, plan) = (names::Names::new(grammar), stack::Plan::new(grammar));
-    let calls = calls::Calls::new(&grammar.functions);
+    let (names, plan) = (names::ItemNames::new(grammar), stack::StackPlan::new(grammar));
+    let calls = calls::StackChecks::new(&grammar.functions);
     let (hosts, renewed) = (host_types(grammar), state::renewed(grammar));
-    let (facts, leaves) = (Facts::new(grammar), leaves::Leaves::new(grammar));
-    let templates = templates::Templates::new(grammar, &facts, &plan);
+    let (facts, leaves) = (Facts::new(grammar), leaves::LeafNames::new(grammar));
+    let templates = templates::TemplatePlan::new(grammar, &facts, &plan);
     let cx = Generator {
         grammar,
         source,
@@ -96,10 +96,9 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
     let of_values = [&renewals, &lazy, &paints]
         .iter()
         .any(|code| !code.is_empty())
-        .then(|| quote_spanned!(Span::mixed_site()=> #[allow(dead_code, clippy::all)] impl CgaValues { #lazy #renewals #paints }));
+        .then(|| code!(#[allow(dead_code, clippy::all)] impl CgaValues { #lazy #renewals #paints }));
     let implementation = items::rules_impl(&cx, header);
-    let place = Span::mixed_site();
-    let hidden = quote_spanned! { place=>
+    let hidden = code! {
         #values
         #of_values
         #call
@@ -116,10 +115,9 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
     };
     let public = Public {
         attrs: fields::of(grammar, source).iter().map(PublicAttr::of).collect(),
-        captures: cx.hosts.clone(),
+        captures: if cx.captured { cx.hosts.clone() } else { Vec::new() },
         hidden: Some(hidden),
     };
-    let public = if cx.captured { public } else { Public { captures: Vec::new(), ..public } };
     let captures = grammar.hosts.iter().zip(&cx.hosts).map(|(host, ty)| (host.handle, Some(*ty))).collect();
     Output { code: public::public(&public, header), captures }
 }
@@ -139,7 +137,7 @@ fn host_types(grammar: &Grammar) -> Vec<HostType> {
 
 /// The Rust type of a value inside the rules.
 fn inner_type(ty: Type) -> TokenStream {
-    types::inner(ty, &quote_spanned!(Span::mixed_site()=> cga_rt))
+    types::inner(ty, &code!(cga_rt))
 }
 
 impl Generator<'_> {
@@ -149,7 +147,17 @@ impl Generator<'_> {
     }
 }
 
+/// A name of the generated code or of the runtime, with the span of [`code!`].
+fn hygienic(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
+}
+
+/// The runtime's function for a row of the tables.
+fn function_of(run: Run, name: &str) -> Ident {
+    hygienic(run.now().unwrap_or(name))
+}
+
 /// A local of the generated code, by number.
 fn local(prefix: &str, number: usize) -> Ident {
-    Ident::new(&format!("{prefix}{number}"), Span::mixed_site())
+    hygienic(&format!("{prefix}{number}"))
 }

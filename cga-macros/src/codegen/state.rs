@@ -3,11 +3,10 @@
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 use cga_lang::ir::{ExprKind, Global, GlobalId, Grammar, Renew, Type};
-use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote_spanned;
+use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
-use super::fields::Field;
+use super::fields::AttrField;
 use super::types::{self, cloned};
 use super::{Generator, inner_type, local};
 
@@ -17,9 +16,9 @@ const PIECE: usize = 32;
 impl Generator<'_> {
     /// The value of an attribute or constant of the run. If rules may set it, the shape's own value comes first.
     pub(super) fn global(&self, id: GlobalId, at: &Access) -> TokenStream {
-        let (place, name, global) = (Span::mixed_site(), self.global_name(id), self.grammar.global(id));
-        let g = quote_spanned!(place=> g);
-        let held = if global.lazy { self.lazy_value(id, &g, &at.env) } else { quote_spanned!(place=> g.#name) };
+        let (name, global) = (self.global_name(id), self.grammar.global(id));
+        let g = code!(g);
+        let held = if global.lazy { self.lazy_value(id, &g, &at.env) } else { code!(g.#name) };
         match (global.is_set, global.lazy) {
             (true, _) => self.of_shape(id, &at.shape, &held),
             (false, true) => held,
@@ -30,25 +29,25 @@ impl Generator<'_> {
     /// The value that a shape has of its own, else the one given.
     fn of_shape(&self, global: GlobalId, shape: &TokenStream, held: &TokenStream) -> TokenStream {
         let ty = self.grammar.global(global).ty;
-        let (place, number, get) = (Span::mixed_site(), number(global), types::function(ty, "attribute"));
+        let (number, get) = (number(global), types::function(ty, "attribute"));
         match ty {
-            Type::Float | Type::Bool => quote_spanned!(place=> cga_rt::get::#get(#shape, #number, #held)),
-            _ => quote_spanned!(place=> cga_rt::get::#get(#shape, #number, &#held)),
+            Type::Float | Type::Bool => code!(cga_rt::get::#get(#shape, #number, #held)),
+            _ => code!(cga_rt::get::#get(#shape, #number, &#held)),
         }
     }
 
     /// Gives the current shape a value of its own, from the local `value`.
     pub(super) fn set(&self, global: GlobalId, ty: Type, value: &Ident) -> TokenStream {
         let (number, kind) = (number(global), types::variant(ty));
-        quote_spanned!(Span::mixed_site()=> cga_rt::set::attribute(shape, #number, cga_rt::Value::#kind(#value));)
+        code!(cga_rt::set::attribute(shape, #number, cga_rt::Value::#kind(#value));)
     }
 
     /// The given values, and the copy on which all others are computed again.
     pub(super) fn renew(&self, call: &Renew, number: &Literal) -> (TokenStream, TokenStream) {
-        let (place, at) = (Span::mixed_site(), Access::rule());
+        let at = Access::rule();
         let names: Vec<Ident> = (0..call.given.len()).map(|number| local("given_", number)).collect();
         let values = call.given.iter().map(|(_, value)| self.asked(value, &at));
-        let given = quote_spanned!(place=> #(let #names = #values;)*);
+        let given = code!(#(let #names = #values;)*);
         let set = call.given.iter().zip(&names).map(|((id, value), name)| self.set(*id, value.ty, name));
         let mut ids: Vec<GlobalId> = call.given.iter().map(|(id, _)| *id).collect();
         ids.sort_unstable();
@@ -56,7 +55,7 @@ impl Generator<'_> {
         let renew = local("renew_", call.renewal.0 as usize);
         (
             given,
-            quote_spanned! { place=>
+            code! {
                 let mut whole = cx.env.whole(&cga_rt::push(shape, #number));
                 {
                     let shape = &mut whole;
@@ -71,7 +70,6 @@ impl Generator<'_> {
 
     /// One function for each renewal: it sets all values except the given ones, on the copy.
     pub(super) fn renewals(&self) -> TokenStream {
-        let place = Span::mixed_site();
         self.grammar
             .renewals
             .iter()
@@ -90,7 +88,7 @@ impl Generator<'_> {
                     .collect();
                 let pieces = steps.chunks(PIECE).enumerate().map(|(piece, steps)| {
                     let name = local(&format!("renew_{number}_"), piece);
-                    quote_spanned! { place=>
+                    code! {
                         fn #name(
                             g: &CgaValues,
                             env: &mut cga_rt::Env,
@@ -102,7 +100,7 @@ impl Generator<'_> {
                     }
                 });
                 let names = (0..steps.len().div_ceil(PIECE)).map(|piece| local(&format!("renew_{number}_"), piece));
-                quote_spanned! { place=>
+                code! {
                     fn #name(
                         g: &CgaValues,
                         env: &mut cga_rt::Env,
@@ -119,43 +117,42 @@ impl Generator<'_> {
 
     /// Computes one attribute or constant again. The numbers in `given` are sorted; constants cannot be given.
     fn renewed_global(&self, id: GlobalId) -> TokenStream {
-        let (place, global, number) = (Span::mixed_site(), self.grammar.global(id), number(id));
+        let (global, number) = (self.grammar.global(id), number(id));
         let value = &local("value_", 0);
         let (code, set) = (self.renewed_value(global), self.set(id, global.value.ty, value));
         match global.attr {
-            Some(_) => quote_spanned!(place=> if !given.binary_search(&#number).is_ok() { let #value = #code; #set }),
-            None => quote_spanned!(place=> let #value = #code; #set),
+            Some(_) => code!(if !given.binary_search(&#number).is_ok() { let #value = #code; #set }),
+            None => code!(let #value = #code; #set),
         }
     }
 
     /// Computes lazy attributes and constants again, on a copy of the run's values in which they are open.
     fn renewed_lazy(&self, globals: &[GlobalId]) -> TokenStream {
-        let place = Span::mixed_site();
         let mut numbers: Vec<u32> = globals.iter().map(|id| id.0).collect();
         numbers.sort_unstable();
         let numbers = numbers.into_iter().map(Literal::u32_suffixed);
         let open = globals.iter().map(|&id| {
             let (name, global, number) = (self.global_name(id), self.grammar.global(id), number(id));
-            let none = quote_spanned!(place=> ::core::default::Default::default());
+            let none = code!(::core::default::Default::default());
             if global.attr.is_none() {
-                return quote_spanned!(place=> own.#name = #none;);
+                return code!(own.#name = #none;);
             }
-            let given = self.of_shape(id, &quote_spanned!(place=> shape), &none);
+            let given = self.of_shape(id, &code!(shape), &none);
             let host = self.renewed.binary_search(&global.name).ok().map_or(none, |field| {
                 let field = local("field_", field);
-                quote_spanned!(place=> cga_rt::Lazy::given(::core::clone::Clone::clone(&g.#field)))
+                code!(cga_rt::Lazy::given(::core::clone::Clone::clone(&g.#field)))
             });
-            quote_spanned! { place=>
+            code! {
                 own.#name = if given.binary_search(&#number).is_ok() { cga_rt::Lazy::known(#given) } else { #host };
             }
         });
         let set = globals.iter().map(|&id| {
             let value = local("value_", 0);
-            let computed = self.lazy_value(id, &quote_spanned!(place=> &own), &quote_spanned!(place=> env));
+            let computed = self.lazy_value(id, &code!(&own), &code!(env));
             let set = self.set(id, self.grammar.global(id).ty, &value);
-            quote_spanned!(place=> let #value = #computed; #set)
+            code!(let #value = #computed; #set)
         });
-        quote_spanned! { place=>
+        code! {
             let mut own = ::core::clone::Clone::clone(g);
             own.origin = cga_rt::Origin::anew(shape, &[#(#numbers),*]);
             #(#open)*
@@ -166,23 +163,22 @@ impl Generator<'_> {
     /// The renewed value of an attribute or constant: the one from the host program, else it is computed, with random
     /// numbers of its own.
     fn renewed_value(&self, global: &Global) -> TokenStream {
-        let place = Span::mixed_site();
         let code = self.expr(&global.value, &Access::function());
         let code = match global.value.kind {
             ExprKind::Value(_) => code,
             _ => {
                 let number = stream(&global.name);
-                quote_spanned!(place=> cga_rt::anew(shape, #number, |shape| #code))
+                code!(cga_rt::anew(shape, #number, |shape| #code))
             }
         };
         let field = self.renewed.binary_search(&global.name).ok().filter(|_| global.attr.is_some());
         let Some(field) = field else { return code };
         let field = local("field_", field);
         let (held, given) = match global.ty {
-            Type::Float | Type::Bool => (quote_spanned!(place=> g.#field), quote_spanned!(place=> given)),
-            _ => (quote_spanned!(place=> &g.#field), quote_spanned!(place=> ::core::clone::Clone::clone(given))),
+            Type::Float | Type::Bool => (code!(g.#field), code!(given)),
+            _ => (code!(&g.#field), code!(::core::clone::Clone::clone(given))),
         };
-        quote_spanned! { place=>
+        code! {
             match #held {
                 ::core::option::Option::Some(given) => #given,
                 ::core::option::Option::None => #code,
@@ -197,24 +193,20 @@ impl Generator<'_> {
         let held = self.renewed.iter().enumerate().filter_map(|(number, name)| Some((number, *types.get(name)?)));
         held.map(|(number, ty)| {
             let ty = inner_type(ty);
-            (local("field_", number), quote_spanned!(Span::mixed_site()=> ::core::option::Option<#ty>))
+            (local("field_", number), code!(::core::option::Option<#ty>))
         })
         .collect()
     }
 
     /// Fills them.
-    pub(super) fn hold_fields(&self, fields: &HashMap<&str, &Field<'_>>) -> TokenStream {
-        let place = Span::mixed_site();
+    pub(super) fn hold_fields(&self, fields: &HashMap<&str, &AttrField<'_>>) -> TokenStream {
         let held = self.renewed.iter().enumerate().filter_map(|(number, name)| {
             let (own, field) = (local("field_", number), fields.get(name.as_str())?);
-            let value = match field.known {
-                Some(_) => {
-                    let value = field.plain();
-                    quote_spanned!(place=> ::core::option::Option::Some(#value))
-                }
-                None => field.optional(),
-            };
-            Some(quote_spanned!(place=> g.#own = #value;))
+            let value = field.value();
+            Some(match field.known {
+                Some(_) => code!(g.#own = ::core::option::Option::Some(#value);),
+                None => code!(g.#own = #value;),
+            })
         });
         held.collect()
     }

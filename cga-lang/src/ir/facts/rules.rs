@@ -6,7 +6,7 @@ use crate::ir::{Arm, Block, Grammar, Parts, Renewal, Rule, Selector, Step, Targe
 use crate::ops;
 
 /// The facts of a rule without the rules that it reaches.
-struct Own {
+struct OwnFacts {
     uses: Uses,
     /// True if it is rigid, apart from the counters that it gets with its shape.
     rigid: bool,
@@ -16,10 +16,10 @@ impl Facts {
     /// Finds the facts of rules from those of functions.
     pub(super) fn find_rules(&mut self, grammar: &Grammar) {
         let renewals: Vec<Uses> = grammar.renewals.iter().map(|renewal| self.renewal(grammar, renewal)).collect();
-        let own: Vec<Own> = grammar.rules.iter().map(|rule| self.own(rule, &renewals)).collect();
+        let own: Vec<OwnFacts> = grammar.rules.iter().map(|rule| self.own(rule, &renewals)).collect();
         let uses: Vec<Uses> = own.iter().map(|own| own.uses).collect();
-        let edges: Vec<Vec<usize>> = grammar.rules.iter().map(|rule| called(rule, |_| true)).collect();
-        let handed: Vec<Vec<usize>> = grammar.rules.iter().map(|rule| called(rule, hands_counters_on)).collect();
+        let edges = walk::calls(grammar, |_| true);
+        let handed = walk::calls(grammar, hands_counters_on);
 
         let all = closure(&edges, &uses);
         let counters = closure(&handed, &uses.iter().map(|uses| uses.counters()).collect::<Vec<_>>());
@@ -36,9 +36,9 @@ impl Facts {
             .collect();
     }
 
-    fn own(&self, rule: &Rule, renewals: &[Uses]) -> Own {
+    fn own(&self, rule: &Rule, renewals: &[Uses]) -> OwnFacts {
         let locals = self.exprs(&rule.locals);
-        let mut own = Own { uses: locals, rigid: locals.without_counters().is_rigid() };
+        let mut own = OwnFacts { uses: locals, rigid: locals.without_counters().is_rigid() };
         walk::steps(&rule.body, &mut |step| {
             let args = walk::targets(step).into_iter().map(|target| match target {
                 Target::Rule { args, .. } => self.exprs(args),
@@ -77,7 +77,6 @@ fn itself(step: &Step, renewals: &[Uses]) -> Uses {
         Step::Rust(..) => Uses::ALL,
         Step::Block(block) => block.row.uses,
         Step::Renew(call) => renewals[call.renewal.0 as usize],
-        Step::Chance { .. } => Uses::DRAWS,
         Step::SetAttr(..) | Step::Later(..) | Step::Give(_) | Step::Push(_) | Step::Case { .. } => Uses::NONE,
     }
 }
@@ -85,21 +84,6 @@ fn itself(step: &Step, renewals: &[Uses]) -> Uses {
 /// Returns true if the shapes that a step makes keep `split.index` and `split.total`.
 fn hands_counters_on(step: &Step) -> bool {
     !matches!(step, Step::Block(Block { parts: Parts::Slots(_), .. }))
-}
-
-/// The rules that steps hand shapes to, by number.
-fn called(rule: &Rule, from: fn(&Step) -> bool) -> Vec<usize> {
-    let mut list = Vec::new();
-    walk::steps(&rule.body, &mut |step| {
-        let targets = if from(step) { walk::targets(step) } else { Vec::new() };
-        list.extend(targets.into_iter().filter_map(|target| match target {
-            Target::Rule { rule, .. } => Some(rule.0 as usize),
-            Target::Leaf(..) | Target::Nil => None,
-        }));
-    });
-    list.sort_unstable();
-    list.dedup();
-    list
 }
 
 /// Returns true if an operation makes the same parts of a shape wherever the shape is. `noAlign` gives parts the axes of the pivot,
