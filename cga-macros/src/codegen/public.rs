@@ -4,7 +4,7 @@ use cga_lang::editor::public_names::PublicName;
 use cga_lang::ir::{Type, Value};
 use proc_macro2::{Ident, TokenStream};
 
-use super::fields::Field;
+use super::fields::AttrField;
 use super::names::{Taken, ident};
 use super::{local, types};
 use crate::header::Header;
@@ -29,7 +29,7 @@ pub(crate) struct PublicAttr {
 }
 
 impl PublicAttr {
-    pub(super) fn of(field: &Field<'_>) -> Self {
+    pub(super) fn of(field: &AttrField<'_>) -> Self {
         let (global, attr) = (field.global, field.attr);
         let about = if attr.doc.is_empty() { String::new() } else { format!("\n\n{}", attr.doc) };
         let default = match field.known {
