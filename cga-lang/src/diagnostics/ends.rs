@@ -3,7 +3,7 @@
 use super::agreed::Agreed;
 use crate::analysis::{Calls, body};
 use crate::diag::code::Code;
-use crate::diag::{Basis, Diag, Diags, Level};
+use crate::diag::{Basis, Diag, Level, by_way_of};
 use crate::graph::{components, is_cycle};
 use crate::ops::Effect;
 use crate::resolve::context::Context;
@@ -44,51 +44,44 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
         let item = &globals.rules[rule];
         let name = &item.decl.name;
         let others = component.iter().filter(|other| **other != rule).map(|other| &globals.rules[*other].decl.name);
-        let way = match others.map(|name| format!("`{}`", name.text)).collect::<Vec<_>>() {
-            list if list.is_empty() => String::new(),
-            list => format!(" by way of {}", list.join(", ")),
-        };
-        let mut diags = Diags::new();
-        let what = format!("`{}` calls itself{way}", name.text);
-        let diag = match ends {
-            Ends::All => {
-                let diag = diags.report(Code::EndlessRules, name.span, format!("{what} and never ends"));
-                diag.note("every path through it leads back to it, and nothing on the way ends the cycle")
+        let way = by_way_of(others.map(|name| &name.text));
+        agreed.check(item, |diags| {
+            let what = format!("`{}` calls itself{way}", name.text);
+            let diag = match ends {
+                Ends::All => {
+                    let diag = diags.report(Code::EndlessRules, name.span, format!("{what} and never ends"));
+                    diag.note("every path through it leads back to it, and nothing on the way ends the cycle")
+                }
+                Ends::ButWholeSplits => {
+                    let message = format!("{what}, and the shape never gets smaller");
+                    let diag = diags.report_as(Code::EndlessRules, Level::Warning, name.span, message);
+                    diag.basis = Basis::Extent;
+                    diag.note("its split passes on the whole shape, so only a shape without an extent ends the cycle")
+                }
+                Ends::ButChance => {
+                    let diag = diags.report(Code::OnlyChanceEnds, name.span, format!("{what} until chance ends it"));
+                    diag.note("only percentages end it")
+                }
+            };
+            let itself = component.len() == 1;
+            if let Some(call) = call_of(body(item), rule, cx.tables.at(item.own)).filter(|_| itself) {
+                diag.related("it calls itself", call);
+                diag.help(format!("write `{}.` for a leaf", name.text));
             }
-            Ends::ButWholeSplits => {
-                let message = format!("{what}, and the shape never gets smaller");
-                let diag = diags.report_as(Code::EndlessRules, Level::Warning, name.span, message);
-                diag.basis = Basis::Extent;
-                diag.note("its split passes on the whole shape, so only a shape without an extent ends the cycle")
-            }
-            Ends::ButChance => {
-                let diag = diags.report(Code::OnlyChanceEnds, name.span, format!("{what} until chance ends it"));
-                diag.note("only percentages end it")
-            }
-        };
-        let itself = component.len() == 1;
-        if let Some(call) = call_of(body(item), rule, cx.tables.at(item.own)).filter(|_| itself) {
-            diag.related("it calls itself", call);
-            diag.help(format!("write `{}.` for a leaf", name.text));
-        }
-        diag.help("write a `case` with a branch that does not call it, as in `case scope.sx < 0.1 : … else : …`");
-        agreed.add(item, diags.finish());
+            diag.help("write a `case` with a branch that does not call it, as in `case scope.sx < 0.1 : … else : …`");
+        });
     }
     agreed.finish()
 }
 
 /// The first call of a rule in a list of operations.
 fn call_of(list: &[Op], wanted: usize, names: Entries) -> Option<Span> {
-    let mut found = None;
-    ops(list, &mut |op| {
-        if let OpKind::Call(name, args) = &op.kind
-            && args.is_empty()
-            && names.of(name) == Some(Use::Rule(wanted as u32))
-        {
-            found = found.or(Some(name.span));
+    ops(list).find_map(|op| match &op.kind {
+        OpKind::Call(name, args) if args.is_empty() && names.of(name) == Some(Use::Rule(wanted as u32)) => {
+            Some(name.span)
         }
-    });
-    found
+        _ => None,
+    })
 }
 
 /// The rules of cycles in which every path leads back to such a rule.
@@ -160,30 +153,26 @@ fn whole(block: &Block) -> Option<&[Op]> {
 
 /// Returns true if an operation calls one of the rules.
 fn calls_one(list: &[Op], names: Entries, within: &dyn Fn(u32) -> bool) -> bool {
-    let mut found = false;
-    ops(list, &mut |op| {
-        if let OpKind::Call(name, _) | OpKind::Dynamic { rule: name, .. } = &op.kind {
-            found |= matches!(names.of(name), Some(Use::Rule(rule)) if within(rule));
+    ops(list).any(|op| match &op.kind {
+        OpKind::Call(name, _) | OpKind::Dynamic { rule: name, .. } => {
+            matches!(names.of(name), Some(Use::Rule(rule)) if within(rule))
         }
-    });
-    found
+        _ => false,
+    })
 }
 
 /// Returns true if an operation of a rule may change the size of the shape.
 fn sizes(item: &Item, cx: &Context) -> bool {
-    let (names, mut found) = (cx.tables.at(item.own), false);
-    ops(body(item), &mut |op| {
-        found |= match &op.kind {
-            OpKind::Call(name, _) => match names.of(name) {
-                Some(Use::Operation(row)) => !matches!(row.scope, Effect::Keeps | Effect::KeepsSize),
-                Some(Use::Rule(_) | Use::Leaf | Use::SetAttr(_)) => false,
-                _ => true,
-            },
-            // Slots pass on the sizes that they leave of the shape.
-            OpKind::Block(block) => !matches!(block.parts.as_slice(), [BlockPart::Slots(..)]),
-            OpKind::Path(..) | OpKind::Error => true,
-            _ => false,
-        };
-    });
-    found
+    let names = cx.tables.at(item.own);
+    ops(body(item)).any(|op| match &op.kind {
+        OpKind::Call(name, _) => match names.of(name) {
+            Some(Use::Operation(row)) => !matches!(row.scope, Effect::Keeps | Effect::KeepsSize),
+            Some(Use::Rule(_) | Use::Leaf | Use::SetAttr(_)) => false,
+            _ => true,
+        },
+        // Slots pass on the sizes that they leave of the shape.
+        OpKind::Block(block) => !matches!(block.parts.as_slice(), [BlockPart::Slots(..)]),
+        OpKind::Path(..) | OpKind::Error => true,
+        _ => false,
+    })
 }

@@ -3,12 +3,12 @@
 use super::arguments::bare;
 use super::arity::wrong_count;
 use super::context::Context;
-use super::globals::{Init, Kind, builtins};
+use super::globals::{Init, Namespace, builtins};
 use super::habits;
-use super::scope::Scope;
+use super::resolver::Resolver;
 use super::tables::Use;
-use crate::diag::Detail;
 use crate::diag::code::Code;
+use crate::diag::{Detail, quoted};
 use crate::dialect::Dialect;
 use crate::ops::{self, Function, Needs, ParamKind, Places, Run, Words};
 use crate::span::Span;
@@ -23,22 +23,23 @@ pub(crate) fn uses(cx: &mut Context) {
         let Some((value, own)) = item.value() else { continue };
         let owner = (!item.origin && index < cx.globals.attrs.len()).then_some(index as u32);
         let at = cx.globals.program.home(own);
-        let mut scope = Scope { cx, at, own, inner: Vec::new(), owner, place: None };
+        let mut resolver = Resolver { cx, at, own, inner: Vec::new(), owner, place: None };
         if item.is_own() {
-            scope.enter(item.decl);
+            resolver.enter(item.decl);
         }
-        scope.expr(value);
+        resolver.expr(value);
     }
     for item in cx.globals.rules.clone() {
         if let crate::syntax::ast::Body::Rule(ops) = &item.decl.body {
-            let mut scope = Scope { cx, at: item.home, own: item.own, inner: Vec::new(), owner: None, place: None };
-            scope.enter(item.decl);
-            scope.ops(ops);
+            let mut resolver =
+                Resolver { cx, at: item.home, own: item.own, inner: Vec::new(), owner: None, place: None };
+            resolver.enter(item.decl);
+            resolver.ops(ops);
         }
     }
 }
 
-impl<'a> Scope<'_, 'a, '_> {
+impl<'a> Resolver<'_, 'a, '_> {
     /// Enters parameters, then locals. Each local can use the names before it.
     fn enter(&mut self, decl: &'a crate::syntax::ast::Decl) {
         self.inner.extend(&decl.params);
@@ -55,11 +56,6 @@ impl<'a> Scope<'_, 'a, '_> {
     /// Records a call that is not implemented yet.
     pub(crate) fn note_later(&mut self, name: &Name) {
         self.cx.tables.later.insert((self.own, name.id()));
-    }
-
-    /// Records the attribute of an import that an override gives a value to.
-    pub(crate) fn note_target(&mut self, name: &Name, attr: u32) {
-        self.cx.tables.targets.insert((self.own, name.id()), attr);
     }
 
     /// Records the candidates of a call. If there are several, the types decide.
@@ -143,43 +139,30 @@ impl<'a> Scope<'_, 'a, '_> {
 
     /// Reports uses that are not implemented yet or are deprecated.
     pub(crate) fn about_later(&mut self, name: &Name, found: Use) {
-        match found {
+        let (name_of, run, about, old) = match found {
             Use::Builtin(Function { needs: Needs::Component, .. }) if self.place.is_none() => {
                 let message = format!("`{}` is only allowed in a selector", name.text);
                 self.cx.diags.report(Code::UnknownFunction, name.span, message).note("it reads a component");
+                return;
             }
-            Use::Builtin(Function { run: Run::Later, about, .. }) => {
-                self.not_implemented(name.span, &format!("`{}`", name.text), Some((&name.text, about)));
-            }
-            Use::Builtin(row) => self.deprecated(name, row.old),
-            Use::Shape(row) => {
-                if row.get == Run::Later {
-                    self.not_implemented(name.span, &format!("`{}`", name.text), None);
-                }
-                self.deprecated(name, row.old);
-            }
-            Use::SetShape(row) => {
-                if row.set == Some(Run::Later) {
-                    self.not_implemented(name.span, &format!("`set` of `{}`", name.text), None);
-                }
-                self.deprecated(name, row.old);
-            }
-            Use::Operation(row) => {
-                if row.run == Run::Later {
-                    self.not_implemented(name.span, &format!("`{}`", name.text), Some((&name.text, row.about)));
-                }
-                self.deprecated(name, row.old);
-            }
-            _ => {}
+            Use::Builtin(row) => ("", row.run, row.about, row.old.filter(|_| row.run != Run::Later)),
+            Use::Shape(row) => ("", row.get, "", row.old),
+            Use::SetShape(row) => ("`set` of ", row.set.unwrap_or(row.get), "", row.old),
+            Use::Operation(row) => ("", row.run, row.about, row.old),
+            _ => return,
+        };
+        if run == Run::Later {
+            self.not_implemented(name.span, &format!("{name_of}`{}`", name.text), about);
         }
+        self.deprecated(name, old);
     }
 
-    /// Reports a known feature that is not implemented yet. `about` is its name and its effect.
-    pub(crate) fn not_implemented(&mut self, span: Span, what: &str, about: Option<(&str, &str)>) {
+    /// Reports a known feature that is not implemented yet. `about` is its effect.
+    pub(crate) fn not_implemented(&mut self, span: Span, what: &str, about: &str) {
         let diag = self.cx.diags.report(Code::NotImplemented, span, format!("{what} is not implemented yet"));
         diag.detail = Detail::Later(what.replace('`', ""));
-        if let Some((name, about)) = about.filter(|(_, about)| !about.is_empty()) {
-            diag.note(format!("`{name}`: {about}"));
+        if !about.is_empty() {
+            diag.note(format!("{what}: {about}"));
         }
         diag.note("a run ignores it and reports a fault");
     }
@@ -203,7 +186,7 @@ impl<'a> Scope<'_, 'a, '_> {
         }
         let is_rule = !globals.rules(at, text).is_empty();
         let inner = self.inner.iter().map(|inner| inner.text.as_str());
-        let near = globals.meant(at, text, Kind::Values, inner.chain(ops::all_shape_attrs().map(|row| row.name)));
+        let near = globals.meant(at, text, Namespace::Values, inner.chain(ops::all_shape_attrs().map(|row| row.name)));
         let truth = ["true", "false"].into_iter().find(|word| text.eq_ignore_ascii_case(word)).map(str::to_owned);
         let help = help.or_else(|| habits::value(text).map(|value| format!("write `{value}`")));
         let near = truth.or(near).filter(|_| help.is_none());
@@ -231,11 +214,11 @@ impl<'a> Scope<'_, 'a, '_> {
             && !self.cx.globals.program.instances[at].imports.contains_key(first)
         {
             let all = ops::all_functions().map(|row| row.name).filter(|name| name.split('.').next() == Some(first));
-            let mut all: Vec<String> = all.map(|name| format!("`{name}`")).collect();
+            let mut all: Vec<&str> = all.collect();
             all.dedup();
             match all.is_empty() {
                 true => diag.note(format!("there is no import `{first}`")),
-                false => diag.note(format!("there are {}", all.join(", "))),
+                false => diag.note(format!("there are {}", quoted(all))),
             };
         }
     }
@@ -243,11 +226,9 @@ impl<'a> Scope<'_, 'a, '_> {
     /// The numbers of arguments that functions with a name take.
     fn takes(&self, name: &str) -> Vec<usize> {
         let globals = &self.cx.globals;
-        let own =
-            globals.functions(self.at, name).iter().map(|index| globals.functions[*index as usize].decl.params.len());
-        let own: Vec<usize> = own.collect();
+        let own = globals.functions(self.at, name).iter().map(|index| &globals.functions[*index as usize]);
         let rows = ops::functions(name).flat_map(|row| ops::required(row.params)..=row.params.len());
-        own.into_iter().chain(rows).chain(conversion(name).map(|_| 1)).collect()
+        own.map(|item| item.decl.params.len()).chain(rows).chain(conversion(name).map(|_| 1)).collect()
     }
 
     fn call(&mut self, name: &'a Name, args: &'a [Expr]) {
@@ -306,12 +287,8 @@ impl<'a> Scope<'_, 'a, '_> {
     /// Resolves a call whose words do not fit any row.
     fn other_words(&mut self, name: &Name, rows: &[&'static Function], args: &'a [Expr]) {
         let all: Vec<&Expr> = args.iter().collect();
-        if let Some(row) = rows.iter().find(|row| self.computes_words(row.params, &all)) {
-            for (param, arg) in row.params.iter().zip(args) {
-                self.computed_word(&param.kind, arg);
-            }
-            self.note_later(name);
-            return self.note(name, Use::Builtin(row));
+        if self.computed(name, rows, |row| (row.params, Use::Builtin(row)), &all) {
+            return;
         }
         let row = rows[0];
         for (param, arg) in row.params.iter().zip(args) {
@@ -347,7 +324,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let method = self.method(text, args);
         let near = match method {
             Some(_) => None,
-            None => self.cx.globals.meant(self.at, text, Kind::Functions, others),
+            None => self.cx.globals.meant(self.at, text, Namespace::Functions, others),
         };
         let shape = ops::operations(text).next().is_some() || !self.cx.globals.rules(self.at, text).is_empty();
         let diag = self.cx.diags.report(Code::UnknownFunction, name.span, format!("unknown function `{text}`"));

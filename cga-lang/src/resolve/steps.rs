@@ -2,8 +2,8 @@
 
 use super::arguments::{has_error, word};
 use super::arity::{counts, usage, wrong_count};
-use super::globals::Kind;
-use super::scope::Scope;
+use super::globals::Namespace;
+use super::resolver::Resolver;
 use super::tables::Use;
 use super::words::fitting;
 use super::{habits, overrides};
@@ -14,6 +14,7 @@ use crate::ops::{self, Braces, Operation, Param, ParamKind, Places, Run};
 use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
+use crate::syntax::walk::OpPart;
 use crate::types::Type;
 
 /// The maximum number of declarations of a rule that a message names.
@@ -64,7 +65,7 @@ fn decimal(first: &Arg, second: &Arg) -> Option<String> {
     Some(format!("{}.{}", digits(first)?, digits(second)?))
 }
 
-impl<'a> Scope<'_, 'a, '_> {
+impl<'a> Resolver<'_, 'a, '_> {
     pub(crate) fn ops(&mut self, ops: &'a [Op]) {
         for (index, op) in ops.iter().enumerate() {
             self.op(op);
@@ -86,29 +87,25 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     fn op(&mut self, op: &'a Op) {
+        // The selectors of its arms.
+        let mut place = Places::NONE;
         match &op.kind {
-            OpKind::Leaf(_) | OpKind::Nil | OpKind::Error => {}
             // The unreadable text may be an argument, so the number of arguments is unknown.
             OpKind::Call(_, args) if self.has_unread(op.span) => args.iter().for_each(|arg| self.expr(&arg.value)),
             OpKind::Call(name, args) if name.text == "set" => self.set(name, args),
             OpKind::Call(name, args) => self.shape_call(name, args),
             OpKind::Dynamic { import, overrides, rule, args } => self.dynamic(import, overrides, rule, args),
             OpKind::Path(_, args) => self.values(args),
-            OpKind::Push(ops) => self.ops(ops),
-            OpKind::Block(block) => self.block(block),
-            OpKind::Case(arms, otherwise) => {
-                for (condition, ops) in arms {
-                    self.expr(condition);
-                    self.ops(ops);
-                }
-                self.ops(otherwise);
-            }
-            OpKind::Chance(arms, otherwise) => {
-                self.percentages(arms.iter().map(|(percent, _)| percent));
-                for (_, ops) in arms {
-                    self.ops(ops);
-                }
-                self.ops(otherwise);
+            OpKind::Block(block) => place = self.block(block),
+            OpKind::Chance(arms, _) => self.percentages(arms.iter().map(|(percent, _)| percent)),
+            OpKind::Leaf(_) | OpKind::Nil | OpKind::Push(_) | OpKind::Case(..) | OpKind::Error => {}
+        }
+        for part in op.parts() {
+            match part {
+                OpPart::Size(arg) | OpPart::Length(arg) => self.expr(&arg.value),
+                OpPart::Depth(value) | OpPart::Condition(value) => self.expr(value),
+                OpPart::Arm(arm) => self.arm(arm, place),
+                OpPart::Ops(ops) => self.ops(ops),
             }
         }
     }
@@ -171,26 +168,19 @@ impl<'a> Scope<'_, 'a, '_> {
     /// Resolves a call whose words do not fit any row: they are computed, or they are wrong.
     fn wrong_words(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) {
         let values: Vec<&'a Expr> = args.iter().map(|arg| &arg.value).collect();
-        let Some(row) = rows.iter().find(|row| self.computes_words(row.params, &values)) else {
-            if self.swapped(name, rows, args) {
-                return;
-            }
-            let before = self.cx.diags.so_far().len();
-            self.operation(&rows[..1], args);
-            if let [first, second] = args
-                && let Some(number) = decimal(first, second)
-                && ops::operations(&name.text).any(|row| row.takes(1))
-            {
-                let first = self.cx.diags.so_far().get_mut(before);
-                first.map(|diag| diag.help(format!("write `{number}`: a number has a decimal point")));
-            }
+        if self.computed(name, rows, |row| (row.params, Use::Operation(row)), &values) || self.swapped(name, rows, args)
+        {
             return;
-        };
-        for (param, value) in row.params.iter().zip(values) {
-            self.computed_word(&param.kind, value);
         }
-        self.note_later(name);
-        self.note(name, Use::Operation(row));
+        let before = self.cx.diags.so_far().len();
+        self.operation(&rows[..1], args);
+        if let [first, second] = args
+            && let Some(number) = decimal(first, second)
+            && ops::operations(&name.text).any(|row| row.takes(1))
+        {
+            let first = self.cx.diags.so_far().get_mut(before);
+            first.map(|diag| diag.help(format!("write `{number}`: a number has a decimal point")));
+        }
     }
 
     fn needs_braces(&mut self, name: &Name, row: &Operation) {
@@ -242,16 +232,14 @@ impl<'a> Scope<'_, 'a, '_> {
             return;
         }
         let inline = self.dialect() == Dialect::Inline;
-        let habit = habits::step(text);
-        let (message, near) = if habit.is_some() && others.is_empty() {
-            (format!("there is no rule `{text}`"), None)
-        } else if others.is_empty() {
+        let habit = habits::step(text).filter(|_| others.is_empty());
+        let (mut message, mut near) = (format!("there is no rule `{text}`"), None);
+        if !others.is_empty() {
+            message = format!("rule `{text}` takes {}, got {count}", counts(others.iter().copied()));
+        } else if habit.is_none() {
             let others = ops::all_operations().map(|row| row.name).chain(["set", "NIL"]);
-            let near = globals.meant(at, text, Kind::Rules, others);
-            (format!("there is no rule `{text}`"), near.or_else(|| globals.leaf(at, text)))
-        } else {
-            (format!("rule `{text}` takes {}, got {count}", counts(others.iter().copied())), None)
-        };
+            near = globals.meant(at, text, Namespace::Rules, others).or_else(|| globals.leaf(at, text));
+        }
         let level = if inline { Level::Error } else { Level::Warning };
         let is_value = self.lookup(text).is_some() && count == 0;
         let diag = self.cx.diags.report_as(Code::UndefinedRule, level, name.span, message);
@@ -259,7 +247,7 @@ impl<'a> Scope<'_, 'a, '_> {
             diag.note(format!("it becomes a leaf named `{text}`"));
         }
         diag.suggest(near);
-        if let Some(help) = habit.filter(|_| others.is_empty()) {
+        if let Some(help) = habit {
             diag.help(help);
         }
         if !declared.is_empty() {
@@ -321,29 +309,15 @@ impl<'a> Scope<'_, 'a, '_> {
         true
     }
 
-    /// Resolves an operation with braces.
-    fn block(&mut self, block: &'a Block) {
+    /// Resolves the name and arguments of an operation with braces. Returns the selectors of its arms.
+    fn block(&mut self, block: &'a Block) -> Places {
         let all = likely(block);
         let rows: Vec<_> = all.iter().copied().filter(|row| row.takes(block.args.len())).collect();
         if !has_error(&block.args) {
             self.block_args(block, &all, &rows);
         }
         let first = block.args.first().and_then(|arg| arg.value.word());
-        let place = rows.first().or(all.first()).map_or(Places::NONE, |row| row.places(first));
-        for part in &block.parts {
-            match part {
-                BlockPart::Slots(items, _) => self.items(items),
-                BlockPart::Sections(list, _) => {
-                    for section in list {
-                        self.expr(&section.length.value);
-                        self.expr(&section.depth);
-                        self.ops(&section.ops);
-                    }
-                }
-                BlockPart::Arms(arms) => arms.iter().for_each(|arm| self.arm(arm, place)),
-                BlockPart::Ops(list) => list.iter().for_each(|ops| self.ops(ops)),
-            }
-        }
+        rows.first().or(all.first()).map_or(Places::NONE, |row| row.places(first))
     }
 
     /// Resolves the arguments of an operation with braces. `all` are its rows, `rows` those with the right number of
@@ -387,7 +361,7 @@ impl<'a> Scope<'_, 'a, '_> {
             (None, Some(None)) => return,
             (None, None) if self.cx.globals.is_lost(self.at, &import.text) => return,
             (None, None) => {
-                let near = nearest(&import.text, self.cx.globals.near(self.at, Kind::Imports)).map(str::to_owned);
+                let near = nearest(&import.text, self.cx.globals.near(self.at, Namespace::Imports)).map(str::to_owned);
                 let message = format!("there is no import `{}`", import.text);
                 self.cx.diags.report(Code::UnknownName, import.span, message).suggest(near);
                 return;
@@ -397,7 +371,7 @@ impl<'a> Scope<'_, 'a, '_> {
             if let Override::Value(name, _) = own
                 && let Some(Use::Attr(attr)) = self.cx.globals.value(target, &name.text)
             {
-                self.note_target(name, attr);
+                self.cx.tables.targets.insert((self.own, name.id()), attr);
             }
         }
         let here = std::mem::replace(&mut self.at, target);
@@ -421,10 +395,10 @@ impl<'a> Scope<'_, 'a, '_> {
             ExprKind::Name(attr) => self.set_name(name, &attr.text, attr.span),
             // A word in text means the bare word, if it is known.
             ExprKind::Call(sel, words) if sel.text == "sel" => match words.as_slice() {
-                [Expr { kind: ExprKind::Text(text), span }] => self.set_name(name, text, *span),
+                [Expr { kind: ExprKind::Text(text), span, .. }] => self.set_name(name, text, *span),
                 _ => {
                     words.iter().for_each(|word| self.expr(word));
-                    self.not_implemented(name.span, "`set` of an attribute whose name is computed", None);
+                    self.not_implemented(name.span, "`set` of an attribute whose name is computed", "");
                     self.note_later(name);
                 }
             },
@@ -475,7 +449,8 @@ impl<'a> Scope<'_, 'a, '_> {
         let others = ops::all_shape_attrs().filter(|row| row.set.is_some()).map(|row| row.name);
         let part = |row: &&ops::ShapeAttr| row.name.rsplit('.').next() == Some(text);
         let longer = ops::all_shape_attrs().filter(|row| row.set.is_some()).find(part).map(|row| row.name.to_owned());
-        let near = longer.or_else(|| globals.meant(self.at, text, Kind::Attrs, others).map(|near| near.to_string()));
+        let near =
+            longer.or_else(|| globals.meant(self.at, text, Namespace::Attrs, others).map(|near| near.to_string()));
         let is_operation = ops::operations(text).next().is_some();
         let message = format!("there is no attribute `{text}`");
         let diag = self.cx.diags.report(Code::UnknownName, span, message).suggest(near);

@@ -20,7 +20,7 @@ pub(super) fn functions(cx: &Generator<'_>) -> TokenStream {
 
 /// The rule that contains the steps.
 #[derive(Clone, Copy)]
-struct Body<'a> {
+struct InRule<'a> {
     id: RuleId,
     rule: &'a Rule,
 }
@@ -40,7 +40,7 @@ impl Generator<'_> {
         let name = self.rule(id, self.source.token(rule.span.first));
         let site = site::param(rule.sites.len());
         let (names, types): (Vec<_>, Vec<_>) = site.into_iter().chain(given(&rule.params, &rule.locals)).unzip();
-        let locals = self.locals(&rule.params, &rule.locals, &Access::rule(), Generator::asked);
+        let locals = self.locals(&rule.params, &rule.locals, &Access::rule());
         let doc = (!rule.source.is_empty()).then(|| {
             let source = &rule.source;
             code!(#[doc = #source])
@@ -62,7 +62,7 @@ impl Generator<'_> {
             }
             Childless::Never => Tail::default(),
         };
-        let steps = self.steps(&rule.body, Body { id, rule }, 0, &tail);
+        let steps = self.steps(&rule.body, InRule { id, rule }, 0, &tail);
         let (enter, leave) = (self.enter(rule, id), leave(rule));
         code! {
             #doc
@@ -90,7 +90,7 @@ impl Generator<'_> {
         let site = site::param(function.sites as usize);
         let (names, types): (Vec<_>, Vec<_>) = site.into_iter().chain(params).unzip();
         let ty = inner_type(function.ty);
-        let locals = self.locals(&function.params, &function.locals, &Access::function(), Generator::expr);
+        let locals = self.locals(&function.params, &function.locals, &Access::function());
         let body = self.expr(&function.body, &Access::function());
         let body = code!({ #locals #body });
         let shape = match self.facts.function(id).whole {
@@ -129,23 +129,17 @@ impl Generator<'_> {
     }
 
     /// The values of locals: they are the last parameters.
-    fn locals(
-        &self,
-        params: &[Param],
-        locals: &[Expr],
-        at: &Access,
-        expr: fn(&Self, &Expr, &Access) -> TokenStream,
-    ) -> TokenStream {
+    fn locals(&self, params: &[Param], locals: &[Expr], at: &Access) -> TokenStream {
         let first = params.len() - locals.len();
         let locals = locals.iter().enumerate().map(|(number, value)| {
-            let (name, value) = (local("p", first + number), expr(self, value, at));
+            let (name, value) = (local("p", first + number), self.expr(value, at));
             code!(let #name = #value;)
         });
         locals.collect()
     }
 
     /// The statements of steps. `number` counts the children made so far, and `tail` follows on every path.
-    fn steps(&self, steps: &[Step], body: Body<'_>, mut number: u32, tail: &Tail) -> TokenStream {
+    fn steps(&self, steps: &[Step], body: InRule<'_>, mut number: u32, tail: &Tail) -> TokenStream {
         let mut code = TokenStream::new();
         let mut rest = steps;
         while let Some((step, behind)) = rest.split_first() {
@@ -197,12 +191,12 @@ impl Generator<'_> {
                 Changes::Whole => None,
                 Changes::Nothing => {
                     let none = TokenStream::new();
-                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), &none, Generator::asked);
+                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), &none);
                     Some(code!({ #lets let shape = &mut { shape }; cga_rt::op::#call }))
                 }
                 Changes::Scope => {
                     let further = code!(&bases, &mut own,);
-                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), &further, Generator::asked);
+                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), &further);
                     Some(code! {
                         let mut own = ::core::option::Option::None;
                         let shape = {
@@ -261,19 +255,19 @@ impl Generator<'_> {
     fn branches(
         &self,
         (arms, otherwise): (&[(Expr, Vec<Step>)], &[Step]),
-        body: Body<'_>,
+        body: InRule<'_>,
         number: u32,
         tail: &Tail,
     ) -> TokenStream {
         let at = Access::rule();
-        let conditions = arms.iter().map(|(condition, _)| self.asked(condition, &at));
+        let conditions = arms.iter().map(|(condition, _)| self.expr(condition, &at));
         let bodies = arms.iter().map(|(_, steps)| self.steps(steps, body, number, tail));
         let otherwise = self.steps(otherwise, body, number, tail);
         code!(#(if #conditions { #bodies } else)* { #otherwise })
     }
 
     /// A step that makes children. After the last one nothing reads the shape.
-    fn step(&self, step: &Step, body: Body<'_>, number: u32, is_last: bool) -> TokenStream {
+    fn step(&self, step: &Step, body: InRule<'_>, number: u32, is_last: bool) -> TokenStream {
         let made = (body.rule.leaf == Childless::Depends).then(|| code!(childless = false;));
         let child = Literal::u32_unsuffixed(number);
         match step {
@@ -336,7 +330,7 @@ impl Generator<'_> {
             Target::Rule { rule, sites, args, span } => {
                 let call = self.call(from, (*rule, sites), args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
-                let values = args.iter().map(|arg| self.asked(arg, &Access::rule()));
+                let values = args.iter().map(|arg| self.expr(arg, &Access::rule()));
                 code!({
                     #(let #names = #values;)*
                     #copy
@@ -397,7 +391,7 @@ impl Generator<'_> {
             Target::Rule { rule, sites, args, span } => {
                 let call = self.call(from, (*rule, sites), args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
-                let values = args.iter().map(|arg| self.asked(arg, &Access::part()));
+                let values = args.iter().map(|arg| self.expr(arg, &Access::part()));
                 let hand_on = self.hand_on(*rule);
                 code!({
                     #(let #names = #values;)*

@@ -37,7 +37,7 @@ impl Generator<'_> {
                 code!(cga_rt::split_solved(cx, shape, SPLIT, #extent, &[#(#pieces),*], #visit)?)
             }
             (None, Measure::Texture) => {
-                let args = self.args(block.row, &block.args, &Access::rule(), Generator::asked, &TokenStream::new());
+                let args = self.args(block.row, &block.args, &Access::rule(), &TokenStream::new());
                 code! {
                     let sizes = &mut [#(#sizes),*];
                     let axis = (#(#args),*);
@@ -206,7 +206,7 @@ impl Generator<'_> {
     /// The sizes.
     fn sizes(&self, slots: &Slots) -> impl Iterator<Item = TokenStream> {
         let at = Access::rule();
-        slots.sizes.iter().map(move |size| prefixed(size.prefix, &self.asked(&size.value, &at)))
+        slots.sizes.iter().map(move |size| prefixed(size.prefix, &self.expr(&size.value, &at)))
     }
 }
 

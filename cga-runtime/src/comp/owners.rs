@@ -7,12 +7,12 @@ use crate::geometry::disjoint::DisjointSets;
 
 /// The arm of each component. Up to six components need no allocation: `comp` of a box is the façade path.
 #[derive(Debug)]
-pub(super) enum Owners {
+pub(super) enum ArmOwners {
     Few([Option<u16>; 6], usize),
     Many(Vec<Option<u16>>),
 }
 
-impl Owners {
+impl ArmOwners {
     /// *comp operation*: arms are tried from left to right, and the first match takes the component.
     #[inline]
     pub(super) fn choose(count: usize, arm: impl FnMut(usize) -> Option<u16>) -> Self {
@@ -20,16 +20,16 @@ impl Owners {
         if count <= 6 {
             let mut few = [None; 6];
             few.iter_mut().zip(owners).for_each(|(slot, owner)| *slot = owner);
-            Owners::Few(few, count)
+            ArmOwners::Few(few, count)
         } else {
-            Owners::Many(owners.collect())
+            ArmOwners::Many(owners.collect())
         }
     }
 
     fn list(&self) -> &[Option<u16>] {
         match self {
-            Owners::Few(list, count) => &list[..*count],
-            Owners::Many(list) => list,
+            ArmOwners::Few(list, count) => &list[..*count],
+            ArmOwners::Many(list) => list,
         }
     }
 

@@ -64,11 +64,8 @@ impl<'s> SplitParts<'s> {
         let parent = self.parent;
         let index = self.index;
         self.index += 1;
-        let mut scope = Scope {
-            origin: parent.scope.origin + self.along * piece.start,
-            axes: parent.scope.axes,
-            size: with(parent.scope.size, self.axis, self.sign * piece.length),
-        };
+        let mut scope = Scope { origin: parent.scope.origin + self.along * piece.start, ..parent.scope };
+        scope.size[self.axis.index()] = self.sign * piece.length;
         let geometry = self.geometry(index, piece, &mut scope);
         Shape { scope, geometry, ..parent.clone() }
     }
@@ -84,7 +81,7 @@ impl<'s> SplitParts<'s> {
             Geometry::Box(unit) => Geometry::Box(unit.part(self.axis, self.band(piece))),
             Geometry::Rect(across, unit) if *across != self.axis => {
                 if self.adjust == Adjust::Adjust {
-                    scope.size = with(scope.size, *across, 0.0);
+                    scope.size[across.index()] = 0.0;
                 }
                 Geometry::Rect(*across, unit.part(self.axis, self.band(piece)))
             }
@@ -173,16 +170,6 @@ impl<'s> SplitParts<'s> {
     }
 }
 
-/// A size with another extent along an axis. Without an index, which would go through memory and stall there.
-#[inline]
-fn with(size: DVec3, axis: Axis, extent: f64) -> DVec3 {
-    match axis {
-        Axis::X => DVec3::new(extent, size.y, size.z),
-        Axis::Y => DVec3::new(size.x, extent, size.z),
-        Axis::Z => DVec3::new(size.x, size.y, extent),
-    }
-}
-
 /// `Break` if the pieces exceed the limit of shapes, before they are laid out.
 #[cold]
 #[inline(never)]
@@ -207,14 +194,14 @@ pub(super) fn within_limit(env: &mut Env, row: impl Row) -> Flow {
 }
 
 /// The cuts of a mesh.
-pub(super) struct Borders {
+pub(super) struct PieceBorders {
     /// The places of cuts in the coordinates of the mesh, so that no vertex moves.
     pub(super) rising: Vec<f64>,
     /// True for each piece that rounding reduces to nothing.
     flat: Vec<bool>,
 }
 
-impl Borders {
+impl PieceBorders {
     /// The borders of pieces of an extent. `place` maps a distance to the mesh's coordinate; `high` is the coordinate
     /// of the end.
     pub(super) fn of(row: impl Row, extent: f64, high: f64, place: impl Fn(f64) -> f64) -> Self {
@@ -231,7 +218,7 @@ impl Borders {
             }
             Flow::Continue(())
         });
-        Borders { rising, flat }
+        PieceBorders { rising, flat }
     }
 
     /// The mesh of each piece, counted. `Break` when a limit is reached.
@@ -261,7 +248,7 @@ fn slabs(
     let at = axis.index();
     let (extent, stretch) = (size[at].abs(), placed.stretch(size)[at].abs());
     let plane = |distance: f64| placed.low[at] + distance / stretch;
-    let borders = Borders::of(row, extent, plane(extent), plane);
+    let borders = PieceBorders::of(row, extent, plane(extent), plane);
     // Texture coordinates of caps are metres in the scope, for every stretch of the mesh.
     let stretch = placed.stretch(size.abs());
     let cut = cut::stretched_slabs(&placed.mesh, axis, &borders.rising, placed.low, stretch);

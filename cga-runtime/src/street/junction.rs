@@ -4,10 +4,10 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec2;
 
-use super::cell::{Cell, Trace, strip};
-use super::chain::{Chain, ChainNode, turn};
-use super::grid::{Point, orient, twice_area};
-use super::section::{Section, Station};
+use super::cell::{SideStrip, Trace, strip};
+use super::chain::{ChainNode, Polyline, turn};
+use super::grid::{Point, are_apart, orient, twice_area};
+use super::section::{CrossSection, Station};
 
 /// The distance in metres from a junction within which its corners are searched.
 const REACH: f64 = 120.0;
@@ -25,32 +25,27 @@ const MOST_TANGENT: f64 = 4.0;
 const CORNER_STEP: f64 = 15.0;
 
 /// The layout of a junction.
-pub(super) struct Layout {
+#[derive(Default)]
+pub(super) struct JunctionLayout {
     /// The stations where the arms end, by chain and end.
     pub(super) stations: Vec<(u32, usize, Station)>,
-    pub(super) roadway: Vec<Point>,
+    /// The area of the roadway, in one or more rings.
+    pub(super) roadway: Vec<Vec<Point>>,
     /// The sidewalks around the corners.
-    pub(super) corners: Vec<Corner>,
-}
-
-/// A sidewalk around a corner of a junction.
-pub(super) struct Corner {
-    pub(super) cells: Vec<Cell>,
-    pub(super) length: f64,
-    pub(super) width: f64,
+    pub(super) corners: Vec<SideStrip>,
 }
 
 /// A chain as seen from the junction.
-struct Arm {
-    chain: Chain,
+struct Leg {
+    chain: Polyline,
     number: u32,
     end: usize,
 }
 
-impl Arm {
+impl Leg {
     /// The section at a station of the arm, from its left to its right. It is computed along the chain, so that its
     /// points are exactly those of the chain.
-    fn section(&self, chains: &[Chain], station: Station) -> Section {
+    fn section(&self, chains: &[Polyline], station: Station) -> CrossSection {
         if self.end == 0 {
             return chains[self.number as usize].section(station);
         }
@@ -61,10 +56,10 @@ impl Arm {
     }
 }
 
-impl Arm {
+impl Leg {
     /// The distance along the arm of a point beside a segment.
     fn along(&self, segment: usize, place: DVec2) -> f64 {
-        let off = (place - self.chain.places[segment]).dot(self.chain.direction(segment));
+        let off = (place - self.chain.place(segment)).dot(self.chain.direction(segment));
         (self.chain.along[segment] + off).max(0.0)
     }
 }
@@ -87,13 +82,13 @@ impl Meeting {
 }
 
 /// The arms of a node in counter-clockwise order.
-fn arms(node: &ChainNode, chains: &[Chain]) -> Vec<Arm> {
+fn arms(node: &ChainNode, chains: &[Polyline]) -> Vec<Leg> {
     let arm = |&(number, end): &(u32, usize)| {
         let chain = &chains[number as usize];
-        Arm { chain: if end == 0 { chain.clone() } else { chain.reversed() }, number, end }
+        Leg { chain: if end == 0 { chain.clone() } else { chain.reversed() }, number, end }
     };
-    let mut arms: Vec<Arm> = node.arms.iter().map(arm).collect();
-    let angle = |arm: &Arm| {
+    let mut arms: Vec<Leg> = node.arms.iter().map(arm).collect();
+    let angle = |arm: &Leg| {
         let direction = arm.chain.direction(0);
         libm::atan2(direction.y, direction.x)
     };
@@ -102,13 +97,13 @@ fn arms(node: &ChainNode, chains: &[Chain]) -> Vec<Arm> {
 }
 
 /// The counter-clockwise angle from an arm to the next one.
-fn gap(a: &Arm, b: &Arm) -> f64 {
+fn gap(a: &Leg, b: &Leg) -> f64 {
     let angle = turn(a.chain.direction(0), b.chain.direction(0));
     if angle <= 0.0 { angle + TAU } else { angle }
 }
 
 /// Lays out a junction with kerbs of a given radius. `None` if the arms do not fit.
-pub(super) fn layout(node: &ChainNode, chains: &[Chain], radius: f64) -> Option<Layout> {
+pub(super) fn layout(node: &ChainNode, chains: &[Polyline], radius: f64) -> Option<JunctionLayout> {
     let arms = arms(node, chains);
     let count = arms.len();
     let pair = |at: usize| (&arms[at], &arms[(at + 1) % count]);
@@ -139,7 +134,7 @@ pub(super) fn layout(node: &ChainNode, chains: &[Chain], radius: f64) -> Option<
         return None;
     }
     let stations: Vec<Station> = (0..count).map(|at| arms[at].chain.station_after(reach[at])).collect();
-    let sections: Vec<Section> = (0..count).map(|at| arms[at].section(chains, stations[at])).collect();
+    let sections: Vec<CrossSection> = (0..count).map(|at| arms[at].section(chains, stations[at])).collect();
     let (mut roadway, mut corners) = (Vec::new(), Vec::new());
     for (at, (kerb, outer, width)) in meetings.iter().enumerate() {
         let ((a, b), next) = (pair(at), (at + 1) % count);
@@ -149,15 +144,14 @@ pub(super) fn layout(node: &ChainNode, chains: &[Chain], radius: f64) -> Option<
             let mut line: Vec<Trace> = trace(from, chains, meeting.along[0]).collect();
             line.reverse();
             line.iter_mut().for_each(|trace| trace.key = (0, -trace.key.1));
-            line.extend(arc(&meeting.points, node.height));
+            line.extend(arc(&meeting.points, node.point.z));
             line.extend(trace(to, chains, meeting.along[1]));
             line.dedup_by_key(|trace| trace.point);
             line
         };
         let kerb = line(kerb, 1);
         if let Some(outer) = outer {
-            let (cells, length) = strip(&kerb, &line(outer, 0), *width)?;
-            corners.push(Corner { cells, length, width: *width });
+            corners.push(strip(&kerb, &line(outer, 0), *width)?);
         }
         roadway.extend(kerb.iter().map(|trace| trace.point));
     }
@@ -173,19 +167,23 @@ pub(super) fn layout(node: &ChainNode, chains: &[Chain], radius: f64) -> Option<
         let station = if arm.end == 0 { stations[at] } else { arm.chain.reversed_station(stations[at]) };
         (arm.number, arm.end, station)
     };
-    Some(Layout { stations: (0..count).map(to_chain).collect(), roadway, corners })
+    Some(JunctionLayout { stations: (0..count).map(to_chain).collect(), roadway: vec![roadway], corners })
 }
 
-impl Section {
+impl CrossSection {
     /// The distance of the section from the junction of an arm.
-    fn along_arm(&self, arm: &Arm) -> f64 {
+    fn along_arm(&self, arm: &Leg) -> f64 {
         if arm.end == 0 { self.along } else { arm.chain.length() - self.along }
     }
 }
 
 /// The points of an arm's border from a distance on: the points at the chain's vertices, and last the point of the
 /// section where the arm ends.
-fn trace((end, arm, border): (&Section, &Arm, usize), chains: &[Chain], from: f64) -> impl Iterator<Item = Trace> {
+fn trace(
+    (end, arm, border): (&CrossSection, &Leg, usize),
+    chains: &[Polyline],
+    from: f64,
+) -> impl Iterator<Item = Trace> {
     let to = end.along_arm(arm);
     let between = move |at: &usize| from + 1e-6 < arm.chain.along[*at] && arm.chain.along[*at] < to - 1e-6;
     let inner = (1..arm.chain.len()).filter(between).map(|at| arm.section(chains, Station::Vertex(at)));
@@ -204,7 +202,7 @@ fn arc(points: &[DVec2], height: f64) -> impl Iterator<Item = Trace> {
 }
 
 /// Joins the left border of an arm with the right border of the next one.
-fn meet(a: &Arm, b: &Arm, distances: [f64; 2], radius: f64, most_tangent: f64) -> Option<Meeting> {
+fn meet(a: &Leg, b: &Leg, distances: [f64; 2], radius: f64, most_tangent: f64) -> Option<Meeting> {
     let gap = gap(a, b);
     let lines = [a.chain.border(distances[0]), b.chain.border(distances[1])];
     if gap < PI - 1e-9
@@ -224,7 +222,7 @@ fn meet(a: &Arm, b: &Arm, distances: [f64; 2], radius: f64, most_tangent: f64) -
     if off < 2f64.to_radians() {
         return Some(Meeting::plain(Vec::new()));
     }
-    let node = a.chain.places[0];
+    let node = a.chain.place(0);
     let widest = distances[0].abs().max(distances[1].abs());
     if off < 100f64.to_radians() {
         // The mitre, on the other side of the junction.
@@ -258,7 +256,7 @@ fn fan(centre: DVec2, from: DVec2, to: DVec2) -> Vec<DVec2> {
 }
 
 /// The first crossing of two borders: the segments and the position.
-fn crossing(lines: &[Vec<DVec2>; 2], arms: [&Arm; 2]) -> Option<([usize; 2], DVec2)> {
+fn crossing(lines: &[Vec<DVec2>; 2], arms: [&Leg; 2]) -> Option<([usize; 2], DVec2)> {
     let near = |which: usize| (0..arms[which].chain.len()).take_while(move |&at| arms[which].chain.along[at] < REACH);
     for i in near(0) {
         let [p, q] = [lines[0][i], lines[0][i + 1]];
@@ -278,7 +276,7 @@ fn crossing(lines: &[Vec<DVec2>; 2], arms: [&Arm; 2]) -> Option<([usize; 2], DVe
 }
 
 /// A corner rounded by an arc of a given radius. Borders shifted outwards by the radius cross at the centre of the arc.
-fn rounded(corner: &Meeting, arms: [&Arm; 2], distances: [f64; 2], radius: f64, most_tangent: f64) -> Option<Meeting> {
+fn rounded(corner: &Meeting, arms: [&Leg; 2], distances: [f64; 2], radius: f64, most_tangent: f64) -> Option<Meeting> {
     let lines = [arms[0].chain.border(distances[0] + radius), arms[1].chain.border(distances[1] - radius)];
     let (at, centre) = crossing(&lines, arms)?;
     let along = [0, 1].map(|which| arms[which].along(at[which], centre));
@@ -309,9 +307,7 @@ fn is_simple(ring: &[Point]) -> bool {
     let count = ring.len();
     let edge = |at: usize| (ring[at], ring[(at + 1) % count]);
     let meets = |(a, b): (Point, Point), (c, d): (Point, Point)| {
-        let apart = |a: i64, b: i64, c: i64, d: i64| a.max(b) < c.min(d) || c.max(d) < a.min(b);
-        !apart(a.x, b.x, c.x, d.x)
-            && !apart(a.y, b.y, c.y, d.y)
+        !are_apart([a, b], [c, d])
             && orient(a, b, c).signum() * orient(a, b, d).signum() <= 0
             && orient(c, d, a).signum() * orient(c, d, b).signum() <= 0
     };
@@ -319,10 +315,10 @@ fn is_simple(ring: &[Point]) -> bool {
 }
 
 /// The fans that fill the outer sides of a junction whose arms begin at its node: triangles of roadway, and sidewalks.
-pub(super) fn fans(node: &ChainNode, chains: &[Chain]) -> (Vec<Vec<Point>>, Vec<Corner>) {
+pub(super) fn fans(node: &ChainNode, chains: &[Polyline]) -> JunctionLayout {
     let arms = arms(node, chains);
-    let (mut roadway, mut corners) = (Vec::new(), Vec::new());
-    let centre = Point::near(node.place);
+    let mut layout = JunctionLayout::default();
+    let centre = Point::near(node.point.truncate());
     for at in 0..arms.len() {
         let (a, b) = (&arms[at], &arms[(at + 1) % arms.len()]);
         if arms.len() < 2 || gap(a, b) < PI + 1e-9 {
@@ -331,7 +327,8 @@ pub(super) fn fans(node: &ChainNode, chains: &[Chain]) -> (Vec<Vec<Point>>, Vec<
         let ends = [a.section(chains, Station::Vertex(0)), b.section(chains, Station::Vertex(0))];
         let line = |border: usize| {
             let [from, to] = [ends[0].borders[border], ends[1].borders[3 - border]];
-            let mut line: Vec<Trace> = arc(&fan(node.place, from.place(), to.place()), node.height).collect();
+            let mut line: Vec<Trace> =
+                arc(&fan(node.point.truncate(), from.place(), to.place()), node.point.z).collect();
             // The ends must be exactly those of the arms.
             let last = line.len() - 1;
             (line[0].point, line[last].point) = (from, to);
@@ -340,10 +337,8 @@ pub(super) fn fans(node: &ChainNode, chains: &[Chain]) -> (Vec<Vec<Point>>, Vec<
         };
         let (kerb, width) = (line(1), a.chain.widths.left.max(b.chain.widths.right));
         let triangle = |edge: &[Trace]| vec![centre, edge[0].point, edge[1].point];
-        roadway.extend(kerb.windows(2).map(triangle).filter(|ring| 0 < twice_area(ring)));
-        if let Some((cells, length)) = strip(&kerb, &line(0), width).filter(|_| 0.0 < width) {
-            corners.push(Corner { cells, length, width });
-        }
+        layout.roadway.extend(kerb.windows(2).map(triangle).filter(|ring| 0 < twice_area(ring)));
+        layout.corners.extend(strip(&kerb, &line(0), width).filter(|_| 0.0 < width));
     }
-    (roadway, corners)
+    layout
 }
