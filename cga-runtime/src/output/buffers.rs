@@ -16,20 +16,19 @@ pub use part::Part;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use glam::{DAffine3, DMat3, DVec3, DVec4, Vec4};
+use glam::{DAffine3, DVec3, DVec4, Vec4};
 
 use self::part::Run;
 use self::replayed::{Marks, Replayed};
 use self::uvs::UvLists;
-use self::write::{marked, short, vertex, write_box, write_quad, write_quad_indices};
+use self::write::{marked, vertex, write_box, write_quad, write_quad_indices};
 use super::error::WriteError;
-use super::flatten::{FlatFace, Flattener, corner_point, unit};
+use super::flatten::{FlatFace, Flattener};
 use super::normals;
 use super::numbers::Numbers;
 use super::room::Room;
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
-use crate::geometry::mesh::map::normal_map;
 use crate::material::Material;
 use crate::run::sink::corners::{Placed, four};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
@@ -360,11 +359,27 @@ impl Buffers {
 
     /// Adds a vertex for a corner of a face.
     #[inline]
-    fn corner(&mut self, mesh: &Mesh, placement: &DAffine3, turn: &DMat3, face: &FlatFace<'_>, corner: usize) {
-        let point = placement.transform_point3(corner_point(mesh, corner)) - self.origin();
-        let normal = mesh.normals.get(corner).map_or(face.normal, |&n| unit(*turn * n));
-        self.vertices.push(vertex(short(point), short(normal)));
-        self.uvs.corner(mesh, corner, self.vertices.len() - 1);
+    fn corner(&mut self, face: &FlatFace<'_>, corner: usize) {
+        self.vertices.push(vertex(face.point(corner) - self.origin(), face.normal_at(corner)));
+        self.uvs.corner(face.mesh, corner, self.vertices.len() - 1);
+    }
+
+    /// Adds triangles of a face of a leaf with a rule and a material. `corners` become their vertices.
+    fn face(
+        &mut self,
+        face: &FlatFace<'_>,
+        (rule, material): (u32, u32),
+        corners: impl Iterator<Item = usize>,
+        triangles: &[[u32; 3]],
+    ) {
+        let shown = face.material(&mut self.numbers.table, material);
+        self.run(rule, shown);
+        let start = self.vertices.len() as u32;
+        corners.for_each(|corner| self.corner(face, corner));
+        let triangles = triangles.as_flattened();
+        for (index, corner) in self.indices.take(triangles.len()).iter_mut().zip(triangles) {
+            *index = start + corner;
+        }
     }
 
     #[inline]
@@ -427,18 +442,10 @@ impl Sink for Buffers {
             return ControlFlow::Break(());
         }
         self.last = None;
-        let (rule, material) = self.numbers.leaf(leaf);
-        let turn = normal_map(&placement.matrix3);
+        let numbers = self.numbers.leaf(leaf);
         let mut flattener = std::mem::take(&mut self.flattener);
         flattener.faces(mesh, placement, |face| {
-            let shown = self.numbers.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
-            self.run(rule, shown);
-            let start = self.vertices.len() as u32;
-            face.corners.clone().for_each(|corner| self.corner(mesh, placement, &turn, &face, corner));
-            let triangles = face.triangles.as_flattened();
-            for (index, corner) in self.indices.take(triangles.len()).iter_mut().zip(triangles) {
-                *index = start + corner;
-            }
+            self.face(&face, numbers, face.corners.clone(), face.triangles);
             true
         });
         self.flattener = flattener;

@@ -199,7 +199,7 @@ impl<W: Write> Sink for Obj<W> {
         };
         let mut flattener = std::mem::take(&mut self.flattener);
         flattener.faces(mesh, placement, |face| {
-            let shown = self.numbers.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
+            let shown = face.material(&mut self.numbers.table, material);
             self.run(rule, shown);
             if mesh.face(face.index).holes().len() == 0 {
                 self.text.push(b'f');

@@ -2,13 +2,12 @@
 
 #[cfg(feature = "obj")]
 use std::path::Path;
-use std::sync::PoisonError;
 
 #[cfg(feature = "obj")]
 use crate::asset::folder;
 use crate::asset::image::builtin;
 use crate::asset::image::header::{self, ImageHeader, ImageKind, MOST_BYTES};
-use crate::asset::{AssetError, Assets, BUILTINS, File, NAMES_KEPT};
+use crate::asset::{AssetError, Assets, BUILTINS, File};
 #[cfg(feature = "obj")]
 use crate::geometry::mesh::Mesh;
 #[cfg(feature = "obj")]
@@ -36,13 +35,12 @@ impl Assets {
         if self.root.is_none() {
             return Err(AssetError::NoFolder);
         }
-        if let Some(known) = self.read.lock().unwrap_or_else(PoisonError::into_inner).headers.get(name) {
+        if let Some(known) = self.read().headers.get(name) {
             return known.clone();
         }
         let found = self.image_file(name).map(|(header, _)| header);
-        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
-        if read.names < NAMES_KEPT {
-            read.names += 1;
+        let mut read = self.read();
+        if read.has_room() {
             read.headers.insert(name.to_owned(), found.clone());
         }
         found

@@ -9,7 +9,7 @@ use glam::{DAffine3, DVec3};
 use super::part::Run;
 use super::{Buffers, Vertex};
 use crate::geometry::mesh::Mesh;
-use crate::geometry::mesh::map::normal_map;
+use crate::output::flatten::FlatFace;
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 
 /// The number of vertices of a box, which is never divided.
@@ -116,44 +116,35 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
     /// Adds a mesh with more vertices than a chunk, face by face.
     #[cold]
     fn large_mesh(&mut self, leaf: &Leaf<'_>, mesh: &Mesh, placement: &DAffine3) -> Flow {
-        let turn = normal_map(&placement.matrix3);
         let mut flattener = std::mem::take(&mut self.buffers.flattener);
         let mut flow = Flow::Continue(());
         flattener.faces(mesh, placement, |face| {
-            let (count, first) = (face.corners.len(), face.corners.start);
-            if count <= self.capacity {
-                flow = self.room(count);
-                if flow.is_continue() {
-                    let start = self.open_face(leaf, mesh, face.index);
-                    face.corners.clone().for_each(|corner| self.buffers.corner(mesh, placement, &turn, &face, corner));
-                    self.buffers.indices.extend(face.triangles.as_flattened().iter().map(|i| start + i));
-                    self.buffers.pad_uvs();
-                }
-                return flow.is_continue();
-            }
-            for triangle in face.triangles {
-                flow = self.room(3);
-                if flow.is_break() {
-                    return false;
-                }
-                let start = self.open_face(leaf, mesh, face.index);
-                triangle.iter().for_each(|&i| self.buffers.corner(mesh, placement, &turn, &face, first + i as usize));
-                self.buffers.indices.extend([start, start + 1, start + 2].into_iter());
-                self.buffers.pad_uvs();
-            }
-            true
+            let first = face.corners.start;
+            flow = if face.corners.len() <= self.capacity {
+                self.face(leaf, &face, face.corners.clone(), face.triangles)
+            } else {
+                let mut corners = face.triangles.iter().map(|triangle| triangle.map(|i| first + i as usize));
+                corners.try_for_each(|corners| self.face(leaf, &face, corners.into_iter(), &[[0, 1, 2]]))
+            };
+            flow.is_continue()
         });
         self.buffers.flattener = flattener;
         flow
     }
 
-    /// Continues or begins the part of a face. Returns the number of its first vertex.
-    fn open_face(&mut self, leaf: &Leaf<'_>, mesh: &Mesh, face: usize) -> u32 {
-        let buffers = &mut self.buffers;
-        let (rule, material) = buffers.numbers.leaf(leaf);
-        let shown = buffers.numbers.table.face_material(material, &mesh.materials, mesh.tags[face].material);
-        buffers.run(rule, shown);
-        buffers.vertices.len() as u32
+    /// Adds triangles of a face; see [`Buffers::face`].
+    fn face(
+        &mut self,
+        leaf: &Leaf<'_>,
+        face: &FlatFace<'_>,
+        corners: impl ExactSizeIterator<Item = usize>,
+        triangles: &[[u32; 3]],
+    ) -> Flow {
+        self.room(corners.len())?;
+        let numbers = self.buffers.numbers.leaf(leaf);
+        self.buffers.face(face, numbers, corners, triangles);
+        self.buffers.pad_uvs();
+        Flow::Continue(())
     }
 }
 

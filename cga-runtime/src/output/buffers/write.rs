@@ -82,12 +82,9 @@ const fn two(first: u32, second: u32) -> u64 {
     first as u64 | (second as u64) << 32
 }
 
+/// The vertex at a point with a unit normal.
 #[inline]
-pub(super) fn vertex(p: [f32; 3], n: [f32; 3]) -> Vertex {
-    [p[0], p[1], p[2], n[0], n[1], n[2]]
-}
-
-#[inline]
-pub(super) fn short(v: DVec3) -> [f32; 3] {
-    [v.x as f32, v.y as f32, v.z as f32]
+pub(super) fn vertex(point: DVec3, normal: DVec3) -> Vertex {
+    let ([x, y, z], [u, v, w]) = (point.as_vec3().to_array(), normal.as_vec3().to_array());
+    [x, y, z, u, v, w]
 }

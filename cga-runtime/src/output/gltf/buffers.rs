@@ -33,7 +33,7 @@ impl Glb {
             let table = &mut self.numbers.table;
             let rule = table.rule(buffers.rules()[part.rule as usize]);
             let material = table.material(&buffers.materials()[part.material as usize]);
-            self.add(part.vertices.len(), part.indices.len())?;
+            self.add(part.vertices.len(), part.indices.len(), sets.sets().count())?;
             let primitive = self.primitives.of(&mut self.looks, &self.numbers.table, material, sets);
             primitive.part(buffers, &part, rule, moved);
         }

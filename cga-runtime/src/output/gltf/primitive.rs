@@ -7,11 +7,10 @@ use std::ops::Range;
 use glam::{DAffine3, DVec2, DVec3, DVec4, Vec4};
 
 use super::look::Looks;
-use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
 use crate::geometry::uv_map::{self, SetMap};
 use crate::material::layer::SetMask;
-use crate::output::flatten::{FlatFace, corner_point, unit};
+use crate::output::flatten::FlatFace;
 use crate::output::room::Room;
 use crate::output::table::Table;
 use crate::run::sink::Replay;
@@ -232,18 +231,15 @@ impl Primitive {
     }
 
     /// Adds a face of a mesh.
-    pub(super) fn face(&mut self, mesh: &Mesh, placement: &DAffine3, face: &FlatFace<'_>, rule: u32, origin: DVec3) {
+    pub(super) fn face(&mut self, face: &FlatFace<'_>, rule: u32, origin: DVec3) {
         self.begin(rule, false);
         let start = self.positions.len() as u32;
-        let turn = normal_map(&placement.matrix3);
         for corner in face.corners.clone() {
-            let point = placement.transform_point3(corner_point(mesh, corner)) - origin;
-            let normal = mesh.normals.get(corner).map_or(face.normal, |&n| unit(turn * n));
-            self.positions.push(short(point));
-            self.normals.push(short(normal));
+            self.positions.push(short(face.point(corner) - origin));
+            self.normals.push(short(face.normal_at(corner)));
         }
         for (set, list) in self.sets.sets().zip(&mut self.uvs) {
-            list.extend(mesh.uv_set(set)[face.corners.clone()].iter().map(|&uv| flipped(uv)));
+            list.extend(face.uvs(set).iter().map(|&uv| flipped(uv)));
         }
         self.indices.extend(face.triangles.as_flattened().iter().map(|i| start + i));
     }

@@ -5,8 +5,10 @@ use std::ops::Range;
 use super::binary::Word;
 use super::primitive::{Primitive, Stretch};
 
-/// Appends the data of a primitive.
-pub(super) type Stream = fn(&Primitive, &mut Vec<Word>);
+/// Appends numbers.
+pub(super) fn write_floats(numbers: &[f32], to: &mut Vec<Word>) {
+    to.extend(numbers.iter().map(|number| number.to_le_bytes()));
+}
 
 impl Primitive {
     /// The stretches, each with the ranges of its vertices and of the indices of meshes.
@@ -34,7 +36,7 @@ impl Primitive {
     }
 
     pub(super) fn write_positions(&self, to: &mut Vec<Word>) {
-        to.extend(self.positions.items().as_flattened().iter().map(|c| c.to_le_bytes()));
+        write_floats(self.positions.items().as_flattened(), to);
     }
 
     pub(super) fn write_normals(&self, to: &mut Vec<Word>) {
@@ -49,7 +51,7 @@ impl Primitive {
             } else {
                 let (normals, rest) = of_meshes.split_at(vertices.len());
                 of_meshes = rest;
-                to.extend(normals.as_flattened().iter().map(|c| c.to_le_bytes()));
+                write_floats(normals.as_flattened(), to);
             }
         }
     }
@@ -58,13 +60,6 @@ impl Primitive {
     pub(super) fn write_rules(&self, to: &mut Vec<Word>) {
         for (stretch, vertices, _) in self.walk() {
             to.extend(std::iter::repeat_n((stretch.rule as f32).to_le_bytes(), vertices.len()));
-        }
-    }
-
-    /// Writes the texture coordinates, set after set.
-    pub(super) fn write_uvs(&self, to: &mut Vec<Word>) {
-        for list in &self.uvs {
-            to.extend(list.as_flattened().iter().map(|c| c.to_le_bytes()));
         }
     }
 }

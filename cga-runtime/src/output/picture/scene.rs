@@ -4,16 +4,15 @@ use std::collections::HashMap;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use glam::{DAffine3, DVec2, DVec3};
+use glam::{DAffine3, DVec2, DVec3, Vec3};
 
 use super::texel::{Maps, PLAIN, Textures};
 use crate::asset::Assets;
-use crate::geometry::mesh::map::normal_map;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::uv_map::{self, SetMap};
 use crate::material::Material;
 use crate::material::layer::SetMask;
-use crate::output::flatten::{Flattener, corner_point, unit};
+use crate::output::flatten::{Flattener, unit};
 use crate::output::number::linear;
 use crate::output::table::Table;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
@@ -21,8 +20,8 @@ use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 /// A triangle, its coordinates relative to [`Scene::centre`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Triangle {
-    corners: [[f32; 3]; 3],
-    normal: [f32; 3],
+    corners: [Vec3; 3],
+    normal: Vec3,
     /// The index in [`Scene::paints`].
     pub(super) paint: u32,
     /// The plane, equal for all triangles in one plane.
@@ -46,7 +45,7 @@ pub(super) struct Paint {
     pub(super) maps: Maps,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Scene {
     pub(super) centre: DVec3,
     pub(super) triangles: Vec<Triangle>,
@@ -54,7 +53,7 @@ pub(super) struct Scene {
     pub(super) textures: Textures,
     /// True if facets may represent round surfaces.
     pub(super) round: bool,
-    smooth: Vec<[[f32; 3]; 3]>,
+    smooth: Vec<[Vec3; 3]>,
     table: Table,
     /// Only for look-ups, never iterated.
     planes: HashMap<[i64; 4], u32>,
@@ -64,21 +63,13 @@ pub(super) struct Scene {
     flattener: Flattener,
 }
 
-fn short(v: DVec3) -> [f32; 3] {
-    v.to_array().map(|c| c as f32)
-}
-
-fn long(v: [f32; 3]) -> DVec3 {
-    DVec3::from_array(v.map(f64::from))
-}
-
 impl Triangle {
     pub(super) fn corners(&self) -> [DVec3; 3] {
-        self.corners.map(long)
+        self.corners.map(|corner| corner.as_dvec3())
     }
 
     pub(super) fn normal(&self) -> DVec3 {
-        long(self.normal)
+        self.normal.as_dvec3()
     }
 }
 
@@ -87,16 +78,9 @@ impl Scene {
         let finite = bounds.low.is_finite() && bounds.high.is_finite();
         Scene {
             centre: if finite { (bounds.low + bounds.high) * 0.5 } else { DVec3::ZERO },
-            triangles: Vec::new(),
-            paints: Vec::new(),
             textures: Textures::new(assets),
-            round: false,
-            smooth: Vec::new(),
-            table: Table::new(),
-            planes: HashMap::new(),
             grain: if finite { (bounds.size().length() * 1e-5).max(1e-9) } else { 1e-3 },
-            leaves: 0,
-            flattener: Flattener::default(),
+            ..Scene::default()
         }
     }
 
@@ -110,7 +94,7 @@ impl Scene {
         let area = (b - a).cross(c - a).dot(n);
         let u = (c - b).cross(point - b).dot(n) / area;
         let v = (a - c).cross(point - c).dot(n) / area;
-        let [na, nb, nc] = self.smooth[triangle.smooth as usize].map(long);
+        let [na, nb, nc] = self.smooth[triangle.smooth as usize].map(|normal| normal.as_dvec3());
         (na * u + nb * v + nc * (1.0 - u - v)).normalize_or(n)
     }
 
@@ -135,19 +119,11 @@ impl Scene {
         let Some(&first) = corners.first() else { return };
         let plane = self.plane(first, normal);
         for triangle in triangles {
-            let corners = triangle.map(|i| short(corners[i as usize]));
+            let corners = triangle.map(|i| corners[i as usize].as_vec3());
             // Coordinates that are not finite cannot be drawn.
-            if corners.as_flattened().iter().all(|c| c.is_finite()) {
-                let leaf = self.leaves;
-                self.triangles.push(Triangle {
-                    corners,
-                    normal: short(normal),
-                    paint,
-                    plane,
-                    leaf,
-                    smooth: FLAT,
-                    uvs: PLAIN,
-                });
+            if corners.iter().all(|corner| corner.is_finite()) {
+                let (normal, leaf) = (normal.as_vec3(), self.leaves);
+                self.triangles.push(Triangle { corners, normal, paint, plane, leaf, smooth: FLAT, uvs: PLAIN });
             }
         }
     }
@@ -203,16 +179,14 @@ impl Sink for Scene {
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         let material = self.leaf(leaf);
         self.round = true;
-        let turn = normal_map(&placement.matrix3);
         let mut flattener = std::mem::take(&mut self.flattener);
         let mut corners = Vec::new();
         let sets = SetMask::of(|set| !mesh.uv_set(set).is_empty());
         flattener.faces(mesh, placement, |face| {
-            let shown = self.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
+            let shown = face.material(&mut self.table, material);
             let paint = self.paint(shown);
             corners.clear();
-            let place = |corner| placement.transform_point3(corner_point(mesh, corner)) - self.centre;
-            corners.extend(face.corners.clone().map(place));
+            corners.extend(face.corners.clone().map(|corner| face.point(corner) - self.centre));
             let first = self.triangles.len();
             self.flat(&corners, face.triangles, face.normal, paint);
             // One for each triangle, unless some were not finite. Then these have neither normals nor coordinates.
@@ -229,7 +203,7 @@ impl Sink for Scene {
             if !mesh.normals.is_empty() {
                 for (triangle, corners) in self.triangles[first..].iter_mut().zip(face.triangles) {
                     triangle.smooth = self.smooth.len() as u32;
-                    let normal = |i| short(unit(turn * mesh.normals[face.corners.start + i as usize]));
+                    let normal = |i| face.normal_at(face.corners.start + i as usize).as_vec3();
                     self.smooth.push(corners.map(normal));
                 }
             }

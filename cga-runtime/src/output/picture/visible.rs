@@ -121,7 +121,7 @@ pub(super) fn ground(layer: &mut Layer, view: &View, height: f64) {
         if layer.seen[sample] != SKY {
             continue;
         }
-        let (x, y) = ((sample % layer.width) as f64 + 0.5, (sample / layer.width) as f64 + 0.5);
+        let [x, y] = layer.place(sample);
         let (start, along) = view.ray(x, y);
         if along.y < -1e-9 && height < start.y {
             let point = start + along * ((height - start.y) / along.y);

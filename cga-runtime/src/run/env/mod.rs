@@ -21,7 +21,6 @@ use crate::run::report::{FAULTS_KEPT, Prints, Reports};
 use crate::run::settings::{Limits, Settings};
 use crate::run::sink::{Flow, LeafTables};
 use crate::shape::Shape;
-use crate::shape::look_id::LookIds;
 use crate::shape::street::Streets;
 use crate::value::Value;
 use crate::value::array::Array;
@@ -59,7 +58,7 @@ pub(crate) const MOST_SHAPES: u64 = u64::MAX / 8;
 pub(crate) const ENDED: u64 = u64::MAX / 4;
 
 /// The state of a run that does not depend on the sink.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Env {
     pub(crate) settings: Settings,
     /// The extent below which shapes are not split further, so that recursive splits end (*Subdivision split*: "the
@@ -114,7 +113,7 @@ pub struct Env {
 }
 
 /// The properties of the initial shape that a run uses.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Initial {
     /// The frame of object coordinates: the initial shape's pivot (*initialShape attribute*).
     pub(crate) object: Frame,
@@ -151,32 +150,9 @@ impl Env {
             },
             too_small: if extent == 0.0 { TOO_SMALL.1 } else { (extent * TOO_SMALL.0).min(TOO_SMALL.1) },
             names,
-            leaf_tables: LeafTables { names: &[], looks: LookIds::default() },
-            trail: Vec::new(),
-            before: None,
-            shapes: 0,
-            leaves: 0,
-            filled: 0,
             checkpoint: Checkpoint::first(settings),
-            bases: Cell::new(0),
             least_split: f64::INFINITY,
-            vertices: 0,
-            calls: 0,
-            call_stack: 0,
-            calls_made: 0,
-            open: Vec::new(),
-            faults: Vec::new(),
-            faults_left_out: 0,
-            asset_faults: BTreeMap::new(),
-            error: None,
-            primitives: Vec::new(),
-            raised: Vec::new(),
-            reports: Reports::default(),
-            prints: Prints::default(),
-            searches: BTreeMap::new(),
-            tables: BTreeMap::new(),
-            said_once: Vec::new(),
-            said_again: 0,
+            ..Env::default()
         }
     }
 
@@ -327,7 +303,7 @@ impl Env {
         let before = self.before.as_deref().map_or(&[][..], |before| &before.rules);
         let rule = self.trail.last().or(before.last()).map_or("", |&rule| self.rule_name(rule));
         let (depth, limit) = (self.depth(), self.settings.limits.prints);
-        if !self.prints.add(depth, rule, value, limit) && self.prints.left_out == 1 {
+        if !self.prints.add(depth, rule, value, limit) && self.prints.quota.left_out == 1 {
             self.fault(FaultKind::Limit, format!("the limit of {limit} lines is reached; further ones are left out"));
         }
     }

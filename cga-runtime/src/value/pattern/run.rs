@@ -20,7 +20,8 @@ pub(crate) struct Search<'a> {
     /// The forks that are running or have failed, by position and number. The result of a fork depends on these two
     /// alone, so it is not tried again. This keeps patterns such as `(a+)+b` from taking exponential time.
     tried: Vec<u64>,
-    steps: u64,
+    /// The number of steps taken so far.
+    pub(super) steps: u64,
 }
 
 impl<'a> Search<'a> {
@@ -40,11 +41,6 @@ impl<'a> Search<'a> {
             }
         }
         Ok(None)
-    }
-
-    /// The number of steps taken so far.
-    pub(super) fn steps(&self) -> u64 {
-        self.steps
     }
 
     /// The end of the match of the steps from `step` on that begins at `place`.
