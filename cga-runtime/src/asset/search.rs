@@ -4,10 +4,10 @@
 //! a pattern: `Name=`, `Ext=`, `Path=`, `Project=`. A pattern matches a whole text; `*` matches any characters and `?`
 //! matches one. A pattern that begins with `$` is a regular expression. Space between single quotes is part of a term.
 
-use crate::value::text::shortened;
 use std::cell::Cell;
 
 use crate::value::pattern;
+use crate::value::text::shortened;
 
 /// The limit on character comparisons in one search, over all files.
 const MOST_STEPS: u64 = 100_000_000;

@@ -58,8 +58,8 @@ pub fn clamp_each<T: Element>(env: &mut Env, x: Array<T>, low: Array<T>, high: A
 #[cfg(test)]
 mod tests {
     use super::super::tests::{env, faults};
-    use crate::value::text::Text;
     use super::*;
+    use crate::value::text::Text;
 
     #[test]
     fn the_smaller_and_the_larger() {

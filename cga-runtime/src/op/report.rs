@@ -61,7 +61,7 @@ mod tests {
     fn printed_text_is_kept_as_it_is() {
         let (env, shape) = (&mut Env::for_tests(), &mut Shape::rectangle(4.0, 5.0));
         print(env, shape, Text::fixed("x = 1"));
-        env.enter(0);
+        env.trail.push(0);
         print(env, shape, 1.69 - 0.69);
         let lines: Vec<_> = prints(env).iter().map(|line| (line.rule, line.to_string())).collect();
         assert_eq!(lines, [("", "x = 1".to_owned()), ("Lot", "1".to_owned())]);

@@ -229,7 +229,7 @@ impl<'a> Reader<'a> {
             _ if keyword.is_empty() || LEFT_OUT.split(' ').any(|known| is_keyword(&known)) => {}
             _ => {
                 self.unknowns += 1;
-                self.unknown.get_or_insert_with(|| (number, short(keyword).into_owned()));
+                self.unknown.get_or_insert_with(|| (number, short(keyword)));
             }
         }
         Ok(())

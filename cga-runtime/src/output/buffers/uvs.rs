@@ -65,7 +65,7 @@ impl UvLists {
     pub(super) fn corner(&mut self, mesh: &Mesh, corner: usize, vertex: usize) {
         for set in mesh.uv_numbers() {
             if let Some((list, uv)) = self.list(set, vertex).zip(mesh.uv_set(set).get(corner)) {
-                list.push([uv.x as f32, uv.y as f32]);
+                list.push(uv.as_vec2().to_array());
             }
         }
     }
@@ -149,7 +149,7 @@ impl Corners {
     fn quad(&self) -> [[f32; 2]; 4] {
         let (a, [u, v, _]) = (self.first, self.sides);
         let b = a + u;
-        [a, b, b + v, a + v].map(short)
+        [a, b, b + v, a + v].map(|uv| uv.as_vec2().to_array())
     }
 
     /// The coordinates of a box; the corner (x, y, z) has the index x + 2y + 4z.
@@ -158,11 +158,6 @@ impl Corners {
         let (o, [x, y, z]) = (self.first, self.sides);
         let (p, q) = (o + y, o + z);
         let r = p + z;
-        [o, o + x, p, p + x, q, q + x, r, r + x].map(short)
+        [o, o + x, p, p + x, q, q + x, r, r + x].map(|uv| uv.as_vec2().to_array())
     }
-}
-
-#[inline]
-fn short(uv: DVec2) -> [f32; 2] {
-    uv.as_vec2().to_array()
 }

@@ -115,33 +115,42 @@ impl Scene {
         *self.planes.entry(key).or_insert(next)
     }
 
-    fn flat(&mut self, corners: &[DVec3], triangles: &[[u32; 3]], normal: DVec3, paint: u32) {
-        let Some(&first) = corners.first() else { return };
-        let plane = self.plane(first, normal);
+    /// Adds the triangles of a flat face. `uv` returns the coordinates of a corner in one of the sets `sets`. Returns
+    /// false if some triangles were not finite; then the others have no texture coordinates.
+    fn face(
+        &mut self,
+        corners: &[DVec3],
+        triangles: &[[u32; 3]],
+        normal: DVec3,
+        paint: u32,
+        sets: SetMask,
+        uv: impl Fn(usize, usize) -> DVec2,
+    ) -> bool {
+        let (Some(&point), first) = (corners.first(), self.triangles.len()) else { return true };
+        let (plane, normal, leaf) = (self.plane(point, normal), normal.as_vec3(), self.leaves);
         for triangle in triangles {
             let corners = triangle.map(|i| corners[i as usize].as_vec3());
             // Coordinates that are not finite cannot be drawn.
             if corners.iter().all(|corner| corner.is_finite()) {
-                let (normal, leaf) = (normal.as_vec3(), self.leaves);
                 self.triangles.push(Triangle { corners, normal, paint, plane, leaf, smooth: FLAT, uvs: PLAIN });
             }
         }
+        let added = &mut self.triangles[first..];
+        let (maps, is_whole) = (self.paints[paint as usize].maps, added.len() == triangles.len());
+        if is_whole && maps != Maps::default() && sets != SetMask::default() {
+            for (triangle, corners) in added.iter_mut().zip(triangles) {
+                triangle.uvs = self.textures.add(&maps, sets, corners.map(|i| i as usize), &uv);
+            }
+        }
+        is_whole
     }
 
     fn rectangle(&mut self, quad: &Quad, paint: u32, uvs: &[SetMap]) {
-        const TRIANGLES: [[u32; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
-        let (points, first) = (quad.corners(), self.triangles.len());
+        let (points, normal) = (quad.corners(), unit(quad.u.cross(quad.v)));
         let corners = points.map(|corner| corner - self.centre);
-        self.flat(&corners, &TRIANGLES, unit(quad.u.cross(quad.v)), paint);
-        let maps = self.paints[paint as usize].maps;
-        if uvs.is_empty() || maps == Maps::default() || self.triangles.len() - first != TRIANGLES.len() {
-            return;
-        }
         let sets = SetMask::of(|set| uv_map::find(uvs, set).is_some());
         let uv = |set, corner: usize| uv_map::find(uvs, set).map_or(DVec2::ZERO, |map| map.at(points[corner]));
-        for (triangle, corners) in self.triangles[first..].iter_mut().zip(TRIANGLES) {
-            triangle.uvs = self.textures.add(&maps, sets, corners.map(|i| i as usize), uv);
-        }
+        self.face(&corners, &[[0, 1, 2], [0, 2, 3]], normal, paint, sets, uv);
     }
 
     fn leaf(&mut self, leaf: &Leaf<'_>) -> u32 {
@@ -187,20 +196,10 @@ impl Sink for Scene {
             let paint = self.paint(shown);
             corners.clear();
             corners.extend(face.corners.clone().map(|corner| face.point(corner) - self.centre));
-            let first = self.triangles.len();
-            self.flat(&corners, face.triangles, face.normal, paint);
-            // One for each triangle, unless some were not finite. Then these have neither normals nor coordinates.
-            if self.triangles.len() - first != face.triangles.len() {
-                return true;
-            }
-            let maps = self.paints[paint as usize].maps;
-            if maps != Maps::default() && sets != SetMask::default() {
-                for (triangle, corners) in self.triangles[first..].iter_mut().zip(face.triangles) {
-                    let corners = corners.map(|i| face.corners.start + i as usize);
-                    triangle.uvs = self.textures.add(&maps, sets, corners, |set, corner| mesh.uv_set(set)[corner]);
-                }
-            }
-            if !mesh.normals.is_empty() {
+            let uv = |set, corner: usize| face.uvs(set)[corner];
+            let is_whole = self.face(&corners, face.triangles, face.normal, paint, sets, uv);
+            if is_whole && !mesh.normals.is_empty() {
+                let first = self.triangles.len() - face.triangles.len();
                 for (triangle, corners) in self.triangles[first..].iter_mut().zip(face.triangles) {
                     triangle.smooth = self.smooth.len() as u32;
                     let normal = |i| face.normal_at(face.corners.start + i as usize).as_vec3();

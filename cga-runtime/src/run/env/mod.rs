@@ -69,7 +69,7 @@ pub struct Env {
     /// The names and materials of leaves, by number.
     pub(crate) leaf_tables: LeafTables,
     /// The rules entered and not yet left, since the last waiting call was resumed.
-    trail: Vec<u32>,
+    pub(crate) trail: Vec<u32>,
     /// The rules that led to the waiting call that was resumed last.
     before: Option<Rc<Trail>>,
     /// The counts of shapes and leaves without those of `filled`.
@@ -218,16 +218,6 @@ impl Env {
         ENDED <= self.shapes
     }
 
-    #[inline]
-    pub(crate) fn enter(&mut self, rule: u32) {
-        self.trail.push(rule);
-    }
-
-    #[inline]
-    pub(crate) fn leave(&mut self) {
-        self.trail.pop();
-    }
-
     /// Enters a function that needs `stack` bytes of `FUNCTIONS`. Returns false at the depth of calls that CGA allows
     /// (*CGA changelog 2014.1*: function call depth), and if the stack has no room. If it returns true,
     /// [`Env::called`] follows.
@@ -369,12 +359,6 @@ impl Env {
         let trail = self.trail();
         self.faults.push(Fault { kind, message, count: 1, trail });
         Some(self.faults.len() - 1)
-    }
-
-    /// Records a fault returned by an operation written in Rust.
-    #[cold]
-    pub(crate) fn host_fault(&mut self, fault: Fault) {
-        self.fault(fault.kind, fault.message);
     }
 
     /// The number, or 0 with a fault if it is not finite (*CGA changelog 2013.1*: the default policy for such
