@@ -21,3 +21,4 @@ pub mod stats;
 pub mod svg;
 pub mod table;
 mod texture;
+mod triangles;

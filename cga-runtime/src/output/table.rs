@@ -17,12 +17,13 @@ pub struct Table {
     rules: Vec<&'static str>,
     /// Only for look-ups, never iterated.
     rule_numbers: HashMap<&'static str, u32>,
-    last_rule: Option<(&'static str, u32)>,
+    /// Recently used rules, by address.
+    recent_rules: [Option<(&'static str, u32)>; RECENT],
     materials: Vec<Arc<Material>>,
     /// Only for look-ups, never iterated.
     material_numbers: HashMap<ByBits, u32>,
     /// Recently used materials, by address. Holding them keeps their addresses from being reused.
-    recent: [Option<(Arc<Material>, u32)>; RECENT],
+    recent_materials: [Option<(Arc<Material>, u32)>; RECENT],
     faces: FaceMaterials,
 }
 
@@ -34,14 +35,13 @@ struct FaceMaterials {
     ids: Vec<Option<u32>>,
 }
 
-/// The number of recent materials. Leaves of a façade alternate between a few.
+/// The number of recent rules and materials. Leaves of a façade alternate between a few.
 const RECENT: usize = 16;
 
-/// The index of a material among the recent ones.
+/// The index of a value among the recent ones, by its address.
 #[inline]
-fn recent_place(material: &Arc<Material>) -> usize {
-    let address = Arc::as_ptr(material).addr() as u64;
-    (address.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 60) as usize
+fn recent_place<T>(address: *const T) -> usize {
+    ((address.addr() as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 60) as usize
 }
 
 impl fmt::Debug for Table {
@@ -72,18 +72,18 @@ impl Table {
     pub fn clear(&mut self) {
         self.rules.clear();
         self.rule_numbers.clear();
-        self.last_rule = None;
+        self.recent_rules = Default::default();
         self.materials.clear();
         self.material_numbers.clear();
-        self.recent = Default::default();
+        self.recent_materials = Default::default();
         self.faces = FaceMaterials::default();
     }
 
     /// The number of a rule name.
     #[inline]
     pub fn rule(&mut self, name: &'static str) -> u32 {
-        match self.last_rule {
-            Some((last, id)) if std::ptr::eq(last, name) => id,
+        match self.recent_rules[recent_place(name.as_ptr())] {
+            Some((known, id)) if std::ptr::eq(known, name) => id,
             _ => self.other_rule(name),
         }
     }
@@ -91,7 +91,7 @@ impl Table {
     /// The number of a material.
     #[inline]
     pub fn material(&mut self, material: &Arc<Material>) -> u32 {
-        match &self.recent[recent_place(material)] {
+        match &self.recent_materials[recent_place(Arc::as_ptr(material))] {
             Some((known, id)) if Arc::ptr_eq(known, material) => *id,
             _ => self.other_material(material),
         }
@@ -121,14 +121,14 @@ impl Table {
             rules.push(name);
             (rules.len() - 1) as u32
         });
-        self.last_rule = Some((name, id));
+        self.recent_rules[recent_place(name.as_ptr())] = Some((name, id));
         id
     }
 
     #[inline(never)]
     fn other_material(&mut self, material: &Arc<Material>) -> u32 {
         let id = self.intern(material.clone());
-        self.recent[recent_place(material)] = Some((material.clone(), id));
+        self.recent_materials[recent_place(Arc::as_ptr(material))] = Some((material.clone(), id));
         id
     }
 

@@ -82,7 +82,7 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
     /// Makes room for vertices.
     #[inline]
     fn room(&mut self, vertices: usize) -> Flow {
-        if self.full < self.buffers.vertices.len() + vertices { self.make_room() } else { Flow::Continue(()) }
+        if self.full < self.buffers.triangles.vertices.len() + vertices { self.make_room() } else { Flow::Continue(()) }
     }
 
     #[cold]
@@ -91,8 +91,8 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
         if self.full == 0 {
             // One reservation, so that a chunk does not grow beyond its size by doubling. The four vertices of a
             // rectangle have six indices.
-            self.buffers.vertices.reserve_exact(self.capacity);
-            self.buffers.indices.reserve_exact(self.capacity / 4 * 6);
+            self.buffers.triangles.vertices.reserve_exact(self.capacity);
+            self.buffers.triangles.indices.reserve_exact(self.capacity / 4 * 6);
             self.full = self.capacity;
         }
         Flow::Continue(())
@@ -101,7 +101,7 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
     /// Passes the chunk to `each`, unless it is empty, and begins another.
     #[cold]
     fn hand_out(&mut self) -> Flow {
-        if !self.ended && self.buffers.vertices.len() != 0 {
+        if !self.ended && self.buffers.triangles.vertices.len() != 0 {
             self.chunks += 1;
             self.ended = (self.each)(&self.buffers).is_break();
             self.buffers.clear();
@@ -137,7 +137,7 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
         &mut self,
         leaf: &Leaf<'_>,
         face: &FlatFace<'_>,
-        corners: impl ExactSizeIterator<Item = usize>,
+        corners: impl ExactSizeIterator<Item = usize> + Clone,
         triangles: &[[u32; 3]],
     ) -> Flow {
         self.room(corners.len())?;
@@ -151,8 +151,8 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
 impl Buffers {
     /// The bytes reserved for vertices, indices, texture coordinates and parts.
     pub fn memory(&self) -> usize {
-        size_of::<Vertex>() * self.vertices.capacity()
-            + size_of::<u32>() * self.indices.capacity()
+        size_of::<Vertex>() * self.triangles.vertices.capacity()
+            + size_of::<u32>() * self.triangles.indices.capacity()
             + self.uvs.memory()
             + size_of::<Run>() * self.runs.capacity()
     }
@@ -171,7 +171,7 @@ impl<F: FnMut(&Buffers) -> Flow> Sink for Chunks<F> {
 
     fn replay(&mut self, replay: &Replay<'_>) -> Flow {
         // The leaves go one by one if the chunk ends between them.
-        if self.full < self.buffers.vertices.len() + replay.corner_count() {
+        if self.full < self.buffers.triangles.vertices.len() + replay.corner_count() {
             return replay.each(self);
         }
         self.buffers.replay(replay)

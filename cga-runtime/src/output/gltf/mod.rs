@@ -196,7 +196,7 @@ impl Sink for Glb {
         match shape.form {
             Form::Rect(Axis::Z) => {
                 let (rule, material) = self.numbers.filled(leaf);
-                self.plain(material).quad(rule, &placed, shape.axes.normals[0]);
+                self.plain(material).quad(rule, placed, shape.axes.normals[0]);
                 self.add(4, 6, 0)
             }
             Form::Box => {
@@ -234,7 +234,7 @@ impl Sink for Glb {
         let (rule, material) = self.numbers.leaf(leaf);
         let placed = Placed::from(quad).moved(-four(self.origin));
         let primitive = self.primitive(material, leaf.uvs());
-        primitive.quad(rule, &placed, normals::of_quad(leaf, quad));
+        primitive.quad(rule, placed, normals::of_quad(leaf, quad));
         primitive.uvs(leaf.uvs(), quad.corners().into_iter());
         self.add(4, 6, leaf.uvs().len())
     }

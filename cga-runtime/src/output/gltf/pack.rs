@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use glam::{DVec3, Vec4};
+use glam::{DVec3, Vec3, Vec4};
 
 use super::binary::{Binary, Word, container, text};
 use super::images::Images;
@@ -12,6 +12,7 @@ use super::primitive::Primitive;
 use super::streams::write_floats;
 use super::textures::LookTexture;
 use super::{Glb, Instances, Shared, check_size};
+use crate::output::buffers::Vertex;
 use crate::output::error::WriteError;
 use crate::output::number::list;
 
@@ -52,8 +53,13 @@ pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[Shared]) -> Result<V
     let mut accessors = binary.primitives(&flat)?;
     for (primitive, accessors) in flat.iter().copied().zip(&mut accessors) {
         accessors.tangent = glb.looks.normal_space(primitive.look, &images).map(|space| {
-            binary
-                .stream(&TANGENT, &[primitive], Primitive::vertex_count, &[], move |p, to| p.write_tangents(&space, to))
+            binary.stream(
+                &TANGENT,
+                &[primitive],
+                |p: &Primitive| p.vertices().len(),
+                &[],
+                move |p, to| p.write_tangents(&space, to),
+            )
         });
     }
     let places = binary.places(shared);
@@ -161,13 +167,13 @@ impl<'a> Binary<'a> {
         if primitives.is_empty() {
             return Ok(Vec::new());
         }
-        let ranges = primitives.iter().map(|p| extremes(p.positions.items())).collect::<Result<Vec<_>, _>>()?;
+        let ranges = primitives.iter().map(|p| extremes(p.vertices())).collect::<Result<Vec<_>, _>>()?;
         let lists: Vec<&Vec<[f32; 2]>> = primitives.iter().flat_map(|p| &p.uvs).collect();
         if !lists.iter().all(|list| list.as_flattened().iter().all(|number| number.is_finite())) {
             return Err(WriteError::NotFinite);
         }
-        let indices = self.stream(&INDEX, primitives, Primitive::index_count, &[], Primitive::write_indices);
-        let vertices = Primitive::vertex_count;
+        let indices = self.stream(&INDEX, primitives, |p| p.indices().len(), &[], Primitive::write_indices);
+        let vertices = |p: &Primitive| p.vertices().len();
         let position = self.stream(&POINT, primitives, vertices, &ranges, Primitive::write_positions);
         let normal = self.stream(&POINT, primitives, vertices, &[], Primitive::write_normals);
         let rule = self.stream(&RULE, primitives, vertices, &[], Primitive::write_rules);
@@ -241,50 +247,39 @@ impl<'a> Binary<'a> {
 }
 
 /// The members `min` and `max`. All digits of the `f32`s are written, as readers compare.
-fn extremes(positions: &[[f32; 3]]) -> Result<String, WriteError> {
-    let (low, high) = bounds(positions).ok_or(WriteError::NotFinite)?;
-    Ok(format!(",\"min\":[{}],\"max\":[{}]", list(&low.map(f64::from)), list(&high.map(f64::from))))
+fn extremes(vertices: &[Vertex]) -> Result<String, WriteError> {
+    let (low, high) = bounds(vertices).ok_or(WriteError::NotFinite)?;
+    Ok(format!(",\"min\":[{}],\"max\":[{}]", list(&low.as_dvec3().to_array()), list(&high.as_dvec3().to_array())))
 }
 
 /// The least and the largest coordinates, if all are finite.
-fn bounds(positions: &[[f32; 3]]) -> Option<([f32; 3], [f32; 3])> {
-    // Four positions at once, as they are three whole vectors.
-    let (chunks, rest) = positions.as_flattened().as_chunks::<12>();
-    let (mut lows, mut highs) = ([Vec4::INFINITY; 3], [Vec4::NEG_INFINITY; 3]);
+fn bounds(vertices: &[Vertex]) -> Option<(Vec3, Vec3)> {
+    let (mut low, mut high) = (Vec4::INFINITY, Vec4::NEG_INFINITY);
     // Coordinates that are not finite make the sum NaN.
-    let mut zeros = [Vec4::ZERO; 3];
-    for chunk in chunks {
-        for (i, c) in chunk.as_chunks::<4>().0.iter().map(|c| Vec4::from_array(*c)).enumerate() {
-            lows[i] = lows[i].min(c);
-            highs[i] = highs[i].max(c);
-            zeros[i] += c * 0.0;
-        }
+    let mut zero = Vec4::ZERO;
+    for vertex in vertices {
+        // The fourth number belongs to the normal.
+        let point = Vec4::from_slice(vertex);
+        low = low.min(point);
+        high = high.max(point);
+        zero += point * 0.0;
     }
-    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
-    let flat = |vectors: [Vec4; 3]| vectors.map(|vector| vector.to_array());
-    for (i, &c) in flat(lows).as_flattened().iter().chain(rest).enumerate() {
-        low[i % 3] = low[i % 3].min(c);
-    }
-    for (i, &c) in flat(highs).as_flattened().iter().chain(rest).enumerate() {
-        high[i % 3] = high[i % 3].max(c);
-    }
-    let is_finite = flat(zeros).as_flattened().iter().all(|zero| *zero == 0.0) && rest.iter().all(|c| c.is_finite());
-    is_finite.then_some((low, high))
+    (zero.truncate() == Vec3::ZERO).then(|| (low.truncate(), high.truncate()))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::bounds;
+    use super::*;
 
     #[test]
     fn bounds_are_those_of_all_positions_and_finite() {
-        let mut positions: Vec<[f32; 3]> = (0..11).map(|i| [i as f32, -(i as f32), 0.5]).collect();
-        assert_eq!(bounds(&positions), Some(([0.0, -10.0, 0.5], [10.0, 0.0, 0.5])));
+        let mut vertices: Vec<Vertex> = (0..11).map(|i| [i as f32, -(i as f32), 0.5, 0.0, 0.0, 1.0]).collect();
+        assert_eq!(bounds(&vertices), Some((Vec3::new(0.0, -10.0, 0.5), Vec3::new(10.0, 0.0, 0.5))));
         for (at, odd) in [(0, f32::NAN), (10, f32::NAN), (3, f32::INFINITY), (9, f32::NEG_INFINITY)] {
-            let kept = std::mem::replace(&mut positions[at][1], odd);
-            assert_eq!(bounds(&positions), None);
-            positions[at][1] = kept;
+            let kept = std::mem::replace(&mut vertices[at][1], odd);
+            assert_eq!(bounds(&vertices), None);
+            vertices[at][1] = kept;
         }
-        assert_eq!(bounds(&positions[..2]), Some(([0.0, -1.0, 0.5], [1.0, 0.0, 0.5])));
+        assert_eq!(bounds(&vertices[..2]), Some((Vec3::new(0.0, -1.0, 0.5), Vec3::new(1.0, 0.0, 0.5))));
     }
 }

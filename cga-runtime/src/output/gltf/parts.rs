@@ -94,7 +94,7 @@ impl Glb {
             }
             for primitive in &primitives {
                 let index = self.primitives.with_look(primitive.look, SetMask::default());
-                self.primitives.list[index].add_quads(primitive, &first, self.origin);
+                self.primitives.list[index].add_moved(primitive, &first, self.origin);
             }
         }
         shared
