@@ -253,7 +253,7 @@ fn read_mesh(root: Option<&Path>, path: &Path) -> Result<Arc<Mesh>, AssetError> 
         std::fs::read(file).ok()
     };
     let file = obj::read_obj(&bytes, &mut material_file).map_err(|error| AssetError::Broken(error.to_string()))?;
-    Ok(Arc::new(image::with_names_from_root(file.mesh, root, path)))
+    Ok(Arc::new(obj::image_names::with_names_from_root(file.mesh, root, path)))
 }
 
 #[cfg(not(feature = "obj"))]

@@ -175,16 +175,10 @@ impl Buffers {
     /// Starts a new part unless the last one continues.
     #[inline]
     fn run(&mut self, rule: u32, material: u32) {
-        self.run_at((rule, material), self.triangles.indices.len() / 3, self.triangles.vertices.len() as u32);
-    }
-
-    #[inline]
-    fn run_at(&mut self, (rule, material): (u32, u32), triangle: usize, vertex: u32) {
-        match self.runs.last() {
-            Some(last) if last.rule == rule && last.material == material => {}
-            _ => {
-                self.runs.push(Run { rule, material, triangle: triangle as u32, vertex });
-            }
+        let Triangles { vertices, indices } = &self.triangles;
+        let next = Run { rule, material, triangle: indices.len() as u32 / 3, vertex: vertices.len() as u32 };
+        if !self.runs.last().is_some_and(|last| last.is_like(&next)) {
+            self.runs.push(next);
         }
     }
 
@@ -274,7 +268,7 @@ impl Buffers {
     #[inline(never)]
     fn repeat(&mut self, replay: &Replay<'_>, count: usize) -> Flow {
         let start = self.triangles.vertices.len() as u32;
-        self.mark_all(replay, start, self.triangles.indices.len() / 3);
+        self.mark_all(replay, start);
         let (place, origin) = (replay.origin(), self.origin);
         let mut faces = self.triangles.quads(count / 4);
         for (row, axes, placed, records) in replay.rows() {
@@ -302,8 +296,9 @@ impl Buffers {
 
     /// Records the rules and materials of leaves that repeat.
     #[inline]
-    fn mark_all(&mut self, replay: &Replay<'_>, start: u32, triangle: usize) {
+    fn mark_all(&mut self, replay: &Replay<'_>, start: u32) {
         self.last = None;
+        let triangle = self.triangles.indices.len() / 3;
         let Marks { is_distinct, runs: marks, .. } = self.replayed.of(replay, &mut self.numbers);
         let runs = &mut self.runs;
         let moved = |run: &Run| run.moved(triangle as u32, start);

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::io::Write as _;
 
+use crate::material::Color;
+
 /// The shortest decimal that reads back as the same value, without exponent. −0 and numbers that are not finite are
 /// written as 0.
 pub(crate) struct Short<T>(pub(crate) T);
@@ -85,6 +87,17 @@ pub(crate) fn push_whole(to: &mut Vec<u8>, mut value: u64) {
             return to.extend_from_slice(&digits[start..]);
         }
     }
+}
+
+/// An optional share, clamped to 0..=1. NaN counts as no value.
+pub(crate) fn share(value: Option<f64>, default: f64) -> f64 {
+    value.filter(|value| !value.is_nan()).unwrap_or(default).clamp(0.0, 1.0)
+}
+
+/// A colour as six hexadecimal digits.
+pub(crate) fn hex(color: &Color) -> String {
+    let byte = |channel: f64| libm::round(channel * 255.0) as u8;
+    format!("{:02x}{:02x}{:02x}", byte(color.r), byte(color.g), byte(color.b))
 }
 
 /// Converts an sRGB channel to linear light, both in 0..=1.

@@ -10,6 +10,7 @@
 //! types for every other crate in the build. It also starts a new mesh at each group, and cannot distinguish lines from
 //! triangles. The material libraries are read by `tobj`.
 
+pub(super) mod image_names;
 mod lines;
 mod mtl;
 mod warnings;

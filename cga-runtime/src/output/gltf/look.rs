@@ -9,7 +9,7 @@ use super::textures::{LookTexture, NormalSpace, opacity, textures};
 use crate::material::layer::SetMask;
 use crate::material::{Channel, Material, MaterialNumber, MaterialText};
 use crate::output::interner::Interner;
-use crate::output::number::{Short, linear};
+use crate::output::number::{Short, hex, linear, share};
 
 /// The alpha modes of glTF. The cutoff is stored as bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -48,15 +48,14 @@ impl Looks {
             return known;
         }
         let color = material.color();
-        let unit = |value: Option<f64>, default: f64| value.filter(|v| !v.is_nan()).unwrap_or(default).clamp(0.0, 1.0);
-        let light = |channel| linear(unit(material.number(MaterialNumber::Emissive(channel)), 0.0));
+        let light = |channel| linear(share(material.number(MaterialNumber::Emissive(channel)), 0.0));
         let numbers = [
             linear(color.r),
             linear(color.g),
             linear(color.b),
-            unit(material.opacity, 1.0),
-            unit(material.metallic, 0.0),
-            unit(material.roughness, 1.0),
+            share(material.opacity, 1.0),
+            share(material.metallic, 0.0),
+            share(material.roughness, 1.0),
             light(Channel::R),
             light(Channel::G),
             light(Channel::B),
@@ -65,7 +64,7 @@ impl Looks {
         .map(|value| value as f32 + 0.0);
         let alpha = match material.text(MaterialText::OpacityMode).map(|mode| mode.as_str()) {
             Some("opaque") => Alpha::Opaque,
-            Some("mask") => Alpha::Mask((unit(material.number(MaterialNumber::Cutoff), 0.5) as f32).to_bits()),
+            Some("mask") => Alpha::Mask((share(material.number(MaterialNumber::Cutoff), 0.5) as f32).to_bits()),
             _ if numbers[3] < 1.0 || opacity(material, sets).is_some() => Alpha::Blend,
             _ => Alpha::Opaque,
         };
@@ -73,9 +72,8 @@ impl Looks {
         let double_sided = material.double_sided.unwrap_or(true);
         let look = self.looks.index(Look { numbers: numbers.map(f32::to_bits), alpha, double_sided, textures });
         if look == self.names.len() {
-            let byte = |channel: f64| libm::round(channel * 255.0) as u8;
-            let hex = || format!("#{:02x}{:02x}{:02x}", byte(color.r), byte(color.g), byte(color.b));
-            self.names.push(material.name.as_ref().map_or_else(hex, |name| name.to_string()));
+            let name = material.name.as_ref().map_or_else(|| format!("#{}", hex(&color)), |name| name.to_string());
+            self.names.push(name);
         }
         let look = look as u32;
         self.by_material.insert((id, sets), (look, written));

@@ -13,7 +13,7 @@ use crate::geometry::uv_map::{self, SetMap};
 use crate::material::Material;
 use crate::material::layer::SetMask;
 use crate::output::flatten::{Flattener, unit};
-use crate::output::number::linear;
+use crate::output::number::{linear, share};
 use crate::output::table::Table;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 
@@ -162,7 +162,6 @@ impl Scene {
 
 fn paint(material: &Material, maps: Maps) -> Paint {
     let color = material.color();
-    let share = |value: Option<f64>, default: f64| value.filter(|v| !v.is_nan()).unwrap_or(default).clamp(0.0, 1.0);
     Paint {
         color: [color.r, color.g, color.b].map(|c| linear(c) as f32),
         opacity: share(material.opacity, 1.0) as f32,

@@ -45,7 +45,7 @@ impl Layer {
 pub(super) fn layers(scene: &Scene, view: &View, width: usize, height: usize) -> (Layer, Option<Layer>) {
     let mut opaque = Layer::new(width, height);
     draw(scene, view, &mut opaque, |opacity| OPAQUE <= opacity);
-    if scene.paints.iter().all(|paint| paint.opacity == 1.0 && !paint.maps.has_opacity()) {
+    if scene.paints.iter().all(|paint| paint.opacity == 1.0 && !paint.maps.opacity.is_some()) {
         return (opaque, None);
     }
     let mut clear = Layer::new(width, height);
@@ -68,7 +68,7 @@ fn draw(scene: &Scene, view: &View, layer: &mut Layer, wanted: impl Fn(f32) -> b
     let limit = view.near(DVec3::ZERO);
     for (id, triangle) in scene.triangles.iter().enumerate() {
         let paint = &scene.paints[triangle.paint as usize];
-        let has_map = paint.maps.has_opacity() && triangle.uvs != PLAIN;
+        let has_map = paint.maps.opacity.is_some() && triangle.uvs != PLAIN;
         if !has_map && !wanted(paint.opacity) {
             continue;
         }
