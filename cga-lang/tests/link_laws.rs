@@ -1,15 +1,16 @@
 //! Programs of several files made at random: no panic, always an end, and every finding stays inside its file.
 
 mod common;
+mod ir_print;
 
 use cga_lang::compile::{Compiled, Dialect, compile};
 use cga_lang::diag::Level;
 use cga_lang::diag::code::Code;
-use cga_lang::ir::print::print;
 use cga_lang::link::{Files, Unit, candidates};
 use cga_lang::syntax::lex::lex;
 use cga_lang::syntax::token::{Sym, Tok, Tokens};
 use common::random::Random;
+use ir_print::print;
 use std::collections::BTreeMap;
 
 /// Files by name.

@@ -1,13 +1,14 @@
 //! `tests/data/lower`: the grammar that comes out, one line a step.
 
 mod common;
+mod ir_print;
 
 use cga_lang::compile::{Compiled, Dialect, compile};
-use cga_lang::ir::print::print;
 use cga_lang::ir::{Item, Parts, Renew, RuleId, Step, Target, Type};
 use cga_lang::link::{NoFiles, Unit};
 use cga_lang::syntax::lex::lex;
 use cga_lang::syntax::token::{Tok, Tokens};
+use ir_print::print;
 
 #[test]
 fn trees_become_these_grammars() {
@@ -59,10 +60,6 @@ fn targets(steps: &[Step], visit: &mut dyn FnMut(&Target)) {
                 arms.iter().for_each(|(_, steps)| targets(steps, visit));
                 targets(otherwise, visit);
             }
-            Step::Chance { arms, otherwise } => {
-                arms.iter().for_each(|(_, steps)| targets(steps, visit));
-                targets(otherwise, visit);
-            }
             Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) | Step::Later(..) => {}
         }
     }
@@ -103,7 +100,7 @@ fn rust_values_get_their_types_from_their_uses() {
     let hosts: Vec<(u32, Type)> = grammar.hosts.iter().map(|host| (host.handle, host.ty)).collect();
     let wanted = [(7, Type::Float), (3, Type::Bool), (4, Type::Text), (9, Type::Float), (1, Type::Text)];
     assert_eq!(hosts, wanted);
-    assert_eq!(grammar.attrs[0].known, None);
+    assert_eq!(grammar.globals[0].known, None);
 }
 
 #[test]

@@ -8,7 +8,6 @@ use cga_lang::compile::Compiled;
 use cga_lang::editor::index::{Kind, Named};
 use cga_lang::ir::Type;
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote_spanned;
 
 use crate::codegen::is_plain;
 use crate::header::Header;
@@ -19,7 +18,6 @@ pub(crate) fn names(compiled: &Compiled, header: &Header, source: &Source, has_e
     if !source.is_inline() {
         return TokenStream::new();
     }
-    let place = Span::mixed_site();
     let own: Vec<&Named> = compiled.index.iter().filter(|named| is_plain(&named.name)).collect();
     let items = own.iter().filter(|named| match named.kind {
         Kind::Const => true,
@@ -30,20 +28,20 @@ pub(crate) fn names(compiled: &Compiled, header: &Header, source: &Source, has_e
     let items = items.map(|named| {
         let (name, ty) = (at(named, named.token, source), ty(named.ty));
         let uses = uses(named, source);
-        quote_spanned!(place=> const #name: #ty = ::core::unreachable!(); const _: () = { #(_ = #uses;)* };)
+        code!(const #name: #ty = ::core::unreachable!(); const _: () = { #(_ = #uses;)* };)
     });
     let fields = header.name.clone().map(|mut grammar| {
         grammar.set_span(Span::call_site());
         let uses = own.iter().filter(|named| named.kind == Kind::Attr).flat_map(|named| uses(named, source));
-        quote_spanned!(place=> fn attributes(grammar: &#grammar) { #(_ = &grammar.#uses;)* })
+        code!(fn attributes(grammar: &#grammar) { #(_ = &grammar.#uses;)* })
     });
     let params = owners(&own).into_iter().map(|params| {
         let names = params.iter().map(|named| at(named, named.token, source));
         let types = params.iter().map(|named| ty(named.ty));
         let uses = params.iter().flat_map(|named| uses(named, source));
-        quote_spanned!(place=> const _: () = { fn parameters(#(#names: #types,)*) { #(_ = #uses;)* } };)
+        code!(const _: () = { fn parameters(#(#names: #types,)*) { #(_ = #uses;)* } };)
     });
-    quote_spanned! { place=>
+    code! {
         #[allow(unexpected_cfgs, non_upper_case_globals, non_snake_case)]
         const _: () = {
             #[cfg(rust_analyzer)]
@@ -75,14 +73,13 @@ fn uses(named: &Named, source: &Source) -> Vec<Ident> {
 
 /// The type that an editor shows.
 fn ty(ty: Option<Type>) -> TokenStream {
-    let place = Span::mixed_site();
     match ty {
-        Some(Type::Float) => quote_spanned!(place=> f64),
-        Some(Type::Bool) => quote_spanned!(place=> bool),
-        Some(Type::Text) => quote_spanned!(place=> &'static str),
-        Some(Type::Floats) => quote_spanned!(place=> &'static [f64]),
-        Some(Type::Bools) => quote_spanned!(place=> &'static [bool]),
-        Some(Type::Texts) => quote_spanned!(place=> &'static [&'static str]),
-        None => quote_spanned!(place=> ()),
+        Some(Type::Float) => code!(f64),
+        Some(Type::Bool) => code!(bool),
+        Some(Type::Text) => code!(&'static str),
+        Some(Type::Floats) => code!(&'static [f64]),
+        Some(Type::Bools) => code!(&'static [bool]),
+        Some(Type::Texts) => code!(&'static [&'static str]),
+        None => code!(()),
     }
 }

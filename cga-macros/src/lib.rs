@@ -5,6 +5,13 @@
 //! shows the diagnostics and `codegen` writes Rust.
 #![forbid(unsafe_code)]
 
+/// Tokens of generated code, as with `quote!`. Local names are hygienic, and other names mean what they mean here.
+macro_rules! code {
+    ($($tokens:tt)*) => {
+        quote::quote_spanned!(proc_macro2::Span::mixed_site()=> $($tokens)*)
+    };
+}
+
 mod codegen;
 
 mod editor;

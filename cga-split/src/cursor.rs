@@ -21,8 +21,8 @@
 use std::ops::Range;
 
 use crate::choices::smallest_piece;
-use crate::runs::Turns;
 use crate::solve::piece;
+use crate::turns::Turns;
 use crate::{Piece, Solution};
 
 /// A position in a split, between two pieces.
@@ -58,7 +58,7 @@ impl<'s> Cursor<'s> {
     /// The piece of the next slot, if it gets one.
     #[inline(always)]
     pub fn slot(&mut self, slot: usize) -> Option<Piece> {
-        let piece = piece(slot, self.lengths[slot], self.from, self.limit, self.smallest)?;
+        let piece = piece(slot, *self.lengths.get(slot)?, self.from, self.limit, self.smallest)?;
         self.from = piece.end;
         Some(piece)
     }
@@ -111,12 +111,6 @@ pub struct List<'s> {
     pieces: &'s [Piece],
 }
 
-/// The slots of a group in a list of pieces.
-#[derive(Clone, Debug)]
-pub struct ListGroup {
-    slots: Range<u32>,
-}
-
 impl<'s> List<'s> {
     /// A position before the first piece.
     #[inline(always)]
@@ -137,26 +131,26 @@ impl<'s> List<'s> {
 
     /// Enters a group with the given slots.
     #[inline(always)]
-    pub fn open(&mut self, slots: Range<u32>) -> ListGroup {
-        ListGroup { slots }
+    pub fn open(&mut self, slots: Range<u32>) -> Range<u32> {
+        slots
     }
 
     /// The same as [`List::open`], so that generated code calls both cursors alike.
     #[inline]
-    pub fn any_open(&mut self, slots: Range<u32>) -> ListGroup {
+    pub fn any_open(&mut self, slots: Range<u32>) -> Range<u32> {
         self.open(slots)
     }
 
     /// The same as [`List::turn`], compiled once.
     #[inline(never)]
-    pub fn any_turn(&mut self, group: &mut ListGroup) -> bool {
-        self.turn(group)
+    pub fn any_turn(&mut self, slots: &mut Range<u32>) -> bool {
+        self.turn(slots)
     }
 
     /// Begins the next repetition of a group. Returns false after the last one.
     #[inline(always)]
-    pub fn turn(&mut self, group: &mut ListGroup) -> bool {
-        self.pieces.first().is_some_and(|piece| group.slots.contains(&piece.slot))
+    pub fn turn(&mut self, slots: &mut Range<u32>) -> bool {
+        self.pieces.first().is_some_and(|piece| slots.contains(&piece.slot))
     }
 }
 

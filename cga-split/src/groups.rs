@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use crate::choices::{last_group, least_turns, room_for_groups, share};
-use crate::runs::Turns;
 use crate::search::{Search, Sum};
+use crate::turns::Turns;
 use crate::{Item, Prefix, Size};
 
 /// The slots of the only group in a pattern with `slots` slots.

@@ -20,13 +20,13 @@ mod choices;
 mod cursor;
 pub mod files;
 mod groups;
-mod runs;
 mod search;
 mod solve;
 pub mod suggest;
+mod turns;
 
 pub use choices::is_size;
-pub use cursor::{Cursor, Group, List, ListGroup};
+pub use cursor::{Cursor, Group, List};
 pub use solve::{Solution, solve, solve_any};
 
 /// The meaning of a size's value (*split operation*).

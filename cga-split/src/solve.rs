@@ -4,9 +4,9 @@ use std::ops::ControlFlow;
 
 use crate::choices::{is_extent, is_size, smallest_piece};
 use crate::groups;
-use crate::runs::{AnyGroups, OneGroup, Run, Turns};
 use crate::search::Sum;
-use crate::{Item, Piece, Prefix, Size};
+use crate::turns::Turns;
+use crate::{Group, Item, Piece, Prefix, Size};
 
 /// The final length of each slot and the number of repetitions of each group.
 #[derive(Clone, Debug)]
@@ -185,6 +185,14 @@ fn weigh_less(sizes: &[Size], lengths: &mut [f64]) -> Sum {
     total(sizes, lengths)
 }
 
+/// A position in a pattern: the numbers of items, slots and groups before it.
+#[derive(Clone, Copy, Debug, Default)]
+struct Position {
+    item: usize,
+    slot: usize,
+    group: usize,
+}
+
 impl Solution<'_> {
     #[inline(always)]
     fn grouping(&self) -> Grouping {
@@ -194,11 +202,7 @@ impl Solution<'_> {
     /// The number of repetitions of a group in each repetition of the group around it. Groups are numbered in the order
     /// in which they open.
     pub fn count(&self, group: usize) -> u64 {
-        match self.grouping() {
-            Grouping::One if group == 0 => self.repeats.one.count as u64,
-            Grouping::Several => self.repeats.several.get(group).map_or(0, |turns| turns.count as u64),
-            Grouping::None | Grouping::One => 0,
-        }
+        self.turns(group).count as u64
     }
 
     /// An upper bound of the number of pieces, in constant time per item.
@@ -241,53 +245,45 @@ impl Solution<'_> {
     #[inline(always)]
     pub(crate) fn turns(&self, group: usize) -> Turns {
         match self.grouping() {
-            Grouping::None => Turns::NONE,
-            Grouping::One => self.repeats.one,
+            Grouping::One if group == 0 => self.repeats.one,
             Grouping::Several => self.repeats.several.get(group).copied().unwrap_or(Turns::NONE),
+            Grouping::None | Grouping::One => Turns::NONE,
         }
     }
 
     /// Calls `visit` for every piece, from the low end to the high end, until it returns a break.
-    #[inline]
-    pub fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B> {
-        let (slots, extent) = (self.lengths.len(), self.extent);
-        match self.grouping() {
-            Grouping::None => {
-                let mut all = Some(Run { slots: 0..slots, start: 0.0, limit: extent });
-                self.lay(|_| all.take(), visit)
-            }
-            Grouping::One => {
-                let own = groups::slots_of_one(self.pattern, slots);
-                let mut runs = OneGroup::new(own, slots, self.repeats.one, extent);
-                self.lay(|end| runs.next(end), visit)
-            }
-            Grouping::Several => {
-                let mut runs = AnyGroups::new(self.pattern, &self.repeats.several, extent);
-                self.lay(|end| runs.next(end), visit)
-            }
-        }
-    }
-
-    /// Lays out run after run. `next` takes the end of the last run and returns the next run.
-    #[inline]
-    fn lay<B>(
-        &self,
-        mut next: impl FnMut(f64) -> Option<Run>,
-        mut visit: impl FnMut(Piece) -> ControlFlow<B>,
-    ) -> ControlFlow<B> {
-        let smallest = smallest_piece(self.extent);
-        let mut from = 0.0;
-        while let Some(run) = next(from) {
-            from = run.start;
-            let lengths = self.lengths.get(run.slots.clone()).unwrap_or_default();
-            for (slot, length) in run.slots.zip(lengths) {
-                if let Some(piece) = piece(slot, *length, from, run.limit, smallest) {
-                    from = piece.end;
+    pub fn each<B>(&self, mut visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B> {
+        let (mut cursor, mut next, mut stop) = (self.cursor(), Position::default(), self.pattern.len());
+        // The open groups, each with its first position and the end of the group around it.
+        let mut open: Vec<(Group, Position, usize)> = Vec::new();
+        loop {
+            if next.item == stop {
+                let Some((group, first, outer_stop)) = open.last_mut() else { return ControlFlow::Continue(()) };
+                if cursor.turn(group) {
+                    next = *first;
+                } else {
+                    stop = *outer_stop;
+                    open.pop();
+                }
+            } else if let Item::Repeat(len) = self.pattern[next.item] {
+                let mut group = cursor.open(self, next.group);
+                next = Position { item: next.item + 1, group: next.group + 1, ..next };
+                let end = next.item.saturating_add(len as usize).min(stop);
+                if cursor.turn(&mut group) {
+                    open.push((group, next, stop));
+                    stop = end;
+                } else {
+                    let items = &self.pattern[next.item..end];
+                    let slots = items.iter().filter(|item| matches!(item, Item::Slot)).count();
+                    next = Position { item: end, slot: next.slot + slots, group: next.group + items.len() - slots };
+                }
+            } else {
+                if let Some(piece) = cursor.slot(next.slot) {
                     visit(piece)?;
                 }
+                next = Position { item: next.item + 1, slot: next.slot + 1, ..next };
             }
         }
-        ControlFlow::Continue(())
     }
 
     /// The number of pieces. The time is linear in this number, as for [`Solution::each`] and [`Solution::pieces`].

@@ -1,14 +1,13 @@
 //! Abstract values of attributes, constants and functions, computed once, and of expressions at any point.
 
-use super::facts::{Facts, Global};
+use super::facts::Facts;
 use super::interval::Interval;
 use super::texts::{TextSet, Texts};
 use super::value::Value;
-use crate::ir::{ChoiceValues, Type};
+use crate::ir::{AttrInfo, ChoiceValues, GlobalId, Type};
 use crate::link::InstanceId;
 use crate::ops::{AttrValues, Meaning};
 use crate::resolve::globals::{Globals, Init, Item};
-use crate::resolve::info::AttrInfo;
 use crate::resolve::tables::{Tables, Use};
 use crate::syntax::ast::{Binary, Decl, Expr, ExprKind, Name, Unary};
 use std::cell::Cell;
@@ -175,6 +174,11 @@ impl<'f> Evaluator<'f> {
         !self.changing.contains(&attr)
     }
 
+    /// The constant with an index.
+    pub(super) fn constant(&self, index: u32) -> GlobalId {
+        GlobalId(self.attrs.len() as u32 + index)
+    }
+
     /// The abstract value of an expression.
     pub(crate) fn value(&self, expr: &Expr, facts: &Facts) -> Value {
         self.begin();
@@ -267,8 +271,8 @@ impl<'f> Evaluator<'f> {
     fn used(&self, found: Use, args: Vec<Value>, facts: &Facts, depth: u32) -> Value {
         match found {
             Use::Param(index) => facts.params.get(index as usize).copied().unwrap_or(Value::Any),
-            Use::Attr(index) => facts.global(Global::Attr(index)).unwrap_or(self.attrs[index as usize]),
-            Use::Const(index) => facts.global(Global::Const(index)).unwrap_or(self.consts[index as usize]),
+            Use::Attr(index) => facts.global(GlobalId(index)).unwrap_or(self.attrs[index as usize]),
+            Use::Const(index) => facts.global(self.constant(index)).unwrap_or(self.consts[index as usize]),
             Use::Function(index) => match self.bodies[index as usize] {
                 Some(Function { own, decl, body })
                     if depth < DEEPEST && decl.params.len() == args.len() && decl.locals.len() < MOST_LOCALS =>

@@ -3,15 +3,9 @@
 use super::shape::Shape;
 use super::uvs::UvSets;
 use super::value::Value;
+use crate::ir::GlobalId;
 use crate::link::InstanceId;
 use crate::resolve::globals::Item;
-
-/// A value that stays the same while a shape goes on, by index.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Global {
-    Attr(u32),
-    Const(u32),
-}
 
 /// The abstract state at one point of a rule.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +16,7 @@ pub(crate) struct Facts {
     /// Parameters, then locals.
     pub(crate) params: Vec<Value>,
     /// Attributes and constants refined by conditions, each once, in order.
-    pub(super) globals: Vec<(Global, Value)>,
+    pub(super) globals: Vec<(GlobalId, Value)>,
     pub(crate) uvs: UvSets,
     /// The inserted asset, while the shape is that asset or parts of it: the token of the file's name.
     pub(crate) asset: Option<u32>,
@@ -62,13 +56,13 @@ impl Facts {
     }
 
     /// The refined value of an attribute or a constant.
-    pub(super) fn global(&self, which: Global) -> Option<Value> {
+    pub(super) fn global(&self, which: GlobalId) -> Option<Value> {
         let at = self.globals.binary_search_by_key(&which, |(global, _)| *global).ok()?;
         Some(self.globals[at].1)
     }
 
     /// Sets the refined value of an attribute or a constant.
-    pub(super) fn set_global(&mut self, which: Global, value: Value) {
+    pub(super) fn set_global(&mut self, which: GlobalId, value: Value) {
         match self.globals.binary_search_by_key(&which, |(global, _)| *global) {
             Ok(at) => self.globals[at].1 = value,
             Err(at) => self.globals.insert(at, (which, value)),
@@ -87,7 +81,7 @@ impl Facts {
 
     fn joined(&self, other: &Facts, shape: Shape, join: fn(Value, Value) -> Value) -> Facts {
         let params = self.params.iter().zip(&other.params).map(|(a, b)| join(*a, *b)).collect();
-        let both = |(which, value): &(Global, Value)| Some((*which, join(*value, other.global(*which)?)));
+        let both = |(which, value): &(GlobalId, Value)| Some((*which, join(*value, other.global(*which)?)));
         let globals = self.globals.iter().filter_map(both).collect();
         let asset = self.asset.filter(|_| self.asset == other.asset);
         Facts { own: self.own, shape, params, globals, uvs: self.uvs.or(other.uvs), asset }

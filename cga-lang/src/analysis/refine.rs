@@ -1,10 +1,12 @@
 //! Refines the values that a condition compares, on the branch that is taken.
 
 use super::evaluator::Evaluator;
-use super::facts::{Facts, Global};
+use super::facts::Facts;
+
 use super::interval::Interval;
 use super::texts::TextSet;
 use super::value::Value;
+use crate::ir::GlobalId;
 use crate::ops::AttrValues;
 use crate::resolve::tables::Use;
 use crate::syntax::ast::{Binary, Expr, ExprKind, Unary};
@@ -13,7 +15,7 @@ use crate::syntax::ast::{Binary, Expr, ExprKind, Unary};
 enum Refinable {
     Size(usize),
     Param(usize),
-    Global(Global),
+    Global(GlobalId),
 }
 
 impl Evaluator<'_> {
@@ -45,8 +47,8 @@ impl Evaluator<'_> {
         let ExprKind::Name(name) = &expr.kind else { return None };
         match self.of(name, facts)? {
             Use::Param(index) => Some(Refinable::Param(index as usize)),
-            Use::Attr(index) if self.is_constant(index) => Some(Refinable::Global(Global::Attr(index))),
-            Use::Const(index) => Some(Refinable::Global(Global::Const(index))),
+            Use::Attr(index) if self.is_constant(index) => Some(Refinable::Global(GlobalId(index))),
+            Use::Const(index) => Some(Refinable::Global(self.constant(index))),
             Use::Shape(row) => match row.values {
                 AttrValues::Size(axis) => Some(Refinable::Size(axis)),
                 AttrValues::Any | AttrValues::From(_) => None,

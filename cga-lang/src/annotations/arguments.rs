@@ -3,8 +3,9 @@
 use crate::diag::code::Code;
 use crate::diag::{Diag, Level};
 use crate::dialect::Dialect;
+use crate::ir::AttrGroup;
 use crate::resolve::context::Context;
-use crate::resolve::info::{AttrGroup, Hidden};
+use crate::resolve::info::Hidden;
 use crate::span::Span;
 use crate::syntax::ast::{AnnotationArg, Expr, ExprKind, Unary};
 

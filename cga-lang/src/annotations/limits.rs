@@ -2,10 +2,9 @@
 
 use super::arguments::{number, whole, wrong};
 use crate::diag::code::Code;
-use crate::ir::{AttrId, ChoiceValues, Choices, Presentation, Range, Type};
+use crate::ir::{AttrInfo, ChoiceValues, Choices, GlobalId, Presentation, Range, Type};
 use crate::resolve::context::Context;
 use crate::resolve::globals::Kind;
-use crate::resolve::info::AttrInfo;
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::suggest::nearest;
@@ -17,7 +16,7 @@ pub(super) struct Limits {
     range: Option<(Range, Span)>,
     choices: Option<(Choices, Span)>,
     /// `valuesAttr`: the attribute that has the values.
-    source: Option<(AttrId, Span)>,
+    source: Option<(GlobalId, Span)>,
 }
 
 /// The maximum number of values listed in a message.
@@ -205,13 +204,13 @@ fn values(cx: &mut Context, annotation: &str, args: &[&AnnotationArg]) -> Option
 }
 
 /// The attribute that `valuesAttr` names.
-fn attribute(cx: &mut Context, value: &Expr) -> Option<AttrId> {
+fn attribute(cx: &mut Context, value: &Expr) -> Option<GlobalId> {
     let ExprKind::Name(name) = &value.kind else {
         wrong(cx, value.span, "`valuesAttr` takes the name of an attribute".into());
         return None;
     };
     match cx.globals.value(cx.at, &name.text) {
-        Some(Use::Attr(index)) => Some(AttrId(index)),
+        Some(Use::Attr(index)) => Some(GlobalId(index)),
         Some(_) => {
             wrong(cx, value.span, format!("`{}` is not an attribute", name.text));
             None

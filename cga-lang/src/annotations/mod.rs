@@ -7,10 +7,11 @@ mod limits;
 mod notes;
 
 use crate::diag::code::Code;
+use crate::ir::{AttrGroup, AttrInfo};
 use crate::link::{InstanceId, Key, Program};
 use crate::resolve::context::Context;
 use crate::resolve::globals::Item;
-use crate::resolve::info::{AttrGroup, AttrInfo, Hidden, ImportInfo, RuleInfo};
+use crate::resolve::info::{Hidden, ImportInfo, RuleInfo};
 use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Annotation, Ast, Body, Decl, Import, Role, Style};
@@ -238,8 +239,12 @@ mod tests {
             let compiled = compile(root, &mut Library(library), &[]);
             assert_eq!(compiled.diags, []);
             let grammar = compiled.grammar.expect("no error");
-            let shown: Vec<(&str, &str, bool)> =
-                grammar.attrs.iter().map(|attr| (attr.name.as_str(), attr.group[0].as_str(), attr.hidden)).collect();
+            let shown: Vec<(&str, &str, bool)> = grammar
+                .globals
+                .iter()
+                .filter_map(|global| Some((global, global.attr.as_ref()?)))
+                .map(|(global, attr)| (global.name.as_str(), attr.group.names[0].as_str(), attr.hidden))
+                .collect();
             // The group continues after the import.
             let [first, second] = expected;
             let imported = [("lib.a", "B", first), ("lib.b", "B", second), ("lib.c", "C", second)];

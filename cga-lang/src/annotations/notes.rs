@@ -3,9 +3,9 @@
 use super::arguments::{group_of, hidden, nothing, number, text, texts, wrong};
 use super::limits::Limits;
 use crate::diag::code::Code;
-use crate::ir::{Presentation, Type};
+use crate::ir::{AttrGroup, AttrInfo, Presentation, Type};
 use crate::resolve::context::Context;
-use crate::resolve::info::{AttrGroup, AttrInfo, Hidden};
+use crate::resolve::info::Hidden;
 use crate::span::Span;
 use crate::syntax::ast::{AnnotationArg, Decl};
 

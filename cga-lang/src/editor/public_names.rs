@@ -1,6 +1,6 @@
 //! The public names of a grammar, known even if it has errors. The rest of a program can use these.
 
-use crate::ir::{self, Grammar, Type, Value};
+use crate::ir::{Global, Grammar, Type, Value};
 use crate::link::Program;
 use crate::ops::{functions, shape_attr};
 use crate::resolve::globals::Item;
@@ -22,7 +22,7 @@ pub struct Attr {
     pub name: String,
     /// Its type, if known.
     pub ty: Option<Type>,
-    /// The default. Without errors it is that of [`ir::Attr`], otherwise it is only known for a literal.
+    /// The default. Without errors it is that of [`Global`], otherwise it is only known for a literal.
     pub known: Option<Value>,
     /// True if the default is computed for each initial shape. With errors this is an estimate.
     pub computed: bool,
@@ -34,11 +34,9 @@ impl PublicNames {
     pub(crate) fn new(program: &Program, attrs: &[(Item, Option<Type>)], grammar: Option<&Grammar>) -> Self {
         let mut list: Vec<Attr> = Vec::new();
         let mut seen = HashSet::new();
-        let lowered: HashMap<&str, &ir::Attr> = grammar
-            .iter()
-            .flat_map(|grammar| grammar.attrs.iter().rev())
-            .map(|attr| (attr.name.as_str(), attr))
-            .collect();
+        let lowered = grammar.iter().flat_map(|grammar| grammar.globals.iter().rev());
+        let lowered: HashMap<&str, &Global> =
+            lowered.filter(|global| global.attr.is_some()).map(|attr| (attr.name.as_str(), attr)).collect();
         for (item, ty) in attrs {
             if !seen.insert(item.name.as_str()) {
                 continue;

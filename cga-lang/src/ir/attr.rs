@@ -1,20 +1,10 @@
-//! Attributes, and what annotations say about them (*annotations*). None of it changes what rules make.
+//! The annotations of attributes (*annotations*). None of them changes what rules make.
 
-use super::{AttrId, Expr, Type, Value};
-use crate::span::Span;
+use super::GlobalId;
 
-/// `attr name = expr`.
-#[derive(Clone, Debug)]
-pub struct Attr {
-    /// The name, after the names of imports: `imp.height`.
-    pub name: String,
-    /// Its type.
-    pub ty: Type,
-    /// The default.
-    pub default: Expr,
-    /// The default, when it is a constant: then the public field holds it. Otherwise the field is an `Option` and
-    /// `None` means "compute the default for each initial shape".
-    pub known: Option<Value>,
+/// The annotations and doc comment of an attribute.
+#[derive(Clone, Debug, Default)]
+pub struct AttrInfo {
     /// `@Range(min, max)`, or what `@Angle` and `@Percent` offer without one. Only for floats; it holds for each element of
     /// an array.
     pub range: Option<Range>,
@@ -24,24 +14,35 @@ pub struct Attr {
     pub presentation: Presentation,
     /// `@DisplayName`: shown instead of the name.
     pub display_name: Option<String>,
-    /// `@Group("A", "B")`, from the outermost to the innermost.
-    pub group: Vec<String>,
-    /// The number in `@Group("A", "B", n)`: where user interfaces show the innermost group.
-    pub group_order: Option<f64>,
+    /// `@Group("A", "B", n)`.
+    pub group: AttrGroup,
     /// `@Description`, else doc comments, joined by line ends.
     pub doc: String,
     /// `@Order(n)`: where user interfaces show it.
     pub order: Option<f64>,
     /// `@Hidden`: user interfaces leave it out.
     pub hidden: bool,
-    /// True if some rule sets it or a renewal may change it: only then do reads look at the shape first.
-    pub is_set: bool,
-    /// True on a cycle that conditions may keep open: it is computed on its first read.
-    pub lazy: bool,
-    /// True if the host program may set it.
-    pub public: bool,
-    /// The name in its declaration.
-    pub span: Span,
+}
+
+impl AttrInfo {
+    /// The range to which a run restricts the attribute.
+    pub fn held_to_range(&self) -> Option<Range> {
+        self.range.filter(|range| range.restricted)
+    }
+
+    /// The values to which a run restricts the attribute.
+    pub fn held_to_choices(&self) -> Option<&ChoiceValues> {
+        self.choices.as_ref().filter(|choices| choices.restricted).map(|choices| &choices.values)
+    }
+}
+
+/// The group of attributes. It continues from one `@Group` to the next, across imports.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct AttrGroup {
+    /// From the outermost to the innermost name; empty without a group.
+    pub names: Vec<String>,
+    /// The position of the innermost group in the order of groups.
+    pub order: Option<f64>,
 }
 
 /// `@Range(min=…, max=…, stepsize=…, restricted=…)`.
@@ -76,7 +77,7 @@ pub enum ChoiceValues {
     /// Strings.
     Texts(Vec<String>),
     /// `valuesAttr=name`: the value or the elements of that attribute.
-    Attr(AttrId),
+    Attr(GlobalId),
 }
 
 /// As what user interfaces show an attribute.

@@ -2,11 +2,10 @@
 
 use super::{Arg, Axis, Expr, Piece, Size, Target};
 use crate::ops::{Default, Operation};
-use crate::span::Span;
 use crate::syntax::ast::ArmMode;
 
 /// `name(args) { … }`: makes parts of the current shape, each with a successor. The shape itself goes on unchanged.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Block {
     /// The operation.
     pub row: &'static Operation,
@@ -14,12 +13,10 @@ pub struct Block {
     pub args: Vec<Arg>,
     /// The parts.
     pub parts: Parts,
-    /// The operation's name.
-    pub span: Span,
 }
 
 /// The parts that an operation with braces makes.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Parts {
     /// `size : … | size : …`
     Slots(Slots),
@@ -28,7 +25,7 @@ pub enum Parts {
 }
 
 /// Slots with their sizes.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Slots {
     /// One size for each written slot, evaluated once, in order, on the whole shape.
     pub sizes: Vec<Size>,
@@ -50,7 +47,7 @@ pub struct Solved {
 }
 
 /// `selector : …`, `selector = …` or `selector =: …`. It makes a `T` of its parts: a [`Target`], or the value of an [`Expr`].
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Arm<T> {
     /// Selects parts.
     pub selector: Selector,
@@ -63,7 +60,7 @@ pub struct Arm<T> {
 }
 
 /// The parts that an arm takes.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Selector {
     /// A lone word of [`crate::ops::selectors`], in its newest spelling.
     Word(&'static str),
@@ -74,7 +71,7 @@ pub enum Selector {
 }
 
 /// `comp(f) { selector : value }`: an array with a value for each component.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Comp {
     /// The operation of that name, for its parameters.
     pub row: &'static Operation,

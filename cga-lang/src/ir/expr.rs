@@ -1,11 +1,11 @@
 //! Expressions. Each knows its type.
 
-use super::{AttrId, Comp, ConstId, FunctionId, HostId, Type, Value};
+use super::{Comp, FunctionId, GlobalId, HostId, Type, Value};
 use crate::ops::{self, ShapeAttr};
 use crate::span::Span;
 
 /// An expression with its type.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Expr {
     /// The kind of expression.
     pub kind: ExprKind,
@@ -16,16 +16,14 @@ pub struct Expr {
 }
 
 /// The kinds of expressions.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
     /// A constant.
     Value(Value),
     /// A parameter of the rule or function.
     Param(u32),
-    /// An attribute, as the current shape sees it.
-    Attr(AttrId),
-    /// A constant of the grammar.
-    Const(ConstId),
+    /// An attribute, as the current shape sees it, or a constant.
+    Global(GlobalId),
     /// `#name` or `#(…)`.
     Host(HostId),
     /// A function of the grammar. A shared one has a site: one number for each site of the caller.
@@ -66,10 +64,15 @@ pub enum ExprKind {
     ToText(Box<Expr>),
     /// The name of a file, and the folder of the rule file that names it: relative paths are looked for from there.
     File(Box<Expr>, String),
-    /// `case … else`.
+    /// `case … else`, or `p% : … else` with conditions that are drawn.
     Case(Vec<(Expr, Expr)>, Box<Expr>),
-    /// `p% : … else`.
-    Chance(Vec<(f64, Expr)>, Box<Expr>),
+    /// The condition `p%`, after branches that have `before` percent together: it is drawn with the probability that is left.
+    Chance {
+        /// The percentage of the branch.
+        percent: f64,
+        /// The sum of the percentages of the branches before it.
+        before: f64,
+    },
 }
 
 /// Operators over the elements of an array.

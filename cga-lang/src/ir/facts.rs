@@ -30,10 +30,8 @@ pub use crate::ops::Uses;
 pub struct Facts {
     rules: Vec<RuleFacts>,
     functions: Vec<Uses>,
-    /// Uses of reading an attribute.
-    attrs: Vec<Uses>,
-    /// Uses of reading a constant.
-    consts: Vec<Uses>,
+    /// Uses of reading an attribute or constant.
+    globals: Vec<Uses>,
 }
 
 /// The facts of a rule.
@@ -96,15 +94,14 @@ impl Facts {
     /// Uses of an expression without its parts.
     fn part(&self, expr: &Expr) -> Uses {
         match &expr.kind {
-            ExprKind::Attr(id) => self.attrs[id.0 as usize],
-            ExprKind::Const(id) => self.consts[id.0 as usize],
+            ExprKind::Global(id) => self.globals[id.0 as usize],
             ExprKind::Call(id, ..) => self.function(*id),
             ExprKind::Builtin(row, _) => row.uses,
             ExprKind::Shape(row) => row.uses,
             // Rust code may give another value each time.
             ExprKind::Rust(..) | ExprKind::Host(_) => Uses::SAYS,
             ExprKind::Comp(_) | ExprKind::Word(_) => Uses::WHOLE,
-            ExprKind::Chance(..) => Uses::DRAWS,
+            ExprKind::Chance { .. } => Uses::DRAWS,
             ExprKind::Value(_)
             | ExprKind::Param(_)
             | ExprKind::Style(_)

@@ -1,13 +1,12 @@
 //! The intermediate representation: a checked grammar, ready to be emitted as Rust.
 //!
 //! Every name is an index, the operations of each part in braces are a rule of their own with the parameters it captures, every
-//! expression has a type. Code generation reads this and decides nothing. [`print`](mod@print) shows it as text.
+//! expression has a type. Code generation reads this and decides nothing.
 
 mod attr;
 mod block;
 mod expr;
 pub mod facts;
-pub mod print;
 pub mod walk;
 
 use crate::ops::{Operation, ShapeAttr};
@@ -17,19 +16,16 @@ pub use crate::types::Type;
 pub use cga_split::{Item, Piece, Prefix};
 
 pub use crate::syntax::ast::ArmMode;
-pub use attr::{Attr, ChoiceValues, Choices, Presentation, Range};
+pub use attr::{AttrGroup, AttrInfo, ChoiceValues, Choices, Presentation, Range};
 pub use block::{Arm, Block, Comp, Parts, Selector, Slots, Solved};
 pub use expr::{Binary, EachUnary, Expr, ExprKind};
 
 /// Index into [`Grammar::rules`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct RuleId(pub u32);
-/// Index into [`Grammar::attrs`].
+/// Index into [`Grammar::globals`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct AttrId(pub u32);
-/// Index into [`Grammar::consts`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct ConstId(pub u32);
+pub struct GlobalId(pub u32);
 /// Index into [`Grammar::functions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct FunctionId(pub u32);
@@ -45,10 +41,8 @@ pub struct HostId(pub u32);
 pub struct Grammar {
     /// `@RuleFileDescription`: what it makes, in Markdown. Empty when nothing is said.
     pub about: String,
-    /// Attributes, in source order.
-    pub attrs: Vec<Attr>,
-    /// Constants, in source order.
-    pub consts: Vec<Const>,
+    /// Attributes in source order, then constants in source order.
+    pub globals: Vec<Global>,
     /// Functions, in source order.
     pub functions: Vec<Function>,
     /// Rules in source order, then the blocks that became rules.
@@ -64,10 +58,9 @@ pub struct Grammar {
 }
 
 impl Grammar {
-    /// Attributes, then constants.
-    pub fn globals(&self) -> impl Iterator<Item = Global> + use<> {
-        let attrs = (0..self.attrs.len() as u32).map(|id| Global::Attr(AttrId(id)));
-        attrs.chain((0..self.consts.len() as u32).map(|id| Global::Const(ConstId(id))))
+    /// An attribute or constant.
+    pub fn global(&self, id: GlobalId) -> &Global {
+        &self.globals[id.0 as usize]
     }
 }
 
@@ -88,26 +81,17 @@ pub struct Start {
     pub hidden: bool,
 }
 
-/// One value that is computed once for an initial shape.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Global {
-    /// An attribute.
-    Attr(AttrId),
-    /// A constant.
-    Const(ConstId),
-}
-
 /// A value that is computed when a run begins.
 #[derive(Clone, Debug)]
 pub struct Init {
     /// The attribute or constant.
-    pub global: Global,
+    pub global: GlobalId,
     /// The styles that have it, by number; `None` for all.
     pub styles: Option<Vec<u32>>,
 }
 
 /// A value known while compiling.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub enum Value {
     /// A number.
     Float(f64),
@@ -119,21 +103,39 @@ pub enum Value {
     Array(Vec<Vec<Value>>),
 }
 
-/// `const name = expr`.
+impl PartialEq for Value {
+    /// Numbers are compared by their bits: equal values are the same in every use.
+    fn eq(&self, other: &Value) -> bool {
+        match (self, other) {
+            (Value::Float(a), Value::Float(b)) => a.to_bits() == b.to_bits(),
+            (Value::Bool(a), Value::Bool(b)) => a == b,
+            (Value::Text(a), Value::Text(b)) => a == b,
+            (Value::Array(a), Value::Array(b)) => a == b,
+            _ => false,
+        }
+    }
+}
+
+/// `attr name = expr` or `const name = expr`.
 #[derive(Clone, Debug)]
-pub struct Const {
-    /// As written.
+pub struct Global {
+    /// The name, after the names of imports: `imp.height`.
     pub name: String,
     /// Its type.
     pub ty: Type,
-    /// Its value, evaluated once for each initial shape.
+    /// Its value, or the default of an attribute. It is evaluated once for each initial shape.
     pub value: Expr,
-    /// The value when it is known while compiling.
+    /// The value when it is a constant. Then the public field of an attribute holds it. Otherwise the field is an `Option` and
+    /// `None` means "compute the default for each initial shape".
     pub known: Option<Value>,
-    /// True if a renewal may give it another value on a shape: only then do reads look at the shape first.
+    /// True if some rule sets it or a renewal may change it: only then do reads look at the shape first.
     pub is_set: bool,
     /// True on a cycle that conditions may keep open: it is computed on its first read.
     pub lazy: bool,
+    /// True for an attribute that the host program may set.
+    pub public: bool,
+    /// The annotations of an attribute; `None` for a constant.
+    pub attr: Option<AttrInfo>,
     /// The name in its declaration.
     pub span: Span,
 }
@@ -166,12 +168,10 @@ pub struct Param {
     pub name: String,
     /// Inferred type.
     pub ty: Type,
-    /// Where it is declared.
-    pub span: Span,
 }
 
 /// `Name(params) --> body`, or the operations of a part in braces.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Rule {
     /// `Facade`; blocks inside it are `Facade/1`, `Facade/2`, … Several rules may share a name with other parameters.
     pub name: String,
@@ -207,9 +207,10 @@ pub struct RuleSite {
 }
 
 /// Tells if a rule has no child at the end of its body. A shape without children is a leaf.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Childless {
     /// No path makes a child, so the shape is a leaf.
+    #[default]
     Always,
     /// Every path that gets to the end has made a child.
     Never,
@@ -218,16 +219,16 @@ pub enum Childless {
 }
 
 /// One step of a rule. Steps act on the current shape, in order.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Step {
     /// Changes the current shape.
-    Do(&'static Operation, Vec<Arg>, Span),
+    Do(&'static Operation, Vec<Arg>),
     /// `set(name, value)` on a declared attribute.
-    SetAttr(AttrId, Expr, Span),
+    SetAttr(GlobalId, Expr),
     /// `set(name, value)` on an attribute of the shape itself.
-    SetShape(&'static ShapeAttr, Expr, Span),
+    SetShape(&'static ShapeAttr, Expr),
     /// Something that is known and does nothing yet.
-    Later(String, Span),
+    Later(String),
     /// A Rust function as operation: `path::to(args)`.
     Rust(String, Vec<Expr>, Span),
     /// A successor: hands a copy of the current shape on.
@@ -238,33 +239,24 @@ pub enum Step {
     Push(Vec<Step>),
     /// `import( … ).Rule`: a copy on which the attributes and constants of an import are computed again.
     Renew(Renew),
-    /// `case … else`.
+    /// `case … else`, or `p% : … else` with conditions that are drawn.
     Case {
         /// Condition and body, tried in order.
         arms: Vec<(Expr, Vec<Step>)>,
         /// The `else` body.
         otherwise: Vec<Step>,
     },
-    /// `p% : … else`.
-    Chance {
-        /// Percentage and body. Drawn one after the other with conditional probability.
-        arms: Vec<(f64, Vec<Step>)>,
-        /// The `else` body.
-        otherwise: Vec<Step>,
-    },
 }
 
 /// A call of a rule of an import whose attributes are computed again (*import*).
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Renew {
     /// The values given in the call. They and the rule's arguments are evaluated before anything changes.
-    pub given: Vec<(AttrId, Expr)>,
+    pub given: Vec<(GlobalId, Expr)>,
     /// The values that are computed again, except the given ones.
     pub renewal: RenewalId,
     /// The rule that goes on with the copy.
     pub target: Target,
-    /// The call.
-    pub span: Span,
 }
 
 /// The values of an import that are computed again.
@@ -274,11 +266,11 @@ pub struct Renewal {
     pub import: String,
     /// Its attributes and constants and those of what it imports, in an order in which each is ready before it is used.
     /// They are evaluated on the copy.
-    pub globals: Vec<Global>,
+    pub globals: Vec<GlobalId>,
 }
 
 /// The successor of a child shape.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Target {
     /// Goes on with a rule. The arguments are evaluated on the shape that is handed on for a split or comp part
     /// (so `split.index` is the part's), and on the current shape for a successor.
@@ -293,7 +285,7 @@ pub enum Target {
         span: Span,
     },
     /// Becomes a leaf of that name.
-    Leaf(String, Span),
+    Leaf(String),
     /// `NIL`: makes no leaf. It is a child all the same.
     Nil,
 }
@@ -322,7 +314,7 @@ impl Axis {
 }
 
 /// The size of a slot.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Size {
     /// The kind of size.
     pub prefix: Prefix,
@@ -331,7 +323,7 @@ pub struct Size {
 }
 
 /// An argument of an operation.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Arg {
     /// A plain value.
     Value(Expr),
@@ -348,6 +340,4 @@ pub struct Host {
     pub handle: u32,
     /// The type the rules need it to have.
     pub ty: Type,
-    /// Where it stands.
-    pub span: Span,
 }

@@ -1,6 +1,6 @@
 //! Over the steps and expressions of a grammar.
 
-use crate::ir::{Arg, Arm, Block, Expr, ExprKind, Grammar, Parts, Renew, Rule, RuleId, Selector, Step, Target};
+use crate::ir::{Arg, Arm, Block, Expr, ExprKind, Function, Grammar, Parts, Renew, Rule, Selector, Step, Target};
 
 macro_rules! step_walkers {
     ($($life:lifetime)?, $iter:ident, [$($mutable:tt)?], $(#[$about:meta])* $steps:ident, $targets:ident, $exprs:ident, $args:ident) => {
@@ -15,10 +15,6 @@ macro_rules! step_walkers {
                 match step {
                     Step::Push(inner) => $steps(inner, visit),
                     Step::Case { arms, otherwise } => {
-                        arms.$iter().for_each(|(_, inner)| $steps(inner, visit));
-                        $steps(otherwise, visit);
-                    }
-                    Step::Chance { arms, otherwise } => {
                         arms.$iter().for_each(|(_, inner)| $steps(inner, visit));
                         $steps(otherwise, visit);
                     }
@@ -49,8 +45,7 @@ macro_rules! step_walkers {
                 | Step::Later(..)
                 | Step::Rust(..)
                 | Step::Push(_)
-                | Step::Case { .. }
-                | Step::Chance { .. } => Vec::new(),
+                | Step::Case { .. } => Vec::new(),
             }
         }
 
@@ -58,8 +53,8 @@ macro_rules! step_walkers {
         $(#[$about])*
         pub fn $exprs(step: & $($mutable)? Step) -> Vec<& $($mutable)? Expr> {
             match step {
-                Step::Do(_, args, _) => args.$iter().filter_map($args).collect(),
-                Step::SetAttr(_, value, _) | Step::SetShape(_, value, _) => vec![value],
+                Step::Do(_, args) => args.$iter().filter_map($args).collect(),
+                Step::SetAttr(_, value) | Step::SetShape(_, value) => vec![value],
                 Step::Rust(_, args, _) => args.$iter().collect(),
                 Step::Renew(call) => call.given.$iter().map(|(_, value)| value).collect(),
                 Step::Block(block) => {
@@ -74,7 +69,7 @@ macro_rules! step_walkers {
                     list
                 }
                 Step::Case { arms, .. } => arms.$iter().map(|(condition, _)| condition).collect(),
-                Step::Give(_) | Step::Push(_) | Step::Chance { .. } | Step::Later(..) => Vec::new(),
+                Step::Give(_) | Step::Push(_) | Step::Later(..) => Vec::new(),
             }
         }
 
@@ -104,20 +99,6 @@ pub(crate) fn exprs_mut(list: &mut [Step], visit: &mut dyn FnMut(&mut Expr)) {
     });
 }
 
-/// Every expression of a grammar, with its parts, to change it.
-pub(crate) fn all_exprs_mut(grammar: &mut Grammar, visit: &mut dyn FnMut(&mut Expr)) {
-    grammar.attrs.iter_mut().for_each(|it| parts_mut(&mut it.default, visit));
-    grammar.consts.iter_mut().for_each(|it| parts_mut(&mut it.value, visit));
-    for function in &mut grammar.functions {
-        function.locals.iter_mut().for_each(|local| parts_mut(local, visit));
-        parts_mut(&mut function.body, visit);
-    }
-    for rule in &mut grammar.rules {
-        rule.locals.iter_mut().for_each(|local| parts_mut(local, visit));
-        exprs_mut(&mut rule.body, &mut |expr| parts_mut(expr, visit));
-    }
-}
-
 /// The parameters that an expression reads, to change them.
 pub(crate) fn params_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut u32)) {
     parts_mut(expr, &mut |part| {
@@ -134,24 +115,39 @@ pub(crate) fn parts_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut Expr)) {
     }
 }
 
-/// The rules that a body calls, each once, in the order of their numbers.
-pub fn called(body: &[Step]) -> Vec<RuleId> {
+/// By rule, the rules that its steps hand shapes to, each once, in order. Only steps that `from` accepts count.
+pub fn calls(grammar: &Grammar, from: impl Fn(&Step) -> bool) -> Vec<Vec<usize>> {
+    let called = |rule: &Rule| {
+        let mut list = Vec::new();
+        steps(&rule.body, &mut |step| {
+            list.extend(targets(step).into_iter().filter_map(|target| match target {
+                Target::Rule { rule, .. } if from(step) => Some(rule.0 as usize),
+                Target::Rule { .. } | Target::Leaf(..) | Target::Nil => None,
+            }));
+        });
+        list.sort_unstable();
+        list.dedup();
+        list
+    };
+    grammar.rules.iter().map(called).collect()
+}
+
+/// The functions that a function calls, by number, each as often as it does.
+pub fn called_functions(function: &Function) -> Vec<usize> {
     let mut list = Vec::new();
-    steps(body, &mut |step| {
-        list.extend(targets(step).into_iter().filter_map(|target| match target {
-            Target::Rule { rule, .. } => Some(*rule),
-            Target::Leaf(..) | Target::Nil => None,
-        }));
-    });
-    list.sort_unstable();
-    list.dedup();
+    for value in function.locals.iter().chain([&function.body]) {
+        parts(value, &mut |part| {
+            if let ExprKind::Call(id, ..) = part.kind {
+                list.push(id.0 as usize);
+            }
+        });
+    }
     list
 }
 
 /// Every expression of a grammar, with its parts.
 pub fn exprs<'g>(grammar: &'g Grammar, visit: &mut dyn FnMut(&'g Expr)) {
-    grammar.attrs.iter().for_each(|attr| parts(&attr.default, visit));
-    grammar.consts.iter().for_each(|it| parts(&it.value, visit));
+    grammar.globals.iter().for_each(|it| parts(&it.value, visit));
     for function in &grammar.functions {
         function.locals.iter().for_each(|local| parts(local, visit));
         parts(&function.body, visit);
@@ -185,13 +181,13 @@ macro_rules! parts {
         match $kind {
             ExprKind::Value(_)
             | ExprKind::Param(_)
-            | ExprKind::Attr(_)
-            | ExprKind::Const(_)
+            | ExprKind::Global(_)
             | ExprKind::Host(_)
             | ExprKind::Shape(_)
             | ExprKind::Word(_)
             | ExprKind::Style(_)
             | ExprKind::Site(_)
+            | ExprKind::Chance { .. }
             | ExprKind::Later(_) => Vec::new(),
             ExprKind::Call(_, _, args) | ExprKind::Builtin(_, args) | ExprKind::Rust(_, args) => args.$iter().collect(),
             ExprKind::Neg(a)
@@ -217,9 +213,6 @@ macro_rules! parts {
             ExprKind::Case(arms, otherwise) => {
                 let arms = arms.$iter().flat_map(|(condition, value)| [condition, value]);
                 arms.chain([&$($mutable)? **otherwise]).collect()
-            }
-            ExprKind::Chance(arms, otherwise) => {
-                arms.$iter().map(|(_, value)| value).chain([&$($mutable)? **otherwise]).collect()
             }
         }
     };

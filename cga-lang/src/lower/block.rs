@@ -9,10 +9,10 @@ use crate::span::Span;
 use crate::syntax::ast::{self, ArmMode, BlockPart, SplitItem};
 
 impl<'c> Lower<'c> {
-    pub(super) fn block(&mut self, block: &'c ast::Block, span: Span) -> Option<Step> {
+    pub(super) fn block(&mut self, block: &'c ast::Block) -> Option<Step> {
         let Use::Operation(row) = self.used(&block.name)? else { return None };
         if row.run == Run::Later {
-            return Some(Step::Later(block.name.text.clone(), span));
+            return Some(Step::Later(block.name.text.clone()));
         }
         let args = self.args(row, &block.args, block.name.span);
         let parts = match block.parts.as_slice() {
@@ -23,9 +23,9 @@ impl<'c> Lower<'c> {
             }
             [BlockPart::Arms(arms)] => Parts::Arms(arms.iter().map(|arm| self.arm_of(arm)).collect()),
             // No operation with such braces runs yet.
-            _ => return Some(Step::Later(block.name.text.clone(), span)),
+            _ => return Some(Step::Later(block.name.text.clone())),
         };
-        Some(Step::Block(Block { row, args, parts, span: block.name.span }))
+        Some(Step::Block(Block { row, args, parts }))
     }
 
     fn slots(&mut self, items: &'c [SplitItem], repeat: bool, out: &mut Slots, owner: Span) {

@@ -1,9 +1,7 @@
 //! Steps of a rule. Operations of a part in braces become a rule of their own, unless they only name a successor.
 
-use super::Lower;
-use crate::ir::{
-    Arg, AttrId, Childless, Expr, ExprKind, Param, Prefix, Rule, RuleId, Size, Step, Target, Type, Value, walk,
-};
+use super::{Lower, expr};
+use crate::ir::{Arg, Expr, ExprKind, GlobalId, Param, Prefix, Rule, RuleId, Size, Step, Target, walk};
 use crate::lower::fold::fold;
 use crate::ops::{self, Operation, ParamKind, Run, Words};
 use crate::resolve::tables::Use;
@@ -18,22 +16,23 @@ impl<'c> Lower<'c> {
     fn step(&mut self, op: &'c ast::Op) -> Option<Step> {
         Some(match &op.kind {
             OpKind::Call(name, args) => return self.call(op.span, name, args),
-            OpKind::Leaf(name) => Step::Give(Target::Leaf(name.text.clone(), name.span)),
+            OpKind::Leaf(name) => Step::Give(Target::Leaf(name.text.clone())),
             OpKind::Nil => Step::Give(Target::Nil),
             OpKind::Path(name, args) => Step::Rust(name.text.clone(), self.values(args), name.span),
             OpKind::Push(ops) => Step::Push(self.steps(ops)),
-            OpKind::Block(block) => return self.block(block, op.span),
+            OpKind::Block(block) => return self.block(block),
             OpKind::Dynamic { import, overrides, rule, args } => {
-                return self.dynamic((import, overrides), (rule, args), op.span);
+                return self.dynamic((import, overrides), (rule, args));
             }
             OpKind::Case(arms, otherwise) => Step::Case {
                 arms: arms.iter().map(|(test, ops)| (self.folded(test), self.steps(ops))).collect(),
                 otherwise: self.steps(otherwise),
             },
-            OpKind::Chance(arms, otherwise) => Step::Chance {
-                arms: arms.iter().map(|(percent, ops)| (percent.value, self.steps(ops))).collect(),
-                otherwise: self.steps(otherwise),
-            },
+            OpKind::Chance(arms, otherwise) => {
+                let draws = expr::draws(arms.iter().map(|(percent, _)| percent));
+                let arms = draws.zip(arms).map(|(draw, (_, ops))| (draw, self.steps(ops))).collect();
+                Step::Case { arms, otherwise: self.steps(otherwise) }
+            }
             OpKind::Error => return None,
         })
     }
@@ -83,18 +82,18 @@ impl<'c> Lower<'c> {
 
     fn call(&mut self, span: Span, name: &'c ast::Name, args: &'c [ast::Arg]) -> Option<Step> {
         if self.is_later(name) {
-            return Some(Step::Later(name.text.clone(), span));
+            return Some(Step::Later(name.text.clone()));
         }
         Some(match self.used(name)? {
-            Use::Operation(row) if row.run == Run::Later => Step::Later(name.text.clone(), span),
-            Use::Operation(row) => Step::Do(row, self.args(row, args, span), span),
+            Use::Operation(row) if row.run == Run::Later => Step::Later(name.text.clone()),
+            Use::Operation(row) => Step::Do(row, self.args(row, args, span)),
             Use::SetAttr(index) => {
-                self.out.attrs[index as usize].is_set = true;
-                Step::SetAttr(AttrId(index), self.folded(&args.get(1)?.value), span)
+                self.out.globals[index as usize].is_set = true;
+                Step::SetAttr(GlobalId(index), self.folded(&args.get(1)?.value))
             }
-            Use::SetShape(row) if row.set == Some(Run::Later) => Step::Later(format!("set({})", row.name), span),
-            Use::SetShape(row) if row.kind.is_file() => Step::SetShape(row, self.file(&args.get(1)?.value), span),
-            Use::SetShape(row) => Step::SetShape(row, self.folded(&args.get(1)?.value), span),
+            Use::SetShape(row) if row.set == Some(Run::Later) => Step::Later(format!("set({})", row.name)),
+            Use::SetShape(row) if row.kind.is_file() => Step::SetShape(row, self.file(&args.get(1)?.value)),
+            Use::SetShape(row) => Step::SetShape(row, self.folded(&args.get(1)?.value)),
             _ => Step::Give(self.successor(name, args)?),
         })
     }
@@ -104,7 +103,7 @@ impl<'c> Lower<'c> {
             Use::Rule(index) => {
                 Some(Target::Rule { rule: RuleId(index), sites: Vec::new(), args: self.values(args), span: name.span })
             }
-            Use::Leaf => Some(Target::Leaf(name.text.clone(), name.span)),
+            Use::Leaf => Some(Target::Leaf(name.text.clone())),
             _ => None,
         }
     }
@@ -114,7 +113,7 @@ impl<'c> Lower<'c> {
         let span = ops.first().map_or(owner, |op| Span::one(op.span.first));
         if let [op] = ops {
             match &op.kind {
-                OpKind::Leaf(name) => return Target::Leaf(name.text.clone(), name.span),
+                OpKind::Leaf(name) => return Target::Leaf(name.text.clone()),
                 OpKind::Nil => return Target::Nil,
                 OpKind::Call(name, args) => {
                     if let Some(target) = self.successor(name, args) {
@@ -128,24 +127,12 @@ impl<'c> Lower<'c> {
         *count += 1;
         let name = format!("{}/{count}", self.name);
         let rule = RuleId(self.out.rules.len() as u32);
-        self.out.rules.push(Rule {
-            name,
-            label: self.label.clone(),
-            params: Vec::new(),
-            locals: Vec::new(),
-            body: Vec::new(),
-            block: true,
-            leaf: Childless::Always,
-            cycle: None,
-            source: String::new(),
-            sites: Vec::new(),
-            span,
-        });
+        self.out.rules.push(Rule { name, label: self.label.clone(), block: true, span, ..Rule::default() });
         let mut body = self.steps(ops);
         let captured = capture(&mut body);
         let own = |&index: &u32| {
             let name = self.inner[index as usize];
-            Param { name: name.text.clone(), ty: self.ty(name.id()), span: name.span }
+            Param { name: name.text.clone(), ty: self.ty(name.id()) }
         };
         let params: Vec<Param> = captured.iter().map(own).collect();
         let pass = |(index, param): (&u32, &Param)| Expr { kind: ExprKind::Param(*index), ty: param.ty, span };
@@ -170,13 +157,10 @@ fn capture(body: &mut [Step]) -> Vec<u32> {
 
 /// The default of an omitted argument.
 fn default(param: &ops::Param, span: Span) -> Option<Arg> {
-    let value = |value, ty| Expr { kind: ExprKind::Value(value), ty, span };
-    let value = match param.default? {
-        ops::Default::Float(number) => value(Value::Float(number), Type::Float),
-        ops::Default::Bool(truth) => value(Value::Bool(truth), Type::Bool),
-        ops::Default::Text(text) => value(Value::Text(text.into()), Type::Text),
-        ops::Default::Word(word) => return Some(Arg::Word(word)),
-    };
+    if let ops::Default::Word(word) = param.default? {
+        return Some(Arg::Word(word));
+    }
+    let value = expr::default(param, span)?;
     Some(match param.kind {
         ParamKind::Length | ParamKind::Size => Arg::Length(Size { prefix: Prefix::Absolute, value }),
         _ => Arg::Value(value),

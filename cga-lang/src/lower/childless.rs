@@ -43,10 +43,6 @@ fn walk(steps: &[Step], start: Paths) -> Paths {
                 let end = walk(otherwise, paths);
                 arms.iter().fold(end, |all, (_, steps)| all.or(walk(steps, paths)))
             }
-            Step::Chance { arms, otherwise } => {
-                let end = walk(otherwise, paths);
-                arms.iter().fold(end, |all, (_, steps)| all.or(walk(steps, paths)))
-            }
         };
     }
     paths

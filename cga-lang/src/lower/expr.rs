@@ -1,9 +1,10 @@
 //! Expressions, bottom up: each knows its type.
 
 use super::{Lower, block};
-use crate::ir::{AttrId, Binary, ConstId, EachUnary, Expr, ExprKind, FunctionId, Type, Value};
+use crate::ir::{Binary, EachUnary, Expr, ExprKind, FunctionId, GlobalId, Type, Value};
 use crate::ops::{self, Run};
 use crate::resolve::tables::Use;
+use crate::span::Span;
 use crate::syntax::ast::{self, Unary};
 
 impl Lower<'_> {
@@ -50,10 +51,11 @@ impl Lower<'_> {
                 (ExprKind::Case(arms, Box::new(otherwise)), ty)
             }
             ast::ExprKind::Chance(arms, otherwise) => {
-                let arms = arms.iter().map(|(percent, value)| (percent.value, self.expr(value))).collect();
+                let draws = draws(arms.iter().map(|(percent, _)| percent));
+                let arms = draws.zip(arms).map(|(draw, (_, value))| (draw, self.expr(value))).collect();
                 let otherwise = self.expr(otherwise);
                 let ty = otherwise.ty;
-                (ExprKind::Chance(arms, Box::new(otherwise)), ty)
+                (ExprKind::Case(arms, Box::new(otherwise)), ty)
             }
             ast::ExprKind::EachUnary(Unary::Plus, operand) => return self.expr(operand),
             ast::ExprKind::EachUnary(op, operand) => {
@@ -119,16 +121,8 @@ impl Lower<'_> {
 
     /// A call of a function of the language. Omitted arguments get their defaults.
     fn builtin(row: &'static ops::Function, mut args: Vec<Expr>) -> (ExprKind, Type) {
-        let span = args.last().map_or_else(crate::span::Span::default, |last| last.span);
-        for param in row.params.iter().skip(args.len()) {
-            let (value, ty) = match param.default {
-                Some(ops::Default::Float(value)) => (Value::Float(value), Type::Float),
-                Some(ops::Default::Bool(value)) => (Value::Bool(value), Type::Bool),
-                Some(ops::Default::Text(value) | ops::Default::Word(value)) => (Value::Text(value.into()), Type::Text),
-                None => continue,
-            };
-            args.push(Expr { kind: ExprKind::Value(value), ty, span });
-        }
+        let span = args.last().map_or_else(Span::default, |last| last.span);
+        args.extend(row.params.iter().skip(args.len()).filter_map(|param| default(param, span)));
         (ExprKind::Builtin(row, args), row.ty)
     }
 
@@ -136,8 +130,11 @@ impl Lower<'_> {
         let globals = &self.checked.globals;
         match found {
             Some(Use::Param(index)) => (ExprKind::Param(index), self.ty(self.inner[index as usize].id())),
-            Some(Use::Attr(index)) => (ExprKind::Attr(AttrId(index)), self.type_of(&globals.attrs[index as usize])),
-            Some(Use::Const(index)) => (ExprKind::Const(ConstId(index)), self.type_of(&globals.consts[index as usize])),
+            Some(Use::Attr(index)) => (ExprKind::Global(GlobalId(index)), self.type_of(&globals.attrs[index as usize])),
+            Some(Use::Const(index)) => {
+                let id = GlobalId(globals.attrs.len() as u32 + index);
+                (ExprKind::Global(id), self.type_of(&globals.consts[index as usize]))
+            }
             Some(Use::Function(index)) => {
                 (ExprKind::Call(FunctionId(index), Vec::new(), args), self.type_of(&globals.functions[index as usize]))
             }
@@ -152,6 +149,26 @@ impl Lower<'_> {
             _ => nothing(),
         }
     }
+}
+
+/// The default of an omitted argument; words are text.
+pub(super) fn default(param: &ops::Param, span: Span) -> Option<Expr> {
+    let value = match param.default? {
+        ops::Default::Float(number) => Value::Float(number),
+        ops::Default::Bool(truth) => Value::Bool(truth),
+        ops::Default::Text(text) | ops::Default::Word(text) => Value::Text(text.into()),
+    };
+    Some(Expr { ty: value.ty(), kind: ExprKind::Value(value), span })
+}
+
+/// The conditions of branches with percentages.
+pub(super) fn draws<'c>(percents: impl Iterator<Item = &'c ast::Percent>) -> impl Iterator<Item = Expr> {
+    percents.scan(0.0, |sum, percent| {
+        let before = *sum;
+        *sum += percent.value;
+        let kind = ExprKind::Chance { percent: percent.value, before };
+        Some(Expr { kind, ty: Type::Bool, span: percent.span })
+    })
 }
 
 fn each(op: ast::Binary, left: Expr, right: Expr) -> (ExprKind, Type) {

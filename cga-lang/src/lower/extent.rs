@@ -111,12 +111,9 @@ fn follow(steps: &mut [Step], mut known: Extents, hand_on: &mut dyn FnMut(&Targe
                 follow(inner, known, hand_on);
             }
             Step::Case { arms, otherwise } => {
-                let arms = arms.iter_mut().map(|(_, inner)| inner);
-                known = branches(arms.chain([otherwise]), known, hand_on);
-            }
-            Step::Chance { arms, otherwise } => {
-                let arms = arms.iter_mut().map(|(_, inner)| inner);
-                known = branches(arms.chain([otherwise]), known, hand_on);
+                let branches = arms.iter_mut().map(|(_, inner)| inner).chain([otherwise]);
+                let after = branches.map(|inner| follow(inner, known, hand_on)).reduce(Extents::and);
+                known = after.unwrap_or(known);
             }
             step => known = after(step, known),
         }
@@ -124,18 +121,10 @@ fn follow(steps: &mut [Step], mut known: Extents, hand_on: &mut dyn FnMut(&Targe
     known
 }
 
-fn branches<'g>(
-    arms: impl Iterator<Item = &'g mut Vec<Step>>,
-    known: Extents,
-    hand_on: &mut dyn FnMut(&Target, Extents),
-) -> Extents {
-    arms.map(|inner| follow(inner, known, hand_on)).reduce(Extents::and).unwrap_or(known)
-}
-
 /// The extents after a step without successors.
 fn after(step: &Step, known: Extents) -> Extents {
     match step {
-        Step::Do(row, args, _) => match row.scope {
+        Step::Do(row, args) => match row.scope {
             Effect::Keeps => known,
             Effect::KeepsSize => Extents { solid: false, ..known },
             Effect::Sizes => known.resize(args),

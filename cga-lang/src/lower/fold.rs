@@ -15,8 +15,8 @@ const MOST_ELEMENTS: usize = 1024;
 /// Values of the grammar that are known.
 #[derive(Default)]
 pub(crate) struct Folded {
-    /// By constant.
-    pub(crate) consts: Vec<Option<Value>>,
+    /// By attribute and constant; attributes have none.
+    pub(crate) globals: Vec<Option<Value>>,
     /// By function; only functions without parameters have one.
     pub(crate) functions: Vec<Option<Value>>,
 }
@@ -25,7 +25,7 @@ pub(crate) struct Folded {
 pub(crate) fn fold(expr: &mut Expr, known: &Folded) -> Option<Value> {
     let value = match &mut expr.kind {
         ExprKind::Value(value) => return Some(value.clone()),
-        ExprKind::Const(id) => known.consts.get(id.0 as usize)?.clone()?,
+        ExprKind::Global(id) => known.globals.get(id.0 as usize)?.clone()?,
         ExprKind::Call(id, _, args) => {
             for arg in args.iter_mut() {
                 fold(arg, known);
@@ -41,12 +41,6 @@ pub(crate) fn fold(expr: &mut Expr, known: &Folded) -> Option<Value> {
                 args.iter_mut().map(|arg| fold(arg, known)).collect::<Vec<_>>().into_iter().collect();
             builtin(meaning, &values.filter(|_| pure)?)?
         }
-        ExprKind::Rust(_, args) => {
-            for arg in args {
-                fold(arg, known);
-            }
-            return None;
-        }
         ExprKind::Neg(operand) => match fold(operand, known)? {
             Value::Float(value) => Value::Float(-value),
             _ => return None,
@@ -61,33 +55,13 @@ pub(crate) fn fold(expr: &mut Expr, known: &Folded) -> Option<Value> {
         }
         ExprKind::ToText(operand) => to_text(fold(operand, known)?)?,
         ExprKind::Case(arms, otherwise) => return case(arms, otherwise, known).and_then(|chosen| put(expr, chosen)),
-        ExprKind::Chance(arms, otherwise) => {
-            for (_, value) in arms {
-                fold(value, known);
-            }
-            fold(otherwise, known);
-            return None;
-        }
         ExprKind::Array(rows) => array(rows, known)?,
-        ExprKind::Range(..)
-        | ExprKind::Index(..)
-        | ExprKind::EachUnary(..)
-        | ExprKind::Each(..)
-        | ExprKind::File(..)
-        | ExprKind::Comp(_) => {
+        _ => {
             for part in expr.parts_mut() {
                 fold(part, known);
             }
             return None;
         }
-        ExprKind::Param(_)
-        | ExprKind::Attr(_)
-        | ExprKind::Host(_)
-        | ExprKind::Shape(_)
-        | ExprKind::Word(_)
-        | ExprKind::Style(_)
-        | ExprKind::Site(_)
-        | ExprKind::Later(_) => return None,
     };
     expr.kind = ExprKind::Value(value.clone());
     Some(value)

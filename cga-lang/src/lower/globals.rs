@@ -1,7 +1,7 @@
 //! Attributes, constants and functions, with the order in which they are ready.
 
 use super::{Lower, merge};
-use crate::ir::{Attr, AttrId, Const, ConstId, Expr, ExprKind, Function, FunctionId, Global, Type, Value};
+use crate::ir::{Expr, ExprKind, Function, FunctionId, Global, GlobalId, Type, Value};
 use crate::lower::fold::{Folded, fold};
 use crate::resolve::globals::{Init, Item};
 use std::collections::HashMap;
@@ -14,36 +14,23 @@ impl<'c> Lower<'c> {
             let function = self.function(item, self.checked.tables.recursive.contains(&(index as u32)));
             self.push_function(function, self.style(item));
         }
-        for (index, (item, info)) in globals.attrs.iter().zip(&self.checked.tables.attrs).enumerate() {
+        for (index, item) in globals.attrs.iter().chain(&globals.consts).enumerate() {
             let lazy = self.checked.tables.lazy.contains(&index);
-            let default = self.value(item, lazy);
-            let info = info.clone();
-            let dynamic = 1 < globals.program.instances[item.instance].layers.len();
-            self.out.attrs.push(Attr {
+            let value = self.value(item, lazy);
+            let attr = self.checked.tables.attrs.get(index).cloned();
+            self.owners.globals.push(self.style(item));
+            self.out.globals.push(Global {
                 name: item.name.clone(),
                 ty: self.type_of(item),
-                default,
+                value,
                 known: None,
-                range: info.range,
-                choices: info.choices,
-                presentation: info.presentation,
-                display_name: info.display_name,
-                group: info.group.names,
-                group_order: info.group.order,
-                doc: info.doc,
-                order: info.order,
-                hidden: info.hidden,
                 is_set: false,
                 lazy,
-                public: !dynamic,
+                // The attributes of an import that is computed again are values of shapes.
+                public: attr.is_some() && globals.program.instances[item.instance].layers.len() <= 1,
+                attr,
                 span: item.decl.name.span,
             });
-        }
-        for (index, item) in globals.consts.iter().enumerate() {
-            let lazy = self.checked.tables.lazy.contains(&(globals.attrs.len() + index));
-            let value = self.value(item, lazy);
-            let (name, span) = (item.name.clone(), item.decl.name.span);
-            self.out.consts.push(Const { name, ty: value.ty, value, known: None, is_set: false, lazy, span });
         }
         self.fold_values();
     }
@@ -73,7 +60,7 @@ impl<'c> Lower<'c> {
     fn value(&mut self, item: &Item<'c>, lazy: bool) -> Expr {
         if let Init::Flows(outer) = item.init {
             let ty = self.type_of(item);
-            return Expr { kind: ExprKind::Attr(AttrId(outer)), ty, span: item.decl.name.span };
+            return Expr { kind: ExprKind::Global(GlobalId(outer)), ty, span: item.decl.name.span };
         }
         if item.is_own() && !item.decl.locals.is_empty() {
             let function = self.function(item, lazy);
@@ -93,28 +80,24 @@ impl<'c> Lower<'c> {
         }
     }
 
-    /// Whether somebody may ask for a constant. What an overridden attribute would have been matters only where somebody
-    /// does.
-    pub(super) fn is_needed(&self, index: usize) -> bool {
-        !self.checked.globals.consts[index].origin || self.checked.tables.origins.contains(&(index as u32))
+    /// Returns true if a run needs the value of an attribute or constant. The value that an overridden attribute would have
+    /// without the override is only needed if something reads it.
+    pub(super) fn is_needed(&self, id: GlobalId) -> bool {
+        let globals = &self.checked.globals;
+        (id.0 as usize)
+            .checked_sub(globals.attrs.len())
+            .is_none_or(|index| !globals.consts[index].origin || self.checked.tables.origins.contains(&(index as u32)))
     }
 
     fn fold_values(&mut self) {
-        let globals = &self.checked.globals;
-        self.owners.attrs = globals.attrs.iter().map(|item| self.style(item)).collect();
-        self.owners.consts = globals.consts.iter().map(|item| self.style(item)).collect();
         let mut known = self.known_in_a_style();
-        let consts = merge::numbers(&self.out.consts, &self.owners.consts, |it| (it.name.clone(), it.ty));
-        agree(&mut known.consts, &consts);
+        agree(&mut known.globals, &merge::globals(&self.out.globals, &self.owners.globals));
         agree(&mut known.functions, &merge::functions(&self.out.functions, &self.owners.functions));
-        for attr in &mut self.out.attrs {
-            attr.known = fold(&mut attr.default, &known);
-        }
-        for (own, known_value) in self.out.consts.iter_mut().zip(&known.consts) {
-            fold(&mut own.value, &known);
-            own.known.clone_from(known_value);
-            own.lazy &= own.known.is_none();
-            if let Some(value) = known_value {
+        for (own, agreed) in self.out.globals.iter_mut().zip(&known.globals) {
+            let folded = fold(&mut own.value, &known);
+            own.known = if own.attr.is_some() { folded } else { agreed.clone() };
+            own.lazy &= own.attr.is_some() || agreed.is_none();
+            if let Some(value) = agreed {
                 own.value.kind = ExprKind::Value(value.clone());
             }
         }
@@ -122,27 +105,26 @@ impl<'c> Lower<'c> {
             fold(&mut function.body, &known);
         }
         self.known = known;
-        self.init = vec![Vec::new(); globals.program.roots.len()];
+        self.init = vec![Vec::new(); self.checked.globals.program.roots.len()];
         for &node in &self.checked.tables.order {
-            if let Some(&style) = self.owners.attrs.get(node) {
-                self.init[style as usize].push(Global::Attr(AttrId(node as u32)));
-            } else if let Some(&style) = self.owners.consts.get(node - globals.attrs.len())
-                && self.is_needed(node - globals.attrs.len())
+            let id = GlobalId(node as u32);
+            if let Some(&style) = self.owners.globals.get(node)
+                && self.is_needed(id)
             {
-                self.init[style as usize].push(Global::Const(ConstId((node - globals.attrs.len()) as u32)));
+                self.init[style as usize].push(id);
             }
         }
     }
 
     /// Values of constants and functions in their style.
     fn known_in_a_style(&self) -> Folded {
-        let (attrs, consts, functions) = (self.out.attrs.len(), &self.out.consts, &self.out.functions);
-        let mut known = Folded { consts: vec![None; consts.len()], functions: vec![None; functions.len()] };
-        for index in self.checked.tables.order.iter().filter_map(|node| node.checked_sub(attrs)) {
-            if let Some(own) = consts.get(index) {
-                known.consts[index] = fold(&mut own.value.clone(), &known);
-            } else if let Some(function) = functions.get(index - consts.len()).filter(|it| it.locals.is_empty()) {
-                known.functions[index - consts.len()] = fold(&mut function.body.clone(), &known);
+        let (globals, functions) = (&self.out.globals, &self.out.functions);
+        let mut known = Folded { globals: vec![None; globals.len()], functions: vec![None; functions.len()] };
+        for &node in &self.checked.tables.order {
+            if let Some(own) = globals.get(node) {
+                known.globals[node] = if own.attr.is_none() { fold(&mut own.value.clone(), &known) } else { None };
+            } else if let Some(function) = functions.get(node - globals.len()).filter(|it| it.locals.is_empty()) {
+                known.functions[node - globals.len()] = fold(&mut function.body.clone(), &known);
             }
         }
         known

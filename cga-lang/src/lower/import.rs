@@ -2,10 +2,9 @@
 
 use super::Lower;
 use crate::check::Checked;
-use crate::ir::{AttrId, ConstId, Global, Renew, Renewal, RenewalId, Step, Target};
+use crate::ir::{GlobalId, Renew, Renewal, RenewalId, Step, Target};
 use crate::link::InstanceId;
 use crate::resolve::tables::Use;
-use crate::span::Span;
 use crate::syntax::ast::{Arg, Name, Override};
 
 impl<'c> Lower<'c> {
@@ -14,7 +13,6 @@ impl<'c> Lower<'c> {
         &mut self,
         (import, overrides): (&'c Name, &'c [Override]),
         (rule, args): (&'c Name, &'c [Arg]),
-        span: Span,
     ) -> Option<Step> {
         let program = self.checked.globals.program;
         let own = &program.instances[program.home(self.own)];
@@ -24,16 +22,16 @@ impl<'c> Lower<'c> {
             if let Override::Value(name, value) = own
                 && let Some(&attr) = self.checked.tables.targets.get(&(self.own, name.id()))
             {
-                given.push((AttrId(attr), self.folded(value)));
-                self.out.attrs[attr as usize].is_set = true;
+                given.push((GlobalId(attr), self.folded(value)));
+                self.out.globals[attr as usize].is_set = true;
             }
         }
         let renewal = self.renewal(target, &import.text);
         let target = match self.used(rule)? {
-            Use::Leaf => Target::Leaf(format!("{}.{}", import.text, rule.text), rule.span),
+            Use::Leaf => Target::Leaf(format!("{}.{}", import.text, rule.text)),
             _ => self.successor(rule, args)?,
         };
-        Some(Step::Renew(Renew { given, renewal, target, span }))
+        Some(Step::Renew(Renew { given, renewal, target }))
     }
 
     /// The attributes and constants that are computed again with an instance; equal for all calls.
@@ -42,14 +40,14 @@ impl<'c> Lower<'c> {
             return known;
         }
         let below = self.below.take().unwrap_or_else(|| Below::new(self.checked));
-        let constant = |index| self.is_needed(index) && self.out.consts[index].known.is_none();
-        let globals = below.globals(target, constant);
+        let needed = |id: GlobalId| {
+            let own = self.out.global(id);
+            own.attr.is_some() || self.is_needed(id) && own.known.is_none()
+        };
+        let globals = below.globals(target, needed);
         self.below = Some(below);
-        for global in &globals {
-            match *global {
-                Global::Attr(id) => self.out.attrs[id.0 as usize].is_set = true,
-                Global::Const(id) => self.out.consts[id.0 as usize].is_set = true,
-            }
+        for id in &globals {
+            self.out.globals[id.0 as usize].is_set = true;
         }
         let id = RenewalId(self.out.renewals.len() as u32);
         self.out.renewals.push(Renewal { import: import.into(), globals });
@@ -61,7 +59,7 @@ impl<'c> Lower<'c> {
 /// The items and imports of each instance.
 pub(super) struct Below {
     /// Its attributes and constants, with their places in the order of the program.
-    own: Vec<Vec<(usize, Global)>>,
+    own: Vec<Vec<(usize, GlobalId)>>,
     imported: Vec<Vec<InstanceId>>,
 }
 
@@ -76,24 +74,19 @@ impl Below {
             }
         }
         for (place, &node) in checked.tables.order.iter().enumerate() {
-            if let Some(item) = globals.attrs.get(node) {
-                below.own[item.instance].push((place, Global::Attr(AttrId(node as u32))));
-            } else if let Some(item) = globals.consts.get(node - globals.attrs.len()) {
-                let id = ConstId((node - globals.attrs.len()) as u32);
-                below.own[item.instance].push((place, Global::Const(id)));
+            let item = globals.attrs.get(node).or_else(|| globals.consts.get(node - globals.attrs.len()));
+            if let Some(item) = item {
+                below.own[item.instance].push((place, GlobalId(node as u32)));
             }
         }
         below
     }
 
-    /// The attributes of an instance and of what it imports, and such constants.
-    fn globals(&self, target: InstanceId, constant: impl Fn(usize) -> bool) -> Vec<Global> {
+    /// The needed attributes and constants of an instance and of what it imports.
+    fn globals(&self, target: InstanceId, needed: impl Fn(GlobalId) -> bool) -> Vec<GlobalId> {
         let (mut found, mut open) = (Vec::new(), vec![target]);
         while let Some(instance) = open.pop() {
-            found.extend(self.own[instance].iter().filter(|(_, global)| match global {
-                Global::Attr(_) => true,
-                Global::Const(id) => constant(id.0 as usize),
-            }));
+            found.extend(self.own[instance].iter().filter(|(_, global)| needed(*global)));
             open.extend(&self.imported[instance]);
         }
         found.sort_unstable_by_key(|(place, _)| *place);

@@ -3,6 +3,7 @@
 mod block;
 mod body;
 mod childless;
+mod definition;
 mod expr;
 mod extent;
 mod fold;
@@ -14,14 +15,13 @@ mod variant;
 
 use crate::check::Checked;
 use crate::graph::{components, is_cycle};
-use crate::ir::walk::called;
-use crate::ir::{Childless, Global, Grammar, Host, HostId, Init, Param, RenewalId, Rule, RuleId, Start, Step, Type};
+use crate::ir::walk::calls;
+use crate::ir::{GlobalId, Grammar, Host, HostId, Init, Param, RenewalId, Rule, RuleId, Start, Step, Type};
 use crate::link::{InstanceId, Key};
 use crate::lower::fold::Folded;
 use crate::resolve::globals::Item;
 use crate::resolve::info::RuleInfo;
 use crate::resolve::tables::Use;
-use crate::span::Span;
 use crate::syntax::ast::{Body, Decl, Name};
 use crate::syntax::token::{Tok, Tokens};
 use merge::Owners;
@@ -83,7 +83,7 @@ struct Lower<'c> {
     known: Folded,
     owners: Owners,
     /// By style: attributes and constants in an order in which each is ready before it is used.
-    init: Vec<Vec<Global>>,
+    init: Vec<Vec<GlobalId>>,
     out: Grammar,
 }
 
@@ -131,7 +131,7 @@ impl<'c> Lower<'c> {
             let next = HostId(self.out.hosts.len() as u32);
             let id = *numbers.entry((*handle, ty)).or_insert(next);
             if id == next {
-                self.out.hosts.push(Host { handle: *handle, ty, span: Span::one(token) });
+                self.out.hosts.push(Host { handle: *handle, ty });
             }
             self.hosts.insert(key, id);
         }
@@ -145,7 +145,7 @@ impl<'c> Lower<'c> {
 
     /// Parameters and locals of the declaration at hand.
     fn declared_params(&self) -> Vec<Param> {
-        let param = |name: &&Name| Param { name: name.text.clone(), ty: self.ty(name.id()), span: name.span };
+        let param = |name: &&Name| Param { name: name.text.clone(), ty: self.ty(name.id()) };
         self.inner.iter().map(param).collect()
     }
 
@@ -165,14 +165,9 @@ impl<'c> Lower<'c> {
                 name: style.map_or_else(|| item.name.clone(), |style| format!("{style}${}", item.name)),
                 label: item.name.clone(),
                 params: self.declared_params(),
-                locals: Vec::new(),
-                body: Vec::new(),
-                block: false,
-                leaf: Childless::Always,
-                cycle: None,
                 source: self.tokens.text(item.decl.span, LONGEST_SOURCE),
-                sites: Vec::new(),
                 span: item.decl.name.span,
+                ..Rule::default()
             });
         }
         for (index, item) in checked.globals.rules.iter().enumerate() {
@@ -220,8 +215,7 @@ impl<'c> Lower<'c> {
 
 /// Numbers the cycles of rules.
 fn cycles(grammar: &mut Grammar) {
-    let edges: Vec<Vec<usize>> =
-        grammar.rules.iter().map(|rule| called(&rule.body).iter().map(|id| id.0 as usize).collect()).collect();
+    let edges = calls(grammar, |_| true);
     let mut count = 0;
     for component in components(&edges) {
         if is_cycle(&component, &edges) {

@@ -1,11 +1,11 @@
 //! The rows that other rows are made from.
 
-use super::{AttrValues, Changes, Effect, F, Function, Meaning, Needs, Param, ParamKind, Run, ShapeAttr, Uses};
+use super::{AttrValues, Changes, Effect, F, Function, Meaning, Needs, ParamKind, Params, Run, ShapeAttr, Str, Uses};
 use crate::types::Type;
 
 /// A row that is not implemented yet, and the base of implemented rows. The row has the needs of the implemented
 /// function.
-pub(super) const fn later(name: &'static str, params: &'static [Param], ty: Type, about: &'static str) -> Function {
+pub(super) const fn later(name: Str, params: Params, ty: Type, about: Str) -> Function {
     Function {
         name,
         run: Run::Later,
@@ -23,7 +23,7 @@ pub(super) const fn later(name: &'static str, params: &'static [Param], ty: Type
 }
 
 /// A row that cannot be set.
-pub(super) const fn get(name: &'static str, get: &'static str, uses: Uses) -> ShapeAttr {
+pub(super) const fn get(name: Str, get: Str, uses: Uses) -> ShapeAttr {
     ShapeAttr {
         name,
         get: Run::Now(get),
@@ -40,7 +40,7 @@ pub(super) const fn get(name: &'static str, get: &'static str, uses: Uses) -> Sh
 }
 
 /// A row that can be set. Reading and setting use the whole shape.
-pub(super) const fn both(name: &'static str, call: &'static str, ty: Type) -> ShapeAttr {
+pub(super) const fn both(name: Str, call: Str, ty: Type) -> ShapeAttr {
     ShapeAttr {
         kind: ParamKind::Value(ty),
         set: Some(Run::Now(call)),

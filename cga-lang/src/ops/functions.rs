@@ -2,8 +2,8 @@
 
 use super::base::later;
 use super::{
-    Allowed, B, BS, Bounds, Default, F, FILE, FS, Function, Needs, Param, Run, T, TS, Uses, boolean, bounds, float, of,
-    or, queries, renamed, set_elements, text, values, within, word, words,
+    Allowed, B, BS, Bounds, Default, F, FILE, FS, Function, Needs, Param, Params, Run, Str, T, TS, Uses, boolean,
+    bounds, float, of, or, queries, renamed, set_elements, text, values, within, word, words,
 };
 use crate::types::Type;
 
@@ -36,7 +36,7 @@ pub static FUNCTIONS: &[&[Function]] = &[
 ];
 
 /// A query of a component that is not implemented yet.
-const fn asked(name: &'static str, call: &'static str, params: &'static [Param], about: &'static str) -> Function {
+const fn asked(name: Str, call: Str, params: Params, about: Str) -> Function {
     Function { run: Run::Now(call), needs: Needs::Component, uses: Uses::WHOLE, ..later(name, params, B, about) }
 }
 
@@ -92,7 +92,7 @@ const SUBCOMPONENT: Param =
     renamed(&[("e", "Edges"), ("v", "Vertices")], word("subcomponent", "Subcomponent", &["e", "v"]));
 
 /// A query of the geometry that is not implemented yet.
-const fn tags(name: &'static str, params: &'static [Param], ty: Type, about: &'static str) -> Function {
+const fn tags(name: Str, params: Params, ty: Type, about: Str) -> Function {
     Function { needs: Needs::Shape, uses: Uses::WHOLE, ..later(name, params, ty, about) }
 }
 

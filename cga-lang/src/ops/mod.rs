@@ -333,6 +333,9 @@ pub fn all_shape_attrs() -> impl Iterator<Item = &'static ShapeAttr> + Clone {
 
 // Short forms for the tables.
 
+type Str = &'static str;
+type Params = &'static [Param];
+
 const F: Type = Type::Float;
 const B: Type = Type::Bool;
 const T: Type = Type::Text;

@@ -2,52 +2,27 @@
 
 use super::base::later;
 use super::{
-    AssetNames, B, BS, Default, F, FILE, FS, FileUse, Function, Needs, Param, Run, T, TS, Uses, boolean, file, float,
-    of, or, outdated, renamed, text, uv_set, word,
+    AssetNames, B, BS, Default, F, FILE, FS, FileUse, Function, Needs, Param, Params, Run, Str, T, TS, Uses, boolean,
+    file, float, of, or, outdated, renamed, text, uv_set, word,
 };
 use crate::types::Type;
 
-const fn row(
-    name: &'static str,
-    call: &'static str,
-    params: &'static [Param],
-    ty: Type,
-    (needs, uses): (Needs, Uses),
-    about: &'static str,
-) -> Function {
+const fn row(name: Str, call: Str, params: Params, ty: Type, (needs, uses): (Needs, Uses), about: Str) -> Function {
     Function { run: Run::Now(call), needs, uses, ..later(name, params, ty, about) }
 }
 
 /// A query of the shape.
-const fn shape(
-    name: &'static str,
-    call: &'static str,
-    params: &'static [Param],
-    ty: Type,
-    about: &'static str,
-) -> Function {
+const fn shape(name: Str, call: Str, params: Params, ty: Type, about: Str) -> Function {
     row(name, call, params, ty, (Needs::Shape, Uses::WHOLE), about)
 }
 
 /// A query of the shape and the run.
-const fn both(
-    name: &'static str,
-    call: &'static str,
-    params: &'static [Param],
-    ty: Type,
-    about: &'static str,
-) -> Function {
+const fn both(name: Str, call: Str, params: Params, ty: Type, about: Str) -> Function {
     row(name, call, params, ty, (Needs::Both, Uses::WHOLE), about)
 }
 
 /// A query of the run: prints and files.
-const fn run(
-    name: &'static str,
-    call: &'static str,
-    params: &'static [Param],
-    ty: Type,
-    about: &'static str,
-) -> Function {
+const fn run(name: Str, call: Str, params: Params, ty: Type, about: Str) -> Function {
     row(name, call, params, ty, (Needs::Env, Uses::SAYS), about)
 }
 

@@ -1,10 +1,10 @@
 //! `setElems`, for all types of arrays, values and indices.
 
 use super::base::later;
-use super::{B, BS, F, FS, Function, Needs, Param, Run, T, TS, of};
+use super::{B, BS, F, FS, Function, Needs, Params, Run, Str, T, TS, of};
 use crate::types::Type;
 
-const fn row(call: &'static str, params: &'static [Param], ty: Type) -> Function {
+const fn row(call: Str, params: Params, ty: Type) -> Function {
     let about = "a copy of the array with other values in some places";
     Function { run: Run::Now(call), needs: Needs::Env, pure: true, ..later("setElems", params, ty, about) }
 }

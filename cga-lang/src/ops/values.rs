@@ -3,42 +3,23 @@
 
 use super::base::later;
 use super::{
-    B, BS, Default, F, FS, Function, HEX, Meaning, Needs, Param, Run, T, TS, Uses, boolean, channel, float, of, or,
-    text,
+    B, BS, Default, F, FS, Function, HEX, Meaning, Needs, Param, Params, Run, Str, T, TS, Uses, boolean, channel,
+    float, of, or, text,
 };
 use crate::types::Type;
 
 /// A function of its arguments only.
-const fn plain(
-    name: &'static str,
-    call: &'static str,
-    params: &'static [Param],
-    ty: Type,
-    about: &'static str,
-) -> Function {
+const fn plain(name: Str, call: Str, params: Params, ty: Type, about: Str) -> Function {
     Function { run: Run::Now(call), pure: true, ..later(name, params, ty, about) }
 }
 
 /// A function that can leave a fault or end the run.
-const fn run(
-    name: &'static str,
-    call: &'static str,
-    params: &'static [Param],
-    ty: Type,
-    about: &'static str,
-) -> Function {
+const fn run(name: Str, call: Str, params: Params, ty: Type, about: Str) -> Function {
     Function { needs: Needs::Env, ..plain(name, call, params, ty, about) }
 }
 
 /// A function that draws random numbers of the shape.
-const fn draw(
-    name: &'static str,
-    call: &'static str,
-    params: &'static [Param],
-    ty: Type,
-    needs: Needs,
-    about: &'static str,
-) -> Function {
+const fn draw(name: Str, call: Str, params: Params, ty: Type, needs: Needs, about: Str) -> Function {
     Function { needs, uses: Uses::DRAWS, pure: false, ..plain(name, call, params, ty, about) }
 }
 
@@ -48,12 +29,19 @@ const fn means(meaning: Meaning, row: Function) -> Function {
 }
 
 /// The row of an old spelling.
-const fn old(row: Function, instead: &'static str) -> Function {
+const fn old(row: Function, instead: Str) -> Function {
     Function { old: Some(instead), ..row }
 }
 
 /// `index`, deprecated by *CGA changelog 2020.0*. Its page of 2019.1 gives floats an epsilon of 0 by default.
 const INDEX: &str = "write `findFirst(…)`, which needs an epsilon for floats";
+
+const INPUT: Param = text("inputString");
+const MATCH: Param = text("matchString");
+const OLD: Param = text("oldString");
+const LIST: Param = text("stringList");
+const SEARCH: Param = text("searchString");
+const PATH: Param = text("filePath");
 
 /// Random numbers.
 pub(super) static CHANCE: &[Function] = &[
@@ -160,135 +148,63 @@ pub(super) static CONVERSIONS: &[Function] = &[
 
 /// Text.
 pub(super) static TEXTS: &[Function] = &[
-    plain("len", "len", &[text("inputString")], F, "how many characters"),
-    run(
-        "find",
-        "find",
-        &[text("inputString"), text("matchString"), float("n")],
-        F,
-        "where an occurrence begins, or -1",
-    ),
-    plain("count", "count", &[text("inputString"), text("matchString")], F, "how many occurrences"),
+    plain("len", "len", &[INPUT], F, "how many characters"),
+    run("find", "find", &[INPUT, MATCH, float("n")], F, "where an occurrence begins, or -1"),
+    plain("count", "count", &[INPUT, MATCH], F, "how many occurrences"),
     run(
         "substring",
         "substring",
-        &[text("inputString"), float("startPos"), float("endPos")],
+        &[INPUT, float("startPos"), float("endPos")],
         T,
         "the characters from one place up to another",
     ),
-    run("splitString", "split_string", &[text("inputString"), text("delimiter")], TS, "the parts between delimiters"),
-    run(
-        "replace",
-        "replace",
-        &[text("inputString"), text("oldString"), text("newString")],
-        T,
-        "the text with every occurrence replaced",
-    ),
-    run(
-        "replace",
-        "replace",
-        &[text("inputString"), text("oldString"), float("newString")],
-        T,
-        "the text with every occurrence replaced",
-    ),
-    run(
-        "replace",
-        "replace",
-        &[text("inputString"), text("oldString"), boolean("newString")],
-        T,
-        "the text with every occurrence replaced",
-    ),
-    plain(
-        "findFirst",
-        "find_first",
-        &[text("inputString"), text("matchString")],
-        F,
-        "where the first occurrence begins, or -1",
-    ),
-    plain(
-        "findLast",
-        "find_last",
-        &[text("inputString"), text("matchString")],
-        F,
-        "where the last occurrence begins, or -1",
-    ),
-    plain(
-        "getPrefix",
-        "get_prefix",
-        &[text("inputString"), text("matchString")],
-        T,
-        "the text before the first occurrence",
-    ),
-    plain(
-        "getSuffix",
-        "get_suffix",
-        &[text("inputString"), text("matchString")],
-        T,
-        "the text after the last occurrence",
-    ),
+    run("splitString", "split_string", &[INPUT, text("delimiter")], TS, "the parts between delimiters"),
+    run("replace", "replace", &[INPUT, OLD, text("newString")], T, "the text with every occurrence replaced"),
+    run("replace", "replace", &[INPUT, OLD, float("newString")], T, "the text with every occurrence replaced"),
+    run("replace", "replace", &[INPUT, OLD, boolean("newString")], T, "the text with every occurrence replaced"),
+    plain("findFirst", "find_first", &[INPUT, MATCH], F, "where the first occurrence begins, or -1"),
+    plain("findLast", "find_last", &[INPUT, MATCH], F, "where the last occurrence begins, or -1"),
+    plain("getPrefix", "get_prefix", &[INPUT, MATCH], T, "the text before the first occurrence"),
+    plain("getSuffix", "get_suffix", &[INPUT, MATCH], T, "the text after the last occurrence"),
     plain(
         "getRange",
         "get_range",
-        &[text("inputString"), text("leftMatchString"), text("rightMatchString")],
+        &[INPUT, text("leftMatchString"), text("rightMatchString")],
         T,
         "the text between two occurrences",
     ),
-    plain(
-        "fileBasename",
-        "file_basename",
-        &[text("filePath")],
-        T,
-        "the name of a file without directory and extension",
-    ),
-    plain("fileDirectory", "file_directory", &[text("filePath")], T, "the directory of a file"),
-    plain("fileExtension", "file_extension", &[text("filePath")], T, "the extension of a file"),
-    plain("fileName", "file_name", &[text("filePath")], T, "the name of a file with its extension"),
+    plain("fileBasename", "file_basename", &[PATH], T, "the name of a file without directory and extension"),
+    plain("fileDirectory", "file_directory", &[PATH], T, "the directory of a file"),
+    plain("fileExtension", "file_extension", &[PATH], T, "the extension of a file"),
+    plain("fileName", "file_name", &[PATH], T, "the name of a file with its extension"),
 ];
 
 /// Lists in text.
 pub(super) static LISTS: &[Function] = &[
-    run("listAdd", "list_add", &[text("stringList"), text("item")], T, "the list with one more item"),
-    plain("listClean", "list_clean", &[text("stringList")], T, "the list without empty items"),
-    plain("listCount", "list_count", &[text("stringList"), text("searchString")], F, "how many items match"),
-    plain("listFirst", "list_first", &[text("stringList")], T, "the first item"),
+    run("listAdd", "list_add", &[LIST, text("item")], T, "the list with one more item"),
+    plain("listClean", "list_clean", &[LIST], T, "the list without empty items"),
+    plain("listCount", "list_count", &[LIST, SEARCH], F, "how many items match"),
+    plain("listFirst", "list_first", &[LIST], T, "the first item"),
     run("listFromArray", "list_from_array", &[of("array", FS)], T, "the elements as a list"),
     run("listFromArray", "list_from_array", &[of("array", BS)], T, "the elements as a list"),
     run("listFromArray", "list_from_array", &[of("array", TS)], T, "the elements as a list"),
-    plain(
-        "listIndex",
-        "list_index",
-        &[text("stringList"), text("searchString")],
-        F,
-        "the number of the first item that matches, or -1",
-    ),
-    run("listItem", "list_item", &[text("stringList"), float("index")], T, "an item by its number"),
-    plain("listLast", "list_last", &[text("stringList")], T, "the last item"),
-    draw("listRandom", "list_random", &[text("stringList")], T, Needs::Shape, "an item by chance"),
+    plain("listIndex", "list_index", &[LIST, SEARCH], F, "the number of the first item that matches, or -1"),
+    run("listItem", "list_item", &[LIST, float("index")], T, "an item by its number"),
+    plain("listLast", "list_last", &[LIST], T, "the last item"),
+    draw("listRandom", "list_random", &[LIST], T, Needs::Shape, "an item by chance"),
     run(
         "listRange",
         "list_range",
-        &[text("stringList"), float("leftIndex"), float("rightIndex")],
+        &[LIST, float("leftIndex"), float("rightIndex")],
         T,
         "the items from one number up to another",
     ),
-    plain(
-        "listRemove",
-        "list_remove",
-        &[text("stringList"), text("searchString")],
-        T,
-        "the list without the first item that matches",
-    ),
-    plain(
-        "listRemoveAll",
-        "list_remove_all",
-        &[text("stringList"), text("searchString")],
-        T,
-        "the list without the items that match",
-    ),
-    plain("listRetainAll", "list_retain_all", &[text("stringList"), text("searchString")], T, "the items that match"),
-    plain("listSize", "list_size", &[text("stringList")], F, "how many items"),
-    run("listTerminate", "list_terminate", &[text("stringList")], T, "the list with a `;` at its end"),
-    run("listToArray", "list_to_array", &[text("stringList")], TS, "the items as an array"),
+    plain("listRemove", "list_remove", &[LIST, SEARCH], T, "the list without the first item that matches"),
+    plain("listRemoveAll", "list_remove_all", &[LIST, SEARCH], T, "the list without the items that match"),
+    plain("listRetainAll", "list_retain_all", &[LIST, SEARCH], T, "the items that match"),
+    plain("listSize", "list_size", &[LIST], F, "how many items"),
+    run("listTerminate", "list_terminate", &[LIST], T, "the list with a `;` at its end"),
+    run("listToArray", "list_to_array", &[LIST], TS, "the items as an array"),
 ];
 
 /// Arrays.

@@ -1,7 +1,8 @@
 //! Side tables: the results of the passes, by name.
 
-use super::info::{AttrInfo, ImportInfo, RuleInfo};
+use super::info::{ImportInfo, RuleInfo};
 use crate::hash::FastMap;
+use crate::ir::AttrInfo;
 use crate::link::{InstanceId, Key};
 use crate::ops::{Function, Operation, ShapeAttr};
 use crate::syntax::ast::Name;

@@ -1,8 +1,9 @@
 //! Access to the run and to the current shape in generated code.
 
 use cga_lang::ops::{Needs, variant};
-use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote_spanned;
+use proc_macro2::TokenStream;
+
+use super::hygienic;
 
 /// Where an expression is evaluated: how it gets at the run and at the current shape, both borrowed mutably.
 pub(super) struct Access {
@@ -13,58 +14,51 @@ pub(super) struct Access {
 impl Access {
     /// In a rule, on the current shape.
     pub(super) fn rule() -> Self {
-        let place = Span::mixed_site();
-        Access { env: quote_spanned!(place=> cx.env), shape: quote_spanned!(place=> (&mut { shape })) }
+        Access { env: code!(cx.env), shape: code!((&mut { shape })) }
     }
 
     /// In a rule, on a part of a split or comp.
     pub(super) fn part() -> Self {
-        let place = Span::mixed_site();
-        Access { env: quote_spanned!(place=> cx.env), shape: quote_spanned!(place=> (&mut { part })) }
+        Access { env: code!(cx.env), shape: code!((&mut { part })) }
     }
 
     /// In a rule, on the whole of the current shape.
     pub(super) fn whole() -> Self {
-        let place = Span::mixed_site();
-        Access { env: quote_spanned!(place=> cx.env), shape: quote_spanned!(place=> shape) }
+        Access { env: code!(cx.env), shape: code!(shape) }
     }
 
     /// In a value of `comp`, on a component.
     pub(super) fn component() -> Self {
-        let place = Span::mixed_site();
-        Access { env: quote_spanned!(place=> env), shape: quote_spanned!(place=> part) }
+        Access { env: code!(env), shape: code!(part) }
     }
 
     /// In a selector of `comp`, on the candidate component.
     pub(super) fn candidate() -> Self {
-        let place = Span::mixed_site();
-        Access { env: quote_spanned!(place=> env), shape: quote_spanned!(place=> candidate.shape()) }
+        Access { env: code!(env), shape: code!(candidate.shape()) }
     }
 
     /// In a function, an attribute or a constant.
     pub(super) fn function() -> Self {
-        let place = Span::mixed_site();
-        Access { env: quote_spanned!(place=> env), shape: quote_spanned!(place=> shape) }
+        Access { env: code!(env), shape: code!(shape) }
     }
 }
 
 impl Access {
     /// The first arguments of a function of the runtime.
     pub(super) fn needs(&self, needs: Needs) -> TokenStream {
-        let (place, env, shape) = (Span::mixed_site(), &self.env, &self.shape);
+        let (env, shape) = (&self.env, &self.shape);
         match needs {
             Needs::Nothing => TokenStream::new(),
-            Needs::Shape => quote_spanned!(place=> #shape,),
-            Needs::Env => quote_spanned!(place=> #env,),
-            Needs::Both => quote_spanned!(place=> #env, #shape,),
-            Needs::Component => quote_spanned!(place=> candidate,),
+            Needs::Shape => code!(#shape,),
+            Needs::Env => code!(#env,),
+            Needs::Both => code!(#env, #shape,),
+            Needs::Component => code!(candidate,),
         }
     }
 }
 
 /// A selector's word, inside a condition.
 pub(super) fn asked(word: &str) -> TokenStream {
-    let place = Span::mixed_site();
-    let word = Ident::new(&variant(word), place);
-    quote_spanned!(place=> candidate.is(cga_rt::Word::#word))
+    let word = hygienic(&variant(word));
+    code!(candidate.is(cga_rt::Word::#word))
 }

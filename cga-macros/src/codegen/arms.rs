@@ -2,38 +2,37 @@
 
 use cga_lang::ir::{Arm, ArmMode, Block, Comp, Expr, RuleId, Selector, Target};
 use cga_lang::ops::{Braces, variant};
-use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote_spanned;
+use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
-use super::{Generator, local};
+use super::{Generator, function_of, hygienic, local};
 
 impl Generator<'_> {
     /// `number` counts the children that the rule makes.
     pub(super) fn divided(&self, block: &Block, arms: &[Arm<Target>], rule: RuleId, number: u32) -> TokenStream {
-        let (place, child) = (Span::mixed_site(), Literal::u32_unsuffixed(number));
+        let child = Literal::u32_unsuffixed(number);
         let (table, when) = (self.arms(arms, &Access::rule(), Generator::asked), self.when(arms));
         let parts = arms.iter().enumerate().map(|(number, arm)| {
             let (number, code) = (Literal::u32_unsuffixed(number as u32), self.part(&arm.then, rule));
-            quote_spanned!(place=> #number => #code,)
+            code!(#number => #code,)
         });
-        let visit = quote_spanned! { place=>
+        let visit = code! {
             &mut |cx, arm, part| match arm {
                 #(#parts)*
                 _ => cga_rt::Flow::Continue(()),
             }
         };
-        let name = Ident::new(block.row.run.now().unwrap_or(block.row.name), place);
+        let name = function_of(block.row.run, block.row.name);
         if block.row.braces == Braces::Components {
             let args = self.args(block.row, &block.args, &Access::rule(), Generator::asked, &TokenStream::new());
-            return quote_spanned! { place=>
+            return code! {
                 let arms = #table;
                 cga_rt::#name(cx, shape, #child, #(#args,)* &arms, &mut #when, #visit)?;
             };
         }
-        let args = self.args(block.row, &block.args, &Access::rule(), Generator::asked, &quote_spanned!(place=> op::));
+        let args = self.args(block.row, &block.args, &Access::rule(), Generator::asked, &code!(op::));
         let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
-        quote_spanned! { place=>
+        code! {
             #(let #names = #args;)*
             let arms = #table;
             cga_rt::divide(
@@ -50,15 +49,14 @@ impl Generator<'_> {
 
     /// An array with a value for each component.
     pub(super) fn comp_value(&self, comp: &Comp, at: &Access) -> TokenStream {
-        let place = Span::mixed_site();
         let (arms, when) = (self.arms(&comp.arms, at, Generator::expr), self.when(&comp.arms));
         let args = self.args(comp.row, &comp.args, at, Generator::expr, &TokenStream::new());
         let values = comp.arms.iter().enumerate().map(|(number, arm)| {
             let (number, value) = (Literal::u32_unsuffixed(number as u32), self.expr(&arm.then, &Access::component()));
-            quote_spanned!(place=> #number => #value,)
+            code!(#number => #value,)
         });
         let (env, shape) = (&at.env, &at.shape);
-        quote_spanned! { place=> {
+        code! { {
             let arms = #arms;
             cga_rt::comp_values(#env, #shape, #(#args,)* &arms, #when, |env, arm, part| match arm {
                 #(#values)*
@@ -69,45 +67,43 @@ impl Generator<'_> {
 
     /// The table.
     fn arms<T>(&self, arms: &[Arm<T>], at: &Access, expr: fn(&Self, &Expr, &Access) -> TokenStream) -> TokenStream {
-        let place = Span::mixed_site();
         let table = arms.iter().map(|arm| {
             let select = match &arm.selector {
                 Selector::Word(word) => {
-                    let word = Ident::new(&variant(word), place);
-                    quote_spanned!(place=> Word(cga_rt::Word::#word))
+                    let word = hygienic(&variant(word));
+                    code!(Word(cga_rt::Word::#word))
                 }
                 Selector::Index(asked) => {
                     let value = expr(self, asked, at);
-                    quote_spanned!(place=> Index(#value))
+                    code!(Index(#value))
                 }
-                Selector::When(_) => quote_spanned!(place=> When),
+                Selector::When(_) => code!(When),
             };
             let mode = match arm.mode {
-                ArmMode::Each => quote_spanned!(place=> Each),
-                ArmMode::Together => quote_spanned!(place=> Together),
-                ArmMode::Connected => quote_spanned!(place=> Connected),
+                ArmMode::Each => code!(Each),
+                ArmMode::Together => code!(Together),
+                ArmMode::Connected => code!(Connected),
             };
             let text = &arm.text;
-            quote_spanned!(place=> cga_rt::Arm { select: cga_rt::Select::#select, mode: cga_rt::Mode::#mode, text: #text })
+            code!(cga_rt::Arm { select: cga_rt::Select::#select, mode: cga_rt::Mode::#mode, text: #text })
         });
-        quote_spanned!(place=> [#(#table),*])
+        code!([#(#table),*])
     }
 
     /// The closure that evaluates the conditions.
     fn when<T>(&self, arms: &[Arm<T>]) -> TokenStream {
-        let place = Span::mixed_site();
         let conditions = arms.iter().enumerate().filter_map(|(number, arm)| match &arm.selector {
             Selector::When(condition) => {
                 let number = Literal::u32_unsuffixed(number as u32);
                 let condition = self.expr(condition, &Access::candidate());
-                Some(quote_spanned!(place=> #number => #condition,))
+                Some(code!(#number => #condition,))
             }
             Selector::Word(_) | Selector::Index(_) => None,
         });
         let conditions: Vec<TokenStream> = conditions.collect();
         if conditions.is_empty() {
-            return quote_spanned!(place=> cga_rt::never);
+            return code!(cga_rt::never);
         }
-        quote_spanned!(place=> |env, arm, candidate| match arm { #(#conditions)* _ => false })
+        code!(|env, arm, candidate| match arm { #(#conditions)* _ => false })
     }
 }

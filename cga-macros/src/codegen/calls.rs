@@ -35,7 +35,7 @@ pub(super) struct Calls {
 impl Calls {
     pub(super) fn new(functions: &[Function]) -> Self {
         let own: Vec<u32> = functions.iter().map(frame::function).collect();
-        let calls: Vec<Vec<usize>> = functions.iter().map(called).collect();
+        let calls: Vec<Vec<usize>> = functions.iter().map(walk::called_functions).collect();
         let groups = components(&calls);
         let mut asks = vec![None; functions.len()];
         // By function: the calls that follow from one call. A counted function is one call. Groups come before their callers.
@@ -77,19 +77,6 @@ impl Calls {
     pub(super) fn stack(&self, function: FunctionId) -> Option<u32> {
         self.asks[function.0 as usize]
     }
-}
-
-/// The functions that one calls, each as often as it does.
-fn called(function: &Function) -> Vec<usize> {
-    let mut list = Vec::new();
-    for value in function.locals.iter().chain([&function.body]) {
-        walk::parts(value, &mut |expr| {
-            if let ExprKind::Call(id, ..) = expr.kind {
-                list.push(id.0 as usize);
-            }
-        });
-    }
-    list
 }
 
 /// Returns true if it has values for components.

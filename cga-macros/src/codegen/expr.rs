@@ -9,7 +9,7 @@ use quote::{quote, quote_spanned};
 use super::access::{Access, asked};
 use super::public::captured;
 use super::types::{self, cloned, value};
-use super::{Generator, local, site};
+use super::{Generator, function_of, hygienic, local, site};
 use crate::output::{HostType, conversion, convert};
 
 impl Generator<'_> {
@@ -18,8 +18,8 @@ impl Generator<'_> {
         if !self.facts.expr(expr).whole {
             return self.expr(expr, at);
         }
-        let (place, env, slim, code) = (Span::mixed_site(), &at.env, &at.shape, self.expr(expr, &Access::whole()));
-        quote_spanned! { place=> {
+        let (env, slim, code) = (&at.env, &at.shape, self.expr(expr, &Access::whole()));
+        code! { {
             let slim = #slim;
             let mut whole = #env.whole(slim);
             let value = {
@@ -32,52 +32,43 @@ impl Generator<'_> {
     }
 
     pub(super) fn expr(&self, expr: &Expr, at: &Access) -> TokenStream {
-        let place = Span::mixed_site();
         match &expr.kind {
             ExprKind::Value(known) => value(known),
             ExprKind::Param(number) => {
                 let name = local("p", *number as usize);
-                cloned(expr.ty, quote_spanned!(place=> #name))
+                cloned(expr.ty, code!(#name))
             }
-            ExprKind::Attr(id) => {
-                let attr = &self.grammar.attrs[id.0 as usize];
-                self.global(Global::Attr(*id), attr.ty, attr.is_set, at)
-            }
-            ExprKind::Const(id) => {
-                let constant = &self.grammar.consts[id.0 as usize];
-                match &constant.known {
-                    Some(known) => value(known),
-                    None => self.global(Global::Const(*id), constant.ty, constant.is_set, at),
-                }
-            }
+            ExprKind::Global(id) => match self.grammar.global(*id) {
+                Global { attr: None, known: Some(known), .. } => value(known),
+                _ => self.global(*id, at),
+            },
             ExprKind::Host(id) if self.captured => {
                 let name = captured(id.0 as usize);
-                cloned(self.hosts[id.0 as usize].inside(), quote_spanned!(place=> g.#name))
+                cloned(self.hosts[id.0 as usize].inside(), code!(g.#name))
             }
             ExprKind::Host(id) => {
                 let host = &self.grammar.hosts[id.0 as usize];
                 let ty = self.hosts[id.0 as usize];
-                convert(&quote_spanned!(place=> cga_rt), ty, &self.source.hosts()[host.handle as usize])
+                convert(&code!(cga_rt), ty, &self.source.hosts()[host.handle as usize])
             }
             ExprKind::Call(id, sites, args) => {
                 let name = self.names.function(*id, self.source.token(expr.span.first));
                 let (env, shape, site) = (&at.env, &at.shape, site::passed(sites));
-                let site = site.map(|site| quote_spanned!(place=> #site,));
-                let call =
-                    |args: &[TokenStream]| quote_spanned!(place=> CgaRules::#name(g, #env, #shape, #site #(#args),*));
+                let site = site.map(|site| code!(#site,));
+                let call = |args: &[TokenStream]| code!(CgaRules::#name(g, #env, #shape, #site #(#args),*));
                 self.with_args(args, at, call)
             }
             ExprKind::Builtin(function, args) => {
-                let name = Ident::new(function.run.now().unwrap_or(function.name), place);
+                let name = function_of(function.run, function.name);
                 let needs = at.needs(function.needs);
                 let call = |args: &[TokenStream]| {
                     // Words are part of the call.
                     let mut values = args.iter();
                     let args = function.params.iter().zip(words(function, expr)).map(|(param, word)| match word {
-                        Some(word) => word_variant(&param.kind, word, &quote_spanned!(place=> func::)),
+                        Some(word) => word_variant(&param.kind, word, &code!(func::)),
                         None => values.next().cloned().unwrap_or_default(),
                     });
-                    quote_spanned!(place=> cga_rt::func::#name(#needs #(#args),*))
+                    code!(cga_rt::func::#name(#needs #(#args),*))
                 };
                 let values = args.iter().zip(words(function, expr)).filter(|(_, word)| word.is_none());
                 self.with_args(values.map(|(arg, _)| arg), at, call)
@@ -89,24 +80,20 @@ impl Generator<'_> {
                 self.with_rust_args(args, at, |args| quote_spanned!(here=> cga_rt::host::#convert(&#path(#(#args),*))))
             }
             ExprKind::Shape(attr) => {
-                let (get, needs) = (Ident::new(attr.get.now().unwrap_or(attr.name), place), at.needs(attr.needs));
-                quote_spanned!(place=> cga_rt::get::#get(#needs))
+                let (get, needs) = (function_of(attr.get, attr.name), at.needs(attr.needs));
+                code!(cga_rt::get::#get(#needs))
             }
             ExprKind::Comp(comp) => self.comp_value(comp, at),
             ExprKind::Word(word) => asked(word),
-            ExprKind::Style(styles) => is_one_of(styles, &quote_spanned!(place=> g.style)),
-            ExprKind::Site(sites) => is_one_of(sites, &quote_spanned!(place=> site)),
+            ExprKind::Style(styles) => is_one_of(styles, &code!(g.style)),
+            ExprKind::Site(sites) => is_one_of(sites, &code!(site)),
             ExprKind::Later(what) => {
                 let (later, env) = (types::later(expr.ty), &at.env);
-                quote_spanned!(place=> cga_rt::later::#later(#env, #what))
+                code!(cga_rt::later::#later(#env, #what))
             }
             ExprKind::Array(rows) => self.array(rows, at),
-            ExprKind::Range(base, step, limit) => {
-                let env = &at.env;
-                let call = |args: &[TokenStream]| quote_spanned!(place=> cga_rt::func::range_by(#env, #(#args),*));
-                self.with_args([&**base, &**step, &**limit], at, call)
-            }
-            ExprKind::Index(array, indices) => {
+            ExprKind::Range(..) => self.function_call("range_by", expr, at),
+            ExprKind::Index(_, indices) => {
                 let many = indices.iter().any(|index| index.ty.is_array());
                 let name = match (indices.len(), many) {
                     (1, false) => "element",
@@ -114,112 +101,88 @@ impl Generator<'_> {
                     (_, false) => "element_at",
                     (_, true) => "elements_at",
                 };
-                let (name, env) = (Ident::new(name, place), &at.env);
-                let call = |args: &[TokenStream]| quote_spanned!(place=> cga_rt::func::#name(#env, #(#args),*));
-                self.with_args([&**array].into_iter().chain(indices), at, call)
+                self.function_call(name, expr, at)
             }
             ExprKind::EachUnary(operator, inner) => {
                 let name = match operator {
-                    EachUnary::Neg => quote_spanned!(place=> each_minus),
-                    EachUnary::Not => quote_spanned!(place=> each_not),
+                    EachUnary::Neg => code!(each_minus),
+                    EachUnary::Not => code!(each_not),
                 };
                 let inner = self.expr(inner, at);
-                quote_spanned!(place=> cga_rt::func::#name(#inner))
+                code!(cga_rt::func::#name(#inner))
             }
-            ExprKind::Each(operator, left, right) => {
-                let (name, env) = (Ident::new(each(*operator), place), &at.env);
-                let call = |args: &[TokenStream]| quote_spanned!(place=> cga_rt::func::#name(#env, #(#args),*));
-                self.with_args([&**left, &**right], at, call)
-            }
+            ExprKind::Each(operator, ..) => self.function_call(&format!("each_{}", function_name(*operator)), expr, at),
             ExprKind::Neg(inner) => {
                 let inner = self.expr(inner, at);
-                quote_spanned!(place=> (-(#inner)))
+                code!((-(#inner)))
             }
             ExprKind::Not(inner) => {
                 let inner = self.expr(inner, at);
-                quote_spanned!(place=> (!(#inner)))
+                code!((!(#inner)))
             }
             ExprKind::Binary(operator @ (Binary::Lt | Binary::Le), left, right) if left.ty == Type::Float => {
                 // NaN is less than anything; see `func::compare`.
                 let (left, right) = (self.expr(left, at), self.expr(right, at));
                 let opposite = operator_of(if *operator == Binary::Lt { Binary::Ge } else { Binary::Gt });
-                quote_spanned!(place=> (!(#left #opposite #right)))
+                code!((!(#left #opposite #right)))
             }
             ExprKind::Binary(operator, left, right) if left.ty.is_array() => {
-                let name = Ident::new(compare(*operator), place);
-                let call = |args: &[TokenStream]| quote_spanned!(place=> cga_rt::func::#name(#(#args),*));
+                let name = hygienic(function_name(*operator));
+                let call = |args: &[TokenStream]| code!(cga_rt::func::#name(#(#args),*));
                 self.with_args([&**left, &**right], at, call)
             }
             ExprKind::Binary(operator, left, right) => match operator_of(*operator) {
                 Some(operator) => {
                     let (left, right) = (self.expr(left, at), self.expr(right, at));
-                    quote_spanned!(place=> (#left #operator #right))
+                    code!((#left #operator #right))
                 }
-                None => {
-                    let env = &at.env;
-                    let concat = |args: &[TokenStream]| quote_spanned!(place=> cga_rt::func::concat(#env, #(#args),*));
-                    self.with_args([&**left, &**right], at, concat)
-                }
+                None => self.function_call("concat", expr, at),
             },
             ExprKind::File(name, folder) => {
                 let name = self.expr(name, at);
-                quote_spanned!(place=> cga_rt::File::new(#name, #folder))
+                code!(cga_rt::File::new(#name, #folder))
             }
             // It came in as text.
             ExprKind::ToText(inner) if matches!(inner.kind, ExprKind::Host(_)) => self.expr(inner, at),
             // Long arrays end the run.
-            ExprKind::ToText(inner) if inner.ty.is_array() => {
-                let env = &at.env;
-                let call = |args: &[TokenStream]| quote_spanned!(place=> cga_rt::func::array_to_text(#env, #(#args),*));
-                self.with_args([&**inner], at, call)
-            }
+            ExprKind::ToText(inner) if inner.ty.is_array() => self.function_call("array_to_text", expr, at),
             ExprKind::ToText(inner) => {
                 let convert = types::function(inner.ty, "to_text");
                 let inner = self.expr(inner, at);
-                quote_spanned!(place=> cga_rt::func::#convert(#inner))
-            }
-            ExprKind::Case(arms, otherwise) if are_styles(arms) => {
-                self.by_number(&quote_spanned!(place=> g.style), arms, otherwise, at)
-            }
-            ExprKind::Case(arms, otherwise) if are_sites(arms) => {
-                self.by_number(&quote_spanned!(place=> site), arms, otherwise, at)
+                code!(cga_rt::func::#convert(#inner))
             }
             ExprKind::Case(arms, otherwise) => {
+                let values = arms.iter().map(|(_, value)| self.expr(value, at));
+                let otherwise = self.expr(otherwise, at);
+                if let Some((number, lists)) = by_number(arms) {
+                    return code!((match #number { #(#lists => #values,)* _ => #otherwise }));
+                }
                 let conditions = arms.iter().map(|(condition, _)| self.expr(condition, at));
-                let values = arms.iter().map(|(_, value)| self.expr(value, at));
-                let otherwise = self.expr(otherwise, at);
-                quote_spanned!(place=> (#(if #conditions { #values } else)* { #otherwise }))
+                code!((#(if #conditions { #values } else)* { #otherwise }))
             }
-            ExprKind::Chance(arms, otherwise) => {
-                let draws = draws(arms.iter().map(|(percent, _)| *percent), at);
-                let values = arms.iter().map(|(_, value)| self.expr(value, at));
-                let otherwise = self.expr(otherwise, at);
-                quote_spanned!(place=> (#(if #draws { #values } else)* { #otherwise }))
+            ExprKind::Chance { percent, before } => {
+                let (shape, percent, before) =
+                    (&at.shape, value(&Value::Float(*percent)), value(&Value::Float(*before)));
+                code!(cga_rt::branch(#shape, #percent, #before))
             }
         }
     }
 
-    /// The value of the style or of the site.
-    fn by_number(&self, number: &TokenStream, arms: &[(Expr, Expr)], otherwise: &Expr, at: &Access) -> TokenStream {
-        let place = Span::mixed_site();
-        let arms = arms.iter().map(|(test, value)| {
-            let (ExprKind::Style(list) | ExprKind::Site(list)) = &test.kind else { return TokenStream::new() };
-            let (list, value) = (numbers(list), self.expr(value, at));
-            quote_spanned!(place=> #(#list)|* => #value,)
-        });
-        let otherwise = self.expr(otherwise, at);
-        quote_spanned!(place=> (match #number { #(#arms)* _ => #otherwise }))
+    /// A function of the runtime that gets the run and the parts of an expression.
+    fn function_call(&self, name: &str, expr: &Expr, at: &Access) -> TokenStream {
+        let (name, env) = (hygienic(name), &at.env);
+        self.with_args(expr.parts(), at, |args| code!(cga_rt::func::#name(#env, #(#args),*)))
     }
 
     /// The name of an image, as text.
     pub(super) fn image(&self, expr: &Expr, at: &Access) -> TokenStream {
-        let (place, env) = (Span::mixed_site(), &at.env);
+        let env = &at.env;
         match &expr.kind {
             // Nothing is looked for.
             ExprKind::File(name, folder) if folder.is_empty() => self.expr(name, at),
             ExprKind::File(..) => {
                 let file = self.expr(expr, at);
-                quote_spanned!(place=> { let file = #file; cga_rt::image(#env, file) })
+                code!({ let file = #file; cga_rt::image(#env, file) })
             }
             _ => self.expr(expr, at),
         }
@@ -227,14 +190,14 @@ impl Generator<'_> {
 
     /// `[a, b; c, d]`.
     fn array(&self, rows: &[Vec<Expr>], at: &Access) -> TokenStream {
-        let (place, env) = (Span::mixed_site(), &at.env);
+        let env = &at.env;
         let call = |args: &[TokenStream]| {
             let mut args = args.iter();
             let rows = rows.iter().map(|row| {
                 let parts = args.by_ref().take(row.len());
-                quote_spanned!(place=> &[#(cga_rt::func::ArrayPart::from(#parts)),*])
+                code!(&[#(cga_rt::func::ArrayPart::from(#parts)),*])
             });
-            quote_spanned!(place=> cga_rt::func::array(#env, &[#(#rows),*]))
+            code!(cga_rt::func::array(#env, &[#(#rows),*]))
         };
         self.with_args(rows.iter().flatten(), at, call)
     }
@@ -246,7 +209,6 @@ impl Generator<'_> {
         at: &Access,
         call: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> TokenStream {
-        let place = Span::mixed_site();
         let values: Vec<TokenStream> = args.clone().into_iter().map(|arg| self.expr(arg, at)).collect();
         if args.into_iter().all(|arg| self.is_plain(arg)) {
             return call(&values);
@@ -254,14 +216,14 @@ impl Generator<'_> {
         let names: Vec<TokenStream> =
             (0..values.len()).map(|number| local("a", number)).map(|name| quote!(#name)).collect();
         let call = call(&names);
-        quote_spanned!(place=> { #(let #names = #values;)* #call })
+        code!({ #(let #names = #values;)* #call })
     }
 
     /// Returns true if an argument needs neither the shape nor the run.
     fn is_plain(&self, expr: &Expr) -> bool {
         match &expr.kind {
             ExprKind::Value(_) | ExprKind::Param(_) => true,
-            ExprKind::Const(id) => !self.is_lazy(Global::Const(*id)),
+            ExprKind::Global(id) => self.grammar.global(*id).attr.is_none() && !self.is_lazy(*id),
             ExprKind::Neg(inner) | ExprKind::Not(inner) | ExprKind::File(inner, _) => self.is_plain(inner),
             ExprKind::Binary(Binary::Concat, ..) => false,
             ExprKind::Binary(_, left, right) => self.is_plain(left) && self.is_plain(right),
@@ -299,42 +261,35 @@ impl Generator<'_> {
             })
             .collect();
         let call = call(&passed);
-        quote_spanned!(place=> { #(let #names = #values;)* #call })
+        code!({ #(let #names = #values;)* #call })
     }
 }
 
-/// Returns true if a `case` chooses by style alone.
-fn are_styles(arms: &[(Expr, Expr)]) -> bool {
-    !arms.is_empty() && arms.iter().all(|(test, _)| matches!(test.kind, ExprKind::Style(_)))
+/// The style or the site with the pattern of each branch, if a `case` chooses by the style alone or by the site alone.
+fn by_number(arms: &[(Expr, Expr)]) -> Option<(TokenStream, Vec<TokenStream>)> {
+    let number = match arms.first()?.0.kind {
+        ExprKind::Style(_) => code!(g.style),
+        ExprKind::Site(_) => code!(site),
+        _ => return None,
+    };
+    let first = &arms[0].0.kind;
+    let lists = arms.iter().map(|(test, _)| match (first, &test.kind) {
+        (ExprKind::Style(_), ExprKind::Style(list)) | (ExprKind::Site(_), ExprKind::Site(list)) => Some(one_of(list)),
+        _ => None,
+    });
+    Some((number, lists.collect::<Option<_>>()?))
 }
 
-/// Returns true if a `case` chooses by site alone.
-fn are_sites(arms: &[(Expr, Expr)]) -> bool {
-    !arms.is_empty() && arms.iter().all(|(test, _)| matches!(test.kind, ExprKind::Site(_)))
-}
-
-fn numbers(list: &[u32]) -> impl Iterator<Item = Literal> {
-    list.iter().map(|number| Literal::u32_suffixed(*number))
+/// A pattern for the numbers of a list.
+fn one_of(list: &[u32]) -> TokenStream {
+    let list = list.iter().map(|number| Literal::u32_suffixed(*number));
+    code!(#(#list)|*)
 }
 
 /// Returns true if a style or site is in a list.
 pub(super) fn is_one_of(list: &[u32], number: &TokenStream) -> TokenStream {
-    let list = numbers(list);
-    quote_spanned!(Span::mixed_site()=> ::core::matches!(#number, #(#list)|*))
-}
-
-/// The conditions of a stochastic block.
-pub(super) fn draws(percents: impl Iterator<Item = f64>, at: &Access) -> Vec<TokenStream> {
-    let place = Span::mixed_site();
-    let shape = &at.shape;
-    let mut before = 0.0;
-    percents
-        .map(|percent| {
-            let (share, sum) = (value(&Value::Float(percent)), value(&Value::Float(before)));
-            before += percent;
-            quote_spanned!(place=> cga_rt::branch(#shape, #share, #sum))
-        })
-        .collect()
+    let list = one_of(list);
+    code!(::core::matches!(#number, #list))
 }
 
 /// The words among the arguments of a call.
@@ -350,61 +305,47 @@ fn words<'e>(function: &'static Function, call: &'e Expr) -> Vec<Option<&'e str>
 /// A word as the runtime's enum has it.
 pub(super) fn word_variant(kind: &ParamKind, word: &str, module: &TokenStream) -> TokenStream {
     let ParamKind::Word(words @ Words { rust: Some(rust), .. }) = kind else { return TokenStream::new() };
-    let place = Span::mixed_site();
-    let (rust, variant) = (Ident::new(rust, place), Ident::new(&words.variant(word), place));
-    quote_spanned!(place=> cga_rt::#module #rust::#variant)
+    let (rust, variant) = (hygienic(rust), hygienic(&words.variant(word)));
+    code!(cga_rt::#module #rust::#variant)
 }
 
-/// The function of an operator that goes over elements.
-fn each(operator: Binary) -> &'static str {
+/// The function that compares two arrays; with `each_` before it, the function that goes over their elements.
+fn function_name(operator: Binary) -> &'static str {
     match operator {
-        Binary::Add => "each_add",
-        Binary::Sub => "each_subtract",
-        Binary::Mul => "each_multiply",
-        Binary::Div => "each_divide",
-        Binary::Rem => "each_remainder",
-        Binary::Concat => "each_concat",
-        Binary::Eq => "each_equal",
-        Binary::Ne => "each_unequal",
-        Binary::Lt => "each_less",
-        Binary::Le => "each_less_equal",
-        Binary::Gt => "each_greater",
-        Binary::Ge => "each_greater_equal",
-        Binary::And => "each_and",
-        Binary::Or => "each_or",
-    }
-}
-
-/// The function that compares two arrays.
-fn compare(operator: Binary) -> &'static str {
-    match operator {
+        Binary::Add => "add",
+        Binary::Sub => "subtract",
+        Binary::Mul => "multiply",
+        Binary::Div => "divide",
+        Binary::Rem => "remainder",
+        Binary::Concat => "concat",
+        Binary::Eq => "equal",
         Binary::Ne => "unequal",
         Binary::Lt => "less",
         Binary::Le => "less_equal",
         Binary::Gt => "greater",
         Binary::Ge => "greater_equal",
-        _ => "equal",
+        Binary::And => "and",
+        Binary::Or => "or",
     }
 }
 
 /// Rust's operator. Text has none: making it can end the run.
 fn operator_of(operator: Binary) -> Option<TokenStream> {
-    let place = Span::mixed_site();
     Some(match operator {
-        Binary::Add => quote_spanned!(place=> +),
-        Binary::Sub => quote_spanned!(place=> -),
-        Binary::Mul => quote_spanned!(place=> *),
-        Binary::Div => quote_spanned!(place=> /),
-        Binary::Rem => quote_spanned!(place=> %),
+        Binary::Add => code!(+),
+        Binary::Sub => code!(-),
+        Binary::Mul => code!(*),
+        Binary::Div => code!(/),
+        Binary::Rem => code!(%),
         Binary::Concat => return None,
-        Binary::Eq => quote_spanned!(place=> ==),
-        Binary::Ne => quote_spanned!(place=> !=),
-        Binary::Lt => quote_spanned!(place=> <),
-        Binary::Le => quote_spanned!(place=> <=),
-        Binary::Gt => quote_spanned!(place=> >),
-        Binary::Ge => quote_spanned!(place=> >=),
+        Binary::Eq => code!(==),
+        Binary::Ne => code!(!=),
+        Binary::Lt => code!(<),
+        Binary::Le => code!(<=),
+        Binary::Gt => code!(>),
+        Binary::Ge => code!(>=),
         // Both sides are always evaluated.
-        Binary::And => quote_spanned!(place=> &),
-        Binary::Or => quote_spanned!(place=> |),
+        Binary::And => code!(&),
+        Binary::Or => code!(|),
     })
 }

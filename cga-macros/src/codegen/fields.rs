@@ -2,9 +2,8 @@
 
 use std::collections::HashMap;
 
-use cga_lang::ir::{Attr, Grammar, Type, Value};
-use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote_spanned;
+use cga_lang::ir::{AttrInfo, Global, Grammar, Type, Value};
+use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::names::{Taken, ident};
 use crate::source::Source;
@@ -12,7 +11,9 @@ use crate::source::Source;
 /// A public field.
 pub(super) struct Field<'g> {
     /// The attribute, as the style `Default` has it.
-    pub(super) attr: &'g Attr,
+    pub(super) global: &'g Global,
+    /// Its annotations.
+    pub(super) attr: &'g AttrInfo,
     /// Its name in Rust.
     pub(super) name: Ident,
     /// The default, when it is the same constant in every style; else the field is an `Option`.
@@ -23,54 +24,54 @@ pub(super) struct Field<'g> {
 pub(super) fn of<'g>(grammar: &'g Grammar, source: &Source) -> Vec<Field<'g>> {
     let (mut taken, mut numbers) = (Taken::default(), HashMap::new());
     let mut fields: Vec<Field<'g>> = Vec::new();
-    for attr in grammar.attrs.iter().filter(|attr| attr.public) {
-        if let Some(&number) = numbers.get(&attr.name) {
+    for global in grammar.globals.iter().filter(|global| global.public) {
+        let Some(attr) = &global.attr else { continue };
+        if let Some(&number) = numbers.get(&global.name) {
             let field: &mut Field<'g> = &mut fields[number];
-            field.known = field.known.filter(|known| attr.known.as_ref() == Some(*known));
+            field.known = field.known.filter(|known| global.known.as_ref() == Some(*known));
             continue;
         }
-        numbers.insert(&attr.name, fields.len());
-        let name = ident(&taken.field(&attr.name), source.token(attr.span.first));
-        fields.push(Field { attr, name, known: attr.known.as_ref() });
+        numbers.insert(&global.name, fields.len());
+        let name = ident(&taken.field(&global.name), source.token(global.span.first));
+        fields.push(Field { global, attr, name, known: global.known.as_ref() });
     }
     fields
 }
 
 /// The fields by the names of their attributes.
 pub(super) fn by_name<'f, 'g>(fields: &'f [Field<'g>]) -> HashMap<&'g str, &'f Field<'g>> {
-    fields.iter().map(|field| (field.attr.name.as_str(), field)).collect()
+    fields.iter().map(|field| (field.global.name.as_str(), field)).collect()
 }
 
 impl Field<'_> {
     /// The value of a field without `Option`, converted for the rules.
     pub(super) fn plain(&self) -> TokenStream {
-        let (place, name) = (Span::mixed_site(), &self.name);
-        match self.attr.ty {
-            Type::Float | Type::Bool => quote_spanned!(place=> self.#name),
-            Type::Text => quote_spanned!(place=> cga_rt::text(&self.#name)),
-            _ => quote_spanned!(place=> ::core::clone::Clone::clone(&self.#name)),
+        let name = &self.name;
+        match self.global.ty {
+            Type::Float | Type::Bool => code!(self.#name),
+            Type::Text => code!(cga_rt::text(&self.#name)),
+            _ => code!(::core::clone::Clone::clone(&self.#name)),
         }
     }
 
     /// The value of a field that is an `Option`.
     pub(super) fn optional(&self) -> TokenStream {
-        let (place, name) = (Span::mixed_site(), &self.name);
-        match self.attr.ty {
-            Type::Float | Type::Bool => quote_spanned!(place=> self.#name),
-            Type::Text => quote_spanned!(place=> self.#name.as_deref().map(cga_rt::text)),
-            _ => quote_spanned!(place=> ::core::clone::Clone::clone(&self.#name)),
+        let name = &self.name;
+        match self.global.ty {
+            Type::Float | Type::Bool => code!(self.#name),
+            Type::Text => code!(self.#name.as_deref().map(cga_rt::text)),
+            _ => code!(::core::clone::Clone::clone(&self.#name)),
         }
     }
 }
 
 /// Reading and writing by number, for `dyn Grammar`.
 pub(super) fn arms(fields: &[Field<'_>]) -> (Vec<TokenStream>, Vec<TokenStream>) {
-    let place = Span::mixed_site();
     let arm = |(number, field): (usize, &Field<'_>)| {
         let (number, name) = (Literal::usize_unsuffixed(number), &field.name);
         (
-            quote_spanned!(place=> #number => cga_rt::Field::get(&self.#name),),
-            quote_spanned!(place=> #number => cga_rt::Field::set(&mut self.#name, value),),
+            code!(#number => cga_rt::Field::get(&self.#name),),
+            code!(#number => cga_rt::Field::set(&mut self.#name, value),),
         )
     };
     fields.iter().enumerate().map(arm).unzip()

@@ -21,7 +21,7 @@ pub(super) fn rule(rule: &Rule) -> u32 {
             // A whole shape, a base and two slim shapes; steps after each other share them.
             Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) => 1300,
             Step::Renew(call) => 2300 + 200 * call.given.len(),
-            Step::Later(..) | Step::Case { .. } | Step::Chance { .. } => 100,
+            Step::Later(..) | Step::Case { .. } => 100,
         }
     });
     // Intermediate values have stack slots too.

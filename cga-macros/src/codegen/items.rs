@@ -3,9 +3,8 @@
 use std::collections::HashMap;
 
 use cga_lang::ir::walk;
-use cga_lang::ir::{ExprKind, Global, RuleId, Type};
+use cga_lang::ir::{ExprKind, Global, GlobalId, RuleId, Type};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote_spanned;
 
 use super::access::Access;
 use super::expr::is_one_of;
@@ -13,28 +12,26 @@ use super::fields::Field;
 use super::public::captured;
 use super::rule::given;
 use super::state::stream;
-use super::{Generator, fields, inner_type, local, site, table, types};
+use super::{Generator, fields, hygienic, inner_type, local, site, table, types};
 use crate::header::Header;
 
 /// Attributes and constants of one run, and captured values.
 pub(super) fn values(cx: &Generator<'_>) -> TokenStream {
-    let place = Span::mixed_site();
     let field = |lazy: bool, ty: Type| {
         let ty = inner_type(ty);
-        if lazy { quote_spanned!(place=> cga_rt::Lazy<#ty>) } else { ty }
+        if lazy { code!(cga_rt::Lazy<#ty>) } else { ty }
     };
-    let attrs = cx.grammar.attrs.iter().enumerate().map(|(at, it)| (local("attr_", at), field(it.lazy, it.ty)));
-    let consts = cx.grammar.consts.iter().enumerate().map(|(at, it)| (local("const_", at), field(it.lazy, it.ty)));
-    let origin = cx.has_lazy().then(|| (Ident::new("origin", place), quote_spanned!(place=> cga_rt::Origin)));
+    let globals = cx.grammar.globals.iter().zip(0..);
+    let globals = globals.map(|(it, id)| (cx.global_name(GlobalId(id)), field(it.lazy, it.ty)));
+    let origin = cx.has_lazy().then(|| (hygienic("origin"), code!(cga_rt::Origin)));
     // Renewals of imports open a cycle on a copy.
-    let copied = cx.renews_lazy().then(|| quote_spanned!(place=> #[derive(::core::clone::Clone)]));
-    let style =
-        cx.asks_for_style().then(|| (Ident::new("style", place), quote_spanned!(place=> ::core::primitive::u32)));
+    let copied = cx.renews_lazy().then(|| code!(#[derive(::core::clone::Clone)]));
+    let style = cx.asks_for_style().then(|| (hygienic("style"), code!(::core::primitive::u32)));
     let hosts = cx.hosts.iter().enumerate().filter(|_| cx.captured);
     let hosts = hosts.map(|(at, ty)| (captured(at), inner_type(ty.inside())));
     let (names, types): (Vec<_>, Vec<_>) =
-        attrs.chain(consts).chain(style).chain(origin).chain(hosts).chain(cx.held_fields()).unzip();
-    quote_spanned! { place=>
+        globals.chain(style).chain(origin).chain(hosts).chain(cx.held_fields()).unzip();
+    code! {
         #copied
         #[derive(::core::default::Default)]
         pub struct CgaValues { #(#names: #types,)* }
@@ -45,9 +42,9 @@ pub(super) fn values(cx: &Generator<'_>) -> TokenStream {
 pub(super) fn calls(cx: &Generator<'_>) -> TokenStream {
     let variants = waiting(cx).map(|(id, params)| {
         let name = local("Rule", id.0 as usize);
-        quote_spanned!(Span::mixed_site()=> #name(#(#params),*))
+        code!(#name(#(#params),*))
     });
-    quote_spanned! { Span::mixed_site()=>
+    code! {
         #[derive(::core::clone::Clone)]
         pub enum CgaCall { #(#variants,)* }
     }
@@ -73,33 +70,25 @@ impl Generator<'_> {
 
     /// Returns true if no attribute and no constant depends on the initial shape.
     fn is_settled_globally(&self) -> bool {
-        let attrs = self.grammar.attrs.iter().map(|attr| (&attr.default, attr.lazy));
-        let consts = self.grammar.consts.iter().map(|constant| (&constant.value, constant.lazy));
-        attrs.chain(consts).all(|(value, lazy)| !lazy && self.facts.expr(value).is_none())
+        self.grammar.globals.iter().all(|global| !global.lazy && self.facts.expr(&global.value).is_none())
     }
 }
 
 /// The function that runs a call that waited or was left out.
 pub(super) fn resume(cx: &Generator<'_>) -> TokenStream {
-    let place = Span::mixed_site();
     let resume_arms = waiting(cx).map(|(id, params)| {
-        let (variant, rule) = (local("Rule", id.0 as usize), cx.rule(id, place));
+        let (variant, rule) = (local("Rule", id.0 as usize), cx.rule(id, Span::mixed_site()));
         let args: Vec<Ident> = (0..params.len()).map(|at| local("a", at)).collect();
-        quote_spanned!(place=> CgaCall::#variant(#(#args),*) => CgaRules::#rule(g, cx, shape, #(#args),*))
+        code!(CgaCall::#variant(#(#args),*) => CgaRules::#rule(g, cx, shape, #(#args),*))
     });
-    let resume = if waiting(cx).next().is_some() {
-        quote_spanned!(place=> match call { #(#resume_arms,)* })
-    } else {
-        quote_spanned!(place=> match call {})
-    };
-    quote_spanned! { place=>
+    code! {
         fn cga_resume(
             g: &CgaValues,
             cx: &mut cga_rt::Cx<'_, CgaCall>,
             shape: &cga_rt::ShapeRef<'_>,
             call: CgaCall,
         ) -> cga_rt::Flow {
-            #resume
+            match call { #(#resume_arms,)* }
         }
     }
 }
@@ -107,7 +96,6 @@ pub(super) fn resume(cx: &Generator<'_>) -> TokenStream {
 /// The runtime's `Rules` and `Grammar`.
 pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     let (name, label) = (header.ident(), header.label());
-    let place = Span::mixed_site();
     let names = site::names(cx.grammar);
     let leaves = cx.leaves.names();
     let is_settled = cx.is_settled_globally();
@@ -120,31 +108,31 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     start_rules.sort_unstable();
     start_rules.dedup();
     let start_arms = start_rules.into_iter().map(|rule| {
-        let (number, rule) = (Literal::u32_suffixed(rule.0), cx.rule(rule, place));
-        quote_spanned!(place=> #number => CgaRules::#rule(g, cx, shape))
+        let (number, rule) = (Literal::u32_suffixed(rule.0), cx.rule(rule, Span::mixed_site()));
+        code!(#number => CgaRules::#rule(g, cx, shape))
     });
     let fields = fields::of(cx.grammar, cx.source);
     let check = if fields.iter().any(table::is_restricted) {
-        quote_spanned!(place=> cga_rt::check(self))
+        code!(cga_rt::check(self))
     } else {
-        quote_spanned!(place=> ::core::result::Result::Ok(()))
+        code!(::core::result::Result::Ok(()))
     };
     let by_name = fields::by_name(&fields);
     let (held, globals) = (cx.hold_fields(&by_name), initial_values(cx, &by_name));
-    let origin = cx.has_lazy().then(|| quote_spanned!(place=> g.origin = cga_rt::Origin::initial(initial);));
+    let origin = cx.has_lazy().then(|| code!(g.origin = cga_rt::Origin::initial(initial);));
     let (get_arms, set_arms) = fields::arms(&fields);
     let captured = (0..cx.grammar.hosts.len()).filter(|_| cx.captured).map(captured);
-    let captured = captured.map(|name| quote_spanned!(place=> g.#name = ::core::clone::Clone::clone(&self.#name);));
+    let captured = captured.map(|name| code!(g.#name = ::core::clone::Clone::clone(&self.#name);));
     let table = fields.iter().map(|field| table::attribute(field, cx.grammar));
     let about = &cx.grammar.about;
     let about = (!about.is_empty()).then(|| {
-        quote_spanned! { place=>
+        code! {
             fn about(&self) -> &'static ::core::primitive::str {
                 #about
             }
         }
     });
-    quote_spanned! { place=>
+    code! {
         #[automatically_derived]
         impl cga_rt::Rules for #name {
             type Values = CgaValues;
@@ -247,16 +235,15 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
 
 /// Evaluates the attributes and constants of the style in force.
 fn initial_values(cx: &Generator<'_>, fields: &HashMap<&str, &Field<'_>>) -> TokenStream {
-    let place = Span::mixed_site();
-    let style = cx.asks_for_style().then(|| quote_spanned!(place=> g.style = style;));
+    let style = cx.asks_for_style().then(|| code!(g.style = style;));
     let lazy = cx.grammar.init.iter().filter(|init| cx.is_lazy(init.global));
     let given = lazy.filter_map(|init| cx.lazy_given(init.global, field(cx, fields, init.global)));
     let values = cx.grammar.init.chunk_by(|a, b| a.styles == b.styles).map(|inits| {
         let values = inits.iter().map(|own| init(cx, fields, own.global));
         match &inits[0].styles {
             Some(styles) => {
-                let is_style = is_one_of(styles, &quote_spanned!(place=> style));
-                quote_spanned!(place=> if #is_style { #(#values)* })
+                let is_style = is_one_of(styles, &code!(style));
+                code!(if #is_style { #(#values)* })
             }
             None => values.collect(),
         }
@@ -265,35 +252,24 @@ fn initial_values(cx: &Generator<'_>, fields: &HashMap<&str, &Field<'_>>) -> Tok
 }
 
 /// The field of an attribute that has one.
-fn field<'f, 'g>(cx: &Generator<'_>, fields: &HashMap<&str, &'f Field<'g>>, global: Global) -> Option<&'f Field<'g>> {
-    let Global::Attr(id) = global else { return None };
-    let attr = &cx.grammar.attrs[id.0 as usize];
-    fields.get(attr.name.as_str()).copied().filter(|_| attr.public)
+fn field<'f, 'g>(cx: &Generator<'_>, fields: &HashMap<&str, &'f Field<'g>>, id: GlobalId) -> Option<&'f Field<'g>> {
+    let global = cx.grammar.global(id);
+    fields.get(global.name.as_str()).copied().filter(|_| global.public)
 }
 
 /// Evaluates one attribute or constant.
-fn init(cx: &Generator<'_>, fields: &HashMap<&str, &Field<'_>>, global: Global) -> TokenStream {
-    let place = Span::mixed_site();
-    if cx.is_lazy(global) {
-        let value = cx.lazy_value(global, &quote_spanned!(place=> &g), &quote_spanned!(place=> env));
-        return quote_spanned!(place=> cga_rt::computed(#value););
+fn init(cx: &Generator<'_>, fields: &HashMap<&str, &Field<'_>>, id: GlobalId) -> TokenStream {
+    if cx.is_lazy(id) {
+        let value = cx.lazy_value(id, &code!(&g), &code!(env));
+        return code!(cga_rt::computed(#value););
     }
-    let (target, field) = (cx.global_name(global), field(cx, fields, global));
-    let (name, computed, known) = match global {
-        Global::Attr(id) => {
-            let attr = &cx.grammar.attrs[id.0 as usize];
-            (&attr.name, &attr.default, &attr.known)
-        }
-        Global::Const(id) => {
-            let constant = &cx.grammar.consts[id.0 as usize];
-            (&constant.name, &constant.value, &constant.known)
-        }
-    };
+    let (target, field) = (cx.global_name(id), field(cx, fields, id));
+    let Global { name, value, known, .. } = cx.grammar.global(id);
     let number = stream(name);
-    let code = cx.expr(computed, &Access::function());
+    let code = cx.expr(value, &Access::function());
     let computed = match known {
         Some(known) => types::value(known),
-        None => quote_spanned! { place=> {
+        None => code! { {
             let shape = &mut cga_rt::global(initial, #number);
             let g = &g;
             #code
@@ -302,17 +278,17 @@ fn init(cx: &Generator<'_>, fields: &HashMap<&str, &Field<'_>>, global: Global) 
     match field {
         Some(field) if field.known.is_some() => {
             let given = field.plain();
-            quote_spanned!(place=> g.#target = #given;)
+            code!(g.#target = #given;)
         }
         Some(field) => {
             let given = field.optional();
-            quote_spanned! { place=>
+            code! {
                 g.#target = match #given {
                     ::core::option::Option::Some(value) => value,
                     ::core::option::Option::None => #computed,
                 };
             }
         }
-        None => quote_spanned!(place=> g.#target = #computed;),
+        None => code!(g.#target = #computed;),
     }
 }

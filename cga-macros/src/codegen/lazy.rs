@@ -1,9 +1,8 @@
 //! Attributes and constants on a cycle that conditions may keep open: a field of the run's values that is filled by a function
 //! when it is first read.
 
-use cga_lang::ir::{Expr, Global, Type};
-use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote_spanned;
+use cga_lang::ir::{Global, GlobalId};
+use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
 use super::fields::Field;
@@ -12,20 +11,12 @@ use super::{Generator, frame, inner_type, local};
 
 impl Generator<'_> {
     /// Returns true if it is computed on its first read.
-    pub(super) fn is_lazy(&self, global: Global) -> bool {
-        match global {
-            Global::Attr(id) => self.grammar.attrs[id.0 as usize].lazy,
-            Global::Const(id) => self.grammar.consts[id.0 as usize].lazy,
-        }
-    }
-
-    /// All of them, in the order of their declarations.
-    fn lazy(&self) -> impl Iterator<Item = Global> + '_ {
-        self.grammar.globals().filter(|global| self.is_lazy(*global))
+    pub(super) fn is_lazy(&self, id: GlobalId) -> bool {
+        self.grammar.global(id).lazy
     }
 
     pub(super) fn has_lazy(&self) -> bool {
-        self.lazy().next().is_some()
+        self.grammar.globals.iter().any(|global| global.lazy)
     }
 
     /// Returns true if a renewal has lazy values.
@@ -34,37 +25,23 @@ impl Generator<'_> {
     }
 
     /// The field and the function of an attribute or constant.
-    pub(super) fn global_name(&self, global: Global) -> Ident {
-        match global {
-            Global::Attr(id) => local("attr_", id.0 as usize),
-            Global::Const(id) => local("const_", id.0 as usize),
-        }
-    }
-
-    fn global_value(&self, global: Global) -> (&str, &Expr, Type) {
-        match global {
-            Global::Attr(id) => {
-                let attr = &self.grammar.attrs[id.0 as usize];
-                (&attr.name, &attr.default, attr.ty)
-            }
-            Global::Const(id) => {
-                let constant = &self.grammar.consts[id.0 as usize];
-                (&constant.name, &constant.value, constant.ty)
-            }
+    pub(super) fn global_name(&self, GlobalId(number): GlobalId) -> Ident {
+        match number.checked_sub(self.attrs) {
+            None => local("attr_", number as usize),
+            Some(number) => local("const_", number as usize),
         }
     }
 
     /// One function for each, which computes it when it is first read.
     pub(super) fn lazy_functions(&self) -> TokenStream {
-        let place = Span::mixed_site();
-        self.lazy()
-            .map(|global| {
-                let (name, value, ty) = self.global_value(global);
-                let (function, ty, number) = (self.global_name(global), inner_type(ty), stream(name));
+        let globals = self.grammar.globals.iter().zip(0..).filter(|(global, _)| global.lazy);
+        globals
+            .map(|(Global { name, value, ty, .. }, id)| {
+                let (function, ty, number) = (self.global_name(GlobalId(id)), inner_type(*ty), stream(name));
                 let stack = Literal::u32_unsuffixed(frame::lazy(value));
                 let code = self.expr(value, &Access::function());
                 let doc = format!("`{name}`, which may need itself: computed when it is first read.");
-                quote_spanned! { place=>
+                code! {
                     #[doc = #doc]
                     fn #function(g: &CgaValues, env: &mut cga_rt::Env) -> #ty {
                         g.#function.get(env, #name, #stack, |env| {
@@ -78,25 +55,25 @@ impl Generator<'_> {
     }
 
     /// Reads one of them.
-    pub(super) fn lazy_value(&self, global: Global, g: &TokenStream, env: &TokenStream) -> TokenStream {
+    pub(super) fn lazy_value(&self, global: GlobalId, g: &TokenStream, env: &TokenStream) -> TokenStream {
         let name = self.global_name(global);
-        quote_spanned!(Span::mixed_site()=> CgaValues::#name(#g, #env))
+        code!(CgaValues::#name(#g, #env))
     }
 
     /// The value before any is computed: the one that the host program gave, else none.
-    pub(super) fn lazy_given(&self, global: Global, field: Option<&Field<'_>>) -> Option<TokenStream> {
-        let (place, name) = (Span::mixed_site(), self.global_name(global));
+    pub(super) fn lazy_given(&self, global: GlobalId, field: Option<&Field<'_>>) -> Option<TokenStream> {
+        let name = self.global_name(global);
         let field = field?;
         let value = match field.known {
             Some(_) => {
                 let value = field.plain();
-                quote_spanned!(place=> cga_rt::Lazy::known(#value))
+                code!(cga_rt::Lazy::known(#value))
             }
             None => {
                 let value = field.optional();
-                quote_spanned!(place=> cga_rt::Lazy::given(#value))
+                code!(cga_rt::Lazy::given(#value))
             }
         };
-        Some(quote_spanned!(place=> g.#name = #value;))
+        Some(code!(g.#name = #value;))
     }
 }

@@ -23,7 +23,7 @@ impl Leaves {
             }
             walk::steps(&rule.body, &mut |step| {
                 for target in walk::targets(step) {
-                    if let Target::Leaf(name, _) = target {
+                    if let Target::Leaf(name) = target {
                         leaves.add(name);
                     }
                 }

@@ -30,8 +30,8 @@ use std::cell::RefCell;
 
 use cga_lang::ir::facts::Facts;
 use cga_lang::ir::{ExprKind, Grammar, HostId, RuleId, Type};
+use cga_lang::ops::Run;
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote_spanned;
 
 use crate::header::Header;
 use crate::output::{HostType, Output};
@@ -54,6 +54,8 @@ struct Generator<'a> {
     captured: bool,
     /// The required type of each `#` value.
     hosts: Vec<HostType>,
+    /// The number of attributes. Constants come after them.
+    attrs: u32,
     /// The attributes of renewals, by name.
     renewed: Vec<String>,
     facts: Facts,
@@ -78,6 +80,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         calls,
         captured: header.name.is_none(),
         hosts,
+        attrs: grammar.globals.iter().filter(|global| global.attr.is_some()).count() as u32,
         renewed,
         facts,
         leaves,
@@ -93,10 +96,9 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
     let of_values = [&renewals, &lazy, &paints]
         .iter()
         .any(|code| !code.is_empty())
-        .then(|| quote_spanned!(Span::mixed_site()=> #[allow(dead_code, clippy::all)] impl CgaValues { #lazy #renewals #paints }));
+        .then(|| code!(#[allow(dead_code, clippy::all)] impl CgaValues { #lazy #renewals #paints }));
     let implementation = items::rules_impl(&cx, header);
-    let place = Span::mixed_site();
-    let hidden = quote_spanned! { place=>
+    let hidden = code! {
         #values
         #of_values
         #call
@@ -136,7 +138,7 @@ fn host_types(grammar: &Grammar) -> Vec<HostType> {
 
 /// The Rust type of a value inside the rules.
 fn inner_type(ty: Type) -> TokenStream {
-    types::inner(ty, &quote_spanned!(Span::mixed_site()=> cga_rt))
+    types::inner(ty, &code!(cga_rt))
 }
 
 impl Generator<'_> {
@@ -146,7 +148,17 @@ impl Generator<'_> {
     }
 }
 
+/// A name of the generated code or of the runtime, with the span of [`code!`].
+fn hygienic(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
+}
+
+/// The runtime's function for a row of the tables.
+fn function_of(run: Run, name: &str) -> Ident {
+    hygienic(run.now().unwrap_or(name))
+}
+
 /// A local of the generated code, by number.
 fn local(prefix: &str, number: usize) -> Ident {
-    Ident::new(&format!("{prefix}{number}"), Span::mixed_site())
+    hygienic(&format!("{prefix}{number}"))
 }

@@ -2,21 +2,19 @@
 
 use cga_lang::ir::{Arg, Expr, Prefix};
 use cga_lang::ops::{Operation, ParamKind};
-use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote_spanned;
+use proc_macro2::{Ident, TokenStream};
 
 use super::access::Access;
 use super::expr::word_variant;
 use super::split::prefixed;
-use super::{Generator, local};
+use super::{Generator, function_of, local};
 
 impl Generator<'_> {
     /// An operation on the whole shape.
     pub(super) fn operation(&self, operation: &Operation, args: &[Arg]) -> TokenStream {
-        let place = Span::mixed_site();
         let (lets, call) = self.operation_on(operation, args, &Access::whole(), Generator::expr);
-        let bake = operation.reshapes().then(|| quote_spanned!(place=> cga_rt::bake(shape);));
-        quote_spanned!(place=> { #lets #bake cga_rt::op::#call; })
+        let bake = operation.reshapes().then(|| code!(cga_rt::bake(shape);));
+        code!({ #lets #bake cga_rt::op::#call; })
     }
 
     /// The arguments of an operation, and its call without the module.
@@ -27,15 +25,11 @@ impl Generator<'_> {
         at: &Access,
         expr: fn(&Self, &Expr, &Access) -> TokenStream,
     ) -> (TokenStream, TokenStream) {
-        let place = Span::mixed_site();
-        let name = Ident::new(operation.run.now().unwrap_or(operation.name), place);
+        let name = function_of(operation.run, operation.name);
         let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
-        let values = self.args(operation, args, at, expr, &quote_spanned!(place=> op::));
-        let base = operation.uses_base.then(|| quote_spanned!(place=> &base,));
-        (
-            quote_spanned!(place=> #(let #names = #values;)*),
-            quote_spanned!(place=> #name(cx.env, shape, #base #(#names),*)),
-        )
+        let values = self.args(operation, args, at, expr, &code!(op::));
+        let base = operation.uses_base.then(|| code!(&base,));
+        (code!(#(let #names = #values;)*), code!(#name(cx.env, shape, #base #(#names),*)))
     }
 
     /// The values of an operation's arguments. Words are variants of enums in `module`.
@@ -47,11 +41,10 @@ impl Generator<'_> {
         expr: fn(&Self, &Expr, &Access) -> TokenStream,
         module: &TokenStream,
     ) -> Vec<TokenStream> {
-        let place = Span::mixed_site();
         let values = args.iter().zip(operation.params).map(|(arg, param)| match (arg, &param.kind) {
             (Arg::Value(value), ParamKind::Length) => {
                 let value = expr(self, value, at);
-                quote_spanned!(place=> cga_rt::Length::Absolute(#value))
+                code!(cga_rt::Length::Absolute(#value))
             }
             (Arg::Value(value), ParamKind::Size) => prefixed(Prefix::Absolute, &expr(self, value, at)),
             (Arg::Value(value), ParamKind::Image(_)) => self.image(value, at),
@@ -60,8 +53,8 @@ impl Generator<'_> {
             (Arg::Length(size), _) => {
                 let value = expr(self, &size.value, at);
                 match size.prefix {
-                    Prefix::Relative => quote_spanned!(place=> cga_rt::Length::Relative(#value)),
-                    Prefix::Absolute | Prefix::Floating => quote_spanned!(place=> cga_rt::Length::Absolute(#value)),
+                    Prefix::Relative => code!(cga_rt::Length::Relative(#value)),
+                    Prefix::Absolute | Prefix::Floating => code!(cga_rt::Length::Absolute(#value)),
                 }
             }
             (Arg::Word(word), kind) => word_variant(kind, word, module),

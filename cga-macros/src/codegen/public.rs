@@ -2,8 +2,7 @@
 
 use cga_lang::editor::public_names;
 use cga_lang::ir::{Type, Value};
-use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote_spanned;
+use proc_macro2::{Ident, TokenStream};
 
 use super::fields::Field;
 use super::names::{Taken, ident};
@@ -31,7 +30,7 @@ pub(crate) struct PublicAttr {
 
 impl PublicAttr {
     pub(super) fn of(field: &Field<'_>) -> Self {
-        let attr = field.attr;
+        let (global, attr) = (field.global, field.attr);
         let about = if attr.doc.is_empty() { String::new() } else { format!("\n\n{}", attr.doc) };
         let default = match field.known {
             Some(known) => format!("default `{}`", types::show(known)),
@@ -39,9 +38,9 @@ impl PublicAttr {
         };
         PublicAttr {
             name: field.name.clone(),
-            ty: attr.ty,
+            ty: global.ty,
             known: field.known.cloned(),
-            doc: format!("The attribute `{}`, {default}.{about}", attr.name),
+            doc: format!("The attribute `{}`, {default}.{about}", global.name),
         }
     }
 }
@@ -63,29 +62,28 @@ impl PublicAttr {
 pub(crate) fn public(public: &Public, header: &Header) -> TokenStream {
     let (name, visibility, attributes) = (header.ident(), &header.visibility, &header.attributes);
     let (runtime, conditions) = (&header.runtime, &header.conditions);
-    let place = Span::mixed_site();
     // A grammar that cannot run reads no fields.
-    let unread = public.hidden.is_none().then(|| quote_spanned!(place=> #[allow(dead_code)]));
+    let unread = public.hidden.is_none().then(|| code!(#[allow(dead_code)]));
     // Attributes are named by the rules, not by Rust's taste.
     let other_taste = public.attrs.iter().any(|attr| !is_snake_case(&attr.name.to_string()));
-    let other_taste = other_taste.then(|| quote_spanned!(place=> #[allow(non_snake_case)]));
+    let other_taste = other_taste.then(|| code!(#[allow(non_snake_case)]));
     let fields = public.attrs.iter().map(|attr| {
         let (name, doc, ty) = (&attr.name, &attr.doc, types::outer(attr.ty, runtime));
         let ty = match attr.known {
             Some(_) => ty,
-            None => quote_spanned!(place=> ::core::option::Option<#ty>),
+            None => code!(::core::option::Option<#ty>),
         };
-        quote_spanned!(place=> #[doc = #doc] #unread pub #name: #ty)
+        code!(#[doc = #doc] #unread pub #name: #ty)
     });
     let defaults: Vec<TokenStream> = public.attrs.iter().map(|attr| default_field(attr, runtime)).collect();
     let captured: Vec<Ident> = (0..public.captures.len()).map(captured).collect();
     let captured_types = public.captures.iter().map(|ty| types::inner(ty.inside(), runtime));
     let about = format!("The grammar `{}`.", header.label());
-    let doc = (!header.has_doc).then(|| quote_spanned!(place=> #[doc = #about]));
+    let doc = (!header.has_doc).then(|| code!(#[doc = #about]));
     let methods = methods();
     let expression = header.name.is_none();
     let default_impl = (!expression).then(|| {
-        quote_spanned! { place=>
+        code! {
             #[automatically_derived]
             impl ::core::default::Default for #name {
                 fn default() -> Self {
@@ -96,13 +94,13 @@ pub(crate) fn public(public: &Public, header: &Header) -> TokenStream {
     });
     let value = expression.then(|| {
         let taken = (0..public.captures.len()).map(capture);
-        quote_spanned!(place=> #name { #(#defaults,)* #(#captured: #taken,)* })
+        code!(#name { #(#defaults,)* #(#captured: #taken,)* })
     });
     let hidden = match &public.hidden {
         Some(hidden) => hidden.clone(),
         None => unrunnable(&name, &header.label()),
     };
-    quote_spanned! { place=>
+    code! {
         #attributes
         #doc
         #other_taste
@@ -126,7 +124,7 @@ pub(crate) fn public(public: &Public, header: &Header) -> TokenStream {
 
 /// The runtime's traits for a grammar that has errors, for code that needs them.
 fn unrunnable(name: &Ident, label: &str) -> TokenStream {
-    quote_spanned! { Span::mixed_site()=>
+    code! {
         #[automatically_derived]
         impl cga_rt::Unrunnable for #name {}
 
@@ -174,26 +172,24 @@ fn is_snake_case(name: &str) -> bool {
 
 /// `name: default`.
 fn default_field(attr: &PublicAttr, runtime: &TokenStream) -> TokenStream {
-    let place = Span::mixed_site();
     let name = &attr.name;
     match &attr.known {
-        None => quote_spanned!(place=> #name: ::core::option::Option::None),
+        None => code!(#name: ::core::option::Option::None),
         Some(known) => {
             let known = types::field(known, runtime);
-            quote_spanned!(place=> #name: #known)
+            code!(#name: #known)
         }
     }
 }
 
 /// The methods of the struct, the same where there are errors: `cga_rt::Unrunnable` lets their bodies compile.
 fn methods() -> TokenStream {
-    let place = Span::mixed_site();
-    let errors = quote_spanned! { place=>
+    let errors = code! {
         ///
         /// # Errors
         /// A limit that was reached, an attribute out of its range, attributes that need each other, no such start rule, an initial shape that is refused.
     };
-    quote_spanned! { place=>
+    code! {
         /// Runs the start rule on a shape, with default settings.
         #errors
         pub fn generate(&self, shape: &cga_rt::Shape) -> ::core::result::Result<cga_rt::Model, cga_rt::Error> {

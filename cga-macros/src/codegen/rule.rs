@@ -1,14 +1,13 @@
 //! One function a rule, one function a function.
 
 use cga_lang::ir::walk;
-use cga_lang::ir::{Block, Childless, Expr, ExprKind, Function, Global, Param, Parts, Rule, RuleId, Step, Target};
+use cga_lang::ir::{Block, Childless, Expr, ExprKind, Function, Param, Parts, Rule, RuleId, Step, Target};
 use cga_lang::ops::{Changes, Run, Uses};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
 use super::access::Access;
-use super::expr::draws;
-use super::{Generator, inner_type, local, site};
+use super::{Generator, hygienic, inner_type, local, site};
 
 pub(super) fn rules(cx: &Generator<'_>) -> TokenStream {
     (0..cx.grammar.rules.len() as u32).map(|number| cx.rule_function(RuleId(number))).collect()
@@ -37,7 +36,6 @@ struct Tail {
 
 impl Generator<'_> {
     fn rule_function(&self, id: RuleId) -> TokenStream {
-        let place = Span::mixed_site();
         let rule = &self.grammar.rules[id.0 as usize];
         let name = self.rule(id, self.source.token(rule.span.first));
         let site = site::param(rule.sites.len());
@@ -45,28 +43,28 @@ impl Generator<'_> {
         let locals = self.locals(&rule.params, &rule.locals, &Access::rule(), Generator::asked);
         let doc = (!rule.source.is_empty()).then(|| {
             let source = &rule.source;
-            quote_spanned!(place=> #[doc = #source])
+            code!(#[doc = #source])
         });
         let base = base(&rule.body);
-        let flag = (rule.leaf == Childless::Depends).then(|| quote_spanned!(place=> let mut childless = true;));
+        let flag = (rule.leaf == Childless::Depends).then(|| code!(let mut childless = true;));
         let label = self.leaves.implicit(rule);
         // A block was not counted as a shape, so its leaf is one more.
-        let (leaf, any_leaf) = match is_block(rule) {
-            true => (quote_spanned!(place=> symbol), quote_spanned!(place=> any_symbol)),
-            false => (quote_spanned!(place=> leaf), quote_spanned!(place=> any_leaf)),
+        let (leaf, any_leaf) = match rule.block {
+            true => (code!(symbol), code!(any_symbol)),
+            false => (code!(leaf), code!(any_leaf)),
         };
-        let leaf = quote_spanned!(place=> cx.#leaf(shape, #label)?;);
+        let leaf = code!(cx.#leaf(shape, #label)?;);
         let tail = match rule.leaf {
             Childless::Always => Tail { childless: leaf.clone(), otherwise: leaf },
             Childless::Depends => {
-                let otherwise = quote_spanned!(place=> if childless { cx.#any_leaf(shape, #label)?; });
+                let otherwise = code!(if childless { cx.#any_leaf(shape, #label)?; });
                 Tail { childless: leaf, otherwise }
             }
             Childless::Never => Tail::default(),
         };
         let steps = self.steps(&rule.body, Body { id, rule }, 0, &tail);
         let (enter, leave) = (self.enter(rule, id), leave(rule));
-        quote_spanned! { place=>
+        code! {
             #doc
             #[inline(never)]
             fn #name(
@@ -86,7 +84,6 @@ impl Generator<'_> {
     }
 
     fn function(&self, id: cga_lang::ir::FunctionId) -> TokenStream {
-        let place = Span::mixed_site();
         let function: &Function = &self.grammar.functions[id.0 as usize];
         let name = self.names.function(id, self.source.token(function.span.first));
         let params = given(&function.params, &function.locals);
@@ -95,14 +92,14 @@ impl Generator<'_> {
         let ty = inner_type(function.ty);
         let locals = self.locals(&function.params, &function.locals, &Access::function(), Generator::expr);
         let body = self.expr(&function.body, &Access::function());
-        let body = quote_spanned!(place=> { #locals #body });
+        let body = code!({ #locals #body });
         let shape = match self.facts.function(id).whole {
-            true => quote_spanned!(place=> cga_rt::Shape),
-            false => quote_spanned!(place=> impl cga_rt::View),
+            true => code!(cga_rt::Shape),
+            false => code!(impl cga_rt::View),
         };
         let body = if let Some(stack) = self.calls.stack(id) {
             let stack = Literal::u32_unsuffixed(stack);
-            quote_spanned! { place=>
+            code! {
                 if !env.call(#stack) {
                     return ::core::default::Default::default();
                 }
@@ -113,7 +110,7 @@ impl Generator<'_> {
         } else {
             body
         };
-        quote_spanned! { place=>
+        code! {
             fn #name(g: &CgaValues, env: &mut cga_rt::Env, shape: &mut #shape, #(#names: #types,)*) -> #ty {
                 #body
             }
@@ -122,13 +119,13 @@ impl Generator<'_> {
 
     /// Adds a rule to the trail; a block is a part of its rule.
     fn enter(&self, rule: &Rule, id: RuleId) -> TokenStream {
-        if is_block(rule) {
+        if rule.block {
             return TokenStream::new();
         }
         let first = self.numbers[id.0 as usize];
         let numbers: Vec<u32> = (first..first + rule.sites.len().max(1) as u32).collect();
         let number = site::of_site(&numbers);
-        quote_spanned!(Span::mixed_site()=> cx.enter(#number)?;)
+        code!(cx.enter(#number)?;)
     }
 
     /// The values of locals: they are the last parameters.
@@ -142,7 +139,7 @@ impl Generator<'_> {
         let first = params.len() - locals.len();
         let locals = locals.iter().enumerate().map(|(number, value)| {
             let (name, value) = (local("p", first + number), expr(self, value, at));
-            quote_spanned!(Span::mixed_site()=> let #name = #value;)
+            code!(let #name = #value;)
         });
         locals.collect()
     }
@@ -160,9 +157,9 @@ impl Generator<'_> {
                 continue;
             }
             rest = behind;
-            if let Step::Case { .. } | Step::Chance { .. } = step {
+            if let Step::Case { arms, otherwise } = step {
                 debug_assert!(rest.is_empty(), "a case takes in everything behind it");
-                code.extend(self.branches(step, body, number, tail));
+                code.extend(self.branches((arms, otherwise), body, number, tail));
                 return code;
             }
             code.extend(self.step(step, body, number, rest.is_empty()));
@@ -174,12 +171,11 @@ impl Generator<'_> {
 
     /// Steps that change the current shape. They work on the slim shape if all of them can, else on the whole.
     fn changed(&self, steps: &[Step]) -> TokenStream {
-        let place = Span::mixed_site();
         if let Some(code) = steps.iter().map(|step| self.slim(step)).collect() {
             return code;
         }
         let code: TokenStream = steps.iter().map(|step| self.change(step)).collect();
-        quote_spanned! { place=>
+        code! {
             let changed = {
                 let mut whole = cx.env.whole(shape);
                 {
@@ -194,17 +190,16 @@ impl Generator<'_> {
 
     /// A step on the slim shape, where there is such a form of it.
     fn slim(&self, step: &Step) -> Option<TokenStream> {
-        let place = Span::mixed_site();
         match step {
-            Step::Do(operation, args, _) => match operation.changes {
+            Step::Do(operation, args) => match operation.changes {
                 Changes::Whole => None,
                 Changes::Nothing => {
                     let (lets, call) = self.operation_on(operation, args, &Access::rule(), Generator::asked);
-                    Some(quote_spanned!(place=> { #lets let shape = &mut { shape }; cga_rt::op::#call }))
+                    Some(code!({ #lets let shape = &mut { shape }; cga_rt::op::#call }))
                 }
                 Changes::Scope => {
                     let (lets, call) = self.operation_on(operation, args, &Access::rule(), Generator::asked);
-                    Some(quote_spanned! { place=>
+                    Some(code! {
                         let mut own;
                         let changed = {
                             #lets
@@ -234,17 +229,17 @@ impl Generator<'_> {
     }
 
     fn change(&self, step: &Step) -> TokenStream {
-        let (place, at) = (Span::mixed_site(), Access::whole());
+        let at = Access::whole();
         match step {
-            Step::Do(operation, args, _) => self.operation(operation, args),
-            Step::SetAttr(id, expr, _) => {
-                let (value, set) = (self.expr(expr, &at), self.set(Global::Attr(*id), expr.ty, &local("a", 0)));
-                quote_spanned!(place=> { let a0 = #value; #set })
+            Step::Do(operation, args) => self.operation(operation, args),
+            Step::SetAttr(id, expr) => {
+                let (value, set) = (self.expr(expr, &at), self.set(*id, expr.ty, &local("a", 0)));
+                code!({ let a0 = #value; #set })
             }
-            Step::SetShape(attr, expr, _) => {
+            Step::SetShape(attr, expr) => {
                 let Some(set) = attr.set.and_then(Run::now) else { return TokenStream::new() };
-                let (set, value) = (Ident::new(set, place), self.image(expr, &at));
-                quote_spanned!(place=> {
+                let (set, value) = (hygienic(set), self.image(expr, &at));
+                code!({
                     let a0 = #value;
                     cga_rt::set::#set(cx.env, shape, a0);
                 })
@@ -255,101 +250,90 @@ impl Generator<'_> {
                 let call = self.with_rust_args(args, &at, |args| {
                     quote_spanned!(here=> cga_rt::host::operate(cx.env, shape, |shape| #path(shape, #(#args),*)))
                 });
-                quote_spanned!(place=> #call;)
+                code!(#call;)
             }
             _ => TokenStream::new(),
         }
     }
 
     /// The branches of a rule, each with the steps that follow.
-    fn branches(&self, step: &Step, body: Body<'_>, number: u32, tail: &Tail) -> TokenStream {
-        let (place, at) = (Span::mixed_site(), Access::rule());
-        let (conditions, bodies, otherwise): (Vec<_>, Vec<_>, _) = match step {
-            Step::Case { arms, otherwise } => (
-                arms.iter().map(|(condition, _)| self.asked(condition, &at)).collect(),
-                arms.iter().map(|(_, steps)| steps).collect(),
-                otherwise,
-            ),
-            Step::Chance { arms, otherwise } => (
-                draws(arms.iter().map(|(percent, _)| *percent), &at),
-                arms.iter().map(|(_, steps)| steps).collect(),
-                otherwise,
-            ),
-            _ => return TokenStream::new(),
-        };
-        let bodies = bodies.into_iter().map(|steps| self.steps(steps, body, number, tail));
+    fn branches(
+        &self,
+        (arms, otherwise): (&[(Expr, Vec<Step>)], &[Step]),
+        body: Body<'_>,
+        number: u32,
+        tail: &Tail,
+    ) -> TokenStream {
+        let at = Access::rule();
+        let conditions = arms.iter().map(|(condition, _)| self.asked(condition, &at));
+        let bodies = arms.iter().map(|(_, steps)| self.steps(steps, body, number, tail));
         let otherwise = self.steps(otherwise, body, number, tail);
-        quote_spanned!(place=> #(if #conditions { #bodies } else)* { #otherwise })
+        code!(#(if #conditions { #bodies } else)* { #otherwise })
     }
 
     /// A step that makes children. After the last one nothing reads the shape.
     fn step(&self, step: &Step, body: Body<'_>, number: u32, is_last: bool) -> TokenStream {
-        let place = Span::mixed_site();
-        let made = (body.rule.leaf == Childless::Depends).then(|| quote_spanned!(place=> childless = false;));
+        let made = (body.rule.leaf == Childless::Depends).then(|| code!(childless = false;));
         let child = Literal::u32_unsuffixed(number);
         match step {
-            Step::Later(what, _) => quote_spanned!(place=> cga_rt::later::operation(cx.env, #what);),
+            Step::Later(what) => code!(cga_rt::later::operation(cx.env, #what);),
             Step::Give(target) => {
                 let successor = if is_last { self.last_successor(target, number) } else { successor(number) };
                 let code = self.give(target, body.id, &TokenStream::new(), &successor);
-                quote_spanned!(place=> #code #made)
+                code!(#code #made)
             }
             Step::Renew(call) => {
                 let (given, copy) = self.renew(call, &child);
                 let code = self.give(&call.target, body.id, &copy, &successor(0));
-                quote_spanned!(place=> { #given #code } #made)
+                code!({ #given #code } #made)
             }
             Step::Block(block @ Block { parts: Parts::Slots(slots), .. }) => {
                 let code = self.split(block, slots, body.id, number);
                 match body.rule.leaf {
-                    Childless::Depends => quote_spanned!(place=> { #code childless &= !division.has_parts(); }),
-                    _ => quote_spanned!(place=> { #code }),
+                    Childless::Depends => code!({ #code childless &= !division.has_parts(); }),
+                    _ => code!({ #code }),
                 }
             }
             Step::Block(block @ Block { parts: Parts::Arms(arms), .. }) => {
                 let code = self.divided(block, arms, body.id, number);
-                quote_spanned!(place=> { #code } #made)
+                code!({ #code } #made)
             }
             Step::Push(steps) => {
                 let (base, steps) = (base(steps), self.steps(steps, body, 0, &Tail::default()));
-                quote_spanned!(place=> {
+                code!({
                     let shape = &cga_rt::push(shape, #child);
                     #base
                     #steps
                 })
             }
-            Step::Do(..)
-            | Step::SetAttr(..)
-            | Step::SetShape(..)
-            | Step::Rust(..)
-            | Step::Case { .. }
-            | Step::Chance { .. } => TokenStream::new(),
+            Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) | Step::Case { .. } => {
+                TokenStream::new()
+            }
         }
     }
 
     /// The last successor of a rule is the current shape itself, with the seed of child number `number`.
     fn last_successor(&self, target: &Target, number: u32) -> TokenStream {
-        let (place, number) = (Span::mixed_site(), Literal::u32_unsuffixed(number));
+        let number = Literal::u32_unsuffixed(number);
         let draws = matches!(target, Target::Rule { rule, .. } if self.facts.rule(*rule).below.draws);
-        let seed = draws.then(|| quote_spanned!(place=> cga_rt::become_successor(shape, #number);));
-        quote_spanned!(place=> #seed let part = shape;)
+        let seed = draws.then(|| code!(cga_rt::become_successor(shape, #number);));
+        code!(#seed let part = shape;)
     }
 
     /// Hands the current shape to a successor, which `successor` makes. `copy` comes after the arguments, which are those of the shape
     /// before it.
     fn give(&self, target: &Target, from: RuleId, copy: &TokenStream, successor: &TokenStream) -> TokenStream {
-        let place = Span::mixed_site();
         match target {
-            Target::Leaf(name, _) => {
+            Target::Leaf(name) => {
                 let name = self.leaves.number(name);
-                quote_spanned!(place=> #copy cx.symbol(shape, #name)?;)
+                code!(#copy cx.symbol(shape, #name)?;)
             }
             Target::Nil => TokenStream::new(),
             Target::Rule { rule, sites, args, span } => {
                 let call = self.call(from, (*rule, sites), args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
                 let values = args.iter().map(|arg| self.asked(arg, &Access::rule()));
-                quote_spanned!(place=> {
+                code!({
                     #(let #names = #values;)*
                     #copy
                     #successor
@@ -363,25 +347,25 @@ impl Generator<'_> {
     /// Calls a rule on `part`, with arguments in `a0`, `a1`, …; of type `Flow`. Where the stack may grow long the call may wait, and
     /// while a template is made it may be left out.
     pub(super) fn call(&self, from: RuleId, (rule, sites): (RuleId, &[u32]), args: usize, span: Span) -> TokenStream {
-        let place = Span::mixed_site();
         let name = self.rule(rule, span);
         let args = (0..args).map(|number| local("a", number)).map(|name| quote!(#name));
         let args: Vec<TokenStream> = site::passed(sites).into_iter().chain(args).collect();
-        let direct = quote_spanned!(place=> CgaRules::#name(g, cx, part, #(#args),*));
+        let direct = code!(CgaRules::#name(g, cx, part, #(#args),*));
         let ask = self.plan.step(from, rule);
         let (levels, stack) = ask.map_or((0, 0), |ask| (ask.levels, ask.stack));
         let (levels, stack) = (Literal::u32_unsuffixed(levels), Literal::u32_unsuffixed(stack));
         let variant = local("Rule", rule.0 as usize);
-        let hole = self.templates.is_hole(from, rule).then(|| {
-            quote_spanned!(place=> if cx.records() { cx.hole(part, #levels, #stack, CgaCall::#variant(#(#args),*)) } else)
-        });
+        let hole = self
+            .templates
+            .is_hole(from, rule)
+            .then(|| code!(if cx.records() { cx.hole(part, #levels, #stack, CgaCall::#variant(#(#args),*)) } else));
         if ask.is_none() {
             return match hole {
-                Some(hole) => quote_spanned!(place=> #hole { #direct }),
+                Some(hole) => code!(#hole { #direct }),
                 None => direct,
             };
         }
-        quote_spanned! { place=>
+        code! {
             #hole if cx.descend(#levels, #stack) {
                 let flow = #direct;
                 cx.ascend(#levels, #stack);
@@ -394,25 +378,24 @@ impl Generator<'_> {
 
     /// A part that goes straight to a rule is the successor itself, with the seed of one.
     pub(super) fn hand_on(&self, rule: RuleId) -> Option<TokenStream> {
-        let is_called = !is_block(&self.grammar.rules[rule.0 as usize]) && self.facts.rule(rule).below.draws;
-        is_called.then(|| quote_spanned!(Span::mixed_site()=> cga_rt::hand_on(part);))
+        let is_called = !self.grammar.rules[rule.0 as usize].block && self.facts.rule(rule).below.draws;
+        is_called.then(|| code!(cga_rt::hand_on(part);))
     }
 
     /// The successor of a part of a split or comp; of type `Flow`.
     pub(super) fn part(&self, target: &Target, from: RuleId) -> TokenStream {
-        let place = Span::mixed_site();
         match target {
-            Target::Nil => quote_spanned!(place=> cga_rt::Flow::Continue(())),
-            Target::Leaf(name, _) => {
+            Target::Nil => code!(cga_rt::Flow::Continue(())),
+            Target::Leaf(name) => {
                 let name = self.leaves.number(name);
-                quote_spanned!(place=> cx.symbol(part, #name))
+                code!(cx.symbol(part, #name))
             }
             Target::Rule { rule, sites, args, span } => {
                 let call = self.call(from, (*rule, sites), args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
                 let values = args.iter().map(|arg| self.asked(arg, &Access::part()));
                 let hand_on = self.hand_on(*rule);
-                quote_spanned!(place=> {
+                code!({
                     #(let #names = #values;)*
                     #hand_on
                     #call
@@ -424,8 +407,8 @@ impl Generator<'_> {
 
 /// A copy of the current shape, as child number `number`.
 fn successor(number: u32) -> TokenStream {
-    let (place, number) = (Span::mixed_site(), Literal::u32_unsuffixed(number));
-    quote_spanned!(place=> let part = &cga_rt::successor(shape, #number);)
+    let number = Literal::u32_unsuffixed(number);
+    code!(let part = &cga_rt::successor(shape, #number);)
 }
 
 /// Returns true if a step changes the current shape.
@@ -433,14 +416,8 @@ fn changes(step: &Step) -> bool {
     matches!(step, Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..))
 }
 
-/// Returns true for a block of a split or comp: a part of the rule around it, not a rule that is called.
-pub(super) fn is_block(rule: &Rule) -> bool {
-    rule.block
-}
-
 fn leave(rule: &Rule) -> TokenStream {
-    let place = Span::mixed_site();
-    if is_block(rule) { quote_spanned!(place=> cga_rt::Flow::Continue(())) } else { quote_spanned!(place=> cx.leave()) }
+    if rule.block { code!(cga_rt::Flow::Continue(())) } else { code!(cx.leave()) }
 }
 
 /// The parameters that are given, with their types; locals are not.
@@ -455,10 +432,9 @@ fn base(steps: &[Step]) -> TokenStream {
         steps.iter().any(|step| match step {
             Step::Do(operation, ..) => operation.uses_base,
             Step::Case { arms, otherwise } => arms.iter().any(|(_, steps)| looks(steps)) || looks(otherwise),
-            Step::Chance { arms, otherwise } => arms.iter().any(|(_, steps)| looks(steps)) || looks(otherwise),
             // A bracket remembers its own.
             _ => false,
         })
     }
-    if looks(steps) { quote_spanned!(Span::mixed_site()=> let base = shape.scope();) } else { TokenStream::new() }
+    if looks(steps) { code!(let base = shape.scope();) } else { TokenStream::new() }
 }

@@ -4,10 +4,9 @@
 use std::collections::HashMap;
 
 use cga_lang::ir::{ExprKind, Grammar, Step, walk};
-use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote_spanned;
+use proc_macro2::{Ident, Literal, TokenStream};
 
-use super::{Generator, local};
+use super::{Generator, hygienic, local};
 
 /// Changes of the material that are the same in the whole run, or at a site.
 #[derive(Default)]
@@ -39,8 +38,7 @@ pub(super) fn names(grammar: &Grammar) -> impl Iterator<Item = &String> {
 
 /// The parameter of a definition with `count` sites, if it is shared.
 pub(super) fn param(count: usize) -> Option<(Ident, TokenStream)> {
-    let place = Span::mixed_site();
-    (0 < count).then(|| (Ident::new("site", place), quote_spanned!(place=> ::core::primitive::u32)))
+    (0 < count).then(|| (hygienic("site"), code!(::core::primitive::u32)))
 }
 
 /// The site that a call passes on, if the called definition is shared.
@@ -50,18 +48,17 @@ pub(super) fn passed(sites: &[u32]) -> Option<TokenStream> {
 
 /// The number of the site.
 pub(super) fn of_site(numbers: &[u32]) -> TokenStream {
-    let place = Span::mixed_site();
     let literal = |number: &u32| Literal::u32_suffixed(*number);
     let first = numbers.first().copied().unwrap_or_default();
     let value = literal(&first);
     if numbers.iter().all(|number| *number == first) {
-        return quote_spanned!(place=> #value);
+        return code!(#value);
     }
     if numbers.iter().zip(first..).all(|(number, next)| *number == next) {
-        return if first == 0 { quote_spanned!(place=> site) } else { quote_spanned!(place=> #value + site) };
+        return if first == 0 { code!(site) } else { code!(#value + site) };
     }
     let values = numbers.iter().map(literal);
-    quote_spanned!(place=> [#(#values),*][site as ::core::primitive::usize])
+    code!([#(#values),*][site as ::core::primitive::usize])
 }
 
 /// The number of sites that a step depends on; 0 for none.
@@ -82,7 +79,7 @@ fn sites(step: &Step) -> usize {
 impl Generator<'_> {
     /// A step that changes the material in the same way in the whole run, or at a site; `change` is its code.
     pub(super) fn paint(&self, step: &Step, change: TokenStream) -> TokenStream {
-        let (place, count) = (Span::mixed_site(), sites(step));
+        let count = sites(step);
         let paints = &mut *self.paints.borrow_mut();
         let next = paints.next;
         // Equal steps are one.
@@ -92,10 +89,10 @@ impl Generator<'_> {
         }
         let (name, number) = (local("paint_", number as usize), Literal::u32_unsuffixed(number));
         let (number, values) = match count {
-            0 => (quote_spanned!(place=> #number), quote_spanned!(place=> g)),
-            _ => (quote_spanned!(place=> #number + site), quote_spanned!(place=> &(g, site))),
+            0 => (code!(#number), code!(g)),
+            _ => (code!(#number + site), code!(&(g, site))),
         };
-        quote_spanned! { place=>
+        code! {
             let changed = cga_rt::slim::paint(cx.env, shape, #number, #values, CgaValues::#name);
             let changed = cga_rt::slim::instead(&changed);
             let shape = changed.as_ref().unwrap_or(shape);
@@ -104,7 +101,6 @@ impl Generator<'_> {
 
     /// One function for each such change. The rules come first.
     pub(super) fn paints(&self) -> TokenStream {
-        let place = Span::mixed_site();
         let mut paints: Vec<(usize, u32, TokenStream)> = self
             .paints
             .take()
@@ -116,11 +112,11 @@ impl Generator<'_> {
         let functions = paints.into_iter().map(|(count, number, change)| {
             let name = local("paint_", number as usize);
             let values = match count {
-                0 => quote_spanned!(place=> g: &CgaValues),
-                _ => quote_spanned!(place=> &(g, site): &(&CgaValues, ::core::primitive::u32)),
+                0 => code!(g: &CgaValues),
+                _ => code!(&(g, site): &(&CgaValues, ::core::primitive::u32)),
             };
             // The expressions of the step ask for `cx`.
-            quote_spanned! { place=>
+            code! {
                 fn #name(#values, env: &mut cga_rt::Env, shape: &mut cga_rt::Shape) {
                     let cx = cga_rt::Painting { env };
                     #change

@@ -2,11 +2,10 @@
 
 use cga_lang::ir::{self, Axis, Block, ExprKind, Item, Piece, Prefix, RuleId, Size, Solved, Target, Value};
 use cga_lang::ops::{Braces, Measure};
-use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote_spanned;
+use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
-use super::{Generator, local, site, templates};
+use super::{Generator, hygienic, local, site, templates};
 
 /// A split with what its slots have in common.
 struct Slots<'s> {
@@ -15,33 +14,14 @@ struct Slots<'s> {
     axis: TokenStream,
     /// True if the pieces are a list, false if they are laid out one by one.
     is_list: bool,
-    names: SplitFunctions,
+    /// True if the split is laid out in the rule.
+    in_place: bool,
 }
 
-/// The functions that a split calls.
-struct SplitFunctions {
-    new: Ident,
-    open: Ident,
-    turn: Ident,
-    part: Ident,
-    leaf: Ident,
-    skip: Ident,
-    end: Ident,
-}
-
-impl SplitFunctions {
-    /// With `in_place` the functions that become part of the rule, else those that are compiled once.
-    fn new(in_place: bool) -> Self {
-        let name = |inlined, shared| Ident::new(if in_place { inlined } else { shared }, Span::mixed_site());
-        SplitFunctions {
-            new: name("new", "any"),
-            open: name("open", "any_open"),
-            turn: name("turn", "any_turn"),
-            part: name("part", "any_part"),
-            leaf: name("leaf", "any_leaf"),
-            skip: name("skip", "any_skip"),
-            end: name("end", "any_end"),
-        }
+impl Slots<'_> {
+    /// The runtime's function of that name: one that becomes part of the rule, else the one that is compiled once.
+    fn function(&self, name: &str) -> Ident {
+        if self.in_place { hygienic(name) } else { hygienic(&format!("any_{name}")) }
     }
 }
 
@@ -56,21 +36,20 @@ impl Generator<'_> {
     /// Statements that divide the shape; whether they have done so is `division.has_parts()`. `number` counts the children that
     /// the rule makes.
     pub(super) fn split(&self, block: &Block, slots: &ir::Slots, rule: RuleId, number: u32) -> TokenStream {
-        let place = Span::mixed_site();
         let Braces::Slots(measure) = block.row.braces else { return TokenStream::new() };
         // Parts in texture space do not come along an axis, and their scopes are found with them.
         let axis = match block.axis() {
-            Some(Axis::X) | None => quote_spanned!(place=> cga_rt::Axis::X),
-            Some(Axis::Y) => quote_spanned!(place=> cga_rt::Axis::Y),
-            Some(Axis::Z) => quote_spanned!(place=> cga_rt::Axis::Z),
+            Some(Axis::X) | None => code!(cga_rt::Axis::X),
+            Some(Axis::Y) => code!(cga_rt::Axis::Y),
+            Some(Axis::Z) => code!(cga_rt::Axis::Z),
         };
         let adjusts = block.adjusts() && measure != Measure::Texture;
-        let adjust = if adjusts { quote_spanned!(place=> Adjust) } else { quote_spanned!(place=> NoAdjust) };
+        let adjust = if adjusts { code!(Adjust) } else { code!(NoAdjust) };
         // A list cannot tell the repetitions of a group from those of a group around it.
         let solved = slots.solved.as_ref().filter(|_| !has_nested_groups(&slots.pattern));
         let in_place = self.is_in_place(slots, rule);
         let is_list = solved.is_some() || measure != Measure::Length;
-        let row = if is_list { list() } else { quote_spanned!(place=> pieces.cursor()) };
+        let row = if is_list { code!(cga_rt::List::new(pieces)) } else { code!(pieces.cursor()) };
         let pieces = match (solved, measure) {
             (Some(solved), _) => known(solved, &axis),
             (None, Measure::Area) => self.areas(slots, &axis),
@@ -78,29 +57,28 @@ impl Generator<'_> {
             (None, Measure::Texture) => self.textures(block, slots),
         };
         let is_counted = slots.targets.iter().any(|target| self.facts.target(target).total);
-        let total =
-            if is_counted { quote_spanned!(place=> cga_rt::Row::total(&pieces)) } else { quote_spanned!(place=> 0) };
-        let slots = Slots { slots, rule, axis, is_list, names: SplitFunctions::new(in_place) };
+        let total = if is_counted { code!(cga_rt::Row::total(&pieces)) } else { code!(0) };
+        let slots = Slots { slots, rule, axis, is_list, in_place };
         let statements = self.items(&slots, &slots.slots.pattern, At::default(), false);
-        let (axis, number, SplitFunctions { new, end, .. }) =
-            (&slots.axis, Literal::u32_unsuffixed(number), &slots.names);
+        let (axis, number) = (&slots.axis, Literal::u32_unsuffixed(number));
+        let (new, end) = (hygienic(if in_place { "new" } else { "any" }), slots.function("end"));
         let made = match measure {
             Measure::Texture => TokenStream::new(),
             _ if in_place => {
                 let again = match is_list {
-                    true => quote_spanned!(place=> pieces),
-                    false => quote_spanned!(place=> cga_rt::Pattern { items: PATTERN, sizes: &SIZES, extent }),
+                    true => code!(pieces),
+                    false => code!(cga_rt::Pattern { items: PATTERN, sizes: &SIZES, extent }),
                 };
-                quote_spanned! { place=>
+                code! {
                     let at_most = cga_rt::Row::at_most(&pieces);
                     let made = cga_rt::Made::new(cx.env, shape, #axis, cga_rt::Adjust::#adjust, at_most, #again)?;
                 }
             }
-            _ => quote_spanned! { place=>
+            _ => code! {
                 let made = cga_rt::Made::any(cx.env, shape, #axis, cga_rt::Adjust::#adjust, pieces)?;
             },
         };
-        quote_spanned! { place=>
+        code! {
             #pieces
             #made
             let mut division =
@@ -113,7 +91,6 @@ impl Generator<'_> {
 
     /// The statements of a part of the pattern.
     fn items(&self, slots: &Slots<'_>, pattern: &[Item], mut at: At, in_group: bool) -> TokenStream {
-        let place = Span::mixed_site();
         let mut code = TokenStream::new();
         let mut rest = pattern;
         while let Some((item, behind)) = rest.split_first() {
@@ -128,20 +105,20 @@ impl Generator<'_> {
                     rest = behind;
                     let count = inside.iter().filter(|item| matches!(item, Item::Slot)).count();
                     let group = local("group", at.group);
-                    let SplitFunctions { open, turn, .. } = &slots.names;
+                    let [open, turn] = ["open", "turn"].map(|name| slots.function(name));
                     let opened = if slots.is_list {
                         let [from, to] = [at.slot, at.slot + count].map(|slot| Literal::u32_unsuffixed(slot as u32));
-                        quote_spanned!(place=> row.#open(#from..#to))
+                        code!(row.#open(#from..#to))
                     } else {
                         let number = Literal::usize_unsuffixed(at.group);
-                        quote_spanned!(place=> row.#open(pieces, #number))
+                        code!(row.#open(pieces, #number))
                     };
                     let items = self.items(slots, inside, At { group: at.group + 1, ..at }, true);
                     // An inner group declares those of its own slots.
                     let repeated =
                         own_slots(inside).map(|slot| at.slot + slot).filter(|slot| self.root(slots, *slot).is_some());
                     let last = repeated.map(|slot| local("last", slot));
-                    code.extend(quote_spanned! { place=>
+                    code.extend(code! {
                         #(let mut #last = ::core::default::Default::default();)*
                         let mut #group = #opened;
                         while row.#turn(&mut #group) {
@@ -158,13 +135,13 @@ impl Generator<'_> {
 
     /// The statement of a slot.
     fn slot(&self, slots: &Slots<'_>, slot: usize, in_group: bool) -> TokenStream {
-        let (place, axis, SplitFunctions { part, leaf, skip, .. }) = (Span::mixed_site(), &slots.axis, &slots.names);
+        let (axis, [part, leaf, skip]) = (&slots.axis, ["part", "leaf", "skip"].map(|name| slots.function(name)));
         let number = Literal::usize_unsuffixed(slot);
         match &slots.slots.targets[slot] {
-            Target::Nil => quote_spanned!(place=> division.#skip(&mut row, #number);),
-            Target::Leaf(name, _) => {
+            Target::Nil => code!(division.#skip(&mut row, #number);),
+            Target::Leaf(name) => {
                 let name = self.leaves.number(name);
-                quote_spanned!(place=> division.#leaf(cx, &mut row, #axis, #number, #name)?;)
+                code!(division.#leaf(cx, &mut row, #axis, #number, #name)?;)
             }
             target @ Target::Rule { .. } => {
                 let code = match self.root(slots, slot).filter(|_| in_group) {
@@ -173,7 +150,7 @@ impl Generator<'_> {
                 };
                 let uses = self.facts.target(target);
                 let (draws, counts) = (uses.draws, uses.index || uses.total);
-                quote_spanned! { place=>
+                code! {
                     let slot = cga_rt::Slot { number: #number, in_group: #in_group, draws: #draws, counts: #counts };
                     if let ::core::option::Option::Some(part) = division.#part(&mut row, #axis, slot) {
                         let flow: cga_rt::Flow = #code;
@@ -203,14 +180,13 @@ impl Generator<'_> {
     /// Runs a rule on a part that repeats; of type `Flow`.
     fn repeat(&self, rule: RuleId, target: &Target, slots: &Slots<'_>, slot: usize) -> TokenStream {
         let Target::Rule { sites, span, .. } = target else { return TokenStream::new() };
-        let (place, name) = (Span::mixed_site(), self.rule(rule, self.source.token(span.first)));
+        let name = self.rule(rule, self.source.token(span.first));
         let number = Literal::u32_unsuffixed(self.templates.places(sites.len().max(1) as u32));
         let (hand_on, axis, last) = (self.hand_on(rule), &slots.axis, local("last", slot));
         if let Some(passed) = site::passed(sites) {
             // A template for each site of the caller.
-            let number =
-                if sites.len() == 1 { quote_spanned!(place=> #number) } else { quote_spanned!(place=> #number + site) };
-            return quote_spanned! { place=> {
+            let number = if sites.len() == 1 { code!(#number) } else { code!(#number + site) };
+            return code! { {
                 #hand_on
                 cx.repeat(
                     #number,
@@ -222,7 +198,7 @@ impl Generator<'_> {
                 )
             } };
         }
-        quote_spanned! { place=> {
+        code! { {
             #hand_on
             cx.repeat(#number, &mut #last, g, (part, #axis), CgaRules::#name, CgaRules::cga_resume)
         } }
@@ -230,10 +206,10 @@ impl Generator<'_> {
 
     /// The solution of a split along lengths.
     fn lengths(&self, slots: &ir::Slots, axis: &TokenStream, in_place: bool) -> TokenStream {
-        let (place, count) = (Span::mixed_site(), slots.sizes.len());
+        let count = slots.sizes.len();
         let (sizes, name) = self.sizes(slots, true);
-        let solve = Ident::new(if in_place { "solve" } else { "solve_any" }, place);
-        quote_spanned! { place=>
+        let solve = hygienic(if in_place { "solve" } else { "solve_any" });
+        code! {
             #sizes
             let mut lengths = [0.0; #count];
             let extent = cga_rt::extent(cx.env, shape, #axis);
@@ -243,9 +219,8 @@ impl Generator<'_> {
 
     /// The pieces of a split along areas.
     fn areas(&self, slots: &ir::Slots, axis: &TokenStream) -> TokenStream {
-        let place = Span::mixed_site();
         let (sizes, name) = self.sizes(slots, false);
-        quote_spanned! { place=>
+        code! {
             #sizes
             let pieces = cga_rt::areas(cx.env, shape, #axis, PATTERN, #name);
             let pieces = pieces.as_slice();
@@ -254,10 +229,9 @@ impl Generator<'_> {
 
     /// The pieces of a split in texture space, with their shapes.
     fn textures(&self, block: &Block, slots: &ir::Slots) -> TokenStream {
-        let place = Span::mixed_site();
         let (sizes, name) = self.sizes(slots, false);
         let args = self.args(block.row, &block.args, &Access::rule(), Generator::asked, &TokenStream::new());
-        quote_spanned! { place=>
+        code! {
             #sizes
             let axis = (#(#args),*);
             let (pieces, made) = cga_rt::texture(cx.env, shape, axis, PATTERN, #name)?;
@@ -267,12 +241,12 @@ impl Generator<'_> {
 
     /// The pattern and the sizes, with the name of these.
     fn sizes(&self, slots: &ir::Slots, are_lengths: bool) -> (TokenStream, Ident) {
-        let (place, count) = (Span::mixed_site(), slots.sizes.len());
+        let count = slots.sizes.len();
         let items = slots.pattern.iter().map(|item| match item {
-            Item::Slot => quote_spanned!(place=> cga_rt::Item::Slot),
+            Item::Slot => code!(cga_rt::Item::Slot),
             Item::Repeat(len) => {
                 let len = Literal::u32_unsuffixed(*len);
-                quote_spanned!(place=> cga_rt::Item::Repeat(#len))
+                code!(cga_rt::Item::Repeat(#len))
             }
         });
         let place_of = Access::rule();
@@ -280,49 +254,43 @@ impl Generator<'_> {
         let constant =
             |size: &Size| matches!(size.value.kind, ExprKind::Value(Value::Float(value)) if value.is_finite());
         let is_constant = are_lengths && slots.sizes.iter().all(constant);
-        let name = Ident::new(if is_constant { "SIZES" } else { "sizes" }, place);
+        let name = hygienic(if is_constant { "SIZES" } else { "sizes" });
         let sizes = if is_constant {
-            quote_spanned!(place=> const SIZES: [cga_rt::Size; #count] = [#(#values),*];)
+            code!(const SIZES: [cga_rt::Size; #count] = [#(#values),*];)
         } else if are_lengths {
-            quote_spanned! { place=>
+            code! {
                 let sizes: [cga_rt::Size; #count] = [#(#values),*];
                 let sizes = cga_rt::sizes(cx.env, sizes);
             }
         } else {
-            quote_spanned!(place=> let sizes: [cga_rt::Size; #count] = [#(#values),*];)
+            code!(let sizes: [cga_rt::Size; #count] = [#(#values),*];)
         };
-        (quote_spanned!(place=> const PATTERN: &[cga_rt::Item] = &[#(#items),*]; #sizes), name)
+        (code!(const PATTERN: &[cga_rt::Item] = &[#(#items),*]; #sizes), name)
     }
 }
 
 /// A size as the solver takes it.
 pub(super) fn prefixed(prefix: Prefix, value: &TokenStream) -> TokenStream {
-    let place = Span::mixed_site();
     match prefix {
-        Prefix::Absolute => quote_spanned!(place=> cga_rt::Size::absolute(#value)),
-        Prefix::Relative => quote_spanned!(place=> cga_rt::Size::relative(#value)),
-        Prefix::Floating => quote_spanned!(place=> cga_rt::Size::floating(#value)),
+        Prefix::Absolute => code!(cga_rt::Size::absolute(#value)),
+        Prefix::Relative => code!(cga_rt::Size::relative(#value)),
+        Prefix::Floating => code!(cga_rt::Size::floating(#value)),
     }
 }
 
 /// The pieces of a split that is solved.
 fn known(solved: &Solved, axis: &TokenStream) -> TokenStream {
-    let place = Span::mixed_site();
     let extent = Literal::f64_unsuffixed(solved.extent);
     let pieces = solved.pieces.iter().map(|piece| {
         let Piece { slot, start, end, length } = *piece;
         let slot = Literal::u32_unsuffixed(slot);
         let [start, end, length] = [start, end, length].map(Literal::f64_unsuffixed);
-        quote_spanned!(place=> cga_rt::Piece { slot: #slot, start: #start, end: #end, length: #length })
+        code!(cga_rt::Piece { slot: #slot, start: #start, end: #end, length: #length })
     });
-    quote_spanned! { place=>
+    code! {
         const PIECES: &[cga_rt::Piece] = &[#(#pieces),*];
         let pieces = cga_rt::solved(cx.env, shape, #axis, #extent, PIECES);
     }
-}
-
-fn list() -> TokenStream {
-    quote_spanned!(Span::mixed_site()=> cga_rt::List::new(pieces))
 }
 
 /// The slots of a pattern that are in none of its groups.

@@ -12,11 +12,10 @@
 use std::collections::HashMap;
 
 use cga_lang::graph::components;
-use cga_lang::ir::walk::called;
+use cga_lang::ir::walk::calls;
 use cga_lang::ir::{Grammar, RuleId};
 
 use super::frame;
-use super::rule::is_block;
 
 /// Kilobytes, in a build without optimisation, that a chain of calls may take without asking.
 const UNASKED: u32 = 256;
@@ -39,28 +38,26 @@ pub(super) struct Plan {
 impl Plan {
     pub(super) fn new(grammar: &Grammar) -> Self {
         let rules = &grammar.rules;
-        let calls: Vec<Vec<RuleId>> = rules.iter().map(|rule| called(&rule.body)).collect();
+        let calls = calls(grammar, |_| true);
         let own: Vec<u32> = rules.iter().map(frame::rule).collect();
         let mut plan = Plan { asks: HashMap::new(), may_wait: vec![false; rules.len()] };
         // The rules of a cycle have one reach.
         let mut reach: Vec<u32> = own.clone();
-        let edges: Vec<Vec<usize>> =
-            calls.iter().map(|list| list.iter().map(|rule| rule.0 as usize).collect()).collect();
         // Every group after all that call it.
-        for group in components(&edges).into_iter().rev() {
+        for group in components(&calls).into_iter().rev() {
             let most = group.iter().map(|&rule| reach[rule]).max().unwrap_or(0);
             group.iter().for_each(|&rule| reach[rule] = most);
             for from in group {
                 for &to in &calls[from] {
-                    let share = own[to.0 as usize];
-                    let (cycle, from) = (rules[from].cycle, RuleId(from as u32));
-                    if cycle.is_some() && cycle == rules[to.0 as usize].cycle {
-                        let levels = u32::from(!is_block(&rules[to.0 as usize]));
+                    let share = own[to];
+                    let cycle = rules[from].cycle;
+                    if cycle.is_some() && cycle == rules[to].cycle {
+                        let levels = u32::from(!rules[to].block);
                         plan.ask(from, to, Ask { levels, stack: share });
                     } else if UNASKED < most + share {
                         plan.ask(from, to, Ask { levels: 0, stack: most });
                     } else {
-                        let other = &mut reach[to.0 as usize];
+                        let other = &mut reach[to];
                         *other = (*other).max(most + share);
                     }
                 }
@@ -69,9 +66,9 @@ impl Plan {
         plan
     }
 
-    fn ask(&mut self, from: RuleId, to: RuleId, ask: Ask) {
-        self.asks.insert((from, to), ask);
-        self.may_wait[to.0 as usize] = true;
+    fn ask(&mut self, from: usize, to: usize, ask: Ask) {
+        self.asks.insert((RuleId(from as u32), RuleId(to as u32)), ask);
+        self.may_wait[to] = true;
     }
 
     /// The question before a call; `None` for a direct one.

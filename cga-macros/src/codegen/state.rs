@@ -2,9 +2,8 @@
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-use cga_lang::ir::{AttrId, Expr, ExprKind, Global, Grammar, Renew, Type};
-use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote_spanned;
+use cga_lang::ir::{ExprKind, Global, GlobalId, Grammar, Renew, Type};
+use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
 use super::fields::Field;
@@ -16,58 +15,47 @@ const PIECE: usize = 32;
 
 impl Generator<'_> {
     /// The value of an attribute or constant of the run. If rules may set it, the shape's own value comes first.
-    pub(super) fn global(&self, global: Global, ty: Type, is_set: bool, at: &Access) -> TokenStream {
-        let (place, name) = (Span::mixed_site(), self.global_name(global));
-        let (lazy, g) = (self.is_lazy(global), quote_spanned!(place=> g));
-        let held = if lazy { self.lazy_value(global, &g, &at.env) } else { quote_spanned!(place=> g.#name) };
-        match (is_set, lazy) {
-            (true, _) => self.of_shape(global, ty, &at.shape, &held),
+    pub(super) fn global(&self, id: GlobalId, at: &Access) -> TokenStream {
+        let (name, global) = (self.global_name(id), self.grammar.global(id));
+        let g = code!(g);
+        let held = if global.lazy { self.lazy_value(id, &g, &at.env) } else { code!(g.#name) };
+        match (global.is_set, global.lazy) {
+            (true, _) => self.of_shape(id, &at.shape, &held),
             (false, true) => held,
-            (false, false) => cloned(ty, held),
+            (false, false) => cloned(global.ty, held),
         }
     }
 
     /// The value that a shape has of its own, else the one given.
-    fn of_shape(&self, global: Global, ty: Type, shape: &TokenStream, held: &TokenStream) -> TokenStream {
-        let (place, number, get) = (Span::mixed_site(), self.number(global), types::function(ty, "attribute"));
+    fn of_shape(&self, global: GlobalId, shape: &TokenStream, held: &TokenStream) -> TokenStream {
+        let ty = self.grammar.global(global).ty;
+        let (number, get) = (number(global), types::function(ty, "attribute"));
         match ty {
-            Type::Float | Type::Bool => quote_spanned!(place=> cga_rt::get::#get(#shape, #number, #held)),
-            _ => quote_spanned!(place=> cga_rt::get::#get(#shape, #number, &#held)),
+            Type::Float | Type::Bool => code!(cga_rt::get::#get(#shape, #number, #held)),
+            _ => code!(cga_rt::get::#get(#shape, #number, &#held)),
         }
     }
 
     /// Gives the current shape a value of its own, from the local `value`.
-    pub(super) fn set(&self, global: Global, ty: Type, value: &Ident) -> TokenStream {
-        let (number, kind) = (self.number(global), types::variant(ty));
-        quote_spanned!(Span::mixed_site()=> cga_rt::set::attribute(shape, #number, cga_rt::Value::#kind(#value));)
-    }
-
-    /// The number of the value in a shape: constants come after the attributes.
-    fn number(&self, global: Global) -> Literal {
-        Literal::u32_suffixed(self.plain_number(global))
-    }
-
-    fn plain_number(&self, global: Global) -> u32 {
-        match global {
-            Global::Attr(id) => id.0,
-            Global::Const(id) => self.grammar.attrs.len() as u32 + id.0,
-        }
+    pub(super) fn set(&self, global: GlobalId, ty: Type, value: &Ident) -> TokenStream {
+        let (number, kind) = (number(global), types::variant(ty));
+        code!(cga_rt::set::attribute(shape, #number, cga_rt::Value::#kind(#value));)
     }
 
     /// The given values, and the copy on which all others are computed again.
     pub(super) fn renew(&self, call: &Renew, number: &Literal) -> (TokenStream, TokenStream) {
-        let (place, at) = (Span::mixed_site(), Access::rule());
+        let at = Access::rule();
         let names: Vec<Ident> = (0..call.given.len()).map(|number| local("given_", number)).collect();
         let values = call.given.iter().map(|(_, value)| self.asked(value, &at));
-        let given = quote_spanned!(place=> #(let #names = #values;)*);
-        let set = call.given.iter().zip(&names).map(|((id, value), name)| self.set(Global::Attr(*id), value.ty, name));
-        let mut ids: Vec<AttrId> = call.given.iter().map(|(id, _)| *id).collect();
+        let given = code!(#(let #names = #values;)*);
+        let set = call.given.iter().zip(&names).map(|((id, value), name)| self.set(*id, value.ty, name));
+        let mut ids: Vec<GlobalId> = call.given.iter().map(|(id, _)| *id).collect();
         ids.sort_unstable();
-        let numbers = ids.into_iter().map(|id| self.number(Global::Attr(id)));
+        let numbers = ids.into_iter().map(|id| Literal::u32_suffixed(id.0));
         let renew = local("renew_", call.renewal.0 as usize);
         (
             given,
-            quote_spanned! { place=>
+            code! {
                 let mut whole = cx.env.whole(&cga_rt::push(shape, #number));
                 {
                     let shape = &mut whole;
@@ -82,7 +70,6 @@ impl Generator<'_> {
 
     /// One function for each renewal: it sets all values except the given ones, on the copy.
     pub(super) fn renewals(&self) -> TokenStream {
-        let place = Span::mixed_site();
         self.grammar
             .renewals
             .iter()
@@ -101,7 +88,7 @@ impl Generator<'_> {
                     .collect();
                 let pieces = steps.chunks(PIECE).enumerate().map(|(piece, steps)| {
                     let name = local(&format!("renew_{number}_"), piece);
-                    quote_spanned! { place=>
+                    code! {
                         fn #name(
                             g: &CgaValues,
                             env: &mut cga_rt::Env,
@@ -113,7 +100,7 @@ impl Generator<'_> {
                     }
                 });
                 let names = (0..steps.len().div_ceil(PIECE)).map(|piece| local(&format!("renew_{number}_"), piece));
-                quote_spanned! { place=>
+                code! {
                     fn #name(
                         g: &CgaValues,
                         env: &mut cga_rt::Env,
@@ -129,57 +116,43 @@ impl Generator<'_> {
     }
 
     /// Computes one attribute or constant again. The numbers in `given` are sorted; constants cannot be given.
-    fn renewed_global(&self, global: Global) -> TokenStream {
-        let place = Span::mixed_site();
-        let (computed, is_given) = match global {
-            Global::Attr(id) => {
-                let number = self.number(global);
-                let is_given = quote_spanned!(place=> given.binary_search(&#number).is_ok());
-                (&self.grammar.attrs[id.0 as usize].default, Some(is_given))
-            }
-            Global::Const(id) => (&self.grammar.consts[id.0 as usize].value, None),
-        };
+    fn renewed_global(&self, id: GlobalId) -> TokenStream {
+        let (global, number) = (self.grammar.global(id), number(id));
         let value = &local("value_", 0);
-        let (code, set) = (self.started_anew(global, computed), self.set(global, computed.ty, value));
-        match is_given {
-            Some(is_given) => quote_spanned!(place=> if !#is_given { let #value = #code; #set }),
-            None => quote_spanned!(place=> let #value = #code; #set),
+        let (code, set) = (self.renewed_value(global), self.set(id, global.value.ty, value));
+        match global.attr {
+            Some(_) => code!(if !given.binary_search(&#number).is_ok() { let #value = #code; #set }),
+            None => code!(let #value = #code; #set),
         }
     }
 
     /// Computes lazy attributes and constants again, on a copy of the run's values in which they are open.
-    fn renewed_lazy(&self, globals: &[Global]) -> TokenStream {
-        let place = Span::mixed_site();
-        let mut numbers: Vec<u32> = globals.iter().map(|global| self.plain_number(*global)).collect();
+    fn renewed_lazy(&self, globals: &[GlobalId]) -> TokenStream {
+        let mut numbers: Vec<u32> = globals.iter().map(|id| id.0).collect();
         numbers.sort_unstable();
         let numbers = numbers.into_iter().map(Literal::u32_suffixed);
-        let open = globals.iter().map(|global| {
-            let (name, number) = (self.global_name(*global), self.number(*global));
-            let Global::Attr(id) = global else {
-                return quote_spanned!(place=> own.#name = ::core::default::Default::default(););
-            };
-            let attr = &self.grammar.attrs[id.0 as usize];
-            let none = quote_spanned!(place=> ::core::default::Default::default());
-            let given = self.of_shape(*global, attr.ty, &quote_spanned!(place=> shape), &none);
-            let host = self.renewed.binary_search(&attr.name).ok().map_or(none, |field| {
+        let open = globals.iter().map(|&id| {
+            let (name, global, number) = (self.global_name(id), self.grammar.global(id), number(id));
+            let none = code!(::core::default::Default::default());
+            if global.attr.is_none() {
+                return code!(own.#name = #none;);
+            }
+            let given = self.of_shape(id, &code!(shape), &none);
+            let host = self.renewed.binary_search(&global.name).ok().map_or(none, |field| {
                 let field = local("field_", field);
-                quote_spanned!(place=> cga_rt::Lazy::given(::core::clone::Clone::clone(&g.#field)))
+                code!(cga_rt::Lazy::given(::core::clone::Clone::clone(&g.#field)))
             });
-            quote_spanned! { place=>
+            code! {
                 own.#name = if given.binary_search(&#number).is_ok() { cga_rt::Lazy::known(#given) } else { #host };
             }
         });
-        let set = globals.iter().map(|global| {
-            let ty = match global {
-                Global::Attr(id) => self.grammar.attrs[id.0 as usize].ty,
-                Global::Const(id) => self.grammar.consts[id.0 as usize].ty,
-            };
+        let set = globals.iter().map(|&id| {
             let value = local("value_", 0);
-            let computed = self.lazy_value(*global, &quote_spanned!(place=> &own), &quote_spanned!(place=> env));
-            let set = self.set(*global, ty, &value);
-            quote_spanned!(place=> let #value = #computed; #set)
+            let computed = self.lazy_value(id, &code!(&own), &code!(env));
+            let set = self.set(id, self.grammar.global(id).ty, &value);
+            code!(let #value = #computed; #set)
         });
-        quote_spanned! { place=>
+        code! {
             let mut own = ::core::clone::Clone::clone(g);
             own.origin = cga_rt::Origin::anew(shape, &[#(#numbers),*]);
             #(#open)*
@@ -189,30 +162,23 @@ impl Generator<'_> {
 
     /// The renewed value of an attribute or constant: the one from the host program, else it is computed, with random
     /// numbers of its own.
-    fn started_anew(&self, global: Global, computed: &Expr) -> TokenStream {
-        let place = Span::mixed_site();
-        let code = self.expr(computed, &Access::function());
-        let (name, field) = match global {
-            Global::Attr(id) => {
-                let name = &self.grammar.attrs[id.0 as usize].name;
-                (name, self.renewed.binary_search(name).ok())
-            }
-            Global::Const(id) => (&self.grammar.consts[id.0 as usize].name, None),
-        };
-        let code = match computed.kind {
+    fn renewed_value(&self, global: &Global) -> TokenStream {
+        let code = self.expr(&global.value, &Access::function());
+        let code = match global.value.kind {
             ExprKind::Value(_) => code,
             _ => {
-                let number = stream(name);
-                quote_spanned!(place=> cga_rt::anew(shape, #number, |shape| #code))
+                let number = stream(&global.name);
+                code!(cga_rt::anew(shape, #number, |shape| #code))
             }
         };
+        let field = self.renewed.binary_search(&global.name).ok().filter(|_| global.attr.is_some());
         let Some(field) = field else { return code };
         let field = local("field_", field);
-        let (held, given) = match computed.ty {
-            Type::Float | Type::Bool => (quote_spanned!(place=> g.#field), quote_spanned!(place=> given)),
-            _ => (quote_spanned!(place=> &g.#field), quote_spanned!(place=> ::core::clone::Clone::clone(given))),
+        let (held, given) = match global.ty {
+            Type::Float | Type::Bool => (code!(g.#field), code!(given)),
+            _ => (code!(&g.#field), code!(::core::clone::Clone::clone(given))),
         };
-        quote_spanned! { place=>
+        code! {
             match #held {
                 ::core::option::Option::Some(given) => #given,
                 ::core::option::Option::None => #code,
@@ -222,28 +188,28 @@ impl Generator<'_> {
 
     /// The values that the host program gave to attributes of renewals: names and types of values of the run.
     pub(super) fn held_fields(&self) -> Vec<(Ident, TokenStream)> {
-        let types: HashMap<&String, Type> = self.grammar.attrs.iter().map(|attr| (&attr.name, attr.ty)).collect();
+        let attrs = self.grammar.globals.iter().filter(|global| global.attr.is_some());
+        let types: HashMap<&String, Type> = attrs.map(|attr| (&attr.name, attr.ty)).collect();
         let held = self.renewed.iter().enumerate().filter_map(|(number, name)| Some((number, *types.get(name)?)));
         held.map(|(number, ty)| {
             let ty = inner_type(ty);
-            (local("field_", number), quote_spanned!(Span::mixed_site()=> ::core::option::Option<#ty>))
+            (local("field_", number), code!(::core::option::Option<#ty>))
         })
         .collect()
     }
 
     /// Fills them.
     pub(super) fn hold_fields(&self, fields: &HashMap<&str, &Field<'_>>) -> TokenStream {
-        let place = Span::mixed_site();
         let held = self.renewed.iter().enumerate().filter_map(|(number, name)| {
             let (own, field) = (local("field_", number), fields.get(name.as_str())?);
             let value = match field.known {
                 Some(_) => {
                     let value = field.plain();
-                    quote_spanned!(place=> ::core::option::Option::Some(#value))
+                    code!(::core::option::Option::Some(#value))
                 }
                 None => field.optional(),
             };
-            Some(quote_spanned!(place=> g.#own = #value;))
+            Some(code!(g.#own = #value;))
         });
         held.collect()
     }
@@ -251,15 +217,16 @@ impl Generator<'_> {
 
 /// The names of attributes of renewals that have a field.
 pub(super) fn renewed(grammar: &Grammar) -> Vec<String> {
-    let globals = grammar.renewals.iter().flat_map(|renewal| &renewal.globals);
-    let names: BTreeSet<&String> = globals
-        .filter_map(|global| match global {
-            Global::Attr(id) => Some(&grammar.attrs[id.0 as usize].name),
-            Global::Const(_) => None,
-        })
-        .collect();
-    let public: HashSet<&String> = grammar.attrs.iter().filter(|attr| attr.public).map(|attr| &attr.name).collect();
+    let globals = grammar.renewals.iter().flat_map(|renewal| &renewal.globals).map(|id| grammar.global(*id));
+    let names: BTreeSet<&String> = globals.filter(|global| global.attr.is_some()).map(|global| &global.name).collect();
+    let public: HashSet<&String> =
+        grammar.globals.iter().filter(|global| global.public).map(|global| &global.name).collect();
     names.into_iter().filter(|name| public.contains(name)).cloned().collect()
+}
+
+/// The number of an attribute or constant in a shape.
+fn number(id: GlobalId) -> Literal {
+    Literal::u32_suffixed(id.0)
 }
 
 /// The number of an attribute's or constant's random stream: from its name (FNV-1a), so that adding another one changes

@@ -32,11 +32,12 @@ impl Templates {
             });
         }
         let (mut met, mut holes): (HashSet<RuleId>, HashSet<(RuleId, RuleId)>) = Default::default();
+        let calls = walk::calls(grammar, |_| true);
         while let Some(rule) = todo.pop() {
             if !met.insert(rule) {
                 continue;
             }
-            for called in walk::called(&grammar.rules[rule.0 as usize].body) {
+            for called in calls[rule.0 as usize].iter().map(|called| RuleId(*called as u32)) {
                 if is_open(rule, called) {
                     holes.insert((rule, called));
                 } else {

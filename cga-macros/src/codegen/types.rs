@@ -1,19 +1,20 @@
 //! The Rust types of the language's types, and everything else that differs from type to type.
 
 use cga_lang::ir::{Type, Value};
-use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::{quote, quote_spanned};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+use super::hygienic;
 
 /// The Rust type of a value inside the rules. `runtime` is the path of the runtime there.
 pub(super) fn inner(ty: Type, runtime: &TokenStream) -> TokenStream {
-    let place = Span::mixed_site();
     match ty {
-        Type::Float => quote_spanned!(place=> ::core::primitive::f64),
-        Type::Bool => quote_spanned!(place=> ::core::primitive::bool),
-        Type::Text => quote_spanned!(place=> #runtime::Text),
+        Type::Float => code!(::core::primitive::f64),
+        Type::Bool => code!(::core::primitive::bool),
+        Type::Text => code!(#runtime::Text),
         Type::Floats | Type::Bools | Type::Texts => {
             let element = inner(ty.element(), runtime);
-            quote_spanned!(place=> #runtime::Array<#element>)
+            code!(#runtime::Array<#element>)
         }
     }
 }
@@ -21,7 +22,7 @@ pub(super) fn inner(ty: Type, runtime: &TokenStream) -> TokenStream {
 /// The Rust type of a public field.
 pub(super) fn outer(ty: Type, runtime: &TokenStream) -> TokenStream {
     match ty {
-        Type::Text => quote_spanned!(Span::mixed_site()=> #runtime::String),
+        Type::Text => code!(#runtime::String),
         ty => inner(ty, runtime),
     }
 }
@@ -36,61 +37,59 @@ pub(super) fn variant(ty: Type) -> Ident {
         Type::Bools => "Bools",
         Type::Texts => "Texts",
     };
-    Ident::new(name, Span::mixed_site())
+    hygienic(name)
 }
 
 /// A function of the runtime that exists for each type: `float_attribute` and so on.
 pub(super) fn function(ty: Type, what: &str) -> Ident {
-    Ident::new(&format!("{}_{what}", variant(ty).to_string().to_lowercase()), Span::mixed_site())
+    hygienic(&format!("{}_{what}", variant(ty).to_string().to_lowercase()))
 }
 
 /// The function of the runtime's `later` module for a value of that type.
 pub(super) fn later(ty: Type) -> Ident {
-    Ident::new(&variant(ty).to_string().to_lowercase(), Span::mixed_site())
+    hygienic(&variant(ty).to_string().to_lowercase())
 }
 
 /// The value of a place: numbers and truth values are copied, the rest is shared.
 pub(super) fn cloned(ty: Type, place: TokenStream) -> TokenStream {
     match ty {
         Type::Float | Type::Bool => place,
-        _ => quote_spanned!(Span::mixed_site()=> ::core::clone::Clone::clone(&#place)),
+        _ => code!(::core::clone::Clone::clone(&#place)),
     }
 }
 
 /// A constant.
 pub(super) fn value(value: &Value) -> TokenStream {
-    let place = Span::mixed_site();
     match value {
-        Value::Float(number) if number.is_nan() => quote_spanned!(place=> ::core::primitive::f64::NAN),
+        Value::Float(number) if number.is_nan() => code!(::core::primitive::f64::NAN),
         Value::Float(number) if number.is_infinite() && *number < 0.0 => {
-            quote_spanned!(place=> ::core::primitive::f64::NEG_INFINITY)
+            code!(::core::primitive::f64::NEG_INFINITY)
         }
-        Value::Float(number) if number.is_infinite() => quote_spanned!(place=> ::core::primitive::f64::INFINITY),
+        Value::Float(number) if number.is_infinite() => code!(::core::primitive::f64::INFINITY),
         Value::Float(number) => {
             let digits = Literal::f64_suffixed(number.abs());
-            if number.is_sign_negative() { quote_spanned!(place=> (-#digits)) } else { quote!(#digits) }
+            if number.is_sign_negative() { code!((-#digits)) } else { quote!(#digits) }
         }
-        Value::Bool(truth) => quote_spanned!(place=> #truth),
-        Value::Text(text) => quote_spanned!(place=> cga_rt::Text::fixed(#text)),
+        Value::Bool(truth) => code!(#truth),
+        Value::Text(text) => code!(cga_rt::Text::fixed(#text)),
         Value::Array(rows) => {
             let columns = rows.first().map_or(0, Vec::len);
             let elements = rows.iter().flatten().map(self::value);
-            quote_spanned!(place=> cga_rt::array(#columns, [#(#elements),*]))
+            code!(cga_rt::array(#columns, [#(#elements),*]))
         }
     }
 }
 
 /// A constant of the attribute table: text is `&str`, arrays are slices of rows.
 pub(super) fn fixed(known: &Value) -> TokenStream {
-    let place = Span::mixed_site();
     match known {
-        Value::Text(text) => quote_spanned!(place=> #text),
+        Value::Text(text) => code!(#text),
         Value::Array(rows) => {
             let rows = rows.iter().map(|row| {
                 let entries = row.iter().map(fixed);
-                quote_spanned!(place=> &[#(#entries),*])
+                code!(&[#(#entries),*])
             });
-            quote_spanned!(place=> &[#(#rows),*])
+            code!(&[#(#rows),*])
         }
         known => value(known),
     }
@@ -98,12 +97,11 @@ pub(super) fn fixed(known: &Value) -> TokenStream {
 
 /// The default of a public field.
 pub(super) fn field(known: &Value, runtime: &TokenStream) -> TokenStream {
-    let place = Span::mixed_site();
     match known {
-        Value::Text(text) => quote_spanned!(place=> #runtime::string(#text)),
+        Value::Text(text) => code!(#runtime::string(#text)),
         Value::Array(_) => {
             let known = value(known);
-            quote_spanned!(place=> { use #runtime as cga_rt; #known })
+            code!({ use #runtime as cga_rt; #known })
         }
         known => value(known),
     }

@@ -2,6 +2,8 @@
 
 mod errors;
 mod expand;
+#[path = "../../../cga-lang/tests/ir_print/mod.rs"]
+mod ir_print;
 mod mistakes;
 #[path = "../../../cga-lang/tests/print/mod.rs"]
 mod print;

@@ -10,7 +10,8 @@ use cga_lang::ops::{
     selectors, variant,
 };
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
-use syn::{Item, UseTree, Visibility};
+use quote::ToTokens;
+use syn::{ImplItem, Item, UseTree, Visibility};
 
 use super::sources::root;
 
@@ -49,7 +50,7 @@ const SYNTAX: &[&str] = &[
 /// The sources of the runtime.
 struct Runtime {
     files: Vec<(PathBuf, syn::File)>,
-    /// The variants of each public enum.
+    /// The variants of each public enum, and the public constants of each type.
     enums: BTreeMap<String, BTreeSet<String>>,
 }
 
@@ -60,11 +61,19 @@ impl Runtime {
         let mut enums: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         for (_, file) in &files {
             for item in &file.items {
-                if let Item::Enum(item) = item
-                    && is_public(&item.vis)
-                {
-                    let variants = item.variants.iter().map(|variant| variant.ident.to_string());
-                    enums.entry(item.ident.to_string()).or_default().extend(variants);
+                match item {
+                    Item::Enum(item) if is_public(&item.vis) => {
+                        let variants = item.variants.iter().map(|variant| variant.ident.to_string());
+                        enums.entry(item.ident.to_string()).or_default().extend(variants);
+                    }
+                    Item::Impl(item) => {
+                        let words = item.items.iter().filter_map(|item| match item {
+                            ImplItem::Const(word) if is_public(&word.vis) => Some(word.ident.to_string()),
+                            _ => None,
+                        });
+                        enums.entry(item.self_ty.to_token_stream().to_string()).or_default().extend(words);
+                    }
+                    _ => {}
                 }
             }
         }

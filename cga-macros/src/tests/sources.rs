@@ -3,10 +3,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::ir_print;
 use super::print::{Spelling, print};
 use cga_lang::compile::{Dialect, compile};
 use cga_lang::diag::Diags;
-use cga_lang::ir::print;
 use cga_lang::link::{Files, Unit, candidates};
 use cga_lang::syntax::lex::lex;
 use cga_lang::syntax::parse::parse;
@@ -57,7 +57,7 @@ fn meaning(tokens: &Tokens, path: &Path) -> String {
     let unit = Unit { name, tokens: tokens.clone(), dialect: Dialect::Text, found: Vec::new() };
     let compiled = compile(unit, &mut Below, &[]);
     match &compiled.grammar {
-        Some(grammar) => print::print(grammar),
+        Some(grammar) => ir_print::print(grammar),
         None => compiled.diags.iter().map(|diag| format!("{}: {}\n", diag.code.name(), diag.message)).collect(),
     }
 }

@@ -40,7 +40,7 @@ impl<'c> Candidate<'c> {
     #[inline]
     pub fn is(&mut self, word: Word) -> bool {
         let takes = self.source.is(self.looks, self.number, word);
-        self.as_roof |= takes && matches!(word.sense(), Sense::Roof(_));
+        self.as_roof |= takes && matches!(word.0, Sense::Roof(_));
         takes
     }
 

@@ -1,7 +1,6 @@
 //! The components of a mesh.
 
 use std::cell::{OnceCell, RefCell};
-use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -95,7 +94,7 @@ impl MeshParts {
     }
 
     /// The direction of a component, of length 1; zero for a component that is never selected.
-    fn normal(&self, index: usize) -> DVec3 {
+    fn normal(&self, kind: Components, index: usize) -> DVec3 {
         let mean = |faces: &mut dyn Iterator<Item = u32>| {
             let mut normals = faces.map(|face| self.normals[face as usize]).filter(|normal| *normal != DVec3::ZERO);
             let first = normals.next().unwrap_or_default();
@@ -103,7 +102,7 @@ impl MeshParts {
             // The rest of cancelling normals is rounding, so the first face's normal is taken.
             if sum.length() <= COPLANAR_EPSILON { first } else { unit(sum) }
         };
-        match self.kind {
+        match kind {
             Components::Faces => self.normals[index],
             Components::Groups | Components::Materials => DVec3::ZERO,
             Components::Holes => self.normals[self.holes[index][0] as usize],
@@ -141,8 +140,8 @@ impl MeshParts {
     }
 
     /// A place of a component.
-    fn place(&self, index: usize) -> DVec3 {
-        match self.kind {
+    fn place(&self, kind: Components, index: usize) -> DVec3 {
+        match kind {
             Components::Edges | Components::FaceEdges => self.ends(index).into_iter().sum::<DVec3>() * 0.5,
             Components::Vertices => self.mesh.points()[index],
             Components::FaceVertices => self.at(index as u32),
@@ -161,44 +160,34 @@ impl MeshParts {
     /// Returns true if a word matches a component.
     #[inline]
     pub(super) fn is(&self, looks: &Looks, index: usize, word: Word) -> bool {
-        if let Components::Groups | Components::Materials = self.kind {
+        match self.kind {
             // *comp operation*: one matching face is enough.
-            return self.sets[index].iter().any(|&face| self.face_is(looks, face as usize, word.sense()));
-        }
-        if let Components::Faces = self.kind {
-            return self.face_is(looks, index, word.sense());
-        }
-        let normal = self.normal(index);
-        normal != DVec3::ZERO
-            && match word.sense() {
-                Sense::All => true,
-                Sense::Part => false,
-                Sense::Looks(axes, direction) => {
-                    // Edges and vertices of a face look out of it within its plane, independently of its normal.
-                    let within = matches!(self.kind, Components::FaceEdges | Components::FaceVertices);
-                    let normal = if within { normal } else { looks.outwards(normal) };
-                    looks.takes(axes, direction, normal, || self.place(index))
-                }
-                Sense::Border(border) => self.at_border(index) == border,
-                Sense::Roof(kind) => {
-                    let roof = || Roof::new(&self.mesh, &self.normals, looks.inwards);
-                    self.kind == Components::Edges && self.roof.get_or_init(roof).edge(index) == Some(kind)
-                }
+            Components::Groups | Components::Materials => {
+                let faces = &self.sets[index];
+                faces.iter().any(|&face| self.is_of_kind(Components::Faces, looks, face as usize, word.0))
             }
+            kind => self.is_of_kind(kind, looks, index, word.0),
+        }
     }
 
     #[inline]
-    fn face_is(&self, looks: &Looks, face: usize, sense: Sense) -> bool {
-        let normal = self.normals[face];
+    fn is_of_kind(&self, kind: Components, looks: &Looks, index: usize, sense: Sense) -> bool {
+        let normal = self.normal(kind, index);
         normal != DVec3::ZERO
             && match sense {
                 Sense::All => true,
-                Sense::Part => false,
+                Sense::Shape | Sense::Remainder => false,
                 Sense::Looks(axes, direction) => {
-                    looks.takes(axes, direction, looks.outwards(normal), || self.middle(face))
+                    // Edges and vertices of a face look out of it within its plane, independently of its normal.
+                    let within = matches!(kind, Components::FaceEdges | Components::FaceVertices);
+                    let normal = if within { normal } else { looks.outwards(normal) };
+                    looks.takes(axes, direction, normal, || self.place(kind, index))
                 }
-                Sense::Border(border) => self.face_at_border(face) == border,
-                Sense::Roof(_) => false,
+                Sense::Border(border) => self.at_border(kind, index) == border,
+                Sense::Roof(edge) => {
+                    let roof = || Roof::new(&self.mesh, &self.normals, looks.inwards);
+                    kind == Components::Edges && self.roof.get_or_init(roof).edge(index) == Some(edge)
+                }
             }
     }
 
@@ -238,18 +227,14 @@ impl MeshParts {
         }
     }
 
-    fn face_at_border(&self, face: usize) -> bool {
-        let mut corners = self.mesh.face(face).corner_range();
-        corners.any(|corner| self.adjacency().is_border(self.adjacency().edge(corner as u32)))
-    }
-
-    fn at_border(&self, index: usize) -> bool {
-        match self.kind {
-            Components::Edges => self.adjacency().is_border(index),
-            Components::FaceEdges => self.adjacency().is_border(self.adjacency().edge(index as u32)),
+    fn at_border(&self, kind: Components, index: usize) -> bool {
+        let is_border = |corner: u32| self.adjacency().is_border(self.adjacency().edge(corner));
+        match kind {
+            Components::Faces => self.mesh.face(index).corner_range().any(|corner| is_border(corner as u32)),
+            Components::Edges | Components::FaceEdges => is_border(self.end_corners(index)[0]),
             Components::Vertices => self.border_points()[index],
             Components::FaceVertices => self.border_points()[self.mesh.corners()[index] as usize],
-            _ => false,
+            Components::Groups | Components::Materials | Components::Holes => false,
         }
     }
 
@@ -279,25 +264,19 @@ impl MeshParts {
     /// The coordinate system of a component (*comp operation*). `None` for groups and materials, which keep that of
     /// the shape, and for degenerate components.
     pub(super) fn frame(&self, index: usize, as_roof: bool) -> Option<Frame> {
-        let frame = |origin, x: DVec3, looks: DVec3| Some(Frame { origin, axes: along(x, looks) });
-        match self.kind {
-            Components::Faces => face_frame(&self.mesh, index).map(|found| found.frame),
-            Components::Groups | Components::Materials => None,
-            Components::Holes => face_frame(&self.filled(&[index as u32]), 0).map(|found| found.frame),
-            Components::Edges => {
+        let (x, origin) = match self.kind {
+            Components::Faces => return face_frame(&self.mesh, index).map(|found| found.frame),
+            Components::Groups | Components::Materials => return None,
+            Components::Holes => return face_frame(&self.filled(&[index as u32]), 0).map(|found| found.frame),
+            Components::Edges | Components::FaceEdges => {
                 let [a, b] = self.directed(index, as_roof).map(|corner| self.at(corner));
-                (a != b).then(|| frame(a, unit(b - a), self.normal(index)))?
+                (unit(b - a), a)
             }
-            Components::FaceEdges => {
-                let [a, b] = self.ends(index);
-                (a != b).then(|| frame(a, unit(b - a), self.normal(index)))?
-            }
-            Components::Vertices => {
-                let z = self.normal(index);
-                frame(self.mesh.points()[index], beside(z), z)
-            }
-            Components::FaceVertices => frame(self.at(index as u32), self.tangent(index), self.normal(index)),
-        }
+            Components::Vertices => (beside(self.normal(self.kind, index)), self.mesh.points()[index]),
+            Components::FaceVertices => (self.tangent(index), self.at(index as u32)),
+        };
+        let z = self.normal(self.kind, index);
+        (x != DVec3::ZERO).then(|| Frame { origin, axes: along(x, z) })
     }
 
     /// The ends of an edge. As an edge of a roof it runs upwards, or around the roof's face if it is an eave (*comp
@@ -354,32 +333,15 @@ impl MeshParts {
 
     /// The edges or points of some components.
     pub(super) fn wire(&self, indices: &[u32], as_roof: bool) -> Wire {
-        let mut wire = Wire::default();
-        let mut numbers: HashMap<u32, u32> = HashMap::new();
-        for &index in indices {
-            let mut number = |corner: u32| {
-                let point = self.mesh.corners()[corner as usize];
-                *numbers.entry(point).or_insert_with(|| {
-                    wire.points.push(self.mesh.points()[point as usize]);
-                    wire.points.len() as u32 - 1
-                })
-            };
-            match self.kind {
-                Components::Edges => {
-                    let edge = self.directed(index as usize, as_roof).map(&mut number);
-                    wire.edges.push(edge);
-                }
-                Components::FaceEdges => {
-                    let edge = self.end_corners(index as usize).map(&mut number);
-                    wire.edges.push(edge);
-                }
-                Components::Vertices => wire.points.push(self.mesh.points()[index as usize]),
-                Components::FaceVertices => wire.points.push(self.at(index)),
-                _ => continue,
-            }
-            wire.normals.push(self.normal(index as usize));
+        let indices = indices.iter().map(|&index| index as usize);
+        let normals = indices.clone().map(|index| self.normal(self.kind, index)).collect();
+        if !matches!(self.kind, Components::Edges | Components::FaceEdges) {
+            let points = indices.map(|index| self.place(self.kind, index)).collect();
+            return Wire { points, edges: Vec::new(), normals };
         }
-        wire
+        let point = |corner: u32| self.mesh.corners()[corner as usize];
+        let edges = indices.map(|index| self.directed(index, as_roof).map(point));
+        Wire::of_edges(self.mesh.points(), edges, normals)
     }
 
     /// Calls `bond` with the number of each edge of a component with faces, or of each point of another component.

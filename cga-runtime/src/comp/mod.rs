@@ -107,7 +107,7 @@ impl Arm {
     /// Returns true if the arm can be decided without the adjacency of the mesh.
     fn looks_only(&self) -> bool {
         let looks = match self.select {
-            Select::Word(word) => matches!(word.sense(), select::Sense::All | select::Sense::Looks(..)),
+            Select::Word(word) => matches!(word.0, select::Sense::All | select::Sense::Looks(..)),
             Select::Index(_) => true,
             Select::When => false,
         };

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::source::ComponentSource;
+use crate::geometry::disjoint::DisjointSets;
 
 /// The arm of each component. Up to six components need no allocation: `comp` of a box is the façade path.
 #[derive(Debug)]
@@ -47,33 +48,12 @@ impl Owners {
 /// The sets of connected components, in the order of their first components (*comp operation*, `=:`).
 pub(super) fn connected(source: &ComponentSource, components: impl Iterator<Item = u32>) -> Vec<Vec<u32>> {
     let components: Vec<u32> = components.collect();
-    // The first component for each bond, and for each component an earlier one that it is connected with.
-    let mut first: HashMap<u32, usize> = HashMap::new();
-    let mut leads: Vec<usize> = (0..components.len()).collect();
-    fn lead(leads: &mut [usize], mut at: usize) -> usize {
-        while leads[at] != at {
-            leads[at] = leads[leads[at]];
-            at = leads[at];
-        }
-        at
+    // The first component for each bond.
+    let mut first: HashMap<u32, u32> = HashMap::new();
+    let mut sets = DisjointSets::new(components.len());
+    for (&component, index) in components.iter().zip(0..) {
+        source.bonds(component as usize, |bond| sets.unite(*first.entry(bond).or_insert(index), index));
     }
-    for (index, &component) in components.iter().enumerate() {
-        source.bonds(component as usize, |bond| {
-            let other = *first.entry(bond).or_insert(index);
-            let (a, b) = (lead(&mut leads, other), lead(&mut leads, index));
-            leads[a.max(b)] = a.min(b);
-        });
-    }
-    // The lead of a set is its first component, as the lower one always leads.
-    let mut sets: Vec<Vec<u32>> = Vec::new();
-    let mut numbers: Vec<usize> = vec![0; components.len()];
-    for index in 0..components.len() {
-        let lead = lead(&mut leads, index);
-        if lead == index {
-            numbers[index] = sets.len();
-            sets.push(Vec::new());
-        }
-        sets[numbers[lead]].push(components[index]);
-    }
-    sets
+    let members = |set: Vec<u32>| set.into_iter().map(|index| components[index as usize]).collect();
+    sets.sets().into_iter().map(members).collect()
 }

@@ -56,10 +56,10 @@ impl ComponentSource {
                     },
                 }
             }
-            ComponentSource::Wire(parts) => match parts.frame(first) {
-                Some(frame) => wire(in_world(&parent.scope, &frame), parts.wire(numbers).seen_from(&frame)),
-                None => self.kept(parent, numbers, as_roof),
-            },
+            ComponentSource::Wire(parts) => {
+                let frame = parts.frame(first);
+                wire(in_world(&parent.scope, &frame), parts.wire(numbers).seen_from(&frame))
+            }
         }
     }
 

@@ -4,49 +4,51 @@ use crate::shape::direction::Direction;
 
 /// A word that selects components (*comp operation*).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names are those of the language")]
-pub enum Word {
-    Front,
-    Back,
-    Left,
-    Right,
-    Top,
-    Bottom,
-    Side,
-    Horizontal,
-    Aslant,
-    Vertical,
-    Nutant,
-    All,
-    ObjectFront,
-    ObjectBack,
-    ObjectLeft,
-    ObjectRight,
-    ObjectTop,
-    ObjectBottom,
-    ObjectSide,
-    WorldSouth,
-    WorldNorth,
-    WorldEast,
-    WorldWest,
-    WorldUp,
-    WorldDown,
-    WorldSide,
-    Border,
-    Inside,
-    Eave,
-    Hip,
-    Valley,
-    Ridge,
-    StreetFront,
-    StreetBack,
-    StreetLeft,
-    StreetRight,
-    StreetSide,
-    Shape,
-    Remainder,
+pub struct Word(pub(crate) Sense);
+
+#[allow(missing_docs, non_upper_case_globals, reason = "the names are those of the language")]
+impl Word {
+    pub const Front: Word = Word(Sense::Looks(Axes::Scope, Direction::Front));
+    pub const Back: Word = Word(Sense::Looks(Axes::Scope, Direction::Back));
+    pub const Left: Word = Word(Sense::Looks(Axes::Scope, Direction::Left));
+    pub const Right: Word = Word(Sense::Looks(Axes::Scope, Direction::Right));
+    pub const Top: Word = Word(Sense::Looks(Axes::Scope, Direction::Top));
+    pub const Bottom: Word = Word(Sense::Looks(Axes::Scope, Direction::Bottom));
+    pub const Side: Word = Word(Sense::Looks(Axes::Scope, Direction::Side));
+    pub const Horizontal: Word = Word(Sense::Looks(Axes::Scope, Direction::Horizontal));
+    pub const Aslant: Word = Word(Sense::Looks(Axes::Scope, Direction::Aslant));
+    pub const Vertical: Word = Word(Sense::Looks(Axes::Scope, Direction::Vertical));
+    pub const Nutant: Word = Word(Sense::Looks(Axes::Scope, Direction::Nutant));
+    pub const All: Word = Word(Sense::All);
+    pub const ObjectFront: Word = Word(Sense::Looks(Axes::Object, Direction::Front));
+    pub const ObjectBack: Word = Word(Sense::Looks(Axes::Object, Direction::Back));
+    pub const ObjectLeft: Word = Word(Sense::Looks(Axes::Object, Direction::Left));
+    pub const ObjectRight: Word = Word(Sense::Looks(Axes::Object, Direction::Right));
+    pub const ObjectTop: Word = Word(Sense::Looks(Axes::Object, Direction::Top));
+    pub const ObjectBottom: Word = Word(Sense::Looks(Axes::Object, Direction::Bottom));
+    pub const ObjectSide: Word = Word(Sense::Looks(Axes::Object, Direction::Side));
+    pub const WorldSouth: Word = Word(Sense::Looks(Axes::World, Direction::Front));
+    pub const WorldNorth: Word = Word(Sense::Looks(Axes::World, Direction::Back));
+    pub const WorldEast: Word = Word(Sense::Looks(Axes::World, Direction::Right));
+    pub const WorldWest: Word = Word(Sense::Looks(Axes::World, Direction::Left));
+    pub const WorldUp: Word = Word(Sense::Looks(Axes::World, Direction::Top));
+    pub const WorldDown: Word = Word(Sense::Looks(Axes::World, Direction::Bottom));
+    pub const WorldSide: Word = Word(Sense::Looks(Axes::World, Direction::Side));
+    pub const Border: Word = Word(Sense::Border(true));
+    pub const Inside: Word = Word(Sense::Border(false));
+    pub const Eave: Word = Word(Sense::Roof(RoofEdge::Eave));
+    pub const Hip: Word = Word(Sense::Roof(RoofEdge::Hip));
+    pub const Valley: Word = Word(Sense::Roof(RoofEdge::Valley));
+    pub const Ridge: Word = Word(Sense::Roof(RoofEdge::Ridge));
+    pub const StreetFront: Word = Word(Sense::Looks(Axes::Street, Direction::Front));
+    pub const StreetBack: Word = Word(Sense::Looks(Axes::Street, Direction::Back));
+    pub const StreetLeft: Word = Word(Sense::Looks(Axes::Street, Direction::Left));
+    pub const StreetRight: Word = Word(Sense::Looks(Axes::Street, Direction::Right));
+    pub const StreetSide: Word = Word(Sense::Looks(Axes::Street, Direction::Side));
+    pub const Shape: Word = Word(Sense::Shape);
+    pub const Remainder: Word = Word(Sense::Remainder);
     /// `noStreetSide`, a spelling of versions before 2012.1.
-    NotStreetFront,
+    pub const NotStreetFront: Word = Word(Sense::Looks(Axes::Street, Direction::NotFront));
 }
 
 /// The parts of a component that `isTagged` tests instead of the component itself.
@@ -69,8 +71,10 @@ pub(crate) enum Sense {
     Border(bool),
     /// The class of an edge of a roof.
     Roof(RoofEdge),
-    /// No component: a part that another operation makes.
-    Part,
+    /// No component: a part that `shapeL` makes.
+    Shape,
+    /// No component: the rest that `shapeL` leaves.
+    Remainder,
 }
 
 /// The axes of a direction.
@@ -93,53 +97,4 @@ pub(crate) enum RoofEdge {
     Hip,
     Valley,
     Ridge,
-}
-
-impl Word {
-    #[inline(always)]
-    pub(crate) fn sense(self) -> Sense {
-        use Direction as D;
-        let (axes, direction) = match self {
-            Word::All => return Sense::All,
-            Word::Shape | Word::Remainder => return Sense::Part,
-            Word::Border => return Sense::Border(true),
-            Word::Inside => return Sense::Border(false),
-            Word::Eave => return Sense::Roof(RoofEdge::Eave),
-            Word::Hip => return Sense::Roof(RoofEdge::Hip),
-            Word::Valley => return Sense::Roof(RoofEdge::Valley),
-            Word::Ridge => return Sense::Roof(RoofEdge::Ridge),
-            Word::Front => (Axes::Scope, D::Front),
-            Word::Back => (Axes::Scope, D::Back),
-            Word::Left => (Axes::Scope, D::Left),
-            Word::Right => (Axes::Scope, D::Right),
-            Word::Top => (Axes::Scope, D::Top),
-            Word::Bottom => (Axes::Scope, D::Bottom),
-            Word::Side => (Axes::Scope, D::Side),
-            Word::Horizontal => (Axes::Scope, D::Horizontal),
-            Word::Aslant => (Axes::Scope, D::Aslant),
-            Word::Vertical => (Axes::Scope, D::Vertical),
-            Word::Nutant => (Axes::Scope, D::Nutant),
-            Word::ObjectFront => (Axes::Object, D::Front),
-            Word::ObjectBack => (Axes::Object, D::Back),
-            Word::ObjectLeft => (Axes::Object, D::Left),
-            Word::ObjectRight => (Axes::Object, D::Right),
-            Word::ObjectTop => (Axes::Object, D::Top),
-            Word::ObjectBottom => (Axes::Object, D::Bottom),
-            Word::ObjectSide => (Axes::Object, D::Side),
-            Word::WorldSouth => (Axes::World, D::Front),
-            Word::WorldNorth => (Axes::World, D::Back),
-            Word::WorldEast => (Axes::World, D::Right),
-            Word::WorldWest => (Axes::World, D::Left),
-            Word::WorldUp => (Axes::World, D::Top),
-            Word::WorldDown => (Axes::World, D::Bottom),
-            Word::WorldSide => (Axes::World, D::Side),
-            Word::StreetFront => (Axes::Street, D::Front),
-            Word::StreetBack => (Axes::Street, D::Back),
-            Word::StreetLeft => (Axes::Street, D::Left),
-            Word::StreetRight => (Axes::Street, D::Right),
-            Word::StreetSide => (Axes::Street, D::Side),
-            Word::NotStreetFront => (Axes::Street, D::NotFront),
-        };
-        Sense::Looks(axes, direction)
-    }
 }

@@ -10,7 +10,6 @@ use super::wire_parts::WireParts;
 use super::{Align, Arm, Components, Mode};
 use crate::comp::orientation::Looks;
 use crate::geometry::Axis;
-use crate::geometry::wire::Wire;
 use crate::run::env::Env;
 use crate::shape::scope::Scope;
 use crate::shape::unit::{UnitFace, UnitMesh};
@@ -42,26 +41,18 @@ impl ComponentSource {
         {
             return ControlFlow::Continue(ComponentSource::Quads(quads));
         }
-        let wire = match &shape.geometry {
-            Geometry::Wire(placed) => placed.in_scope(shape.scope.size),
-            Geometry::Edge => Wire::edge(shape.scope.size.x),
-            Geometry::Vertex => Wire::point(),
-            geometry => {
-                if let Geometry::Mesh(placed) = geometry {
-                    // Computed on the mesh itself, the adjacency is available to all its copies.
-                    let alone = components == Components::Faces && arms.iter().all(|arm| arm.looks_only());
-                    (!alone).then(|| placed.mesh.adjacency());
-                }
-                let mesh = shape.to_mesh();
-                env.count_vertices(&mesh)?;
-                return ControlFlow::Continue(ComponentSource::Mesh(Box::new(MeshParts::new(
-                    mesh,
-                    components,
-                    env.initial.as_meshes,
-                ))));
-            }
-        };
-        ControlFlow::Continue(ComponentSource::Wire(WireParts::new(wire, components)))
+        if let Some(wire) = shape.to_wire() {
+            return ControlFlow::Continue(ComponentSource::Wire(WireParts::new(wire, components)));
+        }
+        if let Geometry::Mesh(placed) = &shape.geometry {
+            // Computed on the mesh itself, the adjacency is available to all its copies.
+            let alone = components == Components::Faces && arms.iter().all(|arm| arm.looks_only());
+            (!alone).then(|| placed.mesh.adjacency());
+        }
+        let mesh = shape.to_mesh();
+        env.count_vertices(&mesh)?;
+        let parts = MeshParts::new(mesh, components, env.initial.as_meshes);
+        ControlFlow::Continue(ComponentSource::Mesh(Box::new(parts)))
     }
 
     #[inline]
@@ -134,9 +125,9 @@ impl Quads {
 
     #[inline]
     fn is(&self, looks: &Looks, number: usize, word: Word) -> bool {
-        match word.sense() {
+        match word.0 {
             Sense::All => true,
-            Sense::Part => false,
+            Sense::Shape | Sense::Remainder => false,
             Sense::Looks(Axes::Scope, direction) => direction.takes_side(self.face(number).side),
             Sense::Looks(axes, direction) => {
                 let normal = self.face(number).side.normal();

@@ -1,7 +1,5 @@
 //! The components of edges and points that have no faces.
 
-use std::collections::HashMap;
-
 use glam::DVec3;
 
 use super::Components;
@@ -68,9 +66,9 @@ impl WireParts {
 
     /// Returns true if a word matches a component. As there are no faces, all components are at the border.
     pub(super) fn is(&self, looks: &Looks, index: usize, word: Word) -> bool {
-        match word.sense() {
+        match word.0 {
             Sense::All => true,
-            Sense::Part => false,
+            Sense::Shape | Sense::Remainder => false,
             Sense::Border(border) => border,
             Sense::Roof(_) => false,
             Sense::Looks(axes, direction) => {
@@ -83,7 +81,7 @@ impl WireParts {
         }
     }
 
-    pub(super) fn frame(&self, index: usize) -> Option<Frame> {
+    pub(super) fn frame(&self, index: usize) -> Frame {
         let edge = self.along(index);
         let normal = self.normal(index);
         let x = if edge == DVec3::ZERO { beside(normal) } else { edge };
@@ -91,29 +89,16 @@ impl WireParts {
             Components::Edges | Components::FaceEdges => self.wire.ends(index)[0],
             _ => self.point(index),
         };
-        Some(Frame { origin, axes: along(x, normal) })
+        Frame { origin, axes: along(x, normal) }
     }
 
     pub(super) fn wire(&self, indices: &[u32]) -> Wire {
-        let mut wire = Wire::default();
-        let mut numbers = HashMap::new();
-        for &index in indices {
-            let index = index as usize;
-            match self.kind {
-                Components::Edges | Components::FaceEdges => {
-                    let edge = self.wire.edges[index].map(|point| {
-                        *numbers.entry(point).or_insert_with(|| {
-                            wire.points.push(self.wire.points[point as usize]);
-                            wire.points.len() as u32 - 1
-                        })
-                    });
-                    wire.edges.push(edge);
-                }
-                _ => wire.points.push(self.point(index)),
-            }
-            wire.normals.push(self.normal(index));
+        let indices = indices.iter().map(|&index| index as usize);
+        let normals = indices.clone().map(|index| self.normal(index)).collect();
+        if !matches!(self.kind, Components::Edges | Components::FaceEdges) {
+            return Wire { points: indices.map(|index| self.point(index)).collect(), edges: Vec::new(), normals };
         }
-        wire
+        Wire::of_edges(&self.wire.points, indices.map(|index| self.wire.edges[index]), normals)
     }
 
     /// Calls `bond` with the points of a component. Components with a common point are connected.

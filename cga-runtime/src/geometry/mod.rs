@@ -1,6 +1,7 @@
 //! Geometry: meshes and operations on them. This module does not know shapes, rules or sinks.
 
 pub mod cut;
+pub(crate) mod disjoint;
 mod exact;
 pub(crate) mod face_frame;
 pub(crate) mod frame;

@@ -28,6 +28,19 @@ impl Wire {
         Wire { points: vec![DVec3::ZERO], edges: Vec::new(), normals: vec![DVec3::Z] }
     }
 
+    /// The wire of some edges between `points`, with the points that they use.
+    pub(crate) fn of_edges(points: &[DVec3], edges: impl Iterator<Item = [u32; 2]>, normals: Vec<DVec3>) -> Self {
+        let (mut used, mut numbers) = (Vec::new(), HashMap::new());
+        let mut number = |point: u32| {
+            *numbers.entry(point).or_insert_with(|| {
+                used.push(points[point as usize]);
+                used.len() as u32 - 1
+            })
+        };
+        let edges = edges.map(|edge| edge.map(&mut number)).collect();
+        Wire { points: used, edges, normals }
+    }
+
     /// The wire in the coordinates of a frame.
     pub(crate) fn seen_from(mut self, frame: &Frame) -> Self {
         let turn = frame.axes.transpose();

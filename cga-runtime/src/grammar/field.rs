@@ -5,73 +5,68 @@ use crate::value::array::Array;
 use crate::value::text::Text;
 
 /// A field that holds an attribute. Used by generated code.
-pub trait Field {
+pub trait Field: Sized {
     /// The value; `None` while it is computed for each initial shape.
     fn get(&self) -> Option<Value>;
+
+    /// The field with a value, if the value has the type of the field.
+    fn of(value: Value) -> Option<Self>;
+
     /// Sets the value, if it has the type of the field.
-    fn set(&mut self, value: Value);
-}
-
-impl Field for f64 {
-    fn get(&self) -> Option<Value> {
-        Some(Value::Float(*self))
-    }
-
     fn set(&mut self, value: Value) {
-        if let Value::Float(number) = value {
-            *self = number;
+        if let Some(field) = Self::of(value) {
+            *self = field;
         }
     }
 }
 
-impl Field for bool {
-    fn get(&self) -> Option<Value> {
-        Some(Value::Bool(*self))
-    }
+macro_rules! fields {
+    ($($field:ty => $variant:ident,)*) => {$(
+        impl Field for $field {
+            fn get(&self) -> Option<Value> {
+                Some(Value::$variant(self.to_owned()))
+            }
 
-    fn set(&mut self, value: Value) {
-        if let Value::Bool(truth) = value {
-            *self = truth;
+            fn of(value: Value) -> Option<Self> {
+                if let Value::$variant(field) = value { Some(field) } else { None }
+            }
         }
-    }
+    )*};
 }
+
+fields! { f64 => Float, bool => Bool, Array<f64> => Floats, Array<bool> => Bools, Array<Text> => Texts, }
 
 impl Field for String {
     fn get(&self) -> Option<Value> {
         Some(Value::from(self.as_str()))
     }
 
-    fn set(&mut self, value: Value) {
-        if let Value::Text(text) = value {
-            text.as_str().clone_into(self);
-        }
+    fn of(value: Value) -> Option<Self> {
+        if let Value::Text(text) = value { Some(text.as_str().to_owned()) } else { None }
     }
 }
 
-macro_rules! arrays {
-    ($($item:ty => $variant:ident,)*) => {$(
-        impl Field for Array<$item> {
-            fn get(&self) -> Option<Value> {
-                Some(Value::$variant(self.clone()))
-            }
-
-            fn set(&mut self, value: Value) {
-                if let Value::$variant(array) = value {
-                    *self = array;
-                }
-            }
-        }
-    )*};
-}
-
-arrays! { f64 => Floats, bool => Bools, Text => Texts, }
-
-impl<F: Field + std::default::Default> Field for Option<F> {
+impl<F: Field> Field for Option<F> {
     fn get(&self) -> Option<Value> {
         self.as_ref()?.get()
     }
 
-    fn set(&mut self, value: Value) {
-        self.get_or_insert_default().set(value);
+    fn of(value: Value) -> Option<Self> {
+        F::of(value).map(Some)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_value_of_another_type_changes_nothing() {
+        let (mut computed, mut set): (Option<f64>, Option<f64>) = (None, Some(3.0));
+        computed.set(Value::Bool(true));
+        set.set(Value::from("4"));
+        assert_eq!((computed, set), (None, Some(3.0)));
+        computed.set(Value::Float(5.0));
+        assert_eq!(computed, Some(5.0));
     }
 }

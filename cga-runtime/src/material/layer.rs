@@ -86,9 +86,9 @@ pub(crate) fn set(layer: Layer, sets: SetMask) -> Option<usize> {
 pub(crate) struct SetMask(pub(crate) u16);
 
 impl SetMask {
-    /// The sets among 0 to 9 for which a condition holds.
+    /// The sets for which a condition holds. Each layer has a set.
     pub(crate) fn of(has: impl Fn(usize) -> bool) -> Self {
-        SetMask((0..10).filter(|&set| has(set)).fold(0, |mask, set| mask | 1 << set))
+        SetMask((0..Layer::ALL.len()).filter(|&set| has(set)).fold(0, |mask, set| mask | 1 << set))
     }
 
     pub(crate) fn has(self, set: usize) -> bool {
@@ -104,7 +104,7 @@ impl SetMask {
     /// The sets, in order.
     #[cfg(feature = "gltf")]
     pub(crate) fn sets(self) -> impl Iterator<Item = usize> {
-        (0..10).filter(move |&set| self.has(set))
+        (0..Layer::ALL.len()).filter(move |&set| self.has(set))
     }
 }
 

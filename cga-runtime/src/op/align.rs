@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
+use super::finite;
 use super::refit::refit;
 use crate::geometry::mesh::unit;
 use crate::geometry::rotation::turn;
@@ -10,32 +11,29 @@ use crate::shape::Shape;
 
 /// The axes that a scope is aligned to: one or all three, of the world or of the object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names are those of the language")]
-pub enum AlignAxes {
-    WorldX,
-    WorldY,
-    WorldZ,
-    WorldXyz,
-    ObjectX,
-    ObjectY,
-    ObjectZ,
-    ObjectXyz,
+pub struct AlignAxes {
+    of_object: bool,
+    /// The number of the axis, or none for all.
+    axis: Option<usize>,
+}
+
+#[allow(missing_docs, non_upper_case_globals, reason = "the names are those of the language")]
+impl AlignAxes {
+    pub const WorldX: AlignAxes = AlignAxes { of_object: false, axis: Some(0) };
+    pub const WorldY: AlignAxes = AlignAxes { of_object: false, axis: Some(1) };
+    pub const WorldZ: AlignAxes = AlignAxes { of_object: false, axis: Some(2) };
+    pub const WorldXyz: AlignAxes = AlignAxes { of_object: false, axis: None };
+    pub const ObjectX: AlignAxes = AlignAxes { of_object: true, axis: Some(0) };
+    pub const ObjectY: AlignAxes = AlignAxes { of_object: true, axis: Some(1) };
+    pub const ObjectZ: AlignAxes = AlignAxes { of_object: true, axis: Some(2) };
+    pub const ObjectXyz: AlignAxes = AlignAxes { of_object: true, axis: None };
 }
 
 /// `alignScopeToAxes(axes)`: the scope becomes the box of the geometry along those axes, and the pivot moves to its
 /// origin corner (*alignScopeToAxes operation*).
 pub fn align_to_axes(env: &mut Env, shape: &mut Shape, to: AlignAxes) {
-    use AlignAxes::{ObjectX, ObjectXyz, ObjectY, ObjectZ, WorldX, WorldXyz, WorldY, WorldZ};
-    let system = match to {
-        WorldX | WorldY | WorldZ | WorldXyz => DMat3::IDENTITY,
-        ObjectX | ObjectY | ObjectZ | ObjectXyz => env.initial.object.axes,
-    };
-    let axes = match to {
-        WorldX | ObjectX => upright(&shape.scope.axes, system.x_axis, 0),
-        WorldY | ObjectY => upright(&shape.scope.axes, system.y_axis, 1),
-        WorldZ | ObjectZ => upright(&shape.scope.axes, system.z_axis, 2),
-        WorldXyz | ObjectXyz => system,
-    };
+    let system = if to.of_object { env.initial.object.axes } else { DMat3::IDENTITY };
+    let axes = to.axis.map_or(system, |axis| upright(&shape.scope.axes, system.col(axis), axis));
     if refit(env, shape, axes, "`alignScopeToAxes`") {
         shape.set_pivot(shape.scope.frame());
     }
@@ -72,11 +70,8 @@ fn from_zx(z: DVec3, x: DVec3) -> DMat3 {
 /// `rotateScope(x, y, z)`: turns the scope about the pivot's axes, x then y then z, in degrees. It becomes the box of
 /// the geometry, and the pivot stays (*rotateScope operation*).
 pub fn rotate_scope(env: &mut Env, shape: &mut Shape, x: f64, y: f64, z: f64) {
-    let [x, y, z] = [(x, "x"), (y, "y"), (z, "z")].map(|(angle, axis)| match angle.is_finite() {
-        true => angle,
-        false => env.finite(angle, &format!("`rotateScope` about {axis}")),
-    });
+    let angles = finite(env, "`rotateScope` about", [x, y, z]);
     let pivot = shape.pivot.axes;
-    let axes = pivot * turn(x, y, z) * (pivot.transpose() * shape.scope.axes);
+    let axes = pivot * turn(angles.x, angles.y, angles.z) * (pivot.transpose() * shape.scope.axes);
     refit(env, shape, axes, "`rotateScope`");
 }

@@ -6,32 +6,23 @@ use super::refit::{CORNERS, refit};
 use crate::geometry::hull::hull;
 use crate::geometry::tol::{ANGLE_EPSILON, AREA_EPSILON};
 use crate::run::env::Env;
-use crate::shape::{Geometry, Shape};
+use crate::shape::Shape;
 
 /// The two axes that are aligned; the first takes the longer side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names are those of the language")]
-pub enum BoxAxes {
-    Xy,
-    Yx,
-    Xz,
-    Zx,
-    Yz,
-    Zy,
+pub struct BoxAxes {
+    /// The first axis, the second, and the one that stays.
+    order: [usize; 3],
 }
 
+#[allow(missing_docs, non_upper_case_globals, reason = "the names are those of the language")]
 impl BoxAxes {
-    /// The first axis, the second, and the one that stays.
-    fn order(self) -> [usize; 3] {
-        match self {
-            BoxAxes::Xy => [0, 1, 2],
-            BoxAxes::Yx => [1, 0, 2],
-            BoxAxes::Xz => [0, 2, 1],
-            BoxAxes::Zx => [2, 0, 1],
-            BoxAxes::Yz => [1, 2, 0],
-            BoxAxes::Zy => [2, 1, 0],
-        }
-    }
+    pub const Xy: BoxAxes = BoxAxes { order: [0, 1, 2] };
+    pub const Yx: BoxAxes = BoxAxes { order: [1, 0, 2] };
+    pub const Xz: BoxAxes = BoxAxes { order: [0, 2, 1] };
+    pub const Zx: BoxAxes = BoxAxes { order: [2, 0, 1] };
+    pub const Yz: BoxAxes = BoxAxes { order: [1, 2, 0] };
+    pub const Zy: BoxAxes = BoxAxes { order: [2, 1, 0] };
 }
 
 /// `alignScopeToGeometryBBox(axes)`: turns the scope about the third axis until the first two span the smallest
@@ -39,7 +30,7 @@ impl BoxAxes {
 /// operation*). Of the two directions along the longer side the one nearer to the old axis is taken, and of equal
 /// rectangles the first with the smallest turn.
 pub fn align_to_box(env: &mut Env, shape: &mut Shape, axes: BoxAxes) {
-    let [first, second, third] = axes.order();
+    let [first, second, third] = axes.order;
     let along = longer_side(&mut seen(shape, first, second));
     let old = shape.scope.axes;
     let mut new = old;
@@ -59,21 +50,13 @@ pub fn align_to_box(env: &mut Env, shape: &mut Shape, axes: BoxAxes) {
 fn seen(shape: &Shape, first: usize, second: usize) -> Vec<DVec2> {
     let flat = |p: DVec3| DVec2::new(p[first], p[second]);
     let size = shape.scope.size;
-    match &shape.geometry {
-        Geometry::Mesh(placed) => {
+    match (shape.geometry.placed(), shape.to_wire()) {
+        (Some(placed), _) => {
             let to_scope = placed.to_scope(size);
             placed.mesh.points().iter().map(|&p| flat(to_scope.transform_point3(p))).collect()
         }
-        Geometry::Edge => vec![DVec2::ZERO, flat(DVec3::X * size.x)],
-        Geometry::Wire(placed) => placed.in_scope(size).points.into_iter().map(flat).collect(),
-        Geometry::Vertex => Vec::new(),
-        Geometry::Rect(across, _) => {
-            // It is at the low end of a scope that may be thick.
-            let mut size = size;
-            size[across.index()] = 0.0;
-            CORNERS.map(|corner| flat(size * corner)).to_vec()
-        }
-        Geometry::Empty | Geometry::Box(_) => CORNERS.map(|corner| flat(size * corner)).to_vec(),
+        (None, Some(wire)) => wire.points.into_iter().map(flat).collect(),
+        (None, None) => CORNERS.map(|corner| flat(size * corner)).to_vec(),
     }
 }
 

@@ -1,5 +1,7 @@
 //! `alignScopeToGeometry`: the scope turns to an edge of a face.
 
+use std::sync::Arc;
+
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::UpAxis;
@@ -9,9 +11,6 @@ use crate::geometry::Frame;
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::tol::TIE_EPSILON;
 use crate::run::env::Env;
-use crate::run::sink::{Cuboid, Quad};
-use crate::shape::place;
-use crate::shape::scope::Scope;
 use crate::shape::{Geometry, Shape};
 
 /// The choice of the face.
@@ -122,17 +121,19 @@ struct Found {
 }
 
 fn pick(env: &mut Env, shape: &Shape, face: FacePick, edge: EdgePick) -> Option<Found> {
-    let faces = Faces::of(shape);
+    let placed = shape.geometry.placed()?;
+    let faces = Faces { to_scope: placed.to_scope(shape.scope.size), mesh: placed.mesh };
+    let count = faces.mesh.face_count();
     let size = shape.scope.size.abs().max_element();
     // Heights in the world are coordinates along this direction, up to a constant.
     let rise = shape.scope.axes.transpose() * DVec3::Y;
     let face = match face {
-        FacePick::Number(number) => Some(whole(env, number, "the number of the face", faces.count())?),
+        FacePick::Number(number) => Some(whole(env, number, "the number of the face", count)?),
         FacePick::Word(AlignFace::Any) if matches!(edge, EdgePick::Number(_)) => Some(0),
         FacePick::Word(AlignFace::Any) => None,
         FacePick::Word(AlignFace::WorldLowest) => {
             let mut lowest = Best::new(size);
-            for face in 0..faces.count() {
+            for face in 0..count {
                 let (mut sum, mut corners) = (0.0, 0.0);
                 faces.edges(face, |a, _| (sum, corners) = (sum + rise.dot(a), corners + 1.0));
                 lowest.offer([-sum / corners, 0.0], face);
@@ -141,20 +142,19 @@ fn pick(env: &mut Env, shape: &Shape, face: FacePick, edge: EdgePick) -> Option<
         }
         FacePick::Word(AlignFace::Largest) => {
             let mut largest = Best::new(size * size);
-            (0..faces.count()).for_each(|face| largest.offer([faces.area(face).length(), 0.0], face));
+            (0..count).for_each(|face| largest.offer([faces.area(face).length(), 0.0], face));
             Some(largest.best?.1)
         }
     };
     let number = match (edge, face) {
         (EdgePick::Number(number), Some(face)) => {
-            let mut count = 0;
-            faces.edges(face, |_, _| count += 1);
-            Some(whole(env, number, "the number of the edge", count)?)
+            let edges = faces.mesh.face(face).corner_count();
+            Some(whole(env, number, "the number of the edge", edges)?)
         }
         _ => None,
     };
     let mut best = Best::new(size);
-    for at in face.map_or(0..faces.count(), |face| face..face + 1) {
+    for at in face.map_or(0..count, |face| face..face + 1) {
         let normal = unit(faces.area(at));
         if normal == DVec3::ZERO {
             continue;
@@ -209,65 +209,26 @@ fn whole(env: &mut Env, number: f64, what: &str, count: usize) -> Option<usize> 
     (count != 0).then(|| wanted.floor().rem_euclid(count as f64) as usize)
 }
 
-/// The faces of a shape in coordinates of its scope, without making a mesh.
-enum Faces<'a> {
-    None,
-    Quad(Quad),
-    Box(Cuboid),
-    Mesh(&'a Mesh, DAffine3),
+/// The faces of a shape in coordinates of its scope.
+struct Faces {
+    mesh: Arc<Mesh>,
+    to_scope: DAffine3,
 }
 
-impl<'a> Faces<'a> {
-    fn of(shape: &'a Shape) -> Self {
-        let local = Scope::new(shape.scope.size);
-        match &shape.geometry {
-            Geometry::Mesh(placed) => Faces::Mesh(&placed.mesh, placed.to_scope(shape.scope.size)),
-            Geometry::Rect(axis, unit) => Faces::Quad(place::rectangle(&local, *axis, *unit)),
-            Geometry::Box(unit) => Faces::Box(place::cuboid(&local, *unit)),
-            Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Faces::None,
-        }
-    }
-
-    fn count(&self) -> usize {
-        match self {
-            Faces::None => 0,
-            Faces::Quad(_) => 1,
-            Faces::Box(..) => 6,
-            Faces::Mesh(mesh, _) => mesh.face_count(),
-        }
-    }
-
+impl Faces {
     /// Twice the area vector: twice the area times the normal.
     fn area(&self, face: usize) -> DVec3 {
-        let twice = |quad: &Quad| 2.0 * quad.u.cross(quad.v);
-        match self {
-            Faces::None => DVec3::ZERO,
-            Faces::Quad(quad) => twice(quad),
-            Faces::Box(cuboid) => twice(&cuboid.faces()[face]),
-            Faces::Mesh(mesh, place) => {
-                let [x, y, z] = [place.matrix3.x_axis.x, place.matrix3.y_axis.y, place.matrix3.z_axis.z];
-                mesh.face(face).area_vector() * DVec3::new(y * z, z * x, x * y)
-            }
-        }
+        let matrix = self.to_scope.matrix3;
+        let [x, y, z] = [matrix.x_axis.x, matrix.y_axis.y, matrix.z_axis.z];
+        self.mesh.face(face).area_vector() * DVec3::new(y * z, z * x, x * y)
     }
 
     /// Calls `each` with both ends of every edge of a face, outline first.
     fn edges(&self, face: usize, mut each: impl FnMut(DVec3, DVec3)) {
-        let mut around = |quad: &Quad| {
-            let corners = quad.corners();
-            (0..4).for_each(|at| each(corners[at], corners[(at + 1) % 4]));
-        };
-        match self {
-            Faces::None => {}
-            Faces::Quad(quad) => around(quad),
-            Faces::Box(cuboid) => around(&cuboid.faces()[face]),
-            Faces::Mesh(mesh, place) => {
-                let at = |point: u32| place.transform_point3(mesh.points()[point as usize]);
-                for ring in mesh.face(face).loops() {
-                    let ends = ring.iter().zip(ring.iter().cycle().skip(1));
-                    ends.for_each(|(&a, &b)| each(at(a), at(b)));
-                }
-            }
+        let at = |point: u32| self.to_scope.transform_point3(self.mesh.points()[point as usize]);
+        for ring in self.mesh.face(face).loops() {
+            let ends = ring.iter().zip(ring.iter().cycle().skip(1));
+            ends.for_each(|(&a, &b)| each(at(a), at(b)));
         }
     }
 }

@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
+use super::insert::asset;
 use crate::asset::{CUBES, File};
 use crate::fault::{FaultKind, LimitKind};
-use crate::geometry::mesh::{AlongUv, HeightAlignment, HeightDirection, Mesh, insert_along_uv as bend, primitive};
+use crate::geometry::mesh::{AlongUv, HeightAlignment, HeightDirection, insert_along_uv as bend, primitive};
 use crate::run::env::Env;
 use crate::shape::Shape;
 
@@ -27,7 +28,8 @@ pub fn insert_along_uv_with(
 ) {
     let Some(set) = env.uv_set(set, "insertAlongUV") else { return };
     let height = env.finite(height, "the height of `insertAlongUV`");
-    let asset = match asset(env, &file) {
+    let is_cube = CUBES.contains(&file.name.as_str());
+    let asset = match if is_cube { Ok(Arc::new(primitive::cube())) } else { asset(env, &file) } {
         Ok(asset) => asset,
         Err(why) => return env.asset_fault(format!("`{file}` cannot be inserted: {why}; the shape stays as it is")),
     };
@@ -50,17 +52,5 @@ pub fn insert_along_uv_with(
     if env.count_vertices(&bent).is_continue() {
         shape.set_mesh(bent);
         super::inserted(env, shape);
-    }
-}
-
-/// The mesh of a file.
-fn asset(env: &Env, file: &File) -> Result<Arc<Mesh>, String> {
-    if CUBES.contains(&file.name.as_str()) {
-        return Ok(Arc::new(primitive::cube()));
-    }
-    match env.settings.assets.mesh_of(file) {
-        Ok(mesh) if mesh.is_empty() => Err("it has no faces".to_owned()),
-        Ok(mesh) => Ok(mesh),
-        Err(error) => Err(error.to_string()),
     }
 }

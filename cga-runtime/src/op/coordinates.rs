@@ -1,8 +1,6 @@
 //! `translate` and `rotate`: the scope moves in a named coordinate system, and the geometry with it.
 
-use glam::DVec3;
-
-use super::settle;
+use super::{finite, settle};
 use crate::geometry::rotation::turn;
 use crate::run::env::Env;
 use crate::shape::Shape;
@@ -22,7 +20,7 @@ pub enum TransformMode {
 /// `translate(abs | rel, system, x, y, z)`: moves the scope's origin to a position in the system, or by a vector
 /// along the system's axes (*translate operation*). In the scope's own system both mean the same.
 pub fn translate_in(env: &mut Env, shape: &mut Shape, mode: TransformMode, system: System, x: f64, y: f64, z: f64) {
-    let by = finite(env, "`translate`", [x, y, z]);
+    let by = finite(env, "`translate` along", [x, y, z]);
     let frame = system.frame(env, shape);
     let before = shape.scope;
     shape.scope.origin = match mode {
@@ -37,7 +35,7 @@ pub fn translate_in(env: &mut Env, shape: &mut Shape, mode: TransformMode, syste
 /// the system's axes, x then y then z, in degrees (*rotate operation*; *r operation*: `r` is `rotate(rel, pivot,
 /// …)`). In the scope's own system both mean the same.
 pub fn rotate_in(env: &mut Env, shape: &mut Shape, mode: TransformMode, system: System, x: f64, y: f64, z: f64) {
-    let angles = finite(env, "`rotate`", [x, y, z]);
+    let angles = finite(env, "`rotate` along", [x, y, z]);
     let frame = system.frame(env, shape).axes;
     let (before, turned) = (shape.scope, frame * turn(angles.x, angles.y, angles.z));
     shape.scope.axes = match mode {
@@ -47,17 +45,9 @@ pub fn rotate_in(env: &mut Env, shape: &mut Shape, mode: TransformMode, system: 
     shape.carry(&before);
 }
 
-fn finite(env: &mut Env, what: &str, [x, y, z]: [f64; 3]) -> DVec3 {
-    let mut number = |value: f64, axis: &str| match value.is_finite() {
-        true => value,
-        false => env.finite(value, &format!("{what} along {axis}")),
-    };
-    DVec3::new(number(x, "x"), number(y, "y"), number(z, "z"))
-}
-
 #[cfg(test)]
 mod tests {
-    use glam::DMat3;
+    use glam::{DMat3, DVec3};
 
     use super::*;
     use crate::geometry::rotation::angles;

@@ -138,13 +138,8 @@ fn raised(scope: &Scope, axis: Axis, distance: f64) -> Scope {
 }
 
 fn extrude_any(env: &mut Env, shape: &mut Shape, how: Extrude, distance: f64) {
-    match &shape.geometry {
-        Geometry::Edge => return extrude_edges(env, shape, &Wire::edge(shape.scope.size.x), how, distance),
-        Geometry::Wire(placed) => {
-            let wire = placed.in_scope(shape.scope.size);
-            return extrude_edges(env, shape, &wire, how, distance);
-        }
-        _ => {}
+    if let Some(wire) = shape.to_wire() {
+        return extrude_edges(env, shape, &wire, how, distance);
     }
     let mesh = shape.to_mesh();
     let first_normal = || mesh.faces().map(|face| face.normal()).find(|normal| *normal != DVec3::ZERO);

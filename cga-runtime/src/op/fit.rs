@@ -1,8 +1,13 @@
 //! The fit of inserted geometry to a scope.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
-use crate::shape::Shape;
+use crate::geometry::Axis;
+use crate::geometry::mesh::Mesh;
+use crate::run::env::Env;
+use crate::shape::{Geometry, Inserted, Placed, Shape};
 
 /// Sets the scope for geometry with that low corner and size (*i operation*, zero sizes). With three sizes the
 /// geometry is fitted to them; sizes that are zero follow from the others.
@@ -30,4 +35,22 @@ pub(super) fn fit(shape: &mut Shape, low: DVec3, size: DVec3) {
         }
         _ => {}
     }
+}
+
+/// Gives the scope a size, in the middle of its old plane across an axis and on its floor.
+pub(super) fn centre(shape: &mut Shape, size: DVec3, across: Axis) {
+    let mut room = (shape.scope.size - size) * 0.5;
+    room[across.index()] = 0.0;
+    shape.scope.origin += shape.scope.axes * room;
+    shape.scope.size = size;
+}
+
+/// Replaces the geometry by an asset or a primitive, stretched to the scope.
+pub(super) fn put(env: &mut Env, shape: &mut Shape, mesh: Arc<Mesh>) {
+    let placed = Placed { inserted: Inserted::Asset, ..Placed::fitted(mesh) };
+    shape.geometry = Geometry::Mesh(Arc::new(placed));
+    super::inserted(env, shape);
+    // A size of zero flattens it.
+    shape.resize(shape.scope.size);
+    super::trim(env, shape);
 }

@@ -4,16 +4,17 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
-use super::fit::fit;
+use super::fit::{centre, fit, put};
 use super::primitive::fill_with_cube;
 use super::settle;
 use crate::asset::{AssetError, CUBES, File};
+use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
 use crate::material::Layer;
 use crate::material::layer;
 use crate::run::env::Env;
 use crate::shape::place::Cuboid;
-use crate::shape::{Geometry, Inserted, Placed, Shape};
+use crate::shape::{Geometry, Placed, Shape};
 
 /// The up axis of an asset or of an aligned scope.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,13 +59,9 @@ pub fn insert_with(env: &mut Env, shape: &mut Shape, file: File, up: UpAxis, mod
         let is_textured = !file.name.as_str().ends_with(":notex");
         return insert_box(env, shape, mode, is_textured);
     }
-    let assets = Arc::clone(&env.settings.assets);
-    let found = assets.mesh_of(&file).and_then(|mesh| match mesh.is_empty() {
-        true => Err(AssetError::Broken("it has no faces".to_owned())),
-        false => Ok(mesh),
-    });
+    let found = asset(env, &file);
     if let Ok(mesh) = &found
-        && assets.has_folder()
+        && env.settings.assets.has_folder()
     {
         check_images(env, mesh);
     }
@@ -80,6 +77,14 @@ pub fn insert_with(env: &mut Env, shape: &mut Shape, file: File, up: UpAxis, mod
             mark(env, shape, mode);
         }
     }
+}
+
+/// The mesh of a file, with faces.
+pub(super) fn asset(env: &Env, file: &File) -> Result<Arc<Mesh>, AssetError> {
+    env.settings.assets.mesh_of(file).and_then(|mesh| match mesh.is_empty() {
+        true => Err(AssetError::Broken("it has no faces".to_owned())),
+        false => Ok(mesh),
+    })
 }
 
 /// Leaves a fault for each image of a mesh that is missing or broken.
@@ -113,13 +118,7 @@ fn mark(env: &mut Env, shape: &mut Shape, mode: InsertMode) {
     let origin = (DVec3::ONE - share) * DVec3::new(0.5, 0.0, 0.5);
     let mesh = Cuboid::new(origin, DMat3::from_diagonal(share)).to_mesh();
     if env.count_vertices(&mesh).is_continue() {
-        let placed = Placed {
-            low: DVec3::ZERO,
-            size: DVec3::ONE,
-            mesh: Arc::new(mesh),
-            inserted: Inserted::No,
-            mirrored: false,
-        };
+        let placed = Placed { low: DVec3::ZERO, size: DVec3::ONE, ..Placed::fitted(mesh) };
         shape.geometry = Geometry::Mesh(Arc::new(placed));
         // A size of zero flattens it.
         shape.resize(shape.scope.size);
@@ -127,11 +126,8 @@ fn mark(env: &mut Env, shape: &mut Shape, mode: InsertMode) {
 }
 
 fn place(env: &mut Env, shape: &mut Shape, mesh: Arc<Mesh>, mode: InsertMode) {
-    let (low, size) = (mesh.bounds().low, mesh.bounds().size());
-    arrange(env, shape, low, size, mode);
-    shape.geometry = Geometry::Mesh(Arc::new(Placed { low, size, mesh, inserted: Inserted::Asset, mirrored: false }));
-    super::inserted(env, shape);
-    super::trim(env, shape);
+    arrange(env, shape, mesh.bounds().low, mesh.bounds().size(), mode);
+    put(env, shape, mesh);
 }
 
 /// Sets the scope for geometry with that low corner and size.
@@ -144,9 +140,7 @@ fn arrange(env: &mut Env, shape: &mut Shape, low: DVec3, size: DVec3, mode: Inse
             fit(shape, low, size);
         }
         InsertMode::KeepSizeAlignPosition => {
-            let room = (shape.scope.size - size) * DVec3::new(0.5, 0.0, 0.5);
-            shape.scope.origin += shape.scope.axes * room;
-            shape.scope.size = size;
+            centre(shape, size, Axis::Y);
         }
     }
     settle(env, shape, &before, "`i`");
@@ -158,6 +152,7 @@ mod tests {
     use crate::asset::Assets;
     use crate::geometry::mesh::primitive::cone;
     use crate::run::settings::Settings;
+    use crate::shape::Inserted;
     use crate::shape::Shape;
 
     /// The asset of *i operation*, example 2: 2 by 4 by 6, away from the origin. Its tip is on top.

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::pivot::rearranged;
-use super::refit::as_placed;
 use crate::run::env::Env;
 use crate::shape::PlacedWire;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
@@ -31,7 +30,7 @@ pub fn mirror(env: &mut Env, shape: &mut Shape, x: bool, y: bool, z: bool) {
         shape.geometry = geometry;
         return;
     }
-    let Some(placed) = as_placed(shape) else { return };
+    let Some(placed) = shape.geometry.placed() else { return };
     if env.count_vertices(&placed.mesh).is_break() {
         return;
     }
@@ -59,7 +58,7 @@ fn unit_mirrored(geometry: &Geometry, flips: [bool; 3]) -> Option<Geometry> {
 /// `reverseNormals()`: reverses every face. The first edge of each stays, with its ends swapped (*reverseNormals
 /// operation*).
 pub fn reverse_normals(env: &mut Env, shape: &mut Shape) {
-    let Some(placed) = as_placed(shape) else { return };
+    let Some(placed) = shape.geometry.placed() else { return };
     if env.count_vertices(&placed.mesh).is_break() {
         return;
     }

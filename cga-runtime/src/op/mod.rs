@@ -58,6 +58,8 @@ pub use texture::{
 pub use transform::{CenterAxes, RotateAbout, center, rotate, rotate_about, size, translate};
 pub use trim::trim;
 
+use std::fmt::Display;
+
 use glam::DVec3;
 
 use crate::fault::FaultKind;
@@ -88,6 +90,22 @@ fn leads_beyond(env: &mut Env, what: &str) {
     env.fault(FaultKind::Value, format!("{what} overflows; the shape stays as it is"));
 }
 
+/// Three numbers, one for each axis. Those that are not finite become 0, with a fault.
+fn finite(env: &mut Env, what: &str, numbers: [f64; 3]) -> DVec3 {
+    let names = ["x", "y", "z"];
+    DVec3::from_array([0, 1, 2].map(|axis| env.finite(numbers[axis], format_args!("{what} {}", names[axis]))))
+}
+
+/// Three lengths in metres, one for each axis of a scope of that size.
+#[inline]
+fn lengths(env: &mut Env, what: &str, [x, y, z]: [Length; 3], size: DVec3) -> DVec3 {
+    DVec3::new(
+        x.of(size.x, env, format_args!("{what} along x")),
+        y.of(size.y, env, format_args!("{what} along y")),
+        z.of(size.z, env, format_args!("{what} along z")),
+    )
+}
+
 /// Marks geometry that does not come from the initial shape: its groups do not have that shape's name.
 pub(crate) fn inserted(env: &Env, shape: &mut Shape) {
     if !env.initial.name.is_empty() {
@@ -116,7 +134,7 @@ impl Length {
 
     /// The length in metres, for a size of the scope.
     #[inline]
-    pub(crate) fn of(self, size: f64, env: &mut Env, what: &str) -> f64 {
+    pub(crate) fn of(self, size: f64, env: &mut Env, what: impl Display) -> f64 {
         match self {
             Length::Absolute(metres) => env.finite(metres, what),
             Length::Relative(share) => env.finite(share, what) * size,

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::refit::{as_placed, rectangle};
+use super::refit::rectangle;
 use super::settle;
 use crate::fault::FaultKind;
 use crate::geometry::Frame;
@@ -47,8 +47,10 @@ pub fn set_pivot(env: &mut Env, shape: &mut Shape, map: AxisMap, corner: f64) {
     if from != [0, 1, 2] || far != [false; 3] {
         match &shape.geometry {
             Geometry::Empty | Geometry::Vertex => {}
-            Geometry::Edge => shape.geometry = seen_from(Wire::edge(old.size.x), &old, &scope),
-            Geometry::Wire(placed) => shape.geometry = seen_from(placed.in_scope(old.size), &old, &scope),
+            Geometry::Edge | Geometry::Wire(_) => {
+                let wire = shape.to_wire().unwrap_or_default();
+                shape.geometry = seen_from(wire, &old, &scope);
+            }
             Geometry::Rect(axis, unit) if 0.0 <= old.size.min_element() && old.size[axis.index()] == 0.0 => {
                 match rectangle(&old, *axis, *unit, scope.axes) {
                     Some((_, geometry)) => shape.geometry = geometry,
@@ -92,7 +94,7 @@ fn corner_axes(map: AxisMap, corner: usize) -> ([bool; 3], [usize; 3]) {
 
 /// Moves the geometry into a scope whose axes are old ones, some of them reversed.
 fn rearrange(env: &mut Env, shape: &mut Shape, from: [usize; 3], turned: [bool; 3]) -> bool {
-    let Some(placed) = as_placed(shape) else { return true };
+    let Some(placed) = shape.geometry.placed() else { return true };
     if env.count_vertices(&placed.mesh).is_break() {
         return false;
     }
@@ -125,7 +127,7 @@ pub fn mirror_scope(env: &mut Env, shape: &mut Shape, x: bool, y: bool, z: bool)
         return;
     }
     let share = DVec3::new(f64::from(flips(0)), f64::from(flips(1)), f64::from(flips(2)));
-    if let Some(placed) = as_placed(shape) {
+    if let Some(placed) = shape.geometry.placed() {
         if env.count_vertices(&placed.mesh).is_break() {
             return;
         }

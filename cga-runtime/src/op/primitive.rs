@@ -5,20 +5,17 @@
 //! is one, otherwise across y. A radius is that of the circle through the corners. The scope is the box of the
 //! geometry.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 
-use super::fit::fit;
+use super::fit::{centre, fit, put};
 use super::settle;
 use crate::fault::FaultKind;
 use crate::geometry::Axis;
-use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::primitive::Made;
 use crate::run::env::Env;
 use crate::shape::texture::UvSource;
 use crate::shape::unit::UnitMesh;
-use crate::shape::{Geometry, Inserted, Placed, Shape};
+use crate::shape::{Geometry, Shape};
 
 /// The default number of sides and divisions.
 const USUAL: u32 = 16;
@@ -55,8 +52,7 @@ pub fn cylinder_sides(env: &mut Env, shape: &mut Shape, sides: f64) {
 /// `primitiveCylinder(sides, radius, height)` (*primitiveCylinder operation*).
 pub fn cylinder_sized(env: &mut Env, shape: &mut Shape, sides: f64, radius: f64, height: f64) {
     let sides = count(env, sides, "sides of a cylinder", 3, MOST_SIDES);
-    let (across, height) = (2.0 * env.finite(radius, "the radius"), env.finite(height, "the height"));
-    fill_to_size(env, shape, Made::Cylinder { sides }, DVec3::new(across, height, across), Axis::Y);
+    fill_to_height(env, shape, Made::Cylinder { sides }, radius, height);
 }
 
 /// `primitiveCone()` and `primitiveCone(sides)`, along y, its tip up (*primitiveCone operation*).
@@ -68,8 +64,12 @@ pub fn cone(env: &mut Env, shape: &mut Shape, sides: f64) {
 /// `primitiveCone(sides, radius, height)` (*primitiveCone operation*).
 pub fn cone_sized(env: &mut Env, shape: &mut Shape, sides: f64, radius: f64, height: f64) {
     let sides = count(env, sides, "sides of a cone", 3, MOST_SIDES);
+    fill_to_height(env, shape, Made::Cone { sides }, radius, height);
+}
+
+fn fill_to_height(env: &mut Env, shape: &mut Shape, made: Made, radius: f64, height: f64) {
     let (across, height) = (2.0 * env.finite(radius, "the radius"), env.finite(height, "the height"));
-    fill_to_size(env, shape, Made::Cone { sides }, DVec3::new(across, height, across), Axis::Y);
+    fill_to_size(env, shape, made, DVec3::new(across, height, across), Axis::Y);
 }
 
 /// `primitiveSphere()`, with 16 sides and 16 divisions (*primitiveSphere operation*).
@@ -197,20 +197,9 @@ fn fill_plainly(env: &mut Env, shape: &mut Shape, geometry: Geometry, coordinate
     super::trim(env, shape);
 }
 
-/// Replaces the geometry by a mesh stretched to the scope.
-fn put(env: &mut Env, shape: &mut Shape, mesh: Arc<Mesh>) {
-    let bounds = mesh.bounds();
-    let placed = Placed { mesh, low: bounds.low, size: bounds.size(), inserted: Inserted::Asset, mirrored: false };
-    shape.geometry = Geometry::Mesh(Arc::new(placed));
-    super::inserted(env, shape);
-    // A size of zero flattens it.
-    shape.resize(shape.scope.size);
-    super::trim(env, shape);
-}
-
 /// A number of sides or the like: an integer within limits.
 fn count(env: &mut Env, wanted: f64, what: &str, least: u32, most: u32) -> u32 {
-    let wanted = env.finite(wanted, &format!("the number of {what}"));
+    let wanted = env.finite(wanted, format_args!("the number of {what}"));
     let count = wanted.clamp(f64::from(least), f64::from(most)) as u32;
     if f64::from(count) != wanted {
         env.fault(FaultKind::Value, format!("the number of {what} cannot be {wanted}; it is {count}"));
@@ -221,10 +210,7 @@ fn count(env: &mut Env, wanted: f64, what: &str, least: u32, most: u32) -> u32 {
 /// Gives the scope a size, in the middle of its old plane across an axis and on its floor.
 fn stand(env: &mut Env, shape: &mut Shape, size: DVec3, across: Axis) {
     let before = shape.scope;
-    let mut room = (shape.scope.size - size) * 0.5;
-    room[across.index()] = 0.0;
-    shape.scope.origin += shape.scope.axes * room;
-    shape.scope.size = size;
+    centre(shape, size, across);
     settle(env, shape, &before, "the size of the primitive");
 }
 

@@ -35,8 +35,7 @@ pub(super) fn refit(env: &mut Env, shape: &mut Shape, axes: DMat3, what: &str) -
         Geometry::Edge if stays && 0.0 <= scope.size.x => {
             Some((Scope { axes, size: DVec3::X * scope.size.x, ..scope }, Geometry::Edge))
         }
-        Geometry::Edge => Some(wire(&scope, &turn, axes, Wire::edge(scope.size.x))),
-        Geometry::Wire(placed) => Some(wire(&scope, &turn, axes, placed.in_scope(scope.size))),
+        Geometry::Edge | Geometry::Wire(_) => shape.to_wire().map(|edges| wire(&scope, &turn, axes, edges)),
         Geometry::Vertex => Some((Scope { axes, size: DVec3::ZERO, ..scope }, Geometry::Vertex)),
         Geometry::Empty if stays => Some((Scope { axes, ..scope }, Geometry::Empty)),
         Geometry::Empty => Some((around(&scope, &turn, axes), Geometry::Empty)),
@@ -105,22 +104,18 @@ fn wire(scope: &Scope, turn: &DMat3, axes: DMat3, wire: Wire) -> (Scope, Geometr
     (new, Geometry::Wire(Arc::new(placed)))
 }
 
-/// The directions of a rectangle's first two edges, as in [`place::rectangle`].
-fn directions(axes: &DMat3, axis: Axis) -> [DVec3; 2] {
-    match axis {
-        Axis::X => [-axes.z_axis, axes.y_axis],
-        Axis::Y => [axes.x_axis, -axes.z_axis],
-        Axis::Z => [axes.x_axis, axes.y_axis],
-    }
-}
-
 /// The rectangle along other axes, if it is one there, with the same first edge and the same normal.
 pub(super) fn rectangle(scope: &Scope, axis: Axis, unit: UnitMesh, axes: DMat3) -> Option<(Scope, Geometry)> {
     let quad = place::rectangle(scope, axis, unit);
     let (across, up) = (quad.u.length(), quad.v.length());
-    let old = directions(&scope.axes, axis);
+    // The directions of the first two edges.
+    let directions = |axes: DMat3, axis: Axis| {
+        let quad = place::rectangle(&Scope { axes, ..Scope::new(DVec3::ONE) }, axis, unit);
+        [quad.u, quad.v]
+    };
+    let old = directions(scope.axes, axis);
     [Axis::X, Axis::Y, Axis::Z].into_iter().find_map(|new| {
-        let near = directions(&axes, new).iter().zip(old).all(|(a, b)| a.abs_diff_eq(b, ANGLE_EPSILON));
+        let near = directions(axes, new).iter().zip(old).all(|(a, b)| a.abs_diff_eq(b, ANGLE_EPSILON));
         let (origin, size) = match new {
             Axis::X => (quad.origin + quad.u, DVec3::new(0.0, up, across)),
             Axis::Y => (quad.origin + quad.v, DVec3::new(across, 0.0, up)),
@@ -137,14 +132,4 @@ fn flattened(points: &[DVec3]) -> Option<Vec<DVec3>> {
     let size = bounds.size();
     let flat = size.cmple(DVec3::splat(ANGLE_EPSILON * size.max_element())) & size.cmpgt(DVec3::ZERO);
     flat.any().then(|| points.iter().map(|&p| DVec3::select(flat, bounds.low, p)).collect())
-}
-
-/// The geometry of a shape with a surface as a mesh, and the box that the scope stretches, for all signs of the
-/// sizes.
-pub(super) fn as_placed(shape: &Shape) -> Option<Placed> {
-    match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => None,
-        Geometry::Mesh(placed) => Some(Placed::clone(placed)),
-        Geometry::Box(unit) | Geometry::Rect(_, unit) => Some(Placed::unit(*unit)),
-    }
 }

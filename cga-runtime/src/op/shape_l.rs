@@ -149,20 +149,19 @@ impl<'a> Plane<'a> {
         for part in parts {
             for ring in part {
                 for corner in ring {
-                    let known = self.flat.iter().position(|at| *at == corner.at).map(|at| range.start + at);
+                    if let Some(at) = self.flat.iter().position(|at| *at == corner.at) {
+                        copy(&self.face, range.start + at, source, mesh);
+                        continue;
+                    }
                     let weights = spread.weights(corner.at);
                     mesh.corners.push(mesh.points.len() as u32);
-                    mesh.points.push(match known {
-                        Some(at) => self.face.position(at),
-                        None => self.origin + self.axes[0] * corner.at.x + self.axes[1] * corner.at.y,
-                    });
-                    mesh.uvs.push_from(&source.uvs, |list| match known {
-                        Some(at) => list[at],
-                        None => list[range.clone()].iter().zip(&weights).map(|(&uv, &weight)| uv * weight).sum(),
+                    mesh.points.push(self.origin + self.axes[0] * corner.at.x + self.axes[1] * corner.at.y);
+                    mesh.uvs.push_from(&source.uvs, |list| {
+                        list[range.clone()].iter().zip(&weights).map(|(&uv, &weight)| uv * weight).sum()
                     });
                     if let Some(normals) = source.normals.get(range.clone()) {
-                        let mixed = || normals.iter().zip(&weights).map(|(&normal, &weight)| normal * weight).sum();
-                        mesh.normals.push(known.map_or_else(|| unit(mixed()), |at| source.normals[at]));
+                        let mixed = normals.iter().zip(&weights).map(|(&normal, &weight)| normal * weight);
+                        mesh.normals.push(unit(mixed.sum()));
                     }
                 }
                 mesh.loop_ends.push(mesh.corners.len() as u32);
@@ -178,17 +177,20 @@ impl<'a> Plane<'a> {
 fn whole(source: &Mesh, face: &FaceRef<'_>, arm: Option<u32>, made: &mut Faces) {
     let mesh = &mut made.mesh;
     for ring in face.loop_ranges() {
-        for corner in ring {
-            mesh.corners.push(mesh.points.len() as u32);
-            mesh.points.push(face.position(corner));
-            mesh.uvs.push_from(&source.uvs, |list| list[corner]);
-            mesh.normals.extend(source.normals.get(corner));
-        }
+        ring.for_each(|corner| copy(face, corner, source, mesh));
         mesh.loop_ends.push(mesh.corners.len() as u32);
     }
     mesh.face_ends.push(mesh.loop_ends.len());
     mesh.tags.push(face.tag());
     made.arms.push(arm);
+}
+
+/// Adds a corner of a face as it is, with a point of its own.
+fn copy(face: &FaceRef<'_>, corner: usize, source: &Mesh, mesh: &mut Mesh) {
+    mesh.corners.push(mesh.points.len() as u32);
+    mesh.points.push(face.position(corner));
+    mesh.uvs.push_from(&source.uvs, |list| list[corner]);
+    mesh.normals.extend(source.normals.get(corner));
 }
 
 /// The same loop the other way round, as a hole.

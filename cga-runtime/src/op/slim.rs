@@ -5,7 +5,7 @@
 
 use glam::DVec3;
 
-use super::{Length, settle_origin};
+use super::{Length, lengths, settle_origin};
 use crate::geometry::Axis;
 use crate::run::env::Env;
 use crate::shape::base::{Base, Form};
@@ -39,11 +39,7 @@ pub fn instead(changed: &Option<Box<Base>>) -> Option<ShapeRef<'_>> {
 #[inline]
 pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) -> Option<Box<Base>> {
     let size = shape.size.get();
-    let by = DVec3::new(
-        x.of(size.x, env, "`t` along x"),
-        y.of(size.y, env, "`t` along y"),
-        z.of(size.z, env, "`t` along z"),
-    );
+    let by = lengths(env, "`t`", [x, y, z], size);
     if shape.has_coordinates() && !shape.keeps_coordinates(by) {
         return whole(env, shape, |env, shape| super::translate(env, shape, x, y, z));
     }

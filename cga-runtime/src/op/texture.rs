@@ -8,6 +8,7 @@ use glam::{DAffine2, DVec2, DVec3, DVec4};
 
 use super::Length;
 use crate::fault::FaultKind;
+use crate::geometry::Frame;
 use crate::geometry::mesh::uv::{range, spread};
 use crate::geometry::rotation::sin_cos;
 use crate::geometry::tol::PLANAR_EPSILON;
@@ -18,39 +19,30 @@ use crate::shape::texture::UvSource;
 
 /// The coordinate system of a projection, and its axes for u and v.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names are those of the language")]
-pub enum ProjectionAxes {
-    ScopeXy,
-    ScopeXz,
-    ScopeYx,
-    ScopeYz,
-    ScopeZx,
-    ScopeZy,
-    WorldXy,
-    WorldXz,
-    WorldYx,
-    WorldYz,
-    WorldZx,
-    WorldZy,
+pub struct ProjectionAxes {
+    of_world: bool,
+    /// The numbers of the axes for u and v.
+    u: usize,
+    v: usize,
 }
 
+#[allow(missing_docs, non_upper_case_globals, reason = "the names are those of the language")]
 impl ProjectionAxes {
-    /// The numbers of the axes for u and v.
-    fn axes(self) -> (usize, usize) {
-        use ProjectionAxes as A;
-        match self {
-            A::ScopeXy | A::WorldXy => (0, 1),
-            A::ScopeXz | A::WorldXz => (0, 2),
-            A::ScopeYx | A::WorldYx => (1, 0),
-            A::ScopeYz | A::WorldYz => (1, 2),
-            A::ScopeZx | A::WorldZx => (2, 0),
-            A::ScopeZy | A::WorldZy => (2, 1),
-        }
-    }
+    pub const ScopeXy: ProjectionAxes = ProjectionAxes::new(false, 0, 1);
+    pub const ScopeXz: ProjectionAxes = ProjectionAxes::new(false, 0, 2);
+    pub const ScopeYx: ProjectionAxes = ProjectionAxes::new(false, 1, 0);
+    pub const ScopeYz: ProjectionAxes = ProjectionAxes::new(false, 1, 2);
+    pub const ScopeZx: ProjectionAxes = ProjectionAxes::new(false, 2, 0);
+    pub const ScopeZy: ProjectionAxes = ProjectionAxes::new(false, 2, 1);
+    pub const WorldXy: ProjectionAxes = ProjectionAxes::new(true, 0, 1);
+    pub const WorldXz: ProjectionAxes = ProjectionAxes::new(true, 0, 2);
+    pub const WorldYx: ProjectionAxes = ProjectionAxes::new(true, 1, 0);
+    pub const WorldYz: ProjectionAxes = ProjectionAxes::new(true, 1, 2);
+    pub const WorldZx: ProjectionAxes = ProjectionAxes::new(true, 2, 0);
+    pub const WorldZy: ProjectionAxes = ProjectionAxes::new(true, 2, 1);
 
-    fn is_world(self) -> bool {
-        use ProjectionAxes as A;
-        matches!(self, A::WorldXy | A::WorldXz | A::WorldYx | A::WorldYz | A::WorldZx | A::WorldZy)
+    const fn new(of_world: bool, u: usize, v: usize) -> Self {
+        ProjectionAxes { of_world, u, v }
     }
 }
 
@@ -101,7 +93,7 @@ pub fn setup_projection_at(
     uw_factor: f64,
 ) {
     let Some(set) = env.uv_set(set, "setupProjection") else { return };
-    let (a, b) = axes.axes();
+    let ProjectionAxes { of_world, u: a, v: b } = axes;
     // A size that is only rounding counts as zero, so that its shares are zero.
     let (size, least) = (shape.scope.size, PLANAR_EPSILON * shape.scope.size.abs().max_element());
     let size = DVec3::select(size.abs().cmple(DVec3::splat(least)), DVec3::ZERO, size);
@@ -110,11 +102,8 @@ pub fn setup_projection_at(
     let offsets = [(width_offset, a, "the width offset"), (height_offset, b, "the height offset")];
     let [width_offset, height_offset] = offsets.map(|(offset, axis, what)| offset.of(size[axis], env, what));
     let uw_factor = env.finite(uw_factor, "the uwFactor");
-    let along = |axis: usize| match axes.is_world() {
-        true => DVec3::AXES[axis],
-        false => shape.scope.axes.col(axis),
-    };
-    let origin = if axes.is_world() { DVec3::ZERO } else { shape.scope.origin };
+    let frame = if of_world { Frame::WORLD } else { shape.scope.frame() };
+    let (along, origin) = (|axis: usize| frame.axes.col(axis), frame.origin);
     let row = |direction: DVec3, offset: f64, length: f64| -> DVec4 {
         if length == 0.0 {
             return DVec4::ZERO;

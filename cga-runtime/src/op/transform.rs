@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::geometry::rotation::turn;
 
-use super::{Length, settle};
+use super::{Length, finite, lengths, settle};
 use crate::fault::FaultKind;
 use crate::run::env::Env;
 use crate::shape::Shape;
@@ -13,11 +13,7 @@ use crate::shape::scope::Scope;
 /// `t(x, y, z)`: moves along the scope's own axes (*t operation*).
 pub fn translate(env: &mut Env, shape: &mut Shape, x: Length, y: Length, z: Length) {
     let size = shape.scope.size;
-    let by = DVec3::new(
-        x.of(size.x, env, "`t` along x"),
-        y.of(size.y, env, "`t` along y"),
-        z.of(size.z, env, "`t` along z"),
-    );
+    let by = lengths(env, "`t`", [x, y, z], size);
     let before = shape.scope;
     shape.scope.origin += shape.scope.axes * by;
     settle(env, shape, &before, "`t`");
@@ -28,8 +24,7 @@ pub fn translate(env: &mut Env, shape: &mut Shape, x: Length, y: Length, z: Leng
 /// along that axis.
 pub fn size(env: &mut Env, shape: &mut Shape, x: Length, y: Length, z: Length) {
     let old = shape.scope.size;
-    let mut new =
-        DVec3::new(x.of(old.x, env, "`s` along x"), y.of(old.y, env, "`s` along y"), z.of(old.z, env, "`s` along z"));
+    let mut new = lengths(env, "`s`", [x, y, z], old);
     let too_large = new.abs().cmpgt(DVec3::splat(Scope::MOST_SIZE));
     if too_large.any() {
         new = DVec3::select(too_large, old, new);
@@ -54,7 +49,8 @@ pub enum RotateAbout {
 
 /// `r(scopeOrigin | scopeCenter, x, y, z)` (*r operation*).
 pub fn rotate_about(env: &mut Env, shape: &mut Shape, about: RotateAbout, x: f64, y: f64, z: f64) {
-    let turn = turn(env.finite(x, "`r` about x"), env.finite(y, "`r` about y"), env.finite(z, "`r` about z"));
+    let angles = finite(env, "`r` about", [x, y, z]);
+    let turn = turn(angles.x, angles.y, angles.z);
     let (before, centre) = (shape.scope, shape.scope.centre());
     shape.scope.axes = shape.pivot.axes * turn * shape.pivot.axes.transpose() * shape.scope.axes;
     if about == RotateAbout::ScopeCenter {
@@ -64,31 +60,27 @@ pub fn rotate_about(env: &mut Env, shape: &mut Shape, about: RotateAbout, x: f64
     shape.carry(&before);
 }
 
-/// The scope axes along which `center` moves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names are those of the language")]
-pub enum CenterAxes {
-    X,
-    Y,
-    Z,
-    Xy,
-    Xz,
-    Yz,
-    Xyz,
+/// The scope axes along which `center` moves: 1 for each of them, otherwise 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CenterAxes(DVec3);
+
+#[allow(missing_docs, non_upper_case_globals, reason = "the names are those of the language")]
+impl CenterAxes {
+    pub const X: CenterAxes = CenterAxes(DVec3::new(1.0, 0.0, 0.0));
+    pub const Y: CenterAxes = CenterAxes(DVec3::new(0.0, 1.0, 0.0));
+    pub const Z: CenterAxes = CenterAxes(DVec3::new(0.0, 0.0, 1.0));
+    pub const Xy: CenterAxes = CenterAxes(DVec3::new(1.0, 1.0, 0.0));
+    pub const Xz: CenterAxes = CenterAxes(DVec3::new(1.0, 0.0, 1.0));
+    pub const Yz: CenterAxes = CenterAxes(DVec3::new(0.0, 1.0, 1.0));
+    pub const Xyz: CenterAxes = CenterAxes(DVec3::new(1.0, 1.0, 1.0));
 }
 
 /// `center(axes)`: moves the scope along the named axes so that its centre is the centre of `base` (*center
 /// operation*). `base` is the scope at the start of the rule, bracket or part.
 pub fn center(env: &mut Env, shape: &mut Shape, base: &Scope, axes: CenterAxes) {
-    use CenterAxes::{X, Xy, Xyz, Xz, Y, Yz, Z};
-    let along = DVec3::new(
-        if matches!(axes, X | Xy | Xz | Xyz) { 1.0 } else { 0.0 },
-        if matches!(axes, Y | Xy | Yz | Xyz) { 1.0 } else { 0.0 },
-        if matches!(axes, Z | Xz | Yz | Xyz) { 1.0 } else { 0.0 },
-    );
     let before = shape.scope;
     let way = shape.scope.axes.transpose() * (base.centre() - shape.scope.centre());
-    shape.scope.origin += shape.scope.axes * (way * along);
+    shape.scope.origin += shape.scope.axes * (way * axes.0);
     settle(env, shape, &before, "`center`");
     shape.carry(&before);
 }

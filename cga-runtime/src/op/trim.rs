@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use super::refit::as_placed;
 use crate::geometry::cut::{self, Plane};
 use crate::geometry::tol::PLANAR_EPSILON;
 use crate::run::env::Env;
@@ -37,7 +36,7 @@ fn cut(shape: &mut Shape, plane: &TrimPlane) {
     }
     // In a scope with positive sizes, as negative sizes mirror the contents.
     let (size, sign) = (scope.size.abs(), DVec3::ONE.copysign(scope.size));
-    let Some(placed) = as_placed(shape) else { return };
+    let Some(placed) = shape.geometry.placed() else { return };
     let place = placed.to_scope(size);
     let mesh = if place == DAffine3::IDENTITY { placed.mesh } else { Arc::new(placed.mesh.map(&place)) };
     let local = Plane { point: local.point * sign, normal: local.normal * sign };

@@ -1,52 +1,38 @@
 //! Numbers of vertices, edges, faces and holes; the names of groups and materials.
 
 use crate::geometry::mesh::{FaceTag, Mesh};
+use crate::geometry::wire::Wire;
 use crate::run::env::Env;
-use crate::shape::{Geometry, Shape};
+use crate::shape::{Placed, Shape};
 use crate::value::array::Array;
 use crate::value::text::Text;
 
 /// `geometry.nVertices()` (*geometry.nVertices function*): a shared vertex counts once.
 pub fn geometry_n_vertices(shape: &Shape) -> f64 {
-    match &shape.geometry {
-        Geometry::Empty => 0.0,
-        Geometry::Vertex => 1.0,
-        Geometry::Edge => 2.0,
-        Geometry::Wire(placed) => placed.wire.points.len() as f64,
-        Geometry::Rect(..) => 4.0,
-        Geometry::Box(_) => 8.0,
-        Geometry::Mesh(placed) => placed.mesh.points().len() as f64,
-    }
+    count(shape, |wire| wire.points.len(), |mesh| mesh.points().len())
 }
 
 /// `geometry.nFaces()` (*geometry.nFaces function*).
 pub fn geometry_n_faces(shape: &Shape) -> f64 {
-    match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => 0.0,
-        Geometry::Rect(..) => 1.0,
-        Geometry::Box(_) => 6.0,
-        Geometry::Mesh(placed) => placed.mesh.face_count() as f64,
-    }
+    count(shape, |_| 0, Mesh::face_count)
 }
 
 /// `geometry.nEdges()` (*geometry.nEdges function*): a shared edge counts once.
 pub fn geometry_n_edges(shape: &Shape) -> f64 {
-    match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex => 0.0,
-        Geometry::Edge => 1.0,
-        Geometry::Wire(placed) => placed.wire.edges.len() as f64,
-        Geometry::Rect(..) => 4.0,
-        Geometry::Box(_) => 12.0,
-        Geometry::Mesh(placed) => placed.mesh.adjacency().edge_count() as f64,
-    }
+    count(shape, |wire| wire.edges.len(), |mesh| mesh.adjacency().edge_count())
 }
 
 /// `geometry.nHoles()`: the number of holes in faces (*geometry.nHoles function*).
 pub fn geometry_n_holes(shape: &Shape) -> f64 {
-    match &shape.geometry {
-        Geometry::Mesh(placed) => placed.mesh.faces().map(|face| face.holes().len()).sum::<usize>() as f64,
-        _ => 0.0,
-    }
+    count(shape, |_| 0, |mesh| mesh.faces().map(|face| face.holes().len()).sum())
+}
+
+fn count(shape: &Shape, of_wire: fn(&Wire) -> usize, of_mesh: fn(&Mesh) -> usize) -> f64 {
+    let count = match shape.geometry.placed() {
+        Some(placed) => of_mesh(&placed.mesh),
+        None => shape.to_wire().map_or(0, |wire| of_wire(&wire)),
+    };
+    count as f64
 }
 
 /// `geometry.groups()`: the names of the groups that have faces, in their order; faces without a group come last
@@ -71,14 +57,9 @@ fn names(
     name: fn(&Mesh, usize) -> Option<Text>,
     nameless: Text,
 ) -> Array<Text> {
-    match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Array::default(),
-        Geometry::Rect(..) | Geometry::Box(_) => Array::from([nameless]),
-        Geometry::Mesh(placed) => {
-            let mut used: Vec<u32> = placed.mesh.tags.runs().iter().map(|(_, tag)| id(tag)).collect();
-            used.sort_unstable();
-            used.dedup();
-            used.into_iter().map(|id| name(&placed.mesh, id as usize).unwrap_or_else(|| nameless.clone())).collect()
-        }
-    }
+    let Some(Placed { mesh, .. }) = shape.geometry.placed() else { return Array::default() };
+    let mut used: Vec<u32> = mesh.tags.runs().iter().map(|(_, tag)| id(tag)).collect();
+    used.sort_unstable();
+    used.dedup();
+    used.into_iter().map(|id| name(&mesh, id as usize).unwrap_or_else(|| nameless.clone())).collect()
 }

@@ -5,8 +5,7 @@ use glam::DVec3;
 use crate::comp::orientation::Looks;
 use crate::comp::select::{Sense, Word};
 use crate::run::env::Env;
-use crate::shape::place;
-use crate::shape::{Geometry, Shape};
+use crate::shape::Shape;
 
 /// Calls `each` with the area, in square metres, of every face in the direction of a selector word (*geometry.area
 /// function*, *geometry.isOriented function*). A word without a direction selects all faces. A face without area has
@@ -15,7 +14,7 @@ pub(super) fn selected(env: &Env, shape: &Shape, word: Word, mut each: impl FnMu
     let looks = Looks::of(env, shape);
     area_vectors(shape, |vector, at| {
         let length = vector.length();
-        let takes = || match word.sense() {
+        let takes = || match word.0 {
             Sense::Looks(axes, direction) => looks.takes(axes, direction, looks.outwards(vector / length), || at),
             _ => true,
         };
@@ -28,25 +27,13 @@ pub(super) fn selected(env: &Env, shape: &Shape, word: Word, mut each: impl FnMu
 /// Calls `each` with the area vector of every face (its normal times its area) and a point of the face, in scope
 /// coordinates.
 pub(super) fn area_vectors(shape: &Shape, mut each: impl FnMut(DVec3, DVec3)) {
-    let local = crate::shape::scope::Scope::new(shape.scope.size);
-    match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => {}
-        Geometry::Rect(axis, unit) => {
-            let quad = place::rectangle(&local, *axis, *unit);
-            each(quad.u.cross(quad.v), quad.origin);
-        }
-        Geometry::Box(unit) => {
-            place::cuboid(&local, *unit).faces().iter().for_each(|face| each(face.u.cross(face.v), face.origin))
-        }
-        Geometry::Mesh(placed) => {
-            let stretch = placed.stretch(shape.scope.size);
-            // The factor of cross products of stretched vectors.
-            let across = DVec3::new(stretch.y * stretch.z, stretch.z * stretch.x, stretch.x * stretch.y);
-            let to_scope = placed.to_scope(shape.scope.size);
-            placed.mesh.faces().for_each(|face| {
-                let at = to_scope.transform_point3(face.position(face.corner_range().start));
-                each(face.area_vector() * across * 0.5, at);
-            });
-        }
-    }
+    let Some(placed) = shape.geometry.placed() else { return };
+    let stretch = placed.stretch(shape.scope.size);
+    // The factor of cross products of stretched vectors.
+    let across = DVec3::new(stretch.y * stretch.z, stretch.z * stretch.x, stretch.x * stretch.y);
+    let to_scope = placed.to_scope(shape.scope.size);
+    placed.mesh.faces().for_each(|face| {
+        let at = to_scope.transform_point3(face.position(face.corner_range().start));
+        each(face.area_vector() * across * 0.5, at);
+    });
 }

@@ -7,12 +7,12 @@ use crate::comp::select::Word;
 use crate::geometry::mesh::{FaceRef, unit};
 use crate::geometry::tol::{ANGLE_EPSILON, STRAIGHT_EPSILON};
 use crate::run::env::Env;
-use crate::shape::{Geometry, Inserted, Placed, Shape};
+use crate::shape::{Inserted, Placed, Shape};
 
 /// `geometry.isConcave()`: true if a face has a reflex corner (*geometry.isConcave function*). A straight corner is
 /// not reflex. Some corners of every hole are.
 pub fn geometry_is_concave(shape: &Shape) -> bool {
-    let Geometry::Mesh(placed) = &shape.geometry else { return false };
+    let Some(placed) = shape.geometry.placed() else { return false };
     let stretch = placed.stretch(shape.scope.size);
     placed.mesh.faces().any(|face| {
         let normal = face.stretched_normal(stretch);
@@ -25,22 +25,14 @@ pub fn geometry_is_concave(shape: &Shape) -> bool {
 /// `tolerance` degrees (*geometry.isRectangular function*). A side without length has no angles.
 pub fn geometry_is_rectangular(env: &mut Env, shape: &Shape, tolerance: f64) -> bool {
     let tolerance = env.finite(tolerance, "the tolerance");
-    let long = |axis: usize| shape.scope.size[axis] != 0.0;
-    match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => false,
-        Geometry::Rect(axis, _) => 0.0 <= tolerance && (0..3).all(|other| other == axis.index() || long(other)),
-        Geometry::Box(_) => 0.0 <= tolerance && (0..3).all(long),
-        Geometry::Mesh(placed) => {
-            let stretch = placed.stretch(shape.scope.size);
-            let near = libm::sin(tolerance.clamp(0.0, 90.0).to_radians()) + ANGLE_EPSILON;
-            let right = |[before, after]: [DVec3; 2]| {
-                before != DVec3::ZERO && after != DVec3::ZERO && before.dot(after).abs() <= near
-            };
-            0.0 <= tolerance
-                && !placed.mesh.is_empty()
-                && placed.mesh.faces().all(|face| face.corner_count() == 4 && corners(&face, stretch).all(right))
-        }
-    }
+    let Some(placed) = shape.geometry.placed() else { return false };
+    let stretch = placed.stretch(shape.scope.size);
+    let near = libm::sin(tolerance.clamp(0.0, 90.0).to_radians()) + ANGLE_EPSILON;
+    let right =
+        |[before, after]: [DVec3; 2]| before != DVec3::ZERO && after != DVec3::ZERO && before.dot(after).abs() <= near;
+    0.0 <= tolerance
+        && !placed.mesh.is_empty()
+        && placed.mesh.faces().all(|face| face.corner_count() == 4 && corners(&face, stretch).all(right))
 }
 
 /// `geometry.isPlanar(tolerance)`: true if there are faces, and at no corner the plane of the two edges differs from
@@ -48,15 +40,8 @@ pub fn geometry_is_rectangular(env: &mut Env, shape: &Shape, tolerance: f64) -> 
 /// count.
 pub fn geometry_is_planar(env: &mut Env, shape: &Shape, tolerance: f64) -> bool {
     let tolerance = env.finite(tolerance, "the tolerance");
-    match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => false,
-        Geometry::Rect(..) | Geometry::Box(_) => 0.0 <= tolerance,
-        Geometry::Mesh(placed) => 0.0 <= tolerance && is_planar(placed, shape.scope.size, tolerance),
-    }
-}
-
-fn is_planar(placed: &Placed, size: DVec3, tolerance: f64) -> bool {
-    let stretch = placed.stretch(size);
+    let Some(placed) = shape.geometry.placed() else { return false };
+    let stretch = placed.stretch(shape.scope.size);
     let least = libm::cos(tolerance.min(90.0).to_radians()) - ANGLE_EPSILON;
     let flat = |face: FaceRef<'_>| {
         let normal = face.stretched_normal(stretch);
@@ -67,7 +52,7 @@ fn is_planar(placed: &Placed, size: DVec3, tolerance: f64) -> bool {
                 local.length() <= STRAIGHT_EPSILON || least <= unit(local).dot(normal).abs()
             })
     };
-    !placed.mesh.is_empty() && placed.mesh.faces().all(flat)
+    0.0 <= tolerance && !placed.mesh.is_empty() && placed.mesh.faces().all(flat)
 }
 
 /// `geometry.isOriented(selector)`: true if a face has that direction (*geometry.isOriented function*).
@@ -80,14 +65,9 @@ pub fn geometry_is_oriented(env: &Env, shape: &Shape, selector: Word) -> bool {
 /// `geometry.isClosedSurface()`: true if there are faces, and every edge has two of them (*geometry.isClosedSurface
 /// function*).
 pub fn geometry_is_closed_surface(shape: &Shape) -> bool {
-    match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Rect(..) => false,
-        Geometry::Box(_) => true,
-        Geometry::Mesh(placed) => {
-            let adjacency = placed.mesh.adjacency();
-            !placed.mesh.is_empty() && (0..adjacency.edge_count()).all(|edge| adjacency.faces_at(edge).count() == 2)
-        }
-    }
+    let Some(Placed { mesh, .. }) = shape.geometry.placed() else { return false };
+    let adjacency = mesh.adjacency();
+    !mesh.is_empty() && (0..adjacency.edge_count()).all(|edge| adjacency.faces_at(edge).count() == 2)
 }
 
 /// `geometry.isInstanced()`: true if the geometry is an asset or a primitive that has not changed since its insertion

@@ -4,8 +4,8 @@ use glam::DVec3;
 
 use super::faces::{area_vectors, selected};
 use crate::comp::select::Word;
-use crate::geometry::Axis;
 use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
+use crate::geometry::wire::Wire;
 use crate::run::env::Env;
 use crate::shape::{Geometry, Shape};
 
@@ -13,35 +13,23 @@ use crate::shape::{Geometry, Shape};
 /// function*).
 pub fn geometry_area(env: &Env, shape: &Shape, selector: Word) -> f64 {
     let size = shape.scope.size.abs();
-    match &shape.geometry {
-        Geometry::Rect(axis, _) if selector == Word::All => match axis {
-            Axis::X => size.y * size.z,
-            Axis::Y => size.x * size.z,
-            Axis::Z => size.x * size.y,
-        },
-        Geometry::Box(_) if selector == Word::All => 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x),
-        _ => {
-            let mut sum = 0.0;
-            selected(env, shape, selector, |area| sum += area);
-            sum
-        }
+    if selector == Word::All && matches!(shape.geometry, Geometry::Box(_)) {
+        return 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x);
     }
+    let mut sum = 0.0;
+    selected(env, shape, selector, |area| sum += area);
+    sum
 }
 
 /// `geometry.volume()`: the volume enclosed by the faces, in cubic metres (*geometry.volume function*). It is never
 /// negative, even for a shape that is inside out. Flat geometry has none. For an open mesh it is the volume of the
 /// cones from the faces to the middle.
 pub fn geometry_volume(shape: &Shape) -> f64 {
-    let size = shape.scope.size;
-    match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Rect(..) => 0.0,
-        _ if size.x == 0.0 || size.y == 0.0 || size.z == 0.0 => 0.0,
-        Geometry::Box(_) => (size.x * size.y * size.z).abs(),
-        Geometry::Mesh(placed) => {
-            let stretch = placed.stretch(size);
-            (placed.mesh.volume() * (stretch.x * stretch.y * stretch.z)).abs()
-        }
+    let Some(placed) = shape.geometry.placed() else { return 0.0 };
+    if shape.scope.size.cmpeq(DVec3::ZERO).any() {
+        return 0.0;
     }
+    (placed.mesh.volume() * placed.stretch(shape.scope.size).element_product()).abs()
 }
 
 /// `geometry.height()`: the height from the lowest to the highest point in the world, in metres (*geometry.height
@@ -49,53 +37,39 @@ pub fn geometry_volume(shape: &Shape) -> f64 {
 pub fn geometry_height(shape: &Shape) -> f64 {
     let (size, axes) = (shape.scope.size, shape.scope.axes);
     let rise = DVec3::new(axes.x_axis.y, axes.y_axis.y, axes.z_axis.y);
+    let height = |points: &[DVec3], rise: DVec3| {
+        let heights = points.iter().map(|point| rise.dot(*point));
+        let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
+        if low <= high { high - low } else { 0.0 }
+    };
     match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex => 0.0,
-        Geometry::Edge => (rise.x * size.x).abs(),
-        Geometry::Wire(placed) => {
-            let wire = placed.in_scope(size);
-            let heights = wire.points.iter().map(|point| rise.dot(*point));
-            let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
-            if low <= high { high - low } else { 0.0 }
-        }
         Geometry::Rect(axis, _) => {
             let mut rises = (rise * size).abs();
             rises[axis.index()] = 0.0;
             rises.element_sum()
         }
         Geometry::Box(_) => (rise * size).abs().element_sum(),
-        Geometry::Mesh(placed) => {
-            let rise = rise * placed.stretch(size);
-            let heights = placed.mesh.points().iter().map(|point| rise.dot(*point));
-            let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
-            if low <= high { high - low } else { 0.0 }
-        }
+        Geometry::Mesh(placed) => height(placed.mesh.points(), rise * placed.stretch(size)),
+        _ => shape.to_wire().map_or(0.0, |wire| height(&wire.points, rise)),
     }
 }
 
 /// `geometry.boundaryLength()`: the length of all edges with at most one face, in metres (*geometry.boundaryLength
 /// function*).
 pub fn geometry_boundary_length(shape: &Shape) -> f64 {
-    let size = shape.scope.size;
-    match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Box(_) => 0.0,
-        Geometry::Edge => size.x.abs(),
-        Geometry::Wire(placed) => {
-            let wire = placed.in_scope(size);
-            (0..wire.edges.len()).map(|edge| wire.ends(edge)[0].distance(wire.ends(edge)[1])).sum()
-        }
-        Geometry::Rect(axis, _) => {
-            let mut size = size.abs();
-            size[axis.index()] = 0.0;
-            2.0 * size.element_sum()
-        }
-        Geometry::Mesh(placed) => {
-            let (mesh, stretch) = (&placed.mesh, placed.stretch(size));
-            let adjacency = mesh.adjacency();
-            let border = (0..adjacency.edge_count()).filter(|&edge| adjacency.is_border(edge));
-            border.map(|edge| ((mesh.edge_ends(edge)[1] - mesh.edge_ends(edge)[0]) * stretch).length()).sum()
-        }
+    let mut size = shape.scope.size;
+    if let Geometry::Rect(axis, _) = shape.geometry {
+        size[axis.index()] = 0.0;
+        return 2.0 * size.abs().element_sum();
     }
+    if let Some(placed) = shape.geometry.placed() {
+        let (mesh, stretch) = (&placed.mesh, placed.stretch(size));
+        let adjacency = mesh.adjacency();
+        let border = (0..adjacency.edge_count()).filter(|&edge| adjacency.is_border(edge));
+        return border.map(|edge| ((mesh.edge_ends(edge)[1] - mesh.edge_ends(edge)[0]) * stretch).length()).sum();
+    }
+    let ends = |wire: Wire| (0..wire.edges.len()).map(move |edge| wire.ends(edge));
+    shape.to_wire().into_iter().flat_map(ends).map(|[a, b]| a.distance(b)).sum()
 }
 
 /// The result of `geometry.angle`.

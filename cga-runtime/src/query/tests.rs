@@ -17,39 +17,36 @@ use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
 use crate::value::array::Array;
 
-const SELECTORS: [Word; 28] = {
-    use Word::*;
-    [
-        All,
-        Front,
-        Back,
-        Left,
-        Right,
-        Top,
-        Bottom,
-        Side,
-        ObjectFront,
-        ObjectBack,
-        ObjectLeft,
-        ObjectRight,
-        ObjectTop,
-        ObjectBottom,
-        ObjectSide,
-        WorldSouth,
-        WorldNorth,
-        WorldWest,
-        WorldEast,
-        WorldUp,
-        WorldDown,
-        WorldSide,
-        StreetFront,
-        StreetBack,
-        StreetLeft,
-        StreetRight,
-        StreetSide,
-        NotStreetFront,
-    ]
-};
+const SELECTORS: [Word; 28] = [
+    Word::All,
+    Word::Front,
+    Word::Back,
+    Word::Left,
+    Word::Right,
+    Word::Top,
+    Word::Bottom,
+    Word::Side,
+    Word::ObjectFront,
+    Word::ObjectBack,
+    Word::ObjectLeft,
+    Word::ObjectRight,
+    Word::ObjectTop,
+    Word::ObjectBottom,
+    Word::ObjectSide,
+    Word::WorldSouth,
+    Word::WorldNorth,
+    Word::WorldWest,
+    Word::WorldEast,
+    Word::WorldUp,
+    Word::WorldDown,
+    Word::WorldSide,
+    Word::StreetFront,
+    Word::StreetBack,
+    Word::StreetLeft,
+    Word::StreetRight,
+    Word::StreetSide,
+    Word::NotStreetFront,
+];
 
 const ANGLES: [AngleType; 3] = [AngleType::MaxSlope, AngleType::Azimuth, AngleType::Zenith];
 

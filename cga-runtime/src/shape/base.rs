@@ -73,17 +73,7 @@ impl Base {
             trims: Trims::None,
             state: part.base.shape.state.clone(),
         };
-        let axes = Axes::new(scope.axes);
-        let constant = part.base.constant;
-        Base {
-            axes,
-            raised: axes.raised(),
-            shape,
-            look: part.look.get(),
-            maps: KeptMaps::default(),
-            constant,
-            number: 0,
-        }
+        Base { constant: part.base.constant, ..Base::new(shape, part.look.get(), 0) }
     }
 
     #[inline]
@@ -107,8 +97,11 @@ impl Base {
             return &[];
         }
         self.maps.of(id, || {
-            let resolved = |set| coordinates.resolve(set, self.shape.state.projections())?.map(normal);
-            coordinates.sets().filter_map(|set| Some(SetMap { set: usize::from(set), map: resolved(set)? })).collect()
+            let map = |set| {
+                let (source, change) = coordinates.resolve(set, self.shape.state.projections())?;
+                Some(SetMap { set: usize::from(set), map: source.map(normal)?.then(&change) })
+            };
+            coordinates.sets().filter_map(map).collect()
         })
     }
 

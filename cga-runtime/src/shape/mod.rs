@@ -26,6 +26,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::geometry::mesh::Mesh;
+use crate::geometry::wire::Wire;
 use crate::geometry::{Axis, Frame};
 use crate::material::{Color, Material};
 use crate::shape::scope::Scope;
@@ -123,6 +124,15 @@ impl Geometry {
         matches!(self, Geometry::Rect(..) | Geometry::Box(_) | Geometry::Mesh(_))
     }
 
+    /// The geometry as a mesh, and the box that the scope stretches, for all signs of the sizes. `None` without faces.
+    pub(crate) fn placed(&self) -> Option<Placed> {
+        match self {
+            Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => None,
+            Geometry::Mesh(placed) => Some(Placed::clone(placed)),
+            Geometry::Box(unit) | Geometry::Rect(_, unit) => Some(Placed::unit(*unit)),
+        }
+    }
+
     /// The state of the geometry since its insertion.
     pub(crate) fn inserted(&self) -> Inserted {
         match self {
@@ -211,6 +221,16 @@ impl Shape {
                 let mesh = self.baked(&placed.mesh, &place);
                 if place == DAffine3::IDENTITY { mesh } else { Arc::new(mesh.map(&place)) }
             }
+        }
+    }
+
+    /// The edges and points of geometry without faces, in scope coordinates.
+    pub(crate) fn to_wire(&self) -> Option<Wire> {
+        match &self.geometry {
+            Geometry::Vertex => Some(Wire::point()),
+            Geometry::Edge => Some(Wire::edge(self.scope.size.x)),
+            Geometry::Wire(placed) => Some(placed.in_scope(self.scope.size)),
+            Geometry::Empty | Geometry::Rect(..) | Geometry::Box(_) | Geometry::Mesh(_) => None,
         }
     }
 

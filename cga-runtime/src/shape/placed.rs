@@ -32,17 +32,17 @@ pub(crate) struct Placed {
 
 impl Placed {
     /// A mesh in scope coordinates, with its bounding box.
-    pub(crate) fn fitted(mesh: Mesh) -> Self {
+    pub(crate) fn fitted(mesh: impl Into<Arc<Mesh>>) -> Self {
+        let mesh = mesh.into();
         let bounds = mesh.bounds();
         let low = if bounds.low.is_finite() { bounds.low } else { DVec3::ZERO };
-        Placed { low, size: bounds.size(), mesh: Arc::new(mesh), inserted: Inserted::No, mirrored: false }
+        Placed { low, size: bounds.size(), mesh, inserted: Inserted::No, mirrored: false }
     }
 
     /// The mesh of a box or a rectangle.
     pub(crate) fn unit(unit: UnitMesh) -> Self {
-        let (mesh, bounds) = (unit.mesh().clone(), unit.mesh().bounds());
         let inserted = if unit.is_inserted() { Inserted::Plain } else { Inserted::No };
-        Placed { mesh, low: bounds.low, size: bounds.size(), inserted, mirrored: false }
+        Placed { inserted, ..Placed::fitted(unit.mesh().clone()) }
     }
 
     /// The factor from mesh lengths to scope lengths, for each axis.

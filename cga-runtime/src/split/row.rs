@@ -11,10 +11,19 @@ use super::{Piece, Solution};
 pub trait Row: Copy {
     /// An upper bound of the number of pieces.
     fn at_most(&self) -> u64;
-    /// The number of pieces.
-    fn total(&self) -> u64;
+
     /// Calls `visit` for each piece, from the low end to the high end, until it breaks.
     fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B>;
+
+    /// The number of pieces.
+    fn total(&self) -> u64 {
+        let mut total = 0;
+        let _ = self.each(|_| {
+            total += 1;
+            ControlFlow::<()>::Continue(())
+        });
+        total
+    }
 }
 
 /// The pieces of a pattern, slot by slot.
@@ -59,10 +68,6 @@ impl Row for Pattern {
         self.solved(|solution| solution.at_most())
     }
 
-    fn total(&self) -> u64 {
-        self.solved(|solution| solution.total())
-    }
-
     fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B> {
         self.solved(|solution| solution.each(visit))
     }
@@ -75,11 +80,6 @@ impl Row for &Solution<'_> {
     }
 
     #[inline]
-    fn total(&self) -> u64 {
-        Solution::total(self)
-    }
-
-    #[inline]
     fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B> {
         Solution::each(self, visit)
     }
@@ -88,11 +88,6 @@ impl Row for &Solution<'_> {
 impl Row for &[Piece] {
     #[inline]
     fn at_most(&self) -> u64 {
-        self.len() as u64
-    }
-
-    #[inline]
-    fn total(&self) -> u64 {
         self.len() as u64
     }
 

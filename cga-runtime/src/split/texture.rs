@@ -11,10 +11,10 @@ use super::parts::Borders;
 use crate::fault::{FaultKind, LimitKind};
 use crate::geometry::cut;
 use crate::geometry::mesh::uv::spread;
-use crate::geometry::mesh::{Mesh, TextureSpace, UvAxis, UvExtent};
+use crate::geometry::mesh::{Mesh, TextureSpace, UvAxis};
 use crate::run::env::Env;
 use crate::shape::base::Base;
-use crate::shape::{Geometry, Inserted, Placed, Shape, ShapeRef};
+use crate::shape::{Geometry, Placed, Shape, ShapeRef};
 
 /// The coordinate, the unit and the uv set of a split in texture space.
 pub(crate) type TextureAxis = (UvAxis, TextureSpace, f64);
@@ -54,8 +54,17 @@ pub fn texture<const N: usize>(
         return none;
     }
     let pieces = listed(env, &solve(pattern, &sizes, &mut lengths, length));
-    let chart = Chart { extent, axis, space, set: usize::from(set) };
-    let bands = chart.bands(env, &placed.mesh, length, &pieces)?;
+    let line = |distance: f64| match space {
+        TextureSpace::Uv => extent.low[axis.index()] + distance,
+        TextureSpace::Unit => extent.at_metres(axis, distance),
+    };
+    let borders = Borders::of(&pieces[..], length, extent.high[axis.index()], line);
+    let limit = env.settings.limits.vertices;
+    let most = usize::try_from(limit).unwrap_or(usize::MAX);
+    let Ok(bands) = cut::iso_bands(&placed.mesh, usize::from(set), axis, &borders.rising, most) else {
+        return env.limit(LimitKind::Vertices, limit);
+    };
+    let bands = borders.one_a_piece(env, bands)?;
     let parts: Vec<Base> = bands.into_iter().map(|mesh| env.base(part(&whole, placed, mesh))).collect();
     ControlFlow::Continue((pieces, Made::of(parts)))
 }
@@ -65,54 +74,14 @@ fn missing(env: &mut Env, set: u8) {
     env.fault(FaultKind::Geometry, format!("the shape has no texture coordinates in set {set}: it is not split"));
 }
 
-/// The coordinate of a mesh along which it is split.
-struct Chart {
-    extent: UvExtent,
-    axis: UvAxis,
-    space: TextureSpace,
-    set: usize,
-}
-
-impl Chart {
-    /// The coordinate at a distance from the smallest one, in the unit of the split.
-    fn line(&self, distance: f64) -> f64 {
-        match self.space {
-            TextureSpace::Uv => self.extent.low[self.axis.index()] + distance,
-            TextureSpace::Unit => self.extent.at_metres(self.axis, distance),
-        }
-    }
-
-    /// Cuts the mesh at the borders of all pieces, into one band for each piece.
-    fn bands(
-        &self,
-        env: &mut Env,
-        mesh: &Arc<Mesh>,
-        length: f64,
-        pieces: &[Piece],
-    ) -> ControlFlow<(), Vec<Option<Arc<Mesh>>>> {
-        let borders = Borders::of(pieces, length, self.extent.high[self.axis.index()], |end| self.line(end));
-        let limit = env.settings.limits.vertices;
-        let most = usize::try_from(limit).unwrap_or(usize::MAX);
-        match cut::iso_bands(mesh, self.set, self.axis, &borders.rising, most) {
-            Ok(bands) => borders.one_a_piece(env, bands),
-            Err(_) => env.limit(LimitKind::Vertices, limit),
-        }
-    }
-}
-
 /// A part of the shape; its scope is the box of the mesh.
 fn part(whole: &Shape, placed: &Placed, mesh: Option<Arc<Mesh>>) -> Shape {
     let mut part = Shape { geometry: Geometry::Empty, ..whole.clone() };
     let Some(mesh) = mesh else { return part };
-    let (bounds, stretch) = (mesh.bounds(), placed.stretch(whole.scope.size));
-    part.scope.origin += whole.scope.axes * ((bounds.low - placed.low) * stretch);
-    part.scope.size = bounds.size() * stretch;
-    part.geometry = Geometry::Mesh(Arc::new(Placed {
-        mesh,
-        low: bounds.low,
-        size: bounds.size(),
-        inserted: Inserted::No,
-        mirrored: placed.mirrored,
-    }));
+    let own = Placed { mirrored: placed.mirrored, ..Placed::fitted(mesh) };
+    let stretch = placed.stretch(whole.scope.size);
+    part.scope.origin += whole.scope.axes * ((own.low - placed.low) * stretch);
+    part.scope.size = own.size * stretch;
+    part.geometry = Geometry::Mesh(Arc::new(own));
     part
 }

@@ -37,15 +37,6 @@ impl Widths {
     }
 }
 
-/// The kind of a chain's end.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum ChainEnd {
-    /// A dead end.
-    Open,
-    /// A node, by number.
-    Node(u32),
-}
-
 /// A point where chains meet.
 #[derive(Clone, Debug)]
 pub(super) struct ChainNode {
@@ -65,7 +56,8 @@ pub(super) struct Chain {
     /// The line of each segment, and whether the chain has the line's direction.
     pub(super) lines: Vec<(u32, bool)>,
     pub(super) widths: Widths,
-    pub(super) ends: [ChainEnd; 2],
+    /// The node at each end; none at a dead end.
+    pub(super) ends: [Option<u32>; 2],
     pub(super) closed: bool,
     /// The distance of each place from the start.
     pub(super) along: Vec<f64>,
@@ -101,10 +93,7 @@ impl Walker<'_> {
 
     fn walk(&mut self, from: u32, first: u32) -> Chain {
         let graph = self.graph;
-        let end = |vertex: u32| match graph.around[vertex as usize].len() {
-            1 => ChainEnd::Open,
-            _ => ChainEnd::Node(vertex),
-        };
+        let end = |vertex: u32| (graph.around[vertex as usize].len() != 1).then_some(vertex);
         let mut chain = Chain {
             places: vec![graph.places[from as usize]],
             heights: vec![graph.heights[from as usize]],
@@ -169,7 +158,7 @@ pub(super) fn chains(graph: &Graph, lines: &[Centerline], options: &NetworkOptio
             chain.along.push(sum);
         }
         for (at, end) in chain.ends.iter().enumerate() {
-            if let (ChainEnd::Node(node), false) = (*end, chain.closed) {
+            if let Some(node) = end.filter(|_| !chain.closed) {
                 nodes[node as usize].arms.push((number as u32, at));
             }
         }
@@ -307,7 +296,7 @@ impl Chain {
             }
             nodes.push(ChainNode { place: self.places[at], height: self.heights[at], is_bend: true, arms: Vec::new() });
         }
-        let part = |from: usize, to: usize, ends: [ChainEnd; 2]| Chain {
+        let part = |from: usize, to: usize, ends: [Option<u32>; 2]| Chain {
             places: self.places[from..=to].to_vec(),
             heights: self.heights[from..=to].to_vec(),
             lines: self.lines[from..to].to_vec(),
@@ -316,7 +305,7 @@ impl Chain {
             closed: false,
             along: Vec::new(),
         };
-        let end = |at: usize| ChainEnd::Node(numbers[at]);
+        let end = |at: usize| Some(numbers[at]);
         let mut parts: Vec<Chain> =
             cuts.windows(2).map(|cut| part(cut[0], cut[1], [end(cut[0]), end(cut[1])])).collect();
         let last = cuts[cuts.len() - 1];

@@ -6,14 +6,16 @@ use super::subdivision::Subdivision;
 use super::{MOST_CROSSINGS, StreetError};
 
 /// The limit on attempts to find a plan without overlaps. Each attempt enlarges junctions; most networks need three.
-const MOST_ATTEMPTS: usize = 16;
+pub(super) const MOST_ATTEMPTS: usize = 16;
 
 /// The margin in metres around an overlap that is also assigned to a junction.
 const MARGIN: f64 = 1e-5;
 
-/// The pieces of a plan after its overlaps between free roadways are resolved.
-pub(super) fn resolve(plan: &mut Plan) -> Result<Pieces, StreetError> {
-    for _ in 0..MOST_ATTEMPTS {
+/// The pieces of a plan after its overlaps between free roadways are resolved. Overlaps that are left after `attempts`
+/// belong to the first of their streets. So the parts of a network never overlap, but such a street may have texture
+/// coordinates that do not reach 0 or 1.
+pub(super) fn resolve(plan: &mut Plan, attempts: usize) -> Result<Pieces, StreetError> {
+    for _ in 0..attempts {
         let pieces = plan.pieces();
         let roads: Vec<usize> =
             (0..pieces.list.len()).filter(|&at| !matches!(pieces.list[at], Piece::Walk { .. })).collect();
@@ -26,9 +28,8 @@ pub(super) fn resolve(plan: &mut Plan) -> Result<Pieces, StreetError> {
                 continue;
             }
             let cover = || covers.iter().map(|&road| &pieces.list[roads[road as usize]]);
-            let laid_out = || {
-                cover().filter_map(|piece| if let Piece::Junction { node, .. } = piece { Some(*node) } else { None })
-            };
+            let laid_out =
+                || cover().filter_map(|piece| if let Piece::Junction { node, .. } = piece { *node } else { None });
             if laid_out().next().is_some() {
                 changed |= laid_out().fold(false, |any, node| plan.lower(node as usize) | any);
                 continue;

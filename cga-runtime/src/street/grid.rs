@@ -63,25 +63,24 @@ const THIN: f64 = 1e-6;
 
 /// Returns true if a counter-clockwise ring encloses only a rounding error.
 pub(super) fn is_sliver(ring: &[Point]) -> bool {
-    let length: f64 = (0..ring.len()).map(|at| ring[at].place().distance(ring[(at + 1) % ring.len()].place())).sum();
+    let length: f64 = sides(ring).map(|[a, b]| a.place().distance(b.place())).sum();
     let area = twice_area(ring) as f64 * UNIT * UNIT / 2.0;
     0.0 <= area && area < THIN * length
 }
 
+/// The sides of a ring, each from one point to the next.
+pub(super) fn sides(ring: &[Point]) -> impl Iterator<Item = [Point; 2]> {
+    ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&a, &b)| [a, b])
+}
+
 /// The winding number of a ring around a point, counter-clockwise. A point on the ring counts as on one of its sides.
 pub(super) fn winding(ring: &[Point], point: Point) -> i32 {
-    let mut turns = 0;
-    let Some(&last) = ring.last() else { return 0 };
-    let mut a = last;
-    for &b in ring {
-        if a.y <= point.y && point.y < b.y && 0 < orient(a, b, point) {
-            turns += 1;
-        } else if b.y <= point.y && point.y < a.y && orient(a, b, point) < 0 {
-            turns -= 1;
-        }
-        a = b;
-    }
-    turns
+    let turn = |[a, b]: [Point; 2]| {
+        let rises = a.y <= point.y && point.y < b.y && 0 < orient(a, b, point);
+        let falls = b.y <= point.y && point.y < a.y && orient(a, b, point) < 0;
+        i32::from(rises) - i32::from(falls)
+    };
+    sides(ring).map(turn).sum()
 }
 
 /// A map by points or cells.

@@ -51,7 +51,7 @@ mod tests;
 pub use error::StreetError;
 pub use input::{Centerline, NetworkOptions};
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use crate::geometry::mesh::Mesh;
 use crate::shape::Shape;
@@ -148,11 +148,16 @@ impl Network {
     /// [`StreetError`] if a coordinate, a width or a setting is NaN, infinite or out of range, or if the lines cross
     /// millions of times.
     pub fn new(lines: &[Centerline], options: &NetworkOptions) -> Result<Self, StreetError> {
+        Network::within(lines, options, conflict::MOST_ATTEMPTS)
+    }
+
+    /// The network after a number of attempts to find a plan without overlaps.
+    fn within(lines: &[Centerline], options: &NetworkOptions, attempts: usize) -> Result<Self, StreetError> {
         input::check(lines, options)?;
         let graph = graph::Graph::new(lines, options)?;
         let (chains, nodes) = chain::chains(&graph, lines, options);
         let mut plan = pieces::Plan::new(chains, nodes, options.corner_radius);
-        let pieces = conflict::resolve(&mut plan)?;
+        let pieces = conflict::resolve(&mut plan, attempts)?;
         Ok(Network { parts: parts::parts(&plan, &pieces)? })
     }
 
@@ -169,17 +174,13 @@ impl Network {
 
 /// The loops of edges of a mesh that belong to one face only.
 fn outlines(mesh: &Mesh) -> Vec<Vec<[f64; 3]>> {
-    let edge = |face: crate::geometry::mesh::FaceRef<'_>| {
-        let loops: Vec<Vec<u32>> = face.loops().map(<[u32]>::to_vec).collect();
-        loops
-            .into_iter()
-            .flat_map(|ring| (0..ring.len()).map(move |at| (ring[at], ring[(at + 1) % ring.len()])).collect::<Vec<_>>())
-    };
-    let edges: BTreeSet<(u32, u32)> = mesh.faces().flat_map(edge).collect();
+    let (adjacency, corners) = (mesh.adjacency(), mesh.corners());
     let mut next: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-    for &(a, b) in edges.iter().filter(|&&(a, b)| !edges.contains(&(b, a))) {
+    for corner in (0..corners.len() as u32).filter(|&corner| adjacency.is_border(adjacency.edge(corner))) {
+        let [a, b] = [corner, adjacency.next(corner)].map(|corner| corners[corner as usize]);
         next.entry(a).or_default().push(b);
     }
+    next.values_mut().for_each(|ends| ends.sort_unstable());
     let mut loops = Vec::new();
     while let Some((&from, _)) = next.first_key_value() {
         let mut ring = Vec::new();

@@ -7,6 +7,7 @@ use super::mesh::{Face, mesh};
 use super::pieces::{Piece, Pieces, Plan, Run, RunKind};
 use super::subdivision::{NONE, Subdivision};
 use super::{Kind, MOST_CROSSINGS, Part, Side, StreetError};
+use crate::geometry::disjoint::DisjointSets;
 
 /// Three arms make a `Junction` if two of them are straight within this many degrees; otherwise a `Crossing`.
 const STRAIGHT_ON: f64 = 30.0;
@@ -21,22 +22,15 @@ pub(super) fn parts(plan: &Plan, pieces: &Pieces) -> Result<Vec<Part>, StreetErr
         loops[owner as usize].push(ring);
     }
     let mut heights: Map<Point, f64> = Map::default();
-    // Roadways first: their heights take precedence over those of sidewalks.
-    for roads in [true, false] {
-        for (piece, loops) in pieces.list.iter().zip(&loops) {
-            let cell = match piece {
-                Piece::Road { cell, free: true, .. } if roads => cell,
-                Piece::Walk { cell, .. } if !roads => cell,
+    // Roadways first: their heights take precedence over those of sidewalks, and junctions have the heights around them.
+    for order in 0..3 {
+        for (at, piece) in pieces.list.iter().enumerate() {
+            let (cell, rings) = match (order, piece) {
+                (0, Piece::Road { cell, free: true, .. }) | (1, Piece::Walk { cell, .. }) => (cell, &loops[at][..]),
+                (2, Piece::Road { cell, free: false, .. }) => (cell, std::slice::from_ref(&rings[at])),
                 _ => continue,
             };
-            for &point in loops.iter().flatten() {
-                heights.entry(point).or_insert_with(|| cell.value(point).z);
-            }
-        }
-    }
-    for (piece, ring) in pieces.list.iter().zip(&rings) {
-        if let Piece::Road { cell, free: false, .. } = piece {
-            for &point in ring {
+            for &point in rings.iter().flatten() {
                 heights.entry(point).or_insert_with(|| cell.value(point).z);
             }
         }
@@ -79,31 +73,18 @@ impl Owners {
         give_slivers_away(&mut of_cycle, faces);
         // Pieces that overlap or touch form one junction.
         let is_part = |at: u32| at != NONE && !is_walk(at) && !is_free(&&at);
-        let mut first: Vec<u32> = (0..pieces.list.len() as u32).collect();
-        let find = |first: &mut Vec<u32>, mut at: u32| {
-            while first[at as usize] != at {
-                first[at as usize] = first[first[at as usize] as usize];
-                at = first[at as usize];
-            }
-            at
-        };
-        let join = |first: &mut Vec<u32>, a: u32, b: u32| {
-            let (a, b) = (find(first, a), find(first, b));
-            first[a.max(b) as usize] = a.min(b);
-        };
+        let mut junctions = DisjointSets::new(pieces.list.len());
         for (cycle, covers) in faces.covers.iter().enumerate().filter(|(cycle, _)| is_part(of_cycle[*cycle])) {
-            for &other in covers.iter().filter(|&&other| is_part(other)) {
-                join(&mut first, of_cycle[cycle], other);
-            }
+            covers.iter().filter(|&&other| is_part(other)).for_each(|&other| junctions.unite(of_cycle[cycle], other));
         }
         for half in (0..faces.cycle.len()).step_by(2) {
             let [a, b] = [half, half + 1].map(|half| of_cycle[faces.cycle[half] as usize]);
             if is_part(a) && is_part(b) {
-                join(&mut first, a, b);
+                junctions.unite(a, b);
             }
         }
         for owner in of_cycle.iter_mut().filter(|owner| is_part(**owner)) {
-            *owner = find(&mut first, *owner);
+            *owner = junctions.find(*owner);
         }
         Owners { of_cycle }
     }

@@ -1,7 +1,7 @@
 //! The pieces of a network: cells of streets and sidewalks, and areas of junctions, which may still overlap.
 
 use super::cell::{Cell, Corner};
-use super::chain::{Chain, ChainEnd, ChainNode};
+use super::chain::{Chain, ChainNode};
 use super::grid::Point;
 use super::junction::{self, Layout};
 use super::section::{Section, Station};
@@ -36,10 +36,8 @@ pub(super) enum RunKind {
 pub(super) enum Piece {
     /// A cell of a roadway. A cell that is not free belongs to a junction.
     Road { cell: Cell, run: RunId, chain: u32, segment: u32, free: bool },
-    /// The area of a junction with a layout.
-    Junction { node: u32, ring: Vec<Point> },
-    /// A part of the area of a junction without a layout.
-    Fan { ring: Vec<Point> },
+    /// A part of the area of a junction. The node of a junction with a layout.
+    Junction { node: Option<u32>, ring: Vec<Point> },
     /// A cell of a sidewalk.
     Walk { cell: Cell, run: RunId },
 }
@@ -48,7 +46,7 @@ impl Piece {
     pub(super) fn ring(&self) -> Vec<Point> {
         match self {
             Piece::Road { cell, .. } | Piece::Walk { cell, .. } => cell.ring(),
-            Piece::Junction { ring, .. } | Piece::Fan { ring, .. } => ring.clone(),
+            Piece::Junction { ring, .. } => ring.clone(),
         }
     }
 }
@@ -113,12 +111,10 @@ impl Plan {
             }
             for (chain, stations) in self.chains.iter().zip(&ends) {
                 if chain.along(stations[1]) < chain.along(stations[0]) {
-                    for end in chain.ends {
-                        if let ChainEnd::Node(node) = end
-                            && self.levels[node as usize] < OVERLAID
-                        {
-                            self.levels[node as usize] += 1;
-                            waiting.push(node as usize);
+                    for node in chain.ends.into_iter().flatten().map(|node| node as usize) {
+                        if self.levels[node] < OVERLAID {
+                            self.levels[node] += 1;
+                            waiting.push(node);
                         }
                     }
                 }
@@ -131,15 +127,13 @@ impl Plan {
             self.add_chain(number, *ends, &mut pieces);
         }
         for (number, layout) in layouts.into_iter().enumerate() {
+            let node = layout.is_some().then_some(number as u32);
             let (rings, corners) = match layout {
-                Some(layout) => {
-                    pieces.list.push(Piece::Junction { node: number as u32, ring: layout.roadway });
-                    (Vec::new(), layout.corners)
-                }
+                Some(layout) => (vec![layout.roadway], layout.corners),
                 None if self.levels[number] == OVERLAID => junction::fans(&self.nodes[number], &self.chains),
                 None => continue,
             };
-            pieces.list.extend(rings.into_iter().map(|ring| Piece::Fan { ring }));
+            pieces.list.extend(rings.into_iter().map(|ring| Piece::Junction { node, ring }));
             for corner in corners {
                 let run = pieces.runs.len() as RunId;
                 pieces.list.extend(corner.cells.into_iter().map(|cell| Piece::Walk { cell, run }));
@@ -167,7 +161,7 @@ impl Plan {
         parts.sort_by(|a, b| chain.along(a[0]).total_cmp(&chain.along(b[0])));
         let least = LEAST_STREET * 2.0 * chain.widths.half;
         let is_short = |from: Station, to: Station| chain.along(to) - chain.along(from) < least;
-        let [from_node, to_node] = chain.ends.map(|end| end != ChainEnd::Open && !chain.closed);
+        let [from_node, to_node] = chain.ends.map(|end| end.is_some() && !chain.closed);
         let mut merged: Vec<[Station; 2]> = Vec::new();
         for part in parts {
             match merged.last_mut() {
@@ -236,27 +230,27 @@ impl Plan {
                 let (chain, segment) = (number as u32, segment as u32);
                 pieces.list.push(Piece::Road { cell, run: runs[0], chain, segment, free });
             }
-            let outer = |station: Station, section: &Section, border: usize| {
-                let mut corner = corner(section, border, [chain.widths.left, 0.0, 0.0, chain.widths.right][border]);
-                // If the outer border of a sidewalk has no length in a bend, the border overlaps that of the next cell.
-                let distance = chain.widths.borders()[border];
-                if let Station::Vertex(at) = station
-                    && chain.is_folded(segment, distance)
-                    && 0.0 < distance * chain.bend(at)
-                {
-                    corner.point = Point::near(chain.places[at] + chain.direction(segment).perp() * distance);
+            // The borders at the kerb and outside, and the sections at the start and the end as seen from the kerb.
+            let (start, end) = ((stations[at], &from), (stations[at + 1], &to));
+            for (run, width, kerb, outside, [(near, a), (far, b)]) in
+                [(runs[1], chain.widths.left, 1, 0, [start, end]), (runs[2], chain.widths.right, 2, 3, [end, start])]
+            {
+                let distance = chain.widths.borders()[outside];
+                let outer = |station: Station, section: &Section| {
+                    let mut corner = corner(section, outside, width);
+                    // If the outer border has no length in a bend, the border overlaps that of the next cell.
+                    if let Station::Vertex(at) = station
+                        && chain.is_folded(segment, distance)
+                        && 0.0 < distance * chain.bend(at)
+                    {
+                        corner.point = Point::near(chain.places[at] + chain.direction(segment).perp() * distance);
+                    }
+                    corner
+                };
+                if 0.0 < width {
+                    let cell = Cell::new(&[corner(a, kerb, 0.0), corner(b, kerb, 0.0), outer(far, b), outer(near, a)]);
+                    pieces.list.extend(cell.map(|cell| Piece::Walk { cell, run }));
                 }
-                corner
-            };
-            if 0.0 < chain.widths.left {
-                let far = [outer(stations[at + 1], &to, 0), outer(stations[at], &from, 0)];
-                let cell = Cell::new(&[corner(&from, 1, 0.0), corner(&to, 1, 0.0), far[0], far[1]]);
-                pieces.list.extend(cell.map(|cell| Piece::Walk { cell, run: runs[1] }));
-            }
-            if 0.0 < chain.widths.right {
-                let far = [outer(stations[at], &from, 3), outer(stations[at + 1], &to, 3)];
-                let cell = Cell::new(&[corner(&to, 2, 0.0), corner(&from, 2, 0.0), far[0], far[1]]);
-                pieces.list.extend(cell.map(|cell| Piece::Walk { cell, run: runs[2] }));
             }
         }
     }

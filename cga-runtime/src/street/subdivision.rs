@@ -1,7 +1,8 @@
 //! A subdivision of the plane by polygons, with the polygons that cover each of its faces.
 
-use super::grid::{Point, cross, twice_area, winding};
+use super::grid::{Point, cross, sides, twice_area, winding};
 use super::rounding::divide;
+use crate::geometry::disjoint::DisjointSets;
 
 /// The number for "no owner".
 pub(super) const NONE: u32 = u32::MAX;
@@ -26,11 +27,9 @@ impl Subdivision {
     /// Divides the plane by counter-clockwise polygons, which may overlap. `None` if their edges cross more than `most`
     /// times.
     pub(super) fn new(polygons: &[Vec<Point>], most: usize) -> Option<Self> {
-        let sides = |ring: &Vec<Point>| {
-            (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]).filter(|[a, b]| a != b).collect::<Vec<_>>()
-        };
         let sorted = |[a, b]: [Point; 2]| if a < b { [a, b] } else { [b, a] };
-        let mut segments: Vec<[Point; 2]> = polygons.iter().flat_map(sides).map(sorted).collect();
+        let mut segments: Vec<[Point; 2]> =
+            polygons.iter().flat_map(|ring| sides(ring)).filter(|[a, b]| a != b).map(sorted).collect();
         segments.sort_unstable();
         segments.dedup();
         let chains = divide(&segments, most)?;
@@ -42,6 +41,7 @@ impl Subdivision {
 
         let mut uses: Vec<([u32; 2], u32, i32)> = Vec::new();
         for (polygon, ring) in polygons.iter().enumerate() {
+            // A side without length is not in the list.
             for side in sides(ring) {
                 let Ok(at) = segments.binary_search(&sorted(side)) else { continue };
                 let forward = side == segments[at];
@@ -98,34 +98,19 @@ impl Subdivision {
         for (half, &cycle) in self.cycle.iter().enumerate() {
             members[cycle as usize].push(half as u32);
         }
-        // The connected components.
-        let mut part = vec![NONE; count];
-        let mut parts: Vec<Vec<u32>> = Vec::new();
-        for from in 0..count {
-            if part[from] != NONE {
-                continue;
-            }
-            part[from] = parts.len() as u32;
-            let mut list = vec![from as u32];
-            let mut at = 0;
-            while at < list.len() {
-                for &half in &members[list[at] as usize] {
-                    let other = self.cycle[(half ^ 1) as usize];
-                    if part[other as usize] == NONE {
-                        part[other as usize] = parts.len() as u32;
-                        list.push(other);
-                    }
-                }
-                at += 1;
-            }
-            parts.push(list);
+        let mut components = DisjointSets::new(count);
+        self.cycle.as_chunks::<2>().0.iter().for_each(|[a, b]| components.unite(*a, *b));
+        let parts = components.sets();
+        let mut part = vec![0; count];
+        for (number, cycles) in parts.iter().enumerate() {
+            cycles.iter().for_each(|&cycle| part[cycle as usize] = number);
         }
         let bounds: Vec<[Point; 2]> = parts.iter().map(|list| self.bounds(list, &members)).collect();
         let mut inside: Vec<Vec<u32>> = vec![Vec::new(); parts.len()];
         if 1 < parts.len() {
             for (half, &cycle) in self.cycle.iter().enumerate().step_by(2) {
                 let polygons = changes[half / 2].iter().map(|change| change.0);
-                inside[part[cycle as usize] as usize].extend(polygons);
+                inside[part[cycle as usize]].extend(polygons);
             }
             for list in &mut inside {
                 list.sort_unstable();

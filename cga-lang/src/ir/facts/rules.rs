@@ -2,7 +2,7 @@
 
 use super::closure::closure;
 use super::{Facts, RuleFacts, Uses};
-use crate::ir::{Arm, Block, Global, Grammar, Parts, Renewal, Rule, Selector, Step, Target, walk};
+use crate::ir::{Arm, Block, Grammar, Parts, Renewal, Rule, Selector, Step, Target, walk};
 use crate::ops;
 
 /// The facts of a rule without the rules that it reaches.
@@ -18,8 +18,8 @@ impl Facts {
         let renewals: Vec<Uses> = grammar.renewals.iter().map(|renewal| self.renewal(grammar, renewal)).collect();
         let own: Vec<Own> = grammar.rules.iter().map(|rule| self.own(rule, &renewals)).collect();
         let uses: Vec<Uses> = own.iter().map(|own| own.uses).collect();
-        let edges: Vec<Vec<usize>> = grammar.rules.iter().map(|rule| called(rule, |_| true)).collect();
-        let handed: Vec<Vec<usize>> = grammar.rules.iter().map(|rule| called(rule, hands_counters_on)).collect();
+        let edges = walk::calls(grammar, |_| true);
+        let handed = walk::calls(grammar, hands_counters_on);
 
         let all = closure(&edges, &uses);
         let counters = closure(&handed, &uses.iter().map(|uses| uses.counters()).collect::<Vec<_>>());
@@ -59,20 +59,11 @@ impl Facts {
 
     /// Uses of a renewal: its attributes and constants are evaluated on the shape.
     fn renewal(&self, grammar: &Grammar, renewal: &Renewal) -> Uses {
-        let uses = renewal.globals.iter().map(|global| {
-            let (value, lazy) = match *global {
-                Global::Attr(id) => {
-                    let attr = &grammar.attrs[id.0 as usize];
-                    (&attr.default, attr.lazy)
-                }
-                Global::Const(id) => {
-                    let constant = &grammar.consts[id.0 as usize];
-                    (&constant.value, constant.lazy)
-                }
-            };
+        let uses = renewal.globals.iter().map(|id| {
+            let global = grammar.global(*id);
             // Lazy ones are computed on a copy of the shape.
-            let copied = if lazy { Uses::WHOLE | Uses::DRAWS } else { Uses::NONE };
-            self.expr(value) | copied
+            let copied = if global.lazy { Uses::WHOLE | Uses::DRAWS } else { Uses::NONE };
+            self.expr(&global.value) | copied
         });
         uses.collect()
     }
@@ -86,7 +77,6 @@ fn itself(step: &Step, renewals: &[Uses]) -> Uses {
         Step::Rust(..) => Uses::ALL,
         Step::Block(block) => block.row.uses,
         Step::Renew(call) => renewals[call.renewal.0 as usize],
-        Step::Chance { .. } => Uses::DRAWS,
         Step::SetAttr(..) | Step::Later(..) | Step::Give(_) | Step::Push(_) | Step::Case { .. } => Uses::NONE,
     }
 }
@@ -94,21 +84,6 @@ fn itself(step: &Step, renewals: &[Uses]) -> Uses {
 /// Returns true if the shapes that a step makes keep `split.index` and `split.total`.
 fn hands_counters_on(step: &Step) -> bool {
     !matches!(step, Step::Block(Block { parts: Parts::Slots(_), .. }))
-}
-
-/// The rules that steps hand shapes to, by number.
-fn called(rule: &Rule, from: fn(&Step) -> bool) -> Vec<usize> {
-    let mut list = Vec::new();
-    walk::steps(&rule.body, &mut |step| {
-        let targets = if from(step) { walk::targets(step) } else { Vec::new() };
-        list.extend(targets.into_iter().filter_map(|target| match target {
-            Target::Rule { rule, .. } => Some(rule.0 as usize),
-            Target::Leaf(..) | Target::Nil => None,
-        }));
-    });
-    list.sort_unstable();
-    list.dedup();
-    list
 }
 
 /// Returns true if an operation makes the same parts of a shape wherever the shape is. `noAlign` gives parts the axes of the pivot,

@@ -1,8 +1,8 @@
 //! Geometry creation: extrusion, assets, primitives, envelopes.
 
 use super::super::{
-    Allowed, Bounds, Default, Effect, FILE, FS, FileUse, Operation, Param, Uses, UvEffect, bounds, file, float, length,
-    of, or, outdated, renamed, uv_set, within, word, words,
+    Allowed, Bounds, Default, Effect, FILE, FS, FileUse, Operation, Param, Params, Str, Uses, UvEffect, bounds, file,
+    float, length, of, or, outdated, renamed, uv_set, within, word, words,
 };
 use super::{later, moves, old, op, using, uvs, with};
 
@@ -50,7 +50,34 @@ const SIXTEEN: Default = Default::Float(16.0);
 /// Assets are trimmed at the trim planes of the shape.
 const FROM_FILE: Uses = Uses::WHOLE.and(Uses::SAYS);
 
-const NO_DIRECTION: &str = "give the up direction: `envelope(normal, …)`";
+const SPHERE: &str = "replaces the geometry by a sphere that fills the scope";
+const VOLUME: &str = "makes the volume that may be built on";
+
+/// Heights and angles of each side.
+const ENVELOPE: &[Param] = &[
+    DIRECTION,
+    float("maxHeight"),
+    float("frontBaseHeight"),
+    float("frontAngle"),
+    float("backBaseHeight"),
+    float("backAngle"),
+    float("rightBaseHeight"),
+    float("rightAngle"),
+    float("leftBaseHeight"),
+    float("leftAngle"),
+];
+
+/// Both sides alike.
+const ENVELOPE_SIDES: &[Param] = &[
+    DIRECTION,
+    float("maxHeight"),
+    float("frontBaseHeight"),
+    float("frontAngle"),
+    float("backBaseHeight"),
+    float("backAngle"),
+    float("sideBaseHeight"),
+    float("sideAngle"),
+];
 
 const INSERTED: Param = file("filePath", FileUse::Inserted);
 
@@ -60,8 +87,28 @@ const fn keeps_uvs(row: Operation) -> Operation {
 }
 
 /// A primitive. It only has the first uv set (*primitiveCube operation*).
-const fn primitive(name: &'static str, call: &'static str, params: &'static [Param], about: &'static str) -> Operation {
+const fn primitive(name: Str, call: Str, params: Params, about: Str) -> Operation {
     uvs(UvEffect::First, op(name, call, params, about))
+}
+
+/// A primitive that fills a scope with a size along all axes.
+const fn filling(name: Str, call: Str, params: Params, about: Str) -> Operation {
+    with(Effect::Fills, primitive(name, call, params, about))
+}
+
+/// An asset along texture coordinates.
+const fn along_uv(call: Str, params: Params) -> Operation {
+    uvs(UvEffect::Follows, op("insertAlongUV", call, params, "bends copies of an asset along texture coordinates"))
+}
+
+/// The first parameters of a list.
+const fn first(count: usize, params: Params) -> Params {
+    params.split_at(count).0
+}
+
+/// An envelope without the direction.
+const fn undirected(params: Params) -> Operation {
+    old(later("envelope", params.split_at(1).1, VOLUME), "give the up direction: `envelope(normal, …)`")
 }
 
 pub(super) static ROWS: &[Operation] = &[
@@ -97,24 +144,8 @@ pub(super) static ROWS: &[Operation] = &[
             "replaces the geometry by an asset, which may lie down or keep its size and place",
         ),
     ),
-    uvs(
-        UvEffect::Follows,
-        op(
-            "insertAlongUV",
-            "insert_along_uv",
-            &[uv_set("uvSet"), FILE, float("height")],
-            "bends copies of an asset along texture coordinates",
-        ),
-    ),
-    uvs(
-        UvEffect::Follows,
-        op(
-            "insertAlongUV",
-            "insert_along_uv_with",
-            &[uv_set("uvSet"), FILE, float("height"), HEIGHT_DIRECTION, HEIGHT_ALIGNMENT],
-            "bends copies of an asset along texture coordinates",
-        ),
-    ),
+    along_uv("insert_along_uv", &[uv_set("uvSet"), FILE, float("height")]),
+    along_uv("insert_along_uv_with", &[uv_set("uvSet"), FILE, float("height"), HEIGHT_DIRECTION, HEIGHT_ALIGNMENT]),
     primitive("primitiveQuad", "quad", &[], "replaces the geometry by a rectangle that fills the scope"),
     primitive(
         "primitiveQuad",
@@ -144,37 +175,20 @@ pub(super) static ROWS: &[Operation] = &[
         &[float("width"), float("height"), float("depth")],
         "replaces the geometry by a box of that size",
     ),
-    with(
-        Effect::Fills,
-        primitive("primitiveSphere", "sphere", &[], "replaces the geometry by a sphere that fills the scope"),
-    ),
-    with(
-        Effect::Fills,
-        primitive(
-            "primitiveSphere",
-            "sphere_sides",
-            &[SIDES, N_DIVISIONS],
-            "replaces the geometry by a sphere that fills the scope",
-        ),
-    ),
+    filling("primitiveSphere", "sphere", &[], SPHERE),
+    filling("primitiveSphere", "sphere_sides", &[SIDES, N_DIVISIONS], SPHERE),
     primitive(
         "primitiveSphere",
         "sphere_sized",
         &[SIDES, N_DIVISIONS, float("radius")],
         "replaces the geometry by a sphere of that size",
     ),
-    with(
-        Effect::Fills,
-        primitive("primitiveCylinder", "cylinder", &[], "replaces the geometry by a cylinder that fills the scope"),
-    ),
-    with(
-        Effect::Fills,
-        primitive(
-            "primitiveCylinder",
-            "cylinder_sides",
-            &[SIDES],
-            "replaces the geometry by a cylinder that fills the scope, with the given number of sides",
-        ),
+    filling("primitiveCylinder", "cylinder", &[], "replaces the geometry by a cylinder that fills the scope"),
+    filling(
+        "primitiveCylinder",
+        "cylinder_sides",
+        &[SIDES],
+        "replaces the geometry by a cylinder that fills the scope, with the given number of sides",
     ),
     primitive(
         "primitiveCylinder",
@@ -182,15 +196,7 @@ pub(super) static ROWS: &[Operation] = &[
         &[SIDES, float("radius"), float("height")],
         "replaces the geometry by a cylinder of that size",
     ),
-    with(
-        Effect::Fills,
-        primitive(
-            "primitiveCone",
-            "cone",
-            &[or(SIDES, SIXTEEN)],
-            "replaces the geometry by a cone that fills the scope",
-        ),
-    ),
+    filling("primitiveCone", "cone", &[or(SIDES, SIXTEEN)], "replaces the geometry by a cone that fills the scope"),
     primitive(
         "primitiveCone",
         "cone_sized",
@@ -205,113 +211,18 @@ pub(super) static ROWS: &[Operation] = &[
         "moves the outline of each face in or out, with faces for the difference",
     )),
     later("footprint", &[], "replaces the geometry by its outline seen from above"),
-    later(
-        "envelope",
-        &[DIRECTION, float("maxHeight"), float("frontBaseHeight"), float("frontAngle")],
-        "makes the volume that may be built on",
-    ),
-    later(
-        "envelope",
-        &[
-            DIRECTION,
-            float("maxHeight"),
-            float("frontBaseHeight"),
-            float("frontAngle"),
-            float("backBaseHeight"),
-            float("backAngle"),
-        ],
-        "makes the volume that may be built on",
-    ),
-    later(
-        "envelope",
-        &[
-            DIRECTION,
-            float("maxHeight"),
-            float("frontBaseHeight"),
-            float("frontAngle"),
-            float("backBaseHeight"),
-            float("backAngle"),
-            float("sideBaseHeight"),
-            float("sideAngle"),
-        ],
-        "makes the volume that may be built on",
-    ),
-    later(
-        "envelope",
-        &[
-            DIRECTION,
-            float("maxHeight"),
-            float("frontBaseHeight"),
-            float("frontAngle"),
-            float("backBaseHeight"),
-            float("backAngle"),
-            float("rightBaseHeight"),
-            float("rightAngle"),
-            float("leftBaseHeight"),
-            float("leftAngle"),
-        ],
-        "makes the volume that may be built on",
-    ),
+    later("envelope", first(4, ENVELOPE), VOLUME),
+    later("envelope", first(6, ENVELOPE), VOLUME),
+    later("envelope", ENVELOPE_SIDES, VOLUME),
+    later("envelope", ENVELOPE, VOLUME),
     later(
         "envelope",
         &[DIRECTION, float("maxHeight"), of("baseHeights", FS), of("angles", FS)],
         "makes the volume that may be built on, with heights and angles edge by edge",
     ),
     // Without a direction, as before 2013.1 (*CGA changelog*).
-    old(
-        later(
-            "envelope",
-            &[float("maxHeight"), float("frontBaseHeight"), float("frontAngle")],
-            "makes the volume that may be built on",
-        ),
-        NO_DIRECTION,
-    ),
-    old(
-        later(
-            "envelope",
-            &[
-                float("maxHeight"),
-                float("frontBaseHeight"),
-                float("frontAngle"),
-                float("backBaseHeight"),
-                float("backAngle"),
-            ],
-            "makes the volume that may be built on",
-        ),
-        NO_DIRECTION,
-    ),
-    old(
-        later(
-            "envelope",
-            &[
-                float("maxHeight"),
-                float("frontBaseHeight"),
-                float("frontAngle"),
-                float("backBaseHeight"),
-                float("backAngle"),
-                float("sideBaseHeight"),
-                float("sideAngle"),
-            ],
-            "makes the volume that may be built on",
-        ),
-        NO_DIRECTION,
-    ),
-    old(
-        later(
-            "envelope",
-            &[
-                float("maxHeight"),
-                float("frontBaseHeight"),
-                float("frontAngle"),
-                float("backBaseHeight"),
-                float("backAngle"),
-                float("rightBaseHeight"),
-                float("rightAngle"),
-                float("leftBaseHeight"),
-                float("leftAngle"),
-            ],
-            "makes the volume that may be built on",
-        ),
-        NO_DIRECTION,
-    ),
+    undirected(first(4, ENVELOPE)),
+    undirected(first(6, ENVELOPE)),
+    undirected(ENVELOPE_SIDES),
+    undirected(ENVELOPE),
 ];

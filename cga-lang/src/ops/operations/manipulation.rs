@@ -1,7 +1,8 @@
 //! Geometry manipulation, tags, inlined rules and boolean operations.
 
 use super::super::{
-    Allowed, Bounds, Braces, Default, Effect, Operation, Param, boolean, bounds, float, or, text, within, words,
+    Allowed, Bounds, Braces, Default, Effect, Operation, Param, Params, Str, boolean, bounds, float, or, text, within,
+    words,
 };
 use super::{block, later, old, op, with};
 
@@ -31,7 +32,7 @@ const SUBTRACT: &str = "removes the result of the right side from the result of 
 const INTERSECT: &str = "keeps the common part of both results";
 
 /// The syntax up to 2024.1, where the left operand was the current shape (*CGA changelog 2025.0*).
-const fn one_operand(name: &'static str, params: &'static [Param], about: &'static str) -> Operation {
+const fn one_operand(name: Str, params: Params, about: Str) -> Operation {
     old(block(name, Braces::Inline, params, about), "name both operands in braces: `{ A | B }`")
 }
 

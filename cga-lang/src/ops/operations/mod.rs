@@ -10,7 +10,7 @@ mod subdivision;
 mod texturing;
 mod transform;
 
-use super::{Braces, Changes, Effect, Operation, Param, Run, Uses, UvEffect};
+use super::{Braces, Changes, Effect, Operation, Params, Run, Str, Uses, UvEffect};
 
 /// All operations.
 pub static OPERATIONS: &[&[Operation]] = &[
@@ -25,12 +25,12 @@ pub static OPERATIONS: &[&[Operation]] = &[
 ];
 
 /// A row that the runtime function `call` implements.
-const fn op(name: &'static str, call: &'static str, params: &'static [Param], about: &'static str) -> Operation {
+const fn op(name: Str, call: Str, params: Params, about: Str) -> Operation {
     Operation { run: Run::Now(call), ..later(name, params, about) }
 }
 
 /// A row that is not implemented yet.
-const fn later(name: &'static str, params: &'static [Param], about: &'static str) -> Operation {
+const fn later(name: Str, params: Params, about: Str) -> Operation {
     Operation {
         name,
         run: Run::Later,
@@ -94,16 +94,16 @@ const fn alone(row: Operation) -> Operation {
 }
 
 /// A row with braces that is not implemented yet.
-const fn block(name: &'static str, braces: Braces, params: &'static [Param], about: &'static str) -> Operation {
+const fn block(name: Str, braces: Braces, params: Params, about: Str) -> Operation {
     Operation { braces, ..later(name, params, about) }
 }
 
 /// A row with braces that is implemented. The shape itself stays unchanged.
-const fn divides(call: &'static str, uses: Uses, row: Operation) -> Operation {
+const fn divides(call: Str, uses: Uses, row: Operation) -> Operation {
     Operation { run: Run::Now(call), ..keeps(using(uses, row)) }
 }
 
 /// The row of an operation that only old files should have.
-const fn old(row: Operation, instead: &'static str) -> Operation {
+const fn old(row: Operation, instead: Str) -> Operation {
     Operation { old: Some(instead), ..row }
 }

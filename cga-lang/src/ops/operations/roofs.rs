@@ -1,6 +1,6 @@
 //! Roofs. Each has rows for an angle in degrees, and for an angle or height selected by a word.
 
-use super::super::{Default, Operation, Param, UvEffect, boolean, float, or, words};
+use super::super::{Default, Operation, Param, Params, Str, UvEffect, boolean, float, or, words};
 use super::{later, uvs};
 
 const VALUE_TYPE: Param = words("valueType", &["byAngle", "byHeight"]);
@@ -14,7 +14,7 @@ const EVEN: Param = or(boolean("even"), Default::Bool(false));
 const INDEX: Param = or(float("index"), Default::Float(0.0));
 
 /// A roof, which is not implemented yet. Its faces have no texture coordinates.
-const fn roof(name: &'static str, params: &'static [Param], about: &'static str) -> Operation {
+const fn roof(name: Str, params: Params, about: Str) -> Operation {
     uvs(UvEffect::Keeps, later(name, params, about))
 }
 

@@ -1,7 +1,7 @@
 //! Operations on the scope and the pivot. The geometry keeps its position.
 
 use super::super::{
-    Allowed, Bounds, Default, Effect, Operation, Param, boolean, bounds, float, or, renamed, within, word,
+    Allowed, Bounds, Default, Effect, Operation, Param, Params, Str, boolean, bounds, float, or, renamed, within, word,
 };
 use super::{old, op, with};
 
@@ -50,7 +50,7 @@ const AXIS_MAP: Param = word("axisMap", "AxisMap", &["xyz", "yzx", "zxy"]);
 const TO_GEOMETRY: &str = "turns the scope to an edge and the normal of a face";
 
 /// A row that the runtime function `call` implements.
-const fn scope(name: &'static str, call: &'static str, params: &'static [Param], about: &'static str) -> Operation {
+const fn scope(name: Str, call: Str, params: Params, about: Str) -> Operation {
     with(Effect::MovesScope, op(name, call, params, about))
 }
 

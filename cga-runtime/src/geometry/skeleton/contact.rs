@@ -12,8 +12,8 @@ use std::collections::BTreeSet;
 
 use glam::DVec2;
 
-use super::disjoint::DisjointSets;
 use super::wavefront::Wavefront;
+use crate::geometry::disjoint::DisjointSets;
 
 /// The contacts at one time.
 #[derive(Debug)]

@@ -23,7 +23,6 @@
 mod arrangement;
 mod check;
 mod contact;
-mod disjoint;
 mod event;
 mod limits;
 mod overlap;

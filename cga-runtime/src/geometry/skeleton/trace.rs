@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::Strip;
-use super::disjoint::DisjointSets;
+use crate::geometry::disjoint::DisjointSets;
 
 /// The kind of a strip's side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,6 +8,7 @@ mod uv_set;
 
 use std::cell::Cell;
 use std::collections::BTreeMap;
+use std::fmt::Display;
 use std::ops::ControlFlow;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -364,7 +365,7 @@ impl Env {
     /// The number, or 0 with a fault if it is not finite (*CGA changelog 2013.1*: the default policy for such
     /// arguments).
     #[inline]
-    pub(crate) fn finite(&mut self, value: f64, what: &str) -> f64 {
+    pub(crate) fn finite(&mut self, value: f64, what: impl Display) -> f64 {
         if value.is_finite() {
             return value;
         }

@@ -4,8 +4,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
-use super::coordinates::Resolved;
-use super::{Coordinates, Projections};
+use super::{Coordinates, Projections, UvSource};
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
 use crate::shape::scope::Scope;
@@ -111,23 +110,23 @@ fn rigid_inverse(place: &DAffine3) -> DAffine3 {
 fn with_sets(mesh: &Mesh, place: &DAffine3, coordinates: &Coordinates, projections: &Projections) -> Mesh {
     let mut baked = mesh.clone();
     for set in coordinates.sets() {
-        let list = match coordinates.resolve(set, projections) {
-            None => continue,
-            Some(Resolved::Missing) => Vec::new(),
-            Some(Resolved::Own(own, change)) => {
+        let Some((source, change)) = coordinates.resolve(set, projections) else { continue };
+        let list = match source {
+            UvSource::Deleted | UvSource::Stored(_) => Vec::new(),
+            UvSource::Own(own) => {
                 let list = mesh.uv_set(usize::from(own));
                 list.iter().map(|&uv| change.transform_point2(uv)).collect()
             }
-            Some(Resolved::Map(map)) => {
-                let local = map.after(place);
+            UvSource::Fixed(map) => {
+                let local = map.then(&change).after(place);
                 mesh.corners().iter().map(|&corner| local.at(mesh.points()[corner as usize])).collect()
             }
-            Some(resolved @ Resolved::Cube(..)) => {
+            UvSource::Cube(_) => {
                 let mut list = vec![DVec2::ZERO; mesh.corners().len()];
                 let turn = crate::geometry::mesh::map::normal_map(&place.matrix3);
                 for face in mesh.faces() {
-                    let Some(map) = resolved.map(turn * face.normal()) else { continue };
-                    let local = map.after(place);
+                    let Some(map) = source.map(turn * face.normal()) else { continue };
+                    let local = map.then(&change).after(place);
                     for corner in face.corner_range() {
                         list[corner] = local.at(mesh.points()[mesh.corners()[corner] as usize]);
                     }

@@ -23,7 +23,7 @@ struct Entry {
 }
 
 /// The source of a set's coordinates.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum UvSource {
     /// The set was deleted.
     Deleted,
@@ -37,19 +37,6 @@ pub(crate) enum UvSource {
     Cube(DAffine3),
 }
 
-/// The coordinates of a set after resolution.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Resolved {
-    /// No coordinates.
-    Missing,
-    /// The coordinates of an explicit set, changed.
-    Own(u8, DAffine2),
-    /// A function of the position in the world.
-    Map(UvMap),
-    /// A function of the position for each of the six directions of a face.
-    Cube(DAffine3, DAffine2),
-}
-
 impl UvSource {
     /// The coordinates of a cube that fills a scope: 0 to 1 on each side (*primitiveCube operation*).
     pub(crate) fn of_cube(scope: &Scope) -> Self {
@@ -61,6 +48,21 @@ impl UvSource {
     pub(crate) fn of_quad(scope: &Scope, across: Axis) -> Self {
         let normal = scope.axes.col(across.index());
         UvSource::Fixed(cube_side(&to_unit(scope), normal))
+    }
+
+    /// The source with a stored projection as a function of the position.
+    fn fixed(self, projections: &Projections) -> Self {
+        let UvSource::Stored(set) = self else { return self };
+        projections.get(set).map_or(UvSource::Deleted, |map| UvSource::Fixed(*map))
+    }
+
+    /// The function of the position on a face with that normal, if there is one.
+    pub(crate) fn map(&self, normal: DVec3) -> Option<UvMap> {
+        match self {
+            UvSource::Deleted | UvSource::Own(_) | UvSource::Stored(_) => None,
+            UvSource::Fixed(map) => Some(*map),
+            UvSource::Cube(place) => Some(cube_side(place, normal)),
+        }
     }
 }
 
@@ -154,7 +156,7 @@ impl Coordinates {
     pub(crate) fn fix(&mut self, stored: u8, projections: &Projections) {
         for entry in &mut self.sets {
             if entry.source == UvSource::Stored(stored) {
-                entry.source = fixed(stored, projections);
+                entry.source = entry.source.fixed(projections);
             }
         }
     }
@@ -162,32 +164,19 @@ impl Coordinates {
     /// Updates the coordinates of geometry that has moved; `back` maps a point to its old position.
     pub(crate) fn carry(&mut self, back: &DAffine3, projections: &Projections) {
         for entry in &mut self.sets {
-            entry.source = match entry.source {
-                UvSource::Stored(set) => match fixed(set, projections) {
-                    UvSource::Fixed(map) => UvSource::Fixed(map.after(back)),
-                    other => other,
-                },
+            entry.source = match entry.source.fixed(projections) {
                 UvSource::Fixed(map) => UvSource::Fixed(map.after(back)),
                 UvSource::Cube(place) => UvSource::Cube(place * *back),
-                UvSource::Own(set) => UvSource::Own(set),
-                UvSource::Deleted => UvSource::Deleted,
+                other => other,
             };
         }
     }
 
-    /// The coordinates of a set; `None` if they come from the mesh unchanged.
-    pub(crate) fn resolve(&self, set: u8, projections: &Projections) -> Option<Resolved> {
+    /// The source of a set and the change of its coordinates, with stored projections as functions of the position.
+    /// `None` if they come from the mesh unchanged.
+    pub(crate) fn resolve(&self, set: u8, projections: &Projections) -> Option<(UvSource, DAffine2)> {
         let entry = self.sets.iter().find(|entry| entry.set == set)?;
-        let change = &entry.change;
-        Some(match &entry.source {
-            UvSource::Deleted => Resolved::Missing,
-            UvSource::Own(own) => Resolved::Own(*own, *change),
-            UvSource::Stored(stored) => {
-                projections.get(*stored).map_or(Resolved::Missing, |map| Resolved::Map(map.then(change)))
-            }
-            UvSource::Fixed(map) => Resolved::Map(map.then(change)),
-            UvSource::Cube(place) => Resolved::Cube(*place, *change),
-        })
+        Some((entry.source.fixed(projections), entry.change))
     }
 
     /// The entry of a set. A set of the mesh gets an entry with that source.
@@ -200,21 +189,6 @@ impl Coordinates {
         match self.sets.binary_search_by_key(&entry.set, |entry| entry.set) {
             Ok(at) => self.sets[at] = entry,
             Err(at) => self.sets.insert(at, entry),
-        }
-    }
-}
-
-fn fixed(stored: u8, projections: &Projections) -> UvSource {
-    projections.get(stored).map_or(UvSource::Deleted, |map| UvSource::Fixed(*map))
-}
-
-impl Resolved {
-    /// The function of the position on a face with that normal, if there is one.
-    pub(crate) fn map(&self, normal: DVec3) -> Option<UvMap> {
-        match self {
-            Resolved::Missing | Resolved::Own(..) => None,
-            Resolved::Map(map) => Some(*map),
-            Resolved::Cube(place, change) => Some(cube_side(place, normal).then(change)),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Facts, one line an item.
 
 use super::Printer;
-use crate::ir::facts::{RuleFacts, Uses};
+use cga_lang::ir::facts::{RuleFacts, Uses};
 
 impl Printer<'_> {
     /// The uses of a function, unless there are none.

@@ -1,8 +1,8 @@
 //! Operations with braces, and `comp` as a value.
 
 use super::Printer;
-use crate::ir::{Arg, Arm, ArmMode, Block, Comp, Expr, ExprKind, Item, Parts, Selector, Slots, Value};
-use crate::ops::{Default, Operation};
+use cga_lang::ir::{Arg, Arm, ArmMode, Block, Comp, Expr, ExprKind, Item, Parts, Selector, Slots, Value};
+use cga_lang::ops::{Default, Operation};
 use std::fmt::Write;
 
 impl Printer<'_> {

@@ -2,20 +2,20 @@
 
 /// Disjoint sets of the numbers below a count, each named by its smallest member.
 #[derive(Debug)]
-pub(super) struct DisjointSets {
+pub(crate) struct DisjointSets {
     /// A smaller member of the same set, or the number itself if it is the smallest.
     parent: Vec<u32>,
 }
 
 impl DisjointSets {
     /// Sets with one number each.
-    pub(super) fn new(count: usize) -> Self {
+    pub(crate) fn new(count: usize) -> Self {
         DisjointSets { parent: (0..count as u32).collect() }
     }
 
     /// The smallest member of a number's set.
     #[inline]
-    pub(super) fn find(&self, mut number: u32) -> u32 {
+    pub(crate) fn find(&self, mut number: u32) -> u32 {
         while self.parent[number as usize] != number {
             number = self.parent[number as usize];
         }
@@ -23,13 +23,27 @@ impl DisjointSets {
     }
 
     /// Unites the sets of two numbers.
-    pub(super) fn unite(&mut self, a: u32, b: u32) {
+    pub(crate) fn unite(&mut self, a: u32, b: u32) {
         let [a, b] = [a, b].map(|number| self.find_and_shorten(number));
         self.parent[a.max(b) as usize] = a.min(b);
     }
 
+    /// The sets, in the order of their smallest members.
+    pub(crate) fn sets(&self) -> Vec<Vec<u32>> {
+        let (mut sets, mut places): (Vec<Vec<u32>>, _) = (Vec::new(), vec![0; self.parent.len()]);
+        for number in 0..self.parent.len() as u32 {
+            let first = self.find(number);
+            if first == number {
+                places[number as usize] = sets.len();
+                sets.push(Vec::new());
+            }
+            sets[places[first as usize]].push(number);
+        }
+        sets
+    }
+
     /// Makes every later [`find`](Self::find) a single step.
-    pub(super) fn flatten(&mut self) {
+    pub(crate) fn flatten(&mut self) {
         for number in 0..self.parent.len() {
             // Smaller numbers are flat already.
             self.parent[number] = self.parent[self.parent[number] as usize];
@@ -37,7 +51,7 @@ impl DisjointSets {
     }
 
     /// The same as [`find`](Self::find), and shortens later searches.
-    pub(super) fn find_and_shorten(&mut self, mut number: u32) -> u32 {
+    pub(crate) fn find_and_shorten(&mut self, mut number: u32) -> u32 {
         while self.parent[number as usize] != number {
             let above = self.parent[self.parent[number as usize] as usize];
             self.parent[number as usize] = above;
@@ -59,6 +73,7 @@ mod tests {
         }
         let names = |sets: &DisjointSets| (0..7).map(|number| sets.find(number)).collect::<Vec<_>>();
         assert_eq!(names(&sets), [0, 1, 2, 1, 1, 1, 1]);
+        assert_eq!(sets.sets(), [vec![0], vec![1, 3, 4, 5, 6], vec![2]]);
         sets.flatten();
         assert_eq!(names(&sets), sets.parent);
     }

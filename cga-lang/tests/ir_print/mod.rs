@@ -1,56 +1,35 @@
-//! A grammar as text, one line a step: for snapshots and traces.
+//! A grammar as text, one line a step.
 
 mod block;
 mod facts;
 
-use crate::ir::facts::{Facts, RuleFacts};
-use crate::ir::{
-    Arg, Attr, Binary, Childless, ChoiceValues, Choices, Const, EachUnary, Expr, ExprKind, Function, FunctionId,
-    Global, Grammar, Init, Param, Prefix, Presentation, Renew, Renewal, Rule, RuleId, Size, Start, Step, Target, Value,
+use cga_lang::ir::facts::{Facts, RuleFacts};
+use cga_lang::ir::{
+    Arg, AttrInfo, Binary, Childless, ChoiceValues, Choices, EachUnary, Expr, ExprKind, Function, FunctionId, Global,
+    GlobalId, Grammar, Init, Param, Prefix, Presentation, Renew, Renewal, Rule, RuleId, Size, Start, Step, Target,
+    Value,
 };
-use crate::syntax::token::push_quoted;
+use cga_lang::span::Span;
+use cga_lang::syntax::token::{Tok, Tokens};
 use std::fmt::Write;
 
 /// The text of a grammar.
-pub fn print(grammar: &Grammar) -> String {
+pub(crate) fn print(grammar: &Grammar) -> String {
     let facts = Facts::new(grammar);
-    let mut out = Printer { grammar, facts: Some(&facts), params: &[], out: String::new(), depth: 0 };
+    let mut out = Printer { grammar, facts: &facts, params: &[], out: String::new(), depth: 0 };
     out.grammar();
-    out.out
-}
-
-/// The text of an expression.
-pub(crate) fn expr(grammar: &Grammar, expr: &Expr) -> String {
-    Printer::plain(grammar).expr(expr)
-}
-
-/// The text of a function.
-pub(crate) fn function(grammar: &Grammar, function: &Function) -> String {
-    let mut out = Printer::plain(grammar);
-    out.function(function);
-    out.out
-}
-
-/// The text of a rule without facts, which follow from other rules.
-pub(crate) fn rule(grammar: &Grammar, rule: &Rule) -> String {
-    let mut out = Printer::plain(grammar);
-    out.rule(rule, None);
     out.out
 }
 
 struct Printer<'g> {
     grammar: &'g Grammar,
-    facts: Option<&'g Facts>,
+    facts: &'g Facts,
     params: &'g [Param],
     out: String,
     depth: usize,
 }
 
 impl<'g> Printer<'g> {
-    fn plain(grammar: &'g Grammar) -> Self {
-        Printer { grammar, facts: None, params: &[], out: String::new(), depth: 0 }
-    }
-
     fn line(&mut self, text: &str) {
         for _ in 0..self.depth {
             self.out.push_str("    ");
@@ -59,8 +38,12 @@ impl<'g> Printer<'g> {
         self.out.push('\n');
     }
 
-    fn attr(&self, attr: &Attr) -> String {
-        let mut text = format!("attr {}: {} = {}", attr.name, attr.ty.word(), self.expr(&attr.default));
+    fn name(&self, global: GlobalId) -> &'g str {
+        &self.grammar.global(global).name
+    }
+
+    fn attr(&self, own: &Global, attr: &AttrInfo) -> String {
+        let mut text = format!("attr {}: {} = {}", own.name, own.ty.word(), self.expr(&own.value));
         if let Some(range) = attr.range {
             let _ = write!(text, ", range {} to {}", range.min, range.max);
             if range.step != 0.0 {
@@ -81,17 +64,17 @@ impl<'g> Printer<'g> {
         if let Some(name) = &attr.display_name {
             let _ = write!(text, ", named {name:?}");
         }
-        if !attr.group.is_empty() {
-            let _ = write!(text, ", group {}", attr.group.join("/"));
+        if !attr.group.names.is_empty() {
+            let _ = write!(text, ", group {}", attr.group.names.join("/"));
         }
-        if let Some(order) = attr.group_order {
+        if let Some(order) = attr.group.order {
             let _ = write!(text, " order {order}");
         }
         if let Some(order) = attr.order {
             let _ = write!(text, ", order {order}");
         }
         for (flag, word) in
-            [(attr.hidden, "hidden"), (attr.is_set, "set"), (attr.lazy, "lazy"), (attr.known.is_none(), "computed")]
+            [(attr.hidden, "hidden"), (own.is_set, "set"), (own.lazy, "lazy"), (own.known.is_none(), "computed")]
         {
             if flag {
                 let _ = write!(text, ", {word}");
@@ -107,7 +90,7 @@ impl<'g> Printer<'g> {
         let mut text = match &choices.values {
             ChoiceValues::Floats(values) => format!("{values:?}"),
             ChoiceValues::Texts(values) => format!("{values:?}"),
-            ChoiceValues::Attr(id) => self.grammar.attrs[id.0 as usize].name.clone(),
+            ChoiceValues::Attr(id) => self.name(*id).to_owned(),
         };
         if !choices.labels.is_empty() {
             let _ = write!(text, " called {:?}", choices.labels);
@@ -124,31 +107,25 @@ impl<'g> Printer<'g> {
             let text = format!("about {:?}", grammar.about);
             self.line(&text);
         }
-        for attr in &grammar.attrs {
-            let text = self.attr(attr);
-            self.line(&text);
-        }
-        for own in &grammar.consts {
-            let text = self.constant(own);
+        for global in &grammar.globals {
+            let text = match &global.attr {
+                Some(attr) => self.attr(global, attr),
+                None => self.constant(global),
+            };
             self.line(&text);
         }
         for (number, function) in grammar.functions.iter().enumerate() {
             self.function(function);
-            if let Some(facts) = self.facts {
-                self.uses(facts.function(FunctionId(number as u32)));
-            }
+            self.uses(self.facts.function(FunctionId(number as u32)));
         }
         for renewal in &grammar.renewals {
             let text = self.renewal(renewal);
             self.line(&text);
         }
-        let name = |global: &Global| match global {
-            Global::Attr(id) => grammar.attrs[id.0 as usize].name.clone(),
-            Global::Const(id) => grammar.consts[id.0 as usize].name.clone(),
-        };
+        let name = |init: &Init| grammar.global(init.global).name.clone();
         let init = |init: &Init| match &init.styles {
-            Some(styles) => format!("{} in {styles:?}", name(&init.global)),
-            None => name(&init.global),
+            Some(styles) => format!("{} in {styles:?}", name(init)),
+            None => name(init),
         };
         if !grammar.init.is_empty() {
             let text = format!("init {}", grammar.init.iter().map(init).collect::<Vec<_>>().join(", "));
@@ -163,11 +140,11 @@ impl<'g> Printer<'g> {
             self.line(&format!("start {}", names.join(", ")));
         }
         for (number, rule) in grammar.rules.iter().enumerate() {
-            self.rule(rule, self.facts.map(|facts| facts.rule(RuleId(number as u32))));
+            self.rule(rule, self.facts.rule(RuleId(number as u32)));
         }
     }
 
-    fn constant(&self, own: &Const) -> String {
+    fn constant(&self, own: &Global) -> String {
         let set = match (own.is_set, own.lazy) {
             (true, true) => ", set, lazy",
             (true, false) => ", set",
@@ -187,7 +164,7 @@ impl<'g> Printer<'g> {
         self.locals(&function.params, &function.locals);
     }
 
-    fn rule(&mut self, rule: &'g Rule, facts: Option<&RuleFacts>) {
+    fn rule(&mut self, rule: &'g Rule, facts: &RuleFacts) {
         self.params = &rule.params;
         let leaf = match rule.leaf {
             Childless::Always => ", leaf",
@@ -200,9 +177,7 @@ impl<'g> Printer<'g> {
             let names: Vec<&str> = others.iter().map(|site| site.name.as_str()).collect();
             self.line(&format!("  also {}", names.join(", ")));
         }
-        if let Some(facts) = facts {
-            self.rule_facts(facts);
-        }
+        self.rule_facts(facts);
         self.locals(&rule.params, &rule.locals);
         self.steps(&rule.body);
     }
@@ -230,15 +205,15 @@ impl<'g> Printer<'g> {
 
     fn step(&mut self, step: &'g Step) {
         match step {
-            Step::Do(row, args, _) => {
+            Step::Do(row, args) => {
                 let args: Vec<String> = args.iter().map(|arg| self.arg(arg)).collect();
                 self.line(&format!("{}({})", row.run.now().unwrap_or(row.name), args.join(", ")));
             }
-            Step::SetAttr(id, value, _) => {
-                let text = format!("set {} = {}", self.grammar.attrs[id.0 as usize].name, self.expr(value));
+            Step::SetAttr(id, value) => {
+                let text = format!("set {} = {}", self.name(*id), self.expr(value));
                 self.line(&text);
             }
-            Step::SetShape(row, value, _) => {
+            Step::SetShape(row, value) => {
                 let text = format!("set {} = {}", row.name, self.expr(value));
                 self.line(&text);
             }
@@ -255,18 +230,15 @@ impl<'g> Printer<'g> {
             Step::Renew(call) => self.renew(call),
             Step::Case { arms, otherwise } => {
                 for (condition, steps) in arms {
-                    let head = format!("case {}", self.expr(condition));
+                    let head = match condition.kind {
+                        ExprKind::Chance { percent, .. } => format!("chance {percent}%"),
+                        _ => format!("case {}", self.expr(condition)),
+                    };
                     self.headed(&head, steps);
                 }
                 self.headed("else", otherwise);
             }
-            Step::Chance { arms, otherwise } => {
-                for (percent, steps) in arms {
-                    self.headed(&format!("chance {percent}%"), steps);
-                }
-                self.headed("else", otherwise);
-            }
-            Step::Later(what, _) => self.line(&format!("later {what}")),
+            Step::Later(what) => self.line(&format!("later {what}")),
         }
     }
 
@@ -274,11 +246,7 @@ impl<'g> Printer<'g> {
     fn renewal(&self, renewal: &Renewal) -> String {
         let mut text = format!("renewal {}:", renewal.import);
         for global in &renewal.globals {
-            let name = match global {
-                Global::Attr(id) => &self.grammar.attrs[id.0 as usize].name,
-                Global::Const(id) => &self.grammar.consts[id.0 as usize].name,
-            };
-            let _ = write!(text, " {name}");
+            let _ = write!(text, " {}", self.name(*global));
         }
         text
     }
@@ -287,7 +255,7 @@ impl<'g> Printer<'g> {
         self.line(&format!("anew {}", self.grammar.renewals[call.renewal.0 as usize].import));
         self.depth += 1;
         for (id, value) in &call.given {
-            let text = format!("given {} = {}", self.grammar.attrs[id.0 as usize].name, self.expr(value));
+            let text = format!("given {} = {}", self.name(*id), self.expr(value));
             self.line(&text);
         }
         let text = format!("give {}", self.target(&call.target));
@@ -301,7 +269,7 @@ impl<'g> Printer<'g> {
                 let args = if args.is_empty() { String::new() } else { self.args(args) };
                 format!("{}{}{args}", self.grammar.rules[rule.0 as usize].name, passed(sites))
             }
-            Target::Leaf(name, _) => format!("leaf {name}"),
+            Target::Leaf(name) => format!("leaf {name}"),
             Target::Nil => "nil".into(),
         }
     }
@@ -334,8 +302,7 @@ impl<'g> Printer<'g> {
             ExprKind::Param(index) => {
                 self.params.get(*index as usize).map_or_else(|| format!("param {index}"), |param| param.name.clone())
             }
-            ExprKind::Attr(id) => self.grammar.attrs[id.0 as usize].name.clone(),
-            ExprKind::Const(id) => self.grammar.consts[id.0 as usize].name.clone(),
+            ExprKind::Global(id) => self.name(*id).to_owned(),
             ExprKind::Host(id) => format!("#{}", id.0),
             ExprKind::Call(id, sites, args) => {
                 format!("{}{}{}", self.grammar.functions[id.0 as usize].name, passed(sites), self.args(args))
@@ -369,17 +336,13 @@ impl<'g> Printer<'g> {
             ExprKind::File(name, folder) if folder.is_empty() => self.expr(name),
             ExprKind::File(name, folder) => format!("file({}, in {folder:?})", self.expr(name)),
             ExprKind::Case(arms, otherwise) => {
-                let arms: String = arms
-                    .iter()
-                    .map(|(test, value)| format!("case {} : {} ", self.expr(test), self.expr(value)))
-                    .collect();
-                format!("({arms}else : {})", self.expr(otherwise))
+                let arm = |(test, value): &(Expr, Expr)| match test.kind {
+                    ExprKind::Chance { percent, .. } => format!("{percent}% : {} ", self.expr(value)),
+                    _ => format!("case {} : {} ", self.expr(test), self.expr(value)),
+                };
+                format!("({}else : {})", arms.iter().map(arm).collect::<String>(), self.expr(otherwise))
             }
-            ExprKind::Chance(arms, otherwise) => {
-                let arms: String =
-                    arms.iter().map(|(percent, value)| format!("{percent}% : {} ", self.expr(value))).collect();
-                format!("({arms}else : {})", self.expr(otherwise))
-            }
+            ExprKind::Chance { percent, .. } => format!("{percent}%"),
         }
     }
 }
@@ -394,9 +357,8 @@ fn value(known: &Value) -> String {
         Value::Float(number) => number.to_string(),
         Value::Bool(truth) => truth.to_string(),
         Value::Text(text) => {
-            let mut out = String::new();
-            push_quoted(&mut out, text);
-            out
+            let token: Tokens = std::iter::once(Tok::Str(text.clone())).collect();
+            token.text(Span::one(0), usize::MAX)
         }
         Value::Array(rows) => {
             let row = |row: &Vec<Value>| row.iter().map(value).collect::<Vec<_>>().join(", ");
