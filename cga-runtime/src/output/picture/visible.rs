@@ -45,7 +45,7 @@ impl Layer {
 pub(super) fn layers(scene: &Scene, view: &View, width: usize, height: usize) -> (Layer, Option<Layer>) {
     let mut opaque = Layer::new(width, height);
     draw(scene, view, &mut opaque, |opacity| OPAQUE <= opacity);
-    if scene.paints.iter().all(|paint| paint.opacity == 1.0 && !paint.maps.opacity.is_some()) {
+    if scene.paints.iter().all(|paint| paint.opacity == 1.0 && paint.maps.opacity.is_none()) {
         return (opaque, None);
     }
     let mut clear = Layer::new(width, height);
