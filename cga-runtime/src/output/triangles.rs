@@ -56,10 +56,7 @@ impl Triangles {
         for corner in corners {
             self.vertices.push(vertex(face.point(corner) - origin, face.normal_at(corner)));
         }
-        let triangles = triangles.as_flattened();
-        for (index, corner) in self.indices.take(triangles.len()).iter_mut().zip(triangles) {
-            *index = start + corner;
-        }
+        self.indices.extend(triangles.as_flattened().iter().map(|corner| start + corner));
     }
 }
 
