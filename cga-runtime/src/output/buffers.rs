@@ -9,6 +9,7 @@ mod part;
 mod replayed;
 mod uvs;
 
+pub use super::triangles::Vertex;
 pub use chunks::Chunks;
 pub use part::Part;
 
@@ -32,9 +33,6 @@ use crate::material::Material;
 use crate::run::sink::corners::{Placed, four};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
-
-/// Position x, y, z and normal x, y, z.
-pub type Vertex = [f32; 6];
 
 /// Collects leaves as triangles. It can be cleared and used again without releasing its memory.
 #[derive(Debug)]

@@ -2,11 +2,13 @@
 
 use glam::{DVec3, DVec4, Vec4};
 
-use super::buffers::Vertex;
 use super::flatten::FlatFace;
 use super::room::Room;
 use crate::run::sink::corners::Placed;
 use crate::shape::unit::UnitMesh;
+
+/// Position x, y, z and normal x, y, z.
+pub type Vertex = [f32; 6];
 
 /// Triangles of faces that share no vertices.
 #[derive(Debug, Default)]

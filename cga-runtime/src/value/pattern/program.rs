@@ -1,7 +1,6 @@
 //! The steps of a compiled pattern.
 
 use super::parse::{Assertion, Syntax, parse};
-use super::run::Search;
 use super::set::Set;
 
 /// The largest number of steps, so that `(((a{99}){99}){99})` does not exhaust the memory.
@@ -54,17 +53,6 @@ impl Pattern {
             parse(pattern)?,
             Syntax::At(Assertion::TextEnd),
         ]))
-    }
-
-    /// Matches a text. Returns the result and the number of steps taken. A search that would take too long does not
-    /// match.
-    pub(crate) fn matches(&self, text: &str) -> (bool, u64) {
-        let text: Vec<char> = text.chars().collect();
-        let Ok(mut search) = Search::new(self, &text) else { return (false, u64::MAX) };
-        match search.find(0) {
-            Ok(found) => (found.is_some(), search.steps),
-            Err(_) => (false, u64::MAX),
-        }
     }
 
     fn of(node: &Syntax) -> Result<Self, String> {
