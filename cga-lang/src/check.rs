@@ -7,19 +7,19 @@ use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
 use crate::diagnostics::levels;
 use crate::editor::index::{Named, index};
+use crate::infer::{self, Found};
 use crate::ir::Type;
-use crate::link::{InstanceId, Program, Wanted};
+use crate::link::Program;
 use crate::resolve::context::Context;
 use crate::resolve::globals::{Globals, Item};
 use crate::resolve::tables::Tables;
 use crate::resolve::{cycles, duplicates, names, overrides};
-use crate::{annotations, diagnostics, infer};
+use crate::{annotations, diagnostics};
 
 /// A program without errors. Only this can be lowered.
 pub struct Checked<'a> {
     pub(crate) globals: Globals<'a>,
     pub(crate) tables: Tables,
-    _private: (),
 }
 
 /// The result of a check.
@@ -30,12 +30,8 @@ pub(crate) struct Outcome<'a> {
     pub(crate) attrs: Vec<(Item<'a>, Option<Type>)>,
     /// The places where names are declared and used.
     pub(crate) index: Vec<Named>,
-    /// True after a type mismatch.
-    pub(crate) misfit: bool,
-    /// Declarations that calls want with other types. When there are some, only that was found out.
-    pub(crate) wanted: Vec<Wanted>,
-    /// Declarations with types of their own that do not suit them.
-    pub(crate) unsuited: Vec<InstanceId>,
+    /// The result of type inference. With requests for other types, only this is known.
+    pub(crate) types: Found,
 }
 
 /// Runs every pass. `levels` are those of the grammar as a whole; annotations in the tree come on top.
@@ -47,23 +43,24 @@ pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bo
     duplicates::values(&mut cx);
     overrides::check(&mut cx);
     names::uses(&mut cx);
-    let infer::Found { misfit, wanted, unsuited } = infer::infer(&mut cx);
-    if !wanted.is_empty() {
-        return Outcome { checked: None, attrs: Vec::new(), index: Vec::new(), misfit, wanted, unsuited };
+    let types = infer::infer(&mut cx);
+    if !types.wanted.is_empty() {
+        return Outcome { checked: None, attrs: Vec::new(), index: Vec::new(), types };
     }
+    let is_final = last || !types.misfit;
     annotations::read(&mut cx);
     duplicates::operations(&mut cx);
     duplicates::overloads(&mut cx);
     duplicates::styles(&mut cx);
     cycles::find(&mut cx);
-    if last || !misfit {
+    if is_final {
         diagnostics::check(&mut cx);
     }
     let Context { globals, tables, diags, .. } = cx;
     levels::apply(&levels, diags);
     let ty = |item: &Item| item.ty(&tables);
     let attrs = globals.attrs.iter().map(|item| (item.clone(), ty(item))).collect();
-    let index = if last || !misfit { index(&globals, &tables) } else { Vec::new() };
-    let checked = (!diags.has_errors()).then_some(Checked { globals, tables, _private: () });
-    Outcome { checked, attrs, index, misfit, wanted, unsuited }
+    let index = if is_final { index(&globals, &tables) } else { Vec::new() };
+    let checked = (!diags.has_errors()).then_some(Checked { globals, tables });
+    Outcome { checked, attrs, index, types }
 }

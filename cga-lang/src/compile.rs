@@ -6,7 +6,8 @@ use crate::diag::{Diag, Diags, Level};
 
 pub use crate::dialect::Dialect;
 use crate::editor::index::Named;
-use crate::editor::public_names::PublicNames;
+use crate::editor::public_names::{PublicName, public_names};
+use crate::infer::Found;
 use crate::ir::Grammar;
 use crate::link::{File, FileTokens, Files, NoFiles, Program, Unit, link};
 use crate::lower::lower;
@@ -32,8 +33,8 @@ pub struct Compiled {
     pub grammar: Option<Grammar>,
     /// All diagnostics, in source order.
     pub diags: Vec<Diag>,
-    /// The public names, errors or not.
-    pub names: PublicNames,
+    /// The public names, errors or not: the attributes.
+    pub names: Vec<PublicName>,
     /// The places where names of the compiled file are declared and used, also after errors.
     pub index: Vec<Named>,
     /// The files that were read: the one that is compiled, then those that are imported, each once.
@@ -56,7 +57,7 @@ pub fn compile(root: Unit, files: &mut dyn Files, levels: &[(Code, Level)]) -> C
     let mut program = link(root, files, &mut diags);
     let read = diags.finish();
     let outcome = checked(&program, levels, false, &read);
-    if !outcome.1.misfit {
+    if !outcome.1.types.misfit {
         return finish(&program, outcome);
     }
     instantiate(&mut program, levels, &read);
@@ -72,7 +73,7 @@ fn checked<'p>(program: &'p Program, levels: &[(Code, Level)], last: bool, read:
 
 fn finish(program: &Program, (diags, outcome): (Vec<Diag>, Outcome)) -> Compiled {
     let grammar = outcome.checked.map(|checked| lower(&checked));
-    let names = PublicNames::new(program, &outcome.attrs, grammar.as_ref());
+    let names = public_names(program, &outcome.attrs, grammar.as_ref());
     let piece = |file: &Rc<File>| FileTokens { name: file.name.clone(), tokens: file.tokens.clone() };
     let files = program.files.iter().map(piece).collect();
     Compiled { grammar, diags, names, index: outcome.index, files }
@@ -89,7 +90,7 @@ fn instantiate(program: &mut Program, levels: &[(Code, Level)], read: &[Diag]) {
             program.take_back_all();
             return;
         }
-        let (_, Outcome { wanted, unsuited, .. }) = checked(program, levels, false, read);
+        let Found { wanted, unsuited, .. } = checked(program, levels, false, read).1.types;
         if wanted.is_empty() && unsuited.is_empty() {
             break;
         }

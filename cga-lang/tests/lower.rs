@@ -114,8 +114,7 @@ fn public_names_are_known_despite_errors() {
     let text = "attr a = 3 attr b = nothing attr c = \"x\" attr d = a > 2 attr a = 4 attr e = 1 + Lot --> Nothing(";
     let compiled = inline(lex(text).tokens);
     assert!(compiled.grammar.is_none());
-    let names: Vec<(&str, Option<Type>)> =
-        compiled.names.attrs.iter().map(|attr| (attr.name.as_str(), attr.ty)).collect();
+    let names: Vec<(&str, Option<Type>)> = compiled.names.iter().map(|attr| (attr.name.as_str(), attr.ty)).collect();
     let wanted = [("a", Some(Type::Float)), ("b", None), ("c", Some(Type::Text)), ("d", Some(Type::Bool)), ("e", None)];
     assert_eq!(names, wanted);
 }

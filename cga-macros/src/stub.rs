@@ -14,7 +14,7 @@ use crate::source::Source;
 /// The struct with its fields and methods; nothing in it runs. The `#` values count as used.
 pub(crate) fn grammar(compiled: &Compiled, header: &Header, source: &Source) -> Output {
     let mut taken = Taken::default();
-    let attrs = compiled.names.attrs.iter().map(|attr| PublicAttr::known_so_far(attr, source, &mut taken)).collect();
+    let attrs = compiled.names.iter().map(|attr| PublicAttr::known_so_far(attr, source, &mut taken)).collect();
     let captures = (0..source.hosts().len() as u32).map(|handle| (handle, None)).collect();
     Output { code: public(&Public { attrs, captures: Vec::new(), hidden: None }, header), captures }
 }

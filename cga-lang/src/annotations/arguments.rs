@@ -1,7 +1,7 @@
 //! The arguments of one annotation.
 
 use crate::diag::code::Code;
-use crate::diag::{Diag, Level};
+use crate::diag::{Diag, Level, Line};
 use crate::dialect::Dialect;
 use crate::ir::AttrGroup;
 use crate::resolve::context::Context;
@@ -37,7 +37,7 @@ pub(super) fn texts(cx: &mut Context, needs: &str, args: &[AnnotationArg]) -> Ve
     for arg in args {
         match (&arg.name, &arg.value.kind) {
             (None, ExprKind::Text(text)) => list.push(text.clone()),
-            _ => _ = wrong(cx, whole(arg), needs.to_owned()),
+            _ => _ = wrong(cx, whole(arg), needs),
         }
     }
     list
@@ -51,7 +51,7 @@ pub(super) fn group_of(cx: &mut Context, args: &[AnnotationArg]) -> AttrGroup {
     };
     let needs = "`@Group` takes strings, and optionally a number at the end";
     if let (Some(_), [], [arg]) = (order, names, args) {
-        wrong(cx, whole(arg), needs.to_owned());
+        wrong(cx, whole(arg), needs);
         return AttrGroup::default();
     }
     AttrGroup { names: texts(cx, needs, names), order }
@@ -63,7 +63,7 @@ pub(super) fn hidden(cx: &mut Context, args: &[AnnotationArg]) -> Hidden {
         match (&arg.name, &arg.value.kind) {
             (None, ExprKind::Name(name)) => names.push(name.text.clone()),
             (None, ExprKind::Text(text)) => names.push(text.clone()),
-            _ => _ = wrong(cx, whole(arg), "`@Hidden` takes names of attributes of the import after it".into()),
+            _ => _ = wrong(cx, whole(arg), "`@Hidden` takes names of attributes of the import after it"),
         }
     }
     if args.is_empty() { Hidden::All } else { Hidden::Names(names) }
@@ -79,7 +79,7 @@ pub(super) fn number(value: &Expr) -> Option<f64> {
     }
 }
 
-pub(super) fn wrong<'d>(cx: &'d mut Context, span: Span, message: String) -> &'d mut Diag {
+pub(super) fn wrong<'d>(cx: &'d mut Context, span: Span, message: impl Into<Line>) -> &'d mut Diag {
     // In text the checks are as lenient as CGA: annotations describe, they do not generate.
     let dialect = cx.globals.program.instances[cx.at].file.dialect;
     let level = if dialect == Dialect::Inline { Level::Error } else { Level::Warning };

@@ -59,14 +59,14 @@ impl Limits {
                 Some(name) => {
                     let near = nearest(name, ["restricted", "valuesAttr"]);
                     let message = "`@Enum` takes values, `valuesAttr` and `restricted`";
-                    wrong(cx, whole(arg), message.into()).suggest(near);
+                    wrong(cx, whole(arg), message).suggest(near);
                     return;
                 }
             }
         }
         let values = match (source, &list[..]) {
             (None, []) => {
-                wrong(cx, span, "`@Enum` needs values".into()).help("write `@Enum(1, 2)` or `@Enum(\"a\", \"b\")`");
+                wrong(cx, span, "`@Enum` needs values").help("write `@Enum(1, 2)` or `@Enum(\"a\", \"b\")`");
                 return;
             }
             (None, list) => values(cx, "Enum", list),
@@ -75,7 +75,7 @@ impl Limits {
                 ChoiceValues::Attr(id)
             }),
             (Some(source), _) => {
-                wrong(cx, source.span, "`@Enum` takes either values or `valuesAttr`".into());
+                wrong(cx, source.span, "`@Enum` takes either values or `valuesAttr`");
                 return;
             }
         };
@@ -180,7 +180,7 @@ fn truth(cx: &mut Context, value: &Expr) -> Option<bool> {
     match value.kind {
         ExprKind::Bool(value) => Some(value),
         _ => {
-            wrong(cx, value.span, "`restricted` is `true` or `false`".into());
+            wrong(cx, value.span, "`restricted` is `true` or `false`");
             None
         }
     }
@@ -206,7 +206,7 @@ fn values(cx: &mut Context, annotation: &str, args: &[&AnnotationArg]) -> Option
 /// The attribute that `valuesAttr` names.
 fn attribute(cx: &mut Context, value: &Expr) -> Option<GlobalId> {
     let ExprKind::Name(name) = &value.kind else {
-        wrong(cx, value.span, "`valuesAttr` takes the name of an attribute".into());
+        wrong(cx, value.span, "`valuesAttr` takes the name of an attribute");
         return None;
     };
     match cx.globals.value(cx.at, &name.text) {
@@ -238,7 +238,7 @@ fn bounds(cx: &mut Context, span: Span, args: &[AnnotationArg]) -> Option<Range>
         if !matches!(name, "min" | "max" | "stepsize") {
             let place = arg.name.as_ref().map_or(arg.value.span, |name| name.span);
             let near = nearest(name, BOUNDS);
-            wrong(cx, place, "`@Range` takes `min`, `max`, `stepsize` and `restricted`".into()).suggest(near);
+            wrong(cx, place, "`@Range` takes `min`, `max`, `stepsize` and `restricted`").suggest(near);
             return None;
         }
         let Some(value) = number(&arg.value) else {
@@ -248,7 +248,7 @@ fn bounds(cx: &mut Context, span: Span, args: &[AnnotationArg]) -> Option<Range>
         match name {
             "min" => min = Some(value),
             "max" => max = Some(value),
-            _ if value < 0.0 => _ = wrong(cx, arg.value.span, "`stepsize` cannot be negative".into()),
+            _ if value < 0.0 => _ = wrong(cx, arg.value.span, "`stepsize` cannot be negative"),
             _ => step = value,
         }
     }
@@ -262,7 +262,7 @@ fn bounds(cx: &mut Context, span: Span, args: &[AnnotationArg]) -> Option<Range>
             None
         }
         _ => {
-            wrong(cx, span, "`@Range` needs `min` and `max`".into());
+            wrong(cx, span, "`@Range` needs `min` and `max`");
             None
         }
     }

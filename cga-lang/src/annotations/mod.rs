@@ -14,39 +14,19 @@ use crate::resolve::globals::Item;
 use crate::resolve::info::{Hidden, ImportInfo, RuleInfo};
 use crate::span::Span;
 use crate::suggest::nearest;
-use crate::syntax::ast::{Annotation, Ast, Body, Decl, Import, Role, Style};
+use crate::syntax::ast::{Annotation, Ast, Body, Decl, Import, Role};
 use crate::syntax::words::ANNOTATIONS;
 use arguments::wrong;
 use notes::Notes;
 use std::collections::HashMap;
 
-/// The possible places of annotations.
+/// The target of annotations.
+#[derive(Clone, Copy)]
 enum Annotated<'a> {
-    Head(&'a [Annotation]),
     Import(&'a Import),
-    Style(&'a Style),
     Decl(&'a Decl),
-}
-
-impl<'a> Annotated<'a> {
-    fn annotations(&self) -> &'a [Annotation] {
-        match self {
-            Annotated::Head(annotations) => annotations,
-            Annotated::Import(import) => &import.annotations,
-            Annotated::Style(style) => &style.annotations,
-            Annotated::Decl(decl) => &decl.annotations,
-        }
-    }
-
-    fn span(&self) -> Span {
-        match self {
-            // Before all other places.
-            Annotated::Head(_) => Span::default(),
-            Annotated::Import(import) => import.span,
-            Annotated::Style(style) => style.name.span,
-            Annotated::Decl(decl) => decl.span,
-        }
-    }
+    /// The file or a style.
+    Other,
 }
 
 pub(crate) fn read(cx: &mut Context) {
@@ -61,14 +41,14 @@ pub(crate) fn read(cx: &mut Context) {
         let import = instance.parent.and_then(|parent| from(program, parent, id));
         let import = import.and_then(|import| cx.tables.imports.get(&import).cloned()).unwrap_or_default();
         hidden[id] = import.hidden == Hidden::All || instance.parent.is_some_and(|parent| hidden[parent]);
-        let start = file(cx, &instance.file.ast, import.group, &mut |cx, decl, mut info: AttrInfo| {
-            let Some(&index) = by_name.get(&(id, decl.name.id())) else { return };
+        for (decl, mut info) in file(cx, &instance.file.ast, import.group) {
+            let Some(&index) = by_name.get(&(id, decl.name.id())) else { continue };
             info.hidden |=
                 hidden[id] || matches!(&import.hidden, Hidden::Names(names) if names.contains(&decl.name.text));
             cx.tables.attrs[index] = info;
-        });
+        }
         if program.roots.contains(&id) {
-            let start = start.rule_of(cx);
+            let start = start_rule(cx);
             cx.tables.starts.push(start);
         }
     }
@@ -82,32 +62,27 @@ fn from(program: &Program, parent: InstanceId, id: InstanceId) -> Option<Key> {
     Some((parent, import.id.id()))
 }
 
-/// Reads the annotations of a file. `group` is the group at the place of its import.
-fn file<'a>(
-    cx: &mut Context,
-    ast: &'a Ast,
-    mut group: AttrGroup,
-    keep: &mut dyn FnMut(&mut Context, &'a Decl, AttrInfo),
-) -> Starts {
-    let mut places: Vec<Annotated<'_>> = vec![Annotated::Head(&ast.head)];
-    places.extend(ast.imports.iter().map(Annotated::Import));
-    places.extend(ast.styles.iter().map(Annotated::Style));
-    places.extend(ast.decls.iter().map(Annotated::Decl));
-    places.sort_by_key(Annotated::span);
-    let mut starts = Starts::default();
-    for place in places {
+/// Reads the annotations of a file and returns those of its attributes. `group` is the group at the place of its import.
+fn file<'a>(cx: &mut Context, ast: &'a Ast, mut group: AttrGroup) -> Vec<(&'a Decl, AttrInfo)> {
+    let mut attrs = Vec::new();
+    // The head comes first.
+    let mut places: Vec<(Span, &[Annotation], Annotated<'_>)> = vec![(Span::default(), &ast.head, Annotated::Other)];
+    places.extend(ast.imports.iter().map(|own| (own.span, &*own.annotations, Annotated::Import(own))));
+    places.extend(ast.styles.iter().map(|own| (own.name.span, &*own.annotations, Annotated::Other)));
+    places.extend(ast.decls.iter().map(|own| (own.span, &*own.annotations, Annotated::Decl(own))));
+    places.sort_by_key(|(span, ..)| *span);
+    for (_, annotations, place) in places {
         let mut notes = Notes::default();
-        for annotation in place.annotations() {
+        for annotation in annotations {
             let (Some(name), Some(args)) = (known(cx, annotation), &annotation.args) else { continue };
             notes.read(cx, name, annotation.name.span, args, &mut group);
         }
         let is_rule = matches!(place, Annotated::Decl(Decl { body: Body::Rule(_), .. }));
         if let Some(span) = notes.start.filter(|_| !is_rule) {
-            wrong(cx, span, "only a rule can be the start rule".into())
-                .help("move it before the rule that begins a model");
+            wrong(cx, span, "only a rule can be the start rule").help("move it before the rule that begins a model");
         }
         if let Some(span) = notes.names.filter(|_| !matches!(place, Annotated::Import(_))) {
-            wrong(cx, span, "`@Hidden` takes names before an import only".into());
+            wrong(cx, span, "`@Hidden` takes names before an import only");
         }
         match place {
             Annotated::Import(import) => {
@@ -117,10 +92,12 @@ fn file<'a>(
             Annotated::Decl(decl) => match &decl.body {
                 Body::Attr(_) => {
                     let info = notes.attribute(cx, decl, &group);
-                    keep(cx, decl, info);
+                    attrs.push((decl, info));
                 }
                 Body::Rule(_) => {
-                    starts.rule(cx, decl, notes.start);
+                    if let Some(span) = notes.start.filter(|_| !decl.params.is_empty()) {
+                        no_start(cx, decl, span);
+                    }
                     let info = RuleInfo {
                         doc: notes.doc(decl),
                         marked: notes.start.is_some() || decl.role == Role::Start,
@@ -130,64 +107,43 @@ fn file<'a>(
                 }
                 _ => {}
             },
-            Annotated::Head(_) | Annotated::Style(_) => {}
+            Annotated::Other => {}
         }
     }
-    starts
+    attrs
 }
 
-/// The search for the start rule.
-#[derive(Default)]
-struct Starts {
-    /// The id of the name of the first `@StartRule` rule, by style.
-    first: HashMap<u32, u32>,
+/// Reports `@StartRule` before a rule with parameters.
+fn no_start(cx: &mut Context, decl: &Decl, span: Span) {
+    let name = &decl.name.text;
+    let values = vec!["…"; decl.params.len()].join(", ");
+    let outer = if name == "Lot" { "Site" } else { "Lot" };
+    wrong(cx, span, format!("`{name}` has parameters, so a run cannot begin with it"))
+        .help(format!("mark a rule that calls it, such as `{outer} --> {name}({values})`"));
 }
 
-impl Starts {
-    fn rule(&mut self, cx: &mut Context, decl: &Decl, start: Option<Span>) {
-        let Some(span) = start else { return };
-        if !decl.params.is_empty() {
-            let message = format!("`{}` has parameters, so a run cannot begin with it", decl.name.text);
-            let name = &decl.name.text;
-            let values = vec!["…"; decl.params.len()].join(", ");
-            let outer = if name == "Lot" { "Site" } else { "Lot" };
-            wrong(cx, span, message).help(format!("mark a rule that calls it, such as `{outer} --> {name}({values})`"));
-            return;
-        }
-        // All annotated rules can be started. A run begins with the first one, or with the first one of its style.
-        self.first.entry(decl.style).or_insert(decl.name.id());
+/// The rule marked with `start`, otherwise the first annotated rule of the nearest style, otherwise the first rule. It
+/// has no parameters.
+fn start_rule(cx: &mut Context) -> Option<u32> {
+    let (root, styles) = (cx.at, &cx.globals.program.instances[cx.at].styles);
+    let own = |item: &Item| item.instance == root && item.home == root && !item.decl.name.text.contains('.');
+    let rules: Vec<(usize, &Item)> = cx.globals.rules.iter().enumerate().filter(|(_, item)| own(item)).collect();
+    let free = || rules.iter().filter(|(_, item)| item.decl.params.is_empty());
+    let is_marked = |item: &Item| cx.tables.rules.get(&item.key()).is_some_and(|info| info.marked);
+    let found = free()
+        .find(|(_, item)| item.decl.role == Role::Start)
+        .or_else(|| free().filter(|(_, item)| is_marked(item)).min_by_key(|(_, item)| styles.rank(item.decl.style)))
+        .or_else(|| free().next())
+        .map(|(index, _)| *index as u32);
+    if let (None, Some((_, first))) = (found, rules.first()) {
+        let name = &first.decl.name;
+        let message = format!("`{}` has parameters, and so has every rule: no run can begin", name.text);
+        let values = vec!["…"; first.decl.params.len()].join(", ");
+        cx.diags
+            .report(Code::NoStartRule, name.span, message)
+            .help(format!("write a rule without any, such as `Lot --> {}({values})`", name.text));
     }
-
-    /// The rule marked with `start`, otherwise the annotated rule of the nearest style, otherwise the first rule. It
-    /// has no parameters.
-    fn rule_of(self, cx: &mut Context) -> Option<u32> {
-        let (root, styles) = (cx.at, &cx.globals.program.instances[cx.at].styles);
-        let own = |item: &Item| item.instance == root && item.home == root && !item.decl.name.text.contains('.');
-        let rules = cx.globals.rules.iter().enumerate().filter(|(_, item)| own(item));
-        let rules: Vec<(usize, &Item)> = rules.collect();
-        let free = || rules.iter().filter(|(_, item)| item.decl.params.is_empty());
-        let annotated = |item: &Item| {
-            let name = self.first.get(&item.decl.style)?;
-            (*name == item.decl.name.id()).then(|| styles.rank(item.decl.style)).flatten()
-        };
-        let found = free()
-            .find(|(_, item)| item.decl.role == Role::Start)
-            .or_else(|| {
-                free()
-                    .filter_map(|found| Some((annotated(found.1)?, found)))
-                    .min_by_key(|(rank, _)| *rank)
-                    .map(|(_, found)| found)
-            })
-            .or_else(|| free().next())
-            .map(|(index, _)| *index as u32);
-        if let (None, Some((_, first))) = (found, rules.first()) {
-            let message = format!("`{}` has parameters, and so has every rule: no run can begin", first.decl.name.text);
-            let diag = cx.diags.report(Code::NoStartRule, first.decl.name.span, message);
-            let values = vec!["…"; first.decl.params.len()].join(", ");
-            diag.help(format!("write a rule without any, such as `Lot --> {}({values})`", first.decl.name.text));
-        }
-        found
-    }
+    found
 }
 
 /// The official name of an annotation.

@@ -39,7 +39,7 @@ impl Notes {
             "Group" => *group = group_of(cx, args),
             "Order" => match args {
                 [AnnotationArg { name: None, value }] if number(value).is_some() => self.info.order = number(value),
-                _ => _ = wrong(cx, span, "`@Order` needs a number".into()).help("write `@Order(1)`"),
+                _ => _ = wrong(cx, span, "`@Order` needs a number").help("write `@Order(1)`"),
             },
             "Hidden" => {
                 self.hidden = hidden(cx, args);
@@ -87,9 +87,7 @@ impl Notes {
             _ => (self.info.presentation, self.presented) = (how, Some(span)),
         }
     }
-}
 
-impl Notes {
     /// The description, otherwise the doc comments.
     pub(super) fn doc(&self, decl: &Decl) -> String {
         if self.descriptions.is_empty() { decl.docs.join("\n") } else { self.descriptions.join("\n") }

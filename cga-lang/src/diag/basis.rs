@@ -45,12 +45,4 @@ impl Basis {
             }
         }
     }
-
-    /// The same reason in other places.
-    pub(super) fn moved(self, to: &impl Fn(Span) -> Span) -> Basis {
-        match self {
-            Basis::Defaults(list) => Basis::Defaults(list.into_iter().map(|(name, place)| (name, to(place))).collect()),
-            other => other,
-        }
-    }
 }

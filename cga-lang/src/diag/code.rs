@@ -129,16 +129,11 @@ impl Code {
         Code::ALL.iter().copied().find(|code| code.name() == name)
     }
 
-    /// Returns true for an error in rules that could still run, up to a limit or with a fault.
-    const fn is_wrong_in_runs(self) -> bool {
-        matches!(
-            self,
-            Code::RepeatNoProgress | Code::EndlessRules | Code::UnknownUvSet | Code::NotAColor | Code::OutOfRange
-        )
-    }
-
     /// Returns true if `@Allow`, `@Warn` and `@Deny` may change the level, because the rules have a meaning.
     pub fn is_lint(self) -> bool {
-        self.level() != Level::Error || self.is_wrong_in_runs()
+        use Code::{EndlessRules, NotAColor, OutOfRange, RepeatNoProgress, UnknownUvSet};
+        // These are errors in rules that could still run, up to a limit or with a fault.
+        let runs = matches!(self, RepeatNoProgress | EndlessRules | UnknownUvSet | NotAColor | OutOfRange);
+        runs || self.level() != Level::Error
     }
 }

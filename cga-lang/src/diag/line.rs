@@ -36,6 +36,26 @@ impl From<&str> for Line {
     }
 }
 
+/// Names in backticks, with commas between them.
+pub(crate) fn quoted(names: impl IntoIterator<Item = impl fmt::Display>) -> String {
+    names.into_iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}
+
+/// " by way of" the other names of a cycle, if there are any.
+pub(crate) fn by_way_of(names: impl IntoIterator<Item = impl fmt::Display>) -> String {
+    let names = quoted(names);
+    if names.is_empty() { names } else { format!(" by way of {names}") }
+}
+
+/// A number of things: "no arguments", "1 argument", "2 arguments".
+pub(crate) fn count(number: usize, thing: &str) -> String {
+    match number {
+        0 => format!("no {thing}s"),
+        1 => format!("1 {thing}"),
+        _ => format!("{number} {thing}s"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Line, RELATIVE};

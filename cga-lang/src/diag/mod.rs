@@ -9,6 +9,7 @@ pub use crate::diag::code::Level;
 use crate::span::Span;
 pub use basis::Basis;
 pub use line::{Line, RELATIVE};
+pub(crate) use line::{by_way_of, count, quoted};
 
 /// A diagnostic: the problem, its place, the reasons, and the text to type instead.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,13 +77,12 @@ impl Diag {
         self
     }
 
-    /// The same diagnostic in other places.
+    /// The same diagnostic in other places. A source makes no claims about runs, so the basis has none.
     pub(crate) fn moved(mut self, to: impl Fn(Span) -> Span) -> Diag {
         self.span = to(self.span);
         for note in &mut self.notes {
             note.related = note.related.map(&to);
         }
-        self.basis = self.basis.moved(&to);
         self
     }
 

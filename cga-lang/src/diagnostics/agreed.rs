@@ -3,7 +3,7 @@
 //! A file has an instance for each style and import, and a declaration for each further tuple of types. The known
 //! facts differ between instances; a diagnostic about the text must hold in all of them.
 
-use crate::diag::Diag;
+use crate::diag::{Diag, Diags};
 use crate::resolve::globals::Item;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -15,17 +15,19 @@ pub(crate) struct Agreed {
 }
 
 impl Agreed {
-    /// Returns true if some instance of a declaration has no diagnostics. The remaining instances need no check.
-    pub(crate) fn is_settled(&self, item: &Item) -> bool {
-        self.by_name.get(&item.decl.name.id()).is_some_and(Vec::is_empty)
-    }
-
-    /// Adds the diagnostics of one instance of a declaration.
-    pub(crate) fn add(&mut self, item: &Item, mut list: Vec<Diag>) {
-        let same = |a: &Diag, b: &Diag| a.code == b.code && a.span == b.span;
-        match self.by_name.entry(item.decl.name.id()) {
+    /// Checks an instance of a declaration. Once an instance has no diagnostics, the remaining ones need no check.
+    pub(crate) fn check(&mut self, item: &Item, check: impl FnOnce(&mut Diags)) {
+        let known = self.by_name.entry(item.decl.name.id());
+        if matches!(&known, Entry::Occupied(known) if known.get().is_empty()) {
+            return;
+        }
+        let mut diags = Diags::new();
+        check(&mut diags);
+        let mut list = diags.finish();
+        match known {
             Entry::Vacant(entry) => _ = entry.insert(list),
             Entry::Occupied(mut entry) => {
+                let same = |a: &Diag, b: &Diag| a.code == b.code && a.span == b.span;
                 list.retain(|diag| entry.get().iter().any(|other| same(diag, other)));
                 entry.insert(list);
             }

@@ -1,14 +1,14 @@
 //! Files that rules name and the package does not have; groups and materials that an asset does not have.
 
 use crate::analysis::{Facts, Site};
-use crate::diag::Diags;
 use crate::diag::code::Code;
+use crate::diag::{Diags, quoted};
 use crate::link::Asset;
-use crate::ops::{AssetNames, FileUse, Function, Param, ParamKind};
+use crate::ops::{AssetNames, FileUse, Function, ParamKind};
 use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
 use crate::suggest::nearest;
-use crate::syntax::ast::{Arg, Expr, ExprKind};
+use crate::syntax::ast::{Expr, ExprKind};
 use crate::syntax::token::Tok;
 use cga_split::files::places;
 
@@ -17,18 +17,12 @@ pub(crate) fn check(site: &Site, facts: &Facts, cx: &Context, diags: &mut Diags)
     let names = cx.tables.at(facts.own);
     match site {
         Site::Operation(row, args) => {
-            let args: Vec<&Expr> = args.iter().map(|Arg { value, .. }| value).collect();
-            files(row.params, &args, names, cx, diags);
+            row.params.iter().zip(*args).for_each(|(param, arg)| named(&arg.value, param.kind, names, cx, diags));
         }
         Site::Set(row, value) => named(value, row.kind, names, cx, diags),
         Site::Value(value) => expression(value, facts, cx, diags),
         _ => {}
     }
-}
-
-/// Checks the arguments that are files.
-fn files(params: &[Param], args: &[&Expr], names: Entries, cx: &Context, diags: &mut Diags) {
-    params.iter().zip(args).for_each(|(param, value)| named(value, param.kind, names, cx, diags));
 }
 
 /// Checks an expression and its parts.
@@ -37,7 +31,7 @@ pub(crate) fn expression(expr: &Expr, facts: &Facts, cx: &Context, diags: &mut D
     if let ExprKind::Call(name, args) = &expr.kind
         && let Some(Use::Builtin(row)) = names.of(name)
     {
-        files(row.params, &args.iter().collect::<Vec<_>>(), names, cx, diags);
+        row.params.iter().zip(args).for_each(|(param, arg)| named(arg, param.kind, names, cx, diags));
         if let ([list, text], Some(token)) = (args.as_slice(), facts.asset) {
             within(list, text, token, names, cx, diags);
         }
@@ -72,11 +66,10 @@ fn named(value: &Expr, kind: ParamKind, names: Entries, cx: &Context, diags: &mu
             let message = format!("there is no file `{name}` in the package");
             let diag = diags.report(Code::MissingAsset, value.span, message);
             let places = places(name, program.folder(value.span.first)).unwrap_or_default();
-            let places: Vec<String> = places.iter().map(|place| format!("`{place}`")).collect();
             match places.as_slice() {
                 [] => {}
-                [place] => _ = diag.note(format!("{place} does not exist")),
-                [places @ .., last] => _ = diag.note(format!("neither {} nor {last} exists", places.join(", "))),
+                [place] => _ = diag.note(format!("`{place}` does not exist")),
+                [places @ .., last] => _ = diag.note(format!("neither {} nor `{last}` exists", quoted(places))),
             }
             let mut names: Vec<&str> = beside.iter().map(String::as_str).collect();
             names.sort_unstable();

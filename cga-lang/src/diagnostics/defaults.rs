@@ -8,7 +8,6 @@ use crate::diag::{Basis, Diag, Diags, Level};
 use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
 use crate::span::Span;
-use crate::syntax::ast::{Expr, ExprKind};
 use std::collections::HashSet;
 
 /// The diagnostics that are reported for defaults. A size of zero is not, because it turns a part off.
@@ -29,21 +28,22 @@ pub(crate) fn check(cx: &Context, calls: &Calls, certain: &[Diag]) -> Vec<Diag> 
     let flow = Flow::new(&cx.globals, &known, Some(calls));
     let mut agreed = Agreed::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {
-        if !program.roots.contains(&item.instance) || agreed.is_settled(item) {
+        if !program.roots.contains(&item.instance) {
             continue;
         }
-        let mut list = Vec::new();
-        flow.visit(&cx.globals, rule, &mut |site, facts| {
-            let Site::Split(slots) = site else { return };
-            let mut diags = Diags::new();
-            size::check(slots, facts, &cx.tables, &mut diags);
-            repeat::check(slots, &mut diags);
-            list.extend(diags.finish().into_iter().filter(|diag| is_told(diag, slots)).map(|diag| {
-                let basis = Basis::Defaults(defaults(diag.span, slots, cx.tables.at(item.own), cx));
-                Diag { level: Level::Warning, basis, ..diag }
-            }));
+        agreed.check(item, |diags| {
+            flow.visit(&cx.globals, rule, &mut |site, facts| {
+                let Site::Split(slots) = site else { return };
+                let mut found = Diags::new();
+                size::check(slots, facts, &cx.tables, &mut found);
+                repeat::check(slots, &mut found);
+                let told = found.finish().into_iter().filter(|diag| is_told(diag, slots)).map(|diag| {
+                    let basis = Basis::Defaults(defaults(diag.span, slots, cx.tables.at(item.own), cx));
+                    Diag { level: Level::Warning, basis, ..diag }
+                });
+                diags.append(told.collect());
+            });
         });
-        agreed.add(item, list);
     }
     let mut list = agreed.finish();
     let known: HashSet<Span> = certain.iter().map(|diag| diag.span).collect();
@@ -62,19 +62,13 @@ fn defaults(span: Span, slots: &Slots, names: Entries, cx: &Context) -> Vec<(Str
     // A slot depends on the slots before it, a floating slot on all.
     let at = slots.list.iter().position(|slot| slot.size.span == span && !slot.floats());
     let count = at.map_or(slots.list.len(), |at| at + 1);
-    slots.list[..count].iter().for_each(|slot| read(&slot.size.value, names, &mut attrs));
+    for slot in &slots.list[..count] {
+        names.uses(&slot.size.value, &mut |found| {
+            attrs.extend(if let Some(Use::Attr(attr)) = found { Some(attr) } else { None });
+        });
+    }
     attrs.sort_unstable();
     attrs.dedup();
     let names = attrs.into_iter().map(|attr| &cx.globals.attrs[attr as usize].decl.name);
     names.map(|name| (name.text.clone(), name.span)).collect()
-}
-
-/// The attributes that an expression reads.
-fn read(expr: &Expr, names: Entries, list: &mut Vec<u32>) {
-    if let ExprKind::Name(name) = &expr.kind
-        && let Some(Use::Attr(attr)) = names.of(name)
-    {
-        list.push(attr);
-    }
-    expr.parts().into_iter().for_each(|part| read(part, names, list));
 }

@@ -3,7 +3,7 @@
 use super::agreed::Agreed;
 use crate::analysis::{Calls, body};
 use crate::diag::code::Code;
-use crate::diag::{Basis, Diag, Diags, Level};
+use crate::diag::{Basis, Diag, Level, by_way_of};
 use crate::graph::{components, is_cycle};
 use crate::ops::Effect;
 use crate::resolve::context::Context;
@@ -44,35 +44,32 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
         let item = &globals.rules[rule];
         let name = &item.decl.name;
         let others = component.iter().filter(|other| **other != rule).map(|other| &globals.rules[*other].decl.name);
-        let way = match others.map(|name| format!("`{}`", name.text)).collect::<Vec<_>>() {
-            list if list.is_empty() => String::new(),
-            list => format!(" by way of {}", list.join(", ")),
-        };
-        let mut diags = Diags::new();
-        let what = format!("`{}` calls itself{way}", name.text);
-        let diag = match ends {
-            Ends::All => {
-                let diag = diags.report(Code::EndlessRules, name.span, format!("{what} and never ends"));
-                diag.note("every path through it leads back to it, and nothing on the way ends the cycle")
+        let way = by_way_of(others.map(|name| &name.text));
+        agreed.check(item, |diags| {
+            let what = format!("`{}` calls itself{way}", name.text);
+            let diag = match ends {
+                Ends::All => {
+                    let diag = diags.report(Code::EndlessRules, name.span, format!("{what} and never ends"));
+                    diag.note("every path through it leads back to it, and nothing on the way ends the cycle")
+                }
+                Ends::ButWholeSplits => {
+                    let message = format!("{what}, and the shape never gets smaller");
+                    let diag = diags.report_as(Code::EndlessRules, Level::Warning, name.span, message);
+                    diag.basis = Basis::Extent;
+                    diag.note("its split passes on the whole shape, so only a shape without an extent ends the cycle")
+                }
+                Ends::ButChance => {
+                    let diag = diags.report(Code::OnlyChanceEnds, name.span, format!("{what} until chance ends it"));
+                    diag.note("only percentages end it")
+                }
+            };
+            let itself = component.len() == 1;
+            if let Some(call) = call_of(body(item), rule, cx.tables.at(item.own)).filter(|_| itself) {
+                diag.related("it calls itself", call);
+                diag.help(format!("write `{}.` for a leaf", name.text));
             }
-            Ends::ButWholeSplits => {
-                let message = format!("{what}, and the shape never gets smaller");
-                let diag = diags.report_as(Code::EndlessRules, Level::Warning, name.span, message);
-                diag.basis = Basis::Extent;
-                diag.note("its split passes on the whole shape, so only a shape without an extent ends the cycle")
-            }
-            Ends::ButChance => {
-                let diag = diags.report(Code::OnlyChanceEnds, name.span, format!("{what} until chance ends it"));
-                diag.note("only percentages end it")
-            }
-        };
-        let itself = component.len() == 1;
-        if let Some(call) = call_of(body(item), rule, cx.tables.at(item.own)).filter(|_| itself) {
-            diag.related("it calls itself", call);
-            diag.help(format!("write `{}.` for a leaf", name.text));
-        }
-        diag.help("write a `case` with a branch that does not call it, as in `case scope.sx < 0.1 : … else : …`");
-        agreed.add(item, diags.finish());
+            diag.help("write a `case` with a branch that does not call it, as in `case scope.sx < 0.1 : … else : …`");
+        });
     }
     agreed.finish()
 }

@@ -14,23 +14,21 @@ use crate::syntax::walk;
 pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     let mut agreed = Agreed::default();
     for item in &cx.globals.rules {
-        if agreed.is_settled(item) {
-            continue;
-        }
-        let (names, mut diags) = (cx.tables.at(item.own), Diags::new());
-        walk::ops(body(item), &mut |op| {
-            let OpKind::Block(block) = &op.kind else { return };
-            // Setbacks leave remainders, which no other selector takes.
-            let Some(Use::Operation(Operation { braces: Braces::Components, .. })) = names.of(&block.name) else {
-                return;
-            };
-            for part in &block.parts {
-                if let BlockPart::Arms(list) = part {
-                    arms(list, names, &mut diags);
+        let names = cx.tables.at(item.own);
+        agreed.check(item, |diags| {
+            walk::ops(body(item), &mut |op| {
+                let OpKind::Block(block) = &op.kind else { return };
+                // Setbacks leave remainders, which no other selector takes.
+                let Some(Use::Operation(Operation { braces: Braces::Components, .. })) = names.of(&block.name) else {
+                    return;
+                };
+                for part in &block.parts {
+                    if let BlockPart::Arms(list) = part {
+                        arms(list, names, diags);
+                    }
                 }
-            }
+            });
         });
-        agreed.add(item, diags.finish());
     }
     agreed.finish()
 }

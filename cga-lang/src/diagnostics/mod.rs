@@ -39,61 +39,56 @@ pub(crate) fn check(cx: &mut Context) {
     let projected = Projected::new(cx, &alone);
     let mut agreed = Agreed::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {
-        if agreed.is_settled(item) {
-            continue;
-        }
-        let mut diags = Diags::new();
-        // A rule may be written for more than its current calls, and rules may test sizes that they have set.
-        // Conditions are therefore judged by values and other conditions only.
-        values.visit(&cx.globals, rule, &mut |site, facts| {
-            assets::check(site, facts, cx, &mut diags);
-            match site {
-                Site::Split(_) | Site::TextureSplit(..) => {}
-                Site::Condition(turn) => branches::check(turn, facts, &values, cx, &mut diags),
-                Site::Value(value) => arithmetic::check(value, facts, &values, cx, &mut diags),
-                Site::Operation(row, args) => {
-                    for (param, image) in row.params.iter().zip(*args) {
-                        texture::carried(&image.value, param.kind, projected, facts, &mut diags);
+        agreed.check(item, |diags| {
+            // A rule may be written for more than its current calls, and rules may test sizes that they have set.
+            // Conditions are therefore judged by values and other conditions only.
+            values.visit(&cx.globals, rule, &mut |site, facts| {
+                assets::check(site, facts, cx, diags);
+                match site {
+                    Site::Split(_) | Site::TextureSplit(..) => {}
+                    Site::Condition(turn) => branches::check(turn, facts, &values, cx, diags),
+                    Site::Value(value) => arithmetic::check(value, facts, &values, cx, diags),
+                    Site::Operation(row, args) => {
+                        for (param, image) in row.params.iter().zip(*args) {
+                            texture::carried(&image.value, param.kind, projected, facts, diags);
+                        }
+                        texture::changed(row, args, projected, (facts, &values), diags);
+                        let args: Vec<&Expr> = args.iter().map(|arg| &arg.value).collect();
+                        bounds::check(row.params, &args, facts, &values, diags);
+                        colour::check(program, row.params, &args, facts, &values, diags);
                     }
-                    texture::changed(row, args, projected, (facts, &values), &mut diags);
-                    let args: Vec<&Expr> = args.iter().map(|arg| &arg.value).collect();
-                    bounds::check(row.params, &args, facts, &values, &mut diags);
-                    colour::check(program, row.params, &args, facts, &values, &mut diags);
+                    Site::Set(row, value) => {
+                        texture::carried(value, row.kind, projected, facts, diags);
+                        if row.kind == ParamKind::Color {
+                            colour::text(program, value, diags);
+                        }
+                    }
                 }
-                Site::Set(row, value) => {
-                    texture::carried(value, row.kind, projected, facts, &mut diags);
-                    if row.kind == ParamKind::Color {
-                        colour::text(program, value, &mut diags);
-                    }
+            });
+            // The files that import this one are unknown.
+            let is_root = program.roots.contains(&item.instance);
+            let mut list = divisions(rule, if is_root { &joined } else { &alone }, projected, cx);
+            if is_root && !list.is_empty() {
+                let anyway = divisions(rule, &alone, projected, cx);
+                let is_so = |diag: &Diag| anyway.iter().any(|other| (other.code, other.span) == (diag.code, diag.span));
+                for diag in list.iter_mut().filter(|diag| joined.is_called(rule) && !is_so(diag)) {
+                    diag.basis =
+                        Basis::Calls { rule: item.decl.name.text.clone(), begins: item.decl.params.is_empty() };
                 }
             }
+            diags.append(list);
         });
-        // The files that import this one are unknown.
-        let is_root = program.roots.contains(&item.instance);
-        let mut list = divisions(rule, if is_root { &joined } else { &alone }, projected, cx);
-        if is_root && !list.is_empty() {
-            let anyway = divisions(rule, &alone, projected, cx);
-            let is_so = |diag: &Diag| anyway.iter().any(|other| (other.code, other.span) == (diag.code, diag.span));
-            for diag in list.iter_mut().filter(|diag| joined.is_called(rule) && !is_so(diag)) {
-                diag.basis = Basis::Calls { rule: item.decl.name.text.clone(), begins: item.decl.params.is_empty() };
-            }
-        }
-        diags.append(list);
-        agreed.add(item, diags.finish());
     }
     for item in cx.globals.values() {
-        if agreed.is_settled(item) {
-            continue;
-        }
-        let mut diags = Diags::new();
         let own = item.value().map_or(item.own, |(_, own)| own);
         let facts = Facts::any(own, item.decl.params.len() + item.decl.locals.len());
         let locals = item.decl.locals.iter().map(|(_, value)| value).filter(|_| item.is_own());
-        for value in locals.chain(item.value().map(|(value, _)| value)) {
-            arithmetic::check(value, &facts, &values, cx, &mut diags);
-            assets::expression(value, &facts, cx, &mut diags);
-        }
-        agreed.add(item, diags.finish());
+        agreed.check(item, |diags| {
+            for value in locals.chain(item.value().map(|(value, _)| value)) {
+                arithmetic::check(value, &facts, &values, cx, diags);
+                assets::expression(value, &facts, cx, diags);
+            }
+        });
     }
     let certain = agreed.finish();
     let mut found = vec![hidden::check(cx), trailing::check(cx)];

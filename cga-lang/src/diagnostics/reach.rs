@@ -6,7 +6,7 @@
 use super::agreed::Agreed;
 use crate::analysis::{Calls, body};
 use crate::diag::code::Code;
-use crate::diag::{Basis, Diag, Diags};
+use crate::diag::{Basis, Diag};
 use crate::resolve::context::Context;
 use crate::resolve::globals::{Item, Kind};
 use crate::suggest::nearest;
@@ -36,34 +36,36 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
         if !program.roots.contains(&item.instance) {
             continue;
         }
-        let mut diags = Diags::new();
-        if uncalled.contains(&rule) {
-            let name = &item.decl.name;
-            let diag = diags.report(Code::RuleNotReached, name.span, format!("no rule calls `{}`", name.text));
-            diag.basis = Basis::Start;
-            if let Some(start) = calls.starts.first().map(|start| &globals.rules[*start].decl.name) {
-                diag.related(format!("runs begin with `{}`, which is marked `@StartRule`", start.text), start.span);
-            }
-            diag.help("write `@StartRule` before it as well, or `@Hidden`, if runs begin with it");
-        }
-        if !reached[rule] && !called[rule] && !body(item).is_empty() {
-            let name = &item.decl.name;
-            let message = format!("rule `{}` is never reached", name.text);
-            let diag = diags.report(Code::RuleNotReached, name.span, message);
-            match missing_import(cx, item) {
-                Some(import) => {
-                    diag.note(format!("there is no import `{import}`, and no rule here calls `{}`", name.text));
-                    match nearest(import, globals.near(item.instance, Kind::Imports)) {
-                        Some(near) => diag.suggest(Some(near.to_owned())),
-                        None => diag.help(format!("import a file: `import {import} : \"{import}.cga\"`")),
-                    };
+        agreed.check(item, |diags| {
+            if uncalled.contains(&rule) {
+                let name = &item.decl.name;
+                let diag = diags.report(Code::RuleNotReached, name.span, format!("no rule calls `{}`", name.text));
+                diag.basis = Basis::Start;
+                if let Some(start) = calls.starts.first().map(|start| &globals.rules[*start].decl.name) {
+                    diag.related(format!("runs begin with `{}`, which is marked `@StartRule`", start.text), start.span);
                 }
-                None => {
-                    diag.note("no rule that a run reaches calls it, and no run begins with a rule that has parameters");
+                diag.help("write `@StartRule` before it as well, or `@Hidden`, if runs begin with it");
+            }
+            if !reached[rule] && !called[rule] && !body(item).is_empty() {
+                let name = &item.decl.name;
+                let message = format!("rule `{}` is never reached", name.text);
+                let diag = diags.report(Code::RuleNotReached, name.span, message);
+                match missing_import(cx, item) {
+                    Some(import) => {
+                        diag.note(format!("there is no import `{import}`, and no rule here calls `{}`", name.text));
+                        match nearest(import, globals.near(item.instance, Kind::Imports)) {
+                            Some(near) => diag.suggest(Some(near.to_owned())),
+                            None => diag.help(format!("import a file: `import {import} : \"{import}.cga\"`")),
+                        };
+                    }
+                    None => {
+                        diag.note(
+                            "no rule that a run reaches calls it, and no run begins with a rule that has parameters",
+                        );
+                    }
                 }
             }
-        }
-        agreed.add(item, diags.finish());
+        });
     }
     agreed.finish()
 }

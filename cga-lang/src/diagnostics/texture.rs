@@ -9,6 +9,7 @@ use crate::diag::code::Code;
 use crate::ops::{Function, Operation, ParamKind, UvEffect};
 use crate::resolve::context::Context;
 use crate::resolve::tables::Use;
+use crate::span::Span;
 use crate::syntax::ast::{Arg, Block, Expr, ExprKind, Name, OpKind};
 use crate::syntax::walk::ops;
 
@@ -30,27 +31,21 @@ impl Projected {
         }
         for item in &cx.globals.rules {
             let names = cx.tables.at(item.own);
-            ops(body(item), &mut |op| {
-                if let OpKind::Call(name, _) | OpKind::Block(Block { name, .. }) = &op.kind
-                    && let Some(Use::Operation(row)) = names.of(name)
-                {
+            ops(body(item), &mut |op| match &op.kind {
+                OpKind::Call(name, args) | OpKind::Block(Block { name, args, .. }) => {
+                    let Some(Use::Operation(row)) = names.of(name) else { return };
                     made |= UvSets::made_by(row);
+                    let list = match row.uvs {
+                        UvEffect::Projects => &mut bits,
+                        UvEffect::SetsUp => &mut set_up,
+                        _ => return,
+                    };
+                    let facts = Facts::any(item.own, item.decl.params.len());
+                    let set = args.first().and_then(|arg| flow.value(&arg.value, &facts).number().known());
+                    *list |= set.map_or(u16::MAX, |set| 1u16.checked_shl(set as u32).unwrap_or(0));
                 }
-                match &op.kind {
-                    OpKind::Call(name, args) => {
-                        let Some(Use::Operation(row)) = names.of(name) else { return };
-                        let list = match row.uvs {
-                            UvEffect::Projects => &mut bits,
-                            UvEffect::SetsUp => &mut set_up,
-                            _ => return,
-                        };
-                        let facts = Facts::any(item.own, item.decl.params.len());
-                        let set = args.first().and_then(|arg| flow.value(&arg.value, &facts).number().known());
-                        *list |= set.map_or(u16::MAX, |set| 1u16.checked_shl(set as u32).unwrap_or(0));
-                    }
-                    OpKind::Path(..) => (bits, made, set_up) = (u16::MAX, u16::MAX, u16::MAX),
-                    _ => {}
-                }
+                OpKind::Path(..) => (bits, made, set_up) = (u16::MAX, u16::MAX, u16::MAX),
+                _ => {}
             });
         }
         Projected { projected: bits, made, set_up }
@@ -65,10 +60,7 @@ impl Projected {
 pub(crate) fn check(split: &Block, set: u32, projected: Projected, facts: &Facts, diags: &mut Diags) {
     let span = split.args.first().map_or(split.name.span, |axis| axis.span);
     if facts.uvs.lacks(set) {
-        let message = format!("the shape has no uv set {set}: it is never split");
-        let diag = diags.report(Code::SplitWithoutUv, span, message);
-        diag.note(format!("no operation before it makes texture coordinates of set {set}"));
-        diag.help(format!("write `setupProjection({set}, …) projectUV({set})` before it"));
+        lacks(Code::SplitWithoutUv, span, set, "it is never split", diags);
     } else if facts.uvs.awaits(set) && !projected.has(set) {
         let message = format!("the projection of uv set {set} is set up, but never made");
         let diag = diags.report(Code::SplitWithoutUv, span, message);
@@ -96,10 +88,7 @@ pub(crate) fn changed(
         }
         effect if effect.needs_set() => {
             let Some(set) = set().filter(|set| facts.uvs.lacks(*set)) else { return };
-            let message = format!("the shape has no uv set {set}: `{}` has no effect", row.name);
-            let diag = diags.report(Code::MissingUvSet, arg.value.span, message);
-            diag.note(format!("no operation before it makes texture coordinates of set {set}"));
-            diag.help(format!("write `setupProjection({set}, …) projectUV({set})` before it"));
+            lacks(Code::MissingUvSet, arg.value.span, set, &format!("`{}` has no effect", row.name), diags);
         }
         _ => {}
     }
@@ -109,8 +98,12 @@ pub(crate) fn changed(
 pub(crate) fn asked(row: &Function, name: &Name, args: &[Expr], (facts, flow): (&Facts, &Flow), diags: &mut Diags) {
     let set = args.first().map_or(Some(0), |set| known_set(set, facts, flow));
     let Some(set) = set.filter(|set| row.needs_uv_set && facts.uvs.lacks(*set)) else { return };
-    let message = format!("the shape has no uv set {set}: `{}` is 0", name.text);
-    let diag = diags.report(Code::MissingUvSet, name.span, message);
+    lacks(Code::MissingUvSet, name.span, set, &format!("`{}` is 0", name.text), diags);
+}
+
+/// Reports a shape without a uv set.
+fn lacks(code: Code, span: Span, set: u32, effect: &str, diags: &mut Diags) {
+    let diag = diags.report(code, span, format!("the shape has no uv set {set}: {effect}"));
     diag.note(format!("no operation before it makes texture coordinates of set {set}"));
     diag.help(format!("write `setupProjection({set}, …) projectUV({set})` before it"));
 }

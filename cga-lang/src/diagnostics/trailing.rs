@@ -14,12 +14,7 @@ use crate::syntax::ast::{Block, BlockPart, Op, OpKind};
 pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     let mut agreed = Agreed::default();
     for item in &cx.globals.rules {
-        if agreed.is_settled(item) {
-            continue;
-        }
-        let mut diags = Diags::new();
-        sequence(body(item), false, false, cx.tables.at(item.own), &mut diags);
-        agreed.add(item, diags.finish());
+        agreed.check(item, |diags| _ = sequence(body(item), false, false, cx.tables.at(item.own), diags));
     }
     agreed.finish()
 }
@@ -46,7 +41,8 @@ fn sequence(ops: &[Op], made: bool, restored: bool, names: Entries, diags: &mut 
                 false
             }
             OpKind::Block(block) => {
-                parts(op, names, diags);
+                // The parts are shapes of their own.
+                op.bodies().for_each(|ops| _ = sequence(ops, false, false, names, diags));
                 made |= makes_children(block, names);
                 false
             }
@@ -54,14 +50,10 @@ fn sequence(ops: &[Op], made: bool, restored: bool, names: Entries, diags: &mut 
                 made |= sequence(inner, made, true, names, diags);
                 false
             }
-            OpKind::Case(arms, otherwise) => {
-                let all = arms.iter().map(|(_, ops)| ops).chain([otherwise]);
-                made = branches(all, made, restored, names, diags);
-                false
-            }
-            OpKind::Chance(arms, otherwise) => {
-                let all = arms.iter().map(|(_, ops)| ops).chain([otherwise]);
-                made = branches(all, made, restored, names, diags);
+            OpKind::Case(..) | OpKind::Chance(..) => {
+                // Every branch is checked, even after the result is known.
+                let ends: Vec<bool> = op.bodies().map(|ops| sequence(ops, made, restored, names, diags)).collect();
+                made = ends.into_iter().all(|made| made);
                 false
             }
             OpKind::Path(..) | OpKind::Error => false,
@@ -81,28 +73,8 @@ fn sequence(ops: &[Op], made: bool, restored: bool, names: Entries, diags: &mut 
     made
 }
 
-fn branches<'a>(
-    all: impl Iterator<Item = &'a Vec<Op>>,
-    made: bool,
-    restored: bool,
-    names: Entries,
-    diags: &mut Diags,
-) -> bool {
-    // Every branch is checked, even after the result is known.
-    let ends: Vec<bool> = all.map(|ops| sequence(ops, made, restored, names, diags)).collect();
-    ends.into_iter().all(|made| made)
-}
-
 /// Returns true if an operation with braces certainly makes a child. The slots of a split may find nothing to divide.
 fn makes_children(block: &Block, names: Entries) -> bool {
     let runs = matches!(names.of(&block.name), Some(Use::Operation(row)) if row.run != Run::Later);
-    runs && block.parts.iter().any(|part| match part {
-        BlockPart::Arms(_) => true,
-        BlockPart::Slots(..) | BlockPart::Sections(..) | BlockPart::Ops(_) => false,
-    })
-}
-
-/// Checks the parts of an operation, which are shapes of their own.
-fn parts(op: &Op, names: Entries, diags: &mut Diags) {
-    op.bodies().into_iter().for_each(|ops| _ = sequence(ops, false, false, names, diags));
+    runs && block.parts.iter().any(|part| matches!(part, BlockPart::Arms(_)))
 }

@@ -20,64 +20,49 @@ pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     if cx.tables.starts.iter().all(Option::is_none) {
         return Vec::new();
     }
-    let used = Used::new(cx);
+    let (attrs, consts) = used(cx);
     let is_root = |item: &&Item| program.roots.contains(&item.instance) && item.home == item.instance && !item.origin;
     let mut agreed = Agreed::default();
     // Other files may read the values of a file.
     let styled = styled(cx);
     // A style may redefine a value for rules that only another style has.
-    let is_styled = |item: &Item| styled.contains(&(item.decl.name.text.as_str(), item.decl.params.len()));
+    let is_styled = |item: &Item| styled.contains(&item.decl.form());
     let values = |item: &&Item| is_root(item) && !program.may_be_imported() && !is_styled(item);
     for (index, item) in globals.attrs.iter().enumerate().filter(|(_, item)| values(item)) {
-        let mut diags = Diags::new();
-        value(item, "attribute", Code::UnusedAttribute, used.attrs.contains(&(index as u32)), &mut diags);
-        agreed.add(item, diags.finish());
+        let is_used = attrs.contains(&(index as u32));
+        agreed.check(item, |diags| value(item, Code::UnusedAttribute, is_used, diags));
     }
     for (index, item) in globals.consts.iter().enumerate().filter(|(_, item)| values(item)) {
-        let mut diags = Diags::new();
-        value(item, "constant", Code::UnusedConstant, used.consts.contains(&(index as u32)), &mut diags);
-        agreed.add(item, diags.finish());
+        let is_used = consts.contains(&(index as u32));
+        agreed.check(item, |diags| value(item, Code::UnusedConstant, is_used, diags));
     }
     for item in globals.rules.iter().chain(&globals.functions).filter(is_root) {
-        if agreed.is_settled(item) {
-            continue;
-        }
-        let mut diags = Diags::new();
-        inner(cx, item, &styled, &mut diags);
-        agreed.add(item, diags.finish());
+        agreed.check(item, |diags| inner(cx, item, &styled, diags));
     }
     let mut list = agreed.finish();
     list.extend(imports(cx));
     list
 }
 
-/// The names used by the values and rules of a grammar.
-#[derive(Default)]
-struct Used {
-    attrs: HashSet<u32>,
-    consts: HashSet<u32>,
-}
-
-impl Used {
-    fn new(cx: &Context) -> Used {
-        let mut used = Used::default();
-        for found in cx.tables.uses.values() {
-            match found {
-                Use::Attr(index) | Use::SetAttr(index) => _ = used.attrs.insert(*index),
-                Use::Const(index) => _ = used.consts.insert(*index),
-                _ => {}
-            }
+/// The attributes and constants that a grammar uses.
+fn used(cx: &Context) -> (HashSet<u32>, HashSet<u32>) {
+    let (mut attrs, mut consts) = (HashSet::new(), HashSet::new());
+    for found in cx.tables.uses.values() {
+        match found {
+            Use::Attr(index) | Use::SetAttr(index) => _ = attrs.insert(*index),
+            Use::Const(index) => _ = consts.insert(*index),
+            _ => {}
         }
-        for (item, info) in cx.globals.attrs.iter().zip(&cx.tables.attrs) {
-            if let Init::Flows(outer) = item.init {
-                used.attrs.insert(outer);
-            }
-            if let Some(ChoiceValues::Attr(attr)) = info.choices.as_ref().map(|choices| &choices.values) {
-                used.attrs.insert(attr.0);
-            }
-        }
-        used
     }
+    for (item, info) in cx.globals.attrs.iter().zip(&cx.tables.attrs) {
+        if let Init::Flows(outer) = item.init {
+            attrs.insert(outer);
+        }
+        if let Some(ChoiceValues::Attr(attr)) = info.choices.as_ref().map(|choices| &choices.values) {
+            attrs.insert(attr.0);
+        }
+    }
+    (attrs, consts)
 }
 
 /// Returns true if a leading `_` marks the name as unused on purpose.
@@ -85,12 +70,12 @@ fn is_meant(name: &str) -> bool {
     name.starts_with('_')
 }
 
-fn value(item: &Item, what: &str, code: Code, used: bool, diags: &mut Diags) {
+fn value(item: &Item, code: Code, used: bool, diags: &mut Diags) {
     let name = &item.decl.name;
     if used || is_meant(&name.text) {
         return;
     }
-    let diag = diags.report(code, name.span, format!("{what} `{}` is never used", name.text));
+    let diag = diags.report(code, name.span, format!("{} `{}` is never used", item.decl.body.word(), name.text));
     diag.help(match code {
         // Host programs may use the name.
         Code::UnusedAttribute => "leave it out, or write `@Allow(unused_attribute)` before it".to_owned(),
@@ -104,9 +89,8 @@ fn styled<'a>(cx: &Context<'a, '_>) -> HashSet<(&'a str, usize)> {
     let mut styles: HashMap<(&str, usize), u32> = HashMap::new();
     let mut found = HashSet::new();
     for decl in program.roots.first().map_or(&[][..], |&root| &program.instances[root].file.ast.decls) {
-        let key = (decl.name.text.as_str(), decl.params.len());
-        if *styles.entry(key).or_insert(decl.style) != decl.style {
-            found.insert(key);
+        if *styles.entry(decl.form()).or_insert(decl.style) != decl.style {
+            found.insert(decl.form());
         }
     }
     found
@@ -116,7 +100,7 @@ fn styled<'a>(cx: &Context<'a, '_>) -> HashSet<(&'a str, usize)> {
 fn inner(cx: &Context, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut Diags) {
     let decl = item.decl;
     let names: Vec<_> = decl.inner().collect();
-    let in_styles = styled.contains(&(decl.name.text.as_str(), decl.params.len()));
+    let in_styles = styled.contains(&decl.form());
     let mut used = vec![false; names.len()];
     for token in decl.span.first..=decl.span.last {
         if let Some(Use::Param(index)) = cx.tables.uses.get(&(item.own, token)) {
@@ -140,13 +124,8 @@ fn inner(cx: &Context, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut
                 .report(Code::UnusedParameter, name.span, message)
                 .help(format!("leave it out, or call it `_{}`", name.text));
         }
-        if let Some(hidden) = cx.globals.value(item.home, &name.text) {
-            let (kind, other) = match hidden {
-                Use::Attr(index) => ("attribute", &cx.globals.attrs[index as usize]),
-                Use::Const(index) => ("constant", &cx.globals.consts[index as usize]),
-                Use::Function(index) => ("function", &cx.globals.functions[index as usize]),
-                _ => continue,
-            };
+        if let Some(other) = cx.globals.value(item.home, &name.text).and_then(|hidden| cx.globals.item(hidden)) {
+            let kind = other.decl.body.word();
             let message = format!("{what} `{}` hides the {kind} of that name", name.text);
             let diag = diags.report(Code::Shadowing, name.span, message);
             diag.related(format!("the {kind} is declared"), other.decl.name.span);

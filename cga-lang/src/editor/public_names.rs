@@ -8,16 +8,9 @@ use crate::span::Span;
 use crate::syntax::ast::{Ast, Body, Expr, ExprKind, Unary};
 use std::collections::{HashMap, HashSet};
 
-/// The public names of a grammar.
-#[derive(Clone, Debug, Default)]
-pub struct PublicNames {
-    /// Attributes, in source order, each name once.
-    pub attrs: Vec<Attr>,
-}
-
 /// An attribute of a grammar that may have errors.
 #[derive(Clone, Debug)]
-pub struct Attr {
+pub struct PublicName {
     /// The name as written.
     pub name: String,
     /// Its type, if known.
@@ -30,31 +23,34 @@ pub struct Attr {
     pub span: Span,
 }
 
-impl PublicNames {
-    pub(crate) fn new(program: &Program, attrs: &[(Item, Option<Type>)], grammar: Option<&Grammar>) -> Self {
-        let mut list: Vec<Attr> = Vec::new();
-        let mut seen = HashSet::new();
-        let lowered = grammar.iter().flat_map(|grammar| grammar.globals.iter().rev());
-        let lowered: HashMap<&str, &Global> =
-            lowered.filter(|global| global.attr.is_some()).map(|attr| (attr.name.as_str(), attr)).collect();
-        for (item, ty) in attrs {
-            if !seen.insert(item.name.as_str()) {
-                continue;
-            }
-            let lowered = lowered.get(item.name.as_str());
-            let own = item.decl.value().filter(|_| item.is_own());
-            let known = match lowered {
-                Some(attr) => attr.known.clone(),
-                None => own.and_then(literal),
-            };
-            let computed = match lowered {
-                Some(_) => known.is_none(),
-                None => own.is_none_or(|value| computed(value, &program.instances[item.home].file.ast, 0)),
-            };
-            list.push(Attr { name: item.name.clone(), ty: *ty, known, computed, span: item.decl.name.span });
+/// The attributes, in source order, each name once.
+pub(crate) fn public_names(
+    program: &Program,
+    attrs: &[(Item, Option<Type>)],
+    grammar: Option<&Grammar>,
+) -> Vec<PublicName> {
+    let mut list: Vec<PublicName> = Vec::new();
+    let mut seen = HashSet::new();
+    let lowered = grammar.iter().flat_map(|grammar| grammar.globals.iter().rev());
+    let lowered: HashMap<&str, &Global> =
+        lowered.filter(|global| global.attr.is_some()).map(|attr| (attr.name.as_str(), attr)).collect();
+    for (item, ty) in attrs {
+        if !seen.insert(item.name.as_str()) {
+            continue;
         }
-        PublicNames { attrs: list }
+        let lowered = lowered.get(item.name.as_str());
+        let own = item.decl.value().filter(|_| item.is_own());
+        let known = match lowered {
+            Some(attr) => attr.known.clone(),
+            None => own.and_then(literal),
+        };
+        let computed = match lowered {
+            Some(_) => known.is_none(),
+            None => own.is_none_or(|value| computed(value, &program.instances[item.home].file.ast, 0)),
+        };
+        list.push(PublicName { name: item.name.clone(), ty: *ty, known, computed, span: item.decl.name.span });
     }
+    list
 }
 
 /// Returns true if a value depends on more than constants, according to the tree alone.

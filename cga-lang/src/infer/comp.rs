@@ -1,6 +1,6 @@
 //! Types of selectors, and of values for components.
 
-use super::open::{Open, Place};
+use super::open::{OpenKind, Place};
 use super::{Infer, Type, Use, Var};
 use crate::diag::code::Code;
 use crate::link::InstanceId;
@@ -30,8 +30,7 @@ impl<'a> Infer<'_, 'a, '_> {
             entries.push((self.expr(value), value.span));
         }
         self.comps.values.extend(entries.iter().map(|entry| (self.own, *entry)));
-        let result = self.free();
-        self.wait(Open::Array { entries, result, span })
+        self.wait(OpenKind::Array(entries), span)
     }
 
     /// Checks all selectors and values.

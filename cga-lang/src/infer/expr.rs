@@ -1,6 +1,6 @@
 //! Types of expressions.
 
-use super::open::{Candidate, Open, Takes};
+use super::open::{Candidate, OpenKind, Takes};
 use super::{Infer, State, Type, Use, Var};
 use crate::diag::code::Code;
 use crate::ops::Param;
@@ -43,13 +43,11 @@ impl<'a> Infer<'_, 'a, '_> {
             ExprKind::Binary(op, at, left, right) => self.binary(*op, *at, left, right, span),
             ExprKind::Each(op, at, left, right) => {
                 let (left, right) = ((self.expr(left), left.span), (self.expr(right), right.span));
-                let result = self.free();
-                self.wait(Open::Each { op: *op, at: *at, left, right, result })
+                self.wait(OpenKind::Each(*op, left, right), *at)
             }
             ExprKind::Array(rows) => {
                 let entries = rows.iter().flatten().map(|entry| (self.expr(entry), entry.span)).collect();
-                let result = self.free();
-                self.wait(Open::Array { entries, result, span })
+                self.wait(OpenKind::Array(entries), span)
             }
             ExprKind::Range(..) => {
                 for part in expr.parts() {
@@ -60,8 +58,7 @@ impl<'a> Infer<'_, 'a, '_> {
             ExprKind::Index(array, indices) => {
                 let array = (self.expr(array), array.span);
                 let indices = indices.iter().map(|index| (self.expr(index), index.span)).collect();
-                let result = self.free();
-                self.wait(Open::Index { array, indices, result, span })
+                self.wait(OpenKind::Index(array, indices), span)
             }
             ExprKind::Comp(comp) => self.comp_value(comp, span),
             ExprKind::Case(arms, otherwise) => {
@@ -103,6 +100,10 @@ impl<'a> Infer<'_, 'a, '_> {
                 let token = self.inner[index as usize].id();
                 self.inner_slot(token)
             }
+            Some(own) if self.waits(own) => {
+                let candidates = self.candidates(own);
+                self.wait(OpenKind::Call(name.clone(), candidates, args), name.span)
+            }
             Some(Use::Attr(index)) => {
                 let own = self.cx.globals.attrs[index as usize].key();
                 self.slot(own)
@@ -110,12 +111,6 @@ impl<'a> Infer<'_, 'a, '_> {
             Some(Use::Const(index)) => {
                 let own = self.cx.globals.consts[index as usize].key();
                 self.slot(own)
-            }
-            Some(own @ Use::Function(_)) if self.is_generic(own) => {
-                let candidates = vec![self.candidate(own)];
-                let result = self.free();
-                self.wait(Open::Call { name: name.clone(), candidates, args, result: Some(result) });
-                result
             }
             Some(Use::Function(index)) => {
                 let item = self.cx.globals.functions[index as usize].clone();
@@ -131,12 +126,6 @@ impl<'a> Infer<'_, 'a, '_> {
             Some(Use::Convert(ty)) => self.known(ty, name.span),
             Some(Use::Shape(row)) => self.known(row.ty(), name.span),
             Some(Use::Selector(_)) => self.known(Type::Bool, name.span),
-            Some(Use::Open(open)) => {
-                let candidates = self.candidates(open);
-                let result = self.free();
-                self.wait(Open::Call { name: name.clone(), candidates, args, result: Some(result) });
-                result
-            }
             _ => self.poison(),
         }
     }
@@ -146,13 +135,18 @@ impl<'a> Infer<'_, 'a, '_> {
         self.need_kind(var, span, param.kind, &who);
     }
 
+    /// Returns true if a call waits for the types of its arguments.
+    pub(super) fn waits(&self, found: Use) -> bool {
+        matches!(found, Use::Open(_)) || self.is_generic(found)
+    }
+
     /// The candidates of a call, with the types of their parameters.
-    pub(super) fn candidates(&mut self, open: u32) -> Vec<Candidate> {
-        let list = self.cx.tables.open[open as usize].clone();
+    pub(super) fn candidates(&mut self, found: Use) -> Vec<Candidate> {
+        let list = if let Use::Open(open) = found { self.cx.tables.open[open as usize].clone() } else { vec![found] };
         list.into_iter().map(|found| self.candidate(found)).collect()
     }
 
-    pub(super) fn candidate(&mut self, found: Use) -> Candidate {
+    fn candidate(&mut self, found: Use) -> Candidate {
         let builtin = |params: &[Param]| -> Vec<Takes> {
             params.iter().map(|param| param.kind.ty().map_or(Takes::Any, Takes::Type)).collect()
         };
@@ -179,8 +173,7 @@ impl<'a> Infer<'_, 'a, '_> {
         match op {
             Binary::Add => {
                 let (left, right) = ((self.expr(left), left.span), (self.expr(right), right.span));
-                let result = self.free();
-                self.wait(Open::Plus { left, right, result, at })
+                self.wait(OpenKind::Plus(left, right), at)
             }
             Binary::Sub | Binary::Mul | Binary::Div | Binary::Rem => {
                 self.need(left, Type::Float, &who);

@@ -31,12 +31,7 @@ impl Infer<'_, '_, '_> {
     /// Returns true if a declaration may have instances with other types.
     pub(super) fn is_generic(&self, found: Use) -> bool {
         let program = self.cx.globals.program;
-        let item = match found {
-            _ if !program.typed.on => return false,
-            Use::Function(index) => &self.cx.globals.functions[index as usize],
-            Use::Rule(index) => &self.cx.globals.rules[index as usize],
-            _ => return false,
-        };
+        let Some(item) = self.cx.globals.item(found).filter(|_| program.typed.on) else { return false };
         // An extension has only one form per import.
         let is_plain = item.home == item.instance && item.decl.role != Role::Extension;
         is_plain && !item.decl.params.is_empty() && program.typed.may_have(item.decl)
@@ -48,12 +43,8 @@ impl Infer<'_, '_, '_> {
 
     /// Marks the parameters of a candidate that may have another type: those that only calls restrict.
     fn loose(&mut self, candidate: &Candidate) -> Vec<bool> {
-        let item = match candidate.found {
-            _ if !self.is_generic(candidate.found) => return vec![false; candidate.takes.len()],
-            Use::Function(index) => &self.cx.globals.functions[index as usize],
-            Use::Rule(index) => &self.cx.globals.rules[index as usize],
-            _ => return vec![false; candidate.takes.len()],
-        };
+        let item = self.cx.globals.item(candidate.found).filter(|_| self.is_generic(candidate.found));
+        let Some(item) = item else { return vec![false; candidate.takes.len()] };
         let typed = &self.cx.globals.program.typed;
         let given = item.decl.params.iter().map(|param| typed.given((item.own, param.id())).is_some());
         let given: Vec<bool> = given.collect();
@@ -67,7 +58,7 @@ impl Infer<'_, '_, '_> {
         name: &Name,
         candidates: &[Candidate],
         args: &[Place],
-        result: Option<Var>,
+        result: Var,
         force: bool,
     ) -> bool {
         if self.stage == Stage::Bodies && !force {
@@ -85,8 +76,7 @@ impl Infer<'_, '_, '_> {
             }
             return force;
         }
-        let is_exact = |this: &mut Self, own: &Candidate| own.takes.iter().all(|takes| !this.is_loose(takes));
-        if let Some((found, _)) = fitting.iter().find(|(candidate, _)| is_exact(self, candidate)) {
+        if let Some((found, _)) = fitting.iter().find(|(candidate, _)| self.is_exact(candidate)) {
             self.choose_this(name, found, args, result);
             return true;
         }
@@ -100,9 +90,7 @@ impl Infer<'_, '_, '_> {
                     self.wanted.push(wanted);
                 }
                 // The type is known once the instance exists.
-                if let Some(result) = result {
-                    self.vars.poison(result);
-                }
+                self.vars.poison(result);
                 return true;
             }
         }
@@ -113,18 +101,9 @@ impl Infer<'_, '_, '_> {
         true
     }
 
-    fn may_give(&mut self, candidate: &Candidate, result: Option<Var>) -> bool {
-        let gives = match candidate.gives {
-            Takes::Any => None,
-            Takes::Type(ty) => Some(ty),
-            Takes::Var(var) => self.vars.known(var),
-        };
-        let Some(needs) = result.and_then(|result| self.vars.known(result)) else { return true };
-        gives.is_none_or(|gives| gives == needs)
-    }
-
-    fn is_loose(&mut self, takes: &Takes) -> bool {
-        matches!(takes, Takes::Var(var) if self.is_free(*var))
+    fn may_give(&mut self, candidate: &Candidate, result: Var) -> bool {
+        let Some(needs) = self.vars.known(result) else { return true };
+        self.taken(candidate.gives).is_none_or(|gives| gives == needs)
     }
 
     /// Binds the types of arguments on which all fitting candidates agree, if no other types are possible.
@@ -135,11 +114,7 @@ impl Infer<'_, '_, '_> {
             }
             let mut common = None;
             for (candidate, loose) in fitting {
-                let ty = match candidate.takes[index] {
-                    Takes::Type(ty) => Some(ty),
-                    Takes::Var(param) if !loose[index] => self.vars.known(param),
-                    _ => None,
-                };
+                let ty = if loose[index] { None } else { self.taken(candidate.takes[index]) };
                 if ty.is_none() || common.is_some_and(|common| common != ty) {
                     common = None;
                     break;
@@ -155,22 +130,14 @@ impl Infer<'_, '_, '_> {
 
     /// The types that a declaration would need for a call.
     fn wish(&mut self, candidate: &Candidate, loose: &[bool], args: &[Place]) -> Option<Wish> {
-        let item = match candidate.found {
-            _ if !loose.contains(&true) => return None,
-            Use::Function(index) => &self.cx.globals.functions[index as usize],
-            Use::Rule(index) => &self.cx.globals.rules[index as usize],
-            _ => return None,
-        };
+        let item = self.cx.globals.item(candidate.found).filter(|_| loose.contains(&true))?;
         let decl = (item.instance, item.decl.name.id());
         let (mut types, mut poison) = (Types::new(), false);
         for ((takes, loose), &(var, _)) in candidate.takes.iter().zip(loose).zip(args) {
             let got = self.vars.known(var);
             types.push(got.filter(|_| *loose));
             poison |= *loose && got.is_none();
-            let needs = match takes {
-                Takes::Var(param) if !loose => self.vars.known(*param),
-                _ => None,
-            };
+            let needs = if *loose { None } else { self.taken(*takes) };
             if let (Some(needs), Some(got)) = (needs, got)
                 && needs != got
             {
@@ -181,21 +148,18 @@ impl Infer<'_, '_, '_> {
     }
 
     /// Reports a call without a fitting candidate. With only one candidate, the argument is blamed.
-    fn none_fits(&mut self, name: &Name, candidates: &[Candidate], args: &[Place], result: Option<Var>) {
-        let (item, rule) = match candidates {
-            [Candidate { found: Use::Function(index), .. }] => (&self.cx.globals.functions[*index as usize], None),
-            [Candidate { found: Use::Rule(index), .. }] => (&self.cx.globals.rules[*index as usize], Some(name.span)),
-            _ => {
-                self.fits_none(name, candidates, args);
-                return result.into_iter().for_each(|result| self.vars.poison(result));
-            }
+    fn none_fits(&mut self, name: &Name, candidates: &[Candidate], args: &[Place], result: Var) {
+        let found = candidates[0].found;
+        let Some(item) = self.cx.globals.item(found).filter(|_| candidates.len() == 1).cloned() else {
+            self.fits_none(name, candidates, args);
+            return self.vars.poison(result);
         };
-        let item = item.clone();
-        self.cx.tables.uses.insert((self.own, name.id()), candidates[0].found);
+        let rule = matches!(found, Use::Rule(_)).then_some(name.span);
+        self.cx.tables.uses.insert((self.own, name.id()), found);
         let first = self.calls.len();
         self.arguments(&item, args.to_vec(), rule);
         (first..self.calls.len()).for_each(|call| self.join_argument(call));
-        if let (Some(result), Takes::Var(own)) = (result, candidates[0].gives) {
+        if let Takes::Var(own) = candidates[0].gives {
             _ = self.vars.join(result, own);
         }
     }

@@ -28,7 +28,7 @@ use crate::syntax::token::Tok;
 use crate::types::Type;
 use generic::Stage;
 use open::{Open, Place};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 use unify::{State, Var, Vars};
 
 /// The result of `infer`.
@@ -80,9 +80,6 @@ pub(crate) fn infer(cx: &mut Context) -> Found {
     Found { misfit: cx.diags.so_far()[before..].iter().any(misfit), wanted, unsuited }
 }
 
-/// A declaration in a style: its name and parameters.
-type InStyle = (u32, Vec<Key>);
-
 /// A type mismatch: its instance, place and message.
 type Misfit = (InstanceId, Span, Line);
 
@@ -104,8 +101,8 @@ struct Infer<'p, 'a, 'd> {
     vars: Vars,
     /// Types of declarations, parameters and locals by name; of Rust values and Rust calls by their first token.
     slots: FastMap<Key, Var>,
-    /// Open expressions, with their instances.
-    open: Vec<(InstanceId, Open)>,
+    /// Open expressions; `None` once they are decided.
+    open: Vec<Option<Open>>,
     calls: Vec<Argument>,
     /// Operands of `<`, `<=`, `>` and `>=`, which bools do not have.
     ordered: Vec<(InstanceId, Var, Span)>,
@@ -151,7 +148,10 @@ impl<'a> Infer<'_, 'a, '_> {
     fn declared(&mut self, item: &Item<'a>) {
         let own = self.slot(item.key());
         if let Init::Flows(outer) = item.init {
-            self.flows(own, item.decl, outer);
+            // The value comes from the importing file.
+            let from = self.cx.globals.attrs[outer as usize].clone();
+            let var = self.slot(from.key());
+            self.argument(var, from.decl.name.span, own, (String::new(), item.decl.name.text.clone()), None);
         }
         let Some((value, _)) = item.value() else { return };
         self.inner.clear();
@@ -216,13 +216,6 @@ impl<'a> Infer<'_, 'a, '_> {
             _ = self.vars.join(slot, ty);
             self.inner.push(name);
         }
-    }
-
-    /// Infers an attribute that gets its value from the importing file.
-    fn flows(&mut self, own: Var, decl: &Decl, outer: u32) {
-        let from = self.cx.globals.attrs[outer as usize].clone();
-        let var = self.slot(from.key());
-        self.argument(var, from.decl.name.span, own, (String::new(), decl.name.text.clone()), None);
     }
 
     fn mismatch(&mut self, span: Span, needs: &str, got: Type) -> &mut Diag {
@@ -320,23 +313,12 @@ impl<'a> Infer<'_, 'a, '_> {
 
     /// Joins the types of each value and its parameters over all styles. `duplicates` reports differences.
     fn join_styles(&mut self) {
-        if self.cx.globals.program.roots.len() < 2 {
-            return;
-        }
-        let mut groups: HashMap<(String, usize), Vec<InStyle>> = HashMap::new();
-        for item in self.cx.globals.values().filter(|item| !item.origin) {
-            let style = self.cx.globals.program.instances[item.instance].root_style;
-            let names =
-                [&item.decl.name].into_iter().chain(&item.decl.params).map(|name| (item.own, name.id())).collect();
-            groups.entry((item.name.clone(), item.decl.params.len())).or_default().push((style, names));
-        }
         let mut pairs = Vec::new();
-        for group in groups.into_values() {
-            // It is not known yet which overloads correspond.
-            let overloads = group.windows(2).any(|pair| pair[0].0 == pair[1].0);
-            let Some(((_, first), others)) = group.split_first().filter(|_| !overloads) else { continue };
-            for (_, other) in others {
-                pairs.extend(first.iter().copied().zip(other.iter().copied()));
+        for group in self.cx.globals.by_style() {
+            let names = |item: &Item<'a>| [&item.decl.name].into_iter().chain(&item.decl.params);
+            for other in &group[1..] {
+                let keys = names(group[0]).zip(names(other));
+                pairs.extend(keys.map(|(first, own)| ((group[0].own, first.id()), (other.own, own.id()))));
             }
         }
         pairs.sort_unstable();

@@ -3,6 +3,7 @@
 
 use super::{Infer, State, Type, Use, Var};
 use crate::diag::code::Code;
+use crate::link::InstanceId;
 use crate::span::Span;
 use crate::syntax::ast::{Binary, Name};
 
@@ -12,43 +13,28 @@ const MOST_ROUNDS: usize = 64;
 /// A type and the place where it is needed.
 pub(super) type Place = (Var, Span);
 
-pub(super) enum Open {
+/// An open expression.
+pub(super) struct Open {
+    own: InstanceId,
+    kind: OpenKind,
+    /// The type of its value. A rule has no value, and its type stays free.
+    result: Var,
+    /// The place of a mismatch of its value.
+    at: Span,
+}
+
+/// The kinds of open expressions.
+pub(super) enum OpenKind {
     /// `a + b`: a sum, or text.
-    Plus {
-        left: Place,
-        right: Place,
-        result: Var,
-        at: Span,
-    },
+    Plus(Place, Place),
     /// `a .+ b` and other operators that work element by element.
-    Each {
-        op: Binary,
-        at: Span,
-        left: Place,
-        right: Place,
-        result: Var,
-    },
+    Each(Binary, Place, Place),
     /// `[a, b]`: entries are elements or arrays.
-    Array {
-        entries: Vec<Place>,
-        result: Var,
-        span: Span,
-    },
+    Array(Vec<Place>),
     /// `a[i]` or `a[i, j]`: an element, or an array if an index is one.
-    Index {
-        array: Place,
-        indices: Vec<Place>,
-        result: Var,
-        span: Span,
-    },
-    /// A call with several candidates.
-    Call {
-        name: Name,
-        candidates: Vec<Candidate>,
-        args: Vec<Place>,
-        result: Option<Var>,
-    },
-    Done,
+    Index(Place, Vec<Place>),
+    /// A call with several candidates, and its arguments.
+    Call(Name, Vec<Candidate>, Vec<Place>),
 }
 
 /// A candidate of a call.
@@ -69,23 +55,12 @@ pub(super) enum Takes {
 
 impl Infer<'_, '_, '_> {
     /// Decides the expression if possible, otherwise lets it wait. Returns the type of its value.
-    pub(super) fn wait(&mut self, open: Open) -> Var {
-        let result = match &open {
-            Open::Plus { result, .. }
-            | Open::Each { result, .. }
-            | Open::Array { result, .. }
-            | Open::Index { result, .. } => *result,
-            Open::Call { result, .. } => result.unwrap_or_else(|| self.free()),
-            Open::Done => self.free(),
-        };
-        self.wait_for(open);
-        result
-    }
-
-    pub(super) fn wait_for(&mut self, open: Open) {
+    pub(super) fn wait(&mut self, kind: OpenKind, at: Span) -> Var {
+        let result = self.free();
+        self.open.push(Some(Open { own: self.own, kind, result, at }));
         // Most expressions are clear at once, and later ones use their types.
-        self.open.push((self.own, open));
         self.decide(self.open.len() - 1, false);
+        result
     }
 
     /// Decides all expressions that can be decided. The number of rounds is bounded; the likeliest choice decides the
@@ -116,33 +91,25 @@ impl Infer<'_, '_, '_> {
 
     /// Returns true if a type became known. With `force`, the expression is decided in any case.
     fn decide(&mut self, index: usize, force: bool) -> bool {
-        let (own, mut open) = (self.open[index].0, std::mem::replace(&mut self.open[index].1, Open::Done));
-        if matches!(open, Open::Done) {
-            return false;
-        }
-        let done = self.inside(own, |pass| pass.decided(&mut open, force));
+        let Some(Open { own, mut kind, result, at }) = self.open[index].take() else { return false };
+        let done = self.inside(own, |pass| match &mut kind {
+            OpenKind::Plus(left, right) => pass.plus(*left, *right, result, at, force),
+            OpenKind::Each(op, left, right) => pass.each(*op, at, *left, *right, result, force),
+            OpenKind::Array(entries) => pass.array(entries, result, at, force),
+            OpenKind::Index(array, indices) => pass.index(*array, indices, result, at, force),
+            OpenKind::Call(name, candidates, args) => pass.choose(name, candidates, args, result, force),
+        });
         if !done {
-            self.open[index].1 = open;
+            self.open[index] = Some(Open { own, kind, result, at });
         }
         done
-    }
-
-    fn decided(&mut self, open: &mut Open, force: bool) -> bool {
-        match open {
-            Open::Done => false,
-            Open::Plus { left, right, result, at } => self.plus(*left, *right, *result, *at, force),
-            Open::Each { op, at, left, right, result } => self.each(*op, *at, *left, *right, *result, force),
-            Open::Array { entries, result, span } => self.array(entries, *result, *span, force),
-            Open::Index { array, indices, result, span } => self.index(*array, indices, *result, *span, force),
-            Open::Call { name, candidates, args, result } => self.choose(name, candidates, args, *result, force),
-        }
     }
 
     fn plus(&mut self, left: Place, right: Place, result: Var, at: Span, force: bool) -> bool {
         let (l, r) = (self.vars.state(left.0), self.vars.state(right.0));
         let text = State::Is(Type::Text);
         if l == text || r == text {
-            self.gives(result, Type::Text, at, "`+`");
+            self.gives(result, Type::Text, at, "this `+` gives");
             return true;
         }
         if l == State::Poison || r == State::Poison {
@@ -157,7 +124,7 @@ impl Infer<'_, '_, '_> {
         if sum || (force && self.vars.known(result).is_none_or(|ty| ty != Type::Text)) {
             self.need_var(left.0, left.1, Type::Float, "`+`");
             self.need_var(right.0, right.1, Type::Float, "`+`");
-            self.gives(result, Type::Float, at, "`+`");
+            self.gives(result, Type::Float, at, "this `+` gives");
             return true;
         }
         if force {
@@ -168,32 +135,33 @@ impl Infer<'_, '_, '_> {
         force
     }
 
-    fn gives(&mut self, result: Var, ty: Type, at: Span, who: &str) {
+    fn gives(&mut self, result: Var, ty: Type, at: Span, this_gives: &str) {
         if !self.vars.bind(result, ty, at)
             && let Some(needs) = self.vars.known(result)
         {
-            let message = format!("this {who} gives a {}, but a {} is needed", ty.word(), needs.word());
+            let message = format!("{this_gives} a {}, but a {} is needed", ty.word(), needs.word());
             self.cx.diags.report(Code::TypeMismatch, at, message);
         }
     }
 
     fn each(&mut self, op: Binary, at: Span, left: Place, right: Place, result: Var, force: bool) -> bool {
-        let (l, r) = (self.vars.state(left.0), self.vars.state(right.0));
-        if l == State::Poison || r == State::Poison {
+        let states = [left, right].map(|(var, _)| self.vars.state(var));
+        if states.contains(&State::Poison) {
             return true;
         }
+        let (l, r) = (self.vars.known(left.0), self.vars.known(right.0));
         let who = format!("`.{}`", op.text());
-        let known = |state: State| if let State::Is(ty) = state { Some(ty) } else { None };
+        let this_gives = format!("this {who} gives");
         let element = match op {
             Binary::Sub | Binary::Mul | Binary::Div | Binary::Rem => Some(Type::Float),
             Binary::And | Binary::Or => Some(Type::Bool),
-            Binary::Add => match (known(l), known(r)) {
+            Binary::Add => match (l, r) {
                 (Some(a), Some(b)) if a.element() != Type::Text && b.element() != Type::Text => Some(Type::Float),
                 (Some(ty), _) | (_, Some(ty)) if ty.element() == Type::Text => Some(Type::Text),
                 _ if force => Some(Type::Float),
                 _ => None,
             },
-            _ => known(l).or(known(r)).map(Type::element),
+            _ => l.or(r).map(Type::element),
         };
         let Some(element) = element.or(force.then_some(Type::Float)) else { return false };
         let gives = match op {
@@ -201,7 +169,7 @@ impl Infer<'_, '_, '_> {
             Binary::Sub | Binary::Mul | Binary::Div | Binary::Rem => Type::Floats,
             _ => Type::Bools,
         };
-        let is_single = |state: State| known(state).is_some_and(|ty| !ty.is_array());
+        let is_single = |ty: Option<Type>| ty.is_some_and(|ty| !ty.is_array());
         let ordered = matches!(op, Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge);
         if ordered && element == Type::Bool {
             self.cx.diags.report(Code::TypeMismatch, at, "bools have no order").help("write `.==` or `.!=`");
@@ -222,13 +190,13 @@ impl Infer<'_, '_, '_> {
         }
         if is_single(l) && is_single(r) {
             // `1.+2` is read like this and has no other meaning.
-            self.gives(result, gives.element(), at, &who);
+            self.gives(result, gives.element(), at, &this_gives);
             return true;
         }
-        if !force && ((is_single(l) && r == State::Free) || (is_single(r) && l == State::Free)) {
+        if !force && ((is_single(l) && r.is_none()) || (is_single(r) && l.is_none())) {
             return false;
         }
-        self.gives(result, gives, at, &who);
+        self.gives(result, gives, at, &this_gives);
         match (self.vars.known(left.0), self.vars.known(right.0)) {
             (Some(_), Some(_)) => true,
             // One side is not an array, so the other side is.
@@ -256,7 +224,7 @@ impl Infer<'_, '_, '_> {
                     Some(first) if first != ty.element() => {
                         let needs = format!("this array has elements of type {}, here is", first.word());
                         self.mismatch(place, &needs, ty);
-                        self.gives_array(result, first, span);
+                        self.gives(result, first.array(), span, "this is");
                         return true;
                     }
                     Some(_) => {}
@@ -266,7 +234,7 @@ impl Infer<'_, '_, '_> {
             }
         }
         let Some(element) = element.or(force.then_some(Type::Float)) else { return false };
-        self.gives_array(result, element, span);
+        self.gives(result, element.array(), span, "this is");
         if force {
             for &(var, place) in entries {
                 if self.is_free(var) {
@@ -275,15 +243,6 @@ impl Infer<'_, '_, '_> {
             }
         }
         all_known || force
-    }
-
-    fn gives_array(&mut self, result: Var, element: Type, span: Span) {
-        if !self.vars.bind(result, element.array(), span)
-            && let Some(needs) = self.vars.known(result)
-        {
-            let message = format!("this is a {}, but a {} is needed", element.array().word(), needs.word());
-            self.cx.diags.report(Code::TypeMismatch, span, message);
-        }
     }
 
     fn index(&mut self, array: Place, indices: &[Place], result: Var, span: Span, force: bool) -> bool {
@@ -313,7 +272,7 @@ impl Infer<'_, '_, '_> {
         let Some(found) = found.or(force.then_some(Type::Floats)) else { return false };
         self.vars.bind(array.0, found, array.1);
         let Some(many) = many.or(force.then_some(false)) else { return false };
-        self.gives(result, if many { found } else { found.element() }, span, "index");
+        self.gives(result, if many { found } else { found.element() }, span, "this index gives");
         true
     }
 
@@ -323,7 +282,7 @@ impl Infer<'_, '_, '_> {
         name: &Name,
         candidates: &mut Vec<Candidate>,
         args: &[Place],
-        result: Option<Var>,
+        result: Var,
         force: bool,
     ) -> bool {
         if self.has_generic(candidates) {
@@ -332,17 +291,15 @@ impl Infer<'_, '_, '_> {
         let fits: Vec<bool> = candidates.iter().map(|candidate| self.fits(candidate, args)).collect();
         if !fits.contains(&true) {
             self.fits_none(name, candidates, args);
-            if let Some(result) = result {
-                self.vars.poison(result);
-            }
+            self.vars.poison(result);
             return true;
         }
         let mut keep = fits.into_iter();
         candidates.retain(|_| keep.next() == Some(true));
         let settled = args.iter().all(|&(var, _)| !self.is_free(var));
-        if 1 < candidates.len() && !force && !(settled && self.all_known(candidates)) {
+        if 1 < candidates.len() && !force && !(settled && candidates.iter().all(|candidate| self.is_exact(candidate))) {
             // The type that all candidates return is already known.
-            if let (Some(result), Some(ty)) = (result, self.common(candidates)) {
+            if let Some(ty) = self.common(candidates) {
                 self.vars.bind(result, ty, name.span);
             }
             return false;
@@ -352,7 +309,7 @@ impl Infer<'_, '_, '_> {
         true
     }
 
-    pub(super) fn choose_this(&mut self, name: &Name, chosen: &Candidate, args: &[Place], result: Option<Var>) {
+    pub(super) fn choose_this(&mut self, name: &Name, chosen: &Candidate, args: &[Place], result: Var) {
         self.cx.tables.uses.insert((self.own, name.id()), chosen.found);
         for (takes, &(var, span)) in chosen.takes.iter().zip(args) {
             match takes {
@@ -361,42 +318,41 @@ impl Infer<'_, '_, '_> {
                 Takes::Var(param) => _ = self.vars.join(var, *param),
             }
         }
-        match (result, chosen.gives) {
-            (Some(result), Takes::Type(ty)) => self.gives(result, ty, name.span, "call"),
-            (Some(result), Takes::Var(var)) => {
+        match chosen.gives {
+            Takes::Any => {}
+            Takes::Type(ty) => self.gives(result, ty, name.span, "this call gives"),
+            Takes::Var(var) => {
                 if let Err((needs, got)) = self.vars.join(result, var) {
                     self.mismatch(name.span, &format!("a {} is needed, this is", needs.word()), got);
                 }
             }
-            _ => {}
+        }
+    }
+
+    /// The type, if known.
+    pub(super) fn taken(&mut self, takes: Takes) -> Option<Type> {
+        match takes {
+            Takes::Any => None,
+            Takes::Type(ty) => Some(ty),
+            Takes::Var(var) => self.vars.known(var),
         }
     }
 
     pub(super) fn fits(&mut self, candidate: &Candidate, args: &[Place]) -> bool {
         candidate.takes.iter().zip(args).all(|(takes, &(var, _))| {
             let Some(got) = self.vars.known(var) else { return true };
-            match takes {
-                Takes::Any => true,
-                Takes::Type(ty) => *ty == got,
-                Takes::Var(param) => self.vars.known(*param).is_none_or(|ty| ty == got),
-            }
+            self.taken(*takes).is_none_or(|ty| ty == got)
         })
     }
 
-    fn all_known(&mut self, candidates: &[Candidate]) -> bool {
-        candidates.iter().flat_map(|candidate| &candidate.takes).all(|takes| match takes {
-            Takes::Var(var) => !self.is_free(*var),
-            _ => true,
-        })
+    /// Returns true if the types of its parameters are known.
+    pub(super) fn is_exact(&mut self, candidate: &Candidate) -> bool {
+        candidate.takes.iter().all(|takes| !matches!(takes, Takes::Var(var) if self.is_free(*var)))
     }
 
     /// The type that all candidates return.
     fn common(&mut self, candidates: &[Candidate]) -> Option<Type> {
-        let mut types = candidates.iter().map(|candidate| match candidate.gives {
-            Takes::Any => None,
-            Takes::Type(ty) => Some(ty),
-            Takes::Var(var) => self.vars.known(var),
-        });
+        let mut types = candidates.iter().map(|candidate| self.taken(candidate.gives));
         let first = types.next()??;
         types.all(|ty| ty == Some(first)).then_some(first)
     }
@@ -407,15 +363,7 @@ impl Infer<'_, '_, '_> {
         let span = args.first().map_or(name.span, |first| first.1.to(args[args.len() - 1].1));
         let mut forms: Vec<String> = Vec::new();
         for candidate in candidates {
-            let takes: Vec<&str> = candidate
-                .takes
-                .iter()
-                .map(|takes| match takes {
-                    Takes::Any => "…",
-                    Takes::Type(ty) => ty.word(),
-                    Takes::Var(var) => shown(self.vars.known(*var)),
-                })
-                .collect();
+            let takes: Vec<&str> = candidate.takes.iter().map(|takes| shown(self.taken(*takes))).collect();
             forms.push(format!("`{}({})`", name.text, takes.join(", ")));
         }
         forms.dedup();

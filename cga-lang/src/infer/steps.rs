@@ -1,57 +1,38 @@
 //! Types in the operations of rules.
 
-use super::open::Open;
+use super::open::OpenKind;
 use super::{Infer, Type, Use, Var};
 use crate::ops::{Operation, ParamKind};
 use crate::span::Span;
-use crate::syntax::ast::{Arg, BlockPart, Name, Op, OpKind, Override, SplitItem};
+use crate::syntax::ast::{Arg, Name, Op, OpKind, Override};
+use crate::syntax::walk::Part;
 
 impl<'a> Infer<'_, 'a, '_> {
     pub(super) fn ops(&mut self, ops: &'a [Op]) {
         for op in ops {
             match &op.kind {
-                OpKind::Leaf(_) | OpKind::Nil | OpKind::Error => {}
                 OpKind::Call(name, args) => self.call(name, args),
                 OpKind::Dynamic { import, overrides, rule, args } => {
                     self.dynamic(import, overrides);
                     self.call(rule, args);
                 }
                 OpKind::Path(_, args) => self.args(args),
-                OpKind::Push(ops) => self.ops(ops),
-                OpKind::Block(block) => {
-                    self.call(&block.name, &block.args);
-                    for part in &block.parts {
-                        match part {
-                            BlockPart::Slots(items, _) => self.items(items),
-                            BlockPart::Sections(list, _) => {
-                                for section in list {
-                                    self.need(&section.length.value, Type::Float, "a length");
-                                    self.need(&section.depth, Type::Float, "a depth");
-                                    self.ops(&section.ops);
-                                }
-                            }
-                            BlockPart::Arms(arms) => {
-                                for arm in arms {
-                                    self.selector(&arm.selector);
-                                    self.ops(&arm.ops);
-                                }
-                            }
-                            BlockPart::Ops(list) => list.iter().for_each(|ops| self.ops(ops)),
-                        }
-                    }
-                }
-                OpKind::Case(arms, otherwise) => {
-                    for (condition, ops) in arms {
-                        self.need(condition, Type::Bool, "`case`");
-                        self.ops(ops);
-                    }
-                    self.ops(otherwise);
-                }
-                OpKind::Chance(arms, otherwise) => {
-                    for (_, ops) in arms {
-                        self.ops(ops);
-                    }
-                    self.ops(otherwise);
+                OpKind::Block(block) => self.call(&block.name, &block.args),
+                OpKind::Leaf(_)
+                | OpKind::Nil
+                | OpKind::Push(_)
+                | OpKind::Case(..)
+                | OpKind::Chance(..)
+                | OpKind::Error => {}
+            }
+            for part in op.parts() {
+                match part {
+                    Part::Size(size) => self.need(&size.value, Type::Float, "a size"),
+                    Part::Length(length) => self.need(&length.value, Type::Float, "a length"),
+                    Part::Depth(depth) => self.need(depth, Type::Float, "a depth"),
+                    Part::Condition(condition) => self.need(condition, Type::Bool, "`case`"),
+                    Part::Arm(arm) => self.selector(&arm.selector),
+                    Part::Ops(ops) => self.ops(ops),
                 }
             }
         }
@@ -60,18 +41,6 @@ impl<'a> Infer<'_, 'a, '_> {
     fn args(&mut self, args: &'a [Arg]) {
         for arg in args {
             self.expr(&arg.value);
-        }
-    }
-
-    fn items(&mut self, items: &'a [SplitItem]) {
-        for item in items {
-            match item {
-                SplitItem::Slot(size, ops) => {
-                    self.need(&size.value, Type::Float, "a size");
-                    self.ops(ops);
-                }
-                SplitItem::Group(items, _) => self.items(items),
-            }
         }
     }
 
@@ -91,10 +60,10 @@ impl<'a> Infer<'_, 'a, '_> {
     fn call(&mut self, name: &'a Name, args: &'a [Arg]) {
         match self.cx.tables.at(self.own).of(name) {
             Some(Use::Operation(row)) => self.operation(row, args),
-            Some(own @ Use::Rule(_)) if self.is_generic(own) => {
+            Some(own) if self.waits(own) => {
                 let args = args.iter().map(|arg| (self.expr(&arg.value), arg.value.span)).collect();
-                let candidates = vec![self.candidate(own)];
-                self.wait_for(Open::Call { name: name.clone(), candidates, args, result: None });
+                let candidates = self.candidates(own);
+                self.wait(OpenKind::Call(name.clone(), candidates, args), name.span);
             }
             Some(Use::Rule(index)) => {
                 let item = self.cx.globals.rules[index as usize].clone();
@@ -112,11 +81,6 @@ impl<'a> Infer<'_, 'a, '_> {
                     let var = self.expr(&value.value);
                     self.need_kind(var, value.value.span, row.kind, &format!("`{}`", row.name));
                 }
-            }
-            Some(Use::Open(open)) => {
-                let args = args.iter().map(|arg| (self.expr(&arg.value), arg.value.span)).collect();
-                let candidates = self.candidates(open);
-                self.wait_for(Open::Call { name: name.clone(), candidates, args, result: None });
             }
             _ => self.args(args),
         }

@@ -14,7 +14,8 @@ use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::dialect::Dialect;
 use crate::span::Span;
-use crate::syntax::ast::{Ast, Import, Name, Override};
+use crate::suggest::nearest;
+use crate::syntax::ast::{Ast, DEFAULT, Import, Name, Override};
 use crate::syntax::parse::parse_part;
 use crate::syntax::token::Tokens;
 use std::collections::HashMap;
@@ -186,15 +187,13 @@ pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Prog
         },
     };
     let file = link.file(root);
-    link.under_way.push(file.number);
-    let origin = Origin { prefix: String::new(), parent: None, layers: Vec::new() };
-    let first = link.instance(&file, 0, 0, origin.clone());
+    let first = link.instance(&file, 0, String::new(), None, Vec::new());
     link.program.roots.push(first);
     for (number, style) in (1..).zip(&file.ast.styles) {
         if link.full_up(&file, style.name.span) {
             break;
         }
-        let root = link.instance(&file, number, number, origin.clone());
+        let root = link.instance(&file, number, String::new(), None, Vec::new());
         link.program.roots.push(root);
     }
     link.program.assets = Assets::new(&link.program, link.files);
@@ -249,14 +248,6 @@ fn folder_of(name: &str) -> &str {
     name.rsplit_once('/').map_or("", |(folder, _)| folder)
 }
 
-/// The origin of an instance.
-#[derive(Clone)]
-struct Origin {
-    prefix: String,
-    parent: Option<InstanceId>,
-    layers: Vec<Layer>,
-}
-
 struct Link<'l> {
     files: &'l mut dyn Files,
     diags: &'l mut Diags,
@@ -292,11 +283,19 @@ impl Link<'_> {
     }
 
     /// Instantiates a file with the style in force, and its imports.
-    fn instance(&mut self, file: &Rc<File>, style: u32, root_style: u32, origin: Origin) -> InstanceId {
+    fn instance(
+        &mut self,
+        file: &Rc<File>,
+        style: u32,
+        prefix: String,
+        parent: Option<InstanceId>,
+        layers: Vec<Layer>,
+    ) -> InstanceId {
+        self.under_way.push(file.number);
         let id = self.program.instances.len();
         self.declared += file.ast.decls.len();
         let styles = Styles::new(&file.ast, style, self.diags);
-        let Origin { prefix, parent, layers } = origin;
+        let root_style = parent.map_or(style, |parent| self.program.instances[parent].root_style);
         self.program.instances.push(Instance {
             file: Rc::clone(file),
             styles,
@@ -326,15 +325,9 @@ impl Link<'_> {
                 break;
             }
             layers.push(Layer { home: id, source: LayerSource::Call(at) });
-            let own = self.under(&file, style, root_style, Origin { prefix, parent: Some(id), layers });
+            let own = self.instance(&file, style, prefix, Some(id), layers);
             self.program.instances[id].dynamic.insert(import.id(), own);
         }
-        id
-    }
-
-    fn under(&mut self, file: &Rc<File>, style: u32, root_style: u32, origin: Origin) -> InstanceId {
-        self.under_way.push(file.number);
-        let id = self.instance(file, style, root_style, origin);
         self.under_way.pop();
         id
     }
@@ -362,11 +355,13 @@ impl Link<'_> {
 
     /// The number of a style that an import names.
     fn wanted_style(&mut self, file: &File, name: &Name) -> u32 {
-        match style::position(&file.ast, &name.text) {
-            Ok(style) => style,
-            Err(near) => {
+        let names = || file.ast.styles.iter().map(|style| style.name.text.as_str());
+        match names().position(|own| own == name.text) {
+            Some(index) => index as u32 + 1,
+            None if name.text == DEFAULT => 0,
+            None => {
                 let message = format!("`{}` has no style `{}`", file.name, name.text);
-                self.diags.report(Code::UnknownStyle, name.span, message).suggest(near);
+                self.diags.report(Code::UnknownStyle, name.span, message).suggest(nearest(&name.text, names()));
                 0
             }
         }
@@ -378,7 +373,7 @@ impl Link<'_> {
             return None;
         }
         let own = &self.program.instances[from];
-        let (root_style, prefix) = (own.root_style, format!("{}{}.", own.prefix, import.id.text));
+        let prefix = format!("{}{}.", own.prefix, import.id.text);
         let file = Rc::clone(&own.file);
         // *CGA changelog 2023.0*. No file is read under another extension.
         if !import.path.ends_with(".cga") {
@@ -417,11 +412,10 @@ impl Link<'_> {
             return None;
         }
         let layer = Layer { home: from, source: LayerSource::Import(at) };
-        let origin = Origin { prefix, parent: Some(from), layers: vec![layer] };
         // The first style is in force; a host program may choose among the others.
         let mut wanted =
             import.styles.iter().flatten().map(|name| self.wanted_style(&opened, name)).collect::<Vec<_>>();
         let style = if wanted.is_empty() { 0 } else { wanted.swap_remove(0) };
-        Some(self.under(&opened, style, root_style, origin))
+        Some(self.instance(&opened, style, prefix, Some(from), vec![layer]))
     }
 }

@@ -3,11 +3,8 @@
 use crate::diag::Diags;
 use crate::diag::code::Code;
 use crate::suggest::nearest;
-use crate::syntax::ast::Ast;
+use crate::syntax::ast::{Ast, DEFAULT};
 use std::collections::HashMap;
-
-/// The style that every file has.
-pub(crate) const DEFAULT: &str = "Default";
 
 /// The style in force and its base styles.
 pub(crate) struct Styles {
@@ -32,7 +29,7 @@ impl Styles {
         while let Some(own) = at.checked_sub(1).and_then(|index| ast.styles.get(index)) {
             ranks[at] = Some(rank);
             rank += 1;
-            let Some(base) = own.base.as_ref().filter(|base| base.text != DEFAULT) else { break };
+            let Some(base) = &own.base else { break };
             match numbers.get(base.text.as_str()) {
                 Some(&next) if ranks[next].is_some() => {
                     // The cycle is reported at its first style, whichever style is in force, because it is one
@@ -70,15 +67,5 @@ impl Styles {
     /// The distance of a style from the one in force, 0 being the nearest. `None` for a style that is not a base.
     pub(crate) fn rank(&self, style: u32) -> Option<usize> {
         self.ranks.get(style as usize).copied().flatten()
-    }
-}
-
-/// Returns the number of a style in a file, or else a similar name.
-pub(super) fn position(ast: &Ast, name: &str) -> Result<u32, Option<String>> {
-    let names = || ast.styles.iter().map(|style| style.name.text.as_str());
-    match names().position(|own| own == name) {
-        Some(index) => Ok(index as u32 + 1),
-        None if name == DEFAULT => Ok(0),
-        None => Err(nearest(name, names()).map(str::to_owned)),
     }
 }

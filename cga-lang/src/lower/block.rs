@@ -71,7 +71,7 @@ impl<'c> Lower<'c> {
     }
 
     fn arm<T>(&mut self, selector: &ast::Expr, mode: ArmMode, then: T) -> Arm<T> {
-        let text = self.tokens.text(selector.span, LONGEST_SOURCE);
+        let text = self.tokens.text(selector.span, LONGEST_SOURCE, '\'');
         Arm { selector: self.selector(selector), text, mode, then }
     }
 

@@ -4,7 +4,7 @@ use crate::ir::{Expr, ExprKind, FunctionId, GlobalId, Param, RenewalId, RuleId, 
 use crate::span::Span;
 
 /// The condition that holds in some cases: [`ExprKind::Style`] or [`ExprKind::Site`].
-pub(super) type When = fn(Vec<u32>) -> ExprKind;
+pub(super) type CaseCondition = fn(Vec<u32>) -> ExprKind;
 
 /// A definition that holds in some cases.
 pub(super) struct Variant<T> {
@@ -24,7 +24,7 @@ pub(super) trait Definition: Clone {
     fn steps(&mut self) -> &mut [Step];
 
     /// One definition for all variants.
-    fn merged(variants: Vec<Variant<Self>>, when: When) -> Self;
+    fn merged(variants: Vec<Variant<Self>>, when: CaseCondition) -> Self;
 
     /// Visits every expression without its parts.
     fn exprs(&mut self, visit: &mut dyn FnMut(&mut Expr)) {
@@ -59,7 +59,7 @@ pub(super) trait Definition: Clone {
     }
 
     /// The form of the definition, with references that `refer` has changed.
-    fn form(&self, refer: &mut dyn FnMut(Reference<'_>)) -> Form {
+    fn form(&self, refer: &mut dyn FnMut(Reference<'_>)) -> CanonicalForm {
         let mut own = self.clone();
         own.references(refer);
         own.exprs(&mut |expr| walk::parts_mut(expr, &mut |part| part.span = Span::default()));
@@ -75,13 +75,13 @@ pub(super) trait Definition: Clone {
         });
         let params = own.params().iter().map(|param| (param.name.clone(), param.ty)).collect();
         let values = own.values().into_iter().map(|value| value.clone()).collect();
-        Form { params, values, steps: own.steps().to_vec() }
+        CanonicalForm { params, values, steps: own.steps().to_vec() }
     }
 }
 
 /// The parts of a definition that decide its result, without spans. Definitions with equal forms are one.
 #[derive(PartialEq)]
-pub(super) struct Form {
+pub(super) struct CanonicalForm {
     params: Vec<(String, Type)>,
     values: Vec<Expr>,
     steps: Vec<Step>,

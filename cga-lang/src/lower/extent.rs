@@ -13,7 +13,7 @@ const MOST_PIECES: u64 = 64;
 
 /// The known extents of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Extents {
+struct KnownExtents {
     /// The scope's size along each axis.
     size: [Option<f64>; 3],
     /// The geometry is a box that fills the scope, so parts of it fill their slots.
@@ -22,16 +22,16 @@ struct Extents {
     trimmed: bool,
 }
 
-const NOTHING: Extents = Extents { size: [None; 3], solid: false, trimmed: true };
+const NOTHING: KnownExtents = KnownExtents { size: [None; 3], solid: false, trimmed: true };
 
 /// Of an initial shape, which has no trim planes.
-const INITIAL: Extents = Extents { trimmed: false, ..NOTHING };
+const INITIAL: KnownExtents = KnownExtents { trimmed: false, ..NOTHING };
 
-impl Extents {
+impl KnownExtents {
     /// The join of two paths.
-    fn and(self, other: Extents) -> Extents {
+    fn and(self, other: KnownExtents) -> KnownExtents {
         let both = |axis: usize| self.size[axis].filter(|size| other.size[axis] == Some(*size));
-        Extents {
+        KnownExtents {
             size: [both(0), both(1), both(2)],
             solid: self.solid && other.solid,
             trimmed: self.trimmed || other.trimmed,
@@ -39,8 +39,8 @@ impl Extents {
     }
 
     /// With another scope.
-    fn moved_on(self) -> Extents {
-        Extents { trimmed: self.trimmed, ..NOTHING }
+    fn moved_on(self) -> KnownExtents {
+        KnownExtents { trimmed: self.trimmed, ..NOTHING }
     }
 
     /// Returns true if it always extends along all axes.
@@ -48,16 +48,16 @@ impl Extents {
         self.size.iter().all(|size| size.is_some_and(|size| size != 0.0))
     }
 
-    fn resize(self, args: &[Arg]) -> Extents {
+    fn resize(self, args: &[Arg]) -> KnownExtents {
         let mut size = [None; 3];
         for ((size, arg), old) in size.iter_mut().zip(args).zip(self.size) {
             if let Arg::Length(length) = arg {
                 *size = new_size(length, old);
             }
         }
-        let sized = Extents { size, ..self };
+        let sized = KnownExtents { size, ..self };
         // A box without an extent stays flat.
-        Extents { solid: self.solid && sized.has_room(), ..sized }
+        KnownExtents { solid: self.solid && sized.has_room(), ..sized }
     }
 }
 
@@ -78,7 +78,7 @@ fn constant(size: &Size) -> Option<f64> {
 
 /// Solves what can be solved.
 pub(super) fn solve_known(grammar: &mut Grammar) {
-    let mut entries: Vec<Option<Extents>> = vec![None; grammar.rules.len()];
+    let mut entries: Vec<Option<KnownExtents>> = vec![None; grammar.rules.len()];
     let mut changed: Vec<RuleId> = Vec::new();
     for start in &grammar.starts {
         entries[start.rule.0 as usize] = Some(INITIAL);
@@ -102,7 +102,7 @@ pub(super) fn solve_known(grammar: &mut Grammar) {
 
 /// Follows a shape through steps and solves the splits on the way; calls `hand_on` with what is known of the shapes that
 /// leave them. A rule is followed again when less is known of it, so the last solution stands.
-fn follow(steps: &mut [Step], mut known: Extents, hand_on: &mut dyn FnMut(&Target, Extents)) -> Extents {
+fn follow(steps: &mut [Step], mut known: KnownExtents, hand_on: &mut dyn FnMut(&Target, KnownExtents)) -> KnownExtents {
     for step in steps {
         match step {
             Step::Give(target) | Step::Renew(Renew { target, .. }) => hand_on(target, known),
@@ -112,7 +112,7 @@ fn follow(steps: &mut [Step], mut known: Extents, hand_on: &mut dyn FnMut(&Targe
             }
             Step::Case { arms, otherwise } => {
                 let branches = arms.iter_mut().map(|(_, inner)| inner).chain([otherwise]);
-                let after = branches.map(|inner| follow(inner, known, hand_on)).reduce(Extents::and);
+                let after = branches.map(|inner| follow(inner, known, hand_on)).reduce(KnownExtents::and);
                 known = after.unwrap_or(known);
             }
             step => known = after(step, known),
@@ -122,14 +122,14 @@ fn follow(steps: &mut [Step], mut known: Extents, hand_on: &mut dyn FnMut(&Targe
 }
 
 /// The extents after a step without successors.
-fn after(step: &Step, known: Extents) -> Extents {
+fn after(step: &Step, known: KnownExtents) -> KnownExtents {
     match step {
         Step::Do(row, args) => match row.scope {
             Effect::Keeps => known,
-            Effect::KeepsSize => Extents { solid: false, ..known },
+            Effect::KeepsSize => KnownExtents { solid: false, ..known },
             Effect::Sizes => known.resize(args),
-            Effect::FillsWithBox if known.has_room() => Extents { solid: !known.trimmed, ..known },
-            Effect::Fills if known.has_room() => Extents { solid: false, ..known },
+            Effect::FillsWithBox if known.has_room() => KnownExtents { solid: !known.trimmed, ..known },
+            Effect::Fills if known.has_room() => KnownExtents { solid: false, ..known },
             Effect::Any | Effect::MovesScope | Effect::Extrudes | Effect::FillsWithBox | Effect::Fills => {
                 known.moved_on()
             }
@@ -141,7 +141,7 @@ fn after(step: &Step, known: Extents) -> Extents {
 }
 
 /// Solves the slots of an operation if it can, and hands its parts on.
-fn divide(block: &mut Block, known: Extents, hand_on: &mut dyn FnMut(&Target, Extents)) {
+fn divide(block: &mut Block, known: KnownExtents, hand_on: &mut dyn FnMut(&Target, KnownExtents)) {
     let (axis, adjusts) = (block.axis(), block.adjusts());
     match (&mut block.parts, block.row.braces, axis) {
         (Parts::Slots(slots), Braces::Slots(measure @ (Measure::Length | Measure::Area)), Some(axis)) => {
@@ -157,7 +157,7 @@ fn divide(block: &mut Block, known: Extents, hand_on: &mut dyn FnMut(&Target, Ex
 }
 
 /// The parts in a slot, where they fill their pieces.
-fn part(slots: &Slots, axis: Axis, slot: usize, known: Extents) -> Extents {
+fn part(slots: &Slots, axis: Axis, slot: usize, known: KnownExtents) -> KnownExtents {
     let mut part = known;
     let axis = axis as usize;
     let pieces = slots.solved.as_ref().map_or(&[][..], |solved| &solved.pieces);
@@ -168,7 +168,7 @@ fn part(slots: &Slots, axis: Axis, slot: usize, known: Extents) -> Extents {
 }
 
 /// The solution of a split, where it can be known.
-fn solved(slots: &Slots, axis: Axis, known: Extents) -> Option<Solved> {
+fn solved(slots: &Slots, axis: Axis, known: KnownExtents) -> Option<Solved> {
     let extent = known.size[axis as usize]?.abs();
     let sizes = slots.sizes.iter().map(|size| {
         let value = constant(size)?;

@@ -1,11 +1,11 @@
 //! `id(overrides).Rule(args)`: a rule of an import whose attributes are computed again.
 
 use super::Lower;
-use crate::check::Checked;
 use crate::ir::{GlobalId, Renew, Renewal, RenewalId, Step, Target};
 use crate::link::InstanceId;
 use crate::resolve::tables::Use;
 use crate::syntax::ast::{Arg, Name, Override};
+use std::iter::successors;
 
 impl<'c> Lower<'c> {
     /// Works on a copy: there the attributes and constants of the import get their values, and the rule goes on.
@@ -39,13 +39,7 @@ impl<'c> Lower<'c> {
         if let Some(&known) = self.renewals.get(&target) {
             return known;
         }
-        let below = self.below.take().unwrap_or_else(|| Below::new(self.checked));
-        let needed = |id: GlobalId| {
-            let own = self.out.global(id);
-            own.attr.is_some() || self.is_needed(id) && own.known.is_none()
-        };
-        let globals = below.globals(target, needed);
-        self.below = Some(below);
+        let globals = self.renewed(target);
         for id in &globals {
             self.out.globals[id.0 as usize].is_set = true;
         }
@@ -54,42 +48,18 @@ impl<'c> Lower<'c> {
         self.renewals.insert(target, id);
         id
     }
-}
 
-/// The items and imports of each instance.
-pub(super) struct Below {
-    /// Its attributes and constants, with their places in the order of the program.
-    own: Vec<Vec<(usize, GlobalId)>>,
-    imported: Vec<Vec<InstanceId>>,
-}
-
-impl Below {
-    fn new(checked: &Checked) -> Self {
-        let globals = &checked.globals;
-        let instances = &globals.program.instances;
-        let mut below = Below { own: vec![Vec::new(); instances.len()], imported: vec![Vec::new(); instances.len()] };
-        for (id, instance) in instances.iter().enumerate() {
-            if let Some(parent) = instance.parent {
-                below.imported[parent].push(id);
-            }
-        }
-        for (place, &node) in checked.tables.order.iter().enumerate() {
+    /// The needed attributes and constants of an instance and of what it imports, in an order in which each is ready before it
+    /// is used.
+    fn renewed(&self, target: InstanceId) -> Vec<GlobalId> {
+        let globals = &self.checked.globals;
+        let parent = |id: &InstanceId| globals.program.instances[*id].parent;
+        let is_renewed = |id: &GlobalId| {
+            let node = id.0 as usize;
             let item = globals.attrs.get(node).or_else(|| globals.consts.get(node - globals.attrs.len()));
-            if let Some(item) = item {
-                below.own[item.instance].push((place, GlobalId(node as u32)));
-            }
-        }
-        below
-    }
-
-    /// The needed attributes and constants of an instance and of what it imports.
-    fn globals(&self, target: InstanceId, needed: impl Fn(GlobalId) -> bool) -> Vec<GlobalId> {
-        let (mut found, mut open) = (Vec::new(), vec![target]);
-        while let Some(instance) = open.pop() {
-            found.extend(self.own[instance].iter().filter(|(_, global)| needed(*global)));
-            open.extend(&self.imported[instance]);
-        }
-        found.sort_unstable_by_key(|(place, _)| *place);
-        found.into_iter().map(|(_, global)| global).collect()
+            let is_below = item.is_some_and(|item| successors(Some(item.instance), parent).any(|id| id == target));
+            is_below && (node < globals.attrs.len() || self.is_needed(*id) && self.out.global(*id).known.is_none())
+        };
+        self.checked.tables.order.iter().map(|node| GlobalId(*node as u32)).filter(is_renewed).collect()
     }
 }

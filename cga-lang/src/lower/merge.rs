@@ -7,7 +7,7 @@
 //! References are compared by these numbers, so one pass finds all that differs. A block is a part of its rule: blocks of a name are one
 //! only if they are equal.
 
-use super::definition::{Definition, Form, Reference};
+use super::definition::{CanonicalForm, Definition, Reference};
 use super::variant::variants;
 use crate::graph::{components, is_cycle};
 use crate::ir::{
@@ -18,7 +18,7 @@ use std::hash::Hash;
 
 /// The style that each definition belongs to, by kind. Blocks have none: they follow the rules.
 #[derive(Default)]
-pub(super) struct Owners {
+pub(super) struct DefinitionStyles {
     pub(super) globals: Vec<u32>,
     pub(super) functions: Vec<u32>,
     pub(super) rules: Vec<u32>,
@@ -33,7 +33,7 @@ struct Merged {
 }
 
 /// Merges the styles of a grammar. `init` has the attributes and constants of each style.
-pub(super) fn merge(grammar: &mut Grammar, owners: &Owners, init: &[Vec<GlobalId>]) {
+pub(super) fn merge(grammar: &mut Grammar, owners: &DefinitionStyles, init: &[Vec<GlobalId>]) {
     let globals = globals(&grammar.globals, &owners.globals);
     let functions = functions(&grammar.functions, &owners.functions);
     let declared = &grammar.rules[..owners.rules.len()];
@@ -138,7 +138,7 @@ impl Merged {
     fn blocks(&mut self, rules: &[Rule]) {
         let declared = self.rules.len();
         self.rules.resize(rules.len(), 0);
-        let mut known: HashMap<&str, Vec<(Form, usize)>> = HashMap::new();
+        let mut known: HashMap<&str, Vec<(CanonicalForm, usize)>> = HashMap::new();
         // Blocks in a block come after it. Equal ones have the index of one of them until all are known.
         for (at, rule) in rules.iter().enumerate().skip(declared).rev() {
             let form = rule.form(&mut |reference| self.refer(reference));
@@ -157,7 +157,7 @@ impl Merged {
     /// Merges the definitions of a kind.
     fn definitions<T: Definition>(&self, list: &mut Vec<T>, numbers: &[usize], owners: &[u32]) {
         list.iter_mut().for_each(|it| it.references(&mut |reference| self.refer(reference)));
-        let forms: Vec<Form> = list.iter().map(|it| it.form(&mut |_| {})).collect();
+        let forms: Vec<CanonicalForm> = list.iter().map(|it| it.form(&mut |_| {})).collect();
         let merged = variants(std::mem::take(list), numbers, owners, &forms);
         *list = merged.into_iter().map(|variants| T::merged(variants, ExprKind::Style)).collect();
     }

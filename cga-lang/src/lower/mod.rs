@@ -24,7 +24,7 @@ use crate::resolve::info::RuleInfo;
 use crate::resolve::tables::Use;
 use crate::syntax::ast::{Body, Decl, Name};
 use crate::syntax::token::{Tok, Tokens};
-use merge::Owners;
+use merge::DefinitionStyles;
 use std::collections::HashMap;
 
 /// Longest text of a rule kept for its doc line, in bytes.
@@ -42,9 +42,8 @@ pub(crate) fn lower(checked: &Checked) -> Grammar {
         blocks: HashMap::new(),
         hosts: HashMap::new(),
         renewals: HashMap::new(),
-        below: None,
         known: Folded::default(),
-        owners: Owners::default(),
+        owners: DefinitionStyles::default(),
         init: Vec::new(),
         out: Grammar::default(),
     };
@@ -77,11 +76,9 @@ struct Lower<'c> {
     hosts: HashMap<Key, HostId>,
     /// By instance.
     renewals: HashMap<InstanceId, RenewalId>,
-    /// Created when an import is computed again.
-    below: Option<import::Below>,
     /// Constants and functions whose value is known.
     known: Folded,
-    owners: Owners,
+    owners: DefinitionStyles,
     /// By style: attributes and constants in an order in which each is ready before it is used.
     init: Vec<Vec<GlobalId>>,
     out: Grammar,
@@ -165,7 +162,7 @@ impl<'c> Lower<'c> {
                 name: style.map_or_else(|| item.name.clone(), |style| format!("{style}${}", item.name)),
                 label: item.name.clone(),
                 params: self.declared_params(),
-                source: self.tokens.text(item.decl.span, LONGEST_SOURCE),
+                source: self.tokens.text(item.decl.span, LONGEST_SOURCE, '\''),
                 span: item.decl.name.span,
                 ..Rule::default()
             });

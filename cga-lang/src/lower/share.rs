@@ -7,7 +7,7 @@
 //! References in equal bodies come in the same order, so they are compared by position. Bodies that differ are a `case` on the
 //! site. Definitions with different facts are not shared: code generation must not lose what it knows of one of them.
 
-use super::definition::{Definition, Form, Reference, Variant};
+use super::definition::{CanonicalForm, Definition, Reference, Variant};
 use super::merge::{interned, types};
 use super::variant::{self, variants};
 use crate::ir::facts::Facts;
@@ -15,7 +15,7 @@ use crate::ir::{Expr, ExprKind, Function, FunctionId, GlobalId, Grammar, RuleId,
 use std::collections::HashMap;
 
 /// Definitions by declaration.
-struct Groups {
+struct SiteGroups {
     /// The number of the shared definition for each definition.
     numbers: Vec<usize>,
     /// The site of each definition.
@@ -30,7 +30,8 @@ pub(super) fn share(grammar: &mut Grammar) -> bool {
         return false;
     }
     let (functions, rules) = groups(grammar);
-    let mut shared = Shared { functions: &functions, rules: &rules, readers: HashMap::new(), made: Vec::new() };
+    let mut shared =
+        SharedDefinitions { functions: &functions, rules: &rules, readers: HashMap::new(), made: Vec::new() };
 
     // Values of one site each.
     for global in &mut grammar.globals {
@@ -66,13 +67,13 @@ fn is_repeated(grammar: &Grammar) -> bool {
 }
 
 /// The functions and the rules by declaration.
-fn groups(grammar: &Grammar) -> (Groups, Groups) {
+fn groups(grammar: &Grammar) -> (SiteGroups, SiteGroups) {
     let facts = Facts::new(grammar);
     let functions = grammar.functions.iter().enumerate().map(|(at, it)| {
         let uses = facts.function(FunctionId(at as u32));
         format!("{:?} {:?} {:?} {uses:?} {}", it.span, it.ty, types(&it.params, &it.locals), it.recursive)
     });
-    (Groups::new(functions), Groups::new(rule_keys(grammar, &facts).into_iter()))
+    (SiteGroups::new(functions), SiteGroups::new(rule_keys(grammar, &facts).into_iter()))
 }
 
 /// The keys of rules: the declaration and the types, or the place in the rule around a block.
@@ -110,7 +111,7 @@ fn rule_keys(grammar: &Grammar, facts: &Facts) -> Vec<String> {
     keys
 }
 
-impl Groups {
+impl SiteGroups {
     fn new(keys: impl Iterator<Item = String>) -> Self {
         let numbers = interned(keys);
         let mut members: Vec<Vec<usize>> = Vec::new();
@@ -120,7 +121,7 @@ impl Groups {
             sites.push(members[number].len() as u32);
             members[number].push(at);
         }
-        Groups { numbers, sites, members }
+        SiteGroups { numbers, sites, members }
     }
 
     /// The definitions of each number by site; none for one that is not shared.
@@ -142,20 +143,21 @@ impl Groups {
 }
 
 /// The shared definitions.
-struct Shared<'g> {
-    functions: &'g Groups,
-    rules: &'g Groups,
+struct SharedDefinitions<'g> {
+    functions: &'g SiteGroups,
+    rules: &'g SiteGroups,
     /// Functions that read the value of a site, by the values of all sites.
     readers: HashMap<Vec<u32>, FunctionId>,
     /// These functions. They come after the others.
     made: Vec<Function>,
 }
 
-impl Shared<'_> {
+impl SharedDefinitions<'_> {
     /// Shares the definitions of a kind, and changes their references to shared definitions.
-    fn definitions<T: Definition>(&mut self, list: &mut Vec<T>, groups: &Groups) {
+    fn definitions<T: Definition>(&mut self, list: &mut Vec<T>, groups: &SiteGroups) {
         let items = std::mem::take(list);
-        let forms: Vec<Form> = items.iter().map(|it| it.form(&mut |reference| self.blank(reference))).collect();
+        let forms: Vec<CanonicalForm> =
+            items.iter().map(|it| it.form(&mut |reference| self.blank(reference))).collect();
         let references = items.iter().map(|it| {
             let mut list = Vec::new();
             it.clone().references(&mut |reference| list.push(reference.index()));

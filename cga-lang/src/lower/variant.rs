@@ -3,14 +3,19 @@
 //! They become one definition. Its value is a `case` with one branch for each variant, and so is the body of a rule.
 
 use super::childless;
-use super::definition::{Definition, Form, Variant, When};
+use super::definition::{CanonicalForm, CaseCondition, Definition, Variant};
 use crate::ir::{Expr, ExprKind, Function, Global, Param, Rule, Step, Type, Value, walk};
 use crate::span::Span;
 use std::cmp::Reverse;
 
 /// The definitions of each number: those of one form are one. The last one is that of most cases, and holds otherwise.
-pub(super) fn variants<T>(items: Vec<T>, numbers: &[usize], owners: &[u32], forms: &[Form]) -> Vec<Vec<Variant<T>>> {
-    let mut all: Vec<Vec<(&Form, Variant<T>)>> = Vec::new();
+pub(super) fn variants<T>(
+    items: Vec<T>,
+    numbers: &[usize],
+    owners: &[u32],
+    forms: &[CanonicalForm],
+) -> Vec<Vec<Variant<T>>> {
+    let mut all: Vec<Vec<(&CanonicalForm, Variant<T>)>> = Vec::new();
     for (((own, &number), &case), form) in items.into_iter().zip(numbers).zip(owners).zip(forms) {
         if number == all.len() {
             all.push(Vec::new());
@@ -48,7 +53,7 @@ impl Definition for Global {
         &mut []
     }
 
-    fn merged(variants: Vec<Variant<Global>>, when: When) -> Global {
+    fn merged(variants: Vec<Variant<Global>>, when: CaseCondition) -> Global {
         let own = first(&variants);
         let known = own.known.filter(|_| variants.len() == 1);
         let is_set = variants.iter().any(|variant| variant.own.is_set);
@@ -70,7 +75,7 @@ impl Definition for Function {
         &mut []
     }
 
-    fn merged(mut variants: Vec<Variant<Function>>, when: When) -> Function {
+    fn merged(mut variants: Vec<Variant<Function>>, when: CaseCondition) -> Function {
         let own = first(&variants);
         let (params, locals) = locals(&mut variants, |it| &mut it.locals, when);
         let values = variants.into_iter().map(|it| Variant { cases: it.cases, own: it.own.body });
@@ -91,7 +96,7 @@ impl Definition for Rule {
         &mut self.body
     }
 
-    fn merged(mut variants: Vec<Variant<Rule>>, when: When) -> Rule {
+    fn merged(mut variants: Vec<Variant<Rule>>, when: CaseCondition) -> Rule {
         if variants.len() == 1 {
             return variants.remove(0).own;
         }
@@ -106,7 +111,7 @@ impl Definition for Rule {
 }
 
 /// The value of the case in force; the last one holds otherwise.
-pub(super) fn chosen(mut values: Vec<Variant<Expr>>, when: When) -> Expr {
+pub(super) fn chosen(mut values: Vec<Variant<Expr>>, when: CaseCondition) -> Expr {
     let otherwise = values.pop().expect("each number has a definition").own;
     if values.is_empty() {
         return otherwise;
@@ -116,7 +121,7 @@ pub(super) fn chosen(mut values: Vec<Variant<Expr>>, when: When) -> Expr {
     Expr { kind: ExprKind::Case(arms, Box::new(otherwise)), ty, span }
 }
 
-fn is_case(cases: Vec<u32>, span: Span, when: When) -> Expr {
+fn is_case(cases: Vec<u32>, span: Span, when: CaseCondition) -> Expr {
     Expr { kind: when(cases), ty: Type::Bool, span }
 }
 
@@ -124,7 +129,7 @@ fn is_case(cases: Vec<u32>, span: Span, when: When) -> Expr {
 fn locals<T: Definition>(
     variants: &mut [Variant<T>],
     locals: fn(&mut T) -> &mut Vec<Expr>,
-    when: When,
+    when: CaseCondition,
 ) -> (Vec<Param>, Vec<Expr>) {
     if let [only] = variants {
         return (only.own.params().to_vec(), std::mem::take(locals(&mut only.own)));

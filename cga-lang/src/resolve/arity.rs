@@ -2,6 +2,7 @@
 
 use super::context::Context;
 use crate::diag::code::Code;
+use crate::diag::count;
 use crate::ops::Operation;
 use crate::syntax::ast::Name;
 
@@ -11,19 +12,12 @@ pub(crate) fn counts(counts: impl IntoIterator<Item = usize>) -> String {
     list.sort_unstable();
     list.dedup();
     let Some((last, rest)) = list.split_last() else { return "no arguments".into() };
-    let text = match rest {
-        [] => last.to_string(),
+    match rest {
+        [] => count(*last, "argument"),
         rest => {
             let rest: Vec<String> = rest.iter().map(usize::to_string).collect();
-            format!("{} or {last}", rest.join(", "))
+            format!("{} or {last} arguments", rest.join(", "))
         }
-    };
-    if text == "0" {
-        "no arguments".into()
-    } else if text == "1" {
-        "1 argument".into()
-    } else {
-        format!("{text} arguments")
     }
 }
 

@@ -2,8 +2,9 @@
 //! may break is computed lazily.
 
 use super::context::Context;
-use super::globals::{Init, Item};
+use super::globals::{Globals, Init, Item};
 use super::tables::{Entries, Tables, Use};
+use crate::diag::by_way_of;
 use crate::diag::code::Code;
 use crate::graph::{components, is_cycle};
 use crate::link::InstanceId;
@@ -15,13 +16,13 @@ const MOST_TOLD: usize = 4;
 /// Finds cycles among attributes, constants and functions, and the order in which values can be computed.
 pub(crate) fn find(cx: &mut Context) {
     let items: Vec<&Item> = cx.globals.values().collect();
-    let numbering = Numbering { attrs: cx.globals.attrs.len(), consts: cx.globals.consts.len() };
     let edges: Vec<Vec<usize>> = items
         .iter()
         .map(|item| {
             let mut list = Vec::new();
             for (value, own) in values(item) {
-                needs(value, cx.tables.at(own), numbering, &mut list);
+                let number = |found: Option<Use>| cx.globals.number(found?);
+                cx.tables.at(own).uses(value, &mut |found| list.extend(number(found)));
             }
             if let Init::Flows(outer) = item.init {
                 list.push(outer as usize);
@@ -31,10 +32,10 @@ pub(crate) fn find(cx: &mut Context) {
             list
         })
         .collect();
-    let first_function = numbering.attrs + numbering.consts;
+    let first_function = cx.globals.attrs.len() + cx.globals.consts.len();
     let mut ends = vec![false; items.len()];
     for component in components(&edges) {
-        settle(&component, &items, &cx.tables, numbering, &mut ends);
+        settle(&component, &items, &cx.tables, &cx.globals, &mut ends);
         let cyclic = is_cycle(&component, &edges);
         let is_value = |node: &usize| *node < first_function;
         let endless = component.iter().copied().find(|&node| !ends[node]);
@@ -44,12 +45,9 @@ pub(crate) fn find(cx: &mut Context) {
             let others = component.iter().filter(|&&other| other != node).map(|&other| {
                 // The name is as written in the file of the blamed declaration, or as the main file writes it.
                 let (other, near) = (items[other], items[other].instance == items[node].instance);
-                format!("`{}`", if near { &other.decl.name.text } else { &other.name })
+                if near { &other.decl.name.text } else { &other.name }
             });
-            match others.collect::<Vec<_>>() {
-                others if others.is_empty() => String::new(),
-                others => format!(" by way of {}", others.join(", ")),
-            }
+            by_way_of(others)
         };
         if let (true, Some(node)) = (cyclic, value) {
             let name = &items[node].decl.name;
@@ -92,40 +90,12 @@ fn values<'a>(item: &Item<'a>) -> impl Iterator<Item = (&'a Expr, InstanceId)> {
     locals.into_iter().flatten().chain(item.value())
 }
 
-/// Nodes: attributes, then constants, then functions.
-#[derive(Clone, Copy)]
-struct Numbering {
-    attrs: usize,
-    consts: usize,
-}
-
-impl Numbering {
-    fn node(self, found: Option<Use>) -> Option<usize> {
-        match found? {
-            Use::Attr(index) => Some(index as usize),
-            Use::Const(index) => Some(self.attrs + index as usize),
-            Use::Function(index) => Some(self.attrs + self.consts + index as usize),
-            _ => None,
-        }
-    }
-}
-
-/// Collects the items that an expression uses.
-fn needs(expr: &Expr, names: Entries, numbering: Numbering, list: &mut Vec<usize>) {
-    for part in expr.parts() {
-        needs(part, names, numbering, list);
-    }
-    if let ExprKind::Name(name) | ExprKind::Call(name, _) = &expr.kind {
-        list.extend(numbering.node(names.of(name)));
-    }
-}
-
 /// Marks the declarations of a component that can end: those with a path on which all calls can end.
-fn settle(component: &[usize], items: &[&Item], tables: &Tables, numbering: Numbering, ends: &mut [bool]) {
+fn settle(component: &[usize], items: &[&Item], tables: &Tables, globals: &Globals, ends: &mut [bool]) {
     for _ in component {
         let mut changed = false;
         for &node in component {
-            if !ends[node] && values(items[node]).all(|(value, own)| can_end(value, tables.at(own), numbering, ends)) {
+            if !ends[node] && values(items[node]).all(|(value, own)| can_end(value, tables.at(own), globals, ends)) {
                 ends[node] = true;
                 changed = true;
             }
@@ -136,9 +106,9 @@ fn settle(component: &[usize], items: &[&Item], tables: &Tables, numbering: Numb
     }
 }
 
-fn can_end(expr: &Expr, names: Entries, numbering: Numbering, ends: &[bool]) -> bool {
-    let can = |part: &Expr| can_end(part, names, numbering, ends);
-    let used = |name| numbering.node(names.of(name)).is_none_or(|node| ends[node]);
+fn can_end(expr: &Expr, names: Entries, globals: &Globals, ends: &[bool]) -> bool {
+    let can = |part: &Expr| can_end(part, names, globals, ends);
+    let used = |name| names.of(name).and_then(|found| globals.number(found)).is_none_or(|node| ends[node]);
     match &expr.kind {
         ExprKind::Name(name) => used(name),
         ExprKind::Call(name, args) => used(name) && args.iter().all(can),

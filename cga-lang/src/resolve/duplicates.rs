@@ -3,8 +3,8 @@
 use super::arity;
 use super::context::Context;
 use super::globals::Item;
-use crate::diag::Diags;
 use crate::diag::code::Code;
+use crate::diag::{Diags, count};
 use crate::link::InstanceId;
 use crate::ops::{self, Operation, Param, ParamKind, Run};
 use crate::syntax::ast::{Body, Decl, Role};
@@ -16,7 +16,7 @@ use std::collections::hash_map::Entry;
 /// parameters and locals of a declaration.
 pub(crate) fn values(cx: &mut Context) {
     let diags = &mut *cx.diags;
-    cx.globals.name(|item, what, first| duplicate(diags, item.decl, what, first.decl));
+    cx.globals.name(|item, first| duplicate(diags, item.decl, first.decl));
     for item in cx.globals.items() {
         let inner: Vec<_> = item.decl.inner().collect();
         for (index, name) in inner.iter().enumerate() {
@@ -79,13 +79,13 @@ type Signature<'a> = (InstanceId, u32, &'a str, Vec<Option<Type>>);
 
 /// Reports rules or functions of one name that do not differ in the number or types of parameters.
 pub(crate) fn overloads(cx: &mut Context) {
-    for (items, what) in [(&cx.globals.rules, "rule"), (&cx.globals.functions, "function")] {
+    for items in [&cx.globals.rules, &cx.globals.functions] {
         let mut first: HashMap<Signature<'_>, &Decl> = HashMap::new();
         for item in items.iter().filter(|item| item.home == item.instance) {
             let types = item.types_of_params(&cx.tables);
             match first.entry((item.instance, item.decl.style, &item.decl.name.text, types)) {
                 Entry::Vacant(entry) => _ = entry.insert(item.decl),
-                Entry::Occupied(entry) => duplicate(cx.diags, item.decl, what, entry.get()),
+                Entry::Occupied(entry) => duplicate(cx.diags, item.decl, entry.get()),
             }
         }
     }
@@ -95,30 +95,18 @@ pub(crate) fn overloads(cx: &mut Context) {
 /// 2018.0*).
 pub(crate) fn styles(cx: &mut Context) {
     let roots = &cx.globals.program.roots;
-    if roots.len() < 2 {
-        return;
-    }
-    // Rules have a namespace of their own.
-    let kinds = [
-        (&cx.globals.attrs, "an attribute"),
-        (&cx.globals.consts, "a constant"),
-        (&cx.globals.functions, "a function"),
-    ];
-    let mut groups: HashMap<(&str, usize), Vec<(&Item, &str)>> = HashMap::new();
-    for (items, what) in kinds {
-        for item in items.iter().filter(|item| !item.origin && roots.contains(&item.instance)) {
-            groups.entry((&item.decl.name.text, item.decl.params.len())).or_default().push((item, what));
-        }
-    }
-    for group in groups.into_values() {
-        // Overloads may differ.
-        let overloads = group.windows(2).any(|pair| pair[0].0.instance == pair[1].0.instance);
-        let Some(((first, kind), others)) = group.split_first().filter(|_| !overloads) else { continue };
-        let ty = |item: &Item| item.ty(&cx.tables);
-        for (item, what) in others {
-            let name = &item.decl.name;
-            let message = if kind != what {
-                format!("`{}` is {what} in this style and {kind} in another", name.text)
+    for group in cx.globals.by_style().iter().filter(|group| roots.contains(&group[0].instance)) {
+        let (first, ty) = (group[0], |item: &Item| item.ty(&cx.tables));
+        for item in &group[1..] {
+            let (name, kind, other) = (&item.decl.name, item.decl.body.word(), first.decl.body.word());
+            let article = |kind: &str| if kind == "attribute" { "an" } else { "a" };
+            let message = if kind != other {
+                format!(
+                    "`{}` is {} {kind} in this style and {} {other} in another",
+                    name.text,
+                    article(kind),
+                    article(other)
+                )
             } else if let (Some(own), Some(other)) = (ty(item), ty(first))
                 && own != other
             {
@@ -131,13 +119,12 @@ pub(crate) fn styles(cx: &mut Context) {
     }
 }
 
-fn duplicate(diags: &mut Diags, decl: &Decl, what: &str, first: &Decl) {
+fn duplicate(diags: &mut Diags, decl: &Decl, first: &Decl) {
     let params = match decl.params.len() {
         0 => String::new(),
-        1 => " with 1 parameter".into(),
-        count => format!(" with {count} parameters"),
+        number => format!(" with {}", count(number, "parameter")),
     };
-    let message = format!("{what} `{}`{params} is declared twice", decl.name.text);
+    let message = format!("{} `{}`{params} is declared twice", decl.body.word(), decl.name.text);
     let diag = diags.report(Code::DuplicateName, decl.name.span, message).related("first declared", first.name.span);
     if matches!((&first.body, &decl.body), (Body::Attr(_), Body::Function(_))) && decl.params.is_empty() {
         diag.help(format!("rules give an attribute another value with `set({}, …)`", decl.name.text));

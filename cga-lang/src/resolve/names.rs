@@ -7,8 +7,8 @@ use super::globals::{Init, Kind, builtins};
 use super::habits;
 use super::scope::Scope;
 use super::tables::Use;
-use crate::diag::Detail;
 use crate::diag::code::Code;
+use crate::diag::{Detail, quoted};
 use crate::dialect::Dialect;
 use crate::ops::{self, Function, Needs, ParamKind, Places, Run, Words};
 use crate::span::Span;
@@ -143,35 +143,22 @@ impl<'a> Scope<'_, 'a, '_> {
 
     /// Reports uses that are not implemented yet or are deprecated.
     pub(crate) fn about_later(&mut self, name: &Name, found: Use) {
-        match found {
+        let (name_of, run, about, old) = match found {
             Use::Builtin(Function { needs: Needs::Component, .. }) if self.place.is_none() => {
                 let message = format!("`{}` is only allowed in a selector", name.text);
                 self.cx.diags.report(Code::UnknownFunction, name.span, message).note("it reads a component");
+                return;
             }
-            Use::Builtin(Function { run: Run::Later, about, .. }) => {
-                self.not_implemented(name.span, &format!("`{}`", name.text), Some((&name.text, about)));
-            }
-            Use::Builtin(row) => self.deprecated(name, row.old),
-            Use::Shape(row) => {
-                if row.get == Run::Later {
-                    self.not_implemented(name.span, &format!("`{}`", name.text), None);
-                }
-                self.deprecated(name, row.old);
-            }
-            Use::SetShape(row) => {
-                if row.set == Some(Run::Later) {
-                    self.not_implemented(name.span, &format!("`set` of `{}`", name.text), None);
-                }
-                self.deprecated(name, row.old);
-            }
-            Use::Operation(row) => {
-                if row.run == Run::Later {
-                    self.not_implemented(name.span, &format!("`{}`", name.text), Some((&name.text, row.about)));
-                }
-                self.deprecated(name, row.old);
-            }
-            _ => {}
+            Use::Builtin(row) => ("", row.run, row.about, row.old.filter(|_| row.run != Run::Later)),
+            Use::Shape(row) => ("", row.get, "", row.old),
+            Use::SetShape(row) => ("`set` of ", row.set.unwrap_or(row.get), "", row.old),
+            Use::Operation(row) => ("", row.run, row.about, row.old),
+            _ => return,
+        };
+        if run == Run::Later {
+            self.not_implemented(name.span, &format!("{name_of}`{}`", name.text), Some((&name.text, about)));
         }
+        self.deprecated(name, old);
     }
 
     /// Reports a known feature that is not implemented yet. `about` is its name and its effect.
@@ -231,11 +218,11 @@ impl<'a> Scope<'_, 'a, '_> {
             && !self.cx.globals.program.instances[at].imports.contains_key(first)
         {
             let all = ops::all_functions().map(|row| row.name).filter(|name| name.split('.').next() == Some(first));
-            let mut all: Vec<String> = all.map(|name| format!("`{name}`")).collect();
+            let mut all: Vec<&str> = all.collect();
             all.dedup();
             match all.is_empty() {
                 true => diag.note(format!("there is no import `{first}`")),
-                false => diag.note(format!("there are {}", all.join(", "))),
+                false => diag.note(format!("there are {}", quoted(all))),
             };
         }
     }
@@ -243,11 +230,9 @@ impl<'a> Scope<'_, 'a, '_> {
     /// The numbers of arguments that functions with a name take.
     fn takes(&self, name: &str) -> Vec<usize> {
         let globals = &self.cx.globals;
-        let own =
-            globals.functions(self.at, name).iter().map(|index| globals.functions[*index as usize].decl.params.len());
-        let own: Vec<usize> = own.collect();
+        let own = globals.functions(self.at, name).iter().map(|index| &globals.functions[*index as usize]);
         let rows = ops::functions(name).flat_map(|row| ops::required(row.params)..=row.params.len());
-        own.into_iter().chain(rows).chain(conversion(name).map(|_| 1)).collect()
+        own.map(|item| item.decl.params.len()).chain(rows).chain(conversion(name).map(|_| 1)).collect()
     }
 
     fn call(&mut self, name: &'a Name, args: &'a [Expr]) {
@@ -306,12 +291,8 @@ impl<'a> Scope<'_, 'a, '_> {
     /// Resolves a call whose words do not fit any row.
     fn other_words(&mut self, name: &Name, rows: &[&'static Function], args: &'a [Expr]) {
         let all: Vec<&Expr> = args.iter().collect();
-        if let Some(row) = rows.iter().find(|row| self.computes_words(row.params, &all)) {
-            for (param, arg) in row.params.iter().zip(args) {
-                self.computed_word(&param.kind, arg);
-            }
-            self.note_later(name);
-            return self.note(name, Use::Builtin(row));
+        if self.computed(name, rows, |row| (row.params, Use::Builtin(row)), &all) {
+            return;
         }
         let row = rows[0];
         for (param, arg) in row.params.iter().zip(args) {

@@ -3,11 +3,11 @@
 use super::context::Context;
 use super::globals::Kind;
 use super::tables::Use;
-use crate::diag::Level;
 use crate::diag::code::Code;
-use crate::link::{InstanceId, Layer};
+use crate::diag::{Level, count};
+use crate::link::InstanceId;
 use crate::suggest::nearest;
-use crate::syntax::ast::{Decl, Override, Role};
+use crate::syntax::ast::{Decl, Name, Override, Role};
 use std::collections::HashSet;
 
 pub(crate) fn check(cx: &mut Context) {
@@ -16,15 +16,10 @@ pub(crate) fn check(cx: &mut Context) {
         for (index, layer) in instance.layers.iter().enumerate() {
             // The earlier layers belong to the static import, which is an instance of its own.
             if index + 1 == instance.layers.len() {
-                layer_of(cx, id, layer);
+                list_of(cx, id, program.overrides(layer).unwrap_or_default());
             }
         }
     }
-}
-
-fn layer_of(cx: &mut Context, id: InstanceId, layer: &Layer) {
-    let list = cx.globals.program.overrides(layer).unwrap_or_default();
-    list_of(cx, id, list);
 }
 
 /// Checks the overrides of an instance.
@@ -52,7 +47,7 @@ pub(crate) fn list_of(cx: &mut Context, id: InstanceId, list: &[Override]) {
     }
 }
 
-fn attribute(cx: &mut Context, id: InstanceId, name: &crate::syntax::ast::Name) {
+fn attribute(cx: &mut Context, id: InstanceId, name: &Name) {
     match cx.globals.value(id, &name.text) {
         // *CGA changelog 2023.0*: no longer allowed. Older files keep their meaning.
         Some(Use::Attr(_)) if name.text.contains('.') => {
@@ -82,7 +77,7 @@ fn extension(cx: &mut Context, id: InstanceId, own: &Decl) {
             let message = format!(
                 "extension `{}` has {}, but this has {}",
                 name.text,
-                parameters(extension.params.len()),
+                count(extension.params.len(), "parameter"),
                 own.params.len()
             );
             cx.diags.report(Code::ArgumentCount, name.span, message).related("declared", extension.name.span);
@@ -101,13 +96,5 @@ fn extension(cx: &mut Context, id: InstanceId, own: &Decl) {
     } else {
         let message = format!("the imported file has no rule `{}`", name.text);
         cx.diags.report_as(Code::UndefinedRule, Level::Error, name.span, message).suggest(near);
-    }
-}
-
-fn parameters(count: usize) -> String {
-    match count {
-        0 => "no parameters".into(),
-        1 => "1 parameter".into(),
-        count => format!("{count} parameters"),
     }
 }

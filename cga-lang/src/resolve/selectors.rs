@@ -3,25 +3,14 @@
 use super::arity::wrong_count;
 use super::scope::Scope;
 use super::tables::Use;
-use crate::diag::Diag;
 use crate::diag::code::Code;
+use crate::diag::{Diag, quoted};
 use crate::ops::{self, Places, Selector};
 use crate::suggest::nearest;
-use crate::syntax::ast::{Arm, ArmMode, Binary, CompValue, Expr, ExprKind, Name, SplitItem, Unary};
+use crate::syntax::ast::{Arm, ArmMode, Binary, CompValue, Expr, ExprKind, Name, Unary};
 
 impl<'a> Scope<'_, 'a, '_> {
-    pub(crate) fn items(&mut self, items: &'a [SplitItem]) {
-        for item in items {
-            match item {
-                SplitItem::Slot(size, ops) => {
-                    self.expr(&size.value);
-                    self.ops(ops);
-                }
-                SplitItem::Group(items, _) => self.items(items),
-            }
-        }
-    }
-
+    /// Resolves the selector of an arm.
     pub(crate) fn arm(&mut self, arm: &'a Arm, place: Places) {
         if place.connects() {
             self.index(&arm.selector);
@@ -31,7 +20,6 @@ impl<'a> Scope<'_, 'a, '_> {
             let message = "only `comp` and `modify` take `=:`";
             self.cx.diags.report(Code::Syntax, arm.selector.span, message).help("write `:` or `=`");
         }
-        self.ops(&arm.ops);
     }
 
     /// Resolves `comp(f) { selector : value }`.
@@ -83,8 +71,7 @@ impl<'a> Scope<'_, 'a, '_> {
                 None => _ = self.wrong_selector(name, place, &format!("unknown selector `{}`", name.text)),
             },
             _ => {
-                let here = ops::selectors().filter(|row| row.on.has(place)).map(|row| format!("`{}`", row.name));
-                let here = here.collect::<Vec<_>>().join(", ");
+                let here = quoted(ops::selectors().filter(|row| row.on.has(place)).map(|row| row.name));
                 let message = "a selector is a word here, not an index or a condition";
                 self.cx.diags.report(Code::UnknownSelector, selector.span, message).note(format!("there are {here}"));
             }
@@ -147,7 +134,7 @@ impl<'a> Scope<'_, 'a, '_> {
 
     fn wrong_selector(&mut self, name: &Name, place: Places, message: &str) -> &mut Diag {
         let here = || ops::selectors().filter(|row| row.on.has(place) && row.old.is_none()).map(|row| row.name);
-        let all: Vec<String> = here().filter(|name| !name.contains('.')).map(|name| format!("`{name}`")).collect();
+        let all = quoted(here().filter(|name| !name.contains('.')));
         let longer = here().find(|row| row.rsplit_once('.').is_some_and(|(_, last)| last == name.text));
         let near = longer.or_else(|| nearest(&name.text, here()).filter(|near| *near != name.text));
         let by_name =
@@ -157,6 +144,6 @@ impl<'a> Scope<'_, 'a, '_> {
             return diag
                 .help(format!("to find a component by name, write `findFirst(geometry.{list}, \"{}\")`", name.text));
         }
-        diag.suggest(near).note(format!("there are {}", all.join(", ")))
+        diag.suggest(near).note(format!("there are {all}"))
     }
 }

@@ -14,6 +14,7 @@ use crate::ops::{self, Braces, Operation, Param, ParamKind, Places, Run};
 use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
+use crate::syntax::walk::Part;
 use crate::types::Type;
 
 /// The maximum number of declarations of a rule that a message names.
@@ -86,29 +87,25 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     fn op(&mut self, op: &'a Op) {
+        // The selectors of its arms.
+        let mut place = Places::NONE;
         match &op.kind {
-            OpKind::Leaf(_) | OpKind::Nil | OpKind::Error => {}
             // The unreadable text may be an argument, so the number of arguments is unknown.
             OpKind::Call(_, args) if self.has_unread(op.span) => args.iter().for_each(|arg| self.expr(&arg.value)),
             OpKind::Call(name, args) if name.text == "set" => self.set(name, args),
             OpKind::Call(name, args) => self.shape_call(name, args),
             OpKind::Dynamic { import, overrides, rule, args } => self.dynamic(import, overrides, rule, args),
             OpKind::Path(_, args) => self.values(args),
-            OpKind::Push(ops) => self.ops(ops),
-            OpKind::Block(block) => self.block(block),
-            OpKind::Case(arms, otherwise) => {
-                for (condition, ops) in arms {
-                    self.expr(condition);
-                    self.ops(ops);
-                }
-                self.ops(otherwise);
-            }
-            OpKind::Chance(arms, otherwise) => {
-                self.percentages(arms.iter().map(|(percent, _)| percent));
-                for (_, ops) in arms {
-                    self.ops(ops);
-                }
-                self.ops(otherwise);
+            OpKind::Block(block) => place = self.block(block),
+            OpKind::Chance(arms, _) => self.percentages(arms.iter().map(|(percent, _)| percent)),
+            OpKind::Leaf(_) | OpKind::Nil | OpKind::Push(_) | OpKind::Case(..) | OpKind::Error => {}
+        }
+        for part in op.parts() {
+            match part {
+                Part::Size(arg) | Part::Length(arg) => self.expr(&arg.value),
+                Part::Depth(value) | Part::Condition(value) => self.expr(value),
+                Part::Arm(arm) => self.arm(arm, place),
+                Part::Ops(ops) => self.ops(ops),
             }
         }
     }
@@ -171,26 +168,19 @@ impl<'a> Scope<'_, 'a, '_> {
     /// Resolves a call whose words do not fit any row: they are computed, or they are wrong.
     fn wrong_words(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) {
         let values: Vec<&'a Expr> = args.iter().map(|arg| &arg.value).collect();
-        let Some(row) = rows.iter().find(|row| self.computes_words(row.params, &values)) else {
-            if self.swapped(name, rows, args) {
-                return;
-            }
-            let before = self.cx.diags.so_far().len();
-            self.operation(&rows[..1], args);
-            if let [first, second] = args
-                && let Some(number) = decimal(first, second)
-                && ops::operations(&name.text).any(|row| row.takes(1))
-            {
-                let first = self.cx.diags.so_far().get_mut(before);
-                first.map(|diag| diag.help(format!("write `{number}`: a number has a decimal point")));
-            }
+        if self.computed(name, rows, |row| (row.params, Use::Operation(row)), &values) || self.swapped(name, rows, args)
+        {
             return;
-        };
-        for (param, value) in row.params.iter().zip(values) {
-            self.computed_word(&param.kind, value);
         }
-        self.note_later(name);
-        self.note(name, Use::Operation(row));
+        let before = self.cx.diags.so_far().len();
+        self.operation(&rows[..1], args);
+        if let [first, second] = args
+            && let Some(number) = decimal(first, second)
+            && ops::operations(&name.text).any(|row| row.takes(1))
+        {
+            let first = self.cx.diags.so_far().get_mut(before);
+            first.map(|diag| diag.help(format!("write `{number}`: a number has a decimal point")));
+        }
     }
 
     fn needs_braces(&mut self, name: &Name, row: &Operation) {
@@ -242,16 +232,14 @@ impl<'a> Scope<'_, 'a, '_> {
             return;
         }
         let inline = self.dialect() == Dialect::Inline;
-        let habit = habits::step(text);
-        let (message, near) = if habit.is_some() && others.is_empty() {
-            (format!("there is no rule `{text}`"), None)
-        } else if others.is_empty() {
+        let habit = habits::step(text).filter(|_| others.is_empty());
+        let (mut message, mut near) = (format!("there is no rule `{text}`"), None);
+        if !others.is_empty() {
+            message = format!("rule `{text}` takes {}, got {count}", counts(others.iter().copied()));
+        } else if habit.is_none() {
             let others = ops::all_operations().map(|row| row.name).chain(["set", "NIL"]);
-            let near = globals.meant(at, text, Kind::Rules, others);
-            (format!("there is no rule `{text}`"), near.or_else(|| globals.leaf(at, text)))
-        } else {
-            (format!("rule `{text}` takes {}, got {count}", counts(others.iter().copied())), None)
-        };
+            near = globals.meant(at, text, Kind::Rules, others).or_else(|| globals.leaf(at, text));
+        }
         let level = if inline { Level::Error } else { Level::Warning };
         let is_value = self.lookup(text).is_some() && count == 0;
         let diag = self.cx.diags.report_as(Code::UndefinedRule, level, name.span, message);
@@ -259,7 +247,7 @@ impl<'a> Scope<'_, 'a, '_> {
             diag.note(format!("it becomes a leaf named `{text}`"));
         }
         diag.suggest(near);
-        if let Some(help) = habit.filter(|_| others.is_empty()) {
+        if let Some(help) = habit {
             diag.help(help);
         }
         if !declared.is_empty() {
@@ -321,29 +309,15 @@ impl<'a> Scope<'_, 'a, '_> {
         true
     }
 
-    /// Resolves an operation with braces.
-    fn block(&mut self, block: &'a Block) {
+    /// Resolves the name and arguments of an operation with braces. Returns the selectors of its arms.
+    fn block(&mut self, block: &'a Block) -> Places {
         let all = likely(block);
         let rows: Vec<_> = all.iter().copied().filter(|row| row.takes(block.args.len())).collect();
         if !has_error(&block.args) {
             self.block_args(block, &all, &rows);
         }
         let first = block.args.first().and_then(|arg| arg.value.word());
-        let place = rows.first().or(all.first()).map_or(Places::NONE, |row| row.places(first));
-        for part in &block.parts {
-            match part {
-                BlockPart::Slots(items, _) => self.items(items),
-                BlockPart::Sections(list, _) => {
-                    for section in list {
-                        self.expr(&section.length.value);
-                        self.expr(&section.depth);
-                        self.ops(&section.ops);
-                    }
-                }
-                BlockPart::Arms(arms) => arms.iter().for_each(|arm| self.arm(arm, place)),
-                BlockPart::Ops(list) => list.iter().for_each(|ops| self.ops(ops)),
-            }
-        }
+        rows.first().or(all.first()).map_or(Places::NONE, |row| row.places(first))
     }
 
     /// Resolves the arguments of an operation with braces. `all` are its rows, `rows` those with the right number of
@@ -421,7 +395,7 @@ impl<'a> Scope<'_, 'a, '_> {
             ExprKind::Name(attr) => self.set_name(name, &attr.text, attr.span),
             // A word in text means the bare word, if it is known.
             ExprKind::Call(sel, words) if sel.text == "sel" => match words.as_slice() {
-                [Expr { kind: ExprKind::Text(text), span }] => self.set_name(name, text, *span),
+                [Expr { kind: ExprKind::Text(text), span, .. }] => self.set_name(name, text, *span),
                 _ => {
                     words.iter().for_each(|word| self.expr(word));
                     self.not_implemented(name.span, "`set` of an attribute whose name is computed", None);

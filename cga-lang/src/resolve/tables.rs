@@ -5,7 +5,7 @@ use crate::hash::FastMap;
 use crate::ir::AttrInfo;
 use crate::link::{InstanceId, Key};
 use crate::ops::{Function, Operation, ShapeAttr};
-use crate::syntax::ast::Name;
+use crate::syntax::ast::{Expr, ExprKind, Name};
 use crate::types::Type;
 use std::collections::{HashMap, HashSet};
 
@@ -86,6 +86,14 @@ impl Entries<'_> {
     /// The meaning of a name.
     pub(crate) fn of(self, name: &Name) -> Option<Use> {
         self.tables.uses.get(&(self.own, name.id())).copied()
+    }
+
+    /// Calls `visit` with the meaning of each name in an expression.
+    pub(crate) fn uses(self, expr: &Expr, visit: &mut dyn FnMut(Option<Use>)) {
+        if let ExprKind::Name(name) | ExprKind::Call(name, _) = &expr.kind {
+            visit(self.of(name));
+        }
+        expr.parts().into_iter().for_each(|part| self.uses(part, visit));
     }
 
     /// The type of a declared name.

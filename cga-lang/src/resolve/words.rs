@@ -5,6 +5,7 @@ use super::arity::wrong_count;
 use super::scope::Scope;
 use super::tables::Use;
 use crate::diag::code::Code;
+use crate::diag::{RELATIVE, quoted};
 use crate::dialect::Dialect;
 use crate::ops::{self, Operation, Param, ParamKind, Words};
 use crate::span::Span;
@@ -37,9 +38,27 @@ fn best(rows: &[&'static Operation], words: &[Option<&str>]) -> Vec<&'static Ope
 }
 
 impl<'a> Scope<'_, 'a, '_> {
+    /// Resolves a call of the first row whose words are computed in a run, and returns true if there is one.
+    pub(crate) fn computed<R: Copy>(
+        &mut self,
+        name: &Name,
+        rows: &[R],
+        row: impl Fn(R) -> (&'static [Param], Use),
+        args: &[&'a Expr],
+    ) -> bool {
+        let found = rows.iter().map(|own| row(*own)).find(|(params, _)| self.computes_words(params, args));
+        let Some((params, found)) = found else { return false };
+        for (param, arg) in params.iter().zip(args) {
+            self.computed_word(&param.kind, arg);
+        }
+        self.note_later(name);
+        self.note(name, found);
+        true
+    }
+
     /// Returns true if every word of a row is among the arguments or is computed in a run, and at least one word is
     /// computed.
-    pub(crate) fn computes_words(&mut self, params: &[Param], args: &[&Expr]) -> bool {
+    fn computes_words(&mut self, params: &[Param], args: &[&Expr]) -> bool {
         let mut computed = false;
         for (param, arg) in params.iter().zip(args) {
             if !matches!(param.kind, ParamKind::Word(_)) || arg.word().is_some_and(|word| param.kind.has_word(word)) {
@@ -59,7 +78,8 @@ impl<'a> Scope<'_, 'a, '_> {
         let text = self.dialect() == Dialect::Text;
         match &arg.kind {
             ExprKind::Call(name, args) if name.text == "sel" => args.len() == 1 && arg.word().is_none(),
-            ExprKind::Name(name) => text && matches!(self.lookup(&name.text), Some(found) if !is_shape(found)),
+            // `scope.sx` is not a word, and its value is not one either.
+            ExprKind::Name(name) => text && !matches!(self.lookup(&name.text), None | Some(Use::Shape(_))),
             ExprKind::Call(..) | ExprKind::Case(..) | ExprKind::Chance(..) | ExprKind::Index(..) => text,
             ExprKind::Binary(crate::syntax::ast::Binary::Add, ..) => text,
             _ => false,
@@ -72,7 +92,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let words = [word(second), word(first)];
         let Some(row) = rows.iter().find(|row| row.words(&words).is_some()) else { return false };
         let text = |arg: &Arg| {
-            let text = self.cx.globals.program.tokens.quoted(arg.span, LONGEST);
+            let text = self.cx.globals.program.tokens.text(arg.span, LONGEST, RELATIVE);
             text.strip_prefix("- ").map_or(text.clone(), |rest| format!("-{rest}"))
         };
         let meant = format!("{}({}, {})", name.text, text(second), text(first));
@@ -87,7 +107,7 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     /// Resolves the parts of computed words, and reports that they are not implemented yet.
-    pub(crate) fn computed_word(&mut self, kind: &ParamKind, arg: &'a Expr) {
+    fn computed_word(&mut self, kind: &ParamKind, arg: &'a Expr) {
         if !matches!(kind, ParamKind::Word(_)) {
             return self.expr(arg);
         }
@@ -120,7 +140,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let words: Vec<&str> = words.current().collect();
         let message = format!("`{}` needs a word in parentheses", name.text);
         let diag = self.cx.diags.report(unknown, name.span, message);
-        diag.note(format!("it takes `{}`", words.join("`, `")));
+        diag.note(format!("it takes {}", quoted(&words)));
         diag.help(format!("write `{}({})`", name.text, words.first().unwrap_or(&"")));
         true
     }
@@ -156,7 +176,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let Some(first) = words.first() else { return };
         let list = words.iter().copied().flat_map(Words::current);
         let shown = if found.is_empty() { "this".into() } else { format!("`{found}`") };
-        let all = list.clone().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
+        let all = quoted(list.clone());
         let is_word = list.clone().any(|word| word == found);
         let shown = if is_word { "text".into() } else { shown };
         let diag = self.cx.diags.report(first.unknown, span, format!("{shown} is not a word of `{name}`"));
@@ -167,9 +187,4 @@ impl<'a> Scope<'_, 'a, '_> {
             diag.suggest(nearest(found, list));
         }
     }
-}
-
-/// Returns true if a name belongs to the shape: `scope.sx` is not a word, and its value is not one either.
-fn is_shape(found: Use) -> bool {
-    matches!(found, Use::Shape(_))
 }

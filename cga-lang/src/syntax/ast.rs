@@ -5,6 +5,9 @@
 
 use crate::span::Span;
 
+/// The style of everything before the first `style`.
+pub(crate) const DEFAULT: &str = "Default";
+
 /// A grammar as written.
 #[derive(Clone, Debug, Default)]
 pub struct Ast {
@@ -292,6 +295,15 @@ pub struct Expr {
     pub kind: ExprKind,
     /// Its place.
     pub span: Span,
+    /// The height of its tree. Code that walks the tree must not overflow the stack.
+    pub depth: u32,
+}
+
+impl Expr {
+    /// The place of an expression that could not be read, which was reported.
+    pub(crate) fn error(span: Span) -> Expr {
+        Expr { kind: ExprKind::Error, span, depth: 1 }
+    }
 }
 
 /// The kinds of expressions.

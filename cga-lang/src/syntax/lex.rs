@@ -40,7 +40,7 @@ pub fn lex_joined(text: &str, borders: &[usize]) -> Lexed {
         let (end, next) = (ranges[left].end, ranges.get(left + 1).map(|next| next.start));
         next == Some(end) && borders.binary_search(&end).is_err()
     };
-    lexer.tokens.join_rule_names(|dot| touch(dot - 1) && touch(dot));
+    lexer.tokens.join_names(|dot| touch(dot - 1) && touch(dot));
     Lexed { tokens: lexer.tokens, ranges: lexer.ranges, diags: lexer.diags.finish() }
 }
 

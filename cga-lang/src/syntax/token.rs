@@ -35,7 +35,7 @@ pub enum Tok {
     Doc(String),
     /// Punctuation.
     Sym(Sym),
-    /// The dot in the name of a declared rule, without white space on either side. It counts as [`Sym::Dot`].
+    /// A dot between two names, without white space on either side. It counts as [`Sym::Dot`].
     Joint,
     /// Text that the source could not read and has reported. The parser passes over it.
     Bad,
@@ -90,6 +90,17 @@ symbols! {
     Tilde "~" "`~`: floating size.",
     Quote "'" "`'` or `^`: relative size.",
     At "@" "`@`: begins an annotation.",
+}
+
+impl Sym {
+    /// Returns true for an operator, which has an operand after it and may have a dot before it.
+    pub(crate) fn is_operator(self) -> bool {
+        use Sym::{
+            AndAnd, Bang, EqEq, Greater, GreaterEq, Less, LessEq, Minus, NotEq, OrOr, Percent, Plus, Slash, Star,
+        };
+        [AndAnd, Bang, EqEq, Greater, GreaterEq, Less, LessEq, Minus, NotEq, OrOr, Percent, Plus, Slash, Star]
+            .contains(&self)
+    }
 }
 
 impl Tok {
@@ -174,54 +185,17 @@ impl Tokens {
         (self.list.len() - 1) as u32
     }
 
-    /// Joins the names of declared rules. `is_close` returns true if the token at an index touches the tokens on both
-    /// sides.
-    pub fn join_rule_names(&mut self, mut is_close: impl FnMut(usize) -> bool) {
-        for arrow in 0..self.list.len() {
-            if !self.list[arrow].is(Sym::Arrow) {
-                continue;
-            }
-            let Some(mut name) = self.name_before(arrow) else { continue };
-            while let [.., Tok::Ident(_), Tok::Sym(Sym::Dot)] = self.list[..name]
-                && is_close(name - 1)
+    /// Marks the dots between two names without white space. `is_close` returns true if the token at an index touches
+    /// the tokens on both sides.
+    pub fn join_names(&mut self, mut is_close: impl FnMut(usize) -> bool) {
+        for dot in 1..self.list.len() {
+            if let [Tok::Ident(_), Tok::Sym(Sym::Dot), Tok::Ident(_)] =
+                self.list[dot - 1..].get(..3).unwrap_or_default()
+                && is_close(dot)
             {
-                self.list[name - 1] = Tok::Joint;
-                name -= 2;
+                self.list[dot] = Tok::Joint;
             }
         }
-    }
-
-    /// The last part of the name that a rule's arrow belongs to. The name precedes parameters and local values.
-    fn name_before(&self, arrow: usize) -> Option<usize> {
-        let mut at = arrow.checked_sub(1)?;
-        // Local values, then parameters.
-        for _ in 0..2 {
-            if !self.list[at].is(Sym::RParen) {
-                break;
-            }
-            let mut open = 0_u32;
-            loop {
-                match &self.list[at] {
-                    Tok::Sym(Sym::RParen) => open += 1,
-                    Tok::Sym(Sym::LParen) => open -= 1,
-                    Tok::Sym(Sym::Arrow) => return None,
-                    _ => {}
-                }
-                at = at.checked_sub(1)?;
-                if open == 0 {
-                    break;
-                }
-            }
-            if self.list[at].ident() == Some("with") {
-                at = at.checked_sub(1)?;
-            }
-        }
-        self.list[at].ident().map(|_| at)
-    }
-
-    /// Appends other tokens.
-    pub fn extend(&mut self, other: &Tokens) {
-        self.list.extend_from_slice(&other.list);
     }
 
     /// Appends other tokens, without a copy if the list is empty.
@@ -248,17 +222,9 @@ impl Tokens {
         &self.list
     }
 
-    /// The tokens of a span as one line of CGA text, shortened to `limit` bytes.
-    pub fn text(&self, span: Span, limit: usize) -> String {
-        self.line(span, limit, '\'')
-    }
-
-    /// The tokens of a span for the line of a diagnostic.
-    pub(crate) fn quoted(&self, span: Span, limit: usize) -> String {
-        self.line(span, limit, RELATIVE)
-    }
-
-    fn line(&self, span: Span, limit: usize, relative: char) -> String {
+    /// The tokens of a span as one line of CGA text, shortened to `limit` bytes. `relative` is the sign of relative
+    /// sizes.
+    pub fn text(&self, span: Span, limit: usize, relative: char) -> String {
         let mut out = String::new();
         let mut before: Option<&Tok> = None;
         // True if the previous token is the dot of an operator like `.+`.
@@ -269,7 +235,10 @@ impl Tokens {
             if matches!(token, Tok::Doc(_) | Tok::Bad) {
                 continue;
             }
-            let begins = token.is(Sym::Dot) && self.list[..to].get(from + at + 1).is_some_and(is_operator);
+            let begins = token.is(Sym::Dot)
+                && self.list[..to]
+                    .get(from + at + 1)
+                    .is_some_and(|next| matches!(next, Tok::Sym(sym) if sym.is_operator()));
             if begins || (!dotted && before.is_some_and(|before| spaced(before, token))) {
                 out.push(' ');
             }
@@ -289,13 +258,6 @@ impl FromIterator<Tok> for Tokens {
     fn from_iter<I: IntoIterator<Item = Tok>>(iter: I) -> Self {
         Tokens { list: iter.into_iter().collect() }
     }
-}
-
-/// Returns true for an operator that may have a dot before it.
-fn is_operator(token: &Tok) -> bool {
-    use Sym::{AndAnd, Bang, EqEq, Greater, GreaterEq, Less, LessEq, Minus, NotEq, OrOr, Percent, Plus, Slash, Star};
-    let all = [AndAnd, Bang, EqEq, Greater, GreaterEq, Less, LessEq, Minus, NotEq, OrOr, Percent, Plus, Slash, Star];
-    matches!(token, Tok::Sym(sym) if all.contains(sym))
 }
 
 /// Returns true if a space belongs between two tokens.

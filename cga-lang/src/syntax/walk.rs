@@ -1,6 +1,6 @@
 //! The parts of expressions and operations of a tree.
 
-use crate::syntax::ast::{BlockPart, Expr, ExprKind, Op, OpKind, SplitItem};
+use crate::syntax::ast::{Arg, Arm, BlockPart, Expr, ExprKind, Op, OpKind, Section, SplitItem};
 
 impl Expr {
     /// The expressions it is made of, in the order of evaluation.
@@ -33,27 +33,42 @@ impl Expr {
     }
 }
 
+/// A part of an operation.
+pub enum Part<'a> {
+    /// The size of a slot.
+    Size(&'a Arg),
+    /// The length of a section.
+    Length(&'a Arg),
+    /// The depth of a section.
+    Depth(&'a Expr),
+    /// The condition of a branch.
+    Condition(&'a Expr),
+    /// An arm, whose operations are the next part.
+    Arm(&'a Arm),
+    /// A sequence of operations.
+    Ops(&'a [Op]),
+}
+
 impl Op {
-    /// The sequences of operations inside it, in writing order.
-    pub fn bodies(&self) -> Vec<&[Op]> {
+    /// The expressions and operations inside it, without its arguments, in writing order.
+    pub fn parts(&self) -> Vec<Part<'_>> {
         let mut list = Vec::new();
         match &self.kind {
-            OpKind::Push(inner) => list.push(inner.as_slice()),
-            OpKind::Block(block) => {
-                for part in &block.parts {
-                    match part {
-                        BlockPart::Slots(items, _) => slots(items, &mut list),
-                        BlockPart::Sections(all, _) => list.extend(all.iter().map(|section| section.ops.as_slice())),
-                        BlockPart::Arms(arms) => list.extend(arms.iter().map(|arm| arm.ops.as_slice())),
-                        BlockPart::Ops(sides) => list.extend(sides.iter().map(Vec::as_slice)),
-                    }
-                }
-            }
+            OpKind::Push(inner) => list.push(Part::Ops(inner)),
+            OpKind::Block(block) => block.parts.iter().for_each(|part| match part {
+                BlockPart::Slots(items, _) => slots(items, &mut list),
+                BlockPart::Sections(all, _) => list.extend(all.iter().flat_map(|Section { length, depth, ops }| {
+                    [Part::Length(length), Part::Depth(depth), Part::Ops(ops)]
+                })),
+                BlockPart::Arms(arms) => list.extend(arms.iter().flat_map(|arm| [Part::Arm(arm), Part::Ops(&arm.ops)])),
+                BlockPart::Ops(sides) => list.extend(sides.iter().map(|ops| Part::Ops(ops))),
+            }),
             OpKind::Case(arms, otherwise) => {
-                list.extend(arms.iter().map(|(_, inner)| inner.as_slice()).chain([otherwise.as_slice()]));
+                list.extend(arms.iter().flat_map(|(condition, ops)| [Part::Condition(condition), Part::Ops(ops)]));
+                list.push(Part::Ops(otherwise));
             }
             OpKind::Chance(arms, otherwise) => {
-                list.extend(arms.iter().map(|(_, inner)| inner.as_slice()).chain([otherwise.as_slice()]));
+                list.extend(arms.iter().map(|(_, ops)| ops).chain([otherwise]).map(|ops| Part::Ops(ops)));
             }
             OpKind::Call(..)
             | OpKind::Dynamic { .. }
@@ -64,12 +79,17 @@ impl Op {
         }
         list
     }
+
+    /// The sequences of operations inside it, in writing order.
+    pub fn bodies(&self) -> impl Iterator<Item = &[Op]> {
+        self.parts().into_iter().filter_map(|part| if let Part::Ops(ops) = part { Some(ops) } else { None })
+    }
 }
 
-fn slots<'a>(items: &'a [SplitItem], list: &mut Vec<&'a [Op]>) {
+fn slots<'a>(items: &'a [SplitItem], list: &mut Vec<Part<'a>>) {
     for item in items {
         match item {
-            SplitItem::Slot(_, inner) => list.push(inner),
+            SplitItem::Slot(size, ops) => list.extend([Part::Size(size), Part::Ops(ops)]),
             SplitItem::Group(inner, _) => slots(inner, list),
         }
     }
@@ -79,6 +99,6 @@ fn slots<'a>(items: &'a [SplitItem], list: &mut Vec<&'a [Op]>) {
 pub fn ops<'a>(list: &'a [Op], visit: &mut dyn FnMut(&'a Op)) {
     for op in list {
         visit(op);
-        op.bodies().into_iter().for_each(|inner| ops(inner, visit));
+        op.bodies().for_each(|inner| ops(inner, visit));
     }
 }

@@ -358,7 +358,7 @@ fn value(known: &Value) -> String {
         Value::Bool(truth) => truth.to_string(),
         Value::Text(text) => {
             let token: Tokens = std::iter::once(Tok::Str(text.clone())).collect();
-            token.text(Span::one(0), usize::MAX)
+            token.text(Span::one(0), usize::MAX, '\'')
         }
         Value::Array(rows) => {
             let row = |row: &Vec<Value>| row.iter().map(value).collect::<Vec<_>>().join(", ");

@@ -79,5 +79,5 @@ impl Printer<'_> {
 /// Appends a string in quotes.
 fn push_quoted(out: &mut String, text: &str) {
     let token: Tokens = std::iter::once(Tok::Str(text.to_owned())).collect();
-    out.push_str(&token.text(Span { first: 0, last: 0 }, usize::MAX));
+    out.push_str(&token.text(Span { first: 0, last: 0 }, usize::MAX, '\''));
 }

@@ -27,12 +27,12 @@ const UNCOUNTED: u64 = 10_000;
 const COMPONENTS: u64 = 100;
 
 /// The functions that ask.
-pub(super) struct Calls {
+pub(super) struct StackChecks {
     /// By function: the bytes of stack that it requests, if it does.
     asks: Vec<Option<u32>>,
 }
 
-impl Calls {
+impl StackChecks {
     pub(super) fn new(functions: &[Function]) -> Self {
         let own: Vec<u32> = functions.iter().map(frame::function).collect();
         let calls: Vec<Vec<usize>> = functions.iter().map(walk::called_functions).collect();
@@ -70,7 +70,7 @@ impl Calls {
                 }
             }
         }
-        Calls { asks }
+        StackChecks { asks }
     }
 
     /// The bytes of stack that a function requests before it runs, if it does.
@@ -94,7 +94,7 @@ mod tests {
     use cga_lang::compile::compile_text;
 
     fn asks(rules: &str) -> Vec<Option<u32>> {
-        Calls::new(&compile_text(rules).compiled.grammar.expect("good rules").functions).asks
+        StackChecks::new(&compile_text(rules).compiled.grammar.expect("good rules").functions).asks
     }
 
     #[test]

@@ -9,7 +9,7 @@ use super::names::{Taken, ident};
 use crate::source::Source;
 
 /// A public field.
-pub(super) struct Field<'g> {
+pub(super) struct AttrField<'g> {
     /// The attribute, as the style `Default` has it.
     pub(super) global: &'g Global,
     /// Its annotations.
@@ -21,44 +21,35 @@ pub(super) struct Field<'g> {
 }
 
 /// The fields of a grammar, in the order of its attributes.
-pub(super) fn of<'g>(grammar: &'g Grammar, source: &Source) -> Vec<Field<'g>> {
+pub(super) fn of<'g>(grammar: &'g Grammar, source: &Source) -> Vec<AttrField<'g>> {
     let (mut taken, mut numbers) = (Taken::default(), HashMap::new());
-    let mut fields: Vec<Field<'g>> = Vec::new();
+    let mut fields: Vec<AttrField<'g>> = Vec::new();
     for global in grammar.globals.iter().filter(|global| global.public) {
         let Some(attr) = &global.attr else { continue };
         if let Some(&number) = numbers.get(&global.name) {
-            let field: &mut Field<'g> = &mut fields[number];
+            let field: &mut AttrField<'g> = &mut fields[number];
             field.known = field.known.filter(|known| global.known.as_ref() == Some(*known));
             continue;
         }
         numbers.insert(&global.name, fields.len());
         let name = ident(&taken.field(&global.name), source.token(global.span.first));
-        fields.push(Field { global, attr, name, known: global.known.as_ref() });
+        fields.push(AttrField { global, attr, name, known: global.known.as_ref() });
     }
     fields
 }
 
 /// The fields by the names of their attributes.
-pub(super) fn by_name<'f, 'g>(fields: &'f [Field<'g>]) -> HashMap<&'g str, &'f Field<'g>> {
+pub(super) fn by_name<'f, 'g>(fields: &'f [AttrField<'g>]) -> HashMap<&'g str, &'f AttrField<'g>> {
     fields.iter().map(|field| (field.global.name.as_str(), field)).collect()
 }
 
-impl Field<'_> {
-    /// The value of a field without `Option`, converted for the rules.
-    pub(super) fn plain(&self) -> TokenStream {
+impl AttrField<'_> {
+    /// The value of the field, converted for the rules; an `Option` without a known default.
+    pub(super) fn value(&self) -> TokenStream {
         let name = &self.name;
         match self.global.ty {
             Type::Float | Type::Bool => code!(self.#name),
-            Type::Text => code!(cga_rt::text(&self.#name)),
-            _ => code!(::core::clone::Clone::clone(&self.#name)),
-        }
-    }
-
-    /// The value of a field that is an `Option`.
-    pub(super) fn optional(&self) -> TokenStream {
-        let name = &self.name;
-        match self.global.ty {
-            Type::Float | Type::Bool => code!(self.#name),
+            Type::Text if self.known.is_some() => code!(cga_rt::text(&self.#name)),
             Type::Text => code!(self.#name.as_deref().map(cga_rt::text)),
             _ => code!(::core::clone::Clone::clone(&self.#name)),
         }
@@ -66,8 +57,8 @@ impl Field<'_> {
 }
 
 /// Reading and writing by number, for `dyn Grammar`.
-pub(super) fn arms(fields: &[Field<'_>]) -> (Vec<TokenStream>, Vec<TokenStream>) {
-    let arm = |(number, field): (usize, &Field<'_>)| {
+pub(super) fn arms(fields: &[AttrField<'_>]) -> (Vec<TokenStream>, Vec<TokenStream>) {
+    let arm = |(number, field): (usize, &AttrField<'_>)| {
         let (number, name) = (Literal::usize_unsuffixed(number), &field.name);
         (
             code!(#number => cga_rt::Field::get(&self.#name),),

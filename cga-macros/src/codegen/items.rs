@@ -8,7 +8,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 
 use super::access::Access;
 use super::expr::is_one_of;
-use super::fields::Field;
+use super::fields::AttrField;
 use super::public::captured;
 use super::rule::given;
 use super::state::stream;
@@ -234,10 +234,10 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
 }
 
 /// Evaluates the attributes and constants of the style in force.
-fn initial_values(cx: &Generator<'_>, fields: &HashMap<&str, &Field<'_>>) -> TokenStream {
+fn initial_values(cx: &Generator<'_>, fields: &HashMap<&str, &AttrField<'_>>) -> TokenStream {
     let style = cx.asks_for_style().then(|| code!(g.style = style;));
     let lazy = cx.grammar.init.iter().filter(|init| cx.is_lazy(init.global));
-    let given = lazy.filter_map(|init| cx.lazy_given(init.global, field(cx, fields, init.global)));
+    let given = lazy.filter_map(|init| Some(cx.lazy_given(init.global, field(cx, fields, init.global)?)));
     let values = cx.grammar.init.chunk_by(|a, b| a.styles == b.styles).map(|inits| {
         let values = inits.iter().map(|own| init(cx, fields, own.global));
         match &inits[0].styles {
@@ -252,13 +252,17 @@ fn initial_values(cx: &Generator<'_>, fields: &HashMap<&str, &Field<'_>>) -> Tok
 }
 
 /// The field of an attribute that has one.
-fn field<'f, 'g>(cx: &Generator<'_>, fields: &HashMap<&str, &'f Field<'g>>, id: GlobalId) -> Option<&'f Field<'g>> {
+fn field<'f, 'g>(
+    cx: &Generator<'_>,
+    fields: &HashMap<&str, &'f AttrField<'g>>,
+    id: GlobalId,
+) -> Option<&'f AttrField<'g>> {
     let global = cx.grammar.global(id);
     fields.get(global.name.as_str()).copied().filter(|_| global.public)
 }
 
 /// Evaluates one attribute or constant.
-fn init(cx: &Generator<'_>, fields: &HashMap<&str, &Field<'_>>, id: GlobalId) -> TokenStream {
+fn init(cx: &Generator<'_>, fields: &HashMap<&str, &AttrField<'_>>, id: GlobalId) -> TokenStream {
     if cx.is_lazy(id) {
         let value = cx.lazy_value(id, &code!(&g), &code!(env));
         return code!(cga_rt::computed(#value););
@@ -277,11 +281,11 @@ fn init(cx: &Generator<'_>, fields: &HashMap<&str, &Field<'_>>, id: GlobalId) ->
     };
     match field {
         Some(field) if field.known.is_some() => {
-            let given = field.plain();
+            let given = field.value();
             code!(g.#target = #given;)
         }
         Some(field) => {
-            let given = field.optional();
+            let given = field.value();
             code! {
                 g.#target = match #given {
                     ::core::option::Option::Some(value) => value,

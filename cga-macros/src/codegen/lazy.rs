@@ -5,9 +5,9 @@ use cga_lang::ir::{Global, GlobalId};
 use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
-use super::fields::Field;
+use super::fields::AttrField;
 use super::state::stream;
-use super::{Generator, frame, inner_type, local};
+use super::{Generator, frame, hygienic, inner_type, local};
 
 impl Generator<'_> {
     /// Returns true if it is computed on its first read.
@@ -60,20 +60,10 @@ impl Generator<'_> {
         code!(CgaValues::#name(#g, #env))
     }
 
-    /// The value before any is computed: the one that the host program gave, else none.
-    pub(super) fn lazy_given(&self, global: GlobalId, field: Option<&Field<'_>>) -> Option<TokenStream> {
-        let name = self.global_name(global);
-        let field = field?;
-        let value = match field.known {
-            Some(_) => {
-                let value = field.plain();
-                code!(cga_rt::Lazy::known(#value))
-            }
-            None => {
-                let value = field.optional();
-                code!(cga_rt::Lazy::given(#value))
-            }
-        };
-        Some(code!(g.#name = #value;))
+    /// The value before any is computed: the one that the host program gave, if it did.
+    pub(super) fn lazy_given(&self, global: GlobalId, field: &AttrField<'_>) -> TokenStream {
+        let (name, value) = (self.global_name(global), field.value());
+        let state = hygienic(if field.known.is_some() { "known" } else { "given" });
+        code!(g.#name = cga_rt::Lazy::#state(#value);)
     }
 }

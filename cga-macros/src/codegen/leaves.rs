@@ -9,14 +9,14 @@ use proc_macro2::{Literal, TokenStream};
 use super::site;
 
 /// The names of all leaves of a grammar, in the order of the rules.
-pub(super) struct Leaves {
+pub(super) struct LeafNames {
     names: Vec<String>,
     numbers: HashMap<String, u32>,
 }
 
-impl Leaves {
+impl LeafNames {
     pub(super) fn new(grammar: &Grammar) -> Self {
-        let mut leaves = Leaves { names: Vec::new(), numbers: HashMap::new() };
+        let mut leaves = LeafNames { names: Vec::new(), numbers: HashMap::new() };
         for rule in &grammar.rules {
             if rule.leaf != Childless::Never {
                 labels(rule).into_iter().for_each(|label| leaves.add(label));

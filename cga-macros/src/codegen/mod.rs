@@ -45,11 +45,11 @@ pub(crate) use public::{Public, PublicAttr, public};
 struct Generator<'a> {
     grammar: &'a Grammar,
     source: &'a Source,
-    names: names::Names,
+    names: names::ItemNames,
     /// The numbers of rules for trails, by rule: that of its first site.
     numbers: Vec<u32>,
-    plan: stack::Plan,
-    calls: calls::Calls,
+    plan: stack::StackPlan,
+    calls: calls::StackChecks,
     /// True if `#` values are captured, as in the expression form.
     captured: bool,
     /// The required type of each `#` value.
@@ -59,18 +59,18 @@ struct Generator<'a> {
     /// The attributes of renewals, by name.
     renewed: Vec<String>,
     facts: Facts,
-    leaves: leaves::Leaves,
-    templates: templates::Templates,
-    paints: RefCell<site::Paints>,
+    leaves: leaves::LeafNames,
+    templates: templates::TemplatePlan,
+    paints: RefCell<site::MaterialChanges>,
 }
 
 /// Writes a grammar.
 pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Output {
-    let (names, plan) = (names::Names::new(grammar), stack::Plan::new(grammar));
-    let calls = calls::Calls::new(&grammar.functions);
+    let (names, plan) = (names::ItemNames::new(grammar), stack::StackPlan::new(grammar));
+    let calls = calls::StackChecks::new(&grammar.functions);
     let (hosts, renewed) = (host_types(grammar), state::renewed(grammar));
-    let (facts, leaves) = (Facts::new(grammar), leaves::Leaves::new(grammar));
-    let templates = templates::Templates::new(grammar, &facts, &plan);
+    let (facts, leaves) = (Facts::new(grammar), leaves::LeafNames::new(grammar));
+    let templates = templates::TemplatePlan::new(grammar, &facts, &plan);
     let cx = Generator {
         grammar,
         source,
@@ -115,10 +115,9 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
     };
     let public = Public {
         attrs: fields::of(grammar, source).iter().map(PublicAttr::of).collect(),
-        captures: cx.hosts.clone(),
+        captures: if cx.captured { cx.hosts.clone() } else { Vec::new() },
         hidden: Some(hidden),
     };
-    let public = if cx.captured { public } else { Public { captures: Vec::new(), ..public } };
     let captures = grammar.hosts.iter().zip(&cx.hosts).map(|(host, ty)| (host.handle, Some(*ty))).collect();
     Output { code: public::public(&public, header), captures }
 }

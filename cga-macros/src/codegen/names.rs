@@ -6,18 +6,18 @@ use cga_lang::ir::{FunctionId, Grammar, RuleId};
 use proc_macro2::{Ident, Span};
 
 /// One name for each rule and function.
-pub(super) struct Names {
+pub(super) struct ItemNames {
     rules: Vec<String>,
     functions: Vec<String>,
 }
 
-impl Names {
+impl ItemNames {
     pub(super) fn new(grammar: &Grammar) -> Self {
         let mut taken = Taken::default();
         // Written rules first: they keep their names, and overloads and blocks give way.
         let rules = grammar.rules.iter().map(|rule| taken.numbered(&rule.name)).collect();
         let functions = grammar.functions.iter().map(|function| taken.numbered(&function.name)).collect();
-        Names { rules, functions }
+        ItemNames { rules, functions }
     }
 
     /// The function of a rule, with the span of a use.

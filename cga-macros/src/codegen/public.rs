@@ -1,10 +1,10 @@
 //! The public struct: its fields, defaults and methods.
 
-use cga_lang::editor::public_names;
+use cga_lang::editor::public_names::PublicName;
 use cga_lang::ir::{Type, Value};
 use proc_macro2::{Ident, TokenStream};
 
-use super::fields::Field;
+use super::fields::AttrField;
 use super::names::{Taken, ident};
 use super::{local, types};
 use crate::header::Header;
@@ -29,7 +29,7 @@ pub(crate) struct PublicAttr {
 }
 
 impl PublicAttr {
-    pub(super) fn of(field: &Field<'_>) -> Self {
+    pub(super) fn of(field: &AttrField<'_>) -> Self {
         let (global, attr) = (field.global, field.attr);
         let about = if attr.doc.is_empty() { String::new() } else { format!("\n\n{}", attr.doc) };
         let default = match field.known {
@@ -47,7 +47,7 @@ impl PublicAttr {
 
 impl PublicAttr {
     /// Of a grammar with errors: a number, where nothing better is known.
-    pub(crate) fn known_so_far(attr: &public_names::Attr, source: &Source, taken: &mut Taken) -> Self {
+    pub(crate) fn known_so_far(attr: &PublicName, source: &Source, taken: &mut Taken) -> Self {
         let known = attr.known.clone().unwrap_or_else(|| types::nothing(attr.ty));
         PublicAttr {
             name: ident(&taken.field(&attr.name), source.token(attr.span.first)),

@@ -20,7 +20,7 @@ pub(super) fn functions(cx: &Generator<'_>) -> TokenStream {
 
 /// The rule that contains the steps.
 #[derive(Clone, Copy)]
-struct Body<'a> {
+struct InRule<'a> {
     id: RuleId,
     rule: &'a Rule,
 }
@@ -62,7 +62,7 @@ impl Generator<'_> {
             }
             Childless::Never => Tail::default(),
         };
-        let steps = self.steps(&rule.body, Body { id, rule }, 0, &tail);
+        let steps = self.steps(&rule.body, InRule { id, rule }, 0, &tail);
         let (enter, leave) = (self.enter(rule, id), leave(rule));
         code! {
             #doc
@@ -145,7 +145,7 @@ impl Generator<'_> {
     }
 
     /// The statements of steps. `number` counts the children made so far, and `tail` follows on every path.
-    fn steps(&self, steps: &[Step], body: Body<'_>, mut number: u32, tail: &Tail) -> TokenStream {
+    fn steps(&self, steps: &[Step], body: InRule<'_>, mut number: u32, tail: &Tail) -> TokenStream {
         let mut code = TokenStream::new();
         let mut rest = steps;
         while let Some((step, behind)) = rest.split_first() {
@@ -260,7 +260,7 @@ impl Generator<'_> {
     fn branches(
         &self,
         (arms, otherwise): (&[(Expr, Vec<Step>)], &[Step]),
-        body: Body<'_>,
+        body: InRule<'_>,
         number: u32,
         tail: &Tail,
     ) -> TokenStream {
@@ -272,7 +272,7 @@ impl Generator<'_> {
     }
 
     /// A step that makes children. After the last one nothing reads the shape.
-    fn step(&self, step: &Step, body: Body<'_>, number: u32, is_last: bool) -> TokenStream {
+    fn step(&self, step: &Step, body: InRule<'_>, number: u32, is_last: bool) -> TokenStream {
         let made = (body.rule.leaf == Childless::Depends).then(|| code!(childless = false;));
         let child = Literal::u32_unsuffixed(number);
         match step {

@@ -10,7 +10,7 @@ use super::{Generator, hygienic, local};
 
 /// Changes of the material that are the same in the whole run, or at a site.
 #[derive(Default)]
-pub(super) struct Paints {
+pub(super) struct MaterialChanges {
     /// By text and count of sites: the first number and the function.
     known: HashMap<(String, usize), (u32, TokenStream)>,
     /// The next number.

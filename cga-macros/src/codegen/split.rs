@@ -8,7 +8,7 @@ use super::access::Access;
 use super::{Generator, hygienic, local, site, templates};
 
 /// A split with what its slots have in common.
-struct Slots<'s> {
+struct SplitContext<'s> {
     slots: &'s ir::Slots,
     rule: RuleId,
     axis: TokenStream,
@@ -18,7 +18,7 @@ struct Slots<'s> {
     in_place: bool,
 }
 
-impl Slots<'_> {
+impl SplitContext<'_> {
     /// The runtime's function of that name: one that becomes part of the rule, else the one that is compiled once.
     fn function(&self, name: &str) -> Ident {
         if self.in_place { hygienic(name) } else { hygienic(&format!("any_{name}")) }
@@ -58,7 +58,7 @@ impl Generator<'_> {
         };
         let is_counted = slots.targets.iter().any(|target| self.facts.target(target).total);
         let total = if is_counted { code!(cga_rt::Row::total(&pieces)) } else { code!(0) };
-        let slots = Slots { slots, rule, axis, is_list, in_place };
+        let slots = SplitContext { slots, rule, axis, is_list, in_place };
         let statements = self.items(&slots, &slots.slots.pattern, At::default(), false);
         let (axis, number) = (&slots.axis, Literal::u32_unsuffixed(number));
         let (new, end) = (hygienic(if in_place { "new" } else { "any" }), slots.function("end"));
@@ -90,7 +90,7 @@ impl Generator<'_> {
     }
 
     /// The statements of a part of the pattern.
-    fn items(&self, slots: &Slots<'_>, pattern: &[Item], mut at: At, in_group: bool) -> TokenStream {
+    fn items(&self, slots: &SplitContext<'_>, pattern: &[Item], mut at: At, in_group: bool) -> TokenStream {
         let mut code = TokenStream::new();
         let mut rest = pattern;
         while let Some((item, behind)) = rest.split_first() {
@@ -134,7 +134,7 @@ impl Generator<'_> {
     }
 
     /// The statement of a slot.
-    fn slot(&self, slots: &Slots<'_>, slot: usize, in_group: bool) -> TokenStream {
+    fn slot(&self, slots: &SplitContext<'_>, slot: usize, in_group: bool) -> TokenStream {
         let (axis, [part, leaf, skip]) = (&slots.axis, ["part", "leaf", "skip"].map(|name| slots.function(name)));
         let number = Literal::usize_unsuffixed(slot);
         match &slots.slots.targets[slot] {
@@ -173,12 +173,12 @@ impl Generator<'_> {
     }
 
     /// The rule that is repeated from a template if the slot is in a group.
-    fn root(&self, slots: &Slots<'_>, slot: usize) -> Option<RuleId> {
+    fn root(&self, slots: &SplitContext<'_>, slot: usize) -> Option<RuleId> {
         templates::root(&slots.slots.targets[slot], slots.rule, &self.facts, &self.plan)
     }
 
     /// Runs a rule on a part that repeats; of type `Flow`.
-    fn repeat(&self, rule: RuleId, target: &Target, slots: &Slots<'_>, slot: usize) -> TokenStream {
+    fn repeat(&self, rule: RuleId, target: &Target, slots: &SplitContext<'_>, slot: usize) -> TokenStream {
         let Target::Rule { sites, span, .. } = target else { return TokenStream::new() };
         let name = self.rule(rule, self.source.token(span.first));
         let number = Literal::u32_unsuffixed(self.templates.places(sites.len().max(1) as u32));

@@ -30,17 +30,17 @@ pub(super) struct Ask {
 }
 
 /// The calls that ask.
-pub(super) struct Plan {
+pub(super) struct StackPlan {
     asks: HashMap<(RuleId, RuleId), Ask>,
     may_wait: Vec<bool>,
 }
 
-impl Plan {
+impl StackPlan {
     pub(super) fn new(grammar: &Grammar) -> Self {
         let rules = &grammar.rules;
         let calls = calls(grammar, |_| true);
         let own: Vec<u32> = rules.iter().map(frame::rule).collect();
-        let mut plan = Plan { asks: HashMap::new(), may_wait: vec![false; rules.len()] };
+        let mut plan = StackPlan { asks: HashMap::new(), may_wait: vec![false; rules.len()] };
         // The rules of a cycle have one reach.
         let mut reach: Vec<u32> = own.clone();
         // Every group after all that call it.
@@ -90,7 +90,7 @@ mod tests {
     /// The calls that ask, as `caller → callee: levels, stack`.
     fn asks(rules: &str) -> Vec<String> {
         let grammar = compile_text(rules).compiled.grammar.expect("good rules");
-        let plan = Plan::new(&grammar);
+        let plan = StackPlan::new(&grammar);
         let name = |rule: &RuleId| grammar.rules[rule.0 as usize].name.clone();
         let line = |((from, to), ask): (&(RuleId, RuleId), &Ask)| {
             format!("{} → {}: {}, {}", name(from), name(to), ask.levels, ask.stack)

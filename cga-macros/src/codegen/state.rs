@@ -6,7 +6,7 @@ use cga_lang::ir::{ExprKind, Global, GlobalId, Grammar, Renew, Type};
 use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
-use super::fields::Field;
+use super::fields::AttrField;
 use super::types::{self, cloned};
 use super::{Generator, inner_type, local};
 
@@ -199,17 +199,14 @@ impl Generator<'_> {
     }
 
     /// Fills them.
-    pub(super) fn hold_fields(&self, fields: &HashMap<&str, &Field<'_>>) -> TokenStream {
+    pub(super) fn hold_fields(&self, fields: &HashMap<&str, &AttrField<'_>>) -> TokenStream {
         let held = self.renewed.iter().enumerate().filter_map(|(number, name)| {
             let (own, field) = (local("field_", number), fields.get(name.as_str())?);
-            let value = match field.known {
-                Some(_) => {
-                    let value = field.plain();
-                    code!(::core::option::Option::Some(#value))
-                }
-                None => field.optional(),
-            };
-            Some(code!(g.#own = #value;))
+            let value = field.value();
+            Some(match field.known {
+                Some(_) => code!(g.#own = ::core::option::Option::Some(#value);),
+                None => code!(g.#own = #value;),
+            })
         });
         held.collect()
     }

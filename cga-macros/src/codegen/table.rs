@@ -3,16 +3,16 @@
 use cga_lang::ir::{AttrInfo, ChoiceValues, Choices, Grammar, Presentation, Range, Start, Value};
 use proc_macro2::TokenStream;
 
-use super::fields::Field;
+use super::fields::AttrField;
 use super::types::{self, value};
 
 /// Returns true if a run has to check the value of the field.
-pub(super) fn is_restricted(field: &Field<'_>) -> bool {
+pub(super) fn is_restricted(field: &AttrField<'_>) -> bool {
     field.attr.held_to_range().is_some() || field.attr.held_to_choices().is_some()
 }
 
 /// A row of the attribute table.
-pub(super) fn attribute(field: &Field<'_>, grammar: &Grammar) -> TokenStream {
+pub(super) fn attribute(field: &AttrField<'_>, grammar: &Grammar) -> TokenStream {
     let attr = field.attr;
     let (name, kind) = (&field.global.name, types::variant(field.global.ty));
     let default = match field.known {

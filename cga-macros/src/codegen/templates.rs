@@ -7,10 +7,10 @@ use cga_lang::ir::facts::Facts;
 use cga_lang::ir::walk;
 use cga_lang::ir::{Block, Grammar, Item, Parts, RuleId, Step, Target};
 
-use super::stack::Plan;
+use super::stack::StackPlan;
 
 /// The templates of a grammar.
-pub(super) struct Templates {
+pub(super) struct TemplatePlan {
     /// Calls that are left out while a template is made: from a rule to another.
     holes: HashSet<(RuleId, RuleId)>,
     /// Rules that are left out somewhere.
@@ -19,8 +19,8 @@ pub(super) struct Templates {
     places: Cell<u32>,
 }
 
-impl Templates {
-    pub(super) fn new(grammar: &Grammar, facts: &Facts, plan: &Plan) -> Self {
+impl TemplatePlan {
+    pub(super) fn new(grammar: &Grammar, facts: &Facts, plan: &StackPlan) -> Self {
         let is_open = |from: RuleId, to: RuleId| !facts.rule(to).own_rigid || plan.step(from, to).is_some();
         let mut todo: Vec<RuleId> = Vec::new();
         for (at, rule) in grammar.rules.iter().enumerate() {
@@ -46,7 +46,7 @@ impl Templates {
             }
         }
         let left_out = holes.iter().map(|(_, rule)| *rule).collect();
-        Templates { holes, left_out, places: Cell::new(0) }
+        TemplatePlan { holes, left_out, places: Cell::new(0) }
     }
 
     /// Returns true if a call may be met while a template is made, and is left out then.
@@ -68,7 +68,7 @@ impl Templates {
 }
 
 /// The rule of a slot in a group, if a template can be made of it: a rigid one without arguments that never waits.
-pub(super) fn root(target: &Target, from: RuleId, facts: &Facts, plan: &Plan) -> Option<RuleId> {
+pub(super) fn root(target: &Target, from: RuleId, facts: &Facts, plan: &StackPlan) -> Option<RuleId> {
     match target {
         Target::Rule { rule, args, .. } if args.is_empty() && facts.rule(*rule).own_rigid => {
             plan.step(from, *rule).is_none().then_some(*rule)

@@ -11,11 +11,11 @@ use super::rules::{Host, Places, Source};
 
 /// Reads inline rules. `end` is the place of diagnostics if there are no tokens.
 pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
-    let mut reader = Reader::default();
+    let mut reader = InlineReader::default();
     reader.stream(stream);
     reader.report_lifetimes();
     let spans = &reader.spans;
-    reader.tokens.join_rule_names(|dot| {
+    reader.tokens.join_names(|dot| {
         spans
             .get(dot + 1)
             .is_some_and(|next| is_close(spans[dot - 1].1, spans[dot].0) && is_close(spans[dot].1, next.0))
@@ -26,7 +26,7 @@ pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
 }
 
 #[derive(Default)]
-struct Reader {
+struct InlineReader {
     tokens: Tokens,
     /// Where each token begins and ends: a symbol or path of ours can be several tokens of Rust.
     spans: Vec<(Span, Span)>,
@@ -37,7 +37,7 @@ struct Reader {
     diags: Diags,
 }
 
-impl Reader {
+impl InlineReader {
     fn push(&mut self, token: Tok, first: Span, last: Span) -> TokenSpan {
         self.spans.push((first, last));
         TokenSpan::one(self.tokens.push(token))
@@ -174,18 +174,15 @@ impl Reader {
                 let at = self.push(Tok::Bad, first, last);
                 self.diags.report(Code::BadNumber, at, "this number is too large");
             }
-            Err(_) => match number_and_unit(written) {
-                Some(value) => {
-                    let at = self.push(Tok::Number(value), first, last);
-                    let diag = self.diags.report(Code::BadNumber, at, format!("`{written}` is no number in CGA"));
-                    diag.note(NO_UNITS).help(format!("write `{value}`"));
-                }
-                None => {
-                    let at = self.push(Tok::Bad, first, last);
-                    let diag = self.diags.report(Code::BadNumber, at, format!("`{written}` is no number in CGA"));
-                    diag.help("write it in digits, like `12` or `0.5`");
-                }
-            },
+            Err(_) => {
+                let value = number_and_unit(written);
+                let at = self.push(value.map_or(Tok::Bad, Tok::Number), first, last);
+                let diag = self.diags.report(Code::BadNumber, at, format!("`{written}` is no number in CGA"));
+                match value {
+                    Some(value) => diag.note(NO_UNITS).help(format!("write `{value}`")),
+                    None => diag.help("write it in digits, like `12` or `0.5`"),
+                };
+            }
         }
     }
 

@@ -61,7 +61,7 @@ pub(crate) fn face_edges(
     when: &mut When<'_>,
 ) -> ControlFlow<(), Vec<Option<u32>>> {
     let parts = AssignedComponents::of(env, shape, Components::FaceEdges, Align::ZUp, arms, when)?;
-    let mut edges = vec![None; parts.owners.len()];
+    let mut edges = vec![None; parts.owners.0.len()];
     for arm in 0..arms.len() {
         parts.owners.of(arm as u16).for_each(|edge| edges[edge as usize] = Some(arm as u32));
     }

@@ -1,5 +1,6 @@
 //! The components that conditions test.
 
+use super::part::Component;
 use super::select::{Sense, Subcomponent, Word};
 use super::source::ComponentSource;
 use crate::comp::orientation::Looks;
@@ -58,17 +59,9 @@ impl<'c> Candidate<'c> {
         let Candidate { source, parent, number, shape, .. } = self;
         shape.get_or_insert_with(|| {
             let part = source.kept(parent, &[*number as u32], false);
-            Shape {
-                scope: part.scope,
-                pivot: part.pivot,
-                geometry: part.geometry,
-                seed: parent.seed.child(Tag::Candidate, *number as u32),
-                split: parent.split,
-                comp: Counter::NONE,
-                selector: parent.selector,
-                trims: parent.trims.clone(),
-                state: parent.state.clone(),
-            }
+            let seed = parent.seed.child(Tag::Candidate, *number as u32);
+            let Component { scope, pivot, geometry } = part;
+            Shape { scope, pivot, geometry, seed, comp: Counter::NONE, ..Shape::clone(parent) }
         })
     }
 }

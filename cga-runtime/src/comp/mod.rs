@@ -178,11 +178,10 @@ impl<'s> AssignedComponents<'s> {
             }
         }
         let source = ComponentSource::of(env, shape, components, align, arms)?;
-        let count = source.len();
         let parent = shape;
         let looks = Looks::of(env, parent);
         let mut as_roof = Vec::new();
-        let owners = Owners::choose(count, |number| {
+        let choose = |number| {
             let mut candidate = Candidate::new(&source, &looks, parent, number);
             let arm = arms.iter().enumerate().position(|(arm, Arm { select, .. })| {
                 candidate.as_roof = false;
@@ -200,7 +199,8 @@ impl<'s> AssignedComponents<'s> {
                 as_roof[arm] = true;
             }
             arm.map(|arm| arm as u16)
-        });
+        };
+        let owners = Owners((0..source.len()).map(choose).collect());
         let trims = match &source {
             // *comp operation*: only faces, and only with `:`.
             ComponentSource::Mesh(parts)

@@ -5,42 +5,16 @@ use std::collections::HashMap;
 use super::source::ComponentSource;
 use crate::geometry::disjoint::DisjointSets;
 
-/// The arm of each component. Up to six components need no allocation: `comp` of a box is the façade path.
+/// The arm of each component (*comp operation*: arms are tried from left to right, and the first match takes the
+/// component).
 #[derive(Debug)]
-pub(super) enum Owners {
-    Few([Option<u16>; 6], usize),
-    Many(Vec<Option<u16>>),
-}
+pub(super) struct Owners(pub(super) Vec<Option<u16>>);
 
 impl Owners {
-    /// *comp operation*: arms are tried from left to right, and the first match takes the component.
-    #[inline]
-    pub(super) fn choose(count: usize, arm: impl FnMut(usize) -> Option<u16>) -> Self {
-        let owners = (0..count).map(arm);
-        if count <= 6 {
-            let mut few = [None; 6];
-            few.iter_mut().zip(owners).for_each(|(slot, owner)| *slot = owner);
-            Owners::Few(few, count)
-        } else {
-            Owners::Many(owners.collect())
-        }
-    }
-
-    fn list(&self) -> &[Option<u16>] {
-        match self {
-            Owners::Few(list, count) => &list[..*count],
-            Owners::Many(list) => list,
-        }
-    }
-
-    pub(super) fn len(&self) -> usize {
-        self.list().len()
-    }
-
     /// The components of an arm, by number.
     #[inline]
     pub(super) fn of(&self, arm: u16) -> impl Iterator<Item = u32> + Clone + '_ {
-        let owned = self.list().iter().enumerate().filter(move |(_, owner)| **owner == Some(arm));
+        let owned = self.0.iter().enumerate().filter(move |(_, owner)| **owner == Some(arm));
         owned.map(|(number, _)| number as u32)
     }
 }

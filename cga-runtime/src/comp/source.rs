@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use glam::DVec3;
 
 use super::mesh_parts::MeshParts;
-use super::select::{Axes, Sense, Subcomponent, Word};
+use super::select::{Sense, Subcomponent, Word};
 use super::wire_parts::WireParts;
 use super::{Align, Arm, Components, Mode};
 use crate::comp::orientation::Looks;
@@ -128,7 +128,6 @@ impl Quads {
         match word.0 {
             Sense::All => true,
             Sense::Shape | Sense::Remainder => false,
-            Sense::Looks(Axes::Scope, direction) => direction.takes_side(self.face(number).side),
             Sense::Looks(axes, direction) => {
                 let normal = self.face(number).side.normal();
                 looks.takes_at(axes, direction, normal, || self.scope(&looks.scope, number).centre())

@@ -15,53 +15,49 @@ use crate::geometry::wire::Wire;
 pub(super) struct WireParts {
     wire: Wire,
     kind: Components,
-    /// The direction of each point: the mean of the edges that end there.
-    points: Vec<DVec3>,
+    parts: Vec<WirePart>,
+}
+
+/// A component of a wire.
+#[derive(Debug)]
+struct WirePart {
+    /// The start of an edge, or the point.
+    origin: DVec3,
+    middle: DVec3,
+    /// The direction along the edge; zero for points without an edge.
+    along: DVec3,
+    /// The direction of the component, of length 1.
+    normal: DVec3,
 }
 
 impl WireParts {
+    /// Edges of faces are the edges themselves, vertices of faces their ends, one after the other.
     pub(super) fn new(wire: Wire, kind: Components) -> Self {
-        let points = point_normals(&wire);
-        WireParts { wire, kind, points }
+        let part = |[origin, middle]: [DVec3; 2], along: DVec3, normal: DVec3| {
+            let normal = if normal == DVec3::ZERO { upright(along) } else { normal };
+            WirePart { origin, middle, along, normal }
+        };
+        let edges = || (0..wire.edges.len()).map(|edge| (wire.ends(edge), wire.normals[edge]));
+        let parts = match kind {
+            Components::Edges | Components::FaceEdges => {
+                edges().map(|([a, b], normal)| part([a, (a + b) * 0.5], unit(b - a), normal)).collect()
+            }
+            Components::FaceVertices => {
+                let ends =
+                    |([a, b], normal): ([DVec3; 2], DVec3)| [a, b].map(|end| part([end; 2], unit(b - a), normal));
+                edges().flat_map(ends).collect()
+            }
+            Components::Vertices => {
+                let points = wire.points.iter().zip(point_normals(&wire));
+                points.map(|(&point, normal)| part([point; 2], DVec3::ZERO, normal)).collect()
+            }
+            _ => Vec::new(),
+        };
+        WireParts { wire, kind, parts }
     }
 
-    /// The number of components. Edges of faces are the edges themselves, vertices of faces their ends, one after the
-    /// other.
     pub(super) fn len(&self) -> usize {
-        match self.kind {
-            Components::Edges | Components::FaceEdges => self.wire.edges.len(),
-            Components::Vertices => self.wire.points.len(),
-            Components::FaceVertices => 2 * self.wire.edges.len(),
-            _ => 0,
-        }
-    }
-
-    fn point(&self, index: usize) -> DVec3 {
-        match self.kind {
-            Components::FaceVertices => self.wire.ends(index / 2)[index % 2],
-            _ => self.wire.points[index],
-        }
-    }
-
-    /// The direction of a component, of length 1.
-    fn normal(&self, index: usize) -> DVec3 {
-        let own = match self.kind {
-            Components::Edges | Components::FaceEdges => self.wire.normals[index],
-            Components::FaceVertices => self.wire.normals[index / 2],
-            _ => self.points[index],
-        };
-        if own == DVec3::ZERO { upright(self.along(index)) } else { own }
-    }
-
-    /// The direction along the edge; zero for points without an edge.
-    fn along(&self, index: usize) -> DVec3 {
-        let edge = match self.kind {
-            Components::Edges | Components::FaceEdges => index,
-            Components::FaceVertices => index / 2,
-            _ => return DVec3::ZERO,
-        };
-        let [a, b] = self.wire.ends(edge);
-        unit(b - a)
+        self.parts.len()
     }
 
     /// Returns true if a word matches a component. As there are no faces, all components are at the border.
@@ -72,33 +68,25 @@ impl WireParts {
             Sense::Border(border) => border,
             Sense::Roof(_) => false,
             Sense::Looks(axes, direction) => {
-                let place = || match self.kind {
-                    Components::Edges | Components::FaceEdges => self.wire.ends(index).iter().sum::<DVec3>() * 0.5,
-                    _ => self.point(index),
-                };
-                looks.takes(axes, direction, self.normal(index), place)
+                let part = &self.parts[index];
+                looks.takes(axes, direction, part.normal, || part.middle)
             }
         }
     }
 
     pub(super) fn frame(&self, index: usize) -> Frame {
-        let edge = self.along(index);
-        let normal = self.normal(index);
+        let WirePart { origin, along: edge, normal, .. } = self.parts[index];
         let x = if edge == DVec3::ZERO { beside(normal) } else { edge };
-        let origin = match self.kind {
-            Components::Edges | Components::FaceEdges => self.wire.ends(index)[0],
-            _ => self.point(index),
-        };
         Frame { origin, axes: along(x, normal) }
     }
 
     pub(super) fn wire(&self, indices: &[u32]) -> Wire {
-        let indices = indices.iter().map(|&index| index as usize);
-        let normals = indices.clone().map(|index| self.normal(index)).collect();
+        let parts = indices.iter().map(|&index| &self.parts[index as usize]);
+        let normals = parts.clone().map(|part| part.normal).collect();
         if !matches!(self.kind, Components::Edges | Components::FaceEdges) {
-            return Wire { points: indices.map(|index| self.point(index)).collect(), edges: Vec::new(), normals };
+            return Wire { points: parts.map(|part| part.origin).collect(), edges: Vec::new(), normals };
         }
-        Wire::of_edges(&self.wire.points, indices.map(|index| self.wire.edges[index]), normals)
+        Wire::of_edges(&self.wire.points, indices.iter().map(|&index| self.wire.edges[index as usize]), normals)
     }
 
     /// Calls `bond` with the points of a component. Components with a common point are connected.

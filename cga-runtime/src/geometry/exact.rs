@@ -1,4 +1,4 @@
-//! The exact orientation test.
+//! The exact orientation test, and the lexicographic order of points.
 //!
 //! A floating-point filter decides nearly all cases; the others are summed without rounding.
 
@@ -21,6 +21,12 @@ pub(crate) fn orient(a: DVec2, b: DVec2, c: DVec2) -> i32 {
     } else {
         orient_exact(a, b, c)
     }
+}
+
+/// The lexicographic order of coordinates: to the right, then upwards.
+#[inline]
+pub(crate) fn comes_first(a: DVec2, b: DVec2) -> bool {
+    a.x < b.x || (a.x == b.x && a.y < b.y)
 }
 
 #[cold]

@@ -4,7 +4,7 @@
 use glam::{DMat3, DVec2, DVec3};
 
 use crate::geometry::Frame;
-use crate::geometry::mesh::{FaceRef, Mesh};
+use crate::geometry::mesh::{FaceRef, Mesh, unit};
 use crate::geometry::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
 
 /// The coordinate system of a face, and its bounding box in it.
@@ -32,8 +32,7 @@ pub(crate) fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
     let (first, along) = (0..outer.len()).map(|i| (i, at(i + 1) - at(i))).find(|(_, edge)| *edge != DVec3::ZERO)?;
     // The edge is in the face except for rounding. Its component along the normal is removed, so that the axes are
     // orthonormal.
-    let x =
-        crate::geometry::mesh::unit(crate::geometry::mesh::unit(along) - z * crate::geometry::mesh::unit(along).dot(z));
+    let x = unit(unit(along) - z * unit(along).dot(z));
     if x == DVec3::ZERO {
         return None;
     }
@@ -64,37 +63,35 @@ pub(crate) fn object_of(mesh: &Mesh) -> Option<Frame> {
 pub(crate) fn object(found: &FaceFrame) -> Frame {
     let [x, out] = [found.frame.axes.x_axis, found.frame.axes.z_axis];
     // If the first edge is not exactly in the plane of its face, the two are not exactly perpendicular.
-    let y = crate::geometry::mesh::unit(out - x * out.dot(x));
+    let y = unit(out - x * out.dot(x));
     Frame { origin: found.frame.origin, axes: DMat3::from_cols(x, y, x.cross(y)) }
 }
 
 /// The most upright direction perpendicular to `x`.
 pub(crate) fn upright(x: DVec3) -> DVec3 {
-    let up = crate::geometry::mesh::unit(DVec3::Y - x * x.y);
-    if 1.0 - x.y.abs() < ANGLE_EPSILON || up == DVec3::ZERO {
-        crate::geometry::mesh::unit(DVec3::Z - x * x.z)
-    } else {
-        up
-    }
+    across(x, DVec3::Y, DVec3::Z)
+}
+
+/// The direction perpendicular to an axis that is closest to `wanted`, or to `otherwise` if `wanted` is along the axis.
+fn across(axis: DVec3, wanted: DVec3, otherwise: DVec3) -> DVec3 {
+    let closest = |to: DVec3| unit(to - axis * axis.dot(to));
+    let found = closest(wanted);
+    let is_along = 1.0 - axis.dot(wanted).abs() < ANGLE_EPSILON || found == DVec3::ZERO;
+    if is_along { closest(otherwise) } else { found }
 }
 
 /// Axes with the given x, and with z as close as possible to the direction `looks`.
 pub(crate) fn along(x: DVec3, looks: DVec3) -> DMat3 {
     // `looks` may be a mean that is not perpendicular to the edge. A very short perpendicular part is a rounding error.
     let across = looks - x * looks.dot(x);
-    let z = if across.length() <= COPLANAR_EPSILON { upright(x) } else { crate::geometry::mesh::unit(across) };
-    let z = crate::geometry::mesh::unit(z - x * z.dot(x));
+    let z = if across.length() <= COPLANAR_EPSILON { upright(x) } else { unit(across) };
+    let z = unit(z - x * z.dot(x));
     DMat3::from_cols(x, z.cross(x), z)
 }
 
 /// The x axis for a given z axis: as close as possible to the x axis of the shape, so that it rotates with the shape.
 pub(crate) fn beside(z: DVec3) -> DVec3 {
-    let x = crate::geometry::mesh::unit(DVec3::X - z * z.x);
-    if 1.0 - z.x.abs() < ANGLE_EPSILON || x == DVec3::ZERO {
-        crate::geometry::mesh::unit(DVec3::NEG_Z + z * z.z)
-    } else {
-        x
-    }
+    across(z, DVec3::X, DVec3::NEG_Z)
 }
 
 fn is_rectangle(face: &FaceRef<'_>, frame: &Frame, size: DVec2) -> bool {

@@ -1,5 +1,6 @@
 //! Geometry: meshes and operations on them. This module does not know shapes, rules or sinks.
 
+mod buckets;
 pub mod cut;
 pub(crate) mod disjoint;
 mod exact;
@@ -10,7 +11,9 @@ pub mod mesh;
 mod nesting;
 pub(crate) mod provenance;
 pub(crate) mod rotation;
+mod segment;
 mod skeleton;
+mod status;
 pub mod tol;
 pub mod triangulate;
 pub mod uv_map;

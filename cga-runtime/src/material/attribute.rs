@@ -157,26 +157,17 @@ impl MaterialText {
     }
 }
 
-/// The attribute with a name, without the prefix `material.`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Named {
-    Number(MaterialNumber),
-    Text(MaterialText),
-    /// `color.rgb`.
-    Rgb,
-    /// `doubleSided`.
-    DoubleSided,
+impl MaterialNumber {
+    /// The attribute with a name, without the prefix `material.`.
+    pub(crate) fn named(name: &str) -> Option<Self> {
+        MATERIAL_NUMBERS.iter().find(|(known, _)| *known == name).map(|(_, which)| *which)
+    }
 }
 
-impl Named {
-    pub(crate) fn find(name: &str) -> Option<Named> {
-        match name {
-            "color.rgb" => return Some(Named::Rgb),
-            "doubleSided" => return Some(Named::DoubleSided),
-            _ => {}
-        }
-        let number = MATERIAL_NUMBERS.iter().find(|(known, _)| *known == name).map(|(_, which)| Named::Number(*which));
-        number.or_else(|| MATERIAL_TEXTS.iter().find(|(known, _)| *known == name).map(|(_, which)| Named::Text(*which)))
+impl MaterialText {
+    /// The attribute with a name, without the prefix `material.`.
+    pub(crate) fn named(name: &str) -> Option<Self> {
+        MATERIAL_TEXTS.iter().find(|(known, _)| *known == name).map(|(_, which)| *which)
     }
 }
 
@@ -203,13 +194,13 @@ mod tests {
         let maps = maps.flat_map(|map| parts.map(|part| format!("{map}map{part}")));
         let colors = ["color", "ambient", "specular", "emissive"];
         let colors = colors.iter().flat_map(|color| ["r", "g", "b"].map(|channel| format!("{color}.{channel}")));
-        let others =
-            "color.rgb color.a opacity reflectivity shininess bumpValue metallic roughness doubleSided name shader";
+        let others = "color.a opacity reflectivity shininess bumpValue metallic roughness name shader";
         let others = others.split(' ').chain(["opacitymap.mode", "opacitymap.cutoff"]).map(str::to_owned);
         let all: Vec<String> = maps.chain(colors).chain(others).collect();
-        assert!(all.iter().all(|name| Named::find(name).is_some()), "{all:?}");
-        assert_eq!(all.len(), MATERIAL_NUMBERS.len() + MATERIAL_TEXTS.len() + 2);
-        assert!(["", "Color.r", "material.name", "colormap.xu"].iter().all(|name| Named::find(name).is_none()));
+        let is_named = |name: &str| MaterialNumber::named(name).is_some() || MaterialText::named(name).is_some();
+        assert!(all.iter().all(|name| is_named(name)), "{all:?}");
+        assert_eq!(all.len(), MATERIAL_NUMBERS.len() + MATERIAL_TEXTS.len());
+        assert!(["", "Color.r", "material.name", "colormap.xu"].iter().all(|name| !is_named(name)));
     }
 
     #[test]

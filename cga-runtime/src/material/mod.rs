@@ -7,7 +7,7 @@ pub(crate) mod list;
 use std::sync::Arc;
 
 pub use attribute::{Channel, ColorOf, Layer, LayerPart, MaterialNumber, MaterialText};
-pub(crate) use attribute::{MATERIAL_NUMBERS, MATERIAL_TEXTS, Named};
+pub(crate) use attribute::{MATERIAL_NUMBERS, MATERIAL_TEXTS};
 
 use crate::value::text::Text;
 

@@ -46,25 +46,23 @@ pub(super) fn upright(old: &DMat3, to: DVec3, axis: usize) -> DMat3 {
     // The projection is too short to have a direction.
     let short = |other: usize| 1.0 - old.col(other).dot(to).abs() < crate::geometry::tol::ANGLE_EPSILON;
     match axis {
-        0 if short(2) => from_xy(to, across(1)),
-        0 => from_zx(across(2), to),
-        1 if short(0) => from_yz(to, across(2)),
-        1 => from_xy(across(0), to),
-        _ if short(0) => from_yz(across(1), to),
-        _ => from_zx(to, across(0)),
+        0 if short(2) => axes_of(0, to, across(1)),
+        0 => axes_of(2, across(2), to),
+        1 if short(0) => axes_of(1, to, across(2)),
+        1 => axes_of(0, across(0), to),
+        _ if short(0) => axes_of(1, across(1), to),
+        _ => axes_of(2, to, across(0)),
     }
 }
 
-fn from_xy(x: DVec3, y: DVec3) -> DMat3 {
-    DMat3::from_cols(x, y, x.cross(y))
-}
-
-fn from_yz(y: DVec3, z: DVec3) -> DMat3 {
-    DMat3::from_cols(y.cross(z), y, z)
-}
-
-fn from_zx(z: DVec3, x: DVec3) -> DMat3 {
-    DMat3::from_cols(x, z.cross(x), z)
+/// Right-handed axes: `at` is the number of `a`, the next one is `b`, in the order x y z x.
+pub(super) fn axes_of(at: usize, a: DVec3, b: DVec3) -> DMat3 {
+    let c = a.cross(b);
+    match at {
+        0 => DMat3::from_cols(a, b, c),
+        1 => DMat3::from_cols(c, a, b),
+        _ => DMat3::from_cols(b, c, a),
+    }
 }
 
 /// `rotateScope(x, y, z)`: turns the scope about the pivot's axes, x then y then z, in degrees. It becomes the box of

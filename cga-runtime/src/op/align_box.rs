@@ -2,7 +2,8 @@
 
 use glam::{DVec2, DVec3};
 
-use super::refit::{CORNERS, refit};
+use super::align::axes_of;
+use super::refit::{corners, refit};
 use crate::geometry::hull::hull;
 use crate::geometry::tol::{ANGLE_EPSILON, AREA_EPSILON};
 use crate::run::env::Env;
@@ -33,14 +34,13 @@ pub fn align_to_box(env: &mut Env, shape: &mut Shape, axes: BoxAxes) {
     let [first, second, third] = axes.order;
     let along = longer_side(&mut seen(shape, first, second));
     let old = shape.scope.axes;
-    let mut new = old;
     let direction = old.col(first) * along.x + old.col(second) * along.y;
-    // Right-handed: two consecutive axes in the order x y z x give the third.
-    let other =
-        if (first + 1) % 3 == second { old.col(third).cross(direction) } else { direction.cross(old.col(third)) };
-    *new.col_mut(first) = direction;
-    *new.col_mut(second) = other;
-    let new = if along == DVec2::X { old } else { new };
+    // Of the direction and the axis that stays, one follows the other in the order x y z x.
+    let new = match along {
+        DVec2::X => old,
+        _ if (first + 1) % 3 == second => axes_of(third, old.col(third), direction),
+        _ => axes_of(first, direction, old.col(third)),
+    };
     if refit(env, shape, new, "`alignScopeToGeometryBBox`") {
         shape.set_pivot(shape.scope.frame());
     }
@@ -56,7 +56,7 @@ fn seen(shape: &Shape, first: usize, second: usize) -> Vec<DVec2> {
             placed.mesh.points().iter().map(|&p| flat(to_scope.transform_point3(p))).collect()
         }
         (None, Some(wire)) => wire.points.into_iter().map(flat).collect(),
-        (None, None) => CORNERS.map(|corner| flat(size * corner)).to_vec(),
+        (None, None) => corners(size).map(flat).collect(),
     }
 }
 

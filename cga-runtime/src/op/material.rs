@@ -6,7 +6,7 @@ use super::set;
 use crate::asset::{AssetError, UNKNOWN_TEXTURE};
 use crate::fault::FaultKind;
 use crate::func;
-use crate::material::{Color, Layer, Material, MaterialText, Named};
+use crate::material::{Color, Layer, Material, MaterialNumber, MaterialText};
 use crate::run::env::Env;
 use crate::shape::{Geometry, Placed, Shape};
 use crate::value::array::Array;
@@ -79,15 +79,16 @@ pub(crate) fn image(env: &mut Env, file: Text) -> (Text, bool) {
 pub fn set_material(env: &mut Env, shape: &mut Shape, material: Array<Text>) {
     let (pairs, rest) = material.as_slice().as_chunks::<2>();
     for [name, value] in pairs {
-        match Named::find(name) {
-            Some(Named::Number(which)) => {
-                let number = func::text_to_float(value.clone());
-                set::material_number(env, shape, which, number);
-            }
-            Some(Named::Text(which)) => set::material_text(env, shape, which, value.clone()),
-            Some(Named::Rgb) => color_hex(env, shape, value.clone()),
-            Some(Named::DoubleSided) => set::material_double_sided(env, shape, func::text_to_bool(value.clone())),
-            None => env.fault(FaultKind::Value, format!("`{name}` is not an attribute of a material; it is ignored")),
+        if let Some(which) = MaterialNumber::named(name) {
+            set::material_number(env, shape, which, func::text_to_float(value.clone()));
+        } else if let Some(which) = MaterialText::named(name) {
+            set::material_text(env, shape, which, value.clone());
+        } else if name.as_str() == "color.rgb" {
+            color_hex(env, shape, value.clone());
+        } else if name.as_str() == "doubleSided" {
+            set::material_double_sided(env, shape, func::text_to_bool(value.clone()));
+        } else {
+            env.fault(FaultKind::Value, format!("`{name}` is not an attribute of a material; it is ignored"));
         }
     }
     for name in rest {

@@ -15,11 +15,8 @@ pub fn mirror(env: &mut Env, shape: &mut Shape, x: bool, y: bool, z: bool) {
     let flips = [x, y, z];
     if let Geometry::Wire(placed) = &shape.geometry {
         let size = shape.scope.size;
-        let mut wire = placed.in_scope(size);
-        let turned =
-            |p: DVec3, size: DVec3| DVec3::from_array([0, 1, 2].map(|i| if flips[i] { size[i] - p[i] } else { p[i] }));
-        wire.points.iter_mut().for_each(|point| *point = turned(*point, size));
-        wire.normals.iter_mut().for_each(|normal| *normal = turned(*normal, DVec3::ZERO));
+        let far = DVec3::from_array(flips.map(f64::from));
+        let wire = placed.in_scope(size).stretched(DVec3::ONE - 2.0 * far, size * far);
         shape.geometry = Geometry::Wire(Arc::new(PlacedWire { wire, low: DVec3::ZERO, size }));
         return;
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::fault::FaultKind;
-use crate::geometry::mesh::Bounds;
+use crate::geometry::mesh::{Bounds, solid};
 use crate::geometry::tol::ANGLE_EPSILON;
 use crate::geometry::wire::Wire;
 use crate::geometry::{Axis, Frame};
@@ -25,19 +25,13 @@ pub(super) fn refit(env: &mut Env, shape: &mut Shape, axes: DMat3, what: &str) -
     let turn = scope.axes.transpose() * axes;
     let stays = turn.abs_diff_eq(DMat3::IDENTITY, ANGLE_EPSILON);
     let found = match &shape.geometry {
-        Geometry::Box(unit) if stays && 0.0 < scope.size.min_element() => {
-            Some((Scope { axes, ..scope }, Geometry::Box(*unit)))
-        }
+        _ if stays && keeps_box(&shape.geometry, scope.size) => Some((Scope { axes, ..scope }, shape.geometry.clone())),
         Geometry::Rect(axis, unit) if 0.0 <= scope.size.min_element() => rectangle(&scope, *axis, *unit, axes),
-        Geometry::Mesh(placed) if stays && fits(placed, scope.size) && 0.0 <= scope.size.min_element() => {
-            Some((Scope { axes, ..scope }, Geometry::Mesh(placed.clone())))
-        }
         Geometry::Edge if stays && 0.0 <= scope.size.x => {
             Some((Scope { axes, size: DVec3::X * scope.size.x, ..scope }, Geometry::Edge))
         }
         Geometry::Edge | Geometry::Wire(_) => shape.to_wire().map(|edges| wire(&scope, &turn, axes, edges)),
         Geometry::Vertex => Some((Scope { axes, size: DVec3::ZERO, ..scope }, Geometry::Vertex)),
-        Geometry::Empty if stays => Some((Scope { axes, ..scope }, Geometry::Empty)),
         Geometry::Empty => Some((around(&scope, &turn, axes), Geometry::Empty)),
         Geometry::Box(_) | Geometry::Rect(..) | Geometry::Mesh(_) => None,
     };
@@ -67,29 +61,30 @@ pub(super) fn refit(env: &mut Env, shape: &mut Shape, axes: DMat3, what: &str) -
     true
 }
 
-/// The corners of a box of size 1.
-pub(super) const CORNERS: [DVec3; 8] = [
-    DVec3::new(0.0, 0.0, 0.0),
-    DVec3::new(1.0, 0.0, 0.0),
-    DVec3::new(0.0, 1.0, 0.0),
-    DVec3::new(1.0, 1.0, 0.0),
-    DVec3::new(0.0, 0.0, 1.0),
-    DVec3::new(1.0, 0.0, 1.0),
-    DVec3::new(0.0, 1.0, 1.0),
-    DVec3::new(1.0, 1.0, 1.0),
-];
+/// The corners of a box that fills a scope of that size.
+pub(super) fn corners(size: DVec3) -> impl Iterator<Item = DVec3> {
+    (0..8).map(move |number| size * solid::corner(number))
+}
 
-/// Returns true if the scope of a mesh is stretched from the mesh's own box. It is not after a split with `noAdjust`,
+/// Returns true if a scope of that size is the box of the geometry. That of a mesh is not after a split with `noAdjust`,
 /// nor for a flat mesh in a thick scope.
-fn fits(placed: &Placed, size: DVec3) -> bool {
-    let bounds = placed.mesh.bounds();
-    let thick = placed.size.cmpeq(DVec3::ZERO) & size.cmpne(DVec3::ZERO);
-    !placed.mesh.is_empty() && placed.low == bounds.low && placed.size == bounds.size() && !thick.any()
+fn keeps_box(geometry: &Geometry, size: DVec3) -> bool {
+    match geometry {
+        Geometry::Empty => true,
+        Geometry::Box(_) => 0.0 < size.min_element(),
+        Geometry::Mesh(placed) => {
+            let bounds = placed.mesh.bounds();
+            let thick = placed.size.cmpeq(DVec3::ZERO) & size.cmpne(DVec3::ZERO);
+            let is_own = placed.low == bounds.low && placed.size == bounds.size() && !thick.any();
+            !placed.mesh.is_empty() && is_own && 0.0 <= size.min_element()
+        }
+        Geometry::Rect(..) | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => false,
+    }
 }
 
 /// The box along other axes around the scope.
 fn around(scope: &Scope, turn: &DMat3, axes: DMat3) -> Scope {
-    let bounds = Bounds::of(CORNERS.iter().map(|share| turn.transpose() * (scope.size * *share)));
+    let bounds = Bounds::of(corners(scope.size).map(|corner| turn.transpose() * corner));
     Scope { origin: scope.origin + axes * bounds.low, axes, size: bounds.size() }
 }
 

@@ -15,44 +15,19 @@ use crate::shape::seed::Seed;
 use crate::value::Value;
 use crate::value::text::Text;
 
-macro_rules! sizes {
-    ($($(#[$doc:meta])* $name:ident = $axis:ident;)*) => {$(
+macro_rules! numbers {
+    ($set:ident: $($(#[$doc:meta])* $name:ident = $axis:ident;)*) => {$(
         $(#[$doc])*
         pub fn $name(env: &mut Env, shape: &mut Shape, value: f64) {
-            let mut size = shape.scope.size;
-            size.$axis = env.finite(value, "the size");
-            shape.resize(size);
+            $set(env, shape, value, |vector| &mut vector.$axis);
         }
     )*};
 }
 
-macro_rules! offsets {
-    ($($(#[$doc:meta])* $name:ident = $axis:ident;)*) => {$(
-        $(#[$doc])*
-        pub fn $name(env: &mut Env, shape: &mut Shape, value: f64) {
-            let mut offset = shape.pivot.to_local(shape.scope.origin);
-            offset.$axis = env.finite(value, "the offset");
-            let before = shape.scope;
-            shape.scope.origin = shape.pivot.to_world(offset);
-            shape.carry(&before);
-        }
-    )*};
-}
+/// A coordinate of a vector.
+type Coordinate = fn(&mut DVec3) -> &mut f64;
 
-macro_rules! rotations {
-    ($($(#[$doc:meta])* $name:ident = $axis:ident;)*) => {$(
-        $(#[$doc])*
-        pub fn $name(env: &mut Env, shape: &mut Shape, value: f64) {
-            let mut angles = DVec3::new(get::scope_rx(shape), get::scope_ry(shape), get::scope_rz(shape));
-            angles.$axis = env.finite(value, "the angle");
-            let before = shape.scope;
-            shape.scope.axes = shape.pivot.axes * turn(angles.x, angles.y, angles.z);
-            shape.carry(&before);
-        }
-    )*};
-}
-
-sizes! {
+numbers! { set_size:
     /// The width.
     scope_sx = x;
     /// The height.
@@ -61,7 +36,13 @@ sizes! {
     scope_sz = z;
 }
 
-offsets! {
+fn set_size(env: &mut Env, shape: &mut Shape, value: f64, at: Coordinate) {
+    let mut size = shape.scope.size;
+    *at(&mut size) = env.finite(value, "the size");
+    shape.resize(size);
+}
+
+numbers! { set_offset:
     /// The offset from the pivot, along its x axis.
     scope_tx = x;
     /// The offset from the pivot, along its y axis.
@@ -70,13 +51,29 @@ offsets! {
     scope_tz = z;
 }
 
-rotations! {
+fn set_offset(env: &mut Env, shape: &mut Shape, value: f64, at: Coordinate) {
+    let mut offset = shape.pivot.to_local(shape.scope.origin);
+    *at(&mut offset) = env.finite(value, "the offset");
+    let before = shape.scope;
+    shape.scope.origin = shape.pivot.to_world(offset);
+    shape.carry(&before);
+}
+
+numbers! { set_rotation:
     /// The rotation about the pivot's x axis, in degrees.
     scope_rx = x;
     /// The rotation about the pivot's y axis, in degrees.
     scope_ry = y;
     /// The rotation about the pivot's z axis, in degrees.
     scope_rz = z;
+}
+
+fn set_rotation(env: &mut Env, shape: &mut Shape, value: f64, at: Coordinate) {
+    let mut angles = DVec3::new(get::scope_rx(shape), get::scope_ry(shape), get::scope_rz(shape));
+    *at(&mut angles) = env.finite(value, "the angle");
+    let before = shape.scope;
+    shape.scope.axes = shape.pivot.axes * turn(angles.x, angles.y, angles.z);
+    shape.carry(&before);
 }
 
 macro_rules! material_numbers {
@@ -149,34 +146,36 @@ pub fn seedian(env: &mut Env, shape: &mut Shape, value: f64) {
     shape.seed = Seed::new(if whole { value as i64 as u64 } else { Seed::new(value.to_bits()).scattered() });
 }
 
-macro_rules! pivots {
-    ($($(#[$doc:meta])* $name:ident = |$position:ident, $rotation:ident| $part:expr;)*) => {$(
-        $(#[$doc])*
-        pub fn $name(env: &mut Env, shape: &mut Shape, value: f64) {
-            let value = env.finite(value, "the pivot");
-            let (mut position, mut rotation) = (get::pivot_position(env, shape), get::pivot_rotation(env, shape));
-            let ($position, $rotation) = (&mut position, &mut rotation);
-            *$part = value;
-            move_pivot(env, shape, position, rotation);
-        }
-    )*};
-}
-
 // *pivot attribute*: in object coordinates. The scope is relative to the pivot and keeps its translation and
 // rotation, so the shape moves with it.
-pivots! {
+numbers! { set_pivot_position:
     /// The x coordinate of the pivot.
-    pivot_px = |position, _rotation| &mut position.x;
+    pivot_px = x;
     /// The y coordinate of the pivot.
-    pivot_py = |position, _rotation| &mut position.y;
+    pivot_py = y;
     /// The z coordinate of the pivot.
-    pivot_pz = |position, _rotation| &mut position.z;
+    pivot_pz = z;
+}
+
+numbers! { set_pivot_rotation:
     /// The rotation of the pivot about x, in degrees.
-    pivot_ox = |_position, rotation| &mut rotation.x;
+    pivot_ox = x;
     /// The rotation of the pivot about y, in degrees.
-    pivot_oy = |_position, rotation| &mut rotation.y;
+    pivot_oy = y;
     /// The rotation of the pivot about z, in degrees.
-    pivot_oz = |_position, rotation| &mut rotation.z;
+    pivot_oz = z;
+}
+
+fn set_pivot_position(env: &mut Env, shape: &mut Shape, value: f64, at: Coordinate) {
+    let mut position = get::pivot_position(env, shape);
+    *at(&mut position) = env.finite(value, "the pivot");
+    move_pivot(env, shape, position, get::pivot_rotation(env, shape));
+}
+
+fn set_pivot_rotation(env: &mut Env, shape: &mut Shape, value: f64, at: Coordinate) {
+    let mut rotation = get::pivot_rotation(env, shape);
+    *at(&mut rotation) = env.finite(value, "the pivot");
+    move_pivot(env, shape, get::pivot_position(env, shape), rotation);
 }
 
 fn move_pivot(env: &mut Env, shape: &mut Shape, position: DVec3, rotation: DVec3) {

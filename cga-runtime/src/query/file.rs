@@ -2,6 +2,7 @@
 
 use crate::asset::image::header;
 use crate::asset::{AssetError, BUILTINS, File};
+use crate::geometry::Axis;
 use crate::run::env::Env;
 use crate::shape::view::View;
 use crate::value::array::Array;
@@ -49,16 +50,21 @@ pub fn file_random(env: &mut Env, shape: &mut impl View, query: File) -> Text {
     found.get((draw * found.len() as f64) as usize).cloned().unwrap_or_default()
 }
 
-/// The result of `assetInfo`.
+/// The result of `assetInfo`: the size or the lowest coordinate along an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "sizes and lowest coordinates along each axis")]
-pub enum AssetDimension {
-    Sx,
-    Sy,
-    Sz,
-    Tx,
-    Ty,
-    Tz,
+pub struct AssetDimension {
+    of_size: bool,
+    axis: Axis,
+}
+
+#[allow(missing_docs, non_upper_case_globals, reason = "the names are those of the language")]
+impl AssetDimension {
+    pub const Sx: AssetDimension = AssetDimension { of_size: true, axis: Axis::X };
+    pub const Sy: AssetDimension = AssetDimension { of_size: true, axis: Axis::Y };
+    pub const Sz: AssetDimension = AssetDimension { of_size: true, axis: Axis::Z };
+    pub const Tx: AssetDimension = AssetDimension { of_size: false, axis: Axis::X };
+    pub const Ty: AssetDimension = AssetDimension { of_size: false, axis: Axis::Y };
+    pub const Tz: AssetDimension = AssetDimension { of_size: false, axis: Axis::Z };
 }
 
 /// `assetInfo(file, sx | sy | sz | tx | ty | tz)`: size and lowest corner of an asset's bounding box, in metres
@@ -69,14 +75,7 @@ pub fn asset_info(env: &mut Env, file: File, dimension: AssetDimension) -> f64 {
         Err(why) => return unknown(env, &file, &why),
     };
     let (size, low) = (bounds.size(), if bounds.low.is_finite() { bounds.low } else { glam::DVec3::ZERO });
-    match dimension {
-        AssetDimension::Sx => size.x,
-        AssetDimension::Sy => size.y,
-        AssetDimension::Sz => size.z,
-        AssetDimension::Tx => low.x,
-        AssetDimension::Ty => low.y,
-        AssetDimension::Tz => low.z,
-    }
+    (if dimension.of_size { size } else { low })[dimension.axis.index()]
 }
 
 /// The names that `assetNamingInfo` lists.
@@ -205,13 +204,14 @@ mod tests {
     #[test]
     fn an_asset_is_measured() {
         // *assetInfo function*, its example.
-        use AssetDimension::{Sx, Sy, Sz, Tx, Ty, Tz};
+        type D = AssetDimension;
         let env = &mut env(Assets::new().with("unitCube.obj", block()).with("nothing.obj", Mesh::default()));
-        let numbers = [Sx, Sy, Sz, Tx, Ty, Tz].map(|what| asset_info(env, "unitCube.obj".into(), what));
+        let numbers =
+            [D::Sx, D::Sy, D::Sz, D::Tx, D::Ty, D::Tz].map(|what| asset_info(env, "unitCube.obj".into(), what));
         assert!(numbers.iter().zip([0.2, 0.3, 0.4, 0.5, 0.55, 0.6]).all(|(a, b)| (a - b).abs() < 1e-12));
-        assert_eq!([Sx, Ty].map(|what| asset_info(env, "nothing.obj".into(), what)), [0.0, 0.0]);
+        assert_eq!([D::Sx, D::Ty].map(|what| asset_info(env, "nothing.obj".into(), what)), [0.0, 0.0]);
         assert_eq!(env.take_faults().0.len(), 0);
-        assert_eq!(asset_info(env, "missing.obj".into(), Sx), 0.0);
+        assert_eq!(asset_info(env, "missing.obj".into(), D::Sx), 0.0);
         assert_eq!(
             env.take_faults().0[0].message,
             "`missing.obj` cannot be measured: no asset folder is set (`Settings::assets`); 0 is used instead"

@@ -67,18 +67,13 @@ impl Trims {
     #[cold]
     #[inline(never)]
     fn joined(&self, pivot: &Frame, other: Trims, other_pivot: Frame) -> Trims {
-        match other {
-            Trims::None if *pivot == other_pivot => self.clone(),
-            Trims::None => self.settled(pivot),
-            _ => Trims::Planes(self.planes(pivot).iter().chain(&*other.planes(&other_pivot)).copied().collect()),
-        }
-    }
-
-    /// The same planes in a form that does not depend on the pivot.
-    fn settled(&self, pivot: &Frame) -> Trims {
-        match self {
-            Trims::Side(_) => Trims::Planes(self.planes(pivot)),
-            _ => self.clone(),
+        match (self, other) {
+            // Only the planes of a side depend on the pivot.
+            (Trims::Side(_), Trims::None) if *pivot == other_pivot => self.clone(),
+            (Trims::None | Trims::Face(..) | Trims::Planes(_), Trims::None) => self.clone(),
+            (_, other) => {
+                Trims::Planes(self.planes(pivot).iter().chain(&*other.planes(&other_pivot)).copied().collect())
+            }
         }
     }
 }

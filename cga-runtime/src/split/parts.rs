@@ -64,11 +64,8 @@ impl<'s> SplitParts<'s> {
         let parent = self.parent;
         let index = self.index;
         self.index += 1;
-        let mut scope = Scope {
-            origin: parent.scope.origin + self.along * piece.start,
-            axes: parent.scope.axes,
-            size: with(parent.scope.size, self.axis, self.sign * piece.length),
-        };
+        let mut scope = Scope { origin: parent.scope.origin + self.along * piece.start, ..parent.scope };
+        scope.size[self.axis.index()] = self.sign * piece.length;
         let geometry = self.geometry(index, piece, &mut scope);
         Shape { scope, geometry, ..parent.clone() }
     }
@@ -84,7 +81,7 @@ impl<'s> SplitParts<'s> {
             Geometry::Box(unit) => Geometry::Box(unit.part(self.axis, self.band(piece))),
             Geometry::Rect(across, unit) if *across != self.axis => {
                 if self.adjust == Adjust::Adjust {
-                    scope.size = with(scope.size, *across, 0.0);
+                    scope.size[across.index()] = 0.0;
                 }
                 Geometry::Rect(*across, unit.part(self.axis, self.band(piece)))
             }
@@ -170,16 +167,6 @@ impl<'s> SplitParts<'s> {
             inserted: Inserted::No,
             mirrored: whole.mirrored,
         }))
-    }
-}
-
-/// A size with another extent along an axis. Without an index, which would go through memory and stall there.
-#[inline]
-fn with(size: DVec3, axis: Axis, extent: f64) -> DVec3 {
-    match axis {
-        Axis::X => DVec3::new(extent, size.y, size.z),
-        Axis::Y => DVec3::new(size.x, extent, size.z),
-        Axis::Z => DVec3::new(size.x, size.y, extent),
     }
 }
 

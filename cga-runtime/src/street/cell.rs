@@ -101,13 +101,20 @@ pub(super) struct Trace {
     pub(super) key: (u8, f64),
 }
 
+/// A sidewalk between two poly-lines side by side.
+pub(super) struct SideStrip {
+    pub(super) cells: Vec<Cell>,
+    pub(super) length: f64,
+    pub(super) width: f64,
+}
+
 /// Keys that differ by less are equal.
 const SAME_KEY: f64 = 1e-6;
 
 /// The cells between two poly-lines side by side: `inner` and, on its right, `outer`. The distance along is counted
-/// backwards, so that the cells are not mirrored: it is 0 at the last point of `inner`. Returns the cells and the
-/// length of `inner`, or `None` if a cell would be turned over or not be convex.
-pub(super) fn strip(inner: &[Trace], outer: &[Trace], width: f64) -> Option<(Vec<Cell>, f64)> {
+/// backwards, so that the cells are not mirrored: it is 0 at the last point of `inner`. `None` if a cell would be turned
+/// over or not be convex.
+pub(super) fn strip(inner: &[Trace], outer: &[Trace], width: f64) -> Option<SideStrip> {
     let mut length = 0.0;
     let mut left = vec![0.0; inner.len()];
     for at in (1..inner.len()).rev() {
@@ -148,7 +155,7 @@ pub(super) fn strip(inner: &[Trace], outer: &[Trace], width: f64) -> Option<(Vec
             _ => return None,
         }
     }
-    Some((cells, length))
+    Some(SideStrip { cells, length, width })
 }
 
 /// Returns true if a counter-clockwise ring turns left at each of its points, except for rounding.

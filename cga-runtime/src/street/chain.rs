@@ -1,6 +1,6 @@
 //! Centre lines between junctions: chains of edges with the same widths, with bends as arcs, mitres or breaks.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::graph::Graph;
 use super::input::{Centerline, NetworkOptions};
@@ -40,8 +40,8 @@ impl Widths {
 /// A point where chains meet.
 #[derive(Clone, Debug)]
 pub(super) struct ChainNode {
-    pub(super) place: DVec2,
-    pub(super) height: f64,
+    /// The point in plan, with its height as z.
+    pub(super) point: DVec3,
     /// True if it is a bend too tight for a mitre, rather than a vertex of the graph where streets meet.
     pub(super) is_bend: bool,
     /// The chains that meet here, by number, and the end of each.
@@ -51,8 +51,8 @@ pub(super) struct ChainNode {
 /// A poly-line with widths. A closed chain ends at its first point.
 #[derive(Clone, Debug)]
 pub(super) struct Chain {
-    pub(super) places: Vec<DVec2>,
-    pub(super) heights: Vec<f64>,
+    /// The points in plan, each with its height as z.
+    pub(super) points: Vec<DVec3>,
     /// The line of each segment, and whether the chain has the line's direction.
     pub(super) lines: Vec<(u32, bool)>,
     pub(super) widths: Widths,
@@ -95,8 +95,7 @@ impl Walker<'_> {
         let graph = self.graph;
         let end = |vertex: u32| (graph.around[vertex as usize].len() != 1).then_some(vertex);
         let mut chain = Chain {
-            places: vec![graph.places[from as usize]],
-            heights: vec![graph.heights[from as usize]],
+            points: vec![graph.points[from as usize]],
             lines: Vec::new(),
             widths: self.widths(first, from),
             ends: [end(from); 2],
@@ -108,8 +107,7 @@ impl Walker<'_> {
             self.seen[edge as usize] = true;
             chain.lines.push((graph.edges[edge as usize].line, graph.edges[edge as usize].ends[0] == at));
             at = self.other(edge, at);
-            chain.places.push(graph.places[at as usize]);
-            chain.heights.push(graph.heights[at as usize]);
+            chain.points.push(graph.points[at as usize]);
             chain.ends[1] = end(at);
             match self.follow(edge, at) {
                 Some(next) if !self.seen[next as usize] => edge = next,
@@ -138,13 +136,8 @@ pub(super) fn chains(graph: &Graph, lines: &[Centerline], options: &NetworkOptio
             raw.push(walker.walk(ends.ends[0], edge as u32));
         }
     }
-    let node = |vertex: usize| ChainNode {
-        place: graph.places[vertex],
-        height: graph.heights[vertex],
-        is_bend: false,
-        arms: Vec::new(),
-    };
-    let mut nodes: Vec<ChainNode> = (0..graph.places.len()).map(node).collect();
+    let node = |&point: &DVec3| ChainNode { point, is_bend: false, arms: Vec::new() };
+    let mut nodes: Vec<ChainNode> = graph.points.iter().map(node).collect();
     let mut done: Vec<Chain> = Vec::new();
     for mut chain in raw {
         chain.round_bends(options.arc_above.to_radians());
@@ -153,8 +146,8 @@ pub(super) fn chains(graph: &Graph, lines: &[Centerline], options: &NetworkOptio
     for (number, chain) in done.iter_mut().enumerate() {
         let mut sum = 0.0;
         chain.along = vec![0.0];
-        for ends in chain.places.windows(2) {
-            sum += ends[0].distance(ends[1]);
+        for segment in 0..chain.len() {
+            sum += chain.segment_length(segment);
             chain.along.push(sum);
         }
         for (at, end) in chain.ends.iter().enumerate() {
@@ -181,39 +174,52 @@ impl Chain {
         self.along[self.len()]
     }
 
+    /// A point in plan.
+    pub(super) fn place(&self, at: usize) -> DVec2 {
+        self.points[at].truncate()
+    }
+
+    fn segment_length(&self, segment: usize) -> f64 {
+        self.place(segment).distance(self.place(segment + 1))
+    }
+
     /// The direction of a segment.
     pub(super) fn direction(&self, segment: usize) -> DVec2 {
-        (self.places[segment + 1] - self.places[segment]).normalize_or_zero()
+        (self.place(segment + 1) - self.place(segment)).normalize_or_zero()
+    }
+
+    /// The segments before and after a place; an end of an open chain has one segment.
+    pub(super) fn segments_at(&self, at: usize) -> [usize; 2] {
+        let last = self.len();
+        match at {
+            _ if self.closed && (at == 0 || at == last) => [last - 1, 0],
+            0 => [0; 2],
+            _ if at == last => [last - 1; 2],
+            _ => [at - 1, at],
+        }
     }
 
     /// The angle by which the chain bends at a place: 0 at its ends.
     pub(super) fn bend(&self, at: usize) -> f64 {
-        let last = self.len();
-        match at {
-            0 if self.closed => turn(self.direction(last - 1), self.direction(0)),
-            _ if at == last && self.closed => self.bend(0),
-            _ if at == 0 || at == last => 0.0,
-            _ => turn(self.direction(at - 1), self.direction(at)),
-        }
+        let [before, after] = self.segments_at(at).map(|segment| self.direction(segment));
+        turn(before, after)
     }
 
     /// Replaces sharp bends by arcs if there is room.
     fn round_bends(&mut self, above: f64) {
         let Widths { half, left, right } = self.widths;
         let count = self.len();
-        let length = |segment: usize| self.places[segment].distance(self.places[segment + 1]);
-        let (mut places, mut heights, mut lines) = (vec![self.places[0]], vec![self.heights[0]], Vec::new());
+        let (mut points, mut lines) = (vec![self.points[0]], Vec::new());
         for at in 1..count {
             lines.push(self.lines[at - 1]);
             let bend = self.bend(at);
             let tangent = libm::tan(bend.abs() / 2.0);
             let inner = if 0.0 < bend { left } else { right };
-            let room = 0.5 * length(at - 1).min(length(at));
+            let room = 0.5 * self.segment_length(at - 1).min(self.segment_length(at));
             let radius = (half + inner + ARC_ROOM).min(room / tangent);
-            let place = self.places[at];
+            let place = self.place(at);
             if bend.abs() <= above || radius < half + 0.25 * ARC_ROOM || 3.1 < bend.abs() {
-                places.push(place);
-                heights.push(self.heights[at]);
+                points.push(self.points[at]);
                 continue;
             }
             let before = self.direction(at - 1);
@@ -222,37 +228,31 @@ impl Chain {
             // An even number of parts, so that a change of lines at the bend is in the middle of the arc.
             let steps = 2 * (bend.abs().to_degrees() / (2.0 * ARC_STEP)).ceil() as usize;
             let height = |other: usize| {
-                let part = reach / place.distance(self.places[other]);
-                self.heights[at] + (self.heights[other] - self.heights[at]) * part
+                let part = reach / place.distance(self.place(other));
+                self.points[at].z + (self.points[other].z - self.points[at].z) * part
             };
             let ends = [height(at - 1), height(at + 1)];
             for step in 0..=steps {
                 let part = step as f64 / steps as f64;
                 let (sin, cos) = (libm::sin(bend * part), libm::cos(bend * part));
-                places.push(centre + DVec2::new(cos, sin).rotate(from - centre));
-                heights.push(ends[0] + (ends[1] - ends[0]) * part);
+                let place = centre + DVec2::new(cos, sin).rotate(from - centre);
+                points.push(place.extend(ends[0] + (ends[1] - ends[0]) * part));
                 if step < steps {
                     lines.push(self.lines[if step < steps / 2 { at - 1 } else { at }]);
                 }
             }
         }
         lines.push(self.lines[count - 1]);
-        places.push(self.places[count]);
-        heights.push(self.heights[count]);
+        points.push(self.points[count]);
         // Two arcs that touch leave a segment without length.
-        let mut kept = vec![0];
-        let mut parts = Vec::new();
-        for at in 1..places.len() {
-            let before = kept[kept.len() - 1];
-            if places[at].distance(places[before]) < 1e-3 && at + 1 < places.len() {
-                continue;
+        (self.points, self.lines) = (vec![points[0]], Vec::new());
+        for (at, &point) in points.iter().enumerate().skip(1) {
+            let before = self.place(self.len());
+            if 1e-3 <= point.truncate().distance(before) || at + 1 == points.len() {
+                self.points.push(point);
+                self.lines.push(lines[at - 1]);
             }
-            kept.push(at);
-            parts.push(lines[at - 1]);
         }
-        self.places = kept.iter().map(|&at| places[at]).collect();
-        self.heights = kept.iter().map(|&at| heights[at]).collect();
-        self.lines = parts;
     }
 
     /// The parts of the chain between bends that are too tight for a mitre. Each such bend becomes a node.
@@ -268,7 +268,7 @@ impl Chain {
             }
             let before = breaks.iter().filter(|&&is| is).count();
             for at in 0..count {
-                let length = self.places[at].distance(self.places[at + 1]);
+                let length = self.segment_length(at);
                 let shorter = self.widths.half * (libm::tan(bends[at] / 2.0) + libm::tan(bends[at + 1] / 2.0)).abs();
                 if (1.0 - LEAST_KERB) * length < shorter {
                     let worse = if bends[at].abs() < bends[at + 1].abs() { at + 1 } else { at };
@@ -294,11 +294,10 @@ impl Chain {
                 numbers[at] = numbers[0];
                 continue;
             }
-            nodes.push(ChainNode { place: self.places[at], height: self.heights[at], is_bend: true, arms: Vec::new() });
+            nodes.push(ChainNode { point: self.points[at], is_bend: true, arms: Vec::new() });
         }
         let part = |from: usize, to: usize, ends: [Option<u32>; 2]| Chain {
-            places: self.places[from..=to].to_vec(),
-            heights: self.heights[from..=to].to_vec(),
+            points: self.points[from..=to].to_vec(),
             lines: self.lines[from..to].to_vec(),
             widths: self.widths,
             ends,
@@ -315,8 +314,7 @@ impl Chain {
         } else if first != 0 {
             // The last part continues over the start of the loop.
             let mut over = part(last, count, [end(last), end(first)]);
-            over.places.extend_from_slice(&self.places[1..=first]);
-            over.heights.extend_from_slice(&self.heights[1..=first]);
+            over.points.extend_from_slice(&self.points[1..=first]);
             over.lines.extend_from_slice(&self.lines[..first]);
             parts.push(over);
         }
@@ -328,8 +326,7 @@ impl Chain {
     pub(super) fn reversed(&self) -> Chain {
         let length = self.length();
         Chain {
-            places: self.places.iter().rev().copied().collect(),
-            heights: self.heights.iter().rev().copied().collect(),
+            points: self.points.iter().rev().copied().collect(),
             lines: self.lines.iter().rev().map(|&(line, forward)| (line, !forward)).collect(),
             widths: self.widths.turned(),
             ends: [self.ends[1], self.ends[0]],

@@ -57,7 +57,7 @@ pub(super) fn resolve(plan: &mut Plan, attempts: usize) -> Result<Pieces, Street
 /// The distances along a chain that a ring in one of its segments covers.
 fn extent(plan: &Plan, chain: usize, segment: usize, ring: &[Point]) -> [f64; 2] {
     let chain = &plan.chains[chain];
-    let (from, along) = (chain.places[segment], chain.direction(segment));
+    let (from, along) = (chain.place(segment), chain.direction(segment));
     let distances = ring.iter().map(|point| chain.along[segment] + (point.place() - from).dot(along));
     distances.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
 }

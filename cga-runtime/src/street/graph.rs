@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::grid::{Buckets, Map, Point};
 use super::input::{Centerline, NetworkOptions};
@@ -16,11 +16,11 @@ pub(super) struct StreetEdge {
     pub(super) line: u32,
 }
 
-/// Vertices with heights, edges, and the edges at each vertex.
+/// Vertices, edges, and the edges at each vertex.
 #[derive(Debug, Default)]
 pub(super) struct Graph {
-    pub(super) places: Vec<DVec2>,
-    pub(super) heights: Vec<f64>,
+    /// The vertices in plan, each with its height as z.
+    pub(super) points: Vec<DVec3>,
     pub(super) edges: Vec<StreetEdge>,
     pub(super) around: Vec<Vec<u32>>,
 }
@@ -91,31 +91,31 @@ impl Graph {
 
     fn vertex(&mut self, numbers: &mut Map<Point, u32>, point: Point, height: f64) -> u32 {
         *numbers.entry(point).or_insert_with(|| {
-            self.places.push(point.place());
-            self.heights.push(height);
+            self.points.push(point.place().extend(height));
             self.around.push(Vec::new());
-            self.places.len() as u32 - 1
+            self.points.len() as u32 - 1
         })
     }
 
     /// The edges with short ones contracted. No vertex moves farther than `snap`.
     fn contracted(&self, snap: f64) -> Vec<Segment> {
-        let mut to: Vec<u32> = (0..self.places.len() as u32).collect();
+        let mut to: Vec<u32> = (0..self.points.len() as u32).collect();
         let find = |to: &[u32], mut at: u32| {
             while to[at as usize] != at {
                 at = to[at as usize];
             }
             at
         };
-        let length = |edge: &StreetEdge| {
-            let [a, b] = edge.ends.map(|end| self.places[end as usize]);
+        let distance = |ends: [u32; 2]| {
+            let [a, b] = ends.map(|end| self.points[end as usize].truncate());
             a.distance(b)
         };
+        let length = |edge: &StreetEdge| distance(edge.ends);
         let mut short: Vec<&StreetEdge> = self.edges.iter().filter(|edge| length(edge) < snap).collect();
         short.sort_by(|a, b| length(a).total_cmp(&length(b)));
         for edge in short {
             let [a, b] = edge.ends.map(|end| find(&to, end));
-            if a != b && self.places[a as usize].distance(self.places[b as usize]) < snap {
+            if a != b && distance([a, b]) < snap {
                 // Junctions and ends stay in place; bends move.
                 let rank = |at: u32| match self.around[at as usize].len() {
                     2 => 0,
@@ -128,7 +128,7 @@ impl Graph {
         }
         let end = |at: u32| {
             let at = find(&to, at) as usize;
-            (Point::near(self.places[at]), self.heights[at])
+            (Point::near(self.points[at].truncate()), self.points[at].z)
         };
         let moved = self.edges.iter().map(|edge| Segment { ends: edge.ends.map(end), line: edge.line });
         moved.filter(|segment| segment.ends[0].0 != segment.ends[1].0).collect()
@@ -184,10 +184,7 @@ fn reach_segments(paths: &mut [Vec<Vertex>], snap: f64) {
             homes.push((line, at));
         }
     }
-    let mut buckets = Buckets::for_segments(&segments);
-    for (number, &segment) in segments.iter().enumerate() {
-        buckets.add_segment(segment, number as u32);
-    }
+    let buckets = Buckets::of_segments(&segments);
     let margin = (snap / super::grid::UNIT) as i64 + 1;
     let mut added: BTreeMap<(usize, usize), Vec<Vertex>> = BTreeMap::new();
     for line in 0..paths.len() {

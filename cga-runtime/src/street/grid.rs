@@ -52,6 +52,12 @@ pub(super) fn orient(a: Point, b: Point, c: Point) -> i128 {
     cross(b.from(a), c.from(a))
 }
 
+/// Returns true if the bounding boxes of two segments do not touch.
+pub(super) fn are_apart([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
+    let apart = |a: i64, b: i64, c: i64, d: i64| a.max(b) < c.min(d) || c.max(d) < a.min(b);
+    apart(a.x, b.x, c.x, d.x) || apart(a.y, b.y, c.y, d.y)
+}
+
 /// Twice the signed area of a ring in square grid units, positive when it is counter-clockwise.
 pub(super) fn twice_area(ring: &[Point]) -> i128 {
     let Some(&from) = ring.first() else { return 0 };
@@ -122,27 +128,27 @@ impl Buckets {
     /// Empty cells of a size that suits segments: their average length, but at least 1 m.
     pub(super) fn for_segments(segments: &[[Point; 2]]) -> Self {
         let length: f64 = segments.iter().map(|[a, b]| a.place().distance(b.place())).sum();
-        Buckets::new((length / segments.len().max(1) as f64).max(1.0))
+        let size = (length / segments.len().max(1) as f64).max(1.0);
+        Buckets { size: ((size * UNITS).ceil() as i64).max(16), cells: Map::default() }
     }
 
-    /// Empty cells of a size in metres.
-    pub(super) fn new(size: f64) -> Self {
-        Buckets { size: ((size * UNITS).ceil() as i64).max(16), cells: Map::default() }
+    /// Segments by number, each in all cells that it crosses.
+    pub(super) fn of_segments(segments: &[[Point; 2]]) -> Self {
+        let mut buckets = Buckets::for_segments(segments);
+        for (&segment, number) in segments.iter().zip(0..) {
+            let mut cells = Vec::new();
+            buckets.along(segment, 2, |cell| cells.push(cell));
+            for cell in cells {
+                buckets.cells.entry(cell).or_default().push(number);
+            }
+        }
+        buckets
     }
 
     /// Adds a number to the cell of a point.
     pub(super) fn add_point(&mut self, point: Point, number: u32) {
         let cell = (point.x.div_euclid(self.size), point.y.div_euclid(self.size));
         self.cells.entry(cell).or_default().push(number);
-    }
-
-    /// Adds a number to each cell that a segment crosses.
-    pub(super) fn add_segment(&mut self, segment: [Point; 2], number: u32) {
-        let mut cells = Vec::new();
-        self.along(segment, 2, |cell| cells.push(cell));
-        for cell in cells {
-            self.cells.entry(cell).or_default().push(number);
-        }
     }
 
     /// Calls `each` with the numbers in all cells within `margin` units of a segment.

@@ -72,14 +72,14 @@ const LEAST_ROADWAY: f64 = 0.01;
 
 /// Checks that lines and settings are usable.
 pub(super) fn check(lines: &[Centerline], options: &NetworkOptions) -> Result<(), StreetError> {
-    if !(0.0..=MOST_SNAP).contains(&options.snap) {
-        return Err(StreetError::Option { name: "snap", value: options.snap });
-    }
-    if !(0.0..=MOST_SNAP).contains(&options.corner_radius) {
-        return Err(StreetError::Option { name: "corner_radius", value: options.corner_radius });
-    }
-    if !(0.0..=180.0).contains(&options.arc_above) {
-        return Err(StreetError::Option { name: "arc_above", value: options.arc_above });
+    for (name, value, most) in [
+        ("snap", options.snap, MOST_SNAP),
+        ("corner_radius", options.corner_radius, MOST_SNAP),
+        ("arc_above", options.arc_above, 180.0),
+    ] {
+        if !(0.0..=most).contains(&value) {
+            return Err(StreetError::Option { name, value });
+        }
     }
     for (number, line) in lines.iter().enumerate() {
         let far = |point: &[f64; 3]| !point.iter().all(|value| value.abs() <= MOST_COORDINATE);

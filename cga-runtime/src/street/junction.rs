@@ -4,9 +4,9 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec2;
 
-use super::cell::{Cell, Trace, strip};
+use super::cell::{SideStrip, Trace, strip};
 use super::chain::{Chain, ChainNode, turn};
-use super::grid::{Point, orient, twice_area};
+use super::grid::{Point, are_apart, orient, twice_area};
 use super::section::{Section, Station};
 
 /// The distance in metres from a junction within which its corners are searched.
@@ -25,19 +25,14 @@ const MOST_TANGENT: f64 = 4.0;
 const CORNER_STEP: f64 = 15.0;
 
 /// The layout of a junction.
+#[derive(Default)]
 pub(super) struct Layout {
     /// The stations where the arms end, by chain and end.
     pub(super) stations: Vec<(u32, usize, Station)>,
-    pub(super) roadway: Vec<Point>,
+    /// The area of the roadway, in one or more rings.
+    pub(super) roadway: Vec<Vec<Point>>,
     /// The sidewalks around the corners.
-    pub(super) corners: Vec<Corner>,
-}
-
-/// A sidewalk around a corner of a junction.
-pub(super) struct Corner {
-    pub(super) cells: Vec<Cell>,
-    pub(super) length: f64,
-    pub(super) width: f64,
+    pub(super) corners: Vec<SideStrip>,
 }
 
 /// A chain as seen from the junction.
@@ -64,7 +59,7 @@ impl Arm {
 impl Arm {
     /// The distance along the arm of a point beside a segment.
     fn along(&self, segment: usize, place: DVec2) -> f64 {
-        let off = (place - self.chain.places[segment]).dot(self.chain.direction(segment));
+        let off = (place - self.chain.place(segment)).dot(self.chain.direction(segment));
         (self.chain.along[segment] + off).max(0.0)
     }
 }
@@ -149,15 +144,14 @@ pub(super) fn layout(node: &ChainNode, chains: &[Chain], radius: f64) -> Option<
             let mut line: Vec<Trace> = trace(from, chains, meeting.along[0]).collect();
             line.reverse();
             line.iter_mut().for_each(|trace| trace.key = (0, -trace.key.1));
-            line.extend(arc(&meeting.points, node.height));
+            line.extend(arc(&meeting.points, node.point.z));
             line.extend(trace(to, chains, meeting.along[1]));
             line.dedup_by_key(|trace| trace.point);
             line
         };
         let kerb = line(kerb, 1);
         if let Some(outer) = outer {
-            let (cells, length) = strip(&kerb, &line(outer, 0), *width)?;
-            corners.push(Corner { cells, length, width: *width });
+            corners.push(strip(&kerb, &line(outer, 0), *width)?);
         }
         roadway.extend(kerb.iter().map(|trace| trace.point));
     }
@@ -173,7 +167,7 @@ pub(super) fn layout(node: &ChainNode, chains: &[Chain], radius: f64) -> Option<
         let station = if arm.end == 0 { stations[at] } else { arm.chain.reversed_station(stations[at]) };
         (arm.number, arm.end, station)
     };
-    Some(Layout { stations: (0..count).map(to_chain).collect(), roadway, corners })
+    Some(Layout { stations: (0..count).map(to_chain).collect(), roadway: vec![roadway], corners })
 }
 
 impl Section {
@@ -224,7 +218,7 @@ fn meet(a: &Arm, b: &Arm, distances: [f64; 2], radius: f64, most_tangent: f64) -
     if off < 2f64.to_radians() {
         return Some(Meeting::plain(Vec::new()));
     }
-    let node = a.chain.places[0];
+    let node = a.chain.place(0);
     let widest = distances[0].abs().max(distances[1].abs());
     if off < 100f64.to_radians() {
         // The mitre, on the other side of the junction.
@@ -309,9 +303,7 @@ fn is_simple(ring: &[Point]) -> bool {
     let count = ring.len();
     let edge = |at: usize| (ring[at], ring[(at + 1) % count]);
     let meets = |(a, b): (Point, Point), (c, d): (Point, Point)| {
-        let apart = |a: i64, b: i64, c: i64, d: i64| a.max(b) < c.min(d) || c.max(d) < a.min(b);
-        !apart(a.x, b.x, c.x, d.x)
-            && !apart(a.y, b.y, c.y, d.y)
+        !are_apart([a, b], [c, d])
             && orient(a, b, c).signum() * orient(a, b, d).signum() <= 0
             && orient(c, d, a).signum() * orient(c, d, b).signum() <= 0
     };
@@ -319,10 +311,10 @@ fn is_simple(ring: &[Point]) -> bool {
 }
 
 /// The fans that fill the outer sides of a junction whose arms begin at its node: triangles of roadway, and sidewalks.
-pub(super) fn fans(node: &ChainNode, chains: &[Chain]) -> (Vec<Vec<Point>>, Vec<Corner>) {
+pub(super) fn fans(node: &ChainNode, chains: &[Chain]) -> Layout {
     let arms = arms(node, chains);
-    let (mut roadway, mut corners) = (Vec::new(), Vec::new());
-    let centre = Point::near(node.place);
+    let mut layout = Layout::default();
+    let centre = Point::near(node.point.truncate());
     for at in 0..arms.len() {
         let (a, b) = (&arms[at], &arms[(at + 1) % arms.len()]);
         if arms.len() < 2 || gap(a, b) < PI + 1e-9 {
@@ -331,7 +323,8 @@ pub(super) fn fans(node: &ChainNode, chains: &[Chain]) -> (Vec<Vec<Point>>, Vec<
         let ends = [a.section(chains, Station::Vertex(0)), b.section(chains, Station::Vertex(0))];
         let line = |border: usize| {
             let [from, to] = [ends[0].borders[border], ends[1].borders[3 - border]];
-            let mut line: Vec<Trace> = arc(&fan(node.place, from.place(), to.place()), node.height).collect();
+            let mut line: Vec<Trace> =
+                arc(&fan(node.point.truncate(), from.place(), to.place()), node.point.z).collect();
             // The ends must be exactly those of the arms.
             let last = line.len() - 1;
             (line[0].point, line[last].point) = (from, to);
@@ -340,10 +333,8 @@ pub(super) fn fans(node: &ChainNode, chains: &[Chain]) -> (Vec<Vec<Point>>, Vec<
         };
         let (kerb, width) = (line(1), a.chain.widths.left.max(b.chain.widths.right));
         let triangle = |edge: &[Trace]| vec![centre, edge[0].point, edge[1].point];
-        roadway.extend(kerb.windows(2).map(triangle).filter(|ring| 0 < twice_area(ring)));
-        if let Some((cells, length)) = strip(&kerb, &line(0), width).filter(|_| 0.0 < width) {
-            corners.push(Corner { cells, length, width });
-        }
+        layout.roadway.extend(kerb.windows(2).map(triangle).filter(|ring| 0 < twice_area(ring)));
+        layout.corners.extend(strip(&kerb, &line(0), width).filter(|_| 0.0 < width));
     }
-    (roadway, corners)
+    layout
 }

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::grid::{Map, Point, is_sliver, twice_area, winding};
 use super::mesh::{Face, mesh};
-use super::pieces::{Piece, Pieces, Plan, Run, RunKind};
+use super::pieces::{Piece, Pieces, Plan, Run};
 use super::subdivision::{NONE, Subdivision};
 use super::{Kind, MOST_CROSSINGS, Part, Side, StreetError};
 use crate::geometry::disjoint::DisjointSets;
@@ -16,9 +16,9 @@ const STRAIGHT_ON: f64 = 30.0;
 pub(super) fn parts(plan: &Plan, pieces: &Pieces) -> Result<Vec<Part>, StreetError> {
     let rings: Vec<Vec<Point>> = pieces.list.iter().map(Piece::ring).collect();
     let faces = Subdivision::new(&rings, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
-    let owners = Owners::new(pieces, &faces);
+    let owners = owners(pieces, &faces);
     let mut loops: Vec<Vec<Vec<Point>>> = vec![Vec::new(); pieces.list.len()];
-    for (owner, ring) in faces.outlines(&owners.of_cycle) {
+    for (owner, ring) in faces.outlines(&owners) {
         loops[owner as usize].push(ring);
     }
     let mut heights: Map<Point, f64> = Map::default();
@@ -45,9 +45,9 @@ pub(super) fn parts(plan: &Plan, pieces: &Pieces) -> Result<Vec<Part>, StreetErr
     for (run, list) in pieces.runs.iter().zip(&by_run) {
         parts.extend(street(run, list, pieces, &loops, &heights));
     }
-    let arms = owners.arms(plan, pieces, &faces);
+    let arms = arms(&owners, plan, pieces, &faces);
     for (owner, loops) in loops.iter().enumerate() {
-        if !loops.is_empty() && owners.is_junction(pieces, owner) {
+        if !loops.is_empty() && is_junction(&pieces.list[owner]) {
             let arms = arms.get(&(owner as u32)).map(Vec::as_slice).unwrap_or_default();
             parts.extend(junction(loops, arms, &heights));
         }
@@ -56,70 +56,65 @@ pub(super) fn parts(plan: &Plan, pieces: &Pieces) -> Result<Vec<Part>, StreetErr
 }
 
 /// The owner of each cycle: the number of a piece. The first piece of a junction owns all its pieces.
-struct Owners {
-    of_cycle: Vec<u32>,
+fn owners(pieces: &Pieces, faces: &Subdivision) -> Vec<u32> {
+    let is_free = |&&at: &&u32| matches!(pieces.list[at as usize], Piece::Road { free: true, .. });
+    let is_walk = |at: u32| matches!(pieces.list[at as usize], Piece::Walk { .. });
+    let owner = |covers: &Vec<u32>| {
+        let free = covers.iter().find(is_free);
+        let junction = || covers.iter().find(|&&at| !is_walk(at));
+        free.or_else(junction).or(covers.first()).copied().unwrap_or(NONE)
+    };
+    let mut of_cycle: Vec<u32> = faces.covers.iter().map(owner).collect();
+    give_slivers_away(&mut of_cycle, faces);
+    // Pieces that overlap or touch form one junction.
+    let is_part = |at: u32| at != NONE && is_junction(&pieces.list[at as usize]);
+    let mut junctions = DisjointSets::new(pieces.list.len());
+    for (cycle, covers) in faces.covers.iter().enumerate().filter(|(cycle, _)| is_part(of_cycle[*cycle])) {
+        covers.iter().filter(|&&other| is_part(other)).for_each(|&other| junctions.unite(of_cycle[cycle], other));
+    }
+    for half in (0..faces.cycle.len()).step_by(2) {
+        let [a, b] = [half, half + 1].map(|half| of_cycle[faces.cycle[half] as usize]);
+        if is_part(a) && is_part(b) {
+            junctions.unite(a, b);
+        }
+    }
+    for owner in of_cycle.iter_mut().filter(|owner| is_part(**owner)) {
+        *owner = junctions.find(*owner);
+    }
+    of_cycle
 }
 
-impl Owners {
-    fn new(pieces: &Pieces, faces: &Subdivision) -> Self {
-        let is_free = |&&at: &&u32| matches!(pieces.list[at as usize], Piece::Road { free: true, .. });
-        let is_walk = |at: u32| matches!(pieces.list[at as usize], Piece::Walk { .. });
-        let owner = |covers: &Vec<u32>| {
-            let free = covers.iter().find(is_free);
-            let junction = || covers.iter().find(|&&at| !is_walk(at));
-            free.or_else(junction).or(covers.first()).copied().unwrap_or(NONE)
-        };
-        let mut of_cycle: Vec<u32> = faces.covers.iter().map(owner).collect();
-        give_slivers_away(&mut of_cycle, faces);
-        // Pieces that overlap or touch form one junction.
-        let is_part = |at: u32| at != NONE && !is_walk(at) && !is_free(&&at);
-        let mut junctions = DisjointSets::new(pieces.list.len());
-        for (cycle, covers) in faces.covers.iter().enumerate().filter(|(cycle, _)| is_part(of_cycle[*cycle])) {
-            covers.iter().filter(|&&other| is_part(other)).for_each(|&other| junctions.unite(of_cycle[cycle], other));
-        }
-        for half in (0..faces.cycle.len()).step_by(2) {
-            let [a, b] = [half, half + 1].map(|half| of_cycle[faces.cycle[half] as usize]);
-            if is_part(a) && is_part(b) {
-                junctions.unite(a, b);
-            }
-        }
-        for owner in of_cycle.iter_mut().filter(|owner| is_part(**owner)) {
-            *owner = junctions.find(*owner);
-        }
-        Owners { of_cycle }
-    }
+/// Returns true for a piece that belongs to a junction.
+fn is_junction(piece: &Piece) -> bool {
+    !matches!(piece, Piece::Walk { .. } | Piece::Road { free: true, .. })
+}
 
-    fn is_junction(&self, pieces: &Pieces, at: usize) -> bool {
-        !matches!(pieces.list[at], Piece::Walk { .. } | Piece::Road { free: true, .. })
-    }
-
-    /// For each junction the directions of its streets, away from it.
-    fn arms(&self, plan: &Plan, pieces: &Pieces, faces: &Subdivision) -> Map<u32, Vec<DVec2>> {
-        let mut found: Vec<(u32, u32, bool)> = Vec::new();
-        for half in 0..faces.cycle.len() {
-            let [here, there] = [half, half ^ 1].map(|half| self.of_cycle[faces.cycle[half] as usize]);
-            if here == NONE || there == NONE || here == there || !self.is_junction(pieces, here as usize) {
-                continue;
-            }
-            if let Piece::Road { cell, free: true, .. } = &pieces.list[there as usize] {
-                let reach = cell.corners.iter().map(|corner| corner.value.x);
-                let middle = reach.clone().sum::<f64>() / cell.corners.len() as f64;
-                let [a, b] = faces.ends(half);
-                let along = (cell.value(a).x + cell.value(b).x) / 2.0;
-                found.push((here, there, along < middle));
-            }
+/// For each junction the directions of its streets, away from it.
+fn arms(owners: &[u32], plan: &Plan, pieces: &Pieces, faces: &Subdivision) -> Map<u32, Vec<DVec2>> {
+    let mut found: Vec<(u32, u32, bool)> = Vec::new();
+    for half in 0..faces.cycle.len() {
+        let [here, there] = [half, half ^ 1].map(|half| owners[faces.cycle[half] as usize]);
+        if here == NONE || there == NONE || here == there || !is_junction(&pieces.list[here as usize]) {
+            continue;
         }
-        found.sort_unstable();
-        found.dedup();
-        let mut arms: Map<u32, Vec<DVec2>> = Map::default();
-        for (junction, road, at_start) in found {
-            if let Piece::Road { chain, segment, .. } = pieces.list[road as usize] {
-                let along = plan.chains[chain as usize].direction(segment as usize);
-                arms.entry(junction).or_default().push(if at_start { along } else { -along });
-            }
+        if let Piece::Road { cell, free: true, .. } = &pieces.list[there as usize] {
+            let reach = cell.corners.iter().map(|corner| corner.value.x);
+            let middle = reach.clone().sum::<f64>() / cell.corners.len() as f64;
+            let [a, b] = faces.ends(half);
+            let along = (cell.value(a).x + cell.value(b).x) / 2.0;
+            found.push((here, there, along < middle));
         }
-        arms
     }
+    found.sort_unstable();
+    found.dedup();
+    let mut arms: Map<u32, Vec<DVec2>> = Map::default();
+    for (junction, road, at_start) in found {
+        if let Piece::Road { chain, segment, .. } = pieces.list[road as usize] {
+            let along = plan.chains[chain as usize].direction(segment as usize);
+            arms.entry(junction).or_default().push(if at_start { along } else { -along });
+        }
+    }
+    arms
 }
 
 /// Gives faces that are due to rounding to the owner at their longest edge.
@@ -168,7 +163,7 @@ fn street(
 ) -> Option<Part> {
     let forward = run.line.is_none_or(|(_, forward)| forward);
     let length = run.along[1] - run.along[0];
-    let is_road = run.kind == RunKind::Roadway;
+    let is_road = run.kind == Kind::Street;
     let coordinates = |value: DVec3| {
         let [from, to] = [value.x - run.along[0], run.along[1] - value.x];
         let (from, to) = if forward { (from, to) } else { (to, from) };
@@ -190,14 +185,21 @@ fn street(
             faces.push(Face { rings, uvs });
         }
     }
-    let (kind, side) = match run.kind {
-        RunKind::Roadway => (Kind::Street, None),
-        RunKind::Left => (Kind::Sidewalk, Some(if forward { Side::Left } else { Side::Right })),
-        RunKind::Right => (Kind::Sidewalk, Some(if forward { Side::Right } else { Side::Left })),
-        RunKind::Corner => (Kind::Sidewalk, None),
-    };
+    let side = run.side.map(|side| match side {
+        Side::Left if !forward => Side::Right,
+        Side::Right if !forward => Side::Left,
+        side => side,
+    });
     let mesh = mesh(&faces, heights, if run.line.is_some() { 3 } else { 1 })?;
-    Some(Part { kind, side, line: run.line.map(|(line, _)| line as usize), length, width: run.width, arms: 0, mesh })
+    Some(Part {
+        kind: run.kind,
+        side,
+        line: run.line.map(|(line, _)| line as usize),
+        length,
+        width: run.width,
+        arms: 0,
+        mesh,
+    })
 }
 
 /// A junction, with coordinates from 0 to 1 along and across its first arm.

@@ -5,6 +5,7 @@ use super::chain::{Chain, ChainNode};
 use super::grid::Point;
 use super::junction::{self, Layout};
 use super::section::{Section, Station};
+use super::{Kind, Side};
 
 /// The run that a cell is a part of, by number in [`Pieces::runs`].
 pub(super) type RunId = u32;
@@ -12,23 +13,14 @@ pub(super) type RunId = u32;
 /// A stretch of a street, of a sidewalk beside it, or of a sidewalk around a corner: one chart.
 #[derive(Clone, Debug)]
 pub(super) struct Run {
-    pub(super) kind: RunKind,
+    pub(super) kind: Kind,
+    /// The side of the chain that a sidewalk is on.
+    pub(super) side: Option<Side>,
     /// The line, and whether the cells are in its direction.
     pub(super) line: Option<(u32, bool)>,
     /// The distances along at its start and end.
     pub(super) along: [f64; 2],
     pub(super) width: f64,
-}
-
-/// The kinds of runs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum RunKind {
-    Roadway,
-    /// Left of the chain.
-    Left,
-    Right,
-    /// Around a corner of a junction.
-    Corner,
 }
 
 /// The kind of a piece.
@@ -128,17 +120,14 @@ impl Plan {
         }
         for (number, layout) in layouts.into_iter().enumerate() {
             let node = layout.is_some().then_some(number as u32);
-            let (rings, corners) = match layout {
-                Some(layout) => (vec![layout.roadway], layout.corners),
-                None if self.levels[number] == OVERLAID => junction::fans(&self.nodes[number], &self.chains),
-                None => continue,
-            };
-            pieces.list.extend(rings.into_iter().map(|ring| Piece::Junction { node, ring }));
-            for corner in corners {
+            let fans = || junction::fans(&self.nodes[number], &self.chains);
+            let Some(layout) = layout.or_else(|| (self.levels[number] == OVERLAID).then(fans)) else { continue };
+            pieces.list.extend(layout.roadway.into_iter().map(|ring| Piece::Junction { node, ring }));
+            for corner in layout.corners {
                 let run = pieces.runs.len() as RunId;
                 pieces.list.extend(corner.cells.into_iter().map(|cell| Piece::Walk { cell, run }));
                 let (along, width) = ([0.0, corner.length], corner.width);
-                pieces.runs.push(Run { kind: RunKind::Corner, line: None, along, width });
+                pieces.runs.push(Run { kind: Kind::Sidewalk, side: None, line: None, along, width });
             }
         }
         pieces
@@ -209,13 +198,13 @@ impl Plan {
             let free = !swallowed.iter().any(inside);
             let home = (free, chain.lines[segment]);
             if before.replace(home) != Some(home) {
-                for (run, kind, width) in [
-                    (0, RunKind::Roadway, 2.0 * chain.widths.half),
-                    (1, RunKind::Left, chain.widths.left),
-                    (2, RunKind::Right, chain.widths.right),
+                for (run, kind, side, width) in [
+                    (0, Kind::Street, None, 2.0 * chain.widths.half),
+                    (1, Kind::Sidewalk, Some(Side::Left), chain.widths.left),
+                    (2, Kind::Sidewalk, Some(Side::Right), chain.widths.right),
                 ] {
                     runs[run] = pieces.runs.len() as RunId;
-                    pieces.runs.push(Run { kind, line: Some(home.1), along: [from.along; 2], width });
+                    pieces.runs.push(Run { kind, side, line: Some(home.1), along: [from.along; 2], width });
                 }
             }
             for run in runs {
@@ -243,7 +232,7 @@ impl Plan {
                         && chain.is_folded(segment, distance)
                         && 0.0 < distance * chain.bend(at)
                     {
-                        corner.point = Point::near(chain.places[at] + chain.direction(segment).perp() * distance);
+                        corner.point = Point::near(chain.place(at) + chain.direction(segment).perp() * distance);
                     }
                     corner
                 };

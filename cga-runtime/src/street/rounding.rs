@@ -3,7 +3,7 @@
 //! Ends and rounded crossings are *hot*. A segment that passes the unit square around a hot point is routed through
 //! that point. So no two segments cross afterwards, and all segments that meet at a point share it.
 
-use super::grid::{Buckets, Point, dot, orient};
+use super::grid::{Buckets, Point, are_apart, dot, orient};
 
 /// Divides segments at each other. Each becomes a chain of points from its first end to its second. `None` if there are
 /// more than `most` crossings.
@@ -45,10 +45,7 @@ fn sorted(edge: &[Point]) -> [Point; 2] {
 
 /// The crossings of segments: the number of a segment and the rounded point. `None` if there are more than `most`.
 fn crossings(segments: &[[Point; 2]], most: usize) -> Option<Vec<(u32, Point)>> {
-    let mut buckets = Buckets::for_segments(segments);
-    for (number, &segment) in segments.iter().enumerate() {
-        buckets.add_segment(segment, number as u32);
-    }
+    let buckets = Buckets::of_segments(segments);
     let mut found = Vec::new();
     for list in buckets.lists() {
         for (at, &first) in list.iter().enumerate() {
@@ -100,8 +97,7 @@ fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)]) -> Vec<Vec<Point>>
 
 /// The grid point nearest to the crossing of two segments, inside both.
 fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<Point> {
-    let apart = |a: i64, b: i64, c: i64, d: i64| a.max(b) < c.min(d) || c.max(d) < a.min(b);
-    if apart(a.x, b.x, c.x, d.x) || apart(a.y, b.y, c.y, d.y) {
+    if are_apart([a, b], [c, d]) {
         return None;
     }
     let (from_a, from_b) = (orient(c, d, a), orient(c, d, b));

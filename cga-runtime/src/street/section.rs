@@ -30,11 +30,11 @@ impl Chain {
     /// The cross-section at a station.
     pub(super) fn section(&self, station: Station) -> Section {
         let (along, place, across, height) = match station {
-            Station::Vertex(at) => (self.along[at], self.places[at], self.mitre(at), self.heights[at]),
+            Station::Vertex(at) => (self.along[at], self.place(at), self.mitre(at), self.points[at].z),
             Station::Within(segment, along) => {
                 let part = (along - self.along[segment]) / (self.along[segment + 1] - self.along[segment]);
-                let [low, high] = [self.heights[segment], self.heights[segment + 1]];
-                let place = self.places[segment].lerp(self.places[segment + 1], part);
+                let [low, high] = [self.points[segment].z, self.points[segment + 1].z];
+                let place = self.place(segment).lerp(self.place(segment + 1), part);
                 (along, place, self.direction(segment).perp(), low + (high - low) * part)
             }
         };
@@ -43,14 +43,7 @@ impl Chain {
 
     /// The vector across the chain at a vertex. Times a border's distance it gives the border's offset.
     pub(super) fn mitre(&self, at: usize) -> DVec2 {
-        let last = self.len();
-        let [before, after] = match at {
-            _ if self.closed && (at == 0 || at == last) => [last - 1, 0],
-            0 => [0, 0],
-            _ if at == last => [last - 1; 2],
-            _ => [at - 1, at],
-        }
-        .map(|segment| self.direction(segment).perp());
+        let [before, after] = self.segments_at(at).map(|segment| self.direction(segment).perp());
         (before + after) / (1.0 + before.dot(after))
     }
 
@@ -70,11 +63,8 @@ impl Chain {
         }
         let segment = self.segment_at(along);
         match self.core(segment) {
-            Some([low, high]) if along <= high => {
-                // The end of the chain has no mitre, so its section can be used.
-                let along = along.max(low);
-                if along <= self.along[segment] { Station::Vertex(segment) } else { self.within(segment, along) }
-            }
+            // The end of the chain has no mitre, so its section can be used.
+            Some([low, high]) if along <= high => self.within(segment, along.max(low)),
             _ => Station::Vertex(segment + 1),
         }
     }
@@ -123,7 +113,7 @@ impl Chain {
 
     /// A border of the chain as a poly-line, at a distance from the centre line, positive on the left.
     pub(super) fn border(&self, distance: f64) -> Vec<DVec2> {
-        (0..=self.len()).map(|at| self.places[at] + self.mitre(at) * distance).collect()
+        (0..=self.len()).map(|at| self.place(at) + self.mitre(at) * distance).collect()
     }
 
     /// Returns true if a border has no length beside a segment, because both ends bend towards it.

@@ -6,7 +6,7 @@ use crate::ir::{Arm, Block, Grammar, Parts, Renewal, Rule, Selector, Step, Targe
 use crate::ops;
 
 /// The facts of a rule without the rules that it reaches.
-struct Own {
+struct OwnFacts {
     uses: Uses,
     /// True if it is rigid, apart from the counters that it gets with its shape.
     rigid: bool,
@@ -16,7 +16,7 @@ impl Facts {
     /// Finds the facts of rules from those of functions.
     pub(super) fn find_rules(&mut self, grammar: &Grammar) {
         let renewals: Vec<Uses> = grammar.renewals.iter().map(|renewal| self.renewal(grammar, renewal)).collect();
-        let own: Vec<Own> = grammar.rules.iter().map(|rule| self.own(rule, &renewals)).collect();
+        let own: Vec<OwnFacts> = grammar.rules.iter().map(|rule| self.own(rule, &renewals)).collect();
         let uses: Vec<Uses> = own.iter().map(|own| own.uses).collect();
         let edges = walk::calls(grammar, |_| true);
         let handed = walk::calls(grammar, hands_counters_on);
@@ -36,9 +36,9 @@ impl Facts {
             .collect();
     }
 
-    fn own(&self, rule: &Rule, renewals: &[Uses]) -> Own {
+    fn own(&self, rule: &Rule, renewals: &[Uses]) -> OwnFacts {
         let locals = self.exprs(&rule.locals);
-        let mut own = Own { uses: locals, rigid: locals.without_counters().is_rigid() };
+        let mut own = OwnFacts { uses: locals, rigid: locals.without_counters().is_rigid() };
         walk::steps(&rule.body, &mut |step| {
             let args = walk::targets(step).into_iter().map(|target| match target {
                 Target::Rule { args, .. } => self.exprs(args),

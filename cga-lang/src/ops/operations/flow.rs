@@ -2,7 +2,7 @@
 
 use super::super::{Allowed, B, Bounds, Default, F, HEX, Operation, Param, ParamKind, T, TS, Uses};
 use super::super::{bounds, channel, of, or, param, text, within, word};
-use super::{keeps, old, op, paints, says, using};
+use super::{keeps, old, op, says, sets_material, using};
 
 const TARGET: Param = or(word("target", "MaterialTarget", &["shape", "geometry", "all"]), Default::Word("shape"));
 
@@ -12,14 +12,14 @@ static LABELS: Bounds = bounds(Allowed::NotEmpty, "a label is not empty");
 const REPORT: &str = "adds a value to a collection of the run";
 
 pub(super) static ROWS: &[Operation] = &[
-    paints(op("color", "color_hex", &[HEX], "sets the colour, as in \"#ff8000\"")),
-    paints(op(
+    sets_material(op("color", "color_hex", &[HEX], "sets the colour, as in \"#ff8000\"")),
+    sets_material(op(
         "color",
         "color_rgb",
         &[channel("red"), channel("green"), channel("blue")],
         "sets the colour, each from 0 to 1",
     )),
-    paints(op(
+    sets_material(op(
         "color",
         "color_rgba",
         &[channel("red"), channel("green"), channel("blue"), channel("opacity")],
@@ -27,7 +27,7 @@ pub(super) static ROWS: &[Operation] = &[
     )),
     // The reference has no page since 2020.0; it was short for `set` (*opacity operation*, 2019.1).
     old(
-        paints(op("opacity", "opacity", &[channel("opacity")], "sets the opacity, from 0 to 1")),
+        sets_material(op("opacity", "opacity", &[channel("opacity")], "sets the opacity, from 0 to 1")),
         "write `set(material.opacity, …)`",
     ),
     keeps(op(

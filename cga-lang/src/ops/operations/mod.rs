@@ -74,7 +74,7 @@ const fn slim(row: Operation) -> Operation {
 }
 
 /// The row of an operation that sets the material and reads nothing else.
-const fn paints(row: Operation) -> Operation {
+const fn sets_material(row: Operation) -> Operation {
     Operation { changes: Changes::Material, ..keeps(slim(row)) }
 }
 

@@ -3,7 +3,7 @@
 use super::super::{
     Default, Operation, Param, ParamKind, Uses, UvEffect, float, length, or, param, size, uv_set, word,
 };
-use super::{alone, keeps, old, op, paints, using, uvs};
+use super::{alone, keeps, old, op, sets_material, using, uvs};
 
 const UV_SET: Param = uv_set("uvSet");
 
@@ -40,7 +40,7 @@ const fn changes(row: Operation) -> Operation {
 }
 
 pub(super) static ROWS: &[Operation] = &[
-    paints(op("texture", "texture", &[param("filePath", ParamKind::Image(0))], "sets the colour map")),
+    sets_material(op("texture", "texture", &[param("filePath", ParamKind::Image(0))], "sets the colour map")),
     sets_up(alone(op("setupProjection", "setup_projection", &[UV_SET, AXES, WIDTH, HEIGHT], PROJECTION))),
     sets_up(alone(op(
         "setupProjection",
@@ -67,26 +67,26 @@ pub(super) static ROWS: &[Operation] = &[
     ),
     uvs(
         UvEffect::Projects,
-        paints(op(
+        sets_material(op(
             "projectUV",
             "project_uv",
             &[UV_SET],
             "writes the texture coordinates of the projection that was set up",
         )),
     ),
-    changes(paints(op(
+    changes(sets_material(op(
         "translateUV",
         "translate_uv",
         &[UV_SET, float("uOffset"), float("vOffset")],
         "moves texture coordinates",
     ))),
-    changes(paints(op(
+    changes(sets_material(op(
         "scaleUV",
         "scale_uv",
         &[UV_SET, float("uFactor"), float("vFactor")],
         "multiplies texture coordinates",
     ))),
-    changes(paints(op(
+    changes(sets_material(op(
         "rotateUV",
         "rotate_uv",
         &[UV_SET, float("angle")],
@@ -104,10 +104,10 @@ pub(super) static ROWS: &[Operation] = &[
         &[UV_SET, WIDTH, HEIGHT],
         "scales texture coordinates to tiles of a size",
     )))),
-    uvs(UvEffect::Deletes, paints(op("deleteUV", "delete_uv", &[UV_SET], "removes texture coordinates"))),
+    uvs(UvEffect::Deletes, sets_material(op("deleteUV", "delete_uv", &[UV_SET], "removes texture coordinates"))),
     uvs(
         UvEffect::Copies,
-        paints(op(
+        sets_material(op(
             "copyUV",
             "copy_uv",
             &[uv_set("uvSetSource"), uv_set("uvSetDest")],
@@ -127,12 +127,12 @@ pub(super) static ROWS: &[Operation] = &[
     old(
         uvs(
             UvEffect::Projects,
-            paints(op("bakeUV", "project_uv", &[UV_SET], "writes the texture coordinates that were set up")),
+            sets_material(op("bakeUV", "project_uv", &[UV_SET], "writes the texture coordinates that were set up")),
         ),
         "write `projectUV(…)`, and `setupProjection(…)` before it",
     ),
     old(
-        changes(paints(op(
+        changes(sets_material(op(
             "offsetUV",
             "translate_uv",
             &[UV_SET, float("uOffset"), float("vOffset")],

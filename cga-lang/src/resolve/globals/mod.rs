@@ -75,18 +75,10 @@ struct NameTable<'a> {
     replaced: HashMap<&'a str, u32>,
     /// Rules marked with `start`.
     start: Vec<u32>,
-    /// NameTable that may be declared in unreadable text.
+    /// Names that may be declared in unreadable text.
     lost: HashSet<&'a str>,
     /// Default values of overridden attributes, which the overriding expression may use.
     origins: HashMap<&'a str, u32>,
-}
-
-/// The target of a name that may have dots.
-pub(crate) enum Way<'n> {
-    /// An instance, and the rest of the name.
-    To(InstanceId, &'n str),
-    /// A file that could not be read.
-    Missing,
 }
 
 impl<'a> Item<'a> {
@@ -149,21 +141,19 @@ impl<'a> Globals<'a> {
         self.names[id].lost = ast.lost.iter().map(String::as_str).collect();
         let decls = || ast.decls.iter().map(|decl| (id, decl)).chain(typed.iter().copied());
         // A declaration replaces another one of a style further down.
-        let key = |decl: &'a Decl| (decl.name.text.as_str(), decl.params.len());
         let mut nearest: HashMap<(&str, usize), usize> = HashMap::new();
-        let mut counts: HashMap<(&str, usize, usize), usize> = HashMap::new();
+        let mut counts: HashMap<((&str, usize), usize), usize> = HashMap::new();
         for (_, decl) in decls().filter(|_| !ast.styles.is_empty()) {
             if let Some(rank) = instance.styles.rank(decl.style) {
-                nearest.entry(key(decl)).and_modify(|least| *least = rank.min(*least)).or_insert(rank);
-                *counts.entry((&decl.name.text, decl.params.len(), rank)).or_default() += 1;
+                nearest.entry(decl.form()).and_modify(|least| *least = rank.min(*least)).or_insert(rank);
+                *counts.entry((decl.form(), rank)).or_default() += 1;
             }
         }
         for (own, decl) in decls() {
             let Some(rank) = instance.styles.rank(decl.style) else { continue };
             // Only the types can choose among overloads. All of them stay, and the nearest is tried first.
-            let overloads =
-                counts.get(&(decl.name.text.as_str(), decl.params.len(), rank)).is_some_and(|count| 1 < *count);
-            if !overloads && nearest.get(&key(decl)).is_some_and(|least| *least < rank) {
+            let overloads = counts.get(&(decl.form(), rank)).is_some_and(|count| 1 < *count);
+            if !overloads && nearest.get(&decl.form()).is_some_and(|least| *least < rank) {
                 continue;
             }
             let item = Item {
@@ -186,17 +176,16 @@ impl<'a> Globals<'a> {
     }
 
     /// Fills the tables of names. A name that is already declared goes to `twice`.
-    pub(super) fn name<'s>(&'s mut self, mut twice: impl FnMut(&Item<'a>, &str, &Item<'a>)) {
-        let mut found: Vec<(&Item<'a>, &str, Use)> = Vec::new();
-        let mut enter = |items: &'s [Item<'a>], what: &'static str, make: fn(u32) -> Use| {
-            let own = items.iter().enumerate().filter(|(_, item)| !item.origin);
-            found.extend(own.map(|(index, item)| (item, what, make(index as u32))));
+    pub(super) fn name<'s>(&'s mut self, mut twice: impl FnMut(&Item<'a>, &Item<'a>)) {
+        let mut found: Vec<(&Item<'a>, Use)> = Vec::new();
+        let mut enter = |items: &'s [Item<'a>], make: fn(u32) -> Use| {
+            found.extend(items.iter().zip((0..).map(make)).filter(|(item, _)| !item.origin));
         };
-        enter(&self.attrs, "attribute", Use::Attr);
-        enter(&self.consts, "constant", Use::Const);
-        enter(&self.functions, "function", Use::Function);
+        enter(&self.attrs, Use::Attr);
+        enter(&self.consts, Use::Const);
+        enter(&self.functions, Use::Function);
         found.sort_by_key(|(item, ..)| (item.own, item.decl.name.id()));
-        for (item, what, own) in found {
+        for (item, own) in found {
             let (name, names) = (item.decl.name.text.as_str(), &mut self.names[item.instance]);
             if let Use::Function(index) = own {
                 overload(names.functions.entry(name).or_default(), index, &self.functions);
@@ -207,9 +196,9 @@ impl<'a> Globals<'a> {
             match names.values.get(name) {
                 // Functions are compared by their types later.
                 Some(Use::Function(_)) if matches!(own, Use::Function(_)) => {}
-                Some(Use::Attr(first)) => twice(item, what, &self.attrs[*first as usize]),
-                Some(Use::Const(first)) => twice(item, what, &self.consts[*first as usize]),
-                Some(Use::Function(first)) => twice(item, what, &self.functions[*first as usize]),
+                Some(Use::Attr(first)) => twice(item, &self.attrs[*first as usize]),
+                Some(Use::Const(first)) => twice(item, &self.consts[*first as usize]),
+                Some(Use::Function(first)) => twice(item, &self.functions[*first as usize]),
                 _ => _ = names.values.insert(name, own),
             }
         }
@@ -244,47 +233,44 @@ impl<'a> Globals<'a> {
         }
     }
 
-    /// Follows the names of imports.
-    pub(crate) fn way<'n>(&self, from: InstanceId, name: &'n str) -> Way<'n> {
+    /// Follows the names of imports to an instance and the rest of the name. `None` leads to a file that could not be
+    /// read.
+    fn way<'n>(&self, from: InstanceId, name: &'n str) -> Option<(InstanceId, &'n str)> {
         let (mut at, mut rest) = (from, name);
         while let Some((first, behind)) = rest.split_once('.') {
             match self.program.instances[at].imports.get(first) {
                 Some(Some(next)) => (at, rest) = (*next, behind),
-                Some(None) => return Way::Missing,
+                Some(None) => return None,
                 // The import itself could not be read.
-                None if self.names[at].lost.contains(first) => return Way::Missing,
+                None if self.names[at].lost.contains(first) => return None,
                 None => break,
             }
         }
-        Way::To(at, rest)
+        Some((at, rest))
     }
 
     /// Returns true if a name may be declared in unreadable text.
     pub(crate) fn is_lost(&self, from: InstanceId, name: &str) -> bool {
-        match self.way(from, name) {
-            Way::Missing => true,
-            Way::To(at, rest) => self.program.instances[at].file.is_torn || self.names[at].lost.contains(rest),
-        }
+        self.way(from, name)
+            .is_none_or(|(at, rest)| self.program.instances[at].file.is_torn || self.names[at].lost.contains(rest))
     }
 
     /// The attribute, constant or function without parameters with a name.
     pub(crate) fn value(&self, from: InstanceId, name: &str) -> Option<Use> {
-        let Way::To(at, rest) = self.way(from, name) else { return None };
+        let (at, rest) = self.way(from, name)?;
         self.names[at].values.get(rest).copied()
     }
 
     /// The value that an overridden attribute would have without the override.
     pub(crate) fn origin(&self, from: InstanceId, name: &str) -> Option<u32> {
-        let Way::To(at, rest) = self.way(from, name) else { return None };
+        let (at, rest) = self.way(from, name)?;
         self.names[at].origins.get(rest).copied()
     }
 
     /// The functions with a name.
     pub(crate) fn functions(&self, from: InstanceId, name: &str) -> &[u32] {
-        match self.way(from, name) {
-            Way::To(at, rest) => self.names[at].functions.get(rest).map(Vec::as_slice).unwrap_or_default(),
-            Way::Missing => &[],
-        }
+        let list = self.way(from, name).and_then(|(at, rest)| self.names[at].functions.get(rest));
+        list.map(Vec::as_slice).unwrap_or_default()
     }
 
     /// The rules with a name; `start` means the rules marked with it.
@@ -293,7 +279,7 @@ impl<'a> Globals<'a> {
         if let Some(list) = self.names[from].rules.get(name).filter(|_| name.contains('.')) {
             return list.clone();
         }
-        let Way::To(at, rest) = self.way(from, name) else { return Vec::new() };
+        let Some((at, rest)) = self.way(from, name) else { return Vec::new() };
         let names = &self.names[at];
         if let Some(&rule) = names.replaced.get(rest).filter(|_| at == from) {
             return vec![rule];
@@ -310,9 +296,43 @@ impl<'a> Globals<'a> {
         self.names[id].rules.get(name).map(Vec::as_slice).unwrap_or_default()
     }
 
+    /// The declaration that a name means.
+    pub(crate) fn item(&self, found: Use) -> Option<&Item<'a>> {
+        let (items, index) = match found {
+            Use::Attr(index) => (&self.attrs, index),
+            Use::Const(index) => (&self.consts, index),
+            Use::Function(index) => (&self.functions, index),
+            Use::Rule(index) => (&self.rules, index),
+            _ => return None,
+        };
+        items.get(index as usize)
+    }
+
     /// All items with a value: attributes, constants, functions.
     pub(crate) fn values(&self) -> impl Iterator<Item = &Item<'a>> + '_ {
         self.attrs.iter().chain(&self.consts).chain(&self.functions)
+    }
+
+    /// The number of an attribute, constant or function among all [`values`](Globals::values).
+    pub(crate) fn number(&self, found: Use) -> Option<usize> {
+        match found {
+            Use::Attr(index) => Some(index as usize),
+            Use::Const(index) => Some(self.attrs.len() + index as usize),
+            Use::Function(index) => Some(self.attrs.len() + self.consts.len() + index as usize),
+            _ => None,
+        }
+    }
+
+    /// The values that several styles declare, by name and number of parameters. Overloads of a style are left out,
+    /// because it is not known which of them correspond.
+    pub(crate) fn by_style(&self) -> Vec<Vec<&Item<'a>>> {
+        let style = |item: &Item| self.program.instances[item.instance].root_style;
+        let mut groups: HashMap<(&str, usize), Vec<&Item<'a>>> = HashMap::new();
+        for item in self.values().filter(|item| !item.origin && 1 < self.program.roots.len()) {
+            groups.entry((&item.name, item.decl.params.len())).or_default().push(item);
+        }
+        let overloads = |group: &Vec<&Item>| group.windows(2).any(|pair| style(pair[0]) == style(pair[1]));
+        groups.into_values().filter(|group| !overloads(group)).collect()
     }
 
     /// All items.
@@ -329,18 +349,14 @@ impl<'a> Globals<'a> {
         kind: Kind,
         others: impl IntoIterator<Item = &'o str>,
     ) -> Option<String> {
-        match self.way(from, name) {
-            Way::Missing => None,
-            Way::To(at, rest) if at != from => {
-                let near = nearest(rest, self.near(at, kind))?;
-                Some(format!("{}{near}", &name[..name.len() - rest.len()]))
-            }
-            Way::To(..) => {
-                let own = nearest(name, self.near(from, kind)).map(str::to_owned);
-                let other = nearest(name, others).map(str::to_owned);
-                nearest(name, own.iter().chain(&other).map(String::as_str)).map(str::to_owned)
-            }
+        let (at, rest) = self.way(from, name)?;
+        if at != from {
+            let near = nearest(rest, self.near(at, kind))?;
+            return Some(format!("{}{near}", &name[..name.len() - rest.len()]));
         }
+        let own = nearest(name, self.near(from, kind)).map(str::to_owned);
+        let other = nearest(name, others).map(str::to_owned);
+        nearest(name, own.iter().chain(&other).map(String::as_str)).map(str::to_owned)
     }
 
     /// The leaf of an instance with a similar name, with its dot.
@@ -374,11 +390,8 @@ impl<'a> Globals<'a> {
             Kind::Functions => names.functions.keys().copied().collect(),
             Kind::Rules => names.rules.keys().copied().collect(),
             Kind::Extensions => {
-                let items = names.rules.values().flatten().map(|index| &self.rules[*index as usize]);
-                items
-                    .filter(|item| item.decl.role == Role::Extension)
-                    .map(|item| item.decl.name.text.as_str())
-                    .collect()
+                let decls = names.rules.values().flatten().map(|index| self.rules[*index as usize].decl);
+                decls.filter(|decl| decl.role == Role::Extension).map(|decl| decl.name.text.as_str()).collect()
             }
             Kind::Imports => self.program.instances[from].imports.keys().map(String::as_str).collect(),
         };
@@ -411,6 +424,18 @@ fn overload(list: &mut Vec<u32>, index: u32, items: &[Item]) {
     }
 }
 
+impl Body {
+    /// The kind of declaration.
+    pub(crate) fn word(&self) -> &'static str {
+        match self {
+            Body::Attr(_) => "attribute",
+            Body::Const(_) => "constant",
+            Body::Function(_) => "function",
+            Body::Rule(_) => "rule",
+        }
+    }
+}
+
 impl Decl {
     /// The expression of its value, unless it is a rule.
     pub(crate) fn value(&self) -> Option<&Expr> {
@@ -418,6 +443,11 @@ impl Decl {
             Body::Attr(value) | Body::Const(value) | Body::Function(value) => Some(value),
             Body::Rule(_) => None,
         }
+    }
+
+    /// Its name and number of parameters.
+    pub(crate) fn form(&self) -> (&str, usize) {
+        (&self.name.text, self.params.len())
     }
 
     /// The parameters, then the locals, as numbered by [`Use::Param`].

@@ -70,7 +70,7 @@ impl<'a> Globals<'a> {
         let (mut extensions, mut in_style) = (HashSet::new(), HashSet::new());
         for decl in &instance.file.ast.decls {
             if decl.role == Role::Extension {
-                extensions.insert((decl.name.text.as_str(), decl.params.len()));
+                extensions.insert(decl.form());
             }
             if decl.style != 0 && instance.styles.rank(decl.style).is_some() {
                 in_style.insert(decl.name.text.as_str());
@@ -96,7 +96,7 @@ impl<'a> Globals<'a> {
                     self.rules.len() as u32 - 1
                 });
                 // An override without a fitting extension is an error and changes no calls.
-                if extensions.contains(&(name, decl.params.len())) && !in_style.contains(name) {
+                if extensions.contains(&decl.form()) && !in_style.contains(name) {
                     self.names[id].replaced.insert(name, index);
                 }
             }

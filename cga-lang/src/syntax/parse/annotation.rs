@@ -20,8 +20,7 @@ impl Parser<'_> {
             return Ok(Some(Annotation { name, args: Some(Vec::new()) }));
         }
         let close = self.closing()?;
-        self.bump();
-        let (args, found) = self.tried(|parser| parser.annotation_args(close));
+        let (args, found) = self.tried(|parser| parser.between_commas(Self::annotation_arg));
         if let (Some(first), true) = (found.first(), name.text != HANDLE && words::ANNOTATIONS.contains(&&*name.text)) {
             let diag = self.diags.report_as(Code::BadAnnotation, Level::Warning, first.span, first.message.clone());
             diag.note(format!("`@{}` is ignored", name.text));
@@ -35,21 +34,13 @@ impl Parser<'_> {
         Ok(Some(Annotation { name, args: args.ok().filter(|_| found.is_empty()) }))
     }
 
-    fn annotation_args(&mut self, close: usize) -> Parsed<Vec<AnnotationArg>> {
-        let mut args = Vec::new();
-        while self.at < close && self.tick() {
-            let mut name = None;
-            if self.nth_is_name(0) && self.nth_is(1, Sym::Assign) {
-                name = self.take_name();
-                self.bump();
-            }
-            let value = self.expr()?;
-            args.push(AnnotationArg { name, value });
-            if self.at < close && !self.eat(Sym::Comma) {
-                return self.fail("`,` or `)`");
-            }
+    fn annotation_arg(&mut self) -> Parsed<AnnotationArg> {
+        let mut name = None;
+        if self.nth_is_name(0) && self.nth_is(1, Sym::Assign) {
+            name = self.take_name();
+            self.bump();
         }
-        Ok(args)
+        Ok(AnnotationArg { name, value: self.expr()? })
     }
 }
 

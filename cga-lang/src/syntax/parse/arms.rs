@@ -1,7 +1,6 @@
 //! Arms: `{ selector : operations | selector = operations }`, and `comp` with values instead of operations.
 
-use super::expr::Part;
-use super::{Parsed, Parser, Reported};
+use super::{Parsed, Parser};
 use crate::syntax::ast::{Arm, ArmMode, CompValue, Expr, ExprKind, Name};
 use crate::syntax::token::Sym;
 
@@ -10,29 +9,19 @@ pub(super) const ARM: &str = "selector : operations";
 
 impl Parser<'_> {
     /// Parses the rest of a `comp` value, after the word `comp` at `start`.
-    pub(super) fn comp_value(&mut self, name: Name, start: usize) -> Parsed<Part> {
+    pub(super) fn comp_value(&mut self, name: Name, start: usize) -> Parsed<Expr> {
         const USAGE: &str = "write `comp(f) { selector : value | … }`";
         if !self.is(Sym::LParen) {
-            self.expected("`(`").help(USAGE);
-            return Err(Reported);
+            return Err(self.expected("`(`").help(USAGE).into());
         }
         let args = self.call_args("comp")?;
         if !self.is(Sym::LBrace) {
-            self.expected("`{`").help(USAGE);
-            return Err(Reported);
+            return Err(self.expected("`{`").help(USAGE).into());
         }
-        let mut deepest = args.iter().map(|(_, depth)| *depth).max().unwrap_or(0);
         let arms = self.between_bars(Some("selector : value"), |parser| {
-            let (selector, one) = parser.deep_expr()?;
-            let mode = parser.arm_mode()?;
-            let (value, other) = parser.deep_expr()?;
-            deepest = deepest.max(one).max(other);
-            Ok((selector, mode, value))
+            Ok((parser.expr()?, parser.arm_mode()?, parser.expr()?))
         })?;
-        let depth = self.deepen(deepest)?;
-        let args = args.into_iter().map(|(arg, _)| arg).collect();
-        let kind = ExprKind::Comp(CompValue { name, args, arms });
-        Ok((Expr { kind, span: self.span_from(start) }, depth))
+        self.node(ExprKind::Comp(CompValue { name, args, arms }), start)
     }
 
     /// Reports and skips a `*` after braces whose parts cannot repeat.
@@ -45,10 +34,7 @@ impl Parser<'_> {
 
     /// Parses `selector : operations`.
     pub(super) fn arm(&mut self) -> Parsed<Arm> {
-        let selector = self.expr()?;
-        let mode = self.arm_mode()?;
-        let ops = self.ops(false)?;
-        Ok(Arm { selector, mode, ops })
+        Ok(Arm { selector: self.expr()?, mode: self.arm_mode()?, ops: self.ops(false)? })
     }
 
     fn arm_mode(&mut self) -> Parsed<ArmMode> {

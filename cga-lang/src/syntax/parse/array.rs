@@ -1,33 +1,27 @@
 //! `[a, b; c, d]`, and `[i]` after a value.
 
-use super::expr::Part;
 use super::{Parsed, Parser, Reported};
 use crate::syntax::ast::{Expr, ExprKind};
 use crate::syntax::token::{Sym, Tok};
 
 impl Parser<'_> {
     /// Parses an array from its `[` (*array initialization function*).
-    pub(super) fn array(&mut self) -> Parsed<Part> {
+    pub(super) fn array(&mut self) -> Parsed<Expr> {
         let start = self.at;
         let close = self.closing()?;
         self.bump();
-        let (mut rows, mut deepest) = (vec![Vec::new()], 0);
+        let (mut rows, mut row) = (Vec::new(), Vec::new());
         if self.at == close {
-            self.expected("a value")
-                .help("write `floatArray`, `boolArray` or `stringArray` for an array without elements");
-            return Err(Reported);
+            let help = "write `floatArray`, `boolArray` or `stringArray` for an array without elements";
+            return Err(self.expected("a value").help(help).into());
         }
         loop {
-            let (entry, depth) = self.bracketed(false, Self::entry)?;
-            deepest = deepest.max(depth);
-            if let Some(row) = rows.last_mut() {
-                row.push(entry);
-            }
+            row.push(self.bracketed(false, Self::entry)?);
             if self.at == close {
                 break;
             }
             if self.is(Sym::Semi) {
-                rows.push(Vec::new());
+                rows.push(std::mem::take(&mut row));
             } else if !self.is(Sym::Comma) {
                 return self.fail("`,`, `;` or `]`");
             }
@@ -37,23 +31,21 @@ impl Parser<'_> {
             }
         }
         self.at = close + 1;
-        let depth = self.deepen(deepest)?;
-        Ok((Expr { kind: ExprKind::Array(rows), span: self.span_from(start) }, depth))
+        rows.push(row);
+        self.node(ExprKind::Array(rows), start)
     }
 
     /// Parses the `[ … ]` after a value that begins at `start` (*index operator*).
-    pub(super) fn index(&mut self, (array, depth): Part, start: usize) -> Parsed<Part> {
+    pub(super) fn index(&mut self, array: Expr, start: usize) -> Parsed<Expr> {
         let close = self.closing()?;
         self.bump();
-        let (mut indices, mut deepest) = (Vec::new(), depth);
+        let mut indices = Vec::new();
         while self.tick() {
             if 2 <= indices.len() {
-                self.syntax(self.at, "an array has rows and columns, no third index").help("write `a[row, column]`");
-                return Err(Reported);
+                let diag = self.syntax(self.at, "an array has rows and columns, no third index");
+                return Err(diag.help("write `a[row, column]`").into());
             }
-            let (index, depth) = self.bracketed(false, Self::entry)?;
-            deepest = deepest.max(depth);
-            indices.push(index);
+            indices.push(self.bracketed(false, Self::entry)?);
             if self.at == close {
                 break;
             }
@@ -62,8 +54,7 @@ impl Parser<'_> {
             }
         }
         self.at = close + 1;
-        let depth = self.deepen(deepest)?;
-        Ok((Expr { kind: ExprKind::Index(Box::new(array), indices), span: self.span_from(start) }, depth))
+        self.node(ExprKind::Index(Box::new(array), indices), start)
     }
 
     /// Reports the `..` of a range that begins at `start`.
@@ -81,32 +72,26 @@ impl Parser<'_> {
             _ => "…".into(),
         };
         let span = self.span().to(self.span_at(self.at + 1));
-        self.syntax_over(self.at, span, "`..` is not an operator")
-            .note("a range in an array includes its last number")
-            .help(format!("write `{base}:{limit}`"));
-        Err(Reported)
+        let diag = self.syntax_over(self.at, span, "`..` is not an operator");
+        diag.note("a range in an array includes its last number");
+        Err(diag.help(format!("write `{base}:{limit}`")).into())
     }
 
     /// Parses a value, `base : limit` or `base : step : limit` (*colon operator*).
-    fn entry(&mut self) -> Parsed<Part> {
+    fn entry(&mut self) -> Parsed<Expr> {
         let start = self.at;
-        let (base, mut deepest) = self.deep_expr()?;
+        let base = self.expr()?;
         if self.is(Sym::Dot) && self.nth_is(1, Sym::Dot) {
             return self.dots(start);
         }
         if !self.eat(Sym::Colon) {
-            return Ok((base, deepest));
+            return Ok(base);
         }
-        let (mut limit, depth) = self.deep_expr()?;
-        deepest = deepest.max(depth);
+        let mut limit = Box::new(self.expr()?);
         let mut step = None;
         if self.eat(Sym::Colon) {
-            let (last, depth) = self.deep_expr()?;
-            deepest = deepest.max(depth);
-            step = Some(Box::new(std::mem::replace(&mut limit, last)));
+            step = Some(std::mem::replace(&mut limit, Box::new(self.expr()?)));
         }
-        let depth = self.deepen(deepest)?;
-        let kind = ExprKind::Range(Box::new(base), step, Box::new(limit));
-        Ok((Expr { kind, span: self.span_from(start) }, depth))
+        self.node(ExprKind::Range(Box::new(base), step, limit), start)
     }
 }

@@ -30,7 +30,10 @@ impl Parser<'_> {
             None => self.guess()?,
         };
         let part = match braces {
-            Braces::Slots(_) => self.slots()?,
+            Braces::Slots(_) => {
+                let (items, repeat) = self.slots()?;
+                BlockPart::Slots(items, repeat)
+            }
             Braces::Sections => return self.perimeter(name, args),
             Braces::Arms(_) | Braces::Components | Braces::Modified => {
                 BlockPart::Arms(self.between_bars(Some(ARM), Self::arm)?)
@@ -123,13 +126,11 @@ impl Parser<'_> {
         let usage = "a section is `length : depth : operations`";
         let length = self.arg()?;
         if !self.eat(Sym::Colon) {
-            self.expected("`:` after the length").help(usage);
-            return Err(Reported);
+            return Err(self.expected("`:` after the length").help(usage).into());
         }
         let depth = self.expr()?;
         if !self.eat(Sym::Colon) {
-            self.expected("`:` after the depth").help(usage);
-            return Err(Reported);
+            return Err(self.expected("`:` after the depth").help(usage).into());
         }
         Ok(Section { length, depth, ops: self.ops(false)? })
     }

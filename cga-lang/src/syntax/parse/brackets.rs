@@ -2,8 +2,6 @@
 
 use crate::syntax::token::{Sym, Tok};
 
-pub(super) const NONE: u32 = u32::MAX;
-
 /// The open brackets and their number for each kind. The counts avoid a search for a closing bracket without a
 /// partner.
 #[derive(Default)]
@@ -18,7 +16,7 @@ impl Open {
     }
 
     /// Passes over a symbol and records the bracket that it closes. Brackets opened in between stay unclosed.
-    pub(super) fn pass(&mut self, sym: Sym, position: usize, close: &mut [u32]) {
+    pub(super) fn pass(&mut self, sym: Sym, position: usize, close: &mut [Option<usize>]) {
         match sym {
             Sym::LParen | Sym::LBracket | Sym::LBrace => {
                 self.counts[kind(sym)] += 1;
@@ -28,7 +26,7 @@ impl Open {
                 while let Some((opener, start)) = self.list.pop() {
                     self.counts[kind(opener)] -= 1;
                     if kind(opener) == kind(sym) {
-                        close[start] = position as u32;
+                        close[start] = Some(position);
                         break;
                     }
                 }
@@ -48,8 +46,8 @@ fn kind(sym: Sym) -> usize {
 
 /// Returns the closing bracket of each bracket. Declarations are ignored, except for the words that never occur in
 /// brackets.
-pub(super) fn pairs<'t>(tokens: impl Iterator<Item = &'t Tok>, length: usize) -> Vec<u32> {
-    let (mut open, mut close) = (Open::default(), vec![NONE; length]);
+pub(super) fn pairs<'t>(tokens: impl Iterator<Item = &'t Tok>, length: usize) -> Vec<Option<usize>> {
+    let (mut open, mut close) = (Open::default(), vec![None; length]);
     let mut word = false;
     for (position, token) in tokens.enumerate() {
         // The name after such a word.

@@ -1,6 +1,5 @@
 //! `case … else` and `30% : … else`, for operations of a rule and for values.
 
-use super::expr::Part;
 use super::{Parsed, Parser, Reported};
 use crate::diag::code::Code;
 use crate::syntax::ast::{Expr, ExprKind, Op, OpKind, Percent};
@@ -11,8 +10,6 @@ struct Arms<T> {
     cases: Vec<(Expr, T)>,
     chances: Vec<(Percent, T)>,
     otherwise: Option<T>,
-    /// The depth of the deepest condition.
-    deepest: u32,
 }
 
 impl Parser<'_> {
@@ -46,24 +43,16 @@ impl Parser<'_> {
     }
 
     /// Parses a branch block of values.
-    pub(super) fn branch_value(&mut self) -> Parsed<Part> {
+    pub(super) fn branch_value(&mut self) -> Parsed<Expr> {
         let start = self.at;
-        let mut deepest = 0;
-        let arms = self.arms(Self::deep_expr, Self::deep_expr, "end it with `else : …` and a value")?;
-        let span = self.span_from(start);
-        let mut value = |(value, depth): Part| {
-            deepest = deepest.max(depth);
-            value
-        };
-        let otherwise = arms.otherwise.map(&mut value).unwrap_or(Expr { kind: ExprKind::Error, span });
-        let otherwise = Box::new(otherwise);
+        let arms = self.arms(Self::expr, Self::expr, "end it with `else : …` and a value")?;
+        let otherwise = Box::new(arms.otherwise.unwrap_or_else(|| Expr::error(self.span_from(start))));
         let kind = if arms.cases.is_empty() {
-            ExprKind::Chance(arms.chances.into_iter().map(|(percent, arm)| (percent, value(arm))).collect(), otherwise)
+            ExprKind::Chance(arms.chances, otherwise)
         } else {
-            ExprKind::Case(arms.cases.into_iter().map(|(test, arm)| (test, value(arm))).collect(), otherwise)
+            ExprKind::Case(arms.cases, otherwise)
         };
-        let depth = self.deepen(deepest.max(arms.deepest))?;
-        Ok((Expr { kind, span }, depth))
+        self.node(kind, start)
     }
 
     /// Passes over `case` or the word written in its place.
@@ -72,17 +61,17 @@ impl Parser<'_> {
             self.bump();
             Ok(())
         } else if self.is_word("else") {
-            self.else_if_for_case()
+            self.no_case(2, "further conditions begin with `case` too, `else` is what remains".into())
         } else {
-            self.if_for_case()
+            self.no_case(1, self.about_if())
         }
     }
 
     /// Parses the `:` after a condition.
     fn colon_of_case(&mut self) -> Parsed<()> {
         if self.is(Sym::LBrace) && !self.at_border() {
-            self.expected("`:`").help("a branch has no braces: write `case condition : … else : …`");
-            return Err(Reported);
+            let help = "a branch has no braces: write `case condition : … else : …`";
+            return Err(self.expected("`:`").help(help).into());
         }
         self.expect(Sym::Colon)
     }
@@ -95,7 +84,7 @@ impl Parser<'_> {
     ) -> Parsed<Arms<T>> {
         let start = self.at;
         let first_is_case = self.at_case();
-        let mut arms = Arms { cases: Vec::new(), chances: Vec::new(), otherwise: None, deepest: 0 };
+        let mut arms = Arms { cases: Vec::new(), chances: Vec::new(), otherwise: None };
         let mut mixed = false;
         while (self.at_branch() || (first_is_case && self.at_else_if())) && self.tick() {
             let case = !self.at_percent();
@@ -108,8 +97,7 @@ impl Parser<'_> {
             }
             if case {
                 self.case_word()?;
-                let (condition, depth) = self.nested(Self::deep_expr)?;
-                arms.deepest = arms.deepest.max(depth);
+                let condition = self.nested(Self::expr)?;
                 self.colon_of_case()?;
                 let body = self.nested(&mut arm)?;
                 arms.cases.push((condition, body));

@@ -1,16 +1,10 @@
 //! Values: precedence climbing with C's levels.
-//!
-//! Every part comes with its depth. A long chain of operators makes a tree as deep as nested brackets do, and code that
-//! walks the tree later must not overflow the stack.
 
 use super::{MAX_DEPTH, Parsed, Parser, Reported};
 use crate::diag::RELATIVE;
 use crate::diag::code::Code;
-use crate::syntax::ast::{Arg, Binary, Expr, ExprKind, Prefix, Unary};
+use crate::syntax::ast::{Arg, Binary, Expr, ExprKind, Name, Prefix, Unary};
 use crate::syntax::token::{Sym, Tok};
-
-/// A part and the depth of its tree.
-pub(super) type Part = (Expr, u32);
 
 /// The level of `+` and `-`, the lowest inside the operand of a size prefix.
 const ADDITIVE: u8 = 5;
@@ -41,12 +35,15 @@ fn operator(token: &Tok) -> Option<(Binary, u8)> {
 impl Parser<'_> {
     /// Parses a value, including `case` and percentages.
     pub(super) fn expr(&mut self) -> Parsed<Expr> {
-        self.deep_expr().map(|(expr, _)| expr)
+        self.binary(0)
     }
 
-    /// Parses a value and returns its depth.
-    pub(super) fn deep_expr(&mut self) -> Parsed<Part> {
-        self.binary(0)
+    /// Makes the expression that begins at `start`. A long chain of operators makes a tree as deep as nested brackets
+    /// do.
+    pub(super) fn node(&mut self, kind: ExprKind, start: usize) -> Parsed<Expr> {
+        let mut expr = Expr { kind, span: self.span_from(start), depth: 1 };
+        expr.depth += expr.parts().iter().map(|part| part.depth).max().unwrap_or(0);
+        if MAX_DEPTH < expr.depth { self.too_deep() } else { Ok(expr) }
     }
 
     /// Parses a value that may have a size prefix.
@@ -59,7 +56,7 @@ impl Parser<'_> {
         };
         let value = if prefix.is_some() {
             self.bump();
-            self.binary(ADDITIVE)?.0
+            self.binary(ADDITIVE)?
         } else {
             self.expr()?
         };
@@ -93,9 +90,9 @@ impl Parser<'_> {
         Some((op, level, each, length, None))
     }
 
-    fn binary(&mut self, least: u8) -> Parsed<Part> {
+    fn binary(&mut self, least: u8) -> Parsed<Expr> {
         let start = self.at;
-        let (mut left, mut depth) = self.unary()?;
+        let mut left = self.unary()?;
         while let Some((op, level, each, length, meant)) = self.operator() {
             if level < least || !self.tick() {
                 break;
@@ -105,23 +102,14 @@ impl Parser<'_> {
             }
             let at = self.span().to(self.span_at(self.at + length - 1));
             self.at += length;
-            let (right, right_depth) = self.binary(level + 1)?;
-            depth = self.deepen(depth.max(right_depth))?;
-            let (left_box, right_box) = (Box::new(left), Box::new(right));
-            let kind = match each {
-                false => ExprKind::Binary(op, at, left_box, right_box),
-                true => ExprKind::Each(op, at, left_box, right_box),
-            };
-            left = Expr { kind, span: self.span_from(start) };
+            let kind = if each { ExprKind::Each } else { ExprKind::Binary };
+            let right = self.binary(level + 1)?;
+            left = self.node(kind(op, at, Box::new(left), Box::new(right)), start)?;
         }
-        Ok((left, depth))
+        Ok(left)
     }
 
-    pub(super) fn deepen(&mut self, depth: u32) -> Parsed<u32> {
-        if MAX_DEPTH <= depth { self.too_deep() } else { Ok(depth + 1) }
-    }
-
-    fn unary(&mut self) -> Parsed<Part> {
+    fn unary(&mut self) -> Parsed<Expr> {
         let start = self.at;
         let each = self.is(Sym::Dot);
         let op = match self.nth(usize::from(each)) {
@@ -136,28 +124,23 @@ impl Parser<'_> {
             _ => return self.primary(),
         };
         self.at += 1 + usize::from(each);
-        let (operand, depth) = self.nested(Self::unary)?;
-        let depth = self.deepen(depth)?;
-        let operand = Box::new(operand);
-        let kind = if each { ExprKind::EachUnary(op, operand) } else { ExprKind::Unary(op, operand) };
-        Ok((Expr { kind, span: self.span_from(start) }, depth))
+        let operand = Box::new(self.nested(Self::unary)?);
+        self.node(if each { ExprKind::EachUnary(op, operand) } else { ExprKind::Unary(op, operand) }, start)
     }
 
     /// Parses an operand of the word `not`, which includes comparisons in other languages.
-    fn negation(&mut self) -> Parsed<Part> {
+    fn negation(&mut self) -> Parsed<Expr> {
         let start = self.at;
         self.bump();
-        let (operand, depth) = self.nested(|parser| parser.binary(COMPARISON))?;
-        let depth = self.deepen(depth)?;
+        let operand = self.nested(|parser| parser.binary(COMPARISON))?;
+        let negation = self.node(ExprKind::Unary(Unary::Not, Box::new(operand)), start)?;
         self.not_for_bang(start);
-        let kind = ExprKind::Unary(Unary::Not, Box::new(operand));
-        Ok((Expr { kind, span: self.span_from(start) }, depth))
+        Ok(negation)
     }
 
     fn misplaced_prefix(&mut self) {
         let (span, sign) = (self.span(), self.peek().map_or("it".into(), Tok::describe));
-        let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at));
-        let second = matches!(before, Some(Tok::Sym(Sym::Quote | Sym::Tilde)));
+        let second = matches!(self.before(1), Some(Tok::Sym(Sym::Quote | Sym::Tilde)));
         let diag = self.diags.report(Code::MisplacedPrefix, span, format!("{sign} is not allowed here"));
         if second {
             diag.note("a size is relative or floating, never both").help(format!("write `{RELATIVE}0.5` or `~0.5`"));
@@ -166,7 +149,7 @@ impl Parser<'_> {
         diag.help(format!("it begins the size of a slot or a length: `{RELATIVE}0.5 * a`, `{RELATIVE}-a`, `~(a + b)`"));
     }
 
-    fn primary(&mut self) -> Parsed<Part> {
+    fn primary(&mut self) -> Parsed<Expr> {
         if self.at_border() {
             return self.fail("a value");
         }
@@ -178,11 +161,10 @@ impl Parser<'_> {
         Ok(part)
     }
 
-    fn atom(&mut self) -> Parsed<Part> {
+    fn atom(&mut self) -> Parsed<Expr> {
         if self.at_branch() {
             return self.branch_value();
         }
-        let span = self.span();
         let kind = match self.peek() {
             Some(Tok::Number(value)) => ExprKind::Number(*value),
             Some(Tok::Str(text)) => ExprKind::Text(text.clone()),
@@ -199,72 +181,57 @@ impl Parser<'_> {
             _ => return self.fail("a value"),
         };
         self.bump();
-        Ok((Expr { kind, span }, 1))
+        self.node(kind, self.at - 1)
     }
 
-    fn parentheses(&mut self) -> Parsed<Part> {
+    fn parentheses(&mut self) -> Parsed<Expr> {
         let start = self.at;
         let close = self.closing()?;
         self.bump();
-        let (mut expr, depth) = self.bracketed(false, Self::deep_expr)?;
+        let mut expr = self.bracketed(false, Self::expr)?;
         if self.at != close {
             return self.fail("`)`");
         }
         self.bump();
         // The underlined text includes the parentheses.
         expr.span = self.span_from(start);
-        Ok((expr, depth))
+        Ok(expr)
     }
 
-    fn name_or_call(&mut self) -> Parsed<Part> {
+    fn name_or_call(&mut self) -> Parsed<Expr> {
         let start = self.at;
         let path = matches!(self.peek(), Some(Tok::Path(_)));
-        let mut end = start + 1;
-        while !path && self.dotted_on(end) {
-            end += 2;
-        }
-        let Some(name) = self.take_dotted(end) else { return self.fail("a name") };
+        let Some(name) = self.take_joined() else { return self.fail("a name") };
         if name.text == "comp" && (self.is(Sym::LParen) || self.is(Sym::LBrace)) {
             return self.comp_value(name, start);
         }
         if !self.is(Sym::LParen) {
-            if path {
-                self.expected("`(`").help(format!("a Rust function is called as `{}()`", name.text));
-                return Err(Reported);
-            }
-            let span = name.span;
-            return Ok((Expr { kind: ExprKind::Name(name), span }, 1));
+            return if path { self.no_call(&name) } else { self.node(ExprKind::Name(name), start) };
         }
         let args = self.call_args(&name.text)?;
-        let depth = self.deepen(args.iter().map(|(_, depth)| *depth).max().unwrap_or(0))?;
-        let args = args.into_iter().map(|(expr, _)| expr).collect();
-        let kind = if path { ExprKind::Path(name, args) } else { ExprKind::Call(name, args) };
-        Ok((Expr { kind, span: self.span_from(start) }, depth))
+        self.node(if path { ExprKind::Path(name, args) } else { ExprKind::Call(name, args) }, start)
     }
 
-    /// Returns true if a dot at `position` joins the names around it.
-    fn dotted_on(&self, position: usize) -> bool {
-        self.layout.at(position).is_some_and(|token| token.is(Sym::Dot))
-            && self.layout.at(position + 1).is_some_and(|token| token.ident().is_some())
-            && !self.layout.is_border(position)
-            && !self.layout.is_border(position + 1)
+    /// Reports a path of Rust without arguments.
+    pub(super) fn no_call<T>(&mut self, path: &Name) -> Parsed<T> {
+        Err(self.expected("`(`").help(format!("a Rust function is called as `{}()`", path.text)).into())
     }
 
-    pub(super) fn call_args(&mut self, name: &str) -> Parsed<Vec<Part>> {
-        let close = self.closing()?;
-        self.bump();
-        let mut args = Vec::new();
-        while self.at < close && self.tick() {
-            args.push(self.bracketed(false, Self::deep_expr)?);
-            if self.at < close && !self.eat(Sym::Comma) {
-                return self.fail("`,` or `)`");
-            }
-            if self.at == close && self.layout.at(close - 1).is_some_and(|token| token.is(Sym::Comma)) {
-                self.expected(&format!("another argument of `{name}`"));
-                return Err(Reported);
-            }
+    /// Takes a name with all dots after it. A path of Rust has none.
+    pub(super) fn take_joined(&mut self) -> Option<Name> {
+        let mut end = self.at + 1;
+        while self.layout.word(end - 1).is_some() && self.layout.is(end, Sym::Dot) && !self.layout.is_border(end + 1) {
+            end += 2;
         }
-        self.at = close + 1;
+        self.take_dotted(end)
+    }
+
+    pub(super) fn call_args(&mut self, name: &str) -> Parsed<Vec<Expr>> {
+        let args = self.between_commas(|parser| parser.bracketed(false, Self::expr))?;
+        if self.layout.is(self.at - 2, Sym::Comma) {
+            self.at -= 1;
+            return self.fail(&format!("another argument of `{name}`"));
+        }
         Ok(args)
     }
 }

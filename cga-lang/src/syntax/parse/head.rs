@@ -3,11 +3,10 @@
 //! Tokens alone do not tell `lib.Wall` from a leaf `lib.` and a call of `Wall`. In a rule, a dot joins names if the
 //! first name is an import of this grammar, or if a rule with the joined name is declared.
 
-use super::brackets::pairs;
+use super::layout::Layout;
 use super::type_words::is_type;
 use crate::ops;
 use crate::syntax::token::{Sym, Tok};
-use std::collections::HashSet;
 
 /// The limit for searches without a known end; it keeps the parser linear.
 const LONGEST_HEAD: usize = 100;
@@ -32,32 +31,19 @@ impl Head {
     }
 }
 
-/// The significant tokens, without knowledge of declarations.
-pub(super) struct Heads<'a> {
-    tokens: &'a [Tok],
-    view: Vec<u32>,
-    pairs: Vec<u32>,
-    imports: HashSet<&'a str>,
-    /// Names of rules that are declared with a dot.
-    dotted: HashSet<(&'a str, &'a str)>,
-    /// The positions of parentheses after the path of an import.
-    overrides: HashSet<usize>,
-}
-
-impl<'a> Heads<'a> {
-    pub(super) fn new(tokens: &'a [Tok], view: Vec<u32>) -> Self {
-        let pairs = pairs(view.iter().map(|&index| &tokens[index as usize]), view.len());
-        let mut heads =
-            Heads { tokens, view, pairs, imports: HashSet::new(), dotted: HashSet::new(), overrides: HashSet::new() };
-        for position in 0..heads.len() {
-            if heads.at(position + 1) == Some(&Tok::Joint) && heads.is_head(position, position + 3) {
-                heads.dotted.extend(heads.word(position).zip(heads.word(position + 2)));
+impl<'a> Layout<'a> {
+    /// Finds the imports and the rules with dotted names.
+    pub(super) fn find_imports(&mut self) {
+        for position in 0..self.len() {
+            if self.at(position + 1) == Some(&Tok::Joint)
+                && self.head_behind(position, position + 3) == Some(Head::Rule)
+            {
+                self.dotted.extend(self.word(position).zip(self.word(position + 2)));
             }
-            if heads.word(position) == Some("import") {
-                heads.import(position);
+            if self.word(position) == Some("import") {
+                self.import(position);
             }
         }
-        heads
     }
 
     /// `import id (styles) : "path" (overrides)`.
@@ -81,31 +67,7 @@ impl<'a> Heads<'a> {
         }
     }
 
-    pub(super) fn len(&self) -> usize {
-        self.view.len()
-    }
-
-    pub(super) fn index(&self, position: usize) -> Option<u32> {
-        self.view.get(position).copied()
-    }
-
-    pub(super) fn at(&self, position: usize) -> Option<&'a Tok> {
-        self.index(position).map(|index| &self.tokens[index as usize])
-    }
-
-    fn is(&self, position: usize, sym: Sym) -> bool {
-        self.at(position).is_some_and(|token| token.is(sym))
-    }
-
-    fn word(&self, position: usize) -> Option<&'a str> {
-        self.at(position).and_then(Tok::ident)
-    }
-
-    /// The bracket that closes the one at `position`, regardless of declarations.
-    pub(super) fn pair(&self, position: usize) -> Option<usize> {
-        self.pairs.get(position).filter(|&&close| close != u32::MAX).map(|&close| close as usize)
-    }
-
+    /// Returns true if the name at `position` is an import.
     pub(super) fn is_import(&self, position: usize) -> bool {
         self.word(position).is_some_and(|name| self.imports.contains(name))
     }
@@ -122,7 +84,7 @@ impl<'a> Heads<'a> {
         while self.at(end) == Some(&Tok::Joint) && self.word(end + 1).is_some() {
             end += 2;
         }
-        if position + 1 < end && self.is_head(position, end) {
+        if position + 1 < end && self.head_behind(position, end) == Some(Head::Rule) {
             return end;
         }
         let parts = self.word(position).zip(self.word(position + 2)).filter(|_| self.is(position + 1, Sym::Dot));
@@ -272,7 +234,7 @@ impl<'a> Heads<'a> {
             Some(Tok::Sym(sym)) => match sym {
                 Sym::LParen | Sym::LBracket | Sym::Comma => true,
                 Sym::AndAnd | Sym::OrOr | Sym::Bang | Sym::EqEq | Sym::NotEq => true,
-                sym if operand_follows(*sym) => self.in_condition(position),
+                sym if sym.is_operator() => self.in_condition(position),
                 _ => false,
             },
             _ => false,
@@ -282,9 +244,9 @@ impl<'a> Heads<'a> {
     /// Returns true if a `case` precedes `position`, with only parts of a value in between.
     fn in_condition(&self, position: usize) -> bool {
         let parts = |token: &&Tok| match token {
-            Tok::Ident(_) | Tok::Number(_) | Tok::Str(_) | Tok::Host(_) | Tok::Path(_) => true,
+            Tok::Ident(_) | Tok::Number(_) | Tok::Str(_) | Tok::Host(_) | Tok::Path(_) | Tok::Joint => true,
             Tok::Sym(sym) => {
-                operand_follows(*sym)
+                sym.is_operator()
                     || matches!(sym, Sym::LParen | Sym::RParen | Sym::LBracket | Sym::RBracket | Sym::Comma | Sym::Dot)
             }
             _ => false,
@@ -298,25 +260,4 @@ impl<'a> Heads<'a> {
 pub(super) fn stem(path: &str) -> &str {
     let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
     name.split_once('.').map_or(name, |(stem, _)| stem)
-}
-
-/// Returns true if an operand follows the symbol.
-fn operand_follows(sym: Sym) -> bool {
-    matches!(
-        sym,
-        Sym::AndAnd
-            | Sym::OrOr
-            | Sym::Bang
-            | Sym::EqEq
-            | Sym::NotEq
-            | Sym::Less
-            | Sym::LessEq
-            | Sym::Greater
-            | Sym::GreaterEq
-            | Sym::Plus
-            | Sym::Minus
-            | Sym::Star
-            | Sym::Slash
-            | Sym::Percent
-    )
 }

@@ -13,15 +13,13 @@ impl Parser<'_> {
         self.bump();
         let Some(id) = self.take_name() else { return self.fail("the prefix of the import") };
         self.no_dollar(&id, "an import");
-        let styles = if self.is(Sym::LParen) { Some(self.import_styles()?) } else { None };
+        let styles = if self.is(Sym::LParen) { Some(self.between_commas(Self::import_style)?) } else { None };
+        let usage = format!("write `import {} : \"file.cga\"`", id.text);
         if !self.eat(Sym::Colon) {
-            self.expected_only("`:`").help(format!("write `import {} : \"file.cga\"`", id.text));
-            return Err(Reported);
+            return Err(self.expected_only("`:`").help(usage).into());
         }
         let Some(Tok::Str(path)) = self.peek() else {
-            self.expected_only("the path of a rule file in quotes")
-                .help(format!("write `import {} : \"file.cga\"`", id.text));
-            return Err(Reported);
+            return Err(self.expected_only("the path of a rule file in quotes").help(usage).into());
         };
         let path_span = self.span();
         self.bump();
@@ -46,20 +44,10 @@ impl Parser<'_> {
         Err(Reported)
     }
 
-    fn import_styles(&mut self) -> Parsed<Vec<Name>> {
-        let close = self.closing()?;
-        self.bump();
-        let mut styles = Vec::new();
-        while self.at < close && self.tick() {
-            let Some(name) = self.take_name() else { return self.fail("the name of a style") };
-            self.no_dollar(&name, "a style");
-            styles.push(name);
-            if self.at < close && !self.eat(Sym::Comma) {
-                return self.fail("`,` or `)`");
-            }
-        }
-        self.at = close + 1;
-        Ok(styles)
+    fn import_style(&mut self) -> Parsed<Name> {
+        let Some(name) = self.take_name() else { return self.fail("the name of a style") };
+        self.no_dollar(&name, "a style");
+        Ok(name)
     }
 
     /// Parses `(attr, attr = value, Rule(params) --> steps)`. Overrides that cannot be read are left out.
@@ -116,9 +104,8 @@ impl Parser<'_> {
             _ if self.eat(Sym::Assign) => Ok(Override::Value(name, self.expr()?)),
             _ if self.at == close || self.is(Sym::Comma) => Ok(Override::Keep(name)),
             _ => {
-                self.expected("`=`, `-->` or `,`")
-                    .help(format!("write `{0} = value` or `{0} --> operations`", name.text));
-                Err(Reported)
+                let help = format!("write `{0} = value` or `{0} --> operations`", name.text);
+                Err(self.expected("`=`, `-->` or `,`").help(help).into())
             }
         }
     }
@@ -129,14 +116,7 @@ impl Parser<'_> {
         if !self.eat(Sym::Dot) {
             return self.fail("`.`");
         }
-        let Some(mut rule) = self.take_name() else { return self.fail("a rule of the import") };
-        let start = self.at - 1;
-        while self.is(Sym::Dot) && self.nth_is_name(1) && !self.layout.is_border(self.at + 1) && self.tick() {
-            rule.text.push('.');
-            rule.text.push_str(self.nth(1).and_then(Tok::ident).unwrap_or_default());
-            self.at += 2;
-        }
-        rule.span = self.span_from(start);
+        let Some(rule) = self.take_joined() else { return self.fail("a rule of the import") };
         let args = if self.is(Sym::LParen) { self.args()? } else { Vec::new() };
         Ok(OpKind::Dynamic { import, overrides, rule, args })
     }

@@ -79,8 +79,8 @@ impl Parser<'_> {
                 let id = self.nth(1).and_then(Tok::ident).map(str::to_owned);
                 ast.imports.push(self.import(annotations).inspect_err(|_| self.lost.extend(id))?);
                 if self.nth_is_name(0) && self.nth_is(1, Sym::Colon) && !self.at_border() {
-                    self.syntax(self.at, "every import begins with `import`").help("write `import` before the prefix");
-                    return Err(Reported);
+                    let diag = self.syntax(self.at, "every import begins with `import`");
+                    return Err(diag.help("write `import` before the prefix").into());
                 }
                 return Ok(());
             }
@@ -260,36 +260,24 @@ impl Parser<'_> {
     }
 
     pub(super) fn params(&mut self) -> Parsed<Vec<Name>> {
-        let mut params = Vec::new();
         if !self.is(Sym::LParen) {
-            return Ok(params);
+            return Ok(Vec::new());
         }
-        let close = self.closing()?;
-        self.bump();
-        while self.at < close && self.tick() {
-            self.type_before_parameter();
-            match self.take_name() {
-                Some(name) => {
-                    self.type_behind_name(|| name.text.clone());
-                    self.not_a_keyword(&name);
-                    self.no_dollar(&name, "a parameter");
-                    params.push(name);
-                }
-                None => return self.fail("the name of a parameter"),
-            }
-            if self.at < close && !self.eat(Sym::Comma) {
-                return self.fail("`,` or `)`");
-            }
-        }
-        self.at = close + 1;
-        Ok(params)
+        self.between_commas(|parser| {
+            parser.type_before_parameter();
+            let Some(name) = parser.take_name() else { return parser.fail("the name of a parameter") };
+            parser.type_behind_name(|| name.text.clone());
+            parser.not_a_keyword(&name);
+            parser.no_dollar(&name, "a parameter");
+            Ok(name)
+        })
     }
 
     fn body_expr(&mut self) -> Expr {
         let start = self.at;
         self.expr().unwrap_or_else(|Reported| {
             self.skip_to_border();
-            Expr { kind: ExprKind::Error, span: self.span_from(start) }
+            Expr::error(self.span_from(start))
         })
     }
 
@@ -347,7 +335,7 @@ fn any_step(steps: &[Op]) -> bool {
 fn is_step(step: &Op) -> bool {
     match &step.kind {
         OpKind::Call(name, _) => ops::operations(&name.text).next().is_some(),
-        OpKind::Push(_) | OpKind::Case(..) | OpKind::Chance(..) => step.bodies().into_iter().any(any_step),
+        OpKind::Push(_) | OpKind::Case(..) | OpKind::Chance(..) => step.bodies().any(any_step),
         OpKind::Path(..) | OpKind::Error => false,
         _ => true,
     }

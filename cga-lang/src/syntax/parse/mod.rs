@@ -52,6 +52,12 @@ pub(crate) fn parse_part(tokens: &Tokens, part: Range<u32>, diags: &mut Diags) -
 /// The mark of a mistake that has been reported.
 struct Reported;
 
+impl From<&mut Diag> for Reported {
+    fn from(_: &mut Diag) -> Reported {
+        Reported
+    }
+}
+
 type Parsed<T> = Result<T, Reported>;
 
 struct Parser<'a> {
@@ -77,17 +83,22 @@ struct Parser<'a> {
 
 impl<'a> Parser<'a> {
     fn new(tokens: &'a [Tok], first: u32) -> Self {
-        let mut view = Vec::with_capacity(tokens.len());
-        let mut docs = Vec::new();
+        let (mut view, mut docs, mut bad) = (Vec::with_capacity(tokens.len()), Vec::new(), Vec::new());
+        // The number of unreadable tokens after the first significant one.
+        let mut count = 0;
         for (index, token) in tokens.iter().enumerate().skip(first as usize) {
             match token {
-                Tok::Bad => {}
+                Tok::Bad => count += u32::from(!view.is_empty()),
                 Tok::Doc(text) => docs.push((view.len(), text.as_str())),
-                _ => view.push(index as u32),
+                _ => {
+                    view.push(index as u32);
+                    bad.push(count);
+                }
             }
         }
+        bad.push(count);
         Parser {
-            layout: Layout::new(tokens, view),
+            layout: Layout::new(tokens, view, bad),
             docs,
             at: 0,
             depth: 0,
@@ -108,6 +119,11 @@ impl<'a> Parser<'a> {
 
     fn peek(&self) -> Option<&'a Tok> {
         self.nth(0)
+    }
+
+    /// The token at a distance of `back` before the current one.
+    fn before(&self, back: usize) -> Option<&'a Tok> {
+        self.layout.at(self.at.checked_sub(back)?)
     }
 
     fn is(&self, sym: Sym) -> bool {
@@ -211,8 +227,7 @@ impl<'a> Parser<'a> {
         // The bracket may be part of the unreadable text.
         let list = if self.layout.bad_until_border(self.at) { &mut self.muted } else { &mut self.diags };
         let diag = list.report(Code::UnclosedBracket, span, format!("this {open} is never closed"));
-        diag.help(format!("write `{close}` where it should end"));
-        Err(Reported)
+        Err(diag.help(format!("write `{close}` where it should end")).into())
     }
 
     /// Parses a part that may contain itself.
@@ -240,6 +255,22 @@ impl<'a> Parser<'a> {
         let result = part(self);
         let found = std::mem::replace(&mut self.diags, before).finish();
         (result, found)
+    }
+
+    /// Parses the parentheses here with one call of `item` for each part between commas, and passes over the closing
+    /// one.
+    fn between_commas<T>(&mut self, mut item: impl FnMut(&mut Self) -> Parsed<T>) -> Parsed<Vec<T>> {
+        let close = self.closing()?;
+        self.bump();
+        let mut items = Vec::new();
+        while self.at < close && self.tick() {
+            items.push(item(self)?);
+            if self.at < close && !self.eat(Sym::Comma) {
+                return self.fail("`,` or `)`");
+            }
+        }
+        self.at = close + 1;
+        Ok(items)
     }
 
     /// Parses the braces here with one call of `item` for each part between `|`, and passes over the closing brace.

@@ -8,7 +8,7 @@ use super::report::STEP;
 use super::{Parsed, Parser, Reported};
 use crate::diag::code::Code;
 use crate::ops;
-use crate::syntax::ast::{Arg, Expr, ExprKind, Name, Op, OpKind};
+use crate::syntax::ast::{Arg, Expr, Name, Op, OpKind};
 use crate::syntax::token::{Sym, Tok};
 
 impl Parser<'_> {
@@ -82,8 +82,7 @@ impl Parser<'_> {
                 return self.fail("`:`");
             }
             Some(Tok::Host(_)) => {
-                self.expected(STEP).help("a Rust value is allowed in expressions only");
-                return Err(Reported);
+                return Err(self.expected(STEP).help("a Rust value is allowed in expressions only").into());
             }
             _ => return self.fail(STEP),
         };
@@ -144,12 +143,7 @@ impl Parser<'_> {
         if self.assignment(&name)? {
             return Ok(OpKind::Error);
         }
-        self.leaf_arguments()?;
-        Ok(OpKind::Leaf(name))
-    }
-
-    /// Parses the arguments of a leaf, as in old files. They have no effect.
-    fn leaf_arguments(&mut self) -> Parsed<()> {
+        // Arguments of a leaf, as in old files, have no effect.
         if self.is(Sym::LParen) {
             let start = self.at;
             self.args()?;
@@ -158,14 +152,13 @@ impl Parser<'_> {
                 .report(Code::OldSpelling, span, "a leaf has no arguments; these have no effect")
                 .help("leave them out");
         }
-        Ok(())
+        Ok(OpKind::Leaf(name))
     }
 
     fn rust(&mut self) -> Parsed<OpKind> {
         let Some(path) = self.take_name() else { return self.fail("a path") };
         if !self.is(Sym::LParen) {
-            self.expected("`(`").help(format!("a Rust function is called as `{}()`", path.text));
-            return Err(Reported);
+            return self.no_call(&path);
         }
         Ok(OpKind::Path(path, self.args()?))
     }
@@ -209,7 +202,7 @@ impl Parser<'_> {
                 Ok(arg) => args.push(arg),
                 Err(Reported) => {
                     let span = self.span_from(start);
-                    args.push(Arg { prefix: None, value: Expr { kind: ExprKind::Error, span }, span });
+                    args.push(Arg { prefix: None, value: Expr::error(span), span });
                     break;
                 }
             }

@@ -54,8 +54,8 @@ impl Parser<'_> {
 
     /// Returns true if a `:` follows a selector that was read as a rule.
     fn at_selector_without_bar(&self) -> bool {
-        let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at)).and_then(Tok::ident);
-        let begins = self.at.checked_sub(2).and_then(|at| self.layout.at(at)).is_none_or(|token| token.is(Sym::Arrow));
+        let before = self.before(1).and_then(Tok::ident);
+        let begins = self.before(2).is_none_or(|token| token.is(Sym::Arrow));
         !begins
             && matches!(self.peek(), Some(Tok::Sym(Sym::Colon | Sym::Assign)))
             && !self.at_border()
@@ -64,7 +64,7 @@ impl Parser<'_> {
 
     /// Reports the missing `|` before such a selector, at its `:`.
     fn missing_bar(&mut self) -> &mut Diag {
-        let word = self.layout.at(self.at - 1).and_then(Tok::ident).unwrap_or_default().to_owned();
+        let word = self.layout.word(self.at - 1).unwrap_or_default();
         let sign = if self.is(Sym::Colon) { ":" } else { "=" };
         let diag = self.syntax(self.at - 1, format!("there is no `|` before the selector `{word}`"));
         diag.help(format!("write `| {word} {sign}`"))
@@ -72,60 +72,50 @@ impl Parser<'_> {
 
     /// Returns the help for the usual mistake with the current token.
     fn meant(&self, what: &str) -> Option<String> {
-        let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at));
-        let follows = |sym: Sym| before.is_some_and(|token| token.is(sym));
-        let word = before.and_then(Tok::ident);
-        let help = match self.peek()? {
+        let (step, next) = (what == STEP, self.nth(1));
+        let before = self.before(1);
+        let word = before.and_then(Tok::ident).unwrap_or_default();
+        let is_operation = operations(word).next().is_some();
+        Some(match self.peek()? {
             _ if self.at_border() => return None,
-            Tok::Sym(Sym::Assign) if self.nth_is(1, Sym::Greater) => "write `>=`",
-            Tok::Sym(Sym::Assign) if self.nth_is(1, Sym::Less) => "write `<=`",
-            Tok::Sym(Sym::Assign) if self.nth_is(1, Sym::Bang) => "write `!=`",
-            Tok::Sym(Sym::Assign) if self.is_behind_set() => "write `,`: as in `set(name, value)`",
-            Tok::Sym(Sym::Assign) if what == STEP && word.is_some_and(is_plain) => {
-                let name = word.unwrap_or_default();
-                let value = match self.nth(1) {
-                    Some(Tok::Number(_) | Tok::Str(_)) => self.written(self.at + 1, self.at + 2),
-                    _ => "…".into(),
-                };
-                return Some(format!("write `set({name}, {value})` to change an attribute"));
+            Tok::Sym(Sym::Assign) if self.nth_is(1, Sym::Greater) => "write `>=`".into(),
+            Tok::Sym(Sym::Assign) if self.nth_is(1, Sym::Less) => "write `<=`".into(),
+            Tok::Sym(Sym::Assign) if self.nth_is(1, Sym::Bang) => "write `!=`".into(),
+            Tok::Sym(Sym::Assign) if self.is_behind_set() => "write `,`: as in `set(name, value)`".into(),
+            Tok::Sym(Sym::Assign) if step && is_plain(word) => {
+                let is_literal = matches!(next, Some(Tok::Number(_) | Tok::Str(_)));
+                let value = if is_literal { self.written(self.at + 1, self.at + 2) } else { "…".into() };
+                format!("write `set({word}, {value})` to change an attribute")
             }
-            Tok::Sym(Sym::Assign) => "two values are compared with `==`",
-            Tok::Number(value) if what == STEP && word.is_some_and(|word| operations(word).next().is_some()) => {
-                return Some(format!("write `{}({value})`", word.unwrap_or_default()));
-            }
-            Tok::Number(value)
-                if what == STEP && self.nth_is(1, Sym::Colon) && self.begins_body() && *value <= 100.0 =>
-            {
+            Tok::Sym(Sym::Assign) => "two values are compared with `==`".into(),
+            Tok::Number(value) if step && is_operation => format!("write `{word}({value})`"),
+            Tok::Number(value) if step && self.nth_is(1, Sym::Colon) && self.begins_body() && *value <= 100.0 => {
                 let percent = if *value < 1.0 { (*value * 1e8).round() / 1e6 } else { *value };
-                return Some(format!("write `{percent}% :` for a chance"));
+                format!("write `{percent}% :` for a chance")
             }
-            Tok::Number(value) if what == STEP && self.nth_is(1, Sym::Colon) && 0.0 < *value && *value <= 100.0 => {
-                return Some(format!("put `|` between the slots of a split; a percentage is `{value}% :`"));
+            Tok::Number(value) if step && self.nth_is(1, Sym::Colon) && 0.0 < *value && *value <= 100.0 => {
+                format!("put `|` between the slots of a split; a percentage is `{value}% :`")
             }
-            Tok::Sym(Sym::Tilde | Sym::Quote) | Tok::Number(_) if what == STEP => {
-                "put `|` between the slots of a split"
+            Tok::Sym(Sym::Tilde | Sym::Quote) | Tok::Number(_) if step => "put `|` between the slots of a split".into(),
+            Tok::Sym(Sym::Colon) if step && nearest(word, ELSE).is_some() => "did you mean `else`?".into(),
+            Tok::Sym(Sym::Colon) if step && !word.is_empty() && !is_operation => {
+                format!("put `|` between the parts of a split or comp; a rule begins with `{word} -->`")
             }
-            Tok::Sym(Sym::Colon) if what == STEP && word.and_then(|word| nearest(word, ELSE)).is_some() => {
-                "did you mean `else`?"
-            }
-            Tok::Sym(Sym::Colon) if what == STEP && word.is_some_and(|word| operations(word).next().is_none()) => {
-                let name = word.unwrap_or_default();
-                return Some(format!("put `|` between the parts of a split or comp; a rule begins with `{name} -->`"));
-            }
-            Tok::Sym(Sym::Colon) if what == STEP => "put `|` between the parts of a split or comp",
-            Tok::Ident(_) if self.cast().is_some() => return self.cast(),
-            Tok::Sym(Sym::LBrace) if what == "a value" => match (self.nth(1), self.nth_is(2, Sym::RBrace)) {
-                (Some(Tok::Ident(name)), true) => return Some(format!("write `{name}`: a value has no braces")),
-                _ => "a value has no braces: write `( … )` around a part of it",
+            Tok::Sym(Sym::Colon) if step => "put `|` between the parts of a split or comp".into(),
+            Tok::Ident(_) => return self.cast(),
+            Tok::Sym(Sym::LBrace) if what == "a value" => match (next, self.nth_is(2, Sym::RBrace)) {
+                (Some(Tok::Ident(name)), true) => format!("write `{name}`: a value has no braces"),
+                _ => "a value has no braces: write `( … )` around a part of it".into(),
             },
             Tok::Sym(Sym::Quote) => {
-                return Some(format!("`{RELATIVE}` begins a relative size; a power is `pow(base, exponent)`"));
+                format!("`{RELATIVE}` begins a relative size; a power is `pow(base, exponent)`")
             }
-            Tok::Sym(Sym::Star) if follows(Sym::Star) => "a power is `pow(base, exponent)`",
-            Tok::Sym(Sym::Star) if what == STEP => "`*` comes after the `}` of the repeated slots",
+            Tok::Sym(Sym::Star) if before.is_some_and(|token| token.is(Sym::Star)) => {
+                "a power is `pow(base, exponent)`".into()
+            }
+            Tok::Sym(Sym::Star) if step => "`*` comes after the `}` of the repeated slots".into(),
             _ => return None,
-        };
-        Some(help.to_owned())
+        })
     }
 
     /// Returns the help for `as` and a type.
@@ -140,24 +130,23 @@ impl Parser<'_> {
 
     /// Returns true if the body of a rule begins here.
     fn begins_body(&self) -> bool {
-        let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at));
-        before.is_some_and(|token| token.is(Sym::Arrow))
+        self.before(1).is_some_and(|token| token.is(Sym::Arrow))
     }
 
     /// Returns true directly after the name in a call of `set`.
     fn is_behind_set(&self) -> bool {
-        let before = |back: usize| self.at.checked_sub(back).and_then(|at| self.layout.at(at));
         let (mut back, is_part) = (1, |token: &Tok| token.ident().is_some() || token.is(Sym::Dot));
-        while before(back).is_some_and(is_part) && back < 8 {
+        while self.before(back).is_some_and(is_part) && back < 8 {
             back += 1;
         }
-        before(back).is_some_and(|token| token.is(Sym::LParen)) && before(back + 1).and_then(Tok::ident) == Some("set")
+        self.before(back).is_some_and(|token| token.is(Sym::LParen))
+            && self.before(back + 1).and_then(Tok::ident) == Some("set")
     }
 
     /// Converts the previous number, if the current token is its unit.
     fn number_with_unit(&self) -> Option<f64> {
         let unit = self.peek().and_then(Tok::ident).filter(|_| !self.at_border())?;
-        match self.layout.at(self.at.checked_sub(1)?)? {
+        match self.before(1)? {
             Tok::Number(value) => without_unit(*value, unit),
             _ => None,
         }
@@ -174,8 +163,7 @@ impl Parser<'_> {
     }
 
     pub(super) fn fail<T>(&mut self, what: &str) -> Parsed<T> {
-        self.expected(what);
-        Err(Reported)
+        Err(self.expected(what).into())
     }
 
     /// Passes over a required symbol.

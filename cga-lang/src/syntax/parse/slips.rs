@@ -5,9 +5,11 @@
 
 use super::head::Head;
 use super::type_words::is_type;
-use super::{Parsed, Parser, Reported};
+use super::{Parsed, Parser};
+use crate::diag::RELATIVE;
 use crate::diag::code::Code;
 use crate::ops::{operations, shape_attr};
+use crate::span::Span;
 use crate::syntax::ast::Name;
 use crate::syntax::token::{Sym, Tok, Tokens};
 use std::ops::Range;
@@ -20,7 +22,7 @@ impl Parser<'_> {
     pub(super) fn written(&self, from: usize, to: usize) -> String {
         let tokens: Tokens = (from..to).filter_map(|position| self.layout.at(position)).cloned().collect();
         let last = tokens.len().saturating_sub(1) as u32;
-        tokens.quoted(crate::span::Span { first: 0, last }, LONGEST)
+        tokens.text(Span { first: 0, last }, LONGEST, RELATIVE)
     }
 
     /// Reports and skips an assignment to an attribute of the shape, as in `scope.sy = 3`. The same tokens could be a
@@ -47,7 +49,7 @@ impl Parser<'_> {
             && !self.at_border()
             && self.begins_operand(1)
             && !self.layout.declares(self.peek().and_then(Tok::ident).unwrap_or_default())
-            && (self.colon_of_condition(self.at + 1).is_some() || self.braces(self.at + 1).is_some())
+            && self.condition(self.at + 1).is_some()
     }
 
     /// Returns true if the token `ahead` of the current one may begin a value but cannot follow a name.
@@ -61,19 +63,27 @@ impl Parser<'_> {
             }
     }
 
-    /// The position of the `:` after a condition at `from`.
-    fn colon_of_condition(&self, from: usize) -> Option<usize> {
-        let mut at = from;
+    /// The condition at `from`, and true if `{` follows it in place of `:`. Parentheses before a `{` are left out.
+    fn condition(&self, from: usize) -> Option<(Range<usize>, bool)> {
+        // True if a `{` belongs to an operation in between.
+        let (mut at, mut has_step) = (from, false);
         while !self.layout.is_border(at) {
             match self.layout.at(at)? {
-                Tok::Sym(Sym::Colon) => return (from < at).then_some(at),
-                Tok::Sym(Sym::Bar | Sym::Comma | Sym::Semi | Sym::LBrace) => return None,
-                Tok::Sym(Sym::RBrace | Sym::RBracket | Sym::RParen) => return None,
-                Tok::Sym(Sym::LParen | Sym::LBracket) => at = self.layout.close(at)?,
-                Tok::Sym(Sym::Percent) if self.layout.at(at + 1).is_some_and(|token| token.is(Sym::Colon)) => {
-                    return None;
+                Tok::Sym(Sym::Colon) => return (from < at).then_some((from..at, false)),
+                Tok::Sym(Sym::LBrace) if has_step => return None,
+                Tok::Sym(Sym::LBrace)
+                    if self.layout.is(from, Sym::LParen) && self.layout.close(from) == Some(at - 1) =>
+                {
+                    return Some((from + 1..at - 1, true));
                 }
+                Tok::Sym(Sym::LBrace) => return (from < at).then_some((from..at, true)),
+                Tok::Sym(Sym::Bar | Sym::Comma | Sym::Semi | Sym::RBrace | Sym::RBracket | Sym::RParen) => return None,
+                Tok::Sym(Sym::LParen | Sym::LBracket) => at = self.layout.close(at)?,
+                Tok::Sym(Sym::Percent) if self.layout.is(at + 1, Sym::Colon) => return None,
+                Tok::Sym(Sym::Arrow) => has_step = true,
+                // A `:` or `{` belongs to the inner branch.
                 Tok::Ident(word) if matches!(word.as_str(), "case" | "else") || is_if(word) => return None,
+                Tok::Ident(word) => has_step |= operations(word).next().is_some(),
                 _ => {}
             }
             at += 1;
@@ -81,61 +91,36 @@ impl Parser<'_> {
         None
     }
 
-    /// The positions of a condition at `from` that is followed by `{`, without its parentheses.
-    fn braces(&self, from: usize) -> Option<Range<usize>> {
-        if self.layout.at(from).is_some_and(|token| token.is(Sym::LParen))
-            && let Some(close) = self.layout.close(from)
-            && self.layout.at(close + 1).is_some_and(|token| token.is(Sym::LBrace))
-        {
-            return Some(from + 1..close);
-        }
-        let mut at = from;
-        while !self.layout.is_border(at) {
-            match self.layout.at(at)? {
-                Tok::Sym(Sym::LBrace) => return (from < at).then_some(from..at),
-                Tok::Sym(Sym::Colon | Sym::Bar | Sym::Comma | Sym::Semi | Sym::Arrow) => return None,
-                Tok::Sym(Sym::RBrace | Sym::RBracket | Sym::RParen) => return None,
-                Tok::Sym(Sym::LParen | Sym::LBracket) => at = self.layout.close(at)?,
-                // The braces belong to the inner branch.
-                Tok::Ident(word) if matches!(word.as_str(), "case" | "else") || is_if(word) => {
-                    return None;
-                }
-                Tok::Ident(word) if operations(word).next().is_some() => return None,
-                _ => {}
-            }
-            at += 1;
-        }
-        None
+    /// The text of the condition at `from`, and true if `{` follows it.
+    fn written_condition(&self, from: usize) -> (String, bool) {
+        let (tokens, braces) = self.condition(from).unwrap_or((from..from, false));
+        (self.written(tokens.start, tokens.end), braces)
     }
 
-    /// Reports `if`, or `case` after `else`, and passes over the word. Fails if the arms are in braces.
-    pub(super) fn if_for_case(&mut self) -> Parsed<()> {
+    /// The message about `if`.
+    pub(super) fn about_if(&self) -> String {
         let word = self.peek().map_or(String::new(), Tok::describe);
-        if let Some(braces) = self.braces(self.at + 1) {
-            let condition = self.written(braces.start, braces.end);
-            self.syntax(self.at, format!("a condition begins with `case`, not with {word}"))
-                .help(format!("write `case {condition} : … else : …`"));
-            return Err(Reported);
+        format!("a condition begins with `case`, not with {word}")
+    }
+
+    /// Reports `if`, or `case` after `else`, and passes over these `count` words. Fails if the arms are in braces.
+    pub(super) fn no_case(&mut self, count: usize, message: String) -> Parsed<()> {
+        let (condition, braces) = self.written_condition(self.at + count);
+        let span = self.span().to(self.span_at(self.at + count - 1));
+        let rest = if braces { " … else : …" } else { "" };
+        let diag = self.syntax_over(self.at, span, message).help(format!("write `case {condition} :{rest}`"));
+        if braces {
+            return Err(diag.into());
         }
-        let colon = self.colon_of_condition(self.at + 1).unwrap_or(self.at + 1);
-        let condition = self.written(self.at + 1, colon);
-        self.syntax(self.at, format!("a condition begins with `case`, not with {word}"))
-            .help(format!("write `case {condition} :`"));
-        self.bump();
+        self.at += count;
         Ok(())
     }
 
     /// Reports an `if` after operations.
     pub(super) fn if_behind_steps<T>(&mut self) -> Parsed<T> {
-        let word = self.peek().map_or(String::new(), Tok::describe);
-        let colon = self.colon_of_condition(self.at + 1);
-        let condition = match (colon, self.braces(self.at + 1)) {
-            (None, Some(braces)) => self.written(braces.start, braces.end),
-            (colon, _) => self.written(self.at + 1, colon.unwrap_or(self.at + 1)),
-        };
-        self.syntax(self.at, format!("a condition begins with `case`, not with {word}"))
-            .help(format!("after operations write `[ case {condition} : … else : … ]`"));
-        Err(Reported)
+        let (condition, _) = self.written_condition(self.at + 1);
+        let diag = self.syntax(self.at, self.about_if());
+        Err(diag.help(format!("after operations write `[ case {condition} : … else : … ]`")).into())
     }
 
     /// Returns true if a further condition follows the `else` here.
@@ -143,21 +128,7 @@ impl Parser<'_> {
         let next = self.nth(1).and_then(Tok::ident);
         self.is_word("else")
             && next.is_some_and(|word| word == "case" || is_if(word))
-            && (self.colon_of_condition(self.at + 2).is_some() || self.braces(self.at + 2).is_some())
-    }
-
-    /// Reports such an `else` and passes over it and the word after it. Fails if the arms are in braces.
-    pub(super) fn else_if_for_case(&mut self) -> Parsed<()> {
-        let from = self.at + 2;
-        let braces = self.braces(from);
-        let help = match (braces.clone(), self.colon_of_condition(from)) {
-            (Some(braces), _) => format!("write `case {} : … else : …`", self.written(braces.start, braces.end)),
-            (None, colon) => format!("write `case {} :`", self.written(from, colon.unwrap_or(from))),
-        };
-        let span = self.span().to(self.span_at(self.at + 1));
-        self.syntax_over(self.at, span, "further conditions begin with `case` too, `else` is what remains").help(help);
-        self.at += 2;
-        if braces.is_some() { Err(Reported) } else { Ok(()) }
+            && self.condition(self.at + 2).is_some()
     }
 
     /// The operator that the current word means between two values.

@@ -1,44 +1,36 @@
 //! Slots: `{ size : operations | … }*`.
 
-use super::{Parsed, Parser, Reported};
+use super::{Parsed, Parser};
 use crate::diag::RELATIVE;
 use crate::diag::code::Code;
-use crate::syntax::ast::{BlockPart, SplitItem};
+use crate::syntax::ast::SplitItem;
 use crate::syntax::token::{Sym, Tok};
 
 impl Parser<'_> {
-    /// Parses the slots of an operation from the `{`.
-    pub(super) fn slots(&mut self) -> Parsed<BlockPart> {
-        let (items, repeat) = self.items()?;
-        Ok(BlockPart::Slots(items, repeat))
-    }
-
-    fn items(&mut self) -> Parsed<(Vec<SplitItem>, bool)> {
+    /// Parses slots from the `{`. Returns true with them if a `*` follows.
+    pub(super) fn slots(&mut self) -> Parsed<(Vec<SplitItem>, bool)> {
         let items = self.between_bars(Some("size : operations"), Self::slot)?;
         Ok((items, self.eat(Sym::Star)))
     }
 
     fn slot(&mut self) -> Parsed<SplitItem> {
         if self.is(Sym::LBrace) {
-            let (items, repeat) = self.items()?;
+            let (items, repeat) = self.slots()?;
             return Ok(SplitItem::Group(items, repeat));
         }
-        if matches!(self.peek(), Some(Tok::Ident(_) | Tok::Path(_) | Tok::Sym(Sym::LBracket))) && !self.has_colon() {
+        if matches!(self.peek(), Some(Tok::Ident(_) | Tok::Path(_) | Tok::Sym(Sym::LBracket)))
+            && !self.slot_has(|token| token.is(Sym::Colon))
+        {
             return self.missing_size();
         }
-        if self.at_percent() && !self.has_else() {
+        if let Some(Tok::Number(percent)) = self.peek()
+            && self.at_percent()
+            && !self.slot_has(|token| token.ident() == Some("else"))
+        {
             let span = self.span().to(self.span_at(self.at + 1));
-            let written = match self.peek() {
-                Some(Tok::Number(percent)) => Some((percent * 1e6).round() / 1e8),
-                _ => None,
-            };
-            self.diags.report(Code::Syntax, span, "the size of a slot cannot be a percentage").help(
-                written.map_or_else(
-                    || format!("write `{RELATIVE}0.3` for 30 % of the scope"),
-                    |share| format!("write `{RELATIVE}{share}`"),
-                ),
-            );
-            return Err(Reported);
+            let share = (percent * 1e6).round() / 1e8;
+            let diag = self.diags.report(Code::Syntax, span, "the size of a slot cannot be a percentage");
+            return Err(diag.help(format!("write `{RELATIVE}{share}`")).into());
         }
         let size = self.arg()?;
         if !self.eat(Sym::Colon) && !self.slipped_colon("the size") {
@@ -48,16 +40,7 @@ impl Parser<'_> {
         Ok(SplitItem::Slot(size, ops))
     }
 
-    /// Returns true if a `:` follows before the slot ends.
-    fn has_colon(&self) -> bool {
-        self.slot_has(|token| token.is(Sym::Colon))
-    }
-
-    /// Returns true if an `else` follows before the slot ends.
-    fn has_else(&self) -> bool {
-        self.slot_has(|token| token.ident() == Some("else"))
-    }
-
+    /// Returns true if a token follows before the slot ends.
     fn slot_has(&self, wanted: impl Fn(&Tok) -> bool) -> bool {
         let mut at = self.at;
         while let Some(token) = self.layout.at(at) {
@@ -77,11 +60,9 @@ impl Parser<'_> {
 
     fn missing_size<T>(&mut self) -> Parsed<T> {
         let span = self.span();
-        self.diags
-            .report(Code::MissingSize, span, "this slot has no size")
-            // *CGA changelog 2015.0*.
-            .note("versions before 2015 allowed it, and `~1` was meant")
-            .help("put `~1 :` before it to share what is left, or a size in metres and `:`");
-        Err(Reported)
+        let diag = self.diags.report(Code::MissingSize, span, "this slot has no size");
+        // *CGA changelog 2015.0*.
+        diag.note("versions before 2015 allowed it, and `~1` was meant");
+        Err(diag.help("put `~1 :` before it to share what is left, or a size in metres and `:`").into())
     }
 }

@@ -2,11 +2,8 @@
 
 use super::{Parsed, Parser};
 use crate::diag::code::Code;
-use crate::syntax::ast::{Annotation, Ast, Style};
+use crate::syntax::ast::{Annotation, Ast, DEFAULT, Style};
 use crate::syntax::token::Sym;
-
-/// The style of everything before the first `style`.
-const DEFAULT: &str = "Default";
 
 impl Parser<'_> {
     /// Parses a style from the word `style`. Returns the number of the style that begins.

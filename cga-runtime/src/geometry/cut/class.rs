@@ -19,6 +19,13 @@ impl Class {
         Class(2 * plane + 1)
     }
 
+    /// The class of a height among planes at increasing heights.
+    #[inline]
+    pub(super) fn among(planes: &[f64], height: f64) -> Self {
+        let below = planes.partition_point(|&plane| plane < height);
+        if planes.get(below) == Some(&height) { Class::on(below as u32) } else { Class::inside(below as u32) }
+    }
+
     #[inline]
     pub(super) fn is_on_plane(self) -> bool {
         self.0 & 1 == 1
@@ -61,6 +68,12 @@ impl Span {
     pub(super) fn of(classes: impl Iterator<Item = Class>) -> Self {
         let none = Span { low: Class(u32::MAX), high: Class(0) };
         classes.fold(none, |span, class| Span { low: span.low.min(class), high: span.high.max(class) })
+    }
+
+    /// The span of two classes.
+    #[inline]
+    pub(super) fn between(a: Class, b: Class) -> Self {
+        Span { low: a.min(b), high: a.max(b) }
     }
 
     /// The lowest slab that contains a part of the span.

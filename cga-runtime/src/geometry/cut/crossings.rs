@@ -11,20 +11,29 @@ use crate::geometry::mesh::Mesh;
 impl Points {
     /// The crossing of the edge between two corners with the only plane between them.
     #[inline]
-    pub(super) fn crossing(
-        &mut self,
-        parts: &mut [Slab],
-        mesh: &Mesh,
-        plane: u32,
-        from: usize,
-        to: usize,
-    ) -> PieceCorner {
-        let (a, b) = (mesh.corners[from], mesh.corners[to]);
+    pub(super) fn crossing(&mut self, parts: &mut [Slab], mesh: &Mesh, plane: u32, from: u32, to: u32) -> PieceCorner {
+        let [a, b] = [from, to].map(|corner| mesh.corners[corner as usize]);
         let (number, new) = self.edges.entry(a, b, self.levels[plane as usize].flat.len() as u32);
         if new {
             self.make(parts, mesh, a, b, plane..plane + 1);
         }
         self.node(mesh, Location::on(plane, number), from, to)
+    }
+
+    /// Appends the corners of a loop, each with the crossings of the edge after it.
+    pub(super) fn cross_loop(
+        &mut self,
+        parts: &mut [Slab],
+        mesh: &Mesh,
+        ring: Range<usize>,
+        nodes: &mut Vec<PieceCorner>,
+    ) {
+        let next = (ring.start + 1..ring.end).chain([ring.start]);
+        for (corner, next) in ring.zip(next) {
+            let [from, to] = [corner, next].map(|c| PieceCorner::corner(c, self.places[mesh.corners[c] as usize]));
+            nodes.push(from);
+            self.cross(parts, mesh, from, to, nodes);
+        }
     }
 
     /// Appends the crossings of the edge from one corner to another, in the order along the edge.
@@ -33,28 +42,26 @@ impl Points {
         &mut self,
         parts: &mut [Slab],
         mesh: &Mesh,
-        from: (usize, Location),
-        to: (usize, Location),
+        from: PieceCorner,
+        to: PieceCorner,
         nodes: &mut Vec<PieceCorner>,
     ) {
-        let rises = from.1.class < to.1.class;
-        let [low, high] = if rises { [from.1.class, to.1.class] } else { [to.1.class, from.1.class] };
-        let planes = Span { low, high }.planes();
+        let planes = Span::between(from.class(), to.class()).planes();
         if planes.is_empty() {
             return;
         }
         if planes.len() == 1 {
-            nodes.push(self.crossing(parts, mesh, planes.start, from.0, to.0));
+            nodes.push(self.crossing(parts, mesh, planes.start, from.from, to.from));
             return;
         }
-        let (a, b) = (mesh.corners[from.0], mesh.corners[to.0]);
+        let [a, b] = [from, to].map(|corner| mesh.corners[corner.from as usize]);
         let (first, new) = self.edges.entry(a, b, self.crossings.len() as u32);
         if new {
             self.make(parts, mesh, a, b, planes.clone());
         }
-        let node = |plane: u32, number: u32| self.node(mesh, Location::on(plane, number), from.0, to.0);
+        let node = |plane: u32, number: u32| self.node(mesh, Location::on(plane, number), from.from, to.from);
         let crossings = planes.clone().zip(&self.crossings[first as usize..first as usize + planes.len()]);
-        if rises {
+        if from.class() < to.class() {
             nodes.extend(crossings.map(|(plane, &number)| node(plane, number)));
         } else {
             nodes.extend(crossings.rev().map(|(plane, &number)| node(plane, number)));
@@ -63,12 +70,12 @@ impl Points {
 
     /// The node of a crossing on the edge between two corners.
     #[inline]
-    fn node(&self, mesh: &Mesh, place: Location, from: usize, to: usize) -> PieceCorner {
+    fn node(&self, mesh: &Mesh, place: Location, from: u32, to: u32) -> PieceCorner {
         // The values of corners are interpolated from the same end as the position.
-        let point = |corner: usize| mesh.points[mesh.corners[corner] as usize];
+        let point = |corner: u32| mesh.points[mesh.corners[corner as usize] as usize];
         let ordered = !self.mixes || comes_first(point(from), point(to));
         let (from, to) = if ordered { (from, to) } else { (to, from) };
-        PieceCorner { place, from: from as u32, to: to as u32 }
+        PieceCorner { place, from, to }
     }
 
     /// Makes the crossings of an edge. The requesting face has pieces on both sides, so the crossings get numbers
@@ -83,7 +90,7 @@ impl Points {
             let (mut x, share) = segment.meet(at);
             x[axis] = at;
             let [below, above] = &mut parts[plane as usize..plane as usize + 2] else { return };
-            let numbers = [below.add_point(x), above.add_point(x)];
+            let numbers = [below.mesh.add_point(x), above.mesh.add_point(x)];
             let number = self.add(plane, x, share, numbers);
             if !single {
                 self.crossings.push(number);

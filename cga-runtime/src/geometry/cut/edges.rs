@@ -12,9 +12,6 @@ const END: u32 = u32::MAX;
 /// The largest number of edges in a list.
 const CROWD: usize = 16;
 
-/// The number of edges of a list that are read ahead.
-const NEAR: usize = 4;
-
 /// A map from edges to numbers.
 #[derive(Default)]
 pub(super) struct Edges {
@@ -60,26 +57,6 @@ impl Edges {
         }
         let (number, new) = self.crowded.entry(low, high, initial);
         (*number, new)
-    }
-
-    /// The start of the list with an edge, given its lower end.
-    #[inline]
-    pub(super) fn head(&self, low: u32) -> u32 {
-        self.heads[low as usize]
-    }
-
-    /// The number of an edge if it is near the start of its list.
-    #[inline]
-    pub(super) fn near(&self, head: u32, high: u32) -> Option<u32> {
-        let mut at = head;
-        for _ in 0..NEAR {
-            let link = self.links.get(at as usize)?;
-            if link.end == high {
-                return Some(link.number);
-            }
-            at = link.next;
-        }
-        None
     }
 
     /// All edges as pairs of ends, with their numbers, in unspecified order.

@@ -35,12 +35,12 @@ pub use iso::iso_bands;
 pub(crate) use plane::above;
 pub use plane::{Plane, halves};
 
-use caps::{Caps, sheet_search};
+use caps::{CapTexture, Caps, sheet_search};
 use class::Span;
+use faces::chain::Chain;
 use faces::general::General;
 use faces::near_coplanar::Rough;
-use faces::simple::Simple;
-use faces::triangle;
+use faces::{simple, triangle};
 use points::Location;
 use state::State;
 
@@ -88,25 +88,20 @@ pub struct OpenChain {
 /// assert!(slabs.parts[2].is_none() && slabs.open.is_empty());
 /// ```
 pub fn slabs(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64]) -> Slabs {
-    Cutter::with(|cutter| cutter.slabs(mesh, axis, offsets))
+    Cutter::with(|cutter| cutter.slabs(mesh, axis, offsets, CapTexture::UNCHANGED))
 }
 
 /// The same as [`slabs`] for a stretched mesh. The texture coordinates of caps begin at the point `low`, and `stretch`
 /// converts them to metres.
 pub(crate) fn stretched_slabs(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64], low: DVec3, stretch: DVec3) -> Slabs {
-    Cutter::with(|cutter| {
-        cutter.caps.in_metres(low, stretch);
-        let slabs = cutter.slabs(mesh, axis, offsets);
-        cutter.caps.in_metres(DVec3::ZERO, DVec3::ONE);
-        slabs
-    })
+    Cutter::with(|cutter| cutter.slabs(mesh, axis, offsets, CapTexture { low, stretch }))
 }
 
 /// Buffers that are reused by the next cut.
 #[derive(Default)]
 pub(crate) struct Cutter {
     state: State,
-    simple: Simple,
+    chain: Chain,
     general: General,
     rough: Rough,
     caps: Caps,
@@ -135,35 +130,23 @@ impl Cutter {
         })
     }
 
-    pub(crate) fn slabs(&mut self, mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64]) -> Slabs {
+    pub(crate) fn slabs(&mut self, mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64], texture: CapTexture) -> Slabs {
         let mut slabs = Slabs { parts: vec![None; offsets.len() + 1], open: Vec::new() };
         if mesh.is_empty() {
             return slabs;
         }
-        let all_rise = offsets.windows(2).all(|w| w[0] < w[1]) && offsets.iter().all(|o| !o.is_nan());
-        let kept: Vec<usize>;
-        let sorted: Vec<f64>;
-        let (planes, slab_of): (&[f64], Option<&[usize]>) = if all_rise {
-            (offsets, None)
-        } else {
-            kept = rising(offsets);
-            sorted = kept.iter().map(|&i| offsets[i]).collect();
-            (&sorted, Some(&kept))
-        };
+        let kept = rising(offsets);
         let bounds = mesh.bounds();
         let (low, high) = (bounds.low[axis.index()], bounds.high[axis.index()]);
         // If the mesh only touches a plane, all of it is on one side, whatever the normals of faces in the plane. The
         // same holds for a plane that contains a whole closed mesh, with faces back to back: the mesh is below.
         let flat = low == high;
-        let first = planes.partition_point(|&o| o < low || (o == low && !flat));
+        let first = kept.partition_point(|&at| offsets[at] < low || (offsets[at] == low && !flat));
         let apart = flat && !mesh.is_closed();
-        let end = planes.partition_point(|&o| o < high || (o == high && apart)).max(first);
+        let end = kept.partition_point(|&at| offsets[at] < high || (offsets[at] == high && apart)).max(first);
         // Maps a slab between the counted planes to its number among all slabs: the slab directly below its upper
         // plane.
-        let number = |slab: usize| match slab_of {
-            None => slab,
-            Some(kept) => kept.get(slab).copied().unwrap_or(offsets.len()),
-        };
+        let number = |slab: usize| kept.get(slab).copied().unwrap_or(offsets.len());
         if first == end {
             slabs.parts[number(first)] = Some(mesh.clone());
             return slabs;
@@ -171,9 +154,9 @@ impl Cutter {
         self.state.points.axis = axis.index();
         self.state.points.planes.clear();
         // Adds 0.0 because a plane at -0 would give points at -0.
-        self.state.points.planes.extend(planes[first..end].iter().map(|&at| at + 0.0));
+        self.state.points.planes.extend(kept[first..end].iter().map(|&at| offsets[at] + 0.0));
         self.cut_faces(mesh);
-        self.caps.close(&mut self.state, mesh, |points, plane, chain| {
+        self.caps.close(&mut self.state, mesh, texture, |points, plane, chain| {
             let lift = |point| points.lift(plane as u32, point);
             let points = chain.into_iter().map(lift).collect();
             slabs.open.push(OpenChain { plane: number(plane + first), points });
@@ -197,14 +180,11 @@ impl Cutter {
 
     /// Reads the places of a block of corners that begins with the corners of a face. Returns the end of the block.
     #[inline(never)]
-    fn read_block(&mut self, mesh: &Mesh, first_loop: usize, corners: Range<usize>) -> usize {
+    fn read_block(&mut self, mesh: &Mesh, corners: Range<usize>) -> usize {
         let end = corners.end.max(corners.start + BLOCK).min(mesh.corners.len());
         let places = &self.state.points.places;
         self.block.clear();
         self.block.extend(mesh.corners[corners.start..end].iter().map(|&point| places[point as usize]));
-        if self.state.reads_ahead {
-            self.state.points.read_ahead(mesh, first_loop, end);
-        }
         end
     }
 
@@ -218,7 +198,7 @@ impl Cutter {
             let corners = start..mesh.loop_ends[loops.end - 1] as usize;
             start = corners.end;
             if block_end < corners.end {
-                (block_start, block_end) = (corners.start, self.read_block(mesh, loops.start, corners.clone()));
+                (block_start, block_end) = (corners.start, self.read_block(mesh, corners.clone()));
             }
             let places = &self.block[corners.start - block_start..corners.end - block_start];
             if let [p, q, r] = *places {
@@ -248,7 +228,9 @@ impl Cutter {
                 && self.rough.clip(&mut self.state, mesh, face, tag)
             {
                 continue;
-            } else if loops.len() > 1 || !self.simple.clip(&mut self.state, mesh, tag, corners, places, span) {
+            } else if loops.len() > 1
+                || !simple::clip(&mut self.chain, &mut self.state, mesh, tag, corners, places, span)
+            {
                 self.general.clip(&mut self.state, mesh, face, tag);
             }
         }

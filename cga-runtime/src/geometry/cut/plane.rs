@@ -9,9 +9,10 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec2, DVec3};
 
-use super::caps::texture_axes;
+use super::caps::{CapTexture, texture_axes};
 use super::points::NONE;
 use super::{Cutter, OpenChain, Slabs};
+use crate::geometry::Frame;
 use crate::geometry::mesh::{Mesh, unit};
 
 /// An oriented plane.
@@ -55,26 +56,12 @@ pub(crate) fn above(mesh: &Arc<Mesh>, plane: &Plane, tolerance: f64) -> Option<A
     Cutter::with(|cutter| cutter.halves(mesh, plane, tolerance, false)).parts.pop().flatten()
 }
 
-/// A frame in which the plane is x = 0.
-struct Frame {
-    origin: DVec3,
-    /// Orthonormal, right-handed.
-    axes: DMat3,
-}
-
-impl Frame {
-    fn of(plane: &Plane) -> Option<Self> {
-        let x = unit(plane.normal);
-        if x == DVec3::ZERO || !plane.point.is_finite() {
-            return None;
-        }
-        let (y, z) = x.any_orthonormal_pair();
-        Some(Frame { origin: plane.point, axes: DMat3::from_cols(x, y, z) })
-    }
-
-    fn local(&self, point: DVec3) -> DVec3 {
-        self.axes.transpose() * (point - self.origin)
-    }
+/// A frame in which the plane is x = 0. `None` for an invalid plane.
+fn frame_of(plane: &Plane) -> Option<Frame> {
+    let x = unit(plane.normal);
+    let (y, z) = x.any_orthonormal_pair();
+    let is_valid = x != DVec3::ZERO && plane.point.is_finite();
+    is_valid.then(|| Frame { origin: plane.point, axes: DMat3::from_cols(x, y, z) })
 }
 
 impl Cutter {
@@ -84,9 +71,9 @@ impl Cutter {
             slabs.parts[side] = (!mesh.is_empty()).then(|| mesh.clone());
             slabs
         };
-        let Some(frame) = Frame::of(plane) else { return whole(0) };
+        let Some(frame) = frame_of(plane) else { return whole(0) };
         let place = |point: &DVec3| {
-            let local = frame.local(*point);
+            let local = frame.to_local(*point);
             if local.x.abs() <= tolerance { local.with_x(0.0) } else { local }
         };
         let points: Vec<DVec3> = mesh.points.iter().map(place).collect();
@@ -109,7 +96,7 @@ impl Cutter {
         let mut slabs = Slabs { parts: Vec::new(), open: Vec::new() };
         let mut open = Vec::new();
         if close {
-            self.caps.close(&mut self.state, &local, |_, _, chain| open.push(chain));
+            self.caps.close(&mut self.state, &local, CapTexture::UNCHANGED, |_, _, chain| open.push(chain));
         }
         let met = self.state.points.on_plane_of(&mesh.points, &local.points);
         for chain in open {

@@ -4,12 +4,9 @@
 //! plane are stored and numbered per plane, because later steps (the pieces on both sides, the caps) work plane by
 //! plane.
 
-use std::hint::black_box;
-use std::ops::Range;
-
 use glam::{DVec2, DVec3};
 
-use super::class::{Class, Span};
+use super::class::Class;
 use super::edges::Edges;
 use super::segment::Segment;
 use crate::geometry::mesh::Mesh;
@@ -55,12 +52,6 @@ impl PieceCorner {
         self.from == self.to
     }
 
-    /// Returns true if both nodes are crossings of the same edge of a face.
-    #[inline]
-    pub(super) fn is_on_edge_of(&self, other: &PieceCorner) -> bool {
-        !self.is_corner() && (self.from, self.to) == (other.from, other.to)
-    }
-
     #[inline]
     pub(super) fn class(&self) -> Class {
         self.place.class
@@ -103,34 +94,14 @@ pub(super) struct Points {
     pub(super) edges: Edges,
     /// The numbers on their planes of the crossings of edges with several, from low to high.
     pub(super) crossings: Vec<u32>,
-    ahead: Vec<Ahead>,
-}
-
-/// An edge that will be looked up soon.
-struct Ahead {
-    planes: Range<u32>,
-    ends: [u32; 2],
-    /// The start of its list.
-    head: u32,
 }
 
 impl Points {
     /// Classifies the points of a mesh. They have no numbers yet.
     pub(super) fn start(&mut self, mesh: &Mesh) {
         let Points { axis, planes, places, .. } = self;
-        let axis = *axis;
         places.clear();
-        if let [plane] = planes[..] {
-            let class = |x: f64| if plane == x { Class::on(0) } else { Class::inside(u32::from(plane < x)) };
-            places.extend(mesh.points.iter().map(|p| Location { class: class(p[axis]), number: 0 }));
-        } else {
-            let class = |x: f64| {
-                let below = planes.partition_point(|&o| o < x);
-                let is_on_plane = planes.get(below) == Some(&x);
-                if is_on_plane { Class::on(below as u32) } else { Class::inside(below as u32) }
-            };
-            places.extend(mesh.points.iter().map(|p| Location { class: class(p[axis]), number: 0 }));
-        }
+        places.extend(mesh.points.iter().map(|p| Location { class: Class::among(planes, p[*axis]), number: 0 }));
         // Drops the lists left by cuts with many more planes.
         let keep = self.levels.len().min(4 * self.planes.len() + 64).max(self.planes.len());
         self.levels.resize_with(keep, Level::default);
@@ -138,45 +109,6 @@ impl Points {
         self.edges.reset(mesh.points.len());
         self.crossings.clear();
         self.mixes = !mesh.uvs.is_empty() || !mesh.normals.is_empty();
-    }
-
-    /// Touches the memory that look-ups of crossings will need, for the loops from `first` up to corner `end`. Faces
-    /// are cut one by one, and each would wait for memory several times; these reads overlap.
-    #[inline(never)]
-    pub(super) fn read_ahead(&mut self, mesh: &Mesh, first: usize, end: usize) {
-        let Points { places, levels, edges, crossings, ahead, .. } = self;
-        ahead.clear();
-        let whole = mesh.loop_ends[first..].iter().take_while(|&&corner| corner as usize <= end).count();
-        for ring in first..first + whole {
-            let ring = &mesh.corners[mesh.loop_range(ring)];
-            let mut last = ring[ring.len() - 1];
-            let mut last_class = places[last as usize].class;
-            for &here in ring {
-                let class = places[here as usize].class;
-                if class != last_class {
-                    let planes = Span { low: class.min(last_class), high: class.max(last_class) }.planes();
-                    let (low, high) = (here.min(last), here.max(last));
-                    ahead.push(Ahead { planes, ends: [low, high], head: edges.head(low) });
-                }
-                (last, last_class) = (here, class);
-            }
-        }
-        let mut read = 0;
-        let numbers = |plane: u32, number: u32| levels[plane as usize].numbers.get(number as usize);
-        for Ahead { planes, ends: [low, high], head } in ahead.iter() {
-            let Some(number) = edges.near(*head, *high) else {
-                read ^= mesh.points[*low as usize].x.to_bits() ^ mesh.points[*high as usize].x.to_bits();
-                continue;
-            };
-            if planes.len() == 1 {
-                read ^= numbers(planes.start, number).map_or(0, |numbers| u64::from(numbers[0]));
-            } else {
-                let all = crossings.get(number as usize..number as usize + planes.len()).unwrap_or_default();
-                let all = planes.clone().zip(all).filter_map(|(plane, &number)| numbers(plane, number));
-                read ^= all.map(|numbers| u64::from(numbers[0])).sum::<u64>();
-            }
-        }
-        black_box(read);
     }
 
     /// Adds a point to a plane, with its numbers in the slabs. Returns its number on the plane.

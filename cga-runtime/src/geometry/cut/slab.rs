@@ -3,8 +3,6 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use glam::DVec3;
-
 use super::points::{Location, NONE, PieceCorner, Points};
 use crate::geometry::mesh::{FaceTag, Mesh, keep_used};
 
@@ -36,16 +34,7 @@ impl Slab {
     pub(crate) fn keep_triangle(&mut self, source: &Mesh, tag: FaceTag, corners: Range<usize>, numbers: [u32; 3]) {
         self.whole += 1;
         self.piece(tag, numbers);
-        self.copy_carried(source, corners);
-    }
-
-    /// Copies the values of corners of the source.
-    #[inline]
-    pub(crate) fn copy_carried(&mut self, source: &Mesh, corners: Range<usize>) {
-        self.mesh.uvs.copy_from(&source.uvs, corners.clone());
-        if !source.normals.is_empty() {
-            self.mesh.normals.extend_from_slice(&source.normals[corners]);
-        }
+        self.mesh.copy_values(source, corners);
     }
 
     /// The number of a point in this slab. A point on a plane gets its number at the first request.
@@ -62,14 +51,7 @@ impl Slab {
         }
         let new = self.mesh.points.len() as u32;
         *number = new;
-        self.add_point(points.lift(plane, place.number))
-    }
-
-    /// Adds a point and returns its number.
-    #[inline]
-    pub(crate) fn add_point(&mut self, point: DVec3) -> u32 {
-        self.mesh.points.push(point);
-        self.mesh.points.len() as u32 - 1
+        self.mesh.add_point(points.lift(plane, place.number))
     }
 
     /// Adds corners of a piece with their values.
@@ -109,19 +91,8 @@ impl Slab {
     #[inline(always)]
     pub(crate) fn piece<const N: usize>(&mut self, tag: FaceTag, numbers: [u32; N]) {
         self.mesh.corners.extend(numbers);
-        self.end_loop();
-        self.end_face(tag);
-    }
-
-    #[inline]
-    pub(crate) fn end_loop(&mut self) {
-        self.mesh.loop_ends.push(self.mesh.corners.len() as u32);
-    }
-
-    #[inline]
-    pub(crate) fn end_face(&mut self, tag: FaceTag) {
-        self.mesh.face_ends.push(self.mesh.loop_ends.len());
-        self.mesh.tags.push(tag);
+        self.mesh.end_loop();
+        self.mesh.end_face(tag);
     }
 
     /// The finished mesh. The source itself if the part contains all of it, `None` if the part is empty.
@@ -140,9 +111,6 @@ impl Slab {
             self.mesh.bring_to_front(lead);
         }
         self.mesh.give_back_room();
-        if closed {
-            let _ = self.mesh.derived.closed.set(true);
-        }
-        Some(Arc::new(self.mesh))
+        Some(Arc::new(if closed { self.mesh.known_closed(true) } else { self.mesh }))
     }
 }

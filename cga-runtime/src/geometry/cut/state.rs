@@ -16,8 +16,6 @@ pub(super) struct State {
     pub(super) rim: Rim,
     pub(super) sheets: Sheets,
     room: Vec<Room>,
-    /// True if there are so many crossings that their look-ups wait for memory.
-    pub(super) reads_ahead: bool,
     /// True if the mesh is inside out, computed on demand.
     pub(super) inverted: Option<bool>,
 }
@@ -29,10 +27,6 @@ const MANY_SLABS: usize = 8;
 /// is a sample.
 const SAMPLE: usize = 1 << 14;
 const SAMPLE_A_SLAB: usize = 1 << 9;
-
-/// The number of faces from which on edges do not stay in the cache until they are needed again, if about half of the
-/// faces are cut.
-const LARGE: usize = 200_000;
 
 /// The expected contents of a slab.
 #[derive(Clone, Copy, Default)]
@@ -64,7 +58,7 @@ impl State {
             points.places[index].number = if class.is_on_plane() {
                 points.add(class.plane(), p, 0.0, [NONE; 2])
             } else {
-                parts[class.slab() as usize].add_point(p)
+                parts[class.slab() as usize].mesh.add_point(p)
             };
         }
         self.rim.reset();
@@ -73,13 +67,12 @@ impl State {
     /// Makes the slabs with about the capacity that they will need. With many slabs, growing would take much of the
     /// time.
     fn make_room(&mut self, mesh: &Mesh) {
-        let State { points, parts, room, reads_ahead, .. } = self;
+        let State { points, parts, room, .. } = self;
         let slabs = points.planes.len() + 1;
         room.clear();
         room.resize(slabs + 1, Room::default());
         points.places.iter().for_each(|place| room[place.class.slab() as usize].points += 1);
         parts.clear();
-        *reads_ahead = false;
         if slabs < MANY_SLABS {
             // With few slabs: the share of faces follows from the share of points, and small meshes get enough room for
             // any cut.
@@ -96,16 +89,13 @@ impl State {
         // An odd step, because meshes are often made of rows and pairs.
         let each = (faces / SAMPLE.max(slabs * SAMPLE_A_SLAB) + 1) | 1;
         let each = if faces / each < slabs { 1 } else { each };
-        let mut cut = 0;
         for face in (0..faces).step_by(each) {
-            let loops = mesh.face_loops(face);
-            let corners = mesh.loop_range(loops.start).start..mesh.loop_range(loops.end - 1).end;
+            let corners = mesh.face_corners(face);
             let count = corners.len();
             let classes = mesh.corners[corners].iter().map(|&point| points.places[point as usize].class);
             let span = Span::of(classes.clone());
             let (bottom, top) = (span.bottom() as usize, span.top() as usize);
             if bottom < top {
-                cut += each;
                 // A face that reaches far is not representative.
                 let many = if top - bottom < MANY_SLABS { each } else { 1 };
                 classes.for_each(|class| room[class.slab() as usize].corners += many);
@@ -113,7 +103,7 @@ impl State {
                 room[top + 1].end += many;
             } else {
                 room[top].corners += each * count;
-                room[top].loops += each * loops.len();
+                room[top].loops += each * mesh.face_loops(face).len();
             }
         }
         // A margin for faces that were not counted, and for meshes that are open or have faces that are not convex.
@@ -121,7 +111,6 @@ impl State {
             0 => 0,
             _ => count + count / if each == 1 { 32 } else { 12 } + 4,
         };
-        *reads_ahead = LARGE <= faces && faces < 2 * cut;
         let mut pieces = 0;
         parts.extend((0..slabs).map(|slab| {
             let Room { points, corners, loops, begin, end } = room[slab];
@@ -139,17 +128,11 @@ impl State {
         let State { parts, points, .. } = self;
         let part = &mut parts[slab as usize];
         part.whole += 1;
-        let loops = mesh.face_loops(face);
-        let corners = mesh.loop_range(loops.start).start..mesh.loop_range(loops.end - 1).end;
-        let shift = part.mesh.corners.len() as u32;
-        let base = corners.start as u32;
-        for &point in &mesh.corners[corners.clone()] {
+        for &point in &mesh.corners[mesh.face_corners(face)] {
             let number = part.number(points, points.places[point as usize], slab);
             part.mesh.corners.push(number);
         }
-        part.mesh.loop_ends.extend(mesh.loop_ends[loops].iter().map(|end| end - base + shift));
-        part.end_face(tag);
-        part.copy_carried(mesh, corners);
+        part.mesh.end_copy(mesh, face, tag);
         if touches_plane {
             self.edges_on_planes(mesh, face, slab);
         }
@@ -192,14 +175,9 @@ impl State {
         self.is_facing_above(mesh, view.normal()[self.points.axis])
     }
 
-    /// The slab of a triangle in a plane.
-    pub(super) fn slab_of_triangle(&mut self, mesh: &Mesh, corners: [Location; 3], plane: u32) -> u32 {
-        plane + u32::from(self.is_triangle_above(mesh, corners, plane))
-    }
-
     /// Returns true if a triangle in a plane goes above it. The test is exact, because the triangle may be the
     /// narrowest piece of a face.
-    fn is_triangle_above(&mut self, mesh: &Mesh, corners: [Location; 3], plane: u32) -> bool {
+    pub(super) fn is_triangle_above(&mut self, mesh: &Mesh, corners: [Location; 3], plane: u32) -> bool {
         let flat = &self.points.levels[plane as usize].flat;
         let [a, b, c] = corners.map(|corner| flat[corner.number as usize]);
         self.is_facing_above(mesh, f64::from(orient(a, b, c)))

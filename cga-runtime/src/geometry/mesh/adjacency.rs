@@ -1,6 +1,7 @@
 //! The adjacency of a mesh: the faces at each edge and at each point. Computed on demand and shared by copies.
 
 use super::Mesh;
+use crate::geometry::buckets::Buckets;
 
 /// Adjacency in a mesh. Edges are numbered in the order of the first corner that starts them; a shared edge has one
 /// number (*comp operation*, e).
@@ -14,42 +15,9 @@ pub(crate) struct Adjacency {
     /// The edge that starts at each corner.
     edges: Vec<u32>,
     /// For each edge the corners that start it.
-    uses: Lists,
+    uses: Buckets,
     /// For each point the corners at it.
-    at: Lists,
-}
-
-/// Lists of corners, each in increasing order.
-#[derive(Debug)]
-struct Lists {
-    ends: Vec<u32>,
-    corners: Vec<u32>,
-}
-
-impl Lists {
-    /// Sorts corners into lists by their keys.
-    fn by(count: usize, keys: &[u32]) -> Lists {
-        let mut ends = vec![0; count + 1];
-        keys.iter().for_each(|&key| ends[key as usize + 1] += 1);
-        (0..count).for_each(|key| ends[key + 1] += ends[key]);
-        let mut corners = vec![0; keys.len()];
-        for (corner, &key) in keys.iter().enumerate() {
-            let fill = &mut ends[key as usize];
-            corners[*fill as usize] = corner as u32;
-            *fill += 1;
-        }
-        ends.truncate(count);
-        Lists { ends, corners }
-    }
-
-    fn len(&self) -> usize {
-        self.ends.len()
-    }
-
-    fn of(&self, key: usize) -> &[u32] {
-        let start = if key == 0 { 0 } else { self.ends[key - 1] };
-        &self.corners[start as usize..self.ends[key] as usize]
-    }
+    at: Buckets,
 }
 
 impl Adjacency {
@@ -63,10 +31,10 @@ impl Adjacency {
                 before.extend([ring.end - 1].into_iter().chain(ring.start..ring.end - 1).map(|corner| corner as u32));
             }
         }
-        let at = Lists::by(mesh.points.len(), &mesh.corners);
+        let at = Buckets::by(mesh.points.len(), mesh.corners.iter().copied());
         let edges = number_edges(mesh, &next);
         let count = edges.iter().max().map_or(0, |&last| last as usize + 1);
-        let uses = Lists::by(count, &edges);
+        let uses = Buckets::by(count, edges.iter().copied());
         Adjacency { faces, next, before, edges, uses, at }
     }
 
@@ -134,14 +102,12 @@ fn number_edges(mesh: &Mesh, next: &[u32]) -> Vec<u32> {
         let [a, b] = [corner, next[corner as usize]].map(|corner| mesh.corners[corner as usize]);
         (a.min(b), a.max(b))
     };
-    let lower: Vec<u32> = (0..next.len() as u32).map(|corner| ends(corner).0).collect();
-    let mut around = Lists::by(mesh.points.len(), &lower);
+    let mut around = Buckets::by(mesh.points.len(), (0..next.len() as u32).map(|corner| ends(corner).0));
     // The first corner that starts the same edge.
     let mut first: Vec<u32> = vec![0; next.len()];
-    let mut start = 0;
-    for &end in &around.ends {
-        let here = &mut around.corners[start..end as usize];
-        start = end as usize;
+    for point in 0..mesh.points.len() {
+        let range = around.range(point);
+        let here = &mut around.items[range];
         // Usually few corners are at a point, but in a fan there are many, so they are sorted.
         here.sort_unstable_by_key(|&corner| (ends(corner).1, corner));
         for same in here.chunk_by(|&a, &b| ends(a).1 == ends(b).1) {

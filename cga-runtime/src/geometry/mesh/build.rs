@@ -9,7 +9,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::weld::weld;
-use super::{Derived, FaceTag, Mesh, MeshError, TagSet, UvSets};
+use super::{FaceTag, Mesh, MeshError, TagSet, UvSets};
 use crate::material::Material;
 
 /// Takes points and faces and makes a checked [`Mesh`].
@@ -26,18 +26,11 @@ use crate::material::Material;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct MeshBuilder {
-    points: Vec<DVec3>,
-    corners: Vec<u32>,
-    loop_ends: Vec<usize>,
-    face_ends: Vec<usize>,
-    tags: Vec<FaceTag>,
-    /// Each list grows with `corners` while every face has values, with the number of those faces.
-    uvs: Vec<(Vec<DVec2>, usize)>,
-    normals: Vec<DVec3>,
+    /// The data as given. The lists of values grow with the corners while every face has values.
+    given: Mesh,
+    /// For each texture set, and for the normals, the number of faces with values.
+    uv_faces: [usize; UvSets::MOST],
     normal_faces: usize,
-    groups: Arc<[String]>,
-    materials: Arc<[Material]>,
-    tag_sets: Arc<[TagSet]>,
     wrong: Option<MeshError>,
 }
 
@@ -49,23 +42,20 @@ impl MeshBuilder {
 
     /// Adds a point and returns its index.
     pub fn point(&mut self, position: impl Into<[f64; 3]>) -> u32 {
-        let index = self.points.len();
-        self.points.push(DVec3::from(position.into()));
-        index as u32
+        self.given.add_point(DVec3::from(position.into()))
     }
 
     /// Adds a face: its outline, counter-clockwise as seen from outside, and its holes, clockwise.
     pub fn face(&mut self, outer: &[u32], holes: &[&[u32]], tag: FaceTag) -> &mut Self {
-        for ring in std::iter::once(&outer).chain(holes) {
+        for (number, ring) in std::iter::once(&outer).chain(holes).enumerate() {
             if ring.len() < 3 {
-                let ring = self.loop_ends.len() - self.face_ends.last().copied().unwrap_or(0);
-                self.wrong.get_or_insert(MeshError::ShortLoop { face: self.tags.len(), ring });
+                let face = self.given.face_count();
+                self.wrong.get_or_insert(MeshError::ShortLoop { face, ring: number });
             }
-            self.corners.extend_from_slice(ring);
-            self.loop_ends.push(self.corners.len());
+            self.given.corners.extend_from_slice(ring);
+            self.given.end_loop();
         }
-        self.face_ends.push(self.loop_ends.len());
-        self.tags.push(tag);
+        self.given.end_face(tag);
         self
     }
 
@@ -81,52 +71,44 @@ impl MeshBuilder {
             self.wrong.get_or_insert(MeshError::UvSet { set });
             return self;
         }
-        if self.uvs.len() <= set {
-            self.uvs.resize_with(set + 1, Default::default);
-        }
-        let (list, faces) = &mut self.uvs[set];
-        if list.len() + uvs.len() == self.corners.len() {
-            list.extend_from_slice(uvs);
-            *faces += 1;
-        } else if self.last_corner_count() != uvs.len() {
-            self.wrong.get_or_insert(MeshError::CornerCount { face: self.tags.len().saturating_sub(1) });
-        }
-        self
+        let corners = self.given.corners.len();
+        let fits = add_values(self.given.uvs.list_mut(set), &mut self.uv_faces[set], uvs, corners);
+        self.expect(fits, uvs.len())
     }
 
     /// Sets the normals of the last added face: one per corner, outline first. The mesh keeps them only if every face
     /// has some.
     pub fn normals(&mut self, normals: &[DVec3]) -> &mut Self {
-        if self.normals.len() + normals.len() == self.corners.len() {
-            self.normals.extend_from_slice(normals);
-            self.normal_faces += 1;
-        } else if self.last_corner_count() != normals.len() {
-            self.wrong.get_or_insert(MeshError::CornerCount { face: self.tags.len().saturating_sub(1) });
+        let corners = self.given.corners.len();
+        let fits = add_values(&mut self.given.normals, &mut self.normal_faces, normals, corners);
+        self.expect(fits, normals.len())
+    }
+
+    /// Reports a number of values that differs from the number of corners of the last face.
+    fn expect(&mut self, fits: bool, values: usize) -> &mut Self {
+        let last = self.given.faces().next_back();
+        if !fits && last.map_or(0, |face| face.corner_count()) != values {
+            self.wrong.get_or_insert(MeshError::CornerCount { face: last.map_or(0, |face| face.index()) });
         }
         self
     }
 
     /// Sets the names of groups, which tags index.
     pub fn groups(&mut self, groups: impl Into<Arc<[String]>>) -> &mut Self {
-        self.groups = groups.into();
+        self.given.groups = groups.into();
         self
     }
 
     /// Sets the materials, which tags index.
     pub fn materials(&mut self, materials: impl Into<Arc<[Material]>>) -> &mut Self {
-        self.materials = materials.into();
+        self.given.materials = materials.into();
         self
     }
 
     /// Sets the sets of component tags, which tags of faces index.
     pub fn tag_sets(&mut self, sets: impl Into<Arc<[TagSet]>>) -> &mut Self {
-        self.tag_sets = sets.into();
+        self.given.tag_sets = sets.into();
         self
-    }
-
-    fn last_corner_count(&self) -> usize {
-        let start = self.face_ends.len().checked_sub(2).map_or(0, |f| self.loop_ends[self.face_ends[f] - 1]);
-        self.corners.len() - start
     }
 
     /// Checks all data and makes the mesh.
@@ -136,52 +118,44 @@ impl MeshBuilder {
     /// fewer than three corners.
     pub fn build(self) -> Result<Mesh, MeshError> {
         self.check()?;
-        let same = weld(&self.points);
-        let has_all =
-            |(list, faces): &(Vec<DVec2>, usize)| *faces == self.tags.len() && list.len() == self.corners.len();
-        let mut given = UvSets::default();
-        for (set, (list, _)) in self.uvs.into_iter().enumerate().filter(|(_, uvs)| has_all(uvs)) {
-            given.set(set, list);
+        let MeshBuilder { mut given, uv_faces, normal_faces, .. } = self;
+        let (faces, corners) = (given.face_count(), given.corners.len());
+        for (set, with_values) in uv_faces.into_iter().enumerate() {
+            if with_values != faces || given.uv_set(set).len() != corners {
+                given.uvs.set(set, Vec::new());
+            }
         }
-        let with_normals = self.normal_faces == self.tags.len() && self.normals.len() == self.corners.len();
-        let uvs = given.alike(self.corners.len());
-        let mut mesh =
-            Mesh { uvs, groups: self.groups, materials: self.materials, tag_sets: self.tag_sets, ..Mesh::default() };
-        let (mut start, mut first_loop) = (0, 0);
-        for (face, &end_loop) in self.face_ends.iter().enumerate() {
-            let face_start = mesh.loop_ends.len();
-            for ring in first_loop..end_loop {
-                let range = start..self.loop_ends[ring];
-                start = range.end;
-                let kept_from = mesh.corners.len();
-                for corner in range.clone() {
-                    let before = if corner == range.start { range.end - 1 } else { corner - 1 };
-                    let point = same[self.corners[corner] as usize];
-                    if point == same[self.corners[before] as usize] {
-                        continue;
-                    }
-                    mesh.corners.push(point);
-                    mesh.uvs.push_from(&given, |list| list[corner]);
-                    if with_normals {
-                        mesh.normals.push(self.normals[corner]);
+        given.uvs.forget_empty();
+        if normal_faces != faces || given.normals.len() != corners {
+            given.normals.clear();
+        }
+        let same = weld(&given.points);
+        let mut mesh = given.alike(corners);
+        for face in given.faces() {
+            let first_loop = mesh.loop_ends.len();
+            for ring in face.loop_ranges() {
+                let start = mesh.corners.len();
+                let mut last = same[given.corners[ring.end - 1] as usize];
+                for corner in ring {
+                    let point = same[given.corners[corner] as usize];
+                    if point != std::mem::replace(&mut last, point) {
+                        mesh.corners.push(point);
+                        mesh.copy_values(&given, corner..corner + 1);
                     }
                 }
-                if mesh.corners.len() - kept_from < 3 {
-                    mesh.corners.truncate(kept_from);
-                    mesh.uvs.truncate(kept_from);
-                    mesh.normals.truncate(kept_from);
+                if mesh.corners.len() - start < 3 {
+                    mesh.corners.truncate(start);
+                    mesh.uvs.truncate(start);
+                    mesh.normals.truncate(start);
                 } else {
-                    mesh.loop_ends.push(mesh.corners.len() as u32);
+                    mesh.end_loop();
                 }
             }
-            first_loop = end_loop;
-            if mesh.loop_ends.len() > face_start {
-                mesh.face_ends.push(mesh.loop_ends.len());
-                mesh.tags.push(self.tags[face]);
+            if first_loop < mesh.loop_ends.len() {
+                mesh.end_face(face.tag());
             }
         }
-        mesh.points = keep_used(&self.points, &mut mesh.corners);
-        mesh.derived = Derived::default();
+        mesh.points = keep_used(&given.points, &mut mesh.corners);
         Ok(mesh)
     }
 
@@ -189,38 +163,43 @@ impl MeshBuilder {
         if let Some(wrong) = &self.wrong {
             return Err(wrong.clone());
         }
-        if self.points.len().max(self.corners.len()) >= (u32::MAX / 2) as usize {
+        let given = &self.given;
+        if given.points.len().max(given.corners.len()) >= (u32::MAX / 2) as usize {
             return Err(MeshError::TooLarge);
         }
-        if let Some(point) = self.points.iter().position(|p| !p.is_finite()) {
+        if let Some(point) = given.points.iter().position(|p| !p.is_finite()) {
             return Err(MeshError::NotFinite { point });
         }
-        let (mut start, mut ring) = (0, 0);
-        for (face, &end) in self.face_ends.iter().enumerate() {
-            while ring < end {
-                for &index in &self.corners[start..self.loop_ends[ring]] {
-                    if index as usize >= self.points.len() {
-                        return Err(MeshError::OutOfRange { face, index });
-                    }
-                }
-                start = self.loop_ends[ring];
-                ring += 1;
+        for view in given.faces() {
+            let face = view.index();
+            let mut corners = given.corners[view.corner_range()].iter();
+            if let Some(&index) = corners.find(|&&point| given.points.len() <= point as usize) {
+                return Err(MeshError::OutOfRange { face, index });
             }
-            let tag = self.tags[face];
-            let fits = |index: u32, len: usize| index == FaceTag::NONE || (index as usize) < len;
-            let all = [
-                fits(tag.group, self.groups.len()),
-                fits(tag.material, self.materials.len()),
-                fits(tag.tags, self.tag_sets.len()),
+            let tag = view.tag();
+            let lists = [
+                (tag.group, given.groups.len()),
+                (tag.material, given.materials.len()),
+                (tag.tags, given.tag_sets.len()),
             ];
-            if all.contains(&false) {
+            if lists.iter().any(|&(index, len)| index != FaceTag::NONE && len <= index as usize) {
                 return Err(MeshError::Tag { face });
             }
         }
-        let finite = self.uvs.iter().flat_map(|(list, _)| list).all(|uv| uv.is_finite())
-            && self.normals.iter().all(|n| n.is_finite());
-        if finite { Ok(()) } else { Err(MeshError::NotFinite { point: self.points.len() }) }
+        let finite = given.uv_numbers().flat_map(|set| given.uv_set(set)).all(|uv| uv.is_finite())
+            && given.normals.iter().all(|n| n.is_finite());
+        if finite { Ok(()) } else { Err(MeshError::NotFinite { point: given.points.len() }) }
     }
+}
+
+/// Adds the values of a face to a list if it has values for all corners before the face. Returns whether it does.
+fn add_values<T: Copy>(list: &mut Vec<T>, faces: &mut usize, values: &[T], corners: usize) -> bool {
+    let fits = list.len() + values.len() == corners;
+    if fits {
+        list.extend_from_slice(values);
+        *faces += 1;
+    }
+    fits
 }
 
 /// The points that corners use, in their old order. Renumbers the corners; -0 becomes 0.

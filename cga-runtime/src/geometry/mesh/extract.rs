@@ -28,25 +28,24 @@ pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
                 } else {
                     Some(new[point as usize]).filter(|&p| p != u32::MAX)
                 };
-                part.corners.push(known.unwrap_or_else(|| {
-                    let number = part.points.len() as u32;
-                    part.points.push(into * (mesh.points[point as usize] - to.origin));
+                let number = known.unwrap_or_else(|| {
+                    let number = part.add_point(to.to_local(mesh.points[point as usize]));
                     if few {
                         seen.push(point);
                     } else {
                         new[point as usize] = number;
                     }
                     number
-                }));
+                });
+                part.corners.push(number);
                 part.uvs.push_from(&mesh.uvs, |list| list[corner]);
                 if let Some(&normal) = mesh.normals.get(corner) {
                     part.normals.push(into * normal);
                 }
             }
-            part.loop_ends.push(part.corners.len() as u32);
+            part.end_loop();
         }
-        part.face_ends.push(part.loop_ends.len());
-        part.tags.push(face.tag());
+        part.end_face(face.tag());
     }
     part
 }

@@ -11,6 +11,7 @@ use super::face::unit;
 use super::map::flip;
 use super::table::PairTable;
 use super::{Bounds, FaceTag, Mesh, TagSet};
+use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::provenance::Extruded;
 use crate::geometry::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
 
@@ -48,10 +49,14 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
         Extrude::FlatTop(vector) => flat_top(&mesh.points, vector, distance),
     };
     let way = |body: u32, point: u32| ways[if along == Extrude::FaceNormal { body } else { point } as usize];
-    let tags = AutoTags::of(mesh);
+    // For each part of an extrusion the tags of all source faces, and last those of faces without tags.
+    let plain = TagSet::default();
+    let sets = || mesh.tag_sets.iter().chain([&plain]);
+    let tagged = Extruded::ALL.map(|part| sets().map(move |set| set.renewed("extrude", part.tag())));
+    let count = mesh.tag_sets.len() as u32 + 1;
     let mut grown = Grown {
         source: mesh,
-        mesh: Mesh { tag_sets: tags.sets.into(), ..mesh.alike(6 * mesh.corners.len()) },
+        mesh: Mesh { tag_sets: tagged.into_iter().flatten().collect(), ..mesh.alike(6 * mesh.corners.len()) },
         low: vec![u32::MAX; mesh.points.len()],
         high: PairTable::with_capacity(mesh.points.len()),
     };
@@ -61,7 +66,7 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
             continue;
         }
         let own = face.tag();
-        let tag = |part: usize| FaceTag { cap: false, tags: tags.of[part][own.tags.min(tags.last) as usize], ..own };
+        let tag = |part: Extruded| FaceTag { cap: false, tags: part as u32 * count + own.tags.min(count - 1), ..own };
         // Vertices of the bottom come first, then those of the top. The order of faces is the same, with the sides
         // last.
         face.corner_range().for_each(|corner| _ = grown.low(corner));
@@ -77,44 +82,18 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
                     grown.mesh.corners.push(point);
                 }
                 grown.copy_uvs(&order);
-                grown.end_loop();
+                grown.mesh.end_loop();
             }
-            grown.end_face(tag(if top { 3 } else { 0 }));
+            grown.mesh.end_face(tag(if top { Extruded::Top } else { Extruded::Bottom }));
         }
-        for (number, ring) in face.loop_ranges().enumerate() {
-            let tag = tag(if number == 0 { 1 } else { 2 });
-            for corner in ring.clone() {
-                let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
-                if !joints.inner[corner] {
-                    let [a, b] = [corner, next].map(|c| (grown.low(c), grown.high(c, body, way)));
-                    grown.wall([(a.0, corner), (b.0, next), (b.1, next), (a.1, corner)], tag);
-                }
-            }
+        let outline_end = face.corner_range().start + face.outer().len();
+        for [corner, next] in face.edges().filter(|&[corner, _]| !joints.inner[corner]) {
+            let [a, b] = [corner, next].map(|c| (grown.low(c), grown.high(c, body, way)));
+            let tag = tag(if corner < outline_end { Extruded::Outer } else { Extruded::Inner });
+            grown.wall([(a.0, corner), (b.0, next), (b.1, next), (a.1, corner)], tag);
         }
     }
     grown.mesh
-}
-
-/// The tags of the result's faces, added to those of their source faces.
-struct AutoTags {
-    sets: Vec<TagSet>,
-    /// For each tag of [`Extruded::ALL`] the new number of each set; the last entry is for faces without a set.
-    of: [Vec<u32>; 4],
-    last: u32,
-}
-
-impl AutoTags {
-    fn of(mesh: &Mesh) -> Self {
-        let mut sets: Vec<TagSet> = Vec::new();
-        let plain = TagSet::default();
-        let of = Extruded::ALL.map(|extruded| {
-            let all = mesh.tag_sets.iter().chain([&plain]).map(|set| set.renewed("extrude", extruded.tag()));
-            let first = sets.len() as u32;
-            sets.extend(all);
-            (first..sets.len() as u32).collect()
-        });
-        AutoTags { sets, of, last: mesh.tag_sets.len() as u32 }
-    }
 }
 
 /// For each point the average of the normals of the faces around it. Faces with the same normal count once, so that the
@@ -172,8 +151,8 @@ impl Joints {
             face_of[corner] = face as u32;
             edges.entry(a, b, corner as u32);
         });
-        let mut joints =
-            Joints { inner: vec![false; mesh.corners.len()], body: (0..mesh.face_count() as u32).collect() };
+        let mut inner = vec![false; mesh.corners.len()];
+        let mut bodies = DisjointSets::new(mesh.face_count());
         each_edge(mesh, |face, corner, a, b| {
             if edges.get(a, b) != Some(corner as u32) {
                 return;
@@ -183,35 +162,21 @@ impl Joints {
             let coplanar =
                 (normals[face] - normals[other]).length() <= COPLANAR_EPSILON && normals[face] != DVec3::ZERO;
             if other != face && (at_all_angles || coplanar) {
-                joints.inner[corner] = true;
-                let [a, b] = [face, other].map(|f| joints.root(f as u32));
-                joints.body[a.max(b) as usize] = a.min(b);
+                inner[corner] = true;
+                bodies.unite(face as u32, other as u32);
             }
         });
-        for face in 0..joints.body.len() as u32 {
-            // If points move independently of their faces, there is one body.
-            joints.body[face as usize] = if at_all_angles { 0 } else { joints.root(face) };
-        }
-        joints
-    }
-
-    fn root(&self, mut face: u32) -> u32 {
-        while self.body[face as usize] != face {
-            face = self.body[face as usize];
-        }
-        face
+        bodies.flatten();
+        // If points move independently of their faces, there is one body.
+        let body = |face: u32| if at_all_angles { 0 } else { bodies.find(face) };
+        Joints { inner, body: (0..mesh.face_count() as u32).map(body).collect() }
     }
 }
 
 /// Calls `visit` with the face, the corner and the two points of every edge.
 fn each_edge(mesh: &Mesh, mut visit: impl FnMut(usize, usize, u32, u32)) {
-    for (index, face) in mesh.faces().enumerate() {
-        for ring in face.loop_ranges() {
-            for corner in ring.clone() {
-                let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
-                visit(index, corner, mesh.corners[corner], mesh.corners[next]);
-            }
-        }
+    for face in mesh.faces() {
+        face.edges().for_each(|[corner, next]| visit(face.index(), corner, mesh.corners[corner], mesh.corners[next]));
     }
 }
 
@@ -229,8 +194,7 @@ impl Grown<'_> {
     fn low(&mut self, corner: usize) -> u32 {
         let point = self.source.corners[corner] as usize;
         if self.low[point] == u32::MAX {
-            self.low[point] = self.mesh.points.len() as u32;
-            self.mesh.points.push(self.source.points[point]);
+            self.low[point] = self.mesh.add_point(self.source.points[point]);
         }
         self.low[point]
     }
@@ -263,21 +227,12 @@ impl Grown<'_> {
             self.mesh.corners.push(point);
             self.copy_uvs(&[corner]);
         }
-        self.end_loop();
-        self.end_face(tag);
+        self.mesh.end_loop();
+        self.mesh.end_face(tag);
     }
 
     fn copy_uvs(&mut self, corners: &[usize]) {
         corners.iter().for_each(|&corner| self.mesh.uvs.push_from(&self.source.uvs, |list| list[corner]));
-    }
-
-    fn end_loop(&mut self) {
-        self.mesh.loop_ends.push(self.mesh.corners.len() as u32);
-    }
-
-    fn end_face(&mut self, tag: FaceTag) {
-        self.mesh.face_ends.push(self.mesh.loop_ends.len());
-        self.mesh.tags.push(tag);
     }
 }
 

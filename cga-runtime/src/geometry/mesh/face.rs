@@ -45,13 +45,20 @@ impl<'a> FaceRef<'a> {
 
     /// All corners, as a range of [`Mesh::corners`], [`Mesh::uvs`] and [`Mesh::normals`].
     pub fn corner_range(&self) -> Range<usize> {
-        let loops = self.mesh.face_loops(self.index);
-        self.mesh.loop_range(loops.start).start..self.mesh.loop_range(loops.end - 1).end
+        self.mesh.face_corners(self.index)
     }
 
     /// The number of corners, those of holes included.
     pub fn corner_count(&self) -> usize {
         self.corner_range().len()
+    }
+
+    /// The edges of all loops, as their first and their last corner.
+    pub(crate) fn edges(&self) -> impl Iterator<Item = [usize; 2]> + use<'a> {
+        self.loop_ranges().flat_map(|ring| {
+            let next = (ring.start + 1..ring.end).chain([ring.start]);
+            ring.zip(next).map(|(corner, next)| [corner, next])
+        })
     }
 
     /// The group, the material, the tags, and whether a cut made the face.
@@ -75,8 +82,7 @@ impl<'a> FaceRef<'a> {
         self.area_vector_of(|p| p)
     }
 
-    /// The same for other positions. Newell's sum, relative to the first corner, so that distance from the origin costs
-    /// no accuracy.
+    /// The same for other positions.
     #[inline(always)]
     fn area_vector_of(&self, place: impl Fn(DVec3) -> DVec3) -> DVec3 {
         let at = |point: u32| place(self.mesh.points[point as usize]);
@@ -86,27 +92,12 @@ impl<'a> FaceRef<'a> {
             let from = at(a);
             return (at(b) - from).cross(at(c) - from);
         }
-        let from = place(self.position(self.corner_range().start));
-        let mut sum = DVec3::ZERO;
-        for ring in self.loops() {
-            let mut last = at(ring[ring.len() - 1]) - from;
-            for &c in ring {
-                let here = at(c) - from;
-                sum += last.cross(here);
-                last = here;
-            }
-        }
-        sum
+        area_vector(self.loops().map(|ring| ring.iter().map(|&point| at(point))))
     }
 
     /// The unit normal, for faces of any size; zero for a face without area.
     pub fn normal(&self) -> DVec3 {
-        /// Far above the size at which products underflow.
-        const SMALL: f64 = 1e-250;
-        let sum = self.area_vector();
-        let size = sum.abs().max_element();
-        let safe = SMALL < size && size < f64::INFINITY;
-        unit(if safe { sum } else { self.area_vector_at_one() })
+        unit(well_scaled(self.area_vector(), || self.area_vector_at_one()))
     }
 
     /// The area vector of the face scaled to a size of about 1.
@@ -131,4 +122,34 @@ impl<'a> FaceRef<'a> {
 pub(crate) fn unit(v: DVec3) -> DVec3 {
     let scale = v.abs().max_element();
     if 0.0 < scale && scale < f64::INFINITY { (v / scale).normalize() } else { DVec3::ZERO }
+}
+
+/// The normal of a planar polygon with twice the area as its length. Newell's sum, relative to the first corner, so that
+/// distance from the origin costs no accuracy.
+#[inline(always)]
+pub(crate) fn area_vector<R>(rings: impl Iterator<Item = R>) -> DVec3
+where
+    R: DoubleEndedIterator<Item = DVec3> + Clone,
+{
+    let (mut first, mut sum) = (None, DVec3::ZERO);
+    for ring in rings {
+        let (Some(start), Some(end)) = (ring.clone().next(), ring.clone().next_back()) else { continue };
+        let from = *first.get_or_insert(start);
+        let mut last = end - from;
+        for point in ring {
+            let here = point - from;
+            sum += last.cross(here);
+            last = here;
+        }
+    }
+    sum
+}
+
+/// An area vector, or the one of the polygon scaled to a size of about 1 if its products overflow or underflow.
+#[inline]
+pub(crate) fn well_scaled(sum: DVec3, at_one: impl FnOnce() -> DVec3) -> DVec3 {
+    /// Far above the size at which products underflow.
+    const SMALL: f64 = 1e-250;
+    let size = sum.abs().max_element();
+    if SMALL < size && size < f64::INFINITY { sum } else { at_one() }
 }

@@ -14,11 +14,6 @@ pub(crate) struct FaceEnds {
 }
 
 impl FaceEnds {
-    /// `count` faces with one loop each.
-    pub(crate) fn single(count: usize) -> Self {
-        FaceEnds { single: count as u32, ends: Vec::new() }
-    }
-
     pub(crate) fn len(&self) -> usize {
         self.single as usize + self.ends.len()
     }
@@ -87,11 +82,6 @@ pub(crate) struct Tags {
 }
 
 impl Tags {
-    /// `count` faces with the same tag.
-    pub(crate) fn uniform(count: usize, tag: FaceTag) -> Self {
-        Tags { runs: vec![(count as u32, tag)] }
-    }
-
     pub(crate) fn len(&self) -> usize {
         self.runs.last().map_or(0, |run| run.0 as usize)
     }
@@ -161,22 +151,9 @@ impl Mesh {
         self.uvs.give_back_room();
     }
 
-    /// The bytes of the mesh's lists, and the bytes of their capacity.
-    #[cfg(test)]
-    pub(crate) fn bytes(&self) -> [usize; 2] {
-        fn of<T>(list: &Vec<T>) -> [usize; 2] {
-            [list.len(), list.capacity()].map(|count| count * size_of::<T>())
-        }
-        let indices = [&self.corners, &self.loop_ends, &self.face_ends.ends].map(of);
-        let points = [&self.points, &self.normals].map(of);
-        let all = indices.into_iter().chain(points).chain([of(&self.tags.runs), self.uvs.bytes()]);
-        all.fold([0; 2], |sum, next| [sum[0] + next[0], sum[1] + next[1]])
-    }
-
     /// Moves a face to the front. The order of the others stays.
     pub(crate) fn bring_to_front(&mut self, face: usize) {
-        let rings = self.face_loops(face);
-        let corners = self.loop_range(rings.start).start..self.loop_range(rings.end - 1).end;
+        let (rings, corners) = (self.face_loops(face), self.face_corners(face));
         to_front(&mut self.corners, corners.clone());
         self.uvs.bring_to_front(&corners);
         if !self.normals.is_empty() {
@@ -207,6 +184,19 @@ pub(super) fn to_front<T: Copy>(list: &mut [T], range: Range<usize>) {
 mod tests {
     use super::*;
 
+    impl Mesh {
+        /// The bytes of the mesh's lists, and the bytes of their capacity.
+        pub(crate) fn bytes(&self) -> [usize; 2] {
+            fn of<T>(list: &Vec<T>) -> [usize; 2] {
+                [list.len(), list.capacity()].map(|count| count * size_of::<T>())
+            }
+            let indices = [&self.corners, &self.loop_ends, &self.face_ends.ends].map(of);
+            let points = [&self.points, &self.normals].map(of);
+            let all = indices.into_iter().chain(points).chain([of(&self.tags.runs), self.uvs.bytes()]);
+            all.fold([0; 2], |sum, next| [sum[0] + next[0], sum[1] + next[1]])
+        }
+    }
+
     #[test]
     fn faces_with_holes_may_come_anywhere() {
         let mut faces = FaceEnds::default();
@@ -214,7 +204,7 @@ mod tests {
         let loops: Vec<_> = (0..faces.len()).map(|face| faces.loops(face)).collect();
         assert_eq!(loops, [0..1, 1..2, 2..5, 5..6, 6..8]);
         assert!(faces.cover(8) && !faces.cover(7));
-        assert!(FaceEnds::single(3).cover(3) && FaceEnds::default().cover(0));
+        assert!(FaceEnds { single: 3, ends: Vec::new() }.cover(3) && FaceEnds::default().cover(0));
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::face::unit;
-use super::{Derived, FaceTag, Mesh, Tags};
+use super::{FaceTag, Mesh, Tags};
 
 /// The map of normals that matches the winding: it maps `a × b` to `(m·a) × (m·b)`, also if `m` mirrors. Unlike the
 /// inverse it exists for flat maps too.
@@ -65,17 +65,12 @@ impl Mesh {
     /// A copy without points, normals and derived properties.
     fn clone_structure(&self) -> Mesh {
         Mesh {
-            points: Vec::new(),
             corners: self.corners.clone(),
             loop_ends: self.loop_ends.clone(),
             face_ends: self.face_ends.clone(),
             tags: self.tags.clone(),
             uvs: self.uvs.clone(),
-            normals: Vec::new(),
-            groups: self.groups.clone(),
-            materials: self.materials.clone(),
-            tag_sets: self.tag_sets.clone(),
-            derived: Derived::default(),
+            ..self.alike(0)
         }
     }
 }

@@ -27,7 +27,7 @@ impl Mesh {
             let (value, _) = net.entry(a.min(b), a.max(b), 0);
             *value = if a < b { value.wrapping_add(1) } else { value.wrapping_sub(1) };
         });
-        net.values().all(|v| v == 0)
+        net.pairs().all(|(_, count)| count == 0)
     }
 
     /// Calls `each` with every edge of every loop, face by face.

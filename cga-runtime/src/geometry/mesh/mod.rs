@@ -12,6 +12,7 @@
 
 mod adjacency;
 mod along_uv;
+mod assemble;
 mod build;
 pub mod check;
 mod convex;
@@ -19,7 +20,7 @@ mod error;
 mod extract;
 pub mod extrude;
 mod extrude_wire;
-mod face;
+pub(crate) mod face;
 mod layout;
 pub(crate) mod map;
 mod measure;
@@ -253,6 +254,12 @@ impl Mesh {
         }
     }
 
+    /// The same mesh, which is known to be closed or not.
+    pub(crate) fn known_closed(self, closed: bool) -> Mesh {
+        let _ = self.derived.closed.set(closed);
+        self
+    }
+
     /// The range of a loop in `corners`.
     pub(crate) fn loop_range(&self, index: usize) -> Range<usize> {
         let start = if index == 0 { 0 } else { self.loop_ends[index - 1] };
@@ -262,5 +269,12 @@ impl Mesh {
     /// The loops of a face.
     pub(crate) fn face_loops(&self, index: usize) -> Range<usize> {
         self.face_ends.loops(index)
+    }
+
+    /// The range of a face in `corners`.
+    #[inline]
+    pub(crate) fn face_corners(&self, index: usize) -> Range<usize> {
+        let loops = self.face_loops(index);
+        self.loop_range(loops.start).start..self.loop_ends[loops.end - 1] as usize
     }
 }

@@ -48,43 +48,17 @@ pub(crate) enum OffsetError {
 /// Moves the faces of a mesh inwards (a negative distance) or outwards. Faces that cannot be moved are copied
 /// unchanged, with points of their own, and are also listed with the reason.
 pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> (Mesh, Vec<(usize, OffsetError)>) {
-    let mut made = Mesh {
-        uvs: mesh.uvs.alike(0),
-        groups: mesh.groups.clone(),
-        materials: mesh.materials.clone(),
-        tag_sets: mesh.tag_sets.clone(),
-        ..Mesh::default()
-    };
+    let mut made = mesh.alike(0);
     let mut refused = Vec::new();
     for face in mesh.faces() {
         if let Err(why) = Plane::of(&face).and_then(|plane| plane.offset(distance, keep, &mut made)) {
             refused.push((face.index(), why));
-            copy(&face, &mut made);
+            made.add_copy(&face);
         }
     }
     // The wavefront numbers points in the order of its events; rules expect vertices in the order of faces.
     made.points = in_order_of_use(&made.points, &mut made.corners);
     (made, refused)
-}
-
-/// Copies a face unchanged.
-fn copy(face: &FaceRef<'_>, made: &mut Mesh) {
-    let source = face.mesh;
-    let mut numbers = BTreeMap::new();
-    for ring in face.loop_ranges() {
-        for corner in ring {
-            let point = *numbers.entry(source.corners[corner]).or_insert_with(|| {
-                made.points.push(face.position(corner));
-                made.points.len() as u32 - 1
-            });
-            made.corners.push(point);
-            made.uvs.push_from(&source.uvs, |list| list[corner]);
-            made.normals.extend(source.normals.get(corner));
-        }
-        made.loop_ends.push(made.corners.len() as u32);
-    }
-    made.face_ends.push(made.loop_ends.len());
-    made.tags.push(face.tag());
 }
 
 /// A face projected to its plane.
@@ -140,8 +114,7 @@ impl<'a> Plane<'a> {
 
     fn offset(&self, distance: f64, keep: OffsetFaces, made: &mut Mesh) -> Result<(), OffsetError> {
         let outwards = 0.0 < distance;
-        let edges = Edges::of(&self.face, outwards);
-        let rings: Vec<Vec<u32>> = edges.loops().map(|ring| ring.map(|c| self.corners[c]).collect()).collect();
+        let (edges, rings) = self.edges(outwards);
         let swept = skeleton::sweep(&self.flat, &rings, distance.abs()).map_err(|failure| match failure {
             Failure::TooMany => OffsetError::TooMany,
             Failure::Tangled => OffsetError::Tangled,
@@ -152,49 +125,29 @@ impl<'a> Plane<'a> {
             part.inside(&edges);
         }
         if keep != OffsetFaces::Inside {
-            let mut strips: Vec<(usize, &Strip)> =
-                swept.strips.iter().map(|strip| (edges.corner(strip.edge), strip)).collect();
-            strips.sort_by_key(|strip| strip.0);
-            strips.iter().for_each(|(corner, strip)| part.strip(*corner, strip, &edges));
+            let mut strips: Vec<([usize; 2], &Strip)> =
+                swept.strips.iter().map(|strip| (edges[strip.edge as usize], strip)).collect();
+            strips.sort_by_key(|(edge, _)| edge[0]);
+            strips.iter().for_each(|(edge, strip)| part.strip(*edge, strip));
         }
         Ok(())
     }
-}
 
-/// The edges of a face, by their first corner, in the order in which they are swept. For an outward offset the loops
-/// are reversed.
-struct Edges {
-    /// The first corner and the number of corners of each loop.
-    loops: Vec<(usize, usize)>,
-    turned: bool,
-}
-
-impl Edges {
-    fn of(face: &FaceRef<'_>, turned: bool) -> Self {
-        let start = face.corner_range().start;
-        Edges { loops: face.loop_ranges().map(|ring| (ring.start - start, ring.len())).collect(), turned }
-    }
-
-    /// The corners of each loop in swept order.
-    fn loops(&self) -> impl Iterator<Item = impl Iterator<Item = usize>> {
-        let turned = self.turned;
-        let place = move |k: usize, count: usize| if turned { (count - k) % count } else { k };
-        self.loops.iter().map(move |&(start, count)| (0..count).map(move |k| start + place(k, count)))
-    }
-
-    /// The first corner of an edge in the face.
-    fn corner(&self, edge: u32) -> usize {
-        let edge = edge as usize;
-        let ring = self.loops.partition_point(|&(start, _)| start <= edge) - 1;
-        let (start, count) = self.loops[ring];
-        if self.turned { start + count - 1 - (edge - start) } else { edge }
-    }
-
-    /// The next corner in a corner's loop.
-    fn next(&self, corner: usize) -> usize {
-        let ring = self.loops.partition_point(|&(start, _)| start <= corner) - 1;
-        let (start, count) = self.loops[ring];
-        if corner + 1 == start + count { start } else { corner + 1 }
+    /// The edges of the face in the order in which they are swept, with their corners counted from the first one of the
+    /// face, and the points of its loops. For an outward offset the loops are reversed.
+    fn edges(&self, outwards: bool) -> (Vec<[usize; 2]>, Vec<Vec<u32>>) {
+        let start = self.face.corner_range().start;
+        let (mut edges, mut rings) = (Vec::new(), Vec::new());
+        let mut all = self.face.edges().map(|edge| edge.map(|corner| corner - start));
+        for ring in self.face.loops() {
+            let first = edges.len();
+            edges.extend(all.by_ref().take(ring.len()));
+            if outwards {
+                edges[first..].reverse();
+            }
+            rings.push(edges[first..].iter().map(|edge| self.corners[edge[usize::from(outwards)]]).collect());
+        }
+        (edges, rings)
     }
 }
 
@@ -225,7 +178,7 @@ impl<'p, 'a> FaceParts<'p, 'a> {
 
     /// Adds the interiors of the moved outlines: loops grouped to outlines and holes, each beginning with its first
     /// edge.
-    fn inside(&mut self, edges: &Edges) {
+    fn inside(&mut self, edges: &[[usize; 2]]) {
         let mut rings: Vec<Vec<(usize, u32)>> = self.swept.left.iter().map(|ring| self.ahead(ring, edges)).collect();
         rings.sort_unstable_by_key(|ring| ring[0]);
         let numbers: Vec<u32> = rings.iter().flatten().map(|corner| corner.1).collect();
@@ -238,25 +191,23 @@ impl<'p, 'a> FaceParts<'p, 'a> {
             .collect();
         let mut nest = Nest::default();
         nest.sort(&Section { flat: &self.swept.points, corners: &numbers, ends: &ends });
-        let mut start = 0;
-        for &end in &nest.ends {
-            for ring in &nest.order[start..end] {
+        for rings in nest.groups() {
+            for ring in rings {
                 let ring: Vec<(u32, Option<usize>)> =
                     numbers[ring.clone()].iter().map(|&point| (point, None)).collect();
                 self.ring(&ring, 1.0);
             }
-            self.face();
-            start = end;
+            self.end_face();
         }
     }
 
     /// A loop of the remaining interior in the direction of the face, beginning with the first edge. For each corner it
     /// has the face's edge that the next side belongs to, and the point.
-    fn ahead(&self, ring: &[Left], edges: &Edges) -> Vec<(usize, u32)> {
+    fn ahead(&self, ring: &[Left], edges: &[[usize; 2]]) -> Vec<(usize, u32)> {
         let count = ring.len();
         let side = |k: usize| {
             let (edge, from) = if self.outwards { (count - 1 - k, (count - k) % count) } else { (k, k) };
-            (edges.corner(ring[edge].edge), ring[from].point)
+            (edges[ring[edge].edge as usize][0], ring[from].point)
         };
         let mut sides: Vec<(usize, u32)> = (0..count).map(side).collect();
         let first = (0..count).min_by_key(|&k| sides[k].0).unwrap_or(0);
@@ -264,9 +215,9 @@ impl<'p, 'a> FaceParts<'p, 'a> {
         sides
     }
 
-    /// Adds the strip of the edge from a corner of the face to the next.
-    fn strip(&mut self, corner: usize, strip: &Strip, edges: &Edges) {
-        let own = |point: u32| [corner, edges.next(corner)].into_iter().find(|&c| self.plane.corners[c] == point);
+    /// Adds the strip of an edge of the face.
+    fn strip(&mut self, edge: [usize; 2], strip: &Strip) {
+        let own = |point: u32| edge.into_iter().find(|&c| self.plane.corners[c] == point);
         let mut ring: Vec<(u32, Option<usize>)> = strip.ring.iter().map(|&point| (point, own(point))).collect();
         if self.outwards {
             flip(&mut ring);
@@ -276,7 +227,7 @@ impl<'p, 'a> FaceParts<'p, 'a> {
             ring.rotate_left(first.unwrap_or(0));
         }
         self.ring(&ring, if self.outwards { -1.0 } else { 1.0 });
-        self.face();
+        self.end_face();
     }
 
     /// Adds a loop of points of the plane. Some are corners of the face.
@@ -301,12 +252,11 @@ impl<'p, 'a> FaceParts<'p, 'a> {
                 self.made.normals.push(corner.map_or_else(mixed, |c| list[c]) * looking);
             }
         }
-        self.made.loop_ends.push(self.made.corners.len() as u32);
+        self.made.end_loop();
     }
 
-    fn face(&mut self) {
-        self.made.face_ends.push(self.made.loop_ends.len());
-        self.made.tags.push(self.plane.face.tag());
+    fn end_face(&mut self) {
+        self.made.end_face(self.plane.face.tag());
     }
 }
 

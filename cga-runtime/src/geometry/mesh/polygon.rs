@@ -4,11 +4,12 @@ use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
-use super::face::unit;
+use super::face::{area_vector, unit};
 use super::map::flip;
 use super::{FaceTag, Mesh, MeshBuilder, MeshError};
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::check::winding;
+use crate::geometry::nesting::extent::Extent;
 use crate::geometry::triangulate::Projection;
 
 impl Mesh {
@@ -59,10 +60,9 @@ impl Mesh {
     }
 }
 
-/// The normal with twice the area as its length.
+/// The area vector of a loop.
 fn ring_area(ring: &[DVec3]) -> DVec3 {
-    let from = ring[0];
-    ring.windows(2).map(|w| (w[0] - from).cross(w[1] - from)).sum()
+    area_vector([ring.iter().copied()].into_iter())
 }
 
 /// An edge of a loop, in the plane.
@@ -138,19 +138,13 @@ fn check_holes(points: &[DVec3], rings: &[Range<usize>], normal: DVec3) -> Resul
         let around = &flat[rings[around].clone()];
         flat[rings[ring].clone()].iter().find_map(|&p| winding(around, p)).is_some_and(|turns| turns != 0)
     };
-    let bounds: Vec<(DVec2, DVec2)> = rings
-        .iter()
-        .map(|ring| {
-            flat[ring.clone()].iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), &p| (l.min(p), h.max(p)))
-        })
-        .collect();
+    let bounds: Vec<Extent> = rings.iter().map(|ring| Extent::of(flat[ring.clone()].iter().copied())).collect();
     for hole in 1..rings.len() {
         if !inside(hole, 0) {
             return Err(MeshError::HolePlace { hole: hole - 1, within: None });
         }
-        let (low, high) = bounds[hole];
-        let could_hold =
-            |other: &usize| *other != hole && bounds[*other].0.cmple(low).all() && high.cmple(bounds[*other].1).all();
+        let Extent { low, high } = bounds[hole];
+        let could_hold = |other: &usize| *other != hole && bounds[*other].holds(low) && bounds[*other].holds(high);
         if let Some(other) = (1..rings.len()).filter(could_hold).find(|&other| inside(hole, other)) {
             return Err(MeshError::HolePlace { hole: hole - 1, within: Some(other - 1) });
         }

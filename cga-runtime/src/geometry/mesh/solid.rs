@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Derived, FaceEnds, FaceTag, Mesh, Tags};
+use super::{FaceTag, Mesh};
 use crate::geometry::Axis;
 use crate::geometry::provenance::{Provenance, tag_sets};
 
@@ -15,17 +15,13 @@ pub(crate) fn cuboid() -> Mesh {
 
 /// A closed box with the given faces.
 pub(super) fn unit_box(points: [DVec3; 8], faces: [[u32; 4]; 6]) -> Mesh {
-    let derived = Derived::default();
-    let _ = derived.closed.set(true);
-    Mesh {
-        points: points.to_vec(),
-        corners: faces.as_flattened().to_vec(),
-        loop_ends: (1..=6).map(|face| 4 * face).collect(),
-        face_ends: FaceEnds::single(6),
-        tags: Tags::uniform(6, FaceTag::PLAIN),
-        derived,
-        ..Mesh::default()
+    let mut mesh = Mesh { points: points.to_vec(), ..Mesh::default() };
+    for face in faces {
+        mesh.corners.extend(face);
+        mesh.end_loop();
+        mesh.end_face(FaceTag::PLAIN);
     }
+    mesh.known_closed(true)
 }
 
 /// The corner of the unit box with the number x + 2y + 4z.
@@ -36,22 +32,15 @@ pub(crate) fn corner(number: u8) -> DVec3 {
 /// A square at 0 across an axis, with its normal along the axis. Its first edge is the lowest one, or the front one for
 /// a square on the ground.
 pub(crate) fn square(across: Axis, provenance: Provenance) -> Mesh {
-    let derived = Derived::default();
-    let _ = derived.closed.set(false);
     let corners: [u8; 4] = match across {
         Axis::X => [4, 0, 2, 6],
         Axis::Y => [4, 5, 1, 0],
         Axis::Z => [0, 1, 3, 2],
     };
     let sets = if let Provenance::Extruded(_) = provenance { tag_sets() } else { Vec::new() };
-    Mesh {
-        points: corners.map(corner).to_vec(),
-        corners: vec![0, 1, 2, 3],
-        loop_ends: vec![4],
-        face_ends: FaceEnds::single(1),
-        tags: Tags::uniform(1, provenance.face_tag()),
-        tag_sets: sets.into(),
-        derived,
-        ..Mesh::default()
-    }
+    let mut mesh = Mesh { points: corners.map(corner).to_vec(), tag_sets: sets.into(), ..Mesh::default() };
+    mesh.corners.extend([0, 1, 2, 3]);
+    mesh.end_loop();
+    mesh.end_face(provenance.face_tag());
+    mesh.known_closed(false)
 }

@@ -88,11 +88,6 @@ impl PairTable {
         self.entries().map(|(key, number)| ([(key >> 32) as u32, key as u32], number))
     }
 
-    /// All numbers, in unspecified order.
-    pub(crate) fn values(&self) -> impl Iterator<Item = u32> + '_ {
-        self.entries().map(|(_, number)| number)
-    }
-
     fn entries(&self) -> impl Iterator<Item = (u64, u32)> + '_ {
         let slots = self.slots.iter().copied().filter(|slot| slot.0 != EMPTY);
         slots.chain(self.crowd.iter().map(|(&key, &number)| (key, number)))

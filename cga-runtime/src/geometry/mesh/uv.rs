@@ -72,16 +72,21 @@ impl UvSets {
 
     /// Replaces a set. An empty list removes the set.
     pub(crate) fn set(&mut self, set: usize, list: Vec<DVec2>) {
-        if self.lists.len() <= set && !list.is_empty() {
-            self.lists.resize_with(set + 1, Vec::new);
-        }
-        if let Some(place) = self.lists.get_mut(set) {
-            *place = list;
+        if set < self.lists.len() || !list.is_empty() {
+            *self.list_mut(set) = list;
         }
     }
 
+    /// A set, to be changed.
+    pub(super) fn list_mut(&mut self, set: usize) -> &mut Vec<DVec2> {
+        if self.lists.len() <= set {
+            self.lists.resize_with(set + 1, Vec::new);
+        }
+        &mut self.lists[set]
+    }
+
     /// Removes empty lists after the last set with coordinates.
-    fn forget_empty(&mut self) {
+    pub(super) fn forget_empty(&mut self) {
         let used = self.lists.iter().rposition(|list| !list.is_empty()).map_or(0, |last| last + 1);
         self.lists.truncate(used);
     }
@@ -115,13 +120,6 @@ impl UvSets {
     /// Shrinks lists that have much more capacity than they need.
     pub(super) fn give_back_room(&mut self) {
         self.lists.iter_mut().for_each(super::layout::give_back_room);
-    }
-
-    /// The bytes of all sets, and the bytes of their capacity.
-    #[cfg(test)]
-    pub(super) fn bytes(&self) -> [usize; 2] {
-        let sum = |count: fn(&Vec<DVec2>) -> usize| self.lists.iter().map(count).sum::<usize>() * size_of::<DVec2>();
-        [sum(Vec::len), sum(Vec::capacity)]
     }
 
     /// Removes all corners from a number on.
@@ -206,6 +204,15 @@ mod tests {
                     assert_eq!(mesh.uv_set(set)[corner], DVec2::new(x, z) * (set + 1) as f64);
                 }
             }
+        }
+    }
+
+    impl super::UvSets {
+        /// The bytes of all sets, and the bytes of their capacity.
+        pub(crate) fn bytes(&self) -> [usize; 2] {
+            let sum =
+                |count: fn(&Vec<DVec2>) -> usize| self.lists.iter().map(count).sum::<usize>() * size_of::<DVec2>();
+            [sum(Vec::len), sum(Vec::capacity)]
         }
     }
 

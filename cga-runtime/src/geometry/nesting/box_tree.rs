@@ -37,7 +37,7 @@ impl BoxTree {
         self.nodes.clear();
         self.by_rank.clear();
         self.by_rank.extend((0..loops.len()).filter(|&number| counts(number)).map(|number| number as u32));
-        let area = |number: u32| loops[number as usize].area();
+        let area = |number: u32| loops[number as usize].area;
         self.by_rank.sort_unstable_by(|&a, &b| area(a).total_cmp(&area(b)).then(a.cmp(&b)));
         let leaf = |(rank, &number): (usize, &u32)| BoxNode {
             extent: loops[number as usize].extent,
@@ -54,8 +54,8 @@ impl BoxTree {
             return;
         }
         let Some(rank) = leaves.iter().map(|leaf| leaf.rank).min() else { return };
-        let lows = Extent::union(leaves.iter().map(|leaf| Extent { low: leaf.extent.low, high: leaf.extent.low }));
-        let highs = Extent::union(leaves.iter().map(|leaf| Extent { low: leaf.extent.high, high: leaf.extent.high }));
+        let lows = Extent::of(leaves.iter().map(|leaf| leaf.extent.low));
+        let highs = Extent::of(leaves.iter().map(|leaf| leaf.extent.high));
         let number = self.nodes.len();
         self.nodes.push(BoxNode { extent: Extent { low: lows.low, high: highs.high }, rank, second: 0 });
         let [low, high] = [lows, highs].map(|extent| extent.high * 0.5 - extent.low * 0.5);
@@ -141,7 +141,8 @@ mod tests {
                     let low = DVec2::new(noise(), noise()) * side;
                     for shrink in [0.0, 0.1] {
                         let [low, high] = [low + shrink * size, low + size - shrink * size];
-                        loops.push(Loop::outline(Extent { low, high }));
+                        let area = 2.0 * (high - low).element_product();
+                        loops.push(Loop { range: 0..4, area, extent: Extent { low, high }, outline: None });
                     }
                 }
                 let mut tree = BoxTree::default();
@@ -150,7 +151,7 @@ mod tests {
                 for (number, ring) in loops.iter().enumerate() {
                     let at = ring.extent.low;
                     let found = tree.smallest(&mut budget, |extent| extent.holds(at), |_, _| true);
-                    assert!(found.is_some_and(|found| loops[found].area() <= loops[number].area()));
+                    assert!(found.is_some_and(|found| loops[found].area <= loops[number].area));
                 }
                 let each = (usize::MAX - budget.0) / loops.len();
                 let levels = loops.len().ilog2() as usize;

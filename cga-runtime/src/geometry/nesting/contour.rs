@@ -105,23 +105,19 @@ impl Contour {
         self.stack.clear();
         for &corner in walk {
             if self.on_stack[corner as usize] != NONE {
-                let at = self.on_stack[corner as usize] as usize;
-                let from = self.corners.len();
-                for &popped in &self.stack[at..] {
-                    self.on_stack[popped as usize] = NONE;
-                    self.corners.push(popped);
-                }
-                self.stack.truncate(at);
-                self.end_loop(from);
+                self.pop_loop(self.on_stack[corner as usize] as usize);
             }
             self.on_stack[corner as usize] = self.stack.len() as u32;
             self.stack.push(corner);
         }
+        self.pop_loop(0);
+    }
+
+    /// Makes a loop of the corners on the stack from a number on.
+    fn pop_loop(&mut self, start: usize) {
         let from = self.corners.len();
-        for &popped in &self.stack {
-            self.on_stack[popped as usize] = NONE;
-            self.corners.push(popped);
-        }
+        self.corners.extend(self.stack.drain(start..));
+        self.corners[from..].iter().for_each(|&corner| self.on_stack[corner as usize] = NONE);
         self.end_loop(from);
     }
 

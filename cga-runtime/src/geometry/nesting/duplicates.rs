@@ -12,18 +12,17 @@ use super::extent::Extent;
 /// Groups of loops through the same points in the same order.
 #[derive(Default)]
 pub(crate) struct Twins {
-    /// For each later loop of a group: the first loop of the group, and the number of loops before it.
-    first: HashMap<usize, (usize, usize)>,
-    /// For each first loop of a group: all loops of the group.
-    all: HashMap<usize, Vec<usize>>,
+    groups: Vec<Vec<usize>>,
+    /// For each loop of a group: the group, and the number of loops of the group before it.
+    places: HashMap<usize, (usize, usize)>,
     order: Vec<(DVec2, DVec2, usize)>,
 }
 
 impl Twins {
     /// Finds the groups among loops, which are given by their corners and bounding boxes.
     pub(crate) fn find(&mut self, section: &Section<'_>, loops: impl Iterator<Item = (Range<usize>, Extent)> + Clone) {
-        self.first.clear();
-        self.all.clear();
+        self.groups.clear();
+        self.places.clear();
         self.order.clear();
         self.order.extend(loops.clone().enumerate().map(|(number, (_, Extent { low, high }))| (low, high, number)));
         let key = |&(low, high, number): &(DVec2, DVec2, usize)| (low.x, low.y, high.x, high.y, number);
@@ -37,26 +36,27 @@ impl Twins {
                 same_box.iter().map(|&(.., number)| Ring::of(section, &ranges[number], number)).collect();
             rings.sort_unstable_by(|a, b| a.order(b).then(a.number.cmp(&b.number)));
             for kind in rings.chunk_by(|a, b| a.order(b).is_eq()).filter(|kind| kind.len() > 1) {
-                let all: Vec<usize> = kind.iter().map(|ring| ring.number).collect();
-                self.first.extend((1..all.len()).map(|rank| (all[rank], (all[0], rank))));
-                self.all.insert(all[0], all);
+                let places = kind.iter().enumerate().map(|(rank, ring)| (ring.number, (self.groups.len(), rank)));
+                self.places.extend(places);
+                self.groups.push(kind.iter().map(|ring| ring.number).collect());
             }
         }
     }
 
     /// The first loop of a loop's group, and the number of loops of the group before it.
     pub(crate) fn first(&self, number: usize) -> (usize, usize) {
-        self.first.get(&number).copied().unwrap_or((number, 0))
+        self.places.get(&number).map_or((number, 0), |&(group, rank)| (self.groups[group][0], rank))
     }
 
-    /// Each later loop of a group with the first loop of the group, in unspecified order.
+    /// Each later loop of a group with the first loop of the group.
     pub(crate) fn others(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        self.first.iter().map(|(&number, &(first, _))| (number, first))
+        self.groups.iter().flat_map(|group| group[1..].iter().map(|&number| (number, group[0])))
     }
 
     /// Loop number `number` of a group, which is given by its first loop. Wraps around after the last.
     pub(crate) fn nth(&self, first: usize, number: usize) -> usize {
-        self.all.get(&first).map_or(first, |all| all[number % all.len()])
+        let group = self.places.get(&first).map(|&(group, _)| &self.groups[group]);
+        group.map_or(first, |group| group[number % group.len()])
     }
 }
 

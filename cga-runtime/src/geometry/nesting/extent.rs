@@ -14,6 +14,12 @@ pub(crate) struct Extent {
 impl Extent {
     const EMPTY: Extent = Extent { low: DVec2::INFINITY, high: DVec2::NEG_INFINITY };
 
+    /// The box around some points.
+    pub(crate) fn of(points: impl Iterator<Item = DVec2>) -> Self {
+        Extent::union(points.map(|point| Extent { low: point, high: point }))
+    }
+
+    /// The box around some boxes.
     pub(crate) fn union(all: impl Iterator<Item = Extent>) -> Self {
         all.fold(Extent::EMPTY, |sum, next| Extent { low: sum.low.min(next.low), high: sum.high.max(next.high) })
     }

@@ -19,7 +19,6 @@ mod merge_sort;
 mod pairing;
 mod probe;
 mod ring;
-mod status;
 mod sweep;
 mod winding;
 
@@ -27,6 +26,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 
+use crate::geometry::buckets::Buckets;
 use crate::geometry::tol::PLANAR_EPSILON;
 use box_tree::BoxTree;
 use contour::Section;
@@ -51,9 +51,10 @@ fn budget(section: &Section<'_>) -> Budget {
 #[derive(Default)]
 pub(crate) struct Nest {
     loops: Vec<Loop>,
+    by_outline: Buckets,
     /// The loops in the order of groups, and the end of each group.
-    pub(crate) order: Vec<Range<usize>>,
-    pub(crate) ends: Vec<usize>,
+    order: Vec<Range<usize>>,
+    ends: Vec<usize>,
     /// True if outlines are clockwise and holes counter-clockwise.
     inverted: bool,
     /// The factor that scales the section to about 1.
@@ -67,12 +68,19 @@ pub(crate) struct Nest {
 }
 
 impl Nest {
-    /// A section with one loop, which is an outline.
-    pub(crate) fn single(&mut self, end: usize) {
-        self.order.clear();
-        self.ends.clear();
-        self.order.push(0..end);
-        self.ends.push(1);
+    /// Sorts rings of corners that follow each other, with the positions of the corners. A single ring is an outline.
+    pub(crate) fn sort_rings(&mut self, ends: &[usize], at: impl Fn(usize) -> DVec2) {
+        if let [end] = *ends {
+            self.order.clear();
+            self.ends.clear();
+            self.order.push(0..end);
+            self.ends.push(1);
+            return;
+        }
+        let count = ends.last().copied().unwrap_or(0);
+        let flat: Vec<DVec2> = (0..count).map(at).collect();
+        let corners: Vec<u32> = (0..count as u32).collect();
+        self.sort(&Section { flat: &flat, corners: &corners, ends });
     }
 
     /// Sorts the loops of a section into groups.
@@ -121,37 +129,24 @@ impl Nest {
 
     /// Lists each outline, followed by its holes, in the order in which they were found.
     fn group(&mut self) {
-        self.order.clear();
-        self.ends.clear();
-        if self.loops.iter().all(|ring| ring.outline.is_none()) {
-            for ring in &self.loops {
-                self.order.push(ring.range.clone());
-                self.ends.push(self.order.len());
-            }
-            return;
+        let Nest { loops, order, ends, by_outline, .. } = self;
+        order.clear();
+        ends.clear();
+        by_outline.fill(loops.len(), (0..).zip(&*loops).map(|(at, ring)| ring.outline.map_or(at, |at| at as u32)));
+        for (outline, ring) in loops.iter().enumerate().filter(|(_, ring)| ring.outline.is_none()) {
+            order.push(ring.range.clone());
+            let holes = by_outline.of(outline).iter().filter(|&&hole| hole as usize != outline);
+            order.extend(holes.map(|&hole| loops[hole as usize].range.clone()));
+            ends.push(order.len());
         }
-        // The start of each group: the number of loops in the groups before it.
-        let mut starts = vec![0usize; self.loops.len() + 1];
-        for (index, ring) in self.loops.iter().enumerate() {
-            starts[ring.outline.unwrap_or(index) + 1] += 1;
-        }
-        (0..self.loops.len()).for_each(|index| starts[index + 1] += starts[index]);
-        self.order.resize(self.loops.len(), 0..0);
-        let mut next = starts.clone();
-        for (index, ring) in self.loops.iter().enumerate() {
-            if ring.outline.is_none() {
-                self.order[starts[index]] = ring.range.clone();
-                next[index] += 1;
-            }
-        }
-        for ring in &self.loops {
-            if let Some(outline) = ring.outline {
-                self.order[next[outline]] = ring.range.clone();
-                next[outline] += 1;
-            }
-        }
-        let outlines = (0..self.loops.len()).filter(|&index| self.loops[index].outline.is_none());
-        self.ends.extend(outlines.map(|outline| starts[outline + 1]));
+    }
+
+    /// The groups: each outline, followed by its holes.
+    pub(crate) fn groups(&self) -> impl ExactSizeIterator<Item = &[Range<usize>]> + Clone {
+        (0..self.ends.len()).map(|group| {
+            let start = if group == 0 { 0 } else { self.ends[group - 1] };
+            &self.order[start..self.ends[group]]
+        })
     }
 
     /// Finds an outline for each hole.

@@ -11,6 +11,7 @@ use glam::DVec2;
 
 use super::extent::about_one;
 use super::merge_sort::merge_sort;
+use crate::geometry::buckets::Buckets;
 use crate::geometry::exact::orient;
 
 const NONE: u32 = u32::MAX;
@@ -23,9 +24,8 @@ pub(crate) struct Chains {
     pub(crate) loop_ends: Vec<usize>,
     /// Walks that do not close, with both ends.
     pub(crate) open: Vec<Vec<u32>>,
-    /// The edges at each point, with the lowest bit set for edges that leave, and the start of each point's edges.
-    at: Vec<u32>,
-    starts: Vec<usize>,
+    /// The ends of edges at each point: twice the number of the edge, plus 1 for edges that arrive.
+    at: Buckets,
     /// The successor of each edge.
     next: Vec<u32>,
     arrived: Vec<bool>,
@@ -40,7 +40,7 @@ pub(crate) fn pair(chains: &mut Chains, edges: &[[u32; 2]], flat: &[DVec2]) {
     chains.corners.clear();
     chains.loop_ends.clear();
     chains.open.clear();
-    chains.gather(edges, flat.len());
+    chains.at.fill(flat.len(), edges.iter().flatten().copied());
     chains.dead.clear();
     chains.dead.resize(edges.len(), false);
     (0..flat.len()).for_each(|point| chains.cancel(edges, point));
@@ -54,32 +54,21 @@ pub(crate) fn pair(chains: &mut Chains, edges: &[[u32; 2]], flat: &[DVec2]) {
 }
 
 impl Chains {
-    fn gather(&mut self, edges: &[[u32; 2]], points: usize) {
-        self.starts.clear();
-        self.starts.resize(points + 1, 0);
-        edges.iter().flatten().for_each(|&end| self.starts[end as usize + 1] += 1);
-        (0..points).for_each(|i| self.starts[i + 1] += self.starts[i]);
-        self.at.clear();
-        self.at.resize(2 * edges.len(), 0);
-        let mut fill = self.starts.clone();
-        for (number, &[a, b]) in edges.iter().enumerate() {
-            for (end, leaves) in [(a, 1), (b, 0)] {
-                self.at[fill[end as usize]] = 2 * number as u32 + leaves;
-                fill[end as usize] += 1;
-            }
-        }
+    /// Collects the edges at a point: twice the number of an edge, plus 1 for edges that leave.
+    fn gather(&mut self, point: usize) {
+        self.round.clear();
+        let all = self.at.of(point).iter().map(|end| end ^ 1);
+        self.round.extend(all.filter(|&item| !self.dead[item as usize / 2]));
     }
 
     /// Removes pairs of edges that run back and forth between this point and another.
     fn cancel(&mut self, edges: &[[u32; 2]], point: usize) {
-        let range = self.starts[point]..self.starts[point + 1];
-        if range.len() < 4 {
+        if self.at.of(point).len() < 4 {
             return;
         }
         // By the other end, arriving edges before leaving ones, so that pairs to cancel are neighbours.
         let other = |item: u32| edges[item as usize / 2][(item & 1) as usize];
-        self.round.clear();
-        self.round.extend(self.at[range].iter().copied().filter(|&item| !self.dead[item as usize / 2]));
+        self.gather(point);
         self.round.sort_by_key(|&item| (other(item), item & 1));
         for same in self.round.chunk_by(|&a, &b| other(a) == other(b)) {
             let arriving = same.partition_point(|item| item & 1 == 0);
@@ -91,9 +80,7 @@ impl Chains {
     }
 
     fn pair_at(&mut self, edges: &[[u32; 2]], flat: &[DVec2], point: usize, inverted: bool) {
-        self.round.clear();
-        let all = &self.at[self.starts[point]..self.starts[point + 1]];
-        self.round.extend(all.iter().copied().filter(|&item| !self.dead[item as usize / 2]));
+        self.gather(point);
         let centre = flat[point];
         let other = |item: u32| flat[edges[item as usize / 2][(item & 1) as usize] as usize];
         if self.round.len() > 2 {

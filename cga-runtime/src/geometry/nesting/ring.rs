@@ -14,17 +14,6 @@ pub(super) struct Loop {
 }
 
 impl Loop {
-    /// The outline of a box.
-    #[cfg(test)]
-    pub(super) fn outline(extent: Extent) -> Self {
-        let size = extent.high - extent.low;
-        Loop { range: 0..4, area: 2.0 * size.x * size.y, extent, outline: None }
-    }
-
-    pub(super) fn area(&self) -> f64 {
-        self.area
-    }
-
     pub(super) fn is_outline(&self) -> bool {
         0.0 <= self.area
     }

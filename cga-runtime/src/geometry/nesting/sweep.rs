@@ -10,8 +10,8 @@ use glam::DVec2;
 
 use super::contour::Section;
 use super::merge_sort::merge_sort;
-use super::status::{Spot, Status};
 use crate::geometry::exact::orient;
+use crate::geometry::status::{LEFT, RIGHT, Status, is_below};
 
 /// No outline.
 const NONE: u32 = u32::MAX;
@@ -27,7 +27,10 @@ pub(crate) struct Sweep {
     places: Vec<DVec2>,
     edges: Vec<SweepEdge>,
     events: Vec<SweepEvent>,
-    row: Status,
+    status: Status,
+    /// The edge of each entry of the status, and the entry of each edge.
+    edge_of: Vec<u32>,
+    entry_of: Vec<u32>,
 }
 
 /// The edge that begins at a corner.
@@ -78,7 +81,7 @@ impl Sweep {
 
     /// Sorts the corners. Returns `false` if a coordinate is not finite.
     fn start(&mut self, section: &Section<'_>, inverted: bool, counts: impl Fn(usize) -> bool) -> bool {
-        let Sweep { around, places, edges, events, row } = self;
+        let Sweep { around, places, edges, events, .. } = self;
         around.clear();
         around.resize(section.ends.len(), UNKNOWN);
         edges.clear();
@@ -105,7 +108,10 @@ impl Sweep {
         if !edges.iter().all(|edge| edge.low.is_finite()) {
             return false;
         }
-        row.reset(edges.len());
+        self.status.clear();
+        self.edge_of.clear();
+        self.entry_of.clear();
+        self.entry_of.resize(edges.len(), NONE);
         for event in events.iter_mut() {
             event.begins = event.edges.iter().all(|&edge| edges[edge as usize].low == event.at);
         }
@@ -124,18 +130,15 @@ impl Sweep {
         let [a, b] = event.edges.map(|edge| self.edges[edge as usize]);
         let turn = orient(event.at, a.high, b.high);
         let [left, right] = if turn < 0 { event.edges } else { [event.edges[1], event.edges[0]] };
-        let spot = self.spot(left, true);
+        let neighbours = self.neighbours(left, true);
         let owner = a.owner as usize;
         if self.around[owner] == UNKNOWN {
-            self.around[owner] = self.row.before(spot).map_or(NONE, |beside| {
+            self.around[owner] = neighbours[LEFT].map_or(NONE, |beside| {
                 let SweepEdge { enters, owner, .. } = self.edges[beside as usize];
                 if enters && is_outline(owner as usize) { owner } else { self.around[owner as usize] }
             });
         }
-        turn != 0 && self.insert(spot, left) && {
-            let next = self.spot(right, false);
-            self.insert(next, right)
-        }
+        turn != 0 && self.insert(neighbours, left) && self.insert(self.neighbours(right, false), right)
     }
 
     /// Processes a corner where an edge ends. The other edge continues or ends too.
@@ -149,33 +152,48 @@ impl Sweep {
         }
     }
 
-    /// The position of an edge that begins, to the right or left of edges that it lies on.
-    fn spot(&self, own: u32, right_of_equal: bool) -> Spot {
+    /// The edges beside an edge that begins, to the right or left of edges that it lies on.
+    fn neighbours(&self, own: u32, right_of_equal: bool) -> [Option<u32>; 2] {
         let own = &self.edges[own as usize];
-        self.row.spot(|edge| self.edges[edge as usize].is_left_of(own).unwrap_or(right_of_equal))
+        let is_left = |[low, high]: [DVec2; 2]| is_left_of(low, high, own).unwrap_or(right_of_equal);
+        self.status.around(is_left).map(|entry| self.edge(entry))
     }
 
-    fn insert(&mut self, spot: Spot, edge: u32) -> bool {
-        let fits =
-            self.are_in_order(self.row.before(spot), Some(edge)) && self.are_in_order(Some(edge), self.row.at(spot));
-        self.row.insert(spot, edge);
-        fits
+    /// The edge of an entry of the status.
+    fn edge(&self, entry: Option<u32>) -> Option<u32> {
+        entry.map(|entry| self.edge_of[entry as usize])
+    }
+
+    fn insert(&mut self, [left, right]: [Option<u32>; 2], edge: u32) -> bool {
+        let SweepEdge { low, high, .. } = self.edges[edge as usize];
+        let after = left.map(|left| self.entry_of[left as usize]);
+        self.entry_of[edge as usize] = self.status.insert_after(after, [low, high]);
+        self.edge_of.push(edge);
+        self.are_in_order(left, Some(edge)) && self.are_in_order(Some(edge), right)
     }
 
     fn replace(&mut self, old: u32, new: u32) -> bool {
-        let Some(spot) = self.row.spot_of(old) else { return false };
-        self.row.replace(spot, new);
-        self.are_in_order(self.row.before(spot), Some(new)) && self.are_in_order(Some(new), self.row.after(spot))
+        let Some((entry, [left, right])) = self.take(old) else { return false };
+        let SweepEdge { low, high, .. } = self.edges[new as usize];
+        self.status.set_edge(entry, [low, high]);
+        self.edge_of[entry as usize] = new;
+        self.entry_of[new as usize] = entry;
+        self.are_in_order(left, Some(new)) && self.are_in_order(Some(new), right)
     }
 
     fn remove(&mut self, edge: u32) -> bool {
-        let Some(spot) = self.row.spot_of(edge) else { return false };
-        self.row.remove(spot);
+        let Some((entry, [left, right])) = self.take(edge) else { return false };
+        self.status.remove(entry);
         // Edges that end at the same point will be removed too.
-        let neighbours = [self.row.before(spot), self.row.at(spot)];
         let end = self.edges[edge as usize].high;
-        neighbours.iter().flatten().all(|&beside| self.edges[beside as usize].high == end)
-            || self.are_in_order(neighbours[0], neighbours[1])
+        [left, right].iter().flatten().all(|&beside| self.edges[beside as usize].high == end)
+            || self.are_in_order(left, right)
+    }
+
+    /// Ends an edge. Returns its entry and the edges beside it; `None` if the edge is not in the status.
+    fn take(&mut self, edge: u32) -> Option<(u32, [Option<u32>; 2])> {
+        let entry = std::mem::replace(&mut self.entry_of[edge as usize], NONE);
+        (entry != NONE).then(|| (entry, [LEFT, RIGHT].map(|side| self.edge(self.status.beside(entry, side)))))
     }
 
     /// Returns true if two neighbours are beside each other over their common range of heights.
@@ -187,8 +205,9 @@ impl Sweep {
             return true;
         }
         // The distances of the two edges at the higher of their low ends and at the lower of their high ends.
-        let low = if is_below(left.low, right.low) { -left.side(right.low) } else { right.side(left.low) };
-        let high = if is_below(left.high, right.high) { right.side(left.high) } else { -left.side(right.high) };
+        let side = |edge: SweepEdge, p: DVec2| side(edge.low, edge.high, p);
+        let low = if is_below(left.low, right.low) { -side(left, right.low) } else { side(right, left.low) };
+        let high = if is_below(left.high, right.high) { side(right, left.high) } else { -side(left, right.high) };
         // If two solids touch, one ends and the other begins. If the area between a hole and its outline has no width,
         // it begins and ends.
         let touch = low == 0 && high == 0 && left.enters != right.enters;
@@ -196,23 +215,21 @@ impl Sweep {
     }
 }
 
-impl SweepEdge {
-    /// 1 if a point is left of the edge, -1 if it is right, 0 on its line.
-    #[inline]
-    fn side(&self, p: DVec2) -> i32 {
-        if self.low == p || self.high == p { 0 } else { orient(self.low, self.high, p) }
-    }
+/// 1 if a point is left of an edge, -1 if it is right, 0 on its line.
+#[inline]
+fn side(low: DVec2, high: DVec2, p: DVec2) -> i32 {
+    if low == p || high == p { 0 } else { orient(low, high, p) }
+}
 
-    /// Returns true if it is left of the low end of another edge, or contains that end and is left of the high end.
-    /// `None` if the two edges are collinear there.
-    #[inline]
-    fn is_left_of(&self, other: &SweepEdge) -> Option<bool> {
-        let side = match self.side(other.low) {
-            0 => orient(self.low, self.high, other.high),
-            side => side,
-        };
-        (side != 0).then_some(side < 0)
-    }
+/// Returns true if an edge is left of the low end of another edge, or contains that end and is left of the high end.
+/// `None` if the two edges are collinear there.
+#[inline]
+fn is_left_of(low: DVec2, high: DVec2, other: &SweepEdge) -> Option<bool> {
+    let side = match side(low, high, other.low) {
+        0 => orient(low, high, other.high),
+        side => side,
+    };
+    (side != 0).then_some(side < 0)
 }
 
 /// The order of two corners at one place with their edges above: a corner comes before the corners that it contains.
@@ -266,11 +283,6 @@ fn without_spikes(ring: impl Iterator<Item = DVec2>, places: &mut Vec<DVec2>) {
     if places.len() < 3 {
         places.clear();
     }
-}
-
-/// The order of the sweep: upwards, then to the right.
-fn is_below(a: DVec2, b: DVec2) -> bool {
-    a.y < b.y || (a.y == b.y && a.x < b.x)
 }
 
 #[cfg(test)]

@@ -59,8 +59,7 @@ impl Runs {
             // The last edge of a run ends where the next run starts.
             let end = (start + FAN).min(ring.len());
             let corners = ring[start..end].iter().chain([&ring[end % ring.len()]]);
-            let places = corners.map(|&corner| section.flat[corner as usize]);
-            self.extents.push(Extent::union(places.map(|place| Extent { low: place, high: place })));
+            self.extents.push(Extent::of(corners.map(|&corner| section.flat[corner as usize])));
         }
         while self.extents.len() - level > FAN {
             let end = self.extents.len();

@@ -14,6 +14,7 @@ use glam::DVec2;
 
 use super::wavefront::Wavefront;
 use crate::geometry::disjoint::DisjointSets;
+use crate::geometry::segment::nearest_share;
 
 /// The contacts at one time.
 #[derive(Debug)]
@@ -130,8 +131,5 @@ impl Wavefront {
 
 /// The square of the distance from a point to a segment.
 pub(super) fn to_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
-    let (to, along) = (p - a, b - a);
-    let length = along.length_squared();
-    let share = if length == 0.0 { 0.0 } else { (to.dot(along) / length).clamp(0.0, 1.0) };
-    (to - along * share).length_squared()
+    (p - a - (b - a) * nearest_share(p, [a, b])).length_squared()
 }

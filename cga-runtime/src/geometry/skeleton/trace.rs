@@ -5,19 +5,13 @@ use glam::DVec2;
 use super::Strip;
 use crate::geometry::disjoint::DisjointSets;
 
-/// The kind of a strip's side.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum StripSide {
-    Inner,
-    Front,
-}
-
 /// A directed side of one strip, with the strip on its left.
 #[derive(Clone, Copy, Debug)]
 struct Arc {
     from: u32,
     to: u32,
-    side: StripSide,
+    /// True if it is an edge of the final wavefront.
+    is_front: bool,
 }
 
 /// The sides of all strips. The sides of each strip begin with its edge.
@@ -29,21 +23,21 @@ pub(super) struct Arcs {
 impl Arcs {
     /// Adds the next edge.
     pub(super) fn edge(&mut self, from: u32, to: u32) {
-        self.of.push(vec![Arc { from, to, side: StripSide::Inner }]);
+        self.of.push(vec![Arc { from, to, is_front: false }]);
     }
 
     /// Adds a path with one strip on its left and one on its right.
     pub(super) fn path(&mut self, from: u32, to: u32, left: u32, right: u32) {
         if from != to && left != right {
-            self.of[left as usize].push(Arc { from, to, side: StripSide::Inner });
-            self.of[right as usize].push(Arc { from: to, to: from, side: StripSide::Inner });
+            self.of[left as usize].push(Arc { from, to, is_front: false });
+            self.of[right as usize].push(Arc { from: to, to: from, is_front: false });
         }
     }
 
     /// Adds an edge of the final wavefront, with its strip on the right.
     pub(super) fn front(&mut self, from: u32, to: u32, edge: u32) {
         if from != to {
-            self.of[edge as usize].push(Arc { from: to, to: from, side: StripSide::Front });
+            self.of[edge as usize].push(Arc { from: to, to: from, is_front: true });
         }
     }
 
@@ -95,7 +89,7 @@ fn follow(edge: u32, arcs: &[Arc], strips: &mut Vec<Strip>) {
         while let Some(arc) = at {
             used[arc] = true;
             strip.ring.push(arcs[arc].from);
-            strip.front.push(arcs[arc].side == StripSide::Front);
+            strip.front.push(arcs[arc].is_front);
             let end = arcs[arc].to;
             at =
                 if end == arcs[start].from { None } else { (0..arcs.len()).find(|&k| !used[k] && arcs[k].from == end) };

@@ -7,6 +7,7 @@ use glam::DVec2;
 use super::limits::Limits;
 use super::trace::Arcs;
 use super::{Failure, Left, Swept};
+use crate::geometry::nesting::extent::Extent;
 
 /// The number for "no vertex".
 pub(super) const NONE: u32 = u32::MAX;
@@ -105,8 +106,7 @@ pub(super) struct Wavefront {
 
 impl Wavefront {
     pub(super) fn new(points: &[DVec2], rings: &[Vec<u32>], epsilon: f64, until: f64) -> Result<Self, Failure> {
-        let low = points.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
-        let high = points.iter().fold(DVec2::NEG_INFINITY, |high, &p| high.max(p));
+        let Extent { low, high } = Extent::of(points.iter().copied());
         let extent = (high - low).max_element();
         // The region outside is infinite, so the distance of the sweep sets the scale too.
         let area: f64 = rings.iter().map(|ring| twice_area(points, ring)).sum();

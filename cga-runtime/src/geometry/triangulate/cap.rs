@@ -5,6 +5,7 @@
 
 use glam::DVec3;
 
+use crate::geometry::mesh::face::{area_vector, well_scaled};
 use crate::geometry::mesh::{Bounds, FaceRef};
 
 /// The corners of a cap, reversed on one of the two sides.
@@ -35,31 +36,14 @@ impl Cap {
 
     /// The normal in the order of the corners, not of unit length. It is the same on both sides, bit for bit.
     pub(super) fn normal(&self, loop_ends: &[u32]) -> DVec3 {
-        // As for other faces, very small or very large coordinates are scaled to a size of about one.
-        const SMALL: f64 = 1e-250;
-        let sum = self.normal_at(loop_ends, 1.0);
-        let size = sum.abs().max_element();
-        if SMALL < size && size < f64::INFINITY {
-            return sum;
-        }
-        self.normal_at(loop_ends, Bounds::of(self.points.iter().copied()).scale_to_one())
-    }
-
-    fn normal_at(&self, loop_ends: &[u32], scale: f64) -> DVec3 {
-        let from = self.points[0] * scale;
-        let mut sum = DVec3::ZERO;
-        let mut start = 0;
-        for &end in loop_ends {
-            let ring = &self.points[start..end as usize];
-            let mut last = ring[ring.len() - 1] * scale - from;
-            for &point in ring {
-                let here = point * scale - from;
-                sum += last.cross(here);
-                last = here;
-            }
-            start = end as usize;
-        }
-        sum
+        let area = |scale: f64| {
+            let mut start = 0;
+            area_vector(loop_ends.iter().map(move |&end| {
+                let ring = std::mem::replace(&mut start, end as usize)..end as usize;
+                self.points[ring].iter().map(move |&point| point * scale)
+            }))
+        };
+        well_scaled(area(1.0), || area(Bounds::of(self.points.iter().copied()).scale_to_one()))
     }
 
     /// Converts a triangle of these corners to corners of the mesh.

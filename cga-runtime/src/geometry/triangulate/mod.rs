@@ -17,8 +17,10 @@ mod unfold;
 use glam::{DVec2, DVec3};
 
 use crate::geometry::mesh::Mesh;
+use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::TOUCH_EPSILON;
 use cap::Cap;
+pub(crate) use convex::apex;
 use sweep::Sweep;
 use unfold::Unfold;
 
@@ -164,8 +166,7 @@ impl Triangulator {
     /// Reduces the area of reversed triangles.
     #[cold]
     fn repair(&mut self, points: &[DVec2], loop_ends: &[u32], folded: f64, from: usize, out: &mut Vec<[u32; 3]>) {
-        let high = points.iter().fold(points[0], |m, &p| m.max(p));
-        let low = points.iter().fold(points[0], |m, &p| m.min(p));
+        let Extent { low, high } = Extent::of(points.iter().copied());
         let extent = (high - low).max_element();
         if TOUCH_EPSILON * extent * extent < folded {
             self.once_more(points, loop_ends, TOUCH_EPSILON * extent, folded, from, out);

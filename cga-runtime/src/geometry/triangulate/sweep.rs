@@ -13,26 +13,24 @@
 //! whole polygon is flat.
 
 mod begin;
-mod status;
 
 use std::cmp::Ordering;
 
 use glam::DVec2;
 
 use crate::geometry::exact::orient;
-use status::Status;
+use crate::geometry::status::{LEFT, RIGHT, Status, is_below};
 
 const NONE: u32 = u32::MAX;
 
 /// An interior part of the sweep line.
 #[derive(Clone, Copy)]
 struct Region {
-    /// An edge is named by the corner where it begins: the left edge by its upper end, the right edge by its lower end.
-    left: u32,
-    right: u32,
-    /// The ends of its chain, and the latest link.
-    left_end: u32,
-    right_end: u32,
+    /// The left and the right edge. An edge is named by the corner where it begins: the left edge by its upper end, the
+    /// right edge by its lower end.
+    edges: [u32; 2],
+    /// The left and the right end of its chain, and the latest link.
+    ends: [u32; 2],
     latest: u32,
 }
 
@@ -40,8 +38,8 @@ struct Region {
 #[derive(Clone, Copy)]
 struct Link {
     corner: u32,
-    prev: u32,
-    next: u32,
+    /// The links to the left and to the right.
+    beside: [u32; 2],
 }
 
 /// A corner in the order of the sweep.
@@ -151,14 +149,14 @@ impl Sweep {
             (true, false) => {
                 // Up the right edge.
                 let region = self.region[a as usize];
-                self.attach_right(points, region, corner, out);
-                self.set_right(region, corner);
+                self.attach(points, region, RIGHT, corner, out);
+                self.set_edge(region, RIGHT, corner);
             }
             (false, true) => {
                 // The loop goes down the left edge, so the sweep climbs it against the loop's direction.
                 let region = self.region[corner as usize];
-                self.attach_left(points, region, corner, out);
-                self.set_left(region, a);
+                self.attach(points, region, LEFT, corner, out);
+                self.set_edge(region, LEFT, a);
                 self.status.set_edge(region, [corner, a].map(|c| points[c as usize]));
             }
             (false, false) => self.begin(points, corner, out),
@@ -174,67 +172,43 @@ impl Sweep {
         }
     }
 
-    fn link(&mut self, corner: u32, prev: u32, next: u32) -> u32 {
+    fn link(&mut self, corner: u32, beside: [u32; 2]) -> u32 {
         let link = self.links.len() as u32;
-        self.links.push(Link { corner, prev, next });
-        if prev != NONE {
-            self.links[prev as usize].next = link;
-        }
-        if next != NONE {
-            self.links[next as usize].prev = link;
+        self.links.push(Link { corner, beside });
+        for side in [LEFT, RIGHT] {
+            if beside[side] != NONE {
+                self.links[beside[side] as usize].beside[1 - side] = link;
+            }
         }
         link
     }
 
-    fn set_left(&mut self, region: u32, edge: u32) {
-        self.regions[region as usize].left = edge;
+    fn set_edge(&mut self, region: u32, side: usize, edge: u32) {
+        self.regions[region as usize].edges[side] = edge;
         self.region[edge as usize] = region;
     }
 
-    fn set_right(&mut self, region: u32, edge: u32) {
-        self.regions[region as usize].right = edge;
-        self.region[edge as usize] = region;
-    }
-
-    /// Cuts off the part of the chain that a corner sees from its left end, and puts the corner there.
-    fn attach_left(&mut self, points: &[DVec2], region: u32, corner: u32, out: &mut Vec<[u32; 3]>) {
-        let mut at = self.regions[region as usize].left_end;
+    /// Cuts off the part of the chain that a corner sees from one end, and puts the corner there.
+    #[inline]
+    fn attach(&mut self, points: &[DVec2], region: u32, side: usize, corner: u32, out: &mut Vec<[u32; 3]>) {
+        let mut at = self.regions[region as usize].ends[side];
         loop {
-            let Link { corner: here, next, .. } = self.links[at as usize];
+            let Link { corner: here, beside } = self.links[at as usize];
+            let next = beside[1 - side];
             if next == NONE {
                 break;
             }
             let then = self.links[next as usize].corner;
-            if !self.sees(points, [here, then], corner, then) {
+            let edge = if side == LEFT { [here, then] } else { [then, here] };
+            if !self.sees(points, edge, corner, then) {
                 break;
             }
-            out.push([here, then, corner]);
+            out.push([edge[0], edge[1], corner]);
             at = next;
         }
-        let link = self.link(corner, NONE, at);
+        let link = self.link(corner, if side == LEFT { [NONE, at] } else { [at, NONE] });
         let region = &mut self.regions[region as usize];
-        region.left_end = link;
-        region.latest = link;
-    }
-
-    /// The same from the right end.
-    fn attach_right(&mut self, points: &[DVec2], region: u32, corner: u32, out: &mut Vec<[u32; 3]>) {
-        let mut at = self.regions[region as usize].right_end;
-        loop {
-            let Link { corner: here, prev, .. } = self.links[at as usize];
-            if prev == NONE {
-                break;
-            }
-            let then = self.links[prev as usize].corner;
-            if !self.sees(points, [then, here], corner, then) {
-                break;
-            }
-            out.push([then, here, corner]);
-            at = prev;
-        }
-        let link = self.link(corner, at, NONE);
-        let region = &mut self.regions[region as usize];
-        region.right_end = link;
+        region.ends[side] = link;
         region.latest = link;
     }
 
@@ -252,9 +226,9 @@ impl Sweep {
 
     /// Both edges of a region end: the rest of its chain is a fan.
     fn end(&mut self, region: u32, corner: u32, out: &mut Vec<[u32; 3]>) {
-        let mut at = self.regions[region as usize].left_end;
+        let mut at = self.regions[region as usize].ends[LEFT];
         loop {
-            let Link { corner: here, next, .. } = self.links[at as usize];
+            let Link { corner: here, beside: [_, next] } = self.links[at as usize];
             if next == NONE {
                 return;
             }
@@ -265,29 +239,29 @@ impl Sweep {
 
     /// The right edge of one region meets the left edge of another.
     fn merge(&mut self, points: &[DVec2], left: u32, right: u32, corner: u32, out: &mut Vec<[u32; 3]>) {
-        self.attach_right(points, left, corner, out);
-        self.attach_left(points, right, corner, out);
+        self.attach(points, left, RIGHT, corner, out);
+        self.attach(points, right, LEFT, corner, out);
         let (l, r) = (self.regions[left as usize], self.regions[right as usize]);
         // The corner ends one chain and starts the other; one link serves both.
-        let next = self.links[r.left_end as usize].next;
-        self.links[l.right_end as usize].next = next;
+        let shared = l.ends[RIGHT];
+        let next = self.links[r.ends[LEFT] as usize].beside[RIGHT];
+        self.links[shared as usize].beside[RIGHT] = next;
         let right_end = if next == NONE {
-            l.right_end
+            shared
         } else {
-            self.links[next as usize].prev = l.right_end;
-            r.right_end
+            self.links[next as usize].beside[LEFT] = shared;
+            r.ends[RIGHT]
         };
         let merged = &mut self.regions[left as usize];
-        merged.right_end = right_end;
-        merged.latest = l.right_end;
-        self.set_right(left, r.right);
+        merged.ends[RIGHT] = right_end;
+        merged.latest = shared;
+        self.set_edge(left, RIGHT, r.edges[RIGHT]);
         self.status.remove(right);
     }
 }
 
-/// The order of the sweep: upwards, then to the right.
+/// Returns true if one corner comes before another in the order of the sweep.
 #[inline]
 fn below(points: &[DVec2], a: u32, b: u32) -> bool {
-    let (p, q) = (points[a as usize], points[b as usize]);
-    p.y < q.y || (p.y == q.y && p.x < q.x)
+    is_below(points[a as usize], points[b as usize])
 }

@@ -80,14 +80,12 @@ pub fn generate_all<G: Rules + Sync>(
 ) -> Result<Parts<Model>, ShapeError> {
     let setup = Setup::new(grammar, Cow::Owned(quiet(settings)))?;
     let job = |session: &mut Session<'_, G>, stretch: &Stretch, ended: &dyn Fn() -> bool| {
-        let mut models = Vec::with_capacity(stretch.shapes.len());
-        let done = derive_stretch(shapes, stretch, ended, |shape| {
+        derive_stretch(shapes, stretch, ended, Vec::new(), |models, shape| {
             let mut model = Model::new();
             let outcome = session.outcome(shape, &mut model);
             models.push(model.with_report(outcome.report.clone()).with_assets(settings.assets.clone()));
             outcome
-        });
-        done.with(models)
+        })
     };
     let put = |parts: &mut Vec<Part<Model>>, shapes: Range<usize>, models: Vec<Model>| {
         parts.extend(shapes.zip(models).map(|(at, model)| Part { shapes: at..at + 1, sink: model }));
@@ -117,13 +115,13 @@ impl<W, A: Fn() -> Option<W> + Sync> Crew<'_, W, A> {
     ) -> Result<Parts<S>, ShapeError> {
         let shapes = self.shapes;
         let job = |worker: &mut W, stretch: &Stretch, ended: &dyn Fn() -> bool| {
-            let mut sink = sink(stretch);
-            let mut done = derive_stretch(shapes, stretch, ended, |shape| run(worker, shape, &mut sink));
+            let run = |sink: &mut S, shape: &Shape| run(worker, shape, sink);
+            let mut done = derive_stretch(shapes, stretch, ended, sink(stretch), run);
             let failed = matches!(done.end, Some(EarlyEnd::Failed(..)));
-            if !failed && !ended() && sink.finish().is_break() {
+            if !failed && !ended() && done.output.finish().is_break() {
                 done.end.get_or_insert(EarlyEnd::Stopped);
             }
-            done.with(sink)
+            done
         };
         self.work(job, |parts, shapes, sink| parts.push(Part { shapes, sink }))
     }

@@ -56,14 +56,6 @@ pub(super) struct Done<T> {
     pub(super) end: Option<EarlyEnd>,
 }
 
-impl Done<()> {
-    /// Adds an output.
-    pub(super) fn with<T>(self, output: T) -> Done<T> {
-        let Done { output: (), shapes, reports, counts, end } = self;
-        Done { output, shapes, reports, counts, end }
-    }
-}
-
 /// The reason why no later shape is derived.
 pub(super) enum EarlyEnd {
     /// The sink or the watch ended its run.
@@ -72,21 +64,22 @@ pub(super) enum EarlyEnd {
     Failed(usize, Error),
 }
 
-/// Runs the shapes of a stretch one after the other, until an earlier stretch ends everything.
-pub(super) fn derive_stretch(
+/// Runs the shapes of a stretch one after the other, until an earlier stretch ends everything. `run` adds to the output.
+pub(super) fn derive_stretch<T>(
     shapes: &[Shape],
     stretch: &Stretch,
     ended: &dyn Fn() -> bool,
-    mut run: impl FnMut(&Shape) -> Outcome,
-) -> Done<()> {
+    output: T,
+    mut run: impl FnMut(&mut T, &Shape) -> Outcome,
+) -> Done<T> {
     let start = stretch.shapes.start;
-    let mut done = Done { output: (), shapes: start..start, reports: Vec::new(), counts: Report::default(), end: None };
+    let mut done = Done { output, shapes: start..start, reports: Vec::new(), counts: Report::default(), end: None };
     for at in stretch.shapes.clone() {
         if ended() {
             break;
         }
         done.shapes.end = at + 1;
-        let Outcome { report, error } = run(&shapes[at]);
+        let Outcome { report, error } = run(&mut done.output, &shapes[at]);
         let stopped = report.stopped;
         if report.is_only_counts() {
             done.counts.shapes = done.counts.shapes.saturating_add(report.shapes);

@@ -44,14 +44,8 @@ impl Lead {
         let Some(wall) = behind_first_edge(mesh) else { return };
         self.nodes.clear();
         for ring in mesh.face(wall).loop_ranges() {
-            let mut last = ring.end - 1;
-            for here in ring {
-                let [from, to] = [last, here].map(|c| (c, state.points.places[mesh.corners[c] as usize]));
-                // These crossings exist already: the wall was cut like all faces.
-                state.points.cross(&mut state.parts, mesh, from, to, &mut self.nodes);
-                self.nodes.push(PieceCorner::corner(here, to.1));
-                last = here;
-            }
+            // These crossings exist already: the wall was cut like all faces.
+            state.points.cross_loop(&mut state.parts, mesh, ring, &mut self.nodes);
         }
         let points = &state.points;
         let wall = Wall::of(mesh, wall);
@@ -92,20 +86,14 @@ impl Lead {
         if wall.is_empty() {
             return None;
         }
-        let ends = ring[1..].iter().chain(&ring[..1]);
-        ring.iter().zip(ends).position(|(&a, &b)| wall.binary_search(&(plane, [a.min(b), a.max(b)])).is_ok())
+        let mut edges = ring.iter().zip(ring.iter().cycle().skip(1));
+        edges.position(|(&a, &b)| wall.binary_search(&(plane, [a.min(b), a.max(b)])).is_ok())
     }
 
-    /// The rank of a cap in this plane as the first face of this slab. `None` if the slab has a piece of the mesh's
-    /// first face.
-    pub(crate) fn wants(&self, slab: u32, plane: u32) -> Option<Wish> {
-        if self.slabs.contains(&slab) {
-            return None;
-        }
-        let first_face_is_above = slab < self.slabs.start;
+    /// For a slab without a piece of the mesh's first face: whether its cap in this plane is the one towards that face.
+    pub(crate) fn is_nearer(&self, slab: u32, plane: u32) -> Option<bool> {
         // The upper plane of a slab has the slab's number.
-        let is_upper = plane == slab;
-        Some(if is_upper == first_face_is_above { Wish::First } else { Wish::Second })
+        (!self.slabs.contains(&slab)).then(|| (plane == slab) == (slab < self.slabs.start))
     }
 }
 
@@ -138,20 +126,13 @@ impl Wall {
     }
 }
 
-/// The rank of a cap as the first face of a part.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Wish {
-    First,
-    Second,
-}
-
 /// The face that has the first edge of the first face in the opposite direction.
 fn behind_first_edge(mesh: &Mesh) -> Option<usize> {
     /// The number of corners that are compared without a branch.
     const BLOCK: usize = 32;
     let [a, b] = mesh.corners.first_chunk().copied()?;
     for (number, block) in mesh.corners.chunks(BLOCK).enumerate() {
-        if !block.iter().fold(false, |found, &point| found | (point == a)) {
+        if !block.contains(&a) {
             continue;
         }
         for (at, _) in block.iter().enumerate().filter(|(_, point)| **point == a) {

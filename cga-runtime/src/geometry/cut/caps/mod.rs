@@ -13,38 +13,43 @@ use glam::{DVec2, DVec3};
 
 use super::points::{Location, Points};
 use super::state::State;
-use crate::geometry::cut::caps::first_face::{Lead, Wish};
+use crate::geometry::cut::caps::first_face::Lead;
 use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::Contour;
 
-/// Buffers, and the origin and scale of the texture coordinates of caps.
+/// The origin of the texture coordinates of caps, a point of the mesh, and the factors that convert the mesh's lengths to
+/// metres.
+#[derive(Clone, Copy)]
+pub(crate) struct CapTexture {
+    pub(crate) low: DVec3,
+    pub(crate) stretch: DVec3,
+}
+
+impl CapTexture {
+    /// The coordinates of the mesh.
+    pub(crate) const UNCHANGED: CapTexture = CapTexture { low: DVec3::ZERO, stretch: DVec3::ONE };
+}
+
+/// Buffers.
+#[derive(Default)]
 pub(crate) struct Caps {
-    low: DVec3,
-    stretch: DVec3,
     edges: Vec<[u32; 2]>,
     contour: Contour,
     nest: Nest,
     lead: Lead,
 }
 
-impl Default for Caps {
-    fn default() -> Self {
-        let (edges, contour, nest, lead) = Default::default();
-        Caps { low: DVec3::ZERO, stretch: DVec3::ONE, edges, contour, nest, lead }
-    }
-}
-
 impl Caps {
-    /// Sets the origin of the texture coordinates of caps, a point of the mesh, and the factors that convert the mesh's
-    /// lengths to metres.
-    pub(crate) fn in_metres(&mut self, low: DVec3, stretch: DVec3) {
-        (self.low, self.stretch) = (low, stretch);
-    }
-
     /// Adds the caps of every plane to the slabs on both sides of it. Chains that do not close are passed to `open`,
     /// with their plane, as numbers of points on it.
-    pub(crate) fn close(&mut self, state: &mut State, mesh: &Mesh, mut open: impl FnMut(&Points, usize, Vec<u32>)) {
+    pub(crate) fn close(
+        &mut self,
+        state: &mut State,
+        mesh: &Mesh,
+        texture: CapTexture,
+        mut open: impl FnMut(&Points, usize, Vec<u32>),
+    ) {
         let planes = state.points.planes.len();
         state.rim.sort(planes);
         let mut sought = false;
@@ -65,17 +70,17 @@ impl Caps {
             }
             let plane = plane as u32;
             let first = self.turn_to_lead(plane);
-            self.add(state, mesh, plane, plane, first);
-            self.add(state, mesh, plane, plane + 1, first);
+            for slab in [plane, plane + 1] {
+                self.add(state, mesh, texture, plane, slab, first);
+            }
         }
     }
 
     /// Finds the cap of a plane that comes first and rotates it to begin with its required edge. Returns the number of
     /// the cap.
     fn turn_to_lead(&mut self, plane: u32) -> usize {
-        let mut start = 0;
-        for (group, &end) in self.nest.ends.iter().enumerate() {
-            for (number, range) in self.nest.order[start..end].iter().enumerate() {
+        for (group, rings) in self.nest.groups().enumerate() {
+            for (number, range) in rings.iter().enumerate() {
                 let ring = &mut self.contour.corners[range.clone()];
                 if let Some(at) = self.lead.edge_in(plane, ring) {
                     // The first edge of a face is an edge of its outline.
@@ -85,13 +90,12 @@ impl Caps {
                     return group;
                 }
             }
-            start = end;
         }
         0
     }
 
     /// Adds the caps of a plane to one of its slabs, beginning with the cap number `first`.
-    fn add(&self, state: &mut State, mesh: &Mesh, plane: u32, slab: u32, first: usize) {
+    fn add(&self, state: &mut State, mesh: &Mesh, texture: CapTexture, plane: u32, slab: u32, first: usize) {
         let State { parts, points, .. } = state;
         let axis = points.axis;
         let up = slab == plane;
@@ -99,15 +103,15 @@ impl Caps {
         let mut normal = DVec3::ZERO;
         normal[axis] = if up { 1.0 } else { -1.0 };
         let (right, upwards) = texture_axes(normal);
-        match self.lead.wants(slab, plane) {
-            Some(Wish::First) => part.lead = Some(part.mesh.face_ends.len()),
-            Some(Wish::Second) => part.lead = part.lead.or(Some(part.mesh.face_ends.len())),
-            None => {}
+        if let Some(is_nearer) = self.lead.is_nearer(slab, plane)
+            && (is_nearer || part.lead.is_none())
+        {
+            part.lead = Some(part.mesh.face_count());
         }
-        let groups = self.nest.ends.len();
-        for group in std::iter::once(first).chain((0..groups).filter(|&group| group != first)) {
-            let start = if group == 0 { 0 } else { self.nest.ends[group - 1] };
-            for range in &self.nest.order[start..self.nest.ends[group]] {
+        let groups = self.nest.groups();
+        for rings in groups.clone().skip(first).take(1).chain(groups.clone().take(first)).chain(groups.skip(first + 1))
+        {
+            for range in rings {
                 let ring = &self.contour.corners[range.clone()];
                 for i in 0..ring.len() {
                     // Reversed, with the first edge first: 1 0 n-1 … 2.
@@ -115,15 +119,15 @@ impl Caps {
                     let number = part.number(points, Location::on(plane, corner), slab);
                     part.mesh.corners.push(number);
                     let point = part.mesh.points[number as usize];
-                    let metres = (point - self.low) * self.stretch;
+                    let metres = (point - texture.low) * texture.stretch;
                     part.mesh.uvs.push_from(&mesh.uvs, |_| DVec2::new(right.dot(metres), upwards.dot(metres)));
                     if !mesh.normals.is_empty() {
                         part.mesh.normals.push(normal);
                     }
                 }
-                part.end_loop();
+                part.mesh.end_loop();
             }
-            part.end_face(FaceTag::CAP);
+            part.mesh.end_face(FaceTag::CAP);
         }
     }
 }

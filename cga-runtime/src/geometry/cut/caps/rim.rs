@@ -4,6 +4,8 @@
 //! must bound the missing edges. If both sides together lack the same edge, the mesh itself is open along it, and no
 //! cap ends there.
 
+use crate::geometry::buckets::Buckets;
+
 /// The side of a plane that a face is on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PlaneSide {
@@ -34,10 +36,8 @@ pub(crate) struct Rim {
     /// All other uses of edges, with ends in increasing order. Each is 1 or -1 by its direction, for a face below or
     /// for a face above.
     edges: Vec<(PlaneEdge, [i32; 2])>,
-    /// `cuts` in the order of planes, as pairs of points, and the end of each plane's edges.
-    sorted: Vec<[u32; 2]>,
-    ends: Vec<usize>,
-    next_edge: usize,
+    /// `cuts` by planes.
+    by_plane: Buckets,
 }
 
 impl Rim {
@@ -62,43 +62,27 @@ impl Rim {
         self.edges.push((PlaneEdge { plane, a: a.min(b), b: a.max(b) }, count));
     }
 
-    /// Prepares calls of [`Rim::missing`] for each plane in turn.
+    /// Prepares calls of [`Rim::missing`].
     pub(crate) fn sort(&mut self, planes: usize) {
-        self.next_edge = 0;
         self.edges.sort_unstable_by_key(|(edge, _)| (edge.plane, edge.a, edge.b));
-        // A counting sort: the edges of a plane keep the order of their faces.
-        self.ends.clear();
-        self.ends.resize(planes + 1, 0);
-        self.cuts.iter().for_each(|cut| self.ends[cut.plane as usize + 1] += 1);
-        (0..planes).for_each(|plane| self.ends[plane + 1] += self.ends[plane]);
-        self.sorted.clear();
-        self.sorted.resize(self.cuts.len(), [0; 2]);
-        for cut in &self.cuts {
-            let at = &mut self.ends[cut.plane as usize];
-            self.sorted[*at] = [cut.a, cut.b];
-            *at += 1;
-        }
+        self.by_plane.fill(planes, self.cuts.iter().map(|cut| cut.plane));
     }
 
     /// The edges that the cap of the side below a plane must have: the reversed edges of its faces without a partner.
-    /// The cap above has the same edges in the opposite direction. Call it for each plane in order.
-    pub(crate) fn missing(&mut self, plane: usize, out: &mut Vec<[u32; 2]>) {
-        let start = if plane == 0 { 0 } else { self.ends[plane - 1] };
+    /// The cap above has the same edges in the opposite direction.
+    pub(crate) fn missing(&self, plane: usize, out: &mut Vec<[u32; 2]>) {
         out.clear();
-        out.extend(self.sorted[start..self.ends[plane]].iter().map(|&[a, b]| [b, a]));
-        while let Some(&(first, _)) = self.edges.get(self.next_edge).filter(|(edge, _)| edge.plane as usize == plane) {
-            let mut net = [0; 2];
-            while let Some((_, count)) =
-                self.edges.get(self.next_edge).filter(|(e, _)| (e.plane, e.a, e.b) == (first.plane, first.a, first.b))
-            {
-                net = [net[0] + count[0], net[1] + count[1]];
-                self.next_edge += 1;
-            }
+        let cuts = self.by_plane.of(plane).iter().map(|&cut| self.cuts[cut as usize]);
+        out.extend(cuts.map(|cut| [cut.b, cut.a]));
+        let [start, end] =
+            [plane, plane + 1].map(|plane| self.edges.partition_point(|(edge, _)| (edge.plane as usize) < plane));
+        for same in self.edges[start..end].chunk_by(|(e, _), (f, _)| (e.a, e.b) == (f.a, f.b)) {
+            let [below, above] = same.iter().fold([0; 2], |net, (_, count)| [net[0] + count[0], net[1] + count[1]]);
             // Edges that both sides lack, each in the opposite direction.
-            let [below, above] = net;
             if below.signum() * above.signum() < 0 {
-                let edge = if below > 0 { [first.b, first.a] } else { [first.a, first.b] };
-                (0..below.abs().min(above.abs())).for_each(|_| out.push(edge));
+                let PlaneEdge { a, b, .. } = same[0].0;
+                let edge = if below > 0 { [b, a] } else { [a, b] };
+                out.extend(std::iter::repeat_n(edge, below.abs().min(above.abs()) as usize));
             }
         }
     }

@@ -14,6 +14,7 @@
 use super::sheets::Flat;
 use crate::geometry::cut::points::Location;
 use crate::geometry::cut::state::State;
+use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::Contour;
@@ -28,13 +29,9 @@ pub(crate) fn find(state: &mut State, mesh: &Mesh) -> bool {
     if !flat.is_empty() {
         state.rim.sort(state.points.planes.len());
         let mut missing = Vec::new();
-        let mut next = 0;
         for together in flat.chunk_by(|a, b| a.plane == b.plane) {
             let plane = together[0].plane as usize;
-            // `missing` must be called for each plane in order.
-            for plane in std::mem::replace(&mut next, plane + 1)..=plane {
-                state.rim.missing(plane, &mut missing);
-            }
+            state.rim.missing(plane, &mut missing);
             if !missing.is_empty() {
                 let places = &state.points.places;
                 let mut search = Search::new(mesh, places, together, &mut missing);
@@ -86,13 +83,9 @@ impl<'f> Search<'f> {
         let missing = missing.chunk_by(|a, b| a == b).map(|same| (same[0], same.len())).collect();
         let mut uses = Vec::new();
         for (number, flat) in flat.iter().enumerate() {
-            for ring in mesh.face(flat.face as usize).loops() {
-                let mut last = ring[ring.len() - 1];
-                for &here in ring {
-                    let [a, b] = [last, here].map(|point| places[point as usize].number);
-                    uses.push(Use { edge: if flat.is_above { [a, b] } else { [b, a] }, flat: number });
-                    last = here;
-                }
+            for edge in mesh.face(flat.face as usize).edges() {
+                let [a, b] = edge.map(|corner| places[mesh.corners[corner] as usize].number);
+                uses.push(Use { edge: if flat.is_above { [a, b] } else { [b, a] }, flat: number });
             }
         }
         Search { flat, uses, groups: Vec::new(), moved: Vec::new(), missing }
@@ -108,16 +101,17 @@ impl<'f> Search<'f> {
         let is_above = |item: &Use| flat[item.flat].is_above;
         let mut uses = self.uses.clone();
         uses.sort_by_key(|item| (ends(item.edge), is_above(item)));
-        let mut leaders = Leaders((0..flat.len()).collect());
+        let mut leaders = DisjointSets::new(flat.len());
         for same in uses.chunk_by(|a, b| ends(a.edge) == ends(b.edge) && is_above(a) == is_above(b)) {
             let edge = same[0].edge;
             if self.left(edge) == 0 && self.left([edge[1], edge[0]]) == 0 {
                 // One by one in the order of the mesh, so that coincident sheets stay separate.
                 let [forward, backward] = [true, false].map(|way| same.iter().filter(move |a| (a.edge == edge) == way));
-                forward.zip(backward).for_each(|(a, b)| leaders.unite(a.flat, b.flat));
+                forward.zip(backward).for_each(|(a, b)| leaders.unite(a.flat as u32, b.flat as u32));
             }
         }
-        let mut uses: Vec<(usize, Use)> = uses.into_iter().map(|item| (leaders.of(item.flat), item)).collect();
+        leaders.flatten();
+        let mut uses: Vec<(u32, Use)> = uses.into_iter().map(|item| (leaders.find(item.flat as u32), item)).collect();
         uses.sort_by_key(|&(leader, item)| (leader, ends(item.edge)));
         self.groups.clear();
         for group in uses.chunk_by(|a, b| a.0 == b.0) {
@@ -211,8 +205,7 @@ impl<'f> Search<'f> {
         let mut wrong: Vec<[u32; 2]> = Vec::new();
         for range in nest.lone_holes() {
             let ring = &contour.corners[range.clone()];
-            let ends = ring[1..].iter().chain(&ring[..1]);
-            wrong.extend(ring.iter().zip(ends).map(|(&a, &b)| [a, b]));
+            wrong.extend(ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&a, &b)| [a, b]));
         }
         wrong.sort_unstable();
         self.missing = wrong.chunk_by(|a, b| a == b).map(|same| (same[0], same.len())).collect();
@@ -224,23 +217,5 @@ impl<'f> Search<'f> {
                 self.change_sides(&group);
             }
         }
-    }
-}
-
-/// Disjoint sets, each with its least member as leader.
-struct Leaders(Vec<usize>);
-
-impl Leaders {
-    fn of(&mut self, mut at: usize) -> usize {
-        while self.0[at] != at {
-            self.0[at] = self.0[self.0[at]];
-            at = self.0[at];
-        }
-        at
-    }
-
-    fn unite(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.of(a), self.of(b));
-        self.0[a.max(b)] = a.min(b);
     }
 }

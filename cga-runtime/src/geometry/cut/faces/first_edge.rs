@@ -40,17 +40,6 @@ pub(crate) fn first_node<'a>(
     }
 }
 
-/// The same for a piece whose first two nodes are on one edge and the other two on another.
-#[inline]
-pub(crate) fn first_node_of_band([up, down]: [&PieceCorner; 2], outline: &Range<usize>) -> usize {
-    match step(up, outline) < step(down, outline) {
-        true if step(up, outline) == Some(1) => 0,
-        true => 3,
-        false if step(down, outline) == Some(1) => 2,
-        false => 1,
-    }
-}
-
 /// The position of a node along the outline: 2i for corner i, 2i + 1 for a crossing of the edge after it.
 #[inline]
 fn step(node: &PieceCorner, outline: &Range<usize>) -> Option<u32> {

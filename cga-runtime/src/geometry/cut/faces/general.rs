@@ -145,12 +145,7 @@ impl General {
         self.ways.clear();
         for ring in face.loop_ranges() {
             let start = self.nodes.len();
-            for corner in ring.clone() {
-                let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
-                let [here, there] = [corner, next].map(|c| (c, state.points.places[mesh.corners[c] as usize]));
-                self.nodes.push(PieceCorner::corner(corner, here.1));
-                state.points.cross(&mut state.parts, mesh, here, there, &mut self.nodes);
-            }
+            state.points.cross_loop(&mut state.parts, mesh, ring, &mut self.nodes);
             let Some(first) = self.nodes[start..].iter().position(|node| node.class().is_on_plane()) else {
                 self.untouched
                     .push(Untouched { slab: self.nodes[start].class().slab(), nodes: start..self.nodes.len() });

@@ -90,13 +90,14 @@ impl Rough {
         let places = corners.map(|corner| state.points.places[mesh.corners[corner] as usize]);
         self.nodes.clear();
         for (at, next) in [(0, 1), (1, 2), (2, 0)] {
-            self.nodes.push(PieceCorner::corner(corners[at], places[at]));
-            let [from, to] = [at, next].map(|i| (corners[i], places[i]));
+            let [from, to] = [at, next].map(|i| PieceCorner::corner(corners[i], places[i]));
+            self.nodes.push(from);
             state.points.cross(&mut state.parts, mesh, from, to, &mut self.nodes);
         }
         let span = Span::of(places.iter().map(|place| place.class));
         let slabs = if span.is_flat() {
-            let slab = state.slab_of_triangle(mesh, places, span.low.plane());
+            let plane = span.low.plane();
+            let slab = plane + u32::from(state.is_triangle_above(mesh, places, plane));
             slab..=slab
         } else {
             span.slabs()

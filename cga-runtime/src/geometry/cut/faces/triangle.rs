@@ -26,8 +26,8 @@ pub(crate) fn clip(
         PieceCorner::corner(corners.start + at, places[at])
     };
     let [l, m, n] = [corner(lone), corner(lone + 1), corner(lone + 2)];
-    let x = points.crossing(parts, mesh, plane, l.from as usize, m.from as usize);
-    let y = points.crossing(parts, mesh, plane, n.from as usize, l.from as usize);
+    let x = points.crossing(parts, mesh, plane, l.from, m.from);
+    let y = points.crossing(parts, mesh, plane, n.from, l.from);
     let tip_is_below = l.place.class.slab() == plane;
     let (from, to) = if tip_is_below { (x, y) } else { (y, x) };
     rim.cut(plane, from.place.number, to.place.number);

@@ -28,12 +28,9 @@ fn gradient(face: &FaceRef<'_>, value: impl Fn(usize) -> f64) -> Option<DVec3> {
     let area = face.area_vector();
     let base = value(face.corner_range().start);
     let mut sum = DVec3::ZERO;
-    for ring in face.loop_ranges() {
-        for corner in ring.clone() {
-            let next = super::next_in(&ring, corner);
-            let twice_mean = (value(corner) - base) + (value(next) - base);
-            sum += (face.position(next) - face.position(corner)) * twice_mean;
-        }
+    for [corner, next] in face.edges() {
+        let twice_mean = (value(corner) - base) + (value(next) - base);
+        sum += (face.position(next) - face.position(corner)) * twice_mean;
     }
     // Both are twice the exact value.
     let gradient = sum.cross(area) / area.length_squared();

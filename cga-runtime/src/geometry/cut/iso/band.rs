@@ -1,27 +1,16 @@
 //! The mesh of one band during a cut.
 
-use std::ops::Range;
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::coordinate::Coordinate;
 use super::crossings::Crossings;
-use crate::geometry::cut::faces::first_edge::first_node;
 use crate::geometry::cut::points::{NONE, PieceCorner};
 use crate::geometry::mesh::{FaceTag, Mesh};
 
-/// The source of pieces.
-#[derive(Clone, Copy)]
-pub(super) struct BandSource<'c> {
-    pub(super) mesh: &'c Mesh,
-    pub(super) crossings: &'c Crossings,
-    pub(super) coordinate: Coordinate,
-}
-
 /// A band. Until it is finished, its corners are numbers of points of the source, followed by numbers of crossings.
 pub(super) struct Band {
-    mesh: Mesh,
+    pub(super) mesh: Mesh,
     /// The number of faces that were not cut.
     whole: usize,
 }
@@ -39,64 +28,18 @@ impl Band {
     /// Adds a face without cutting it.
     pub(super) fn keep(&mut self, source: &Mesh, face: usize, tag: FaceTag) {
         self.whole += 1;
-        let loops = source.face_loops(face);
-        let corners = source.loop_range(loops.start).start..source.loop_range(loops.end - 1).end;
-        let (from, to) = (corners.start as u32, self.mesh.corners.len() as u32);
-        self.mesh.corners.extend_from_slice(&source.corners[corners.clone()]);
-        self.mesh.loop_ends.extend(source.loop_ends[loops].iter().map(|end| end - from + to));
-        self.mesh.uvs.copy_from(&source.uvs, corners.clone());
-        if !source.normals.is_empty() {
-            self.mesh.normals.extend_from_slice(&source.normals[corners]);
-        }
-        self.end_face(tag);
-    }
-
-    /// Adds a piece with one loop, given by its way up and its way down between two lines. Pieces without area are
-    /// dropped.
-    pub(super) fn piece(
-        &mut self,
-        source: BandSource<'_>,
-        ahead: &[PieceCorner],
-        mut back: &[PieceCorner],
-        outline: &Range<usize>,
-        tag: FaceTag,
-    ) {
-        // If the loop meets itself on a line, the same corner must not follow itself.
-        let same = |a: Option<&PieceCorner>, b: Option<&PieceCorner>| {
-            a.is_some_and(|a| b.is_some_and(|b| a.place.number == b.place.number))
-        };
-        if same(ahead.last(), back.first()) {
-            back = &back[1..];
-        }
-        if same(back.last(), ahead.first()) {
-            back = &back[..back.len() - 1];
-        }
-        if ahead.len() + back.len() < 3 {
-            return;
-        }
-        let first = first_node(ahead.iter().chain(back), outline);
-        let runs = match first.checked_sub(ahead.len()) {
-            None => [&ahead[first..], back, &ahead[..first]],
-            Some(first) => [&back[first..], ahead, &back[..first]],
-        };
-        for run in runs {
-            self.corners(source, run);
-        }
-        self.end_loop();
-        self.end_face(tag);
+        self.mesh.corners.extend_from_slice(&source.corners[source.face_corners(face)]);
+        self.mesh.end_copy(source, face, tag);
     }
 
     /// Adds corners with their values.
-    pub(super) fn corners(&mut self, source: BandSource<'_>, nodes: &[PieceCorner]) {
-        let BandSource { mesh: source, crossings, coordinate } = source;
+    pub(super) fn corners(&mut self, source: &Mesh, crossings: &Crossings, nodes: &[PieceCorner]) {
+        let coordinate = crossings.coordinate;
         for node in nodes {
             self.mesh.corners.push(node.place.number);
             let [from, to] = [node.from as usize, node.to as usize];
             if node.is_corner() {
-                self.mesh.uvs.push_from(&source.uvs, |list| list[from]);
-                if !source.normals.is_empty() {
-                    self.mesh.normals.push(source.normals[from]);
-                }
+                self.mesh.copy_values(source, from..from + 1);
                 continue;
             }
             let share = crossings.share(node.place);
@@ -114,15 +57,6 @@ impl Band {
                 self.mesh.normals.push(normal.lerp(source.normals[to], share).normalize_or(normal));
             }
         }
-    }
-
-    pub(super) fn end_loop(&mut self) {
-        self.mesh.loop_ends.push(self.mesh.corners.len() as u32);
-    }
-
-    pub(super) fn end_face(&mut self, tag: FaceTag) {
-        self.mesh.face_ends.push(self.mesh.loop_ends.len());
-        self.mesh.tags.push(tag);
     }
 
     /// The finished mesh. The source itself if the band contains all of it, `None` if the band is empty.

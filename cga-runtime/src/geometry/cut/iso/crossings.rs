@@ -3,8 +3,9 @@
 
 use glam::DVec3;
 
+use super::coordinate::Coordinate;
 use super::sites::Sites;
-use crate::geometry::cut::class::{Class, Span};
+use crate::geometry::cut::class::Span;
 use crate::geometry::cut::edges::Edges;
 use crate::geometry::cut::points::{Location, PieceCorner};
 use crate::geometry::cut::segment::{Segment, comes_first};
@@ -12,6 +13,7 @@ use crate::geometry::mesh::Mesh;
 
 /// All crossings of a cut. They are numbered after the points of the mesh.
 pub(super) struct Crossings {
+    pub(super) coordinate: Coordinate,
     /// The lines within the range of the mesh.
     pub(super) lines: Vec<f64>,
     /// The positions of crossings.
@@ -25,10 +27,10 @@ pub(super) struct Crossings {
 }
 
 impl Crossings {
-    pub(super) fn new(lines: Vec<f64>, sites: usize, points: usize) -> Self {
+    pub(super) fn new(coordinate: Coordinate, lines: Vec<f64>, sites: usize, points: usize) -> Self {
         let mut edges = Edges::default();
         edges.reset(sites);
-        Crossings { lines, points: Vec::new(), shares: Vec::new(), edges, base: points as u32 }
+        Crossings { coordinate, lines, points: Vec::new(), shares: Vec::new(), edges, base: points as u32 }
     }
 
     /// Appends the crossings of the edge from one corner to another, in the order along the edge.
@@ -36,16 +38,16 @@ impl Crossings {
         &mut self,
         mesh: &Mesh,
         sites: &Sites,
-        from: (usize, Class),
-        to: (usize, Class),
-        nodes: &mut impl Extend<PieceCorner>,
+        from: PieceCorner,
+        to: PieceCorner,
+        nodes: &mut Vec<PieceCorner>,
     ) {
-        let span = Span { low: from.1.min(to.1), high: from.1.max(to.1) };
-        let lines = span.planes();
+        let lines = Span::between(from.class(), to.class()).planes();
         if lines.is_empty() {
             return;
         }
-        let (from, to, rises) = (from.0, to.0, from.1 < to.1);
+        let rises = from.class() < to.class();
+        let [from, to] = [from, to].map(|corner| corner.from as usize);
         let (number, new) = self.edges.entry(sites.site(from), sites.site(to), self.points.len() as u32);
         let at = |corner: usize| mesh.points[mesh.corners[corner] as usize];
         if new {

@@ -7,12 +7,11 @@
 //! caps.
 //!
 //! A triangle, or a face with one loop on which the coordinate rises once and falls once, is cut from crossing to
-//! crossing (`chain.rs`) if it is convex or the coordinate is affine over it. Any other face is cut triangle by
+//! crossing (`faces/chain.rs`) if it is convex or the coordinate is affine over it. Any other face is cut triangle by
 //! triangle, and the pieces of its triangles are joined again by index (`patch.rs`).
 
 mod affine;
 mod band;
-mod chain;
 mod coordinate;
 mod crossings;
 mod patch;
@@ -22,12 +21,11 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::class::Span;
-use super::points::Location;
+use super::faces::chain::{Chain, rises_once, runs};
 use super::rising;
-use crate::geometry::mesh::{FaceTag, Mesh, TooManyCorners, UvAxis};
+use crate::geometry::mesh::{FaceRef, FaceTag, Mesh, TooManyCorners, UvAxis};
 use affine::is_affine;
-use band::{Band, BandSource, Numbers};
-use chain::Chain;
+use band::{Band, Numbers};
 use coordinate::Coordinate;
 use crossings::Crossings;
 use patch::Patch;
@@ -82,8 +80,7 @@ pub fn iso_bands(
         return Ok(bands);
     }
     let kept = rising(lines);
-    let values = uvs.iter().map(|uv| uv[axis.index()]);
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), value| (l.min(value), h.max(value)));
+    let (low, high) = range(uvs.iter().map(|uv| uv[axis.index()]));
     // The whole mesh is above a line at the lowest value. A line at the highest value has only the faces on it above.
     let first = kept.partition_point(|&line| lines[line] <= low);
     let end = kept.partition_point(|&line| lines[line] <= high);
@@ -102,16 +99,18 @@ pub fn iso_bands(
     Ok(bands)
 }
 
+/// The smallest and the largest value.
+fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
+}
+
 /// A cut in progress.
 struct Cutter<'m> {
     mesh: &'m Mesh,
     most: usize,
-    coordinate: Coordinate,
     sites: Sites,
     crossings: Crossings,
     bands: Vec<Band>,
-    /// The places of the corners of the current face.
-    places: Vec<Location>,
     chain: Chain,
     patch: Patch,
     /// The number of corners made so far.
@@ -121,13 +120,13 @@ struct Cutter<'m> {
 impl<'m> Cutter<'m> {
     fn new(mesh: &'m Mesh, coordinate: Coordinate, lines: Vec<f64>, most: usize) -> Self {
         let sites = Sites::of(mesh, coordinate, &lines);
-        let crossings = Crossings::new(lines, sites.len(), mesh.points.len());
+        let crossings = Crossings::new(coordinate, lines, sites.len(), mesh.points.len());
         let count = crossings.lines.len() + 1;
         let bands = (0..count).map(|_| Band::new(mesh, count)).collect();
         let (chain, patch) = Default::default();
         // Points and crossings have 32-bit numbers.
         let most = most.min(u32::MAX as usize / 16);
-        Cutter { mesh, most, coordinate, sites, crossings, bands, places: Vec::new(), chain, patch, made: 0 }
+        Cutter { mesh, most, sites, crossings, bands, chain, patch, made: 0 }
     }
 
     fn cut_faces(&mut self) -> Result<(), TooManyCorners> {
@@ -150,15 +149,16 @@ impl<'m> Cutter<'m> {
             self.bands[band as usize].keep(mesh, face, tag);
             return Ok(());
         }
-        let values = mesh.uv_set(self.coordinate.set)[corners.clone()].iter().map(|uv| uv[self.coordinate.axis]);
         let is_triangle = corners.len() == 3;
-        let is_one_way = mesh.face_loops(face).len() == 1 && (is_triangle || chain::rises_once(values));
-        if is_one_way && (is_triangle || mesh.face(face).is_convex() || is_affine(mesh, face, self.coordinate)) {
-            self.count(self.crossings_of(mesh.face(face).loop_ranges()))?;
+        let is_one_way = mesh.face_loops(face).len() == 1 && (is_triangle || self.rises_once(corners.clone()));
+        if is_one_way
+            && (is_triangle || mesh.face(face).is_convex() || is_affine(mesh, face, self.crossings.coordinate))
+        {
+            self.count(self.crossings_of(&mesh.face(face)))?;
             self.cut_chain(corners, tag, span);
             return Ok(());
         }
-        let is_affine = is_affine(mesh, face, self.coordinate);
+        let is_affine = is_affine(mesh, face, self.crossings.coordinate);
         let mut patch = std::mem::take(&mut self.patch);
         let result = patch.cut(self, face, is_affine);
         self.patch = patch;
@@ -178,30 +178,35 @@ impl<'m> Cutter<'m> {
         if is_too_many { Err(TooManyCorners { most: self.most }) } else { Ok(()) }
     }
 
-    /// The corners of some loops and of all their crossings, which both sides of a line have.
-    fn crossings_of(&self, loops: impl Iterator<Item = Range<usize>>) -> usize {
-        let between = |a: usize, b: usize| {
-            let (a, b) = (self.sites.class(a), self.sites.class(b));
-            2 * Span { low: a.min(b), high: a.max(b) }.planes().len() + 1
+    /// The corners of a face and all its crossings, which both sides of a line have.
+    fn crossings_of(&self, face: &FaceRef<'_>) -> usize {
+        let between = |edge: [usize; 2]| {
+            let [a, b] = edge.map(|corner| self.sites.class(corner));
+            2 * Span::between(a, b).planes().len() + 1
         };
-        loops.map(|ring| ring.clone().map(|c| between(c, next_in(&ring, c))).sum::<usize>()).sum()
+        face.edges().map(between).sum()
+    }
+
+    /// Returns true if the coordinate rises once and falls once around a loop, and repeats only at its ends.
+    fn rises_once(&self, corners: Range<usize>) -> bool {
+        let values = self.mesh.uv_set(self.crossings.coordinate.set)[corners]
+            .iter()
+            .map(|uv| uv[self.crossings.coordinate.axis]);
+        let (low, high) = range(values.clone());
+        rises_once(values, |value| value == low || value == high)
     }
 
     /// Cuts a face with one way up and one way down.
     fn cut_chain(&mut self, corners: Range<usize>, tag: FaceTag, span: Span) {
-        self.places.clear();
-        self.places.extend(corners.clone().map(|corner| self.sites.place(self.mesh, corner)));
         let Cutter { mesh, sites, crossings, chain, .. } = self;
-        let ring = corners.clone().zip(self.places.iter().copied());
-        chain.walk(ring, span, |from, to, nodes| crossings.cross(mesh, sites, from, to, nodes));
-        let source = BandSource { mesh, crossings, coordinate: self.coordinate };
-        chain.bands(span, |band, ahead, back, _| {
-            self.bands[band as usize].piece(source, ahead, back, &corners, tag);
+        let node = |i: usize| sites.node(mesh, corners.start + i);
+        chain.walk(corners.len(), span, node, |from, to, nodes| crossings.cross(mesh, sites, from, to, nodes));
+        chain.pieces(span, |band, ahead, back, _| {
+            let Some(runs) = runs(ahead, back, &corners) else { return };
+            let band = &mut self.bands[band as usize];
+            runs.into_iter().for_each(|run| band.corners(mesh, crossings, run));
+            band.mesh.end_loop();
+            band.mesh.end_face(tag);
         });
     }
-}
-
-/// The next corner in the loop.
-fn next_in(ring: &Range<usize>, corner: usize) -> usize {
-    if corner + 1 == ring.end { ring.start } else { corner + 1 }
 }

@@ -10,16 +10,15 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::band::BandSource;
-use super::chain::Chain;
-use super::{Cutter, next_in};
+use super::Cutter;
 use crate::geometry::cut::class::Span;
+use crate::geometry::cut::faces::chain::Chain;
 use crate::geometry::cut::faces::first_edge::first_node;
+use crate::geometry::cut::faces::pieces::close_ring;
 use crate::geometry::cut::points::{NONE, PieceCorner};
 use crate::geometry::mesh::table::PairTable;
 use crate::geometry::mesh::{FaceTag, TooManyCorners};
 use crate::geometry::nesting::Nest;
-use crate::geometry::nesting::contour::Section;
 use crate::geometry::tol::AFFINE_EPSILON;
 use crate::geometry::triangulate::{Projection, Triangulator};
 
@@ -112,11 +111,9 @@ impl Patch {
         self.flat.clear();
         self.flat.extend(view.corner_range().map(|corner| projection.apply(view.position(corner))));
         self.loop_ends.clear();
+        self.loop_ends.extend(view.loop_ranges().map(|ring| (ring.end - start) as u32));
         self.next.clear();
-        for ring in view.loop_ranges() {
-            self.loop_ends.push((ring.end - start) as u32);
-            self.next.extend(ring.clone().map(|corner| (next_in(&ring, corner) - start) as u32));
-        }
+        self.next.extend(view.edges().map(|[_, next]| (next - start) as u32));
         self.triangles.clear();
         self.triangulator.polygon(&self.flat, &self.loop_ends, &mut self.triangles);
         // If loops overlap, a triangle may have the same corner twice. Then its two other sides are the same.
@@ -139,8 +136,8 @@ impl Patch {
 
     fn cut_triangle(&mut self, cutter: &mut Cutter<'_>, triangle: usize, start: usize) {
         let corners = self.triangles[triangle].map(|corner| start + corner as usize);
-        let places = corners.map(|corner| cutter.sites.place(cutter.mesh, corner));
-        let span = Span::of(places.iter().map(|place| place.class));
+        let nodes = corners.map(|corner| cutter.sites.node(cutter.mesh, corner));
+        let span = Span::of(nodes.iter().map(PieceCorner::class));
         if span.is_flat() {
             for side in diagonals(self.sides[triangle]) {
                 self.flat_sides.entry(side, 0, self.flats.len() as u32);
@@ -150,10 +147,8 @@ impl Patch {
         }
         let mut chain = std::mem::take(&mut self.chain);
         let (mesh, sites, crossings) = (cutter.mesh, &cutter.sites, &mut cutter.crossings);
-        chain.walk(corners.into_iter().zip(places), span, |from, to, nodes| {
-            crossings.cross(mesh, sites, from, to, nodes)
-        });
-        chain.bands(span, |band, ahead, back, borders| {
+        chain.walk(3, span, |i| nodes[i], |from, to, nodes| crossings.cross(mesh, sites, from, to, nodes));
+        chain.pieces(span, |band, ahead, back, borders| {
             let from = self.halves.len() as u32;
             let count = (ahead.len() + back.len()) as u32;
             for (at, node) in ahead.iter().chain(back).enumerate() {
@@ -250,7 +245,7 @@ impl Patch {
         let corners = self.triangles[triangle].map(|corner| start + corner as usize);
         let from = self.halves.len() as u32;
         for (at, corner) in (0u32..).zip(corners) {
-            let node = PieceCorner::corner(corner, cutter.sites.place(cutter.mesh, corner));
+            let node = cutter.sites.node(cutter.mesh, corner);
             let half = Half { node, band, next: from + (at + 1) % 3, twin: NONE, is_inner: false, is_traced: false };
             self.half(half, self.sides[triangle][at as usize]);
         }
@@ -288,30 +283,16 @@ impl Patch {
 
     /// Ends a ring. Repeated corners are removed, and rings with fewer than three corners are dropped.
     fn end_ring(&mut self, from: usize, band: u32) {
-        let mut kept = from;
-        for at in from..self.nodes.len() {
-            if kept == from || self.nodes[kept - 1].0.place.number != self.nodes[at].0.place.number {
-                self.nodes[kept] = self.nodes[at];
-                kept += 1;
-            }
-        }
-        if kept > from + 1 && self.nodes[kept - 1].0.place.number == self.nodes[from].0.place.number {
-            kept -= 1;
-        }
-        if kept < from + 3 {
-            kept = from;
-        } else {
-            let nodes = self.nodes[from..kept].iter().filter(|(_, is_inner)| !is_inner);
+        if close_ring(&mut self.nodes, from, |(node, _)| node.place.number) {
+            let nodes = self.nodes[from..].iter().filter(|(_, is_inner)| !is_inner);
             let edge = nodes.map(|(node, _)| edge_of(node)).min().unwrap_or(NONE);
-            self.rings.push(Ring { band, edge, nodes: from..kept });
+            self.rings.push(Ring { band, edge, nodes: from..self.nodes.len() });
         }
-        self.nodes.truncate(kept);
     }
 
     /// Adds the rings to their bands as faces.
     fn emit(&mut self, cutter: &mut Cutter<'_>, projection: Projection, outline: &Range<usize>, tag: FaceTag) {
-        let coordinate = cutter.coordinate;
-        let (mut flat, mut numbers, mut ends) = (Vec::new(), Vec::new(), Vec::new());
+        let mut ends = Vec::new();
         let (mut nodes, mut marks): (Vec<PieceCorner>, Vec<PieceCorner>) = (Vec::new(), Vec::new());
         for rings in self.rings.chunk_by(|a, b| a.band == b.band) {
             nodes.clear();
@@ -325,30 +306,18 @@ impl Patch {
                 }
                 ends.push(nodes.len());
             }
-            if let [end] = ends[..] {
-                self.nest.single(end);
-            } else {
-                flat.clear();
-                let at =
-                    |node: &PieceCorner| projection.apply(cutter.crossings.position(cutter.mesh, node.place.number));
-                flat.extend(nodes.iter().map(at));
-                numbers.clear();
-                numbers.extend(0..nodes.len() as u32);
-                self.nest.sort(&Section { flat: &flat, corners: &numbers, ends: &ends });
-            }
             let Cutter { mesh, crossings, bands, .. } = &mut *cutter;
-            let source = BandSource { mesh, crossings, coordinate };
+            let at = |node: usize| projection.apply(crossings.position(mesh, nodes[node].place.number));
+            self.nest.sort_rings(&ends, at);
             let band = &mut bands[rings[0].band as usize];
-            let mut start = 0;
-            for &end in &self.nest.ends {
-                for ring in &self.nest.order[start..end] {
+            for group in self.nest.groups() {
+                for ring in group {
                     let first = ring.start + first_of_ring(&marks[ring.clone()], outline);
-                    band.corners(source, &nodes[first..ring.end]);
-                    band.corners(source, &nodes[ring.start..first]);
-                    band.end_loop();
+                    band.corners(mesh, crossings, &nodes[first..ring.end]);
+                    band.corners(mesh, crossings, &nodes[ring.start..first]);
+                    band.mesh.end_loop();
                 }
-                band.end_face(tag);
-                start = end;
+                band.mesh.end_face(tag);
             }
         }
     }

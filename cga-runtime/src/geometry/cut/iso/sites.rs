@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use super::coordinate::Coordinate;
 use crate::geometry::cut::class::Class;
-use crate::geometry::cut::points::{Location, NONE};
+use crate::geometry::cut::points::{Location, NONE, PieceCorner};
 use crate::geometry::mesh::Mesh;
 
 /// The sites of a mesh.
@@ -38,12 +38,7 @@ impl Sites {
             *site
         });
         let of_corner = of_corner.collect();
-        let class = |value: &f64| {
-            let below = lines.partition_point(|line| line < value);
-            let is_on_line = lines.get(below) == Some(value);
-            if is_on_line { Class::on(below as u32) } else { Class::inside(below as u32) }
-        };
-        let classes = values.iter().map(class).collect();
+        let classes = values.iter().map(|&value| Class::among(lines, value)).collect();
         Sites { of_corner, values, classes }
     }
 
@@ -66,8 +61,8 @@ impl Sites {
         self.classes[self.of_corner[corner] as usize]
     }
 
-    /// The class and the point of a corner.
-    pub(super) fn place(&self, mesh: &Mesh, corner: usize) -> Location {
-        Location { class: self.class(corner), number: mesh.corners[corner] }
+    /// A corner as a corner of a piece.
+    pub(super) fn node(&self, mesh: &Mesh, corner: usize) -> PieceCorner {
+        PieceCorner::corner(corner, Location { class: self.class(corner), number: mesh.corners[corner] })
     }
 }

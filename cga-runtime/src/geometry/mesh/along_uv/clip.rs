@@ -2,10 +2,12 @@
 
 use glam::{DVec2, DVec3};
 
-use super::patch::{On, Patch, comes_first};
-use super::unit::UnitAsset;
-use crate::geometry::exact::orient;
+use super::patch::{On, Patch};
+use super::unit::{AssetPolygon, UnitAsset};
+use crate::geometry::exact::{comes_first, orient};
+use crate::geometry::mesh::face::area_vector;
 use crate::geometry::mesh::{Mesh, UvSets};
+use crate::geometry::segment::nearest_share;
 use crate::geometry::tol::NEXT_EPSILON;
 
 /// A corner of a piece, above a point of texture space.
@@ -85,7 +87,7 @@ impl<'a> Clip<'a> {
     pub(super) fn cut(
         &mut self,
         asset: &UnitAsset,
-        polygon: usize,
+        polygon: &AssetPolygon,
         cell: DVec2,
         patch: &Patch,
     ) -> Option<Option<usize>> {
@@ -108,11 +110,10 @@ impl<'a> Clip<'a> {
         Some(wall)
     }
 
-    fn start(&mut self, asset: &UnitAsset, polygon: usize, cell: DVec2, patch: &Patch) {
+    fn start(&mut self, asset: &UnitAsset, polygon: &AssetPolygon, cell: DVec2, patch: &Patch) {
         self.carried.clear();
         self.own.clear();
-        for (number, &corner) in (0u32..).zip(asset.corners(polygon)) {
-            let at = asset.at(corner, cell);
+        for (number, (corner, at)) in (0u32..).zip(asset.corners(polygon, cell)) {
             let carried = self.carried.len() as u32;
             self.carried.extend(self.sets.iter().map(|&set| self.asset.uv_set(set)[corner as usize]));
             let edge = EdgeSource::Own(number);
@@ -149,7 +150,7 @@ impl<'a> Clip<'a> {
             && let Some(corner) = patch.corner_between(other, edge)
         {
             let uv = patch.corner(corner);
-            let share = share_at(here, next, uv);
+            let share = nearest_share(uv, [here.uv, next.uv]);
             let height = self.height_at_corner(uv).unwrap_or(here.height + (next.height - here.height) * share);
             let carried = self.mix(here.carried, next.carried, share);
             return ClipVertex { uv, height, above: patch.edges_at(corner), edge: here.edge, carried };
@@ -196,19 +197,15 @@ impl<'a> Clip<'a> {
         if let Some(node) = self.own.iter().find(|node| is_next_to(node.uv, uv)) {
             return Some(node.height);
         }
-        let ends = self.own.iter().zip(self.own[1..].iter().chain(&self.own[..1]));
+        let ends = self.own.iter().zip(self.own.iter().cycle().skip(1));
         for (from, to) in ends {
             let (from, to) = if is_before(from, to) { (from, to) } else { (to, from) };
-            if is_next_to(from.uv + (to.uv - from.uv) * share_at(from, to, uv), uv) {
+            if is_next_to(from.uv + (to.uv - from.uv) * nearest_share(uv, [from.uv, to.uv]), uv) {
                 return Some(height_on_edge(from, to, uv));
             }
         }
         let from = self.own[0];
-        let mut normal = DVec3::ZERO;
-        let off = |node: &ClipVertex| (node.uv - from.uv).extend(node.height - from.height);
-        for pair in self.own[1..].windows(2) {
-            normal += off(&pair[0]).cross(off(&pair[1]));
-        }
+        let normal = area_vector([self.own.iter().map(|node| node.uv.extend(node.height))].into_iter());
         let height = from.height - normal.truncate().dot(uv - from.uv) / normal.z;
         let heights = || self.own.iter().map(|node| node.height);
         let (low, high) = (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max));
@@ -226,18 +223,11 @@ impl<'a> Clip<'a> {
     }
 }
 
-/// The relative position of a point between two nodes.
-fn share_at(from: &ClipVertex, to: &ClipVertex, uv: DVec2) -> f64 {
-    let along = to.uv - from.uv;
-    let share = (uv - from.uv).dot(along) / along.length_squared();
-    if share.is_nan() { 0.5 } else { share.clamp(0.0, 1.0) }
-}
-
 /// The height of an edge of the polygon above a point on it.
 fn height_on_edge(from: &ClipVertex, to: &ClipVertex, uv: DVec2) -> f64 {
     match [from, to].into_iter().find(|end| is_next_to(end.uv, uv)) {
         Some(end) => end.height,
-        None => from.height + (to.height - from.height) * share_at(from, to, uv),
+        None => from.height + (to.height - from.height) * nearest_share(uv, [from.uv, to.uv]),
     }
 }
 

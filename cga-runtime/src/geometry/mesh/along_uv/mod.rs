@@ -16,6 +16,7 @@ mod unit;
 
 use glam::DVec3;
 
+use super::face::area_vector;
 use super::{FaceTag, Mesh, MeshBuilder, TooManyCorners};
 use crate::geometry::tol::PLANAR_EPSILON;
 use clip::{Clip, ClipVertex};
@@ -70,22 +71,25 @@ pub fn insert_along_uv(carrier: &Mesh, asset: &Mesh, options: &AlongUv, most: us
     let mut made = Made { builder: MeshBuilder::new(), asset, corners: 0 };
     made.builder.groups(asset.groups.clone()).materials(asset.materials.clone());
     let unit = UnitAsset::of(asset, options);
-    let patches = if unit.is_empty() { Patches::default() } else { Patches::of(carrier, options) };
+    let patches = if unit.polygons.is_empty() { Patches::default() } else { Patches::of(carrier, options) };
     let (mut clip, mut looked_at) = (Clip::new(asset), 0usize);
     for (number, patch) in patches.list.iter().enumerate() {
         let turns_over = patch.is_mirrored != (options.height < 0.0);
         for row in patch.rows(most)? {
             for cell in patch.cells(row, most)? {
-                looked_at = looked_at.saturating_add(unit.corner_count());
+                looked_at = looked_at.saturating_add(unit.corners.len());
                 if most.saturating_mul(LOOKS) < looked_at {
                     return Err(too_many);
                 }
-                for polygon in unit.polygons().filter(|&polygon| patch.may_meet(unit.range(polygon, cell))) {
+                for polygon in &unit.polygons {
+                    if !patch.may_meet(polygon.extent.low + cell, polygon.extent.high + cell) {
+                        continue;
+                    }
                     let Some(wall) = clip.cut(&unit, polygon, cell, patch) else { continue };
                     if wall.is_some_and(|edge| !patches.owns_wall(number, edge, cell)) {
                         continue;
                     }
-                    made.add(&clip, patch, unit.face(polygon), turns_over);
+                    made.add(&clip, patch, polygon.face, turns_over);
                     if most < made.corners {
                         return Err(too_many);
                     }
@@ -146,11 +150,7 @@ fn is_planar(nodes: &[(DVec3, &ClipVertex)]) -> bool {
         return true;
     }
     let from = nodes[0].0;
-    let mut normal = DVec3::ZERO;
-    for pair in nodes[1..].windows(2) {
-        normal += (pair[0].0 - from).cross(pair[1].0 - from);
-    }
-    let normal = super::unit(normal);
+    let normal = super::unit(area_vector([nodes.iter().map(|node| node.0)].into_iter()));
     let (off, size) = nodes.iter().fold((0.0, 0.0), |(off, size): (f64, f64), (point, _)| {
         (off.max((*point - from).dot(normal).abs()), size.max((*point - from).length()))
     });

@@ -5,9 +5,11 @@ use std::collections::BTreeMap;
 use glam::{DVec2, DVec3};
 
 use super::{AlongUv, HeightDirection};
-use crate::geometry::exact::orient;
+use crate::geometry::exact::{comes_first, orient};
 use crate::geometry::mesh::extrude::vertex_normals;
 use crate::geometry::mesh::{Mesh, TooManyCorners};
+use crate::geometry::nesting::extent::Extent;
+use crate::geometry::segment::nearest_share;
 use crate::geometry::tol::AFFINE_EPSILON;
 use crate::geometry::triangulate::Triangulator;
 
@@ -94,24 +96,20 @@ impl Patch {
         if corner + 1 == self.corners.len() { 0 } else { corner + 1 }
     }
 
-    fn range(&self, axis: usize) -> (f64, f64) {
-        let values = self.corners.iter().map(|corner| corner.uv[axis]);
-        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
+    fn extent(&self) -> Extent {
+        Extent::of(self.corners.iter().map(|corner| corner.uv))
     }
 
     /// Returns true if its range of coordinates meets another range.
-    pub(super) fn may_meet(&self, [low, high]: [DVec2; 2]) -> bool {
-        let meets = |axis: usize| {
-            let (own_low, own_high) = self.range(axis);
-            own_low <= high[axis] && low[axis] <= own_high
-        };
-        meets(0) && meets(1)
+    pub(super) fn may_meet(&self, low: DVec2, high: DVec2) -> bool {
+        let own = self.extent();
+        own.low.cmple(high).all() && low.cmple(own.high).all()
     }
 
     /// The v at which each row of cells begins.
     pub(super) fn rows(&self, most: usize) -> Result<impl Iterator<Item = f64> + use<>, TooManyCorners> {
-        let (low, high) = self.range(1);
-        count_up(low.floor(), high.ceil(), most)
+        let Extent { low, high } = self.extent();
+        count_up(low.y.floor(), high.y.ceil(), most)
     }
 
     /// The smallest and the largest u in a row of cells.
@@ -140,9 +138,9 @@ impl Patch {
 
     /// Returns true if it covers a part of a cell.
     fn covers(&self, cell: DVec2) -> bool {
-        let (bottom, top) = self.range(1);
+        let own = self.extent();
         let (low, high) = self.range_in_row(cell.y);
-        bottom.floor() <= cell.y && cell.y < top.ceil() && low.floor() <= cell.x && cell.x < high.ceil()
+        own.low.y.floor() <= cell.y && cell.y < own.high.y.ceil() && low.floor() <= cell.x && cell.x < high.ceil()
     }
 
     /// The position of a node on or above the surface.
@@ -153,8 +151,7 @@ impl Patch {
                 // Computed alike from both sides of the edge.
                 let (a, b) = (self.corners[edge], self.corners[self.after(edge)]);
                 let (a, b) = if comes_first(a.uv, b.uv) { (a, b) } else { (b, a) };
-                let along = b.uv - a.uv;
-                let share = ((uv - a.uv).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+                let share = nearest_share(uv, [a.uv, b.uv]);
                 (a.point + (b.point - a.point) * share, a.up + (b.up - a.up) * share)
             }
             On::Inside => {
@@ -182,11 +179,6 @@ fn count_up(low: f64, high: f64, most: usize) -> Result<impl Iterator<Item = f64
         return Err(TooManyCorners { most });
     }
     Ok((0..count as u64).map(move |step| low + step as f64))
-}
-
-/// Lexicographic order.
-pub(super) fn comes_first(a: DVec2, b: DVec2) -> bool {
-    a.x < b.x || (a.x == b.x && a.y < b.y)
 }
 
 /// The end of an edge: its point and its coordinates.

@@ -6,20 +6,26 @@ use glam::{DVec2, DVec3};
 
 use super::{AlongUv, HeightAlignment};
 use crate::geometry::mesh::Mesh;
+use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::triangulate::Triangulator;
 
-/// The polygons of an asset. Its points have u and v in [0, 1] as x and y, and the height in metres as z.
+/// The polygons of an asset.
 pub(super) struct UnitAsset {
+    /// For each corner of the asset u and v in [0, 1] as x and y, and the height in metres as z.
     points: Vec<DVec3>,
     /// Corners of the asset, polygon after polygon.
-    corners: Vec<u32>,
-    /// The end of each polygon in `corners`, and its face.
-    polygons: Vec<(usize, usize)>,
-    /// The smallest and the largest coordinates of each polygon.
-    ranges: Vec<[DVec2; 2]>,
-    /// The points of its corners.
-    of_corner: Vec<u32>,
+    pub(super) corners: Vec<u32>,
+    pub(super) polygons: Vec<AssetPolygon>,
+}
+
+/// A convex polygon of an asset.
+pub(super) struct AssetPolygon {
+    /// The face that it is a part of.
+    pub(super) face: usize,
+    corners: Range<usize>,
+    /// The smallest and the largest coordinates.
+    pub(super) extent: Extent,
 }
 
 impl UnitAsset {
@@ -38,65 +44,34 @@ impl UnitAsset {
             HeightAlignment::KeepPosition => y * 0.5 / size.y * options.height,
         };
         let place = |p: &DVec3| DVec3::new(share(p.x, 0), 1.0 - share(p.z, 2), height(p.y));
-        let points = asset.points.iter().map(place).collect();
-        let (mut corners, mut polygons) = (Vec::new(), Vec::new());
+        let points = asset.corners.iter().map(|&point| place(&asset.points[point as usize])).collect();
+        let mut unit = UnitAsset { points, corners: Vec::new(), polygons: Vec::new() };
         let (mut triangulator, mut triangles) = (Triangulator::new(), Vec::new());
         for face in asset.faces() {
             let is_simple = face.corner_count() == 3 || face.loops().len() == 1 && is_flat(asset, face.index());
             if is_simple && face.is_convex() {
-                corners.extend(face.corner_range().map(|corner| corner as u32));
-                polygons.push((corners.len(), face.index()));
+                unit.add(face.index(), face.corner_range().map(|corner| corner as u32));
                 continue;
             }
             triangles.clear();
             triangulator.face(asset, face.index(), &mut triangles);
-            for triangle in &triangles {
-                corners.extend(triangle);
-                polygons.push((corners.len(), face.index()));
-            }
+            triangles.iter().for_each(|triangle| unit.add(face.index(), triangle.iter().copied()));
         }
-        let mut unit = UnitAsset { points, corners, polygons, ranges: Vec::new(), of_corner: asset.corners.clone() };
-        let range = |polygon: usize| {
-            let none = [DVec2::INFINITY, DVec2::NEG_INFINITY];
-            let places = unit.corners(polygon).iter().map(|&corner| unit.at(corner, DVec2::ZERO).truncate());
-            places.fold(none, |[low, high], uv| [low.min(uv), high.max(uv)])
-        };
-        unit.ranges = unit.polygons().map(range).collect();
         unit
     }
 
-    /// The smallest and the largest coordinates of a polygon in a cell.
-    pub(super) fn range(&self, polygon: usize, cell: DVec2) -> [DVec2; 2] {
-        self.ranges[polygon].map(|uv| uv + cell)
+    fn add(&mut self, face: usize, corners: impl Iterator<Item = u32>) {
+        let start = self.corners.len();
+        self.corners.extend(corners);
+        let corners = start..self.corners.len();
+        let extent = Extent::of(self.corners[start..].iter().map(|&corner| self.points[corner as usize].truncate()));
+        self.polygons.push(AssetPolygon { face, corners, extent });
     }
 
-    pub(super) fn is_empty(&self) -> bool {
-        self.polygons.is_empty()
-    }
-
-    pub(super) fn corner_count(&self) -> usize {
-        self.corners.len()
-    }
-
-    /// The numbers of all polygons.
-    pub(super) fn polygons(&self) -> Range<usize> {
-        0..self.polygons.len()
-    }
-
-    /// The face that a polygon is a part of.
-    pub(super) fn face(&self, polygon: usize) -> usize {
-        self.polygons[polygon].1
-    }
-
-    /// The corners of a polygon, as corners of the asset.
-    pub(super) fn corners(&self, polygon: usize) -> &[u32] {
-        let start = if polygon == 0 { 0 } else { self.polygons[polygon - 1].0 };
-        &self.corners[start..self.polygons[polygon].0]
-    }
-
-    /// The position of a corner in a cell that begins at `cell`.
-    pub(super) fn at(&self, corner: u32, cell: DVec2) -> DVec3 {
-        self.points[self.of_corner[corner as usize] as usize] + cell.extend(0.0)
+    /// The corners of a polygon: corners of the asset, and their positions in a cell that begins at `cell`.
+    pub(super) fn corners(&self, polygon: &AssetPolygon, cell: DVec2) -> impl Iterator<Item = (u32, DVec3)> {
+        let corners = self.corners[polygon.corners.clone()].iter();
+        corners.map(move |&corner| (corner, self.points[corner as usize] + cell.extend(0.0)))
     }
 }
 

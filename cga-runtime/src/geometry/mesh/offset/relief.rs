@@ -5,8 +5,7 @@
 //! range of the face. For small distances a moved corner is close to its own height. If the face is level along an
 //! edge, its strip is level near the edge.
 
-use glam::DVec2;
-
+use crate::geometry::segment::nearest_share;
 use crate::geometry::skeleton::Swept;
 
 /// The heights of all points of a swept face, from the heights of its own points, which come first. `rings` are in
@@ -16,7 +15,7 @@ pub(super) fn heights(own: &[f64], rings: &[Vec<u32>], swept: &Swept) -> Vec<f64
         rings.iter().flat_map(|ring| (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]])).collect();
     let near = |edge: u32, point: u32| {
         let [a, b] = edges[edge as usize];
-        let share = share(swept.points[point as usize], [a, b].map(|end| swept.points[end as usize]));
+        let share = nearest_share(swept.points[point as usize], [a, b].map(|end| swept.points[end as usize]));
         own[a as usize] * (1.0 - share) + own[b as usize] * share
     };
     let mut sums = vec![(0.0, 0u32); swept.points.len()];
@@ -38,11 +37,4 @@ pub(super) fn heights(own: &[f64], rings: &[Vec<u32>], swept: &Swept) -> Vec<f64
     }
     let mean = |(sum, count): (f64, u32)| if count == 0 { 0.0 } else { sum / f64::from(count) };
     own.iter().copied().chain(sums.into_iter().skip(own.len()).map(mean)).collect()
-}
-
-/// The relative position of the nearest point on a segment.
-fn share(p: DVec2, [a, b]: [DVec2; 2]) -> f64 {
-    let along = b - a;
-    let length = along.length_squared();
-    if length == 0.0 { 0.5 } else { ((p - a).dot(along) / length).clamp(0.0, 1.0) }
 }

@@ -9,19 +9,19 @@ use crate::geometry::mesh::Mesh;
 /// A disk with its normal along an axis, in the plane where that coordinate is 0. The minimum is three corners
 /// (*primitiveDisk operation*). Its texture fills the square around it.
 pub fn disk(sides: usize, across: Axis) -> Mesh {
-    let sides = circle::sides(sides);
-    let texture = || circle::corners(sides).map(circle::from_above);
-    let mut faces = Faces::new(texture().map(|uv| lying(uv, across)).collect(), sides);
-    faces.face(texture().enumerate());
-    faces.finish(false)
+    flat(&circle::corners(circle::sides(sides)).map(circle::from_above).collect::<Vec<_>>(), across)
 }
 
 /// A square with its normal along an axis, in the plane where that coordinate is 0, with the same texture as a disk
 /// there (*primitiveQuad operation*).
 pub(super) fn square(across: Axis) -> Mesh {
-    let texture = || [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].into_iter();
-    let mut faces = Faces::new(texture().map(|uv| lying(uv, across)).collect(), 4);
-    faces.face(texture().enumerate());
+    flat(&[DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y], across)
+}
+
+/// A face across an axis, given by its texture coordinates.
+fn flat(texture: &[DVec2], across: Axis) -> Mesh {
+    let mut faces = Faces::new(texture.iter().map(|&uv| lying(uv, across)).collect(), texture.len());
+    faces.face(texture.iter().copied().enumerate());
     faces.finish(false)
 }
 

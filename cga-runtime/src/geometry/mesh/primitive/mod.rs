@@ -14,7 +14,7 @@ mod sphere;
 use glam::{DVec2, DVec3};
 
 use super::solid::{corner, square, unit_box};
-use super::{Derived, FaceEnds, FaceTag, Mesh, Tags, UvSets};
+use super::{FaceTag, Mesh};
 use crate::geometry::Axis;
 use crate::geometry::provenance::Provenance;
 
@@ -77,10 +77,8 @@ struct Faces {
 
 impl Faces {
     fn new(points: Vec<DVec3>, corners: usize) -> Self {
-        Faces {
-            mesh: Mesh { points, corners: Vec::with_capacity(corners), ..Mesh::default() },
-            uvs: Vec::with_capacity(corners),
-        }
+        let mesh = Mesh { points, corners: Vec::with_capacity(corners), ..Mesh::default() };
+        Faces { mesh, uvs: Vec::with_capacity(corners) }
     }
 
     fn face(&mut self, corners: impl IntoIterator<Item = (usize, DVec2)>) {
@@ -88,22 +86,13 @@ impl Faces {
             self.mesh.corners.push(point as u32);
             self.uvs.push(uv);
         }
-        self.mesh.loop_ends.push(self.mesh.corners.len() as u32);
+        self.mesh.end_loop();
+        self.mesh.end_face(FaceTag::PLAIN);
     }
 
-    fn finish(self, closed: bool) -> Mesh {
-        let count = self.mesh.loop_ends.len();
-        let mut uvs = UvSets::default();
-        uvs.set(0, self.uvs);
-        let derived = Derived::default();
-        let _ = derived.closed.set(closed);
-        Mesh {
-            face_ends: FaceEnds::single(count),
-            tags: Tags::uniform(count, FaceTag::PLAIN),
-            uvs,
-            derived,
-            ..self.mesh
-        }
+    fn finish(mut self, closed: bool) -> Mesh {
+        self.mesh.uvs.set(0, self.uvs);
+        self.mesh.known_closed(closed)
     }
 }
 

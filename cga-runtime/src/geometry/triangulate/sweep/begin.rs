@@ -2,10 +2,13 @@
 //!
 //! The status is searched only here. At all other corners the edges determine the region.
 
+use std::cmp::Ordering;
+
 use glam::DVec2;
 
 use super::{Link, NONE, Region, Sweep};
 use crate::geometry::exact::orient;
+use crate::geometry::status::{LEFT, RIGHT};
 
 impl Sweep {
     /// A corner with both edges above it: the start of a region, or of a hole in one.
@@ -19,58 +22,51 @@ impl Sweep {
         };
         let [left, right] = self.status.around(|[from, to]| right_of(from, to) > 0);
         let around = left.filter(|&region| {
-            let right = self.regions[region as usize].right;
+            let right = self.regions[region as usize].edges[RIGHT];
             right_of(points[right as usize], points[self.next[right as usize] as usize]) < 0
         });
-        let new = self.regions.len() as u32;
         let split = match around {
             Some(region) if turn <= 0 => Some(region),
-            None if turn < 0 => self.beside(points, corner, left, right),
+            None if turn < 0 => self.beside(points, corner, [left, right]),
             _ => None,
         };
-        self.status.insert_after(split.or(left), [corner, a].map(|c| points[c as usize]));
+        let new = self.status.insert_after(split.or(left), [corner, a].map(|c| points[c as usize]));
         if let Some(region) = split {
             // The chain is divided at its latest point. The corner sees that point and continues from it in both
             // directions.
             let old = self.regions[region as usize];
-            let Link { corner: last, next, .. } = self.links[old.latest as usize];
-            self.links[old.latest as usize].next = NONE;
-            let twin = self.link(last, NONE, next);
-            let right_end = if old.right_end == old.latest { twin } else { old.right_end };
-            self.regions.push(Region { left: a, right: old.right, left_end: twin, right_end, latest: twin });
-            self.region[old.right as usize] = new;
-            self.region[a as usize] = new;
-            self.regions[region as usize].right_end = old.latest;
-            self.set_right(region, corner);
-            self.attach_right(points, region, corner, out);
-            self.attach_left(points, new, corner, out);
+            let Link { corner: last, beside: [_, next] } = self.links[old.latest as usize];
+            self.links[old.latest as usize].beside[RIGHT] = NONE;
+            let twin = self.link(last, [NONE, next]);
+            let right_end = if old.ends[RIGHT] == old.latest { twin } else { old.ends[RIGHT] };
+            self.add_region([a, old.edges[RIGHT]], [twin, right_end], twin);
+            self.regions[region as usize].ends[RIGHT] = old.latest;
+            self.set_edge(region, RIGHT, corner);
+            self.attach(points, region, RIGHT, corner, out);
+            self.attach(points, new, LEFT, corner, out);
         } else {
-            let link = self.link(corner, NONE, NONE);
-            self.regions.push(Region { left: a, right: corner, left_end: link, right_end: link, latest: link });
-            self.region[a as usize] = new;
-            self.region[corner as usize] = new;
+            let link = self.link(corner, [NONE; 2]);
+            self.add_region([a, corner], [link; 2], link);
         }
+    }
+
+    fn add_region(&mut self, edges: [u32; 2], ends: [u32; 2], latest: u32) {
+        let new = self.regions.len() as u32;
+        edges.iter().for_each(|&edge| self.region[edge as usize] = new);
+        self.regions.push(Region { edges, ends, latest });
     }
 
     /// The region of a hole that begins outside it, because loops cross by rounding errors: the nearer one of the
     /// regions to the left and to the right.
-    fn beside(&self, points: &[DVec2], corner: u32, left: Option<u32>, right: Option<u32>) -> Option<u32> {
-        let distance = |edge: u32| {
+    fn beside(&self, points: &[DVec2], corner: u32, regions: [Option<u32>; 2]) -> Option<u32> {
+        let distance = |region: u32, side: usize| {
+            let edge = self.regions[region as usize].edges[side];
             let [a, b, p] = [edge, self.next[edge as usize], corner].map(|c| points[c as usize]);
             (b - a).perp_dot(p - a).abs() / (b - a).length()
         };
-        let left = left.map(|region| (distance(self.regions[region as usize].right), region));
-        let right = right.map(|region| (distance(self.regions[region as usize].left), region));
-        let nearest = match (left, right) {
-            (Some(left), Some(right)) => {
-                if right.0 < left.0 {
-                    right
-                } else {
-                    left
-                }
-            }
-            (left, right) => left.or(right)?,
-        };
+        let near = regions.into_iter().zip([RIGHT, LEFT]).filter_map(|(region, side)| Some((region?, side)));
+        let near = near.map(|(region, side)| (distance(region, side), region));
+        let nearest = near.min_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal))?;
         (nearest.0 <= self.slack).then_some(nearest.1)
     }
 }

@@ -1,30 +1,36 @@
-//! The status of the sweep: the regions on the sweep line, from left to right.
+//! The status of a sweep: edges, or regions by their left edges, on the sweep line, from left to right.
 //!
-//! A height-balanced (AVL) tree in an arena. A region's number is the index of its node, so a region is removed without
-//! a search. All steps are loops, and each takes at most as many steps as the tree is high, for any results of the
-//! comparisons.
+//! A height-balanced (AVL) tree in an arena. The number of an entry is the index of its node, so an entry is removed
+//! without a search. All steps are loops, and each takes at most as many steps as the tree is high, for any results of
+//! the comparisons.
 
 use glam::DVec2;
 
-use super::NONE;
+/// No node.
+const NONE: u32 = u32::MAX;
 
-/// A region in the tree. Links are indices, or [`NONE`].
+/// The order of a sweep: upwards, then to the right.
+#[inline]
+pub(super) fn is_below(a: DVec2, b: DVec2) -> bool {
+    a.y < b.y || (a.y == b.y && a.x < b.x)
+}
+
+/// An entry in the tree. Links are indices, or [`NONE`].
 #[derive(Clone, Copy)]
 struct TreeNode {
     parent: u32,
-    /// The subtrees of regions to the left and to the right.
+    /// The subtrees of entries to the left and to the right.
     children: [u32; 2],
     /// The height of the subtree, 1 for a leaf.
     height: u32,
-    /// The lower and upper end of the region's left edge. Stored here, because searches in a large tree wait for
-    /// memory.
+    /// The lower and upper end of its edge. Stored here, because searches in a large tree wait for memory.
     edge: [DVec2; 2],
 }
 
-const LEFT: usize = 0;
-const RIGHT: usize = 1;
+pub(super) const LEFT: usize = 0;
+pub(super) const RIGHT: usize = 1;
 
-/// Regions in order, by number.
+/// Entries in order, by number.
 pub(super) struct Status {
     nodes: Vec<TreeNode>,
     root: u32,
@@ -37,14 +43,14 @@ impl Default for Status {
 }
 
 impl Status {
-    /// Removes all regions.
+    /// Removes all entries.
     pub(super) fn clear(&mut self) {
         self.nodes.clear();
         self.root = NONE;
     }
 
-    /// The regions on both sides of a position: the last one whose left edge is left of it, and the first one whose
-    /// left edge is not. A binary search.
+    /// The entries on both sides of a position: the last one whose edge is left of it, and the first one whose edge is
+    /// not. A binary search.
     #[inline]
     pub(super) fn around(&self, mut is_left: impl FnMut([DVec2; 2]) -> bool) -> [Option<u32>; 2] {
         let mut found = [None; 2];
@@ -58,16 +64,16 @@ impl Status {
         found
     }
 
-    /// Inserts the next region, numbered by the count of regions so far, after another region, or at the front.
-    pub(super) fn insert_after(&mut self, region: Option<u32>, edge: [DVec2; 2]) {
+    /// Inserts an entry after another entry, or at the front. Returns its number: the count of entries so far.
+    pub(super) fn insert_after(&mut self, entry: Option<u32>, edge: [DVec2; 2]) -> u32 {
         let new = self.nodes.len() as u32;
-        let (parent, side) = match region {
-            Some(region) => match self.nodes[region as usize].children[RIGHT] {
-                NONE => (region, RIGHT),
-                right => (self.leftmost(right), LEFT),
+        let (parent, side) = match entry {
+            Some(entry) => match self.nodes[entry as usize].children[RIGHT] {
+                NONE => (entry, RIGHT),
+                right => (self.outermost(right, LEFT), LEFT),
             },
             None if self.root == NONE => (NONE, LEFT),
-            None => (self.leftmost(self.root), LEFT),
+            None => (self.outermost(self.root, LEFT), LEFT),
         };
         self.nodes.push(TreeNode { parent, children: [NONE; 2], height: 1, edge });
         if parent == NONE {
@@ -76,26 +82,40 @@ impl Status {
             self.nodes[parent as usize].children[side] = new;
             self.balance_up(parent);
         }
+        new
     }
 
-    /// Sets the left edge of a region.
+    /// Sets the edge of an entry.
     #[inline]
-    pub(super) fn set_edge(&mut self, region: u32, edge: [DVec2; 2]) {
-        self.nodes[region as usize].edge = edge;
+    pub(super) fn set_edge(&mut self, entry: u32, edge: [DVec2; 2]) {
+        self.nodes[entry as usize].edge = edge;
     }
 
-    /// Removes a region.
-    pub(super) fn remove(&mut self, region: u32) {
-        let TreeNode { parent, children, height, .. } = self.nodes[region as usize];
+    /// The next entry on one side of an entry.
+    pub(super) fn beside(&self, entry: u32, side: usize) -> Option<u32> {
+        let TreeNode { mut parent, children, .. } = self.nodes[entry as usize];
+        if children[side] != NONE {
+            return Some(self.outermost(children[side], 1 - side));
+        }
+        let mut at = entry;
+        while parent != NONE && self.nodes[parent as usize].children[side] == at {
+            (at, parent) = (parent, self.nodes[parent as usize].parent);
+        }
+        (parent != NONE).then_some(parent)
+    }
+
+    /// Removes an entry.
+    pub(super) fn remove(&mut self, entry: u32) {
+        let TreeNode { parent, children, height, .. } = self.nodes[entry as usize];
         let [left, right] = children;
         if left == NONE || right == NONE {
             let child = if left == NONE { right } else { left };
-            self.replace(parent, region, child);
+            self.replace(parent, entry, child);
             self.balance_up(parent);
             return;
         }
-        // The next region takes its place.
-        let next = self.leftmost(right);
+        // The next entry takes its place.
+        let next = self.outermost(right, LEFT);
         let lowest = if next == right {
             next
         } else {
@@ -106,15 +126,16 @@ impl Status {
         };
         self.adopt(next, LEFT, left);
         self.nodes[next as usize].height = height;
-        self.replace(parent, region, next);
+        self.replace(parent, entry, next);
         self.balance_up(lowest);
     }
 
-    fn leftmost(&self, mut at: u32) -> u32 {
+    /// The outermost entry of a subtree on one side.
+    fn outermost(&self, mut at: u32, side: usize) -> u32 {
         loop {
-            match self.nodes[at as usize].children[LEFT] {
+            match self.nodes[at as usize].children[side] {
                 NONE => return at,
-                left => at = left,
+                child => at = child,
             }
         }
     }
@@ -191,7 +212,7 @@ impl Status {
 mod tests {
     use super::*;
 
-    /// The regions in order. Checks links and heights.
+    /// The entries in order. Checks links and heights.
     fn in_order(status: &Status) -> Vec<u32> {
         fn walk(status: &Status, at: u32, parent: u32, order: &mut Vec<u32>) -> u32 {
             if at == NONE {
@@ -235,9 +256,13 @@ mod tests {
                 }
                 if round % 50 == 0 {
                     assert_eq!(in_order(&status), list);
+                    for (at, &entry) in list.iter().enumerate() {
+                        let neighbours = [at.checked_sub(1).map(|at| list[at]), list.get(at + 1).copied()];
+                        assert_eq!([LEFT, RIGHT].map(|side| status.beside(entry, side)), neighbours);
+                    }
                     let at = below(list.len() + 1);
                     let place =
-                        |[from, _]: [DVec2; 2]| list.iter().position(|&region| f64::from(region) == from.x).unwrap();
+                        |[from, _]: [DVec2; 2]| list.iter().position(|&entry| f64::from(entry) == from.x).unwrap();
                     let found = status.around(|edge| place(edge) < at);
                     assert_eq!(found, [at.checked_sub(1).map(|at| list[at]), list.get(at).copied()]);
                 }
