@@ -58,7 +58,7 @@ impl<'s> Cursor<'s> {
     /// The piece of the next slot, if it gets one.
     #[inline(always)]
     pub fn slot(&mut self, slot: usize) -> Option<Piece> {
-        let piece = piece(slot, *self.lengths.get(slot)?, self.from, self.limit, self.smallest)?;
+        let piece = piece(slot, self.lengths[slot], self.from, self.limit, self.smallest)?;
         self.from = piece.end;
         Some(piece)
     }

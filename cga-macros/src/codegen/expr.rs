@@ -13,10 +13,10 @@ use super::{Generator, function_of, hygienic, local, site};
 use crate::output::{HostType, conversion, convert};
 
 impl Generator<'_> {
-    /// An expression in a rule, on a slim shape. It gets the whole shape if it reads more than the slim one has.
-    pub(super) fn asked(&self, expr: &Expr, at: &Access) -> TokenStream {
+    /// An expression on a slim shape. It gets the whole shape if it reads more than the slim one has.
+    fn on_slim(&self, expr: &Expr, at: &Access) -> TokenStream {
         if !self.facts.expr(expr).whole {
-            return self.expr(expr, at);
+            return self.expr(expr, &Access { is_slim: false, ..at.clone() });
         }
         let (env, slim, code) = (&at.env, &at.shape, self.expr(expr, &Access::whole()));
         code! { {
@@ -31,7 +31,11 @@ impl Generator<'_> {
         } }
     }
 
+    /// An expression.
     pub(super) fn expr(&self, expr: &Expr, at: &Access) -> TokenStream {
+        if at.is_slim {
+            return self.on_slim(expr, at);
+        }
         match &expr.kind {
             ExprKind::Value(known) => value(known),
             ExprKind::Param(number) => {

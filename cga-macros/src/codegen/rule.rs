@@ -40,7 +40,7 @@ impl Generator<'_> {
         let name = self.rule(id, self.source.token(rule.span.first));
         let site = site::param(rule.sites.len());
         let (names, types): (Vec<_>, Vec<_>) = site.into_iter().chain(given(&rule.params, &rule.locals)).unzip();
-        let locals = self.locals(&rule.params, &rule.locals, &Access::rule(), Generator::asked);
+        let locals = self.locals(&rule.params, &rule.locals, &Access::rule());
         let doc = (!rule.source.is_empty()).then(|| {
             let source = &rule.source;
             code!(#[doc = #source])
@@ -90,7 +90,7 @@ impl Generator<'_> {
         let site = site::param(function.sites as usize);
         let (names, types): (Vec<_>, Vec<_>) = site.into_iter().chain(params).unzip();
         let ty = inner_type(function.ty);
-        let locals = self.locals(&function.params, &function.locals, &Access::function(), Generator::expr);
+        let locals = self.locals(&function.params, &function.locals, &Access::function());
         let body = self.expr(&function.body, &Access::function());
         let body = code!({ #locals #body });
         let shape = match self.facts.function(id).whole {
@@ -129,16 +129,10 @@ impl Generator<'_> {
     }
 
     /// The values of locals: they are the last parameters.
-    fn locals(
-        &self,
-        params: &[Param],
-        locals: &[Expr],
-        at: &Access,
-        expr: fn(&Self, &Expr, &Access) -> TokenStream,
-    ) -> TokenStream {
+    fn locals(&self, params: &[Param], locals: &[Expr], at: &Access) -> TokenStream {
         let first = params.len() - locals.len();
         let locals = locals.iter().enumerate().map(|(number, value)| {
-            let (name, value) = (local("p", first + number), expr(self, value, at));
+            let (name, value) = (local("p", first + number), self.expr(value, at));
             code!(let #name = #value;)
         });
         locals.collect()
@@ -194,11 +188,11 @@ impl Generator<'_> {
             Step::Do(operation, args) => match operation.changes {
                 Changes::Whole => None,
                 Changes::Nothing => {
-                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), Generator::asked);
+                    let (lets, call) = self.operation_on(operation, args, &Access::rule());
                     Some(code!({ #lets let shape = &mut { shape }; cga_rt::op::#call }))
                 }
                 Changes::Scope => {
-                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), Generator::asked);
+                    let (lets, call) = self.operation_on(operation, args, &Access::rule());
                     Some(code! {
                         let mut own;
                         let changed = {
@@ -265,7 +259,7 @@ impl Generator<'_> {
         tail: &Tail,
     ) -> TokenStream {
         let at = Access::rule();
-        let conditions = arms.iter().map(|(condition, _)| self.asked(condition, &at));
+        let conditions = arms.iter().map(|(condition, _)| self.expr(condition, &at));
         let bodies = arms.iter().map(|(_, steps)| self.steps(steps, body, number, tail));
         let otherwise = self.steps(otherwise, body, number, tail);
         code!(#(if #conditions { #bodies } else)* { #otherwise })
@@ -332,7 +326,7 @@ impl Generator<'_> {
             Target::Rule { rule, sites, args, span } => {
                 let call = self.call(from, (*rule, sites), args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
-                let values = args.iter().map(|arg| self.asked(arg, &Access::rule()));
+                let values = args.iter().map(|arg| self.expr(arg, &Access::rule()));
                 code!({
                     #(let #names = #values;)*
                     #copy
@@ -393,7 +387,7 @@ impl Generator<'_> {
             Target::Rule { rule, sites, args, span } => {
                 let call = self.call(from, (*rule, sites), args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
-                let values = args.iter().map(|arg| self.asked(arg, &Access::part()));
+                let values = args.iter().map(|arg| self.expr(arg, &Access::part()));
                 let hand_on = self.hand_on(*rule);
                 code!({
                     #(let #names = #values;)*

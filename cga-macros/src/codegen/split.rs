@@ -230,7 +230,7 @@ impl Generator<'_> {
     /// The pieces of a split in texture space, with their shapes.
     fn textures(&self, block: &Block, slots: &ir::Slots) -> TokenStream {
         let (sizes, name) = self.sizes(slots, false);
-        let args = self.args(block.row, &block.args, &Access::rule(), Generator::asked, &TokenStream::new());
+        let args = self.args(block.row, &block.args, &Access::rule(), &TokenStream::new());
         code! {
             #sizes
             let axis = (#(#args),*);
@@ -250,7 +250,7 @@ impl Generator<'_> {
             }
         });
         let place_of = Access::rule();
-        let values = slots.sizes.iter().map(|size| prefixed(size.prefix, &self.asked(&size.value, &place_of)));
+        let values = slots.sizes.iter().map(|size| prefixed(size.prefix, &self.expr(&size.value, &place_of)));
         let constant =
             |size: &Size| matches!(size.value.kind, ExprKind::Value(Value::Float(value)) if value.is_finite());
         let is_constant = are_lengths && slots.sizes.iter().all(constant);

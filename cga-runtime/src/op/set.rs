@@ -25,7 +25,7 @@ macro_rules! numbers {
 }
 
 /// A coordinate of a vector.
-type Coordinate = fn(&mut DVec3) -> &mut f64;
+type CoordinateOf = fn(&mut DVec3) -> &mut f64;
 
 numbers! { set_size:
     /// The width.
@@ -36,7 +36,7 @@ numbers! { set_size:
     scope_sz = z;
 }
 
-fn set_size(env: &mut Env, shape: &mut Shape, value: f64, at: Coordinate) {
+fn set_size(env: &mut Env, shape: &mut Shape, value: f64, at: CoordinateOf) {
     let mut size = shape.scope.size;
     *at(&mut size) = env.finite(value, "the size");
     shape.resize(size);
@@ -51,7 +51,7 @@ numbers! { set_offset:
     scope_tz = z;
 }
 
-fn set_offset(env: &mut Env, shape: &mut Shape, value: f64, at: Coordinate) {
+fn set_offset(env: &mut Env, shape: &mut Shape, value: f64, at: CoordinateOf) {
     let mut offset = shape.pivot.to_local(shape.scope.origin);
     *at(&mut offset) = env.finite(value, "the offset");
     let before = shape.scope;
@@ -68,7 +68,7 @@ numbers! { set_rotation:
     scope_rz = z;
 }
 
-fn set_rotation(env: &mut Env, shape: &mut Shape, value: f64, at: Coordinate) {
+fn set_rotation(env: &mut Env, shape: &mut Shape, value: f64, at: CoordinateOf) {
     let mut angles = DVec3::new(get::scope_rx(shape), get::scope_ry(shape), get::scope_rz(shape));
     *at(&mut angles) = env.finite(value, "the angle");
     let before = shape.scope;
@@ -166,13 +166,13 @@ numbers! { set_pivot_rotation:
     pivot_oz = z;
 }
 
-fn set_pivot_position(env: &mut Env, shape: &mut Shape, value: f64, at: Coordinate) {
+fn set_pivot_position(env: &mut Env, shape: &mut Shape, value: f64, at: CoordinateOf) {
     let mut position = get::pivot_position(env, shape);
     *at(&mut position) = env.finite(value, "the pivot");
     move_pivot(env, shape, position, get::pivot_rotation(env, shape));
 }
 
-fn set_pivot_rotation(env: &mut Env, shape: &mut Shape, value: f64, at: Coordinate) {
+fn set_pivot_rotation(env: &mut Env, shape: &mut Shape, value: f64, at: CoordinateOf) {
     let mut rotation = get::pivot_rotation(env, shape);
     *at(&mut rotation) = env.finite(value, "the pivot");
     move_pivot(env, shape, get::pivot_position(env, shape), rotation);

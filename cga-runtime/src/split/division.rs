@@ -30,7 +30,7 @@ pub struct Division<'s> {
     shape: &'s ShapeRef<'s>,
     /// The pieces, if they do not simply fill their scopes.
     made: Option<Box<[ShapeRef<'s>]>>,
-    whole: Whole,
+    whole: Undivided,
     /// The seed of the step.
     seed: u64,
     /// The repetitions begun so far, in all groups.
@@ -43,7 +43,7 @@ pub struct Division<'s> {
 
 /// The properties of a shape that differ in its parts.
 #[derive(Debug)]
-struct Whole {
+struct Undivided {
     origin: DVec4,
     /// The extent along the axis of the split.
     extent: f64,
@@ -135,7 +135,7 @@ impl<'s> Division<'s> {
     /// rule reads it.
     #[inline(always)]
     pub fn new(shape: &'s ShapeRef<'s>, made: &'s Made, axis: Axis, adjust: Adjust, number: u32, total: u64) -> Self {
-        let whole = Whole::of(shape, axis, adjust);
+        let whole = Undivided::of(shape, axis, adjust);
         let made = made.0.as_ref().map(|pieces| shapes(pieces));
         let seed = seed::step(whole.seed.value(), seed::key(Tag::Split, number));
         let (total, has_bands) = (total as usize, whole.unit.has_bands(axis));
@@ -256,11 +256,11 @@ fn shapes(pieces: &[Base]) -> Box<[ShapeRef<'_>]> {
     pieces.iter().map(Base::shape).collect()
 }
 
-impl Whole {
+impl Undivided {
     /// The properties of a shape before its division. Removes its thickness, which parts do not have.
     #[inline(always)]
     fn of(shape: &ShapeRef<'_>, axis: Axis, adjust: Adjust) -> Self {
-        let mut whole = Whole {
+        let mut whole = Undivided {
             origin: shape.origin.get(),
             extent: shape.size.along(axis),
             thickness: 0.0,

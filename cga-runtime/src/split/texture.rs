@@ -7,7 +7,7 @@ use cga_split::{Item, Piece, Size, solve};
 
 use super::divide::{check, listed};
 use super::division::Made;
-use super::parts::Borders;
+use super::parts::PieceBorders;
 use crate::fault::{FaultKind, LimitKind};
 use crate::geometry::cut;
 use crate::geometry::mesh::uv::spread;
@@ -58,7 +58,7 @@ pub fn texture<const N: usize>(
         TextureSpace::Uv => extent.low[axis.index()] + distance,
         TextureSpace::Unit => extent.at_metres(axis, distance),
     };
-    let borders = Borders::of(&pieces[..], length, extent.high[axis.index()], line);
+    let borders = PieceBorders::of(&pieces[..], length, extent.high[axis.index()], line);
     let limit = env.settings.limits.vertices;
     let most = usize::try_from(limit).unwrap_or(usize::MAX);
     let Ok(bands) = cut::iso_bands(&placed.mesh, usize::from(set), axis, &borders.rising, most) else {
