@@ -167,7 +167,7 @@ impl Generator<'_> {
     fn changed(&self, steps: &[Step]) -> TokenStream {
         if let Some(code) = steps.iter().map(|step| self.slim(step)).collect::<Option<TokenStream>>() {
             let is_change = |step: &Step| !matches!(step, Step::Do(row, ..) if row.changes == Changes::Nothing);
-            let bases = code!(let bases = cga_rt::Bases::default(););
+            let bases = code!(let bases = cga_rt::Bases::new(););
             return if steps.iter().any(is_change) { quote!(#bases #code) } else { code };
         }
         let code: TokenStream = steps.iter().map(|step| self.change(step)).collect();

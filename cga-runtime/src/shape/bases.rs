@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use super::base::Base;
 
 /// A list of bases. Bases are added while slim shapes borrow from others, and all live as long as the list.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Bases(OnceCell<Box<Entry>>);
 
 #[derive(Debug)]
@@ -15,13 +15,19 @@ struct Entry {
 }
 
 impl Bases {
+    /// An empty list.
+    #[inline]
+    pub const fn new() -> Self {
+        Bases(OnceCell::new())
+    }
+
     /// Adds a base at the end.
     pub(crate) fn keep(&self, base: Base) -> &Base {
         let mut end = self;
         while let Some(entry) = end.0.get() {
             end = &entry.rest;
         }
-        &end.0.get_or_init(|| Box::new(Entry { base, rest: Bases::default() })).base
+        &end.0.get_or_init(|| Box::new(Entry { base, rest: Bases::new() })).base
     }
 }
 

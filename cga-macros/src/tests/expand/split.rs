@@ -81,7 +81,7 @@ impl CgaRules {
         cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
-        let bases = cga_rt::Bases::default();
+        let bases = cga_rt::Bases::new();
         let mut own = ::core::option::Option::None;
         let shape = {
             let a0 = cga_rt::Length::Absolute(1f64);
