@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use super::base::Base;
 
 /// A list of bases. Bases are added while slim shapes borrow from others, and all live as long as the list.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Bases(OnceCell<Box<Entry>>);
 
 #[derive(Debug)]
