@@ -23,7 +23,7 @@ pub struct Checked<'a> {
 }
 
 /// The result of a check.
-pub(crate) struct Outcome<'a> {
+pub(crate) struct CheckOutcome<'a> {
     /// The program, if it had no error.
     pub(crate) checked: Option<Checked<'a>>,
     /// The attributes with their types, where these are known.
@@ -37,7 +37,12 @@ pub(crate) struct Outcome<'a> {
 /// Runs every pass. `levels` are those of the grammar as a whole; annotations in the tree come on top.
 /// Diagnostics of sizes and calls need the final program: with `last`, or without a type mismatch, no more declarations are
 /// instantiated.
-pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bool, diags: &mut Diags) -> Outcome<'a> {
+pub(crate) fn check<'a>(
+    program: &'a Program,
+    levels: &[(Code, Level)],
+    last: bool,
+    diags: &mut Diags,
+) -> CheckOutcome<'a> {
     let mut cx = Context { globals: Globals::new(program), tables: Tables::default(), at: 0, diags };
     let levels = levels::collect(&mut cx, levels);
     duplicates::values(&mut cx);
@@ -45,7 +50,7 @@ pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bo
     names::uses(&mut cx);
     let types = infer::infer(&mut cx);
     if !types.wanted.is_empty() {
-        return Outcome { checked: None, attrs: Vec::new(), index: Vec::new(), types };
+        return CheckOutcome { checked: None, attrs: Vec::new(), index: Vec::new(), types };
     }
     let is_final = last || !types.misfit;
     annotations::read(&mut cx);
@@ -58,9 +63,8 @@ pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bo
     }
     let Context { globals, tables, diags, .. } = cx;
     levels::apply(&levels, diags);
-    let ty = |item: &Item| item.ty(&tables);
-    let attrs = globals.attrs.iter().map(|item| (item.clone(), ty(item))).collect();
+    let attrs = globals.attrs.iter().map(|item| (item.clone(), item.ty(&tables))).collect();
     let index = if is_final { index(&globals, &tables) } else { Vec::new() };
     let checked = (!diags.has_errors()).then_some(Checked { globals, tables });
-    Outcome { checked, attrs, index, types }
+    CheckOutcome { checked, attrs, index, types }
 }

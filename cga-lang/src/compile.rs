@@ -1,6 +1,6 @@
 //! The whole way from tokens to a grammar, in one call.
 
-use crate::check::{Outcome, check};
+use crate::check::{CheckOutcome, check};
 use crate::diag::code::Code;
 use crate::diag::{Diag, Diags, Level};
 
@@ -64,14 +64,19 @@ pub fn compile(root: Unit, files: &mut dyn Files, levels: &[(Code, Level)]) -> C
     finish(&program, checked(&program, levels, true, &read))
 }
 
-fn checked<'p>(program: &'p Program, levels: &[(Code, Level)], last: bool, read: &[Diag]) -> (Vec<Diag>, Outcome<'p>) {
+fn checked<'p>(
+    program: &'p Program,
+    levels: &[(Code, Level)],
+    last: bool,
+    read: &[Diag],
+) -> (Vec<Diag>, CheckOutcome<'p>) {
     let mut diags = Diags::new();
     diags.append(read.to_vec());
     let outcome = check(program, levels, last, &mut diags);
     (diags.finish(), outcome)
 }
 
-fn finish(program: &Program, (diags, outcome): (Vec<Diag>, Outcome)) -> Compiled {
+fn finish(program: &Program, (diags, outcome): (Vec<Diag>, CheckOutcome)) -> Compiled {
     let grammar = outcome.checked.map(|checked| lower(&checked));
     let names = public_names(program, &outcome.attrs, grammar.as_ref());
     let piece = |file: &Rc<File>| FileTokens { name: file.name.clone(), tokens: file.tokens.clone() };

@@ -4,8 +4,6 @@
 pub use std::boxed::Box;
 pub use std::string::String;
 
-pub use cga_split::List;
-
 pub use crate::asset::File;
 pub use crate::comp::select::Word;
 pub use crate::comp::{Align, Arm, Components, Mode, Select, comp, comp_values, divide, never};
@@ -30,14 +28,15 @@ pub use crate::run::rules::Rules;
 pub use crate::run::settings::Settings;
 pub use crate::run::sink::{Flow, Sink};
 pub use crate::run::start_rule::StartRule;
+pub use crate::shape::bases::Bases;
 pub use crate::shape::slim::{become_successor, hand_on, push, successor};
 pub use crate::shape::view::View;
 pub use crate::shape::{Shape, ShapeRef};
-pub use crate::split::divide::{areas, extent, sizes, solved};
+pub use crate::split::divide::extent;
 pub use crate::split::division::{Division, Made, Slot};
 pub use crate::split::row::{Pattern, Row};
-pub use crate::split::texture::texture;
-pub use crate::split::{Adjust, Item, Piece, Size, solve, solve_any};
+pub use crate::split::walk::{Split, Successor, split, split_area, split_solved, split_texture};
+pub use crate::split::{Adjust, Item, Piece, Size, solve};
 pub use crate::value::Value;
 pub use crate::value::array::Array;
 pub use crate::value::text::Text;

@@ -58,7 +58,7 @@ impl<'s> Cursor<'s> {
     /// The piece of the next slot, if it gets one.
     #[inline(always)]
     pub fn slot(&mut self, slot: usize) -> Option<Piece> {
-        let piece = piece(slot, *self.lengths.get(slot)?, self.from, self.limit, self.smallest)?;
+        let piece = piece(slot, self.lengths[slot], self.from, self.limit, self.smallest)?;
         self.from = piece.end;
         Some(piece)
     }
@@ -73,18 +73,6 @@ impl<'s> Cursor<'s> {
             turns.count = 0.0;
         }
         Group { turns, number: 0.0, start, room, outer }
-    }
-
-    /// The same as [`Cursor::open`], compiled once.
-    #[inline(never)]
-    pub fn any_open(&mut self, solution: &Solution<'_>, group: usize) -> Group {
-        self.open(solution, group)
-    }
-
-    /// The same as [`Cursor::turn`], compiled once.
-    #[inline(never)]
-    pub fn any_turn(&mut self, group: &mut Group) -> bool {
-        self.turn(group)
     }
 
     /// Begins the next repetition of a group. Returns false after the last one.
@@ -133,18 +121,6 @@ impl<'s> List<'s> {
     #[inline(always)]
     pub fn open(&mut self, slots: Range<u32>) -> Range<u32> {
         slots
-    }
-
-    /// The same as [`List::open`], so that generated code calls both cursors alike.
-    #[inline]
-    pub fn any_open(&mut self, slots: Range<u32>) -> Range<u32> {
-        self.open(slots)
-    }
-
-    /// The same as [`List::turn`], compiled once.
-    #[inline(never)]
-    pub fn any_turn(&mut self, slots: &mut Range<u32>) -> bool {
-        self.turn(slots)
     }
 
     /// Begins the next repetition of a group. Returns false after the last one.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::choices::{last_group, least_turns, room_for_groups, share};
-use crate::search::{Search, Sum};
+use crate::search::{CountSearch, LengthSum};
 use crate::turns::Turns;
 use crate::{Item, Prefix, Size};
 
@@ -20,8 +20,8 @@ pub(crate) fn slots_of_one(pattern: &[Item], slots: usize) -> Range<usize> {
 /// The sums outside the only group and inside it. `lengths` are the lengths of the slots, with floats not yet
 /// stretched.
 #[inline(always)]
-pub(crate) fn sums_of_one(own: &Range<usize>, sizes: &[Size], lengths: &[f64]) -> (Sum, Sum) {
-    let (mut outside, mut inside) = (Sum::default(), Sum::default());
+pub(crate) fn sums_of_one(own: &Range<usize>, sizes: &[Size], lengths: &[f64]) -> (LengthSum, LengthSum) {
+    let (mut outside, mut inside) = (LengthSum::default(), LengthSum::default());
     for (slot, (size, length)) in sizes.iter().zip(lengths).enumerate() {
         let sum = if own.contains(&slot) { &mut inside } else { &mut outside };
         sum.add(size, *length);
@@ -43,7 +43,7 @@ pub(crate) fn density_of_one(own: &Range<usize>, sizes: &[Size], extent: f64) ->
 
 /// Solves a pattern with one group, as in nearly all splits with repeats. Also returns the stretch of the floats.
 #[inline(always)]
-pub(crate) fn one(outside: Sum, own: Sum, density: f64, extent: f64) -> (f64, Turns) {
+pub(crate) fn one(outside: LengthSum, own: LengthSum, density: f64, extent: f64) -> (f64, Turns) {
     if own.nominal() <= 0.0 {
         return (outside.stretch(extent), Turns::NONE);
     }
@@ -59,24 +59,24 @@ pub(crate) fn one(outside: Sum, own: Sum, density: f64, extent: f64) -> (f64, Tu
 
 /// The count and the stretch.
 #[inline(never)]
-fn one_with_floats(outside: Sum, own: Sum, density: f64, extent: f64) -> (f64, f64) {
+fn one_with_floats(outside: LengthSum, own: LengthSum, density: f64, extent: f64) -> (f64, f64) {
     let total = |turns: f64| outside.plus(own, turns);
-    let mut search = Search { extent, outside, density, total };
+    let mut search = CountSearch { extent, outside, density, total };
     search.least_stretch(least_turns(0.0 < outside.floating, 1) as f64)
 }
 
 /// The count, and whether the last repetition is cut.
 #[inline(never)]
-fn one_without_floats(outside: Sum, own: Sum, density: f64, extent: f64, room: f64) -> (f64, bool) {
+fn one_without_floats(outside: LengthSum, own: LengthSum, density: f64, extent: f64, room: f64) -> (f64, bool) {
     let total = |turns: f64| outside.plus(own, turns);
-    Search { extent, outside, density, total }.fill(room)
+    CountSearch { extent, outside, density, total }.fill(room)
 }
 
 /// A repeat group.
 #[derive(Clone, Copy, Debug)]
 struct GroupState {
     /// The sums of its own slots, without the slots of nested groups.
-    own: Sum,
+    own: LengthSum,
     /// The group around it.
     parent: Option<usize>,
     /// The outermost group around it, or the group itself.
@@ -92,8 +92,8 @@ struct GroupState {
 }
 
 /// The groups of a pattern in the order in which they open, and the sums outside all of them.
-struct Groups {
-    outside: Sum,
+struct RepeatGroups {
+    outside: LengthSum,
     list: Vec<GroupState>,
     turns: Vec<Turns>,
     /// The number of groups that can repeat.
@@ -102,14 +102,14 @@ struct Groups {
 
 /// The same as [`one`] for any pattern. The list has all groups in the order in which they open.
 pub(crate) fn several(pattern: &[Item], sizes: &[Size], lengths: &[f64], extent: f64) -> (f64, Vec<Turns>) {
-    let mut groups = Groups::new(pattern, sizes, lengths);
+    let mut groups = RepeatGroups::new(pattern, sizes, lengths);
     let stretch = groups.choose(extent);
     (stretch, groups.turns)
 }
 
-impl Groups {
+impl RepeatGroups {
     fn new(pattern: &[Item], sizes: &[Size], lengths: &[f64]) -> Self {
-        let mut groups = Groups { outside: Sum::default(), list: Vec::new(), turns: Vec::new(), live: 0 };
+        let mut groups = RepeatGroups { outside: LengthSum::default(), list: Vec::new(), turns: Vec::new(), live: 0 };
         let mut slots = sizes.iter().zip(lengths);
         let mut inside = None;
         for (at, item) in pattern.iter().enumerate() {
@@ -121,7 +121,7 @@ impl Groups {
                     let limit = inside.map_or(pattern.len(), |group| groups.list[group].end);
                     let index = groups.list.len();
                     groups.list.push(GroupState {
-                        own: Sum::default(),
+                        own: LengthSum::default(),
                         parent: inside,
                         top: inside.map_or(index, |group| groups.list[group].top),
                         end: (at + 1).saturating_add(*len as usize).min(limit),
@@ -170,7 +170,7 @@ impl Groups {
         let floats = 0.0 < one_each.floating;
         let density = groups as f64 / (one_each.nominal() - outside.nominal());
         let total = |turns: f64| self.deal(turns as u64);
-        let mut search = Search { extent, outside, density, total };
+        let mut search = CountSearch { extent, outside, density, total };
         let (turns, stretch) = if floats {
             search.least_stretch(least_turns(0.0 < outside.floating, groups) as f64)
         } else {
@@ -187,7 +187,7 @@ impl Groups {
     }
 
     /// Deals out `turns` repetitions and returns the sums with the groups expanded.
-    fn deal(&mut self, turns: u64) -> Sum {
+    fn deal(&mut self, turns: u64) -> LengthSum {
         let mut sum = self.outside;
         for index in 0..self.list.len() {
             let around = self.list[index].parent.map_or(1.0, |parent| self.list[parent].times);

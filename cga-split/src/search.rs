@@ -8,12 +8,12 @@ const MOST: f64 = (1u64 << 48) as f64;
 
 /// The sums of absolute and of floating lengths.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Sum {
+pub(crate) struct LengthSum {
     pub(crate) absolute: f64,
     pub(crate) floating: f64,
 }
 
-impl Sum {
+impl LengthSum {
     /// Adds a slot of length `length`.
     #[inline]
     pub(crate) fn add(&mut self, size: &Size, length: f64) {
@@ -24,8 +24,8 @@ impl Sum {
     }
 
     #[inline]
-    pub(crate) fn plus(self, other: Sum, times: f64) -> Sum {
-        Sum { absolute: self.absolute + times * other.absolute, floating: self.floating + times * other.floating }
+    pub(crate) fn plus(self, other: LengthSum, times: f64) -> LengthSum {
+        LengthSum { absolute: self.absolute + times * other.absolute, floating: self.floating + times * other.floating }
     }
 
     /// The length before floats are stretched.
@@ -51,26 +51,26 @@ impl Sum {
 /// A search for a number of repetitions. `total` returns the sums for a number of repetitions.
 ///
 /// Numbers are whole numbers in `f64`, which represents all of them exactly and avoids conversions.
-pub(crate) struct Search<F> {
+pub(crate) struct CountSearch<F> {
     pub(crate) extent: f64,
     /// The sums outside all groups.
-    pub(crate) outside: Sum,
+    pub(crate) outside: LengthSum,
     /// The number of repetitions per metre without stretching. The search starts there and does not rely on it.
     pub(crate) density: f64,
     pub(crate) total: F,
 }
 
-impl<F: FnMut(f64) -> Sum> Search<F> {
+impl<F: FnMut(f64) -> LengthSum> CountSearch<F> {
     #[inline(always)]
-    fn with(&mut self, turns: f64) -> Repeated {
-        Repeated { turns, sum: (self.total)(turns) }
+    fn with(&mut self, turns: f64) -> CountedLengths {
+        CountedLengths { turns, sum: (self.total)(turns) }
     }
 
     /// The largest number whose nominal lengths fit into `extent`, but at least `least`, and the number after it. The
     /// lengths grow with the number, linearly without nested groups, so the search starts at the number that linear
     /// growth would give.
     #[inline(always)]
-    fn last_that_fits(&mut self, least: f64, extent: f64) -> (Repeated, Repeated) {
+    fn last_that_fits(&mut self, least: f64, extent: f64) -> (CountedLengths, CountedLengths) {
         let guess = (extent - self.outside.nominal()) * self.density;
         let mut fits = self.with(whole(guess.max(least).min(MOST)).max(least));
         // First down to a number that fits, in growing steps. Then up, in growing steps. Then bisection between the
@@ -128,12 +128,12 @@ fn whole(number: f64) -> f64 {
 
 /// A number of repetitions with its sums.
 #[derive(Clone, Copy)]
-struct Repeated {
+struct CountedLengths {
     turns: f64,
-    sum: Sum,
+    sum: LengthSum,
 }
 
-impl Repeated {
+impl CountedLengths {
     #[inline(always)]
     fn is_within(&self, extent: f64) -> bool {
         self.turns <= MOST && self.sum.nominal() <= extent

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use crate::choices::{is_extent, is_size, smallest_piece};
 use crate::groups;
-use crate::search::Sum;
+use crate::search::LengthSum;
 use crate::turns::Turns;
 use crate::{Group, Item, Piece, Prefix, Size};
 
@@ -14,12 +14,12 @@ pub struct Solution<'a> {
     pattern: &'a [Item],
     pub(crate) lengths: &'a [f64],
     pub(crate) extent: f64,
-    repeats: Repeats,
+    repeats: Repetitions,
 }
 
 /// The repetitions of the groups. The pattern decides which field is used.
 #[derive(Clone, Debug)]
-struct Repeats {
+struct Repetitions {
     /// The group of a pattern with one group.
     one: Turns,
     /// The groups of a pattern with several groups, in the order in which they open.
@@ -86,8 +86,8 @@ pub fn solve_any<'a>(pattern: &'a [Item], sizes: &[Size], lengths: &'a mut [f64]
 
 /// Sets the lengths, with floats not yet stretched, and returns their sum.
 #[inline(always)]
-fn measure(sizes: &[Size], lengths: &mut [f64], extent: f64) -> Sum {
-    let mut sum = Sum::default();
+fn measure(sizes: &[Size], lengths: &mut [f64], extent: f64) -> LengthSum {
+    let mut sum = LengthSum::default();
     for (length, size) in lengths.iter_mut().zip(sizes) {
         *length = own_length(size, extent);
         sum.add(size, *length);
@@ -111,19 +111,19 @@ fn own_length(size: &Size, extent: f64) -> f64 {
 
 /// Chooses the stretch of the floats and the repetitions of the groups.
 #[inline(always)]
-fn choose(pattern: &[Item], sizes: &[Size], lengths: &[f64], sum: Sum, extent: f64) -> (f64, Repeats) {
+fn choose(pattern: &[Item], sizes: &[Size], lengths: &[f64], sum: LengthSum, extent: f64) -> (f64, Repetitions) {
     match Grouping::of(pattern, sizes.len()) {
-        Grouping::None => (sum.stretch(extent), Repeats { one: Turns::NONE, several: Vec::new() }),
+        Grouping::None => (sum.stretch(extent), Repetitions { one: Turns::NONE, several: Vec::new() }),
         Grouping::One => {
             let own = groups::slots_of_one(pattern, sizes.len());
             let (outside, inside) = groups::sums_of_one(&own, sizes, lengths);
             let density = groups::density_of_one(&own, sizes, extent);
             let (by, one) = groups::one(outside, inside, density, extent);
-            (by, Repeats { one, several: Vec::new() })
+            (by, Repetitions { one, several: Vec::new() })
         }
         Grouping::Several => {
             let (by, several) = groups::several(pattern, sizes, lengths, extent);
-            (by, Repeats { one: Turns::NONE, several })
+            (by, Repetitions { one: Turns::NONE, several })
         }
     }
 }
@@ -152,7 +152,7 @@ fn has_slivers(sizes: &[Size], lengths: &[f64], by: f64, extent: f64) -> bool {
 /// Also returns the lengths, with floats not yet stretched.
 #[cold]
 #[inline(never)]
-fn without_slivers(pattern: &[Item], sizes: &[Size], extent: f64) -> (f64, Repeats, Vec<f64>) {
+fn without_slivers(pattern: &[Item], sizes: &[Size], extent: f64) -> (f64, Repetitions, Vec<f64>) {
     let smallest = smallest_piece(extent);
     let mut lengths = vec![0.0; sizes.len()];
     let mut sum = measure(sizes, &mut lengths, extent);
@@ -166,8 +166,8 @@ fn without_slivers(pattern: &[Item], sizes: &[Size], extent: f64) -> (f64, Repea
     }
 }
 
-fn total(sizes: &[Size], lengths: &[f64]) -> Sum {
-    let mut sum = Sum::default();
+fn total(sizes: &[Size], lengths: &[f64]) -> LengthSum {
+    let mut sum = LengthSum::default();
     sizes.iter().zip(lengths).for_each(|(size, length)| sum.add(size, *length));
     sum
 }
@@ -180,14 +180,14 @@ const LIGHTER: f64 = 1.0 / (1u128 << 100) as f64;
 
 /// Scales weights whose sum overflows. Their ratios stay.
 #[cold]
-fn weigh_less(sizes: &[Size], lengths: &mut [f64]) -> Sum {
+fn weigh_less(sizes: &[Size], lengths: &mut [f64]) -> LengthSum {
     floats(sizes, lengths).for_each(|length| *length *= LIGHTER);
     total(sizes, lengths)
 }
 
 /// A position in a pattern: the numbers of items, slots and groups before it.
 #[derive(Clone, Copy, Debug, Default)]
-struct Position {
+struct PatternPosition {
     item: usize,
     slot: usize,
     group: usize,
@@ -253,9 +253,9 @@ impl Solution<'_> {
 
     /// Calls `visit` for every piece, from the low end to the high end, until it returns a break.
     pub fn each<B>(&self, mut visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B> {
-        let (mut cursor, mut next, mut stop) = (self.cursor(), Position::default(), self.pattern.len());
+        let (mut cursor, mut next, mut stop) = (self.cursor(), PatternPosition::default(), self.pattern.len());
         // The open groups, each with its first position and the end of the group around it.
-        let mut open: Vec<(Group, Position, usize)> = Vec::new();
+        let mut open: Vec<(Group, PatternPosition, usize)> = Vec::new();
         loop {
             if next.item == stop {
                 let Some((group, first, outer_stop)) = open.last_mut() else { return ControlFlow::Continue(()) };
@@ -267,7 +267,7 @@ impl Solution<'_> {
                 }
             } else if let Item::Repeat(len) = self.pattern[next.item] {
                 let mut group = cursor.open(self, next.group);
-                next = Position { item: next.item + 1, group: next.group + 1, ..next };
+                next = PatternPosition { item: next.item + 1, group: next.group + 1, ..next };
                 let end = next.item.saturating_add(len as usize).min(stop);
                 if cursor.turn(&mut group) {
                     open.push((group, next, stop));
@@ -275,13 +275,16 @@ impl Solution<'_> {
                 } else {
                     let items = &self.pattern[next.item..end];
                     let slots = items.iter().filter(|item| matches!(item, Item::Slot)).count();
-                    next = Position { item: end, slot: next.slot + slots, group: next.group + items.len() - slots };
+                    next =
+                        PatternPosition { item: end, slot: next.slot + slots, group: next.group + items.len() - slots };
                 }
             } else {
-                if let Some(piece) = cursor.slot(next.slot) {
+                if next.slot < self.lengths.len()
+                    && let Some(piece) = cursor.slot(next.slot)
+                {
                     visit(piece)?;
                 }
-                next = Position { item: next.item + 1, slot: next.slot + 1, ..next };
+                next = PatternPosition { item: next.item + 1, slot: next.slot + 1, ..next };
             }
         }
     }

@@ -168,13 +168,13 @@ impl Divided {
 /// What is printed somewhere in steps.
 fn marks(list: &[Op]) -> Vec<u32> {
     let mut found = Vec::new();
-    ops(list, &mut |op| {
+    for op in ops(list) {
         if let OpKind::Call(name, args) = &op.kind
             && name.text == "print"
         {
             args.iter().for_each(|arg| found.extend(numbers(&arg.value)));
         }
-    });
+    }
     found
 }
 

@@ -16,14 +16,14 @@ pub(crate) fn count(ast: &Ast) -> Counts {
     for decl in &ast.decls {
         if let Body::Rule(ops) = &decl.body {
             counts.rules += 1;
-            walk::ops(ops, &mut |op| {
-                let OpKind::Block(block) = &op.kind else { return };
+            for op in walk::ops(ops) {
+                let OpKind::Block(block) = &op.kind else { continue };
                 match block.parts.first() {
                     Some(BlockPart::Slots(..)) => counts.splits += 1,
                     Some(BlockPart::Arms(_)) => counts.comps += 1,
                     _ => {}
                 }
-            });
+            }
         }
     }
     counts

@@ -62,14 +62,13 @@ pub(crate) struct Calls {
 impl Calls {
     pub(crate) fn new(globals: &Globals, tables: &Tables) -> Calls {
         let edges = globals.rules.iter().map(|item| {
-            let (names, mut list) = (tables.at(item.own), Vec::new());
-            ops(body(item), &mut |op| {
-                if let OpKind::Call(name, _) | OpKind::Dynamic { rule: name, .. } = &op.kind
-                    && let Some(Use::Rule(rule)) = names.of(name)
-                {
-                    list.push(rule as usize);
-                }
+            let names = tables.at(item.own);
+            let called = ops(body(item)).filter_map(|op| match &op.kind {
+                OpKind::Call(name, _) | OpKind::Dynamic { rule: name, .. } => names.of(name),
+                _ => None,
             });
+            let rules = called.filter_map(|found| if let Use::Rule(rule) = found { Some(rule as usize) } else { None });
+            let mut list: Vec<usize> = rules.collect();
             list.sort_unstable();
             list.dedup();
             list

@@ -79,6 +79,12 @@ pub(super) fn number(value: &Expr) -> Option<f64> {
     }
 }
 
+/// Reports an annotation that cannot be read.
+pub(super) fn refuse<T>(cx: &mut Context, span: Span, message: impl Into<Line>) -> Option<T> {
+    wrong(cx, span, message);
+    None
+}
+
 pub(super) fn wrong<'d>(cx: &'d mut Context, span: Span, message: impl Into<Line>) -> &'d mut Diag {
     // In text the checks are as lenient as CGA: annotations describe, they do not generate.
     let dialect = cx.globals.program.instances[cx.at].file.dialect;

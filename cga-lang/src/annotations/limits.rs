@@ -1,10 +1,10 @@
 //! The values that an attribute may have: `@Range`, `@Enum`, and the lists that `@Range` had before 2017.1.
 
-use super::arguments::{number, whole, wrong};
+use super::arguments::{number, refuse, whole, wrong};
 use crate::diag::code::Code;
 use crate::ir::{AttrInfo, ChoiceValues, Choices, GlobalId, Presentation, Range, Type};
 use crate::resolve::context::Context;
-use crate::resolve::globals::Kind;
+use crate::resolve::globals::Namespace;
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::suggest::nearest;
@@ -12,7 +12,7 @@ use crate::syntax::ast::{AnnotationArg, Decl, Expr, ExprKind};
 
 /// The annotated values and their places.
 #[derive(Default)]
-pub(super) struct Limits {
+pub(super) struct AllowedValues {
     range: Option<(Range, Span)>,
     choices: Option<(Choices, Span)>,
     /// `valuesAttr`: the attribute that has the values.
@@ -24,7 +24,7 @@ const MOST_SHOWN: usize = 6;
 
 const BOUNDS: [&str; 4] = ["min", "max", "stepsize", "restricted"];
 
-impl Limits {
+impl AllowedValues {
     /// Reads `@Range(min=…, max=…)`, positional arguments in old files, or a list of values, optionally with labels.
     pub(super) fn range(&mut self, cx: &mut Context, span: Span, args: &[AnnotationArg]) {
         let is_text = |arg: &AnnotationArg| arg.name.is_none() && matches!(arg.value.kind, ExprKind::Text(_));
@@ -179,10 +179,7 @@ fn are_bounds(names: &[&str]) -> bool {
 fn truth(cx: &mut Context, value: &Expr) -> Option<bool> {
     match value.kind {
         ExprKind::Bool(value) => Some(value),
-        _ => {
-            wrong(cx, value.span, "`restricted` is `true` or `false`");
-            None
-        }
+        _ => refuse(cx, value.span, "`restricted` is `true` or `false`"),
     }
 }
 
@@ -195,8 +192,7 @@ fn values(cx: &mut Context, annotation: &str, args: &[&AnnotationArg]) -> Option
             (None, ExprKind::Text(text)) if floats.is_empty() => texts.push(text.clone()),
             _ => {
                 let message = format!("the values of `@{annotation}` are all numbers or all strings");
-                wrong(cx, arg.value.span, message);
-                return None;
+                return refuse(cx, arg.value.span, message);
             }
         }
     }
@@ -206,18 +202,14 @@ fn values(cx: &mut Context, annotation: &str, args: &[&AnnotationArg]) -> Option
 /// The attribute that `valuesAttr` names.
 fn attribute(cx: &mut Context, value: &Expr) -> Option<GlobalId> {
     let ExprKind::Name(name) = &value.kind else {
-        wrong(cx, value.span, "`valuesAttr` takes the name of an attribute");
-        return None;
+        return refuse(cx, value.span, "`valuesAttr` takes the name of an attribute");
     };
     match cx.globals.value(cx.at, &name.text) {
         Some(Use::Attr(index)) => Some(GlobalId(index)),
-        Some(_) => {
-            wrong(cx, value.span, format!("`{}` is not an attribute", name.text));
-            None
-        }
+        Some(_) => refuse(cx, value.span, format!("`{}` is not an attribute", name.text)),
         None if cx.globals.is_lost(cx.at, &name.text) => None,
         None => {
-            let near = nearest(&name.text, cx.globals.near(cx.at, Kind::Attrs));
+            let near = nearest(&name.text, cx.globals.near(cx.at, Namespace::Attrs));
             wrong(cx, value.span, format!("there is no attribute `{}`", name.text)).suggest(near);
             None
         }
@@ -242,8 +234,7 @@ fn bounds(cx: &mut Context, span: Span, args: &[AnnotationArg]) -> Option<Range>
             return None;
         }
         let Some(value) = number(&arg.value) else {
-            wrong(cx, arg.value.span, format!("`{name}` must be written as a number"));
-            return None;
+            return refuse(cx, arg.value.span, format!("`{name}` must be written as a number"));
         };
         match name {
             "min" => min = Some(value),
@@ -261,9 +252,6 @@ fn bounds(cx: &mut Context, span: Span, args: &[AnnotationArg]) -> Option<Range>
                 .help(format!("write `@Range(min = {max}, max = {min})`"));
             None
         }
-        _ => {
-            wrong(cx, span, "`@Range` needs `min` and `max`");
-            None
-        }
+        _ => refuse(cx, span, "`@Range` needs `min` and `max`"),
     }
 }

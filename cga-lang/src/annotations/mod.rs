@@ -167,19 +167,8 @@ fn known(cx: &mut Context, annotation: &Annotation) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use crate::compile::{Dialect, compile, compile_text};
-    use crate::link::{Files, Unit};
-    use crate::syntax::lex::lex;
-
-    /// A provider with one library for all paths.
-    struct Library(&'static str);
-
-    impl Files for Library {
-        fn open(&mut self, path: &str, _: &str) -> Result<Unit, String> {
-            let lexed = lex(self.0);
-            Ok(Unit { name: path.into(), tokens: lexed.tokens, dialect: Dialect::Text, found: lexed.diags })
-        }
-    }
+    use crate::compile::{compile, compile_text};
+    use crate::link::tests::{Library, unit};
 
     #[test]
     fn what_stands_before_an_import_is_said_of_it() {
@@ -189,10 +178,8 @@ mod tests {
             let text = format!(
                 "@Group(\"A\") attr x = 1 {before} @Group(\"B\") import lib : \"lib.cga\" attr y = 1 Lot --> lib.Lot"
             );
-            let lexed = lex(&text);
-            let root = Unit { name: "a.cga".into(), tokens: lexed.tokens, dialect: Dialect::Text, found: lexed.diags };
             let library = "attr a = 1  attr b = 2  @Group(\"C\") attr c = 3  Lot --> t(a, b, c)";
-            let compiled = compile(root, &mut Library(library), &[]);
+            let compiled = compile(unit("a.cga", &text), &mut Library(library), &[]);
             assert_eq!(compiled.diags, []);
             let grammar = compiled.grammar.expect("no error");
             let shown: Vec<(&str, &str, bool)> = grammar

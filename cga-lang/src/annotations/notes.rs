@@ -1,7 +1,7 @@
 //! The annotations before one declaration, import or style.
 
 use super::arguments::{group_of, hidden, nothing, number, text, texts, wrong};
-use super::limits::Limits;
+use super::limits::AllowedValues;
 use crate::diag::code::Code;
 use crate::ir::{AttrGroup, AttrInfo, Presentation, Type};
 use crate::resolve::context::Context;
@@ -13,7 +13,7 @@ use crate::syntax::ast::{AnnotationArg, Decl};
 #[derive(Default)]
 pub(super) struct Notes {
     pub(super) info: AttrInfo,
-    limits: Limits,
+    limits: AllowedValues,
     /// The annotation that defines the presentation of the attribute.
     presented: Option<Span>,
     pub(super) descriptions: Vec<String>,

@@ -27,21 +27,19 @@ pub enum Basis {
 impl Basis {
     /// The notes about the basis. A basis that other notes explain has none.
     pub(super) fn notes(&self) -> Vec<Note> {
+        let note = |text: String, related| Note { text: text.into(), related };
         match self {
             Basis::Rules | Basis::Start | Basis::Extent => Vec::new(),
             Basis::Calls { rule, begins } => {
                 let start = if *begins { "; a run that begins with it may differ" } else { "" };
-                vec![Note { text: format!("this holds wherever `{rule}` is called{start}").into(), related: None }]
+                vec![note(format!("this holds wherever `{rule}` is called{start}"), None)]
             }
             Basis::Defaults(list) if list.is_empty() => {
-                vec![Note { text: "this holds with the defaults of the attributes".into(), related: None }]
+                vec![note("this holds with the defaults of the attributes".into(), None)]
             }
             Basis::Defaults(list) => {
-                let note = |(name, place): &(String, Span)| Note {
-                    text: format!("this holds with the default of `{name}`").into(),
-                    related: Some(*place),
-                };
-                list.iter().map(note).collect()
+                let holds = |name| format!("this holds with the default of `{name}`");
+                list.iter().map(|(name, place)| note(holds(name), Some(*place))).collect()
             }
         }
     }

@@ -139,13 +139,8 @@ impl Diags {
     }
 
     /// The diagnostics so far, in the order of the reports.
-    pub(crate) fn so_far(&mut self) -> &mut [Diag] {
+    pub(crate) fn so_far(&mut self) -> &mut Vec<Diag> {
         &mut self.list
-    }
-
-    /// Changes or removes diagnostics collected so far.
-    pub(crate) fn retain_mut(&mut self, keep: impl FnMut(&mut Diag) -> bool) {
-        self.list.retain_mut(keep);
     }
 
     /// Returns all diagnostics in source order. Several instances of a file report the same diagnostic: the first is

@@ -76,16 +76,12 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
 
 /// The first call of a rule in a list of operations.
 fn call_of(list: &[Op], wanted: usize, names: Entries) -> Option<Span> {
-    let mut found = None;
-    ops(list, &mut |op| {
-        if let OpKind::Call(name, args) = &op.kind
-            && args.is_empty()
-            && names.of(name) == Some(Use::Rule(wanted as u32))
-        {
-            found = found.or(Some(name.span));
+    ops(list).find_map(|op| match &op.kind {
+        OpKind::Call(name, args) if args.is_empty() && names.of(name) == Some(Use::Rule(wanted as u32)) => {
+            Some(name.span)
         }
-    });
-    found
+        _ => None,
+    })
 }
 
 /// The rules of cycles in which every path leads back to such a rule.
@@ -157,30 +153,26 @@ fn whole(block: &Block) -> Option<&[Op]> {
 
 /// Returns true if an operation calls one of the rules.
 fn calls_one(list: &[Op], names: Entries, within: &dyn Fn(u32) -> bool) -> bool {
-    let mut found = false;
-    ops(list, &mut |op| {
-        if let OpKind::Call(name, _) | OpKind::Dynamic { rule: name, .. } = &op.kind {
-            found |= matches!(names.of(name), Some(Use::Rule(rule)) if within(rule));
+    ops(list).any(|op| match &op.kind {
+        OpKind::Call(name, _) | OpKind::Dynamic { rule: name, .. } => {
+            matches!(names.of(name), Some(Use::Rule(rule)) if within(rule))
         }
-    });
-    found
+        _ => false,
+    })
 }
 
 /// Returns true if an operation of a rule may change the size of the shape.
 fn sizes(item: &Item, cx: &Context) -> bool {
-    let (names, mut found) = (cx.tables.at(item.own), false);
-    ops(body(item), &mut |op| {
-        found |= match &op.kind {
-            OpKind::Call(name, _) => match names.of(name) {
-                Some(Use::Operation(row)) => !matches!(row.scope, Effect::Keeps | Effect::KeepsSize),
-                Some(Use::Rule(_) | Use::Leaf | Use::SetAttr(_)) => false,
-                _ => true,
-            },
-            // Slots pass on the sizes that they leave of the shape.
-            OpKind::Block(block) => !matches!(block.parts.as_slice(), [BlockPart::Slots(..)]),
-            OpKind::Path(..) | OpKind::Error => true,
-            _ => false,
-        };
-    });
-    found
+    let names = cx.tables.at(item.own);
+    ops(body(item)).any(|op| match &op.kind {
+        OpKind::Call(name, _) => match names.of(name) {
+            Some(Use::Operation(row)) => !matches!(row.scope, Effect::Keeps | Effect::KeepsSize),
+            Some(Use::Rule(_) | Use::Leaf | Use::SetAttr(_)) => false,
+            _ => true,
+        },
+        // Slots pass on the sizes that they leave of the shape.
+        OpKind::Block(block) => !matches!(block.parts.as_slice(), [BlockPart::Slots(..)]),
+        OpKind::Path(..) | OpKind::Error => true,
+        _ => false,
+    })
 }

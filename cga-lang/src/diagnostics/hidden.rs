@@ -16,18 +16,18 @@ pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     for item in &cx.globals.rules {
         let names = cx.tables.at(item.own);
         agreed.check(item, |diags| {
-            walk::ops(body(item), &mut |op| {
-                let OpKind::Block(block) = &op.kind else { return };
+            for op in walk::ops(body(item)) {
+                let OpKind::Block(block) = &op.kind else { continue };
                 // Setbacks leave remainders, which no other selector takes.
                 let Some(Use::Operation(Operation { braces: Braces::Components, .. })) = names.of(&block.name) else {
-                    return;
+                    continue;
                 };
                 for part in &block.parts {
                     if let BlockPart::Arms(list) = part {
                         arms(list, names, diags);
                     }
                 }
-            });
+            }
         });
     }
     agreed.finish()

@@ -66,7 +66,7 @@ pub(crate) fn apply(settings: &[Setting], diags: &mut Diags) {
     if settings.is_empty() {
         return;
     }
-    diags.retain_mut(|diag| {
+    diags.so_far().retain_mut(|diag| {
         let here = settings.iter().rev().find(|setting| {
             setting.code == diag.code
                 && diag.code.is_lint()

@@ -8,7 +8,7 @@ use crate::analysis::{Calls, body};
 use crate::diag::code::Code;
 use crate::diag::{Basis, Diag};
 use crate::resolve::context::Context;
-use crate::resolve::globals::{Item, Kind};
+use crate::resolve::globals::{Item, Namespace};
 use crate::suggest::nearest;
 use crate::syntax::ast::Role;
 use std::collections::HashSet;
@@ -53,7 +53,7 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
                 match missing_import(cx, item) {
                     Some(import) => {
                         diag.note(format!("there is no import `{import}`, and no rule here calls `{}`", name.text));
-                        match nearest(import, globals.near(item.instance, Kind::Imports)) {
+                        match nearest(import, globals.near(item.instance, Namespace::Imports)) {
                             Some(near) => diag.suggest(Some(near.to_owned())),
                             None => diag.help(format!("import a file: `import {import} : \"{import}.cga\"`")),
                         };

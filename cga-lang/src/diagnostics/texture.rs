@@ -31,7 +31,7 @@ impl Projected {
         }
         for item in &cx.globals.rules {
             let names = cx.tables.at(item.own);
-            ops(body(item), &mut |op| match &op.kind {
+            ops(body(item)).for_each(|op| match &op.kind {
                 OpKind::Call(name, args) | OpKind::Block(Block { name, args, .. }) => {
                     let Some(Use::Operation(row)) = names.of(name) else { return };
                     made |= UvSets::made_by(row);

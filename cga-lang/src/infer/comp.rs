@@ -1,25 +1,17 @@
 //! Types of selectors, and of values for components.
 
-use super::open::{OpenKind, Place};
+use super::open::OpenKind;
 use super::{Infer, Type, Use, Var};
 use crate::diag::code::Code;
-use crate::link::InstanceId;
 use crate::ops::{Function, Needs};
 use crate::span::Span;
 use crate::syntax::ast::{CompValue, Expr, ExprKind, Name};
-
-/// The checks that wait until the types are known.
-#[derive(Default)]
-pub(super) struct Comps<'a> {
-    selectors: Vec<(InstanceId, Var, &'a Expr)>,
-    values: Vec<(InstanceId, Place)>,
-}
 
 impl<'a> Infer<'_, 'a, '_> {
     /// Infers a selector. Its type distinguishes a condition from an index.
     pub(super) fn selector(&mut self, selector: &'a Expr) {
         let var = self.expr(selector);
-        self.comps.selectors.push((self.own, var, selector));
+        self.selectors.push((self.own, var, selector));
     }
 
     /// Infers an array with a value for each component.
@@ -29,17 +21,16 @@ impl<'a> Infer<'_, 'a, '_> {
             self.selector(selector);
             entries.push((self.expr(value), value.span));
         }
-        self.comps.values.extend(entries.iter().map(|entry| (self.own, *entry)));
+        self.components.extend(entries.iter().map(|entry| (self.own, *entry)));
         self.wait(OpenKind::Array(entries), span)
     }
 
     /// Checks all selectors and values.
     pub(super) fn comps(&mut self) {
-        let Comps { selectors, values } = std::mem::take(&mut self.comps);
-        for (own, var, selector) in selectors {
+        for (own, var, selector) in std::mem::take(&mut self.selectors) {
             self.inside(own, |pass| pass.settled_selector(var, selector));
         }
-        for (own, (var, span)) in values {
+        for (own, (var, span)) in std::mem::take(&mut self.components) {
             if let Some(ty) = self.vars.known(var).filter(|ty| ty.is_array()) {
                 let needs = "a component has one value, a float, bool or string; this is";
                 self.inside(own, |pass| _ = pass.mismatch(span, needs, ty));

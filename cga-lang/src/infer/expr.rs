@@ -1,6 +1,6 @@
 //! Types of expressions.
 
-use super::open::{Candidate, OpenKind, Takes};
+use super::open::{OpenKind, Overload, Takes};
 use super::{Infer, State, Type, Use, Var};
 use crate::diag::code::Code;
 use crate::ops::Param;
@@ -141,12 +141,12 @@ impl<'a> Infer<'_, 'a, '_> {
     }
 
     /// The candidates of a call, with the types of their parameters.
-    pub(super) fn candidates(&mut self, found: Use) -> Vec<Candidate> {
+    pub(super) fn candidates(&mut self, found: Use) -> Vec<Overload> {
         let list = if let Use::Open(open) = found { self.cx.tables.open[open as usize].clone() } else { vec![found] };
         list.into_iter().map(|found| self.candidate(found)).collect()
     }
 
-    fn candidate(&mut self, found: Use) -> Candidate {
+    fn candidate(&mut self, found: Use) -> Overload {
         let builtin = |params: &[Param]| -> Vec<Takes> {
             params.iter().map(|param| param.kind.ty().map_or(Takes::Any, Takes::Type)).collect()
         };
@@ -165,7 +165,7 @@ impl<'a> Infer<'_, 'a, '_> {
             Use::Convert(ty) => (vec![Takes::Type(ty)], Takes::Type(ty)),
             _ => (Vec::new(), Takes::Any),
         };
-        Candidate { found, takes, gives }
+        Overload { found, takes, gives }
     }
 
     fn binary(&mut self, op: Binary, at: Span, left: &'a Expr, right: &'a Expr, span: Span) -> Var {

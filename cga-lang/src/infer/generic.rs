@@ -4,7 +4,7 @@
 //! its arguments, and requests an instance of the declaration with these types if there is none yet;
 //! `link/instantiate.rs` makes it.
 
-use super::open::{Candidate, Place, Takes};
+use super::open::{Overload, Place, Takes};
 use super::{Infer, State, Use, Var};
 use crate::link::{Types, Wanted};
 use crate::syntax::ast::{Name, Role};
@@ -37,12 +37,12 @@ impl Infer<'_, '_, '_> {
         is_plain && !item.decl.params.is_empty() && program.typed.may_have(item.decl)
     }
 
-    pub(super) fn has_generic(&self, candidates: &[Candidate]) -> bool {
+    pub(super) fn has_generic(&self, candidates: &[Overload]) -> bool {
         self.cx.globals.program.typed.on && candidates.iter().any(|candidate| self.is_generic(candidate.found))
     }
 
     /// Marks the parameters of a candidate that may have another type: those that only calls restrict.
-    fn loose(&mut self, candidate: &Candidate) -> Vec<bool> {
+    fn loose(&mut self, candidate: &Overload) -> Vec<bool> {
         let item = self.cx.globals.item(candidate.found).filter(|_| self.is_generic(candidate.found));
         let Some(item) = item else { return vec![false; candidate.takes.len()] };
         let typed = &self.cx.globals.program.typed;
@@ -56,7 +56,7 @@ impl Infer<'_, '_, '_> {
     pub(super) fn choose_generic(
         &mut self,
         name: &Name,
-        candidates: &[Candidate],
+        candidates: &[Overload],
         args: &[Place],
         result: Var,
         force: bool,
@@ -64,7 +64,7 @@ impl Infer<'_, '_, '_> {
         if self.stage == Stage::Bodies && !force {
             return false;
         }
-        let all: Vec<(&Candidate, Vec<bool>)> = candidates.iter().map(|own| (own, self.loose(own))).collect();
+        let all: Vec<(&Overload, Vec<bool>)> = candidates.iter().map(|own| (own, self.loose(own))).collect();
         let fitting: Vec<_> = all.iter().filter(|(candidate, _)| self.fits(candidate, args)).collect();
         if args.iter().any(|&(var, _)| self.is_free(var)) && !fitting.is_empty() {
             if force {
@@ -101,13 +101,13 @@ impl Infer<'_, '_, '_> {
         true
     }
 
-    fn may_give(&mut self, candidate: &Candidate, result: Var) -> bool {
+    fn may_give(&mut self, candidate: &Overload, result: Var) -> bool {
         let Some(needs) = self.vars.known(result) else { return true };
         self.taken(candidate.gives).is_none_or(|gives| gives == needs)
     }
 
     /// Binds the types of arguments on which all fitting candidates agree, if no other types are possible.
-    fn learn(&mut self, fitting: &[&(&Candidate, Vec<bool>)], args: &[Place]) {
+    fn learn(&mut self, fitting: &[&(&Overload, Vec<bool>)], args: &[Place]) {
         for (index, &(var, span)) in args.iter().enumerate() {
             if !self.is_free(var) {
                 continue;
@@ -129,7 +129,7 @@ impl Infer<'_, '_, '_> {
     }
 
     /// The types that a declaration would need for a call.
-    fn wish(&mut self, candidate: &Candidate, loose: &[bool], args: &[Place]) -> Option<Wish> {
+    fn wish(&mut self, candidate: &Overload, loose: &[bool], args: &[Place]) -> Option<Wish> {
         let item = self.cx.globals.item(candidate.found).filter(|_| loose.contains(&true))?;
         let decl = (item.instance, item.decl.name.id());
         let (mut types, mut poison) = (Types::new(), false);
@@ -148,7 +148,7 @@ impl Infer<'_, '_, '_> {
     }
 
     /// Reports a call without a fitting candidate. With only one candidate, the argument is blamed.
-    fn none_fits(&mut self, name: &Name, candidates: &[Candidate], args: &[Place], result: Var) {
+    fn none_fits(&mut self, name: &Name, candidates: &[Overload], args: &[Place], result: Var) {
         let found = candidates[0].found;
         let Some(item) = self.cx.globals.item(found).filter(|_| candidates.len() == 1).cloned() else {
             self.fits_none(name, candidates, args);

@@ -50,7 +50,8 @@ pub(crate) fn infer(cx: &mut Context) -> Found {
         open: Vec::new(),
         calls: Vec::new(),
         ordered: Vec::new(),
-        comps: comp::Comps::default(),
+        selectors: Vec::new(),
+        components: Vec::new(),
         inner: Vec::new(),
         own: 0,
         stage: Stage::Bodies,
@@ -106,8 +107,10 @@ struct Infer<'p, 'a, 'd> {
     calls: Vec<Argument>,
     /// Operands of `<`, `<=`, `>` and `>=`, which bools do not have.
     ordered: Vec<(InstanceId, Var, Span)>,
-    /// Selectors, and values of components.
-    comps: comp::Comps<'a>,
+    /// Selectors, which are checked once their types are known.
+    selectors: Vec<(InstanceId, Var, &'a Expr)>,
+    /// Values of components, which cannot be arrays.
+    components: Vec<(InstanceId, Place)>,
     /// The parameters and locals of the current declaration.
     inner: Vec<&'a Name>,
     /// The instance that has the entries of its names.

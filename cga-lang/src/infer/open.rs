@@ -34,12 +34,12 @@ pub(super) enum OpenKind {
     /// `a[i]` or `a[i, j]`: an element, or an array if an index is one.
     Index(Place, Vec<Place>),
     /// A call with several candidates, and its arguments.
-    Call(Name, Vec<Candidate>, Vec<Place>),
+    Call(Name, Vec<Overload>, Vec<Place>),
 }
 
 /// A candidate of a call.
 #[derive(Clone)]
-pub(super) struct Candidate {
+pub(super) struct Overload {
     pub(super) found: Use,
     pub(super) takes: Vec<Takes>,
     pub(super) gives: Takes,
@@ -280,7 +280,7 @@ impl Infer<'_, '_, '_> {
     fn choose(
         &mut self,
         name: &Name,
-        candidates: &mut Vec<Candidate>,
+        candidates: &mut Vec<Overload>,
         args: &[Place],
         result: Var,
         force: bool,
@@ -309,7 +309,7 @@ impl Infer<'_, '_, '_> {
         true
     }
 
-    pub(super) fn choose_this(&mut self, name: &Name, chosen: &Candidate, args: &[Place], result: Var) {
+    pub(super) fn choose_this(&mut self, name: &Name, chosen: &Overload, args: &[Place], result: Var) {
         self.cx.tables.uses.insert((self.own, name.id()), chosen.found);
         for (takes, &(var, span)) in chosen.takes.iter().zip(args) {
             match takes {
@@ -338,7 +338,7 @@ impl Infer<'_, '_, '_> {
         }
     }
 
-    pub(super) fn fits(&mut self, candidate: &Candidate, args: &[Place]) -> bool {
+    pub(super) fn fits(&mut self, candidate: &Overload, args: &[Place]) -> bool {
         candidate.takes.iter().zip(args).all(|(takes, &(var, _))| {
             let Some(got) = self.vars.known(var) else { return true };
             self.taken(*takes).is_none_or(|ty| ty == got)
@@ -346,18 +346,18 @@ impl Infer<'_, '_, '_> {
     }
 
     /// Returns true if the types of its parameters are known.
-    pub(super) fn is_exact(&mut self, candidate: &Candidate) -> bool {
+    pub(super) fn is_exact(&mut self, candidate: &Overload) -> bool {
         candidate.takes.iter().all(|takes| !matches!(takes, Takes::Var(var) if self.is_free(*var)))
     }
 
     /// The type that all candidates return.
-    fn common(&mut self, candidates: &[Candidate]) -> Option<Type> {
+    fn common(&mut self, candidates: &[Overload]) -> Option<Type> {
         let mut types = candidates.iter().map(|candidate| self.taken(candidate.gives));
         let first = types.next()??;
         types.all(|ty| ty == Some(first)).then_some(first)
     }
 
-    pub(super) fn fits_none(&mut self, name: &Name, candidates: &[Candidate], args: &[Place]) {
+    pub(super) fn fits_none(&mut self, name: &Name, candidates: &[Overload], args: &[Place]) {
         let shown = |ty: Option<Type>| ty.map_or("…", Type::word);
         let got: Vec<&str> = args.iter().map(|&(var, _)| shown(self.vars.known(var))).collect();
         let span = args.first().map_or(name.span, |first| first.1.to(args[args.len() - 1].1));

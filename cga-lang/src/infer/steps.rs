@@ -5,7 +5,7 @@ use super::{Infer, Type, Use, Var};
 use crate::ops::{Operation, ParamKind};
 use crate::span::Span;
 use crate::syntax::ast::{Arg, Name, Op, OpKind, Override};
-use crate::syntax::walk::Part;
+use crate::syntax::walk::OpPart;
 
 impl<'a> Infer<'_, 'a, '_> {
     pub(super) fn ops(&mut self, ops: &'a [Op]) {
@@ -27,12 +27,12 @@ impl<'a> Infer<'_, 'a, '_> {
             }
             for part in op.parts() {
                 match part {
-                    Part::Size(size) => self.need(&size.value, Type::Float, "a size"),
-                    Part::Length(length) => self.need(&length.value, Type::Float, "a length"),
-                    Part::Depth(depth) => self.need(depth, Type::Float, "a depth"),
-                    Part::Condition(condition) => self.need(condition, Type::Bool, "`case`"),
-                    Part::Arm(arm) => self.selector(&arm.selector),
-                    Part::Ops(ops) => self.ops(ops),
+                    OpPart::Size(size) => self.need(&size.value, Type::Float, "a size"),
+                    OpPart::Length(length) => self.need(&length.value, Type::Float, "a length"),
+                    OpPart::Depth(depth) => self.need(depth, Type::Float, "a depth"),
+                    OpPart::Condition(condition) => self.need(condition, Type::Bool, "`case`"),
+                    OpPart::Arm(arm) => self.selector(&arm.selector),
+                    OpPart::Ops(ops) => self.ops(ops),
                 }
             }
         }

@@ -9,6 +9,8 @@ mod instantiate;
 mod overrides;
 mod paths;
 mod style;
+#[cfg(test)]
+pub(crate) mod tests;
 
 use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
@@ -148,14 +150,14 @@ pub(crate) struct Instance {
     /// The imported instances by prefix. `None` for a file that could not be read.
     pub(crate) imports: HashMap<String, Option<InstanceId>>,
     /// The overrides of its import, then those of a dynamic call.
-    pub(crate) layers: Vec<Layer>,
+    pub(crate) layers: Vec<OverrideLayer>,
     /// The instance for each dynamic call with rules, by the id of the import's name in the call.
     pub(crate) dynamic: HashMap<u32, InstanceId>,
 }
 
 /// The overrides of one place.
 #[derive(Clone)]
-pub(crate) struct Layer {
+pub(crate) struct OverrideLayer {
     /// The instance that has the overrides and in which their names are looked up.
     pub(crate) home: InstanceId,
     source: LayerSource,
@@ -212,7 +214,7 @@ impl Program {
     }
 
     /// The overrides of a layer. With `None`, none are written, and attributes of the same name flow in.
-    pub(crate) fn overrides(&self, layer: &Layer) -> Option<&[Override]> {
+    pub(crate) fn overrides(&self, layer: &OverrideLayer) -> Option<&[Override]> {
         let file = &self.instances[layer.home].file;
         match layer.source {
             LayerSource::Import(at) => file.ast.imports[at].overrides.as_deref(),
@@ -289,7 +291,7 @@ impl Link<'_> {
         style: u32,
         prefix: String,
         parent: Option<InstanceId>,
-        layers: Vec<Layer>,
+        layers: Vec<OverrideLayer>,
     ) -> InstanceId {
         self.under_way.push(file.number);
         let id = self.program.instances.len();
@@ -324,7 +326,7 @@ impl Link<'_> {
             if self.full_up(&file, import.span) {
                 break;
             }
-            layers.push(Layer { home: id, source: LayerSource::Call(at) });
+            layers.push(OverrideLayer { home: id, source: LayerSource::Call(at) });
             let own = self.instance(&file, style, prefix, Some(id), layers);
             self.program.instances[id].dynamic.insert(import.id(), own);
         }
@@ -411,7 +413,7 @@ impl Link<'_> {
         if self.full_up(&opened, import.id.span) {
             return None;
         }
-        let layer = Layer { home: from, source: LayerSource::Import(at) };
+        let layer = OverrideLayer { home: from, source: LayerSource::Import(at) };
         // The first style is in force; a host program may choose among the others.
         let mut wanted =
             import.styles.iter().flatten().map(|name| self.wanted_style(&opened, name)).collect::<Vec<_>>();

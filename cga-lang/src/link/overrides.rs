@@ -22,12 +22,12 @@ fn rules(list: &[Override], found: &mut Vec<(Name, Vec<Override>)>) {
 
 fn rule(decl: &Decl, found: &mut Vec<(Name, Vec<Override>)>) {
     let Body::Rule(body) = &decl.body else { return };
-    walk::ops(body, &mut |op| {
+    for op in walk::ops(body) {
         if let OpKind::Dynamic { import, overrides, .. } = &op.kind
             && overrides.iter().any(|own| matches!(own, Override::Rule(_)))
         {
             found.push((import.clone(), overrides.clone()));
             rules(overrides, found);
         }
-    });
+    }
 }

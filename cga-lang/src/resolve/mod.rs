@@ -10,7 +10,7 @@ mod habits;
 pub(crate) mod info;
 pub(crate) mod names;
 pub(crate) mod overrides;
-mod scope;
+mod resolver;
 pub(crate) mod selectors;
 pub(crate) mod steps;
 pub(crate) mod tables;

@@ -3,9 +3,9 @@
 use super::arguments::bare;
 use super::arity::wrong_count;
 use super::context::Context;
-use super::globals::{Init, Kind, builtins};
+use super::globals::{Init, Namespace, builtins};
 use super::habits;
-use super::scope::Scope;
+use super::resolver::Resolver;
 use super::tables::Use;
 use crate::diag::code::Code;
 use crate::diag::{Detail, quoted};
@@ -23,22 +23,23 @@ pub(crate) fn uses(cx: &mut Context) {
         let Some((value, own)) = item.value() else { continue };
         let owner = (!item.origin && index < cx.globals.attrs.len()).then_some(index as u32);
         let at = cx.globals.program.home(own);
-        let mut scope = Scope { cx, at, own, inner: Vec::new(), owner, place: None };
+        let mut resolver = Resolver { cx, at, own, inner: Vec::new(), owner, place: None };
         if item.is_own() {
-            scope.enter(item.decl);
+            resolver.enter(item.decl);
         }
-        scope.expr(value);
+        resolver.expr(value);
     }
     for item in cx.globals.rules.clone() {
         if let crate::syntax::ast::Body::Rule(ops) = &item.decl.body {
-            let mut scope = Scope { cx, at: item.home, own: item.own, inner: Vec::new(), owner: None, place: None };
-            scope.enter(item.decl);
-            scope.ops(ops);
+            let mut resolver =
+                Resolver { cx, at: item.home, own: item.own, inner: Vec::new(), owner: None, place: None };
+            resolver.enter(item.decl);
+            resolver.ops(ops);
         }
     }
 }
 
-impl<'a> Scope<'_, 'a, '_> {
+impl<'a> Resolver<'_, 'a, '_> {
     /// Enters parameters, then locals. Each local can use the names before it.
     fn enter(&mut self, decl: &'a crate::syntax::ast::Decl) {
         self.inner.extend(&decl.params);
@@ -55,11 +56,6 @@ impl<'a> Scope<'_, 'a, '_> {
     /// Records a call that is not implemented yet.
     pub(crate) fn note_later(&mut self, name: &Name) {
         self.cx.tables.later.insert((self.own, name.id()));
-    }
-
-    /// Records the attribute of an import that an override gives a value to.
-    pub(crate) fn note_target(&mut self, name: &Name, attr: u32) {
-        self.cx.tables.targets.insert((self.own, name.id()), attr);
     }
 
     /// Records the candidates of a call. If there are several, the types decide.
@@ -156,17 +152,17 @@ impl<'a> Scope<'_, 'a, '_> {
             _ => return,
         };
         if run == Run::Later {
-            self.not_implemented(name.span, &format!("{name_of}`{}`", name.text), Some((&name.text, about)));
+            self.not_implemented(name.span, &format!("{name_of}`{}`", name.text), about);
         }
         self.deprecated(name, old);
     }
 
-    /// Reports a known feature that is not implemented yet. `about` is its name and its effect.
-    pub(crate) fn not_implemented(&mut self, span: Span, what: &str, about: Option<(&str, &str)>) {
+    /// Reports a known feature that is not implemented yet. `about` is its effect.
+    pub(crate) fn not_implemented(&mut self, span: Span, what: &str, about: &str) {
         let diag = self.cx.diags.report(Code::NotImplemented, span, format!("{what} is not implemented yet"));
         diag.detail = Detail::Later(what.replace('`', ""));
-        if let Some((name, about)) = about.filter(|(_, about)| !about.is_empty()) {
-            diag.note(format!("`{name}`: {about}"));
+        if !about.is_empty() {
+            diag.note(format!("{what}: {about}"));
         }
         diag.note("a run ignores it and reports a fault");
     }
@@ -190,7 +186,7 @@ impl<'a> Scope<'_, 'a, '_> {
         }
         let is_rule = !globals.rules(at, text).is_empty();
         let inner = self.inner.iter().map(|inner| inner.text.as_str());
-        let near = globals.meant(at, text, Kind::Values, inner.chain(ops::all_shape_attrs().map(|row| row.name)));
+        let near = globals.meant(at, text, Namespace::Values, inner.chain(ops::all_shape_attrs().map(|row| row.name)));
         let truth = ["true", "false"].into_iter().find(|word| text.eq_ignore_ascii_case(word)).map(str::to_owned);
         let help = help.or_else(|| habits::value(text).map(|value| format!("write `{value}`")));
         let near = truth.or(near).filter(|_| help.is_none());
@@ -328,7 +324,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let method = self.method(text, args);
         let near = match method {
             Some(_) => None,
-            None => self.cx.globals.meant(self.at, text, Kind::Functions, others),
+            None => self.cx.globals.meant(self.at, text, Namespace::Functions, others),
         };
         let shape = ops::operations(text).next().is_some() || !self.cx.globals.rules(self.at, text).is_empty();
         let diag = self.cx.diags.report(Code::UnknownFunction, name.span, format!("unknown function `{text}`"));

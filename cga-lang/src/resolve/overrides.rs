@@ -1,7 +1,7 @@
 //! Overrides in parentheses after an import: checks that they name attributes and extensions of the imported file.
 
 use super::context::Context;
-use super::globals::Kind;
+use super::globals::Namespace;
 use super::tables::Use;
 use crate::diag::code::Code;
 use crate::diag::{Level, count};
@@ -58,7 +58,7 @@ fn attribute(cx: &mut Context, id: InstanceId, name: &Name) {
         }
         Some(Use::Attr(_)) => {}
         found => {
-            let near = nearest(&name.text, cx.globals.near(id, Kind::Attrs)).map(str::to_owned);
+            let near = nearest(&name.text, cx.globals.near(id, Namespace::Attrs)).map(str::to_owned);
             let message = match found {
                 Some(_) => format!("`{}` is a constant, and only attributes can be overridden", name.text),
                 None => format!("the imported file has no attribute `{}`", name.text),
@@ -87,7 +87,7 @@ fn extension(cx: &mut Context, id: InstanceId, own: &Decl) {
     let rule = |index: &u32| &cx.globals.rules[*index as usize];
     let named: Vec<_> =
         cx.globals.plain_rules(id, &name.text).iter().map(rule).filter(|item| item.home == id).collect();
-    let near = nearest(&name.text, cx.globals.near(id, Kind::Extensions)).map(str::to_owned);
+    let near = nearest(&name.text, cx.globals.near(id, Namespace::Extensions)).map(str::to_owned);
     if let Some(rule) = named.first() {
         let message = format!("rule `{}` is not an extension and cannot be overridden", name.text);
         cx.diags

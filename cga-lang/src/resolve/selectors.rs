@@ -1,7 +1,7 @@
 //! Selectors of arms.
 
 use super::arity::wrong_count;
-use super::scope::Scope;
+use super::resolver::Resolver;
 use super::tables::Use;
 use crate::diag::code::Code;
 use crate::diag::{Diag, quoted};
@@ -9,7 +9,7 @@ use crate::ops::{self, Places, Selector};
 use crate::suggest::nearest;
 use crate::syntax::ast::{Arm, ArmMode, Binary, CompValue, Expr, ExprKind, Name, Unary};
 
-impl<'a> Scope<'_, 'a, '_> {
+impl<'a> Resolver<'_, 'a, '_> {
     /// Resolves the selector of an arm.
     pub(crate) fn arm(&mut self, arm: &'a Arm, place: Places) {
         if place.connects() {

@@ -2,8 +2,8 @@
 
 use super::arguments::{has_error, word};
 use super::arity::{counts, usage, wrong_count};
-use super::globals::Kind;
-use super::scope::Scope;
+use super::globals::Namespace;
+use super::resolver::Resolver;
 use super::tables::Use;
 use super::words::fitting;
 use super::{habits, overrides};
@@ -14,7 +14,7 @@ use crate::ops::{self, Braces, Operation, Param, ParamKind, Places, Run};
 use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
-use crate::syntax::walk::Part;
+use crate::syntax::walk::OpPart;
 use crate::types::Type;
 
 /// The maximum number of declarations of a rule that a message names.
@@ -65,7 +65,7 @@ fn decimal(first: &Arg, second: &Arg) -> Option<String> {
     Some(format!("{}.{}", digits(first)?, digits(second)?))
 }
 
-impl<'a> Scope<'_, 'a, '_> {
+impl<'a> Resolver<'_, 'a, '_> {
     pub(crate) fn ops(&mut self, ops: &'a [Op]) {
         for (index, op) in ops.iter().enumerate() {
             self.op(op);
@@ -102,10 +102,10 @@ impl<'a> Scope<'_, 'a, '_> {
         }
         for part in op.parts() {
             match part {
-                Part::Size(arg) | Part::Length(arg) => self.expr(&arg.value),
-                Part::Depth(value) | Part::Condition(value) => self.expr(value),
-                Part::Arm(arm) => self.arm(arm, place),
-                Part::Ops(ops) => self.ops(ops),
+                OpPart::Size(arg) | OpPart::Length(arg) => self.expr(&arg.value),
+                OpPart::Depth(value) | OpPart::Condition(value) => self.expr(value),
+                OpPart::Arm(arm) => self.arm(arm, place),
+                OpPart::Ops(ops) => self.ops(ops),
             }
         }
     }
@@ -238,7 +238,7 @@ impl<'a> Scope<'_, 'a, '_> {
             message = format!("rule `{text}` takes {}, got {count}", counts(others.iter().copied()));
         } else if habit.is_none() {
             let others = ops::all_operations().map(|row| row.name).chain(["set", "NIL"]);
-            near = globals.meant(at, text, Kind::Rules, others).or_else(|| globals.leaf(at, text));
+            near = globals.meant(at, text, Namespace::Rules, others).or_else(|| globals.leaf(at, text));
         }
         let level = if inline { Level::Error } else { Level::Warning };
         let is_value = self.lookup(text).is_some() && count == 0;
@@ -361,7 +361,7 @@ impl<'a> Scope<'_, 'a, '_> {
             (None, Some(None)) => return,
             (None, None) if self.cx.globals.is_lost(self.at, &import.text) => return,
             (None, None) => {
-                let near = nearest(&import.text, self.cx.globals.near(self.at, Kind::Imports)).map(str::to_owned);
+                let near = nearest(&import.text, self.cx.globals.near(self.at, Namespace::Imports)).map(str::to_owned);
                 let message = format!("there is no import `{}`", import.text);
                 self.cx.diags.report(Code::UnknownName, import.span, message).suggest(near);
                 return;
@@ -371,7 +371,7 @@ impl<'a> Scope<'_, 'a, '_> {
             if let Override::Value(name, _) = own
                 && let Some(Use::Attr(attr)) = self.cx.globals.value(target, &name.text)
             {
-                self.note_target(name, attr);
+                self.cx.tables.targets.insert((self.own, name.id()), attr);
             }
         }
         let here = std::mem::replace(&mut self.at, target);
@@ -398,7 +398,7 @@ impl<'a> Scope<'_, 'a, '_> {
                 [Expr { kind: ExprKind::Text(text), span, .. }] => self.set_name(name, text, *span),
                 _ => {
                     words.iter().for_each(|word| self.expr(word));
-                    self.not_implemented(name.span, "`set` of an attribute whose name is computed", None);
+                    self.not_implemented(name.span, "`set` of an attribute whose name is computed", "");
                     self.note_later(name);
                 }
             },
@@ -449,7 +449,8 @@ impl<'a> Scope<'_, 'a, '_> {
         let others = ops::all_shape_attrs().filter(|row| row.set.is_some()).map(|row| row.name);
         let part = |row: &&ops::ShapeAttr| row.name.rsplit('.').next() == Some(text);
         let longer = ops::all_shape_attrs().filter(|row| row.set.is_some()).find(part).map(|row| row.name.to_owned());
-        let near = longer.or_else(|| globals.meant(self.at, text, Kind::Attrs, others).map(|near| near.to_string()));
+        let near =
+            longer.or_else(|| globals.meant(self.at, text, Namespace::Attrs, others).map(|near| near.to_string()));
         let is_operation = ops::operations(text).next().is_some();
         let message = format!("there is no attribute `{text}`");
         let diag = self.cx.diags.report(Code::UnknownName, span, message).suggest(near);

@@ -2,7 +2,7 @@
 
 use super::arguments::{plain, word};
 use super::arity::wrong_count;
-use super::scope::Scope;
+use super::resolver::Resolver;
 use super::tables::Use;
 use crate::diag::code::Code;
 use crate::diag::{RELATIVE, quoted};
@@ -37,7 +37,7 @@ fn best(rows: &[&'static Operation], words: &[Option<&str>]) -> Vec<&'static Ope
     rows.iter().copied().filter(|row| most.is_some() && row.words(words) == most).collect()
 }
 
-impl<'a> Scope<'_, 'a, '_> {
+impl<'a> Resolver<'_, 'a, '_> {
     /// Resolves a call of the first row whose words are computed in a run, and returns true if there is one.
     pub(crate) fn computed<R: Copy>(
         &mut self,
@@ -121,7 +121,7 @@ impl<'a> Scope<'_, 'a, '_> {
             }
             _ => self.expr(arg),
         }
-        self.not_implemented(arg.span, "a word that is computed", None);
+        self.not_implemented(arg.span, "a word that is computed", "");
     }
 
     /// Resolves an argument that must be a word of a parameter.

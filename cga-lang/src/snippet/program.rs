@@ -38,27 +38,16 @@ pub fn render_in<'t>(compiled: &Compiled, quote: &dyn Fn(usize) -> Option<Quote<
 #[cfg(test)]
 mod tests {
     use super::{Quote, render_in};
-    use crate::compile::{Dialect, compile};
-    use crate::link::{Files, Unit};
+    use crate::compile::compile;
+    use crate::link::tests::{Library, unit};
     use crate::syntax::lex::lex;
-
-    struct Library(&'static str);
-
-    impl Files for Library {
-        fn open(&mut self, path: &str, _: &str) -> Result<Unit, String> {
-            let lexed = lex(self.0);
-            Ok(Unit { name: path.into(), tokens: lexed.tokens, dialect: Dialect::Text, found: lexed.diags })
-        }
-    }
 
     #[test]
     fn each_file_is_quoted_in_its_findings() {
         let texts =
             ["# own\nimport lib : \"lib.cga\" (h = \"x\")\nLot --> lib.Roof Wal", "attr h = 1\nRoof --> size(h)"];
         let lexed = texts.map(lex);
-        let root =
-            Unit { name: "a.cga".into(), tokens: lexed[0].tokens.clone(), dialect: Dialect::Text, found: Vec::new() };
-        let compiled = compile(root, &mut Library(texts[1]), &[]);
+        let compiled = compile(unit("a.cga", texts[0]), &mut Library(texts[1]), &[]);
         let quote = |file: usize| {
             let name = ["a.cga", "lib.cga"][file];
             Some(Quote { name, text: texts[file], ranges: &lexed[file].ranges })

@@ -4,6 +4,7 @@
 //! ([`Name::id`]), so side tables need no other numbering.
 
 use crate::span::Span;
+use crate::syntax::token::Sym;
 
 /// The style of everything before the first `style`.
 pub(crate) const DEFAULT: &str = "Default";
@@ -400,23 +401,26 @@ pub enum Binary {
     Or,
 }
 
+/// The operators with two operands, their signs, and their levels: a higher level binds more tightly.
+pub(crate) const OPERATORS: [(Binary, Sym, u8); 13] = [
+    (Binary::Or, Sym::OrOr, 1),
+    (Binary::And, Sym::AndAnd, 2),
+    (Binary::Eq, Sym::EqEq, 3),
+    (Binary::Ne, Sym::NotEq, 3),
+    (Binary::Lt, Sym::Less, 4),
+    (Binary::Le, Sym::LessEq, 4),
+    (Binary::Gt, Sym::Greater, 4),
+    (Binary::Ge, Sym::GreaterEq, 4),
+    (Binary::Add, Sym::Plus, 5),
+    (Binary::Sub, Sym::Minus, 5),
+    (Binary::Mul, Sym::Star, 6),
+    (Binary::Div, Sym::Slash, 6),
+    (Binary::Rem, Sym::Percent, 6),
+];
+
 impl Binary {
     /// As written.
     pub fn text(self) -> &'static str {
-        match self {
-            Binary::Add => "+",
-            Binary::Sub => "-",
-            Binary::Mul => "*",
-            Binary::Div => "/",
-            Binary::Rem => "%",
-            Binary::Eq => "==",
-            Binary::Ne => "!=",
-            Binary::Lt => "<",
-            Binary::Le => "<=",
-            Binary::Gt => ">",
-            Binary::Ge => ">=",
-            Binary::And => "&&",
-            Binary::Or => "||",
-        }
+        OPERATORS.iter().find(|(own, ..)| *own == self).map_or("", |(_, sign, _)| sign.text())
     }
 }

@@ -34,7 +34,7 @@ impl Expr {
 }
 
 /// A part of an operation.
-pub enum Part<'a> {
+pub enum OpPart<'a> {
     /// The size of a slot.
     Size(&'a Arg),
     /// The length of a section.
@@ -51,24 +51,26 @@ pub enum Part<'a> {
 
 impl Op {
     /// The expressions and operations inside it, without its arguments, in writing order.
-    pub fn parts(&self) -> Vec<Part<'_>> {
+    pub fn parts(&self) -> Vec<OpPart<'_>> {
         let mut list = Vec::new();
         match &self.kind {
-            OpKind::Push(inner) => list.push(Part::Ops(inner)),
+            OpKind::Push(inner) => list.push(OpPart::Ops(inner)),
             OpKind::Block(block) => block.parts.iter().for_each(|part| match part {
                 BlockPart::Slots(items, _) => slots(items, &mut list),
                 BlockPart::Sections(all, _) => list.extend(all.iter().flat_map(|Section { length, depth, ops }| {
-                    [Part::Length(length), Part::Depth(depth), Part::Ops(ops)]
+                    [OpPart::Length(length), OpPart::Depth(depth), OpPart::Ops(ops)]
                 })),
-                BlockPart::Arms(arms) => list.extend(arms.iter().flat_map(|arm| [Part::Arm(arm), Part::Ops(&arm.ops)])),
-                BlockPart::Ops(sides) => list.extend(sides.iter().map(|ops| Part::Ops(ops))),
+                BlockPart::Arms(arms) => {
+                    list.extend(arms.iter().flat_map(|arm| [OpPart::Arm(arm), OpPart::Ops(&arm.ops)]))
+                }
+                BlockPart::Ops(sides) => list.extend(sides.iter().map(|ops| OpPart::Ops(ops))),
             }),
             OpKind::Case(arms, otherwise) => {
-                list.extend(arms.iter().flat_map(|(condition, ops)| [Part::Condition(condition), Part::Ops(ops)]));
-                list.push(Part::Ops(otherwise));
+                list.extend(arms.iter().flat_map(|(condition, ops)| [OpPart::Condition(condition), OpPart::Ops(ops)]));
+                list.push(OpPart::Ops(otherwise));
             }
             OpKind::Chance(arms, otherwise) => {
-                list.extend(arms.iter().map(|(_, ops)| ops).chain([otherwise]).map(|ops| Part::Ops(ops)));
+                list.extend(arms.iter().map(|(_, ops)| ops).chain([otherwise]).map(|ops| OpPart::Ops(ops)));
             }
             OpKind::Call(..)
             | OpKind::Dynamic { .. }
@@ -81,24 +83,31 @@ impl Op {
     }
 
     /// The sequences of operations inside it, in writing order.
-    pub fn bodies(&self) -> impl Iterator<Item = &[Op]> {
-        self.parts().into_iter().filter_map(|part| if let Part::Ops(ops) = part { Some(ops) } else { None })
+    pub fn bodies(&self) -> impl DoubleEndedIterator<Item = &[Op]> {
+        self.parts().into_iter().filter_map(|part| if let OpPart::Ops(ops) = part { Some(ops) } else { None })
     }
 }
 
-fn slots<'a>(items: &'a [SplitItem], list: &mut Vec<Part<'a>>) {
+fn slots<'a>(items: &'a [SplitItem], list: &mut Vec<OpPart<'a>>) {
     for item in items {
         match item {
-            SplitItem::Slot(size, ops) => list.extend([Part::Size(size), Part::Ops(ops)]),
+            SplitItem::Slot(size, ops) => list.extend([OpPart::Size(size), OpPart::Ops(ops)]),
             SplitItem::Group(inner, _) => slots(inner, list),
         }
     }
 }
 
 /// Every operation of a sequence, each before those inside it.
-pub fn ops<'a>(list: &'a [Op], visit: &mut dyn FnMut(&'a Op)) {
-    for op in list {
-        visit(op);
-        op.bodies().for_each(|inner| ops(inner, visit));
-    }
+pub fn ops(list: &[Op]) -> impl Iterator<Item = &Op> {
+    let mut open = vec![list.iter()];
+    std::iter::from_fn(move || {
+        while let Some(list) = open.last_mut() {
+            if let Some(op) = list.next() {
+                open.extend(op.bodies().rev().map(<[Op]>::iter));
+                return Some(op);
+            }
+            open.pop();
+        }
+        None
+    })
 }

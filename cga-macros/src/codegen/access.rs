@@ -6,40 +6,43 @@ use proc_macro2::TokenStream;
 use super::hygienic;
 
 /// Where an expression is evaluated: how it gets at the run and at the current shape, both borrowed mutably.
+#[derive(Clone)]
 pub(super) struct Access {
     pub(super) env: TokenStream,
     pub(super) shape: TokenStream,
+    /// True if the shape is slim: an expression that reads more than it has gets the whole shape.
+    pub(super) is_slim: bool,
 }
 
 impl Access {
     /// In a rule, on the current shape.
     pub(super) fn rule() -> Self {
-        Access { env: code!(cx.env), shape: code!((&mut { shape })) }
+        Access { env: code!(cx.env), shape: code!((&mut { shape })), is_slim: true }
     }
 
     /// In a rule, on a part of a split or comp.
     pub(super) fn part() -> Self {
-        Access { env: code!(cx.env), shape: code!((&mut { part })) }
+        Access { env: code!(cx.env), shape: code!((&mut { part })), is_slim: true }
     }
 
     /// In a rule, on the whole of the current shape.
     pub(super) fn whole() -> Self {
-        Access { env: code!(cx.env), shape: code!(shape) }
+        Access { env: code!(cx.env), shape: code!(shape), is_slim: false }
     }
 
     /// In a value of `comp`, on a component.
     pub(super) fn component() -> Self {
-        Access { env: code!(env), shape: code!(part) }
+        Access { env: code!(env), shape: code!(part), is_slim: false }
     }
 
     /// In a selector of `comp`, on the candidate component.
     pub(super) fn candidate() -> Self {
-        Access { env: code!(env), shape: code!(candidate.shape()) }
+        Access { env: code!(env), shape: code!(candidate.shape()), is_slim: false }
     }
 
     /// In a function, an attribute or a constant.
     pub(super) fn function() -> Self {
-        Access { env: code!(env), shape: code!(shape) }
+        Access { env: code!(env), shape: code!(shape), is_slim: false }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Arms: a table, a closure for the conditions on parts, and a `match` over the arms.
 
-use cga_lang::ir::{Arm, ArmMode, Block, Comp, Expr, RuleId, Selector, Target};
+use cga_lang::ir::{Arm, ArmMode, Block, Comp, RuleId, Selector, Target};
 use cga_lang::ops::{Braces, variant};
 use proc_macro2::{Ident, Literal, TokenStream};
 
@@ -11,7 +11,7 @@ impl Generator<'_> {
     /// `number` counts the children that the rule makes.
     pub(super) fn divided(&self, block: &Block, arms: &[Arm<Target>], rule: RuleId, number: u32) -> TokenStream {
         let child = Literal::u32_unsuffixed(number);
-        let (table, when) = (self.arms(arms, &Access::rule(), Generator::asked), self.when(arms));
+        let (table, when) = (self.arms(arms, &Access::rule()), self.when(arms));
         let parts = arms.iter().enumerate().map(|(number, arm)| {
             let (number, code) = (Literal::u32_unsuffixed(number as u32), self.part(&arm.then, rule));
             code!(#number => #code,)
@@ -24,13 +24,13 @@ impl Generator<'_> {
         };
         let name = function_of(block.row.run, block.row.name);
         if block.row.braces == Braces::Components {
-            let args = self.args(block.row, &block.args, &Access::rule(), Generator::asked, &TokenStream::new());
+            let args = self.args(block.row, &block.args, &Access::rule(), &TokenStream::new());
             return code! {
                 let arms = #table;
                 cga_rt::#name(cx, shape, #child, #(#args,)* &arms, &mut #when, #visit)?;
             };
         }
-        let args = self.args(block.row, &block.args, &Access::rule(), Generator::asked, &code!(op::));
+        let args = self.args(block.row, &block.args, &Access::rule(), &code!(op::));
         let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
         code! {
             #(let #names = #args;)*
@@ -49,8 +49,8 @@ impl Generator<'_> {
 
     /// An array with a value for each component.
     pub(super) fn comp_value(&self, comp: &Comp, at: &Access) -> TokenStream {
-        let (arms, when) = (self.arms(&comp.arms, at, Generator::expr), self.when(&comp.arms));
-        let args = self.args(comp.row, &comp.args, at, Generator::expr, &TokenStream::new());
+        let (arms, when) = (self.arms(&comp.arms, at), self.when(&comp.arms));
+        let args = self.args(comp.row, &comp.args, at, &TokenStream::new());
         let values = comp.arms.iter().enumerate().map(|(number, arm)| {
             let (number, value) = (Literal::u32_unsuffixed(number as u32), self.expr(&arm.then, &Access::component()));
             code!(#number => #value,)
@@ -66,7 +66,7 @@ impl Generator<'_> {
     }
 
     /// The table.
-    fn arms<T>(&self, arms: &[Arm<T>], at: &Access, expr: fn(&Self, &Expr, &Access) -> TokenStream) -> TokenStream {
+    fn arms<T>(&self, arms: &[Arm<T>], at: &Access) -> TokenStream {
         let table = arms.iter().map(|arm| {
             let select = match &arm.selector {
                 Selector::Word(word) => {
@@ -74,7 +74,7 @@ impl Generator<'_> {
                     code!(Word(cga_rt::Word::#word))
                 }
                 Selector::Index(asked) => {
-                    let value = expr(self, asked, at);
+                    let value = self.expr(asked, at);
                     code!(Index(#value))
                 }
                 Selector::When(_) => code!(When),

@@ -13,10 +13,10 @@ use super::{Generator, function_of, hygienic, local, site};
 use crate::output::{HostType, conversion, convert};
 
 impl Generator<'_> {
-    /// An expression in a rule, on a slim shape. It gets the whole shape if it reads more than the slim one has.
-    pub(super) fn asked(&self, expr: &Expr, at: &Access) -> TokenStream {
+    /// An expression on a slim shape. It gets the whole shape if it reads more than the slim one has.
+    fn on_slim(&self, expr: &Expr, at: &Access) -> TokenStream {
         if !self.facts.expr(expr).whole {
-            return self.expr(expr, at);
+            return self.expr(expr, &Access { is_slim: false, ..at.clone() });
         }
         let (env, slim, code) = (&at.env, &at.shape, self.expr(expr, &Access::whole()));
         code! { {
@@ -31,7 +31,11 @@ impl Generator<'_> {
         } }
     }
 
+    /// An expression.
     pub(super) fn expr(&self, expr: &Expr, at: &Access) -> TokenStream {
+        if at.is_slim {
+            return self.on_slim(expr, at);
+        }
         match &expr.kind {
             ExprKind::Value(known) => value(known),
             ExprKind::Param(number) => {
@@ -131,6 +135,16 @@ impl Generator<'_> {
                 let call = |args: &[TokenStream]| code!(cga_rt::func::#name(#(#args),*));
                 self.with_args([&**left, &**right], at, call)
             }
+            ExprKind::Binary(operator @ (Binary::Eq | Binary::Ne), left, right) if left.ty == Type::Text => {
+                let not = (*operator == Binary::Ne).then(|| code!(!));
+                // A literal is compared as it is.
+                let (left, right) = if matches!(left.kind, ExprKind::Value(_)) { (right, left) } else { (left, right) };
+                let (text, other) = (self.text(left, at), self.text(right, at));
+                match &right.kind {
+                    ExprKind::Value(Value::Text(other)) => code!((#not #text.is(#other))),
+                    _ => code!((#not #text.is(#other.as_str()))),
+                }
+            }
             ExprKind::Binary(operator, left, right) => match operator_of(*operator) {
                 Some(operator) => {
                     let (left, right) = (self.expr(left, at), self.expr(right, at));
@@ -229,6 +243,21 @@ impl Generator<'_> {
             ExprKind::Binary(_, left, right) => self.is_plain(left) && self.is_plain(right),
             _ => false,
         }
+    }
+
+    /// A text to borrow: parameters, attributes and constants are not copied.
+    fn text(&self, expr: &Expr, at: &Access) -> TokenStream {
+        let is_stored =
+            |global: &Global| !global.is_set && !global.lazy && (global.attr.is_some() || global.known.is_none());
+        let name = match expr.kind {
+            ExprKind::Param(number) => {
+                let name = local("p", number as usize);
+                return code!(#name);
+            }
+            ExprKind::Global(id) if is_stored(self.grammar.global(id)) => self.global_name(id),
+            _ => return self.expr(expr, at),
+        };
+        code!(g.#name)
     }
 
     /// The span of a call of Rust, where rustc shows a wrong signature: the last name of the path.

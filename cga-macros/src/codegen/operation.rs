@@ -1,6 +1,6 @@
 //! Calls of operations that change the current shape.
 
-use cga_lang::ir::{Arg, Expr, Prefix};
+use cga_lang::ir::{Arg, Prefix};
 use cga_lang::ops::{Operation, ParamKind};
 use proc_macro2::{Ident, TokenStream};
 
@@ -12,24 +12,24 @@ use super::{Generator, function_of, local};
 impl Generator<'_> {
     /// An operation on the whole shape.
     pub(super) fn operation(&self, operation: &Operation, args: &[Arg]) -> TokenStream {
-        let (lets, call) = self.operation_on(operation, args, &Access::whole(), Generator::expr);
+        let (lets, call) = self.operation_on(operation, args, &Access::whole(), &TokenStream::new());
         let bake = operation.reshapes().then(|| code!(cga_rt::bake(shape);));
         code!({ #lets #bake cga_rt::op::#call; })
     }
 
-    /// The arguments of an operation, and its call without the module.
+    /// The arguments of an operation, and its call without the module. `further` comes after the shape.
     pub(super) fn operation_on(
         &self,
         operation: &Operation,
         args: &[Arg],
         at: &Access,
-        expr: fn(&Self, &Expr, &Access) -> TokenStream,
+        further: &TokenStream,
     ) -> (TokenStream, TokenStream) {
         let name = function_of(operation.run, operation.name);
         let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
-        let values = self.args(operation, args, at, expr, &code!(op::));
+        let values = self.args(operation, args, at, &code!(op::));
         let base = operation.uses_base.then(|| code!(&base,));
-        (code!(#(let #names = #values;)*), code!(#name(cx.env, shape, #base #(#names),*)))
+        (code!(#(let #names = #values;)*), code!(#name(cx.env, shape, #further #base #(#names),*)))
     }
 
     /// The values of an operation's arguments. Words are variants of enums in `module`.
@@ -38,20 +38,19 @@ impl Generator<'_> {
         operation: &Operation,
         args: &[Arg],
         at: &Access,
-        expr: fn(&Self, &Expr, &Access) -> TokenStream,
         module: &TokenStream,
     ) -> Vec<TokenStream> {
         let values = args.iter().zip(operation.params).map(|(arg, param)| match (arg, &param.kind) {
             (Arg::Value(value), ParamKind::Length) => {
-                let value = expr(self, value, at);
+                let value = self.expr(value, at);
                 code!(cga_rt::Length::Absolute(#value))
             }
-            (Arg::Value(value), ParamKind::Size) => prefixed(Prefix::Absolute, &expr(self, value, at)),
+            (Arg::Value(value), ParamKind::Size) => prefixed(Prefix::Absolute, &self.expr(value, at)),
             (Arg::Value(value), ParamKind::Image(_)) => self.image(value, at),
-            (Arg::Value(value), _) => expr(self, value, at),
-            (Arg::Length(size), ParamKind::Size) => prefixed(size.prefix, &expr(self, &size.value, at)),
+            (Arg::Value(value), _) => self.expr(value, at),
+            (Arg::Length(size), ParamKind::Size) => prefixed(size.prefix, &self.expr(&size.value, at)),
             (Arg::Length(size), _) => {
-                let value = expr(self, &size.value, at);
+                let value = self.expr(&size.value, at);
                 match size.prefix {
                     Prefix::Relative => code!(cga_rt::Length::Relative(#value)),
                     Prefix::Absolute | Prefix::Floating => code!(cga_rt::Length::Absolute(#value)),

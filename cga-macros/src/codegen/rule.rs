@@ -40,7 +40,7 @@ impl Generator<'_> {
         let name = self.rule(id, self.source.token(rule.span.first));
         let site = site::param(rule.sites.len());
         let (names, types): (Vec<_>, Vec<_>) = site.into_iter().chain(given(&rule.params, &rule.locals)).unzip();
-        let locals = self.locals(&rule.params, &rule.locals, &Access::rule(), Generator::asked);
+        let locals = self.locals(&rule.params, &rule.locals, &Access::rule());
         let doc = (!rule.source.is_empty()).then(|| {
             let source = &rule.source;
             code!(#[doc = #source])
@@ -90,7 +90,7 @@ impl Generator<'_> {
         let site = site::param(function.sites as usize);
         let (names, types): (Vec<_>, Vec<_>) = site.into_iter().chain(params).unzip();
         let ty = inner_type(function.ty);
-        let locals = self.locals(&function.params, &function.locals, &Access::function(), Generator::expr);
+        let locals = self.locals(&function.params, &function.locals, &Access::function());
         let body = self.expr(&function.body, &Access::function());
         let body = code!({ #locals #body });
         let shape = match self.facts.function(id).whole {
@@ -129,16 +129,10 @@ impl Generator<'_> {
     }
 
     /// The values of locals: they are the last parameters.
-    fn locals(
-        &self,
-        params: &[Param],
-        locals: &[Expr],
-        at: &Access,
-        expr: fn(&Self, &Expr, &Access) -> TokenStream,
-    ) -> TokenStream {
+    fn locals(&self, params: &[Param], locals: &[Expr], at: &Access) -> TokenStream {
         let first = params.len() - locals.len();
         let locals = locals.iter().enumerate().map(|(number, value)| {
-            let (name, value) = (local("p", first + number), expr(self, value, at));
+            let (name, value) = (local("p", first + number), self.expr(value, at));
             code!(let #name = #value;)
         });
         locals.collect()
@@ -171,8 +165,10 @@ impl Generator<'_> {
 
     /// Steps that change the current shape. They work on the slim shape if all of them can, else on the whole.
     fn changed(&self, steps: &[Step]) -> TokenStream {
-        if let Some(code) = steps.iter().map(|step| self.slim(step)).collect() {
-            return code;
+        if let Some(code) = steps.iter().map(|step| self.slim(step)).collect::<Option<TokenStream>>() {
+            let is_change = |step: &Step| !matches!(step, Step::Do(row, ..) if row.changes == Changes::Nothing);
+            let bases = code!(let bases = cga_rt::Bases::new(););
+            return if steps.iter().any(is_change) { quote!(#bases #code) } else { code };
         }
         let code: TokenStream = steps.iter().map(|step| self.change(step)).collect();
         code! {
@@ -194,20 +190,19 @@ impl Generator<'_> {
             Step::Do(operation, args) => match operation.changes {
                 Changes::Whole => None,
                 Changes::Nothing => {
-                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), Generator::asked);
+                    let none = TokenStream::new();
+                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), &none);
                     Some(code!({ #lets let shape = &mut { shape }; cga_rt::op::#call }))
                 }
                 Changes::Scope => {
-                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), Generator::asked);
+                    let further = code!(&bases, &mut own,);
+                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), &further);
                     Some(code! {
-                        let mut own;
-                        let changed = {
+                        let mut own = ::core::option::Option::None;
+                        let shape = {
                             #lets
-                            own = ::core::clone::Clone::clone(shape);
-                            let shape = &mut own;
                             cga_rt::slim::#call
                         };
-                        let shape = &cga_rt::slim::after(own, &changed);
                     })
                 }
                 Changes::Material => self.is_settled(step).then(|| self.paint(step, self.change(step))),
@@ -265,7 +260,7 @@ impl Generator<'_> {
         tail: &Tail,
     ) -> TokenStream {
         let at = Access::rule();
-        let conditions = arms.iter().map(|(condition, _)| self.asked(condition, &at));
+        let conditions = arms.iter().map(|(condition, _)| self.expr(condition, &at));
         let bodies = arms.iter().map(|(_, steps)| self.steps(steps, body, number, tail));
         let otherwise = self.steps(otherwise, body, number, tail);
         code!(#(if #conditions { #bodies } else)* { #otherwise })
@@ -290,8 +285,11 @@ impl Generator<'_> {
             Step::Block(block @ Block { parts: Parts::Slots(slots), .. }) => {
                 let code = self.split(block, slots, body.id, number);
                 match body.rule.leaf {
-                    Childless::Depends => code!({ #code childless &= !division.has_parts(); }),
-                    _ => code!({ #code }),
+                    Childless::Depends => code! {
+                        let has_parts = #code;
+                        childless &= !has_parts;
+                    },
+                    _ => code!(#code;),
                 }
             }
             Step::Block(block @ Block { parts: Parts::Arms(arms), .. }) => {
@@ -332,7 +330,7 @@ impl Generator<'_> {
             Target::Rule { rule, sites, args, span } => {
                 let call = self.call(from, (*rule, sites), args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
-                let values = args.iter().map(|arg| self.asked(arg, &Access::rule()));
+                let values = args.iter().map(|arg| self.expr(arg, &Access::rule()));
                 code!({
                     #(let #names = #values;)*
                     #copy
@@ -393,7 +391,7 @@ impl Generator<'_> {
             Target::Rule { rule, sites, args, span } => {
                 let call = self.call(from, (*rule, sites), args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
-                let values = args.iter().map(|arg| self.asked(arg, &Access::part()));
+                let values = args.iter().map(|arg| self.expr(arg, &Access::part()));
                 let hand_on = self.hand_on(*rule);
                 code!({
                     #(let #names = #values;)*

@@ -93,9 +93,8 @@ impl Generator<'_> {
             _ => (code!(#number + site), code!(&(g, site))),
         };
         code! {
-            let changed = cga_rt::slim::paint(cx.env, shape, #number, #values, CgaValues::#name);
-            let changed = cga_rt::slim::instead(&changed);
-            let shape = changed.as_ref().unwrap_or(shape);
+            let mut own = ::core::option::Option::None;
+            let shape = cga_rt::slim::paint(cx.env, shape, &bases, &mut own, #number, #values, CgaValues::#name);
         }
     }
 

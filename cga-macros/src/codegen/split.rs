@@ -1,41 +1,15 @@
-//! A split: its pattern and the known sizes as constants, then a statement a slot and a loop a group.
+//! A split: its pattern as a constant, its sizes, and a function that calls the rule of a slot.
 
-use cga_lang::ir::{self, Axis, Block, ExprKind, Item, Piece, Prefix, RuleId, Size, Solved, Target, Value};
+use cga_lang::ir::{Axis, Block, ExprKind, Item, Piece, Prefix, RuleId, Size, Slots, Solved, Target, Value};
 use cga_lang::ops::{Braces, Measure};
 use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
 use super::{Generator, hygienic, local, site, templates};
 
-/// A split with what its slots have in common.
-struct SplitContext<'s> {
-    slots: &'s ir::Slots,
-    rule: RuleId,
-    axis: TokenStream,
-    /// True if the pieces are a list, false if they are laid out one by one.
-    is_list: bool,
-    /// True if the split is laid out in the rule.
-    in_place: bool,
-}
-
-impl SplitContext<'_> {
-    /// The runtime's function of that name: one that becomes part of the rule, else the one that is compiled once.
-    fn function(&self, name: &str) -> Ident {
-        if self.in_place { hygienic(name) } else { hygienic(&format!("any_{name}")) }
-    }
-}
-
-/// The position of the next item of a pattern: the numbers of slots and groups before it.
-#[derive(Clone, Copy, Default)]
-struct At {
-    slot: usize,
-    group: usize,
-}
-
 impl Generator<'_> {
-    /// Statements that divide the shape; whether they have done so is `division.has_parts()`. `number` counts the children that
-    /// the rule makes.
-    pub(super) fn split(&self, block: &Block, slots: &ir::Slots, rule: RuleId, number: u32) -> TokenStream {
+    /// An expression that divides the shape and is true if there was a piece. `number` counts the children that the rule makes.
+    pub(super) fn split(&self, block: &Block, slots: &Slots, rule: RuleId, number: u32) -> TokenStream {
         let Braces::Slots(measure) = block.row.braces else { return TokenStream::new() };
         // Parts in texture space do not come along an axis, and their scopes are found with them.
         let axis = match block.axis() {
@@ -45,144 +19,169 @@ impl Generator<'_> {
         };
         let adjusts = block.adjusts() && measure != Measure::Texture;
         let adjust = if adjusts { code!(Adjust) } else { code!(NoAdjust) };
+        let number = Literal::u32_unsuffixed(number);
         // A list cannot tell the repetitions of a group from those of a group around it.
         let solved = slots.solved.as_ref().filter(|_| !has_nested_groups(&slots.pattern));
-        let in_place = self.is_in_place(slots, rule);
-        let is_list = solved.is_some() || measure != Measure::Length;
-        let row = if is_list { code!(cga_rt::List::new(pieces)) } else { code!(pieces.cursor()) };
-        let pieces = match (solved, measure) {
-            (Some(solved), _) => known(solved, &axis),
-            (None, Measure::Area) => self.areas(slots, &axis),
-            (None, Measure::Length) => self.lengths(slots, &axis, in_place),
-            (None, Measure::Texture) => self.textures(block, slots),
-        };
-        let is_counted = slots.targets.iter().any(|target| self.facts.target(target).total);
-        let total = if is_counted { code!(cga_rt::Row::total(&pieces)) } else { code!(0) };
-        let slots = SplitContext { slots, rule, axis, is_list, in_place };
-        let statements = self.items(&slots, &slots.slots.pattern, At::default(), false);
-        let (axis, number) = (&slots.axis, Literal::u32_unsuffixed(number));
-        let (new, end) = (hygienic(if in_place { "new" } else { "any" }), slots.function("end"));
-        let made = match measure {
-            Measure::Texture => TokenStream::new(),
-            _ if in_place => {
-                let again = match is_list {
-                    true => code!(pieces),
-                    false => code!(cga_rt::Pattern { items: PATTERN, sizes: &SIZES, extent }),
-                };
+        if measure == Measure::Length && solved.is_none() && self.is_in_place(slots, rule) {
+            return self.in_place(slots, rule, [&axis, &adjust], &number);
+        }
+        let items = items(&slots.pattern);
+        let successors = slots.targets.iter().map(|target| self.successor(target));
+        let has_total = slots.targets.iter().any(|target| self.facts.target(target).total);
+        let (last, visit) = self.visit(slots, rule, &axis);
+        let sizes = self.sizes(slots);
+        let count = slots.sizes.len();
+        let divided = match (solved, measure) {
+            (Some(solved), _) => {
+                let (extent, pieces) = (Literal::f64_unsuffixed(solved.extent), pieces(solved));
+                code!(cga_rt::split_solved(cx, shape, SPLIT, #extent, &[#(#pieces),*], #visit)?)
+            }
+            (None, Measure::Texture) => {
+                let args = self.args(block.row, &block.args, &Access::rule(), &TokenStream::new());
                 code! {
-                    let at_most = cga_rt::Row::at_most(&pieces);
-                    let made = cga_rt::Made::new(cx.env, shape, #axis, cga_rt::Adjust::#adjust, at_most, #again)?;
+                    let sizes = &mut [#(#sizes),*];
+                    let axis = (#(#args),*);
+                    cga_rt::split_texture(cx, shape, SPLIT, axis, sizes, &mut [0.0; #count], #visit)?
                 }
             }
-            _ => code! {
-                let made = cga_rt::Made::any(cx.env, shape, #axis, cga_rt::Adjust::#adjust, pieces)?;
-            },
+            (None, _) => {
+                let split = if measure == Measure::Area { "split_area" } else { "split" };
+                let split = hygienic(split);
+                code! {
+                    let sizes = &mut [#(#sizes),*];
+                    cga_rt::#split(cx, shape, SPLIT, sizes, &mut [0.0; #count], #visit)?
+                }
+            }
         };
-        code! {
-            #pieces
-            #made
-            let mut division =
-                cga_rt::Division::#new(shape, &made, #axis, cga_rt::Adjust::#adjust, #number, #total);
-            let mut row = #row;
-            #statements
-            division.#end(#axis);
-        }
+        code! { {
+            const SPLIT: &cga_rt::Split<'_> = &cga_rt::Split {
+                axis: #axis,
+                adjust: cga_rt::Adjust::#adjust,
+                number: #number,
+                pattern: &[#(#items),*],
+                successors: &[#(#successors),*],
+                has_total: #has_total,
+            };
+            #last
+            #divided
+        } }
     }
 
-    /// The statements of a part of the pattern.
-    fn items(&self, slots: &SplitContext<'_>, pattern: &[Item], mut at: At, in_group: bool) -> TokenStream {
-        let mut code = TokenStream::new();
-        let mut rest = pattern;
-        while let Some((item, behind)) = rest.split_first() {
-            rest = behind;
-            match item {
-                Item::Slot => {
-                    code.extend(self.slot(slots, at.slot, in_group));
-                    at.slot += 1;
-                }
-                Item::Repeat(len) => {
-                    let (inside, behind) = rest.split_at((*len as usize).min(rest.len()));
-                    rest = behind;
-                    let count = inside.iter().filter(|item| matches!(item, Item::Slot)).count();
-                    let group = local("group", at.group);
-                    let [open, turn] = ["open", "turn"].map(|name| slots.function(name));
-                    let opened = if slots.is_list {
-                        let [from, to] = [at.slot, at.slot + count].map(|slot| Literal::u32_unsuffixed(slot as u32));
-                        code!(row.#open(#from..#to))
-                    } else {
-                        let number = Literal::usize_unsuffixed(at.group);
-                        code!(row.#open(pieces, #number))
-                    };
-                    let items = self.items(slots, inside, At { group: at.group + 1, ..at }, true);
-                    // An inner group declares those of its own slots.
-                    let repeated =
-                        own_slots(inside).map(|slot| at.slot + slot).filter(|slot| self.root(slots, *slot).is_some());
-                    let last = repeated.map(|slot| local("last", slot));
-                    code.extend(code! {
-                        #(let mut #last = ::core::default::Default::default();)*
-                        let mut #group = #opened;
-                        while row.#turn(&mut #group) {
-                            division.turn(cx.env)?;
-                            #items
-                        }
-                    });
-                    at = At { slot: at.slot + count, group: at.group + 1 + inside.len() - count };
-                }
-            }
-        }
-        code
-    }
-
-    /// The statement of a slot.
-    fn slot(&self, slots: &SplitContext<'_>, slot: usize, in_group: bool) -> TokenStream {
-        let (axis, [part, leaf, skip]) = (&slots.axis, ["part", "leaf", "skip"].map(|name| slots.function(name)));
-        let number = Literal::usize_unsuffixed(slot);
-        match &slots.slots.targets[slot] {
-            Target::Nil => code!(division.#skip(&mut row, #number);),
+    /// The successor of a slot, as the runtime knows it.
+    fn successor(&self, target: &Target) -> TokenStream {
+        match target {
+            Target::Nil => code!(cga_rt::Successor::Nil),
             Target::Leaf(name) => {
                 let name = self.leaves.number(name);
-                code!(division.#leaf(cx, &mut row, #axis, #number, #name)?;)
+                code!(cga_rt::Successor::Leaf(#name))
             }
-            target @ Target::Rule { .. } => {
-                let code = match self.root(slots, slot).filter(|_| in_group) {
-                    Some(rule) => self.repeat(rule, target, slots, slot),
-                    None => self.part(target, slots.rule),
-                };
+            Target::Rule { .. } => {
                 let uses = self.facts.target(target);
                 let (draws, counts) = (uses.draws, uses.index || uses.total);
-                code! {
-                    let slot = cga_rt::Slot { number: #number, in_group: #in_group, draws: #draws, counts: #counts };
-                    if let ::core::option::Option::Some(part) = division.#part(&mut row, #axis, slot) {
-                        let flow: cga_rt::Flow = #code;
-                        flow?;
-                    }
-                }
+                code!(cga_rt::Successor::Rule { draws: #draws, counts: #counts })
             }
         }
+    }
+
+    /// The function that calls the rule of a slot, with the variables that it needs.
+    fn visit(&self, slots: &Slots, rule: RuleId, axis: &TokenStream) -> (TokenStream, TokenStream) {
+        let (mut last, mut calls) = (TokenStream::new(), TokenStream::new());
+        for (slot, (target, in_group)) in slots.targets.iter().zip(templates::in_groups(&slots.pattern)).enumerate() {
+            if !matches!(target, Target::Rule { .. }) {
+                continue;
+            }
+            let code = match templates::root(target, rule, &self.facts, &self.plan).filter(|_| in_group) {
+                Some(root) => {
+                    let name = local("last", slot);
+                    last.extend(code!(let mut #name = ::core::default::Default::default();));
+                    self.repeat(root, target, axis, &name)
+                }
+                None => self.part(target, rule),
+            };
+            let slot = Literal::usize_unsuffixed(slot);
+            calls.extend(code!(#slot => #code,));
+        }
+        let visit = match calls.is_empty() {
+            true => code!(&mut |_, _, _| cga_rt::Flow::Continue(())),
+            false => code! {
+                &mut |cx, slot, part| match slot {
+                    #calls
+                    _ => cga_rt::Flow::Continue(()),
+                }
+            },
+        };
+        (last, visit)
     }
 
     /// Returns true for few slots of constant sizes in a rule that can reach itself: the split is laid out in the rule, and the
     /// compiler folds what it knows. Such rules run most often; of rules that repeat there are templates, and the code of others
     /// would be large for what it gains.
-    fn is_in_place(&self, slots: &ir::Slots, rule: RuleId) -> bool {
+    fn is_in_place(&self, slots: &Slots, rule: RuleId) -> bool {
         let is_constant =
             |size: &Size| matches!(size.value.kind, ExprKind::Value(Value::Float(value)) if value.is_finite());
         self.grammar.rules[rule.0 as usize].cycle.is_some()
             && slots.targets.len() <= 3
+            && slots.pattern.len() == slots.targets.len()
             && slots.sizes.iter().all(is_constant)
     }
 
-    /// The rule that is repeated from a template if the slot is in a group.
-    fn root(&self, slots: &SplitContext<'_>, slot: usize) -> Option<RuleId> {
-        templates::root(&slots.slots.targets[slot], slots.rule, &self.facts, &self.plan)
+    /// A split that is laid out in the rule.
+    fn in_place(
+        &self,
+        slots: &Slots,
+        rule: RuleId,
+        [axis, adjust]: [&TokenStream; 2],
+        number: &Literal,
+    ) -> TokenStream {
+        let count = slots.sizes.len();
+        let (items, sizes) = (items(&slots.pattern), self.sizes(slots));
+        let is_counted = slots.targets.iter().any(|target| self.facts.target(target).total);
+        let total = if is_counted { code!(cga_rt::Row::total(&pieces)) } else { code!(0) };
+        let statements = slots.targets.iter().enumerate().map(|(slot, target)| {
+            let slot = Literal::usize_unsuffixed(slot);
+            match target {
+                Target::Nil => code!(division.skip(row.slot(#slot));),
+                Target::Leaf(name) => {
+                    let name = self.leaves.number(name);
+                    code!(division.leaf(cx, row.slot(#slot), #axis, #name)?;)
+                }
+                Target::Rule { .. } => {
+                    let (uses, code) = (self.facts.target(target), self.part(target, rule));
+                    let (draws, counts) = (uses.draws, uses.index || uses.total);
+                    code! {
+                        let slot = cga_rt::Slot { number: #slot, in_group: false, draws: #draws, counts: #counts };
+                        if let ::core::option::Option::Some(part) = division.part(row.slot(#slot), #axis, slot) {
+                            let flow: cga_rt::Flow = #code;
+                            flow?;
+                        }
+                    }
+                }
+            }
+        });
+        code! { {
+            const PATTERN: &[cga_rt::Item] = &[#(#items),*];
+            const SIZES: [cga_rt::Size; #count] = [#(#sizes),*];
+            let mut lengths = [0.0; #count];
+            let extent = cga_rt::extent(cx.env, shape, #axis);
+            let pieces = &cga_rt::solve(PATTERN, &SIZES, &mut lengths, extent);
+            let at_most = cga_rt::Row::at_most(&pieces);
+            let again = cga_rt::Pattern { items: PATTERN, sizes: &SIZES, extent };
+            let made = cga_rt::Made::new(cx.env, shape, #axis, cga_rt::Adjust::#adjust, at_most, again)?;
+            let mut division =
+                cga_rt::Division::new(shape, &made, #axis, cga_rt::Adjust::#adjust, #number, #total);
+            let mut row = pieces.cursor();
+            #(#statements)*
+            division.end(#axis);
+            division.has_parts()
+        } }
     }
 
     /// Runs a rule on a part that repeats; of type `Flow`.
-    fn repeat(&self, rule: RuleId, target: &Target, slots: &SplitContext<'_>, slot: usize) -> TokenStream {
+    fn repeat(&self, rule: RuleId, target: &Target, axis: &TokenStream, last: &Ident) -> TokenStream {
         let Target::Rule { sites, span, .. } = target else { return TokenStream::new() };
         let name = self.rule(rule, self.source.token(span.first));
         let number = Literal::u32_unsuffixed(self.templates.places(sites.len().max(1) as u32));
-        let (hand_on, axis, last) = (self.hand_on(rule), &slots.axis, local("last", slot));
+        let hand_on = self.hand_on(rule);
         if let Some(passed) = site::passed(sites) {
             // A template for each site of the caller.
             let number = if sites.len() == 1 { code!(#number) } else { code!(#number + site) };
@@ -204,68 +203,10 @@ impl Generator<'_> {
         } }
     }
 
-    /// The solution of a split along lengths.
-    fn lengths(&self, slots: &ir::Slots, axis: &TokenStream, in_place: bool) -> TokenStream {
-        let count = slots.sizes.len();
-        let (sizes, name) = self.sizes(slots, true);
-        let solve = hygienic(if in_place { "solve" } else { "solve_any" });
-        code! {
-            #sizes
-            let mut lengths = [0.0; #count];
-            let extent = cga_rt::extent(cx.env, shape, #axis);
-            let pieces = &cga_rt::#solve(PATTERN, &#name, &mut lengths, extent);
-        }
-    }
-
-    /// The pieces of a split along areas.
-    fn areas(&self, slots: &ir::Slots, axis: &TokenStream) -> TokenStream {
-        let (sizes, name) = self.sizes(slots, false);
-        code! {
-            #sizes
-            let pieces = cga_rt::areas(cx.env, shape, #axis, PATTERN, #name);
-            let pieces = pieces.as_slice();
-        }
-    }
-
-    /// The pieces of a split in texture space, with their shapes.
-    fn textures(&self, block: &Block, slots: &ir::Slots) -> TokenStream {
-        let (sizes, name) = self.sizes(slots, false);
-        let args = self.args(block.row, &block.args, &Access::rule(), Generator::asked, &TokenStream::new());
-        code! {
-            #sizes
-            let axis = (#(#args),*);
-            let (pieces, made) = cga_rt::texture(cx.env, shape, axis, PATTERN, #name)?;
-            let pieces = pieces.as_slice();
-        }
-    }
-
-    /// The pattern and the sizes, with the name of these.
-    fn sizes(&self, slots: &ir::Slots, are_lengths: bool) -> (TokenStream, Ident) {
-        let count = slots.sizes.len();
-        let items = slots.pattern.iter().map(|item| match item {
-            Item::Slot => code!(cga_rt::Item::Slot),
-            Item::Repeat(len) => {
-                let len = Literal::u32_unsuffixed(*len);
-                code!(cga_rt::Item::Repeat(#len))
-            }
-        });
-        let place_of = Access::rule();
-        let values = slots.sizes.iter().map(|size| prefixed(size.prefix, &self.asked(&size.value, &place_of)));
-        let constant =
-            |size: &Size| matches!(size.value.kind, ExprKind::Value(Value::Float(value)) if value.is_finite());
-        let is_constant = are_lengths && slots.sizes.iter().all(constant);
-        let name = hygienic(if is_constant { "SIZES" } else { "sizes" });
-        let sizes = if is_constant {
-            code!(const SIZES: [cga_rt::Size; #count] = [#(#values),*];)
-        } else if are_lengths {
-            code! {
-                let sizes: [cga_rt::Size; #count] = [#(#values),*];
-                let sizes = cga_rt::sizes(cx.env, sizes);
-            }
-        } else {
-            code!(let sizes: [cga_rt::Size; #count] = [#(#values),*];)
-        };
-        (code!(const PATTERN: &[cga_rt::Item] = &[#(#items),*]; #sizes), name)
+    /// The sizes.
+    fn sizes(&self, slots: &Slots) -> impl Iterator<Item = TokenStream> {
+        let at = Access::rule();
+        slots.sizes.iter().map(move |size| prefixed(size.prefix, &self.expr(&size.value, &at)))
     }
 }
 
@@ -278,33 +219,24 @@ pub(super) fn prefixed(prefix: Prefix, value: &TokenStream) -> TokenStream {
     }
 }
 
+/// Slots and groups as the solver takes them.
+fn items(pattern: &[Item]) -> impl Iterator<Item = TokenStream> {
+    pattern.iter().map(move |item| match item {
+        Item::Slot => code!(cga_rt::Item::Slot),
+        Item::Repeat(len) => {
+            let len = Literal::u32_unsuffixed(*len);
+            code!(cga_rt::Item::Repeat(#len))
+        }
+    })
+}
+
 /// The pieces of a split that is solved.
-fn known(solved: &Solved, axis: &TokenStream) -> TokenStream {
-    let extent = Literal::f64_unsuffixed(solved.extent);
-    let pieces = solved.pieces.iter().map(|piece| {
+fn pieces(solved: &Solved) -> impl Iterator<Item = TokenStream> {
+    solved.pieces.iter().map(|piece| {
         let Piece { slot, start, end, length } = *piece;
         let slot = Literal::u32_unsuffixed(slot);
         let [start, end, length] = [start, end, length].map(Literal::f64_unsuffixed);
         code!(cga_rt::Piece { slot: #slot, start: #start, end: #end, length: #length })
-    });
-    code! {
-        const PIECES: &[cga_rt::Piece] = &[#(#pieces),*];
-        let pieces = cga_rt::solved(cx.env, shape, #axis, #extent, PIECES);
-    }
-}
-
-/// The slots of a pattern that are in none of its groups.
-fn own_slots(pattern: &[Item]) -> impl Iterator<Item = usize> {
-    let (mut slot, mut group_end) = (0, 0);
-    pattern.iter().enumerate().filter_map(move |(at, item)| match item {
-        Item::Slot => {
-            slot += 1;
-            (group_end <= at).then_some(slot - 1)
-        }
-        Item::Repeat(len) => {
-            group_end = group_end.max(at + 1 + *len as usize);
-            None
-        }
     })
 }
 

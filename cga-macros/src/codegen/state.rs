@@ -46,7 +46,7 @@ impl Generator<'_> {
     pub(super) fn renew(&self, call: &Renew, number: &Literal) -> (TokenStream, TokenStream) {
         let at = Access::rule();
         let names: Vec<Ident> = (0..call.given.len()).map(|number| local("given_", number)).collect();
-        let values = call.given.iter().map(|(_, value)| self.asked(value, &at));
+        let values = call.given.iter().map(|(_, value)| self.expr(value, &at));
         let given = code!(#(let #names = #values;)*);
         let set = call.given.iter().zip(&names).map(|((id, value), name)| self.set(*id, value.ty, name));
         let mut ids: Vec<GlobalId> = call.given.iter().map(|(id, _)| *id).collect();

@@ -78,7 +78,7 @@ pub(super) fn root(target: &Target, from: RuleId, facts: &Facts, plan: &StackPla
 }
 
 /// Returns true if each slot of a pattern is in a group.
-fn in_groups(pattern: &[Item]) -> impl Iterator<Item = bool> {
+pub(super) fn in_groups(pattern: &[Item]) -> impl Iterator<Item = bool> {
     // Items left in the outermost group.
     let mut inside = 0;
     pattern.iter().filter_map(move |item| {

@@ -6,7 +6,7 @@ use crate::value::text::Text;
 
 /// The name of a file, with the folder of the rule file that names it. Relative names are looked up from that folder
 /// (*Asset search*).
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct File {
     /// The name as written in the rules.
     pub(crate) name: Text,

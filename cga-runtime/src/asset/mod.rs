@@ -10,9 +10,10 @@ mod search;
 pub mod obj;
 
 use std::collections::{BTreeMap, HashMap};
+use std::fmt;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 pub use error::AssetError;
 pub use file::File;
@@ -47,7 +48,7 @@ const USABLE: [&str; 10] = ["bmp", "gif", "jpg", "jpeg", "png", "tif", "tiff", "
 /// A name is a path with forward slashes. A name that begins with a slash is relative to the asset folder. Any other
 /// name is looked up from the folder of the rule file that names it upwards: in the subfolder `assets` of each folder,
 /// if it exists, and then in the folder itself (*Asset search*; [`cga_split::files::places`]).
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct Assets {
     root: Option<PathBuf>,
     given: BTreeMap<String, Arc<Mesh>>,
@@ -55,19 +56,30 @@ pub struct Assets {
     listing: OnceLock<Listing>,
 }
 
+impl fmt::Debug for Assets {
+    /// Writes the folder alone: the files read so far are irrelevant for a model.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Assets").field("root", &self.root).finish_non_exhaustive()
+    }
+}
+
 /// The results of earlier look-ups.
-#[derive(Debug, Default)]
+#[derive(Default)]
 struct Read {
-    /// By folder of the rule file, then by name.
-    meshes: HashMap<String, HashMap<String, Result<Arc<Mesh>, AssetError>>>,
-    /// By folder of the rule file, then by name; see [`Assets::image`].
-    images: HashMap<String, HashMap<String, Text>>,
+    meshes: HashMap<File, Result<Arc<Mesh>, AssetError>>,
+    /// See [`Assets::image`].
+    images: HashMap<File, Text>,
     /// By name as written in the material.
     headers: HashMap<String, Result<ImageHeader, AssetError>>,
     /// By path: a file with several names is one mesh.
     files: HashMap<PathBuf, Result<Arc<Mesh>, AssetError>>,
-    /// The number of cached names.
-    names: usize,
+}
+
+impl Read {
+    /// Returns true if another name may be cached.
+    fn has_room(&self) -> bool {
+        self.meshes.len() + self.images.len() + self.headers.len() < NAMES_KEPT
+    }
 }
 
 /// The target of a name.
@@ -102,23 +114,20 @@ impl Assets {
     /// # Errors
     /// An error if the file is missing, not readable, outside the folder, or not a mesh.
     pub fn mesh(&self, name: &str) -> Result<Arc<Mesh>, AssetError> {
-        self.mesh_from(name, "")
+        self.mesh_of(&File::from(name))
     }
 
     /// The mesh of a file that rules name.
     pub(crate) fn mesh_of(&self, file: &File) -> Result<Arc<Mesh>, AssetError> {
-        self.mesh_from(&file.name, file.folder)
-    }
-
-    fn mesh_from(&self, name: &str, folder: &str) -> Result<Arc<Mesh>, AssetError> {
+        let name = file.name.as_str();
         if let Some(mesh) = self.given.get(name) {
             return Ok(mesh.clone());
         }
-        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(known) = read.meshes.get(folder).and_then(|names| names.get(name)) {
+        let mut read = self.read();
+        if let Some(known) = read.meshes.get(file) {
             return known.clone();
         }
-        let found = match self.look_up(name, folder) {
+        let found = match self.look_up(file) {
             Ok((_, Found::Given(mesh))) => Ok(mesh.clone()),
             Ok((_, Found::File(path))) => match read.files.get(&path) {
                 Some(known) => known.clone(),
@@ -130,9 +139,8 @@ impl Assets {
             },
             Err(why) => readable_mesh(name).and(Err(why)),
         };
-        if read.names < NAMES_KEPT {
-            read.names += 1;
-            read.meshes.entry(folder.to_owned()).or_default().insert(name.to_owned(), found.clone());
+        if read.has_room() {
+            read.meshes.insert(file.clone(), found.clone());
         }
         found
     }
@@ -146,7 +154,7 @@ impl Assets {
         let end = Path::new(name).extension().and_then(|end| end.to_str()).unwrap_or_default();
         let mesh = cfg!(feature = "obj").then_some("obj");
         let usable = || USABLE.into_iter().chain(mesh).any(|known| known.eq_ignore_ascii_case(end));
-        match self.look_up(&file.name, file.folder) {
+        match self.look_up(file) {
             Ok((_, Found::Given(_))) => true,
             Ok((_, Found::File(_))) => usable(),
             Err(_) => false,
@@ -155,7 +163,7 @@ impl Assets {
 
     /// The beginning of a file, at most `most` bytes, and whether that is the whole file.
     pub(crate) fn bytes(&self, file: &File, most: u64) -> Result<(Vec<u8>, bool), AssetError> {
-        let Found::File(path) = self.look_up(&file.name, file.folder)?.1 else {
+        let Found::File(path) = self.look_up(file)?.1 else {
             return Err(AssetError::Format("it is a mesh that the program registered, not a file"));
         };
         let mut bytes = Vec::new();
@@ -172,28 +180,30 @@ impl Assets {
         if file.folder.is_empty() || file.name.is_empty() || file.name.starts_with('/') {
             return file.name;
         }
-        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(known) = read.images.get(file.folder).and_then(|names| names.get(file.name.as_str())) {
+        let mut read = self.read();
+        if let Some(known) = read.images.get(&file) {
             return known.clone();
         }
         let outer = places(&file.name, "").unwrap_or_default();
-        let image = match self.look_up(&file.name, file.folder) {
+        let image = match self.look_up(&file) {
             Ok((place, _)) if !outer.contains(&place) => Text::from(place),
             _ => file.name.clone(),
         };
-        if read.names < NAMES_KEPT {
-            read.names += 1;
-            let names = read.images.entry(file.folder.to_owned()).or_default();
-            names.insert(file.name.as_str().to_owned(), image.clone());
+        if read.has_room() {
+            read.images.insert(file, image.clone());
         }
         image
     }
 
-    /// The target of a name in a rule file in `folder`, and the place where it was found. All look-ups of files use
-    /// this function.
-    fn look_up(&self, name: &str, folder: &str) -> Result<(String, Found<'_>), AssetError> {
-        if let Some(mesh) = self.given.get(name) {
-            return Ok((name.to_owned(), Found::Given(mesh)));
+    /// The results of earlier look-ups.
+    fn read(&self) -> MutexGuard<'_, Read> {
+        self.read.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The target of a name, and the place where it was found. All look-ups of files use this function.
+    fn look_up(&self, File { name, folder }: &File) -> Result<(String, Found<'_>), AssetError> {
+        if let Some(mesh) = self.given.get(name.as_str()) {
+            return Ok((name.to_string(), Found::Given(mesh)));
         }
         let mut why = None;
         for place in places(name, folder).ok_or(AssetError::Outside)? {
@@ -243,7 +253,7 @@ fn read_mesh(root: Option<&Path>, path: &Path) -> Result<Arc<Mesh>, AssetError> 
         std::fs::read(file).ok()
     };
     let file = obj::read_obj(&bytes, &mut material_file).map_err(|error| AssetError::Broken(error.to_string()))?;
-    Ok(Arc::new(image::with_names_from_root(file.mesh, root, path)))
+    Ok(Arc::new(obj::image_names::with_names_from_root(file.mesh, root, path)))
 }
 
 #[cfg(not(feature = "obj"))]

@@ -4,10 +4,10 @@
 //! a pattern: `Name=`, `Ext=`, `Path=`, `Project=`. A pattern matches a whole text; `*` matches any characters and `?`
 //! matches one. A pattern that begins with `$` is a regular expression. Space between single quotes is part of a term.
 
-use crate::value::text::shortened;
 use std::cell::Cell;
 
-use crate::value::pattern::Whole;
+use crate::value::pattern;
+use crate::value::text::shortened;
 
 /// The limit on character comparisons in one search, over all files.
 const MOST_STEPS: u64 = 100_000_000;
@@ -43,7 +43,7 @@ enum Pattern {
     /// A pattern with `*` and `?`.
     Plain(Vec<char>),
     /// A regular expression, written after `$`.
-    Regular(Whole),
+    Regular(pattern::Pattern),
     /// An invalid regular expression, which matches no file.
     Nothing,
 }
@@ -54,7 +54,7 @@ impl Query {
         for word in words(text) {
             let known = PROPERTIES.iter().find_map(|(name, property)| Some((word.strip_prefix(name)?, *property)));
             let (pattern, property) = known.unwrap_or((&word, Property::Path));
-            let pattern = match pattern.strip_prefix('$').map(Whole::new) {
+            let pattern = match pattern.strip_prefix('$').map(pattern::Pattern::whole) {
                 None => Pattern::Plain(pattern.chars().collect()),
                 Some(Ok(expression)) => Pattern::Regular(expression),
                 Some(Err(error)) => {

@@ -13,13 +13,13 @@ use crate::shape::seed::{self, Seed, Tag};
 use crate::shape::{Shape, ShapeRef};
 
 /// The condition of an arm, by number, for a component.
-pub(crate) type When<'w> = dyn FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool + 'w;
+pub(crate) type ArmTest<'w> = dyn FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool + 'w;
 
 /// The arms of an operation, and the shape that it divides.
 pub struct Arms<'a> {
     shape: &'a Shape,
     arms: &'a [Arm],
-    when: &'a mut When<'a>,
+    when: &'a mut ArmTest<'a>,
 }
 
 /// The faces that an operation makes, in the scope of the shape that it divides.
@@ -32,7 +32,7 @@ pub struct Faces {
 }
 
 impl<'a> Arms<'a> {
-    pub(crate) fn new(shape: &'a Shape, arms: &'a [Arm], when: &'a mut When<'a>) -> Self {
+    pub(crate) fn new(shape: &'a Shape, arms: &'a [Arm], when: &'a mut ArmTest<'a>) -> Self {
         Arms { shape, arms, when }
     }
 
@@ -58,10 +58,10 @@ pub(crate) fn face_edges(
     env: &mut Env,
     shape: &Shape,
     arms: &[Arm],
-    when: &mut When<'_>,
+    when: &mut ArmTest<'_>,
 ) -> ControlFlow<(), Vec<Option<u32>>> {
     let parts = AssignedComponents::of(env, shape, Components::FaceEdges, Align::ZUp, arms, when)?;
-    let mut edges = vec![None; parts.owners.0.len()];
+    let mut edges = vec![None; parts.owners.len()];
     for arm in 0..arms.len() {
         parts.owners.of(arm as u16).for_each(|edge| edges[edge as usize] = Some(arm as u32));
     }
@@ -76,7 +76,7 @@ pub fn divide<C>(
     shape: &ShapeRef<'_>,
     number: u32,
     arms: &[Arm],
-    when: &mut When<'_>,
+    when: &mut ArmTest<'_>,
     make: impl FnOnce(&mut Env, &mut Arms<'_>) -> ControlFlow<(), Faces>,
     visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
 ) -> Flow {

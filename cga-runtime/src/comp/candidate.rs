@@ -1,9 +1,9 @@
 //! The components that conditions test.
 
-use super::part::Component;
+use super::part::ComponentPart;
 use super::select::{Sense, Subcomponent, Word};
 use super::source::ComponentSource;
-use crate::comp::orientation::Looks;
+use crate::comp::orientation::Orientation;
 use crate::shape::seed::Tag;
 use crate::shape::{Counter, Shape};
 use crate::value::text::Text;
@@ -24,7 +24,7 @@ pub fn is_tagged_at(candidate: &mut Candidate<'_>, query: Text, of: Subcomponent
 #[derive(Debug)]
 pub struct Candidate<'c> {
     pub(super) source: &'c ComponentSource,
-    pub(super) looks: &'c Looks,
+    pub(super) looks: &'c Orientation,
     pub(super) parent: &'c Shape,
     pub(super) number: usize,
     shape: Option<Shape>,
@@ -33,7 +33,7 @@ pub struct Candidate<'c> {
 }
 
 impl<'c> Candidate<'c> {
-    pub(super) fn new(source: &'c ComponentSource, looks: &'c Looks, parent: &'c Shape, number: usize) -> Self {
+    pub(super) fn new(source: &'c ComponentSource, looks: &'c Orientation, parent: &'c Shape, number: usize) -> Self {
         Candidate { source, looks, parent, number, shape: None, as_roof: false }
     }
 
@@ -60,7 +60,7 @@ impl<'c> Candidate<'c> {
         shape.get_or_insert_with(|| {
             let part = source.kept(parent, &[*number as u32], false);
             let seed = parent.seed.child(Tag::Candidate, *number as u32);
-            let Component { scope, pivot, geometry } = part;
+            let ComponentPart { scope, pivot, geometry } = part;
             Shape { scope, pivot, geometry, seed, comp: Counter::NONE, ..Shape::clone(parent) }
         })
     }

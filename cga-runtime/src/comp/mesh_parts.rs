@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::Components;
 use super::roof::Roof;
 use super::select::{RoofEdge, Sense, Subcomponent, Word};
-use crate::comp::orientation::Looks;
+use crate::comp::orientation::Orientation;
 use crate::geometry::Frame;
 use crate::geometry::face_frame::{FaceFrame, along, beside, face_frame, upright};
 use crate::geometry::mesh::extract;
@@ -159,7 +159,7 @@ impl MeshParts {
 
     /// Returns true if a word matches a component.
     #[inline]
-    pub(super) fn is(&self, looks: &Looks, index: usize, word: Word) -> bool {
+    pub(super) fn is(&self, looks: &Orientation, index: usize, word: Word) -> bool {
         match self.kind {
             // *comp operation*: one matching face is enough.
             Components::Groups | Components::Materials => {
@@ -171,7 +171,7 @@ impl MeshParts {
     }
 
     #[inline]
-    fn is_of_kind(&self, kind: Components, looks: &Looks, index: usize, sense: Sense) -> bool {
+    fn is_of_kind(&self, kind: Components, looks: &Orientation, index: usize, sense: Sense) -> bool {
         let normal = self.normal(kind, index);
         normal != DVec3::ZERO
             && match sense {

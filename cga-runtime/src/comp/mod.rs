@@ -34,9 +34,9 @@ pub use candidate::{is_tagged, is_tagged_at};
 pub use select::Subcomponent;
 pub use value::comp_values;
 
-use orientation::Looks;
-use owners::Owners;
-use part::Component;
+use orientation::Orientation;
+use owners::ArmOwners;
+use part::ComponentPart;
 use select::Word;
 use source::{ComponentSource, Quads};
 
@@ -151,7 +151,7 @@ struct AssignedComponents<'s> {
     parent: &'s Shape,
     align: Align,
     arms: &'s [Arm],
-    owners: Owners,
+    owners: ArmOwners,
     source: ComponentSource,
     /// True for each arm that takes edges as edges of a roof.
     as_roof: Vec<bool>,
@@ -179,9 +179,9 @@ impl<'s> AssignedComponents<'s> {
         }
         let source = ComponentSource::of(env, shape, components, align, arms)?;
         let parent = shape;
-        let looks = Looks::of(env, parent);
+        let looks = Orientation::of(env, parent);
         let mut as_roof = Vec::new();
-        let choose = |number| {
+        let owners = ArmOwners::choose(source.len(), |number| {
             let mut candidate = Candidate::new(&source, &looks, parent, number);
             let arm = arms.iter().enumerate().position(|(arm, Arm { select, .. })| {
                 candidate.as_roof = false;
@@ -199,8 +199,7 @@ impl<'s> AssignedComponents<'s> {
                 as_roof[arm] = true;
             }
             arm.map(|arm| arm as u16)
-        };
-        let owners = Owners((0..source.len()).map(choose).collect());
+        });
         let trims = match &source {
             // *comp operation*: only faces, and only with `:`.
             ComponentSource::Mesh(parts)
@@ -282,7 +281,7 @@ impl<'s> AssignedComponents<'s> {
             return self.side(quads, number, comp, components[0]);
         }
         let as_roof = self.as_roof.get(number) == Some(&true);
-        let Component { scope, pivot, geometry } = self.source.part(parent, self.align, components, as_roof);
+        let ComponentPart { scope, pivot, geometry } = self.source.part(parent, self.align, components, as_roof);
         let own = match &self.trims {
             Some(surface) if arm.mode == Mode::Each => Trims::Face(surface.clone(), components[0]),
             _ => Trims::None,

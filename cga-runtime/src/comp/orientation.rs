@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
-use super::select::Axes;
+use super::select::AxesOf;
 use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::shape::direction::Direction;
@@ -13,7 +13,7 @@ use crate::shape::street::Streets;
 
 /// The orientation of a shape.
 #[derive(Clone, Debug)]
-pub(crate) struct Looks {
+pub(crate) struct Orientation {
     pub(crate) scope: Scope,
     /// The axes of the initial shape.
     object: DMat3,
@@ -22,9 +22,9 @@ pub(crate) struct Looks {
     streets: Option<Arc<Streets>>,
 }
 
-impl Looks {
+impl Orientation {
     pub(crate) fn of(env: &Env, shape: &Shape) -> Self {
-        Looks {
+        Orientation {
             scope: shape.scope,
             object: env.initial.object.axes,
             inwards: shape.looks_inwards(),
@@ -41,19 +41,27 @@ impl Looks {
     /// Returns true if a component with a unit normal, in scope axes, has a direction. Its place, in scope
     /// coordinates, is computed only for streets.
     #[inline]
-    pub(crate) fn takes(&self, axes: Axes, direction: Direction, normal: DVec3, at: impl FnOnce() -> DVec3) -> bool {
+    pub(crate) fn takes(&self, axes: AxesOf, direction: Direction, normal: DVec3, at: impl FnOnce() -> DVec3) -> bool {
         self.takes_at(axes, direction, normal, || self.scope.frame().to_world(at()))
     }
 
     /// Returns true if a component with a unit normal, in scope axes, has a direction. `at` is its place in the
     /// world.
     #[inline]
-    pub(crate) fn takes_at(&self, axes: Axes, direction: Direction, normal: DVec3, at: impl FnOnce() -> DVec3) -> bool {
+    pub(crate) fn takes_at(
+        &self,
+        axes: AxesOf,
+        direction: Direction,
+        normal: DVec3,
+        at: impl FnOnce() -> DVec3,
+    ) -> bool {
         match (axes, &self.streets) {
-            (Axes::Scope, _) => direction.takes(normal),
-            (Axes::World, _) => direction.takes(self.scope.axes * normal),
-            (Axes::Street, Some(streets)) => streets.takes(direction, self.scope.axes * normal, at()),
-            (Axes::Object | Axes::Street, _) => direction.takes(self.object.transpose() * (self.scope.axes * normal)),
+            (AxesOf::Scope, _) => direction.takes(normal),
+            (AxesOf::World, _) => direction.takes(self.scope.axes * normal),
+            (AxesOf::Street, Some(streets)) => streets.takes(direction, self.scope.axes * normal, at()),
+            (AxesOf::Object | AxesOf::Street, _) => {
+                direction.takes(self.object.transpose() * (self.scope.axes * normal))
+            }
         }
     }
 }

@@ -5,16 +5,42 @@ use std::collections::HashMap;
 use super::source::ComponentSource;
 use crate::geometry::disjoint::DisjointSets;
 
-/// The arm of each component (*comp operation*: arms are tried from left to right, and the first match takes the
-/// component).
+/// The arm of each component. Up to six components need no allocation: `comp` of a box is the façade path.
 #[derive(Debug)]
-pub(super) struct Owners(pub(super) Vec<Option<u16>>);
+pub(super) enum ArmOwners {
+    Few([Option<u16>; 6], usize),
+    Many(Vec<Option<u16>>),
+}
 
-impl Owners {
+impl ArmOwners {
+    /// *comp operation*: arms are tried from left to right, and the first match takes the component.
+    #[inline]
+    pub(super) fn choose(count: usize, arm: impl FnMut(usize) -> Option<u16>) -> Self {
+        let owners = (0..count).map(arm);
+        if count <= 6 {
+            let mut few = [None; 6];
+            few.iter_mut().zip(owners).for_each(|(slot, owner)| *slot = owner);
+            ArmOwners::Few(few, count)
+        } else {
+            ArmOwners::Many(owners.collect())
+        }
+    }
+
+    fn list(&self) -> &[Option<u16>] {
+        match self {
+            ArmOwners::Few(list, count) => &list[..*count],
+            ArmOwners::Many(list) => list,
+        }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.list().len()
+    }
+
     /// The components of an arm, by number.
     #[inline]
     pub(super) fn of(&self, arm: u16) -> impl Iterator<Item = u32> + Clone + '_ {
-        let owned = self.0.iter().enumerate().filter(move |(_, owner)| **owner == Some(arm));
+        let owned = self.list().iter().enumerate().filter(move |(_, owner)| **owner == Some(arm));
         owned.map(|(number, _)| number as u32)
     }
 }

@@ -17,7 +17,7 @@ use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Placed, Shape};
 
 /// The scope, pivot and geometry of a component, or of several together.
-pub(super) struct Component {
+pub(super) struct ComponentPart {
     pub(super) scope: Scope,
     pub(super) pivot: Frame,
     pub(super) geometry: Geometry,
@@ -27,7 +27,7 @@ impl ComponentSource {
     /// The part of the components with those numbers, aligned to the first. Edges may be edges of a roof (*comp
     /// operation*).
     #[inline]
-    pub(super) fn part(&self, parent: &Shape, align: Align, numbers: &[u32], as_roof: bool) -> Component {
+    pub(super) fn part(&self, parent: &Shape, align: Align, numbers: &[u32], as_roof: bool) -> ComponentPart {
         let first = numbers[0] as usize;
         if align == Align::Keep {
             return self.kept(parent, numbers, as_roof);
@@ -42,7 +42,7 @@ impl ComponentSource {
                     let pivot = in_world(&parent.scope, &found.frame);
                     let size = (found.high - found.low).extend(0.0);
                     let scope = Scope { origin: pivot.origin, axes: pivot.axes, size };
-                    return Component {
+                    return ComponentPart {
                         scope,
                         pivot,
                         geometry: Geometry::Rect(Axis::Z, UnitMesh::face(Axis::Z, provenance)),
@@ -64,7 +64,7 @@ impl ComponentSource {
     }
 
     /// The part with the pivot and the axes of the shape (*comp operation*, noAlign).
-    pub(super) fn kept(&self, parent: &Shape, numbers: &[u32], as_roof: bool) -> Component {
+    pub(super) fn kept(&self, parent: &Shape, numbers: &[u32], as_roof: bool) -> ComponentPart {
         let here = parent.scope.frame();
         let part = match self {
             // The mesh of a box has its sides in the same order.
@@ -78,7 +78,7 @@ impl ComponentSource {
             },
             ComponentSource::Wire(parts) => wire(here, parts.wire(numbers)),
         };
-        Component { pivot: parent.pivot, ..part }
+        ComponentPart { pivot: parent.pivot, ..part }
     }
 }
 
@@ -93,13 +93,13 @@ fn levelled(mut mesh: Mesh) -> Mesh {
 }
 
 /// A mesh in the coordinates of a pivot.
-fn surface(pivot: Frame, placed: Placed) -> Component {
+fn surface(pivot: Frame, placed: Placed) -> ComponentPart {
     let scope = Scope { origin: pivot.to_world(placed.low), axes: pivot.axes, size: placed.size };
-    Component { scope, pivot, geometry: Geometry::Mesh(Arc::new(placed)) }
+    ComponentPart { scope, pivot, geometry: Geometry::Mesh(Arc::new(placed)) }
 }
 
 /// Edges or points in the coordinates of a pivot.
-fn wire(pivot: Frame, wire: Wire) -> Component {
+fn wire(pivot: Frame, wire: Wire) -> ComponentPart {
     let placed = PlacedWire::fitted(wire);
     let mut scope = Scope { origin: pivot.to_world(placed.low), axes: pivot.axes, size: placed.size };
     let geometry = match (&placed.wire.edges[..], placed.wire.points.len()) {
@@ -112,7 +112,7 @@ fn wire(pivot: Frame, wire: Wire) -> Component {
         }
         _ => Geometry::Wire(Arc::new(placed)),
     };
-    Component { scope, pivot, geometry }
+    ComponentPart { scope, pivot, geometry }
 }
 
 fn is_along_x(end: DVec3) -> bool {

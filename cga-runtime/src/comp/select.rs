@@ -8,47 +8,47 @@ pub struct Word(pub(crate) Sense);
 
 #[allow(missing_docs, non_upper_case_globals, reason = "the names are those of the language")]
 impl Word {
-    pub const Front: Word = Word(Sense::Looks(Axes::Scope, Direction::Front));
-    pub const Back: Word = Word(Sense::Looks(Axes::Scope, Direction::Back));
-    pub const Left: Word = Word(Sense::Looks(Axes::Scope, Direction::Left));
-    pub const Right: Word = Word(Sense::Looks(Axes::Scope, Direction::Right));
-    pub const Top: Word = Word(Sense::Looks(Axes::Scope, Direction::Top));
-    pub const Bottom: Word = Word(Sense::Looks(Axes::Scope, Direction::Bottom));
-    pub const Side: Word = Word(Sense::Looks(Axes::Scope, Direction::Side));
-    pub const Horizontal: Word = Word(Sense::Looks(Axes::Scope, Direction::Horizontal));
-    pub const Aslant: Word = Word(Sense::Looks(Axes::Scope, Direction::Aslant));
-    pub const Vertical: Word = Word(Sense::Looks(Axes::Scope, Direction::Vertical));
-    pub const Nutant: Word = Word(Sense::Looks(Axes::Scope, Direction::Nutant));
+    pub const Front: Word = Word(Sense::Looks(AxesOf::Scope, Direction::Front));
+    pub const Back: Word = Word(Sense::Looks(AxesOf::Scope, Direction::Back));
+    pub const Left: Word = Word(Sense::Looks(AxesOf::Scope, Direction::Left));
+    pub const Right: Word = Word(Sense::Looks(AxesOf::Scope, Direction::Right));
+    pub const Top: Word = Word(Sense::Looks(AxesOf::Scope, Direction::Top));
+    pub const Bottom: Word = Word(Sense::Looks(AxesOf::Scope, Direction::Bottom));
+    pub const Side: Word = Word(Sense::Looks(AxesOf::Scope, Direction::Side));
+    pub const Horizontal: Word = Word(Sense::Looks(AxesOf::Scope, Direction::Horizontal));
+    pub const Aslant: Word = Word(Sense::Looks(AxesOf::Scope, Direction::Aslant));
+    pub const Vertical: Word = Word(Sense::Looks(AxesOf::Scope, Direction::Vertical));
+    pub const Nutant: Word = Word(Sense::Looks(AxesOf::Scope, Direction::Nutant));
     pub const All: Word = Word(Sense::All);
-    pub const ObjectFront: Word = Word(Sense::Looks(Axes::Object, Direction::Front));
-    pub const ObjectBack: Word = Word(Sense::Looks(Axes::Object, Direction::Back));
-    pub const ObjectLeft: Word = Word(Sense::Looks(Axes::Object, Direction::Left));
-    pub const ObjectRight: Word = Word(Sense::Looks(Axes::Object, Direction::Right));
-    pub const ObjectTop: Word = Word(Sense::Looks(Axes::Object, Direction::Top));
-    pub const ObjectBottom: Word = Word(Sense::Looks(Axes::Object, Direction::Bottom));
-    pub const ObjectSide: Word = Word(Sense::Looks(Axes::Object, Direction::Side));
-    pub const WorldSouth: Word = Word(Sense::Looks(Axes::World, Direction::Front));
-    pub const WorldNorth: Word = Word(Sense::Looks(Axes::World, Direction::Back));
-    pub const WorldEast: Word = Word(Sense::Looks(Axes::World, Direction::Right));
-    pub const WorldWest: Word = Word(Sense::Looks(Axes::World, Direction::Left));
-    pub const WorldUp: Word = Word(Sense::Looks(Axes::World, Direction::Top));
-    pub const WorldDown: Word = Word(Sense::Looks(Axes::World, Direction::Bottom));
-    pub const WorldSide: Word = Word(Sense::Looks(Axes::World, Direction::Side));
+    pub const ObjectFront: Word = Word(Sense::Looks(AxesOf::Object, Direction::Front));
+    pub const ObjectBack: Word = Word(Sense::Looks(AxesOf::Object, Direction::Back));
+    pub const ObjectLeft: Word = Word(Sense::Looks(AxesOf::Object, Direction::Left));
+    pub const ObjectRight: Word = Word(Sense::Looks(AxesOf::Object, Direction::Right));
+    pub const ObjectTop: Word = Word(Sense::Looks(AxesOf::Object, Direction::Top));
+    pub const ObjectBottom: Word = Word(Sense::Looks(AxesOf::Object, Direction::Bottom));
+    pub const ObjectSide: Word = Word(Sense::Looks(AxesOf::Object, Direction::Side));
+    pub const WorldSouth: Word = Word(Sense::Looks(AxesOf::World, Direction::Front));
+    pub const WorldNorth: Word = Word(Sense::Looks(AxesOf::World, Direction::Back));
+    pub const WorldEast: Word = Word(Sense::Looks(AxesOf::World, Direction::Right));
+    pub const WorldWest: Word = Word(Sense::Looks(AxesOf::World, Direction::Left));
+    pub const WorldUp: Word = Word(Sense::Looks(AxesOf::World, Direction::Top));
+    pub const WorldDown: Word = Word(Sense::Looks(AxesOf::World, Direction::Bottom));
+    pub const WorldSide: Word = Word(Sense::Looks(AxesOf::World, Direction::Side));
     pub const Border: Word = Word(Sense::Border(true));
     pub const Inside: Word = Word(Sense::Border(false));
     pub const Eave: Word = Word(Sense::Roof(RoofEdge::Eave));
     pub const Hip: Word = Word(Sense::Roof(RoofEdge::Hip));
     pub const Valley: Word = Word(Sense::Roof(RoofEdge::Valley));
     pub const Ridge: Word = Word(Sense::Roof(RoofEdge::Ridge));
-    pub const StreetFront: Word = Word(Sense::Looks(Axes::Street, Direction::Front));
-    pub const StreetBack: Word = Word(Sense::Looks(Axes::Street, Direction::Back));
-    pub const StreetLeft: Word = Word(Sense::Looks(Axes::Street, Direction::Left));
-    pub const StreetRight: Word = Word(Sense::Looks(Axes::Street, Direction::Right));
-    pub const StreetSide: Word = Word(Sense::Looks(Axes::Street, Direction::Side));
+    pub const StreetFront: Word = Word(Sense::Looks(AxesOf::Street, Direction::Front));
+    pub const StreetBack: Word = Word(Sense::Looks(AxesOf::Street, Direction::Back));
+    pub const StreetLeft: Word = Word(Sense::Looks(AxesOf::Street, Direction::Left));
+    pub const StreetRight: Word = Word(Sense::Looks(AxesOf::Street, Direction::Right));
+    pub const StreetSide: Word = Word(Sense::Looks(AxesOf::Street, Direction::Side));
     pub const Shape: Word = Word(Sense::Shape);
     pub const Remainder: Word = Word(Sense::Remainder);
     /// `noStreetSide`, a spelling of versions before 2012.1.
-    pub const NotStreetFront: Word = Word(Sense::Looks(Axes::Street, Direction::NotFront));
+    pub const NotStreetFront: Word = Word(Sense::Looks(AxesOf::Street, Direction::NotFront));
 }
 
 /// The parts of a component that `isTagged` tests instead of the component itself.
@@ -66,7 +66,7 @@ pub(crate) enum Sense {
     /// No test: all components.
     All,
     /// The direction of a component, in some axes.
-    Looks(Axes, Direction),
+    Looks(AxesOf, Direction),
     /// True for components at the border, false for all others.
     Border(bool),
     /// The class of an edge of a roof.
@@ -79,7 +79,7 @@ pub(crate) enum Sense {
 
 /// The axes of a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Axes {
+pub(crate) enum AxesOf {
     /// The axes of the current shape's scope.
     Scope,
     /// The axes of the initial shape.

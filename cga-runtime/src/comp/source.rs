@@ -5,10 +5,10 @@ use std::ops::ControlFlow;
 use glam::DVec3;
 
 use super::mesh_parts::MeshParts;
-use super::select::{Sense, Subcomponent, Word};
+use super::select::{AxesOf, Sense, Subcomponent, Word};
 use super::wire_parts::WireParts;
 use super::{Align, Arm, Components, Mode};
-use crate::comp::orientation::Looks;
+use crate::comp::orientation::Orientation;
 use crate::geometry::Axis;
 use crate::run::env::Env;
 use crate::shape::scope::Scope;
@@ -66,7 +66,7 @@ impl ComponentSource {
 
     /// Returns true if a word matches a component.
     #[inline]
-    pub(super) fn is(&self, looks: &Looks, number: usize, word: Word) -> bool {
+    pub(super) fn is(&self, looks: &Orientation, number: usize, word: Word) -> bool {
         match self {
             ComponentSource::Quads(quads) => quads.is(looks, number, word),
             ComponentSource::Mesh(parts) => parts.is(looks, number, word),
@@ -124,10 +124,11 @@ impl Quads {
     }
 
     #[inline]
-    fn is(&self, looks: &Looks, number: usize, word: Word) -> bool {
+    fn is(&self, looks: &Orientation, number: usize, word: Word) -> bool {
         match word.0 {
             Sense::All => true,
             Sense::Shape | Sense::Remainder => false,
+            Sense::Looks(AxesOf::Scope, direction) => direction.takes_side(self.face(number).side),
             Sense::Looks(axes, direction) => {
                 let normal = self.face(number).side.normal();
                 looks.takes_at(axes, direction, normal, || self.scope(&looks.scope, number).centre())

@@ -24,10 +24,10 @@ pub fn comp_values<T: Element>(
     let ControlFlow::Continue(parts) = AssignedComponents::of(env, &whole, components, align, arms, when) else {
         return Array::default();
     };
-    if !env.may_hold(parts.owners.0.len()) {
+    if !env.may_hold(parts.owners.len()) {
         return Array::default();
     }
-    let mut values = vec![T::default(); parts.owners.0.len()];
+    let mut values = vec![T::default(); parts.owners.len()];
     let _: Flow = parts.each(|arm, members, mut part| {
         let own = value(env, arm, &mut part);
         members.iter().for_each(|&member| values[member as usize] = own.clone());

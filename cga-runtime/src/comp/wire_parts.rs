@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::Components;
 use super::select::{Sense, Word};
-use crate::comp::orientation::Looks;
+use crate::comp::orientation::Orientation;
 use crate::geometry::Frame;
 use crate::geometry::face_frame::{along, beside, upright};
 use crate::geometry::mesh::{point_normals, unit};
@@ -61,7 +61,7 @@ impl WireParts {
     }
 
     /// Returns true if a word matches a component. As there are no faces, all components are at the border.
-    pub(super) fn is(&self, looks: &Looks, index: usize, word: Word) -> bool {
+    pub(super) fn is(&self, looks: &Orientation, index: usize, word: Word) -> bool {
         match word.0 {
             Sense::All => true,
             Sense::Shape | Sense::Remainder => false,

@@ -6,25 +6,24 @@ use super::array::{each_pair, same_form};
 use crate::run::env::Env;
 use crate::value::array::{Array, Element};
 use crate::value::compare::Compare;
-use crate::value::text::Text;
 
 /// Returns true if `a` is less than `b`. NaN is never less.
 fn before<T: Compare>(a: &T, b: &T) -> bool {
     !a.unordered() && !b.unordered() && a.compare(b) == Ordering::Less
 }
 
-/// The smaller value. If one of the two is NaN, the other one.
-fn smaller<T: Compare>(a: T, b: T) -> T {
+/// The smaller value (*min*). If one of the two is NaN, the other one.
+pub fn min<T: Compare>(a: T, b: T) -> T {
     if a.unordered() || before(&b, &a) { b } else { a }
 }
 
-/// The larger value. If one of the two is NaN, the other one.
-fn larger<T: Compare>(a: T, b: T) -> T {
+/// The larger value (*max*). If one of the two is NaN, the other one.
+pub fn max<T: Compare>(a: T, b: T) -> T {
     if a.unordered() || before(&a, &b) { b } else { a }
 }
 
 /// `low` if `x` is less, `high` if `x` is greater, `x` otherwise (*clamp*).
-fn within<T: Compare>(x: T, low: T, high: T) -> T {
+pub fn clamp<T: Compare>(x: T, low: T, high: T) -> T {
     if before(&x, &low) {
         low
     } else if before(&high, &x) {
@@ -34,45 +33,15 @@ fn within<T: Compare>(x: T, low: T, high: T) -> T {
     }
 }
 
-/// The smaller one (*min*).
-pub fn min(a: f64, b: f64) -> f64 {
-    smaller(a, b)
-}
-
-/// The larger one (*max*).
-pub fn max(a: f64, b: f64) -> f64 {
-    larger(a, b)
-}
-
-/// `low` if `x` is less, `high` if `x` is greater, `x` otherwise (*clamp*).
-pub fn clamp(x: f64, low: f64, high: f64) -> f64 {
-    within(x, low, high)
-}
-
-/// The text that comes first (*min*).
-pub fn min_text(a: Text, b: Text) -> Text {
-    smaller(a, b)
-}
-
-/// The text that comes last (*max*).
-pub fn max_text(a: Text, b: Text) -> Text {
-    larger(a, b)
-}
-
-/// `low` if `x` comes before it, `high` if `x` comes after it, `x` otherwise (*clamp*).
-pub fn clamp_text(x: Text, low: Text, high: Text) -> Text {
-    within(x, low, high)
-}
-
 /// The smaller values, element by element. The pages *min*, *max* and *clamp* say only that the functions take arrays.
 /// It is inferred that they compare elements, rather than choose one of the arrays by the order of arrays.
 pub fn min_each<T: Element>(env: &mut Env, a: Array<T>, b: Array<T>) -> Array<T> {
-    each_pair(env, "min", a, b, smaller)
+    each_pair(env, "min", a, b, min)
 }
 
 /// The larger values, element by element; see [`min_each`].
 pub fn max_each<T: Element>(env: &mut Env, a: Array<T>, b: Array<T>) -> Array<T> {
-    each_pair(env, "max", a, b, larger)
+    each_pair(env, "max", a, b, max)
 }
 
 /// [`clamp`], element by element; see [`min_each`].
@@ -82,7 +51,7 @@ pub fn clamp_each<T: Element>(env: &mut Env, x: Array<T>, low: Array<T>, high: A
     }
     let bounds = low.as_slice().iter().zip(high.as_slice());
     let values: Vec<T> =
-        x.as_slice().iter().zip(bounds).map(|(x, (low, high))| within(x.clone(), low.clone(), high.clone())).collect();
+        x.as_slice().iter().zip(bounds).map(|(x, (low, high))| clamp(x.clone(), low.clone(), high.clone())).collect();
     Array::new(values, x.rows(), x.columns())
 }
 
@@ -90,6 +59,7 @@ pub fn clamp_each<T: Element>(env: &mut Env, x: Array<T>, low: Array<T>, high: A
 mod tests {
     use super::super::tests::{env, faults};
     use super::*;
+    use crate::value::text::Text;
 
     #[test]
     fn the_smaller_and_the_larger() {
@@ -98,9 +68,9 @@ mod tests {
         assert_eq!((clamp(1.5, 0.0, 1.0), clamp(-11.0, -10.0, 10.0), clamp(0.5, 0.0, 1.0)), (1.0, -10.0, 0.5));
         assert_eq!(clamp(0.0, 3.0, 1.0), 3.0);
         let (a, b) = (Text::fixed("abc"), Text::fixed("def"));
-        assert_eq!((min_text(a.clone(), b.clone()), max_text(a.clone(), b.clone())), (a.clone(), b.clone()));
-        assert_eq!(clamp_text(Text::fixed("x"), a.clone(), b.clone()), b);
-        assert_eq!(clamp_text(Text::fixed("Z"), a.clone(), b), a);
+        assert_eq!((min(a.clone(), b.clone()), max(a.clone(), b.clone())), (a.clone(), b.clone()));
+        assert_eq!(clamp(Text::fixed("x"), a.clone(), b.clone()), b);
+        assert_eq!(clamp(Text::fixed("Z"), a.clone(), b), a);
     }
 
     #[test]

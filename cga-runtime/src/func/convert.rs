@@ -1,5 +1,6 @@
 //! Conversions between types.
 
+use super::array::each_concat;
 use crate::run::env::Env;
 use crate::value::array::{Array, Element, Print};
 use crate::value::number::Number;
@@ -121,19 +122,7 @@ pub fn bools_from_texts(array: Array<Text>) -> Array<bool> {
 
 /// [`float_to_text`] of each element (*stringArray function*).
 pub fn texts_from_floats(env: &mut Env, array: Array<f64>) -> Array<Text> {
-    let mut bytes = 0;
-    let mut values = Vec::with_capacity(array.len());
-    for number in &array {
-        let mut text = String::new();
-        // Writing to a string cannot fail.
-        let _ = number.print(&mut text);
-        bytes += text.len();
-        if !env.may_write(bytes) {
-            return Array::default();
-        }
-        values.push(Text::from(text));
-    }
-    Array::new(values, array.rows(), array.columns())
+    each_concat(env, array, Text::default())
 }
 
 /// [`bool_to_text`] of each element (*stringArray function*).

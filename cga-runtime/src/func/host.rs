@@ -213,7 +213,7 @@ impl Outcome for Result<(), Fault> {
 pub fn operate<R: Outcome>(env: &mut Env, shape: &mut Shape, operation: impl FnOnce(&mut Shape) -> R) {
     let mut own = shape.clone();
     if let Err(fault) = operation(&mut own).outcome() {
-        env.host_fault(fault);
+        env.fault(fault.kind, fault.message);
     }
     match own.check() {
         Ok(()) => *shape = own,

@@ -23,33 +23,17 @@ mod split;
 mod string;
 
 pub use array::*;
-pub use choose::{clamp, clamp_each, clamp_text, max, max_each, max_text, min, min_each, min_text};
-pub use colour::{
-    color_hex_to_b, color_hex_to_g, color_hex_to_h, color_hex_to_o, color_hex_to_r, color_hex_to_s, color_hex_to_v,
-    color_hsv_to_hex, color_hsvo_to_hex, color_rgb_to_hex, color_rgbo_to_hex,
-};
-pub use compare::{equal, greater, greater_equal, less, less_equal, unequal};
-pub use convert::{
-    array_to_text, bool_to_float, bool_to_text, bools_from_floats, bools_from_texts, float_to_bool, float_to_text,
-    floats_from_bools, floats_from_texts, isnull_float, isnull_float_each, isnull_text, isnull_text_each, no_bools,
-    no_floats, no_texts, text_to_bool, text_to_float, text_to_text, texts_from_bools, texts_from_floats,
-};
-pub use list::{
-    list_add, list_clean, list_count, list_first, list_from_array, list_index, list_item, list_last, list_random,
-    list_range, list_remove, list_remove_all, list_retain_all, list_size, list_terminate, list_to_array,
-};
-pub use math::{
-    abs, abs_each, acos, asin, atan, atan2, ceil, ceil_each, cos, exp, floor, floor_each, isinf, isinf_each, isnan,
-    isnan_each, ln, log10, pow, rint, rint_each, sin, sqrt, tan,
-};
-pub use path::{file_basename, file_directory, file_extension, file_name};
-pub use ramp::color_ramp;
-pub(crate) use random::drawn_below;
-pub use random::{chance, rand, rand_between, rand_to};
-pub use split::split_string;
-pub use string::{
-    concat, count, find, find_first, find_last, get_prefix, get_range, get_suffix, len, replace, substring,
-};
+pub use choose::*;
+pub use colour::*;
+pub use compare::*;
+pub use convert::*;
+pub use list::*;
+pub use math::*;
+pub use path::*;
+pub use ramp::*;
+pub use random::*;
+pub use split::*;
+pub use string::*;
 
 /// A count or an index, truncated. `None` below 0 and for NaN. The reference does not define fractions; C's conversion
 /// of a float to an integer truncates them.

@@ -21,7 +21,7 @@ impl Axis {
 }
 
 /// A right-handed coordinate system in the world.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Frame {
     /// The origin.
     pub origin: DVec3,

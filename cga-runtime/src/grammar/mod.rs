@@ -65,7 +65,7 @@ pub trait Grammar {
     /// # Errors
     /// An attribute is refused, or the start rule is unknown.
     fn session<'g>(&'g self, settings: &Settings) -> Result<Box<dyn DynSession + 'g>, Error> {
-        Ok(Box::new(session::Plain { grammar: self, settings: settings.clone() }))
+        Ok(Box::new(session::DeriveSession { grammar: self, settings: settings.clone() }))
     }
 
     /// The value of an attribute by its name.

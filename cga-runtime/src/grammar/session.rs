@@ -118,12 +118,12 @@ impl<G: Rules> DynSession for Session<'_, G> {
 }
 
 /// A session of a grammar that only has `derive`.
-pub(crate) struct Plain<'g, G: ?Sized> {
+pub(crate) struct DeriveSession<'g, G: ?Sized> {
     pub(crate) grammar: &'g G,
     pub(crate) settings: Settings,
 }
 
-impl<G: Grammar + ?Sized> DynSession for Plain<'_, G> {
+impl<G: Grammar + ?Sized> DynSession for DeriveSession<'_, G> {
     fn run(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error> {
         self.grammar.derive(shape, &self.settings, sink)
     }

@@ -114,15 +114,15 @@ fn align(env: &mut Env, shape: &mut Shape, up: UpAxis, face: FacePick, edge: Edg
 }
 
 /// An edge of a face, in coordinates of the scope.
-struct Found {
+struct FoundEdge {
     start: DVec3,
     edge: DVec3,
     normal: DVec3,
 }
 
-fn pick(env: &mut Env, shape: &Shape, face: FacePick, edge: EdgePick) -> Option<Found> {
+fn pick(env: &mut Env, shape: &Shape, face: FacePick, edge: EdgePick) -> Option<FoundEdge> {
     let placed = shape.geometry.placed()?;
-    let faces = Faces { to_scope: placed.to_scope(shape.scope.size), mesh: placed.mesh };
+    let faces = ScopeFaces { to_scope: placed.to_scope(shape.scope.size), mesh: placed.mesh };
     let count = faces.mesh.face_count();
     let size = shape.scope.size.abs().max_element();
     // Heights in the world are coordinates along this direction, up to a constant.
@@ -162,7 +162,7 @@ fn pick(env: &mut Env, shape: &Shape, face: FacePick, edge: EdgePick) -> Option<
         let mut index = 0;
         faces.edges(at, |start, end| {
             let edge_here = end - start;
-            let found = || Found { start, edge: edge_here, normal };
+            let found = || FoundEdge { start, edge: edge_here, normal };
             let low = -rise.dot(start + end) * 0.5;
             match edge {
                 _ if edge_here == DVec3::ZERO => {}
@@ -210,12 +210,12 @@ fn whole(env: &mut Env, number: f64, what: &str, count: usize) -> Option<usize> 
 }
 
 /// The faces of a shape in coordinates of its scope.
-struct Faces {
+struct ScopeFaces {
     mesh: Arc<Mesh>,
     to_scope: DAffine3,
 }
 
-impl Faces {
+impl ScopeFaces {
     /// Twice the area vector: twice the area times the normal.
     fn area(&self, face: usize) -> DVec3 {
         let matrix = self.to_scope.matrix3;

@@ -61,7 +61,7 @@ mod tests {
     fn printed_text_is_kept_as_it_is() {
         let (env, shape) = (&mut Env::for_tests(), &mut Shape::rectangle(4.0, 5.0));
         print(env, shape, Text::fixed("x = 1"));
-        env.enter(0);
+        env.trail.push(0);
         print(env, shape, 1.69 - 0.69);
         let lines: Vec<_> = prints(env).iter().map(|line| (line.rule, line.to_string())).collect();
         assert_eq!(lines, [("", "x = 1".to_owned()), ("Lot", "1".to_owned())]);
@@ -100,7 +100,7 @@ mod tests {
         }
         report(env, shape, "a".into(), Text::fixed("no room"));
         (0..5).for_each(|line| print(env, shape, f64::from(line)));
-        assert_eq!((env.reports.left_out(), env.prints.left_out), (3, 3));
+        assert_eq!((env.reports.left_out(), env.prints.quota.left_out), (3, 3));
         assert_eq!(env.reports.get("a").expect("reported").summary().count, 2);
         let (faults, _) = env.take_faults();
         assert!(faults.len() == 2 && faults.iter().all(|fault| fault.kind == FaultKind::Limit), "{faults:?}");
@@ -111,7 +111,7 @@ mod tests {
         let (env, shape) = (&mut env(1000, 1000), &mut Shape::rectangle(4.0, 5.0));
         let long = Text::from("x".repeat(10 << 20));
         (0..20).for_each(|_| print(env, shape, long.clone()));
-        assert_eq!((prints(env).len(), env.prints.left_out), (6, 14));
+        assert_eq!((prints(env).len(), env.prints.quota.left_out), (6, 14));
     }
 
     #[test]

@@ -16,7 +16,7 @@ use crate::value::Value;
 use crate::value::text::Text;
 
 macro_rules! numbers {
-    ($set:ident: $($(#[$doc:meta])* $name:ident = $axis:ident;)*) => {$(
+    (($set:ident) $($(#[$doc:meta])* $name:ident = $axis:ident;)*) => {$(
         $(#[$doc])*
         pub fn $name(env: &mut Env, shape: &mut Shape, value: f64) {
             $set(env, shape, value, |vector| &mut vector.$axis);
@@ -25,9 +25,9 @@ macro_rules! numbers {
 }
 
 /// A coordinate of a vector.
-type Coordinate = fn(&mut DVec3) -> &mut f64;
+type CoordinateOf = fn(&mut DVec3) -> &mut f64;
 
-numbers! { set_size:
+numbers! { (set_size)
     /// The width.
     scope_sx = x;
     /// The height.
@@ -36,13 +36,13 @@ numbers! { set_size:
     scope_sz = z;
 }
 
-fn set_size(env: &mut Env, shape: &mut Shape, value: f64, at: Coordinate) {
+fn set_size(env: &mut Env, shape: &mut Shape, value: f64, at: CoordinateOf) {
     let mut size = shape.scope.size;
     *at(&mut size) = env.finite(value, "the size");
     shape.resize(size);
 }
 
-numbers! { set_offset:
+numbers! { (set_offset)
     /// The offset from the pivot, along its x axis.
     scope_tx = x;
     /// The offset from the pivot, along its y axis.
@@ -51,7 +51,7 @@ numbers! { set_offset:
     scope_tz = z;
 }
 
-fn set_offset(env: &mut Env, shape: &mut Shape, value: f64, at: Coordinate) {
+fn set_offset(env: &mut Env, shape: &mut Shape, value: f64, at: CoordinateOf) {
     let mut offset = shape.pivot.to_local(shape.scope.origin);
     *at(&mut offset) = env.finite(value, "the offset");
     let before = shape.scope;
@@ -59,7 +59,7 @@ fn set_offset(env: &mut Env, shape: &mut Shape, value: f64, at: Coordinate) {
     shape.carry(&before);
 }
 
-numbers! { set_rotation:
+numbers! { (set_rotation)
     /// The rotation about the pivot's x axis, in degrees.
     scope_rx = x;
     /// The rotation about the pivot's y axis, in degrees.
@@ -68,7 +68,7 @@ numbers! { set_rotation:
     scope_rz = z;
 }
 
-fn set_rotation(env: &mut Env, shape: &mut Shape, value: f64, at: Coordinate) {
+fn set_rotation(env: &mut Env, shape: &mut Shape, value: f64, at: CoordinateOf) {
     let mut angles = DVec3::new(get::scope_rx(shape), get::scope_ry(shape), get::scope_rz(shape));
     *at(&mut angles) = env.finite(value, "the angle");
     let before = shape.scope;
@@ -148,7 +148,7 @@ pub fn seedian(env: &mut Env, shape: &mut Shape, value: f64) {
 
 // *pivot attribute*: in object coordinates. The scope is relative to the pivot and keeps its translation and
 // rotation, so the shape moves with it.
-numbers! { set_pivot_position:
+numbers! { (set_pivot_position)
     /// The x coordinate of the pivot.
     pivot_px = x;
     /// The y coordinate of the pivot.
@@ -157,7 +157,7 @@ numbers! { set_pivot_position:
     pivot_pz = z;
 }
 
-numbers! { set_pivot_rotation:
+numbers! { (set_pivot_rotation)
     /// The rotation of the pivot about x, in degrees.
     pivot_ox = x;
     /// The rotation of the pivot about y, in degrees.
@@ -166,13 +166,13 @@ numbers! { set_pivot_rotation:
     pivot_oz = z;
 }
 
-fn set_pivot_position(env: &mut Env, shape: &mut Shape, value: f64, at: Coordinate) {
+fn set_pivot_position(env: &mut Env, shape: &mut Shape, value: f64, at: CoordinateOf) {
     let mut position = get::pivot_position(env, shape);
     *at(&mut position) = env.finite(value, "the pivot");
     move_pivot(env, shape, position, get::pivot_rotation(env, shape));
 }
 
-fn set_pivot_rotation(env: &mut Env, shape: &mut Shape, value: f64, at: Coordinate) {
+fn set_pivot_rotation(env: &mut Env, shape: &mut Shape, value: f64, at: CoordinateOf) {
     let mut rotation = get::pivot_rotation(env, shape);
     *at(&mut rotation) = env.finite(value, "the pivot");
     move_pivot(env, shape, get::pivot_position(env, shape), rotation);

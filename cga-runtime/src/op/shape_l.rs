@@ -29,7 +29,7 @@ pub fn shape_l(env: &mut Env, arms: &mut Arms<'_>, front: f64, left: f64) -> Con
     for face in mesh.faces() {
         let range = face.corner_range();
         let by: Vec<f64> = edges[range].iter().map(|arm| arm.map_or(0.0, |arm| widths[arm as usize])).collect();
-        match Plane::of(&mesh, &face) {
+        match FlatFace::of(&mesh, &face) {
             Some(plane) => {
                 let [strips, rest] = plane.set_back(&by);
                 plane.add(&strips, labels[0], &mut made);
@@ -47,16 +47,16 @@ pub fn shape_l(env: &mut Env, arms: &mut Arms<'_>, front: f64, left: f64) -> Con
 
 /// A corner of a part, and the edge of the face that the side after it lies on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Corner {
+struct PartCorner {
     at: DVec2,
     edge: Option<usize>,
 }
 
 /// The loops of a part: its outline, then its holes.
-type Part = Vec<Vec<Corner>>;
+type PartLoops = Vec<Vec<PartCorner>>;
 
 /// A convex face laid flat.
-struct Plane<'a> {
+struct FlatFace<'a> {
     mesh: &'a Mesh,
     face: FaceRef<'a>,
     origin: DVec3,
@@ -64,7 +64,7 @@ struct Plane<'a> {
     flat: Vec<DVec2>,
 }
 
-impl<'a> Plane<'a> {
+impl<'a> FlatFace<'a> {
     fn of(mesh: &'a Mesh, face: &FaceRef<'a>) -> Option<Self> {
         let normal = face.normal();
         let outline: Vec<DVec3> = face.outline().collect();
@@ -75,7 +75,7 @@ impl<'a> Plane<'a> {
         }
         let axes = [x, normal.cross(x)];
         let flat = outline.iter().map(|at| axes.map(|axis| (*at - outline[0]).dot(axis)).into()).collect();
-        let plane = Plane { mesh, face: *face, origin: outline[0], axes, flat };
+        let plane = FlatFace { mesh, face: *face, origin: outline[0], axes, flat };
         let is_convex = |at: usize| {
             let [a, b] = [plane.edge(at), plane.edge((at + 1) % plane.flat.len())];
             -ANGLE_EPSILON * a.length() * b.length() <= a.perp_dot(b)
@@ -88,9 +88,9 @@ impl<'a> Plane<'a> {
     }
 
     /// The strips that edges sweep when they are set back, and what is left.
-    fn set_back(&self, by: &[f64]) -> [Vec<Part>; 2] {
-        let all = || self.flat.iter().enumerate().map(|(edge, &at)| Corner { at, edge: Some(edge) });
-        let mut rest: Vec<Corner> = all().collect();
+    fn set_back(&self, by: &[f64]) -> [Vec<PartLoops>; 2] {
+        let all = || self.flat.iter().enumerate().map(|(edge, &at)| PartCorner { at, edge: Some(edge) });
+        let mut rest: Vec<PartCorner> = all().collect();
         for (edge, &by) in by.iter().enumerate().filter(|(_, by)| 0.0 < **by) {
             rest = clip(&rest, self.flat[edge], self.edge(edge), by);
         }
@@ -106,22 +106,22 @@ impl<'a> Plane<'a> {
     }
 
     /// The strips beside the cuts of what is left: each goes back along a run of cuts, then along the outline.
-    fn strips(&self, rest: &[Corner], by: &[f64]) -> Vec<Part> {
+    fn strips(&self, rest: &[PartCorner], by: &[f64]) -> Vec<PartLoops> {
         let count = rest.len();
         let is_cut = |at: usize| rest[at % count].edge.is_none();
         let starts = (0..count).filter(|&at| is_cut(at) && !is_cut(at + count - 1));
         let strip = |start: usize| {
             let end = (start + 1..).find(|&at| !is_cut(at)).unwrap_or(start);
-            let run = (start + 1..=end).rev().map(|at| Corner { at: rest[at % count].at, edge: None });
-            let mut ring: Vec<Corner> = run.collect();
+            let run = (start + 1..=end).rev().map(|at| PartCorner { at: rest[at % count].at, edge: None });
+            let mut ring: Vec<PartCorner> = run.collect();
             // From where the cut begins, on the edge before it, to where it ends.
             let (Some(mut edge), Some(last)) = (rest[(start + count - 1) % count].edge, rest[end % count].edge) else {
                 return ring;
             };
-            ring.push(Corner { at: rest[start].at, edge: Some(edge) });
+            ring.push(PartCorner { at: rest[start].at, edge: Some(edge) });
             loop {
                 edge = (edge + 1) % self.flat.len();
-                ring.push(Corner { at: self.flat[edge], edge: Some(edge) });
+                ring.push(PartCorner { at: self.flat[edge], edge: Some(edge) });
                 // A single edge that is left has both ends of the cut.
                 if edge == last {
                     break;
@@ -141,7 +141,7 @@ impl<'a> Plane<'a> {
     }
 
     /// Adds parts to the faces that were made. Texture coordinates and normals of new corners continue those of the face.
-    fn add(&self, parts: &[Part], arm: Option<u32>, made: &mut Faces) {
+    fn add(&self, parts: &[PartLoops], arm: Option<u32>, made: &mut Faces) {
         let source = self.mesh;
         let range = self.face.corner_range();
         let spread = Spread::of(self.flat.clone());
@@ -194,15 +194,15 @@ fn copy(face: &FaceRef<'_>, corner: usize, source: &Mesh, mesh: &mut Mesh) {
 }
 
 /// The same loop the other way round, as a hole.
-fn reversed(ring: &[Corner]) -> Vec<Corner> {
-    ring.iter().rev().map(|corner| Corner { edge: None, ..*corner }).collect()
+fn reversed(ring: &[PartCorner]) -> Vec<PartCorner> {
+    ring.iter().rev().map(|corner| PartCorner { edge: None, ..*corner }).collect()
 }
 
 /// The part of a convex polygon that is at least that far to the left of a line.
-fn clip(ring: &[Corner], from: DVec2, along: DVec2, by: f64) -> Vec<Corner> {
+fn clip(ring: &[PartCorner], from: DVec2, along: DVec2, by: f64) -> Vec<PartCorner> {
     let near = PLANAR_EPSILON * (along.length() + by);
     let inwards = along.perp().normalize_or_zero();
-    let side = |corner: &Corner| {
+    let side = |corner: &PartCorner| {
         let distance = (corner.at - from).dot(inwards) - by;
         if distance.abs() <= near { 0.0 } else { distance }
     };
@@ -215,11 +215,11 @@ fn clip(ring: &[Corner], from: DVec2, along: DVec2, by: f64) -> Vec<Corner> {
             kept.push(*corner);
         }
         if a == 0.0 && b < 0.0 {
-            kept.push(Corner { edge: None, ..*corner });
+            kept.push(PartCorner { edge: None, ..*corner });
         } else if 0.0 < a && b < 0.0 {
-            kept.push(Corner { at: crossing(), edge: None });
+            kept.push(PartCorner { at: crossing(), edge: None });
         } else if a < 0.0 && 0.0 < b {
-            kept.push(Corner { at: crossing(), edge: corner.edge });
+            kept.push(PartCorner { at: crossing(), edge: corner.edge });
         }
     }
     let is_flat = kept.iter().all(|corner| side(corner) == 0.0);

@@ -1,58 +1,57 @@
 //! Operations on slim shapes: the common operations of façades need no whole shape.
 //!
 //! Each function changes a slim rectangle or box as the operation of its name changes the whole shape. If that is not
-//! enough, it makes the shape whole and returns the base of the result, which replaces the shape.
+//! enough, it makes the shape whole and adds a base for the result. The changed shape is in `own`. The functions are
+//! compiled once: rules have many of these steps.
 
 use glam::DVec3;
 
 use super::{Length, lengths, settle_origin};
 use crate::geometry::Axis;
 use crate::run::env::Env;
-use crate::shape::base::{Base, Form};
+use crate::shape::base::Form;
+use crate::shape::bases::Bases;
 use crate::shape::look_id::LookId;
 use crate::shape::scope::Scope;
 use crate::shape::{Shape, ShapeRef};
 
-/// The shape after an operation: the slim one, or the shape of the base that replaces it.
-#[inline]
-pub fn after<'a>(shape: ShapeRef<'a>, changed: &'a Option<Box<Base>>) -> ShapeRef<'a> {
-    match changed {
-        None => shape,
-        Some(base) => of_base(base),
-    }
-}
-
-/// The shape of a base, compiled once.
-#[cold]
-#[inline(never)]
-fn of_base(base: &Base) -> ShapeRef<'_> {
-    base.shape()
-}
-
-/// The shape that replaces a painted one, if there is one.
-#[inline]
-pub fn instead(changed: &Option<Box<Base>>) -> Option<ShapeRef<'_>> {
-    changed.as_ref().map(|base| of_base(base))
-}
-
 /// `t(x, y, z)`, see [`super::translate`].
-#[inline]
-pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) -> Option<Box<Base>> {
+#[inline(never)]
+pub fn translate<'s, 'b>(
+    env: &mut Env,
+    shape: &'s ShapeRef<'b>,
+    bases: &'b Bases,
+    own: &'s mut Option<ShapeRef<'b>>,
+    x: Length,
+    y: Length,
+    z: Length,
+) -> &'s ShapeRef<'b> {
+    let shape = own.insert(shape.clone());
     let size = shape.size.get();
     let by = lengths(env, "`t`", [x, y, z], size);
     if shape.has_coordinates() && !shape.keeps_coordinates(by) {
-        return whole(env, shape, |env, shape| super::translate(env, shape, x, y, z));
+        *shape = whole(env, shape, bases, |env, shape| super::translate(env, shape, x, y, z));
+        return shape;
     }
     let origin = shape.origin() + shape.axes.matrix * by;
     if settle_origin(env, origin, "`t`") {
         shape.origin.set(origin.extend(0.0));
     }
-    None
+    shape
 }
 
 /// `s(x, y, z)`, see [`super::size`].
-#[inline]
-pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) -> Option<Box<Base>> {
+#[inline(never)]
+pub fn size<'s, 'b>(
+    env: &mut Env,
+    shape: &'s ShapeRef<'b>,
+    bases: &'b Bases,
+    own: &'s mut Option<ShapeRef<'b>>,
+    x: Length,
+    y: Length,
+    z: Length,
+) -> &'s ShapeRef<'b> {
+    let shape = own.insert(shape.clone());
     let size = shape.size.get();
     let size = DVec3::new(x.plain(size.x), y.plain(size.y), z.plain(size.z));
     let (zero, most) = (DVec3::ZERO, DVec3::splat(Scope::MOST_SIZE));
@@ -67,15 +66,23 @@ pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Le
         Form::Other => fits.set(0, false),
     }
     if !fits.all() || shape.has_coordinates() {
-        return whole(env, shape, |env, shape| super::size(env, shape, x, y, z));
+        *shape = whole(env, shape, bases, |env, shape| super::size(env, shape, x, y, z));
+        return shape;
     }
     shape.size.set(size);
-    None
+    shape
 }
 
 /// `extrude(distance)`, see [`super::extrude()`].
-#[inline]
-pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Option<Box<Base>> {
+#[inline(never)]
+pub fn extrude<'s, 'b>(
+    env: &mut Env,
+    shape: &'s ShapeRef<'b>,
+    bases: &'b Bases,
+    own: &'s mut Option<ShapeRef<'b>>,
+    distance: Length,
+) -> &'s ShapeRef<'b> {
+    let shape = own.insert(shape.clone());
     let s = shape.size.get();
     let height = distance.plain(s.y);
     let along = if shape.form == Form::Rect(Axis::Z) { DVec3::Z } else { DVec3::Y };
@@ -94,48 +101,57 @@ pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Opt
             shape.unit.set(shape.unit.get().grown(Axis::Y));
             shape.size.set_along(Axis::Y, height);
         }
-        _ => return whole(env, shape, |env, shape| super::extrude(env, shape, distance)),
+        _ => {
+            *shape = whole(env, shape, bases, |env, shape| super::extrude(env, shape, distance));
+            return shape;
+        }
     }
     shape.form = Form::Box;
-    None
+    shape
 }
 
 /// An operation that changes only the material. With constant arguments its result is found once for each previous
 /// material; `place` counts such operations in the rules.
 #[inline(never)]
-pub fn paint<G>(
+pub fn paint<'s, 'b, G>(
     env: &mut Env,
-    shape: &ShapeRef<'_>,
+    shape: &'s ShapeRef<'b>,
+    bases: &'b Bases,
+    own: &'s mut Option<ShapeRef<'b>>,
     place: u32,
     g: &G,
     change: fn(&G, &mut Env, &mut Shape),
-) -> Option<Box<Base>> {
+) -> &'s ShapeRef<'b> {
     let (before, faults) = (shape.look.get(), env.fault_count());
     let materials = &mut env.leaf_tables.looks;
     if let Some(after) = materials.painted(place, before).or_else(|| materials.painted_before(place, before)) {
         shape.look.set(after);
-        return None;
+        return shape;
     }
-    let base = whole(env, shape, |env, shape| change(g, env, shape))?;
+    let changed = whole(env, shape, bases, |env, shape| change(g, env, shape));
     // If the material before has no number, the new one must not get one: templates are kept by number, and all
     // materials without a number share `OF_BASE`.
-    if before == LookId::OF_BASE || faults != env.fault_count() {
-        return Some(base);
+    if before != LookId::OF_BASE && faults == env.fault_count() {
+        let materials = &mut env.leaf_tables.looks;
+        let after = materials.intern(changed.base.shape.state.look());
+        if materials.keep_paint(place, before, after) {
+            shape.look.set(after);
+            return shape;
+        }
     }
-    let materials = &mut env.leaf_tables.looks;
-    let after = materials.intern(base.shape.state.look());
-    if materials.keep_paint(place, before, after) {
-        shape.look.set(after);
-        return None;
-    }
-    Some(base)
+    own.insert(changed)
 }
 
-/// Applies the operation to the whole shape.
+/// Applies an operation to the whole shape.
 #[cold]
 #[inline(never)]
-fn whole(env: &mut Env, shape: &ShapeRef<'_>, change: impl FnOnce(&mut Env, &mut Shape)) -> Option<Box<Base>> {
+fn whole<'b>(
+    env: &mut Env,
+    shape: &ShapeRef<'_>,
+    bases: &'b Bases,
+    change: impl FnOnce(&mut Env, &mut Shape),
+) -> ShapeRef<'b> {
     let mut whole = env.whole(shape);
     change(env, &mut whole);
-    Some(Box::new(env.base(whole)))
+    bases.keep(env.base(whole)).shape()
 }

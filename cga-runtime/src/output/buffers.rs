@@ -8,42 +8,36 @@ mod chunks;
 mod part;
 mod replayed;
 mod uvs;
-pub(super) mod write;
 
+pub use super::triangles::Vertex;
 pub use chunks::Chunks;
 pub use part::Part;
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use glam::{DAffine3, DMat3, DVec3, DVec4, Vec4};
+use glam::{DAffine3, DVec3, DVec4};
 
 use self::part::Run;
 use self::replayed::{Marks, Replayed};
 use self::uvs::UvLists;
-use self::write::{marked, short, vertex, write_box, write_quad, write_quad_indices};
 use super::error::WriteError;
-use super::flatten::{FlatFace, Flattener, corner_point, unit};
+use super::flatten::{FlatFace, Flattener};
 use super::normals;
 use super::numbers::Numbers;
 use super::room::Room;
+use super::triangles::{Triangles, marked, write_box, write_quad};
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
-use crate::geometry::mesh::map::normal_map;
 use crate::material::Material;
 use crate::run::sink::corners::{Placed, four};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
-use crate::shape::unit::UnitMesh;
-
-/// Position x, y, z and normal x, y, z.
-pub type Vertex = [f32; 6];
 
 /// Collects leaves as triangles. It can be cleared and used again without releasing its memory.
 #[derive(Debug)]
 pub struct Buffers {
-    vertices: Room<Vertex>,
-    indices: Room<u32>,
+    triangles: Triangles,
     uvs: UvLists,
     runs: Vec<Run>,
     numbers: Numbers,
@@ -72,8 +66,7 @@ impl Buffers {
     /// Empty buffers with room for numbers of vertices and indices.
     pub fn with_capacity(vertices: usize, indices: usize) -> Self {
         Buffers {
-            vertices: Room::with_capacity(vertices),
-            indices: Room::with_capacity(indices),
+            triangles: Triangles { vertices: Room::with_capacity(vertices), indices: Room::with_capacity(indices) },
             uvs: UvLists::default(),
             runs: Vec::new(),
             numbers: Numbers::default(),
@@ -101,8 +94,8 @@ impl Buffers {
 
     /// Removes the contents but keeps memory, origin and limit.
     pub fn clear(&mut self) {
-        self.vertices.clear();
-        self.indices.clear();
+        self.triangles.vertices.clear();
+        self.triangles.indices.clear();
         self.uvs.clear();
         self.runs.clear();
         self.numbers.clear();
@@ -113,12 +106,12 @@ impl Buffers {
 
     /// The vertices.
     pub fn vertices(&self) -> &[Vertex] {
-        self.vertices.items()
+        self.triangles.vertices.items()
     }
 
     /// The indices, three for each triangle.
     pub fn indices(&self) -> &[u32] {
-        self.indices.items()
+        self.triangles.indices.items()
     }
 
     /// The texture coordinates of set 0, one pair for each vertex, v upwards. The list is empty if no geometry has
@@ -143,7 +136,7 @@ impl Buffers {
         self.runs.iter().enumerate().map(|(i, run)| {
             let (index, vertex) = match self.runs.get(i + 1) {
                 Some(next) => (next.index(), next.vertex as usize),
-                None => (self.indices.len(), self.vertices.len()),
+                None => (self.triangles.indices.len(), self.triangles.vertices.len()),
             };
             Part {
                 rule: run.rule,
@@ -166,7 +159,7 @@ impl Buffers {
 
     /// The number of triangles.
     pub fn triangle_count(&self) -> usize {
-        self.indices.len() / 3
+        self.triangles.indices.len() / 3
     }
 
     /// An error if leaves are missing because of the limit.
@@ -180,16 +173,10 @@ impl Buffers {
     /// Starts a new part unless the last one continues.
     #[inline]
     fn run(&mut self, rule: u32, material: u32) {
-        self.run_at((rule, material), self.indices.len() / 3, self.vertices.len() as u32);
-    }
-
-    #[inline]
-    fn run_at(&mut self, (rule, material): (u32, u32), triangle: usize, vertex: u32) {
-        match self.runs.last() {
-            Some(last) if last.rule == rule && last.material == material => {}
-            _ => {
-                self.runs.push(Run { rule, material, triangle: triangle as u32, vertex });
-            }
+        let Triangles { vertices, indices } = &self.triangles;
+        let next = Run { rule, material, triangle: indices.len() as u32 / 3, vertex: vertices.len() as u32 };
+        if !self.runs.last().is_some_and(|last| last.is_like(&next)) {
+            self.runs.push(next);
         }
     }
 
@@ -204,9 +191,9 @@ impl Buffers {
     #[inline(always)]
     fn goes_on(&self, leaf: &Filled<'_>, vertices: usize) -> bool {
         self.last == Some((leaf.rule, leaf.shape.look.get().0))
-            && vertices <= self.limit - self.vertices.len()
-            && self.vertices.has(vertices)
-            && self.indices.has(vertices / 4 * 6)
+            && vertices <= self.limit - self.triangles.vertices.len()
+            && self.triangles.vertices.has(vertices)
+            && self.triangles.indices.has(vertices / 4 * 6)
             && self.uvs.is_empty()
     }
 
@@ -215,10 +202,10 @@ impl Buffers {
     #[inline(never)]
     fn other(&mut self, leaf: &Filled<'_>, vertices: usize) -> Flow {
         self.room(vertices)?;
-        self.vertices.reserve(vertices);
-        self.indices.reserve(vertices / 4 * 6);
+        self.triangles.vertices.reserve(vertices);
+        self.triangles.indices.reserve(vertices / 4 * 6);
         let (rule, material) = self.numbers.filled(leaf);
-        let (uvs, start) = (leaf.uvs(), self.vertices.len());
+        let (uvs, start) = (leaf.uvs(), self.triangles.vertices.len());
         // A leaf that continues the part has the same number, so it has no coordinates either.
         self.last = if uvs.is_empty() { leaf.material_number().map(|material| (leaf.rule, material)) } else { None };
         self.run(rule, material);
@@ -260,12 +247,13 @@ impl Buffers {
 
     #[inline(always)]
     fn write_rectangle(&mut self, leaf: &Filled<'_>) {
-        self.write_quad(Placed::of(leaf.shape), leaf.shape.axes.normals[0]);
+        self.triangles.quad(Placed::of(leaf.shape).moved(-self.origin), leaf.shape.axes.normals[0]);
     }
 
     #[inline(always)]
     fn write_block(&mut self, leaf: &Filled<'_>) {
-        self.write_box(Placed::of(leaf.shape), leaf.shape.unit.get(), &leaf.shape.axes.normals);
+        let placed = Placed::of(leaf.shape).moved(-self.origin);
+        self.triangles.cuboid(&placed, leaf.shape.unit.get(), &leaf.shape.axes.normals);
     }
 
     #[cold]
@@ -277,11 +265,10 @@ impl Buffers {
     /// Writes the leaves of a part that repeats, for which there is room.
     #[inline(never)]
     fn repeat(&mut self, replay: &Replay<'_>, count: usize) -> Flow {
-        let start = self.vertices.len() as u32;
-        self.mark_all(replay, start, self.indices.len() / 3);
-        write_quad_indices(self.indices.take(count / 4 * 6), start);
+        let start = self.triangles.vertices.len() as u32;
+        self.mark_all(replay, start);
         let (place, origin) = (replay.origin(), self.origin);
-        let (mut faces, _) = self.vertices.take(count).as_chunks_mut::<4>();
+        let mut faces = self.triangles.quads(count / 4);
         for (row, axes, placed, records) in replay.rows() {
             let each = if row.is_box { 6 } else { 1 };
             let (own, rest) = faces.split_at_mut(each * placed.len());
@@ -307,8 +294,9 @@ impl Buffers {
 
     /// Records the rules and materials of leaves that repeat.
     #[inline]
-    fn mark_all(&mut self, replay: &Replay<'_>, start: u32, triangle: usize) {
+    fn mark_all(&mut self, replay: &Replay<'_>, start: u32) {
         self.last = None;
+        let triangle = self.triangles.indices.len() / 3;
         let Marks { is_distinct, runs: marks, .. } = self.replayed.of(replay, &mut self.numbers);
         let runs = &mut self.runs;
         let moved = |run: &Run| run.moved(triangle as u32, start);
@@ -324,53 +312,35 @@ impl Buffers {
         }
     }
 
-    /// Writes a rectangle.
-    #[inline(always)]
-    fn write_quad(&mut self, placed: Placed, normal: Vec4) {
-        let (origin, start) = (self.origin, self.vertices.len() as u32);
-        if let Some(to) = self.vertices.take(4).first_chunk_mut::<4>() {
-            let placed = Placed { origin: marked(placed.origin, normal), ..placed };
-            write_quad(to, &placed.moved(-origin), normal);
-        }
-        if let Some(to) = self.indices.take(6).first_chunk_mut::<6>() {
-            *to = [start, start + 1, start + 2, start, start + 2, start + 3];
-        }
-    }
-
-    /// Writes a box; `normals` are the normals of its sides.
-    #[inline(always)]
-    fn write_box(&mut self, placed: Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
-        let (origin, start) = (self.origin, self.vertices.len() as u32);
-        let (faces, _) = self.vertices.take(24).as_chunks_mut::<4>();
-        if let Some(to) = faces.first_chunk_mut::<6>() {
-            write_box(to, &placed.moved(-origin), unit, normals);
-        }
-        write_quad_indices(self.indices.take(36), start);
-    }
-
     /// `Break` if `more` vertices do not fit.
     #[inline]
     fn room(&mut self, more: usize) -> Flow {
-        if self.limit - self.vertices.len() < more {
+        if self.limit - self.triangles.vertices.len() < more {
             self.full = true;
             return ControlFlow::Break(());
         }
         ControlFlow::Continue(())
     }
 
-    /// Adds a vertex for a corner of a face.
-    #[inline]
-    fn corner(&mut self, mesh: &Mesh, placement: &DAffine3, turn: &DMat3, face: &FlatFace<'_>, corner: usize) {
-        let point = placement.transform_point3(corner_point(mesh, corner)) - self.origin();
-        let normal = mesh.normals.get(corner).map_or(face.normal, |&n| unit(*turn * n));
-        self.vertices.push(vertex(short(point), short(normal)));
-        self.uvs.corner(mesh, corner, self.vertices.len() - 1);
+    /// Adds triangles of a face of a leaf with a rule and a material; see [`Triangles::face`].
+    fn face(
+        &mut self,
+        face: &FlatFace<'_>,
+        (rule, material): (u32, u32),
+        corners: impl Iterator<Item = usize> + Clone,
+        triangles: &[[u32; 3]],
+    ) {
+        let shown = face.material(&mut self.numbers.table, material);
+        self.run(rule, shown);
+        let start = self.triangles.vertices.len();
+        self.triangles.face(face, self.origin.truncate(), corners.clone(), triangles);
+        self.uvs.face(face, corners, start);
     }
 
     #[inline]
     fn pad_uvs(&mut self) {
         if !self.uvs.is_empty() {
-            self.uvs.pad(self.vertices.len());
+            self.uvs.pad(self.triangles.vertices.len());
         }
     }
 }
@@ -392,7 +362,7 @@ impl Sink for Buffers {
 
     fn replay(&mut self, replay: &Replay<'_>) -> Flow {
         let count = replay.corner_count();
-        if !replay.is_plain() || self.limit - self.vertices.len() < count {
+        if !replay.is_plain() || self.limit - self.triangles.vertices.len() < count {
             return self.each(replay);
         }
         self.repeat(replay, count)
@@ -401,8 +371,8 @@ impl Sink for Buffers {
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         self.room(4)?;
         self.leaf(leaf);
-        let (normal, start) = (normals::of_quad(leaf, quad), self.vertices.len());
-        self.write_quad(Placed::from(quad), normal);
+        let (normal, start) = (normals::of_quad(leaf, quad), self.triangles.vertices.len());
+        self.triangles.quad(Placed::from(quad).moved(-self.origin), normal);
         self.uvs.place(leaf.uvs(), &Placed::from(quad), None, start);
         self.pad_uvs();
         ControlFlow::Continue(())
@@ -411,8 +381,8 @@ impl Sink for Buffers {
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
         self.room(24)?;
         self.leaf(leaf);
-        let (normals, start) = (normals::of_cuboid(leaf, cuboid), self.vertices.len());
-        self.write_box(Placed::from(cuboid), cuboid.unit, &normals);
+        let (normals, start) = (normals::of_cuboid(leaf, cuboid), self.triangles.vertices.len());
+        self.triangles.cuboid(&Placed::from(cuboid).moved(-self.origin), cuboid.unit, &normals);
         self.uvs.place(leaf.uvs(), &Placed::from(cuboid), Some(cuboid.unit), start);
         self.pad_uvs();
         ControlFlow::Continue(())
@@ -427,18 +397,10 @@ impl Sink for Buffers {
             return ControlFlow::Break(());
         }
         self.last = None;
-        let (rule, material) = self.numbers.leaf(leaf);
-        let turn = normal_map(&placement.matrix3);
+        let numbers = self.numbers.leaf(leaf);
         let mut flattener = std::mem::take(&mut self.flattener);
         flattener.faces(mesh, placement, |face| {
-            let shown = self.numbers.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
-            self.run(rule, shown);
-            let start = self.vertices.len() as u32;
-            face.corners.clone().for_each(|corner| self.corner(mesh, placement, &turn, &face, corner));
-            let triangles = face.triangles.as_flattened();
-            for (index, corner) in self.indices.take(triangles.len()).iter_mut().zip(triangles) {
-                *index = start + corner;
-            }
+            self.face(&face, numbers, face.corners.clone(), face.triangles);
             true
         });
         self.flattener = flattener;

@@ -4,8 +4,9 @@
 
 use std::ops::Range;
 
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DMat3, DVec2, DVec3};
 
+use super::table::Table;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
 use crate::geometry::triangulate::Triangulator;
@@ -19,6 +20,10 @@ pub(crate) struct Flattener {
 
 /// A face, placed in the world.
 pub(crate) struct FlatFace<'a> {
+    pub(crate) mesh: &'a Mesh,
+    placement: &'a DAffine3,
+    /// The map of normals to the world.
+    turn: DMat3,
     /// The index of the face in the mesh.
     pub(crate) index: usize,
     /// The range of its corners in the mesh.
@@ -41,10 +46,35 @@ impl Flattener {
                 *corner -= corners.start as u32;
             }
             let normal = unit(turn * face.area_vector());
-            if !each(FlatFace { index, corners, triangles: &self.triangles, normal }) {
+            if !each(FlatFace { mesh, placement, turn, index, corners, triangles: &self.triangles, normal }) {
                 return;
             }
         }
+    }
+}
+
+impl FlatFace<'_> {
+    /// The point of a corner, in the world.
+    #[inline]
+    pub(crate) fn point(&self, corner: usize) -> DVec3 {
+        self.placement.transform_point3(corner_point(self.mesh, corner))
+    }
+
+    /// The unit normal at a corner, in the world: that of the mesh if it has normals.
+    #[inline]
+    pub(crate) fn normal_at(&self, corner: usize) -> DVec3 {
+        self.mesh.normals.get(corner).map_or(self.normal, |&normal| unit(self.turn * normal))
+    }
+
+    /// The texture coordinates of all corners in a set.
+    pub(crate) fn uvs(&self, set: usize) -> &[DVec2] {
+        &self.mesh.uv_set(set)[self.corners.clone()]
+    }
+
+    /// The number of the visible material on a shape with the material `shape`.
+    #[inline]
+    pub(crate) fn material(&self, table: &mut Table, shape: u32) -> u32 {
+        table.face_material(shape, &self.mesh.materials, self.mesh.tags[self.index].material)
     }
 }
 

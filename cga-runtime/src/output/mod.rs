@@ -5,6 +5,8 @@ pub mod error;
 pub(crate) mod flatten;
 #[cfg(feature = "gltf")]
 pub mod gltf;
+#[cfg(feature = "gltf")]
+mod interner;
 pub(crate) mod measure;
 pub mod model;
 mod normals;
@@ -19,3 +21,4 @@ pub mod stats;
 pub mod svg;
 pub mod table;
 mod texture;
+mod triangles;

@@ -18,7 +18,6 @@ use crate::material::Material;
 use crate::output::measure::{cuboid_area, cuboid_volume, mesh_area, mesh_volume, quad_area};
 use crate::output::numbers::Numbers;
 use crate::output::stats::Stats;
-use crate::output::texture::files::Files;
 use crate::output::texture::leaf_uvs::LeafUvs;
 use crate::run::report::Report;
 use crate::run::report::{Collection, Print, Reports};
@@ -32,14 +31,12 @@ use crate::shape::unit::UnitMesh;
 #[derive(Clone, Debug, Default)]
 pub struct Model {
     records: Vec<Record>,
-    quads: Vec<Quad>,
-    cuboids: Vec<Cuboid>,
-    meshes: Vec<(Arc<Mesh>, DAffine3)>,
+    others: Vec<Other>,
     /// The texture coordinates of rectangles and boxes, where they have any.
     uvs: LeafUvs,
     numbers: Numbers,
     report: Report,
-    files: Files,
+    assets: Option<Arc<Assets>>,
 }
 
 #[derive(Clone, Debug)]
@@ -50,17 +47,24 @@ struct Record {
     stored: Stored,
 }
 
-/// The source of a leaf's geometry: its scope, or an index in one of the model's lists.
+/// The source of a leaf's geometry.
 #[derive(Clone, Copy, Debug)]
 enum Stored {
     /// The rectangle in the scope's low plane across an axis.
     Rect(Axis, UnitMesh),
     /// The whole scope.
     Full(UnitMesh),
-    Quad(u32),
-    Cuboid(u32),
-    Mesh(u32),
-    Instance(u32),
+    /// An index in the model's list of other geometry.
+    Other(u32),
+}
+
+/// Geometry that does not follow from the scope of its leaf.
+#[derive(Clone, Debug)]
+enum Other {
+    Quad(Quad),
+    Cuboid(Cuboid),
+    Mesh(Arc<Mesh>, DAffine3),
+    Instance(Arc<Mesh>, DAffine3),
 }
 
 impl Stored {
@@ -134,24 +138,16 @@ impl<'a> LeafView<'a> {
 
     /// The geometry.
     pub fn geometry(&self) -> Geometry<'a> {
-        let model = self.model;
-        let placed = |index: u32| {
-            let (mesh, placement) = &model.meshes[index as usize];
-            (mesh, placement)
+        let index = match self.record.stored {
+            Stored::Rect(axis, unit) => return Geometry::Quad(place::rectangle(&self.record.scope, axis, unit)),
+            Stored::Full(unit) => return Geometry::Cuboid(place::cuboid(&self.record.scope, unit)),
+            Stored::Other(index) => index,
         };
-        match self.record.stored {
-            Stored::Rect(axis, unit) => Geometry::Quad(place::rectangle(&self.record.scope, axis, unit)),
-            Stored::Full(unit) => Geometry::Cuboid(place::cuboid(&self.record.scope, unit)),
-            Stored::Quad(index) => Geometry::Quad(model.quads[index as usize]),
-            Stored::Cuboid(index) => Geometry::Cuboid(model.cuboids[index as usize]),
-            Stored::Mesh(index) => {
-                let (mesh, placement) = placed(index);
-                Geometry::Mesh { mesh, placement }
-            }
-            Stored::Instance(index) => {
-                let (mesh, placement) = placed(index);
-                Geometry::Instance { mesh, placement }
-            }
+        match &self.model.others[index as usize] {
+            Other::Quad(quad) => Geometry::Quad(*quad),
+            Other::Cuboid(cuboid) => Geometry::Cuboid(*cuboid),
+            Other::Mesh(mesh, placement) => Geometry::Mesh { mesh, placement },
+            Other::Instance(mesh, placement) => Geometry::Instance { mesh, placement },
         }
     }
 
@@ -250,17 +246,12 @@ impl Model {
     /// without a folder, files and pictures do not contain images.
     #[must_use]
     pub fn with_assets(self, assets: Arc<Assets>) -> Self {
-        Model { files: Files::of(assets), ..self }
-    }
-
-    #[cfg(feature = "gltf")]
-    pub(crate) fn files(&self) -> &Files {
-        &self.files
+        Model { assets: Some(assets), ..self }
     }
 
     /// The assets that contain its images.
     pub fn assets(&self) -> Option<&Arc<Assets>> {
-        self.files.get()
+        self.assets.as_ref()
     }
 
     /// A model without leaves.
@@ -353,16 +344,14 @@ impl Model {
 
     fn push(&mut self, leaf: &Leaf<'_>, stored: Stored) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
-        if matches!(stored, Stored::Rect(..) | Stored::Full(_) | Stored::Quad(_) | Stored::Cuboid(_)) {
-            self.uvs.add(self.records.len(), leaf.uvs());
-        }
+        self.uvs.add(self.records.len(), leaf.uvs());
         self.records.push(Record { scope: leaf.scope(), rule, material, stored });
         ControlFlow::Continue(())
     }
 
-    fn push_mesh(&mut self, mesh: &Arc<Mesh>, placement: &DAffine3) -> u32 {
-        self.meshes.push((mesh.clone(), *placement));
-        (self.meshes.len() - 1) as u32
+    fn push_other(&mut self, leaf: &Leaf<'_>, other: Other) -> Flow {
+        self.others.push(other);
+        self.push(leaf, Stored::Other((self.others.len() - 1) as u32))
     }
 }
 
@@ -406,32 +395,24 @@ impl Sink for Model {
         let scope = leaf.scope();
         let implied =
             [Axis::Z, Axis::Y, Axis::X].into_iter().find(|&axis| *quad == place::rectangle(&scope, axis, quad.unit));
-        let stored = implied.map_or_else(
-            || {
-                self.quads.push(*quad);
-                Stored::Quad((self.quads.len() - 1) as u32)
-            },
-            |axis| Stored::Rect(axis, quad.unit),
-        );
-        self.push(leaf, stored)
+        match implied {
+            Some(axis) => self.push(leaf, Stored::Rect(axis, quad.unit)),
+            None => self.push_other(leaf, Other::Quad(*quad)),
+        }
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
         if *cuboid == place::cuboid(&leaf.scope(), cuboid.unit) {
             return self.push(leaf, Stored::Full(cuboid.unit));
         }
-        self.cuboids.push(*cuboid);
-        let index = (self.cuboids.len() - 1) as u32;
-        self.push(leaf, Stored::Cuboid(index))
+        self.push_other(leaf, Other::Cuboid(*cuboid))
     }
 
     fn instance(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
-        let index = self.push_mesh(mesh, placement);
-        self.push(leaf, Stored::Instance(index))
+        self.push_other(leaf, Other::Instance(mesh.clone(), *placement))
     }
 
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
-        let index = self.push_mesh(mesh, placement);
-        self.push(leaf, Stored::Mesh(index))
+        self.push_other(leaf, Other::Mesh(mesh.clone(), *placement))
     }
 }

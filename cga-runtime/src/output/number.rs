@@ -3,40 +3,23 @@
 use std::fmt;
 use std::io::Write as _;
 
+use crate::material::Color;
+
 /// The shortest decimal that reads back as the same value, without exponent. −0 and numbers that are not finite are
 /// written as 0.
 pub(crate) struct Short<T>(pub(crate) T);
 
-impl fmt::Display for Short<f64> {
+impl<T: fmt::Display + Copy + Into<f64>> fmt::Display for Short<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0 {
-            v if v == 0.0 || !v.is_finite() => f.write_str("0"),
-            v => write!(f, "{v}"),
-        }
-    }
-}
-
-impl fmt::Display for Short<f32> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0 {
-            v if v == 0.0 || !v.is_finite() => f.write_str("0"),
-            v => write!(f, "{v}"),
-        }
+        let value: f64 = self.0.into();
+        if value == 0.0 || !value.is_finite() { f.write_str("0") } else { write!(f, "{}", self.0) }
     }
 }
 
 /// Numbers as the elements of a JSON array, separated by commas.
 #[cfg(feature = "gltf")]
-pub(crate) fn list<T: Copy>(values: &[T]) -> String
-where
-    Short<T>: fmt::Display,
-{
-    let mut text = String::new();
-    for (i, &value) in values.iter().enumerate() {
-        let comma = if i == 0 { "" } else { "," };
-        text += &format!("{comma}{}", Short(value));
-    }
-    text
+pub(crate) fn list<T: fmt::Display + Copy + Into<f64>>(values: &[T]) -> String {
+    values.iter().map(|&value| Short(value).to_string()).collect::<Vec<_>>().join(",")
 }
 
 /// The texts of recently printed numbers: neighbours have equal coordinates, and finding the shortest digits is slow.
@@ -104,6 +87,17 @@ pub(crate) fn push_whole(to: &mut Vec<u8>, mut value: u64) {
             return to.extend_from_slice(&digits[start..]);
         }
     }
+}
+
+/// An optional share, clamped to 0..=1. NaN counts as no value.
+pub(crate) fn share(value: Option<f64>, default: f64) -> f64 {
+    value.filter(|value| !value.is_nan()).unwrap_or(default).clamp(0.0, 1.0)
+}
+
+/// A colour as six hexadecimal digits.
+pub(crate) fn hex(color: &Color) -> String {
+    let byte = |channel: f64| libm::round(channel * 255.0) as u8;
+    format!("{:02x}{:02x}{:02x}", byte(color.r), byte(color.g), byte(color.b))
 }
 
 /// Converts an sRGB channel to linear light, both in 0..=1.

@@ -21,7 +21,7 @@ use glam::{DAffine3, DVec3};
 
 use super::error::WriteError;
 use super::flatten::{Flattener, unit};
-use super::number::{Texts, push_whole};
+use super::number::{Texts, hex, push_whole};
 use super::numbers::Numbers;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
@@ -199,7 +199,7 @@ impl<W: Write> Sink for Obj<W> {
         };
         let mut flattener = std::mem::take(&mut self.flattener);
         flattener.faces(mesh, placement, |face| {
-            let shown = self.numbers.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
+            let shown = face.material(&mut self.numbers.table, material);
             self.run(rule, shown);
             if mesh.face(face.index).holes().len() == 0 {
                 self.text.push(b'f');
@@ -253,9 +253,7 @@ fn plain_name(material: &Material) -> String {
     if !name.is_empty() {
         return name;
     }
-    let color = material.color();
-    let byte = |channel: f64| libm::round(channel * 255.0) as u8;
-    format!("color_{:02x}{:02x}{:02x}", byte(color.r), byte(color.g), byte(color.b))
+    format!("color_{}", hex(&material.color()))
 }
 
 impl Model {

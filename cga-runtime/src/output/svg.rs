@@ -48,8 +48,8 @@ pub struct Svg {
 /// A face in the picture.
 struct Shown {
     face: order::Face,
-    /// Outline and holes, in user units.
-    rings: Vec<Vec<[f64; 2]>>,
+    /// Outline and holes, in user units, with their depth.
+    rings: Vec<Vec<DVec3>>,
     material: u32,
     /// The share of light that it reflects, 0 to 1.
     light: f64,
@@ -110,7 +110,7 @@ fn write_face(svg: &mut String, shown: &Shown, material: &Material) {
     for ring in &shown.rings {
         for (i, point) in ring.iter().enumerate() {
             svg.push(if i == 0 { 'M' } else { 'L' });
-            let _ = write!(svg, "{} {}", tenths(point[0]), tenths(point[1]));
+            let _ = write!(svg, "{} {}", tenths(point.x), tenths(point.y));
         }
         svg.push('Z');
     }
@@ -123,21 +123,8 @@ fn write_face(svg: &mut String, shown: &Shown, material: &Material) {
 }
 
 /// A number with at most one decimal digit.
-struct Tenths(i64);
-
-fn tenths(value: f64) -> Tenths {
-    Tenths(libm::round(value * 10.0) as i64)
-}
-
-impl std::fmt::Display for Tenths {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let sign = if self.0 < 0 { "-" } else { "" };
-        let all = self.0.unsigned_abs();
-        match all % 10 {
-            0 => write!(f, "{sign}{}", all / 10),
-            digit => write!(f, "{sign}{}.{digit}", all / 10),
-        }
-    }
+fn tenths(value: f64) -> Short<f64> {
+    Short(libm::round(value * 10.0) / 10.0)
 }
 
 /// Collects the visible faces.
@@ -160,10 +147,9 @@ impl Faces {
         }
         let normal = if front { normal } else { -normal };
         let light = 0.64 + 0.08 * normal.y + 0.34 * normal.dot(self.light).max(0.0);
-        let outline: Vec<[f64; 3]> = rings[0].iter().map(|&p| self.view.project(p)).collect();
-        let flat = |ring: &Vec<DVec3>| ring.iter().map(|&p| self.view.project(p)).map(|[x, y, _]| [x, y]).collect();
-        let rings = rings.iter().map(flat).collect();
-        self.shown.push(Shown { face: order::Face::new(outline), rings, material, light });
+        let project = |ring: &Vec<DVec3>| ring.iter().map(|&p| DVec3::from_array(self.view.project(p))).collect();
+        let rings: Vec<Vec<DVec3>> = rings.iter().map(project).collect();
+        self.shown.push(Shown { face: order::Face::new(&rings[0]), rings, material, light });
     }
 
     fn rectangle(&mut self, quad: &Quad, material: u32, solid: bool) {

@@ -1,27 +1,29 @@
 //! Numbers for rule names and materials, in the order of first use.
 //!
-//! A leaf usually has the rule or the material of a recent leaf, at the same address. So addresses are looked up
-//! first, and text or values only for new addresses. An address is valid only while the table itself keeps the value
-//! at it alive.
+//! A leaf usually has the rule or the material of a recent leaf, at the same address. So addresses are compared
+//! first, and text or values are looked up only for other addresses. An address is valid only while the table itself
+//! keeps the value at it alive.
 
+use std::collections::HashMap;
 use std::fmt;
+use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
-use crate::material::{Color, Material, MaterialNumber};
-use crate::value::text::Text;
+use crate::material::{Material, MaterialNumber};
 
 /// Interned rule names and materials. Equal leaves in equal order give equal numbers.
 #[derive(Clone, Default)]
 pub struct Table {
     rules: Vec<&'static str>,
-    /// The address, length and number of every name so far: names are static, so an address keeps its meaning.
-    rule_places: Slots<(usize, usize, u32)>,
-    last_rule: (usize, usize, u32),
+    /// Only for look-ups, never iterated.
+    rule_numbers: HashMap<&'static str, u32>,
+    /// Recently used rules, by address.
+    recent_rules: [Option<(&'static str, u32)>; RECENT],
     materials: Vec<Arc<Material>>,
-    /// The hash and number of every material.
-    material_values: Slots<(u64, u32)>,
+    /// Only for look-ups, never iterated.
+    material_numbers: HashMap<ByBits, u32>,
     /// Recently used materials, by address. Holding them keeps their addresses from being reused.
-    recent: Vec<Option<(Arc<Material>, u32)>>,
+    recent_materials: [Option<(Arc<Material>, u32)>; RECENT],
     faces: FaceMaterials,
 }
 
@@ -30,20 +32,16 @@ pub struct Table {
 struct FaceMaterials {
     shape: u32,
     of: Option<Arc<[Material]>>,
-    ids: Vec<u32>,
+    ids: Vec<Option<u32>>,
 }
 
-/// The mark of a number that is not known yet.
-const UNKNOWN: u32 = u32::MAX;
-
-/// The number of recent materials. Leaves of a façade alternate between a few.
+/// The number of recent rules and materials. Leaves of a façade alternate between a few.
 const RECENT: usize = 16;
 
-/// The index of a material among the recent ones.
+/// The index of a value among the recent ones, by its address.
 #[inline]
-fn recent_place(material: &Arc<Material>) -> usize {
-    let address = Arc::as_ptr(material).addr() as u64;
-    (address.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 60) as usize
+fn recent_place<T>(address: *const T) -> usize {
+    ((address.addr() as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 60) as usize
 }
 
 impl fmt::Debug for Table {
@@ -73,33 +71,30 @@ impl Table {
     /// Removes all entries but keeps the memory.
     pub fn clear(&mut self) {
         self.rules.clear();
-        self.rule_places.clear();
-        self.last_rule = (0, 0, 0);
+        self.rule_numbers.clear();
+        self.recent_rules = Default::default();
         self.materials.clear();
-        self.material_values.clear();
-        self.recent.clear();
+        self.material_numbers.clear();
+        self.recent_materials = Default::default();
         self.faces = FaceMaterials::default();
     }
 
     /// The number of a rule name.
     #[inline]
     pub fn rule(&mut self, name: &'static str) -> u32 {
-        let (address, length, id) = self.last_rule;
-        if address == name.as_ptr().addr() && length == name.len() {
-            return id;
+        match self.recent_rules[recent_place(name.as_ptr())] {
+            Some((known, id)) if std::ptr::eq(known, name) => id,
+            _ => self.other_rule(name),
         }
-        self.other_rule(name)
     }
 
     /// The number of a material.
     #[inline]
     pub fn material(&mut self, material: &Arc<Material>) -> u32 {
-        if let Some(Some((known, id))) = self.recent.get(recent_place(material))
-            && Arc::ptr_eq(known, material)
-        {
-            return *id;
+        match &self.recent_materials[recent_place(Arc::as_ptr(material))] {
+            Some((known, id)) if Arc::ptr_eq(known, material) => *id,
+            _ => self.other_material(material),
         }
-        self.other_material(material)
     }
 
     /// The number of a face's visible material: the shape's material over the mesh's material of the face. `index`
@@ -108,183 +103,88 @@ impl Table {
         let Some(base) = materials.get(index as usize) else { return shape };
         let same = self.faces.shape == shape && self.faces.of.as_ref().is_some_and(|of| Arc::ptr_eq(of, materials));
         if !same {
-            self.faces.shape = shape;
-            self.faces.of = Some(materials.clone());
-            self.faces.ids.clear();
-            self.faces.ids.resize(materials.len(), UNKNOWN);
+            let ids = vec![None; materials.len()];
+            self.faces = FaceMaterials { shape, of: Some(materials.clone()), ids };
         }
-        if self.faces.ids[index as usize] == UNKNOWN {
-            let resolved = self.materials[shape as usize].over(base);
-            let id = self.intern(&resolved, || Arc::new(resolved.clone()));
-            self.faces.ids[index as usize] = id;
+        if let Some(id) = self.faces.ids[index as usize] {
+            return id;
         }
-        self.faces.ids[index as usize]
+        let id = self.intern(Arc::new(self.materials[shape as usize].over(base)));
+        self.faces.ids[index as usize] = Some(id);
+        id
     }
 
     #[inline(never)]
     fn other_rule(&mut self, name: &'static str) -> u32 {
-        let (address, length) = (name.as_ptr().addr(), name.len());
-        let hash = mix(address as u64 ^ (length as u64).rotate_left(48));
-        let found = self.rule_places.find(hash, |&(a, l, _)| a == address && l == length);
-        let id = match found {
-            Some(&(_, _, id)) => id,
-            None => {
-                // The same name at another address is rare (two grammars, two crates), so a scan for each new address
-                // is enough.
-                let id = match self.rules.iter().position(|&known| known == name) {
-                    Some(id) => id as u32,
-                    None => {
-                        self.rules.push(name);
-                        (self.rules.len() - 1) as u32
-                    }
-                };
-                let place = |&(a, l, _): &(usize, usize, u32)| mix(a as u64 ^ (l as u64).rotate_left(48));
-                self.rule_places.insert(hash, (address, length, id), place);
-                id
-            }
-        };
-        self.last_rule = (address, length, id);
+        let rules = &mut self.rules;
+        let id = *self.rule_numbers.entry(name).or_insert_with(|| {
+            rules.push(name);
+            (rules.len() - 1) as u32
+        });
+        self.recent_rules[recent_place(name.as_ptr())] = Some((name, id));
         id
     }
 
     #[inline(never)]
     fn other_material(&mut self, material: &Arc<Material>) -> u32 {
-        let id = self.intern(material, || material.clone());
-        self.recent.resize(RECENT, None);
-        self.recent[recent_place(material)] = Some((material.clone(), id));
+        let id = self.intern(material.clone());
+        self.recent_materials[recent_place(Arc::as_ptr(material))] = Some((material.clone(), id));
         id
     }
 
-    fn intern(&mut self, material: &Material, shared: impl FnOnce() -> Arc<Material>) -> u32 {
-        let hash = material_hash(material);
-        let materials = &self.materials;
-        let found =
-            self.material_values.find(hash, |&(h, id)| h == hash && same_bits(&materials[id as usize], material));
-        if let Some(&(_, id)) = found {
-            return id;
-        }
-        let id = self.materials.len() as u32;
-        self.materials.push(shared());
-        self.material_values.insert(hash, (hash, id), |&(h, _)| h);
-        id
+    fn intern(&mut self, material: Arc<Material>) -> u32 {
+        let materials = &mut self.materials;
+        *self.material_numbers.entry(ByBits(material)).or_insert_with_key(|key| {
+            materials.push(key.0.clone());
+            (materials.len() - 1) as u32
+        })
     }
 }
 
-/// A hash table with open addressing over a power of two of places, at most half of them used. It is never iterated,
-/// so its order has no effect.
-#[derive(Clone, Debug)]
-struct Slots<T> {
-    places: Vec<Option<T>>,
-    taken: usize,
-}
+/// A material, compared by the bits of its numbers. Unlike with `==`, a material that contains NaN equals itself.
+#[derive(Clone)]
+struct ByBits(Arc<Material>);
 
-impl<T> Default for Slots<T> {
-    fn default() -> Self {
-        Slots { places: Vec::new(), taken: 0 }
+impl ByBits {
+    /// The numbers that are fields.
+    fn fields(&self) -> [Option<u64>; 6] {
+        let Material { color, opacity, metallic, roughness, .. } = &*self.0;
+        let [r, g, b] = color.as_ref().map_or([None; 3], |color| [color.r, color.g, color.b].map(Some));
+        [r, g, b, *opacity, *metallic, *roughness].map(|number| number.map(f64::to_bits))
+    }
+
+    /// The other numbers, with their attributes.
+    fn more(&self) -> impl Iterator<Item = (MaterialNumber, u64)> {
+        self.0.more_numbers().iter().map(|(attribute, number)| (*attribute, number.to_bits()))
+    }
+
+    /// Everything but the numbers.
+    fn rest(&self) -> impl Eq + Hash {
+        let Material { name, texture, double_sided, .. } = &*self.0;
+        (name, texture, double_sided, self.0.more_texts())
     }
 }
 
-impl<T: Copy> Slots<T> {
-    fn clear(&mut self) {
-        self.places.fill(None);
-        self.taken = 0;
-    }
-
-    fn find(&self, hash: u64, is: impl Fn(&T) -> bool) -> Option<&T> {
-        if self.places.is_empty() {
-            return None;
-        }
-        let mut at = hash as usize & (self.places.len() - 1);
-        while let Some(entry) = &self.places[at] {
-            if is(entry) {
-                return Some(entry);
-            }
-            at = (at + 1) & (self.places.len() - 1);
-        }
-        None
-    }
-
-    fn insert(&mut self, hash: u64, entry: T, hash_of: impl Fn(&T) -> u64) {
-        if self.places.len() < 2 * (self.taken + 1) {
-            let old = std::mem::take(&mut self.places);
-            self.places = vec![None; (2 * old.len()).max(32)];
-            for entry in old.into_iter().flatten() {
-                self.put(hash_of(&entry), entry);
-            }
-        }
-        self.put(hash, entry);
-        self.taken += 1;
-    }
-
-    fn put(&mut self, hash: u64, entry: T) {
-        let mut at = hash as usize & (self.places.len() - 1);
-        while self.places[at].is_some() {
-            at = (at + 1) & (self.places.len() - 1);
-        }
-        self.places[at] = Some(entry);
+impl PartialEq for ByBits {
+    fn eq(&self, other: &Self) -> bool {
+        self.fields() == other.fields() && self.more().eq(other.more()) && self.rest() == other.rest()
     }
 }
 
-/// The numbers of a material for comparison. An unset attribute is a bit pattern that no value has.
-fn number_bits(material: &Material) -> [u64; 6] {
-    const UNSET: u64 = 0x7ff4_dead_beef_0000;
-    let bits = |value: Option<f64>| value.map_or(UNSET, f64::to_bits);
-    let channel = |of: fn(&Color) -> f64| bits(material.color.as_ref().map(of));
-    [
-        channel(|c| c.r),
-        channel(|c| c.g),
-        channel(|c| c.b),
-        bits(material.opacity),
-        bits(material.metallic),
-        bits(material.roughness),
-    ]
-}
+impl Eq for ByBits {}
 
-/// Equality by bits. Unlike `==`, it also recognises a material that contains NaN.
-fn same_bits(a: &Material, b: &Material) -> bool {
-    let more = |material: &Material| (material.more_numbers().len(), material.more_texts().len());
-    let same = |a: &(MaterialNumber, f64), b: &(MaterialNumber, f64)| a.0 == b.0 && a.1.to_bits() == b.1.to_bits();
-    number_bits(a) == number_bits(b)
-        && a.name == b.name
-        && a.texture == b.texture
-        && a.double_sided == b.double_sided
-        && more(a) == more(b)
-        && a.more_numbers().iter().zip(b.more_numbers()).all(|(a, b)| same(a, b))
-        && a.more_texts() == b.more_texts()
-}
-
-fn material_hash(material: &Material) -> u64 {
-    let mut hash = material.double_sided.map_or(2, u64::from);
-    for bits in number_bits(material) {
-        hash = mix(hash ^ bits);
+impl Hash for ByBits {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.fields().hash(state);
+        self.more().for_each(|number| number.hash(state));
+        self.rest().hash(state);
     }
-    for text in [&material.name, &material.texture] {
-        hash = mix(hash ^ text.as_ref().map_or(1, text_hash));
-    }
-    // The hash omits the attribute; the comparison checks it.
-    for (_, value) in material.more_numbers() {
-        hash = mix(hash ^ value.to_bits());
-    }
-    for (_, text) in material.more_texts() {
-        hash = mix(hash ^ text_hash(text));
-    }
-    hash
-}
-
-fn text_hash(text: &Text) -> u64 {
-    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
-}
-
-/// A bijection in which every bit affects all others.
-fn mix(mut bits: u64) -> u64 {
-    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    bits ^ (bits >> 31)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::material::Color;
 
     #[test]
     fn rules_are_numbered_as_first_seen_and_equal_text_is_one_rule() {

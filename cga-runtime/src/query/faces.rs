@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::comp::orientation::Looks;
+use crate::comp::orientation::Orientation;
 use crate::comp::select::{Sense, Word};
 use crate::run::env::Env;
 use crate::shape::Shape;
@@ -11,7 +11,7 @@ use crate::shape::Shape;
 /// function*, *geometry.isOriented function*). A word without a direction selects all faces. A face without area has
 /// no direction.
 pub(super) fn selected(env: &Env, shape: &Shape, word: Word, mut each: impl FnMut(f64)) {
-    let looks = Looks::of(env, shape);
+    let looks = Orientation::of(env, shape);
     area_vectors(shape, |vector, at| {
         let length = vector.length();
         let takes = || match word.0 {

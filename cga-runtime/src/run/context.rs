@@ -61,14 +61,14 @@ impl<C> Cx<'_, C> {
     /// Enters a rule. Every rule that was entered is left again unless the run ends inside it.
     #[inline]
     pub fn enter(&mut self, rule: u32) -> Flow {
-        self.env.enter(rule);
+        self.env.trail.push(rule);
         self.env.count_shapes(1)
     }
 
     /// Leaves a rule.
     #[inline]
     pub fn leave(&mut self) -> Flow {
-        self.env.leave();
+        self.env.trail.pop();
         Flow::Continue(())
     }
 

@@ -88,7 +88,6 @@ pub(crate) fn run<R: Rules>(
     env.tell_watch(flow.is_continue());
     let (faults, faults_left_out) = env.take_faults();
     let prints = std::mem::take(&mut env.prints);
-    let (prints_left_out, prints_bytes) = (prints.left_out, prints.bytes);
     let report = Report {
         shapes: env.shapes_made(),
         leaves: env.leaf_count(),
@@ -96,9 +95,8 @@ pub(crate) fn run<R: Rules>(
         faults_left_out,
         stopped: flow.is_break() && env.error.is_none(),
         reports: std::mem::take(&mut env.reports),
+        prints_quota: prints.quota,
         prints: prints.in_order(),
-        prints_left_out,
-        prints_bytes,
     };
     Outcome { report, error: env.error.take() }
 }

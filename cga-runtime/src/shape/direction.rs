@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::unit;
 use crate::geometry::tol::TIE_EPSILON;
 
 /// A direction that selects components by their normals.
@@ -57,6 +58,24 @@ impl Direction {
             Direction::Nutant => -STEEP < normal.y && normal.y <= -LEVEL,
         }
     }
+
+    /// Returns true if the normal of a side of a box in those axes has this direction.
+    #[inline]
+    pub(crate) fn takes_side(self, side: unit::Side) -> bool {
+        let sides = match self {
+            Direction::Front => 0b00_0001,
+            Direction::NotFront => 0b11_1110,
+            Direction::Right => 0b00_0010,
+            Direction::Back => 0b00_0100,
+            Direction::Left => 0b00_1000,
+            Direction::Top => 0b01_0000,
+            Direction::Bottom => 0b10_0000,
+            Direction::Horizontal => 0b11_0000,
+            Direction::Side | Direction::Vertical => 0b00_1111,
+            Direction::Aslant | Direction::Nutant => 0,
+        };
+        sides >> side as u32 & 1 == 1
+    }
 }
 
 /// The axis with the largest component of a normal, and true if that component is positive. Ties are decided in the
@@ -90,6 +109,18 @@ mod tests {
     fn at(degrees: f64) -> DVec3 {
         let (sin, cos) = libm::sincos(degrees.to_radians());
         DVec3::new(0.0, sin, cos)
+    }
+
+    #[test]
+    fn sides_of_boxes_are_taken_as_their_normals_are() {
+        use Direction::*;
+        let all = [Front, Back, Right, Left, Top, Bottom, Horizontal, Side, Aslant, Vertical, Nutant];
+        for side in unit::Side::ALL {
+            assert!(
+                all.iter().all(|direction| direction.takes_side(side) == direction.takes(side.normal())),
+                "{side:?}"
+            );
+        }
     }
 
     #[test]

@@ -5,6 +5,7 @@
 
 pub(crate) mod axes;
 pub(crate) mod base;
+pub(crate) mod bases;
 pub(crate) mod direction;
 mod initial;
 pub(crate) mod look;

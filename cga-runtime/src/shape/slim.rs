@@ -180,8 +180,8 @@ pub fn push<'a>(shape: &ShapeRef<'a>, number: u32) -> ShapeRef<'a> {
 }
 
 /// Makes a part that is passed straight to a rule the successor itself: `~1 : A` and `~1 : color(c) A` give `A` the
-/// same seed.
-#[inline]
+/// same seed. Compiled once: rules have many parts.
+#[inline(never)]
 pub fn hand_on(part: &ShapeRef<'_>) {
     part.seed.set(part.seed.get().child(Tag::Successor, 0));
 }

@@ -196,27 +196,35 @@ impl UnitMesh {
         if band == Band::All {
             return self.plain();
         }
-        *self.0.parts[3 * axis.index() + band as usize].get_or_init(|| self.cut(axis, band))
+        match self.0.parts[3 * axis.index() + band as usize].get() {
+            Some(part) => *part,
+            None => self.cut(axis, band),
+        }
     }
 
     /// Returns true if the parts of a split across an axis have other unit meshes than this one.
     #[inline]
     pub(crate) fn has_bands(self, axis: Axis) -> bool {
-        *self.0.has_bands[axis.index()].get_or_init(|| self.find_bands(axis))
+        match self.0.has_bands[axis.index()].get() {
+            Some(known) => *known,
+            None => self.find_bands(axis),
+        }
     }
 
     #[cold]
     fn find_bands(self, axis: Axis) -> bool {
         let differs = |band| !std::ptr::eq(self.part(axis, band).0, self.0);
-        self.is_inserted() || [Band::Low, Band::Middle, Band::High].into_iter().any(differs)
+        *self.0.has_bands[axis.index()]
+            .get_or_init(|| self.is_inserted() || [Band::Low, Band::Middle, Band::High].into_iter().any(differs))
     }
 
     #[cold]
     fn cut(self, axis: Axis, band: Band) -> Self {
-        match cut::slabs(&self.0.mesh, axis, &[0.25, 0.75]).parts.get(band as usize) {
+        let made = || match cut::slabs(&self.0.mesh, axis, &[0.25, 0.75]).parts.get(band as usize) {
             Some(Some(part)) => UnitMesh::shared(stretched(part)),
             _ => self.plain(),
-        }
+        };
+        *self.0.parts[3 * axis.index() + band as usize].get_or_init(made)
     }
 
     /// The box that `extrude` makes of a rectangle. Its y axis is the direction of growth, and its x axis is as near

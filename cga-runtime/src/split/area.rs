@@ -101,7 +101,8 @@ fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<WidthSection> {
     }
     events.sort_by(|a, b| a.at.total_cmp(&b.at));
     let mut list: Vec<WidthSection> = Vec::new();
-    let (mut width, mut growth, mut area) = (Sum::default(), Sum::default(), Sum::default());
+    let (mut width, mut growth, mut area) =
+        (CompensatedSum::default(), CompensatedSum::default(), CompensatedSum::default());
     for (index, event) in events.iter().enumerate() {
         // The width at the event, and the area between it and the previous one.
         if let Some(before) = index.checked_sub(1).map(|index| events[index]) {
@@ -125,12 +126,12 @@ fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<WidthSection> {
 /// A running sum with twice the digits, so that a steep edge, which adds a large number and subtracts it again,
 /// leaves no error.
 #[derive(Clone, Copy, Default)]
-struct Sum {
+struct CompensatedSum {
     high: f64,
     low: f64,
 }
 
-impl Sum {
+impl CompensatedSum {
     fn add(&mut self, value: f64) {
         let sum = self.high + value;
         let part = sum - self.high;

@@ -9,13 +9,7 @@ use crate::run::env::Env;
 use crate::run::sink::Flow;
 use crate::shape::ShapeRef;
 
-/// The sizes of a split. NaN and infinite ones become zero, with a fault.
-#[inline]
-pub fn sizes<const N: usize>(env: &mut Env, mut sizes: [Size; N]) -> [Size; N] {
-    check(env, &mut sizes, "a size of `split`");
-    sizes
-}
-
+/// Sets NaN and infinite sizes to zero, with a fault.
 #[inline]
 pub(super) fn check(env: &mut Env, sizes: &mut [Size], what: &'static str) {
     for size in sizes {
@@ -35,13 +29,13 @@ pub fn extent(env: &mut Env, shape: &ShapeRef<'_>, axis: Axis) -> f64 {
 
 /// The pieces of a split that the macro has solved; empty if the shape is too small to be split.
 #[inline]
-pub fn solved(
+pub(super) fn solved<'p>(
     env: &mut Env,
     shape: &ShapeRef<'_>,
     axis: Axis,
     known: f64,
-    pieces: &'static [Piece],
-) -> &'static [Piece] {
+    pieces: &'p [Piece],
+) -> &'p [Piece] {
     debug_assert_eq!(shape.size.along(axis).abs(), known, "the macro knows the extent");
     if extent(env, shape, axis) == 0.0 { &[] } else { pieces }
 }
@@ -49,15 +43,15 @@ pub fn solved(
 /// The pieces of given areas (*splitArea operation*). A face across the axis has no extent along it and does not
 /// count. So the areas of a box, which the reference does not mention, are those of its four sides along the axis.
 /// Caps of cuts do not count either.
-pub fn areas<const N: usize>(
+pub(super) fn areas(
     env: &mut Env,
     shape: &ShapeRef<'_>,
     axis: Axis,
     pattern: &[Item],
-    mut sizes: [Size; N],
+    sizes: &mut [Size],
+    lengths: &mut [f64],
 ) -> Vec<Piece> {
-    check(env, &mut sizes, "an area of `splitArea`");
-    let mut lengths = [0.0; N];
+    check(env, sizes, "an area of `splitArea`");
     let extent = extent(env, shape, axis);
     let profile = Profile::new(&env.whole(shape), axis);
     if extent == 0.0 || profile.total() <= 0.0 {
@@ -68,9 +62,9 @@ pub fn areas<const N: usize>(
         for size in sizes.iter_mut().filter(|size| size.prefix != Prefix::Relative) {
             size.value *= extent / area;
         }
-        return listed(env, &solve(pattern, &sizes, &mut lengths, extent));
+        return listed(env, &solve(pattern, sizes, lengths, extent));
     }
-    let mut pieces = listed(env, &solve(pattern, &sizes, &mut lengths, profile.total()));
+    let mut pieces = listed(env, &solve(pattern, sizes, lengths, profile.total()));
     let mut start = 0.0;
     pieces.retain_mut(|piece| {
         let end = profile.distance(piece.end, extent);

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use glam::DVec4;
 
 use super::parts::{SplitParts, within_limit};
-use super::row::{Row, Slots};
+use super::row::Row;
 use super::{Adjust, Piece};
 use crate::geometry::Axis;
 use crate::geometry::tol::PLANAR_EPSILON;
@@ -20,8 +20,8 @@ use crate::shape::{Counter, ShapeRef};
 
 /// A shape that is divided along an axis. Generated code takes the shape of each piece, or passes a leaf on.
 ///
-/// The functions with the prefix `any` do the same as those without. They are compiled once, while the others are
-/// inlined into the calling rule (`codegen/split.rs` of the macro chooses).
+/// The functions are inlined: into the rule, for splits of few slots and constant sizes in rules that reach themselves,
+/// and into the walk through a pattern (`split/walk.rs`) for all others.
 ///
 /// The parts have no shape of their own: during a division, its shape is the current part. [`Division::end`] restores
 /// the whole.
@@ -30,7 +30,7 @@ pub struct Division<'s> {
     shape: &'s ShapeRef<'s>,
     /// The pieces, if they do not simply fill their scopes.
     made: Option<Box<[ShapeRef<'s>]>>,
-    whole: Whole,
+    whole: Undivided,
     /// The seed of the step.
     seed: u64,
     /// The repetitions begun so far, in all groups.
@@ -43,7 +43,7 @@ pub struct Division<'s> {
 
 /// The properties of a shape that differ in its parts.
 #[derive(Debug)]
-struct Whole {
+struct Undivided {
     origin: DVec4,
     /// The extent along the axis of the split.
     extent: f64,
@@ -91,18 +91,6 @@ impl Made {
         }
     }
 
-    /// As [`Made::new`], compiled once.
-    #[inline(never)]
-    pub fn any(
-        env: &mut Env,
-        whole: &ShapeRef<'_>,
-        axis: Axis,
-        adjust: Adjust,
-        row: impl Row,
-    ) -> ControlFlow<(), Self> {
-        Made::new(env, whole, axis, adjust, row.at_most(), row)
-    }
-
     #[cold]
     #[inline(never)]
     fn cut(env: &mut Env, whole: &ShapeRef<'_>, axis: Axis, adjust: Adjust, row: impl Row) -> ControlFlow<(), Self> {
@@ -135,23 +123,11 @@ impl<'s> Division<'s> {
     /// rule reads it.
     #[inline(always)]
     pub fn new(shape: &'s ShapeRef<'s>, made: &'s Made, axis: Axis, adjust: Adjust, number: u32, total: u64) -> Self {
-        let whole = Whole::of(shape, axis, adjust);
+        let whole = Undivided::of(shape, axis, adjust);
         let made = made.0.as_ref().map(|pieces| shapes(pieces));
         let seed = seed::step(whole.seed.value(), seed::key(Tag::Split, number));
         let (total, has_bands) = (total as usize, whole.unit.has_bands(axis));
         Division { shape, made, whole, seed, turns: 0, index: 0, total, has_bands }
-    }
-
-    /// As [`Division::new`], compiled once.
-    #[inline(never)]
-    pub fn any(shape: &'s ShapeRef<'s>, made: &'s Made, axis: Axis, adjust: Adjust, number: u32, total: u64) -> Self {
-        Division::new(shape, made, axis, adjust, number, total)
-    }
-
-    /// As [`Division::end`], compiled once.
-    #[inline(never)]
-    pub fn any_end(&self, axis: Axis) {
-        self.end(axis);
     }
 
     /// Restores the whole shape. It is not needed if the run ends within the division.
@@ -173,22 +149,16 @@ impl<'s> Division<'s> {
         if env.has_room(0) { Flow::Continue(()) } else { env.make_room(0) }
     }
 
-    /// Skips the piece of a slot.
+    /// Skips a piece.
     #[inline(always)]
-    pub fn skip(&mut self, slots: &mut impl Slots, slot: u32) {
-        self.index += usize::from(slots.slot(slot).is_some());
-    }
-
-    /// As [`Division::skip`], compiled once.
-    #[inline(never)]
-    pub fn any_skip(&mut self, slots: &mut impl Slots, slot: u32) {
-        self.skip(slots, slot);
+    pub fn skip(&mut self, piece: Option<Piece>) {
+        self.index += usize::from(piece.is_some());
     }
 
     /// The shape of the piece of a slot, if it gets one.
     #[inline(always)]
-    pub fn part(&mut self, slots: &mut impl Slots, axis: Axis, slot: Slot) -> Option<&ShapeRef<'s>> {
-        let piece = slots.slot(slot.number)?;
+    pub fn part(&mut self, piece: Option<Piece>, axis: Axis, slot: Slot) -> Option<&ShapeRef<'s>> {
+        let piece = piece?;
         let (seed, split) = (self.seed, Counter::new(self.index, self.total));
         let turn = if slot.in_group { self.turns } else { 0 };
         let part = self.place(axis, piece);
@@ -201,32 +171,13 @@ impl<'s> Division<'s> {
         Some(part)
     }
 
-    /// As [`Division::part`], compiled once.
-    #[inline(never)]
-    pub fn any_part(&mut self, slots: &mut impl Slots, axis: Axis, slot: Slot) -> Option<&ShapeRef<'s>> {
-        self.part(slots, axis, slot)
-    }
-
-    /// Passes the piece of a slot on as a leaf, if the slot gets one.
+    /// Passes a piece on as a leaf.
     #[inline(always)]
-    pub fn leaf<C>(&mut self, cx: &mut Cx<'_, C>, slots: &mut impl Slots, axis: Axis, slot: u32, rule: u32) -> Flow {
-        match slots.slot(slot) {
+    pub fn leaf<C>(&mut self, cx: &mut Cx<'_, C>, piece: Option<Piece>, axis: Axis, rule: u32) -> Flow {
+        match piece {
             Some(piece) => filled(cx.env, cx.sink, self.place(axis, piece), rule),
             None => Flow::Continue(()),
         }
-    }
-
-    /// As [`Division::leaf`], compiled once for a grammar.
-    #[inline(never)]
-    pub fn any_leaf<C>(
-        &mut self,
-        cx: &mut Cx<'_, C>,
-        slots: &mut impl Slots,
-        axis: Axis,
-        slot: u32,
-        rule: u32,
-    ) -> Flow {
-        self.leaf(cx, slots, axis, slot, rule)
     }
 
     /// Moves the shape to the place of the next piece.
@@ -256,11 +207,11 @@ fn shapes(pieces: &[Base]) -> Box<[ShapeRef<'_>]> {
     pieces.iter().map(Base::shape).collect()
 }
 
-impl Whole {
+impl Undivided {
     /// The properties of a shape before its division. Removes its thickness, which parts do not have.
     #[inline(always)]
     fn of(shape: &ShapeRef<'_>, axis: Axis, adjust: Adjust) -> Self {
-        let mut whole = Whole {
+        let mut whole = Undivided {
             origin: shape.origin.get(),
             extent: shape.size.along(axis),
             thickness: 0.0,

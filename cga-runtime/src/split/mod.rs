@@ -5,7 +5,8 @@ pub(crate) mod divide;
 pub(crate) mod division;
 mod parts;
 pub(crate) mod row;
-pub(crate) mod texture;
+mod texture;
+pub(crate) mod walk;
 
 pub use cga_split::{Item, Piece, Prefix, Size, Solution, solve, solve_any};
 

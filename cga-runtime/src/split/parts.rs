@@ -194,14 +194,14 @@ pub(super) fn within_limit(env: &mut Env, row: impl Row) -> Flow {
 }
 
 /// The cuts of a mesh.
-pub(super) struct Borders {
+pub(super) struct PieceBorders {
     /// The places of cuts in the coordinates of the mesh, so that no vertex moves.
     pub(super) rising: Vec<f64>,
     /// True for each piece that rounding reduces to nothing.
     flat: Vec<bool>,
 }
 
-impl Borders {
+impl PieceBorders {
     /// The borders of pieces of an extent. `place` maps a distance to the mesh's coordinate; `high` is the coordinate
     /// of the end.
     pub(super) fn of(row: impl Row, extent: f64, high: f64, place: impl Fn(f64) -> f64) -> Self {
@@ -218,7 +218,7 @@ impl Borders {
             }
             Flow::Continue(())
         });
-        Borders { rising, flat }
+        PieceBorders { rising, flat }
     }
 
     /// The mesh of each piece, counted. `Break` when a limit is reached.
@@ -248,7 +248,7 @@ fn slabs(
     let at = axis.index();
     let (extent, stretch) = (size[at].abs(), placed.stretch(size)[at].abs());
     let plane = |distance: f64| placed.low[at] + distance / stretch;
-    let borders = Borders::of(row, extent, plane(extent), plane);
+    let borders = PieceBorders::of(row, extent, plane(extent), plane);
     // Texture coordinates of caps are metres in the scope, for every stretch of the mesh.
     let stretch = placed.stretch(size.abs());
     let cut = cut::stretched_slabs(&placed.mesh, axis, &borders.rising, placed.low, stretch);

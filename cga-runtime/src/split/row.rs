@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use cga_split::{Cursor, Item, List, Size, solve_any};
+use cga_split::{Item, Size, solve_any};
 
 use super::{Piece, Solution};
 
@@ -23,26 +23,6 @@ pub trait Row: Copy {
             ControlFlow::<()>::Continue(())
         });
         total
-    }
-}
-
-/// The pieces of a pattern, slot by slot.
-pub trait Slots {
-    /// The piece of the next slot, if it gets one.
-    fn slot(&mut self, slot: u32) -> Option<Piece>;
-}
-
-impl Slots for Cursor<'_> {
-    #[inline(always)]
-    fn slot(&mut self, slot: u32) -> Option<Piece> {
-        Cursor::slot(self, slot as usize)
-    }
-}
-
-impl Slots for List<'_> {
-    #[inline(always)]
-    fn slot(&mut self, slot: u32) -> Option<Piece> {
-        List::slot(self, slot)
     }
 }
 

@@ -7,7 +7,7 @@ use cga_split::{Item, Piece, Size, solve};
 
 use super::divide::{check, listed};
 use super::division::Made;
-use super::parts::Borders;
+use super::parts::PieceBorders;
 use crate::fault::{FaultKind, LimitKind};
 use crate::geometry::cut;
 use crate::geometry::mesh::uv::spread;
@@ -22,15 +22,15 @@ pub(crate) type TextureAxis = (UvAxis, TextureSpace, f64);
 /// The pieces of a split in texture space, and their shapes. The split is from the smallest to the largest
 /// coordinate. Without coordinates in the set there are no pieces, and a fault. If all coordinates are equal, there
 /// are no pieces. `Break` when a limit is reached.
-pub fn texture<const N: usize>(
+pub(super) fn texture(
     env: &mut Env,
     shape: &ShapeRef<'_>,
     (axis, space, set): TextureAxis,
     pattern: &[Item],
-    mut sizes: [Size; N],
+    sizes: &mut [Size],
+    lengths: &mut [f64],
 ) -> ControlFlow<(), (Vec<Piece>, Made)> {
-    let mut lengths = [0.0; N];
-    check(env, &mut sizes, "a size of `split`");
+    check(env, sizes, "a size of `split`");
     let none = ControlFlow::Continue((Vec::new(), Made::nothing()));
     let Some(set) = env.uv_set(set, "split") else { return none };
     let mut whole = env.whole(shape);
@@ -53,12 +53,12 @@ pub fn texture<const N: usize>(
     if !(0.0 < length && length.is_finite()) {
         return none;
     }
-    let pieces = listed(env, &solve(pattern, &sizes, &mut lengths, length));
+    let pieces = listed(env, &solve(pattern, sizes, lengths, length));
     let line = |distance: f64| match space {
         TextureSpace::Uv => extent.low[axis.index()] + distance,
         TextureSpace::Unit => extent.at_metres(axis, distance),
     };
-    let borders = Borders::of(&pieces[..], length, extent.high[axis.index()], line);
+    let borders = PieceBorders::of(&pieces[..], length, extent.high[axis.index()], line);
     let limit = env.settings.limits.vertices;
     let most = usize::try_from(limit).unwrap_or(usize::MAX);
     let Ok(bands) = cut::iso_bands(&placed.mesh, usize::from(set), axis, &borders.rising, most) else {

@@ -6,34 +6,34 @@ use super::grid::{Point, twice_area};
 
 /// A corner of a cell: its point, the distances along and across in metres, and its height.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Corner {
+pub(super) struct TileCorner {
     pub(super) point: Point,
     /// Along, across, height.
     pub(super) value: DVec3,
 }
 
-impl Corner {
+impl TileCorner {
     pub(super) fn new(point: Point, along: f64, across: f64, height: f64) -> Self {
-        Corner { point, value: DVec3::new(along, across, height) }
+        TileCorner { point, value: DVec3::new(along, across, height) }
     }
 }
 
 /// A convex cell with three or four corners, counter-clockwise. A cell beside the street begins with the edge along the
 /// street.
 #[derive(Clone, Debug)]
-pub(super) struct Cell {
-    pub(super) corners: Vec<Corner>,
+pub(super) struct Tile {
+    pub(super) corners: Vec<TileCorner>,
 }
 
-impl Cell {
+impl Tile {
     /// A cell; `None` if its area is not positive.
-    pub(super) fn new(corners: &[Corner]) -> Option<Cell> {
+    pub(super) fn new(corners: &[TileCorner]) -> Option<Tile> {
         let mut corners = corners.to_vec();
         corners.dedup_by_key(|corner| corner.point);
         if 1 < corners.len() && corners[0].point == corners[corners.len() - 1].point {
             corners.pop();
         }
-        let cell = Cell { corners };
+        let cell = Tile { corners };
         (0 < twice_area(&cell.ring())).then_some(cell)
     }
 
@@ -103,7 +103,7 @@ pub(super) struct Trace {
 
 /// A sidewalk between two poly-lines side by side.
 pub(super) struct SideStrip {
-    pub(super) cells: Vec<Cell>,
+    pub(super) cells: Vec<Tile>,
     pub(super) length: f64,
     pub(super) width: f64,
 }
@@ -140,16 +140,16 @@ pub(super) fn strip(inner: &[Trace], outer: &[Trace], width: f64) -> Option<Side
     for &(i, j) in &links {
         reach[j] = [reach[j][0].min(left[i]), reach[j][1].max(left[i])];
     }
-    let near = |at: usize| Corner::new(inner[at].point, left[at], 0.0, inner[at].height);
+    let near = |at: usize| TileCorner::new(inner[at].point, left[at], 0.0, inner[at].height);
     let far = |at: usize| {
         let along = (reach[at][0] + reach[at][1]) / 2.0;
-        Corner::new(outer[at].point, along, width, outer[at].height)
+        TileCorner::new(outer[at].point, along, width, outer[at].height)
     };
     let mut cells = Vec::new();
     for step in links.windows(2) {
         let [(i, j), (to_i, to_j)] = [step[0], step[1]];
         let corners = [near(to_i), near(i), far(j), far(to_j)];
-        match Cell::new(&corners) {
+        match Tile::new(&corners) {
             Some(cell) if is_convex(&cell.ring()) => cells.push(cell),
             None if twice_area(&corners.map(|corner| corner.point)) == 0 => {}
             _ => return None,

@@ -50,7 +50,7 @@ pub(super) struct ChainNode {
 
 /// A poly-line with widths. A closed chain ends at its first point.
 #[derive(Clone, Debug)]
-pub(super) struct Chain {
+pub(super) struct Polyline {
     /// The points in plan, each with its height as z.
     pub(super) points: Vec<DVec3>,
     /// The line of each segment, and whether the chain has the line's direction.
@@ -91,10 +91,10 @@ impl Walker<'_> {
         (self.widths(edge, self.other(edge, at)) == self.widths(next, at)).then_some(next)
     }
 
-    fn walk(&mut self, from: u32, first: u32) -> Chain {
+    fn walk(&mut self, from: u32, first: u32) -> Polyline {
         let graph = self.graph;
         let end = |vertex: u32| (graph.around[vertex as usize].len() != 1).then_some(vertex);
-        let mut chain = Chain {
+        let mut chain = Polyline {
             points: vec![graph.points[from as usize]],
             lines: Vec::new(),
             widths: self.widths(first, from),
@@ -121,7 +121,7 @@ impl Walker<'_> {
 }
 
 /// The chains of a graph with arcs at bends, and the nodes where they meet.
-pub(super) fn chains(graph: &Graph, lines: &[Centerline], options: &NetworkOptions) -> (Vec<Chain>, Vec<ChainNode>) {
+pub(super) fn chains(graph: &Graph, lines: &[Centerline], options: &NetworkOptions) -> (Vec<Polyline>, Vec<ChainNode>) {
     let mut walker = Walker { graph, lines, seen: vec![false; graph.edges.len()] };
     let mut raw = Vec::new();
     for (vertex, around) in graph.around.iter().enumerate() {
@@ -138,7 +138,7 @@ pub(super) fn chains(graph: &Graph, lines: &[Centerline], options: &NetworkOptio
     }
     let node = |&point: &DVec3| ChainNode { point, is_bend: false, arms: Vec::new() };
     let mut nodes: Vec<ChainNode> = graph.points.iter().map(node).collect();
-    let mut done: Vec<Chain> = Vec::new();
+    let mut done: Vec<Polyline> = Vec::new();
     for mut chain in raw {
         chain.round_bends(options.arc_above.to_radians());
         done.extend(chain.broken(&mut nodes));
@@ -164,7 +164,7 @@ pub(super) fn turn(before: DVec2, after: DVec2) -> f64 {
     libm::atan2(before.perp_dot(after), before.dot(after))
 }
 
-impl Chain {
+impl Polyline {
     /// The number of segments.
     pub(super) fn len(&self) -> usize {
         self.lines.len()
@@ -256,7 +256,7 @@ impl Chain {
     }
 
     /// The parts of the chain between bends that are too tight for a mitre. Each such bend becomes a node.
-    fn broken(self, nodes: &mut Vec<ChainNode>) -> Vec<Chain> {
+    fn broken(self, nodes: &mut Vec<ChainNode>) -> Vec<Polyline> {
         let count = self.len();
         let mut bends: Vec<f64> = (0..=count).map(|at| self.bend(at)).collect();
         let mut breaks: Vec<bool> = bends.iter().map(|bend| MOST_MITRE.to_radians() < bend.abs()).collect();
@@ -296,7 +296,7 @@ impl Chain {
             }
             nodes.push(ChainNode { point: self.points[at], is_bend: true, arms: Vec::new() });
         }
-        let part = |from: usize, to: usize, ends: [Option<u32>; 2]| Chain {
+        let part = |from: usize, to: usize, ends: [Option<u32>; 2]| Polyline {
             points: self.points[from..=to].to_vec(),
             lines: self.lines[from..to].to_vec(),
             widths: self.widths,
@@ -305,7 +305,7 @@ impl Chain {
             along: Vec::new(),
         };
         let end = |at: usize| Some(numbers[at]);
-        let mut parts: Vec<Chain> =
+        let mut parts: Vec<Polyline> =
             cuts.windows(2).map(|cut| part(cut[0], cut[1], [end(cut[0]), end(cut[1])])).collect();
         let last = cuts[cuts.len() - 1];
         if !self.closed {
@@ -323,9 +323,9 @@ impl Chain {
     }
 
     /// The chain in the other direction.
-    pub(super) fn reversed(&self) -> Chain {
+    pub(super) fn reversed(&self) -> Polyline {
         let length = self.length();
-        Chain {
+        Polyline {
             points: self.points.iter().rev().copied().collect(),
             lines: self.lines.iter().rev().map(|&(line, forward)| (line, !forward)).collect(),
             widths: self.widths.turned(),

@@ -1,7 +1,7 @@
 //! Finds overlaps of roadways and assigns these parts to junctions.
 
 use super::grid::{Point, is_sliver};
-use super::pieces::{Piece, Pieces, Plan};
+use super::pieces::{Draft, Pieces, Plot};
 use super::subdivision::Subdivision;
 use super::{MOST_CROSSINGS, StreetError};
 
@@ -14,11 +14,11 @@ const MARGIN: f64 = 1e-5;
 /// The pieces of a plan after its overlaps between free roadways are resolved. Overlaps that are left after `attempts`
 /// belong to the first of their streets. So the parts of a network never overlap, but such a street may have texture
 /// coordinates that do not reach 0 or 1.
-pub(super) fn resolve(plan: &mut Plan, attempts: usize) -> Result<Pieces, StreetError> {
+pub(super) fn resolve(plan: &mut Draft, attempts: usize) -> Result<Pieces, StreetError> {
     for _ in 0..attempts {
         let pieces = plan.pieces();
         let roads: Vec<usize> =
-            (0..pieces.list.len()).filter(|&at| !matches!(pieces.list[at], Piece::Walk { .. })).collect();
+            (0..pieces.list.len()).filter(|&at| !matches!(pieces.list[at], Plot::Walk { .. })).collect();
         let rings: Vec<Vec<Point>> = roads.iter().map(|&at| pieces.list[at].ring()).collect();
         let faces = Subdivision::new(&rings, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
         let mut changed = false;
@@ -29,13 +29,13 @@ pub(super) fn resolve(plan: &mut Plan, attempts: usize) -> Result<Pieces, Street
             }
             let cover = || covers.iter().map(|&road| &pieces.list[roads[road as usize]]);
             let laid_out =
-                || cover().filter_map(|piece| if let Piece::Junction { node, .. } = piece { *node } else { None });
+                || cover().filter_map(|piece| if let Plot::Junction { node, .. } = piece { *node } else { None });
             if laid_out().next().is_some() {
                 changed |= laid_out().fold(false, |any, node| plan.lower(node as usize) | any);
                 continue;
             }
             for piece in cover() {
-                if let &Piece::Road { chain, segment, free: true, ref cell, .. } = piece {
+                if let &Plot::Road { chain, segment, free: true, ref cell, .. } = piece {
                     let cut = extent(plan, chain as usize, segment as usize, &ring);
                     let reach = cell.corners.iter().map(|corner| corner.value.x);
                     let low = reach.clone().fold(f64::INFINITY, f64::min);
@@ -55,7 +55,7 @@ pub(super) fn resolve(plan: &mut Plan, attempts: usize) -> Result<Pieces, Street
 }
 
 /// The distances along a chain that a ring in one of its segments covers.
-fn extent(plan: &Plan, chain: usize, segment: usize, ring: &[Point]) -> [f64; 2] {
+fn extent(plan: &Draft, chain: usize, segment: usize, ring: &[Point]) -> [f64; 2] {
     let chain = &plan.chains[chain];
     let (from, along) = (chain.place(segment), chain.direction(segment));
     let distances = ring.iter().map(|point| chain.along[segment] + (point.place() - from).dot(along));

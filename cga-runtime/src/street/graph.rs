@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3};
 
-use super::grid::{Buckets, Map, Point};
+use super::grid::{Buckets, GridMap, Point};
 use super::input::{Centerline, NetworkOptions};
 use super::rounding::divide;
 use super::{MOST_CROSSINGS, StreetError};
@@ -26,25 +26,25 @@ pub(super) struct Graph {
 }
 
 /// A point of a line with its height.
-type Vertex = (Point, f64);
+type LinePoint = (Point, f64);
 
 /// A segment of a line.
-struct Segment {
-    ends: [Vertex; 2],
+struct LineSegment {
+    ends: [LinePoint; 2],
     line: u32,
 }
 
 impl Graph {
     /// The graph of checked lines.
     pub(super) fn new(lines: &[Centerline], options: &NetworkOptions) -> Result<Self, StreetError> {
-        let mut paths: Vec<Vec<Vertex>> = lines.iter().map(path).collect();
+        let mut paths: Vec<Vec<LinePoint>> = lines.iter().map(path).collect();
         if 0.0 < options.snap {
             join_ends(&mut paths, options.snap);
             reach_segments(&mut paths, options.snap);
         }
         let mut segments = Vec::new();
         for (line, path) in paths.iter().enumerate() {
-            let ends = path.windows(2).map(|ends| Segment { ends: [ends[0], ends[1]], line: line as u32 });
+            let ends = path.windows(2).map(|ends| LineSegment { ends: [ends[0], ends[1]], line: line as u32 });
             segments.extend(ends.filter(|segment| segment.ends[0].0 != segment.ends[1].0));
         }
         let mut graph = Graph::divided(&segments)?;
@@ -56,12 +56,12 @@ impl Graph {
     }
 
     /// The graph of segments, which may meet anywhere.
-    fn divided(segments: &[Segment]) -> Result<Self, StreetError> {
+    fn divided(segments: &[LineSegment]) -> Result<Self, StreetError> {
         let plain: Vec<[Point; 2]> = segments.iter().map(|segment| segment.ends.map(|end| end.0)).collect();
         let chains = divide(&plain, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
         let mut graph = Graph::default();
-        let mut numbers: Map<Point, u32> = Map::default();
-        let mut known: Map<[u32; 2], ()> = Map::default();
+        let mut numbers: GridMap<Point, u32> = GridMap::default();
+        let mut known: GridMap<[u32; 2], ()> = GridMap::default();
         // Ends of segments keep their heights; a crossing gets the height of the first line.
         for segment in segments {
             for (point, height) in segment.ends {
@@ -89,7 +89,7 @@ impl Graph {
         Ok(graph)
     }
 
-    fn vertex(&mut self, numbers: &mut Map<Point, u32>, point: Point, height: f64) -> u32 {
+    fn vertex(&mut self, numbers: &mut GridMap<Point, u32>, point: Point, height: f64) -> u32 {
         *numbers.entry(point).or_insert_with(|| {
             self.points.push(point.place().extend(height));
             self.around.push(Vec::new());
@@ -98,7 +98,7 @@ impl Graph {
     }
 
     /// The edges with short ones contracted. No vertex moves farther than `snap`.
-    fn contracted(&self, snap: f64) -> Vec<Segment> {
+    fn contracted(&self, snap: f64) -> Vec<LineSegment> {
         let mut to: Vec<u32> = (0..self.points.len() as u32).collect();
         let find = |to: &[u32], mut at: u32| {
             while to[at as usize] != at {
@@ -130,15 +130,15 @@ impl Graph {
             let at = find(&to, at) as usize;
             (Point::near(self.points[at].truncate()), self.points[at].z)
         };
-        let moved = self.edges.iter().map(|edge| Segment { ends: edge.ends.map(end), line: edge.line });
+        let moved = self.edges.iter().map(|edge| LineSegment { ends: edge.ends.map(end), line: edge.line });
         moved.filter(|segment| segment.ends[0].0 != segment.ends[1].0).collect()
     }
 }
 
 /// The points of a line on the grid, without repetitions.
-fn path(line: &Centerline) -> Vec<Vertex> {
+fn path(line: &Centerline) -> Vec<LinePoint> {
     let point = |&[x, y, z]: &[f64; 3]| (Point::near(DVec2::new(x, -z)), y + 0.0);
-    let mut path: Vec<Vertex> = line.points.iter().map(point).collect();
+    let mut path: Vec<LinePoint> = line.points.iter().map(point).collect();
     path.dedup_by_key(|vertex| vertex.0);
     if path.len() < 2 {
         path.clear();
@@ -147,9 +147,9 @@ fn path(line: &Centerline) -> Vec<Vertex> {
 }
 
 /// Moves an end that is near an earlier end onto it.
-fn join_ends(paths: &mut [Vec<Vertex>], snap: f64) {
+fn join_ends(paths: &mut [Vec<LinePoint>], snap: f64) {
     let cell = |place: DVec2| ((place.x / snap).floor() as i64, (place.y / snap).floor() as i64);
-    let mut kept: Map<(i64, i64), Vec<Vertex>> = Map::default();
+    let mut kept: GridMap<(i64, i64), Vec<LinePoint>> = GridMap::default();
     for path in paths.iter_mut() {
         let last = path.len().saturating_sub(1);
         if last == 0 {
@@ -160,7 +160,7 @@ fn join_ends(paths: &mut [Vec<Vertex>], snap: f64) {
             let (x, y) = cell(place);
             let near = (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| (x + dx, y + dy)));
             let near = near.flat_map(|cell| kept.get(&cell).into_iter().flatten());
-            let distance = |vertex: &Vertex| vertex.0.place().distance(place);
+            let distance = |vertex: &LinePoint| vertex.0.place().distance(place);
             let nearest = near.filter(|vertex| distance(vertex) <= snap);
             let nearest = nearest.min_by(|a, b| distance(a).total_cmp(&distance(b)).then(a.0.cmp(&b.0))).copied();
             match nearest {
@@ -172,8 +172,8 @@ fn join_ends(paths: &mut [Vec<Vertex>], snap: f64) {
 }
 
 /// Moves ends that are not shared onto the nearest segment of another line, if one is near.
-fn reach_segments(paths: &mut [Vec<Vertex>], snap: f64) {
-    let mut ends: Map<Point, usize> = Map::default();
+fn reach_segments(paths: &mut [Vec<LinePoint>], snap: f64) {
+    let mut ends: GridMap<Point, usize> = GridMap::default();
     let (mut segments, mut homes) = (Vec::new(), Vec::new());
     for (line, path) in paths.iter().enumerate() {
         for vertex in path.first().into_iter().chain(path.last()) {
@@ -186,7 +186,7 @@ fn reach_segments(paths: &mut [Vec<Vertex>], snap: f64) {
     }
     let buckets = Buckets::of_segments(&segments);
     let margin = (snap / super::grid::UNIT) as i64 + 1;
-    let mut added: BTreeMap<(usize, usize), Vec<Vertex>> = BTreeMap::new();
+    let mut added: BTreeMap<(usize, usize), Vec<LinePoint>> = BTreeMap::new();
     for line in 0..paths.len() {
         let last = paths[line].len().saturating_sub(1);
         if last == 0 {

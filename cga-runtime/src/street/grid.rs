@@ -90,7 +90,7 @@ pub(super) fn winding(ring: &[Point], point: Point) -> i32 {
 }
 
 /// A map by points or cells.
-pub(super) type Map<K, V> = HashMap<K, V, BuildHasherDefault<Mix>>;
+pub(super) type GridMap<K, V> = HashMap<K, V, BuildHasherDefault<Mix>>;
 
 /// A fast hash of a few integers.
 #[derive(Clone, Copy, Debug, Default)]
@@ -121,7 +121,7 @@ impl Hasher for Mix {
 /// Lists of numbers by square cells of the plane.
 pub(super) struct Buckets {
     size: i64,
-    cells: Map<(i64, i64), Vec<u32>>,
+    cells: GridMap<(i64, i64), Vec<u32>>,
 }
 
 impl Buckets {
@@ -129,7 +129,7 @@ impl Buckets {
     pub(super) fn for_segments(segments: &[[Point; 2]]) -> Self {
         let length: f64 = segments.iter().map(|[a, b]| a.place().distance(b.place())).sum();
         let size = (length / segments.len().max(1) as f64).max(1.0);
-        Buckets { size: ((size * UNITS).ceil() as i64).max(16), cells: Map::default() }
+        Buckets { size: ((size * UNITS).ceil() as i64).max(16), cells: GridMap::default() }
     }
 
     /// Segments by number, each in all cells that it crosses.

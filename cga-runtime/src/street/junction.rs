@@ -5,9 +5,9 @@ use std::f64::consts::{PI, TAU};
 use glam::DVec2;
 
 use super::cell::{SideStrip, Trace, strip};
-use super::chain::{Chain, ChainNode, turn};
+use super::chain::{ChainNode, Polyline, turn};
 use super::grid::{Point, are_apart, orient, twice_area};
-use super::section::{Section, Station};
+use super::section::{CrossSection, Station};
 
 /// The distance in metres from a junction within which its corners are searched.
 const REACH: f64 = 120.0;
@@ -26,7 +26,7 @@ const CORNER_STEP: f64 = 15.0;
 
 /// The layout of a junction.
 #[derive(Default)]
-pub(super) struct Layout {
+pub(super) struct JunctionLayout {
     /// The stations where the arms end, by chain and end.
     pub(super) stations: Vec<(u32, usize, Station)>,
     /// The area of the roadway, in one or more rings.
@@ -36,16 +36,16 @@ pub(super) struct Layout {
 }
 
 /// A chain as seen from the junction.
-struct Arm {
-    chain: Chain,
+struct Leg {
+    chain: Polyline,
     number: u32,
     end: usize,
 }
 
-impl Arm {
+impl Leg {
     /// The section at a station of the arm, from its left to its right. It is computed along the chain, so that its
     /// points are exactly those of the chain.
-    fn section(&self, chains: &[Chain], station: Station) -> Section {
+    fn section(&self, chains: &[Polyline], station: Station) -> CrossSection {
         if self.end == 0 {
             return chains[self.number as usize].section(station);
         }
@@ -56,7 +56,7 @@ impl Arm {
     }
 }
 
-impl Arm {
+impl Leg {
     /// The distance along the arm of a point beside a segment.
     fn along(&self, segment: usize, place: DVec2) -> f64 {
         let off = (place - self.chain.place(segment)).dot(self.chain.direction(segment));
@@ -82,13 +82,13 @@ impl Meeting {
 }
 
 /// The arms of a node in counter-clockwise order.
-fn arms(node: &ChainNode, chains: &[Chain]) -> Vec<Arm> {
+fn arms(node: &ChainNode, chains: &[Polyline]) -> Vec<Leg> {
     let arm = |&(number, end): &(u32, usize)| {
         let chain = &chains[number as usize];
-        Arm { chain: if end == 0 { chain.clone() } else { chain.reversed() }, number, end }
+        Leg { chain: if end == 0 { chain.clone() } else { chain.reversed() }, number, end }
     };
-    let mut arms: Vec<Arm> = node.arms.iter().map(arm).collect();
-    let angle = |arm: &Arm| {
+    let mut arms: Vec<Leg> = node.arms.iter().map(arm).collect();
+    let angle = |arm: &Leg| {
         let direction = arm.chain.direction(0);
         libm::atan2(direction.y, direction.x)
     };
@@ -97,13 +97,13 @@ fn arms(node: &ChainNode, chains: &[Chain]) -> Vec<Arm> {
 }
 
 /// The counter-clockwise angle from an arm to the next one.
-fn gap(a: &Arm, b: &Arm) -> f64 {
+fn gap(a: &Leg, b: &Leg) -> f64 {
     let angle = turn(a.chain.direction(0), b.chain.direction(0));
     if angle <= 0.0 { angle + TAU } else { angle }
 }
 
 /// Lays out a junction with kerbs of a given radius. `None` if the arms do not fit.
-pub(super) fn layout(node: &ChainNode, chains: &[Chain], radius: f64) -> Option<Layout> {
+pub(super) fn layout(node: &ChainNode, chains: &[Polyline], radius: f64) -> Option<JunctionLayout> {
     let arms = arms(node, chains);
     let count = arms.len();
     let pair = |at: usize| (&arms[at], &arms[(at + 1) % count]);
@@ -134,7 +134,7 @@ pub(super) fn layout(node: &ChainNode, chains: &[Chain], radius: f64) -> Option<
         return None;
     }
     let stations: Vec<Station> = (0..count).map(|at| arms[at].chain.station_after(reach[at])).collect();
-    let sections: Vec<Section> = (0..count).map(|at| arms[at].section(chains, stations[at])).collect();
+    let sections: Vec<CrossSection> = (0..count).map(|at| arms[at].section(chains, stations[at])).collect();
     let (mut roadway, mut corners) = (Vec::new(), Vec::new());
     for (at, (kerb, outer, width)) in meetings.iter().enumerate() {
         let ((a, b), next) = (pair(at), (at + 1) % count);
@@ -167,19 +167,23 @@ pub(super) fn layout(node: &ChainNode, chains: &[Chain], radius: f64) -> Option<
         let station = if arm.end == 0 { stations[at] } else { arm.chain.reversed_station(stations[at]) };
         (arm.number, arm.end, station)
     };
-    Some(Layout { stations: (0..count).map(to_chain).collect(), roadway: vec![roadway], corners })
+    Some(JunctionLayout { stations: (0..count).map(to_chain).collect(), roadway: vec![roadway], corners })
 }
 
-impl Section {
+impl CrossSection {
     /// The distance of the section from the junction of an arm.
-    fn along_arm(&self, arm: &Arm) -> f64 {
+    fn along_arm(&self, arm: &Leg) -> f64 {
         if arm.end == 0 { self.along } else { arm.chain.length() - self.along }
     }
 }
 
 /// The points of an arm's border from a distance on: the points at the chain's vertices, and last the point of the
 /// section where the arm ends.
-fn trace((end, arm, border): (&Section, &Arm, usize), chains: &[Chain], from: f64) -> impl Iterator<Item = Trace> {
+fn trace(
+    (end, arm, border): (&CrossSection, &Leg, usize),
+    chains: &[Polyline],
+    from: f64,
+) -> impl Iterator<Item = Trace> {
     let to = end.along_arm(arm);
     let between = move |at: &usize| from + 1e-6 < arm.chain.along[*at] && arm.chain.along[*at] < to - 1e-6;
     let inner = (1..arm.chain.len()).filter(between).map(|at| arm.section(chains, Station::Vertex(at)));
@@ -198,7 +202,7 @@ fn arc(points: &[DVec2], height: f64) -> impl Iterator<Item = Trace> {
 }
 
 /// Joins the left border of an arm with the right border of the next one.
-fn meet(a: &Arm, b: &Arm, distances: [f64; 2], radius: f64, most_tangent: f64) -> Option<Meeting> {
+fn meet(a: &Leg, b: &Leg, distances: [f64; 2], radius: f64, most_tangent: f64) -> Option<Meeting> {
     let gap = gap(a, b);
     let lines = [a.chain.border(distances[0]), b.chain.border(distances[1])];
     if gap < PI - 1e-9
@@ -252,7 +256,7 @@ fn fan(centre: DVec2, from: DVec2, to: DVec2) -> Vec<DVec2> {
 }
 
 /// The first crossing of two borders: the segments and the position.
-fn crossing(lines: &[Vec<DVec2>; 2], arms: [&Arm; 2]) -> Option<([usize; 2], DVec2)> {
+fn crossing(lines: &[Vec<DVec2>; 2], arms: [&Leg; 2]) -> Option<([usize; 2], DVec2)> {
     let near = |which: usize| (0..arms[which].chain.len()).take_while(move |&at| arms[which].chain.along[at] < REACH);
     for i in near(0) {
         let [p, q] = [lines[0][i], lines[0][i + 1]];
@@ -272,7 +276,7 @@ fn crossing(lines: &[Vec<DVec2>; 2], arms: [&Arm; 2]) -> Option<([usize; 2], DVe
 }
 
 /// A corner rounded by an arc of a given radius. Borders shifted outwards by the radius cross at the centre of the arc.
-fn rounded(corner: &Meeting, arms: [&Arm; 2], distances: [f64; 2], radius: f64, most_tangent: f64) -> Option<Meeting> {
+fn rounded(corner: &Meeting, arms: [&Leg; 2], distances: [f64; 2], radius: f64, most_tangent: f64) -> Option<Meeting> {
     let lines = [arms[0].chain.border(distances[0] + radius), arms[1].chain.border(distances[1] - radius)];
     let (at, centre) = crossing(&lines, arms)?;
     let along = [0, 1].map(|which| arms[which].along(at[which], centre));
@@ -311,9 +315,9 @@ fn is_simple(ring: &[Point]) -> bool {
 }
 
 /// The fans that fill the outer sides of a junction whose arms begin at its node: triangles of roadway, and sidewalks.
-pub(super) fn fans(node: &ChainNode, chains: &[Chain]) -> Layout {
+pub(super) fn fans(node: &ChainNode, chains: &[Polyline]) -> JunctionLayout {
     let arms = arms(node, chains);
-    let mut layout = Layout::default();
+    let mut layout = JunctionLayout::default();
     let centre = Point::near(node.point.truncate());
     for at in 0..arms.len() {
         let (a, b) = (&arms[at], &arms[(at + 1) % arms.len()]);

@@ -2,21 +2,21 @@
 
 use glam::{DVec2, DVec3};
 
-use super::grid::{Map, Point};
+use super::grid::{GridMap, Point};
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use crate::geometry::triangulate::Triangulator;
 
 /// A face: its outline and holes, and three sets of coordinates at each of their points.
-pub(super) struct Face {
+pub(super) struct StreetFace {
     pub(super) rings: Vec<Vec<Point>>,
     pub(super) uvs: Vec<[DVec2; 3]>,
 }
 
 /// A mesh of faces with `sets` sets of coordinates. `None` if the faces have no area. Faces that are not flat are
 /// divided into triangles.
-pub(super) fn mesh(faces: &[Face], heights: &Map<Point, f64>, sets: usize) -> Option<Mesh> {
+pub(super) fn mesh(faces: &[StreetFace], heights: &GridMap<Point, f64>, sets: usize) -> Option<Mesh> {
     let mut builder = MeshBuilder::new();
-    let mut numbers: Map<Point, u32> = Map::default();
+    let mut numbers: GridMap<Point, u32> = GridMap::default();
     for face in faces {
         let points: Vec<Point> = face.rings.iter().flatten().copied().collect();
         let levels = levels(&points, heights);
@@ -62,7 +62,7 @@ pub(super) fn mesh(faces: &[Face], heights: &Map<Point, f64>, sets: usize) -> Op
 
 /// The heights of the points of a face. Unknown heights are means of the known ones, weighted by the inverse square of
 /// the distance.
-fn levels(points: &[Point], heights: &Map<Point, f64>) -> Vec<f64> {
+fn levels(points: &[Point], heights: &GridMap<Point, f64>) -> Vec<f64> {
     let known: Vec<Option<f64>> = points.iter().map(|point| heights.get(point).copied()).collect();
     let first = known.iter().flatten().next().copied().unwrap_or(0.0);
     let level = |at: usize| match known[at] {

@@ -2,9 +2,9 @@
 
 use glam::{DVec2, DVec3};
 
-use super::grid::{Map, Point, is_sliver, twice_area, winding};
-use super::mesh::{Face, mesh};
-use super::pieces::{Piece, Pieces, Plan, Run};
+use super::grid::{GridMap, Point, is_sliver, twice_area, winding};
+use super::mesh::{StreetFace, mesh};
+use super::pieces::{Chart, Draft, Pieces, Plot};
 use super::subdivision::{NONE, Subdivision};
 use super::{Kind, MOST_CROSSINGS, Part, Side, StreetError};
 use crate::geometry::disjoint::DisjointSets;
@@ -13,21 +13,21 @@ use crate::geometry::disjoint::DisjointSets;
 const STRAIGHT_ON: f64 = 30.0;
 
 /// The parts of a network.
-pub(super) fn parts(plan: &Plan, pieces: &Pieces) -> Result<Vec<Part>, StreetError> {
-    let rings: Vec<Vec<Point>> = pieces.list.iter().map(Piece::ring).collect();
+pub(super) fn parts(plan: &Draft, pieces: &Pieces) -> Result<Vec<Part>, StreetError> {
+    let rings: Vec<Vec<Point>> = pieces.list.iter().map(Plot::ring).collect();
     let faces = Subdivision::new(&rings, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
     let owners = owners(pieces, &faces);
     let mut loops: Vec<Vec<Vec<Point>>> = vec![Vec::new(); pieces.list.len()];
     for (owner, ring) in faces.outlines(&owners) {
         loops[owner as usize].push(ring);
     }
-    let mut heights: Map<Point, f64> = Map::default();
+    let mut heights: GridMap<Point, f64> = GridMap::default();
     // Roadways first: their heights take precedence over those of sidewalks, and junctions have the heights around them.
     for order in 0..3 {
         for (at, piece) in pieces.list.iter().enumerate() {
             let (cell, rings) = match (order, piece) {
-                (0, Piece::Road { cell, free: true, .. }) | (1, Piece::Walk { cell, .. }) => (cell, &loops[at][..]),
-                (2, Piece::Road { cell, free: false, .. }) => (cell, std::slice::from_ref(&rings[at])),
+                (0, Plot::Road { cell, free: true, .. }) | (1, Plot::Walk { cell, .. }) => (cell, &loops[at][..]),
+                (2, Plot::Road { cell, free: false, .. }) => (cell, std::slice::from_ref(&rings[at])),
                 _ => continue,
             };
             for &point in rings.iter().flatten() {
@@ -38,7 +38,7 @@ pub(super) fn parts(plan: &Plan, pieces: &Pieces) -> Result<Vec<Part>, StreetErr
     let mut parts = Vec::new();
     let mut by_run: Vec<Vec<usize>> = vec![Vec::new(); pieces.runs.len()];
     for (at, piece) in pieces.list.iter().enumerate() {
-        if let Piece::Road { run, free: true, .. } | Piece::Walk { run, .. } = piece {
+        if let Plot::Road { run, free: true, .. } | Plot::Walk { run, .. } = piece {
             by_run[*run as usize].push(at);
         }
     }
@@ -57,8 +57,8 @@ pub(super) fn parts(plan: &Plan, pieces: &Pieces) -> Result<Vec<Part>, StreetErr
 
 /// The owner of each cycle: the number of a piece. The first piece of a junction owns all its pieces.
 fn owners(pieces: &Pieces, faces: &Subdivision) -> Vec<u32> {
-    let is_free = |&&at: &&u32| matches!(pieces.list[at as usize], Piece::Road { free: true, .. });
-    let is_walk = |at: u32| matches!(pieces.list[at as usize], Piece::Walk { .. });
+    let is_free = |&&at: &&u32| matches!(pieces.list[at as usize], Plot::Road { free: true, .. });
+    let is_walk = |at: u32| matches!(pieces.list[at as usize], Plot::Walk { .. });
     let owner = |covers: &Vec<u32>| {
         let free = covers.iter().find(is_free);
         let junction = || covers.iter().find(|&&at| !is_walk(at));
@@ -85,19 +85,19 @@ fn owners(pieces: &Pieces, faces: &Subdivision) -> Vec<u32> {
 }
 
 /// Returns true for a piece that belongs to a junction.
-fn is_junction(piece: &Piece) -> bool {
-    !matches!(piece, Piece::Walk { .. } | Piece::Road { free: true, .. })
+fn is_junction(piece: &Plot) -> bool {
+    !matches!(piece, Plot::Walk { .. } | Plot::Road { free: true, .. })
 }
 
 /// For each junction the directions of its streets, away from it.
-fn arms(owners: &[u32], plan: &Plan, pieces: &Pieces, faces: &Subdivision) -> Map<u32, Vec<DVec2>> {
+fn arms(owners: &[u32], plan: &Draft, pieces: &Pieces, faces: &Subdivision) -> GridMap<u32, Vec<DVec2>> {
     let mut found: Vec<(u32, u32, bool)> = Vec::new();
     for half in 0..faces.cycle.len() {
         let [here, there] = [half, half ^ 1].map(|half| owners[faces.cycle[half] as usize]);
         if here == NONE || there == NONE || here == there || !is_junction(&pieces.list[here as usize]) {
             continue;
         }
-        if let Piece::Road { cell, free: true, .. } = &pieces.list[there as usize] {
+        if let Plot::Road { cell, free: true, .. } = &pieces.list[there as usize] {
             let reach = cell.corners.iter().map(|corner| corner.value.x);
             let middle = reach.clone().sum::<f64>() / cell.corners.len() as f64;
             let [a, b] = faces.ends(half);
@@ -107,9 +107,9 @@ fn arms(owners: &[u32], plan: &Plan, pieces: &Pieces, faces: &Subdivision) -> Ma
     }
     found.sort_unstable();
     found.dedup();
-    let mut arms: Map<u32, Vec<DVec2>> = Map::default();
+    let mut arms: GridMap<u32, Vec<DVec2>> = GridMap::default();
     for (junction, road, at_start) in found {
-        if let Piece::Road { chain, segment, .. } = pieces.list[road as usize] {
+        if let Plot::Road { chain, segment, .. } = pieces.list[road as usize] {
             let along = plan.chains[chain as usize].direction(segment as usize);
             arms.entry(junction).or_default().push(if at_start { along } else { -along });
         }
@@ -120,7 +120,7 @@ fn arms(owners: &[u32], plan: &Plan, pieces: &Pieces, faces: &Subdivision) -> Ma
 /// Gives faces that are due to rounding to the owner at their longest edge.
 fn give_slivers_away(of_cycle: &mut [u32], faces: &Subdivision) {
     let is_sliver: Vec<bool> = (0..of_cycle.len()).map(|cycle| is_sliver(&faces.ring(cycle))).collect();
-    let mut longest: Map<u32, (f64, u32)> = Map::default();
+    let mut longest: GridMap<u32, (f64, u32)> = GridMap::default();
     for (half, &cycle) in faces.cycle.iter().enumerate() {
         let other = faces.cycle[half ^ 1];
         if is_sliver[cycle as usize] && !is_sliver[other as usize] {
@@ -155,11 +155,11 @@ fn faces_of(loops: &[Vec<Point>]) -> Vec<Vec<Vec<Point>>> {
 
 /// A street or a sidewalk.
 fn street(
-    run: &Run,
+    run: &Chart,
     list: &[usize],
     pieces: &Pieces,
     loops: &[Vec<Vec<Point>>],
-    heights: &Map<Point, f64>,
+    heights: &GridMap<Point, f64>,
 ) -> Option<Part> {
     let forward = run.line.is_none_or(|(_, forward)| forward);
     let length = run.along[1] - run.along[0];
@@ -173,7 +173,7 @@ fn street(
     let mut faces = Vec::new();
     let cells: Vec<usize> = if forward { list.to_vec() } else { list.iter().rev().copied().collect() };
     for at in cells {
-        let (Piece::Road { cell, .. } | Piece::Walk { cell, .. }) = &pieces.list[at] else { continue };
+        let (Plot::Road { cell, .. } | Plot::Walk { cell, .. }) = &pieces.list[at] else { continue };
         // A quad begins with the edge on the right, along the street, or at the kerb.
         let first = if is_road && !forward { cell.corners.len() / 2 } else { 0 };
         let first = cell.corners[first].point;
@@ -182,7 +182,7 @@ fn street(
                 rings[0].rotate_left(start);
             }
             let uvs = rings.iter().flatten().map(|&point| coordinates(cell.value(point))).collect();
-            faces.push(Face { rings, uvs });
+            faces.push(StreetFace { rings, uvs });
         }
     }
     let side = run.side.map(|side| match side {
@@ -203,7 +203,7 @@ fn street(
 }
 
 /// A junction, with coordinates from 0 to 1 along and across its first arm.
-fn junction(loops: &[Vec<Point>], arms: &[DVec2], heights: &Map<Point, f64>) -> Option<Part> {
+fn junction(loops: &[Vec<Point>], arms: &[DVec2], heights: &GridMap<Point, f64>) -> Option<Part> {
     let along = arms.first().copied().unwrap_or(DVec2::X);
     let flat = |point: Point| {
         let place = point.place();
@@ -214,9 +214,9 @@ fn junction(loops: &[Vec<Point>], arms: &[DVec2], heights: &Map<Point, f64>) -> 
     let size = all().fold(DVec2::NEG_INFINITY, DVec2::max) - low;
     let face = |rings: Vec<Vec<Point>>| {
         let uvs = rings.iter().flatten().map(|&point| [(flat(point) - low) / size; 3]).collect();
-        Face { rings, uvs }
+        StreetFace { rings, uvs }
     };
-    let faces: Vec<Face> = faces_of(loops).into_iter().map(face).collect();
+    let faces: Vec<StreetFace> = faces_of(loops).into_iter().map(face).collect();
     let least = -libm::cos(STRAIGHT_ON.to_radians());
     let straight = (0..arms.len()).any(|a| arms[a + 1..].iter().any(|b| arms[a].dot(*b) < least));
     let kind = match arms.len() {

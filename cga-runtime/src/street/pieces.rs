@@ -1,10 +1,10 @@
 //! The pieces of a network: cells of streets and sidewalks, and areas of junctions, which may still overlap.
 
-use super::cell::{Cell, Corner};
-use super::chain::{Chain, ChainNode};
+use super::cell::{Tile, TileCorner};
+use super::chain::{ChainNode, Polyline};
 use super::grid::Point;
-use super::junction::{self, Layout};
-use super::section::{Section, Station};
+use super::junction::{self, JunctionLayout};
+use super::section::{CrossSection, Station};
 use super::{Kind, Side};
 
 /// The run that a cell is a part of, by number in [`Pieces::runs`].
@@ -12,7 +12,7 @@ pub(super) type RunId = u32;
 
 /// A stretch of a street, of a sidewalk beside it, or of a sidewalk around a corner: one chart.
 #[derive(Clone, Debug)]
-pub(super) struct Run {
+pub(super) struct Chart {
     pub(super) kind: Kind,
     /// The side of the chain that a sidewalk is on.
     pub(super) side: Option<Side>,
@@ -25,20 +25,20 @@ pub(super) struct Run {
 
 /// The kind of a piece.
 #[derive(Clone, Debug)]
-pub(super) enum Piece {
+pub(super) enum Plot {
     /// A cell of a roadway. A cell that is not free belongs to a junction.
-    Road { cell: Cell, run: RunId, chain: u32, segment: u32, free: bool },
+    Road { cell: Tile, run: RunId, chain: u32, segment: u32, free: bool },
     /// A part of the area of a junction. The node of a junction with a layout.
     Junction { node: Option<u32>, ring: Vec<Point> },
     /// A cell of a sidewalk.
-    Walk { cell: Cell, run: RunId },
+    Walk { cell: Tile, run: RunId },
 }
 
-impl Piece {
+impl Plot {
     pub(super) fn ring(&self) -> Vec<Point> {
         match self {
-            Piece::Road { cell, .. } | Piece::Walk { cell, .. } => cell.ring(),
-            Piece::Junction { ring, .. } => ring.clone(),
+            Plot::Road { cell, .. } | Plot::Walk { cell, .. } => cell.ring(),
+            Plot::Junction { ring, .. } => ring.clone(),
         }
     }
 }
@@ -46,13 +46,13 @@ impl Piece {
 /// All pieces and runs.
 #[derive(Debug, Default)]
 pub(super) struct Pieces {
-    pub(super) list: Vec<Piece>,
-    pub(super) runs: Vec<Run>,
+    pub(super) list: Vec<Plot>,
+    pub(super) runs: Vec<Chart>,
 }
 
 /// The extents of the junctions of a network: chains, nodes, and the results of earlier attempts.
-pub(super) struct Plan {
-    pub(super) chains: Vec<Chain>,
+pub(super) struct Draft {
+    pub(super) chains: Vec<Polyline>,
     pub(super) nodes: Vec<ChainNode>,
     /// By node: 0 for rounded kerbs, 1 for sharp ones, 2 for arms that do not fit and overlap.
     pub(super) levels: Vec<u8>,
@@ -67,10 +67,10 @@ const OVERLAID: u8 = 2;
 /// A piece of roadway between two junctions belongs to them if it is shorter than this share of its width.
 const LEAST_STREET: f64 = 0.5;
 
-impl Plan {
-    pub(super) fn new(chains: Vec<Chain>, nodes: Vec<ChainNode>, radius: f64) -> Self {
+impl Draft {
+    pub(super) fn new(chains: Vec<Polyline>, nodes: Vec<ChainNode>, radius: f64) -> Self {
         let level = |node: &ChainNode| if node.is_bend { OVERLAID } else { u8::from(radius == 0.0) };
-        Plan { levels: nodes.iter().map(level).collect(), cuts: vec![Vec::new(); chains.len()], chains, nodes, radius }
+        Draft { levels: nodes.iter().map(level).collect(), cuts: vec![Vec::new(); chains.len()], chains, nodes, radius }
     }
 
     /// Reduces the room of a junction, if possible. Returns whether it was possible.
@@ -82,7 +82,7 @@ impl Plan {
 
     /// The pieces of the current plan. Junctions that do not fit are reduced until they do.
     pub(super) fn pieces(&mut self) -> Pieces {
-        let mut layouts: Vec<Option<Layout>> = (0..self.nodes.len()).map(|_| None).collect();
+        let mut layouts: Vec<Option<JunctionLayout>> = (0..self.nodes.len()).map(|_| None).collect();
         let mut waiting: Vec<usize> = (0..self.nodes.len()).collect();
         let mut ends: Vec<[Station; 2]> = Vec::new();
         while !waiting.is_empty() {
@@ -122,12 +122,12 @@ impl Plan {
             let node = layout.is_some().then_some(number as u32);
             let fans = || junction::fans(&self.nodes[number], &self.chains);
             let Some(layout) = layout.or_else(|| (self.levels[number] == OVERLAID).then(fans)) else { continue };
-            pieces.list.extend(layout.roadway.into_iter().map(|ring| Piece::Junction { node, ring }));
+            pieces.list.extend(layout.roadway.into_iter().map(|ring| Plot::Junction { node, ring }));
             for corner in layout.corners {
                 let run = pieces.runs.len() as RunId;
-                pieces.list.extend(corner.cells.into_iter().map(|cell| Piece::Walk { cell, run }));
+                pieces.list.extend(corner.cells.into_iter().map(|cell| Plot::Walk { cell, run }));
                 let (along, width) = ([0.0, corner.length], corner.width);
-                pieces.runs.push(Run { kind: Kind::Sidewalk, side: None, line: None, along, width });
+                pieces.runs.push(Chart { kind: Kind::Sidewalk, side: None, line: None, along, width });
             }
         }
         pieces
@@ -184,7 +184,7 @@ impl Plan {
         stations.retain(|&station| start <= chain.along(station) && chain.along(station) <= end);
         stations.sort_by(|&a, &b| chain.along(a).total_cmp(&chain.along(b)));
         stations.dedup_by(|a, b| chain.along(*a) == chain.along(*b));
-        let sections: Vec<Section> = stations.iter().map(|&station| chain.section(station)).collect();
+        let sections: Vec<CrossSection> = stations.iter().map(|&station| chain.section(station)).collect();
         let mut before: Option<(bool, (u32, bool))> = None;
         let mut runs = [0; 3];
         for at in 0..stations.len() - 1 {
@@ -204,20 +204,20 @@ impl Plan {
                     (2, Kind::Sidewalk, Some(Side::Right), chain.widths.right),
                 ] {
                     runs[run] = pieces.runs.len() as RunId;
-                    pieces.runs.push(Run { kind, side, line: Some(home.1), along: [from.along; 2], width });
+                    pieces.runs.push(Chart { kind, side, line: Some(home.1), along: [from.along; 2], width });
                 }
             }
             for run in runs {
                 pieces.runs[run as usize].along[1] = to.along;
             }
-            let corner = |section: &Section, border: usize, across: f64| {
-                Corner::new(section.borders[border], section.along, across, section.height)
+            let corner = |section: &CrossSection, border: usize, across: f64| {
+                TileCorner::new(section.borders[border], section.along, across, section.height)
             };
             let width = 2.0 * chain.widths.half;
             let road = [corner(&from, 2, 0.0), corner(&to, 2, 0.0), corner(&to, 1, width), corner(&from, 1, width)];
-            if let Some(cell) = Cell::new(&road) {
+            if let Some(cell) = Tile::new(&road) {
                 let (chain, segment) = (number as u32, segment as u32);
-                pieces.list.push(Piece::Road { cell, run: runs[0], chain, segment, free });
+                pieces.list.push(Plot::Road { cell, run: runs[0], chain, segment, free });
             }
             // The borders at the kerb and outside, and the sections at the start and the end as seen from the kerb.
             let (start, end) = ((stations[at], &from), (stations[at + 1], &to));
@@ -225,7 +225,7 @@ impl Plan {
                 [(runs[1], chain.widths.left, 1, 0, [start, end]), (runs[2], chain.widths.right, 2, 3, [end, start])]
             {
                 let distance = chain.widths.borders()[outside];
-                let outer = |station: Station, section: &Section| {
+                let outer = |station: Station, section: &CrossSection| {
                     let mut corner = corner(section, outside, width);
                     // If the outer border has no length in a bend, the border overlaps that of the next cell.
                     if let Station::Vertex(at) = station
@@ -237,8 +237,8 @@ impl Plan {
                     corner
                 };
                 if 0.0 < width {
-                    let cell = Cell::new(&[corner(a, kerb, 0.0), corner(b, kerb, 0.0), outer(far, b), outer(near, a)]);
-                    pieces.list.extend(cell.map(|cell| Piece::Walk { cell, run }));
+                    let cell = Tile::new(&[corner(a, kerb, 0.0), corner(b, kerb, 0.0), outer(far, b), outer(near, a)]);
+                    pieces.list.extend(cell.map(|cell| Plot::Walk { cell, run }));
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::chain::Chain;
+use super::chain::Polyline;
 use super::grid::Point;
 
 /// A position on a chain where it can be cut across.
@@ -16,7 +16,7 @@ pub(super) enum Station {
 
 /// A cross-section: from the left border of the left sidewalk to the right border of the right one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Section {
+pub(super) struct CrossSection {
     /// The distance from the start of the chain.
     pub(super) along: f64,
     pub(super) height: f64,
@@ -26,9 +26,9 @@ pub(super) struct Section {
 /// The shortest part of a segment between its mitres that can be cut, in metres.
 const LEAST_CORE: f64 = 0.05;
 
-impl Chain {
+impl Polyline {
     /// The cross-section at a station.
-    pub(super) fn section(&self, station: Station) -> Section {
+    pub(super) fn section(&self, station: Station) -> CrossSection {
         let (along, place, across, height) = match station {
             Station::Vertex(at) => (self.along[at], self.place(at), self.mitre(at), self.points[at].z),
             Station::Within(segment, along) => {
@@ -38,7 +38,11 @@ impl Chain {
                 (along, place, self.direction(segment).perp(), low + (high - low) * part)
             }
         };
-        Section { along, height, borders: self.widths.borders().map(|distance| Point::near(place + across * distance)) }
+        CrossSection {
+            along,
+            height,
+            borders: self.widths.borders().map(|distance| Point::near(place + across * distance)),
+        }
     }
 
     /// The vector across the chain at a vertex. Times a border's distance it gives the border's offset.

@@ -148,46 +148,25 @@ fn quoted(text: &str) -> Option<Text> {
     Some(Text::from(out))
 }
 
-macro_rules! arrays {
-    ($($item:ty => $variant:ident,)*) => {$(
-        impl From<Array<$item>> for Value {
-            fn from(array: Array<$item>) -> Self {
-                Value::$variant(array)
+macro_rules! from_values {
+    ($($ty:ty => $variant:ident,)*) => {$(
+        impl From<$ty> for Value {
+            fn from(value: $ty) -> Self {
+                Value::$variant(value.into())
             }
         }
     )*};
 }
 
-arrays! { f64 => Floats, bool => Bools, Text => Texts, }
-
-impl From<f64> for Value {
-    fn from(number: f64) -> Self {
-        Value::Float(number)
-    }
-}
-
-impl From<bool> for Value {
-    fn from(truth: bool) -> Self {
-        Value::Bool(truth)
-    }
-}
-
-impl From<Text> for Value {
-    fn from(text: Text) -> Self {
-        Value::Text(text)
-    }
-}
-
-impl From<&str> for Value {
-    fn from(text: &str) -> Self {
-        Value::Text(Text::from(text))
-    }
-}
-
-impl From<String> for Value {
-    fn from(text: String) -> Self {
-        Value::Text(Text::from(text))
-    }
+from_values! {
+    f64 => Float,
+    bool => Bool,
+    Text => Text,
+    &str => Text,
+    String => Text,
+    Array<f64> => Floats,
+    Array<bool> => Bools,
+    Array<Text> => Texts,
 }
 
 #[cfg(test)]

@@ -19,6 +19,12 @@ impl Text {
         Text(Repr::Fixed(text))
     }
 
+    /// Returns true if the characters are these. Compiled once: rules have many comparisons.
+    #[inline(never)]
+    pub fn is(&self, other: &str) -> bool {
+        self.as_str() == other
+    }
+
     /// The characters.
     pub fn as_str(&self) -> &str {
         match &self.0 {
@@ -93,8 +99,12 @@ impl fmt::Display for Text {
 
 /// The text, shortened for a message.
 pub(crate) fn shortened(text: &str) -> String {
-    const LONGEST: usize = 80;
-    match text.char_indices().nth(LONGEST) {
+    shortened_to(text, 80)
+}
+
+/// The text, shortened to a number of characters.
+pub(crate) fn shortened_to(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text.to_owned(),
     }

@@ -346,7 +346,7 @@ impl<'a> Globals<'a> {
         &self,
         from: InstanceId,
         name: &str,
-        kind: Kind,
+        kind: Namespace,
         others: impl IntoIterator<Item = &'o str>,
     ) -> Option<String> {
         let (at, rest) = self.way(from, name)?;
@@ -365,10 +365,10 @@ impl<'a> Globals<'a> {
         let mut leaves: Vec<&str> = Vec::new();
         for item in self.rules.iter().filter(|item| item.home == from) {
             if let Body::Rule(ops) = &item.decl.body {
-                walk::ops(ops, &mut |op| match &op.kind {
-                    OpKind::Leaf(leaf) if leaf.text != name => leaves.push(&leaf.text),
-                    _ => {}
-                });
+                leaves.extend(walk::ops(ops).filter_map(|op| match &op.kind {
+                    OpKind::Leaf(leaf) if leaf.text != name => Some(leaf.text.as_str()),
+                    _ => None,
+                }));
             }
         }
         leaves.sort_unstable();
@@ -377,23 +377,23 @@ impl<'a> Globals<'a> {
     }
 
     /// The names declared in an instance, sorted; empty after the maximum number of suggestions.
-    pub(crate) fn near(&self, from: InstanceId, kind: Kind) -> Vec<&'a str> {
+    pub(crate) fn near(&self, from: InstanceId, kind: Namespace) -> Vec<&'a str> {
         let names = &self.names[from];
         let Some(left) = self.hints.get().checked_sub(1) else { return Vec::new() };
         self.hints.set(left);
         let mut list: Vec<&'a str> = match kind {
-            Kind::Values => names.values.keys().copied().collect(),
-            Kind::Attrs => {
+            Namespace::Values => names.values.keys().copied().collect(),
+            Namespace::Attrs => {
                 let attr = |(name, found): (&&'a str, &Use)| matches!(found, Use::Attr(_)).then_some(*name);
                 names.values.iter().filter_map(attr).collect()
             }
-            Kind::Functions => names.functions.keys().copied().collect(),
-            Kind::Rules => names.rules.keys().copied().collect(),
-            Kind::Extensions => {
+            Namespace::Functions => names.functions.keys().copied().collect(),
+            Namespace::Rules => names.rules.keys().copied().collect(),
+            Namespace::Extensions => {
                 let decls = names.rules.values().flatten().map(|index| self.rules[*index as usize].decl);
                 decls.filter(|decl| decl.role == Role::Extension).map(|decl| decl.name.text.as_str()).collect()
             }
-            Kind::Imports => self.program.instances[from].imports.keys().map(String::as_str).collect(),
+            Namespace::Imports => self.program.instances[from].imports.keys().map(String::as_str).collect(),
         };
         list.sort_unstable();
         list
@@ -402,7 +402,7 @@ impl<'a> Globals<'a> {
 
 /// The kind of names to suggest.
 #[derive(Clone, Copy)]
-pub(crate) enum Kind {
+pub(crate) enum Namespace {
     Values,
     Attrs,
     Functions,

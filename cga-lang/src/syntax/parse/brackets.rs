@@ -5,12 +5,12 @@ use crate::syntax::token::{Sym, Tok};
 /// The open brackets and their number for each kind. The counts avoid a search for a closing bracket without a
 /// partner.
 #[derive(Default)]
-pub(super) struct Open {
+pub(super) struct OpenBrackets {
     list: Vec<(Sym, usize)>,
     counts: [usize; 3],
 }
 
-impl Open {
+impl OpenBrackets {
     pub(super) fn is_empty(&self) -> bool {
         self.list.is_empty()
     }
@@ -47,12 +47,12 @@ fn kind(sym: Sym) -> usize {
 /// Returns the closing bracket of each bracket. Declarations are ignored, except for the words that never occur in
 /// brackets.
 pub(super) fn pairs<'t>(tokens: impl Iterator<Item = &'t Tok>, length: usize) -> Vec<Option<usize>> {
-    let (mut open, mut close) = (Open::default(), vec![None; length]);
+    let (mut open, mut close) = (OpenBrackets::default(), vec![None; length]);
     let mut word = false;
     for (position, token) in tokens.enumerate() {
         // The name after such a word.
         if token.is(Sym::At) || (word && token.ident().is_some()) {
-            open = Open::default();
+            open = OpenBrackets::default();
         }
         word = matches!(token.ident(), Some("attr" | "const" | "import"));
         if let Tok::Sym(sym) = token {

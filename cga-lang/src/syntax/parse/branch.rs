@@ -5,8 +5,8 @@ use crate::diag::code::Code;
 use crate::syntax::ast::{Expr, ExprKind, Op, OpKind, Percent};
 use crate::syntax::token::{Sym, Tok};
 
-/// Arms of a branch block. Only one of the lists is filled, unless the kinds were mixed, which is reported.
-struct Arms<T> {
+/// Branches of a branch block. Only one of the lists is filled, unless the kinds were mixed, which is reported.
+struct Branches<T> {
     cases: Vec<(Expr, T)>,
     chances: Vec<(Percent, T)>,
     otherwise: Option<T>,
@@ -81,10 +81,10 @@ impl Parser<'_> {
         mut arm: impl FnMut(&mut Self) -> Parsed<T>,
         otherwise: impl FnOnce(&mut Self) -> Parsed<T>,
         help: &str,
-    ) -> Parsed<Arms<T>> {
+    ) -> Parsed<Branches<T>> {
         let start = self.at;
         let first_is_case = self.at_case();
-        let mut arms = Arms { cases: Vec::new(), chances: Vec::new(), otherwise: None };
+        let mut arms = Branches { cases: Vec::new(), chances: Vec::new(), otherwise: None };
         let mut mixed = false;
         while (self.at_branch() || (first_is_case && self.at_else_if())) && self.tick() {
             let case = !self.at_percent();

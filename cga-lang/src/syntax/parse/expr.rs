@@ -3,7 +3,7 @@
 use super::{MAX_DEPTH, Parsed, Parser, Reported};
 use crate::diag::RELATIVE;
 use crate::diag::code::Code;
-use crate::syntax::ast::{Arg, Binary, Expr, ExprKind, Name, Prefix, Unary};
+use crate::syntax::ast::{Arg, Binary, Expr, ExprKind, Name, OPERATORS, Prefix, Unary};
 use crate::syntax::token::{Sym, Tok};
 
 /// The level of `+` and `-`, the lowest inside the operand of a size prefix.
@@ -11,26 +11,6 @@ const ADDITIVE: u8 = 5;
 
 /// The level of `==`, the lowest above `&&`.
 const COMPARISON: u8 = 3;
-
-fn operator(token: &Tok) -> Option<(Binary, u8)> {
-    let Tok::Sym(sym) = token else { return None };
-    Some(match sym {
-        Sym::OrOr => (Binary::Or, 1),
-        Sym::AndAnd => (Binary::And, 2),
-        Sym::EqEq => (Binary::Eq, 3),
-        Sym::NotEq => (Binary::Ne, 3),
-        Sym::Less => (Binary::Lt, 4),
-        Sym::LessEq => (Binary::Le, 4),
-        Sym::Greater => (Binary::Gt, 4),
-        Sym::GreaterEq => (Binary::Ge, 4),
-        Sym::Plus => (Binary::Add, ADDITIVE),
-        Sym::Minus => (Binary::Sub, ADDITIVE),
-        Sym::Star => (Binary::Mul, 6),
-        Sym::Slash => (Binary::Div, 6),
-        Sym::Percent => (Binary::Rem, 6),
-        _ => return None,
-    })
-}
 
 impl Parser<'_> {
     /// Parses a value, including `case` and percentages.
@@ -82,11 +62,11 @@ impl Parser<'_> {
             _ => None,
         };
         if let Some((meant, length)) = meant {
-            let (op, level) = operator(&Tok::Sym(meant))?;
+            let &(op, _, level) = OPERATORS.iter().find(|(_, sign, _)| *sign == meant)?;
             return Some((op, level, false, length, Some(meant)));
         }
         let length = 1 + usize::from(each);
-        let (op, level) = self.nth(length - 1).and_then(operator)?;
+        let &(op, _, level) = OPERATORS.iter().find(|(_, sign, _)| self.nth_is(length - 1, *sign))?;
         Some((op, level, each, length, None))
     }
 

@@ -3,33 +3,13 @@
 //! Tokens alone do not tell `lib.Wall` from a leaf `lib.` and a call of `Wall`. In a rule, a dot joins names if the
 //! first name is an import of this grammar, or if a rule with the joined name is declared.
 
-use super::layout::Layout;
+use super::layout::{Head, Layout};
 use super::type_words::is_type;
 use crate::ops;
 use crate::syntax::token::{Sym, Tok};
 
 /// The limit for searches without a known end; it keeps the parser linear.
 const LONGEST_HEAD: usize = 100;
-
-/// The continuation of a declaration after its name, parameters and `with`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Head {
-    /// `-->`.
-    Rule,
-    /// `. -->`, as in old files.
-    Leaf,
-    /// `=`.
-    Function,
-    /// A misspelled `-->`, with the number of its tokens.
-    Slip(usize),
-}
-
-impl Head {
-    /// Returns true if only a declaration continues like this.
-    pub(super) fn is_sure(self) -> bool {
-        matches!(self, Head::Rule | Head::Leaf)
-    }
-}
 
 impl<'a> Layout<'a> {
     /// Finds the imports and the rules with dotted names.

@@ -1,6 +1,7 @@
 //! `import id(styles) : "path" (overrides)`, and `id(overrides).Rule(arguments)` in a rule.
 
-use super::head::{Head, stem};
+use super::head::stem;
+use super::layout::Head;
 use super::{Parsed, Parser, Reported};
 use crate::diag::code::Code;
 use crate::syntax::ast::{Annotation, Body, Decl, Import, Name, Op, OpKind, Override, Role};
@@ -13,7 +14,8 @@ impl Parser<'_> {
         self.bump();
         let Some(id) = self.take_name() else { return self.fail("the prefix of the import") };
         self.no_dollar(&id, "an import");
-        let styles = if self.is(Sym::LParen) { Some(self.between_commas(Self::import_style)?) } else { None };
+        let styles =
+            if self.is(Sym::LParen) { Some(self.between_commas(|parser| parser.plain_name("a style"))?) } else { None };
         let usage = format!("write `import {} : \"file.cga\"`", id.text);
         if !self.eat(Sym::Colon) {
             return Err(self.expected_only("`:`").help(usage).into());
@@ -42,12 +44,6 @@ impl Parser<'_> {
         }
         self.at += 2;
         Err(Reported)
-    }
-
-    fn import_style(&mut self) -> Parsed<Name> {
-        let Some(name) = self.take_name() else { return self.fail("the name of a style") };
-        self.no_dollar(&name, "a style");
-        Ok(name)
     }
 
     /// Parses `(attr, attr = value, Rule(params) --> steps)`. Overrides that cannot be read are left out.

@@ -1,6 +1,6 @@
 //! Declarations: rules, attributes, constants, functions.
 
-use super::head::Head;
+use super::layout::Head;
 use super::type_words::is_type;
 use super::{Parsed, Parser, Reported};
 use crate::diag::code::Code;
@@ -162,6 +162,13 @@ impl Parser<'_> {
             let message = format!("`{}` is a keyword and cannot be declared", name.text);
             self.diags.report(Code::Syntax, name.span, message);
         }
+    }
+
+    /// Takes the name of a declaration that is not a rule.
+    pub(super) fn plain_name(&mut self, what: &str) -> Parsed<Name> {
+        let Some(name) = self.take_name() else { return self.fail(&format!("the name of {what}")) };
+        self.no_dollar(&name, what);
+        Ok(name)
     }
 
     /// Reports a `$`, which only names of rules can have (*changelog*, 2021.0, 2023.1).

@@ -4,10 +4,29 @@
 //! begin a declaration, even inside brackets that were left open. `name =` does so only outside brackets, because it
 //! is an arm in a comp block. No declaration begins between the parentheses of an import, where rules are replaced.
 
-use super::brackets::{Open, pairs};
-use super::head::Head;
+use super::brackets::{OpenBrackets, pairs};
 use crate::syntax::token::{Sym, Tok};
 use std::collections::HashSet;
+
+/// The continuation of a declaration after its name, parameters and `with`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Head {
+    /// `-->`.
+    Rule,
+    /// `. -->`, as in old files.
+    Leaf,
+    /// `=`.
+    Function,
+    /// A misspelled `-->`, with the number of its tokens.
+    Slip(usize),
+}
+
+impl Head {
+    /// Returns true if only a declaration continues like this.
+    pub(super) fn is_sure(self) -> bool {
+        matches!(self, Head::Rule | Head::Leaf)
+    }
+}
 
 /// The significant tokens and their structure. Positions count the significant tokens.
 #[derive(Default)]
@@ -51,7 +70,7 @@ impl<'a> Layout<'a> {
     }
 
     fn find_starts(&mut self) {
-        let mut open = Open::default();
+        let mut open = OpenBrackets::default();
         // The ends of a name with dots, and of the overrides of an import.
         let (mut name_end, mut quiet) = (0, 0);
         for position in 0..self.len() {
@@ -60,7 +79,7 @@ impl<'a> Layout<'a> {
                 name_end = self.name_end(position);
                 let head = self.head(position);
                 if head.is_some_and(Head::is_sure) || self.keyword(position) {
-                    open = Open::default();
+                    open = OpenBrackets::default();
                     self.borders[position] = position;
                 } else if head.is_some() && open.is_empty() && !self.behind_type(position) {
                     self.borders[position] = position;
@@ -73,7 +92,7 @@ impl<'a> Layout<'a> {
                     self.rules.insert(name);
                 }
             } else if token.is(Sym::At) && quiet <= position {
-                open = Open::default();
+                open = OpenBrackets::default();
                 self.borders[position] = position;
             }
             if token.is(Sym::LParen) && self.holds_overrides(position) {

@@ -3,7 +3,7 @@
 //! They are recognised only where CGA would report a mistake, because a rule or attribute may have such a word as its
 //! name.
 
-use super::head::Head;
+use super::layout::Head;
 use super::type_words::is_type;
 use super::{Parsed, Parser};
 use crate::diag::RELATIVE;
@@ -172,18 +172,13 @@ impl Parser<'_> {
         self.syntax(start, format!("{word} is not an operator")).help(format!("write `!{operand}`"));
     }
 
-    /// The number of tokens written in place of the `:` before operations.
-    fn separator(&self) -> Option<usize> {
-        match (self.peek()?, self.nth(1)) {
-            (Tok::Sym(Sym::Assign | Sym::Minus), Some(Tok::Sym(Sym::Greater))) => Some(2),
-            (Tok::Sym(Sym::Assign | Sym::Arrow), _) => Some(1),
-            _ => None,
-        }
-    }
-
     /// Reports and passes over the tokens written in place of `:`, if there are any.
     pub(super) fn slipped_colon(&mut self, behind: &str) -> bool {
-        let Some(length) = self.separator() else { return false };
+        let length = match (self.peek(), self.nth(1)) {
+            (Some(Tok::Sym(Sym::Assign | Sym::Minus)), Some(Tok::Sym(Sym::Greater))) => 2,
+            (Some(Tok::Sym(Sym::Assign | Sym::Arrow)), _) => 1,
+            _ => return false,
+        };
         let span = self.span().to(self.span_at(self.at + length - 1));
         let found = self.written(self.at, self.at + length).replace(' ', "");
         self.syntax_over(self.at, span, format!("expected `:` after {behind}, found `{found}`")).help("write `:`");

@@ -9,8 +9,7 @@ impl Parser<'_> {
     /// Parses a style from the word `style`. Returns the number of the style that begins.
     pub(super) fn style(&mut self, ast: &mut Ast, annotations: Vec<Annotation>) -> Parsed<u32> {
         self.bump();
-        let Some(name) = self.take_name() else { return self.fail("the name of a style") };
-        self.no_dollar(&name, "a style");
+        let name = self.plain_name("a style")?;
         let mut base = None;
         if self.is_word("extends") && !self.nth_is(1, Sym::Arrow) {
             self.bump();

@@ -35,9 +35,8 @@ impl Parser<'_> {
     }
 
     fn local(&mut self) -> Parsed<(Name, Expr)> {
-        let Some(name) = self.take_name() else { return self.fail("the name of a local") };
+        let name = self.plain_name("a local")?;
         self.not_a_keyword(&name);
-        self.no_dollar(&name, "a local");
         if self.is(Sym::Colon) && self.nth_is(1, Sym::Assign) {
             self.at += 2;
         } else if self.is(Sym::Assign) {

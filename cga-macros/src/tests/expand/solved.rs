@@ -27,78 +27,77 @@ impl CgaRules {
             cx.env.base(whole)
         };
         let shape = &changed.shape();
-        {
-            const PIECES: &[cga_rt::Piece] = &[
-                cga_rt::Piece {
-                    slot: 0,
-                    start: 0.0,
-                    end: 1.0,
-                    length: 1.0,
-                },
-                cga_rt::Piece {
-                    slot: 1,
-                    start: 1.0,
-                    end: 3.0,
-                    length: 1.9999999999999998,
-                },
-                cga_rt::Piece {
-                    slot: 2,
-                    start: 3.0,
-                    end: 4.0,
-                    length: 1.0,
-                },
-                cga_rt::Piece {
-                    slot: 1,
-                    start: 4.0,
-                    end: 6.0,
-                    length: 1.9999999999999998,
-                },
-                cga_rt::Piece {
-                    slot: 2,
-                    start: 6.0,
-                    end: 7.0,
-                    length: 1.0,
-                },
-                cga_rt::Piece {
-                    slot: 1,
-                    start: 7.0,
-                    end: 9.0,
-                    length: 1.9999999999999998,
-                },
-                cga_rt::Piece {
-                    slot: 2,
-                    start: 9.0,
-                    end: 10.0,
-                    length: 1.0,
-                },
-            ];
-            let pieces = cga_rt::solved(cx.env, shape, cga_rt::Axis::X, 10.0, PIECES);
-            let made = cga_rt::Made::any(
-                cx.env,
+        let has_parts = {
+            const SPLIT: &cga_rt::Split<'_> = &cga_rt::Split {
+                axis: cga_rt::Axis::X,
+                adjust: cga_rt::Adjust::Adjust,
+                number: 0,
+                pattern: &[
+                    cga_rt::Item::Slot,
+                    cga_rt::Item::Repeat(2),
+                    cga_rt::Item::Slot,
+                    cga_rt::Item::Slot,
+                ],
+                successors: &[
+                    cga_rt::Successor::Leaf(1u32),
+                    cga_rt::Successor::Leaf(2u32),
+                    cga_rt::Successor::Leaf(1u32),
+                ],
+                has_total: false,
+            };
+            cga_rt::split_solved(
+                cx,
                 shape,
-                cga_rt::Axis::X,
-                cga_rt::Adjust::Adjust,
-                pieces,
-            )?;
-            let mut division = cga_rt::Division::any(
-                shape,
-                &made,
-                cga_rt::Axis::X,
-                cga_rt::Adjust::Adjust,
-                0,
-                0,
-            );
-            let mut row = cga_rt::List::new(pieces);
-            division.any_leaf(cx, &mut row, cga_rt::Axis::X, 0, 1u32)?;
-            let mut group0 = row.any_open(1..3);
-            while row.any_turn(&mut group0) {
-                division.turn(cx.env)?;
-                division.any_leaf(cx, &mut row, cga_rt::Axis::X, 1, 2u32)?;
-                division.any_leaf(cx, &mut row, cga_rt::Axis::X, 2, 1u32)?;
-            }
-            division.any_end(cga_rt::Axis::X);
-            childless &= !division.has_parts();
-        }
+                SPLIT,
+                10.0,
+                &[
+                    cga_rt::Piece {
+                        slot: 0,
+                        start: 0.0,
+                        end: 1.0,
+                        length: 1.0,
+                    },
+                    cga_rt::Piece {
+                        slot: 1,
+                        start: 1.0,
+                        end: 3.0,
+                        length: 1.9999999999999998,
+                    },
+                    cga_rt::Piece {
+                        slot: 2,
+                        start: 3.0,
+                        end: 4.0,
+                        length: 1.0,
+                    },
+                    cga_rt::Piece {
+                        slot: 1,
+                        start: 4.0,
+                        end: 6.0,
+                        length: 1.9999999999999998,
+                    },
+                    cga_rt::Piece {
+                        slot: 2,
+                        start: 6.0,
+                        end: 7.0,
+                        length: 1.0,
+                    },
+                    cga_rt::Piece {
+                        slot: 1,
+                        start: 7.0,
+                        end: 9.0,
+                        length: 1.9999999999999998,
+                    },
+                    cga_rt::Piece {
+                        slot: 2,
+                        start: 9.0,
+                        end: 10.0,
+                        length: 1.0,
+                    },
+                ],
+                &mut |_, _, _| cga_rt::Flow::Continue(()),
+            )?
+        };
+        childless &= !has_parts;
         if childless {
             cx.any_leaf(shape, 0u32)?;
         }

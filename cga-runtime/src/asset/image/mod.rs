@@ -7,9 +7,6 @@ mod font;
 pub(crate) mod header;
 mod names;
 
-#[cfg(feature = "obj")]
-pub(crate) use names::with_names_from_root;
-
 /// A picture: four bytes a pixel (sRGB red, green, blue and opacity), row by row from the upper left.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Image {

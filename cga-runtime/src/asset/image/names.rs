@@ -1,22 +1,8 @@
 //! Images below the asset folder: their bytes and their headers, which are cached by name.
 
-#[cfg(feature = "obj")]
-use std::path::Path;
-use std::sync::PoisonError;
-
-#[cfg(feature = "obj")]
-use crate::asset::folder;
 use crate::asset::image::builtin;
 use crate::asset::image::header::{self, ImageHeader, ImageKind, MOST_BYTES};
-use crate::asset::{AssetError, Assets, BUILTINS, File, NAMES_KEPT};
-#[cfg(feature = "obj")]
-use crate::geometry::mesh::Mesh;
-#[cfg(feature = "obj")]
-use crate::material::layer;
-#[cfg(feature = "obj")]
-use crate::material::{Layer, Material, MaterialText};
-#[cfg(feature = "obj")]
-use crate::value::text::Text;
+use crate::asset::{AssetError, Assets, BUILTINS, File};
 
 impl Assets {
     /// Returns true if an asset folder is set.
@@ -36,13 +22,12 @@ impl Assets {
         if self.root.is_none() {
             return Err(AssetError::NoFolder);
         }
-        if let Some(known) = self.read.lock().unwrap_or_else(PoisonError::into_inner).headers.get(name) {
+        if let Some(known) = self.read().headers.get(name) {
             return known.clone();
         }
         let found = self.image_file(name).map(|(header, _)| header);
-        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
-        if read.names < NAMES_KEPT {
-            read.names += 1;
+        let mut read = self.read();
+        if read.has_room() {
             read.headers.insert(name.to_owned(), found.clone());
         }
         found
@@ -56,26 +41,4 @@ impl Assets {
         }
         Ok((header::header(&bytes)?, bytes))
     }
-}
-
-/// The mesh of a file with image names relative to the asset folder. The file's materials name images relative to the
-/// file. Names without an image stay as they are.
-#[cfg(feature = "obj")]
-pub(crate) fn with_names_from_root(mut mesh: Mesh, root: &Path, file: &Path) -> Mesh {
-    let from_root = |name: &Text| {
-        let found = folder::inside(root, &file.parent()?.join(name.replace('\\', "/"))).ok()?;
-        let found = found.strip_prefix(root.canonicalize().ok()?).ok()?.to_str()?.replace('\\', "/");
-        Some(Text::from(format!("/{found}")))
-    };
-    let named = |material: &Material| {
-        let mut named = material.clone();
-        for layer in Layer::ALL {
-            if let Some(name) = layer::image(material, layer).and_then(from_root) {
-                named.set_text(MaterialText::Map(layer), name);
-            }
-        }
-        named
-    };
-    mesh.materials = mesh.materials.iter().map(named).collect();
-    mesh
 }

@@ -10,6 +10,7 @@
 //! types for every other crate in the build. It also starts a new mesh at each group, and cannot distinguish lines from
 //! triangles. The material libraries are read by `tobj`.
 
+pub(super) mod image_names;
 mod lines;
 mod mtl;
 mod warnings;
@@ -104,46 +105,8 @@ const UTF_16: &str = "this is UTF-16; it must be UTF-8";
 const READ: [&str; 8] = ["v", "vt", "vn", "f", "g", "o", "usemtl", "mtllib"];
 
 /// The statements that are skipped without a warning: they describe other things than polygons, or rendering.
-const LEFT_OUT: [&str; 38] = [
-    "l",
-    "p",
-    "s",
-    "vp",
-    "mg",
-    "cstype",
-    "deg",
-    "bmat",
-    "step",
-    "curv",
-    "curv2",
-    "surf",
-    "parm",
-    "trim",
-    "hole",
-    "scrv",
-    "sp",
-    "end",
-    "con",
-    "bevel",
-    "c_interp",
-    "d_interp",
-    "lod",
-    "shadow_obj",
-    "trace_obj",
-    "ctech",
-    "stech",
-    "maplib",
-    "usemap",
-    "call",
-    "csh",
-    "bsp",
-    "bzp",
-    "cdc",
-    "cdp",
-    "res",
-    "fo",
-    "s_interp",
-];
+const LEFT_OUT: &str = "l p s vp mg cstype deg bmat step curv curv2 surf parm trim hole scrv sp end con bevel c_interp \
+    d_interp lod shadow_obj trace_obj ctech stech maplib usemap call csh bsp bzp cdc cdp res fo s_interp";
 
 /// A corner of a face: indices into the three lists, from 0.
 #[derive(Clone, Copy)]
@@ -244,8 +207,8 @@ impl<'a> Reader<'a> {
         let line = line.trim_start();
         let (keyword, rest) = line.split_once(|c: char| c.is_ascii_whitespace()).unwrap_or((line, ""));
         let rest = rest.trim();
-        let is_keyword = |known: &&&str| known.eq_ignore_ascii_case(keyword);
-        match READ.iter().find(is_keyword).copied().unwrap_or_default() {
+        let is_keyword = |known: &&str| known.eq_ignore_ascii_case(keyword);
+        match READ.into_iter().find(is_keyword).unwrap_or_default() {
             "v" => {
                 let [x, y, z] = numbers::<3>(rest, 3, number)?;
                 self.builder.point([x, y, z]);
@@ -264,10 +227,10 @@ impl<'a> Reader<'a> {
                 self.tag.material = if rest.is_empty() { FaceTag::NONE } else { self.materials.number(rest) };
             }
             "mtllib" => self.libraries(rest),
-            _ if keyword.is_empty() || LEFT_OUT.iter().any(|known| is_keyword(&known)) => {}
+            _ if keyword.is_empty() || LEFT_OUT.split(' ').any(|known| is_keyword(&known)) => {}
             _ => {
                 self.unknowns += 1;
-                self.unknown.get_or_insert_with(|| (number, short(keyword).into_owned()));
+                self.unknown.get_or_insert_with(|| (number, short(keyword)));
             }
         }
         Ok(())

@@ -1,6 +1,6 @@
 //! The warnings about a file, limited in number.
 
-use std::borrow::Cow;
+use crate::value::text::shortened_to;
 
 /// The largest number of warnings of a file.
 pub(super) const MOST: usize = 100;
@@ -37,11 +37,8 @@ impl Warnings {
 }
 
 /// The start of a name.
-pub(super) fn short(name: &str) -> Cow<'_, str> {
-    match name.char_indices().nth(NAME) {
-        None => name.into(),
-        Some((end, _)) => format!("{}…", &name[..end]).into(),
-    }
+pub(super) fn short(name: &str) -> String {
+    shortened_to(name, NAME)
 }
 
 #[cfg(test)]

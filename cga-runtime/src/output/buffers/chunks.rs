@@ -9,7 +9,7 @@ use glam::{DAffine3, DVec3};
 use super::part::Run;
 use super::{Buffers, Vertex};
 use crate::geometry::mesh::Mesh;
-use crate::geometry::mesh::map::normal_map;
+use crate::output::flatten::FlatFace;
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 
 /// The number of vertices of a box, which is never divided.
@@ -82,7 +82,7 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
     /// Makes room for vertices.
     #[inline]
     fn room(&mut self, vertices: usize) -> Flow {
-        if self.full < self.buffers.vertices.len() + vertices { self.make_room() } else { Flow::Continue(()) }
+        if self.full < self.buffers.triangles.vertices.len() + vertices { self.make_room() } else { Flow::Continue(()) }
     }
 
     #[cold]
@@ -91,8 +91,8 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
         if self.full == 0 {
             // One reservation, so that a chunk does not grow beyond its size by doubling. The four vertices of a
             // rectangle have six indices.
-            self.buffers.vertices.reserve_exact(self.capacity);
-            self.buffers.indices.reserve_exact(self.capacity / 4 * 6);
+            self.buffers.triangles.vertices.reserve_exact(self.capacity);
+            self.buffers.triangles.indices.reserve_exact(self.capacity / 4 * 6);
             self.full = self.capacity;
         }
         Flow::Continue(())
@@ -101,7 +101,7 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
     /// Passes the chunk to `each`, unless it is empty, and begins another.
     #[cold]
     fn hand_out(&mut self) -> Flow {
-        if !self.ended && self.buffers.vertices.len() != 0 {
+        if !self.ended && self.buffers.triangles.vertices.len() != 0 {
             self.chunks += 1;
             self.ended = (self.each)(&self.buffers).is_break();
             self.buffers.clear();
@@ -116,52 +116,43 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
     /// Adds a mesh with more vertices than a chunk, face by face.
     #[cold]
     fn large_mesh(&mut self, leaf: &Leaf<'_>, mesh: &Mesh, placement: &DAffine3) -> Flow {
-        let turn = normal_map(&placement.matrix3);
         let mut flattener = std::mem::take(&mut self.buffers.flattener);
         let mut flow = Flow::Continue(());
         flattener.faces(mesh, placement, |face| {
-            let (count, first) = (face.corners.len(), face.corners.start);
-            if count <= self.capacity {
-                flow = self.room(count);
-                if flow.is_continue() {
-                    let start = self.open_face(leaf, mesh, face.index);
-                    face.corners.clone().for_each(|corner| self.buffers.corner(mesh, placement, &turn, &face, corner));
-                    self.buffers.indices.extend(face.triangles.as_flattened().iter().map(|i| start + i));
-                    self.buffers.pad_uvs();
-                }
-                return flow.is_continue();
-            }
-            for triangle in face.triangles {
-                flow = self.room(3);
-                if flow.is_break() {
-                    return false;
-                }
-                let start = self.open_face(leaf, mesh, face.index);
-                triangle.iter().for_each(|&i| self.buffers.corner(mesh, placement, &turn, &face, first + i as usize));
-                self.buffers.indices.extend([start, start + 1, start + 2].into_iter());
-                self.buffers.pad_uvs();
-            }
-            true
+            let first = face.corners.start;
+            flow = if face.corners.len() <= self.capacity {
+                self.face(leaf, &face, face.corners.clone(), face.triangles)
+            } else {
+                let mut corners = face.triangles.iter().map(|triangle| triangle.map(|i| first + i as usize));
+                corners.try_for_each(|corners| self.face(leaf, &face, corners.into_iter(), &[[0, 1, 2]]))
+            };
+            flow.is_continue()
         });
         self.buffers.flattener = flattener;
         flow
     }
 
-    /// Continues or begins the part of a face. Returns the number of its first vertex.
-    fn open_face(&mut self, leaf: &Leaf<'_>, mesh: &Mesh, face: usize) -> u32 {
-        let buffers = &mut self.buffers;
-        let (rule, material) = buffers.numbers.leaf(leaf);
-        let shown = buffers.numbers.table.face_material(material, &mesh.materials, mesh.tags[face].material);
-        buffers.run(rule, shown);
-        buffers.vertices.len() as u32
+    /// Adds triangles of a face; see [`Buffers::face`].
+    fn face(
+        &mut self,
+        leaf: &Leaf<'_>,
+        face: &FlatFace<'_>,
+        corners: impl ExactSizeIterator<Item = usize> + Clone,
+        triangles: &[[u32; 3]],
+    ) -> Flow {
+        self.room(corners.len())?;
+        let numbers = self.buffers.numbers.leaf(leaf);
+        self.buffers.face(face, numbers, corners, triangles);
+        self.buffers.pad_uvs();
+        Flow::Continue(())
     }
 }
 
 impl Buffers {
     /// The bytes reserved for vertices, indices, texture coordinates and parts.
     pub fn memory(&self) -> usize {
-        size_of::<Vertex>() * self.vertices.capacity()
-            + size_of::<u32>() * self.indices.capacity()
+        size_of::<Vertex>() * self.triangles.vertices.capacity()
+            + size_of::<u32>() * self.triangles.indices.capacity()
             + self.uvs.memory()
             + size_of::<Run>() * self.runs.capacity()
     }
@@ -180,7 +171,7 @@ impl<F: FnMut(&Buffers) -> Flow> Sink for Chunks<F> {
 
     fn replay(&mut self, replay: &Replay<'_>) -> Flow {
         // The leaves go one by one if the chunk ends between them.
-        if self.full < self.buffers.vertices.len() + replay.corner_count() {
+        if self.full < self.buffers.triangles.vertices.len() + replay.corner_count() {
             return replay.each(self);
         }
         self.buffers.replay(replay)

@@ -2,8 +2,8 @@
 
 use glam::{DVec2, DVec4};
 
-use crate::geometry::mesh::Mesh;
 use crate::geometry::uv_map::{SetMap, UvMap};
+use crate::output::flatten::FlatFace;
 use crate::run::sink::Replay;
 use crate::run::sink::corners::Placed;
 use crate::shape::base::Form;
@@ -60,12 +60,11 @@ impl UvLists {
         }
     }
 
-    /// Adds the coordinates of a mesh corner that became a vertex.
-    #[inline]
-    pub(super) fn corner(&mut self, mesh: &Mesh, corner: usize, vertex: usize) {
-        for set in mesh.uv_numbers() {
-            if let Some((list, uv)) = self.list(set, vertex).zip(mesh.uv_set(set).get(corner)) {
-                list.push([uv.x as f32, uv.y as f32]);
+    /// Adds the coordinates of mesh corners that became vertices, beginning at `vertex`.
+    pub(super) fn face(&mut self, face: &FlatFace<'_>, corners: impl Iterator<Item = usize> + Clone, vertex: usize) {
+        for set in face.mesh.uv_numbers() {
+            if let Some(list) = self.list(set, vertex) {
+                list.extend(corners.clone().map(|corner| face.mesh.uv_set(set)[corner].as_vec2().to_array()));
             }
         }
     }
@@ -149,7 +148,7 @@ impl Corners {
     fn quad(&self) -> [[f32; 2]; 4] {
         let (a, [u, v, _]) = (self.first, self.sides);
         let b = a + u;
-        [a, b, b + v, a + v].map(short)
+        [a, b, b + v, a + v].map(|uv| uv.as_vec2().to_array())
     }
 
     /// The coordinates of a box; the corner (x, y, z) has the index x + 2y + 4z.
@@ -158,11 +157,6 @@ impl Corners {
         let (o, [x, y, z]) = (self.first, self.sides);
         let (p, q) = (o + y, o + z);
         let r = p + z;
-        [o, o + x, p, p + x, q, q + x, r, r + x].map(short)
+        [o, o + x, p, p + x, q, q + x, r, r + x].map(|uv| uv.as_vec2().to_array())
     }
-}
-
-#[inline]
-fn short(uv: DVec2) -> [f32; 2] {
-    uv.as_vec2().to_array()
 }

@@ -3,8 +3,6 @@
 //! Everything in a file begins at a multiple of four bytes. A file is a list of words until it is complete, so that
 //! lists of numbers are copied at the speed of memory.
 
-use std::fmt;
-
 use crate::output::error::WriteError;
 
 /// Views of bytes and accessors into them.
@@ -26,12 +24,6 @@ type Write<'a> = Box<dyn Fn(&mut Vec<Word>) + 'a>;
 struct View<'a> {
     start: usize,
     write: Write<'a>,
-}
-
-impl fmt::Debug for Binary<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Binary").field("length", &self.length).field("views", &self.views).finish_non_exhaustive()
-    }
 }
 
 impl<'a> Binary<'a> {

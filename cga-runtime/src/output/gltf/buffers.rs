@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::Glb;
 use super::primitive::Primitive;
 use crate::material::layer::SetMask;
-use crate::output::buffers::{Buffers, Part};
+use crate::output::buffers::{Buffers, Part, Vertex};
 use crate::output::error::WriteError;
 use crate::output::parts::Parts;
 use crate::run::sink::Flow;
@@ -33,7 +33,7 @@ impl Glb {
             let table = &mut self.numbers.table;
             let rule = table.rule(buffers.rules()[part.rule as usize]);
             let material = table.material(&buffers.materials()[part.material as usize]);
-            self.add(part.vertices.len(), part.indices.len())?;
+            self.add(part.vertices.len(), part.indices.len(), sets.sets().count())?;
             let primitive = self.primitives.of(&mut self.looks, &self.numbers.table, material, sets);
             primitive.part(buffers, &part, rule, moved);
         }
@@ -44,21 +44,24 @@ impl Glb {
 impl Primitive {
     /// Adds the triangles of one part of buffers.
     fn part(&mut self, buffers: &Buffers, part: &Part, rule: u32, moved: DVec3) {
+        self.begin(rule);
         let vertices = &buffers.vertices()[part.vertices.clone()];
-        self.begin(rule, false);
-        let start = self.positions.len() as u32;
-        let first = part.vertices.start as u32;
-        let position = |&[x, y, z, ..]: &[f32; 6]| match moved == DVec3::ZERO {
-            true => [x, y, z],
-            false => (DVec3::from_array([x, y, z].map(f64::from)) + moved).to_array().map(|c| c as f32),
+        let (start, first) = (self.vertices().len() as u32, part.vertices.start as u32);
+        let to_file = |vertex: &Vertex| match (*vertex, moved) {
+            (vertex, DVec3::ZERO) => vertex,
+            ([x, y, z, u, v, w], moved) => {
+                let [x, y, z] = (DVec3::from_array([x, y, z].map(f64::from)) + moved).as_vec3().to_array();
+                [x, y, z, u, v, w]
+            }
         };
-        self.positions.extend(vertices.iter().map(position));
-        self.normals.extend(vertices.iter().map(|&[.., x, y, z]| [x, y, z]));
+        self.triangles.vertices.extend(vertices.iter().map(to_file));
         for (set, list) in self.sets.sets().zip(&mut self.uvs) {
             // The v axis of glTF points down.
             list.extend(buffers.uv_set(set)[part.vertices.clone()].iter().map(|&[u, v]| [u, 1.0 - v]));
         }
-        self.indices.extend(buffers.indices()[part.indices.clone()].iter().map(|index| index - first + start));
+        self.triangles
+            .indices
+            .extend(buffers.indices()[part.indices.clone()].iter().map(|index| index - first + start));
     }
 }
 

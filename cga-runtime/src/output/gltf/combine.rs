@@ -8,19 +8,12 @@ use crate::asset::image::header::MOST_PIXELS;
 use crate::output::texture::source::{self, Pixels};
 use crate::value::text::Text;
 
-/// The image for a key.
-pub(super) enum Combined {
-    /// A new PNG file.
-    Png(Vec<u8>),
-    /// An existing file that has all layers.
-    File(Text),
-}
-
-/// Makes an image. `None` if its sources are missing.
-pub(super) fn combined(assets: Option<&Assets>, key: &ImageKey) -> Option<Combined> {
+/// The PNG file for a key with several sources. `None` if it is not needed or cannot be made; the unchanged file of the
+/// key then replaces it.
+pub(super) fn combined(assets: Option<&Assets>, key: &ImageKey) -> Option<Vec<u8>> {
     let pixels = |name: &Option<Text>| name.as_ref().and_then(|name| source::pixels(assets, name));
     let made = match key {
-        ImageKey::File(name) => return Some(Combined::File(name.clone())),
+        ImageKey::File(_) => None,
         ImageKey::Opaque(name) => {
             // Decoding shows which files have an alpha channel; most have none and stay unchanged.
             let has_alpha = assets.is_some_and(|assets| assets.image_header(name).is_ok_and(|head| head.has_alpha));
@@ -43,13 +36,7 @@ pub(super) fn combined(assets: Option<&Assets>, key: &ImageKey) -> Option<Combin
             is_whole.then(|| joined([rough, metal], |[rough, metal]| [255, rough[1], metal[2], 255]))
         }
     };
-    let file = match key {
-        ImageKey::File(name) | ImageKey::Opaque(name) => Some(name),
-        ImageKey::WithOpacity { color, .. } => color.as_ref(),
-        ImageKey::Metal { roughness, metallic } => roughness.as_ref().or(metallic.as_ref()),
-    };
-    let made = made.and_then(|image| encoded(&image)).map(Combined::Png);
-    made.or_else(|| file.cloned().map(Combined::File))
+    encoded(&made?)
 }
 
 /// The image as a PNG file.

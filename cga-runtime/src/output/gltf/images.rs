@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 use std::fmt::Write as _;
-use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
 
 use super::binary::{Binary, text};
 use super::combine;
@@ -10,6 +9,7 @@ use super::json::quoted;
 use super::textures::{ImageKey, LookTexture};
 use crate::asset::Assets;
 use crate::asset::image::header::ImageKind;
+use crate::output::interner::Interner;
 use crate::output::texture::source::{self, ImageSource};
 
 /// The images in the order in which looks first use them. Every image has one texture with the same number.
@@ -17,14 +17,12 @@ use crate::output::texture::source::{self, ImageSource};
 pub(super) struct Images<'a> {
     assets: Option<&'a Assets>,
     is_referenced: bool,
-    list: Vec<Image>,
+    images: Interner<Image>,
     /// Only for look-ups, never iterated.
     by_key: HashMap<ImageKey, Option<usize>>,
-    /// The embedded images by a hash of their bytes. Only for look-ups, never iterated.
-    by_hash: HashMap<u64, Vec<usize>>,
 }
 
-#[derive(Debug, PartialEq)]
+#[derive(Debug, PartialEq, Hash)]
 enum Image {
     Referenced(String),
     Embedded { kind: ImageKind, bytes: Vec<u8> },
@@ -54,11 +52,10 @@ impl<'a> Images<'a> {
             return *known;
         }
         let number = match key {
-            ImageKey::File(name) => self.file(name).and_then(|image| self.put(image)),
+            ImageKey::File(name) => self.file(name).map(|image| self.images.index(image)),
             key => match combine::combined(self.assets, key) {
-                Some(combine::Combined::Png(bytes)) => self.put(Image::Embedded { kind: ImageKind::Png, bytes }),
-                Some(combine::Combined::File(name)) => self.add(&ImageKey::File(name)),
-                None => None,
+                Some(bytes) => Some(self.images.index(Image::Embedded { kind: ImageKind::Png, bytes })),
+                None => key.file().and_then(|name| self.add(&ImageKey::File(name.clone()))),
             },
         };
         self.by_key.insert(key.clone(), number);
@@ -69,37 +66,21 @@ impl<'a> Images<'a> {
         if self.is_referenced && !name.starts_with("builtin:") {
             return Some(Image::Referenced(uri(name)));
         }
-        match source::find(self.assets, name) {
-            ImageSource::File(header, bytes) => Some(Image::Embedded { kind: header.kind, bytes }),
-            ImageSource::Drawn(image) => {
-                combine::encoded(&image).map(|bytes| Image::Embedded { kind: ImageKind::Png, bytes })
-            }
-            ImageSource::Absent => Some(Image::Referenced(uri(name))),
-        }
-    }
-
-    /// Adds an image unless an equal one is in the list. Returns its number.
-    fn put(&mut self, image: Image) -> Option<usize> {
-        let hash = match &image {
-            Image::Embedded { bytes, .. } => BuildHasherDefault::<DefaultHasher>::default().hash_one(bytes),
-            Image::Referenced(address) => BuildHasherDefault::<DefaultHasher>::default().hash_one(address),
-        };
-        let alike = self.by_hash.entry(hash).or_default();
-        if let Some(known) = alike.iter().find(|&&number| self.list[number] == image) {
-            return Some(*known);
-        }
-        alike.push(self.list.len());
-        self.list.push(image);
-        Some(self.list.len() - 1)
+        Some(match source::find(self.assets, name) {
+            ImageSource::File(header, bytes) => Image::Embedded { kind: header.kind, bytes },
+            ImageSource::Drawn(image) => Image::Embedded { kind: ImageKind::Png, bytes: combine::encoded(&image)? },
+            ImageSource::Absent => Image::Referenced(uri(name)),
+        })
     }
 
     /// The members `textures` and `images`, each followed by a comma, and the views of embedded images.
     pub(super) fn write(self, json: &mut String, binary: &mut Binary<'_>) {
-        if self.list.is_empty() {
+        if self.images.list.is_empty() {
             return;
         }
-        let sources: Vec<String> = (0..self.list.len()).map(|number| format!("{{\"source\":{number}}}")).collect();
-        let images = self.list.into_iter().map(|image| match image {
+        let sources: Vec<String> =
+            (0..self.images.list.len()).map(|number| format!("{{\"source\":{number}}}")).collect();
+        let images = self.images.list.into_iter().map(|image| match image {
             Image::Referenced(address) => format!("{{\"uri\":{}}}", quoted(&address)),
             Image::Embedded { kind, bytes } => {
                 let kind = match kind {

@@ -8,11 +8,8 @@ use super::json::quoted;
 use super::textures::{LookTexture, NormalSpace, opacity, textures};
 use crate::material::layer::SetMask;
 use crate::material::{Channel, Material, MaterialNumber, MaterialText};
-use crate::output::number::{Short, linear};
-
-/// The properties of a look that make it different: its numbers, see [`Look`], as bits, its alpha mode, its sides and
-/// its textures.
-type Key = ([u32; 9], Alpha, bool, Vec<LookTexture>);
+use crate::output::interner::Interner;
+use crate::output::number::{Short, hex, linear, share};
 
 /// The alpha modes of glTF. The cutoff is stored as bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -25,19 +22,19 @@ enum Alpha {
 /// The looks in the order of their first use.
 #[derive(Debug, Default)]
 pub(super) struct Looks {
-    list: Vec<Look>,
-    /// Only for look-ups, never iterated.
-    by_key: HashMap<Key, u32>,
+    looks: Interner<Look>,
+    /// The names of the looks.
+    names: Vec<String>,
     /// The looks by material number and sets of texture coordinates, with the sets that are needed. Only for
     /// look-ups, never iterated.
     by_material: HashMap<(u32, SetMask), (u32, SetMask)>,
 }
 
-#[derive(Debug)]
+/// The properties that make a look different.
+#[derive(Debug, PartialEq, Hash)]
 struct Look {
-    name: String,
-    /// Linear red, green, blue, opacity, metallic, roughness, emissive red, green, blue.
-    numbers: [f32; 9],
+    /// The bits of linear red, green, blue, opacity, metallic, roughness, emissive red, green, blue.
+    numbers: [u32; 9],
     alpha: Alpha,
     double_sided: bool,
     textures: Vec<LookTexture>,
@@ -51,15 +48,14 @@ impl Looks {
             return known;
         }
         let color = material.color();
-        let unit = |value: Option<f64>, default: f64| value.filter(|v| !v.is_nan()).unwrap_or(default).clamp(0.0, 1.0);
-        let light = |channel| linear(unit(material.number(MaterialNumber::Emissive(channel)), 0.0));
+        let light = |channel| linear(share(material.number(MaterialNumber::Emissive(channel)), 0.0));
         let numbers = [
             linear(color.r),
             linear(color.g),
             linear(color.b),
-            unit(material.opacity, 1.0),
-            unit(material.metallic, 0.0),
-            unit(material.roughness, 1.0),
+            share(material.opacity, 1.0),
+            share(material.metallic, 0.0),
+            share(material.roughness, 1.0),
             light(Channel::R),
             light(Channel::G),
             light(Channel::B),
@@ -68,46 +64,44 @@ impl Looks {
         .map(|value| value as f32 + 0.0);
         let alpha = match material.text(MaterialText::OpacityMode).map(|mode| mode.as_str()) {
             Some("opaque") => Alpha::Opaque,
-            Some("mask") => Alpha::Mask((unit(material.number(MaterialNumber::Cutoff), 0.5) as f32).to_bits()),
+            Some("mask") => Alpha::Mask((share(material.number(MaterialNumber::Cutoff), 0.5) as f32).to_bits()),
             _ if numbers[3] < 1.0 || opacity(material, sets).is_some() => Alpha::Blend,
             _ => Alpha::Opaque,
         };
         let (textures, written) = textures(material, sets, alpha == Alpha::Opaque, numbers[4]);
         let double_sided = material.double_sided.unwrap_or(true);
-        let list = &mut self.list;
-        let key = (numbers.map(f32::to_bits), alpha, double_sided, textures.clone());
-        let look = *self.by_key.entry(key).or_insert_with(|| {
-            let byte = |channel: f64| libm::round(channel * 255.0) as u8;
-            let hex = || format!("#{:02x}{:02x}{:02x}", byte(color.r), byte(color.g), byte(color.b));
-            let name = material.name.as_ref().map_or_else(hex, |name| name.to_string());
-            list.push(Look { name, numbers, alpha, double_sided, textures });
-            (list.len() - 1) as u32
-        });
+        let look = self.looks.index(Look { numbers: numbers.map(f32::to_bits), alpha, double_sided, textures });
+        if look == self.names.len() {
+            let name = material.name.as_ref().map_or_else(|| format!("#{}", hex(&color)), |name| name.to_string());
+            self.names.push(name);
+        }
+        let look = look as u32;
         self.by_material.insert((id, sets), (look, written));
         (look, written)
     }
 
     /// The textures of all looks.
     pub(super) fn textures(&self) -> impl Iterator<Item = &LookTexture> {
-        self.list.iter().flat_map(|look| &look.textures)
+        self.looks.list.iter().flat_map(|look| &look.textures)
     }
 
     /// The coordinates of the normal map of a look, if it has one.
     pub(super) fn normal_space(&self, look: u32, images: &Images<'_>) -> Option<NormalSpace> {
-        let textures = &self.list.get(look as usize)?.textures;
+        let textures = &self.looks.list.get(look as usize)?.textures;
         let shown = textures.iter().filter(|texture| images.number(&texture.image).is_some());
         shown.filter_map(LookTexture::normal_space).next()
     }
 
     /// The member `materials` of the file, followed by a comma.
     pub(super) fn write(&self, json: &mut String, images: &Images<'_>) {
-        if self.list.is_empty() {
+        if self.names.is_empty() {
             return;
         }
         json.push_str("\"materials\":[");
-        for (i, look) in self.list.iter().enumerate() {
+        for (i, (look, name)) in self.looks.list.iter().zip(&self.names).enumerate() {
             let comma = if i == 0 { "" } else { "," };
-            let [r, g, b, opacity, metallic, roughness, light @ ..] = look.numbers.map(Short);
+            let [r, g, b, opacity, metallic, roughness, light @ ..] =
+                look.numbers.map(|bits| Short(f32::from_bits(bits)));
             let textures = |json: &mut String, is_pbr: bool| {
                 for texture in look.textures.iter().filter(|texture| texture.role.is_pbr() == is_pbr) {
                     if let Some(index) = images.number(&texture.image) {
@@ -115,7 +109,7 @@ impl Looks {
                     }
                 }
             };
-            let _ = write!(json, "{comma}{{\"name\":{},\"pbrMetallicRoughness\":{{", quoted(&look.name));
+            let _ = write!(json, "{comma}{{\"name\":{},\"pbrMetallicRoughness\":{{", quoted(name));
             let _ = write!(json, "\"baseColorFactor\":[{r},{g},{b},{opacity}],");
             textures(json, true);
             let _ = write!(json, "\"metallicFactor\":{metallic},\"roughnessFactor\":{roughness}}},");

@@ -48,7 +48,6 @@ use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::uv_map::{self, SetMap};
 use crate::material::layer::SetMask;
 use crate::output::model::Model;
-use crate::output::texture::files::Files;
 use crate::run::sink::corners::{Placed, four};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
@@ -65,7 +64,8 @@ pub struct Glb {
     parts: Option<RepeatedParts>,
     flattener: Flattener,
     bytes: u64,
-    files: Files,
+    /// The assets that contain the images.
+    files: Option<Arc<Assets>>,
     references_images: bool,
 }
 
@@ -100,7 +100,7 @@ impl Glb {
 
     /// Embeds images from an asset folder. A missing or broken file becomes a checker pattern.
     pub fn with_assets(mut self, assets: Arc<Assets>) -> Self {
-        self.files = Files::of(assets);
+        self.files = Some(assets);
         self
     }
 
@@ -140,15 +140,14 @@ impl Glb {
             shared.extend(self.place_parts(parts));
         }
         shared.retain(|mesh| !mesh.primitives.is_empty());
-        if MAX_BYTES < self.bytes {
-            return Err(WriteError::TooLarge { what: "bytes", limit: u64::from(u32::MAX) });
-        }
+        check_size(self.bytes)?;
         let main = std::mem::take(&mut self.primitives).into_list();
         pack::pack(&self, &main, &shared)
     }
 
-    fn add(&mut self, vertices: usize, indices: usize) -> Flow {
-        self.add_bytes(vertices as u64 * VERTEX_BYTES + indices as u64 * INDEX_BYTES)
+    /// Counts the bytes of vertices with a number of sets of texture coordinates, and of indices.
+    fn add(&mut self, vertices: usize, indices: usize, sets: usize) -> Flow {
+        self.add_bytes(vertices as u64 * (VERTEX_BYTES + sets as u64 * UV_BYTES) + indices as u64 * INDEX_BYTES)
     }
 
     fn add_bytes(&mut self, bytes: u64) -> Flow {
@@ -162,24 +161,21 @@ impl Glb {
         self.primitives.plain(&mut self.looks, &self.numbers.table, material)
     }
 
-    /// The primitive for a material on a rectangle or a box with texture coordinates.
-    fn mapped(&mut self, material: u32, uvs: &[SetMap]) -> &mut Primitive {
+    /// The primitive for a material on a rectangle or a box.
+    fn primitive(&mut self, material: u32, uvs: &[SetMap]) -> &mut Primitive {
+        if uvs.is_empty() {
+            return self.plain(material);
+        }
         let sets = SetMask::of(|set| uv_map::find(uvs, set).is_some());
         self.primitives.of(&mut self.looks, &self.numbers.table, material, sets)
-    }
-
-    fn add_mapped(&mut self, vertices: usize, indices: usize, sets: usize) -> Flow {
-        self.add_bytes((vertices * sets) as u64 * UV_BYTES)?;
-        self.add(vertices, indices)
     }
 
     fn add_mesh(&mut self, rule: u32, material: u32, mesh: &Mesh, placement: &DAffine3) {
         let Glb { origin, numbers, looks, primitives, flattener, .. } = self;
         let sets = SetMask::of(|set| !mesh.uv_set(set).is_empty());
         flattener.faces(mesh, placement, |face| {
-            let shown = numbers.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
-            let primitive = primitives.of(looks, &numbers.table, shown, sets);
-            primitive.face(mesh, placement, &face, rule, *origin);
+            let shown = face.material(&mut numbers.table, material);
+            primitives.of(looks, &numbers.table, shown, sets).face(&face, rule, *origin);
             true
         });
     }
@@ -200,13 +196,13 @@ impl Sink for Glb {
         match shape.form {
             Form::Rect(Axis::Z) => {
                 let (rule, material) = self.numbers.filled(leaf);
-                self.plain(material).quad(rule, &placed, shape.axes.normals[0]);
-                self.add(4, 6)
+                self.plain(material).quad(rule, placed, shape.axes.normals[0]);
+                self.add(4, 6, 0)
             }
             Form::Box => {
                 let (rule, material) = self.numbers.filled(leaf);
                 self.plain(material).cuboid(rule, &placed, shape.unit.get(), &shape.axes.normals);
-                self.add(24, 36)
+                self.add(24, 36, 0)
             }
             Form::Rect(_) | Form::Empty | Form::Other => leaf.pass_to(self),
         }
@@ -231,33 +227,25 @@ impl Sink for Glb {
             leaf = leaves.end;
             self.plain(material).repeat(rule, replay, leaves, mark.corners / 4, origin);
         }
-        self.add(replay.corner_count(), replay.corner_count() / 4 * 6)
+        self.add(replay.corner_count(), replay.corner_count() / 4 * 6, 0)
     }
 
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
         let placed = Placed::from(quad).moved(-four(self.origin));
-        if !leaf.uvs().is_empty() {
-            let primitive = self.mapped(material, leaf.uvs());
-            primitive.quad(rule, &placed, normals::of_quad(leaf, quad));
-            primitive.uvs(leaf.uvs(), quad.corners().into_iter());
-            return self.add_mapped(4, 6, leaf.uvs().len());
-        }
-        self.plain(material).quad(rule, &placed, normals::of_quad(leaf, quad));
-        self.add(4, 6)
+        let primitive = self.primitive(material, leaf.uvs());
+        primitive.quad(rule, placed, normals::of_quad(leaf, quad));
+        primitive.uvs(leaf.uvs(), quad.corners().into_iter());
+        self.add(4, 6, leaf.uvs().len())
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
         let placed = Placed::from(cuboid).moved(-four(self.origin));
-        if !leaf.uvs().is_empty() {
-            let primitive = self.mapped(material, leaf.uvs());
-            primitive.cuboid(rule, &placed, cuboid.unit, &normals::of_cuboid(leaf, cuboid));
-            primitive.uvs(leaf.uvs(), cuboid.face_corners());
-            return self.add_mapped(24, 36, leaf.uvs().len());
-        }
-        self.plain(material).cuboid(rule, &placed, cuboid.unit, &normals::of_cuboid(leaf, cuboid));
-        self.add(24, 36)
+        let primitive = self.primitive(material, leaf.uvs());
+        primitive.cuboid(rule, &placed, cuboid.unit, &normals::of_cuboid(leaf, cuboid));
+        primitive.uvs(leaf.uvs(), cuboid.face_corners());
+        self.add(24, 36, leaf.uvs().len())
     }
 
     fn instance(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
@@ -269,7 +257,7 @@ impl Sink for Glb {
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
         self.add_mesh(rule, material, mesh, placement);
-        self.add_mapped(mesh.corners.len(), 3 * mesh.corners.len(), mesh.uv_numbers().count())
+        self.add(mesh.corners.len(), 3 * mesh.corners.len(), mesh.uv_numbers().count())
     }
 }
 
@@ -280,11 +268,7 @@ impl Model {
     /// # Errors
     /// As [`Glb::into_bytes`].
     pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
-        let glb = Glb::new().with_origin(near_origin(self.bounds()));
-        let mut glb = Glb { files: self.files().clone(), ..glb };
-        // It stops when it is full; `into_bytes` reports that.
-        let _ = self.replay(&mut glb);
-        glb.into_bytes()
+        to_glb(self.bounds(), self.assets(), |glb| self.replay(glb))
     }
 
     /// Writes the model as a GLB file; see [`Model::to_glb`].
@@ -302,11 +286,8 @@ impl super::parts::Parts<Model> {
     /// # Errors
     /// As [`Glb::into_bytes`].
     pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
-        let glb = Glb::new().with_origin(near_origin(self.bounds()));
-        let mut glb =
-            Glb { files: self.sinks().next().map_or_else(Files::default, |model| model.files().clone()), ..glb };
-        let _ = self.replay(&mut glb);
-        glb.into_bytes()
+        let assets = self.sinks().next().and_then(Model::assets);
+        to_glb(self.bounds(), assets, |glb| self.replay(glb))
     }
 
     /// Writes all models as one GLB file.
@@ -316,6 +297,22 @@ impl super::parts::Parts<Model> {
     pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
         Ok(std::fs::write(path, self.to_glb()?)?)
     }
+}
+
+fn to_glb(
+    bounds: Bounds,
+    assets: Option<&Arc<Assets>>,
+    replay: impl FnOnce(&mut Glb) -> Flow,
+) -> Result<Vec<u8>, WriteError> {
+    let mut glb = Glb { files: assets.cloned(), ..Glb::new().with_origin(near_origin(bounds)) };
+    // It stops when it is full; `into_bytes` reports that.
+    let _ = replay(&mut glb);
+    glb.into_bytes()
+}
+
+/// An error for more bytes than the format allows.
+fn check_size(bytes: u64) -> Result<(), WriteError> {
+    if MAX_BYTES < bytes { Err(WriteError::TooLarge { what: "bytes", limit: u64::from(u32::MAX) }) } else { Ok(()) }
 }
 
 /// The origin of the world. If 32-bit floats relative to it would be off by more than a millimetre, a point in whole

@@ -1,29 +1,39 @@
 //! Combines streams and description into one file.
 
 use std::fmt::Write as _;
-use std::sync::Arc;
 
-use glam::{DVec3, Vec4};
+use glam::{DVec3, Vec3, Vec4};
 
-use super::binary::{Binary, container, text};
+use super::binary::{Binary, Word, container, text};
 use super::images::Images;
 use super::json::joined;
 use super::parts::Instance;
 use super::primitive::Primitive;
-use super::streams::Stream;
+use super::streams::write_floats;
 use super::textures::LookTexture;
-use super::{Glb, Instances, MAX_BYTES, Shared};
+use super::{Glb, Instances, Shared, check_size};
+use crate::output::buffers::Vertex;
 use crate::output::error::WriteError;
 use crate::output::number::list;
 
-/// Component types and buffer targets of the format.
+/// The component types of the format.
 const U32: u32 = 5125;
 const F32: u32 = 5126;
-const VERTICES: u32 = 34962;
-const INDICES: u32 = 34963;
+
+/// The items of a stream: their type, the type of their components, and their bytes.
+struct Layout {
+    kind: &'static str,
+    component: u32,
+    bytes: usize,
+}
+
+const INDEX: Layout = Layout { kind: "SCALAR", component: U32, bytes: 4 };
+const RULE: Layout = Layout { kind: "SCALAR", component: F32, bytes: 4 };
+const UV: Layout = Layout { kind: "VEC2", component: F32, bytes: 8 };
+const POINT: Layout = Layout { kind: "VEC3", component: F32, bytes: 12 };
+const TANGENT: Layout = Layout { kind: "VEC4", component: F32, bytes: 16 };
 
 /// The accessors of one primitive.
-#[derive(Clone, Copy, Default)]
 struct Accessors {
     indices: usize,
     position: usize,
@@ -39,14 +49,17 @@ pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[Shared]) -> Result<V
     let meshes: Vec<&[Primitive]> = main.into_iter().chain(shared.iter().map(|s| &s.primitives[..])).collect();
     let flat: Vec<&Primitive> = meshes.iter().copied().flatten().collect();
     let mut binary = Binary::default();
-    let images = Images::of(glb.looks.textures(), glb.files.get().map(Arc::as_ref), glb.references_images);
+    let images = Images::of(glb.looks.textures(), glb.files.as_deref(), glb.references_images);
     let mut accessors = binary.primitives(&flat)?;
     for (primitive, accessors) in flat.iter().copied().zip(&mut accessors) {
         accessors.tangent = glb.looks.normal_space(primitive.look, &images).map(|space| {
-            let more = format!(",\"byteStride\":16,\"target\":{VERTICES}");
-            let count = primitive.vertex_count();
-            let view = binary.view(16 * count, &more, move |to| primitive.write_tangents(&space, to));
-            binary.accessor(view, 0, F32, count, "VEC4", "")
+            binary.stream(
+                &TANGENT,
+                &[primitive],
+                |p: &Primitive| p.vertices().len(),
+                &[],
+                move |p, to| p.write_tangents(&space, to),
+            )
         });
     }
     let places = binary.places(shared);
@@ -57,7 +70,6 @@ pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[Shared]) -> Result<V
         return container(&json, &Binary::default());
     }
     let rules = glb.numbers.table.rules();
-    let images = Images::of(glb.looks.textures(), glb.files.get().map(Arc::as_ref), glb.references_images);
     let has_transforms = glb.looks.textures().any(LookTexture::is_transformed);
     write_rules(&mut json, &mut binary, rules, has_transforms, !places.is_empty());
     json.push_str("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],");
@@ -70,9 +82,7 @@ pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[Shared]) -> Result<V
     let _ = write!(json, "\"meshes\":[{}],", joined(meshes.iter().map(mesh)));
     glb.looks.write(&mut json, &images);
     images.write(&mut json, &mut binary);
-    if MAX_BYTES < binary.length as u64 {
-        return Err(WriteError::TooLarge { what: "bytes", limit: u64::from(u32::MAX) });
-    }
+    check_size(binary.length as u64)?;
     let _ = write!(json, "\"accessors\":[{}],", binary.accessors.join(","));
     let _ = write!(json, "\"bufferViews\":[{}],", binary.views.join(","));
     // The chunk is padded, and readers complain if the buffer is shorter than the chunk.
@@ -154,60 +164,56 @@ fn primitive(primitive: &Primitive, at: &Accessors, rules: usize) -> String {
 impl<'a> Binary<'a> {
     /// Adds one view for each stream of all primitives together, and accessors for each primitive.
     fn primitives(&mut self, primitives: &[&'a Primitive]) -> Result<Vec<Accessors>, WriteError> {
-        let mut all = vec![Accessors::default(); primitives.len()];
         if primitives.is_empty() {
-            return Ok(all);
+            return Ok(Vec::new());
         }
-        let target = |target: u32| format!(",\"target\":{target}");
-        let strided = |stride: u32| format!(",\"byteStride\":{stride},\"target\":{VERTICES}");
-        let vertices = primitives.iter().map(|p| p.vertex_count()).sum::<usize>();
-
-        let count = primitives.iter().map(|p| p.index_count()).sum::<usize>();
-        let (view, mut at) = (self.stream(4 * count, &target(INDICES), primitives, Primitive::write_indices), 0);
-        for (p, a) in primitives.iter().zip(&mut all) {
-            a.indices = self.accessor(view, at, U32, p.index_count(), "SCALAR", "");
-            at += 4 * p.index_count();
+        let ranges = primitives.iter().map(|p| extremes(p.vertices())).collect::<Result<Vec<_>, _>>()?;
+        let lists: Vec<&Vec<[f32; 2]>> = primitives.iter().flat_map(|p| &p.uvs).collect();
+        if !lists.iter().all(|list| list.as_flattened().iter().all(|number| number.is_finite())) {
+            return Err(WriteError::NotFinite);
         }
-        let (view, mut at) = (self.stream(12 * vertices, &strided(12), primitives, Primitive::write_positions), 0);
-        for (p, a) in primitives.iter().zip(&mut all) {
-            let range = extremes(p.positions.items())?;
-            a.position = self.accessor(view, at, F32, p.vertex_count(), "VEC3", &range);
-            at += 12 * p.vertex_count();
+        let indices = self.stream(&INDEX, primitives, |p| p.indices().len(), &[], Primitive::write_indices);
+        let vertices = |p: &Primitive| p.vertices().len();
+        let position = self.stream(&POINT, primitives, vertices, &ranges, Primitive::write_positions);
+        let normal = self.stream(&POINT, primitives, vertices, &[], Primitive::write_normals);
+        let rule = self.stream(&RULE, primitives, vertices, &[], Primitive::write_rules);
+        let mut uv = self.accessors.len();
+        if !lists.is_empty() {
+            uv = self.stream(&UV, &lists, |list| list.len(), &[], |list, to| write_floats(list.as_flattened(), to));
         }
-        let (view, mut at) = (self.stream(12 * vertices, &strided(12), primitives, Primitive::write_normals), 0);
-        for (p, a) in primitives.iter().zip(&mut all) {
-            a.normal = self.accessor(view, at, F32, p.vertex_count(), "VEC3", "");
-            at += 12 * p.vertex_count();
-        }
-        let (view, mut at) = (self.stream(4 * vertices, &strided(4), primitives, Primitive::write_rules), 0);
-        for (p, a) in primitives.iter().zip(&mut all) {
-            a.rule = self.accessor(view, at, F32, p.vertex_count(), "SCALAR", "");
-            at += 4 * p.vertex_count();
-        }
-        let count = primitives.iter().flat_map(|p| &p.uvs).map(Vec::len).sum::<usize>();
-        if 0 < count {
-            let (view, mut at) = (self.stream(8 * count, &strided(8), primitives, Primitive::write_uvs), 0);
-            for (p, a) in primitives.iter().zip(&mut all) {
-                a.uv = self.accessors.len();
-                for list in &p.uvs {
-                    if !list.as_flattened().iter().all(|number| number.is_finite()) {
-                        return Err(WriteError::NotFinite);
-                    }
-                    self.accessor(view, at, F32, list.len(), "VEC2", "");
-                    at += 8 * list.len();
-                }
-            }
-        }
-        if MAX_BYTES < self.length as u64 {
-            return Err(WriteError::TooLarge { what: "bytes", limit: u64::from(u32::MAX) });
-        }
-        Ok(all)
+        let accessors = primitives.iter().enumerate().map(|(i, primitive)| {
+            let (indices, position, normal, rule) = (indices + i, position + i, normal + i, rule + i);
+            let own = Accessors { indices, position, normal, rule, uv, tangent: None };
+            uv += primitive.uvs.len();
+            own
+        });
+        Ok(accessors.collect())
     }
 
-    /// Adds a view with the output of `write` for each primitive.
-    fn stream(&mut self, length: usize, more: &str, primitives: &[&'a Primitive], write: Stream) -> usize {
-        let primitives = primitives.to_vec();
-        self.view(length, more, move |to| primitives.iter().for_each(|primitive| write(primitive, to)))
+    /// Adds a view with the output of `write` for each part, and an accessor for each. `more` are further members of
+    /// the accessors. Returns the number of the first accessor.
+    fn stream<T: 'a>(
+        &mut self,
+        layout: &Layout,
+        parts: &[&'a T],
+        count: impl Fn(&T) -> usize,
+        more: &[String],
+        write: impl Fn(&T, &mut Vec<Word>) + 'a,
+    ) -> usize {
+        let Layout { kind, component, bytes } = *layout;
+        let usage = match component {
+            U32 => ",\"target\":34963".to_owned(),
+            _ => format!(",\"byteStride\":{bytes},\"target\":34962"),
+        };
+        let (total, all) = (parts.iter().map(|part| count(part)).sum::<usize>(), parts.to_vec());
+        let view = self.view(bytes * total, &usage, move |to| all.iter().for_each(|part| write(part, to)));
+        let (first, mut offset) = (self.accessors.len(), 0);
+        for (i, part) in parts.iter().enumerate() {
+            let more = more.get(i).map_or("", String::as_str);
+            self.accessor(view, offset, component, count(part), kind, more);
+            offset += bytes * count(part);
+        }
+        first
     }
 
     /// The accessors of the translations and the rotations of instances, for each mesh with instances.
@@ -241,50 +247,39 @@ impl<'a> Binary<'a> {
 }
 
 /// The members `min` and `max`. All digits of the `f32`s are written, as readers compare.
-fn extremes(positions: &[[f32; 3]]) -> Result<String, WriteError> {
-    let (low, high) = bounds(positions).ok_or(WriteError::NotFinite)?;
-    Ok(format!(",\"min\":[{}],\"max\":[{}]", list(&low.map(f64::from)), list(&high.map(f64::from))))
+fn extremes(vertices: &[Vertex]) -> Result<String, WriteError> {
+    let (low, high) = bounds(vertices).ok_or(WriteError::NotFinite)?;
+    Ok(format!(",\"min\":[{}],\"max\":[{}]", list(&low.as_dvec3().to_array()), list(&high.as_dvec3().to_array())))
 }
 
 /// The least and the largest coordinates, if all are finite.
-fn bounds(positions: &[[f32; 3]]) -> Option<([f32; 3], [f32; 3])> {
-    // Four positions at once, as they are three whole vectors.
-    let (chunks, rest) = positions.as_flattened().as_chunks::<12>();
-    let (mut lows, mut highs) = ([Vec4::INFINITY; 3], [Vec4::NEG_INFINITY; 3]);
+fn bounds(vertices: &[Vertex]) -> Option<(Vec3, Vec3)> {
+    let (mut low, mut high) = (Vec4::INFINITY, Vec4::NEG_INFINITY);
     // Coordinates that are not finite make the sum NaN.
-    let mut zeros = [Vec4::ZERO; 3];
-    for chunk in chunks {
-        for (i, c) in chunk.as_chunks::<4>().0.iter().map(|c| Vec4::from_array(*c)).enumerate() {
-            lows[i] = lows[i].min(c);
-            highs[i] = highs[i].max(c);
-            zeros[i] += c * 0.0;
-        }
+    let mut zero = Vec4::ZERO;
+    for vertex in vertices {
+        // The fourth number belongs to the normal.
+        let point = Vec4::from_slice(vertex);
+        low = low.min(point);
+        high = high.max(point);
+        zero += point * 0.0;
     }
-    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
-    let flat = |vectors: [Vec4; 3]| vectors.map(|vector| vector.to_array());
-    for (i, &c) in flat(lows).as_flattened().iter().chain(rest).enumerate() {
-        low[i % 3] = low[i % 3].min(c);
-    }
-    for (i, &c) in flat(highs).as_flattened().iter().chain(rest).enumerate() {
-        high[i % 3] = high[i % 3].max(c);
-    }
-    let is_finite = flat(zeros).as_flattened().iter().all(|zero| *zero == 0.0) && rest.iter().all(|c| c.is_finite());
-    is_finite.then_some((low, high))
+    (zero.truncate() == Vec3::ZERO).then(|| (low.truncate(), high.truncate()))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::bounds;
+    use super::*;
 
     #[test]
     fn bounds_are_those_of_all_positions_and_finite() {
-        let mut positions: Vec<[f32; 3]> = (0..11).map(|i| [i as f32, -(i as f32), 0.5]).collect();
-        assert_eq!(bounds(&positions), Some(([0.0, -10.0, 0.5], [10.0, 0.0, 0.5])));
+        let mut vertices: Vec<Vertex> = (0..11).map(|i| [i as f32, -(i as f32), 0.5, 0.0, 0.0, 1.0]).collect();
+        assert_eq!(bounds(&vertices), Some((Vec3::new(0.0, -10.0, 0.5), Vec3::new(10.0, 0.0, 0.5))));
         for (at, odd) in [(0, f32::NAN), (10, f32::NAN), (3, f32::INFINITY), (9, f32::NEG_INFINITY)] {
-            let kept = std::mem::replace(&mut positions[at][1], odd);
-            assert_eq!(bounds(&positions), None);
-            positions[at][1] = kept;
+            let kept = std::mem::replace(&mut vertices[at][1], odd);
+            assert_eq!(bounds(&vertices), None);
+            vertices[at][1] = kept;
         }
-        assert_eq!(bounds(&positions[..2]), Some(([0.0, -1.0, 0.5], [1.0, 0.0, 0.5])));
+        assert_eq!(bounds(&vertices[..2]), Some((Vec3::new(0.0, -1.0, 0.5), Vec3::new(1.0, 0.0, 0.5))));
     }
 }

@@ -4,32 +4,23 @@
 //! session keeps. The identity of a part only saves making its mesh again.
 
 use std::collections::HashMap;
-use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
 
 use glam::{DAffine3, DQuat, DVec3};
 
 use super::primitive::Primitive;
 use super::{Glb, Instances, Shared};
 use crate::material::layer::SetMask;
+use crate::output::interner::Interner;
 use crate::run::sink::{Flow, PartId, Replay};
 
 /// The parts in the order of their first use.
 #[derive(Debug, Default)]
 pub(super) struct RepeatedParts {
-    list: Vec<RepeatedPart>,
+    parts: Interner<Vec<Primitive>>,
+    /// The first place of each part, and all its places.
+    places: Vec<(DAffine3, Vec<Instance>)>,
     /// The parts of the current run. Only for look-ups, never iterated.
     by_id: HashMap<PartId, usize>,
-    /// The parts by a hash of their triangles. Only for look-ups, never iterated.
-    by_hash: HashMap<u64, Vec<usize>>,
-}
-
-/// A part and its places.
-#[derive(Debug)]
-struct RepeatedPart {
-    primitives: Vec<Primitive>,
-    /// The first place.
-    first: DAffine3,
-    places: Vec<Instance>,
 }
 
 /// A place of an instance, relative to the origin of the file.
@@ -57,19 +48,6 @@ impl RepeatedParts {
     pub(super) fn begin(&mut self) {
         self.by_id.clear();
     }
-
-    /// The number of a part, and true if the part is new.
-    fn number(&mut self, primitives: Vec<Primitive>, first: &DAffine3) -> (usize, bool) {
-        // The hash is the same in every run of a program.
-        let hash = BuildHasherDefault::<DefaultHasher>::default().hash_one(&primitives);
-        let equal = self.by_hash.entry(hash).or_default();
-        if let Some(&known) = equal.iter().find(|&&at| self.list[at].primitives == primitives) {
-            return (known, false);
-        }
-        equal.push(self.list.len());
-        self.list.push(RepeatedPart { primitives, first: *first, places: Vec::new() });
-        (self.list.len() - 1, true)
-    }
 }
 
 impl Glb {
@@ -83,16 +61,16 @@ impl Glb {
         let number = match parts.by_id.get(&replay.part()) {
             Some(&known) => known,
             None => {
-                let primitives = self.local(replay);
-                let (number, is_new) = parts.number(primitives, &placement);
-                if is_new {
-                    self.add(replay.corner_count(), replay.corner_count() / 4 * 6)?;
+                let number = parts.parts.index(self.local(replay));
+                if number == parts.places.len() {
+                    parts.places.push((placement, Vec::new()));
+                    self.add(replay.corner_count(), replay.corner_count() / 4 * 6, 0)?;
                 }
                 parts.by_id.insert(replay.part(), number);
                 number
             }
         };
-        parts.list[number].places.push(Instance::new(&placement, self.origin));
+        parts.places[number].1.push(Instance::new(&placement, self.origin));
         self.add_bytes(PLACE_BYTES)
     }
 
@@ -109,14 +87,14 @@ impl Glb {
     /// Turns parts at several places into separate meshes; the others join the rest.
     pub(super) fn place_parts(&mut self, parts: RepeatedParts) -> Vec<Shared> {
         let mut shared = Vec::new();
-        for RepeatedPart { primitives, first, places } in parts.list {
+        for (primitives, (first, places)) in parts.parts.list.into_iter().zip(parts.places) {
             if 2 <= places.len() {
                 shared.push(Shared { primitives, places: Instances::Instances(places) });
                 continue;
             }
             for primitive in &primitives {
                 let index = self.primitives.with_look(primitive.look, SetMask::default());
-                self.primitives.list[index].add_quads(primitive, &first, self.origin);
+                self.primitives.list[index].add_moved(primitive, &first, self.origin);
             }
         }
         shared

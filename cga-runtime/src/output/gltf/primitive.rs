@@ -7,16 +7,15 @@ use std::ops::Range;
 use glam::{DAffine3, DVec2, DVec3, DVec4, Vec4};
 
 use super::look::Looks;
-use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
 use crate::geometry::uv_map::{self, SetMap};
 use crate::material::layer::SetMask;
-use crate::output::flatten::{FlatFace, corner_point, unit};
-use crate::output::room::Room;
+use crate::output::buffers::Vertex;
+use crate::output::flatten::FlatFace;
 use crate::output::table::Table;
+use crate::output::triangles::{Triangles, marked, vertex, write_box, write_quad};
 use crate::run::sink::Replay;
 use crate::run::sink::corners::Placed;
-use crate::shape::axes::without_zero;
 use crate::shape::base::Form;
 use crate::shape::unit::UnitMesh;
 
@@ -31,34 +30,16 @@ pub(super) struct Primitives {
 }
 
 /// The triangles of one glTF primitive. All vertices have the same sets of texture coordinates.
-///
-/// A quad has four vertices, one normal, and indices that follow from its place. Faces of meshes have explicit
-/// normals and indices. The streams of the file are made of both when it is written (`streams.rs`).
 #[derive(Debug, Default)]
 pub(super) struct Primitive {
     pub(super) look: u32,
-    pub(super) positions: Room<[f32; 3]>,
+    /// Relative to the origin of the file.
+    pub(super) triangles: Triangles,
     pub(super) sets: SetMask,
     /// One list for each set, one pair for each vertex.
     pub(super) uvs: Vec<Vec<[f32; 2]>>,
-    /// The normals of quads, one for each.
-    pub(super) quad_normals: Room<[f32; 3]>,
-    /// The normals of mesh vertices, one for each.
-    pub(super) normals: Vec<[f32; 3]>,
-    /// The indices of meshes.
-    pub(super) indices: Vec<u32>,
-    pub(super) stretches: Vec<Stretch>,
-}
-
-/// Consecutive vertices with one rule, of quads or of meshes. A stretch ends where the next one begins.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Stretch {
-    pub(super) rule: u32,
-    pub(super) is_quads: bool,
-    /// The first vertex.
-    pub(super) vertex: u32,
-    /// The first index, among those of meshes.
-    pub(super) index: u32,
+    /// The rules of consecutive vertices, each with the number of its first vertex.
+    pub(super) rules: Vec<(u32, usize)>,
 }
 
 /// The bytes of a vertex without texture coordinates, and of an index.
@@ -114,13 +95,9 @@ impl Primitives {
     /// triangle.
     pub(super) fn into_list(self) -> Vec<Primitive> {
         let mut list = self.list;
-        list.retain(|primitive| primitive.index_count() != 0);
+        list.retain(|primitive| !primitive.indices().is_empty());
         list
     }
-}
-
-fn short(v: DVec3) -> [f32; 3] {
-    v.to_array().map(|c| c as f32)
 }
 
 /// Texture coordinates with v downwards, as in glTF.
@@ -132,59 +109,50 @@ impl PartialEq for Primitive {
     fn eq(&self, other: &Self) -> bool {
         self.look == other.look
             && self.sets == other.sets
-            && self.stretches == other.stretches
-            && self.positions.items() == other.positions.items()
-            && self.quad_normals.items() == other.quad_normals.items()
-            && self.normals == other.normals
-            && self.indices == other.indices
+            && self.rules == other.rules
+            && self.vertices() == other.vertices()
+            && self.indices() == other.indices()
             && self.uvs == other.uvs
     }
 }
 
 impl Hash for Primitive {
     fn hash<H: Hasher>(&self, state: &mut H) {
-        // Equal numbers must have equal hashes: adding 0 removes the sign of −0.
-        let bits = |c: &f32| (c + 0.0).to_bits();
         self.look.hash(state);
-        self.stretches.hash(state);
-        self.positions.items().as_flattened().iter().for_each(|c| bits(c).hash(state));
-        self.indices.hash(state);
+        self.rules.hash(state);
+        // Equal numbers must have equal hashes: adding 0 removes the sign of −0.
+        self.vertices().as_flattened().iter().for_each(|number| (number + 0.0).to_bits().hash(state));
+        self.indices().hash(state);
     }
 }
 
 impl Primitive {
-    /// The number of vertices.
-    pub(super) fn vertex_count(&self) -> usize {
-        self.positions.len()
+    pub(super) fn vertices(&self) -> &[Vertex] {
+        self.triangles.vertices.items()
     }
 
-    /// The number of indices.
-    pub(super) fn index_count(&self) -> usize {
-        self.indices.len() + 6 * self.quad_normals.len()
+    pub(super) fn indices(&self) -> &[u32] {
+        self.triangles.indices.items()
     }
 
-    /// Begins a stretch unless the last one continues.
+    /// Begins the vertices of a rule unless those of the last rule continue.
     #[inline]
-    pub(super) fn begin(&mut self, rule: u32, is_quads: bool) {
-        match self.stretches.last() {
-            Some(last) if last.rule == rule && last.is_quads == is_quads => {}
-            _ => {
-                let (vertex, index) = (self.positions.len() as u32, self.indices.len() as u32);
-                self.stretches.push(Stretch { rule, is_quads, vertex, index });
-            }
+    pub(super) fn begin(&mut self, rule: u32) {
+        if self.rules.last().is_none_or(|(last, _)| *last != rule) {
+            self.rules.push((rule, self.triangles.vertices.len()));
         }
     }
 
-    /// Adds a rectangle, relative to the origin of the file.
-    pub(super) fn quad(&mut self, rule: u32, placed: &Placed, normal: Vec4) {
-        if let Some(to) = self.quads(rule, 1).next() {
-            write_quad(to, placed, normal);
-        }
+    /// Adds a rectangle.
+    pub(super) fn quad(&mut self, rule: u32, placed: Placed, normal: Vec4) {
+        self.begin(rule);
+        self.triangles.quad(placed, normal);
     }
 
-    /// Adds a box, relative to the origin of the file; `normals` are the normals of its sides.
+    /// Adds a box; `normals` are the normals of its sides.
     pub(super) fn cuboid(&mut self, rule: u32, placed: &Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
-        write_box(self.quads(rule, 6), placed, unit, normals);
+        self.begin(rule);
+        self.triangles.cuboid(placed, unit, normals);
     }
 
     /// Adds the texture coordinates of the last vertices, from their points in the world.
@@ -199,79 +167,41 @@ impl Primitive {
     /// Adds leaves of a part that repeats, with one rule and `faces` faces.
     #[inline(never)]
     pub(super) fn repeat(&mut self, rule: u32, replay: &Replay<'_>, leaves: Range<usize>, faces: usize, origin: DVec4) {
-        let (mut faces, place) = (self.quads(rule, faces), replay.origin());
+        self.begin(rule);
+        let (mut faces, place) = (self.triangles.quads(faces), replay.origin());
         for (placed, record, axes) in replay.leaves(leaves) {
+            let (own, rest) = faces.split_at_mut(record.unit.face_count());
+            faces = rest;
             let placed = placed.moved(place).moved(-origin);
             if record.form == Form::Box {
-                write_box(faces.by_ref(), &placed, record.unit, &axes.normals);
-            } else if let Some(to) = faces.next() {
-                write_quad(to, &placed, axes.normals[0]);
+                if let Some(to) = own.first_chunk_mut::<6>() {
+                    write_box(to, &placed, record.unit, &axes.normals);
+                }
+            } else if let [to] = own {
+                let normal = axes.normals[0];
+                write_quad(to, &Placed { origin: marked(placed.origin, normal), ..placed }, normal);
             }
         }
     }
 
-    /// The places of the next quads.
-    #[inline(always)]
-    fn quads(&mut self, rule: u32, count: usize) -> impl Iterator<Item = QuadPlace<'_>> {
-        self.begin(rule, true);
-        let (positions, _) = self.positions.take(4 * count).as_chunks_mut::<4>();
-        positions.iter_mut().zip(self.quad_normals.take(count))
-    }
-
-    /// Adds the quads of another primitive that has only quads, moved to a place.
-    pub(super) fn add_quads(&mut self, other: &Primitive, placement: &DAffine3, origin: DVec3) {
-        let start = self.positions.len() as u32;
-        let index = self.indices.len() as u32;
-        let moved = |stretch: &Stretch| Stretch { vertex: start + stretch.vertex, index, ..*stretch };
-        self.stretches.extend(other.stretches.iter().map(moved));
-        let wide = |v: &[f32; 3]| DVec3::from_array(v.map(f64::from));
+    /// Adds the triangles of another primitive, moved to a place.
+    pub(super) fn add_moved(&mut self, other: &Primitive, placement: &DAffine3, origin: DVec3) {
+        let start = self.vertices().len();
+        self.rules.extend(other.rules.iter().map(|(rule, vertex)| (*rule, start + vertex)));
         let turn = normal_map(&placement.matrix3);
-        let (positions, normals) = (other.positions.items(), other.quad_normals.items());
-        self.positions.extend(positions.iter().map(|p| short(placement.transform_point3(wide(p)) - origin)));
-        self.quad_normals.extend(normals.iter().map(|n| short(turn * wide(n))));
+        let wide = |x, y, z| DVec3::new(f64::from(x), f64::from(y), f64::from(z));
+        self.triangles.vertices.extend(other.vertices().iter().map(|&[x, y, z, u, v, w]| {
+            vertex(placement.transform_point3(wide(x, y, z)) - origin, turn * wide(u, v, w))
+        }));
+        self.triangles.indices.extend(other.indices().iter().map(|index| start as u32 + index));
     }
 
     /// Adds a face of a mesh.
-    pub(super) fn face(&mut self, mesh: &Mesh, placement: &DAffine3, face: &FlatFace<'_>, rule: u32, origin: DVec3) {
-        self.begin(rule, false);
-        let start = self.positions.len() as u32;
-        let turn = normal_map(&placement.matrix3);
-        for corner in face.corners.clone() {
-            let point = placement.transform_point3(corner_point(mesh, corner)) - origin;
-            let normal = mesh.normals.get(corner).map_or(face.normal, |&n| unit(turn * n));
-            self.positions.push(short(point));
-            self.normals.push(short(normal));
-        }
+    pub(super) fn face(&mut self, face: &FlatFace<'_>, rule: u32, origin: DVec3) {
+        self.begin(rule);
+        self.triangles.face(face, origin, face.corners.clone(), face.triangles);
         for (set, list) in self.sets.sets().zip(&mut self.uvs) {
-            list.extend(mesh.uv_set(set)[face.corners.clone()].iter().map(|&uv| flipped(uv)));
+            list.extend(face.uvs(set).iter().map(|&uv| flipped(uv)));
         }
-        self.indices.extend(face.triangles.as_flattened().iter().map(|i| start + i));
     }
-}
-
-/// The places of the positions and of the normal of a quad.
-type QuadPlace<'a> = (&'a mut [[f32; 3]; 4], &'a mut [f32; 3]);
-
-#[inline(always)]
-fn write_quad(to: QuadPlace<'_>, placed: &Placed, normal: Vec4) {
-    write_face(to, placed.quad_corners(), normal);
-}
-
-#[inline(always)]
-fn write_box<'a>(faces: impl Iterator<Item = QuadPlace<'a>>, placed: &Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
-    let corners = placed.box_corners();
-    for (face, to) in unit.sides().iter().zip(faces) {
-        write_face(to, face.corners.map(|corner| corners[usize::from(corner & 7)]), normals[face.side as usize]);
-    }
-}
-
-/// Writes the corners of a face as three vectors, and its normal.
-#[inline(always)]
-fn write_face((positions, to_normal): QuadPlace<'_>, [a, b, c, d]: [Vec4; 4], normal: Vec4) {
-    let vectors = [Vec4::new(a.x, a.y, a.z, b.x), Vec4::new(b.y, b.z, c.x, c.y), Vec4::new(c.z, d.x, d.y, d.z)];
-    let (chunks, _) = positions.as_flattened_mut().as_chunks_mut::<4>();
-    for (to, vector) in chunks.iter_mut().zip(vectors) {
-        *to = vector.to_array();
-    }
-    *to_normal = without_zero(normal);
 }

@@ -10,19 +10,11 @@ impl Primitive {
     /// Writes the direction of growing u on the surface at each vertex, and the side of growing v. A vertex belongs
     /// to one face, so the triangles around it are nearly always in one plane.
     pub(super) fn write_tangents(&self, space: &NormalSpace, to: &mut Vec<Word>) {
-        let words = |write: fn(&Primitive, &mut Vec<Word>)| {
-            let mut words = Vec::new();
-            write(self, &mut words);
-            words
-        };
-        let indices: Vec<usize> =
-            words(Primitive::write_indices).into_iter().map(|word| u32::from_le_bytes(word) as usize).collect();
-        let normals: Vec<f32> = words(Primitive::write_normals).into_iter().map(f32::from_le_bytes).collect();
-        let positions = self.positions.items();
         let Some(uvs) = self.uvs.get(space.list) else { return };
-        let mut sums = vec![[Vec3::ZERO; 2]; positions.len()];
-        for triangle in indices.as_chunks::<3>().0 {
-            let [a, b, c] = triangle.map(|at| Vec3::from_array(positions[at]));
+        let mut sums = vec![[Vec3::ZERO; 2]; self.vertices().len()];
+        for triangle in self.indices().as_chunks::<3>().0 {
+            let triangle = triangle.map(|at| at as usize);
+            let [a, b, c] = triangle.map(|at| Vec3::from_slice(&self.vertices()[at]));
             let [p, q, r] = triangle.map(|at| {
                 let uv = Vec2::new(uvs[at][0], 1.0 - uvs[at][1]);
                 Vec2::new(space.rows[0].dot(uv), space.rows[1].dot(uv))
@@ -31,12 +23,12 @@ impl Primitive {
             // Only directions matter. Their sign is the sign of the area in texture space.
             let turn = (s.x * t.y - t.x * s.y).signum();
             let along = [(e * t.y - f * s.y) * turn, (f * s.x - e * t.x) * turn];
-            for &at in triangle {
+            for at in triangle {
                 sums[at] = [sums[at][0] + unit(along[0]), sums[at][1] + unit(along[1])];
             }
         }
-        for ([u, v], normal) in sums.into_iter().zip(normals.as_chunks::<3>().0) {
-            let normal = Vec3::from_array(*normal);
+        for ([u, v], vertex) in sums.into_iter().zip(self.vertices()) {
+            let normal = Vec3::from_slice(&vertex[3..]);
             let flat = unit(u - normal * normal.dot(u));
             let tangent = if flat == Vec3::ZERO { across(normal) } else { flat };
             let side = if normal.cross(tangent).dot(v) < 0.0 { -1.0 } else { 1.0 };
@@ -60,14 +52,13 @@ fn across(normal: Vec3) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output::gltf::primitive::Stretch;
 
     #[test]
     fn tangents_follow_the_coordinates() {
-        let mut primitive =
-            Primitive { indices: vec![0, 1, 2], normals: vec![[0.0, 0.0, 1.0]; 3], ..Primitive::default() };
-        primitive.stretches.push(Stretch { rule: 0, is_quads: false, vertex: 0, index: 0 });
-        primitive.positions.extend([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0]].into_iter());
+        let mut primitive = Primitive::default();
+        let vertices = [[0.0, 0.0], [2.0, 0.0], [0.0, 3.0]].map(|[x, y]| [x, y, 0.0, 0.0, 0.0, 1.0]);
+        primitive.triangles.vertices.extend(vertices.into_iter());
+        primitive.triangles.indices.extend([0, 1, 2].into_iter());
         // Coordinates as in the file, with v downwards.
         for (uvs, wanted) in [
             ([[0.0, 1.0], [1.0, 1.0], [0.0, 0.0]], [1.0, 0.0, 0.0, 1.0]),

@@ -27,6 +27,17 @@ pub(super) enum ImageKey {
     Metal { roughness: Option<Text>, metallic: Option<Text> },
 }
 
+impl ImageKey {
+    /// The file that replaces the image if it cannot be made.
+    pub(super) fn file(&self) -> Option<&Text> {
+        match self {
+            ImageKey::File(name) | ImageKey::Opaque(name) => Some(name),
+            ImageKey::WithOpacity { color, .. } => color.as_ref(),
+            ImageKey::Metal { roughness, metallic } => roughness.as_ref().or(metallic.as_ref()),
+        }
+    }
+}
+
 /// A map of the format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Role {

@@ -4,7 +4,7 @@
 //! tests the sun and some of the lamps, and its neighbours test the other lamps. The average over a block of 4×4
 //! samples on one surface then covers all lamps, without noise.
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 use super::camera::{View, direction};
 use super::raster;
@@ -26,23 +26,12 @@ pub(super) struct Light {
     pub(super) sky: Vec<f32>,
 }
 
-type V = [f32; 3];
-
-#[inline]
-fn dot(a: V, b: V) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn short(v: DVec3) -> V {
-    v.to_array().map(|c| c as f32)
-}
-
 /// A distant lamp and its depth map of the scene.
 struct Lamp {
-    to: V,
+    to: Vec3,
     /// The map from the scene to texels: a row each for x and y, and the summand.
-    x: (V, f32),
-    y: (V, f32),
+    x: (Vec3, f32),
+    y: (Vec3, f32),
     /// The metres per texel.
     texel: f32,
     size: usize,
@@ -52,18 +41,18 @@ struct Lamp {
 impl Lamp {
     /// A lamp. `half` is half the size of the scene, a box about the origin; `shift` moves the map's grid by a part
     /// of a texel.
-    fn new(casters: &[[V; 3]], half: DVec3, to: DVec3, size: usize, shift: [f64; 2], mut near: Vec<f32>) -> Lamp {
+    fn new(casters: &[[Vec3; 3]], half: DVec3, to: DVec3, size: usize, shift: [f64; 2], mut near: Vec<f32>) -> Lamp {
         let right = to.cross(if to.y.abs() < 0.99 { DVec3::Y } else { DVec3::X }).normalize();
         let up = right.cross(to);
         let reach = |axis: DVec3| axis.abs().dot(half).max(1e-6);
         let scale = |axis: DVec3| 0.5 * (size - 4) as f64 / reach(axis);
-        let row = |axis: DVec3, shift: f64| (short(axis * scale(axis)), (0.5 * size as f64 - 0.5 + shift) as f32);
+        let row = |axis: DVec3, shift: f64| ((axis * scale(axis)).as_vec3(), (0.5 * size as f64 - 0.5 + shift) as f32);
         let texel = (1.0 / scale(right)).max(1.0 / scale(up)) as f32;
         near.clear();
         near.resize(size * size, f32::NEG_INFINITY);
-        let (x, y, to) = (row(right, shift[0]), row(up, shift[1]), short(to));
+        let (x, y, to) = (row(right, shift[0]), row(up, shift[1]), to.as_vec3());
         for triangle in casters {
-            let corners = triangle.map(|p| [dot(p, x.0) + x.1, dot(p, y.0) + y.1, dot(p, to)]);
+            let corners = triangle.map(|p| [p.dot(x.0) + x.1, p.dot(y.0) + y.1, p.dot(to)]);
             raster::raise(corners, size, &mut near);
         }
         Lamp { to, x, y, texel, size, near }
@@ -80,17 +69,17 @@ impl Lamp {
 
     /// The light that reaches a point: 1 or 0.
     #[inline]
-    fn hard(&self, point: V, normal: V) -> f32 {
-        let p = [0, 1, 2].map(|i| point[i] + normal[i] * BIAS * self.texel);
-        self.open(dot(p, self.x.0) + self.x.1, dot(p, self.y.0) + self.y.1, dot(p, self.to) + 0.5 * self.texel)
+    fn hard(&self, point: Vec3, normal: Vec3) -> f32 {
+        let p = point + normal * BIAS * self.texel;
+        self.open(p.dot(self.x.0) + self.x.1, p.dot(self.y.0) + self.y.1, p.dot(self.to) + 0.5 * self.texel)
     }
 
     /// The share of light that reaches a point: a weighted mean of the nine texels around it.
     #[inline]
-    fn soft(&self, point: V, normal: V) -> f32 {
-        let p = [0, 1, 2].map(|i| point[i] + normal[i] * BIAS * self.texel);
-        let near = dot(p, self.to) + 0.5 * self.texel;
-        let (x, y) = (dot(p, self.x.0) + self.x.1, dot(p, self.y.0) + self.y.1);
+    fn soft(&self, point: Vec3, normal: Vec3) -> f32 {
+        let p = point + normal * BIAS * self.texel;
+        let near = p.dot(self.to) + 0.5 * self.texel;
+        let (x, y) = (p.dot(self.x.0) + self.x.1, p.dot(self.y.0) + self.y.1);
         let (fx, fy) = (x - x as i32 as f32, y - y as i32 as f32);
         let row = |y: f32| {
             self.open(x - 1.0, y, near) * (1.0 - fx) + self.open(x, y, near) + self.open(x + 1.0, y, near) * fx
@@ -130,8 +119,12 @@ fn sky_weight(up: f32) -> f32 {
 pub(super) fn light(scene: &Scene, layer: &Layer, view: &View, half: DVec3, sun: DVec3) -> Light {
     let mut raw = vec![Raw::default(); layer.seen.len()];
     // Thin glass casts no visible shadow.
-    let casters: Vec<[V; 3]> =
-        scene.triangles.iter().filter(|t| 0.6 <= scene.mean_opacity(t)).map(|t| t.corners().map(short)).collect();
+    let casters: Vec<[Vec3; 3]> = scene
+        .triangles
+        .iter()
+        .filter(|t| 0.6 <= scene.mean_opacity(t))
+        .map(|t| t.corners().map(|corner| corner.as_vec3()))
+        .collect();
     let count = lamps(casters.len());
     let (sun_map, sky_map) = map_sizes(layer);
     let bright = Lamp::new(&casters, half, sun, sun_map, [0.0; 2], Vec::new());
@@ -151,11 +144,11 @@ pub(super) fn light(scene: &Scene, layer: &Layer, view: &View, half: DVec3, sun:
                 let sample = y * layer.width + x;
                 let Some((point, normal)) = surface(scene, layer, view, sample) else { continue };
                 let lit = 0.0 < normal.dot(sun);
-                let (point, normal) = (short(point), short(normal));
+                let (point, normal) = (point.as_vec3(), normal.as_vec3());
                 let sun = if lit { bright.soft(point, normal) } else { 1.0 };
                 let (mut given, mut possible) = (0.0, 0.0);
                 for lamp in &sky {
-                    let share = dot(normal, lamp.to) * sky_weight(lamp.to[1]);
+                    let share = normal.dot(lamp.to) * sky_weight(lamp.to.y);
                     if 0.0 < share {
                         possible += share;
                         given += share * lamp.hard(point, normal);
@@ -208,7 +201,7 @@ pub(super) fn surface(scene: &Scene, layer: &Layer, view: &View, sample: usize) 
     if seen == SKY {
         return None;
     }
-    let (x, y) = ((sample % layer.width) as f64 + 0.5, (sample / layer.width) as f64 + 0.5);
+    let [x, y] = layer.place(sample);
     let point = view.unproject(x, y, f64::from(layer.near[sample]));
     if seen == GROUND {
         return Some((point, DVec3::Y));

@@ -4,25 +4,24 @@ use std::collections::HashMap;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use glam::{DAffine3, DVec2, DVec3};
+use glam::{DAffine3, DVec2, DVec3, Vec3};
 
 use super::texel::{Maps, PLAIN, Textures};
 use crate::asset::Assets;
-use crate::geometry::mesh::map::normal_map;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::uv_map::{self, SetMap};
 use crate::material::Material;
 use crate::material::layer::SetMask;
-use crate::output::flatten::{Flattener, corner_point, unit};
-use crate::output::number::linear;
+use crate::output::flatten::{Flattener, unit};
+use crate::output::number::{linear, share};
 use crate::output::table::Table;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 
 /// A triangle, its coordinates relative to [`Scene::centre`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Triangle {
-    corners: [[f32; 3]; 3],
-    normal: [f32; 3],
+    corners: [Vec3; 3],
+    normal: Vec3,
     /// The index in [`Scene::paints`].
     pub(super) paint: u32,
     /// The plane, equal for all triangles in one plane.
@@ -46,7 +45,7 @@ pub(super) struct Paint {
     pub(super) maps: Maps,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Scene {
     pub(super) centre: DVec3,
     pub(super) triangles: Vec<Triangle>,
@@ -54,7 +53,7 @@ pub(super) struct Scene {
     pub(super) textures: Textures,
     /// True if facets may represent round surfaces.
     pub(super) round: bool,
-    smooth: Vec<[[f32; 3]; 3]>,
+    smooth: Vec<[Vec3; 3]>,
     table: Table,
     /// Only for look-ups, never iterated.
     planes: HashMap<[i64; 4], u32>,
@@ -64,21 +63,13 @@ pub(super) struct Scene {
     flattener: Flattener,
 }
 
-fn short(v: DVec3) -> [f32; 3] {
-    v.to_array().map(|c| c as f32)
-}
-
-fn long(v: [f32; 3]) -> DVec3 {
-    DVec3::from_array(v.map(f64::from))
-}
-
 impl Triangle {
     pub(super) fn corners(&self) -> [DVec3; 3] {
-        self.corners.map(long)
+        self.corners.map(|corner| corner.as_dvec3())
     }
 
     pub(super) fn normal(&self) -> DVec3 {
-        long(self.normal)
+        self.normal.as_dvec3()
     }
 }
 
@@ -87,16 +78,9 @@ impl Scene {
         let finite = bounds.low.is_finite() && bounds.high.is_finite();
         Scene {
             centre: if finite { (bounds.low + bounds.high) * 0.5 } else { DVec3::ZERO },
-            triangles: Vec::new(),
-            paints: Vec::new(),
             textures: Textures::new(assets),
-            round: false,
-            smooth: Vec::new(),
-            table: Table::new(),
-            planes: HashMap::new(),
             grain: if finite { (bounds.size().length() * 1e-5).max(1e-9) } else { 1e-3 },
-            leaves: 0,
-            flattener: Flattener::default(),
+            ..Scene::default()
         }
     }
 
@@ -110,7 +94,7 @@ impl Scene {
         let area = (b - a).cross(c - a).dot(n);
         let u = (c - b).cross(point - b).dot(n) / area;
         let v = (a - c).cross(point - c).dot(n) / area;
-        let [na, nb, nc] = self.smooth[triangle.smooth as usize].map(long);
+        let [na, nb, nc] = self.smooth[triangle.smooth as usize].map(|normal| normal.as_dvec3());
         (na * u + nb * v + nc * (1.0 - u - v)).normalize_or(n)
     }
 
@@ -131,41 +115,42 @@ impl Scene {
         *self.planes.entry(key).or_insert(next)
     }
 
-    fn flat(&mut self, corners: &[DVec3], triangles: &[[u32; 3]], normal: DVec3, paint: u32) {
-        let Some(&first) = corners.first() else { return };
-        let plane = self.plane(first, normal);
+    /// Adds the triangles of a flat face. `uv` returns the coordinates of a corner in one of the sets `sets`. Returns
+    /// false if some triangles were not finite; then the others have no texture coordinates.
+    fn face(
+        &mut self,
+        corners: &[DVec3],
+        triangles: &[[u32; 3]],
+        normal: DVec3,
+        paint: u32,
+        sets: SetMask,
+        uv: impl Fn(usize, usize) -> DVec2,
+    ) -> bool {
+        let (Some(&point), first) = (corners.first(), self.triangles.len()) else { return true };
+        let (plane, normal, leaf) = (self.plane(point, normal), normal.as_vec3(), self.leaves);
         for triangle in triangles {
-            let corners = triangle.map(|i| short(corners[i as usize]));
+            let corners = triangle.map(|i| corners[i as usize].as_vec3());
             // Coordinates that are not finite cannot be drawn.
-            if corners.as_flattened().iter().all(|c| c.is_finite()) {
-                let leaf = self.leaves;
-                self.triangles.push(Triangle {
-                    corners,
-                    normal: short(normal),
-                    paint,
-                    plane,
-                    leaf,
-                    smooth: FLAT,
-                    uvs: PLAIN,
-                });
+            if corners.iter().all(|corner| corner.is_finite()) {
+                self.triangles.push(Triangle { corners, normal, paint, plane, leaf, smooth: FLAT, uvs: PLAIN });
             }
         }
+        let added = &mut self.triangles[first..];
+        let (maps, is_whole) = (self.paints[paint as usize].maps, added.len() == triangles.len());
+        if is_whole && maps != Maps::default() && sets != SetMask::default() {
+            for (triangle, corners) in added.iter_mut().zip(triangles) {
+                triangle.uvs = self.textures.add(&maps, sets, corners.map(|i| i as usize), &uv);
+            }
+        }
+        is_whole
     }
 
     fn rectangle(&mut self, quad: &Quad, paint: u32, uvs: &[SetMap]) {
-        const TRIANGLES: [[u32; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
-        let (points, first) = (quad.corners(), self.triangles.len());
+        let (points, normal) = (quad.corners(), unit(quad.u.cross(quad.v)));
         let corners = points.map(|corner| corner - self.centre);
-        self.flat(&corners, &TRIANGLES, unit(quad.u.cross(quad.v)), paint);
-        let maps = self.paints[paint as usize].maps;
-        if uvs.is_empty() || maps == Maps::default() || self.triangles.len() - first != TRIANGLES.len() {
-            return;
-        }
         let sets = SetMask::of(|set| uv_map::find(uvs, set).is_some());
         let uv = |set, corner: usize| uv_map::find(uvs, set).map_or(DVec2::ZERO, |map| map.at(points[corner]));
-        for (triangle, corners) in self.triangles[first..].iter_mut().zip(TRIANGLES) {
-            triangle.uvs = self.textures.add(&maps, sets, corners.map(|i| i as usize), uv);
-        }
+        self.face(&corners, &[[0, 1, 2], [0, 2, 3]], normal, paint, sets, uv);
     }
 
     fn leaf(&mut self, leaf: &Leaf<'_>) -> u32 {
@@ -177,7 +162,6 @@ impl Scene {
 
 fn paint(material: &Material, maps: Maps) -> Paint {
     let color = material.color();
-    let share = |value: Option<f64>, default: f64| value.filter(|v| !v.is_nan()).unwrap_or(default).clamp(0.0, 1.0);
     Paint {
         color: [color.r, color.g, color.b].map(|c| linear(c) as f32),
         opacity: share(material.opacity, 1.0) as f32,
@@ -203,33 +187,21 @@ impl Sink for Scene {
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         let material = self.leaf(leaf);
         self.round = true;
-        let turn = normal_map(&placement.matrix3);
         let mut flattener = std::mem::take(&mut self.flattener);
         let mut corners = Vec::new();
         let sets = SetMask::of(|set| !mesh.uv_set(set).is_empty());
         flattener.faces(mesh, placement, |face| {
-            let shown = self.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
+            let shown = face.material(&mut self.table, material);
             let paint = self.paint(shown);
             corners.clear();
-            let place = |corner| placement.transform_point3(corner_point(mesh, corner)) - self.centre;
-            corners.extend(face.corners.clone().map(place));
-            let first = self.triangles.len();
-            self.flat(&corners, face.triangles, face.normal, paint);
-            // One for each triangle, unless some were not finite. Then these have neither normals nor coordinates.
-            if self.triangles.len() - first != face.triangles.len() {
-                return true;
-            }
-            let maps = self.paints[paint as usize].maps;
-            if maps != Maps::default() && sets != SetMask::default() {
-                for (triangle, corners) in self.triangles[first..].iter_mut().zip(face.triangles) {
-                    let corners = corners.map(|i| face.corners.start + i as usize);
-                    triangle.uvs = self.textures.add(&maps, sets, corners, |set, corner| mesh.uv_set(set)[corner]);
-                }
-            }
-            if !mesh.normals.is_empty() {
+            corners.extend(face.corners.clone().map(|corner| face.point(corner) - self.centre));
+            let uv = |set, corner: usize| face.uvs(set)[corner];
+            let is_whole = self.face(&corners, face.triangles, face.normal, paint, sets, uv);
+            if is_whole && !mesh.normals.is_empty() {
+                let first = self.triangles.len() - face.triangles.len();
                 for (triangle, corners) in self.triangles[first..].iter_mut().zip(face.triangles) {
                     triangle.smooth = self.smooth.len() as u32;
-                    let normal = |i| short(unit(turn * mesh.normals[face.corners.start + i as usize]));
+                    let normal = |i| face.normal_at(face.corners.start + i as usize).as_vec3();
                     self.smooth.push(corners.map(normal));
                 }
             }

@@ -74,7 +74,7 @@ impl Shader<'_> {
         let paint = self.scene.paint_at(triangle, self.view, layer.place(sample), point);
         // Glass takes the shadows of the surface behind it: a good approximation, and hardly visible.
         let lit = self.lit(&paint, point, normal, light.sun[sample], light.sky[sample]);
-        if paint.maps.has_opacity() {
+        if paint.maps.opacity.is_some() {
             return mix(behind, lit, paint.opacity);
         }
         let glossy = Paint { gloss: paint.gloss.max(0.9), ..paint };

@@ -9,6 +9,7 @@ use super::texture::Texture;
 use crate::asset::Assets;
 use crate::material::layer::{self, Placement, PlacementMap, SetMask};
 use crate::material::{Layer, Material, MaterialNumber, MaterialText};
+use crate::output::number::share;
 use crate::output::texture::source;
 use crate::value::text::Text;
 
@@ -64,10 +65,9 @@ impl Textures {
             let texture = self.texture(name, layer == Layer::Opacity)?;
             Some(Map { texture, layer, placement: Placement::of(material, layer).map() })
         };
-        let cutoff = || material.number(MaterialNumber::Cutoff).filter(|cutoff| !cutoff.is_nan()).unwrap_or(0.5);
         let alpha = match material.text(MaterialText::OpacityMode).map(|mode| mode.as_str()) {
             Some("opaque") => None,
-            Some("mask") => Some(Alpha::Mask(cutoff().clamp(0.0, 1.0) as f32)),
+            Some("mask") => Some(Alpha::Mask(share(material.number(MaterialNumber::Cutoff), 0.5) as f32)),
             _ => Some(Alpha::Blend),
         };
         let color = map(Layer::Color);
@@ -115,12 +115,5 @@ impl Textures {
         }
         self.corners.push(both);
         (self.corners.len() - 1) as u32
-    }
-}
-
-impl Maps {
-    /// Returns true if an opacity map may make parts of a surface transparent.
-    pub(super) fn has_opacity(&self) -> bool {
-        self.opacity.is_some()
     }
 }

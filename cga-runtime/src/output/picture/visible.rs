@@ -45,7 +45,7 @@ impl Layer {
 pub(super) fn layers(scene: &Scene, view: &View, width: usize, height: usize) -> (Layer, Option<Layer>) {
     let mut opaque = Layer::new(width, height);
     draw(scene, view, &mut opaque, |opacity| OPAQUE <= opacity);
-    if scene.paints.iter().all(|paint| paint.opacity == 1.0 && !paint.maps.has_opacity()) {
+    if scene.paints.iter().all(|paint| paint.opacity == 1.0 && paint.maps.opacity.is_none()) {
         return (opaque, None);
     }
     let mut clear = Layer::new(width, height);
@@ -68,7 +68,7 @@ fn draw(scene: &Scene, view: &View, layer: &mut Layer, wanted: impl Fn(f32) -> b
     let limit = view.near(DVec3::ZERO);
     for (id, triangle) in scene.triangles.iter().enumerate() {
         let paint = &scene.paints[triangle.paint as usize];
-        let has_map = paint.maps.has_opacity() && triangle.uvs != PLAIN;
+        let has_map = paint.maps.opacity.is_some() && triangle.uvs != PLAIN;
         if !has_map && !wanted(paint.opacity) {
             continue;
         }
@@ -121,7 +121,7 @@ pub(super) fn ground(layer: &mut Layer, view: &View, height: f64) {
         if layer.seen[sample] != SKY {
             continue;
         }
-        let (x, y) = ((sample % layer.width) as f64 + 0.5, (sample / layer.width) as f64 + 0.5);
+        let [x, y] = layer.place(sample);
         let (start, along) = view.ray(x, y);
         if along.y < -1e-9 && height < start.y {
             let point = start + along * ((height - start.y) / along.y);

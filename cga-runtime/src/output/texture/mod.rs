@@ -1,5 +1,4 @@
 //! Textures of leaves: their coordinates and their images.
 
-pub(crate) mod files;
 pub(crate) mod leaf_uvs;
 pub(crate) mod source;

@@ -9,7 +9,7 @@ use crate::run::sink::Flow;
 use crate::run::watch::{Progress, STRIDE, Watch};
 
 /// The counts at which counting leaves the fast path, and the last progress that the watch got.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Checkpoint {
     pub(crate) shapes: u64,
     pub(crate) calls: u64,
@@ -29,9 +29,7 @@ impl Checkpoint {
             // Larger numbers mark a run that has ended.
             shapes: settings.limits.shapes.min(stride).min(MOST_SHAPES),
             calls: settings.limits.calls.min(stride),
-            stopped_at: None,
-            recorded: None,
-            told: Progress::default(),
+            ..Checkpoint::default()
         }
     }
 }

@@ -22,7 +22,6 @@ use crate::run::report::{FAULTS_KEPT, Prints, Reports};
 use crate::run::settings::{Limits, Settings};
 use crate::run::sink::{Flow, LeafTables};
 use crate::shape::Shape;
-use crate::shape::look_id::LookIds;
 use crate::shape::street::Streets;
 use crate::value::Value;
 use crate::value::array::Array;
@@ -60,7 +59,7 @@ pub(crate) const MOST_SHAPES: u64 = u64::MAX / 8;
 pub(crate) const ENDED: u64 = u64::MAX / 4;
 
 /// The state of a run that does not depend on the sink.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Env {
     pub(crate) settings: Settings,
     /// The extent below which shapes are not split further, so that recursive splits end (*Subdivision split*: "the
@@ -71,7 +70,7 @@ pub struct Env {
     /// The names and materials of leaves, by number.
     pub(crate) leaf_tables: LeafTables,
     /// The rules entered and not yet left, since the last waiting call was resumed.
-    trail: Vec<u32>,
+    pub(crate) trail: Vec<u32>,
     /// The rules that led to the waiting call that was resumed last.
     before: Option<Rc<Trail>>,
     /// The counts of shapes and leaves without those of `filled`.
@@ -115,7 +114,7 @@ pub struct Env {
 }
 
 /// The properties of the initial shape that a run uses.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Initial {
     /// The frame of object coordinates: the initial shape's pivot (*initialShape attribute*).
     pub(crate) object: Frame,
@@ -152,32 +151,9 @@ impl Env {
             },
             too_small: if extent == 0.0 { TOO_SMALL.1 } else { (extent * TOO_SMALL.0).min(TOO_SMALL.1) },
             names,
-            leaf_tables: LeafTables { names: &[], looks: LookIds::default() },
-            trail: Vec::new(),
-            before: None,
-            shapes: 0,
-            leaves: 0,
-            filled: 0,
             checkpoint: Checkpoint::first(settings),
-            bases: Cell::new(0),
             least_split: f64::INFINITY,
-            vertices: 0,
-            calls: 0,
-            call_stack: 0,
-            calls_made: 0,
-            open: Vec::new(),
-            faults: Vec::new(),
-            faults_left_out: 0,
-            asset_faults: BTreeMap::new(),
-            error: None,
-            primitives: Vec::new(),
-            raised: Vec::new(),
-            reports: Reports::default(),
-            prints: Prints::default(),
-            searches: BTreeMap::new(),
-            tables: BTreeMap::new(),
-            said_once: Vec::new(),
-            said_again: 0,
+            ..Env::default()
         }
     }
 
@@ -241,16 +217,6 @@ impl Env {
     #[inline]
     pub fn ended(&self) -> bool {
         ENDED <= self.shapes
-    }
-
-    #[inline]
-    pub(crate) fn enter(&mut self, rule: u32) {
-        self.trail.push(rule);
-    }
-
-    #[inline]
-    pub(crate) fn leave(&mut self) {
-        self.trail.pop();
     }
 
     /// Enters a function that needs `stack` bytes of `FUNCTIONS`. Returns false at the depth of calls that CGA allows
@@ -328,7 +294,7 @@ impl Env {
         let before = self.before.as_deref().map_or(&[][..], |before| &before.rules);
         let rule = self.trail.last().or(before.last()).map_or("", |&rule| self.rule_name(rule));
         let (depth, limit) = (self.depth(), self.settings.limits.prints);
-        if !self.prints.add(depth, rule, value, limit) && self.prints.left_out == 1 {
+        if !self.prints.add(depth, rule, value, limit) && self.prints.quota.left_out == 1 {
             self.fault(FaultKind::Limit, format!("the limit of {limit} lines is reached; further ones are left out"));
         }
     }
@@ -394,12 +360,6 @@ impl Env {
         let trail = self.trail();
         self.faults.push(Fault { kind, message, count: 1, trail });
         Some(self.faults.len() - 1)
-    }
-
-    /// Records a fault returned by an operation written in Rust.
-    #[cold]
-    pub(crate) fn host_fault(&mut self, fault: Fault) {
-        self.fault(fault.kind, fault.message);
     }
 
     /// The number, or 0 with a fault if it is not finite (*CGA changelog 2013.1*: the default policy for such

@@ -27,26 +27,6 @@ impl Drop for Trail {
 }
 
 impl Env {
-    /// The number of rules on the trail.
-    pub(crate) fn trail_len(&self) -> usize {
-        self.trail.len()
-    }
-
-    /// The rules on the trail from an index on.
-    pub(crate) fn trail_from(&self, start: usize) -> Box<[u32]> {
-        self.trail[start..].into()
-    }
-
-    /// Adds rules to the trail.
-    pub(crate) fn extend_trail(&mut self, rules: &[u32]) {
-        self.trail.extend_from_slice(rules);
-    }
-
-    /// Truncates the trail to its first `len` rules.
-    pub(crate) fn cut_trail(&mut self, len: usize) {
-        self.trail.truncate(len);
-    }
-
     /// The trail so far, shared by deferred calls. It names at least one rule.
     pub(crate) fn keep_trail(&self) -> Rc<Trail> {
         // A deferred block enters no rule.

@@ -1,7 +1,8 @@
 //! Merging the reports of several runs, in the order of the runs.
 
 use super::FAULTS_KEPT;
-use super::{Collection, MOST_BYTES, Reports, Summary};
+use super::Reports;
+use super::quota::MOST_BYTES;
 use crate::fault::{Fault, FaultKind};
 use crate::run::report::Report;
 use crate::run::settings::Limits;
@@ -30,11 +31,11 @@ impl Report {
         self.faults_left_out += next.faults_left_out;
         self.reports.merge(next.reports, limits.reports);
         let room = usize::try_from(limits.prints).unwrap_or(usize::MAX).saturating_sub(self.prints.len());
-        let room = if MOST_BYTES < self.prints_bytes.saturating_add(next.prints_bytes) { 0 } else { room };
+        let room = if MOST_BYTES < self.prints_quota.bytes + next.prints_quota.bytes { 0 } else { room };
         let kept = next.prints.len().min(room);
-        self.prints_left_out += next.prints_left_out + (next.prints.len() - kept) as u64;
+        self.prints_quota.left_out += next.prints_quota.left_out + (next.prints.len() - kept) as u64;
         if kept != 0 {
-            self.prints_bytes += next.prints_bytes;
+            self.prints_quota.bytes += next.prints_quota.bytes;
             self.prints.extend(next.prints.into_iter().take(kept));
         }
     }
@@ -56,39 +57,26 @@ impl Report {
         self.faults.is_empty()
             && self.faults_left_out == 0
             && self.reports.is_empty()
-            && self.reports.left_out == 0
+            && self.reports.left_out() == 0
             && self.prints.is_empty()
-            && self.prints_left_out == 0
+            && self.prints_quota.left_out == 0
     }
 }
 
 impl Reports {
     /// Joins the collections of the next run to these.
     fn merge(&mut self, next: Reports, limit: u64) {
-        self.left_out += next.left_out;
-        for (id, collection) in next.collections {
-            if !self.collections.contains_key(&id) {
-                if !self.has_room(id.0.len(), limit) {
-                    // `has_room` has counted one of them.
-                    self.left_out += collection.summary.count.saturating_sub(1);
-                    continue;
-                }
-                let empty =
-                    Collection { key: id.0.clone(), ty: id.1, summary: Summary::default(), texts: Default::default() };
-                self.collections.insert(id.clone(), empty);
+        self.quota.left_out += next.quota.left_out;
+        for (id, next) in next.collections {
+            let Some((own, quota)) = self.collection(id, limit) else {
+                // One of them was counted.
+                self.quota.left_out += next.summary.count.saturating_sub(1);
+                continue;
+            };
+            own.summary.merge(&next.summary);
+            for (text, count) in next.texts {
+                own.add_text(text, count, quota, limit);
             }
-            let Some(mut own) = self.collections.remove(&id) else { continue };
-            own.summary.merge(&collection.summary);
-            for (text, count) in collection.texts {
-                if let Some(known) = own.texts.get_mut(&text) {
-                    *known += count;
-                } else if self.has_room(text.len(), limit) {
-                    own.texts.insert(text, count);
-                } else {
-                    self.left_out += count.saturating_sub(1);
-                }
-            }
-            self.collections.insert(id, own);
         }
     }
 }

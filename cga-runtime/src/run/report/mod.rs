@@ -3,13 +3,16 @@
 
 mod merge;
 mod print;
+mod quota;
 mod run;
 mod table;
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 pub use print::Print;
 pub(crate) use print::Prints;
+use quota::Quota;
 pub use run::Report;
 
 use crate::value::text::Text;
@@ -18,9 +21,6 @@ use crate::value::{Value, ValueType};
 /// The number of faults that are kept. Later ones are only counted, so that memory stays bounded.
 pub(crate) const FAULTS_KEPT: usize = 1000;
 
-/// The bytes of all keys and texts that are kept; the limits count entries, not their length.
-const MOST_BYTES: usize = 64 << 20;
-
 /// All collections of a run, sorted by key. `to_string` makes a table of them.
 ///
 /// A key and the type of the value name a collection. Dots in keys make groups: `windows.open` and `windows.closed`
@@ -28,10 +28,8 @@ const MOST_BYTES: usize = 64 << 20;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Reports {
     collections: BTreeMap<(Text, ValueType), Collection>,
-    /// The number of collections and of different texts.
-    entries: u64,
-    bytes: usize,
-    left_out: u64,
+    /// Its entries are the collections and the different texts.
+    quota: Quota,
 }
 
 /// The values reported under one key with one type.
@@ -125,6 +123,20 @@ impl Collection {
     pub fn texts(&self) -> impl ExactSizeIterator<Item = (&str, u64)> + '_ {
         self.texts.iter().map(|(text, count)| (text.as_str(), *count))
     }
+
+    /// Adds `count` reports of a text. Returns false if there was no room for it.
+    fn add_text(&mut self, text: Text, count: u64, quota: &mut Quota, limit: u64) -> bool {
+        match self.texts.entry(text) {
+            Entry::Occupied(mut known) => *known.get_mut() += count,
+            Entry::Vacant(place) if quota.take(place.key().len(), limit) => _ = place.insert(count),
+            Entry::Vacant(_) => {
+                // `take` has counted one of them.
+                quota.left_out += count.saturating_sub(1);
+                return false;
+            }
+        }
+        true
+    }
 }
 
 impl Reports {
@@ -160,45 +172,32 @@ impl Reports {
     /// The number of values beyond the limit, each a new key or a new text; see
     /// [`Limits::reports`](crate::run::settings::Limits::reports). A fault reports the first.
     pub fn left_out(&self) -> u64 {
-        self.left_out
+        self.quota.left_out
     }
 
     /// Adds a value. Returns false if there was no room for all of it.
     pub(crate) fn add(&mut self, key: Text, value: Value, limit: u64) -> bool {
-        let id = (key, value.ty());
-        if !self.collections.contains_key(&id) {
-            if !self.has_room(id.0.len(), limit) {
-                return false;
-            }
-            let collection =
-                Collection { key: id.0.clone(), ty: id.1, summary: Summary::default(), texts: BTreeMap::new() };
-            self.collections.insert(id.clone(), collection);
-        }
-        let Some(collection) = self.collections.get_mut(&id) else { return false };
+        let Some((collection, quota)) = self.collection((key, value.ty()), limit) else { return false };
         collection.summary.add(&value);
-        let Value::Text(text) = value else { return true };
-        if let Some(count) = collection.texts.get_mut(&text) {
-            *count += 1;
-            return true;
+        match value {
+            Value::Text(text) => collection.add_text(text, 1, quota, limit),
+            _ => true,
         }
-        if !self.has_room(text.len(), limit) {
-            return false;
-        }
-        if let Some(collection) = self.collections.get_mut(&id) {
-            collection.texts.insert(text, 1);
-        }
-        true
     }
 
-    /// Takes room for one more entry of `bytes` bytes, or counts it as left out.
-    fn has_room(&mut self, bytes: usize, limit: u64) -> bool {
-        let room = self.entries < limit && self.bytes + bytes <= MOST_BYTES;
-        if room {
-            self.entries += 1;
-            self.bytes += bytes;
-        } else {
-            self.left_out += 1;
-        }
-        room
+    /// The collection of a key and a type, which is new if there is room for it.
+    fn collection(&mut self, id: (Text, ValueType), limit: u64) -> Option<(&mut Collection, &mut Quota)> {
+        let Reports { collections, quota } = self;
+        let collection = match collections.entry(id) {
+            Entry::Occupied(known) => known.into_mut(),
+            Entry::Vacant(place) => {
+                let (key, ty) = place.key().clone();
+                if !quota.take(key.len(), limit) {
+                    return None;
+                }
+                place.insert(Collection { key, ty, summary: Summary::default(), texts: BTreeMap::new() })
+            }
+        };
+        Some((collection, quota))
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::MOST_BYTES;
+use super::quota::Quota;
 use crate::value::Value;
 
 /// One printed value. `to_string` is the line as the language prints it.
@@ -39,8 +39,7 @@ impl fmt::Display for Print {
 pub(crate) struct Prints {
     /// Lines, each with the depth of its shape.
     lines: Vec<(usize, Print)>,
-    pub(crate) bytes: usize,
-    pub(crate) left_out: u64,
+    pub(crate) quota: Quota,
 }
 
 impl Prints {
@@ -53,14 +52,11 @@ impl Prints {
             Value::Texts(array) => array.as_slice().iter().map(|text| size_of_val(text) + text.len()).sum(),
             _ => 0,
         };
-        let room = (self.lines.len() as u64) < limit && self.bytes + bytes <= MOST_BYTES;
-        if room {
-            self.bytes += bytes;
+        let has_room = self.quota.take(bytes, limit);
+        if has_room {
             self.lines.push((depth, Print { rule, value }));
-        } else {
-            self.left_out += 1;
         }
-        room
+        has_room
     }
 
     /// The lines, breadth first.

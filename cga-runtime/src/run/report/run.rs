@@ -1,5 +1,6 @@
 //! The report of a run.
 
+use super::quota::Quota;
 use super::{Collection, Print, Reports};
 use crate::fault::Fault;
 
@@ -20,9 +21,7 @@ pub struct Report {
     pub stopped: bool,
     pub(crate) reports: Reports,
     pub(crate) prints: Vec<Print>,
-    pub(crate) prints_left_out: u64,
-    /// The bytes of the printed values.
-    pub(crate) prints_bytes: usize,
+    pub(crate) prints_quota: Quota,
 }
 
 impl Report {
@@ -44,6 +43,6 @@ impl Report {
 
     /// The number of printed lines beyond the limit; see [`Limits::prints`](crate::run::settings::Limits::prints).
     pub fn prints_left_out(&self) -> u64 {
-        self.prints_left_out
+        self.prints_quota.left_out
     }
 }

@@ -126,7 +126,7 @@ impl<C: Clone> Cx<'_, C> {
             levels,
             stack,
             call,
-            trail: self.env.trail_from(tape.trail),
+            trail: self.env.trail[tape.trail..].into(),
         });
         ControlFlow::Continue(())
     }
@@ -183,7 +183,7 @@ impl<C: Clone> Cx<'_, C> {
         let tape = Tape {
             base: &base,
             leaves: self.env.filled,
-            trail: self.env.trail_len(),
+            trail: self.env.trail.len(),
             holes: Vec::new(),
             has_failed: false,
         };

@@ -130,8 +130,8 @@ impl<C: Clone> Cx<'_, C> {
             split: Cell::new(if hole.split == INHERITED { part.split.get() } else { hole.split }),
             base: part.base,
         };
-        let trail = self.env.trail_len();
-        self.env.extend_trail(&hole.trail);
+        let trail = self.env.trail.len();
+        self.env.trail.extend_from_slice(&hole.trail);
         let flow = if hole.stack == 0 {
             resume(g, self, &shape, hole.call.clone())
         } else if self.descend(hole.levels, hole.stack) {
@@ -141,7 +141,7 @@ impl<C: Clone> Cx<'_, C> {
         } else {
             self.defer(&shape, hole.levels, hole.call.clone())
         };
-        self.env.cut_trail(trail);
+        self.env.trail.truncate(trail);
         flow
     }
 }

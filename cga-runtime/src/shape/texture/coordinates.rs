@@ -11,11 +11,11 @@ use crate::shape::scope::Scope;
 /// The sets that rules have changed on a shape, sorted by number. Other sets come from its mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Coordinates {
-    sets: Vec<Entry>,
+    sets: Vec<SetEntry>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-struct Entry {
+struct SetEntry {
     set: u8,
     source: UvSource,
     /// An affine change of the source's coordinates.
@@ -112,13 +112,13 @@ impl Coordinates {
 
     /// Sets the source of a set.
     pub(crate) fn set(&mut self, set: u8, source: UvSource) {
-        self.put(Entry { set, source, change: DAffine2::IDENTITY });
+        self.put(SetEntry { set, source, change: DAffine2::IDENTITY });
     }
 
     /// Gives the set `to` the coordinates of the set `from`.
     pub(crate) fn copy(&mut self, from: u8, to: u8) {
         let entry = self.entry(from);
-        self.put(Entry { set: to, ..entry });
+        self.put(SetEntry { set: to, ..entry });
     }
 
     /// Changes the coordinates of a set. Returns false and changes nothing if the result is too large.
@@ -128,7 +128,7 @@ impl Coordinates {
         let change = *change * entry.change;
         let is_bounded = change.to_cols_array().iter().all(|number| number.abs() <= UvMap::MOST);
         if is_bounded {
-            self.put(Entry { change, ..entry });
+            self.put(SetEntry { change, ..entry });
         }
         is_bounded
     }
@@ -180,12 +180,12 @@ impl Coordinates {
     }
 
     /// The entry of a set. A set of the mesh gets an entry with that source.
-    fn entry(&self, set: u8) -> Entry {
-        let own = || Entry { set, source: UvSource::Own(set), change: DAffine2::IDENTITY };
+    fn entry(&self, set: u8) -> SetEntry {
+        let own = || SetEntry { set, source: UvSource::Own(set), change: DAffine2::IDENTITY };
         self.sets.iter().find(|entry| entry.set == set).cloned().unwrap_or_else(own)
     }
 
-    fn put(&mut self, entry: Entry) {
+    fn put(&mut self, entry: SetEntry) {
         match self.sets.binary_search_by_key(&entry.set, |entry| entry.set) {
             Ok(at) => self.sets[at] = entry,
             Err(at) => self.sets.insert(at, entry),

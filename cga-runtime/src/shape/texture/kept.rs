@@ -8,10 +8,10 @@ use crate::shape::look_id::LookId;
 /// Lists of maps by the number of the look, as a tree over the bits of the number. Most bases have one or two looks
 /// below them.
 #[derive(Debug, Default)]
-pub(crate) struct KeptMaps(OnceCell<Box<Kept>>);
+pub(crate) struct KeptMaps(OnceCell<Box<KeptMap>>);
 
 #[derive(Debug)]
-struct Kept {
+struct KeptMap {
     look: LookId,
     maps: Box<[SetMap]>,
     next: [KeptMaps; 2],
@@ -28,7 +28,7 @@ impl KeptMaps {
             place = &kept.next[bits as usize & 1];
             bits >>= 1;
         }
-        &place.0.get_or_init(|| Box::new(Kept { look, maps: find(), next: Default::default() })).maps
+        &place.0.get_or_init(|| Box::new(KeptMap { look, maps: find(), next: Default::default() })).maps
     }
 }
 

@@ -10,11 +10,9 @@ mod parse;
 mod program;
 mod run;
 mod set;
-mod whole;
 
 pub(crate) use program::Pattern;
 pub(crate) use run::{Search, TooLong};
-pub(crate) use whole::Whole;
 
 #[cfg(test)]
 mod tests;

@@ -181,7 +181,7 @@ impl Parser<'_> {
                 Some('B') => self.place(Assertion::NoWordEdge),
                 Some('A') => self.place(Assertion::TextStart),
                 Some('z') => self.place(Assertion::TextEnd),
-                _ => Syntax::Set(self.escape()?.fold(self.flags.fold)),
+                _ => Syntax::Set(self.class().map_or_else(|| self.escaped().map(Set::one), Ok)?.fold(self.flags.fold)),
             },
             Some(c @ ('*' | '+' | '?')) => return Err(format!("nothing before `{c}` to repeat")),
             Some(c) => Syntax::Set(Set::one(c).fold(self.flags.fold)),
@@ -229,9 +229,10 @@ impl Parser<'_> {
                 '[' if self.peek() == Some(':') => {
                     return Err("classes such as `[:alpha:]` are not supported".to_owned());
                 }
-                '\\' => match self.escaped_in_bracket(&mut set)? {
-                    Some(c) => c,
-                    None => {
+                '\\' => match self.class() {
+                    None => self.escaped_in_bracket()?,
+                    Some(class) => {
+                        set.add_class(class);
                         first = false;
                         continue;
                     }
@@ -243,7 +244,8 @@ impl Parser<'_> {
                 (Some('-'), Some(end)) if *end != ']' => {
                     self.at += 1;
                     match self.next().ok_or(OPEN)? {
-                        '\\' => self.escaped_in_bracket(&mut Set::default())?.ok_or("a range that ends in a class")?,
+                        '\\' if self.class().is_some() => return Err("a range that ends in a class".to_owned()),
+                        '\\' => self.escaped_in_bracket()?,
                         c => c,
                     }
                 }
@@ -256,26 +258,16 @@ impl Parser<'_> {
         }
     }
 
-    /// Parses an escape in brackets, after its `\`: a character, or a class, which is added to `set`.
-    fn escaped_in_bracket(&mut self, set: &mut Set) -> Result<Option<char>, String> {
-        if let Some(class) = self.peek().and_then(Set::class) {
-            self.at += 1;
-            set.add(&class);
-            return Ok(None);
-        }
-        if self.take("b") {
-            return Ok(Some('\u{8}'));
-        }
-        self.escaped().map(Some)
+    /// Parses a class such as `\d`, after its `\`.
+    fn class(&mut self) -> Option<Set> {
+        let class = Set::class(self.peek()?)?;
+        self.at += 1;
+        Some(class)
     }
 
-    /// Parses an escape, after its `\`.
-    fn escape(&mut self) -> Result<Set, String> {
-        if let Some(class) = self.peek().and_then(Set::class) {
-            self.at += 1;
-            return Ok(class);
-        }
-        self.escaped().map(Set::one)
+    /// Parses an escaped character in brackets, after its `\`.
+    fn escaped_in_bracket(&mut self) -> Result<char, String> {
+        if self.take("b") { Ok('\u{8}') } else { self.escaped() }
     }
 
     /// Parses an escaped character, after its `\`.

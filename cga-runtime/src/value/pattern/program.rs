@@ -47,7 +47,7 @@ impl Pattern {
     }
 
     /// Compiles a pattern that must match the whole text.
-    pub(super) fn whole(pattern: &str) -> Result<Self, String> {
+    pub(crate) fn whole(pattern: &str) -> Result<Self, String> {
         Pattern::of(&Syntax::Sequence(vec![
             Syntax::At(Assertion::TextStart),
             parse(pattern)?,

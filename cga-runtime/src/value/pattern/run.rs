@@ -13,6 +13,19 @@ const MOST_STEPS: u64 = 50_000_000;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TooLong;
 
+impl Pattern {
+    /// Matches a text. Returns the result and the number of steps taken. A search that would take too long does not
+    /// match.
+    pub(crate) fn matches(&self, text: &str) -> (bool, u64) {
+        let text: Vec<char> = text.chars().collect();
+        let Ok(mut search) = Search::new(self, &text) else { return (false, u64::MAX) };
+        match search.find(0) {
+            Ok(found) => (found.is_some(), search.steps),
+            Err(_) => (false, u64::MAX),
+        }
+    }
+}
+
 /// A search of a text for matches of a pattern.
 pub(crate) struct Search<'a> {
     pattern: &'a Pattern,
@@ -20,6 +33,7 @@ pub(crate) struct Search<'a> {
     /// The forks that are running or have failed, by position and number. The result of a fork depends on these two
     /// alone, so it is not tried again. This keeps patterns such as `(a+)+b` from taking exponential time.
     tried: Vec<u64>,
+    /// The number of steps taken so far.
     steps: u64,
 }
 
@@ -40,11 +54,6 @@ impl<'a> Search<'a> {
             }
         }
         Ok(None)
-    }
-
-    /// The number of steps taken so far.
-    pub(super) fn steps(&self) -> u64 {
-        self.steps
     }
 
     /// The end of the match of the steps from `step` on that begins at `place`.

@@ -200,3 +200,12 @@ fn matches_agree_with_a_plain_matcher() {
         }
     }
 }
+
+#[test]
+fn nothing_is_left_over() {
+    let matches = |pattern, text| Pattern::whole(pattern).expect("a pattern").matches(text).0;
+    assert!(matches("a|ab", "ab") && matches("a|ab", "a") && matches("(?i)A.", "ab") && matches("", ""));
+    assert!(!matches("a|ab", "abc") && !matches("b", "ab") && !matches("", "a") && !matches("a|b", "ab"));
+    assert!(Pattern::whole("(").is_err());
+    assert!(!matches("(?=(a|b)+c)*x", &"ab".repeat(10)));
+}

@@ -1,10 +1,66 @@
-//! Vertices and indices of quads, written in place.
+//! Vertices and indices of triangles, written in place.
 
 use glam::{DVec3, DVec4, Vec4};
 
-use super::Vertex;
+use super::flatten::FlatFace;
+use super::room::Room;
 use crate::run::sink::corners::Placed;
 use crate::shape::unit::UnitMesh;
+
+/// Position x, y, z and normal x, y, z.
+pub type Vertex = [f32; 6];
+
+/// Triangles of faces that share no vertices.
+#[derive(Debug, Default)]
+pub(super) struct Triangles {
+    pub(super) vertices: Room<Vertex>,
+    pub(super) indices: Room<u32>,
+}
+
+impl Triangles {
+    /// Adds a rectangle.
+    #[inline(always)]
+    pub(super) fn quad(&mut self, placed: Placed, normal: Vec4) {
+        let start = self.vertices.len() as u32;
+        if let Some(to) = self.vertices.take(4).first_chunk_mut::<4>() {
+            write_quad(to, &Placed { origin: marked(placed.origin, normal), ..placed }, normal);
+        }
+        if let Some(to) = self.indices.take(6).first_chunk_mut::<6>() {
+            *to = [start, start + 1, start + 2, start, start + 2, start + 3];
+        }
+    }
+
+    /// Adds a box; `normals` are the normals of its sides.
+    #[inline(always)]
+    pub(super) fn cuboid(&mut self, placed: &Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
+        if let Some(to) = self.quads(6).first_chunk_mut::<6>() {
+            write_box(to, placed, unit, normals);
+        }
+    }
+
+    /// Adds quads. Returns their vertices, which the caller fills.
+    #[inline(always)]
+    pub(super) fn quads(&mut self, count: usize) -> &mut [[Vertex; 4]] {
+        let start = self.vertices.len() as u32;
+        write_quad_indices(self.indices.take(6 * count), start);
+        self.vertices.take(4 * count).as_chunks_mut::<4>().0
+    }
+
+    /// Adds triangles of a face, relative to an origin. `corners` become their vertices.
+    pub(super) fn face(
+        &mut self,
+        face: &FlatFace<'_>,
+        origin: DVec3,
+        corners: impl Iterator<Item = usize>,
+        triangles: &[[u32; 3]],
+    ) {
+        let start = self.vertices.len() as u32;
+        for corner in corners {
+            self.vertices.push(vertex(face.point(corner) - origin, face.normal_at(corner)));
+        }
+        self.indices.extend(triangles.as_flattened().iter().map(|corner| start + corner));
+    }
+}
 
 /// Writes the faces of a box; `normals` are the normals of its sides, each after a 0.
 #[inline(always)]
@@ -59,7 +115,7 @@ pub(super) fn write_quad(to: &mut [Vertex; 4], placed: &Placed, n: Vec4) {
 
 /// Writes the indices of consecutive quads.
 #[inline(always)]
-pub(in crate::output) fn write_quad_indices(to: &mut [u32], start: u32) {
+fn write_quad_indices(to: &mut [u32], start: u32) {
     // Two indices form one number. A sum of two such numbers is never a sum with 0, so the compiler writes two of
     // them at once.
     const PAIR: [u64; 6] = [two(0, 1), two(2, 0), two(2, 3), two(4, 5), two(6, 4), two(6, 7)];
@@ -82,12 +138,9 @@ const fn two(first: u32, second: u32) -> u64 {
     first as u64 | (second as u64) << 32
 }
 
+/// The vertex at a point with a unit normal.
 #[inline]
-pub(super) fn vertex(p: [f32; 3], n: [f32; 3]) -> Vertex {
-    [p[0], p[1], p[2], n[0], n[1], n[2]]
-}
-
-#[inline]
-pub(super) fn short(v: DVec3) -> [f32; 3] {
-    [v.x as f32, v.y as f32, v.z as f32]
+pub(super) fn vertex(point: DVec3, normal: DVec3) -> Vertex {
+    let ([x, y, z], [u, v, w]) = (point.as_vec3().to_array(), normal.as_vec3().to_array());
+    [x, y, z, u, v, w]
 }

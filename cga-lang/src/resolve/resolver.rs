@@ -1,12 +1,12 @@
-//! Scopes of names.
+//! The state of name resolution.
 
 use super::context::Context;
 use crate::link::InstanceId;
 use crate::ops::Places;
 use crate::syntax::ast::Name;
 
-/// The scope of a name: parameters and locals of one declaration, then all declarations of an instance.
-pub(crate) struct Scope<'s, 'a, 'd> {
+/// Resolves the names of a declaration: to its parameters and locals, then to the declarations of an instance.
+pub(crate) struct Resolver<'s, 'a, 'd> {
     pub(crate) cx: &'s mut Context<'a, 'd>,
     pub(crate) at: InstanceId,
     /// The instance whose entries are written.
