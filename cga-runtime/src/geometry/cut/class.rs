@@ -22,6 +22,9 @@ impl Class {
     /// The class of a height among planes at increasing heights.
     #[inline]
     pub(super) fn among(planes: &[f64], height: f64) -> Self {
+        if let [plane] = *planes {
+            return if plane == height { Class::on(0) } else { Class::inside(u32::from(plane < height)) };
+        }
         let below = planes.partition_point(|&plane| plane < height);
         if planes.get(below) == Some(&height) { Class::on(below as u32) } else { Class::inside(below as u32) }
     }

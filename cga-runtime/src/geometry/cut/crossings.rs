@@ -28,8 +28,8 @@ impl Points {
         ring: Range<usize>,
         nodes: &mut Vec<PieceCorner>,
     ) {
-        let next = (ring.start + 1..ring.end).chain([ring.start]);
-        for (corner, next) in ring.zip(next) {
+        for corner in ring.clone() {
+            let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
             let [from, to] = [corner, next].map(|c| PieceCorner::corner(c, self.places[mesh.corners[c] as usize]));
             nodes.push(from);
             self.cross(parts, mesh, from, to, nodes);

@@ -128,11 +128,12 @@ impl State {
         let State { parts, points, .. } = self;
         let part = &mut parts[slab as usize];
         part.whole += 1;
-        for &point in &mesh.corners[mesh.face_corners(face)] {
+        let loops = mesh.face_loops(face);
+        for &point in &mesh.corners[mesh.corners_of(&loops)] {
             let number = part.number(points, points.places[point as usize], slab);
             part.mesh.corners.push(number);
         }
-        part.mesh.end_copy(mesh, face, tag);
+        part.mesh.end_copy(mesh, loops, tag);
         if touches_plane {
             self.edges_on_planes(mesh, face, slab);
         }

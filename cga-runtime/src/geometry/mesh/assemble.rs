@@ -15,7 +15,7 @@ impl Mesh {
     }
 
     /// Adds the values of corners of another mesh, which has the same texture sets.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn copy_values(&mut self, source: &Mesh, corners: Range<usize>) {
         self.uvs.copy_from(&source.uvs, corners.clone());
         if !source.normals.is_empty() {
@@ -36,12 +36,12 @@ impl Mesh {
         self.tags.push(tag);
     }
 
-    /// Ends a face whose corners are those of a face of another mesh: adds its loops and the values of its corners.
-    #[inline]
-    pub(crate) fn end_copy(&mut self, source: &Mesh, face: usize, tag: FaceTag) {
-        let corners = source.face_corners(face);
+    /// Ends a face whose corners are those of the given loops of another mesh: adds the loops and the values of corners.
+    #[inline(always)]
+    pub(crate) fn end_copy(&mut self, source: &Mesh, loops: Range<usize>, tag: FaceTag) {
+        let corners = source.corners_of(&loops);
         let (from, to) = (corners.end as u32, self.corners.len() as u32);
-        self.loop_ends.extend(source.loop_ends[source.face_loops(face)].iter().map(|end| to + end - from));
+        self.loop_ends.extend(source.loop_ends[loops].iter().map(|end| to + end - from));
         self.end_face(tag);
         self.copy_values(source, corners);
     }
@@ -54,6 +54,6 @@ impl Mesh {
             let number = *numbers.entry(point).or_insert_with(|| self.add_point(face.mesh.points[point as usize]));
             self.corners.push(number);
         }
-        self.end_copy(face.mesh, face.index, face.tag());
+        self.end_copy(face.mesh, face.mesh.face_loops(face.index), face.tag());
     }
 }

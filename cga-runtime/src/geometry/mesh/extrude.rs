@@ -86,11 +86,15 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
             }
             grown.mesh.end_face(tag(if top { Extruded::Top } else { Extruded::Bottom }));
         }
-        let outline_end = face.corner_range().start + face.outer().len();
-        for [corner, next] in face.edges().filter(|&[corner, _]| !joints.inner[corner]) {
-            let [a, b] = [corner, next].map(|c| (grown.low(c), grown.high(c, body, way)));
-            let tag = tag(if corner < outline_end { Extruded::Outer } else { Extruded::Inner });
-            grown.wall([(a.0, corner), (b.0, next), (b.1, next), (a.1, corner)], tag);
+        for (number, ring) in face.loop_ranges().enumerate() {
+            let tag = tag(if number == 0 { Extruded::Outer } else { Extruded::Inner });
+            for corner in ring.clone() {
+                let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
+                if !joints.inner[corner] {
+                    let [a, b] = [corner, next].map(|c| (grown.low(c), grown.high(c, body, way)));
+                    grown.wall([(a.0, corner), (b.0, next), (b.1, next), (a.1, corner)], tag);
+                }
+            }
         }
     }
     grown.mesh
@@ -175,8 +179,13 @@ impl Joints {
 
 /// Calls `visit` with the face, the corner and the two points of every edge.
 fn each_edge(mesh: &Mesh, mut visit: impl FnMut(usize, usize, u32, u32)) {
-    for face in mesh.faces() {
-        face.edges().for_each(|[corner, next]| visit(face.index(), corner, mesh.corners[corner], mesh.corners[next]));
+    for (index, face) in mesh.faces().enumerate() {
+        for ring in face.loop_ranges() {
+            for corner in ring.clone() {
+                let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
+                visit(index, corner, mesh.corners[corner], mesh.corners[next]);
+            }
+        }
     }
 }
 

@@ -56,8 +56,8 @@ impl<'a> FaceRef<'a> {
     /// The edges of all loops, as their first and their last corner.
     pub(crate) fn edges(&self) -> impl Iterator<Item = [usize; 2]> + use<'a> {
         self.loop_ranges().flat_map(|ring| {
-            let next = (ring.start + 1..ring.end).chain([ring.start]);
-            ring.zip(next).map(|(corner, next)| [corner, next])
+            let Range { start, end } = ring;
+            ring.map(move |corner| [corner, if corner + 1 == end { start } else { corner + 1 }])
         })
     }
 

@@ -23,25 +23,18 @@ impl Mesh {
             return false;
         }
         let mut net = PairTable::with_capacity(self.corners.len() / 2 + 1);
-        self.directed_edges(|a, b| {
-            let (value, _) = net.entry(a.min(b), a.max(b), 0);
-            *value = if a < b { value.wrapping_add(1) } else { value.wrapping_sub(1) };
-        });
-        net.pairs().all(|(_, count)| count == 0)
-    }
-
-    /// Calls `each` with every edge of every loop, face by face.
-    pub(crate) fn directed_edges(&self, mut each: impl FnMut(u32, u32)) {
         let mut start = 0;
         for &end in &self.loop_ends {
             let ring = &self.corners[start..end as usize];
             start = end as usize;
-            let mut last = ring[ring.len() - 1];
-            for &c in ring {
-                each(last, c);
-                last = c;
+            let mut a = ring[ring.len() - 1];
+            for &b in ring {
+                let (value, _) = net.entry(a.min(b), a.max(b), 0);
+                *value = if a < b { value.wrapping_add(1) } else { value.wrapping_sub(1) };
+                a = b;
             }
         }
+        net.pairs().all(|(_, count)| count == 0)
     }
 
     /// The area of all faces.

@@ -274,7 +274,12 @@ impl Mesh {
     /// The range of a face in `corners`.
     #[inline]
     pub(crate) fn face_corners(&self, index: usize) -> Range<usize> {
-        let loops = self.face_loops(index);
+        self.corners_of(&self.face_loops(index))
+    }
+
+    /// The range of some loops in `corners`.
+    #[inline]
+    pub(crate) fn corners_of(&self, loops: &Range<usize>) -> Range<usize> {
         self.loop_range(loops.start).start..self.loop_ends[loops.end - 1] as usize
     }
 }

@@ -108,7 +108,7 @@ impl UvSets {
     }
 
     /// Copies some corners of the source to each set.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn copy_from(&mut self, source: &UvSets, corners: Range<usize>) {
         for (to, from) in self.lists.iter_mut().zip(&source.lists) {
             if !from.is_empty() {

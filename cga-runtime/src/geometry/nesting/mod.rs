@@ -187,7 +187,7 @@ impl Nest {
         let Nest { loops, inverted, twins, tree, runs, sweep, probes, .. } = self;
         let mut budget = budget(section);
         for (hole, probe) in &*probes {
-            let at = probe.at();
+            let at = probe.at;
             let found = tree.smallest(
                 &mut budget,
                 |extent| extent.holds(at),

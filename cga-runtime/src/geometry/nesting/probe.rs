@@ -7,7 +7,7 @@ use crate::geometry::exact::orient;
 /// A point so close to a place that no edge goes through it, even if an edge goes through the place.
 pub(crate) struct Probe {
     /// The place. The point is off it by ε to the left of `ahead`, and by ε² in the direction of `ahead`.
-    at: DVec2,
+    pub(super) at: DVec2,
     ahead: DVec2,
 }
 
@@ -53,11 +53,6 @@ impl Probe {
             }
         }
         best.map(|(_, middle)| Probe { at: DVec2::new(middle, level), ahead: DVec2::X })
-    }
-
-    /// The place near which the point is.
-    pub(crate) fn at(&self) -> DVec2 {
-        self.at
     }
 
     /// The contribution of a path between two points far to the right: 1 upwards past the point, -1 downwards.

@@ -275,12 +275,7 @@ fn without_spikes(ring: impl Iterator<Item = DVec2>, places: &mut Vec<DVec2>) {
         }
     }
     places.drain(..start);
-    if let [a, b, c] = places[..]
-        && orient(a, b, c) == 0
-    {
-        places.clear();
-    }
-    if places.len() < 3 {
+    if places.len() < 3 || matches!(places[..], [a, b, c] if orient(a, b, c) == 0) {
         places.clear();
     }
 }

@@ -119,7 +119,7 @@ impl Query<'_> {
             return 0;
         }
         self.budget.spend(1);
-        let (extent, at) = (self.extents[start + run], self.probe.at());
+        let (extent, at) = (self.extents[start + run], self.probe.at);
         if extent.high.x < at.x || extent.high.y < at.y || at.y < extent.low.y {
             return 0;
         }

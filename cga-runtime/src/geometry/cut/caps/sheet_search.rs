@@ -11,6 +11,8 @@
 //!
 //! Then the faces are cut again. Parts are closed with any result, because caps follow from the positions of faces.
 
+use std::collections::BTreeMap;
+
 use super::sheets::Flat;
 use crate::geometry::cut::points::Location;
 use crate::geometry::cut::state::State;
@@ -34,7 +36,7 @@ pub(crate) fn find(state: &mut State, mesh: &Mesh) -> bool {
             state.rim.missing(plane, &mut missing);
             if !missing.is_empty() {
                 let places = &state.points.places;
-                let mut search = Search::new(mesh, places, together, &mut missing);
+                let mut search = Search::new(mesh, places, together, &missing);
                 search.match_all_sheets();
                 let inverted = state.is_inverted(mesh);
                 search.match_folds(&state.points.levels[plane].flat, inverted);
@@ -74,13 +76,11 @@ struct Search<'f> {
     groups: Vec<Group>,
     moved: Vec<u32>,
     /// The edges without partners, in the direction of the cap below, and the remaining number of each.
-    missing: Vec<([u32; 2], usize)>,
+    missing: BTreeMap<[u32; 2], usize>,
 }
 
 impl<'f> Search<'f> {
-    fn new(mesh: &Mesh, places: &[Location], flat: &'f [Flat], missing: &mut [[u32; 2]]) -> Self {
-        missing.sort_unstable();
-        let missing = missing.chunk_by(|a, b| a == b).map(|same| (same[0], same.len())).collect();
+    fn new(mesh: &Mesh, places: &[Location], flat: &'f [Flat], missing: &[[u32; 2]]) -> Self {
         let mut uses = Vec::new();
         for (number, flat) in flat.iter().enumerate() {
             for edge in mesh.face(flat.face as usize).edges() {
@@ -88,11 +88,11 @@ impl<'f> Search<'f> {
                 uses.push(Use { edge: if flat.is_above { [a, b] } else { [b, a] }, flat: number });
             }
         }
-        Search { flat, uses, groups: Vec::new(), moved: Vec::new(), missing }
+        Search { flat, uses, groups: Vec::new(), moved: Vec::new(), missing: count(missing) }
     }
 
     fn left(&self, edge: [u32; 2]) -> usize {
-        self.missing.binary_search_by(|(other, _)| other.cmp(&edge)).map_or(0, |at| self.missing[at].1)
+        self.missing.get(&edge).copied().unwrap_or(0)
     }
 
     fn make_groups(&mut self) {
@@ -144,9 +144,7 @@ impl<'f> Search<'f> {
         let has = self.has(rim);
         if has {
             for edge in rim {
-                if let Ok(at) = self.missing.binary_search_by(|(other, _)| other.cmp(edge)) {
-                    self.missing[at].1 -= 1;
-                }
+                self.missing.entry(*edge).and_modify(|left| *left -= 1);
             }
         }
         has
@@ -195,7 +193,7 @@ impl<'f> Search<'f> {
             return;
         }
         let edges: Vec<[u32; 2]> =
-            self.missing.iter().flat_map(|&(edge, count)| std::iter::repeat_n(edge, count)).collect();
+            self.missing.iter().flat_map(|(&edge, &count)| std::iter::repeat_n(edge, count)).collect();
         let (mut contour, mut nest) = (Contour::default(), Nest::default());
         contour.follow(&edges, flat, |_| {});
         if contour.ends.is_empty() {
@@ -207,8 +205,7 @@ impl<'f> Search<'f> {
             let ring = &contour.corners[range.clone()];
             wrong.extend(ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&a, &b)| [a, b]));
         }
-        wrong.sort_unstable();
-        self.missing = wrong.chunk_by(|a, b| a == b).map(|same| (same[0], same.len())).collect();
+        self.missing = count(&wrong);
         // A group that is also part of a sheet goes below.
         let mut groups = std::mem::take(&mut self.groups);
         groups.sort_by_key(|group| (!group.is_above, group.faces[0]));
@@ -218,4 +215,11 @@ impl<'f> Search<'f> {
             }
         }
     }
+}
+
+/// The number of times that each edge occurs.
+fn count(edges: &[[u32; 2]]) -> BTreeMap<[u32; 2], usize> {
+    let mut counts = BTreeMap::new();
+    edges.iter().for_each(|&edge| *counts.entry(edge).or_default() += 1);
+    counts
 }

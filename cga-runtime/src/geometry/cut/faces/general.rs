@@ -21,7 +21,7 @@ use crate::geometry::cut::state::State;
 use crate::geometry::mesh::{FaceRef, FaceTag, Mesh};
 use crate::geometry::triangulate::Projection;
 
-/// A run of nodes within one slab, from plane to plane.
+/// A run of nodes within one slab: from plane to plane, or a whole loop that meets no plane.
 #[derive(Clone, Copy)]
 struct Fragment {
     slab: u32,
@@ -32,12 +32,6 @@ struct Fragment {
     next: usize,
     way_start: usize,
     way_end: usize,
-}
-
-/// A loop that meets no plane.
-struct Untouched {
-    slab: u32,
-    nodes: Range<usize>,
 }
 
 /// A corner of the face on a plane, with its position along the line.
@@ -69,7 +63,6 @@ struct FragmentEnd {
 pub(crate) struct General {
     nodes: Vec<PieceCorner>,
     fragments: Vec<Fragment>,
-    untouched: Vec<Untouched>,
     on_planes: Vec<OnPlane>,
     plane_edges: Vec<PlaneEdge>,
     /// The ends in one slab on one plane, from left to right.
@@ -109,27 +102,25 @@ impl General {
         let view = mesh.face(face);
         let line = Line::of(&view, state.points.axis);
         self.take_apart(state, mesh, &view, line);
-        self.fragments.sort_by_key(|fragment| fragment.slab);
+        // Whole loops come last in their slab. Each is its own successor.
+        let is_whole = |fragment: &Fragment| !self.nodes[fragment.start].class().is_on_plane();
+        self.fragments.sort_by_key(|fragment| (fragment.slab, is_whole(fragment)));
+        for (number, fragment) in self.fragments.iter_mut().enumerate().filter(|(_, fragment)| is_whole(fragment)) {
+            fragment.next = number;
+        }
         let outline = view.loop_ranges().next().unwrap_or(0..0);
         // The projection keeps the coordinate across the planes, in which the positions of pieces are exact.
         self.rings.start(Projection::keeping(state.points.axis, view.normal()), tag, outline);
-        self.untouched.sort_by_key(|ring| ring.slab);
-        let (mut next_fragment, mut next_untouched) = (0, 0);
-        let slabs = || self.fragments.iter().map(|f| f.slab).chain(self.untouched.iter().map(|ring| ring.slab));
-        for slab in slabs().min().unwrap_or(0)..=slabs().max().unwrap_or(0) {
-            let count = self.fragments[next_fragment..].iter().take_while(|f| f.slab == slab).count();
-            let group = next_fragment..next_fragment + count;
-            next_fragment = group.end;
+        let mut next = 0;
+        while let Some(&Fragment { slab, .. }) = self.fragments.get(next) {
+            let count = self.fragments[next..].iter().take_while(|f| f.slab == slab).count();
+            let group = next..next + count;
+            next = group.end;
             if slab > 0 {
                 self.join(state, mesh, line, group.clone(), slab - 1, PlaneSide::Above);
             }
             self.join(state, mesh, line, group.clone(), slab, PlaneSide::Below);
             self.trace(group);
-            while let Some(ring) = self.untouched.get(next_untouched).filter(|ring| ring.slab == slab) {
-                self.rings.nodes.extend_from_slice(&self.nodes[ring.nodes.clone()]);
-                self.rings.end_ring();
-                next_untouched += 1;
-            }
             self.rings.emit(state, mesh, slab);
         }
         self.close_flat(state, mesh);
@@ -139,7 +130,6 @@ impl General {
     fn take_apart(&mut self, state: &mut State, mesh: &Mesh, face: &FaceRef<'_>, line: Line) {
         self.nodes.clear();
         self.fragments.clear();
-        self.untouched.clear();
         self.on_planes.clear();
         self.plane_edges.clear();
         self.ways.clear();
@@ -147,8 +137,8 @@ impl General {
             let start = self.nodes.len();
             state.points.cross_loop(&mut state.parts, mesh, ring, &mut self.nodes);
             let Some(first) = self.nodes[start..].iter().position(|node| node.class().is_on_plane()) else {
-                self.untouched
-                    .push(Untouched { slab: self.nodes[start].class().slab(), nodes: start..self.nodes.len() });
+                let (slab, end) = (self.nodes[start].class().slab(), self.nodes.len() - 1);
+                self.fragments.push(Fragment { slab, start, end, next: usize::MAX, way_start: 0, way_end: 0 });
                 continue;
             };
             self.nodes[start..].rotate_left(first);

@@ -28,8 +28,9 @@ impl Band {
     /// Adds a face without cutting it.
     pub(super) fn keep(&mut self, source: &Mesh, face: usize, tag: FaceTag) {
         self.whole += 1;
-        self.mesh.corners.extend_from_slice(&source.corners[source.face_corners(face)]);
-        self.mesh.end_copy(source, face, tag);
+        let loops = source.face_loops(face);
+        self.mesh.corners.extend_from_slice(&source.corners[source.corners_of(&loops)]);
+        self.mesh.end_copy(source, loops, tag);
     }
 
     /// Adds corners with their values.

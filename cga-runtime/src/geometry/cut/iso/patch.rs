@@ -36,14 +36,9 @@ struct Half {
     is_traced: bool,
 }
 
-/// The kind of a side of a triangle.
-#[derive(Clone, Copy, PartialEq)]
-enum TriangleSide {
-    /// An edge of a loop, or a line.
-    Rim,
-    /// A diagonal between two triangles: twice its number, plus 1 in backward direction.
-    Diagonal(u32),
-}
+/// A side of a triangle: `None` for an edge of a loop or a line, or else twice the number of a diagonal, plus 1 in
+/// backward direction.
+type TriangleSide = Option<u32>;
 
 /// A ring of a piece of the face.
 struct Ring {
@@ -125,11 +120,11 @@ impl Patch {
             self.sides.push([(0, 1), (1, 2), (2, 0)].map(|(from, to)| {
                 let (from, to) = (triangle[from], triangle[to]);
                 if self.next[from as usize] == to {
-                    return TriangleSide::Rim;
+                    return None;
                 }
                 let (number, new) = self.diagonals.entry(from.min(to), from.max(to), count);
                 count += u32::from(new);
-                TriangleSide::Diagonal(2 * *number + u32::from(to < from))
+                Some(2 * *number + u32::from(to < from))
             }));
         }
     }
@@ -139,7 +134,7 @@ impl Patch {
         let nodes = corners.map(|corner| cutter.sites.node(cutter.mesh, corner));
         let span = Span::of(nodes.iter().map(PieceCorner::class));
         if span.is_flat() {
-            for side in diagonals(self.sides[triangle]) {
+            for side in self.sides[triangle].into_iter().flatten() {
                 self.flat_sides.entry(side, 0, self.flats.len() as u32);
             }
             self.flats.push((triangle as u32, false));
@@ -158,7 +153,7 @@ impl Patch {
                     _ => false,
                 };
                 let (side, is_inner) = self.side_after(triangle, &corners, node);
-                let side = if is_on_border { TriangleSide::Rim } else { side };
+                let side = side.filter(|_| !is_on_border);
                 let next = from + if at as u32 + 1 == count { 0 } else { at as u32 + 1 };
                 self.half(Half { node: *node, band, next, twin: NONE, is_inner, is_traced: false }, side);
             }
@@ -173,13 +168,13 @@ impl Patch {
         let (a, b) = (at(node.from), at(node.to));
         // A crossing between two corners is on the side from one of them to its successor.
         let side = sides[if (a + 1) % 3 == b || a == b { a } else { b }];
-        (side, a != b && side != TriangleSide::Rim)
+        (side, a != b && side.is_some())
     }
 
     /// Adds an edge and finds its twin.
     fn half(&mut self, mut half: Half, side: TriangleSide) {
         let number = self.halves.len() as u32;
-        if let TriangleSide::Diagonal(side) = side {
+        if let Some(side) = side {
             let other = self.open.get(side ^ 1, half.band).filter(|&other| self.halves[other as usize].twin == NONE);
             if let Some(other) = other {
                 half.twin = other;
@@ -211,10 +206,12 @@ impl Patch {
                 let line = cutter.sites.class(start + self.triangles[triangle as usize][0] as usize).plane();
                 let is_open = |half: u32| self.halves[half as usize].twin == NONE;
                 let meets = |band: u32, side: u32| self.open.get(side ^ 1, band).is_some_and(is_open);
-                let band = [line, line + 1].into_iter().find(|&band| diagonals(sides).any(|side| meets(band, side)));
+                let band = [line, line + 1]
+                    .into_iter()
+                    .find(|&band| sides.into_iter().flatten().any(|side| meets(band, side)));
                 if let Some(band) = band {
                     self.add_flat(cutter, flat, band, start);
-                    stack.extend(diagonals(sides).filter_map(|side| self.flat_sides.get(side ^ 1, 0)));
+                    stack.extend(sides.into_iter().flatten().filter_map(|side| self.flat_sides.get(side ^ 1, 0)));
                 }
             }
         }
@@ -337,12 +334,4 @@ fn first_of_ring(marks: &[PieceCorner], outline: &Range<usize>) -> usize {
     }
     let corners = marks.iter().enumerate().filter(|(_, node)| node.is_corner() && node.from != NONE);
     corners.min_by_key(|(_, node)| node.from).map_or(0, |(at, _)| at)
-}
-
-/// The diagonals among the sides of a triangle.
-fn diagonals(sides: [TriangleSide; 3]) -> impl Iterator<Item = u32> {
-    sides.into_iter().filter_map(|side| match side {
-        TriangleSide::Rim => None,
-        TriangleSide::Diagonal(side) => Some(side),
-    })
 }
