@@ -259,6 +259,38 @@ fn an_arm_is_found_for_each_edge() {
     assert_eq!(arms.edges(env), ControlFlow::Continue(vec![Some(2), Some(2), Some(0), Some(2)]));
 }
 
+#[test]
+fn extreme_widths_take_all_or_nothing() {
+    for shape in lots() {
+        let all = shape.to_mesh().area();
+        for width in [1e-300, 1e-15] {
+            let [setback, remainder] = areas(&shape, [width, 0.0, width, 0.0]);
+            assert!(setback < 1e-9 && (remainder - all).abs() < 1e-9, "{width}: {setback} {remainder}");
+        }
+        for width in [1e6, 1e30, f64::MAX] {
+            let [setback, remainder] = areas(&shape, [width; 4]);
+            assert!((setback - all).abs() < 1e-9 && remainder == 0.0, "{width}: {setback} {remainder}");
+            areas(&shape, [width, 0.0, 1.0, 0.0]);
+        }
+    }
+}
+
+/// Far from the origin, or tiny, with the same shares.
+#[test]
+fn sizes_and_places_do_not_matter() {
+    for shape in lots() {
+        let mesh = shape.to_mesh();
+        let [setback, _] = areas(&shape, [2.0, 1.0, 0.0, 0.5]);
+        for (size, to) in [(1e-3, 0.0), (1e5, 0.0), (1.0, 4e5)] {
+            let place =
+                glam::DAffine3::from_translation(DVec3::splat(to)) * glam::DAffine3::from_scale(DVec3::splat(size));
+            let other = Shape::mesh_axis_aligned(mesh.map(&place));
+            let [scaled, _] = areas(&other, [2.0, 1.0, 0.0, 0.5].map(|width| width * size));
+            assert!((scaled / (size * size) - setback).abs() < 1e-6, "{size} {to}: {scaled} {setback}");
+        }
+    }
+}
+
 /// The numbers of a small generator.
 fn random(state: &mut u64) -> f64 {
     *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
