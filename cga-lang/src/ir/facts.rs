@@ -5,13 +5,13 @@
 //!
 //! ```
 //! use cga_lang::compile::compile_text;
-//! use cga_lang::ir::facts::Facts;
+//! use cga_lang::ir::facts::{Facts, Uses};
 //! use cga_lang::ir::RuleId;
 //!
 //! let source = compile_text("Lot --> split(x) { ~1 : Bay }  Bay --> 30% : A. else : B.");
 //! let facts = Facts::new(&source.compiled.grammar.unwrap());
 //! let lot = facts.rule(RuleId(0));
-//! assert!(!lot.own.draws && lot.below.draws && !lot.rigid);
+//! assert!(!lot.own.has(Uses::DRAWS) && lot.below.has(Uses::DRAWS) && !lot.rigid);
 //! ```
 
 mod closure;

@@ -15,10 +15,10 @@ use crate::span::Span;
 pub use crate::types::Type;
 pub use cga_split::{Item, Piece, Prefix};
 
-pub use crate::syntax::ast::ArmMode;
+pub use crate::syntax::ast::{ArmMode, Binary};
 pub use attr::{AttrGroup, AttrInfo, ChoiceValues, Choices, Presentation, Range};
 pub use block::{Arm, Block, Comp, Parts, Selector, Slots, Solved};
-pub use expr::{Binary, EachUnary, Expr, ExprKind};
+pub use expr::{EachUnary, Expr, ExprKind};
 
 /// Index into [`Grammar::rules`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
