@@ -1,4 +1,4 @@
-//! Imports that start anew with other values: `imp(h = 3).Rule`.
+//! Imports that start again with other values: `imp(h = 3).Rule`.
 
 use cga::{Shape, cga};
 

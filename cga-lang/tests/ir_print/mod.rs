@@ -252,7 +252,7 @@ impl<'g> Printer<'g> {
     }
 
     fn renew(&mut self, call: &'g Renew) {
-        self.line(&format!("anew {}", self.grammar.renewals[call.renewal.0 as usize].import));
+        self.line(&format!("renew {}", self.grammar.renewals[call.renewal.0 as usize].import));
         self.depth += 1;
         for (id, value) in &call.given {
             let text = format!("given {} = {}", self.name(*id), self.expr(value));

@@ -205,10 +205,10 @@ impl Generator<'_> {
                         };
                     })
                 }
-                Changes::Material => self.is_settled(step).then(|| self.paint(step, self.change(step))),
+                Changes::Material => self.is_settled(step).then(|| self.change_material(step, self.change(step))),
             },
             Step::SetShape(attr, ..) if attr.set_changes == Changes::Material => {
-                self.is_settled(step).then(|| self.paint(step, self.change(step)))
+                self.is_settled(step).then(|| self.change_material(step, self.change(step)))
             }
             _ => None,
         }

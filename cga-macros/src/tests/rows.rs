@@ -39,7 +39,7 @@ const SYNTAX: &[&str] = &[
     "instead",
     "less",
     "less_equal",
-    "paint",
+    "change_material",
     "range_by",
     "text_attribute",
     "text_to_text",

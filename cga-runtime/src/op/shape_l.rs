@@ -29,7 +29,7 @@ pub fn shape_l(env: &mut Env, arms: &mut Arms<'_>, front: f64, left: f64) -> Con
     for face in mesh.faces() {
         let range = face.corner_range();
         let by: Vec<f64> = edges[range].iter().map(|arm| arm.map_or(0.0, |arm| widths[arm as usize])).collect();
-        match FlatFace::of(&mesh, &face) {
+        match ConvexFace::of(&mesh, &face) {
             Some(plane) => {
                 let [strips, rest] = plane.set_back(&by);
                 plane.add(&strips, labels[0], &mut made);
@@ -56,7 +56,7 @@ struct PartCorner {
 type PartLoops = Vec<Vec<PartCorner>>;
 
 /// A convex face laid flat.
-struct FlatFace<'a> {
+struct ConvexFace<'a> {
     mesh: &'a Mesh,
     face: FaceRef<'a>,
     origin: DVec3,
@@ -64,7 +64,7 @@ struct FlatFace<'a> {
     flat: Vec<DVec2>,
 }
 
-impl<'a> FlatFace<'a> {
+impl<'a> ConvexFace<'a> {
     fn of(mesh: &'a Mesh, face: &FaceRef<'a>) -> Option<Self> {
         let normal = face.normal();
         let outline: Vec<DVec3> = face.outline().collect();
@@ -75,7 +75,7 @@ impl<'a> FlatFace<'a> {
         }
         let axes = [x, normal.cross(x)];
         let flat = outline.iter().map(|at| axes.map(|axis| (*at - outline[0]).dot(axis)).into()).collect();
-        let plane = FlatFace { mesh, face: *face, origin: outline[0], axes, flat };
+        let plane = ConvexFace { mesh, face: *face, origin: outline[0], axes, flat };
         let is_convex = |at: usize| {
             let [a, b] = [plane.edge(at), plane.edge((at + 1) % plane.flat.len())];
             -ANGLE_EPSILON * a.length() * b.length() <= a.perp_dot(b)

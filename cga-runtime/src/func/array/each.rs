@@ -5,7 +5,7 @@
 
 use crate::fault::FaultKind;
 use crate::run::env::Env;
-use crate::value::array::{Array, Element, Print};
+use crate::value::array::{Array, Element, Printed};
 use crate::value::compare::Compare;
 use crate::value::text::Text;
 

@@ -7,7 +7,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::{DAffine3, DMat3};
 
-use super::{Body, Entry, Hole, INHERITED, Key, LeafRow, MOST, Mark, Record, Segment, Template, Templates, Turned};
+use super::{
+    Hole, INHERITED, LeafRange, LeafRow, MOST, Mark, Template, TemplateBody, TemplateEntry, TemplateKey, TemplateLeaf,
+    Templates, Turned,
+};
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
 use crate::run::context::{Cx, RuleFn};
@@ -42,7 +45,7 @@ enum Lost {
 /// A sink that keeps leaves.
 struct Recorder<'r> {
     base: &'r Base,
-    leaves: Vec<Record>,
+    leaves: Vec<TemplateLeaf>,
     frames: Vec<DMat3>,
 }
 
@@ -59,7 +62,7 @@ impl Sink for Recorder<'_> {
             self.frames.push(matrix);
             self.frames.len() - 1
         });
-        self.leaves.push(Record {
+        self.leaves.push(TemplateLeaf {
             origin: shape.origin(),
             size: shape.size.get(),
             unit: shape.unit.get(),
@@ -124,8 +127,8 @@ impl<C: Clone> Cx<'_, C> {
     ) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
         let (least, too_small, repeats) = (self.env.least_split, self.env.too_small, self.env.settings.repeats);
         if repeats == Repeats::Direct {
-            let key = Key::of(part, too_small);
-            self.templates.keep(place, Entry { key, template: None, turned: Vec::new() });
+            let key = TemplateKey::of(part, too_small);
+            self.templates.keep(place, TemplateEntry { key, template: None, turned: Vec::new() });
             return None;
         }
         self.env.least_split = f64::INFINITY;
@@ -144,10 +147,10 @@ impl<C: Clone> Cx<'_, C> {
         // Two runs with different thresholds agree on extents above the largest possible threshold.
         let no_matter = crate::run::env::TOO_SMALL.1 < self.env.least_split;
         self.env.least_split = least.min(self.env.least_split);
-        let key = Key::of(part, if no_matter { f64::NAN } else { too_small });
+        let key = TemplateKey::of(part, if no_matter { f64::NAN } else { too_small });
         // Another run of the session may have room for it.
         let is_ended = matches!(template, Err(Lost::Ended));
-        let mut entry = Entry { key, template: template.ok().map(Rc::new), turned: Vec::new() };
+        let mut entry = TemplateEntry { key, template: template.ok().map(Rc::new), turned: Vec::new() };
         if repeats == Repeats::Kept && !is_ended {
             return self.templates.keep(place, entry)?.turned(part.axes);
         }
@@ -189,7 +192,7 @@ impl<C: Clone> Cx<'_, C> {
             return Err(Lost::Never);
         }
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
-        let body = Body {
+        let body = TemplateBody {
             number,
             leaves,
             frames: frames.into_iter().map(Axes::new).collect(),
@@ -201,7 +204,7 @@ impl<C: Clone> Cx<'_, C> {
     }
 }
 
-impl Body {
+impl TemplateBody {
     /// Divides the leaves at the holes, and finds consecutive leaves that are alike.
     fn divided(mut self, holes: impl Iterator<Item = usize>) -> Self {
         let ends = holes.chain([self.leaves.len()]);
@@ -219,7 +222,7 @@ impl Body {
                         mark.corners += own;
                     }
                     _ => {
-                        let Record { rule, look, .. } = *leaf;
+                        let TemplateLeaf { rule, look, .. } = *leaf;
                         self.marks.push(Mark { rule, look, leaves: 1, corners: own, before: corners as u32 });
                     }
                 }
@@ -230,7 +233,7 @@ impl Body {
                 }
                 corners += own;
             }
-            self.segments.push(Segment {
+            self.segments.push(LeafRange {
                 leaves: start..end,
                 marks: first_mark..self.marks.len(),
                 rows: first_row..self.rows.len(),
