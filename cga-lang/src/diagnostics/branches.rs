@@ -198,8 +198,9 @@ fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &AbstractState, fl
     }
 }
 
-/// Returns true if an order comparison tests a switch: a constant against zero, which turns a part off (`overhang >
-/// 0`), or a constant that the rules only compare, and more than once (`lod > 1`, `lod > 2`).
+/// Returns true if an order comparison tests a switch. One kind is a constant against zero, which turns a part off
+/// (`overhang > 0`). The other is a constant that the rules compare several times and do not use otherwise (`lod > 1`,
+/// `lod > 2`).
 fn is_level(constant: &Expr, bound: &Expr, own: InstanceId, cx: &Context) -> bool {
     let (ExprKind::Name(name) | ExprKind::Call(name, _), ExprKind::Number(bound)) = (&constant.kind, &bound.kind)
     else {

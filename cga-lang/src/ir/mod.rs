@@ -264,8 +264,8 @@ pub struct Renew {
 pub struct Renewal {
     /// The name of the import at its first call.
     pub import: String,
-    /// Its attributes and constants and those of what it imports, in an order in which each is ready before it is used.
-    /// They are evaluated on the copy.
+    /// The attributes and constants of the import and of its own imports, each after those that it uses. They are evaluated on
+    /// the copy.
     pub globals: Vec<GlobalId>,
 }
 

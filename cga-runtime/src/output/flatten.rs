@@ -1,6 +1,6 @@
 //! Meshes as triangles in the world, shared by all sinks that write triangles.
 //!
-//! Faces do not share vertices, so a face's vertices are its corners: those of the outline, then those of its holes.
+//! Faces do not share vertices, so a face's vertices are its corners: the corners of the outline, then the corners of its holes.
 
 use std::ops::Range;
 

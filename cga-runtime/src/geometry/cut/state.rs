@@ -153,8 +153,8 @@ impl CutState {
         }
     }
 
-    /// Adds a face in a plane to the side that its normal points away from, which it closes (to the other side in a
-    /// mesh that is inside out). If that tears a sheet apart, [`Sheets`] decide.
+    /// Adds a face in a plane to the side behind it, because it closes that side. In a mesh that is inside out this is the side
+    /// before it. If that tears a sheet apart, [`Sheets`] decide.
     pub(super) fn keep_flat(&mut self, mesh: &Mesh, face: usize, tag: FaceTag, plane: u32) {
         let by_rule = self.is_above_by_rule(mesh, face, plane);
         let is_above = self.sheets.place(face, plane, by_rule);

@@ -7,7 +7,7 @@
 //! for each of its edges, outline before holes. The parts of a face share their points with each other, but not with
 //! other faces: an edge that only one face uses is a border of the parts of one source face. Strips of an inward offset
 //! have the orientation of the face and begin with the moved edge, if there is one. Strips of an outward offset have
-//! the opposite orientation, so that the areas add up to that of the face, and begin with the edge itself. An interior
+//! the opposite orientation and begin with the edge itself. So the areas of all parts add up to the area of the face. An interior
 //! part begins with the first edge of the face that has a part in it.
 
 use std::collections::BTreeMap;
