@@ -244,7 +244,7 @@ impl Operation {
 
     /// Returns true if its result is for the run and the shape stays unchanged: `report`, `print`, `label`.
     pub fn is_for_run(&self) -> bool {
-        self.uses.says && self.scope == Effect::Keeps
+        self.uses.has(Uses::SAYS) && self.scope == Effect::Keeps
     }
 
     /// Returns true if it takes `count` arguments.
@@ -270,7 +270,7 @@ impl Operation {
 impl Function {
     /// Returns true if equal arguments on one shape always give the same result.
     pub fn is_settled(&self) -> bool {
-        self.pure || (!self.uses.is_none() && !self.uses.draws && !self.uses.says)
+        self.pure || (!self.uses.is_none() && !self.uses.has(Uses::DRAWS) && !self.uses.has(Uses::SAYS))
     }
 
     /// Returns true if it takes `count` arguments.

@@ -42,7 +42,7 @@ pub struct Obj<W: Write> {
     text: Vec<u8>,
     texts: Texts,
     numbers: Numbers,
-    names: Names,
+    names: GroupNames,
     /// The rule and the material written last.
     run: Option<(u32, u32)>,
     points: u64,
@@ -62,7 +62,7 @@ impl<W: Write> Obj<W> {
             text: Vec::new(),
             texts: Texts::default(),
             numbers: Numbers::default(),
-            names: Names::default(),
+            names: GroupNames::default(),
             run: None,
             points: 0,
             uvs: 0,
@@ -221,12 +221,12 @@ impl<W: Write> Sink for Obj<W> {
 
 /// The names of materials: unique, and valid in the format.
 #[derive(Debug, Default)]
-struct Names {
+struct GroupNames {
     list: Vec<Option<String>>,
     taken: HashSet<String>,
 }
 
-impl Names {
+impl GroupNames {
     fn of(&mut self, id: u32, material: &Material) -> &str {
         let id = id as usize;
         if self.list.len() <= id {

@@ -119,22 +119,22 @@ impl Hasher for Mix {
 }
 
 /// Lists of numbers by square cells of the plane.
-pub(super) struct Buckets {
+pub(super) struct SegmentGrid {
     size: i64,
     cells: GridMap<(i64, i64), Vec<u32>>,
 }
 
-impl Buckets {
+impl SegmentGrid {
     /// Empty cells of a size that suits segments: their average length, but at least 1 m.
     pub(super) fn for_segments(segments: &[[Point; 2]]) -> Self {
         let length: f64 = segments.iter().map(|[a, b]| a.place().distance(b.place())).sum();
         let size = (length / segments.len().max(1) as f64).max(1.0);
-        Buckets { size: ((size * UNITS).ceil() as i64).max(16), cells: GridMap::default() }
+        SegmentGrid { size: ((size * UNITS).ceil() as i64).max(16), cells: GridMap::default() }
     }
 
     /// Segments by number, each in all cells that it crosses.
     pub(super) fn of_segments(segments: &[[Point; 2]]) -> Self {
-        let mut buckets = Buckets::for_segments(segments);
+        let mut buckets = SegmentGrid::for_segments(segments);
         for (&segment, number) in segments.iter().zip(0..) {
             let mut cells = Vec::new();
             buckets.along(segment, 2, |cell| cells.push(cell));

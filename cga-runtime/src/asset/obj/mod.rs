@@ -299,7 +299,7 @@ impl<'a> Reader<'a> {
             return true;
         }
         match mtl::read_mtl(&bytes) {
-            Ok(mtl::Library { materials, left_out }) => {
+            Ok(mtl::MaterialLibrary { materials, left_out }) => {
                 if let Some((first, more)) = left_out {
                     self.warnings.add(|| {
                         let what = format!("line {first} of the material library `{}` can't be read", short(name));

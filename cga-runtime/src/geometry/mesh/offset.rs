@@ -7,7 +7,7 @@
 //! for each of its edges, outline before holes. The parts of a face share their points with each other, but not with
 //! other faces: an edge that only one face uses is a border of the parts of one source face. Strips of an inward offset
 //! have the orientation of the face and begin with the moved edge, if there is one. Strips of an outward offset have
-//! the opposite orientation, so that the areas add up to that of the face, and begin with the edge itself. An interior
+//! the opposite orientation and begin with the edge itself. So the areas of all parts add up to the area of the face. An interior
 //! part begins with the first edge of the face that has a part in it.
 
 use std::collections::BTreeMap;
@@ -20,7 +20,7 @@ use super::map::flip;
 use super::spread::Spread;
 use super::{FaceRef, Mesh};
 use crate::geometry::nesting::Nest;
-use crate::geometry::nesting::contour::Section;
+use crate::geometry::nesting::contour::PlaneSection;
 use crate::geometry::skeleton::{self, Failure, Left, Strip, Swept};
 use crate::geometry::tol::PLANAR_EPSILON;
 
@@ -61,7 +61,7 @@ pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> (Mesh, Ve
     let mut made = mesh.alike(0);
     let mut refused = Vec::new();
     for face in mesh.faces() {
-        if let Err(why) = Plane::of(&face).and_then(|plane| plane.offset(distance, keep, &mut made)) {
+        if let Err(why) = OffsetPlane::of(&face).and_then(|plane| plane.offset(distance, keep, &mut made)) {
             refused.push((face.index(), why));
             made.add_copy(&face);
         }
@@ -72,7 +72,7 @@ pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> (Mesh, Ve
 }
 
 /// A face projected to its plane.
-struct Plane<'a> {
+struct OffsetPlane<'a> {
     face: FaceRef<'a>,
     origin: DVec3,
     axes: [DVec3; 2],
@@ -85,7 +85,7 @@ struct Plane<'a> {
     corners: Vec<u32>,
 }
 
-impl<'a> Plane<'a> {
+impl<'a> OffsetPlane<'a> {
     fn of(face: &FaceRef<'a>) -> Result<Self, OffsetError> {
         let (normal, range) = (face.normal(), face.corner_range());
         if normal == DVec3::ZERO {
@@ -99,7 +99,7 @@ impl<'a> Plane<'a> {
         let axes = [x, normal.cross(x)];
         let (flat, heights) = (Vec::new(), Vec::new());
         let mut plane =
-            Plane { face: *face, origin, axes, normal, flat, heights, points: Vec::new(), corners: Vec::new() };
+            OffsetPlane { face: *face, origin, axes, normal, flat, heights, points: Vec::new(), corners: Vec::new() };
         let mut extent = 0.0f64;
         let mut numbers = BTreeMap::new();
         for corner in range {
@@ -160,7 +160,7 @@ impl<'a> Plane<'a> {
 
 /// The parts of one face, while they are added to the mesh.
 struct FaceParts<'p, 'a> {
-    plane: &'p Plane<'a>,
+    plane: &'p OffsetPlane<'a>,
     swept: &'p Swept,
     spread: Spread,
     outwards: bool,
@@ -171,7 +171,7 @@ struct FaceParts<'p, 'a> {
 
 impl<'p, 'a> FaceParts<'p, 'a> {
     /// Adds the points to the mesh. Old points are copied bit for bit.
-    fn new(plane: &'p Plane<'a>, swept: &'p Swept, heights: &[f64], outwards: bool, made: &'p mut Mesh) -> Self {
+    fn new(plane: &'p OffsetPlane<'a>, swept: &'p Swept, heights: &[f64], outwards: bool, made: &'p mut Mesh) -> Self {
         let base = made.points.len() as u32;
         let old = plane.points.iter().map(|&point| plane.face.mesh.points[point as usize]);
         let new = swept.points.iter().zip(heights).skip(plane.points.len());
@@ -203,7 +203,7 @@ impl<'p, 'a> FaceParts<'p, 'a> {
             })
             .collect();
         let mut nest = Nest::default();
-        nest.sort(&Section { flat: &self.swept.points, corners: &numbers, ends: &ends });
+        nest.sort(&PlaneSection { flat: &self.swept.points, corners: &numbers, ends: &ends });
         for rings in nest.groups() {
             for ring in rings {
                 let ring: Vec<(u32, Option<usize>)> =

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use glam::DVec2;
 
-use super::limits::Limits;
+use super::limits::WorkLimits;
 use super::trace::Arcs;
 use super::{Failure, Left, Swept};
 use crate::geometry::nesting::extent::Extent;
@@ -20,14 +20,14 @@ const TURNED_BACK: f64 = 1e-10;
 
 /// The line of an edge. At a time `t` it contains the points whose scalar product with the normal is `at + speed * t`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Line {
+pub(super) struct MovingLine {
     pub(super) along: DVec2,
     pub(super) at: f64,
     /// 1 for the fastest edges, 0 for edges that stay.
     pub(super) speed: f64,
 }
 
-impl Line {
+impl MovingLine {
     /// The direction in which the line moves.
     pub(super) fn normal(&self) -> DVec2 {
         self.along.perp()
@@ -36,7 +36,7 @@ impl Line {
 
 /// A vertex of the wavefront, and the edge from it to the next vertex.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Vertex {
+pub(super) struct WavefrontVertex {
     /// The node of the skeleton where the vertex started.
     pub(super) node: u32,
     pub(super) from: DVec2,
@@ -52,19 +52,19 @@ pub(super) struct Vertex {
     pub(super) reflex: bool,
     /// The time when the edge after it shrinks to a point.
     pub(super) collapse: f64,
-    pub(super) split: Split,
+    pub(super) split: SplitEvent,
 }
 
 /// The first edge that a reflex vertex reaches, and the time.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Split {
+pub(super) struct SplitEvent {
     pub(super) time: f64,
     /// [`NONE`] if the edge has changed; then no edge is reached before the time.
     pub(super) edge: u32,
 }
 
-impl Split {
-    pub(super) const NEVER: Split = Split { time: f64::INFINITY, edge: NONE };
+impl SplitEvent {
+    pub(super) const NEVER: SplitEvent = SplitEvent { time: f64::INFINITY, edge: NONE };
 
     /// Returns true if the split must be computed again.
     pub(super) fn is_open(&self) -> bool {
@@ -79,12 +79,12 @@ pub(super) fn twice_area(points: &[DVec2], ring: &[u32]) -> f64 {
 }
 
 /// Returns true if two lines are opposite, so that a vertex between them cannot move.
-pub(super) fn turn_back(a: &Line, b: &Line) -> bool {
+pub(super) fn turn_back(a: &MovingLine, b: &MovingLine) -> bool {
     (a.along + b.along).length() < TURNED_BACK
 }
 
 /// The velocity of a vertex between two lines, which stays on both.
-fn velocity(a: &Line, b: &Line) -> DVec2 {
+fn velocity(a: &MovingLine, b: &MovingLine) -> DVec2 {
     if turn_back(a, b) {
         DVec2::ZERO
     } else if a.speed == b.speed {
@@ -98,8 +98,8 @@ fn velocity(a: &Line, b: &Line) -> DVec2 {
 
 #[derive(Debug)]
 pub(super) struct Wavefront {
-    pub(super) lines: Vec<Line>,
-    pub(super) vertices: Vec<Vertex>,
+    pub(super) lines: Vec<MovingLine>,
+    pub(super) vertices: Vec<WavefrontVertex>,
     /// The vertices that are alive, in the order of their creation.
     pub(super) alive: Vec<u32>,
     /// The positions of the vertices that are alive, at the last event.
@@ -114,7 +114,7 @@ pub(super) struct Wavefront {
     pub(super) extent: f64,
     /// The distance below which objects count as touching.
     pub(super) epsilon: f64,
-    pub(super) limits: Limits,
+    pub(super) limits: WorkLimits,
     pub(super) now: f64,
     pub(super) until: f64,
 }
@@ -148,7 +148,7 @@ impl Wavefront {
             unbounded,
             extent,
             epsilon: epsilon * extent,
-            limits: Limits::of(rings.iter().map(Vec::len).sum()),
+            limits: WorkLimits::of(rings.iter().map(Vec::len).sum()),
             now: 0.0,
             until,
         };
@@ -159,7 +159,7 @@ impl Wavefront {
                 let (p, q) = (points[a as usize], points[b as usize]);
                 // An edge without length ends at once, with any direction.
                 let along = (q - p).normalize_or(DVec2::X);
-                front.lines.push(Line { along, at: along.perp().dot(p), speed: speed(front.lines.len()) });
+                front.lines.push(MovingLine { along, at: along.perp().dot(p), speed: speed(front.lines.len()) });
                 front.arcs.edge(a, b);
             }
             let count = ring.len() as u32;
@@ -167,7 +167,7 @@ impl Wavefront {
                 let [last, next] = [(i + count - 1) % count, (i + 1) % count].map(|k| start + k);
                 let vertex = front.vertex(node, last, start + i);
                 front.alive.push(start + i);
-                front.push(Vertex { last, next, ..vertex });
+                front.push(WavefrontVertex { last, next, ..vertex });
             }
         }
         Ok(front)
@@ -202,10 +202,10 @@ impl Wavefront {
     }
 
     /// A vertex between the edges on two lines that starts now at a node, not connected to others yet.
-    pub(super) fn vertex(&self, node: u32, before: u32, after: u32) -> Vertex {
+    pub(super) fn vertex(&self, node: u32, before: u32, after: u32) -> WavefrontVertex {
         let [a, b] = [before, after].map(|line| self.lines[line as usize]);
         let velocity = velocity(&a, &b);
-        Vertex {
+        WavefrontVertex {
             node,
             from: self.nodes[node as usize],
             born: self.now,
@@ -217,11 +217,11 @@ impl Wavefront {
             alive: true,
             reflex: a.along.perp_dot(b.along) <= crate::geometry::tol::STRAIGHT_EPSILON,
             collapse: f64::INFINITY,
-            split: Split::NEVER,
+            split: SplitEvent::NEVER,
         }
     }
 
-    pub(super) fn push(&mut self, vertex: Vertex) {
+    pub(super) fn push(&mut self, vertex: WavefrontVertex) {
         self.positions.push(vertex.from);
         self.vertices.push(vertex);
     }

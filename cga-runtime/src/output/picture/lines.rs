@@ -6,10 +6,10 @@
 use glam::DVec3;
 
 use super::scene::Scene;
-use super::visible::{GROUND, Layer, SKY};
+use super::visible::{GROUND, SKY, VisibilityBuffer};
 
 /// The strength of the line at each sample, 0 to 1.
-pub(super) fn lines(scene: &Scene, layer: &Layer, leaves: bool) -> Vec<f32> {
+pub(super) fn lines(scene: &Scene, layer: &VisibilityBuffer, leaves: bool) -> Vec<f32> {
     let (width, height) = (layer.width, layer.height);
     let mut dark = vec![0.0f32; width * height];
     let planes = layer.planes(scene);
@@ -55,7 +55,14 @@ fn normal(scene: &Scene, seen: u32) -> Option<DVec3> {
     }
 }
 
-fn strength(scene: &Scene, layer: &Layer, a: usize, b: usize, before: Option<usize>, after: Option<usize>) -> f32 {
+fn strength(
+    scene: &Scene,
+    layer: &VisibilityBuffer,
+    a: usize,
+    b: usize,
+    before: Option<usize>,
+    after: Option<usize>,
+) -> f32 {
     let (Some(na), Some(nb)) = (normal(scene, layer.seen[a]), normal(scene, layer.seen[b])) else { return 1.0 };
     // A step: neither surface, extended, meets the other.
     let (qa, qb) = (layer.near[a], layer.near[b]);

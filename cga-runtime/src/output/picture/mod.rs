@@ -35,7 +35,7 @@ pub use camera::{Camera, Projection, Viewpoint};
 
 use glam::DVec3;
 
-use self::camera::{View, direction};
+use self::camera::{Viewport, direction};
 use self::gamma::Gamma;
 use self::scene::Scene;
 use self::shade::{Shader, display};
@@ -162,8 +162,8 @@ impl Picture {
         let local = Bounds { low: moved(camera.bounds.low), high: moved(camera.bounds.high) };
         let camera = Camera { bounds: local, ..camera };
         let view = match self.view {
-            Viewpoint::Camera(_) => View::new(&camera, width, height),
-            _ => View::around(&camera, scene.triangles.iter().flat_map(|t| t.corners()), width, height),
+            Viewpoint::Camera(_) => Viewport::new(&camera, width, height),
+            _ => Viewport::around(&camera, scene.triangles.iter().flat_map(|t| t.corners()), width, height),
         };
         let sun = direction(camera.azimuth + self.sun_azimuth, self.sun_elevation);
 

@@ -14,7 +14,7 @@ use crate::material::Material;
 use crate::material::layer::SetMask;
 use crate::output::flatten::{Flattener, unit};
 use crate::output::number::{linear, share};
-use crate::output::table::Table;
+use crate::output::sink_table::SinkTable;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 
 /// A triangle, its coordinates relative to [`Scene::centre`].
@@ -54,7 +54,7 @@ pub(super) struct Scene {
     /// True if facets may represent round surfaces.
     pub(super) round: bool,
     smooth: Vec<[Vec3; 3]>,
-    table: Table,
+    table: SinkTable,
     /// Only for look-ups, never iterated.
     planes: HashMap<[i64; 4], u32>,
     /// Coordinates closer than this belong to one plane.

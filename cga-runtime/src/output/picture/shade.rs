@@ -3,10 +3,10 @@
 use glam::DVec3;
 
 use super::Style;
-use super::camera::View;
+use super::camera::Viewport;
 use super::light::{Light, surface};
 use super::scene::{Paint, Scene};
-use super::visible::{GROUND, Layer, SKY};
+use super::visible::{GROUND, SKY, VisibilityBuffer};
 
 /// Linear red, green, blue.
 pub(super) type Rgb = [f32; 3];
@@ -14,7 +14,7 @@ pub(super) type Rgb = [f32; 3];
 /// The data that colours depend on.
 pub(super) struct Shader<'a> {
     pub(super) scene: &'a Scene,
-    pub(super) view: &'a View,
+    pub(super) view: &'a Viewport,
     pub(super) style: &'a Style,
     /// The direction to the sun.
     pub(super) sun: DVec3,
@@ -52,7 +52,7 @@ impl Shader<'_> {
     }
 
     /// The colour of a sample of the opaque layer.
-    pub(super) fn opaque(&self, layer: &Layer, light: &Light, sample: usize) -> Rgb {
+    pub(super) fn opaque(&self, layer: &VisibilityBuffer, light: &Light, sample: usize) -> Rgb {
         let down = (sample / layer.width) as f64 / layer.height as f64;
         let backdrop = self.backdrop(down);
         let Some((point, normal)) = surface(self.scene, layer, self.view, sample) else { return backdrop };
@@ -68,7 +68,7 @@ impl Shader<'_> {
     }
 
     /// The colour of a sample of the transparent layer over the colour behind it.
-    pub(super) fn clear(&self, layer: &Layer, light: &Light, sample: usize, behind: Rgb) -> Rgb {
+    pub(super) fn clear(&self, layer: &VisibilityBuffer, light: &Light, sample: usize, behind: Rgb) -> Rgb {
         let Some((point, normal)) = surface(self.scene, layer, self.view, sample) else { return behind };
         let Some(triangle) = self.scene.triangles.get(layer.seen[sample] as usize) else { return behind };
         let paint = self.scene.paint_at(triangle, self.view, layer.place(sample), point);
