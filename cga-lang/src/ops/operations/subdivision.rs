@@ -135,17 +135,25 @@ pub(super) static ROWS: &[Operation] = &[
             "sets the front and left edges back and keeps the strip",
         ),
     ),
-    block(
-        "shapeU",
-        Braces::Arms(Places::SHAPE),
-        &[float("frontWidth"), float("rightWidth"), float("leftWidth")],
-        "sets all but the back edges back and keeps the strip",
+    divides(
+        "shape_u",
+        Uses::WHOLE,
+        block(
+            "shapeU",
+            Braces::Arms(Places::SHAPE),
+            &[float("frontWidth"), float("rightWidth"), float("leftWidth")],
+            "sets all but the back edges back and keeps the strip",
+        ),
     ),
-    block(
-        "shapeO",
-        Braces::Arms(Places::SHAPE),
-        &[float("frontWidth"), float("rightWidth"), float("backWidth"), float("leftWidth")],
-        "sets all edges back and keeps the strip",
+    divides(
+        "shape_o",
+        Uses::WHOLE,
+        block(
+            "shapeO",
+            Braces::Arms(Places::SHAPE),
+            &[float("frontWidth"), float("rightWidth"), float("backWidth"), float("leftWidth")],
+            "sets all edges back and keeps the strip",
+        ),
     ),
     block("innerRectangle", Braces::Arms(Places::SHAPE), &[ALIGNMENT], "cuts the largest rectangle out of each face"),
     old(

@@ -25,6 +25,7 @@ use crate::geometry::skeleton::{self, Failure, Left, Strip, Swept};
 use crate::geometry::tol::PLANAR_EPSILON;
 
 mod relief;
+pub(crate) mod set_back;
 
 /// The faces that an offset keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,6 +44,15 @@ pub(crate) enum OffsetError {
     NoNormal,
     TooMany,
     Tangled,
+}
+
+impl From<Failure> for OffsetError {
+    fn from(failure: Failure) -> Self {
+        match failure {
+            Failure::TooMany => OffsetError::TooMany,
+            Failure::Tangled => OffsetError::Tangled,
+        }
+    }
 }
 
 /// Moves the faces of a mesh inwards (a negative distance) or outwards. Faces that cannot be moved are copied
@@ -115,10 +125,7 @@ impl<'a> OffsetPlane<'a> {
     fn offset(&self, distance: f64, keep: OffsetFaces, made: &mut Mesh) -> Result<(), OffsetError> {
         let outwards = 0.0 < distance;
         let (edges, rings) = self.edges(outwards);
-        let swept = skeleton::sweep(&self.flat, &rings, distance.abs()).map_err(|failure| match failure {
-            Failure::TooMany => OffsetError::TooMany,
-            Failure::Tangled => OffsetError::Tangled,
-        })?;
+        let swept = skeleton::sweep(&self.flat, &rings, distance.abs())?;
         let heights = relief::heights(&self.heights, &rings, &swept);
         let mut part = FaceParts::new(self, &swept, &heights, outwards, made);
         if keep != OffsetFaces::Border {
@@ -179,7 +186,13 @@ impl<'p, 'a> FaceParts<'p, 'a> {
     /// Adds the interiors of the moved outlines: loops grouped to outlines and holes, each beginning with its first
     /// edge.
     fn inside(&mut self, edges: &[[usize; 2]]) {
-        let mut rings: Vec<Vec<(usize, u32)>> = self.swept.left.iter().map(|ring| self.ahead(ring, edges)).collect();
+        let rings = self.swept.left.iter().map(|ring| self.ahead(ring, edges)).collect();
+        self.nested(rings, |_| None);
+    }
+
+    /// Adds faces of loops that are grouped to outlines and holes, in the order of the first sides. A corner has the rank
+    /// of its next side and the point. `own` gives the corner of the face at a point. Returns the number of faces.
+    fn nested(&mut self, mut rings: Vec<Vec<(usize, u32)>>, own: impl Fn(u32) -> Option<usize>) -> usize {
         rings.sort_unstable_by_key(|ring| ring[0]);
         let numbers: Vec<u32> = rings.iter().flatten().map(|corner| corner.1).collect();
         let ends: Vec<usize> = rings
@@ -194,11 +207,12 @@ impl<'p, 'a> FaceParts<'p, 'a> {
         for rings in nest.groups() {
             for ring in rings {
                 let ring: Vec<(u32, Option<usize>)> =
-                    numbers[ring.clone()].iter().map(|&point| (point, None)).collect();
+                    numbers[ring.clone()].iter().map(|&point| (point, own(point))).collect();
                 self.ring(&ring, 1.0);
             }
             self.end_face();
         }
+        nest.groups().len()
     }
 
     /// A loop of the remaining interior in the direction of the face, beginning with the first edge. For each corner it
@@ -209,10 +223,7 @@ impl<'p, 'a> FaceParts<'p, 'a> {
             let (edge, from) = if self.outwards { (count - 1 - k, (count - k) % count) } else { (k, k) };
             (edges[ring[edge].edge as usize][0], ring[from].point)
         };
-        let mut sides: Vec<(usize, u32)> = (0..count).map(side).collect();
-        let first = (0..count).min_by_key(|&k| sides[k].0).unwrap_or(0);
-        sides.rotate_left(first);
-        sides
+        from_first((0..count).map(side).collect())
     }
 
     /// Adds the strip of an edge of the face.
@@ -258,6 +269,13 @@ impl<'p, 'a> FaceParts<'p, 'a> {
     fn end_face(&mut self) {
         self.made.end_face(self.plane.face.tag());
     }
+}
+
+/// A loop of sides that begins with the first one by rank.
+fn from_first(mut sides: Vec<(usize, u32)>) -> Vec<(usize, u32)> {
+    let first = (0..sides.len()).min_by_key(|&k| sides[k].0).unwrap_or(0);
+    sides.rotate_left(first);
+    sides
 }
 
 #[cfg(test)]

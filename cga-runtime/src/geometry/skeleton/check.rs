@@ -1,7 +1,8 @@
 //! A check of results.
 //!
 //! The areas add up wherever points are, so strips overlap only if something is reversed. A strip of a straight
-//! skeleton is connected and monotone along its edge. The remaining interior has no crossings, and its loops are nested
+//! skeleton is connected and monotone along its edge. If speeds differ, a strip may go around edges that stay, as its
+//! outline and holes, so only its sum and its heights are checked. The remaining interior has no crossings, and its loops are nested
 //! correctly.
 
 use glam::DVec2;
@@ -21,10 +22,8 @@ impl Wavefront {
         let slack = SLACK * self.epsilon;
         let rounding = MEETING_EPSILONS[0] * self.extent * self.extent;
         swept.points.iter().all(|p| p.is_finite())
-            && swept.strips.iter().all(|strip| {
-                self.is_monotone(strip, &swept.points, slack) && -rounding <= twice_area(&swept.points, &strip.ring)
-            })
-            && self.in_one_piece(&swept.strips, &swept.points, rounding)
+            && swept.strips.iter().all(|strip| self.is_monotone(strip, &swept.points, slack))
+            && self.has_areas(&swept.strips, &swept.points, rounding)
             && !crosses(&swept.left, &swept.points, slack)
             && self.nests(swept)
     }
@@ -47,13 +46,20 @@ impl Wavefront {
                 back <= slack || (is_flat && back <= TOUCH_EPSILON * self.extent)
             })
         };
-        height.iter().all(|height| (-slack..=self.until + slack).contains(height))
-            && runs(low, high, 1.0)
-            && runs(high, low, -1.0)
+        height.iter().all(|height| (-slack..=self.until * line.speed + slack).contains(height))
+            && (!self.is_uniform() || runs(low, high, 1.0) && runs(high, low, -1.0))
     }
 
-    /// Returns true if each edge has at most one strip, except for rounding errors.
-    fn in_one_piece(&self, strips: &[Strip], points: &[DVec2], rounding: f64) -> bool {
+    /// Returns true if no strip is reversed and each edge has at most one strip, except for rounding errors.
+    fn has_areas(&self, strips: &[Strip], points: &[DVec2], rounding: f64) -> bool {
+        if !self.is_uniform() {
+            let mut sums = vec![0.0; self.lines.len()];
+            strips.iter().for_each(|strip| sums[strip.edge as usize] += twice_area(points, &strip.ring));
+            return sums.iter().all(|sum| -rounding <= *sum);
+        }
+        if strips.iter().any(|strip| twice_area(points, &strip.ring) < -rounding) {
+            return false;
+        }
         let mut found = vec![false; self.lines.len()];
         let real = |strip: &&Strip| rounding < twice_area(points, &strip.ring);
         strips.iter().filter(real).all(|strip| !std::mem::replace(&mut found[strip.edge as usize], true))

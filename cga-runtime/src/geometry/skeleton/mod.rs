@@ -1,5 +1,5 @@
-//! The areas that the edges of a polygon sweep when they move inwards at the same speed: the faces of the straight
-//! skeleton up to a distance, and the remaining interior.
+//! The areas that the edges of a polygon sweep when they move inwards: the faces of the straight skeleton up to a
+//! distance, and the remaining interior. Edges move equally far, or each by a distance of its own ([`speeds`]).
 //!
 //! Edges have the region on their left. Loops are outlines and holes; for the region outside, both are reversed. The
 //! edges move as a *wavefront*: loops of *vertices*, which move along bisectors, and of edges between them, each on the
@@ -27,6 +27,7 @@ mod event;
 mod limits;
 mod overlap;
 mod rejoin;
+mod speeds;
 mod step;
 mod trace;
 mod wavefront;
@@ -51,7 +52,8 @@ pub(crate) struct Strip {
     pub(crate) front: Vec<bool>,
 }
 
-/// A corner of the remaining interior, and the edge that is parallel to the next side.
+/// A corner of the remaining interior, and the edge that is parallel to the next side. Sides that divide a corner
+/// between edges of different speeds have numbers after those of the edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Left {
     pub(crate) point: u32,
@@ -81,12 +83,28 @@ pub(crate) enum Failure {
 /// Moves the edges of a polygon to their left by a distance. Loops are numbers of points, and edges are numbered along
 /// the loops. Equal numbers are the same corner.
 pub(crate) fn sweep(points: &[DVec2], rings: &[Vec<u32>], distance: f64) -> Result<Swept, Failure> {
+    sweep_at(points, rings, distance, |_| 1.0)
+}
+
+/// Moves each edge of a polygon to its left by a distance of its own, which is not negative. All edges arrive at the
+/// same time.
+pub(crate) fn sweep_each(points: &[DVec2], rings: &[Vec<u32>], distances: &[f64]) -> Result<Swept, Failure> {
+    let most = distances.iter().fold(0.0, |most: f64, &distance| most.max(distance));
+    sweep_at(points, rings, most, |edge| if most == 0.0 { 1.0 } else { distances[edge] / most })
+}
+
+fn sweep_at(
+    points: &[DVec2],
+    rings: &[Vec<u32>],
+    distance: f64,
+    speed: impl Fn(usize) -> f64,
+) -> Result<Swept, Failure> {
     if MOST_CORNERS < rings.iter().map(Vec::len).sum() {
         return Err(Failure::TooMany);
     }
     let mut failure = Failure::Tangled;
     for epsilon in MEETING_EPSILONS {
-        match Wavefront::new(points, rings, epsilon, distance).and_then(Wavefront::run) {
+        match Wavefront::new(points, rings, epsilon, distance, &speed).and_then(Wavefront::run) {
             Ok(swept) => return Ok(swept),
             Err(found) => failure = found,
         }

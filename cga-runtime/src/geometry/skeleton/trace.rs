@@ -26,6 +26,11 @@ impl Arcs {
         self.of.push(vec![Arc { from, to, is_front: false }]);
     }
 
+    /// Adds a line that no edge of the polygon is on.
+    pub(super) fn line(&mut self) {
+        self.of.push(Vec::new());
+    }
+
     /// Adds a path with one strip on its left and one on its right.
     pub(super) fn path(&mut self, from: u32, to: u32, left: u32, right: u32) {
         if from != to && left != right {

@@ -18,11 +18,13 @@ const SIZES: RangeInclusive<f64> = 1e-100..=1e100;
 /// Edges count as opposite if the sum of their unit normals is shorter than this.
 const TURNED_BACK: f64 = 1e-10;
 
-/// The line of an edge. At a time `t` it contains the points whose scalar product with the normal is `at + t`.
+/// The line of an edge. At a time `t` it contains the points whose scalar product with the normal is `at + speed * t`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MovingLine {
     pub(super) along: DVec2,
     pub(super) at: f64,
+    /// 1 for the fastest edges, 0 for edges that stay.
+    pub(super) speed: f64,
 }
 
 impl MovingLine {
@@ -81,6 +83,19 @@ pub(super) fn turn_back(a: &MovingLine, b: &MovingLine) -> bool {
     (a.along + b.along).length() < TURNED_BACK
 }
 
+/// The velocity of a vertex between two lines, which stays on both.
+fn velocity(a: &MovingLine, b: &MovingLine) -> DVec2 {
+    if turn_back(a, b) {
+        DVec2::ZERO
+    } else if a.speed == b.speed {
+        // The sum of the normals is on the bisector; the shorter it is, the faster the vertex.
+        let sum = a.normal() + b.normal();
+        sum * (2.0 / sum.length_squared()) * a.speed
+    } else {
+        (b.along * a.speed - a.along * b.speed) / a.along.perp_dot(b.along)
+    }
+}
+
 #[derive(Debug)]
 pub(super) struct Wavefront {
     pub(super) lines: Vec<MovingLine>,
@@ -105,7 +120,14 @@ pub(super) struct Wavefront {
 }
 
 impl Wavefront {
-    pub(super) fn new(points: &[DVec2], rings: &[Vec<u32>], epsilon: f64, until: f64) -> Result<Self, Failure> {
+    /// The wavefront at the start. `speed` gives the speed of an edge by its number.
+    pub(super) fn new(
+        points: &[DVec2],
+        rings: &[Vec<u32>],
+        epsilon: f64,
+        until: f64,
+        speed: impl Fn(usize) -> f64,
+    ) -> Result<Self, Failure> {
         let Extent { low, high } = Extent::of(points.iter().copied());
         let extent = (high - low).max_element();
         // The region outside is infinite, so the distance of the sweep sets the scale too.
@@ -137,7 +159,7 @@ impl Wavefront {
                 let (p, q) = (points[a as usize], points[b as usize]);
                 // An edge without length ends at once, with any direction.
                 let along = (q - p).normalize_or(DVec2::X);
-                front.lines.push(MovingLine { along, at: along.perp().dot(p) });
+                front.lines.push(MovingLine { along, at: along.perp().dot(p), speed: speed(front.lines.len()) });
                 front.arcs.edge(a, b);
             }
             let count = ring.len() as u32;
@@ -156,6 +178,7 @@ impl Wavefront {
         // Contacts at the start: pinches, bridges to holes.
         let everything: Vec<u32> = self.alive.clone();
         self.handle(&[], &everything)?;
+        self.part_speeds(&self.alive.clone());
         self.foresee(&self.alive.clone())?;
         loop {
             let next = self.next_event();
@@ -164,7 +187,8 @@ impl Wavefront {
             if due.is_empty() {
                 return if self.now == self.until { self.finish() } else { Err(Failure::Tangled) };
             }
-            let made = self.handle(&due, &[])?;
+            let mut made = self.handle(&due, &[])?;
+            made.extend(self.part_speeds(&made));
             self.limits.make(made.len())?;
             self.foresee(&made)?;
         }
@@ -180,9 +204,7 @@ impl Wavefront {
     /// A vertex between the edges on two lines that starts now at a node, not connected to others yet.
     pub(super) fn vertex(&self, node: u32, before: u32, after: u32) -> WavefrontVertex {
         let [a, b] = [before, after].map(|line| self.lines[line as usize]);
-        // The sum of the normals is on the bisector; the shorter it is, the faster the vertex.
-        let sum = a.normal() + b.normal();
-        let velocity = if turn_back(&a, &b) { DVec2::ZERO } else { sum * (2.0 / sum.length_squared()) };
+        let velocity = velocity(&a, &b);
         WavefrontVertex {
             node,
             from: self.nodes[node as usize],
