@@ -4,7 +4,7 @@ use super::facts::AbstractState;
 use super::interval::Interval;
 use crate::span::Span;
 use crate::syntax::ast::{Arg, Block, Op, Prefix, SplitItem};
-use cga_split::{Item, Piece, solve};
+use cga_split::{Item, Piece, Solution, solve};
 
 /// The largest number of pieces that are laid out.
 const MOST_PIECES: u64 = 10_000;
@@ -98,6 +98,11 @@ impl Slot<'_> {
     }
 }
 
+/// The pieces of a solution, unless they are too many to be laid out.
+fn few_pieces(solution: &Solution) -> Option<Vec<Piece>> {
+    (solution.at_most() <= MOST_PIECES).then(|| solution.pieces())
+}
+
 /// Why a group repeats once.
 pub(crate) enum Once {
     /// Its relative sizes add up to that share of the scope, 1 or more.
@@ -187,15 +192,8 @@ impl<'a> Slots<'a> {
     /// The pieces, if the extent and all sizes are known.
     fn solved(&self) -> Option<Vec<Option<Interval>>> {
         let extent = self.extent.known().filter(|extent| 0.0 < *extent)?;
-        let sizes: Option<Vec<cga_split::Size>> = self.list.iter().map(Slot::exact).collect();
-        let sizes = sizes?;
-        let mut lengths = vec![0.0; sizes.len()];
-        let solution = solve(&self.pattern, &sizes, &mut lengths, extent);
-        if MOST_PIECES < solution.at_most() {
-            return None;
-        }
         let mut made: Vec<Option<Interval>> = vec![None; self.list.len()];
-        for piece in solution.pieces() {
+        for piece in self.solve(extent, few_pieces)?? {
             let (own, length) = (&mut made[piece.slot as usize], Interval::point(piece.length));
             *own = Some(own.map_or(length, |own| own.or(length)));
         }
@@ -204,20 +202,19 @@ impl<'a> Slots<'a> {
 
     /// The pieces of a split of known relative sizes, in an extent of 1: they are the same shares of any extent.
     pub(crate) fn shares(&self) -> Option<Vec<Piece>> {
-        let sizes: Option<Vec<cga_split::Size>> =
-            self.list.iter().map(|slot| slot.exact().filter(|_| slot.is_relative())).collect();
-        let sizes = sizes?;
-        let mut lengths = vec![0.0; sizes.len()];
-        let solution = solve(&self.pattern, &sizes, &mut lengths, 1.0);
-        (solution.at_most() <= MOST_PIECES).then(|| solution.pieces())
+        let are_relative = self.list.iter().all(Slot::is_relative);
+        self.solve(1.0, few_pieces).filter(|_| are_relative)?
     }
 
     /// The number of repetitions of a group in an extent.
     pub(crate) fn count(&self, group: usize, extent: f64) -> Option<u64> {
-        let sizes: Option<Vec<cga_split::Size>> = self.list.iter().map(Slot::exact).collect();
-        let sizes = sizes?;
-        let mut lengths = vec![0.0; sizes.len()];
-        Some(solve(&self.pattern, &sizes, &mut lengths, extent).count(group))
+        self.solve(extent, |solution| solution.count(group))
+    }
+
+    /// What `of` takes from the solution in an extent, if all sizes are known.
+    fn solve<T>(&self, extent: f64, of: impl FnOnce(&Solution) -> T) -> Option<T> {
+        let sizes: Vec<cga_split::Size> = self.list.iter().map(Slot::exact).collect::<Option<_>>()?;
+        Some(of(&solve(&self.pattern, &sizes, &mut vec![0.0; sizes.len()], extent)))
     }
 
     /// A lower bound of the space before a slot whenever it is made; with `itself` the slot counts too.

@@ -5,7 +5,7 @@ use crate::analysis::interval::Interval;
 use crate::analysis::{AbstractState, DataFlow, Value};
 use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
-use crate::ops::{Allowed, Bounds, Param};
+use crate::ops::{Allowed, Param, ParamBounds};
 use crate::syntax::ast::{Expr, ExprKind};
 
 /// Reports the arguments of a call that are out of bounds for all their possible values.
@@ -25,7 +25,7 @@ pub(crate) fn check(params: &[Param], args: &[&Expr], facts: &AbstractState, flo
     }
 }
 
-fn report(param: &Param, bounds: &Bounds, arg: &Expr, found: &str, diags: &mut Diags) {
+fn report(param: &Param, bounds: &ParamBounds, arg: &Expr, found: &str, diags: &mut Diags) {
     let message = match bounds.code {
         Code::UnknownUvSet => format!("{found} is not the number of a uv set"),
         _ if bounds.values == Allowed::NotEmpty => format!("`{}` is empty", param.name),

@@ -26,7 +26,7 @@ use crate::types::Type;
 use std::sync::LazyLock;
 
 pub use attributes::SHAPE_ATTRS;
-pub use bounds::{Allowed, Bounds};
+pub use bounds::{Allowed, ParamBounds};
 pub use directions::Directions;
 pub(crate) use effects::MOST_SIZE;
 pub use effects::{Changes, Effect, UvEffect};

@@ -1,7 +1,7 @@
 //! One function a rule, one function a function.
 
 use cga_lang::ir::walk;
-use cga_lang::ir::{Block, Childless, Expr, ExprKind, Function, Param, Parts, Rule, RuleId, Step, Target};
+use cga_lang::ir::{Block, BlockParts, Childless, Expr, ExprKind, Function, Param, Rule, RuleId, Step, Target};
 use cga_lang::ops::{Changes, Run, Uses};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
@@ -282,7 +282,7 @@ impl Generator<'_> {
                 let code = self.give(&call.target, body.id, &copy, &successor(0));
                 code!({ #given #code } #made)
             }
-            Step::Block(block @ Block { parts: Parts::Slots(slots), .. }) => {
+            Step::Block(block @ Block { parts: BlockParts::Slots(slots), .. }) => {
                 let code = self.split(block, slots, body.id, number);
                 match body.rule.leaf {
                     Childless::Depends => code! {
@@ -292,7 +292,7 @@ impl Generator<'_> {
                     _ => code!(#code;),
                 }
             }
-            Step::Block(block @ Block { parts: Parts::Arms(arms), .. }) => {
+            Step::Block(block @ Block { parts: BlockParts::Arms(arms), .. }) => {
                 let code = self.divided(block, arms, body.id, number);
                 code!({ #code } #made)
             }

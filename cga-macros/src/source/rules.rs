@@ -11,8 +11,9 @@ use proc_macro2::{Span, TokenStream};
 
 /// Rules as tokens, and what it takes to speak about them.
 pub(crate) struct Source {
-    pub(super) tokens: Tokens,
-    pub(super) findings: Vec<Diag>,
+    pub(crate) tokens: Tokens,
+    /// The diagnostics of reading the tokens.
+    pub(crate) findings: Vec<Diag>,
     pub(super) hosts: Vec<Host>,
     pub(super) places: TokenPlaces,
     /// Imported files.
@@ -39,11 +40,6 @@ pub(super) enum TokenPlaces {
 }
 
 impl Source {
-    #[cfg(test)]
-    pub(crate) fn tokens(&self) -> &Tokens {
-        &self.tokens
-    }
-
     /// Returns true for rules inline in Rust.
     pub(crate) fn is_inline(&self) -> bool {
         matches!(self.places, TokenPlaces::Inline { .. })
@@ -80,12 +76,6 @@ impl Source {
             Some((start, file)) => (file.map(|file| &self.imported[file]), token - start),
             None => (None, token),
         }
-    }
-
-    /// The diagnostics of reading the tokens.
-    #[cfg(test)]
-    pub(crate) fn findings(&self) -> &[Diag] {
-        &self.findings
     }
 
     /// The Rust values, by handle.

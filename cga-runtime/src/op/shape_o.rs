@@ -8,7 +8,7 @@ use crate::comp::{Arms, Faces};
 use crate::run::env::Env;
 
 /// `shapeO(frontWidth, rightWidth, backWidth, leftWidth) { shape : … | remainder : … }`: the edges of each face that face the
-/// scope's front, right, back and left are set back by these distances in metres, as by [`shape_l`](super::shape_l) (*shapeL,
+/// scope's front, right, back and left are set back by these distances in metres, as by [`shape_l`](fn@super::shape_l) (*shapeL,
 /// shapeU, shapeO operations*). If a court is left, the `shape` is a face with a hole.
 pub fn shape_o(
     env: &mut Env,

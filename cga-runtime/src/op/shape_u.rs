@@ -8,7 +8,7 @@ use crate::comp::{Arms, Faces};
 use crate::run::env::Env;
 
 /// `shapeU(frontWidth, rightWidth, leftWidth) { shape : … | remainder : … }`: the edges of each face that face the scope's front,
-/// right and left are set back by these distances in metres, as by [`shape_l`](super::shape_l) (*shapeL, shapeU, shapeO
+/// right and left are set back by these distances in metres, as by [`shape_l`](fn@super::shape_l) (*shapeL, shapeU, shapeO
 /// operations*).
 pub fn shape_u(env: &mut Env, arms: &mut Arms<'_>, front: f64, right: f64, left: f64) -> ControlFlow<(), Faces> {
     set_back(env, arms, "`shapeU`", &[(Word::Front, front), (Word::Right, right), (Word::Left, left)])

@@ -21,7 +21,7 @@ use glam::{DAffine3, DVec3};
 
 use super::error::WriteError;
 use super::flatten::{Flattener, unit};
-use super::number::{Texts, hex, push_whole};
+use super::number::{NumberTexts, hex, push_whole};
 use super::numbers::Numbers;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
@@ -40,7 +40,7 @@ pub struct Obj<W: Write> {
     out: W,
     /// Text for `out`, written in larger pieces.
     text: Vec<u8>,
-    texts: Texts,
+    texts: NumberTexts,
     numbers: Numbers,
     names: GroupNames,
     /// The rule and the material written last.
@@ -60,7 +60,7 @@ impl<W: Write> Obj<W> {
         Obj {
             out,
             text: Vec::new(),
-            texts: Texts::default(),
+            texts: NumberTexts::default(),
             numbers: Numbers::default(),
             names: GroupNames::default(),
             run: None,

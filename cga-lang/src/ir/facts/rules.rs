@@ -2,7 +2,7 @@
 
 use super::closure::closure;
 use super::{Facts, RuleFacts, Uses};
-use crate::ir::{Arm, Block, Grammar, Parts, Renewal, Rule, Selector, Step, Target, walk};
+use crate::ir::{Arm, Block, BlockParts, Grammar, Renewal, Rule, Selector, Step, Target, walk};
 use crate::ops;
 
 /// The facts of a rule without the rules that it reaches.
@@ -50,7 +50,7 @@ impl Facts {
             own.uses = own.uses | exprs | itself;
             own.rigid &= exprs.but(Uses::COUNTERS).is_rigid();
             own.rigid &= match step {
-                Step::Block(block @ Block { parts: Parts::Arms(arms), .. }) => is_rigid(block, arms),
+                Step::Block(block @ Block { parts: BlockParts::Arms(arms), .. }) => is_rigid(block, arms),
                 _ => itself.but(Uses::COUNTERS).is_rigid(),
             };
         });
@@ -83,7 +83,7 @@ fn itself(step: &Step, renewals: &[Uses]) -> Uses {
 
 /// Returns true if the shapes that a step makes keep `split.index` and `split.total`.
 fn hands_counters_on(step: &Step) -> bool {
-    !matches!(step, Step::Block(Block { parts: Parts::Slots(_), .. }))
+    !matches!(step, Step::Block(Block { parts: BlockParts::Slots(_), .. }))
 }
 
 /// Returns true if an operation makes the same parts of a shape wherever the shape is. `noAlign` gives parts the axes of the pivot,

@@ -21,15 +21,17 @@ impl Wavefront {
     pub(super) fn allows(&self, swept: &Swept) -> bool {
         let slack = SLACK * self.epsilon;
         let rounding = MEETING_EPSILONS[0] * self.extent * self.extent;
+        let uniform = self.is_uniform();
         swept.points.iter().all(|p| p.is_finite())
-            && swept.strips.iter().all(|strip| self.is_monotone(strip, &swept.points, slack))
-            && self.has_areas(&swept.strips, &swept.points, rounding)
+            && swept.strips.iter().all(|strip| self.is_possible(strip, &swept.points, slack, uniform))
+            && self.has_areas(&swept.strips, &swept.points, rounding, uniform)
             && !crosses(&swept.left, &swept.points, slack)
             && self.nests(swept)
     }
 
-    /// Returns true if a strip goes along its edge once and returns once, in front of the edge.
-    fn is_monotone(&self, strip: &Strip, points: &[DVec2], slack: f64) -> bool {
+    /// Returns true if a strip is in front of its edge and, if all edges move equally fast, goes along the edge once and
+    /// returns once.
+    fn is_possible(&self, strip: &Strip, points: &[DVec2], slack: f64, uniform: bool) -> bool {
         let line = &self.lines[strip.edge as usize];
         let count = strip.ring.len();
         let at = |i: usize| points[strip.ring[i % count] as usize];
@@ -47,12 +49,13 @@ impl Wavefront {
             })
         };
         height.iter().all(|height| (-slack..=self.until * line.speed + slack).contains(height))
-            && (!self.is_uniform() || runs(low, high, 1.0) && runs(high, low, -1.0))
+            && (!uniform || runs(low, high, 1.0) && runs(high, low, -1.0))
     }
 
-    /// Returns true if no strip is reversed and each edge has at most one strip, except for rounding errors.
-    fn has_areas(&self, strips: &[Strip], points: &[DVec2], rounding: f64) -> bool {
-        if !self.is_uniform() {
+    /// Returns true if no strip is reversed and, if all edges move equally fast, each edge has at most one strip, except
+    /// for rounding errors.
+    fn has_areas(&self, strips: &[Strip], points: &[DVec2], rounding: f64, uniform: bool) -> bool {
+        if !uniform {
             let mut sums = vec![0.0; self.lines.len()];
             strips.iter().for_each(|strip| sums[strip.edge as usize] += twice_area(points, &strip.ring));
             return sums.iter().all(|sum| -rounding <= *sum);

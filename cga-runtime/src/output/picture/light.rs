@@ -237,21 +237,15 @@ fn average(scene: &Scene, layer: &VisibilityBuffer, planes: &[u32], raw: &[Raw])
             let left = x.saturating_sub(BLOCK / 2).min(width - BLOCK);
             let plane = planes[sample];
             let mut sum = LightSum::default();
-            for row in top..top + BLOCK {
-                for near in (row * width + left + (row + left) % 2..).step_by(2).take(BLOCK / 2) {
-                    if planes[near] == plane || alike(scene, layer, sample, near) {
-                        sum.add(raw[near]);
-                    }
-                }
-            }
+            let tested = || {
+                let row = |row| (row * width + left + (row + left) % 2..).step_by(2).take(BLOCK / 2);
+                (top..top + BLOCK).flat_map(row)
+            };
+            let is_alike = |near: &usize| planes[*near] == plane || alike(scene, layer, sample, *near);
+            tested().filter(is_alike).for_each(|near| sum.add(raw[near]));
             if sum.count == 0 {
                 // A surface so thin that none of its samples has a test.
-                for row in top..top + BLOCK {
-                    (row * width + left + (row + left) % 2..)
-                        .step_by(2)
-                        .take(BLOCK / 2)
-                        .for_each(|near| sum.add(raw[near]));
-                }
+                tested().for_each(|near| sum.add(raw[near]));
             }
             light.sun[sample] = sum.sun as f32 / (255 * sum.count) as f32;
             light.sky[sample] = if sum.possible == 0 { 1.0 } else { sum.given as f32 / sum.possible as f32 };

@@ -16,19 +16,18 @@ pub(super) fn lines(scene: &Scene, layer: &VisibilityBuffer, leaves: bool) -> Ve
     for y in 0..height {
         for x in 0..width {
             let a = y * width + x;
-            for (b, before, after) in
-                [(a + 1, x.checked_sub(1).map(|_| a - 1), a + 2), (a + width, a.checked_sub(width), a + 2 * width)]
-            {
-                let across = b == a + 1;
-                if (across && width <= x + 1) || (!across && height <= y + 1) || layer.seen[a] == layer.seen[b] {
+            // The sample to the right and the one below.
+            for (step, at, count) in [(1, x, width), (width, y, height)] {
+                let b = a + step;
+                if count <= at + 1 || layer.seen[a] == layer.seen[b] {
                     continue;
                 }
                 let strength = match planes[a] == planes[b] {
                     true if leaves && leaf(scene, layer.seen[a]) != leaf(scene, layer.seen[b]) => 0.5,
                     true => continue,
                     false => {
-                        let after =
-                            if across { (x + 2 < width).then_some(after) } else { (y + 2 < height).then_some(after) };
+                        let (before, after) = (a.checked_sub(step), b + step);
+                        let (before, after) = (before.filter(|_| 0 < at), (at + 2 < count).then_some(after));
                         strength(scene, layer, a, b, before, after)
                     }
                 };

@@ -93,7 +93,7 @@ impl Lead {
     /// For a slab without a piece of the mesh's first face: whether its cap in this plane is the one towards that face.
     pub(crate) fn is_nearer(&self, slab: u32, plane: u32) -> Option<bool> {
         // The upper plane of a slab has the slab's number.
-        (!self.slabs.contains(&slab)).then(|| (plane == slab) == (slab < self.slabs.start))
+        (!self.slabs.contains(&slab)).then_some((plane == slab) == (slab < self.slabs.start))
     }
 }
 
