@@ -225,19 +225,26 @@ impl<P: PieceSource, C> SplitWalk<'_, '_, P, C> {
             };
             let (inside, behind) = rest.split_at((len as usize).min(rest.len()));
             rest = behind;
-            let slots = inside.iter().filter(|item| matches!(item, Item::Slot)).count();
-            let mut group = self.pieces.open(at.group, at.slot..at.slot + slots);
-            while self.pieces.turn(&mut group) {
-                self.division.turn(cx.env)?;
-                if slots == inside.len() {
-                    (at.slot..at.slot + slots).try_for_each(|slot| self.slot(cx, slot, true))?;
-                } else {
-                    self.items(cx, inside, At { group: at.group + 1, ..at }, true)?;
-                }
-            }
-            at = At { slot: at.slot + slots, group: at.group + 1 + inside.len() - slots };
+            at = self.repeat(cx, inside, at)?;
         }
         Flow::Continue(())
+    }
+
+    /// Passes on the parts of a group, in all repetitions. Returns the position behind it.
+    #[inline(always)]
+    fn repeat(&mut self, cx: &mut Cx<'_, C>, inside: &[Item], at: At) -> ControlFlow<(), At> {
+        let slots = inside.iter().filter(|item| matches!(item, Item::Slot)).count();
+        let has_groups = slots < inside.len();
+        let mut group = self.pieces.open(at.group, at.slot..at.slot + slots);
+        while self.pieces.turn(&mut group) {
+            self.division.turn(cx.env)?;
+            if has_groups {
+                self.items(cx, inside, At { group: at.group + 1, ..at }, true)?;
+            } else {
+                (at.slot..at.slot + slots).try_for_each(|slot| self.slot(cx, slot, true))?;
+            }
+        }
+        ControlFlow::Continue(At { slot: at.slot + slots, group: at.group + 1 + inside.len() - slots })
     }
 
     /// Passes on the part of a slot.

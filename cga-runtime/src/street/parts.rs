@@ -78,6 +78,7 @@ fn owners(pieces: &StreetPieces, faces: &Subdivision) -> Vec<u32> {
             junctions.unite(a, b);
         }
     }
+    junctions.flatten();
     for owner in of_cycle.iter_mut().filter(|owner| is_part(**owner)) {
         *owner = junctions.find(*owner);
     }

@@ -58,8 +58,11 @@ impl Parser<'_> {
             Braces::Ops => "{ operations }",
             Braces::Operands => "{ operations | operations }",
         };
-        let arguments = ops::operations(name).any(|row| !row.params.is_empty());
-        Some(format!("write `{name}{} {inside}`", if arguments { "(…)" } else { "" }))
+        let arguments = ops::operations(name).find_map(|row| row.params.first()).map_or(String::new(), |first| {
+            let word = first.kind.words().and_then(|words| words.list.first());
+            format!("({})", word.unwrap_or(&"…"))
+        });
+        Some(format!("write `{name}{arguments} {inside}`"))
     }
 
     /// Guesses the contents of the braces of an unknown operation from arm separators, sizes and bars.
