@@ -58,10 +58,14 @@ impl Parser<'_> {
             Braces::Ops => "{ operations }",
             Braces::Operands => "{ operations | operations }",
         };
-        let arguments = ops::operations(name).find_map(|row| row.params.first()).map_or(String::new(), |first| {
-            let word = first.kind.words().and_then(|words| words.list.first());
-            format!("({})", word.unwrap_or(&"…"))
-        });
+        let arguments =
+            ops::operations(name).find(|row| !row.params.is_empty()).map_or(String::new(), |row| {
+                match row.params[0].kind.words().map(|words| words.list[0]) {
+                    Some(word) if ops::required(row.params) == 1 => format!("({word})"),
+                    Some(word) => format!("({word}, …)"),
+                    None => "(…)".to_owned(),
+                }
+            });
         Some(format!("write `{name}{arguments} {inside}`"))
     }
 
