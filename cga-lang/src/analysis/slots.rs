@@ -211,7 +211,7 @@ impl<'a> Slots<'a> {
         self.solve(extent, |solution| solution.count(group))
     }
 
-    /// What `of` takes from the solution in an extent, if all sizes are known.
+    /// The value that `of` takes from the solution in an extent, if all sizes are known.
     fn solve<T>(&self, extent: f64, of: impl FnOnce(&Solution) -> T) -> Option<T> {
         let sizes: Vec<cga_split::Size> = self.list.iter().map(Slot::exact).collect::<Option<_>>()?;
         Some(of(&solve(&self.pattern, &sizes, &mut vec![0.0; sizes.len()], extent)))

@@ -342,7 +342,7 @@ fn clipped(ring: &[[f64; 2]], [a, b]: [[f64; 2]; 2], by: f64) -> Vec<[f64; 2]> {
     kept
 }
 
-/// What is left of a convex face without blunt corners is where its half planes meet.
+/// The remainder of a convex face without blunt corners is the intersection of its half planes.
 #[test]
 fn convex_faces_are_cut_by_half_planes() {
     let state = &mut 3;
