@@ -32,7 +32,7 @@ use cga::{Model, Settings, Shape};
 use captions::{areas, counts, heights, lengths, numbered};
 use pages::example::{Example, Mark};
 use pages::{
-    comp, components, cutting, meshes, split_area, split_attribute, split_operation, subdivision_once,
+    comp, components, cutting, meshes, scattering, split_area, split_attribute, split_operation, subdivision_once,
     subdivision_repeat,
 };
 use sheet::Cell;
@@ -137,6 +137,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         let cells: Vec<Cell> = examples.iter().map(|example| comp_cell(example, &plain)).collect();
         save(name, sheet::draw(&cells, columns))?;
     }
+
+    let cells: Vec<Cell> = scattering::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
+    save("scatter", sheet::draw(&cells, 3))?;
 
     save("texturing", sheet::draw(&textured::texturing(&plain), 4))?;
     save("primitives", sheet::draw(&textured::primitives(&plain), 4))?;

@@ -29,6 +29,8 @@ mod outlines;
 mod pages;
 #[path = "documented/pieces.rs"]
 mod pieces;
+#[path = "documented/scattered.rs"]
+mod scattered;
 #[path = "documented/scopes.rs"]
 mod scopes;
 #[path = "documented/selectors.rs"]
@@ -44,8 +46,8 @@ mod wings;
 #[test]
 fn all_examples_run() {
     use pages::{
-        comp, components, cutting, primitives, split_area, split_attribute, split_operation, subdivision_once,
-        subdivision_repeat, texturing as textures,
+        comp, components, cutting, primitives, scattering, split_area, split_attribute, split_operation,
+        subdivision_once, subdivision_repeat, texturing as textures,
     };
     let pages = [
         split_operation::ALL,
@@ -58,6 +60,7 @@ fn all_examples_run() {
         components::ALL,
         textures::ALL,
         primitives::ALL,
+        scattering::ALL,
     ];
     let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();
     for example in pages.concat() {
@@ -70,5 +73,5 @@ fn all_examples_run() {
     }
     titles.sort_unstable();
     titles.dedup();
-    assert_eq!(titles.len(), 10 + 2 + 11 + 12 + 11 + 2 + 5 + 21 + 16 + 12);
+    assert_eq!(titles.len(), 10 + 2 + 11 + 12 + 11 + 2 + 5 + 21 + 16 + 12 + 3);
 }

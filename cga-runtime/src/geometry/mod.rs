@@ -11,6 +11,7 @@ pub mod mesh;
 mod nesting;
 pub(crate) mod provenance;
 pub(crate) mod rotation;
+pub(crate) mod scatter;
 mod segment;
 mod skeleton;
 mod status;

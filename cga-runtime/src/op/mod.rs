@@ -10,6 +10,7 @@ mod along_uv;
 mod coordinates;
 mod extrude;
 mod fit;
+mod inline;
 mod insert;
 mod material;
 mod mirror;
@@ -18,6 +19,7 @@ mod pivot;
 mod primitive;
 mod refit;
 mod report;
+mod scatter;
 #[cfg(test)]
 mod scope_tests;
 pub mod set;
@@ -41,6 +43,7 @@ pub use align_geometry::{
 pub use along_uv::{insert_along_uv, insert_along_uv_with};
 pub use coordinates::{System, TransformMode, rotate_in, translate_in};
 pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
+pub use inline::{MergeStrategy, inline};
 pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
 pub(crate) use material::image;
 pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, opacity, reset_material, set_material, texture};
@@ -52,6 +55,7 @@ pub use primitive::{
     sphere, sphere_sides, sphere_sized,
 };
 pub use report::{label, print, report};
+pub use scatter::{Distribution, ScatterDomain, ScatterMean, scatter, scatter_around};
 pub use shape_l::shape_l;
 pub use shape_o::shape_o;
 pub use shape_u::shape_u;

@@ -21,6 +21,7 @@ mod extract;
 pub mod extrude;
 mod extrude_wire;
 pub(crate) mod face;
+pub(crate) mod join;
 mod layout;
 pub(crate) mod map;
 mod measure;
