@@ -1,7 +1,5 @@
 //! The times of events: an edge shrinks to a point, or a reflex vertex reaches an edge.
 
-use glam::DVec2;
-
 use super::Failure;
 use super::wavefront::{NONE, Split, Wavefront};
 
@@ -61,7 +59,7 @@ impl Wavefront {
 
     /// Computes the next events after the given vertices were made. An error if one of them cannot move.
     pub(super) fn foresee(&mut self, made: &[u32]) -> Result<(), Failure> {
-        if made.iter().any(|&vertex| self.vertices[vertex as usize].velocity == DVec2::ZERO) {
+        if made.iter().any(|&vertex| self.vertices[vertex as usize].stuck) {
             return Err(Failure::Tangled);
         }
         let mut changed: Vec<u32> = made.iter().flat_map(|&v| [v, self.vertices[v as usize].last]).collect();
@@ -112,8 +110,7 @@ impl Wavefront {
 
     /// The distance of a vertex in front of the line of an edge.
     fn height(&self, vertex: u32, edge: u32, time: f64) -> f64 {
-        let line = &self.lines[self.vertices[edge as usize].after as usize];
-        line.normal().dot(self.at(vertex, time)) - (line.at + time)
+        self.lines[self.vertices[edge as usize].after as usize].height(self.at(vertex, time), time)
     }
 
     /// The first of some edges that a vertex reaches, if that is before the known split. If the known split is open,
@@ -135,7 +132,7 @@ impl Wavefront {
             return None;
         }
         let line = &self.lines[start.after as usize];
-        let closing = 1.0 - line.normal().dot(vertex.velocity);
+        let closing = line.speed - line.normal().dot(vertex.velocity);
         if closing <= SLOWEST {
             return None;
         }

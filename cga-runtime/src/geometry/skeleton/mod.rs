@@ -63,6 +63,8 @@ pub(crate) struct Left {
 pub(crate) struct Swept {
     /// The corners of the polygon, followed by new points.
     pub(crate) points: Vec<DVec2>,
+    /// The time when the wavefront reached each point: 0 for the corners of the polygon.
+    pub(crate) times: Vec<f64>,
     /// The strips, in the order of edges.
     pub(crate) strips: Vec<Strip>,
     /// The loops of the remaining interior, with the region on their left.
@@ -81,12 +83,20 @@ pub(crate) enum Failure {
 /// Moves the edges of a polygon to their left by a distance. Loops are numbers of points, and edges are numbered along
 /// the loops. Equal numbers are the same corner.
 pub(crate) fn sweep(points: &[DVec2], rings: &[Vec<u32>], distance: f64) -> Result<Swept, Failure> {
+    sweep_at(points, rings, &[], distance)
+}
+
+/// Moves edges that have different speeds, from 0 to 1, until a time; an infinite time gives the whole straight skeleton.
+/// Without `speeds` all edges have speed 1. The strip of an edge with speed 0 has no area, but its points have times.
+///
+/// Parallel neighbours with different speeds do not determine the path of the vertex between them. They are refused.
+pub(crate) fn sweep_at(points: &[DVec2], rings: &[Vec<u32>], speeds: &[f64], until: f64) -> Result<Swept, Failure> {
     if MOST_CORNERS < rings.iter().map(Vec::len).sum() {
         return Err(Failure::TooMany);
     }
     let mut failure = Failure::Tangled;
     for epsilon in MEETING_EPSILONS {
-        match Wavefront::new(points, rings, epsilon, distance).and_then(Wavefront::run) {
+        match Wavefront::new(points, rings, speeds, epsilon, until).and_then(Wavefront::run) {
             Ok(swept) => return Ok(swept),
             Err(found) => failure = found,
         }

@@ -8,6 +8,7 @@ use super::limits::Limits;
 use super::trace::Arcs;
 use super::{Failure, Left, Swept};
 use crate::geometry::nesting::extent::Extent;
+use crate::geometry::tol::STRAIGHT_EPSILON;
 
 /// The number for "no vertex".
 pub(super) const NONE: u32 = u32::MAX;
@@ -18,17 +19,24 @@ const SIZES: RangeInclusive<f64> = 1e-100..=1e100;
 /// Edges count as opposite if the sum of their unit normals is shorter than this.
 const TURNED_BACK: f64 = 1e-10;
 
-/// The line of an edge. At a time `t` it contains the points whose scalar product with the normal is `at + t`.
+/// The line of an edge. At a time `t` it contains the points whose scalar product with the normal is `at + speed * t`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Line {
     pub(super) along: DVec2,
     pub(super) at: f64,
+    /// From 0 to 1.
+    pub(super) speed: f64,
 }
 
 impl Line {
     /// The direction in which the line moves.
     pub(super) fn normal(&self) -> DVec2 {
         self.along.perp()
+    }
+
+    /// The distance of a point in front of the line at a time.
+    pub(super) fn height(&self, p: DVec2, time: f64) -> f64 {
+        self.normal().dot(p) - (self.at + self.speed * time)
     }
 }
 
@@ -40,6 +48,8 @@ pub(super) struct Vertex {
     pub(super) from: DVec2,
     pub(super) born: f64,
     pub(super) velocity: DVec2,
+    /// True if its lines do not determine a velocity.
+    pub(super) stuck: bool,
     /// The lines of the edge before and the edge after.
     pub(super) before: u32,
     pub(super) after: u32,
@@ -81,6 +91,21 @@ pub(super) fn turn_back(a: &Line, b: &Line) -> bool {
     (a.along + b.along).length() < TURNED_BACK
 }
 
+/// The velocity of a vertex between two lines; `None` if it is not determined: for opposite lines, and for parallel ones
+/// with different speeds.
+fn velocity(a: &Line, b: &Line) -> Option<DVec2> {
+    if turn_back(a, b) {
+        return None;
+    }
+    if a.speed == b.speed {
+        // The sum of the normals is on the bisector; the shorter it is, the faster the vertex.
+        let sum = a.normal() + b.normal();
+        return Some(sum * (2.0 * a.speed / sum.length_squared()));
+    }
+    let across = a.along.perp_dot(b.along);
+    (STRAIGHT_EPSILON < across.abs()).then(|| (b.along * a.speed - a.along * b.speed) / across)
+}
+
 #[derive(Debug)]
 pub(super) struct Wavefront {
     pub(super) lines: Vec<Line>,
@@ -91,6 +116,8 @@ pub(super) struct Wavefront {
     pub(super) positions: Vec<DVec2>,
     /// The nodes of the skeleton, beginning with the given points.
     pub(super) nodes: Vec<DVec2>,
+    /// The times of the nodes.
+    pub(super) times: Vec<f64>,
     given: usize,
     pub(super) arcs: Arcs,
     /// True if the region is outside the loops.
@@ -105,7 +132,14 @@ pub(super) struct Wavefront {
 }
 
 impl Wavefront {
-    pub(super) fn new(points: &[DVec2], rings: &[Vec<u32>], epsilon: f64, until: f64) -> Result<Self, Failure> {
+    /// The wavefront at the start. Without `speeds` all edges have speed 1.
+    pub(super) fn new(
+        points: &[DVec2],
+        rings: &[Vec<u32>],
+        speeds: &[f64],
+        epsilon: f64,
+        until: f64,
+    ) -> Result<Self, Failure> {
         let Extent { low, high } = Extent::of(points.iter().copied());
         let extent = (high - low).max_element();
         // The region outside is infinite, so the distance of the sweep sets the scale too.
@@ -121,6 +155,7 @@ impl Wavefront {
             alive: Vec::new(),
             positions: Vec::new(),
             nodes: points.to_vec(),
+            times: vec![0.0; points.len()],
             given: points.len(),
             arcs: Arcs::default(),
             unbounded,
@@ -137,7 +172,8 @@ impl Wavefront {
                 let (p, q) = (points[a as usize], points[b as usize]);
                 // An edge without length ends at once, with any direction.
                 let along = (q - p).normalize_or(DVec2::X);
-                front.lines.push(Line { along, at: along.perp().dot(p) });
+                let speed = speeds.get(front.lines.len()).copied().unwrap_or(1.0);
+                front.lines.push(Line { along, at: along.perp().dot(p), speed });
                 front.arcs.edge(a, b);
             }
             let count = ring.len() as u32;
@@ -180,20 +216,19 @@ impl Wavefront {
     /// A vertex between the edges on two lines that starts now at a node, not connected to others yet.
     pub(super) fn vertex(&self, node: u32, before: u32, after: u32) -> Vertex {
         let [a, b] = [before, after].map(|line| self.lines[line as usize]);
-        // The sum of the normals is on the bisector; the shorter it is, the faster the vertex.
-        let sum = a.normal() + b.normal();
-        let velocity = if turn_back(&a, &b) { DVec2::ZERO } else { sum * (2.0 / sum.length_squared()) };
+        let velocity = velocity(&a, &b);
         Vertex {
             node,
             from: self.nodes[node as usize],
             born: self.now,
-            velocity,
+            velocity: velocity.unwrap_or_default(),
+            stuck: velocity.is_none(),
             before,
             after,
             last: NONE,
             next: NONE,
             alive: true,
-            reflex: a.along.perp_dot(b.along) <= crate::geometry::tol::STRAIGHT_EPSILON,
+            reflex: a.along.perp_dot(b.along) <= STRAIGHT_EPSILON,
             collapse: f64::INFINITY,
             split: Split::NEVER,
         }
@@ -202,6 +237,13 @@ impl Wavefront {
     pub(super) fn push(&mut self, vertex: Vertex) {
         self.positions.push(vertex.from);
         self.vertices.push(vertex);
+    }
+
+    /// Adds a node of the skeleton at the current time.
+    pub(super) fn node(&mut self, at: DVec2) -> u32 {
+        self.nodes.push(at);
+        self.times.push(self.now);
+        self.nodes.len() as u32 - 1
     }
 
     /// Records the final positions.
@@ -214,6 +256,7 @@ impl Wavefront {
                 vertex.node
             } else {
                 self.nodes.push(at);
+                self.times.push(self.now);
                 self.nodes.len() as u32 - 1
             };
             self.arcs.path(vertex.node, end[number as usize], vertex.before, vertex.after);
@@ -222,10 +265,11 @@ impl Wavefront {
             let vertex = &self.vertices[number as usize];
             self.arcs.front(end[number as usize], end[vertex.next as usize], vertex.after);
         }
-        let same = self.arcs.contracted(&self.nodes, self.given, self.epsilon);
+        let same = self.arcs.contracted(&self.nodes, &self.times, self.given, self.epsilon);
         end.iter_mut().filter(|end| **end != NONE).for_each(|end| *end = same[*end as usize]);
         let left = self.loops(&end);
-        let swept = Swept { strips: self.arcs.strips(&same), left, points: std::mem::take(&mut self.nodes) };
+        let (points, times) = (std::mem::take(&mut self.nodes), std::mem::take(&mut self.times));
+        let swept = Swept { strips: self.arcs.strips(&same), left, points, times };
         if self.allows(&swept) { Ok(swept) } else { Err(Failure::Tangled) }
     }
 
