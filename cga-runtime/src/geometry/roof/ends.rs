@@ -33,7 +33,7 @@ struct Sides {
 /// square, those beside the first edge.
 pub(super) fn ends(outline: &Outline<'_>) -> Vec<bool> {
     let sides = Sides::of(outline);
-    let simple = Outline { points: outline.points, rings: &sides.rings };
+    let simple = Outline { points: outline.points, rings: &sides.rings, ..*outline };
     let corners = simple.edges();
     let mut found = vec![false; corners.len()];
     let Ok(plan) = Plan::of(&simple, &[]) else { return vec![false; outline.edges().len()] };
@@ -65,9 +65,9 @@ pub(super) fn ends(outline: &Outline<'_>) -> Vec<bool> {
 /// across the edge.
 pub(super) fn ends_along(outline: &Outline<'_>, edge: usize) -> Vec<bool> {
     let edges = outline.edges();
-    let along = outline.along(edges[edge % edges.len()]);
+    let along = outline.along(edges[edge]);
     let sides = Sides::of(outline);
-    let simple = Outline { points: outline.points, rings: &sides.rings };
+    let simple = Outline { points: outline.points, rings: &sides.rings, ..*outline };
     let is_across = |side: [u32; 2]| along.dot(simple.along(side)).abs() < std::f64::consts::FRAC_1_SQRT_2;
     let found: Vec<bool> = simple.edges().into_iter().map(is_across).collect();
     sides.of_edges(outline, &found)

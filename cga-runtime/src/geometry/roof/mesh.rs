@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::{Outline, Rise, Roof, RoofFace, RoofForm, RoofPart, roof};
-use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh, TagSet, flip, in_order_of_use, unit};
+use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh, TagSet, flip, in_order_of_use};
 use crate::geometry::skeleton::Failure;
 
 /// The reason why a face has no roof.
@@ -15,8 +15,8 @@ pub(crate) enum RoofRefusal {
 }
 
 /// Builds a roof over each face: the faces of the roof in the order of edges, then the face itself as the bottom. Faces
-/// without a roof are copied unchanged, and are also listed with the reason. `along` is the direction of ridges.
-pub(crate) fn roof_over(source: &Mesh, form: RoofForm, rise: Rise, along: DVec3) -> (Mesh, Vec<(usize, RoofRefusal)>) {
+/// without a roof are copied unchanged, and are also listed with the reason.
+pub(crate) fn roof_over(source: &Mesh, form: RoofForm, rise: Rise) -> (Mesh, Vec<(usize, RoofRefusal)>) {
     let mut made = Mesh {
         groups: source.groups.clone(),
         materials: source.materials.clone(),
@@ -25,7 +25,7 @@ pub(crate) fn roof_over(source: &Mesh, form: RoofForm, rise: Rise, along: DVec3)
     };
     let mut refused = Vec::new();
     for face in source.faces() {
-        if let Err(why) = add_roof(&face, source.tag_sets().len(), form, rise, along, &mut made) {
+        if let Err(why) = add_roof(&face, source.tag_sets().len(), form, rise, &mut made) {
             refused.push((face.index(), why));
             add_plain(&face, &mut made);
         }
@@ -51,25 +51,12 @@ fn tag(own: FaceTag, sets: usize, block: usize) -> FaceTag {
     FaceTag { cap: false, tags: (block * (sets + 1)) as u32 + own_set, ..own }
 }
 
-fn add_roof(
-    face: &FaceRef<'_>,
-    sets: usize,
-    form: RoofForm,
-    rise: Rise,
-    along: DVec3,
-    made: &mut Mesh,
-) -> Result<(), RoofRefusal> {
+fn add_roof(face: &FaceRef<'_>, sets: usize, form: RoofForm, rise: Rise, made: &mut Mesh) -> Result<(), RoofRefusal> {
     let flat = FlatFace::of(face).ok_or(RoofRefusal::NoNormal)?;
     let (_, rings) = flat.edges(false);
-    let outline = Outline { points: &flat.flat, rings: &rings };
-    let form = match form {
-        RoofForm::Ridge { .. } => {
-            let along = DVec2::new(along.dot(flat.axes[0]), along.dot(flat.axes[1]));
-            // Across the face: along its first edge.
-            RoofForm::Ridge { along: along.try_normalize().unwrap_or(DVec2::X) }
-        }
-        form => form,
-    };
+    // Across the face: along its first edge.
+    let x = DVec2::new(flat.axes[0].x, flat.axes[1].x).try_normalize().unwrap_or(DVec2::X);
+    let outline = Outline { points: &flat.flat, rings: &rings, x };
     let Roof { points, faces, below } = roof(&outline, form, rise).map_err(|failure| match failure {
         Failure::TooMany => RoofRefusal::TooMany,
         Failure::Tangled => RoofRefusal::Tangled,
@@ -109,9 +96,4 @@ fn add_plain(face: &FaceRef<'_>, made: &mut Mesh) {
         made.end_loop();
     }
     made.end_face(tag(face.tag(), sets, RoofPart::ALL.len()));
-}
-
-/// The first normal of a mesh.
-pub(crate) fn first_normal(mesh: &Mesh) -> Option<DVec3> {
-    mesh.faces().map(|face| unit(face.normal())).find(|normal| *normal != DVec3::ZERO)
 }

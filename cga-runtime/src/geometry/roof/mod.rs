@@ -57,21 +57,18 @@ pub(crate) enum RoofForm {
         along: f64,
         /// True to make ridges level.
         even: bool,
-        /// The edge that the ridge is parallel to.
-        edge: Option<usize>,
+        /// The edge that the ridge is parallel to; negative numbers count from the end.
+        edge: Option<i64>,
     },
     /// Triangles to an apex over the mean of the corners.
     Pyramid,
     /// One plane that rises from an edge.
     Shed {
-        /// The number of the edge.
-        edge: usize,
+        /// The number of the edge; negative ones count from the end.
+        edge: i64,
     },
-    /// Two planes whose ridge has a direction, as coordinates in the plane.
-    Ridge {
-        /// The direction.
-        along: DVec2,
-    },
+    /// Two planes whose ridge is parallel to the x axis, projected into the face.
+    Ridge,
 }
 
 /// A part of a roof, for its tag.
@@ -104,6 +101,8 @@ struct Outline<'a> {
     points: &'a [DVec2],
     /// The outline anticlockwise, then the holes clockwise, as numbers of points.
     rings: &'a [Vec<u32>],
+    /// The direction of the shape's x axis.
+    x: DVec2,
 }
 
 impl Outline<'_> {
@@ -113,6 +112,12 @@ impl Outline<'_> {
             (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]).collect()
         };
         self.rings.iter().flat_map(ends).collect()
+    }
+
+    /// The edge with a number, which may be out of range.
+    fn edge(&self, number: i64) -> usize {
+        let count: usize = self.rings.iter().map(Vec::len).sum();
+        number.rem_euclid(count.max(1) as i64) as usize
     }
 
     fn at(&self, point: u32) -> DVec2 {
@@ -165,14 +170,14 @@ fn roof(outline: &Outline<'_>, form: RoofForm, rise: Rise) -> Result<Roof, Failu
         RoofForm::Hip { overhang, even } => hip::hip(outline, rise, overhang, even),
         RoofForm::Gable { across, along, even, edge } => {
             let ends = match edge {
-                Some(edge) => ends::ends_along(outline, edge),
+                Some(edge) => ends::ends_along(outline, outline.edge(edge)),
                 None => ends::ends(outline),
             };
             gable::gable(outline, &ends, rise, [across, along], even && edge.is_none())
         }
         RoofForm::Pyramid => Ok(planes::pyramid(outline, rise)),
-        RoofForm::Shed { edge } => Ok(planes::shed(outline, edge, rise)),
-        RoofForm::Ridge { along } => Ok(planes::ridge(outline, along, rise)),
+        RoofForm::Shed { edge } => Ok(planes::shed(outline, outline.edge(edge), rise)),
+        RoofForm::Ridge => Ok(planes::ridge(outline, outline.x, rise)),
     }
 }
 

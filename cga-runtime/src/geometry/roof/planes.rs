@@ -33,7 +33,6 @@ pub(super) fn pyramid(outline: &Outline<'_>, rise: Rise) -> Roof {
 /// below the polygon.
 pub(super) fn shed(outline: &Outline<'_>, edge: usize, rise: Rise) -> Roof {
     let edges = outline.edges();
-    let edge = edge % edges.len();
     let along = outline.along(edges[edge]);
     let ahead = |p: DVec2| along.perp_dot(p - outline.at(edges[edge][0]));
     let distances = || edges.iter().map(|edge| ahead(outline.at(edge[0])));

@@ -95,7 +95,12 @@ pub(crate) fn sweep_at(points: &[DVec2], rings: &[Vec<u32>], speeds: &[f64], unt
         return Err(Failure::TooMany);
     }
     let mut failure = Failure::Tangled;
-    for epsilon in MEETING_EPSILONS {
+    let mut epsilons = MEETING_EPSILONS;
+    if until == f64::INFINITY {
+        // Heights need accurate times: contacts at a larger distance bend the planes.
+        epsilons.sort_unstable_by(f64::total_cmp);
+    }
+    for epsilon in epsilons {
         match Wavefront::new(points, rings, speeds, epsilon, until).and_then(Wavefront::run) {
             Ok(swept) => return Ok(swept),
             Err(found) => failure = found,
@@ -105,4 +110,4 @@ pub(crate) fn sweep_at(points: &[DVec2], rings: &[Vec<u32>], speeds: &[f64], unt
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
