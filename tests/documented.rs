@@ -29,6 +29,8 @@ mod outlines;
 mod pages;
 #[path = "documented/pieces.rs"]
 mod pieces;
+#[path = "documented/roofs.rs"]
+mod roofs;
 #[path = "documented/scopes.rs"]
 mod scopes;
 #[path = "documented/selectors.rs"]
@@ -44,7 +46,7 @@ mod wings;
 #[test]
 fn all_examples_run() {
     use pages::{
-        comp, components, cutting, primitives, split_area, split_attribute, split_operation, subdivision_once,
+        comp, components, cutting, primitives, roofs, split_area, split_attribute, split_operation, subdivision_once,
         subdivision_repeat, texturing as textures,
     };
     let pages = [
@@ -58,6 +60,7 @@ fn all_examples_run() {
         components::ALL,
         textures::ALL,
         primitives::ALL,
+        roofs::ALL,
     ];
     let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();
     for example in pages.concat() {
@@ -70,5 +73,5 @@ fn all_examples_run() {
     }
     titles.sort_unstable();
     titles.dedup();
-    assert_eq!(titles.len(), 10 + 2 + 11 + 12 + 11 + 2 + 5 + 21 + 16 + 12);
+    assert_eq!(titles.len(), 10 + 2 + 11 + 12 + 11 + 2 + 5 + 21 + 16 + 12 + 16);
 }

@@ -1,9 +1,9 @@
 //! Roofs. Each has rows for an angle in degrees, and for an angle or height selected by a word.
 
-use super::super::{Default, Operation, Param, Params, Str, UvEffect, boolean, float, or, words};
+use super::super::{Default, Operation, Param, Params, Str, UvEffect, boolean, float, or, word};
 use super::{op, uvs};
 
-const VALUE_TYPE: Param = words("valueType", &["byAngle", "byHeight"]);
+const VALUE_TYPE: Param = word("valueType", "RoofValue", &["byAngle", "byHeight"]);
 
 const ANGLE: Param = float("angle");
 const VALUE: Param = float("value");

@@ -51,10 +51,8 @@ pub(super) fn ends(outline: &Outline<'_>) -> Vec<bool> {
     let longest = candidates.iter().fold(0.0, |most: f64, candidate| most.max(candidate.0));
     // Equal lengths: from the second side on, so that the first one keeps its eave.
     let place = |side: usize| if side == 0 { usize::MAX } else { side };
-    candidates.sort_by(|a, b| match (a.0 - b.0).abs() <= TIE_EPSILON * longest {
-        true => place(a.1).cmp(&place(b.1)),
-        false => a.0.total_cmp(&b.0),
-    });
+    let steps = |length: f64| (length / (TIE_EPSILON * longest)).round();
+    candidates.sort_by(|a, b| steps(a.0).total_cmp(&steps(b.0)).then(place(a.1).cmp(&place(b.1))));
     for (_, side) in candidates {
         found[side] = !sides.neighbours(side).into_iter().any(|other| found[other]);
     }

@@ -94,7 +94,7 @@ pub(crate) fn sweep_at(points: &[DVec2], rings: &[Vec<u32>], speeds: &[f64], unt
     if MOST_CORNERS < rings.iter().map(Vec::len).sum() {
         return Err(Failure::TooMany);
     }
-    let mut failure = Failure::Tangled;
+    let (mut failure, mut divided) = (Failure::Tangled, None);
     let mut epsilons = MEETING_EPSILONS;
     if until == f64::INFINITY {
         // Heights need accurate times: contacts at a larger distance bend the planes.
@@ -102,11 +102,18 @@ pub(crate) fn sweep_at(points: &[DVec2], rings: &[Vec<u32>], speeds: &[f64], unt
     }
     for epsilon in epsilons {
         match Wavefront::new(points, rings, speeds, epsilon, until).and_then(Wavefront::run) {
-            Ok(swept) => return Ok(swept),
+            Ok(swept) if until < f64::INFINITY || has_single_strips(&swept) => return Ok(swept),
+            // Parts of a strip that are rounding errors.
+            Ok(swept) => _ = divided.get_or_insert(swept),
             Err(found) => failure = found,
         }
     }
-    Err(failure)
+    divided.ok_or(failure)
+}
+
+/// Returns true if no edge has several strips.
+fn has_single_strips(swept: &Swept) -> bool {
+    swept.strips.windows(2).all(|pair| pair[0].edge != pair[1].edge)
 }
 
 #[cfg(test)]
