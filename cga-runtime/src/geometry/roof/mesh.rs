@@ -4,7 +4,8 @@ use glam::{DVec2, DVec3};
 
 use super::{Outline, Rise, Roof, RoofFace, RoofForm, RoofPart, roof};
 use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh, TagSet, flip, in_order_of_use};
-use crate::geometry::skeleton::Failure;
+use crate::geometry::skeleton::{Failure, any_cross};
+use crate::geometry::tol::TOUCH_EPSILON;
 
 /// The reason why a face has no roof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +58,11 @@ fn add_roof(face: &FaceRef<'_>, sets: usize, form: RoofForm, rise: Rise, made: &
     // Across the face: along its first edge.
     let x = DVec2::new(flat.axes[0].x, flat.axes[1].x).try_normalize().unwrap_or(DVec2::X);
     let outline = Outline { points: &flat.flat, rings: &rings, x };
+    let ends = |[a, b]: [u32; 2]| [outline.at(a), outline.at(b)];
+    let extent = flat.flat.iter().fold(0.0, |most: f64, p| most.max(p.abs().max_element()));
+    if any_cross(outline.edges().into_iter().map(ends).collect(), TOUCH_EPSILON * extent) {
+        return Err(RoofRefusal::Tangled);
+    }
     let Roof { points, faces, below } = roof(&outline, form, rise).map_err(|failure| match failure {
         Failure::TooMany => RoofRefusal::TooMany,
         Failure::Tangled => RoofRefusal::Tangled,

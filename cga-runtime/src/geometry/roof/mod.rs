@@ -13,6 +13,7 @@ mod hip;
 mod mesh;
 mod plan;
 mod planes;
+mod settle;
 
 use glam::{DVec2, DVec3};
 

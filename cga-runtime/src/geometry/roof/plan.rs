@@ -5,14 +5,26 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec2;
 
+use super::settle::settle;
 use super::{Outline, Roof, RoofFace, RoofPart};
 use crate::geometry::disjoint::DisjointSets;
+use crate::geometry::nesting::extent::Extent;
 use crate::geometry::skeleton::{self, Failure, Swept};
-use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
+use crate::geometry::tol::{ANGLE_EPSILON, NUDGE_EPSILONS, TIE_EPSILON};
 use crate::geometry::triangulate::Triangulator;
 
 /// A ridge is between edges whose directions differ from opposite ones by less than 45 degrees: the cosine of 135 degrees.
 const RIDGE: f64 = -std::f64::consts::FRAC_1_SQRT_2;
+
+/// Points that are each moved by less than a distance relative to their extent.
+fn nudged(points: &[DVec2], by: f64) -> Vec<DVec2> {
+    let Extent { low, high } = Extent::of(points.iter().copied());
+    let by = by * (high - low).max_element();
+    // Multiples of an irrational number, modulo 1, are spread evenly.
+    let share = |i: usize, step: f64| (i as f64 * step).fract() - 0.5;
+    let nudge = |i: usize| DVec2::new(share(i, 0.618_033_988_749_894_8), share(i, std::f64::consts::SQRT_2));
+    points.iter().enumerate().map(|(i, p)| *p + nudge(i) * by).collect()
+}
 
 /// The face over an edge.
 #[derive(Clone, Debug)]
@@ -35,12 +47,24 @@ pub(super) struct Plan {
 
 impl Plan {
     /// The whole straight skeleton. Edges with speed 0 get upright faces.
+    ///
+    /// An outline whose events are too entangled is tried again with its corners moved by far less than a hair: the
+    /// structure of that skeleton is right for the outline up to this distance.
     pub(super) fn of(outline: &Outline<'_>, speeds: &[f64]) -> Result<Plan, Failure> {
-        let Swept { points, times, strips, .. } =
-            skeleton::sweep_at(outline.points, outline.rings, speeds, f64::INFINITY)?;
+        let mut found = skeleton::sweep_at(outline.points, outline.rings, speeds, f64::INFINITY);
+        for by in NUDGE_EPSILONS {
+            if found != Err(Failure::Tangled) {
+                break;
+            }
+            found = skeleton::sweep_at(&nudged(outline.points, by), outline.rings, speeds, f64::INFINITY);
+        }
+        let Swept { mut points, times, strips, .. } = found?;
+        points[..outline.points.len()].copy_from_slice(outline.points);
         let faces = strips.into_iter().map(|strip| PlanFace { edge: strip.edge, ring: strip.ring }).collect();
         let moved = vec![false; points.len()];
-        Ok(Plan { points, rises: times, faces, moved })
+        let mut plan = Plan { points, rises: times, faces, moved };
+        settle(&mut plan, outline, speeds);
+        Ok(plan)
     }
 
     /// The largest distance from the eaves.
@@ -136,7 +160,7 @@ impl Plan {
         };
         let gone: Vec<u32> = around.iter().filter(|(point, ends)| is_straight(**point, ends)).map(|it| *it.0).collect();
         for face in &mut self.faces {
-            if counts(face.edge) && 3 + gone.len().min(1) <= face.ring.len() {
+            if counts(face.edge) {
                 let kept: Vec<u32> =
                     face.ring.iter().copied().filter(|point| gone.binary_search(point).is_err()).collect();
                 face.ring = if kept.len() < 3 { continue } else { kept };

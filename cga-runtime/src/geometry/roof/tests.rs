@@ -106,7 +106,7 @@ fn seeds() -> u64 {
 }
 
 fn law(form: RoofForm, law: impl Fn(&Polygon, &Roof) -> Result<(), String>) {
-    let (mut failures, mut count, mut worst) = (Vec::new(), 0, (0.0, String::new()));
+    let (mut failures, mut count, mut bent, mut worst) = (Vec::new(), 0, 0, (0.0, String::new()));
     for (name, polygon) in outlines(seeds()) {
         count += 1;
         let found = built(&polygon, form, Rise::Slope(0.8)).and_then(|roof| {
@@ -114,19 +114,21 @@ fn law(form: RoofForm, law: impl Fn(&Polygon, &Roof) -> Result<(), String>) {
             checked(&polygon, &roof, &mut Rng(count as u64))
         });
         match found {
-            Ok(off) if worst.0 < off => worst = (off, name),
-            Ok(_) => {}
-            Err(why) => {
-                if std::env::var("CGA_SHOW").is_ok() {
-                    println!("{name}: {why} {:?} {:?}", polygon.points, polygon.rings);
+            Ok(off) => {
+                bent += usize::from(1e-9 < off);
+                if worst.0 < off {
+                    worst = (off, name);
                 }
+            }
+            Err(why) => {
                 failures.push(format!("{name}: {why}"));
             }
         }
     }
-    println!("{count} outlines, farthest from a plane {worst:?}");
+    println!("{count} outlines, {bent} not quite planar, the worst {worst:?}");
     complain(&failures, count);
-    assert!(worst.0 < 1e-8, "{worst:?}");
+    // An entangled outline is moved by up to 1e-7 of its extent, so its roof is planar up to that.
+    assert!(worst.0 < 2e-7 && bent * 200 <= count, "{bent}, {worst:?}");
 }
 
 #[test]

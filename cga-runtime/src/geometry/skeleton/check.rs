@@ -92,6 +92,11 @@ fn crosses(left: &[Vec<Left>], points: &[DVec2], slack: f64) -> bool {
         let at = |i: usize| points[ring[i % ring.len()].point as usize];
         edges.extend((0..ring.len()).map(|i| [at(i), at(i + 1)]));
     }
+    any_cross(edges, slack)
+}
+
+/// Returns true if two of some edges cross by more than `slack`.
+pub(crate) fn any_cross(mut edges: Vec<[DVec2; 2]>, slack: f64) -> bool {
     edges.sort_by(|e, f| e[0].x.min(e[1].x).total_cmp(&f[0].x.min(f[1].x)));
     edges.iter().enumerate().any(|(i, edge)| {
         let reach = edge[0].x.max(edge[1].x);
