@@ -45,9 +45,14 @@ pub(super) fn gable(
         match overhang(&mut plan, outline, &gables, &beyond, &distances, eave) {
             Ok(()) => break,
             Err(Some(gable)) => beyond[gable] = 0.0,
-            // Without overhangs beyond pediments the wavefront is always determined for eaves alone.
             Err(None) if beyond.iter().any(|&along| 0.0 < along) => beyond.fill(0.0),
-            Err(None) => return Err(Failure::Tangled),
+            // With one speed the wavefront is always determined. Eaves then reach around the corners of pediments.
+            Err(None) => {
+                let distances = vec![eave; ends.len()];
+                let found = overhang(&mut plan, outline, &gables, &beyond, &distances, eave);
+                found.map_err(|_| Failure::Tangled)?;
+                break;
+            }
         }
     }
     Ok(plan.roof(slope, |edge| ends[edge as usize]))
@@ -150,9 +155,7 @@ fn in_front(plan: &mut Plan, outline: &Outline<'_>, gable: &[u32], outside: &Out
                 }
                 let (at, ridge) = (p.lerp(q, share), rim[end][0]);
                 let here = plan.points[ridge as usize];
-                // As the ridge goes on; a ridge that is level stays level.
-                let rise = plan.ridge_beyond(ridge, plane(edge, at) - plane(edge, here));
-                plan.point(at, rise)
+                plan.beyond(ridge, at, plane(edge, at) - plane(edge, here))
             }
         };
         let mut region: Vec<u32> = rim[start..end].iter().map(|arc| arc[0]).collect();

@@ -79,10 +79,12 @@ impl Plan {
         self.points.len() as u32 - 1
     }
 
-    /// The height of the continuation of a ridge that would rise by `rise` beyond a point. A level ridge stays level.
-    pub(super) fn ridge_beyond(&self, ridge: u32, rise: f64) -> f64 {
-        let here = self.rises[ridge as usize];
-        if self.moved[ridge as usize] { here } else { here + rise }
+    /// Continues a ridge to a place where its planes are higher by `rise`. A ridge that was made level stays level.
+    pub(super) fn beyond(&mut self, ridge: u32, at: DVec2, rise: f64) -> u32 {
+        let moved = self.moved[ridge as usize];
+        let point = self.point(at, self.rises[ridge as usize] + if moved { 0.0 } else { rise });
+        self.moved[point as usize] = moved;
+        point
     }
 
     /// For each arc of a face, the face on its left.
