@@ -204,7 +204,7 @@ example!(
 example!(
     tags_gable,
     "roofGable operation, component tags",
-    yard(),
+    Shape::rectangle(24.0, 12.0),
     r##"
     Lot --> roofGable(45) comp(f) { isTagged("roof.bottom") : color("#0080ff") B.
                                   | isTagged("roof.side") : color("#ffff00") S.

@@ -42,8 +42,8 @@ pub(super) fn ends(outline: &Outline<'_>) -> Vec<bool> {
         let side = face.edge as usize;
         let [last, next] = sides.neighbours(side);
         let turns = [[last, side], [side, next]].map(|[a, b]| turn(&simple, [corners[a], corners[b]]));
-        let is_blunt = |turn: f64| SHARPEST <= turn && turn <= std::f64::consts::PI - SHARPEST;
-        if turns.into_iter().all(is_blunt) && OPPOSITE <= turns[0] + turns[1] {
+        let blunt = SHARPEST..=std::f64::consts::PI - SHARPEST;
+        if turns.iter().all(|turn| blunt.contains(turn)) && OPPOSITE <= turns[0] + turns[1] {
             let length = simple.at(corners[side][0]).distance(simple.at(corners[side][1]));
             candidates.push((length, side));
         }

@@ -58,13 +58,13 @@ impl Plan {
             }
             found = skeleton::sweep_at(&nudged(outline.points, by), outline.rings, speeds, f64::INFINITY);
         }
-        let Swept { mut points, times, strips, .. } = found?;
-        points[..outline.points.len()].copy_from_slice(outline.points);
+        let mut swept = found?;
+        swept.points[..outline.points.len()].copy_from_slice(outline.points);
+        settle(&mut swept, outline, speeds);
+        let Swept { points, times, strips, .. } = swept;
         let faces = strips.into_iter().map(|strip| PlanFace { edge: strip.edge, ring: strip.ring }).collect();
         let moved = vec![false; points.len()];
-        let mut plan = Plan { points, rises: times, faces, moved };
-        settle(&mut plan, outline, speeds);
-        Ok(plan)
+        Ok(Plan { points, rises: times, faces, moved })
     }
 
     /// The largest distance from the eaves.

@@ -6,31 +6,31 @@
 use glam::{DMat3, DVec2, DVec3};
 
 use super::Outline;
-use super::plan::Plan;
 use crate::geometry::nesting::extent::Extent;
+use crate::geometry::skeleton::Swept;
 use crate::geometry::tol::{MEETING_EPSILONS, SETTLE_DAMPING};
 
 /// Repetitions, each of which reduces the effect of the damping.
 const ROUNDS: usize = 3;
 
-/// Moves the new points of a plan. Points that would move by more than a contact distance stay.
-pub(super) fn settle(plan: &mut Plan, outline: &Outline<'_>, speeds: &[f64]) {
+/// Moves the new points of a whole straight skeleton. Points that would move by more than a contact distance stay.
+pub(super) fn settle(swept: &mut Swept, outline: &Outline<'_>, speeds: &[f64]) {
     let given = outline.points.len();
     let Extent { low, high } = Extent::of(outline.points.iter().copied());
     let farthest = MEETING_EPSILONS.iter().copied().fold(0.0, f64::max) * (high - low).max_element();
     // For each new point the planes: the normal and the speed, and the place of the edge.
-    let mut planes: Vec<Vec<(DVec3, DVec2)>> = vec![Vec::new(); plan.points.len() - given];
+    let mut planes: Vec<Vec<(DVec3, DVec2)>> = vec![Vec::new(); swept.points.len() - given];
     let edges = outline.edges();
-    for face in &plan.faces {
-        let edge = edges[face.edge as usize];
-        let speed = speeds.get(face.edge as usize).copied().unwrap_or(1.0);
+    for strip in &swept.strips {
+        let edge = edges[strip.edge as usize];
+        let speed = speeds.get(strip.edge as usize).copied().unwrap_or(1.0);
         let plane = (outline.along(edge).perp().extend(-speed), outline.at(edge[0]));
-        for point in face.ring.iter().filter(|&&point| given <= point as usize) {
+        for point in strip.ring.iter().filter(|&&point| given <= point as usize) {
             planes[*point as usize - given].push(plane);
         }
     }
     for (point, planes) in (given..).zip(&planes).filter(|(_, planes)| 3 <= planes.len()) {
-        let from = plan.points[point].extend(plan.rises[point]);
+        let from = swept.points[point].extend(swept.times[point]);
         let outer = |v: DVec3| DMat3::from_cols(v * v.x, v * v.y, v * v.z);
         let damped = DMat3::from_diagonal(DVec3::splat(SETTLE_DAMPING));
         let inverse = planes.iter().fold(damped, |sum, plane| sum + outer(plane.0)).inverse();
@@ -40,7 +40,7 @@ pub(super) fn settle(plan: &mut Plan, outline: &Outline<'_>, speeds: &[f64]) {
             at += inverse * planes.iter().map(miss).sum::<DVec3>();
         }
         if (at - from).length() <= farthest {
-            (plan.points[point], plan.rises[point]) = (at.truncate(), at.z);
+            (swept.points[point], swept.times[point]) = (at.truncate(), at.z);
         }
     }
 }
