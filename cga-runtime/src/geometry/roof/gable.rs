@@ -136,6 +136,14 @@ fn in_front(plan: &mut Plan, outline: &Outline<'_>, gable: &[u32], outside: &Out
     let lefts = plan.lefts();
     let face_of = |arc: &[u32; 2]| lefts.get(&[arc[1], arc[0]]).map(|&face| plan.faces[face].edge);
     let faces: Vec<u32> = rim.iter().map(face_of).collect::<Option<_>>()?;
+    // The planes beside the pediment must be those that the strip borders on, not those of another gable at a corner.
+    let borders = |arc: [u32; 2], edge: u32| {
+        let others = outside.strips.iter().filter(|strip| !gable.contains(&strip.edge));
+        others.filter(|strip| arcs(&strip.ring).any(|other| other == [arc[1], arc[0]])).all(|strip| strip.edge == edge)
+    };
+    if !borders([a, outer[0]], faces[faces.len() - 1]) || !borders([outer[1], b], faces[0]) {
+        return None;
+    }
     let plane =
         |edge: u32, p: DVec2| outline.along(edges[edge as usize]).perp().dot(p - outline.at(edges[edge as usize][0]));
     let mut regions = Vec::new();

@@ -259,7 +259,9 @@ impl Plan {
         }
         let speeds: Vec<f64> = edges.iter().map(|&edge| distances[edge as usize] / most).collect();
         let plain = speeds.iter().all(|&speed| 1.0 - speed < ANGLE_EPSILON);
-        let swept = skeleton::sweep_at(outline.points, &rings, if plain { &[] } else { &speeds }, most)?;
+        let speeds: &[f64] = if plain { &[] } else { &speeds };
+        let mut swept = skeleton::sweep_at(outline.points, &rings, speeds, most)?;
+        settle(&mut swept, &Outline { rings: &rings, ..*outline }, speeds);
         let given = outline.points.len();
         let new: Vec<u32> = (0..swept.points.len())
             .map(|i| if i < given { i as u32 } else { self.point(swept.points[i], -swept.times[i] * eave / most) })

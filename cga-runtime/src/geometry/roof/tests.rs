@@ -174,3 +174,52 @@ fn shed_and_ridge_roofs_are_closed_and_planar() {
     }
     law(RoofForm::Ridge, |_, _| Ok(()));
 }
+
+/// Overhangs continue the planes of the roof: faces stay planar and equally steep, and no place is covered twice.
+#[test]
+fn overhangs_continue_the_roof() {
+    for (across, along) in [(0.1, 0.1), (0.3, 0.0), (0.0, 0.2), (2.0, 1.5)] {
+        let (mut failures, mut count) = (Vec::new(), 0);
+        for (name, polygon) in outlines(seeds() / 2) {
+            let hip = RoofForm::Hip { overhang: across, even: false };
+            let gable = RoofForm::Gable { across, along, even: false, edge: None };
+            for form in [hip, gable] {
+                count += 1;
+                if let Err(why) = built(&polygon, form, Rise::Slope(0.8)).and_then(|roof| overhanging(&polygon, &roof))
+                {
+                    failures.push(format!("{name} {form:?}: {why}"));
+                }
+            }
+        }
+        complain(&failures, count);
+    }
+}
+
+fn overhanging(polygon: &Polygon, roof: &Roof) -> Result<(), String> {
+    let flat: Vec<DVec2> = roof.points.iter().map(|point| point.truncate()).collect();
+    let tops: Vec<&RoofFace> = roof.faces.iter().filter(|face| face.part == RoofPart::Top).collect();
+    let extent = polygon.rings.iter().map(|ring| flat_area(roof, ring)).sum::<f64>().sqrt();
+    for face in &tops {
+        let normal = normal(roof, face);
+        if 1e-3 < normal.length() && (normal.z / normal.length() - 1.0 / libm::sqrt(1.64)).abs() > 1e-5 {
+            return Err(format!("a slope of {}", normal.z / normal.length()));
+        }
+        let (from, up) = (roof.points[face.rings[0][0] as usize], normal.normalize_or_zero());
+        let off = |&point: &u32| (roof.points[point as usize] - from).dot(up).abs();
+        let off = face.rings[0].iter().map(off).fold(0.0, f64::max);
+        if 1e-3 < normal.length() && 1e-6 * extent < off {
+            return Err(format!("bent by {off}"));
+        }
+    }
+    let low = flat.iter().copied().reduce(DVec2::min).unwrap();
+    let high = flat.iter().copied().reduce(DVec2::max).unwrap();
+    let rng = &mut Rng(1);
+    for _ in 0..40 {
+        let p = low + (high - low) * DVec2::new(rng.unit(), rng.unit());
+        let count = tops.iter().filter(|face| holds(&flat, &face.rings[0], p)).count();
+        if polygon.distance(p) > 1e-6 && (count > 1 || (polygon.holds(p) && count == 0)) {
+            return Err(format!("{p} is covered {count} times"));
+        }
+    }
+    Ok(())
+}
