@@ -79,7 +79,7 @@ pub mod texture {
 pub mod sink {
     #[cfg(feature = "gltf")]
     pub use cga_runtime::output::gltf;
-    pub use cga_runtime::output::{buffers, error, obj, picture, stats, svg, table};
+    pub use cga_runtime::output::{buffers, error, obj, picture, sink_table, stats, svg};
     pub use cga_runtime::run::sink::{Cuboid, Filled, Flow, Leaf, PartId, Quad, Replay, Sink};
 }
 

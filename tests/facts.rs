@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use cga::glam::{DMat3, DVec3};
 use cga::{Model, Scope, Settings, Shape, cga};
 use cga_lang::compile::compile_text;
-use cga_lang::ir::facts::{Facts, RuleFacts};
+use cga_lang::ir::facts::{Facts, RuleFacts, Uses};
 
 cga! { grammar Rules in "tests/rules/facts.cga"; }
 
@@ -85,10 +85,10 @@ fn what_a_rule_does_not_use_makes_no_difference() {
             let model = run(&rule, &shape);
             let expected = leaves(&model, shape.scope());
             let says = !model.prints().is_empty() || model.reports().iter().next().is_some();
-            assert!(below.says || !says, "{rule} says something: {facts:?}");
+            assert!(below.has(Uses::SAYS) || !says, "{rule} says something: {facts:?}");
             let cases = [
-                ("seed", below.draws, shape.clone().seed(7)),
-                ("counter", below.index || below.total, counted.clone()),
+                ("seed", below.has(Uses::DRAWS), shape.clone().seed(7)),
+                ("counter", !below.counters().is_none(), counted.clone()),
                 ("place", !facts.rigid, all.clone()),
             ];
             for (at, (what, used, other)) in cases.into_iter().enumerate() {

@@ -7,11 +7,11 @@ use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
 use crate::diagnostics::levels;
 use crate::editor::index::{Named, index};
-use crate::infer::{self, Found};
+use crate::infer::{self, Inferred};
 use crate::ir::Type;
 use crate::link::Program;
 use crate::resolve::context::Context;
-use crate::resolve::globals::{Globals, Item};
+use crate::resolve::globals::{Declared, Globals};
 use crate::resolve::tables::Tables;
 use crate::resolve::{cycles, duplicates, names, overrides};
 use crate::{annotations, diagnostics};
@@ -27,11 +27,11 @@ pub(crate) struct CheckOutcome<'a> {
     /// The program, if it had no error.
     pub(crate) checked: Option<Checked<'a>>,
     /// The attributes with their types, where these are known.
-    pub(crate) attrs: Vec<(Item<'a>, Option<Type>)>,
+    pub(crate) attrs: Vec<(Declared<'a>, Option<Type>)>,
     /// The places where names are declared and used.
     pub(crate) index: Vec<Named>,
     /// The result of type inference. With requests for other types, only this is known.
-    pub(crate) types: Found,
+    pub(crate) types: Inferred,
 }
 
 /// Runs every pass. `levels` are those of the grammar as a whole; annotations in the tree come on top.

@@ -7,9 +7,9 @@ use crate::diag::{Diag, Diags, Level};
 pub use crate::dialect::Dialect;
 use crate::editor::index::Named;
 use crate::editor::public_names::{PublicName, public_names};
-use crate::infer::Found;
+use crate::infer::Inferred;
 use crate::ir::Grammar;
-use crate::link::{File, FileTokens, Files, NoFiles, Program, Unit, link};
+use crate::link::{FileTokens, Files, NoFiles, Program, SourceFile, Unit, link};
 use crate::lower::lower;
 use crate::syntax::lex::lex;
 use crate::syntax::token::Tokens;
@@ -79,7 +79,7 @@ fn checked<'p>(
 fn finish(program: &Program, (diags, outcome): (Vec<Diag>, CheckOutcome)) -> Compiled {
     let grammar = outcome.checked.map(|checked| lower(&checked));
     let names = public_names(program, &outcome.attrs, grammar.as_ref());
-    let piece = |file: &Rc<File>| FileTokens { name: file.name.clone(), tokens: file.tokens.clone() };
+    let piece = |file: &Rc<SourceFile>| FileTokens { name: file.name.clone(), tokens: file.tokens.clone() };
     let files = program.files.iter().map(piece).collect();
     Compiled { grammar, diags, names, index: outcome.index, files }
 }
@@ -95,7 +95,7 @@ fn instantiate(program: &mut Program, levels: &[(Code, Level)], read: &[Diag]) {
             program.take_back_all();
             return;
         }
-        let Found { wanted, unsuited, .. } = checked(program, levels, false, read).1.types;
+        let Inferred { wanted, unsuited, .. } = checked(program, levels, false, read).1.types;
         if wanted.is_empty() && unsuited.is_empty() {
             break;
         }

@@ -4,7 +4,7 @@ mod common;
 mod ir_print;
 
 use cga_lang::compile::{Compiled, Dialect, compile};
-use cga_lang::ir::{Item, Parts, Renew, RuleId, Step, Target, Type};
+use cga_lang::ir::{BlockParts, Item, Renew, RuleId, Step, Target, Type};
 use cga_lang::link::{NoFiles, Unit};
 use cga_lang::syntax::lex::lex;
 use cga_lang::syntax::token::{Tok, Tokens};
@@ -47,12 +47,12 @@ fn targets(steps: &[Step], visit: &mut dyn FnMut(&Target)) {
             Step::Block(block) => {
                 assert_eq!(block.args.len(), block.row.params.len());
                 match &block.parts {
-                    Parts::Slots(own) => {
+                    BlockParts::Slots(own) => {
                         assert_eq!(own.sizes.len(), own.targets.len());
                         assert_eq!(slots(&own.pattern), own.targets.len());
                         own.targets.iter().for_each(&mut *visit);
                     }
-                    Parts::Arms(arms) => arms.iter().for_each(|arm| visit(&arm.then)),
+                    BlockParts::Arms(arms) => arms.iter().for_each(|arm| visit(&arm.then)),
                 }
             }
             Step::Push(steps) => targets(steps, visit),

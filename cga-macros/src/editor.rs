@@ -5,7 +5,7 @@
 //! generated code, constants may be folded, and an attribute is read where it is kept for a run.
 
 use cga_lang::compile::Compiled;
-use cga_lang::editor::index::{Kind, Named};
+use cga_lang::editor::index::{NameKind, Named};
 use cga_lang::ir::Type;
 use proc_macro2::{Ident, Span, TokenStream};
 
@@ -20,10 +20,10 @@ pub(crate) fn names(compiled: &Compiled, header: &Header, source: &Source, has_e
     }
     let own: Vec<&Named> = compiled.index.iter().filter(|named| is_plain(&named.name)).collect();
     let items = own.iter().filter(|named| match named.kind {
-        Kind::Const => true,
-        Kind::Rule | Kind::Function => has_errors,
-        Kind::Attr => header.name.is_none(),
-        Kind::Param(_) => false,
+        NameKind::Const => true,
+        NameKind::Rule | NameKind::Function => has_errors,
+        NameKind::Attr => header.name.is_none(),
+        NameKind::Param(_) => false,
     });
     let items = items.map(|named| {
         let (name, ty) = (at(named, named.token, source), ty(named.ty));
@@ -32,7 +32,7 @@ pub(crate) fn names(compiled: &Compiled, header: &Header, source: &Source, has_e
     });
     let fields = header.name.clone().map(|mut grammar| {
         grammar.set_span(Span::call_site());
-        let uses = own.iter().filter(|named| named.kind == Kind::Attr).flat_map(|named| uses(named, source));
+        let uses = own.iter().filter(|named| named.kind == NameKind::Attr).flat_map(|named| uses(named, source));
         code!(fn attributes(grammar: &#grammar) { #(_ = &grammar.#uses;)* })
     });
     let params = owners(&own).into_iter().map(|params| {
@@ -53,7 +53,7 @@ pub(crate) fn names(compiled: &Compiled, header: &Header, source: &Source, has_e
 /// The parameters of each declaration.
 fn owners<'n>(list: &[&'n Named]) -> Vec<Vec<&'n Named>> {
     let mut owners: Vec<Vec<&Named>> = Vec::new();
-    for named in list.iter().filter(|named| matches!(named.kind, Kind::Param(_))) {
+    for named in list.iter().filter(|named| matches!(named.kind, NameKind::Param(_))) {
         match owners.last_mut().filter(|last| last[0].kind == named.kind) {
             Some(last) => last.push(named),
             None => owners.push(vec![named]),

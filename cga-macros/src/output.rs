@@ -13,7 +13,7 @@ pub(crate) fn wrap(header: &Header, source: &Source, aside: &TokenStream, output
     if header.name.is_some() {
         return quote!(#aside #tracking #code);
     }
-    // Evaluated outside of the block, so that Rust code in the rules sees nothing of what is in it.
+    // They are evaluated outside of the block: Rust code in the rules must not see the names inside.
     let hosts = output.captures.iter().map(|(handle, ty)| (&source.hosts()[*handle as usize], *ty));
     let values = hosts.map(|(host, ty)| match ty {
         Some(ty) => convert(&header.runtime, ty, host),

@@ -15,13 +15,13 @@ pub use crate::grammar::attribute::{Attribute, AttributeDefault, AttributeKind, 
 pub use crate::grammar::lazy::{Lazy, Origin, computed};
 pub use crate::grammar::parallel::{Stretch, generate_all, run_all};
 pub use crate::grammar::session::{DynSession, Session, generate, run};
-pub use crate::grammar::support::{anew, array, bake, branch, global, image, string, text};
+pub use crate::grammar::support::{array, bake, branch, global, image, renew, string, text};
 pub use crate::grammar::{Field, Grammar, Unrunnable};
 pub use crate::op::{Length, set, slim};
 pub use crate::output::model::Model;
 pub use crate::output::parts::{Parts, ShapeError};
 pub use crate::query::get;
-pub use crate::run::context::{Cx, Painting};
+pub use crate::run::context::{Cx, MaterialCx};
 pub use crate::run::env::Env;
 pub use crate::run::report::Report;
 pub use crate::run::rules::Rules;

@@ -1,4 +1,4 @@
-//! Pieces one by one, for code that knows the pattern: one statement per slot, one loop per group.
+//! Pieces one by one, for code that goes through the pattern and asks for the next slot or group.
 //!
 //! ```
 //! use cga_split::{Item, Size, solve};

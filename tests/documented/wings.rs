@@ -1,6 +1,7 @@
 //! *shapeL, shapeU, shapeO operations* and *taper operation*.
 
-use cga::{Model, Shape, cga};
+use cga::glam::DVec3;
+use cga::{Mesh, Model, Shape, cga};
 
 cga! {
     grammar Wings = r##"
@@ -8,6 +9,10 @@ cga! {
     @StartRule
     Left --> shapeL(4, 4) { shape     : Strip.
                           | remainder : Rest. }
+    @StartRule
+    Middle --> shapeU(4,4,4) { shape : Strip. | remainder : Rest. }
+    @StartRule
+    Right  --> shapeO(4,4,4,4) { shape : Strip. | remainder : Rest. }
 
     attr myFrontDepth = 5
     attr myLeftWidth = 11
@@ -15,8 +20,37 @@ cga! {
     Lot -->
         offset(-3, inside)
         shapeL(myFrontDepth,myLeftWidth) { shape : Footprint | remainder: NIL }
+    attr myRightWidth = 3
+    @StartRule
+    LotU -->
+        offset(-3, inside)
+        shapeU(myFrontDepth,myRightWidth,myLeftWidth) { shape : Footprint | remainder: NIL }
+    attr myBackDepth = 2
+    @StartRule
+    LotO -->
+        offset(-3, inside)
+        shapeO(myFrontDepth,myRightWidth,myBackDepth,myLeftWidth) { shape : Footprint | remainder: NIL }
     Footprint -->
         extrude(10) color(1,0,0)
+    # Lots of another form, and turned ones.
+    @StartRule
+    OddL    --> offset(-3, inside) shapeL(5, 11) { shape : Wings }
+    @StartRule
+    OddU    --> offset(-3, inside) shapeU(5, 3, 11) { shape : Wings }
+    @StartRule
+    OddO    --> offset(-3, inside) shapeO(5, 3, 2, 11) { shape : Wings }
+    @StartRule
+    TurnedL --> r(10, 23, 5) OddL
+    @StartRule
+    TurnedU --> r(10, 23, 5) OddU
+    @StartRule
+    TurnedO --> r(10, 23, 5) OddO
+    Wings   --> extrude(10) Checked
+    Checked --> case geometry.isClosedSurface : Closed. else : Open.
+
+    # Without a remainder arm the rest is dropped.
+    @StartRule
+    Dropped --> shapeO(1, 1, 1, 1) { shape = Strip. }
 
     # Several faces.
     @StartRule
@@ -54,6 +88,45 @@ fn the_example_fills_the_front_and_the_left_of_a_lot() {
     assert_eq!(model.leaves().len(), 1);
     let volume = model.volume();
     assert!((volume - 10.0 * (1200.0 - 29.0 * 25.0)).abs() < 1e-6, "{volume}");
+}
+
+/// "Middle --> shapeU(4,4,4), Right --> shapeO(4,4,4,4)", on 20 x 20.
+#[test]
+fn a_u_and_an_o_of_a_square() {
+    let lot = Shape::rectangle(20.0, 20.0);
+    let model = run("Middle", &lot);
+    assert_eq!((areas(&model, "Strip"), areas(&model, "Rest")), (vec![208.0], vec![192.0]));
+    let model = run("Right", &lot);
+    assert_eq!((areas(&model, "Strip"), areas(&model, "Rest")), (vec![256.0], vec![144.0]));
+    assert_eq!(areas(&run("Dropped", &lot), "Strip"), [400.0 - 18.0 * 18.0]);
+}
+
+#[test]
+fn the_examples_fill_three_and_four_sides_of_a_lot() {
+    let lot = Shape::rectangle(46.0, 36.0);
+    for (rule, court) in [("LotU", 26.0 * 25.0), ("LotO", 26.0 * 23.0)] {
+        let model = run(rule, &lot);
+        assert_eq!(model.leaves().len(), 1);
+        let volume = model.volume();
+        assert!((volume - 10.0 * (1200.0 - court)).abs() < 1e-6, "{rule}: {volume}");
+    }
+}
+
+/// The lots of the pictures have any form. Wings follow their edges, at any place and in any rotation.
+#[test]
+fn lots_of_any_form_have_wings_that_are_closed() {
+    let corners = [[0.0, 0.0], [46.0, -4.0], [50.0, 20.0], [30.0, 18.0], [28.0, 40.0], [-3.0, 37.0]];
+    let at = |[x, z]: [f64; 2]| DVec3::new(x, 0.0, -z);
+    let lot = Shape::mesh(Mesh::from_polygon(&corners.map(at), &[]).expect("a polygon")).at([300.0, 5.0, -70.0]);
+    // The wing of the inner right edge ends on the line of the inner back edge, which stays in a U.
+    for (rule, wings) in [("L", 1), ("U", 2), ("O", 1)] {
+        let volumes = ["Odd", "Turned"].map(|start| {
+            let model = run(&format!("{start}{rule}"), &lot);
+            assert_eq!((model.count("Closed"), model.leaves().len()), (wings, wings), "{start}{rule}");
+            model.volume()
+        });
+        assert!((volumes[0] - volumes[1]).abs() < 1e-6 && 0.0 < volumes[0], "{rule}: {volumes:?}");
+    }
 }
 
 /// ":  Each polygon is put into a new shape. = All polygons corresponding to the selector are combined into one new shape."

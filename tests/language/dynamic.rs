@@ -1,4 +1,4 @@
-//! Imports that start anew with other values: `imp(h = 3).Rule`.
+//! Imports whose values are computed again: `imp(h = 3).Rule`.
 
 use cga::{Shape, cga};
 

@@ -140,6 +140,6 @@ fn every_place_of_a_rule_reads_them() {
         Slot(n, m) --> case n > a && m == l : t(k, max(k, l), l) print([a, b, k]) print(n) X. else : X.
     }
     assert_eq!(lines(&model(&Places::default())), ["(3)[2,2,1]", "5"]);
-    let anew = Places { mode: 2.0, b: Some(1.5), ..Places::default() };
-    assert_eq!(lines(&model(&anew)), ["(3)[3,1.5,3]", "7.5"]);
+    let set = Places { mode: 2.0, b: Some(1.5), ..Places::default() };
+    assert_eq!(lines(&model(&set)), ["(3)[3,1.5,3]", "7.5"]);
 }

@@ -103,7 +103,7 @@ impl Places {
                 },
                 _ => {}
             }
-            op.bodies().into_iter().for_each(|inner| self.steps(inner));
+            op.bodies().for_each(|inner| self.steps(inner));
         }
     }
 

@@ -124,7 +124,7 @@ impl Library {
 
 impl Files for Library {
     fn open(&mut self, path: &str, from: &str) -> Result<Unit, String> {
-        // From the root, so that the folders above where we stand count too.
+        // From the root, because the folders above the current one count too.
         let from = std::path::absolute(from).map_err(|why| why.to_string())?;
         let names = candidates(path, &from.to_string_lossy());
         let found = names.iter().map(PathBuf::from).find(|path| path.is_file());

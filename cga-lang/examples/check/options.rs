@@ -1,4 +1,4 @@
-//! What is asked for.
+//! The options of the command.
 
 use std::ffi::OsString;
 use std::path::PathBuf;

@@ -1,13 +1,13 @@
 //! Abstract values of attributes, constants and functions, computed once, and of expressions at any point.
 
-use super::facts::Facts;
+use super::facts::AbstractState;
 use super::interval::Interval;
 use super::texts::{TextSet, Texts};
 use super::value::Value;
 use crate::ir::{AttrInfo, ChoiceValues, GlobalId, Type};
 use crate::link::InstanceId;
 use crate::ops::{AttrValues, Meaning};
-use crate::resolve::globals::{Globals, Init, Item};
+use crate::resolve::globals::{Declared, Globals, Initializer};
 use crate::resolve::tables::{Tables, Use};
 use crate::syntax::ast::{Binary, Decl, Expr, ExprKind, Name, Unary};
 use std::cell::Cell;
@@ -39,7 +39,7 @@ pub(crate) enum Attrs {
 
 /// A function that is evaluated with its arguments.
 #[derive(Clone, Copy)]
-struct Function<'f> {
+struct Callee<'f> {
     /// The instance whose entries its names have.
     own: InstanceId,
     decl: &'f Decl,
@@ -55,7 +55,7 @@ pub(crate) struct Evaluator<'f> {
     /// By function: the result for any arguments.
     functions: Vec<Value>,
     /// Functions without recursion, to be evaluated with their arguments.
-    bodies: Vec<Option<Function<'f>>>,
+    bodies: Vec<Option<Callee<'f>>>,
     /// By rule: the instance whose entries its names have.
     pub(super) rules: Vec<InstanceId>,
     /// The attributes that rules set.
@@ -69,9 +69,9 @@ pub(crate) struct Evaluator<'f> {
 impl<'f> Evaluator<'f> {
     pub(crate) fn new(globals: &Globals<'f>, tables: &'f Tables, mode: Attrs) -> Evaluator<'f> {
         let (attrs, consts) = (globals.attrs.len(), globals.consts.len());
-        let body = |(index, item): (usize, &Item<'f>)| {
+        let body = |(index, item): (usize, &Declared<'f>)| {
             let (body, own) = item.value().filter(|_| item.is_own() && !tables.recursive.contains(&(index as u32)))?;
-            Some(Function { own, decl: item.decl, body })
+            Some(Callee { own, decl: item.decl, body })
         };
         let mut known = Evaluator {
             tables,
@@ -107,9 +107,9 @@ impl<'f> Evaluator<'f> {
     }
 
     /// The value of a declaration, on any shape and with any arguments.
-    fn alone(&self, item: &Item) -> Value {
+    fn alone(&self, item: &Declared) -> Value {
         let Some((value, own)) = item.value() else { return Value::Any };
-        let mut facts = Facts::any(own, if item.is_own() { item.decl.params.len() } else { 0 });
+        let mut facts = AbstractState::any(own, if item.is_own() { item.decl.params.len() } else { 0 });
         if item.is_own() {
             self.begin();
             self.enter_locals(item.decl, &mut facts, 0);
@@ -118,7 +118,7 @@ impl<'f> Evaluator<'f> {
     }
 
     /// Adds the locals of a declaration.
-    fn enter_locals(&self, decl: &Decl, facts: &mut Facts, depth: u32) {
+    fn enter_locals(&self, decl: &Decl, facts: &mut AbstractState, depth: u32) {
         for (_, local) in &decl.locals {
             let value = self.within(local, facts, depth);
             facts.params.push(value);
@@ -133,7 +133,7 @@ impl<'f> Evaluator<'f> {
             return any;
         }
         let default = match item.init {
-            Init::Flows(outer) => self.attrs[outer as usize],
+            Initializer::Flows(outer) => self.attrs[outer as usize],
             _ => self.alone(item),
         };
         // A value from the host program is checked against them, a default is not. All styles share the field of an attribute.
@@ -165,7 +165,7 @@ impl<'f> Evaluator<'f> {
     }
 
     /// The meaning of a name.
-    pub(super) fn of(&self, name: &Name, facts: &Facts) -> Option<Use> {
+    pub(super) fn of(&self, name: &Name, facts: &AbstractState) -> Option<Use> {
         self.tables.at(facts.own).of(name)
     }
 
@@ -180,7 +180,7 @@ impl<'f> Evaluator<'f> {
     }
 
     /// The abstract value of an expression.
-    pub(crate) fn value(&self, expr: &Expr, facts: &Facts) -> Value {
+    pub(crate) fn value(&self, expr: &Expr, facts: &AbstractState) -> Value {
         self.begin();
         self.within(expr, facts, 0)
     }
@@ -195,7 +195,7 @@ impl<'f> Evaluator<'f> {
     }
 
     /// The state on the branch where a condition is true, or false; `None` if that branch is never taken.
-    pub(crate) fn past(&self, condition: &Expr, truth: bool, facts: Facts) -> Option<Facts> {
+    pub(crate) fn past(&self, condition: &Expr, truth: bool, facts: AbstractState) -> Option<AbstractState> {
         self.begin();
         if self.within(condition, &facts, 0).truth() == Some(!truth) {
             return None;
@@ -204,7 +204,7 @@ impl<'f> Evaluator<'f> {
     }
 
     /// The abstract value of an expression at a nesting depth of functions.
-    pub(super) fn within(&self, expr: &Expr, facts: &Facts, depth: u32) -> Value {
+    pub(super) fn within(&self, expr: &Expr, facts: &AbstractState, depth: u32) -> Value {
         let Some(left) = self.steps.get().checked_sub(1) else { return Value::Any };
         self.steps.set(left);
         let value = |part: &Expr| self.within(part, facts, depth);
@@ -238,7 +238,7 @@ impl<'f> Evaluator<'f> {
     }
 
     /// `&&` or `||`. Both sides are computed, but the right one counts only where the left one does not decide.
-    fn both(&self, op: Binary, left: &Expr, right: &Expr, facts: &Facts, depth: u32) -> Value {
+    fn both(&self, op: Binary, left: &Expr, right: &Expr, facts: &AbstractState, depth: u32) -> Value {
         let (goes_on, left_is) = (op == Binary::And, self.within(left, facts, depth));
         if left_is.truth() == Some(!goes_on) {
             return left_is;
@@ -249,7 +249,7 @@ impl<'f> Evaluator<'f> {
         }
     }
 
-    fn case(&self, arms: &[(Expr, Expr)], otherwise: &Expr, facts: &Facts, depth: u32) -> Value {
+    fn case(&self, arms: &[(Expr, Expr)], otherwise: &Expr, facts: &AbstractState, depth: u32) -> Value {
         let (mut found, mut left) = (None, Some(facts.clone()));
         for (condition, result) in arms {
             let Some(here) = left else { break };
@@ -268,13 +268,13 @@ impl<'f> Evaluator<'f> {
         found.into_iter().chain(otherwise).reduce(Value::or).unwrap_or(Value::Any)
     }
 
-    fn used(&self, found: Use, args: Vec<Value>, facts: &Facts, depth: u32) -> Value {
+    fn used(&self, found: Use, args: Vec<Value>, facts: &AbstractState, depth: u32) -> Value {
         match found {
             Use::Param(index) => facts.params.get(index as usize).copied().unwrap_or(Value::Any),
             Use::Attr(index) => facts.global(GlobalId(index)).unwrap_or(self.attrs[index as usize]),
             Use::Const(index) => facts.global(self.constant(index)).unwrap_or(self.consts[index as usize]),
             Use::Function(index) => match self.bodies[index as usize] {
-                Some(Function { own, decl, body })
+                Some(Callee { own, decl, body })
                     if depth < DEEPEST && decl.params.len() == args.len() && decl.locals.len() < MOST_LOCALS =>
                 {
                     let mut inside = facts.with(own, args);

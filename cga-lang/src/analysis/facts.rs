@@ -5,11 +5,11 @@ use super::uvs::UvSets;
 use super::value::Value;
 use crate::ir::GlobalId;
 use crate::link::InstanceId;
-use crate::resolve::globals::Item;
+use crate::resolve::globals::Declared;
 
 /// The abstract state at one point of a rule.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Facts {
+pub(crate) struct AbstractState {
     /// The instance whose entries the names have.
     pub(crate) own: InstanceId,
     pub(crate) shape: Shape,
@@ -22,10 +22,10 @@ pub(crate) struct Facts {
     pub(crate) asset: Option<u32>,
 }
 
-impl Facts {
+impl AbstractState {
     /// The state without any knowledge.
-    pub(crate) fn any(own: InstanceId, params: usize) -> Facts {
-        Facts {
+    pub(crate) fn any(own: InstanceId, params: usize) -> AbstractState {
+        AbstractState {
             own,
             shape: Shape::ANY,
             params: vec![Value::Any; params],
@@ -36,23 +36,23 @@ impl Facts {
     }
 
     /// The state at the start of a run.
-    pub(super) fn initial(item: &Item) -> Facts {
-        Facts { shape: Shape::INITIAL, ..Facts::any(item.own, item.decl.params.len()) }
+    pub(super) fn initial(item: &Declared) -> AbstractState {
+        AbstractState { shape: Shape::INITIAL, ..AbstractState::any(item.own, item.decl.params.len()) }
     }
 
     /// The same values on another shape.
-    pub(super) fn on(&self, shape: Shape) -> Facts {
-        Facts { shape, ..self.clone() }
+    pub(super) fn on(&self, shape: Shape) -> AbstractState {
+        AbstractState { shape, ..self.clone() }
     }
 
     /// The same values on an unknown shape.
-    pub(crate) fn on_any_shape(&self) -> Facts {
+    pub(crate) fn on_any_shape(&self) -> AbstractState {
         self.on(Shape::ANY)
     }
 
     /// The same shape in another declaration, with its parameters.
-    pub(super) fn with(&self, own: InstanceId, params: Vec<Value>) -> Facts {
-        Facts { own, params, ..self.clone() }
+    pub(super) fn with(&self, own: InstanceId, params: Vec<Value>) -> AbstractState {
+        AbstractState { own, params, ..self.clone() }
     }
 
     /// The refined value of an attribute or a constant.
@@ -70,20 +70,20 @@ impl Facts {
     }
 
     /// The join of two states.
-    pub(super) fn or(&self, other: &Facts) -> Facts {
+    pub(super) fn or(&self, other: &AbstractState) -> AbstractState {
         self.joined(other, self.shape.or(&other.shape), Value::or)
     }
 
     /// Widens the parts that have changed since `before`.
-    pub(super) fn widen(&self, before: &Facts) -> Facts {
+    pub(super) fn widen(&self, before: &AbstractState) -> AbstractState {
         self.joined(before, self.shape.widen(&before.shape), Value::widen)
     }
 
-    fn joined(&self, other: &Facts, shape: Shape, join: fn(Value, Value) -> Value) -> Facts {
+    fn joined(&self, other: &AbstractState, shape: Shape, join: fn(Value, Value) -> Value) -> AbstractState {
         let params = self.params.iter().zip(&other.params).map(|(a, b)| join(*a, *b)).collect();
         let both = |(which, value): &(GlobalId, Value)| Some((*which, join(*value, other.global(*which)?)));
         let globals = self.globals.iter().filter_map(both).collect();
         let asset = self.asset.filter(|_| self.asset == other.asset);
-        Facts { own: self.own, shape, params, globals, uvs: self.uvs.or(other.uvs), asset }
+        AbstractState { own: self.own, shape, params, globals, uvs: self.uvs.or(other.uvs), asset }
     }
 }

@@ -16,21 +16,21 @@ mod value;
 mod waiting;
 mod walk;
 
-use crate::resolve::globals::{Globals, Item};
+use crate::resolve::globals::{Declared, Globals};
 use crate::resolve::tables::{Tables, Use};
 use crate::syntax::ast::{Body, Op, OpKind};
 use crate::syntax::walk::ops;
 
 pub(crate) use evaluator::{Attrs, Evaluator};
-pub(crate) use facts::Facts;
+pub(crate) use facts::AbstractState;
 pub(crate) use shape::Face;
-pub(crate) use slots::{MARGIN, Once, Slot, Slots, Sum};
+pub(crate) use slots::{MARGIN, Once, SizeSum, Slot, Slots};
 pub(crate) use uvs::UvSets;
 pub(crate) use value::Value;
 pub(crate) use walk::{Site, Turn, called};
 
 use std::cell::RefCell;
-use waiting::Waiting;
+use waiting::Worklist;
 use walk::{Visit, Walk};
 
 /// The number of joins at a rule of a cycle before its state is widened.
@@ -40,14 +40,14 @@ const PATIENCE: u32 = 3;
 const MOST_VISITS: u32 = 12;
 
 /// The states at the starts of the rules.
-pub(crate) struct Flow<'f> {
+pub(crate) struct DataFlow<'f> {
     pub(crate) known: &'f Evaluator<'f>,
     /// By rule: the state at its start; `None` without calls so far.
-    entries: RefCell<Vec<Option<Facts>>>,
+    entries: RefCell<Vec<Option<AbstractState>>>,
     /// By rule: true if another rule calls it.
     called: Vec<bool>,
     /// The components that are not analysed yet.
-    waiting: RefCell<Waiting>,
+    waiting: RefCell<Worklist>,
     forgets: bool,
 }
 
@@ -87,16 +87,16 @@ impl Calls {
 }
 
 /// The steps of a rule.
-pub(crate) fn body<'a>(item: &Item<'a>) -> &'a [Op] {
+pub(crate) fn body<'a>(item: &Declared<'a>) -> &'a [Op] {
     match &item.decl.body {
         Body::Rule(ops) => ops,
         _ => &[],
     }
 }
 
-impl<'f> Flow<'f> {
+impl<'f> DataFlow<'f> {
     /// Analyses a rule on its first visit. Without `calls` each rule is analysed alone.
-    pub(crate) fn new(globals: &Globals, known: &'f Evaluator<'f>, calls: Option<&Calls>) -> Flow<'f> {
+    pub(crate) fn new(globals: &Globals, known: &'f Evaluator<'f>, calls: Option<&Calls>) -> DataFlow<'f> {
         let mut called = vec![false; globals.rules.len()];
         let mut entries = vec![None; globals.rules.len()];
         if let Some(calls) = calls {
@@ -106,16 +106,16 @@ impl<'f> Flow<'f> {
             // A rule without callers may be called with any shape.
             let uncalled = (0..called.len()).filter(|rule| !called[*rule]);
             for rule in calls.starts.iter().copied().chain(uncalled) {
-                entries[rule] = Some(Facts::initial(&globals.rules[rule]));
+                entries[rule] = Some(AbstractState::initial(&globals.rules[rule]));
             }
         }
-        let waiting = RefCell::new(calls.map(|calls| Waiting::new(&calls.edges)).unwrap_or_default());
-        Flow { known, entries: RefCell::new(entries), called, waiting, forgets: false }
+        let waiting = RefCell::new(calls.map(|calls| Worklist::new(&calls.edges)).unwrap_or_default());
+        DataFlow { known, entries: RefCell::new(entries), called, waiting, forgets: false }
     }
 
     /// Considers values and conditions alone: sizes set by steps count as unknown.
-    pub(crate) fn of_values(globals: &Globals, known: &'f Evaluator<'f>) -> Flow<'f> {
-        Flow { forgets: true, ..Flow::new(globals, known, None) }
+    pub(crate) fn of_values(globals: &Globals, known: &'f Evaluator<'f>) -> DataFlow<'f> {
+        DataFlow { forgets: true, ..DataFlow::new(globals, known, None) }
     }
 
     /// Follows shapes through the rules of a cycle until the states are stable.
@@ -141,7 +141,7 @@ impl<'f> Flow<'f> {
                             after = after.widen(before);
                         }
                         if MOST_VISITS < visits[at] {
-                            after = Facts::any(after.own, after.params.len());
+                            after = AbstractState::any(after.own, after.params.len());
                         }
                     }
                     if !std::mem::replace(&mut waits[at], true) {
@@ -157,7 +157,7 @@ impl<'f> Flow<'f> {
     fn follow<'a>(&self, globals: &Globals<'a>, rule: usize, visit: &mut dyn Visit<'a>) {
         let item = &globals.rules[rule];
         let entry = self.entries.borrow()[rule].clone();
-        let mut facts = entry.unwrap_or_else(|| Facts::any(item.own, item.decl.params.len()));
+        let mut facts = entry.unwrap_or_else(|| AbstractState::any(item.own, item.decl.params.len()));
         for (_, local) in &item.decl.locals {
             visit.meet(&Site::Value(local), &facts);
             let value = self.known.value(local, &facts);
@@ -173,38 +173,43 @@ impl<'f> Flow<'f> {
     }
 
     /// Calls `meet` for each site on the way through a rule.
-    pub(crate) fn visit<'a>(&self, globals: &Globals<'a>, rule: usize, meet: &mut dyn FnMut(&Site<'_, 'a>, &Facts)) {
+    pub(crate) fn visit<'a>(
+        &self,
+        globals: &Globals<'a>,
+        rule: usize,
+        meet: &mut dyn FnMut(&Site<'_, 'a>, &AbstractState),
+    ) {
         let waiting = self.waiting.borrow_mut().take(rule);
         waiting.into_iter().for_each(|component| self.settle(globals, component));
         self.follow(globals, rule, &mut Met(meet));
     }
 
     /// The abstract value of an expression.
-    pub(crate) fn value(&self, expr: &crate::syntax::ast::Expr, facts: &Facts) -> Value {
+    pub(crate) fn value(&self, expr: &crate::syntax::ast::Expr, facts: &AbstractState) -> Value {
         self.known.value(expr, facts)
     }
 }
 
 /// Collects the calls of a rule, with their states.
 struct Handed {
-    list: Vec<(usize, Facts)>,
+    list: Vec<(usize, AbstractState)>,
 }
 
 impl Visit<'_> for Handed {
-    fn hand_on(&mut self, rule: u32, facts: Facts) {
+    fn hand_on(&mut self, rule: u32, facts: AbstractState) {
         self.list.push((rule as usize, facts));
     }
 
-    fn meet(&mut self, _: &Site<'_, '_>, _: &Facts) {}
+    fn meet(&mut self, _: &Site<'_, '_>, _: &AbstractState) {}
 }
 
 /// Passes sites on to a closure.
-struct Met<'m, 'a>(&'m mut dyn FnMut(&Site<'_, 'a>, &Facts));
+struct Met<'m, 'a>(&'m mut dyn FnMut(&Site<'_, 'a>, &AbstractState));
 
 impl<'a> Visit<'a> for Met<'_, 'a> {
-    fn hand_on(&mut self, _: u32, _: Facts) {}
+    fn hand_on(&mut self, _: u32, _: AbstractState) {}
 
-    fn meet(&mut self, site: &Site<'_, 'a>, facts: &Facts) {
+    fn meet(&mut self, site: &Site<'_, 'a>, facts: &AbstractState) {
         (self.0)(site, facts);
     }
 }

@@ -1,7 +1,7 @@
 //! Refines the values that a condition compares, on the branch that is taken.
 
 use super::evaluator::Evaluator;
-use super::facts::Facts;
+use super::facts::AbstractState;
 
 use super::interval::Interval;
 use super::texts::TextSet;
@@ -20,7 +20,13 @@ enum Refinable {
 
 impl Evaluator<'_> {
     /// The state on the branch where a condition is true, or false; `None` if that branch is never taken.
-    pub(super) fn refine(&self, condition: &Expr, truth: bool, facts: Facts, depth: u32) -> Option<Facts> {
+    pub(super) fn refine(
+        &self,
+        condition: &Expr,
+        truth: bool,
+        facts: AbstractState,
+        depth: u32,
+    ) -> Option<AbstractState> {
         match &condition.kind {
             ExprKind::Unary(Unary::Not, operand) => self.refine(operand, !truth, facts, depth),
             ExprKind::Binary(Binary::And, _, left, right) if truth => {
@@ -43,7 +49,7 @@ impl Evaluator<'_> {
         }
     }
 
-    fn place(&self, expr: &Expr, facts: &Facts) -> Option<Refinable> {
+    fn place(&self, expr: &Expr, facts: &AbstractState) -> Option<Refinable> {
         let ExprKind::Name(name) = &expr.kind else { return None };
         match self.of(name, facts)? {
             Use::Param(index) => Some(Refinable::Param(index as usize)),
@@ -58,7 +64,7 @@ impl Evaluator<'_> {
     }
 
     /// Removes the values that a comparison excludes.
-    fn narrow(&self, expr: &Expr, holds: Holds, with: Value, mut facts: Facts) -> Option<Facts> {
+    fn narrow(&self, expr: &Expr, holds: Holds, with: Value, mut facts: AbstractState) -> Option<AbstractState> {
         let Some(place) = self.place(expr, &facts) else { return Some(facts) };
         let narrowed = holds.narrowed(self.within(expr, &facts, 0), with)?;
         match place {

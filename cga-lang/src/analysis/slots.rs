@@ -1,10 +1,10 @@
 //! The abstract sizes of a split, and its solution where all sizes are known.
 
-use super::facts::Facts;
+use super::facts::AbstractState;
 use super::interval::Interval;
 use crate::span::Span;
 use crate::syntax::ast::{Arg, Block, Op, Prefix, SplitItem};
-use cga_split::{Item, Piece, solve};
+use cga_split::{Item, Piece, Solution, solve};
 
 /// The largest number of pieces that are laid out.
 const MOST_PIECES: u64 = 10_000;
@@ -48,11 +48,11 @@ pub(crate) struct Slots<'a> {
     pub(crate) groups: Vec<Repeated>,
     pattern: Vec<Item>,
     /// By slot: a lower bound of the space before it, whenever it is made.
-    before: Vec<Sum>,
+    before: Vec<SizeSum>,
     /// By slot: an upper bound, in metres, of its end.
     most: Vec<f64>,
     /// A lower bound of the space of all slots that neither float nor repeat.
-    fixed: Sum,
+    fixed: SizeSum,
     /// True if no slot floats or repeats.
     all_fixed: bool,
     /// By slot, if everything is known: the lengths of its pieces.
@@ -61,14 +61,14 @@ pub(crate) struct Slots<'a> {
 
 /// A sum of sizes: a share of the extent, and metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Sum {
+pub(crate) struct SizeSum {
     pub(crate) share: f64,
     pub(crate) metres: f64,
 }
 
-impl Sum {
-    fn plus(self, other: Sum) -> Sum {
-        Sum { share: self.share + other.share, metres: self.metres + other.metres }
+impl SizeSum {
+    fn plus(self, other: SizeSum) -> SizeSum {
+        SizeSum { share: self.share + other.share, metres: self.metres + other.metres }
     }
 }
 
@@ -82,13 +82,13 @@ impl Slot<'_> {
     }
 
     /// A lower bound of its space in an extent: zero for a floating slot.
-    fn least(&self, extent: Interval) -> Sum {
+    fn least(&self, extent: Interval) -> SizeSum {
         let least = self.value.lo.max(0.0);
         match () {
-            () if self.floats() => Sum::default(),
-            () if self.is_relative() => Sum { share: if PIECE < least { least } else { 0.0 }, metres: 0.0 },
+            () if self.floats() => SizeSum::default(),
+            () if self.is_relative() => SizeSum { share: if PIECE < least { least } else { 0.0 }, metres: 0.0 },
             // A tiny share of the extent makes no piece.
-            () => Sum { share: 0.0, metres: if extent.hi * PIECE < least { least } else { 0.0 } },
+            () => SizeSum { share: 0.0, metres: if extent.hi * PIECE < least { least } else { 0.0 } },
         }
     }
 
@@ -96,6 +96,11 @@ impl Slot<'_> {
     pub(crate) fn is_nothing(&self) -> bool {
         self.value.hi <= 0.0
     }
+}
+
+/// The pieces of a solution, unless they are too many to be laid out.
+fn few_pieces(solution: &Solution) -> Option<Vec<Piece>> {
+    (solution.at_most() <= MOST_PIECES).then(|| solution.pieces())
 }
 
 /// Why a group repeats once.
@@ -119,12 +124,12 @@ impl<'a> Slots<'a> {
         split: &'a Block,
         (items, repeat): (&'a [SplitItem], bool),
         axis: usize,
-        facts: &Facts,
+        facts: &AbstractState,
         value: impl Fn(&Arg) -> Interval,
     ) -> Slots<'a> {
         let extent = facts.shape.extent(axis);
         let (list, groups, pattern) = (Vec::new(), Vec::new(), Vec::new());
-        let (before, most, fixed) = (Vec::new(), Vec::new(), Sum::default());
+        let (before, most, fixed) = (Vec::new(), Vec::new(), SizeSum::default());
         let mut slots =
             Slots { split, axis, extent, list, groups, pattern, before, most, fixed, all_fixed: false, pieces: None };
         slots.items(items, repeat, None, &value);
@@ -136,10 +141,10 @@ impl<'a> Slots<'a> {
     /// Adds up the space of the slots in order. Slots of a group count for slots of the same group alone, as a group may have
     /// no repetition. Floating slots count as zero.
     fn add_up(&mut self) {
-        let (mut outer, mut inner) = (Sum::default(), vec![Sum::default(); self.groups.len()]);
+        let (mut outer, mut inner) = (SizeSum::default(), vec![SizeSum::default(); self.groups.len()]);
         let mut most = 0.0;
         for slot in &self.list {
-            let of_group = slot.group.map_or(Sum::default(), |group| inner[group]);
+            let of_group = slot.group.map_or(SizeSum::default(), |group| inner[group]);
             self.before.push(outer.plus(of_group));
             let own = slot.group.map_or(&mut outer, |group| &mut inner[group]);
             *own = own.plus(slot.least(self.extent));
@@ -187,15 +192,8 @@ impl<'a> Slots<'a> {
     /// The pieces, if the extent and all sizes are known.
     fn solved(&self) -> Option<Vec<Option<Interval>>> {
         let extent = self.extent.known().filter(|extent| 0.0 < *extent)?;
-        let sizes: Option<Vec<cga_split::Size>> = self.list.iter().map(Slot::exact).collect();
-        let sizes = sizes?;
-        let mut lengths = vec![0.0; sizes.len()];
-        let solution = solve(&self.pattern, &sizes, &mut lengths, extent);
-        if MOST_PIECES < solution.at_most() {
-            return None;
-        }
         let mut made: Vec<Option<Interval>> = vec![None; self.list.len()];
-        for piece in solution.pieces() {
+        for piece in self.solve(extent, few_pieces)?? {
             let (own, length) = (&mut made[piece.slot as usize], Interval::point(piece.length));
             *own = Some(own.map_or(length, |own| own.or(length)));
         }
@@ -204,40 +202,39 @@ impl<'a> Slots<'a> {
 
     /// The pieces of a split of known relative sizes, in an extent of 1: they are the same shares of any extent.
     pub(crate) fn shares(&self) -> Option<Vec<Piece>> {
-        let sizes: Option<Vec<cga_split::Size>> =
-            self.list.iter().map(|slot| slot.exact().filter(|_| slot.is_relative())).collect();
-        let sizes = sizes?;
-        let mut lengths = vec![0.0; sizes.len()];
-        let solution = solve(&self.pattern, &sizes, &mut lengths, 1.0);
-        (solution.at_most() <= MOST_PIECES).then(|| solution.pieces())
+        let are_relative = self.list.iter().all(Slot::is_relative);
+        self.solve(1.0, few_pieces).filter(|_| are_relative)?
     }
 
     /// The number of repetitions of a group in an extent.
     pub(crate) fn count(&self, group: usize, extent: f64) -> Option<u64> {
-        let sizes: Option<Vec<cga_split::Size>> = self.list.iter().map(Slot::exact).collect();
-        let sizes = sizes?;
-        let mut lengths = vec![0.0; sizes.len()];
-        Some(solve(&self.pattern, &sizes, &mut lengths, extent).count(group))
+        self.solve(extent, |solution| solution.count(group))
+    }
+
+    /// The value that `of` takes from the solution in an extent, if all sizes are known.
+    fn solve<T>(&self, extent: f64, of: impl FnOnce(&Solution) -> T) -> Option<T> {
+        let sizes: Vec<cga_split::Size> = self.list.iter().map(Slot::exact).collect::<Option<_>>()?;
+        Some(of(&solve(&self.pattern, &sizes, &mut vec![0.0; sizes.len()], extent)))
     }
 
     /// A lower bound of the space before a slot whenever it is made; with `itself` the slot counts too.
-    pub(crate) fn before(&self, index: usize, itself: bool) -> Sum {
+    pub(crate) fn before(&self, index: usize, itself: bool) -> SizeSum {
         let before = self.before[index];
         if itself { before.plus(self.list[index].least(self.extent)) } else { before }
     }
 
     /// A lower bound of the space of all slots that neither float nor repeat.
-    pub(crate) fn fixed(&self) -> Sum {
+    pub(crate) fn fixed(&self) -> SizeSum {
         self.fixed
     }
 
     /// Returns true if a sum fills the scope for any extent.
-    pub(crate) fn fills(&self, sum: Sum) -> bool {
+    pub(crate) fn fills(&self, sum: SizeSum) -> bool {
         1.0 - FULL <= sum.share || 0.0 < sum.metres && (1.0 - FULL - sum.share) * self.extent.hi <= sum.metres
     }
 
     /// Returns true if a sum exceeds the scope for any extent.
-    pub(crate) fn exceeds(&self, sum: Sum) -> bool {
+    pub(crate) fn exceeds(&self, sum: SizeSum) -> bool {
         let whole = 1.0 + MARGIN;
         whole <= sum.share || 0.0 < sum.metres && (whole - sum.share) * self.extent.hi <= sum.metres
     }
@@ -349,7 +346,7 @@ impl Slots<'_> {
         }
         let shares: f64 = own.iter().map(|slot| slot.value.lo.max(0.0)).sum();
         let alone = own.len() == self.list.len();
-        if alone && own.iter().all(Slot::is_relative) && self.fills(Sum { share: shares, metres: 0.0 }) {
+        if alone && own.iter().all(Slot::is_relative) && self.fills(SizeSum { share: shares, metres: 0.0 }) {
             return Some(Once::Shares(shares));
         }
         let metres: f64 = own.iter().map(|slot| slot.value.lo.max(0.0)).sum();

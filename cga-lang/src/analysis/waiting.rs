@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 /// Rules that no shape was followed through yet.
 #[derive(Default)]
-pub(super) struct Waiting {
+pub(super) struct Worklist {
     /// Components of the calls, callers first. `None`: done.
     components: Vec<Option<Vec<usize>>>,
     /// By rule: the number of its component.
@@ -14,8 +14,8 @@ pub(super) struct Waiting {
     callers: Vec<Vec<usize>>,
 }
 
-impl Waiting {
-    pub(super) fn new(edges: &[Vec<usize>]) -> Waiting {
+impl Worklist {
+    pub(super) fn new(edges: &[Vec<usize>]) -> Worklist {
         let components: Vec<Vec<usize>> = components(edges).into_iter().rev().collect();
         let (mut numbers, mut callers) = (vec![0; edges.len()], vec![Vec::new(); edges.len()]);
         for (number, component) in components.iter().enumerate() {
@@ -24,7 +24,7 @@ impl Waiting {
         for (caller, callees) in edges.iter().enumerate() {
             callees.iter().for_each(|&callee| callers[callee].push(caller));
         }
-        Waiting { components: components.into_iter().map(Some).collect(), numbers, callers }
+        Worklist { components: components.into_iter().map(Some).collect(), numbers, callers }
     }
 
     /// Takes the component of a rule, after those that lead to it.

@@ -1,7 +1,7 @@
 //! Follows a shape through the steps of a rule.
 
 use super::evaluator::Evaluator;
-use super::facts::Facts;
+use super::facts::AbstractState;
 use super::shape::{Filling, Shape};
 use super::slots::Slots;
 use super::uvs::UvSets;
@@ -34,15 +34,15 @@ pub(crate) struct Turn<'t, 'e> {
     pub(crate) before: &'t [&'e Expr],
     pub(crate) is_last: bool,
     /// The state at the first of them.
-    pub(crate) first: &'t Facts,
+    pub(crate) first: &'t AbstractState,
 }
 
 /// Receives the sites and the calls of a rule.
 pub(super) trait Visit<'a> {
     /// A rule is called with a shape.
-    fn hand_on(&mut self, rule: u32, facts: Facts);
+    fn hand_on(&mut self, rule: u32, facts: AbstractState);
     /// A site is reached.
-    fn meet(&mut self, site: &Site<'_, 'a>, facts: &Facts);
+    fn meet(&mut self, site: &Site<'_, 'a>, facts: &AbstractState);
 }
 
 /// A walk through one rule.
@@ -54,7 +54,12 @@ pub(super) struct Walk<'w> {
 
 impl<'w> Walk<'w> {
     /// Follows a shape; returns the state at the end, `None` if no path reaches it.
-    pub(super) fn steps<'a>(&self, ops: &'a [Op], facts: Facts, visit: &mut dyn Visit<'a>) -> Option<Facts> {
+    pub(super) fn steps<'a>(
+        &self,
+        ops: &'a [Op],
+        facts: AbstractState,
+        visit: &mut dyn Visit<'a>,
+    ) -> Option<AbstractState> {
         let mut facts = facts;
         for op in ops {
             facts = self.step(op, facts, visit)?;
@@ -62,7 +67,7 @@ impl<'w> Walk<'w> {
         Some(facts)
     }
 
-    fn step<'a>(&self, op: &'a Op, mut facts: Facts, visit: &mut dyn Visit<'a>) -> Option<Facts> {
+    fn step<'a>(&self, op: &'a Op, mut facts: AbstractState, visit: &mut dyn Visit<'a>) -> Option<AbstractState> {
         match &op.kind {
             OpKind::Call(name, args) => {
                 self.meet_args(args, &facts, visit);
@@ -94,7 +99,7 @@ impl<'w> Walk<'w> {
                 }
                 if let Some(Use::Rule(rule)) = self.known.of(rule, &facts) {
                     // Attributes and constants of the import are computed again.
-                    let facts = Facts { globals: Vec::new(), ..facts.clone() };
+                    let facts = AbstractState { globals: Vec::new(), ..facts.clone() };
                     self.hand_on(rule, args, &facts, visit);
                 }
             }
@@ -102,7 +107,7 @@ impl<'w> Walk<'w> {
             OpKind::Leaf(_) | OpKind::Nil => {}
             OpKind::Path(_, args) => {
                 self.meet_args(args, &facts, visit);
-                facts = Facts { uvs: UvSets::ANY, asset: None, ..facts.on_any_shape() };
+                facts = AbstractState { uvs: UvSets::ANY, asset: None, ..facts.on_any_shape() };
             }
             OpKind::Push(ops) => _ = self.steps(ops, facts.clone(), visit),
             OpKind::Case(arms, otherwise) => {
@@ -111,7 +116,7 @@ impl<'w> Walk<'w> {
             }
             OpKind::Chance(arms, otherwise) => {
                 let arms = arms.iter().map(|(_, ops)| ops).chain([otherwise]);
-                let ends: Vec<Facts> = arms.filter_map(|ops| self.steps(ops, facts.clone(), visit)).collect();
+                let ends: Vec<AbstractState> = arms.filter_map(|ops| self.steps(ops, facts.clone(), visit)).collect();
                 return joined(ends);
             }
             OpKind::Error => facts.shape = Shape::ANY,
@@ -119,21 +124,21 @@ impl<'w> Walk<'w> {
         Some(facts)
     }
 
-    fn meet_args<'a>(&self, args: &'a [Arg], facts: &Facts, visit: &mut dyn Visit<'a>) {
+    fn meet_args<'a>(&self, args: &'a [Arg], facts: &AbstractState, visit: &mut dyn Visit<'a>) {
         args.iter().for_each(|arg| visit.meet(&Site::Value(&arg.value), facts));
     }
 
-    fn value(&self, expr: &Expr, facts: &Facts) -> Value {
+    fn value(&self, expr: &Expr, facts: &AbstractState) -> Value {
         self.known.value(expr, facts)
     }
 
     /// The number of a uv set, if it is known.
-    fn uv_set(&self, arg: Option<&Arg>, facts: &Facts) -> Option<u32> {
+    fn uv_set(&self, arg: Option<&Arg>, facts: &AbstractState) -> Option<u32> {
         let number = self.value(&arg?.value, facts).number().known()?;
         (0.0..10.0).contains(&number).then_some(number as u32)
     }
 
-    fn hand_on<'a>(&self, rule: u32, args: &[Arg], facts: &Facts, visit: &mut dyn Visit<'a>) {
+    fn hand_on<'a>(&self, rule: u32, args: &[Arg], facts: &AbstractState, visit: &mut dyn Visit<'a>) {
         let params = args.iter().map(|arg| self.value(&arg.value, facts)).collect();
         visit.hand_on(rule, facts.with(self.known.rules[rule as usize], params));
     }
@@ -142,11 +147,11 @@ impl<'w> Walk<'w> {
         &self,
         arms: &'a [(Expr, Vec<Op>)],
         otherwise: &'a [Op],
-        facts: Facts,
-        first: &Facts,
+        facts: AbstractState,
+        first: &AbstractState,
         before: &mut Vec<&'a Expr>,
         visit: &mut dyn Visit<'a>,
-    ) -> Option<Facts> {
+    ) -> Option<AbstractState> {
         // A condition is evaluated after all earlier ones have failed.
         let (mut ends, mut left) = (Vec::new(), Some(facts));
         for (at, (condition, ops)) in arms.iter().enumerate() {
@@ -173,8 +178,8 @@ impl<'w> Walk<'w> {
     }
 
     /// An operation with braces. It does not change the shape itself.
-    fn block<'a>(&self, block: &'a Block, facts: &Facts, visit: &mut dyn Visit<'a>) {
-        let any = || Facts { asset: None, ..facts.on_any_shape() };
+    fn block<'a>(&self, block: &'a Block, facts: &AbstractState, visit: &mut dyn Visit<'a>) {
+        let any = || AbstractState { asset: None, ..facts.on_any_shape() };
         let row = match self.known.of(&block.name, facts) {
             Some(Use::Operation(row)) => Some(row),
             _ => None,
@@ -206,7 +211,7 @@ impl<'w> Walk<'w> {
         block: &'a Block,
         row: Option<&'static Operation>,
         (items, repeat): (&'a [SplitItem], bool),
-        facts: &Facts,
+        facts: &AbstractState,
         visit: &mut dyn Visit<'a>,
     ) {
         let any = |_: usize| Some(Shape::ANY);
@@ -238,7 +243,7 @@ impl<'w> Walk<'w> {
         &self,
         items: &'a [SplitItem],
         index: &mut usize,
-        facts: &Facts,
+        facts: &AbstractState,
         visit: &mut dyn Visit<'a>,
         shape: &dyn Fn(usize) -> Option<Shape>,
     ) {
@@ -262,7 +267,7 @@ impl<'w> Walk<'w> {
         arm: &'a Arm,
         block: &'a Block,
         row: Option<&'static Operation>,
-        facts: &Facts,
+        facts: &AbstractState,
         visit: &mut dyn Visit<'a>,
     ) {
         // With the part as current shape.
@@ -284,11 +289,11 @@ impl<'w> Walk<'w> {
             (false, _) => Shape::ANY,
         };
         let part = facts.on(shape);
-        self.steps(&arm.ops, if is_comp { part } else { Facts { asset: None, ..part } }, visit);
+        self.steps(&arm.ops, if is_comp { part } else { AbstractState { asset: None, ..part } }, visit);
     }
 
     /// The transfer function of an operation.
-    fn after(&self, row: &'static Operation, args: &[Arg], facts: &Facts, span: Span) -> Shape {
+    fn after(&self, row: &'static Operation, args: &[Arg], facts: &AbstractState, span: Span) -> Shape {
         let shape = facts.shape;
         match row.scope {
             Effect::Keeps => shape,
@@ -308,7 +313,7 @@ impl<'w> Walk<'w> {
         }
     }
 
-    fn sized(&self, shape: Shape, args: [&Arg; 3], facts: &Facts, span: Span) -> Shape {
+    fn sized(&self, shape: Shape, args: [&Arg; 3], facts: &AbstractState, span: Span) -> Shape {
         let (mut size, mut kept) = (shape.size, [false; 3]);
         for ((size, kept), arg) in size.iter_mut().zip(&mut kept).zip(args) {
             let number = self.value(&arg.value, facts).number().taken();
@@ -333,7 +338,7 @@ fn asset_after(row: &Operation, args: &[Arg], before: Option<u32>) -> Option<u32
 }
 
 /// The join of the ends of several paths.
-fn joined(ends: Vec<Facts>) -> Option<Facts> {
+fn joined(ends: Vec<AbstractState>) -> Option<AbstractState> {
     ends.into_iter().reduce(|all, next| all.or(&next))
 }
 

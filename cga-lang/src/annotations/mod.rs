@@ -10,7 +10,7 @@ use crate::diag::code::Code;
 use crate::ir::{AttrGroup, AttrInfo};
 use crate::link::{InstanceId, Key, Program};
 use crate::resolve::context::Context;
-use crate::resolve::globals::Item;
+use crate::resolve::globals::Declared;
 use crate::resolve::info::{Hidden, ImportInfo, RuleInfo};
 use crate::span::Span;
 use crate::suggest::nearest;
@@ -126,10 +126,10 @@ fn no_start(cx: &mut Context, decl: &Decl, span: Span) {
 /// has no parameters.
 fn start_rule(cx: &mut Context) -> Option<u32> {
     let (root, styles) = (cx.at, &cx.globals.program.instances[cx.at].styles);
-    let own = |item: &Item| item.instance == root && item.home == root && !item.decl.name.text.contains('.');
-    let rules: Vec<(usize, &Item)> = cx.globals.rules.iter().enumerate().filter(|(_, item)| own(item)).collect();
+    let own = |item: &Declared| item.instance == root && item.home == root && !item.decl.name.text.contains('.');
+    let rules: Vec<(usize, &Declared)> = cx.globals.rules.iter().enumerate().filter(|(_, item)| own(item)).collect();
     let free = || rules.iter().filter(|(_, item)| item.decl.params.is_empty());
-    let is_marked = |item: &Item| cx.tables.rules.get(&item.key()).is_some_and(|info| info.marked);
+    let is_marked = |item: &Declared| cx.tables.rules.get(&item.key()).is_some_and(|info| info.marked);
     let found = free()
         .find(|(_, item)| item.decl.role == Role::Start)
         .or_else(|| free().filter(|(_, item)| is_marked(item)).min_by_key(|(_, item)| styles.rank(item.decl.style)))

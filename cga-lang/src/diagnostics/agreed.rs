@@ -4,7 +4,7 @@
 //! facts differ between instances; a diagnostic about the text must hold in all of them.
 
 use crate::diag::{Diag, Diags};
-use crate::resolve::globals::Item;
+use crate::resolve::globals::Declared;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
@@ -16,7 +16,7 @@ pub(crate) struct Agreed {
 
 impl Agreed {
     /// Checks an instance of a declaration. Once an instance has no diagnostics, the remaining ones need no check.
-    pub(crate) fn check(&mut self, item: &Item, check: impl FnOnce(&mut Diags)) {
+    pub(crate) fn check(&mut self, item: &Declared, check: impl FnOnce(&mut Diags)) {
         let known = self.by_name.entry(item.decl.name.id());
         if matches!(&known, Entry::Occupied(known) if known.get().is_empty()) {
             return;

@@ -1,7 +1,7 @@
 //! Checks of expressions: division by zero, arguments out of bounds, constant conditions.
 
 use super::{bounds, branches, colour, texture};
-use crate::analysis::{Facts, Flow, Turn};
+use crate::analysis::{AbstractState, DataFlow, Turn};
 use crate::diag::Diags;
 use crate::diag::code::Code;
 use crate::resolve::context::Context;
@@ -9,7 +9,7 @@ use crate::resolve::tables::Use;
 use crate::syntax::ast::{Binary, Expr, ExprKind};
 
 /// Checks an expression and its parts.
-pub(crate) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Context, diags: &mut Diags) {
+pub(crate) fn check(expr: &Expr, facts: &AbstractState, flow: &DataFlow, cx: &Context, diags: &mut Diags) {
     match &expr.kind {
         ExprKind::Binary(op @ (Binary::Div | Binary::Rem), _, _, right)
             if flow.value(right, facts).number().known() == Some(0.0) =>
@@ -41,9 +41,9 @@ pub(crate) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Context, diags
 fn case<'e>(
     arms: &'e [(Expr, Expr)],
     other: &'e Expr,
-    facts: &Facts,
-    (first, before): (&Facts, &mut Vec<&'e Expr>),
-    flow: &Flow,
+    facts: &AbstractState,
+    (first, before): (&AbstractState, &mut Vec<&'e Expr>),
+    flow: &DataFlow,
     cx: &Context,
     diags: &mut Diags,
 ) {

@@ -1,6 +1,6 @@
 //! Files that rules name and the package does not have; groups and materials that an asset does not have.
 
-use crate::analysis::{Facts, Site};
+use crate::analysis::{AbstractState, Site};
 use crate::diag::code::Code;
 use crate::diag::{Diags, quoted};
 use crate::link::Asset;
@@ -13,7 +13,7 @@ use crate::syntax::token::Tok;
 use cga_split::files::places;
 
 /// Checks a site of a rule.
-pub(crate) fn check(site: &Site, facts: &Facts, cx: &Context, diags: &mut Diags) {
+pub(crate) fn check(site: &Site, facts: &AbstractState, cx: &Context, diags: &mut Diags) {
     let names = cx.tables.at(facts.own);
     match site {
         Site::Operation(row, args) => {
@@ -26,7 +26,7 @@ pub(crate) fn check(site: &Site, facts: &Facts, cx: &Context, diags: &mut Diags)
 }
 
 /// Checks an expression and its parts.
-pub(crate) fn expression(expr: &Expr, facts: &Facts, cx: &Context, diags: &mut Diags) {
+pub(crate) fn expression(expr: &Expr, facts: &AbstractState, cx: &Context, diags: &mut Diags) {
     let names = cx.tables.at(facts.own);
     if let ExprKind::Call(name, args) = &expr.kind
         && let Some(Use::Builtin(row)) = names.of(name)

@@ -2,14 +2,14 @@
 
 use super::numbers::shown;
 use crate::analysis::interval::Interval;
-use crate::analysis::{Facts, Flow, Value};
+use crate::analysis::{AbstractState, DataFlow, Value};
 use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
-use crate::ops::{Allowed, Bounds, Param};
+use crate::ops::{Allowed, Param, ParamBounds};
 use crate::syntax::ast::{Expr, ExprKind};
 
 /// Reports the arguments of a call that are out of bounds for all their possible values.
-pub(crate) fn check(params: &[Param], args: &[&Expr], facts: &Facts, flow: &Flow, diags: &mut Diags) {
+pub(crate) fn check(params: &[Param], args: &[&Expr], facts: &AbstractState, flow: &DataFlow, diags: &mut Diags) {
     for (param, arg) in params.iter().zip(args) {
         let Some(bounds) = param.bounds else { continue };
         let found = match (bounds.values, flow.value(arg, facts)) {
@@ -25,7 +25,7 @@ pub(crate) fn check(params: &[Param], args: &[&Expr], facts: &Facts, flow: &Flow
     }
 }
 
-fn report(param: &Param, bounds: &Bounds, arg: &Expr, found: &str, diags: &mut Diags) {
+fn report(param: &Param, bounds: &ParamBounds, arg: &Expr, found: &str, diags: &mut Diags) {
     let message = match bounds.code {
         Code::UnknownUvSet => format!("{found} is not the number of a uv set"),
         _ if bounds.values == Allowed::NotEmpty => format!("`{}` is empty", param.name),

@@ -2,7 +2,7 @@
 
 use super::numbers::range;
 use super::switch::is_switch;
-use crate::analysis::{Facts, Flow, Turn, Value};
+use crate::analysis::{AbstractState, DataFlow, Turn, Value};
 use crate::diag::code::Code;
 use crate::diag::{Detail, Diag, Diags};
 use crate::hash::FastMap;
@@ -16,7 +16,7 @@ use crate::syntax::token::{Sym, Tok};
 use std::collections::HashSet;
 
 /// Checks a condition of a `case`.
-pub(crate) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Context, diags: &mut Diags) {
+pub(crate) fn check(turn: &Turn, facts: &AbstractState, flow: &DataFlow, cx: &Context, diags: &mut Diags) {
     let condition = turn.condition;
     let Some(truth) = flow.value(condition, facts).truth() else {
         // A part of the condition may still be wrong.
@@ -130,7 +130,14 @@ fn is_settled(expr: &Expr, names: Entries) -> bool {
 }
 
 /// Collects the known values of the compared operands, if these decide the condition.
-fn reasons(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, place: &str, notes: &mut Vec<String>) {
+fn reasons(
+    condition: &Expr,
+    truth: bool,
+    facts: &AbstractState,
+    flow: &DataFlow,
+    place: &str,
+    notes: &mut Vec<String>,
+) {
     match &condition.kind {
         ExprKind::Unary(Unary::Not, operand) => reasons(operand, !truth, facts, flow, place, notes),
         ExprKind::Binary(op @ (Binary::And | Binary::Or), _, left, right) => {
@@ -164,7 +171,7 @@ fn reasons(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, place: &st
 }
 
 /// A value in a message, if something is known about it.
-fn told(expr: &Expr, facts: &Facts, flow: &Flow) -> Option<String> {
+fn told(expr: &Expr, facts: &AbstractState, flow: &DataFlow) -> Option<String> {
     match flow.value(expr, facts) {
         Value::Number(number) if number.lo.is_finite() || number.hi.is_finite() => {
             Some(format!("{}{}", range(number), if number.may_be_nan() { ", or NaN" } else { "" }))
@@ -176,7 +183,7 @@ fn told(expr: &Expr, facts: &Facts, flow: &Flow) -> Option<String> {
 }
 
 /// Returns true if a switch decides a condition.
-fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, cx: &Context) -> bool {
+fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &AbstractState, flow: &DataFlow, cx: &Context) -> bool {
     let decides = |side: &Expr, truth: bool| {
         flow.value(side, facts).truth() == Some(truth) && is_decided_by_switch(side, truth, facts, flow, cx)
     };
@@ -191,8 +198,9 @@ fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &Facts, flow: &Flo
     }
 }
 
-/// Returns true if an order comparison tests a switch: a constant against zero, which turns a part off (`overhang >
-/// 0`), or a constant that the rules only compare, and more than once (`lod > 1`, `lod > 2`).
+/// Returns true if an order comparison tests a switch. One kind is a constant against zero, which turns a part off
+/// (`overhang > 0`). The other is a constant that the rules compare several times and do not use otherwise (`lod > 1`,
+/// `lod > 2`).
 fn is_level(constant: &Expr, bound: &Expr, own: InstanceId, cx: &Context) -> bool {
     let (ExprKind::Name(name) | ExprKind::Call(name, _), ExprKind::Number(bound)) = (&constant.kind, &bound.kind)
     else {

@@ -2,7 +2,7 @@
 //! with a fault. Numbers are clamped to the valid range.
 
 use super::numbers::shown;
-use crate::analysis::{Facts, Flow};
+use crate::analysis::{AbstractState, DataFlow};
 use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
 use crate::dialect::Dialect;
@@ -15,8 +15,8 @@ pub(crate) fn check(
     program: &Program,
     params: &[Param],
     args: &[&Expr],
-    facts: &Facts,
-    flow: &Flow,
+    facts: &AbstractState,
+    flow: &DataFlow,
     diags: &mut Diags,
 ) {
     let of = |kind| params.iter().zip(args).filter(move |(param, _)| param.kind == kind).map(|(_, arg)| *arg);

@@ -2,7 +2,7 @@
 
 use super::agreed::Agreed;
 use super::{repeat, size};
-use crate::analysis::{Attrs, Calls, Evaluator, Flow, Site, Slots};
+use crate::analysis::{Attrs, Calls, DataFlow, Evaluator, Site, Slots};
 use crate::diag::code::Code;
 use crate::diag::{Basis, Diag, Diags, Level};
 use crate::resolve::context::Context;
@@ -25,7 +25,7 @@ const TOLD: &[Code] = &[
 pub(crate) fn check(cx: &Context, calls: &Calls, certain: &[Diag]) -> Vec<Diag> {
     let program = cx.globals.program;
     let known = Evaluator::new(&cx.globals, &cx.tables, Attrs::Defaults);
-    let flow = Flow::new(&cx.globals, &known, Some(calls));
+    let flow = DataFlow::new(&cx.globals, &known, Some(calls));
     let mut agreed = Agreed::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {
         if !program.roots.contains(&item.instance) {

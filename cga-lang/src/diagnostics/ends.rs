@@ -7,7 +7,7 @@ use crate::diag::{Basis, Diag, Level, by_way_of};
 use crate::graph::{components, is_cycle};
 use crate::ops::Effect;
 use crate::resolve::context::Context;
-use crate::resolve::globals::Item;
+use crate::resolve::globals::Declared;
 use crate::resolve::tables::{Entries, Use};
 use crate::span::Span;
 use crate::syntax::ast::{Block, BlockPart, ExprKind, Op, OpKind, Prefix, SplitItem};
@@ -162,7 +162,7 @@ fn calls_one(list: &[Op], names: Entries, within: &dyn Fn(u32) -> bool) -> bool 
 }
 
 /// Returns true if an operation of a rule may change the size of the shape.
-fn sizes(item: &Item, cx: &Context) -> bool {
+fn sizes(item: &Declared, cx: &Context) -> bool {
     let names = cx.tables.at(item.own);
     ops(body(item)).any(|op| match &op.kind {
         OpKind::Call(name, _) => match names.of(name) {

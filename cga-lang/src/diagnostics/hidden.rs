@@ -35,29 +35,29 @@ pub(crate) fn check(cx: &Context) -> Vec<Diag> {
 
 /// The components that a selector takes, if the text determines them.
 #[derive(Clone, Copy, PartialEq)]
-enum Takes {
+enum Selection {
     Word(&'static Selector),
     Index(f64),
 }
 
-fn takes(selector: &Expr, names: Entries) -> Option<Takes> {
+fn takes(selector: &Expr, names: Entries) -> Option<Selection> {
     match &selector.kind {
         ExprKind::Name(name) => match names.of(name)? {
-            Use::Selector(word) => ops::selector(word).map(Takes::Word),
+            Use::Selector(word) => ops::selector(word).map(Selection::Word),
             _ => None,
         },
-        ExprKind::Number(number) => Some(Takes::Index(*number)),
+        ExprKind::Number(number) => Some(Selection::Index(*number)),
         _ => None,
     }
 }
 
 fn arms(list: &[Arm], names: Entries, diags: &mut Diags) {
-    let mut before: Vec<(Takes, Span)> = Vec::new();
+    let mut before: Vec<(Selection, Span)> = Vec::new();
     let mut taken = Directions::NONE;
     for arm in list {
         let Some(own) = takes(&arm.selector, names) else { continue };
         let span = arm.selector.span;
-        if let Takes::Index(index) = own
+        if let Selection::Index(index) = own
             && index.fract() != 0.0
         {
             let diag = never(diags, own, span);
@@ -65,7 +65,7 @@ fn arms(list: &[Arm], names: Entries, diags: &mut Diags) {
             continue;
         }
         let one = before.iter().find(|(other, _)| covers(*other, own));
-        let directions = if let Takes::Word(word) = own { word.directions } else { Directions::NONE };
+        let directions = if let Selection::Word(word) = own { word.directions } else { Directions::NONE };
         if let Some((other, place)) = one {
             let text = shown(*other);
             let diag = never(diags, own, span);
@@ -82,23 +82,23 @@ fn arms(list: &[Arm], names: Entries, diags: &mut Diags) {
 
 const ONCE: &str = "a component goes to the first selector that matches";
 
-fn never(diags: &mut Diags, own: Takes, span: Span) -> &mut Diag {
+fn never(diags: &mut Diags, own: Selection, span: Span) -> &mut Diag {
     diags.report(Code::SelectorHidden, span, format!("{} never finds a component", shown(own)))
 }
 
-fn shown(of: Takes) -> String {
+fn shown(of: Selection) -> String {
     match of {
-        Takes::Word(word) => format!("`{}`", word.name),
-        Takes::Index(index) => format!("index {index}"),
+        Selection::Word(word) => format!("`{}`", word.name),
+        Selection::Index(index) => format!("index {index}"),
     }
 }
 
 /// Returns true if one selector takes all components that the other one could.
-fn covers(one: Takes, other: Takes) -> bool {
+fn covers(one: Selection, other: Selection) -> bool {
     one == other
         || match (one, other) {
-            (Takes::Word(one), _) if one.directions == Directions::ALL => true,
-            (Takes::Word(one), Takes::Word(other)) => other.directions.within(one.directions),
+            (Selection::Word(one), _) if one.directions == Directions::ALL => true,
+            (Selection::Word(one), Selection::Word(other)) => other.directions.within(one.directions),
             _ => false,
         }
 }

@@ -19,7 +19,7 @@ mod texture;
 mod trailing;
 mod unused;
 
-use crate::analysis::{Attrs, Calls, Evaluator, Facts, Flow, Site};
+use crate::analysis::{AbstractState, Attrs, Calls, DataFlow, Evaluator, Site};
 use crate::diag::{Basis, Diag, Diags};
 use crate::diagnostics::agreed::Agreed;
 use crate::diagnostics::texture::Projected;
@@ -33,9 +33,9 @@ pub(crate) fn check(cx: &mut Context) {
     // With an error anywhere, the calls are not known.
     let calls = (!cx.diags.has_errors()).then(|| Calls::new(&cx.globals, &cx.tables));
     let known = Evaluator::new(&cx.globals, &cx.tables, Attrs::Accepted);
-    let alone = Flow::new(&cx.globals, &known, None);
-    let values = Flow::of_values(&cx.globals, &known);
-    let joined = Flow::new(&cx.globals, &known, calls.as_ref());
+    let alone = DataFlow::new(&cx.globals, &known, None);
+    let values = DataFlow::of_values(&cx.globals, &known);
+    let joined = DataFlow::new(&cx.globals, &known, calls.as_ref());
     let projected = Projected::new(cx, &alone);
     let mut agreed = Agreed::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {
@@ -81,7 +81,7 @@ pub(crate) fn check(cx: &mut Context) {
     }
     for item in cx.globals.values() {
         let own = item.value().map_or(item.own, |(_, own)| own);
-        let facts = Facts::any(own, item.decl.params.len() + item.decl.locals.len());
+        let facts = AbstractState::any(own, item.decl.params.len() + item.decl.locals.len());
         let locals = item.decl.locals.iter().map(|(_, value)| value).filter(|_| item.is_own());
         agreed.check(item, |diags| {
             for value in locals.chain(item.value().map(|(value, _)| value)) {
@@ -101,7 +101,7 @@ pub(crate) fn check(cx: &mut Context) {
 }
 
 /// The diagnostics about the splits of a rule.
-fn divisions(rule: usize, flow: &Flow, projected: Projected, cx: &Context) -> Vec<Diag> {
+fn divisions(rule: usize, flow: &DataFlow, projected: Projected, cx: &Context) -> Vec<Diag> {
     let mut diags = Diags::new();
     flow.visit(&cx.globals, rule, &mut |site, facts| match site {
         Site::Split(slots) => {

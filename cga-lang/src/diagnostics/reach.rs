@@ -8,7 +8,7 @@ use crate::analysis::{Calls, body};
 use crate::diag::code::Code;
 use crate::diag::{Basis, Diag};
 use crate::resolve::context::Context;
-use crate::resolve::globals::{Item, Namespace};
+use crate::resolve::globals::{Declared, Namespace};
 use crate::suggest::nearest;
 use crate::syntax::ast::Role;
 use std::collections::HashSet;
@@ -77,9 +77,9 @@ fn uncalled(cx: &Context, calls: &Calls) -> HashSet<usize> {
     for (caller, callees) in calls.edges.iter().enumerate() {
         others.extend(callees.iter().filter(|callee| **callee != caller));
     }
-    let info = |item: &Item| cx.tables.rules.get(&item.key());
-    let is_root = |item: &Item| program.roots.contains(&item.instance) && !is_outward(item);
-    let is_marked = |item: &Item| is_root(item) && info(item).is_some_and(|info| info.marked);
+    let info = |item: &Declared| cx.tables.rules.get(&item.key());
+    let is_root = |item: &Declared| program.roots.contains(&item.instance) && !is_outward(item);
+    let is_marked = |item: &Declared| is_root(item) && info(item).is_some_and(|info| info.marked);
     if program.may_be_imported() || !cx.globals.rules.iter().any(is_marked) {
         return HashSet::new();
     }
@@ -92,12 +92,12 @@ fn uncalled(cx: &Context, calls: &Calls) -> HashSet<usize> {
 }
 
 /// Returns true if a rule replaces or continues a rule of an import, and is called from there.
-fn is_outward(item: &Item) -> bool {
+fn is_outward(item: &Declared) -> bool {
     item.decl.role != Role::Plain || item.decl.name.text.contains('.') || item.home != item.instance
 }
 
 /// The import before the name of a rule, if the file has no such import.
-fn missing_import<'a>(cx: &Context<'a, '_>, item: &Item<'a>) -> Option<&'a str> {
+fn missing_import<'a>(cx: &Context<'a, '_>, item: &Declared<'a>) -> Option<&'a str> {
     let program = cx.globals.program;
     let (import, _) = item.decl.name.text.split_once('.')?;
     let is_known = program.instances[item.instance].imports.contains_key(import);

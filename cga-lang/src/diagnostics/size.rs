@@ -2,7 +2,7 @@
 
 use super::numbers::{about, range, shown};
 use super::switch::is_switch;
-use crate::analysis::{Face, Facts, Slot, Slots, Sum, called};
+use crate::analysis::{AbstractState, Face, SizeSum, Slot, Slots, called};
 use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::resolve::tables::{Entries, Tables};
@@ -15,7 +15,7 @@ const HARDLY: f64 = 0.5;
 /// 0.33.
 const VISIBLE: f64 = 0.02 + 1e-9;
 
-pub(crate) fn check(slots: &Slots, facts: &Facts, tables: &Tables, diags: &mut Diags) {
+pub(crate) fn check(slots: &Slots, facts: &AbstractState, tables: &Tables, diags: &mut Diags) {
     if facts.shape.is_flat(slots.axis) {
         return flat(slots, facts, diags);
     }
@@ -39,7 +39,7 @@ fn label(slot: &Slot) -> String {
 }
 
 /// Adds the place that defines the extent.
-fn since(slots: &Slots, facts: &Facts, diag: &mut Diag) {
+fn since(slots: &Slots, facts: &AbstractState, diag: &mut Diag) {
     if let Some(place) = facts.shape.since[slots.axis] {
         diag.related(format!("the shape gets this extent along {}", axis(slots)), place);
     }
@@ -49,7 +49,7 @@ pub(crate) fn axis(slots: &Slots) -> &'static str {
     ["x", "y", "z"][slots.axis]
 }
 
-fn flat(slots: &Slots, facts: &Facts, diags: &mut Diags) {
+fn flat(slots: &Slots, facts: &AbstractState, diags: &mut Diags) {
     let name = axis(slots);
     let span = slots.split.args.first().map_or(slots.split.name.span, |arg: &Arg| arg.span);
     let face = facts.shape.is_face().filter(|_| slots.axis == 2);
@@ -83,20 +83,20 @@ fn nothing(slot: &Slot, names: Entries, diags: &mut Diags) {
 }
 
 /// A sum in a message: "1.1 of the scope", or the metres and the extent of the scope.
-fn quantity(slots: &Slots, sum: Sum) -> String {
+fn quantity(slots: &Slots, sum: SizeSum) -> String {
     let (extent, axis) = (slots.extent, axis(slots));
     let room = match extent.known() {
         Some(extent) => format!("and the scope has {} along {axis}", shown(extent)),
         None => format!("and the scope has {} at most along {axis}", about(extent.hi)),
     };
     match sum {
-        Sum { metres: 0.0, share } => format!("{} of the scope", shown(share)),
-        Sum { share: 0.0, metres } => format!("{}, {room}", shown(metres)),
-        Sum { share, metres } => format!("{} and {} of the scope, {room}", shown(metres), shown(share)),
+        SizeSum { metres: 0.0, share } => format!("{} of the scope", shown(share)),
+        SizeSum { share: 0.0, metres } => format!("{}, {room}", shown(metres)),
+        SizeSum { share, metres } => format!("{} and {} of the scope, {room}", shown(metres), shown(share)),
     }
 }
 
-fn starved(slots: &Slots, index: usize, facts: &Facts, diags: &mut Diags) {
+fn starved(slots: &Slots, index: usize, facts: &AbstractState, diags: &mut Diags) {
     let slot = &slots.list[index];
     let (code, sum, which) = if slot.floats() {
         (Code::FloatWithoutSpace, slots.fixed(), "the sizes that do not float")
@@ -130,13 +130,13 @@ fn starved(slots: &Slots, index: usize, facts: &Facts, diags: &mut Diags) {
 }
 
 /// Reports the slot that reaches beyond the end of the scope.
-fn crossing(slots: &Slots, facts: &Facts, diags: &mut Diags) {
+fn crossing(slots: &Slots, facts: &AbstractState, diags: &mut Diags) {
     let Some(index) = (0..slots.list.len()).find(|&index| slots.is_cut(index)) else { return };
     let slot = &slots.list[index];
     let sum = slots.before(index, true);
     let code = match sum {
-        Sum { metres: 0.0, .. } => Code::SharesBeyondWhole,
-        Sum { share: 0.0, .. } => Code::SizesBeyondExtent,
+        SizeSum { metres: 0.0, .. } => Code::SharesBeyondWhole,
+        SizeSum { share: 0.0, .. } => Code::SizesBeyondExtent,
         _ => Code::SlotAlwaysCut,
     };
     let message = format!("{} is always cut: it reaches beyond the end of the scope", label(slot));
@@ -150,7 +150,7 @@ fn crossing(slots: &Slots, facts: &Facts, diags: &mut Diags) {
 }
 
 /// Reports a rest at the end that is too thin to be meant.
-fn gap(slots: &Slots, facts: &Facts, diags: &mut Diags) {
+fn gap(slots: &Slots, facts: &AbstractState, diags: &mut Diags) {
     let Some(rest) = slots.rest() else { return };
     let made = || slots.list.iter().filter(|slot| !slot.is_nothing());
     let thinnest = made().map(|slot| slot.value.lo).fold(f64::INFINITY, f64::min);

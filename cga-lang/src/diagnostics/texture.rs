@@ -3,7 +3,7 @@
 //! Initial shapes may have texture coordinates, and a projection may be set up for later. In these cases nothing is
 //! reported.
 
-use crate::analysis::{Facts, Flow, UvSets, body};
+use crate::analysis::{AbstractState, DataFlow, UvSets, body};
 use crate::diag::Diags;
 use crate::diag::code::Code;
 use crate::ops::{Function, Operation, ParamKind, UvEffect};
@@ -23,7 +23,7 @@ pub(crate) struct Projected {
 }
 
 impl Projected {
-    pub(crate) fn new(cx: &Context, flow: &Flow) -> Projected {
+    pub(crate) fn new(cx: &Context, flow: &DataFlow) -> Projected {
         let (mut bits, mut made, mut set_up) = (0, 0, 0);
         // Rules of a file that imports this one may also make sets.
         if cx.globals.program.may_be_imported() {
@@ -40,7 +40,7 @@ impl Projected {
                         UvEffect::SetsUp => &mut set_up,
                         _ => return,
                     };
-                    let facts = Facts::any(item.own, item.decl.params.len());
+                    let facts = AbstractState::any(item.own, item.decl.params.len());
                     let set = args.first().and_then(|arg| flow.value(&arg.value, &facts).number().known());
                     *list |= set.map_or(u16::MAX, |set| 1u16.checked_shl(set as u32).unwrap_or(0));
                 }
@@ -57,7 +57,7 @@ impl Projected {
 }
 
 /// Checks a split along `u` or `v` of a uv set.
-pub(crate) fn check(split: &Block, set: u32, projected: Projected, facts: &Facts, diags: &mut Diags) {
+pub(crate) fn check(split: &Block, set: u32, projected: Projected, facts: &AbstractState, diags: &mut Diags) {
     let span = split.args.first().map_or(split.name.span, |axis| axis.span);
     if facts.uvs.lacks(set) {
         lacks(Code::SplitWithoutUv, span, set, "it is never split", diags);
@@ -74,7 +74,7 @@ pub(crate) fn changed(
     row: &Operation,
     args: &[Arg],
     projected: Projected,
-    (facts, flow): (&Facts, &Flow),
+    (facts, flow): (&AbstractState, &DataFlow),
     diags: &mut Diags,
 ) {
     let Some(arg) = args.first() else { return };
@@ -95,7 +95,13 @@ pub(crate) fn changed(
 }
 
 /// Checks a function of texture coordinates. `geometry.hasUVs` may test sets that are missing.
-pub(crate) fn asked(row: &Function, name: &Name, args: &[Expr], (facts, flow): (&Facts, &Flow), diags: &mut Diags) {
+pub(crate) fn asked(
+    row: &Function,
+    name: &Name,
+    args: &[Expr],
+    (facts, flow): (&AbstractState, &DataFlow),
+    diags: &mut Diags,
+) {
     let set = args.first().map_or(Some(0), |set| known_set(set, facts, flow));
     let Some(set) = set.filter(|set| row.needs_uv_set && facts.uvs.lacks(*set)) else { return };
     lacks(Code::MissingUvSet, name.span, set, &format!("`{}` is 0", name.text), diags);
@@ -109,13 +115,13 @@ fn lacks(code: Code, span: Span, set: u32, effect: &str, diags: &mut Diags) {
 }
 
 /// The number of a uv set, if it is known and such a set exists.
-fn known_set(number: &Expr, facts: &Facts, flow: &Flow) -> Option<u32> {
+fn known_set(number: &Expr, facts: &AbstractState, flow: &DataFlow) -> Option<u32> {
     let number = flow.value(number, facts).number().known()?;
     (0.0..10.0).contains(&number).then_some(number as u32)
 }
 
 /// Checks a value that may be a texture. A layer without its uv set uses the first one (*texturing*).
-pub(crate) fn carried(image: &Expr, kind: ParamKind, projected: Projected, facts: &Facts, diags: &mut Diags) {
+pub(crate) fn carried(image: &Expr, kind: ParamKind, projected: Projected, facts: &AbstractState, diags: &mut Diags) {
     let ParamKind::Image(set) = kind else { return };
     let is_off = matches!(&image.kind, ExprKind::Text(text) if text.is_empty());
     let none = |set: u32| facts.uvs.lacks(set) && projected.made & (1 << set) == 0;

@@ -6,7 +6,7 @@ use crate::diag::{Diag, Diags};
 use crate::ir::{ChoiceValues, Type};
 use crate::ops;
 use crate::resolve::context::Context;
-use crate::resolve::globals::{Init, Item};
+use crate::resolve::globals::{Declared, Initializer};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::syntax::ast::{Body, Name, Role};
@@ -21,13 +21,14 @@ pub(crate) fn check(cx: &Context) -> Vec<Diag> {
         return Vec::new();
     }
     let (attrs, consts) = used(cx);
-    let is_root = |item: &&Item| program.roots.contains(&item.instance) && item.home == item.instance && !item.origin;
+    let is_root =
+        |item: &&Declared| program.roots.contains(&item.instance) && item.home == item.instance && !item.origin;
     let mut agreed = Agreed::default();
     // Other files may read the values of a file.
     let styled = styled(cx);
     // A style may redefine a value for rules that only another style has.
-    let is_styled = |item: &Item| styled.contains(&item.decl.form());
-    let values = |item: &&Item| is_root(item) && !program.may_be_imported() && !is_styled(item);
+    let is_styled = |item: &Declared| styled.contains(&item.decl.form());
+    let values = |item: &&Declared| is_root(item) && !program.may_be_imported() && !is_styled(item);
     for (index, item) in globals.attrs.iter().enumerate().filter(|(_, item)| values(item)) {
         let is_used = attrs.contains(&(index as u32));
         agreed.check(item, |diags| value(item, Code::UnusedAttribute, is_used, diags));
@@ -55,7 +56,7 @@ fn used(cx: &Context) -> (HashSet<u32>, HashSet<u32>) {
         }
     }
     for (item, info) in cx.globals.attrs.iter().zip(&cx.tables.attrs) {
-        if let Init::Flows(outer) = item.init {
+        if let Initializer::Flows(outer) = item.init {
             attrs.insert(outer);
         }
         if let Some(ChoiceValues::Attr(attr)) = info.choices.as_ref().map(|choices| &choices.values) {
@@ -70,7 +71,7 @@ fn is_meant(name: &str) -> bool {
     name.starts_with('_')
 }
 
-fn value(item: &Item, code: Code, used: bool, diags: &mut Diags) {
+fn value(item: &Declared, code: Code, used: bool, diags: &mut Diags) {
     let name = &item.decl.name;
     if used || is_meant(&name.text) {
         return;
@@ -97,7 +98,7 @@ fn styled<'a>(cx: &Context<'a, '_>) -> HashSet<(&'a str, usize)> {
 }
 
 /// Checks parameters and locals.
-fn inner(cx: &Context, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut Diags) {
+fn inner(cx: &Context, item: &Declared, styled: &HashSet<(&str, usize)>, diags: &mut Diags) {
     let decl = item.decl;
     let names: Vec<_> = decl.inner().collect();
     let in_styles = styled.contains(&decl.form());
@@ -140,7 +141,7 @@ fn inner(cx: &Context, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut
 /// The first selector in a declaration that may have been meant as the parameter or local value of the same name. A
 /// text is never meant. A value that is read elsewhere is not meant either, except a bool next to an operator of a
 /// condition.
-fn doubtful_selector(cx: &Context, item: &Item, name: &Name, is_used: bool) -> Option<u32> {
+fn doubtful_selector(cx: &Context, item: &Declared, name: &Name, is_used: bool) -> Option<u32> {
     let word = ops::selector(&name.text)?.name;
     let tokens = cx.globals.program.tokens.as_slice();
     let ty = cx.tables.at(item.own).ty(name);

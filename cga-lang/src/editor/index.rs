@@ -9,7 +9,7 @@ use std::collections::HashMap;
 
 /// The kind of a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Kind {
+pub enum NameKind {
     /// An attribute.
     Attr,
     /// A constant.
@@ -26,7 +26,7 @@ pub enum Kind {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Named {
     /// The kind of declaration.
-    pub kind: Kind,
+    pub kind: NameKind,
     /// The name as written.
     pub name: String,
     /// The type of its value, if known; `None` for a rule.
@@ -43,27 +43,27 @@ pub(crate) fn index(globals: &Globals, tables: &Tables) -> Vec<Named> {
     let Some(&root) = program.roots.first() else { return Vec::new() };
     let mut list = Vec::new();
     // The index in the list, by kind and number.
-    let mut places: HashMap<(Kind, u32), usize> = HashMap::new();
-    let mut add = |kind: Kind, number: u32, name: &Name| {
+    let mut places: HashMap<(NameKind, u32), usize> = HashMap::new();
+    let mut add = |kind: NameKind, number: u32, name: &Name| {
         // Names with dots are several tokens.
         if !name.text.contains('.') {
             places.insert((kind, number), list.len());
-            let ty = tables.at(root).ty(name).filter(|_| kind != Kind::Rule);
+            let ty = tables.at(root).ty(name).filter(|_| kind != NameKind::Rule);
             list.push(Named { kind, name: name.text.clone(), ty, token: name.id(), uses: Vec::new() });
         }
     };
     let globals_of = [
-        (Kind::Attr, &globals.attrs),
-        (Kind::Const, &globals.consts),
-        (Kind::Function, &globals.functions),
-        (Kind::Rule, &globals.rules),
+        (NameKind::Attr, &globals.attrs),
+        (NameKind::Const, &globals.consts),
+        (NameKind::Function, &globals.functions),
+        (NameKind::Rule, &globals.rules),
     ];
     let mut scopes = Vec::new();
     for (kind, items) in globals_of {
         for (number, item) in (0..).zip(items).filter(|(_, item)| !item.origin && item.own == root) {
             add(kind, number, &item.decl.name);
             let owner = item.decl.name.id();
-            (0..).zip(item.decl.inner()).for_each(|(number, name)| add(Kind::Param(owner), number, name));
+            (0..).zip(item.decl.inner()).for_each(|(number, name)| add(NameKind::Param(owner), number, name));
             scopes.push((item.decl.span.first, item.decl.span.last, owner));
         }
     }
@@ -73,19 +73,19 @@ pub(crate) fn index(globals: &Globals, tables: &Tables) -> Vec<Named> {
     uses.sort_unstable_by_key(|(token, _)| *token);
     for (token, found) in uses {
         let key = match found {
-            Use::Attr(index) => (Kind::Attr, index),
+            Use::Attr(index) => (NameKind::Attr, index),
             // In `set(name, …)` the name is a use of the attribute.
-            Use::SetAttr(index) => (Kind::Attr, index),
-            Use::Const(index) => (Kind::Const, index),
-            Use::Function(index) => (Kind::Function, index),
-            Use::Rule(index) => (Kind::Rule, index),
+            Use::SetAttr(index) => (NameKind::Attr, index),
+            Use::Const(index) => (NameKind::Const, index),
+            Use::Function(index) => (NameKind::Function, index),
+            Use::Rule(index) => (NameKind::Rule, index),
             Use::Param(index) => {
                 let at = scopes.partition_point(|(first, ..)| *first <= token);
                 let Some(&(_, last, owner)) = at.checked_sub(1).and_then(|at| scopes.get(at)) else { continue };
                 if last < token {
                     continue;
                 }
-                (Kind::Param(owner), index)
+                (NameKind::Param(owner), index)
             }
             _ => continue,
         };
@@ -100,7 +100,7 @@ pub(crate) fn index(globals: &Globals, tables: &Tables) -> Vec<Named> {
 
 #[cfg(test)]
 mod tests {
-    use super::Kind;
+    use super::NameKind;
     use crate::compile::compile_text;
 
     #[test]
@@ -108,12 +108,15 @@ mod tests {
         let text = "attr h = 1  Lot --> A(h) set(h, 2)  A(n) --> t(n, h, n) Lot  B --> nothing(";
         let source = compile_text(text);
         assert!(source.compiled.grammar.is_none());
-        let shown: Vec<(Kind, &str, usize)> =
+        let shown: Vec<(NameKind, &str, usize)> =
             source.compiled.index.iter().map(|it| (it.kind, it.name.as_str(), it.uses.len())).collect();
         let of_a = source.compiled.index.iter().find(|it| it.name == "A").expect("a rule").token;
-        for expected in
-            [(Kind::Attr, "h", 3), (Kind::Rule, "Lot", 1), (Kind::Rule, "A", 1), (Kind::Param(of_a), "n", 2)]
-        {
+        for expected in [
+            (NameKind::Attr, "h", 3),
+            (NameKind::Rule, "Lot", 1),
+            (NameKind::Rule, "A", 1),
+            (NameKind::Param(of_a), "n", 2),
+        ] {
             assert!(shown.contains(&expected), "{expected:?} in {shown:?}");
         }
     }

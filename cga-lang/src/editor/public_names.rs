@@ -3,7 +3,7 @@
 use crate::ir::{Global, Grammar, Type, Value};
 use crate::link::Program;
 use crate::ops::{functions, shape_attr};
-use crate::resolve::globals::Item;
+use crate::resolve::globals::Declared;
 use crate::span::Span;
 use crate::syntax::ast::{Ast, Body, Expr, ExprKind, Unary};
 use std::collections::{HashMap, HashSet};
@@ -26,7 +26,7 @@ pub struct PublicName {
 /// The attributes, in source order, each name once.
 pub(crate) fn public_names(
     program: &Program,
-    attrs: &[(Item, Option<Type>)],
+    attrs: &[(Declared, Option<Type>)],
     grammar: Option<&Grammar>,
 ) -> Vec<PublicName> {
     let mut list: Vec<PublicName> = Vec::new();

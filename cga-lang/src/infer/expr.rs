@@ -1,7 +1,7 @@
 //! Types of expressions.
 
-use super::open::{OpenKind, Overload, Takes};
-use super::{Infer, State, Type, Use, Var};
+use super::open::{Constraint, OpenKind, Overload};
+use super::{Infer, Type, Use, Var, VarState};
 use crate::diag::code::Code;
 use crate::ops::Param;
 use crate::span::Span;
@@ -147,23 +147,23 @@ impl<'a> Infer<'_, 'a, '_> {
     }
 
     fn candidate(&mut self, found: Use) -> Overload {
-        let builtin = |params: &[Param]| -> Vec<Takes> {
-            params.iter().map(|param| param.kind.ty().map_or(Takes::Any, Takes::Type)).collect()
+        let builtin = |params: &[Param]| -> Vec<Constraint> {
+            params.iter().map(|param| param.kind.ty().map_or(Constraint::Any, Constraint::Type)).collect()
         };
         let (takes, gives) = match found {
             Use::Function(index) => {
                 let item = self.cx.globals.functions[index as usize].clone();
-                (self.params(&item).into_iter().map(Takes::Var).collect(), Takes::Var(self.slot(item.key())))
+                (self.params(&item).into_iter().map(Constraint::Var).collect(), Constraint::Var(self.slot(item.key())))
             }
             Use::Rule(index) => {
                 let item = self.cx.globals.rules[index as usize].clone();
-                (self.params(&item).into_iter().map(Takes::Var).collect(), Takes::Any)
+                (self.params(&item).into_iter().map(Constraint::Var).collect(), Constraint::Any)
             }
-            Use::Builtin(row) => (builtin(row.params), Takes::Type(row.ty)),
-            Use::Operation(row) => (builtin(row.params), Takes::Any),
-            Use::Convert(Type::Text) => (vec![Takes::Any], Takes::Type(Type::Text)),
-            Use::Convert(ty) => (vec![Takes::Type(ty)], Takes::Type(ty)),
-            _ => (Vec::new(), Takes::Any),
+            Use::Builtin(row) => (builtin(row.params), Constraint::Type(row.ty)),
+            Use::Operation(row) => (builtin(row.params), Constraint::Any),
+            Use::Convert(Type::Text) => (vec![Constraint::Any], Constraint::Type(Type::Text)),
+            Use::Convert(ty) => (vec![Constraint::Type(ty)], Constraint::Type(ty)),
+            _ => (Vec::new(), Constraint::Any),
         };
         Overload { found, takes, gives }
     }
@@ -206,6 +206,6 @@ impl<'a> Infer<'_, 'a, '_> {
 
     /// Returns true if the type is unknown.
     pub(super) fn is_free(&mut self, var: Var) -> bool {
-        self.vars.state(var) == State::Free
+        self.vars.state(var) == VarState::Free
     }
 }

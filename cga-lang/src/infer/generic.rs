@@ -4,8 +4,8 @@
 //! its arguments, and requests an instance of the declaration with these types if there is none yet;
 //! `link/instantiate.rs` makes it.
 
-use super::open::{Overload, Place, Takes};
-use super::{Infer, State, Use, Var};
+use super::open::{Constraint, Overload, Place};
+use super::{Infer, Use, Var, VarState};
 use crate::link::{Types, Wanted};
 use crate::syntax::ast::{Name, Role};
 
@@ -48,7 +48,8 @@ impl Infer<'_, '_, '_> {
         let typed = &self.cx.globals.program.typed;
         let given = item.decl.params.iter().map(|param| typed.given((item.own, param.id())).is_some());
         let given: Vec<bool> = given.collect();
-        let free = |takes: &Takes| matches!(takes, Takes::Var(var) if self.vars.state(*var) == State::Free);
+        let free =
+            |takes: &Constraint| matches!(takes, Constraint::Var(var) if self.vars.state(*var) == VarState::Free);
         candidate.takes.iter().map(free).zip(given).map(|(free, given)| free || given).collect()
     }
 
@@ -159,7 +160,7 @@ impl Infer<'_, '_, '_> {
         let first = self.calls.len();
         self.arguments(&item, args.to_vec(), rule);
         (first..self.calls.len()).for_each(|call| self.join_argument(call));
-        if let Takes::Var(own) = candidates[0].gives {
+        if let Constraint::Var(own) = candidates[0].gives {
             _ = self.vars.join(result, own);
         }
     }

@@ -19,7 +19,7 @@ use crate::hash::FastMap;
 use crate::link::{InstanceId, Key, Wanted};
 use crate::ops::ParamKind;
 use crate::resolve::context::Context;
-use crate::resolve::globals::{Init, Item};
+use crate::resolve::globals::{Declared, Initializer};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::syntax::ast::{Body, Decl, Expr, Name};
@@ -29,10 +29,10 @@ use crate::types::Type;
 use generic::Stage;
 use open::{Open, Place};
 use std::collections::HashSet;
-use unify::{State, Var, Vars};
+use unify::{Var, VarState, Vars};
 
 /// The result of `infer`.
-pub(crate) struct Found {
+pub(crate) struct Inferred {
     /// True if a value has another type than needed.
     pub(crate) misfit: bool,
     /// Requests for declarations with other types. With requests, the remaining types are not settled.
@@ -41,7 +41,7 @@ pub(crate) struct Found {
     pub(crate) unsuited: Vec<InstanceId>,
 }
 
-pub(crate) fn infer(cx: &mut Context) -> Found {
+pub(crate) fn infer(cx: &mut Context) -> Inferred {
     let before = cx.diags.so_far().len();
     let mut pass = Infer {
         cx,
@@ -78,7 +78,7 @@ pub(crate) fn infer(cx: &mut Context) -> Found {
     let unsuited = if pass.wanted.is_empty() { pass.unsuited() } else { Vec::new() };
     let wanted = pass.wanted;
     let misfit = |diag: &Diag| matches!(diag.code, Code::TypeMismatch | Code::UndefinedRule);
-    Found { misfit: cx.diags.so_far()[before..].iter().any(misfit), wanted, unsuited }
+    Inferred { misfit: cx.diags.so_far()[before..].iter().any(misfit), wanted, unsuited }
 }
 
 /// A type mismatch: its instance, place and message.
@@ -148,9 +148,9 @@ impl<'a> Infer<'_, 'a, '_> {
     }
 
     /// Infers the value of an attribute, constant or function.
-    fn declared(&mut self, item: &Item<'a>) {
+    fn declared(&mut self, item: &Declared<'a>) {
         let own = self.slot(item.key());
-        if let Init::Flows(outer) = item.init {
+        if let Initializer::Flows(outer) = item.init {
             // The value comes from the importing file.
             let from = self.cx.globals.attrs[outer as usize].clone();
             let var = self.slot(from.key());
@@ -172,7 +172,7 @@ impl<'a> Infer<'_, 'a, '_> {
             let needs = format!("`{name}` is used as a {}, but this is", own.word());
             self.mismatch(value.span, &needs, other);
         }
-        if self.vars.state(ty) == State::Poison {
+        if self.vars.state(ty) == VarState::Poison {
             let var = self.poison();
             self.slots.insert(item.key(), var);
         }
@@ -183,7 +183,7 @@ impl<'a> Infer<'_, 'a, '_> {
             return var;
         }
         let given = self.cx.globals.program.typed.given(key);
-        let var = self.vars.add(given.map_or(State::Free, State::Is), None);
+        let var = self.vars.add(given.map_or(VarState::Free, VarState::Is), None);
         self.slots.insert(key, var);
         var
     }
@@ -194,20 +194,20 @@ impl<'a> Infer<'_, 'a, '_> {
     }
 
     /// The types of the parameters of a declaration.
-    fn params(&mut self, item: &Item) -> Vec<Var> {
+    fn params(&mut self, item: &Declared) -> Vec<Var> {
         item.decl.params.iter().map(|param| self.slot((item.own, param.id()))).collect()
     }
 
     fn free(&mut self) -> Var {
-        self.vars.add(State::Free, None)
+        self.vars.add(VarState::Free, None)
     }
 
     fn poison(&mut self) -> Var {
-        self.vars.add(State::Poison, None)
+        self.vars.add(VarState::Poison, None)
     }
 
     fn known(&mut self, ty: Type, span: Span) -> Var {
-        self.vars.add(State::Is(ty), Some(span))
+        self.vars.add(VarState::Is(ty), Some(span))
     }
 
     /// Enters parameters and locals as names; locals get the types of their values.
@@ -262,7 +262,7 @@ impl<'a> Infer<'_, 'a, '_> {
     }
 
     /// Adds the arguments of a call of a declaration.
-    fn arguments(&mut self, item: &Item, args: Vec<Place>, rule: Option<Span>) {
+    fn arguments(&mut self, item: &Declared, args: Vec<Place>, rule: Option<Span>) {
         let params = self.params(item);
         for (((arg, span), var), param) in args.into_iter().zip(params).zip(&item.decl.params) {
             self.argument(arg, span, var, (item.decl.name.text.clone(), param.text.clone()), rule);
@@ -318,7 +318,7 @@ impl<'a> Infer<'_, 'a, '_> {
     fn join_styles(&mut self) {
         let mut pairs = Vec::new();
         for group in self.cx.globals.by_style() {
-            let names = |item: &Item<'a>| [&item.decl.name].into_iter().chain(&item.decl.params);
+            let names = |item: &Declared<'a>| [&item.decl.name].into_iter().chain(&item.decl.params);
             for other in &group[1..] {
                 let keys = names(group[0]).zip(names(other));
                 pairs.extend(keys.map(|(first, own)| ((group[0].own, first.id()), (other.own, own.id()))));
@@ -360,9 +360,9 @@ impl<'a> Infer<'_, 'a, '_> {
         let slots: Vec<(Key, Var)> = self.slots.iter().map(|(key, var)| (*key, *var)).collect();
         for (key, var) in slots {
             let ty = match self.vars.state(var) {
-                State::Is(ty) => ty,
-                State::Free => Type::Float,
-                State::Poison => continue,
+                VarState::Is(ty) => ty,
+                VarState::Free => Type::Float,
+                VarState::Poison => continue,
             };
             self.cx.tables.types.insert(key, ty);
         }

@@ -1,7 +1,7 @@
 //! Expressions that are unclear when they are read: `+`, calls with several candidates, arrays. They are decided as
 //! soon as enough is known, and at the end by the likeliest choice.
 
-use super::{Infer, State, Type, Use, Var};
+use super::{Infer, Type, Use, Var, VarState};
 use crate::diag::code::Code;
 use crate::link::InstanceId;
 use crate::span::Span;
@@ -41,12 +41,12 @@ pub(super) enum OpenKind {
 #[derive(Clone)]
 pub(super) struct Overload {
     pub(super) found: Use,
-    pub(super) takes: Vec<Takes>,
-    pub(super) gives: Takes,
+    pub(super) takes: Vec<Constraint>,
+    pub(super) gives: Constraint,
 }
 
 #[derive(Clone, Copy)]
-pub(super) enum Takes {
+pub(super) enum Constraint {
     /// Any type, or a word.
     Any,
     Type(Type),
@@ -107,20 +107,20 @@ impl Infer<'_, '_, '_> {
 
     fn plus(&mut self, left: Place, right: Place, result: Var, at: Span, force: bool) -> bool {
         let (l, r) = (self.vars.state(left.0), self.vars.state(right.0));
-        let text = State::Is(Type::Text);
+        let text = VarState::Is(Type::Text);
         if l == text || r == text {
             self.gives(result, Type::Text, at, "this `+` gives");
             return true;
         }
-        if l == State::Poison || r == State::Poison {
+        if l == VarState::Poison || r == VarState::Poison {
             // No further diagnostic is needed.
             return true;
         }
-        let is_other = |state: State| matches!(state, State::Is(ty) if ty != Type::Float);
+        let is_other = |state: VarState| matches!(state, VarState::Is(ty) if ty != Type::Float);
         let sum = self.vars.known(result) == Some(Type::Float)
-            || (l == State::Is(Type::Float) && r == l)
-            || (is_other(l) && r != State::Free)
-            || (is_other(r) && l != State::Free);
+            || (l == VarState::Is(Type::Float) && r == l)
+            || (is_other(l) && r != VarState::Free)
+            || (is_other(r) && l != VarState::Free);
         if sum || (force && self.vars.known(result).is_none_or(|ty| ty != Type::Text)) {
             self.need_var(left.0, left.1, Type::Float, "`+`");
             self.need_var(right.0, right.1, Type::Float, "`+`");
@@ -146,7 +146,7 @@ impl Infer<'_, '_, '_> {
 
     fn each(&mut self, op: Binary, at: Span, left: Place, right: Place, result: Var, force: bool) -> bool {
         let states = [left, right].map(|(var, _)| self.vars.state(var));
-        if states.contains(&State::Poison) {
+        if states.contains(&VarState::Poison) {
             return true;
         }
         let (l, r) = (self.vars.known(left.0), self.vars.known(right.0));
@@ -219,7 +219,7 @@ impl Infer<'_, '_, '_> {
         let mut all_known = true;
         for &(var, place) in entries {
             match self.vars.state(var) {
-                State::Is(ty) => match element {
+                VarState::Is(ty) => match element {
                     None => element = Some(ty.element()),
                     Some(first) if first != ty.element() => {
                         let needs = format!("this array has elements of type {}, here is", first.word());
@@ -229,8 +229,8 @@ impl Infer<'_, '_, '_> {
                     }
                     Some(_) => {}
                 },
-                State::Free => all_known = false,
-                State::Poison => {}
+                VarState::Free => all_known = false,
+                VarState::Poison => {}
             }
         }
         let Some(element) = element.or(force.then_some(Type::Float)) else { return false };
@@ -261,13 +261,13 @@ impl Infer<'_, '_, '_> {
             }
         }
         let found = match self.vars.state(array.0) {
-            State::Poison => return true,
-            State::Is(ty) if !ty.is_array() => {
+            VarState::Poison => return true,
+            VarState::Is(ty) if !ty.is_array() => {
                 self.mismatch(array.1, "only arrays have elements, this is", ty);
                 return true;
             }
-            State::Is(ty) => Some(ty),
-            State::Free => self.vars.known(result).map(Type::array),
+            VarState::Is(ty) => Some(ty),
+            VarState::Free => self.vars.known(result).map(Type::array),
         };
         let Some(found) = found.or(force.then_some(Type::Floats)) else { return false };
         self.vars.bind(array.0, found, array.1);
@@ -313,15 +313,15 @@ impl Infer<'_, '_, '_> {
         self.cx.tables.uses.insert((self.own, name.id()), chosen.found);
         for (takes, &(var, span)) in chosen.takes.iter().zip(args) {
             match takes {
-                Takes::Any => {}
-                Takes::Type(ty) => self.need_var(var, span, *ty, &format!("`{}`", name.text)),
-                Takes::Var(param) => _ = self.vars.join(var, *param),
+                Constraint::Any => {}
+                Constraint::Type(ty) => self.need_var(var, span, *ty, &format!("`{}`", name.text)),
+                Constraint::Var(param) => _ = self.vars.join(var, *param),
             }
         }
         match chosen.gives {
-            Takes::Any => {}
-            Takes::Type(ty) => self.gives(result, ty, name.span, "this call gives"),
-            Takes::Var(var) => {
+            Constraint::Any => {}
+            Constraint::Type(ty) => self.gives(result, ty, name.span, "this call gives"),
+            Constraint::Var(var) => {
                 if let Err((needs, got)) = self.vars.join(result, var) {
                     self.mismatch(name.span, &format!("a {} is needed, this is", needs.word()), got);
                 }
@@ -330,11 +330,11 @@ impl Infer<'_, '_, '_> {
     }
 
     /// The type, if known.
-    pub(super) fn taken(&mut self, takes: Takes) -> Option<Type> {
+    pub(super) fn taken(&mut self, takes: Constraint) -> Option<Type> {
         match takes {
-            Takes::Any => None,
-            Takes::Type(ty) => Some(ty),
-            Takes::Var(var) => self.vars.known(var),
+            Constraint::Any => None,
+            Constraint::Type(ty) => Some(ty),
+            Constraint::Var(var) => self.vars.known(var),
         }
     }
 
@@ -347,7 +347,7 @@ impl Infer<'_, '_, '_> {
 
     /// Returns true if the types of its parameters are known.
     pub(super) fn is_exact(&mut self, candidate: &Overload) -> bool {
-        candidate.takes.iter().all(|takes| !matches!(takes, Takes::Var(var) if self.is_free(*var)))
+        candidate.takes.iter().all(|takes| !matches!(takes, Constraint::Var(var) if self.is_free(*var)))
     }
 
     /// The type that all candidates return.

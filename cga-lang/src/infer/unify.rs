@@ -8,7 +8,7 @@ use crate::types::Type;
 pub(super) struct Var(u32);
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum State {
+pub(super) enum VarState {
     /// Nothing is known.
     Free,
     /// Known.
@@ -20,7 +20,7 @@ pub(super) enum State {
 #[derive(Clone, Copy)]
 struct Node {
     parent: u32,
-    state: State,
+    state: VarState,
     /// The place that determined the type.
     why: Option<Span>,
 }
@@ -32,7 +32,7 @@ pub(super) struct Vars {
 }
 
 impl Vars {
-    pub(super) fn add(&mut self, state: State, why: Option<Span>) -> Var {
+    pub(super) fn add(&mut self, state: VarState, why: Option<Span>) -> Var {
         let parent = self.nodes.len() as u32;
         self.nodes.push(Node { parent, state, why });
         Var(parent)
@@ -48,14 +48,14 @@ impl Vars {
         at
     }
 
-    pub(super) fn state(&mut self, var: Var) -> State {
+    pub(super) fn state(&mut self, var: Var) -> VarState {
         let root = self.root(var);
         self.nodes[root].state
     }
 
     pub(super) fn known(&mut self, var: Var) -> Option<Type> {
         match self.state(var) {
-            State::Is(ty) => Some(ty),
+            VarState::Is(ty) => Some(ty),
             _ => None,
         }
     }
@@ -68,8 +68,8 @@ impl Vars {
     /// Marks a type as wrong and reported.
     pub(super) fn poison(&mut self, var: Var) {
         let root = self.root(var);
-        if self.nodes[root].state == State::Free {
-            self.nodes[root].state = State::Poison;
+        if self.nodes[root].state == VarState::Free {
+            self.nodes[root].state = VarState::Poison;
         }
     }
 
@@ -78,13 +78,13 @@ impl Vars {
         let root = self.root(var);
         let node = &mut self.nodes[root];
         match node.state {
-            State::Free => {
-                node.state = State::Is(ty);
+            VarState::Free => {
+                node.state = VarState::Is(ty);
                 node.why = Some(why);
                 true
             }
-            State::Is(own) => own == ty,
-            State::Poison => true,
+            VarState::Is(own) => own == ty,
+            VarState::Poison => true,
         }
     }
 
@@ -92,10 +92,10 @@ impl Vars {
     pub(super) fn join(&mut self, a: Var, b: Var) -> Result<(), (Type, Type)> {
         let (a, b) = (self.root(a), self.root(b));
         match (self.nodes[a].state, self.nodes[b].state) {
-            (State::Is(first), State::Is(second)) if first != second => return Err((first, second)),
+            (VarState::Is(first), VarState::Is(second)) if first != second => return Err((first, second)),
             // A mistake in one place does not affect the other.
-            (State::Poison, _) | (_, State::Poison) => {}
-            (State::Is(_), State::Free) => self.nodes[b].parent = a as u32,
+            (VarState::Poison, _) | (_, VarState::Poison) => {}
+            (VarState::Is(_), VarState::Free) => self.nodes[b].parent = a as u32,
             _ => self.nodes[a].parent = b as u32,
         }
         Ok(())

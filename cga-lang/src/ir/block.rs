@@ -12,12 +12,12 @@ pub struct Block {
     /// One argument for each parameter of the row.
     pub args: Vec<Arg>,
     /// The parts.
-    pub parts: Parts,
+    pub parts: BlockParts,
 }
 
 /// The parts that an operation with braces makes.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Parts {
+pub enum BlockParts {
     /// `size : … | size : …`
     Slots(Slots),
     /// `selector : … | selector = …`, from left to right: a part goes to the first arm that selects it.

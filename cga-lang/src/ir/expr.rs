@@ -3,6 +3,7 @@
 use super::{Comp, FunctionId, GlobalId, HostId, Type, Value};
 use crate::ops::{self, ShapeAttr};
 use crate::span::Span;
+use crate::syntax::ast::Binary;
 
 /// An expression with its type.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,7 +43,7 @@ pub enum ExprKind {
     Style(Vec<u32>),
     /// Returns true if the site of the shared rule or function is one of these numbers.
     Site(Vec<u32>),
-    /// A value that is known and cannot be computed yet: 0, false, empty, or what is given.
+    /// A value that is known and cannot be computed yet: 0, false, empty, or the given value.
     Later(String),
     /// `[a, b; c, d]`: entries are elements or arrays.
     Array(Vec<Vec<Expr>>),
@@ -52,13 +53,13 @@ pub enum ExprKind {
     Index(Box<Expr>, Vec<Expr>),
     /// `.-a` or `.!a`.
     EachUnary(EachUnary, Box<Expr>),
-    /// `a .+ b`: element by element. One side may be a single value.
+    /// `a .+ b`: element by element. One side may be a single value. `+` joins text if the result is text.
     Each(Binary, Box<Expr>, Box<Expr>),
     /// `-a`.
     Neg(Box<Expr>),
     /// `!a`.
     Not(Box<Expr>),
-    /// Both operands are always evaluated, the left one first.
+    /// Both operands are always evaluated, the left one first. `+` joins text if the result is text.
     Binary(Binary, Box<Expr>, Box<Expr>),
     /// A float or bool as text, for `+` beside a string.
     ToText(Box<Expr>),
@@ -82,37 +83,4 @@ pub enum EachUnary {
     Neg,
     /// `.!`.
     Not,
-}
-
-/// Binary operators. Both sides have one type, except for [`Expr::Each`](ExprKind::Each).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Binary {
-    /// `+` on floats.
-    Add,
-    /// `-`.
-    Sub,
-    /// `*`.
-    Mul,
-    /// `/`.
-    Div,
-    /// `%`, with the sign of the dividend.
-    Rem,
-    /// `+` on text.
-    Concat,
-    /// `==`.
-    Eq,
-    /// `!=`.
-    Ne,
-    /// `<`.
-    Lt,
-    /// `<=`.
-    Le,
-    /// `>`.
-    Gt,
-    /// `>=`.
-    Ge,
-    /// `&&`; does not short-circuit.
-    And,
-    /// `||`; does not short-circuit.
-    Or,
 }

@@ -5,13 +5,13 @@
 //!
 //! ```
 //! use cga_lang::compile::compile_text;
-//! use cga_lang::ir::facts::Facts;
+//! use cga_lang::ir::facts::{Facts, Uses};
 //! use cga_lang::ir::RuleId;
 //!
 //! let source = compile_text("Lot --> split(x) { ~1 : Bay }  Bay --> 30% : A. else : B.");
 //! let facts = Facts::new(&source.compiled.grammar.unwrap());
 //! let lot = facts.rule(RuleId(0));
-//! assert!(!lot.own.draws && lot.below.draws && !lot.rigid);
+//! assert!(!lot.own.has(Uses::DRAWS) && lot.below.has(Uses::DRAWS) && !lot.rigid);
 //! ```
 
 mod closure;
@@ -43,9 +43,9 @@ pub struct RuleFacts {
     /// Uses of the rule and of every rule that it reaches. The counters are those that the rule gets with its shape, read by
     /// the rule or by a rule that it hands them on to: parts of a split have new ones.
     pub below: Uses,
-    /// True if the result in the coordinates of the scope depends on nothing but the size, the geometry and the material of
-    /// the shape, the arguments, and the attributes and constants of the run. The place in the world, the pivot, trim planes,
-    /// the seed, the counters and attributes that shapes hold make no difference.
+    /// True if the result in the coordinates of the scope depends only on the size, the geometry and the material of the shape,
+    /// on the arguments, and on the attributes and constants of the run. Then these make no difference: the place in the world,
+    /// the pivot, trim planes, the seed, the counters, and attributes that shapes hold.
     pub rigid: bool,
     /// The facts of the steps of the rule itself, without the rules that it calls.
     pub own_rigid: bool,
@@ -78,8 +78,8 @@ impl Facts {
         found
     }
 
-    /// Uses of a part of a split or comp that becomes `target`: those of the arguments, which are evaluated on the part, and
-    /// those of the rule with everything below. A leaf uses nothing.
+    /// Uses of a part of a split or comp that becomes `target`. The arguments are evaluated on the part, so their uses count, and
+    /// all uses below the rule. A leaf uses nothing.
     pub fn target(&self, target: &Target) -> Uses {
         match target {
             Target::Rule { rule, args, .. } => self.exprs(args) | self.rule(*rule).below,

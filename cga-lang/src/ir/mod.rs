@@ -15,10 +15,10 @@ use crate::span::Span;
 pub use crate::types::Type;
 pub use cga_split::{Item, Piece, Prefix};
 
-pub use crate::syntax::ast::ArmMode;
+pub use crate::syntax::ast::{ArmMode, Binary};
 pub use attr::{AttrGroup, AttrInfo, ChoiceValues, Choices, Presentation, Range};
-pub use block::{Arm, Block, Comp, Parts, Selector, Slots, Solved};
-pub use expr::{Binary, EachUnary, Expr, ExprKind};
+pub use block::{Arm, Block, BlockParts, Comp, Selector, Slots, Solved};
+pub use expr::{EachUnary, Expr, ExprKind};
 
 /// Index into [`Grammar::rules`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -264,8 +264,8 @@ pub struct Renew {
 pub struct Renewal {
     /// The name of the import at its first call.
     pub import: String,
-    /// Its attributes and constants and those of what it imports, in an order in which each is ready before it is used.
-    /// They are evaluated on the copy.
+    /// The attributes and constants of the import and of its own imports, each after those that it uses. They are evaluated on
+    /// the copy.
     pub globals: Vec<GlobalId>,
 }
 

@@ -1,6 +1,6 @@
 //! Over the steps and expressions of a grammar.
 
-use crate::ir::{Arg, Arm, Block, Expr, ExprKind, Function, Grammar, Parts, Renew, Rule, Selector, Step, Target};
+use crate::ir::{Arg, Arm, Block, BlockParts, Expr, ExprKind, Function, Grammar, Renew, Rule, Selector, Step, Target};
 
 macro_rules! step_walkers {
     ($($life:lifetime)?, $iter:ident, [$($mutable:tt)?], $(#[$about:meta])* $steps:ident, $targets:ident, $exprs:ident, $args:ident) => {
@@ -35,8 +35,8 @@ macro_rules! step_walkers {
         pub fn $targets(step: & $($mutable)? Step) -> Vec<& $($mutable)? Target> {
             match step {
                 Step::Give(target) | Step::Renew(Renew { target, .. }) => vec![target],
-                Step::Block(Block { parts: Parts::Slots(slots), .. }) => slots.targets.$iter().collect(),
-                Step::Block(Block { parts: Parts::Arms(arms), .. }) => {
+                Step::Block(Block { parts: BlockParts::Slots(slots), .. }) => slots.targets.$iter().collect(),
+                Step::Block(Block { parts: BlockParts::Arms(arms), .. }) => {
                     arms.$iter().map(|arm| & $($mutable)? arm.then).collect()
                 }
                 Step::Do(..)
@@ -60,8 +60,8 @@ macro_rules! step_walkers {
                 Step::Block(block) => {
                     let mut list: Vec<_> = block.args.$iter().filter_map($args).collect();
                     match & $($mutable)? block.parts {
-                        Parts::Slots(slots) => list.extend(slots.sizes.$iter().map(|size| & $($mutable)? size.value)),
-                        Parts::Arms(arms) => list.extend(arms.$iter().filter_map(|arm| match & $($mutable)? arm.selector {
+                        BlockParts::Slots(slots) => list.extend(slots.sizes.$iter().map(|size| & $($mutable)? size.value)),
+                        BlockParts::Arms(arms) => list.extend(arms.$iter().filter_map(|arm| match & $($mutable)? arm.selector {
                             Selector::Index(asked) | Selector::When(asked) => Some(asked),
                             Selector::Word(_) => None,
                         })),

@@ -112,7 +112,7 @@ pub(crate) struct Program {
     /// The tokens of all files, in the order of `files`.
     pub(crate) tokens: Tokens,
     /// The files; the compiled file comes first.
-    pub(crate) files: Vec<Rc<File>>,
+    pub(crate) files: Vec<Rc<SourceFile>>,
     /// The instances; the root with its style `Default` comes first.
     pub(crate) instances: Vec<Instance>,
     /// The root's instances by style: `Default`, then the others in source order.
@@ -123,7 +123,7 @@ pub(crate) struct Program {
 }
 
 /// A file of rules.
-pub(crate) struct File {
+pub(crate) struct SourceFile {
     pub(crate) name: String,
     pub(crate) dialect: Dialect,
     pub(crate) ast: Ast,
@@ -138,7 +138,7 @@ pub(crate) struct File {
 
 /// A file with the style in force, at one import site.
 pub(crate) struct Instance {
-    pub(crate) file: Rc<File>,
+    pub(crate) file: Rc<SourceFile>,
     /// The styles of the file, from the one in force to `Default`.
     pub(crate) styles: Styles,
     /// The number of the style of the root that it belongs to.
@@ -234,7 +234,7 @@ impl Program {
     }
 
     /// The file of a token.
-    fn file(&self, token: u32) -> Option<&File> {
+    fn file(&self, token: u32) -> Option<&SourceFile> {
         let after = self.files.partition_point(|file| file.tokens.start <= token);
         after.checked_sub(1).map(|at| &*self.files[at])
     }
@@ -265,7 +265,7 @@ struct Link<'l> {
 
 impl Link<'_> {
     /// The file of a unit. It is parsed at its first use.
-    fn file(&mut self, unit: Unit) -> Rc<File> {
+    fn file(&mut self, unit: Unit) -> Rc<SourceFile> {
         if let Some(&number) = self.by_name.get(&unit.name) {
             return Rc::clone(&self.program.files[number]);
         }
@@ -279,7 +279,7 @@ impl Link<'_> {
         let ast = parse_part(&self.program.tokens, tokens.clone(), self.diags);
         let (number, calls) = (self.program.files.len(), overrides::dynamic_calls(&ast));
         self.by_name.insert(name.clone(), number);
-        let file = Rc::new(File { name, dialect, ast, tokens, is_torn, number, calls });
+        let file = Rc::new(SourceFile { name, dialect, ast, tokens, is_torn, number, calls });
         self.program.files.push(Rc::clone(&file));
         file
     }
@@ -287,7 +287,7 @@ impl Link<'_> {
     /// Instantiates a file with the style in force, and its imports.
     fn instance(
         &mut self,
-        file: &Rc<File>,
+        file: &Rc<SourceFile>,
         style: u32,
         prefix: String,
         parent: Option<InstanceId>,
@@ -335,7 +335,7 @@ impl Link<'_> {
     }
 
     /// Returns true if a limit is reached, which is reported once.
-    fn full_up(&mut self, file: &File, span: Span) -> bool {
+    fn full_up(&mut self, file: &SourceFile, span: Span) -> bool {
         let full = if MOST_INSTANCES <= self.program.instances.len() {
             format!("more than {MOST_INSTANCES} files")
         } else if MOST_NESTED <= self.under_way.len() {
@@ -356,7 +356,7 @@ impl Link<'_> {
     }
 
     /// The number of a style that an import names.
-    fn wanted_style(&mut self, file: &File, name: &Name) -> u32 {
+    fn wanted_style(&mut self, file: &SourceFile, name: &Name) -> u32 {
         let names = || file.ast.styles.iter().map(|style| style.name.text.as_str());
         match names().position(|own| own == name.text) {
             Some(index) => index as u32 + 1,

@@ -1,7 +1,7 @@
 //! Operations with braces, and `comp` as a value.
 
 use super::{LONGEST_SOURCE, Lower};
-use crate::ir::{Arm, Block, Comp, Expr, ExprKind, Item, Parts, Selector, Slots, Step, Target, Type};
+use crate::ir::{Arm, Block, BlockParts, Comp, Expr, ExprKind, Item, Selector, Slots, Step, Target, Type};
 use crate::lower::fold::fold;
 use crate::ops::{self, Run};
 use crate::resolve::tables::Use;
@@ -19,9 +19,9 @@ impl<'c> Lower<'c> {
             [BlockPart::Slots(items, repeat)] => {
                 let mut slots = Slots::default();
                 self.slots(items, *repeat, &mut slots, block.name.span);
-                Parts::Slots(slots)
+                BlockParts::Slots(slots)
             }
-            [BlockPart::Arms(arms)] => Parts::Arms(arms.iter().map(|arm| self.arm_of(arm)).collect()),
+            [BlockPart::Arms(arms)] => BlockParts::Arms(arms.iter().map(|arm| self.arm_of(arm)).collect()),
             // No operation with such braces runs yet.
             _ => return Some(Step::Later(block.name.text.clone())),
         };

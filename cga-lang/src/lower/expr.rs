@@ -171,15 +171,15 @@ pub(super) fn draws<'c>(percents: impl Iterator<Item = &'c ast::Percent>) -> imp
     })
 }
 
-fn each(op: ast::Binary, left: Expr, right: Expr) -> (ExprKind, Type) {
+fn each(op: Binary, left: Expr, right: Expr) -> (ExprKind, Type) {
     if !left.ty.is_array() && !right.ty.is_array() {
         return binary(op, left, right);
     }
     let is_text = [left.ty, right.ty].iter().any(|ty| ty.element() == Type::Text);
-    let (op, ty) = match operator(op) {
-        Binary::Add if is_text => (Binary::Concat, Type::Texts),
-        op @ (Binary::Add | Binary::Sub | Binary::Mul | Binary::Div | Binary::Rem) => (op, Type::Floats),
-        op => (op, Type::Bools),
+    let ty = match op {
+        Binary::Add if is_text => Type::Texts,
+        Binary::Add | Binary::Sub | Binary::Mul | Binary::Div | Binary::Rem => Type::Floats,
+        _ => Type::Bools,
     };
     (ExprKind::Each(op, Box::new(left), Box::new(right)), ty)
 }
@@ -214,33 +214,13 @@ fn text(expr: Expr) -> Box<Expr> {
     Box::new(Expr { kind, ty, span })
 }
 
-fn binary(op: ast::Binary, left: Expr, right: Expr) -> (ExprKind, Type) {
-    if op == ast::Binary::Add && (left.ty == Type::Text || right.ty == Type::Text) {
-        return (ExprKind::Binary(Binary::Concat, text(left), text(right)), Type::Text);
+fn binary(op: Binary, left: Expr, right: Expr) -> (ExprKind, Type) {
+    if op == Binary::Add && (left.ty == Type::Text || right.ty == Type::Text) {
+        return (ExprKind::Binary(Binary::Add, text(left), text(right)), Type::Text);
     }
-    let op = operator(op);
     let ty = match op {
         Binary::Add | Binary::Sub | Binary::Mul | Binary::Div | Binary::Rem => Type::Float,
         _ => Type::Bool,
     };
     (ExprKind::Binary(op, Box::new(left), Box::new(right)), ty)
-}
-
-/// The operator as it is on numbers.
-fn operator(op: ast::Binary) -> Binary {
-    match op {
-        ast::Binary::Add => Binary::Add,
-        ast::Binary::Sub => Binary::Sub,
-        ast::Binary::Mul => Binary::Mul,
-        ast::Binary::Div => Binary::Div,
-        ast::Binary::Rem => Binary::Rem,
-        ast::Binary::Eq => Binary::Eq,
-        ast::Binary::Ne => Binary::Ne,
-        ast::Binary::Lt => Binary::Lt,
-        ast::Binary::Le => Binary::Le,
-        ast::Binary::Gt => Binary::Gt,
-        ast::Binary::Ge => Binary::Ge,
-        ast::Binary::And => Binary::And,
-        ast::Binary::Or => Binary::Or,
-    }
 }

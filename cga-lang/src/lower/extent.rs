@@ -4,7 +4,9 @@
 //! rule that is reached in several ways knows what all of them agree on, and one that the host program may start with knows
 //! nothing.
 
-use crate::ir::{Arg, Axis, Block, Grammar, Parts, Prefix, Renew, RuleId, Size, Slots, Solved, Step, Target, Value};
+use crate::ir::{
+    Arg, Axis, Block, BlockParts, Grammar, Prefix, Renew, RuleId, Size, Slots, Solved, Step, Target, Value,
+};
 use crate::ops::{Braces, Effect, MOST_SIZE, Measure};
 use cga_split::solve;
 
@@ -144,15 +146,15 @@ fn after(step: &Step, known: KnownExtents) -> KnownExtents {
 fn divide(block: &mut Block, known: KnownExtents, hand_on: &mut dyn FnMut(&Target, KnownExtents)) {
     let (axis, adjusts) = (block.axis(), block.adjusts());
     match (&mut block.parts, block.row.braces, axis) {
-        (Parts::Slots(slots), Braces::Slots(measure @ (Measure::Length | Measure::Area)), Some(axis)) => {
+        (BlockParts::Slots(slots), Braces::Slots(measure @ (Measure::Length | Measure::Area)), Some(axis)) => {
             slots.solved = if measure == Measure::Length { solved(slots, axis, known) } else { None };
             for (slot, target) in slots.targets.iter().enumerate() {
                 let stays = known.solid || !adjusts;
                 hand_on(target, if stays { part(slots, axis, slot, known) } else { known.moved_on() });
             }
         }
-        (Parts::Slots(slots), ..) => slots.targets.iter().for_each(|target| hand_on(target, known.moved_on())),
-        (Parts::Arms(arms), ..) => arms.iter().for_each(|arm| hand_on(&arm.then, NOTHING)),
+        (BlockParts::Slots(slots), ..) => slots.targets.iter().for_each(|target| hand_on(target, known.moved_on())),
+        (BlockParts::Arms(arms), ..) => arms.iter().for_each(|arm| hand_on(&arm.then, NOTHING)),
     }
 }
 

@@ -136,7 +136,7 @@ fn binary(op: Binary, left: Value, right: Value) -> Option<Value> {
         (Binary::Mul, Value::Float(a), Value::Float(b)) => finite(a * b)?,
         (Binary::Div, Value::Float(a), Value::Float(b)) => finite(a / b)?,
         (Binary::Rem, Value::Float(a), Value::Float(b)) => finite(a % b)?,
-        (Binary::Concat, Value::Text(a), Value::Text(b)) if a.len() + b.len() <= LONGEST_TEXT => Value::Text(a + &b),
+        (Binary::Add, Value::Text(a), Value::Text(b)) if a.len() + b.len() <= LONGEST_TEXT => Value::Text(a + &b),
         (Binary::And, Value::Bool(a), Value::Bool(b)) => Value::Bool(a && b),
         (Binary::Or, Value::Bool(a), Value::Bool(b)) => Value::Bool(a || b),
         (Binary::Eq, ..) => Value::Bool(order == Equal),

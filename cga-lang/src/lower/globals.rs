@@ -3,7 +3,7 @@
 use super::{Lower, merge};
 use crate::ir::{Expr, ExprKind, Function, FunctionId, Global, GlobalId, Type, Value};
 use crate::lower::fold::{Folded, fold};
-use crate::resolve::globals::{Init, Item};
+use crate::resolve::globals::{Declared, Initializer};
 use std::collections::HashMap;
 
 impl<'c> Lower<'c> {
@@ -40,7 +40,7 @@ impl<'c> Lower<'c> {
         self.owners.functions.push(style);
     }
 
-    fn function(&mut self, item: &Item<'c>, recursive: bool) -> Function {
+    fn function(&mut self, item: &Declared<'c>, recursive: bool) -> Function {
         self.enter(item);
         let locals = self.locals(item.decl);
         let body = self.value_itself(item);
@@ -57,8 +57,8 @@ impl<'c> Lower<'c> {
     }
 
     /// The value of an attribute or constant. Locals make a function of it, which is part of the cycle of a lazy one.
-    fn value(&mut self, item: &Item<'c>, lazy: bool) -> Expr {
-        if let Init::Flows(outer) = item.init {
+    fn value(&mut self, item: &Declared<'c>, lazy: bool) -> Expr {
+        if let Initializer::Flows(outer) = item.init {
             let ty = self.type_of(item);
             return Expr { kind: ExprKind::Global(GlobalId(outer)), ty, span: item.decl.name.span };
         }
@@ -73,7 +73,7 @@ impl<'c> Lower<'c> {
         self.value_itself(item)
     }
 
-    fn value_itself(&mut self, item: &Item<'c>) -> Expr {
+    fn value_itself(&mut self, item: &Declared<'c>) -> Expr {
         match item.value() {
             Some((value, _)) => self.expr(value),
             None => Expr { kind: ExprKind::Value(Value::Float(0.0)), ty: Type::Float, span: item.decl.span },

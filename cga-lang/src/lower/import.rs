@@ -49,8 +49,7 @@ impl<'c> Lower<'c> {
         id
     }
 
-    /// The needed attributes and constants of an instance and of what it imports, in an order in which each is ready before it
-    /// is used.
+    /// The needed attributes and constants of an instance and of its imports, each after those that it uses.
     fn renewed(&self, target: InstanceId) -> Vec<GlobalId> {
         let globals = &self.checked.globals;
         let parent = |id: &InstanceId| globals.program.instances[*id].parent;

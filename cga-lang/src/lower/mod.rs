@@ -19,7 +19,7 @@ use crate::ir::walk::calls;
 use crate::ir::{GlobalId, Grammar, Host, HostId, Init, Param, RenewalId, Rule, RuleId, Start, Step, Type};
 use crate::link::{InstanceId, Key};
 use crate::lower::fold::Folded;
-use crate::resolve::globals::Item;
+use crate::resolve::globals::Declared;
 use crate::resolve::info::RuleInfo;
 use crate::resolve::tables::Use;
 use crate::syntax::ast::{Body, Decl, Name};
@@ -90,7 +90,7 @@ impl<'c> Lower<'c> {
         self.checked.tables.types.get(&(self.own, token)).copied().unwrap_or(Type::Float)
     }
 
-    fn type_of(&self, item: &Item) -> Type {
+    fn type_of(&self, item: &Declared) -> Type {
         item.ty(&self.checked.tables).unwrap_or(Type::Float)
     }
 
@@ -104,7 +104,7 @@ impl<'c> Lower<'c> {
     }
 
     /// The style of the compiled file that a declaration belongs to.
-    fn style(&self, item: &Item) -> u32 {
+    fn style(&self, item: &Declared) -> u32 {
         self.checked.globals.program.instances[item.instance].root_style
     }
 
@@ -135,7 +135,7 @@ impl<'c> Lower<'c> {
     }
 
     /// Begins with a declaration.
-    fn enter(&mut self, item: &Item<'c>) {
+    fn enter(&mut self, item: &Declared<'c>) {
         self.inner = item.decl.inner().collect();
         self.own = item.own;
     }

@@ -4,7 +4,7 @@ use crate::diag::code::Code;
 
 /// The documented values of a parameter.
 #[derive(Debug, PartialEq)]
-pub struct Bounds {
+pub struct ParamBounds {
     /// The allowed values.
     pub values: Allowed,
     /// The allowed values in words, for a note.

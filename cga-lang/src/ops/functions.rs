@@ -2,7 +2,7 @@
 
 use super::base::later;
 use super::{
-    Allowed, B, BS, Bounds, Default, F, FILE, FS, Function, Needs, Param, Params, Run, Str, T, TS, Uses, boolean,
+    Allowed, B, BS, Default, F, FILE, FS, Function, Needs, Param, ParamBounds, Params, Run, Str, T, TS, Uses, boolean,
     bounds, float, of, or, queries, renamed, set_elements, text, values, within, word, words,
 };
 use crate::types::Type;
@@ -41,8 +41,8 @@ const fn asked(name: Str, call: Str, params: Params, about: Str) -> Function {
 }
 
 /// *contextCompare*, *contextCount* and *minimumDistance function*.
-static LABELS: Bounds =
-    Bounds { result: Some("no shape has an empty label"), ..bounds(Allowed::NotEmpty, "a label is not empty") };
+static LABELS: ParamBounds =
+    ParamBounds { result: Some("no shape has an empty label"), ..bounds(Allowed::NotEmpty, "a label is not empty") };
 
 const LABEL: Param = within(text("label"), &LABELS);
 

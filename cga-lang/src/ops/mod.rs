@@ -26,7 +26,7 @@ use crate::types::Type;
 use std::sync::LazyLock;
 
 pub use attributes::SHAPE_ATTRS;
-pub use bounds::{Allowed, Bounds};
+pub use bounds::{Allowed, ParamBounds};
 pub use directions::Directions;
 pub(crate) use effects::MOST_SIZE;
 pub use effects::{Changes, Effect, UvEffect};
@@ -244,7 +244,7 @@ impl Operation {
 
     /// Returns true if its result is for the run and the shape stays unchanged: `report`, `print`, `label`.
     pub fn is_for_run(&self) -> bool {
-        self.uses.says && self.scope == Effect::Keeps
+        self.uses.has(Uses::SAYS) && self.scope == Effect::Keeps
     }
 
     /// Returns true if it takes `count` arguments.
@@ -270,7 +270,7 @@ impl Operation {
 impl Function {
     /// Returns true if equal arguments on one shape always give the same result.
     pub fn is_settled(&self) -> bool {
-        self.pure || (!self.uses.is_none() && !self.uses.draws && !self.uses.says)
+        self.pure || (!self.uses.is_none() && !self.uses.has(Uses::DRAWS) && !self.uses.has(Uses::SAYS))
     }
 
     /// Returns true if it takes `count` arguments.

@@ -1,6 +1,6 @@
 //! Parameters of operations and functions.
 
-use super::{Allowed, Bounds};
+use super::{Allowed, ParamBounds};
 use crate::diag::code::Code;
 use crate::types::Type;
 
@@ -14,7 +14,7 @@ pub struct Param {
     /// The value of an argument that is left out.
     pub default: Option<Default>,
     /// The values that the reference allows, if it restricts them.
-    pub bounds: Option<&'static Bounds>,
+    pub bounds: Option<&'static ParamBounds>,
 }
 
 /// The value of an argument that is left out.
@@ -226,18 +226,18 @@ pub(super) const fn or(param: Param, default: Default) -> Param {
 }
 
 /// A parameter with documented bounds.
-pub(super) const fn within(param: Param, bounds: &'static Bounds) -> Param {
+pub(super) const fn within(param: Param, bounds: &'static ParamBounds) -> Param {
     Param { bounds: Some(bounds), ..param }
 }
 
 /// Bounds without a documented result for other values.
-pub(super) const fn bounds(values: Allowed, about: &'static str) -> Bounds {
-    Bounds { values, about, code: Code::OutOfRange, result: None }
+pub(super) const fn bounds(values: Allowed, about: &'static str) -> ParamBounds {
+    ParamBounds { values, about, code: Code::OutOfRange, result: None }
 }
 
 /// The numbers of uv sets (*texturing*).
-static UV_SETS: Bounds =
-    Bounds { code: Code::UnknownUvSet, ..bounds(Allowed::Between(0.0, 9.0), "uv sets are numbered from 0 to 9") };
+static UV_SETS: ParamBounds =
+    ParamBounds { code: Code::UnknownUvSet, ..bounds(Allowed::Between(0.0, 9.0), "uv sets are numbered from 0 to 9") };
 
 /// The number of a uv set.
 pub(super) const fn uv_set(name: &'static str) -> Param {

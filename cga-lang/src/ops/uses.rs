@@ -2,87 +2,60 @@
 
 use std::ops::BitOr;
 
-/// The parts of the current shape that an expression, an operation, a rule or a function reads or changes.
+/// The parts of the current shape that an expression, an operation, a rule or a function reads or changes: a set of the
+/// constants.
 ///
-/// A wrong `true` costs time. A `false` is a promise.
+/// A part too many costs time. A part that is missing is a promise.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Uses {
-    /// Random numbers are drawn from the shape's seed, or the seed itself is read or set: `rand`, `p`, chances in
-    /// expressions and rules, `seedian`.
-    pub draws: bool,
-    /// `split.index` is read.
-    pub index: bool,
-    /// `split.total` is read.
-    pub total: bool,
-    /// An expression reads sizes or the position of the scope: `scope.sx`, `scope.elevation`. The scope of operations
-    /// and splits does not count, because they always have it.
-    pub scope: bool,
-    /// An expression or an operation reads the position or orientation of the scope in the world: `scope.elevation`.
-    pub place: bool,
-    /// More than the scope and the material is read or changed: the pivot, the geometry, trim planes, `comp.index`, the
-    /// values of the material, tags.
-    pub whole: bool,
-    /// An attribute or constant is read that may have a value of its own in each shape (`is_set`).
-    pub state: bool,
-    /// The run or the host program is queried or changed: prints, reports, files, Rust code, the limit of calls, the
-    /// initial shape. Such a derivation must not be replayed. Faults alone do not count.
-    pub says: bool,
-}
+pub struct Uses(u8);
 
 impl Uses {
     /// Nothing.
-    pub const NONE: Uses = Uses {
-        draws: false,
-        index: false,
-        total: false,
-        scope: false,
-        place: false,
-        whole: false,
-        state: false,
-        says: false,
-    };
+    pub const NONE: Uses = Uses(0);
     /// Everything, as for Rust code that gets the shape.
-    pub const ALL: Uses =
-        Uses { draws: true, index: true, total: true, scope: true, place: true, whole: true, state: true, says: true };
-    /// Random numbers.
-    pub const DRAWS: Uses = Uses { draws: true, ..Uses::NONE };
-    /// `split.index`.
-    pub const INDEX: Uses = Uses { index: true, ..Uses::NONE };
-    /// `split.total`.
-    pub const TOTAL: Uses = Uses { total: true, ..Uses::NONE };
-    /// Sizes of the scope.
-    pub const SIZE: Uses = Uses { scope: true, ..Uses::NONE };
-    /// The place of the scope in the world.
-    pub const PLACE: Uses = Uses { scope: true, place: true, ..Uses::NONE };
-    /// The whole shape.
-    pub const WHOLE: Uses = Uses { whole: true, ..Uses::NONE };
-    /// Values that shapes hold.
-    pub const STATE: Uses = Uses { state: true, ..Uses::NONE };
-    /// The run.
-    pub const SAYS: Uses = Uses { says: true, ..Uses::NONE };
+    pub const ALL: Uses = Uses(u8::MAX);
+    /// Random numbers are drawn from the shape's seed, or the seed itself is read or set: `rand`, `p`, chances in
+    /// expressions and rules, `seedian`.
+    pub const DRAWS: Uses = Uses(1);
+    /// `split.index` is read.
+    pub const INDEX: Uses = Uses(1 << 1);
+    /// `split.total` is read.
+    pub const TOTAL: Uses = Uses(1 << 2);
+    /// The counters of the last split.
+    pub const COUNTERS: Uses = Uses::INDEX.and(Uses::TOTAL);
+    /// An expression reads sizes of the scope: `scope.sx`. The scope of operations and splits does not count, because they
+    /// always have it.
+    pub const SIZE: Uses = Uses(1 << 3);
+    /// An expression or an operation reads the position or orientation of the scope in the world: `scope.elevation`. The
+    /// size counts as read, too.
+    pub const PLACE: Uses = Uses(1 << 4).and(Uses::SIZE);
+    /// More than the scope and the material is read or changed: the pivot, the geometry, trim planes, `comp.index`, the
+    /// values of the material, tags.
+    pub const WHOLE: Uses = Uses(1 << 5);
+    /// An attribute or constant is read that may have a value of its own in each shape (`is_set`).
+    pub const STATE: Uses = Uses(1 << 6);
+    /// The run or the host program is queried or changed: prints, reports, files, Rust code, the limit of calls, the
+    /// initial shape. Such a derivation must not be replayed. Faults alone do not count.
+    pub const SAYS: Uses = Uses(1 << 7);
 
     /// The union, in constants.
     pub const fn and(self, other: Uses) -> Uses {
-        Uses {
-            draws: self.draws || other.draws,
-            index: self.index || other.index,
-            total: self.total || other.total,
-            scope: self.scope || other.scope,
-            place: self.place || other.place,
-            whole: self.whole || other.whole,
-            state: self.state || other.state,
-            says: self.says || other.says,
-        }
+        Uses(self.0 | other.0)
+    }
+
+    /// The parts that are not in `other`.
+    pub const fn but(self, other: Uses) -> Uses {
+        Uses(self.0 & !other.0)
     }
 
     /// Only the counters of the last split.
     pub const fn counters(self) -> Uses {
-        Uses { index: self.index, total: self.total, ..Uses::NONE }
+        Uses(self.0 & Uses::COUNTERS.0)
     }
 
-    /// Everything except the counters of the last split.
-    pub const fn without_counters(self) -> Uses {
-        Uses { index: false, total: false, ..self }
+    /// Returns true if all parts of `other` are used.
+    pub const fn has(self, other: Uses) -> bool {
+        self.0 & other.0 == other.0
     }
 
     /// Returns true if nothing is used.
@@ -92,23 +65,22 @@ impl Uses {
 
     /// Returns true if at most sizes of the scope are read. All shapes of one size have these in common.
     pub fn is_rigid(self) -> bool {
-        self.and(Uses::SIZE) == Uses::SIZE
+        Uses::SIZE.has(self)
     }
 
-    /// The names of the used parts, in the order of the fields.
+    /// The names of the used parts, in the order of the constants.
     pub fn names(self) -> impl Iterator<Item = &'static str> {
-        let Uses { draws, index, total, scope, place, whole, state, says } = self;
-        let flags = [
-            (draws, "draws"),
-            (index, "index"),
-            (total, "total"),
-            (scope, "scope"),
-            (place, "place"),
-            (whole, "whole"),
-            (state, "state"),
-            (says, "says"),
+        let names = [
+            (Uses::DRAWS, "draws"),
+            (Uses::INDEX, "index"),
+            (Uses::TOTAL, "total"),
+            (Uses::SIZE, "scope"),
+            (Uses::PLACE, "place"),
+            (Uses::WHOLE, "whole"),
+            (Uses::STATE, "state"),
+            (Uses::SAYS, "says"),
         ];
-        flags.into_iter().filter(|(flag, _)| *flag).map(|(_, name)| name)
+        names.into_iter().filter(move |(part, _)| self.has(*part)).map(|(_, name)| name)
     }
 }
 

@@ -2,7 +2,7 @@
 //! may break is computed lazily.
 
 use super::context::Context;
-use super::globals::{Globals, Init, Item};
+use super::globals::{Declared, Globals, Initializer};
 use super::tables::{Entries, Tables, Use};
 use crate::diag::by_way_of;
 use crate::diag::code::Code;
@@ -15,7 +15,7 @@ const MOST_TOLD: usize = 4;
 
 /// Finds cycles among attributes, constants and functions, and the order in which values can be computed.
 pub(crate) fn find(cx: &mut Context) {
-    let items: Vec<&Item> = cx.globals.values().collect();
+    let items: Vec<&Declared> = cx.globals.values().collect();
     let edges: Vec<Vec<usize>> = items
         .iter()
         .map(|item| {
@@ -24,7 +24,7 @@ pub(crate) fn find(cx: &mut Context) {
                 let number = |found: Option<Use>| cx.globals.number(found?);
                 cx.tables.at(own).uses(value, &mut |found| list.extend(number(found)));
             }
-            if let Init::Flows(outer) = item.init {
+            if let Initializer::Flows(outer) = item.init {
                 list.push(outer as usize);
             }
             list.sort_unstable();
@@ -84,14 +84,14 @@ pub(crate) fn find(cx: &mut Context) {
 
 /// The expressions that make up the value of an item, locals first, and the instance that has the entries of their
 /// names.
-fn values<'a>(item: &Item<'a>) -> impl Iterator<Item = (&'a Expr, InstanceId)> {
+fn values<'a>(item: &Declared<'a>) -> impl Iterator<Item = (&'a Expr, InstanceId)> {
     let own = item.own;
     let locals = item.is_own().then(|| item.decl.locals.iter().map(move |(_, value)| (value, own)));
     locals.into_iter().flatten().chain(item.value())
 }
 
 /// Marks the declarations of a component that can end: those with a path on which all calls can end.
-fn settle(component: &[usize], items: &[&Item], tables: &Tables, globals: &Globals, ends: &mut [bool]) {
+fn settle(component: &[usize], items: &[&Declared], tables: &Tables, globals: &Globals, ends: &mut [bool]) {
     for _ in component {
         let mut changed = false;
         for &node in component {

@@ -2,7 +2,7 @@
 
 use super::arity;
 use super::context::Context;
-use super::globals::Item;
+use super::globals::Declared;
 use crate::diag::code::Code;
 use crate::diag::{Diags, count};
 use crate::link::InstanceId;
@@ -96,7 +96,7 @@ pub(crate) fn overloads(cx: &mut Context) {
 pub(crate) fn styles(cx: &mut Context) {
     let roots = &cx.globals.program.roots;
     for group in cx.globals.by_style().iter().filter(|group| roots.contains(&group[0].instance)) {
-        let (first, ty) = (group[0], |item: &Item| item.ty(&cx.tables));
+        let (first, ty) = (group[0], |item: &Declared| item.ty(&cx.tables));
         for item in &group[1..] {
             let (name, kind, other) = (&item.decl.name, item.decl.body.word(), first.decl.body.word());
             let article = |kind: &str| if kind == "attribute" { "an" } else { "a" };

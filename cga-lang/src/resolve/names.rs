@@ -3,7 +3,7 @@
 use super::arguments::bare;
 use super::arity::wrong_count;
 use super::context::Context;
-use super::globals::{Init, Namespace, builtins};
+use super::globals::{Initializer, Namespace, builtins};
 use super::habits;
 use super::resolver::Resolver;
 use super::tables::Use;
@@ -111,7 +111,7 @@ impl<'a> Resolver<'_, 'a, '_> {
     /// The value of an override may use the value that the attribute would have without it.
     fn unless_own(&mut self, found: Use, name: &str) -> Use {
         let (Use::Attr(index), Some(owner)) = (found, self.owner) else { return found };
-        let flows = matches!(self.cx.globals.attrs[index as usize].init, Init::Flows(outer) if outer == owner);
+        let flows = matches!(self.cx.globals.attrs[index as usize].init, Initializer::Flows(outer) if outer == owner);
         let overrides = index == owner && !self.cx.globals.attrs[index as usize].is_own();
         match self.cx.globals.origin(self.at, name).filter(|_| flows || overrides) {
             Some(origin) => {

@@ -17,7 +17,7 @@ pub struct Ast {
     /// Imports, in source order.
     pub imports: Vec<Import>,
     /// Styles, in source order of their first mention. `Decl::style` counts these from 1; 0 is the style `Default`.
-    pub styles: Vec<Style>,
+    pub styles: Vec<StyleDecl>,
     /// Annotations before a `version` line: they count for everything.
     pub head: Vec<Annotation>,
     /// The text of the `version` line.
@@ -75,7 +75,7 @@ pub enum Override {
 
 /// `style Name extends Base`.
 #[derive(Clone, Debug)]
-pub struct Style {
+pub struct StyleDecl {
     /// Annotations before it.
     pub annotations: Vec<Annotation>,
     /// Its name.

@@ -1,7 +1,7 @@
 //! Operations with braces, and `comp` as a value.
 
 use super::Printer;
-use cga_lang::ir::{Arg, Arm, ArmMode, Block, Comp, Expr, ExprKind, Item, Parts, Selector, Slots, Value};
+use cga_lang::ir::{Arg, Arm, ArmMode, Block, BlockParts, Comp, Expr, ExprKind, Item, Selector, Slots, Value};
 use cga_lang::ops::{Default, Operation};
 use std::fmt::Write;
 
@@ -10,11 +10,11 @@ impl Printer<'_> {
     pub(super) fn block(&mut self, block: &Block) {
         let head = self.head(block.row, &block.args);
         match &block.parts {
-            Parts::Slots(slots) => {
+            BlockParts::Slots(slots) => {
                 self.line(&format!("{head} {}", pattern(&slots.pattern)));
                 self.slots(slots);
             }
-            Parts::Arms(arms) => {
+            BlockParts::Arms(arms) => {
                 self.line(&head);
                 self.depth += 1;
                 for arm in arms {

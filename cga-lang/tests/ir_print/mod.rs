@@ -7,7 +7,7 @@ use cga_lang::ir::facts::{Facts, RuleFacts};
 use cga_lang::ir::{
     Arg, AttrInfo, Binary, Childless, ChoiceValues, Choices, EachUnary, Expr, ExprKind, Function, FunctionId, Global,
     GlobalId, Grammar, Init, Param, Prefix, Presentation, Renew, Renewal, Rule, RuleId, Size, Start, Step, Target,
-    Value,
+    Type, Value,
 };
 use cga_lang::span::Span;
 use cga_lang::syntax::token::{Tok, Tokens};
@@ -252,7 +252,7 @@ impl<'g> Printer<'g> {
     }
 
     fn renew(&mut self, call: &'g Renew) {
-        self.line(&format!("anew {}", self.grammar.renewals[call.renewal.0 as usize].import));
+        self.line(&format!("renew {}", self.grammar.renewals[call.renewal.0 as usize].import));
         self.depth += 1;
         for (id, value) in &call.given {
             let text = format!("given {} = {}", self.name(*id), self.expr(value));
@@ -328,10 +328,10 @@ impl<'g> Printer<'g> {
             }
             ExprKind::EachUnary(EachUnary::Neg, operand) => format!(".-{}", self.expr(operand)),
             ExprKind::EachUnary(EachUnary::Not, operand) => format!(".!{}", self.expr(operand)),
-            ExprKind::Each(op, a, b) => format!("({} .{} {})", self.expr(a), sign(*op), self.expr(b)),
+            ExprKind::Each(op, a, b) => format!("({} .{} {})", self.expr(a), sign(*op, expr.ty), self.expr(b)),
             ExprKind::Neg(operand) => format!("-{}", self.expr(operand)),
             ExprKind::Not(operand) => format!("!{}", self.expr(operand)),
-            ExprKind::Binary(op, a, b) => format!("({} {} {})", self.expr(a), sign(*op), self.expr(b)),
+            ExprKind::Binary(op, a, b) => format!("({} {} {})", self.expr(a), sign(*op, expr.ty), self.expr(b)),
             ExprKind::ToText(operand) => format!("text({})", self.expr(operand)),
             ExprKind::File(name, folder) if folder.is_empty() => self.expr(name),
             ExprKind::File(name, folder) => format!("file({}, in {folder:?})", self.expr(name)),
@@ -375,23 +375,9 @@ fn params(params: &[Param]) -> String {
     format!("({})", list.join(", "))
 }
 
-fn sign(op: Binary) -> &'static str {
-    match op {
-        Binary::Add => "+",
-        Binary::Sub => "-",
-        Binary::Mul => "*",
-        Binary::Div => "/",
-        Binary::Rem => "%",
-        Binary::Concat => "++",
-        Binary::Eq => "==",
-        Binary::Ne => "!=",
-        Binary::Lt => "<",
-        Binary::Le => "<=",
-        Binary::Gt => ">",
-        Binary::Ge => ">=",
-        Binary::And => "&&",
-        Binary::Or => "||",
-    }
+fn sign(op: Binary, ty: Type) -> &'static str {
+    let is_text = matches!(ty, Type::Text | Type::Texts);
+    if op == Binary::Add && is_text { "++" } else { op.text() }
 }
 
 fn start(start: &Start) -> String {

@@ -2,7 +2,7 @@
 
 use super::Printer;
 use super::push_quoted;
-use cga_lang::syntax::ast::{Annotation, Body, Decl, Import, Name, Override, Role, Style};
+use cga_lang::syntax::ast::{Annotation, Body, Decl, Import, Name, Override, Role, StyleDecl};
 
 impl Printer<'_> {
     pub(super) fn annotation(&mut self, annotation: &Annotation) {
@@ -63,7 +63,7 @@ impl Printer<'_> {
     }
 
     /// The first mention of a style.
-    pub(super) fn style(&mut self, style: &Style) {
+    pub(super) fn style(&mut self, style: &StyleDecl) {
         for annotation in &style.annotations {
             self.annotation(annotation);
         }

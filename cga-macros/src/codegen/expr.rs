@@ -2,7 +2,7 @@
 //! evaluated first and one by one, so that the borrows never overlap.
 
 use cga_lang::ir::{Binary, EachUnary, Expr, ExprKind, Global, Type, Value};
-use cga_lang::ops::{Function, Param, ParamKind, Words};
+use cga_lang::ops::{Function, Param, ParamKind, Uses, Words};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
@@ -15,7 +15,7 @@ use crate::output::{HostType, conversion, convert};
 impl Generator<'_> {
     /// An expression on a slim shape. It gets the whole shape if it reads more than the slim one has.
     fn on_slim(&self, expr: &Expr, at: &Access) -> TokenStream {
-        if !self.facts.expr(expr).whole {
+        if !self.facts.expr(expr).has(Uses::WHOLE) {
             return self.expr(expr, &Access { is_slim: false, ..at.clone() });
         }
         let (env, slim, code) = (&at.env, &at.shape, self.expr(expr, &Access::whole()));
@@ -115,7 +115,9 @@ impl Generator<'_> {
                 let inner = self.expr(inner, at);
                 code!(cga_rt::func::#name(#inner))
             }
-            ExprKind::Each(operator, ..) => self.function_call(&format!("each_{}", function_name(*operator)), expr, at),
+            ExprKind::Each(operator, ..) => {
+                self.function_call(&format!("each_{}", function_name(*operator, expr.ty)), expr, at)
+            }
             ExprKind::Neg(inner) => {
                 let inner = self.expr(inner, at);
                 code!((-(#inner)))
@@ -131,7 +133,7 @@ impl Generator<'_> {
                 code!((!(#left #opposite #right)))
             }
             ExprKind::Binary(operator, left, right) if left.ty.is_array() => {
-                let name = hygienic(function_name(*operator));
+                let name = hygienic(function_name(*operator, expr.ty));
                 let call = |args: &[TokenStream]| code!(cga_rt::func::#name(#(#args),*));
                 self.with_args([&**left, &**right], at, call)
             }
@@ -145,13 +147,12 @@ impl Generator<'_> {
                     _ => code!((#not #text.is(#other.as_str()))),
                 }
             }
-            ExprKind::Binary(operator, left, right) => match operator_of(*operator) {
-                Some(operator) => {
-                    let (left, right) = (self.expr(left, at), self.expr(right, at));
-                    code!((#left #operator #right))
-                }
-                None => self.function_call("concat", expr, at),
-            },
+            // Joined text can end the run.
+            ExprKind::Binary(..) if expr.ty == Type::Text => self.function_call("concat", expr, at),
+            ExprKind::Binary(operator, left, right) => {
+                let (left, operator, right) = (self.expr(left, at), operator_of(*operator), self.expr(right, at));
+                code!((#left #operator #right))
+            }
             ExprKind::File(name, folder) => {
                 let name = self.expr(name, at);
                 code!(cga_rt::File::new(#name, #folder))
@@ -239,7 +240,7 @@ impl Generator<'_> {
             ExprKind::Value(_) | ExprKind::Param(_) => true,
             ExprKind::Global(id) => self.grammar.global(*id).attr.is_none() && !self.is_lazy(*id),
             ExprKind::Neg(inner) | ExprKind::Not(inner) | ExprKind::File(inner, _) => self.is_plain(inner),
-            ExprKind::Binary(Binary::Concat, ..) => false,
+            ExprKind::Binary(..) if expr.ty == Type::Text => false,
             ExprKind::Binary(_, left, right) => self.is_plain(left) && self.is_plain(right),
             _ => false,
         }
@@ -338,15 +339,15 @@ pub(super) fn word_variant(kind: &ParamKind, word: &str, module: &TokenStream) -
     code!(cga_rt::#module #rust::#variant)
 }
 
-/// The function that compares two arrays; with `each_` before it, the function that goes over their elements.
-fn function_name(operator: Binary) -> &'static str {
+/// The function that compares two arrays. With `each_` before it, the function for their elements, with a result of that type.
+fn function_name(operator: Binary, ty: Type) -> &'static str {
     match operator {
+        Binary::Add if ty == Type::Texts => "concat",
         Binary::Add => "add",
         Binary::Sub => "subtract",
         Binary::Mul => "multiply",
         Binary::Div => "divide",
         Binary::Rem => "remainder",
-        Binary::Concat => "concat",
         Binary::Eq => "equal",
         Binary::Ne => "unequal",
         Binary::Lt => "less",
@@ -358,15 +359,14 @@ fn function_name(operator: Binary) -> &'static str {
     }
 }
 
-/// Rust's operator. Text has none: making it can end the run.
-fn operator_of(operator: Binary) -> Option<TokenStream> {
-    Some(match operator {
+/// Rust's operator.
+fn operator_of(operator: Binary) -> TokenStream {
+    match operator {
         Binary::Add => code!(+),
         Binary::Sub => code!(-),
         Binary::Mul => code!(*),
         Binary::Div => code!(/),
         Binary::Rem => code!(%),
-        Binary::Concat => return None,
         Binary::Eq => code!(==),
         Binary::Ne => code!(!=),
         Binary::Lt => code!(<),
@@ -376,5 +376,5 @@ fn operator_of(operator: Binary) -> Option<TokenStream> {
         // Both sides are always evaluated.
         Binary::And => code!(&),
         Binary::Or => code!(|),
-    })
+    }
 }

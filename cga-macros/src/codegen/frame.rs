@@ -4,7 +4,7 @@
 //! They follow from the rules alone, so that a run is the same in every build.
 
 use cga_lang::ir::walk;
-use cga_lang::ir::{Arm, Expr, ExprKind, Function, Parts, Rule, Selector, Step, Target, Type, Value};
+use cga_lang::ir::{Arm, BlockParts, Expr, ExprKind, Function, Rule, Selector, Step, Target, Type, Value};
 
 /// Kilobytes that a rule takes, with what the runtime's operations that call it back take.
 pub(super) fn rule(rule: &Rule) -> u32 {
@@ -14,8 +14,8 @@ pub(super) fn rule(rule: &Rule) -> u32 {
             Step::Give(Target::Nil) => 100,
             Step::Give(_) => 700,
             Step::Block(block) => match &block.parts {
-                Parts::Slots(slots) => 3000 + 500 * slots.targets.len(),
-                Parts::Arms(arms) => 4000 + 500 * arms.len(),
+                BlockParts::Slots(slots) => 3000 + 500 * slots.targets.len(),
+                BlockParts::Arms(arms) => 4000 + 500 * arms.len(),
             },
             Step::Push(_) => 400,
             // A whole shape, a base and two slim shapes; steps after each other share them.

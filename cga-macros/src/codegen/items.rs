@@ -12,7 +12,7 @@ use super::fields::AttrField;
 use super::public::captured;
 use super::rule::given;
 use super::state::stream;
-use super::{Generator, fields, hygienic, inner_type, local, site, table, types};
+use super::{Generator, attribute_table, fields, hygienic, inner_type, local, site, types};
 use crate::header::Header;
 
 /// Attributes and constants of one run, and captured values.
@@ -100,7 +100,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     let leaves = cx.leaves.names();
     let is_settled = cx.is_settled_globally();
     let starts = &cx.grammar.starts;
-    let start_rows = starts.iter().map(table::start);
+    let start_rows = starts.iter().map(attribute_table::start);
     let start_numbers = starts.iter().map(|start| Literal::u32_suffixed(start.rule.0));
     let start_styles = starts.iter().map(|start| Literal::u32_suffixed(start.style));
     // Styles may share a rule.
@@ -112,7 +112,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
         code!(#number => CgaRules::#rule(g, cx, shape))
     });
     let fields = fields::of(cx.grammar, cx.source);
-    let check = if fields.iter().any(table::is_restricted) {
+    let check = if fields.iter().any(attribute_table::is_restricted) {
         code!(cga_rt::check(self))
     } else {
         code!(::core::result::Result::Ok(()))
@@ -123,7 +123,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     let (get_arms, set_arms) = fields::arms(&fields);
     let captured = (0..cx.grammar.hosts.len()).filter(|_| cx.captured).map(captured);
     let captured = captured.map(|name| code!(g.#name = ::core::clone::Clone::clone(&self.#name);));
-    let table = fields.iter().map(|field| table::attribute(field, cx.grammar));
+    let table = fields.iter().map(|field| attribute_table::attribute(field, cx.grammar));
     let about = &cx.grammar.about;
     let about = (!about.is_empty()).then(|| {
         code! {

@@ -7,6 +7,7 @@
 
 mod access;
 mod arms;
+mod attribute_table;
 mod calls;
 mod expr;
 mod fields;
@@ -22,7 +23,6 @@ mod site;
 mod split;
 mod stack;
 mod state;
-mod table;
 mod templates;
 mod types;
 
@@ -61,7 +61,7 @@ struct Generator<'a> {
     facts: Facts,
     leaves: leaves::LeafNames,
     templates: templates::TemplatePlan,
-    paints: RefCell<site::MaterialChanges>,
+    material_changes: RefCell<site::MaterialChanges>,
 }
 
 /// Writes a grammar.
@@ -85,18 +85,18 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         facts,
         leaves,
         templates,
-        paints: RefCell::default(),
+        material_changes: RefCell::default(),
     };
     let (values, call) = (items::values(&cx), items::calls(&cx));
     let (rules, functions) = (rule::rules(&cx), rule::functions(&cx));
     let resume = items::resume(&cx);
     let renewals = cx.renewals();
     let lazy = cx.lazy_functions();
-    let paints = cx.paints();
-    let of_values = [&renewals, &lazy, &paints]
+    let material_changes = cx.material_changes();
+    let of_values = [&renewals, &lazy, &material_changes]
         .iter()
         .any(|code| !code.is_empty())
-        .then(|| code!(#[allow(dead_code, clippy::all)] impl CgaValues { #lazy #renewals #paints }));
+        .then(|| code!(#[allow(dead_code, clippy::all)] impl CgaValues { #lazy #renewals #material_changes }));
     let implementation = items::rules_impl(&cx, header);
     let hidden = code! {
         #values

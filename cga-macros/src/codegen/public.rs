@@ -187,7 +187,8 @@ fn methods() -> TokenStream {
     let errors = code! {
         ///
         /// # Errors
-        /// A limit that was reached, an attribute out of its range, attributes that need each other, no such start rule, an initial shape that is refused.
+        /// An error if a limit is reached, an attribute is out of its range, attributes need each other, the start rule does not exist, or
+        /// the initial shape is refused.
     };
     code! {
         /// Runs the start rule on a shape, with default settings.

@@ -1,7 +1,7 @@
 //! One function a rule, one function a function.
 
 use cga_lang::ir::walk;
-use cga_lang::ir::{Block, Childless, Expr, ExprKind, Function, Param, Parts, Rule, RuleId, Step, Target};
+use cga_lang::ir::{Block, BlockParts, Childless, Expr, ExprKind, Function, Param, Rule, RuleId, Step, Target};
 use cga_lang::ops::{Changes, Run, Uses};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
@@ -93,7 +93,7 @@ impl Generator<'_> {
         let locals = self.locals(&function.params, &function.locals, &Access::function());
         let body = self.expr(&function.body, &Access::function());
         let body = code!({ #locals #body });
-        let shape = match self.facts.function(id).whole {
+        let shape = match self.facts.function(id).has(Uses::WHOLE) {
             true => code!(cga_rt::Shape),
             false => code!(impl cga_rt::View),
         };
@@ -205,10 +205,10 @@ impl Generator<'_> {
                         };
                     })
                 }
-                Changes::Material => self.is_settled(step).then(|| self.paint(step, self.change(step))),
+                Changes::Material => self.is_settled(step).then(|| self.change_material(step, self.change(step))),
             },
             Step::SetShape(attr, ..) if attr.set_changes == Changes::Material => {
-                self.is_settled(step).then(|| self.paint(step, self.change(step)))
+                self.is_settled(step).then(|| self.change_material(step, self.change(step)))
             }
             _ => None,
         }
@@ -282,7 +282,7 @@ impl Generator<'_> {
                 let code = self.give(&call.target, body.id, &copy, &successor(0));
                 code!({ #given #code } #made)
             }
-            Step::Block(block @ Block { parts: Parts::Slots(slots), .. }) => {
+            Step::Block(block @ Block { parts: BlockParts::Slots(slots), .. }) => {
                 let code = self.split(block, slots, body.id, number);
                 match body.rule.leaf {
                     Childless::Depends => code! {
@@ -292,7 +292,7 @@ impl Generator<'_> {
                     _ => code!(#code;),
                 }
             }
-            Step::Block(block @ Block { parts: Parts::Arms(arms), .. }) => {
+            Step::Block(block @ Block { parts: BlockParts::Arms(arms), .. }) => {
                 let code = self.divided(block, arms, body.id, number);
                 code!({ #code } #made)
             }
@@ -313,7 +313,7 @@ impl Generator<'_> {
     /// The last successor of a rule is the current shape itself, with the seed of child number `number`.
     fn last_successor(&self, target: &Target, number: u32) -> TokenStream {
         let number = Literal::u32_unsuffixed(number);
-        let draws = matches!(target, Target::Rule { rule, .. } if self.facts.rule(*rule).below.draws);
+        let draws = matches!(target, Target::Rule { rule, .. } if self.facts.rule(*rule).below.has(Uses::DRAWS));
         let seed = draws.then(|| code!(cga_rt::become_successor(shape, #number);));
         code!(#seed let part = shape;)
     }
@@ -376,7 +376,7 @@ impl Generator<'_> {
 
     /// A part that goes straight to a rule is the successor itself, with the seed of one.
     pub(super) fn hand_on(&self, rule: RuleId) -> Option<TokenStream> {
-        let is_called = !self.grammar.rules[rule.0 as usize].block && self.facts.rule(rule).below.draws;
+        let is_called = !self.grammar.rules[rule.0 as usize].block && self.facts.rule(rule).below.has(Uses::DRAWS);
         is_called.then(|| code!(cga_rt::hand_on(part);))
     }
 

@@ -78,38 +78,38 @@ fn sites(step: &Step) -> usize {
 
 impl Generator<'_> {
     /// A step that changes the material in the same way in the whole run, or at a site; `change` is its code.
-    pub(super) fn paint(&self, step: &Step, change: TokenStream) -> TokenStream {
+    pub(super) fn change_material(&self, step: &Step, change: TokenStream) -> TokenStream {
         let count = sites(step);
-        let paints = &mut *self.paints.borrow_mut();
-        let next = paints.next;
+        let changes = &mut *self.material_changes.borrow_mut();
+        let next = changes.next;
         // Equal steps are one.
-        let number = paints.known.entry((change.to_string(), count)).or_insert((next, change)).0;
+        let number = changes.known.entry((change.to_string(), count)).or_insert((next, change)).0;
         if number == next {
-            paints.next += count.max(1) as u32;
+            changes.next += count.max(1) as u32;
         }
-        let (name, number) = (local("paint_", number as usize), Literal::u32_unsuffixed(number));
+        let (name, number) = (local("material_", number as usize), Literal::u32_unsuffixed(number));
         let (number, values) = match count {
             0 => (code!(#number), code!(g)),
             _ => (code!(#number + site), code!(&(g, site))),
         };
         code! {
             let mut own = ::core::option::Option::None;
-            let shape = cga_rt::slim::paint(cx.env, shape, &bases, &mut own, #number, #values, CgaValues::#name);
+            let shape = cga_rt::slim::change_material(cx.env, shape, &bases, &mut own, #number, #values, CgaValues::#name);
         }
     }
 
     /// One function for each such change. The rules come first.
-    pub(super) fn paints(&self) -> TokenStream {
-        let mut paints: Vec<(usize, u32, TokenStream)> = self
-            .paints
+    pub(super) fn material_changes(&self) -> TokenStream {
+        let mut changes: Vec<(usize, u32, TokenStream)> = self
+            .material_changes
             .take()
             .known
             .into_iter()
             .map(|((_, count), (number, change))| (count, number, change))
             .collect();
-        paints.sort_by_key(|(_, number, _)| *number);
-        let functions = paints.into_iter().map(|(count, number, change)| {
-            let name = local("paint_", number as usize);
+        changes.sort_by_key(|(_, number, _)| *number);
+        let functions = changes.into_iter().map(|(count, number, change)| {
+            let name = local("material_", number as usize);
             let values = match count {
                 0 => code!(g: &CgaValues),
                 _ => code!(&(g, site): &(&CgaValues, ::core::primitive::u32)),
@@ -117,7 +117,7 @@ impl Generator<'_> {
             // The expressions of the step ask for `cx`.
             code! {
                 fn #name(#values, env: &mut cga_rt::Env, shape: &mut cga_rt::Shape) {
-                    let cx = cga_rt::Painting { env };
+                    let cx = cga_rt::MaterialCx { env };
                     #change
                 }
             }

@@ -1,6 +1,7 @@
 //! A split: its pattern as a constant, its sizes, and a function that calls the rule of a slot.
 
 use cga_lang::ir::{Axis, Block, ExprKind, Item, Piece, Prefix, RuleId, Size, Slots, Solved, Target, Value};
+use cga_lang::ops::Uses;
 use cga_lang::ops::{Braces, Measure};
 use proc_macro2::{Ident, Literal, TokenStream};
 
@@ -27,7 +28,7 @@ impl Generator<'_> {
         }
         let items = items(&slots.pattern);
         let successors = slots.targets.iter().map(|target| self.successor(target));
-        let has_total = slots.targets.iter().any(|target| self.facts.target(target).total);
+        let has_total = slots.targets.iter().any(|target| self.facts.target(target).has(Uses::TOTAL));
         let (last, visit) = self.visit(slots, rule, &axis);
         let sizes = self.sizes(slots);
         let count = slots.sizes.len();
@@ -77,7 +78,7 @@ impl Generator<'_> {
             }
             Target::Rule { .. } => {
                 let uses = self.facts.target(target);
-                let (draws, counts) = (uses.draws, uses.index || uses.total);
+                let (draws, counts) = (uses.has(Uses::DRAWS), !uses.counters().is_none());
                 code!(cga_rt::Successor::Rule { draws: #draws, counts: #counts })
             }
         }
@@ -135,7 +136,7 @@ impl Generator<'_> {
     ) -> TokenStream {
         let count = slots.sizes.len();
         let (items, sizes) = (items(&slots.pattern), self.sizes(slots));
-        let is_counted = slots.targets.iter().any(|target| self.facts.target(target).total);
+        let is_counted = slots.targets.iter().any(|target| self.facts.target(target).has(Uses::TOTAL));
         let total = if is_counted { code!(cga_rt::Row::total(&pieces)) } else { code!(0) };
         let statements = slots.targets.iter().enumerate().map(|(slot, target)| {
             let slot = Literal::usize_unsuffixed(slot);
@@ -147,7 +148,7 @@ impl Generator<'_> {
                 }
                 Target::Rule { .. } => {
                     let (uses, code) = (self.facts.target(target), self.part(target, rule));
-                    let (draws, counts) = (uses.draws, uses.index || uses.total);
+                    let (draws, counts) = (uses.has(Uses::DRAWS), !uses.counters().is_none());
                     code! {
                         let slot = cga_rt::Slot { number: #slot, in_group: false, draws: #draws, counts: #counts };
                         if let ::core::option::Option::Some(part) = division.part(row.slot(#slot), #axis, slot) {

@@ -154,7 +154,7 @@ impl Generator<'_> {
         });
         code! {
             let mut own = ::core::clone::Clone::clone(g);
-            own.origin = cga_rt::Origin::anew(shape, &[#(#numbers),*]);
+            own.origin = cga_rt::Origin::renewed(shape, &[#(#numbers),*]);
             #(#open)*
             #(#set)*
         }
@@ -168,7 +168,7 @@ impl Generator<'_> {
             ExprKind::Value(_) => code,
             _ => {
                 let number = stream(&global.name);
-                code!(cga_rt::anew(shape, #number, |shape| #code))
+                code!(cga_rt::renew(shape, #number, |shape| #code))
             }
         };
         let field = self.renewed.binary_search(&global.name).ok().filter(|_| global.attr.is_some());

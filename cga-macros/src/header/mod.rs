@@ -28,7 +28,7 @@ pub(crate) struct Header {
 }
 
 /// The rules that follow a header.
-pub(crate) enum Body {
+pub(crate) enum RulesText {
     /// Inline tokens; annotations that stood before the header come first.
     Inline(TokenStream),
     /// String literals, one after the other.

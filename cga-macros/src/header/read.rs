@@ -5,11 +5,11 @@ use cga_lang::diag::code::Code;
 use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree};
 use quote::quote;
 
-use super::{Body, Header};
+use super::{Header, RulesText};
 use crate::problem::Problem;
 
 /// Reads the header, if there is one. Where it is broken the problem goes with as much of it as there is.
-pub(crate) fn read(input: TokenStream) -> (Header, Result<Body, Problem>) {
+pub(crate) fn read(input: TokenStream) -> (Header, Result<RulesText, Problem>) {
     let list: Vec<TokenTree> = input.into_iter().collect();
     let mut at = 0;
     let mut header = Header {
@@ -62,7 +62,7 @@ pub(crate) fn read(input: TokenStream) -> (Header, Result<Body, Problem>) {
         _ => {
             // Without a header everything is rules, except an attribute that names the runtime.
             let rules = list.into_iter().skip(after_attributes);
-            (header, Ok(Body::Inline(attributes.into_iter().flatten().chain(rules).collect())))
+            (header, Ok(RulesText::Inline(attributes.into_iter().flatten().chain(rules).collect())))
         }
     }
 }
@@ -125,7 +125,7 @@ fn level(word: &str, codes: Option<&TokenTree>) -> Option<Vec<(Code, Level)>> {
 }
 
 /// The rest after the name: `;` and rules, `= "text";` or `in "path";`.
-fn rest(list: &[TokenTree], at: usize, annotations: Vec<TokenTree>, name: &Ident) -> Result<Body, Problem> {
+fn rest(list: &[TokenTree], at: usize, annotations: Vec<TokenTree>, name: &Ident) -> Result<RulesText, Problem> {
     let missing = |place: Span, help: &str| {
         Problem::new(place, place, format!("the rules of `{name}` are missing\nhelp: {help}"))
     };
@@ -133,15 +133,15 @@ fn rest(list: &[TokenTree], at: usize, annotations: Vec<TokenTree>, name: &Ident
     let place = after.map_or(name.span(), TokenTree::span);
     let body = match list.get(at) {
         sign if is_sign(sign, ';') => {
-            return Ok(Body::Inline(annotations.into_iter().chain(list[at + 1..].iter().cloned()).collect()));
+            return Ok(RulesText::Inline(annotations.into_iter().chain(list[at + 1..].iter().cloned()).collect()));
         }
         sign if is_sign(sign, '=') => {
             let (literals, taken) = literals(list.get(at + 1..).unwrap_or_default());
             let help = "write the rules as one string literal here, then `;`";
-            literals.map(|literals| (Body::Text(literals), at + 1 + taken)).ok_or_else(|| missing(place, help))?
+            literals.map(|literals| (RulesText::Text(literals), at + 1 + taken)).ok_or_else(|| missing(place, help))?
         }
         Some(word) if is_word(word, "in") => match after {
-            Some(TokenTree::Literal(path)) => (Body::File(path.clone()), at + 2),
+            Some(TokenTree::Literal(path)) => (RulesText::File(path.clone()), at + 2),
             _ => return Err(missing(place, "write the path of a `.cga` file as a string literal, then `;`")),
         },
         other => {

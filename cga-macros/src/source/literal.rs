@@ -9,7 +9,7 @@ use proc_macro2::{Literal, Span, TokenStream};
 
 use super::content::Content;
 use super::quoted::QuotedText;
-use super::rules::{Places, Source};
+use super::rules::{Source, TokenPlaces};
 use crate::problem::Problem;
 
 pub(super) fn read(literals: &[Literal]) -> Result<Source, Problem> {
@@ -40,7 +40,7 @@ pub(super) fn source(
     text: QuotedText,
     tracking: TokenStream,
 ) -> Source {
-    let places = Places::Text { span, text, tracking };
+    let places = TokenPlaces::Text { span, text, tracking };
     Source { tokens, findings, hosts: Vec::new(), places, imported: Vec::new(), files: Vec::new() }
 }
 

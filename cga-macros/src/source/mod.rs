@@ -13,17 +13,17 @@ use proc_macro2::{Ident, Span};
 pub(crate) use import::Imports;
 pub(crate) use rules::{Host, Source};
 
-use crate::header::{Body, Header};
+use crate::header::{Header, RulesText};
 use crate::problem::Problem;
 
 /// Opens the source that the header names.
-pub(crate) fn open(header: &Header, body: Body) -> Result<Source, Problem> {
+pub(crate) fn open(header: &Header, body: RulesText) -> Result<Source, Problem> {
     match body {
-        Body::Inline(stream) => {
+        RulesText::Inline(stream) => {
             let end = header.name.as_ref().map_or_else(Span::call_site, Ident::span);
             Ok(tokens::read(stream, end))
         }
-        Body::Text(literals) => literal::read(&literals),
-        Body::File(literal) => file::read(&literal),
+        RulesText::Text(literals) => literal::read(&literals),
+        RulesText::File(literal) => file::read(&literal),
     }
 }

@@ -11,10 +11,11 @@ use proc_macro2::{Span, TokenStream};
 
 /// Rules as tokens, and what it takes to speak about them.
 pub(crate) struct Source {
-    pub(super) tokens: Tokens,
-    pub(super) findings: Vec<Diag>,
+    pub(crate) tokens: Tokens,
+    /// The diagnostics of reading the tokens.
+    pub(crate) findings: Vec<Diag>,
     pub(super) hosts: Vec<Host>,
-    pub(super) places: Places,
+    pub(super) places: TokenPlaces,
     /// Imported files.
     pub(super) imported: Vec<Imported>,
     /// The files of the program: the first of the tokens that spans count, and the number in `imported`; `None` for the
@@ -31,7 +32,7 @@ pub(crate) struct Host {
 }
 
 /// The places of the tokens.
-pub(super) enum Places {
+pub(super) enum TokenPlaces {
     /// Inline: each token begins and ends somewhere, and a path has its own tokens.
     Inline { spans: Vec<(Span, Span)>, paths: Vec<(u32, TokenStream)>, end: Span },
     /// In a string or a file: every token has the place of the literal, and diagnostics quote the text.
@@ -39,26 +40,21 @@ pub(super) enum Places {
 }
 
 impl Source {
-    #[cfg(test)]
-    pub(crate) fn tokens(&self) -> &Tokens {
-        &self.tokens
-    }
-
     /// Returns true for rules inline in Rust.
     pub(crate) fn is_inline(&self) -> bool {
-        matches!(self.places, Places::Inline { .. })
+        matches!(self.places, TokenPlaces::Inline { .. })
     }
 
     /// The rules as a file that others may be imported into.
     pub(crate) fn unit(&self) -> Unit {
         // Inline is strict, text is compatible.
         let dialect = match self.places {
-            Places::Inline { .. } => Dialect::Inline,
-            Places::Text { .. } => Dialect::Text,
+            TokenPlaces::Inline { .. } => Dialect::Inline,
+            TokenPlaces::Text { .. } => Dialect::Text,
         };
         // Paths in a string or inline count from the package's folder.
         let name = match &self.places {
-            Places::Text { text, tracking, .. } if !tracking.is_empty() => text.name.clone(),
+            TokenPlaces::Text { text, tracking, .. } if !tracking.is_empty() => text.name.clone(),
             _ => String::new(),
         };
         Unit { name, tokens: self.tokens.clone(), dialect, found: self.findings.clone() }
@@ -82,12 +78,6 @@ impl Source {
         }
     }
 
-    /// The diagnostics of reading the tokens.
-    #[cfg(test)]
-    pub(crate) fn findings(&self) -> &[Diag] {
-        &self.findings
-    }
-
     /// The Rust values, by handle.
     pub(crate) fn hosts(&self) -> &[Host] {
         &self.hosts
@@ -96,10 +86,10 @@ impl Source {
     /// The text that contains a token, and the token's number in it; `None` for inline rules.
     pub(crate) fn text(&self, token: u32) -> Option<(&QuotedText, u32)> {
         match (self.locate(token), &self.places) {
-            ((Some(Imported { text, .. }), token), _) | ((None, token), Places::Text { text, .. }) => {
+            ((Some(Imported { text, .. }), token), _) | ((None, token), TokenPlaces::Text { text, .. }) => {
                 Some((text, token))
             }
-            ((None, _), Places::Inline { .. }) => None,
+            ((None, _), TokenPlaces::Inline { .. }) => None,
         }
     }
 
@@ -111,7 +101,7 @@ impl Source {
 
     /// Where inline rules name the path that led to a file.
     fn path_of(&self, file: &Imported) -> Option<(Span, Span)> {
-        let Places::Inline { spans, .. } = &self.places else { return None };
+        let TokenPlaces::Inline { spans, .. } = &self.places else { return None };
         let is_import = |tokens: &[Tok]| match tokens {
             [import, _, Tok::Sym(Sym::Colon), Tok::Str(path)] => import.ident() == Some("import") && *path == file.path,
             _ => false,
@@ -128,11 +118,11 @@ impl Source {
     fn ends(&self, index: u32) -> (Span, Span) {
         let (imported, index) = self.locate(index);
         match &self.places {
-            Places::Inline { end, .. } if imported.is_some() => (*end, *end),
-            Places::Inline { spans, end, .. } => {
+            TokenPlaces::Inline { end, .. } if imported.is_some() => (*end, *end),
+            TokenPlaces::Inline { spans, end, .. } => {
                 spans.get(index as usize).or(spans.last()).copied().unwrap_or((*end, *end))
             }
-            Places::Text { span, .. } => (*span, *span),
+            TokenPlaces::Text { span, .. } => (*span, *span),
         }
     }
 
@@ -144,7 +134,7 @@ impl Source {
             let imported = self.locate(index).0.is_some();
             return Some(if imported { format!("line {line} of {}", text.name) } else { format!("line {line}") });
         }
-        let Places::Inline { spans, .. } = &self.places else { return None };
+        let TokenPlaces::Inline { spans, .. } = &self.places else { return None };
         let index = self.locate(index).1;
         // Editors' macro servers know no lines and say 1 or 0.
         let line = spans.get(index as usize).map(|(span, _)| span.start().line).filter(|line| 1 < *line)?;
@@ -154,7 +144,7 @@ impl Source {
     /// A Rust path as the user wrote it.
     pub(crate) fn path(&self, token: u32, text: &str) -> TokenStream {
         let (imported, token) = self.locate(token);
-        if let (Places::Inline { paths, .. }, None) = (&self.places, imported)
+        if let (TokenPlaces::Inline { paths, .. }, None) = (&self.places, imported)
             && let Ok(at) = paths.binary_search_by_key(&token, |(index, _)| *index)
         {
             return paths[at].1.clone();
@@ -166,8 +156,8 @@ impl Source {
     /// Makes the build depend on the rule file and what it imports.
     pub(crate) fn tracking(&self) -> TokenStream {
         let own = match &self.places {
-            Places::Inline { .. } => TokenStream::new(),
-            Places::Text { tracking, .. } => tracking.clone(),
+            TokenPlaces::Inline { .. } => TokenStream::new(),
+            TokenPlaces::Text { tracking, .. } => tracking.clone(),
         };
         own.into_iter().chain(import::follow(&self.imported)).collect()
     }

@@ -7,7 +7,7 @@ use cga_lang::syntax::lex::{NO_UNITS, without_unit};
 use cga_lang::syntax::token::{Sym, Tok, Tokens};
 use proc_macro2::{Delimiter, Group, Literal, Spacing, Span, TokenStream, TokenTree};
 
-use super::rules::{Host, Places, Source};
+use super::rules::{Host, Source, TokenPlaces};
 
 /// Reads inline rules. `end` is the place of diagnostics if there are no tokens.
 pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
@@ -21,7 +21,7 @@ pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
             .is_some_and(|next| is_close(spans[dot - 1].1, spans[dot].0) && is_close(spans[dot].1, next.0))
     });
     let findings: Vec<Diag> = reader.diags.finish();
-    let places = Places::Inline { spans: reader.spans, paths: reader.paths, end };
+    let places = TokenPlaces::Inline { spans: reader.spans, paths: reader.paths, end };
     Source { tokens: reader.tokens, findings, hosts: reader.hosts, places, imported: Vec::new(), files: Vec::new() }
 }
 

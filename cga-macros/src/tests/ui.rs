@@ -11,7 +11,7 @@ use cga_lang::link::Files;
 use proc_macro2::{TokenStream, TokenTree};
 
 use super::sources::{Below, root};
-use crate::header::{self, Body};
+use crate::header::{self, RulesText};
 
 /// What Rust cannot read, and no macro gets to see.
 const NO_RUST: [&str; 3] = ["missing_brace", "quote_before_bracket", "quote_before_digits"];
@@ -66,7 +66,7 @@ fn grammars(stream: TokenStream) -> Vec<TokenStream> {
 fn found(input: TokenStream) -> Vec<Diag> {
     let (header, body) = header::read(input);
     let unit = match body {
-        Ok(Body::File(path)) => {
+        Ok(RulesText::File(path)) => {
             let path: syn::LitStr = syn::parse_quote!(#path);
             Below.open(&path.value(), "").ok()
         }

@@ -43,7 +43,7 @@ pub(super) struct Listing {
 impl Listing {
     /// The files below a root, and the additional names `given`.
     pub(super) fn new<'a>(root: Option<&Path>, given: impl Iterator<Item = &'a String>) -> Self {
-        let mut walk = Walk { listing: Listing::default(), looked_at: 0 };
+        let mut walk = FolderWalk { listing: Listing::default(), looked_at: 0 };
         if let Some(root) = root.and_then(|root| root.canonicalize().ok()) {
             walk.folder(&root, &root, "", 0);
         }
@@ -67,12 +67,12 @@ impl Listing {
     }
 }
 
-struct Walk {
+struct FolderWalk {
     listing: Listing,
     looked_at: usize,
 }
 
-impl Walk {
+impl FolderWalk {
     /// Visits a folder in the order of names, because the order of the file system differs between platforms.
     fn folder(&mut self, root: &Path, folder: &Path, prefix: &str, depth: usize) {
         if DEEPEST < depth {

@@ -83,7 +83,7 @@ impl Read {
 }
 
 /// The target of a name.
-enum Found<'a> {
+enum FoundAsset<'a> {
     /// A mesh that the program registered.
     Given(&'a Arc<Mesh>),
     /// A file, by its path with links resolved.
@@ -128,8 +128,8 @@ impl Assets {
             return known.clone();
         }
         let found = match self.look_up(file) {
-            Ok((_, Found::Given(mesh))) => Ok(mesh.clone()),
-            Ok((_, Found::File(path))) => match read.files.get(&path) {
+            Ok((_, FoundAsset::Given(mesh))) => Ok(mesh.clone()),
+            Ok((_, FoundAsset::File(path))) => match read.files.get(&path) {
                 Some(known) => known.clone(),
                 None => {
                     let mesh = readable_mesh(name).and_then(|()| read_mesh(self.root.as_deref(), &path));
@@ -155,15 +155,15 @@ impl Assets {
         let mesh = cfg!(feature = "obj").then_some("obj");
         let usable = || USABLE.into_iter().chain(mesh).any(|known| known.eq_ignore_ascii_case(end));
         match self.look_up(file) {
-            Ok((_, Found::Given(_))) => true,
-            Ok((_, Found::File(_))) => usable(),
+            Ok((_, FoundAsset::Given(_))) => true,
+            Ok((_, FoundAsset::File(_))) => usable(),
             Err(_) => false,
         }
     }
 
     /// The beginning of a file, at most `most` bytes, and whether that is the whole file.
     pub(crate) fn bytes(&self, file: &File, most: u64) -> Result<(Vec<u8>, bool), AssetError> {
-        let Found::File(path) = self.look_up(file)?.1 else {
+        let FoundAsset::File(path) = self.look_up(file)?.1 else {
             return Err(AssetError::Format("it is a mesh that the program registered, not a file"));
         };
         let mut bytes = Vec::new();
@@ -201,18 +201,18 @@ impl Assets {
     }
 
     /// The target of a name, and the place where it was found. All look-ups of files use this function.
-    fn look_up(&self, File { name, folder }: &File) -> Result<(String, Found<'_>), AssetError> {
+    fn look_up(&self, File { name, folder }: &File) -> Result<(String, FoundAsset<'_>), AssetError> {
         if let Some(mesh) = self.given.get(name.as_str()) {
-            return Ok((name.to_string(), Found::Given(mesh)));
+            return Ok((name.to_string(), FoundAsset::Given(mesh)));
         }
         let mut why = None;
         for place in places(name, folder).ok_or(AssetError::Outside)? {
             if let Some(mesh) = self.given.get(&place) {
-                return Ok((place, Found::Given(mesh)));
+                return Ok((place, FoundAsset::Given(mesh)));
             }
             let Some(root) = &self.root else { continue };
             match folder::file(root, &place) {
-                Ok(path) => return Ok((place, Found::File(path))),
+                Ok(path) => return Ok((place, FoundAsset::File(path))),
                 // "Not found" is reported only if all places give it; any other error takes precedence.
                 Err(error) if why.as_ref().is_none_or(is_missing) => why = Some(error),
                 Err(_) => {}

@@ -24,7 +24,7 @@ pub(crate) struct Query {
 #[derive(Debug)]
 struct Term {
     property: Property,
-    pattern: Pattern,
+    pattern: FilePattern,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,11 +39,11 @@ const PROPERTIES: [(&str, Property); 4] =
     [("Name=", Property::Name), ("Ext=", Property::Ext), ("Project=", Property::Project), ("Path=", Property::Path)];
 
 #[derive(Debug)]
-enum Pattern {
+enum FilePattern {
     /// A pattern with `*` and `?`.
     Plain(Vec<char>),
     /// A regular expression, written after `$`.
-    Regular(pattern::Pattern),
+    Regular(pattern::Regex),
     /// An invalid regular expression, which matches no file.
     Nothing,
 }
@@ -54,12 +54,12 @@ impl Query {
         for word in words(text) {
             let known = PROPERTIES.iter().find_map(|(name, property)| Some((word.strip_prefix(name)?, *property)));
             let (pattern, property) = known.unwrap_or((&word, Property::Path));
-            let pattern = match pattern.strip_prefix('$').map(pattern::Pattern::whole) {
-                None => Pattern::Plain(pattern.chars().collect()),
-                Some(Ok(expression)) => Pattern::Regular(expression),
+            let pattern = match pattern.strip_prefix('$').map(pattern::Regex::whole) {
+                None => FilePattern::Plain(pattern.chars().collect()),
+                Some(Ok(expression)) => FilePattern::Regular(expression),
                 Some(Err(error)) => {
                     query.wrong.get_or_insert(format!("the pattern `{}`: {error}", shortened(pattern)));
-                    Pattern::Nothing
+                    FilePattern::Nothing
                 }
             };
             query.terms.push(Term { property, pattern });
@@ -96,16 +96,16 @@ impl Term {
     }
 }
 
-impl Pattern {
+impl FilePattern {
     /// Returns true if the pattern matches a whole text. Uses up `steps`; without steps left the result is false.
     fn holds(&self, steps: &Cell<u64>, text: &str) -> bool {
         if steps.get() == 0 {
             return false;
         }
         let (holds, taken) = match self {
-            Pattern::Plain(pattern) => plain(pattern, text),
-            Pattern::Regular(expression) => expression.matches(text),
-            Pattern::Nothing => (false, 0),
+            FilePattern::Plain(pattern) => plain(pattern, text),
+            FilePattern::Regular(expression) => expression.matches(text),
+            FilePattern::Nothing => (false, 0),
         };
         steps.set(steps.get().saturating_sub(taken));
         holds

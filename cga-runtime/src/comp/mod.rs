@@ -259,7 +259,7 @@ impl<'s> AssignedComponents<'s> {
             let total = mine().count();
             for (index, component) in mine().enumerate() {
                 let side = self.side(quads, number, Counter::new(index, total), component);
-                let base = cx.env.base_painted(side, material);
+                let base = cx.env.base_with_look(side, material);
                 visit(cx, number as u32, &base.shape())?;
             }
         }

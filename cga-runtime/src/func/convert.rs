@@ -2,7 +2,7 @@
 
 use super::array::each_concat;
 use crate::run::env::Env;
-use crate::value::array::{Array, Element, Print};
+use crate::value::array::{Array, Element, Printed};
 use crate::value::number::Number;
 use crate::value::text::Text;
 
@@ -28,7 +28,7 @@ pub fn text_to_text(x: Text) -> Text {
 pub fn array_to_text<T: Element>(env: &mut Env, array: Array<T>) -> Text {
     // Many elements may share one long text. The lower bound refuses such an array without printing the text for each
     // element.
-    let bytes = array.into_iter().map(Print::least_bytes).fold(0, usize::saturating_add);
+    let bytes = array.into_iter().map(Printed::least_bytes).fold(0, usize::saturating_add);
     if env.may_write(bytes) { env.write(array) } else { Text::default() }
 }
 

@@ -3,7 +3,7 @@
 use crate::fault::FaultKind;
 use crate::run::env::Env;
 use crate::value::array::Array;
-use crate::value::pattern::{Pattern, Search, TooLong};
+use crate::value::pattern::{Regex, RegexSearch, TooLong};
 use crate::value::text::{Text, shortened};
 
 /// The parts of a text between delimiters, in one row; a delimiter that begins with `$` is a regular expression
@@ -22,7 +22,7 @@ pub fn split_string(env: &mut Env, text: Text, delimiter: Text) -> Array<Text> {
         let parts = text.split(delimiter.as_str());
         return if env.may_hold(parts.clone().count()) { parts.map(Text::from).collect() } else { Array::default() };
     };
-    let pattern = match Pattern::new(pattern) {
+    let pattern = match Regex::new(pattern) {
         Ok(pattern) => pattern,
         Err(error) => {
             env.fault(
@@ -39,10 +39,10 @@ pub fn split_string(env: &mut Env, text: Text, delimiter: Text) -> Array<Text> {
     })
 }
 
-fn split_by_pattern(env: &mut Env, pattern: &Pattern, text: &str) -> Result<Array<Text>, TooLong> {
+fn split_by_pattern(env: &mut Env, pattern: &Regex, text: &str) -> Result<Array<Text>, TooLong> {
     let text: Vec<char> = text.chars().collect();
     let part = |start: usize, end: usize| Text::from(text[start..end].iter().collect::<String>());
-    let mut search = Search::new(pattern, &text)?;
+    let mut search = RegexSearch::new(pattern, &text)?;
     let (mut parts, mut part_start, mut from) = (Vec::new(), 0, 0);
     while let Some((start, end)) = if from <= text.len() { search.find(from)? } else { None } {
         from = end + usize::from(start == end);

@@ -47,8 +47,8 @@ pub(crate) const VOLUME_EPSILON: f64 = 1e-14;
 /// rises by no more.
 pub(crate) const UP_EPSILON: f64 = 1e-9;
 
-/// In a search for the largest or the lowest value, lengths and heights that differ by less than this, relative to the
-/// extent of the shape, count as equal, and the first one is chosen.
+/// Lengths and heights that differ by less than this, relative to the extent of the shape, count as equal in a search for
+/// the largest or the lowest one. The first one is chosen.
 pub(crate) const TIE_EPSILON: f64 = 1e-9;
 
 /// The distance, relative to the polygon's extent, below which moving edges count as touching. If one value leads to a
@@ -73,6 +73,6 @@ pub(crate) const CHART_EPSILON: f64 = 1e-9;
 /// Points of texture space closer than this, relative to the largest coordinate and to 1, count as adjacent.
 pub(crate) const NEXT_EPSILON: f64 = 1e-12;
 
-/// The relative growth of a coordinate along a direction up to which it counts as constant, because axes are unit
+/// A coordinate that grows by less than this along a direction, relative to its size, counts as constant. Axes are unit
 /// vectors only up to rounding.
 pub(crate) const CONSTANT_EPSILON: f64 = 1e-14;

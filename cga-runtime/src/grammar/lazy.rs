@@ -86,7 +86,7 @@ impl Origin {
 
     /// A shape on which an import starts again, without the values that `set` gave these attributes and constants on
     /// it.
-    pub fn anew(shape: &Shape, numbers: &[u32]) -> Self {
+    pub fn renewed(shape: &Shape, numbers: &[u32]) -> Self {
         let mut own = shape.clone();
         set::forget(&mut own, numbers);
         Origin(own)

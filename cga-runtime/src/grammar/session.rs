@@ -10,7 +10,7 @@ use std::fmt;
 use crate::fault::Error;
 use crate::grammar::Grammar;
 use crate::output::model::Model;
-use crate::run::derive::{self, Kept, Outcome, Start};
+use crate::run::derive::{self, Kept, RunOutcome, Start};
 use crate::run::report::Report;
 use crate::run::rules::Rules;
 use crate::run::settings::Settings;
@@ -90,13 +90,13 @@ impl<'g, G: Rules> Session<'g, G> {
     }
 
     /// Runs on a shape, without echo.
-    pub(crate) fn outcome(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Outcome {
+    pub(crate) fn outcome(&mut self, shape: &Shape, sink: &mut dyn Sink) -> RunOutcome {
         let Setup { grammar, settings, start } = &self.setup;
         if settings.watch.as_ref().is_some_and(|watch| watch.is_stopped()) {
-            return Outcome { report: Report { stopped: true, ..Report::default() }, error: None };
+            return RunOutcome { report: Report { stopped: true, ..Report::default() }, error: None };
         }
         if let Err(error) = shape.check_initial() {
-            return Outcome { error: Some(error), ..Outcome::default() };
+            return RunOutcome { error: Some(error), ..RunOutcome::default() };
         }
         derive::run(*grammar, *start, shape, settings, &mut self.kept, sink)
     }

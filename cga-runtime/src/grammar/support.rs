@@ -43,7 +43,7 @@ pub fn global(shape: &Shape, number: u32) -> Shape {
 
 /// Evaluates an attribute or constant of an import that starts again, with its own random stream. The current shape
 /// itself draws nothing for it.
-pub fn anew<T>(shape: &mut Shape, number: u32, value: impl FnOnce(&mut Shape) -> T) -> T {
+pub fn renew<T>(shape: &mut Shape, number: u32, value: impl FnOnce(&mut Shape) -> T) -> T {
     let seed = shape.seed;
     shape.seed = seed.child(Tag::Global, number);
     let value = value(shape);

@@ -35,7 +35,7 @@ pub fn align_to_box(env: &mut Env, shape: &mut Shape, axes: BoxAxes) {
     let along = longer_side(&mut seen(shape, first, second));
     let old = shape.scope.axes;
     let direction = old.col(first) * along.x + old.col(second) * along.y;
-    // Of the direction and the axis that stays, one follows the other in the order x y z x.
+    // The direction and the axis that stays follow each other in the order x y z x.
     let new = match along {
         DVec2::X => old,
         _ if (first + 1) % 3 == second => axes_of(third, old.col(third), direction),

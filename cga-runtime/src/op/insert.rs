@@ -107,8 +107,7 @@ const MARKER: (f64, f64) = (0.1, 1e-6);
 
 /// Marks the place of a missing asset by a box of 0.1 m, or less along an axis where the scope is smaller, in the
 /// middle of the scope's xz plane and on its floor. A box as large as the scope would hide other geometry. The scope
-/// becomes that of an asset of 1 m, so that it is as large as rules expect. The box is not trimmed, so that it is
-/// visible.
+/// gets the size of an asset of 1 m, as rules expect. The box is not trimmed, so it is visible.
 fn mark(env: &mut Env, shape: &mut Shape, mode: InsertMode) {
     arrange(env, shape, DVec3::ZERO, DVec3::ONE, mode);
     let size = shape.scope.size.abs();

@@ -22,7 +22,10 @@ mod roof;
 #[cfg(test)]
 mod scope_tests;
 pub mod set;
+mod set_back;
 mod shape_l;
+mod shape_o;
+mod shape_u;
 pub mod slim;
 mod taper;
 pub(crate) mod texture;
@@ -55,6 +58,8 @@ pub use roof::{
     roof_ridge_by, roof_shed, roof_shed_by,
 };
 pub use shape_l::shape_l;
+pub use shape_o::shape_o;
+pub use shape_u::shape_u;
 pub use taper::taper;
 pub use texture::{
     NormalizeMode, NormalizeType, ProjectionAxes, copy_uv, delete_uv, normalize_uv, project_uv, rotate_uv, scale_uv,

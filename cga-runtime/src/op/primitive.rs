@@ -11,7 +11,7 @@ use super::fit::{centre, fit, put};
 use super::settle;
 use crate::fault::FaultKind;
 use crate::geometry::Axis;
-use crate::geometry::mesh::primitive::Made;
+use crate::geometry::mesh::primitive::PrimitiveKind;
 use crate::run::env::Env;
 use crate::shape::texture::UvSource;
 use crate::shape::unit::UnitMesh;
@@ -46,28 +46,28 @@ pub fn cylinder(env: &mut Env, shape: &mut Shape) {
 /// `primitiveCylinder(sides)` (*primitiveCylinder operation*).
 pub fn cylinder_sides(env: &mut Env, shape: &mut Shape, sides: f64) {
     let sides = count(env, sides, "sides of a cylinder", 3, MOST_SIDES);
-    fill(env, shape, Made::Cylinder { sides });
+    fill(env, shape, PrimitiveKind::Cylinder { sides });
 }
 
 /// `primitiveCylinder(sides, radius, height)` (*primitiveCylinder operation*).
 pub fn cylinder_sized(env: &mut Env, shape: &mut Shape, sides: f64, radius: f64, height: f64) {
     let sides = count(env, sides, "sides of a cylinder", 3, MOST_SIDES);
-    fill_to_height(env, shape, Made::Cylinder { sides }, radius, height);
+    fill_to_height(env, shape, PrimitiveKind::Cylinder { sides }, radius, height);
 }
 
 /// `primitiveCone()` and `primitiveCone(sides)`, along y, its tip up (*primitiveCone operation*).
 pub fn cone(env: &mut Env, shape: &mut Shape, sides: f64) {
     let sides = count(env, sides, "sides of a cone", 3, MOST_SIDES);
-    fill(env, shape, Made::Cone { sides });
+    fill(env, shape, PrimitiveKind::Cone { sides });
 }
 
 /// `primitiveCone(sides, radius, height)` (*primitiveCone operation*).
 pub fn cone_sized(env: &mut Env, shape: &mut Shape, sides: f64, radius: f64, height: f64) {
     let sides = count(env, sides, "sides of a cone", 3, MOST_SIDES);
-    fill_to_height(env, shape, Made::Cone { sides }, radius, height);
+    fill_to_height(env, shape, PrimitiveKind::Cone { sides }, radius, height);
 }
 
-fn fill_to_height(env: &mut Env, shape: &mut Shape, made: Made, radius: f64, height: f64) {
+fn fill_to_height(env: &mut Env, shape: &mut Shape, made: PrimitiveKind, radius: f64, height: f64) {
     let (across, height) = (2.0 * env.finite(radius, "the radius"), env.finite(height, "the height"));
     fill_to_size(env, shape, made, DVec3::new(across, height, across), Axis::Y);
 }
@@ -90,8 +90,8 @@ pub fn sphere_sized(env: &mut Env, shape: &mut Shape, sides: f64, divisions: f64
     fill_to_size(env, shape, made, size, Axis::Y);
 }
 
-fn sphere_of(env: &mut Env, sides: f64, divisions: f64) -> Made {
-    Made::Sphere {
+fn sphere_of(env: &mut Env, sides: f64, divisions: f64) -> PrimitiveKind {
+    PrimitiveKind::Sphere {
         sides: count(env, sides, "sides of a sphere", 3, MOST_OF_SPHERE),
         divisions: count(env, divisions, "divisions of a sphere", 2, MOST_OF_SPHERE),
     }
@@ -101,7 +101,7 @@ fn sphere_of(env: &mut Env, sides: f64, divisions: f64) -> Made {
 pub fn disk(env: &mut Env, shape: &mut Shape, vertices: f64) {
     let sides = count(env, vertices, "vertices of a disk", 3, MOST_SIDES);
     let across = across(shape);
-    let Some(mesh) = env.primitive(Made::Disk { sides, across }) else { return };
+    let Some(mesh) = env.primitive(PrimitiveKind::Disk { sides, across }) else { return };
     fit_flat(shape, across);
     put(env, shape, mesh);
 }
@@ -112,7 +112,7 @@ pub fn disk_sized(env: &mut Env, shape: &mut Shape, vertices: f64, radius: f64) 
     let across = across(shape);
     let mut size = DVec3::splat(2.0 * env.finite(radius, "the radius"));
     size[across.index()] = 0.0;
-    fill_to_size(env, shape, Made::Disk { sides, across }, size, across);
+    fill_to_size(env, shape, PrimitiveKind::Disk { sides, across }, size, across);
 }
 
 /// `primitiveQuad()` (*primitiveQuad operation*).
@@ -159,20 +159,20 @@ fn put_quad(env: &mut Env, shape: &mut Shape, across: Axis) {
     if across != Axis::X {
         let coordinates = UvSource::of_quad(&shape.scope, across);
         fill_plainly(env, shape, Geometry::Rect(across, UnitMesh::quad(across)), Some(coordinates));
-    } else if let Some(mesh) = env.primitive(Made::Square { across }) {
+    } else if let Some(mesh) = env.primitive(PrimitiveKind::Square { across }) {
         put(env, shape, mesh);
     }
 }
 
 /// Fills the scope with a primitive; zero sizes follow the rules of `i`.
-fn fill(env: &mut Env, shape: &mut Shape, made: Made) {
+fn fill(env: &mut Env, shape: &mut Shape, made: PrimitiveKind) {
     let Some(mesh) = env.primitive(made) else { return };
     fit(shape, DVec3::ZERO, DVec3::ONE);
     put(env, shape, mesh);
 }
 
 /// Puts a primitive, made in a box of that size, into the scope.
-fn fill_to_size(env: &mut Env, shape: &mut Shape, made: Made, size: DVec3, across: Axis) {
+fn fill_to_size(env: &mut Env, shape: &mut Shape, made: PrimitiveKind, size: DVec3, across: Axis) {
     let Some(mesh) = env.primitive(made) else { return };
     stand(env, shape, mesh.bounds().size() * size, across);
     put(env, shape, mesh);

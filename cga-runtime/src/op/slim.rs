@@ -113,7 +113,7 @@ pub fn extrude<'s, 'b>(
 /// An operation that changes only the material. With constant arguments its result is found once for each previous
 /// material; `place` counts such operations in the rules.
 #[inline(never)]
-pub fn paint<'s, 'b, G>(
+pub fn change_material<'s, 'b, G>(
     env: &mut Env,
     shape: &'s ShapeRef<'b>,
     bases: &'b Bases,
@@ -124,7 +124,7 @@ pub fn paint<'s, 'b, G>(
 ) -> &'s ShapeRef<'b> {
     let (before, faults) = (shape.look.get(), env.fault_count());
     let materials = &mut env.leaf_tables.looks;
-    if let Some(after) = materials.painted(place, before).or_else(|| materials.painted_before(place, before)) {
+    if let Some(after) = materials.changed(place, before).or_else(|| materials.changed_before(place, before)) {
         shape.look.set(after);
         return shape;
     }
@@ -134,7 +134,7 @@ pub fn paint<'s, 'b, G>(
     if before != LookId::OF_BASE && faults == env.fault_count() {
         let materials = &mut env.leaf_tables.looks;
         let after = materials.intern(changed.base.shape.state.look());
-        if materials.keep_paint(place, before, after) {
+        if materials.keep_change(place, before, after) {
             shape.look.set(after);
             return shape;
         }

@@ -18,7 +18,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3, DVec4};
 
-use self::part::Run;
+use self::part::PartStart;
 use self::replayed::{Marks, Replayed};
 use self::uvs::UvLists;
 use super::error::WriteError;
@@ -30,7 +30,7 @@ use super::triangles::{Triangles, marked, write_box, write_quad};
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
 use crate::material::Material;
-use crate::run::sink::corners::{Placed, four};
+use crate::run::sink::corners::{PlacedBox, four};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
 
@@ -39,7 +39,7 @@ use crate::shape::base::Form;
 pub struct Buffers {
     triangles: Triangles,
     uvs: UvLists,
-    runs: Vec<Run>,
+    runs: Vec<PartStart>,
     numbers: Numbers,
     replayed: Replayed,
     /// The rule and the material of the last leaf that fills its scope, unless another leaf came after it.
@@ -174,7 +174,7 @@ impl Buffers {
     #[inline]
     fn run(&mut self, rule: u32, material: u32) {
         let Triangles { vertices, indices } = &self.triangles;
-        let next = Run { rule, material, triangle: indices.len() as u32 / 3, vertex: vertices.len() as u32 };
+        let next = PartStart { rule, material, triangle: indices.len() as u32 / 3, vertex: vertices.len() as u32 };
         if !self.runs.last().is_some_and(|last| last.is_like(&next)) {
             self.runs.push(next);
         }
@@ -215,7 +215,7 @@ impl Buffers {
             None => self.write_rectangle(leaf),
         }
         if !uvs.is_empty() {
-            self.uvs.place(uvs, &Placed::of(leaf.shape), block, start);
+            self.uvs.place(uvs, &PlacedBox::of(leaf.shape), block, start);
         }
         self.pad_uvs();
         ControlFlow::Continue(())
@@ -247,12 +247,12 @@ impl Buffers {
 
     #[inline(always)]
     fn write_rectangle(&mut self, leaf: &Filled<'_>) {
-        self.triangles.quad(Placed::of(leaf.shape).moved(-self.origin), leaf.shape.axes.normals[0]);
+        self.triangles.quad(PlacedBox::of(leaf.shape).moved(-self.origin), leaf.shape.axes.normals[0]);
     }
 
     #[inline(always)]
     fn write_block(&mut self, leaf: &Filled<'_>) {
-        let placed = Placed::of(leaf.shape).moved(-self.origin);
+        let placed = PlacedBox::of(leaf.shape).moved(-self.origin);
         self.triangles.cuboid(&placed, leaf.shape.unit.get(), &leaf.shape.axes.normals);
     }
 
@@ -299,7 +299,7 @@ impl Buffers {
         let triangle = self.triangles.indices.len() / 3;
         let Marks { is_distinct, runs: marks, .. } = self.replayed.of(replay, &mut self.numbers);
         let runs = &mut self.runs;
-        let moved = |run: &Run| run.moved(triangle as u32, start);
+        let moved = |run: &PartStart| run.moved(triangle as u32, start);
         if *is_distinct {
             let goes_on = marks.first().zip(runs.last()).is_some_and(|(first, last)| first.is_like(last));
             runs.extend(marks[usize::from(goes_on)..].iter().map(moved));
@@ -372,8 +372,8 @@ impl Sink for Buffers {
         self.room(4)?;
         self.leaf(leaf);
         let (normal, start) = (normals::of_quad(leaf, quad), self.triangles.vertices.len());
-        self.triangles.quad(Placed::from(quad).moved(-self.origin), normal);
-        self.uvs.place(leaf.uvs(), &Placed::from(quad), None, start);
+        self.triangles.quad(PlacedBox::from(quad).moved(-self.origin), normal);
+        self.uvs.place(leaf.uvs(), &PlacedBox::from(quad), None, start);
         self.pad_uvs();
         ControlFlow::Continue(())
     }
@@ -382,8 +382,8 @@ impl Sink for Buffers {
         self.room(24)?;
         self.leaf(leaf);
         let (normals, start) = (normals::of_cuboid(leaf, cuboid), self.triangles.vertices.len());
-        self.triangles.cuboid(&Placed::from(cuboid).moved(-self.origin), cuboid.unit, &normals);
-        self.uvs.place(leaf.uvs(), &Placed::from(cuboid), Some(cuboid.unit), start);
+        self.triangles.cuboid(&PlacedBox::from(cuboid).moved(-self.origin), cuboid.unit, &normals);
+        self.uvs.place(leaf.uvs(), &PlacedBox::from(cuboid), Some(cuboid.unit), start);
         self.pad_uvs();
         ControlFlow::Continue(())
     }

@@ -1,12 +1,12 @@
 //! Meshes as triangles in the world, shared by all sinks that write triangles.
 //!
-//! Faces do not share vertices, so a face's vertices are its corners: those of the outline, then those of its holes.
+//! Faces do not share vertices, so a face's vertices are its corners: the corners of the outline, then the corners of its holes.
 
 use std::ops::Range;
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
-use super::table::Table;
+use super::sink_table::SinkTable;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
 use crate::geometry::triangulate::Triangulator;
@@ -73,7 +73,7 @@ impl FlatFace<'_> {
 
     /// The number of the visible material on a shape with the material `shape`.
     #[inline]
-    pub(crate) fn material(&self, table: &mut Table, shape: u32) -> u32 {
+    pub(crate) fn material(&self, table: &mut SinkTable, shape: u32) -> u32 {
         table.face_material(shape, &self.mesh.materials, self.mesh.tags[self.index].material)
     }
 }

@@ -30,7 +30,7 @@ use crate::shape::unit::UnitMesh;
 /// The leaves of a run.
 #[derive(Clone, Debug, Default)]
 pub struct Model {
-    records: Vec<Record>,
+    records: Vec<ModelLeaf>,
     others: Vec<Other>,
     /// The texture coordinates of rectangles and boxes, where they have any.
     uvs: LeafUvs,
@@ -40,7 +40,7 @@ pub struct Model {
 }
 
 #[derive(Clone, Debug)]
-struct Record {
+struct ModelLeaf {
     scope: Scope,
     rule: u32,
     material: u32,
@@ -106,7 +106,7 @@ pub enum Geometry<'a> {
 #[derive(Clone, Copy, Debug)]
 pub struct LeafView<'a> {
     model: &'a Model,
-    record: &'a Record,
+    record: &'a ModelLeaf,
     number: usize,
 }
 
@@ -345,7 +345,7 @@ impl Model {
     fn push(&mut self, leaf: &Leaf<'_>, stored: Stored) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
         self.uvs.add(self.records.len(), leaf.uvs());
-        self.records.push(Record { scope: leaf.scope(), rule, material, stored });
+        self.records.push(ModelLeaf { scope: leaf.scope(), rule, material, stored });
         ControlFlow::Continue(())
     }
 
@@ -364,7 +364,7 @@ impl Sink for Model {
         if let Some(stored) = Stored::filled(leaf.shape.form, leaf.shape.unit.get()) {
             let (rule, material) = self.numbers.filled(leaf);
             self.uvs.add(self.records.len(), leaf.uvs());
-            self.records.push(Record { scope: leaf.scope(), rule, material, stored });
+            self.records.push(ModelLeaf { scope: leaf.scope(), rule, material, stored });
         }
         ControlFlow::Continue(())
     }
@@ -385,7 +385,7 @@ impl Sink for Model {
                     axes: *axes.matrix(),
                     size: record.size,
                 };
-                Some(Record { scope, rule, material, stored: Stored::filled(record.form, record.unit)? })
+                Some(ModelLeaf { scope, rule, material, stored: Stored::filled(record.form, record.unit)? })
             }));
         }
         ControlFlow::Continue(())

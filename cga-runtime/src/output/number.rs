@@ -24,7 +24,7 @@ pub(crate) fn list<T: fmt::Display + Copy + Into<f64>>(values: &[T]) -> String {
 
 /// The texts of recently printed numbers: neighbours have equal coordinates, and finding the shortest digits is slow.
 #[derive(Debug)]
-pub(crate) struct Texts {
+pub(crate) struct NumberTexts {
     places: Vec<CachedText>,
 }
 
@@ -39,13 +39,13 @@ struct CachedText {
 /// The number of entries is a power of two; each has 32 bytes.
 const PLACE_BITS: u32 = 10;
 
-impl Default for Texts {
+impl Default for NumberTexts {
     fn default() -> Self {
-        Texts { places: vec![CachedText::default(); 1 << PLACE_BITS] }
+        NumberTexts { places: vec![CachedText::default(); 1 << PLACE_BITS] }
     }
 }
 
-impl Texts {
+impl NumberTexts {
     /// Appends a number as [`Short`] writes it.
     #[inline]
     pub(crate) fn push(&mut self, to: &mut Vec<u8>, value: f64) {
@@ -122,7 +122,7 @@ mod tests {
 
     #[test]
     fn texts_that_are_kept_are_those_of_their_numbers() {
-        let mut texts = Texts::default();
+        let mut texts = NumberTexts::default();
         let values =
             (0..5000).map(|i| f64::from(i % 1700 - 800) * 0.37).chain([1e-300, -1e-300, 1e300, f64::NAN, -0.0]);
         for value in values {

@@ -5,14 +5,14 @@
 
 use std::fmt;
 
-use super::table::Table;
+use super::sink_table::SinkTable;
 use crate::run::sink::{Filled, Leaf};
 use crate::shape::look_id::LookId;
 
 /// A table of rule names and materials, and a map from numbers of the current run to numbers of the table.
 #[derive(Clone, Default)]
 pub(crate) struct Numbers {
-    pub(crate) table: Table,
+    pub(crate) table: SinkTable,
     rules: Vec<u32>,
     materials: Vec<u32>,
 }

@@ -21,7 +21,7 @@ use glam::{DAffine3, DVec3};
 
 use super::error::WriteError;
 use super::flatten::{Flattener, unit};
-use super::number::{Texts, hex, push_whole};
+use super::number::{NumberTexts, hex, push_whole};
 use super::numbers::Numbers;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
@@ -40,9 +40,9 @@ pub struct Obj<W: Write> {
     out: W,
     /// Text for `out`, written in larger pieces.
     text: Vec<u8>,
-    texts: Texts,
+    texts: NumberTexts,
     numbers: Numbers,
-    names: Names,
+    names: GroupNames,
     /// The rule and the material written last.
     run: Option<(u32, u32)>,
     points: u64,
@@ -60,9 +60,9 @@ impl<W: Write> Obj<W> {
         Obj {
             out,
             text: Vec::new(),
-            texts: Texts::default(),
+            texts: NumberTexts::default(),
             numbers: Numbers::default(),
-            names: Names::default(),
+            names: GroupNames::default(),
             run: None,
             points: 0,
             uvs: 0,
@@ -221,12 +221,12 @@ impl<W: Write> Sink for Obj<W> {
 
 /// The names of materials: unique, and valid in the format.
 #[derive(Debug, Default)]
-struct Names {
+struct GroupNames {
     list: Vec<Option<String>>,
     taken: HashSet<String>,
 }
 
-impl Names {
+impl GroupNames {
     fn of(&mut self, id: u32, material: &Material) -> &str {
         let id = id as usize;
         if self.list.len() <= id {

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 
 /// A face in the picture. Depth grows towards the viewer.
 #[derive(Debug)]
-pub(crate) struct Face {
+pub(crate) struct DepthFace {
     outline: Vec<DVec2>,
     low: DVec2,
     high: DVec2,
@@ -16,9 +16,9 @@ pub(crate) struct Face {
     slope: DVec2,
 }
 
-impl Face {
+impl DepthFace {
     /// A face from corners in the picture with depth: at least three, not on a line.
-    pub(crate) fn new(corners: &[DVec3]) -> Face {
+    pub(crate) fn new(corners: &[DVec3]) -> DepthFace {
         let outline: Vec<DVec2> = corners.iter().map(|corner| corner.truncate()).collect();
         let low = outline.iter().copied().fold(DVec2::INFINITY, DVec2::min);
         let high = outline.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
@@ -28,7 +28,7 @@ impl Face {
         let edges = corners.iter().zip(corners.iter().cycle().skip(1));
         let n = edges.fold(DVec3::ZERO, |sum, (&a, &b)| sum + (a - middle).cross(b - middle));
         let slope = if n.z == 0.0 { DVec2::ZERO } else { -n.truncate() / n.z };
-        Face { outline, low, high, middle, slope }
+        DepthFace { outline, low, high, middle, slope }
     }
 
     fn depth(&self, at: DVec2) -> f64 {
@@ -40,7 +40,7 @@ impl Face {
 const SLIGHT: f64 = 0.05;
 
 /// The amount by which `a` is nearer than `b` where they overlap; 0 if they do not overlap or the order is unclear.
-fn nearer(a: &Face, b: &Face) -> f64 {
+fn nearer(a: &DepthFace, b: &DepthFace) -> f64 {
     if (a.high - SLIGHT).cmple(b.low).any() || (b.high - SLIGHT).cmple(a.low).any() {
         return 0.0;
     }
@@ -81,7 +81,7 @@ fn clip(subject: &[DVec2], window: &[DVec2]) -> Vec<DVec2> {
 }
 
 /// The indices of the faces in the order of painting.
-pub(crate) fn back_to_front(faces: Vec<&Face>) -> Vec<usize> {
+pub(crate) fn back_to_front(faces: Vec<&DepthFace>) -> Vec<usize> {
     // Farther middles first, as a start and wherever other rules do not decide; equal ones in their given order.
     let mut start: Vec<usize> = (0..faces.len()).collect();
     start.sort_by(|&a, &b| faces[a].middle.z.total_cmp(&faces[b].middle.z).then(a.cmp(&b)));
@@ -113,7 +113,7 @@ pub(crate) fn back_to_front(faces: Vec<&Face>) -> Vec<usize> {
 }
 
 /// For each face the faces behind it, found among neighbours on a grid.
-fn behind(faces: &[&Face], start: &[usize]) -> Vec<Vec<usize>> {
+fn behind(faces: &[&DepthFace], start: &[usize]) -> Vec<Vec<usize>> {
     let mut behind = vec![Vec::new(); faces.len()];
     let low = faces.iter().fold(DVec2::INFINITY, |low, face| low.min(face.low));
     let high = faces.iter().fold(DVec2::NEG_INFINITY, |high, face| high.max(face.high));

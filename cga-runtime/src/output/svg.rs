@@ -16,8 +16,8 @@ use super::flatten::{corner_point, unit};
 use super::number::Short;
 use super::order;
 use super::picture::Viewpoint;
-use super::picture::camera::{View, direction};
-use super::table::Table;
+use super::picture::camera::{Viewport, direction};
+use super::sink_table::SinkTable;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
 use crate::material::Material;
@@ -47,7 +47,7 @@ pub struct Svg {
 
 /// A face in the picture.
 struct Shown {
-    face: order::Face,
+    face: order::DepthFace,
     /// Outline and holes, in user units, with their depth.
     rings: Vec<Vec<DVec3>>,
     material: u32,
@@ -73,10 +73,10 @@ impl Svg {
     /// The picture of a model as SVG text.
     pub fn render(&self, model: &Model) -> String {
         let camera = self.view.camera(model.bounds()).orthographic();
-        let mut faces = Faces {
-            view: View::new(&camera, self.width, self.height),
+        let mut faces = VisibleFaces {
+            view: Viewport::new(&camera, self.width, self.height),
             light: direction(camera.azimuth + self.light_azimuth, self.light_elevation),
-            table: Table::new(),
+            table: SinkTable::new(),
             shown: Vec::new(),
         };
         let _ = model.replay(&mut faces);
@@ -128,14 +128,14 @@ fn tenths(value: f64) -> Short<f64> {
 }
 
 /// Collects the visible faces.
-struct Faces {
-    view: View,
+struct VisibleFaces {
+    view: Viewport,
     light: DVec3,
-    table: Table,
+    table: SinkTable,
     shown: Vec<Shown>,
 }
 
-impl Faces {
+impl VisibleFaces {
     /// Adds a face. If `solid`, only its outside can be visible.
     fn add(&mut self, rings: Vec<Vec<DVec3>>, normal: DVec3, material: u32, solid: bool) {
         let finite = rings.iter().flatten().all(|p| p.is_finite());
@@ -149,7 +149,7 @@ impl Faces {
         let light = 0.64 + 0.08 * normal.y + 0.34 * normal.dot(self.light).max(0.0);
         let project = |ring: &Vec<DVec3>| ring.iter().map(|&p| DVec3::from_array(self.view.project(p))).collect();
         let rings: Vec<Vec<DVec3>> = rings.iter().map(project).collect();
-        self.shown.push(Shown { face: order::Face::new(&rings[0]), rings, material, light });
+        self.shown.push(Shown { face: order::DepthFace::new(&rings[0]), rings, material, light });
     }
 
     fn rectangle(&mut self, quad: &Quad, material: u32, solid: bool) {
@@ -157,7 +157,7 @@ impl Faces {
     }
 }
 
-impl Sink for Faces {
+impl Sink for VisibleFaces {
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         let material = self.table.material(leaf.material);
         self.rectangle(quad, material, false);

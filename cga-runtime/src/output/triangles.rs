@@ -4,7 +4,7 @@ use glam::{DVec3, DVec4, Vec4};
 
 use super::flatten::FlatFace;
 use super::room::Room;
-use crate::run::sink::corners::Placed;
+use crate::run::sink::corners::PlacedBox;
 use crate::shape::unit::UnitMesh;
 
 /// Position x, y, z and normal x, y, z.
@@ -20,10 +20,10 @@ pub(super) struct Triangles {
 impl Triangles {
     /// Adds a rectangle.
     #[inline(always)]
-    pub(super) fn quad(&mut self, placed: Placed, normal: Vec4) {
+    pub(super) fn quad(&mut self, placed: PlacedBox, normal: Vec4) {
         let start = self.vertices.len() as u32;
         if let Some(to) = self.vertices.take(4).first_chunk_mut::<4>() {
-            write_quad(to, &Placed { origin: marked(placed.origin, normal), ..placed }, normal);
+            write_quad(to, &PlacedBox { origin: marked(placed.origin, normal), ..placed }, normal);
         }
         if let Some(to) = self.indices.take(6).first_chunk_mut::<6>() {
             *to = [start, start + 1, start + 2, start, start + 2, start + 3];
@@ -32,7 +32,7 @@ impl Triangles {
 
     /// Adds a box; `normals` are the normals of its sides.
     #[inline(always)]
-    pub(super) fn cuboid(&mut self, placed: &Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
+    pub(super) fn cuboid(&mut self, placed: &PlacedBox, unit: UnitMesh, normals: &[Vec4; 6]) {
         if let Some(to) = self.quads(6).first_chunk_mut::<6>() {
             write_box(to, placed, unit, normals);
         }
@@ -64,7 +64,7 @@ impl Triangles {
 
 /// Writes the faces of a box; `normals` are the normals of its sides, each after a 0.
 #[inline(always)]
-pub(super) fn write_box(to: &mut [[Vertex; 4]; 6], placed: &Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
+pub(super) fn write_box(to: &mut [[Vertex; 4]; 6], placed: &PlacedBox, unit: UnitMesh, normals: &[Vec4; 6]) {
     let corners = placed.box_corners();
     for (face, to) in unit.sides().iter().zip(to) {
         let n = normals[face.side as usize];
@@ -100,7 +100,7 @@ fn write(to: &mut [Vertex; 4], vectors: [Vec4; 6]) {
 
 /// Writes the four vertices of a rectangle as six vectors. The origin is [`marked`] with the normal.
 #[inline(always)]
-pub(super) fn write_quad(to: &mut [Vertex; 4], placed: &Placed, n: Vec4) {
+pub(super) fn write_quad(to: &mut [Vertex; 4], placed: &PlacedBox, n: Vec4) {
     let [a, b, c, d] = placed.quad_corners();
     let vectors = [
         a,

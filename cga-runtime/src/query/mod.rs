@@ -7,12 +7,12 @@ mod convert;
 mod count;
 mod faces;
 mod file;
+mod file_table;
 mod form;
 pub mod get;
 mod material;
 mod measure;
 mod print;
-mod table;
 mod texture;
 
 pub use crate::comp::select::Word;
@@ -25,6 +25,7 @@ pub use file::{
     AssetDimension, AssetNaming, ImageDimension, asset_info, asset_naming_info, asset_naming_infos, file_exists,
     file_random, file_search, files_search, image_info, read_text_file,
 };
+pub use file_table::{read_float_table, read_string_table};
 pub use form::{
     geometry_is_closed_surface, geometry_is_concave, geometry_is_instanced, geometry_is_oriented, geometry_is_planar,
     geometry_is_rectangular,
@@ -34,7 +35,6 @@ pub use measure::{
     AngleType, geometry_angle, geometry_area, geometry_boundary_length, geometry_height, geometry_volume,
 };
 pub use print::print;
-pub use table::{read_float_table, read_string_table};
 pub use texture::{
     geometry_du, geometry_dv, geometry_has_uv_set, geometry_has_uvs, geometry_u_max, geometry_u_min, geometry_v_max,
     geometry_v_min,

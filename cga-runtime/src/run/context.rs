@@ -44,7 +44,7 @@ pub(crate) type ResumeFn<G, C> = fn(&G, &mut Cx<'_, C>, &ShapeRef<'_>, C) -> Flo
 
 /// The run inside an operation that changes a material, for the expressions among its arguments.
 #[derive(Debug)]
-pub struct Painting<'r> {
+pub struct MaterialCx<'r> {
     /// The run.
     pub env: &'r mut Env,
 }

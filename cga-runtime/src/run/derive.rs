@@ -46,7 +46,7 @@ impl<C> Kept<C> {
 
 /// The result of a run, with or without an error.
 #[derive(Debug, Default)]
-pub(crate) struct Outcome {
+pub(crate) struct RunOutcome {
     pub(crate) report: Report,
     pub(crate) error: Option<Error>,
 }
@@ -59,7 +59,7 @@ pub(crate) fn run<R: Rules>(
     settings: &Settings,
     kept: &mut Kept<R::Call>,
     sink: &mut dyn Sink,
-) -> Outcome {
+) -> RunOutcome {
     let mut env = Env::new(settings, R::NAMES, shape, name);
     env.leaf_tables.names = R::LEAVES;
     sink.begin();
@@ -98,7 +98,7 @@ pub(crate) fn run<R: Rules>(
         prints_quota: prints.quota,
         prints: prints.in_order(),
     };
-    Outcome { report, error: env.error.take() }
+    RunOutcome { report, error: env.error.take() }
 }
 
 /// Writes lines to standard output. A closed output does not end the run.

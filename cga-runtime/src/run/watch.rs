@@ -42,13 +42,13 @@ pub struct Progress {
 /// ```
 #[derive(Clone, Default)]
 pub struct Watch {
-    shared: Arc<Shared>,
+    shared: Arc<WatchState>,
 }
 
 type Callback = Box<dyn FnMut(Progress) -> Flow + Send>;
 
 #[derive(Default)]
-struct Shared {
+struct WatchState {
     stopped: AtomicBool,
     initial_shapes: AtomicU64,
     shapes: AtomicU64,
@@ -87,7 +87,10 @@ impl Watch {
     pub fn every(shapes: u64, callback: impl FnMut(Progress) -> Flow + Send + 'static) -> Self {
         let callback: Callback = Box::new(callback);
         Watch {
-            shared: Arc::new(Shared { callback: Some((shapes.max(1), Mutex::new(callback))), ..Shared::default() }),
+            shared: Arc::new(WatchState {
+                callback: Some((shapes.max(1), Mutex::new(callback))),
+                ..WatchState::default()
+            }),
         }
     }
 

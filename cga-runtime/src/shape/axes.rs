@@ -3,7 +3,7 @@
 use glam::{DMat3, DVec3, DVec4, Vec4};
 
 use crate::geometry::Axis;
-use crate::shape::unit::Side;
+use crate::shape::unit::BoxSide;
 
 /// The orthonormal axes of scopes, with the rounded normals of everything aligned to them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,7 +11,7 @@ pub struct Axes {
     pub(crate) matrix: DMat3,
     /// The columns, each with a fourth coordinate of 0.
     columns: [DVec4; 3],
-    /// The normals by side of a box, in the order of [`Side`]: front, right, back, left, top, bottom. Each follows a
+    /// The normals by side of a box, in the order of [`BoxSide`]: front, right, back, left, top, bottom. Each follows a
     /// 0, see [`normal`].
     pub(crate) normals: [Vec4; 6],
 }
@@ -59,9 +59,9 @@ impl Axes {
     /// The direction of an axis, rounded to f32: the normal of a rectangle across it.
     pub fn normal(&self, axis: Axis) -> [f32; 3] {
         let side = match axis {
-            Axis::X => Side::Right,
-            Axis::Y => Side::Top,
-            Axis::Z => Side::Front,
+            Axis::X => BoxSide::Right,
+            Axis::Y => BoxSide::Top,
+            Axis::Z => BoxSide::Front,
         };
         without_zero(self.normals[side as usize])
     }

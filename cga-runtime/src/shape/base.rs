@@ -13,7 +13,7 @@ use crate::shape::texture::kept::KeptMaps;
 use crate::shape::trim::Trims;
 use crate::shape::unit::UnitMesh;
 
-/// A whole shape that slim shapes borrow from. It is on the stack of the rule that made it.
+/// A whole shape that slim shapes borrow from. The rule or the split that made it holds it.
 #[derive(Debug)]
 pub struct Base {
     axes: Axes,

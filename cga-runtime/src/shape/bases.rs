@@ -6,10 +6,10 @@ use super::base::Base;
 
 /// A list of bases. Bases are added while slim shapes borrow from others, and all live as long as the list.
 #[derive(Debug, Default)]
-pub struct Bases(OnceCell<Box<Entry>>);
+pub struct Bases(OnceCell<Box<KeptBase>>);
 
 #[derive(Debug)]
-struct Entry {
+struct KeptBase {
     base: Base,
     rest: Bases,
 }
@@ -27,7 +27,7 @@ impl Bases {
         while let Some(entry) = end.0.get() {
             end = &entry.rest;
         }
-        &end.0.get_or_init(|| Box::new(Entry { base, rest: Bases::new() })).base
+        &end.0.get_or_init(|| Box::new(KeptBase { base, rest: Bases::new() })).base
     }
 }
 

@@ -61,7 +61,7 @@ impl Direction {
 
     /// Returns true if the normal of a side of a box in those axes has this direction.
     #[inline]
-    pub(crate) fn takes_side(self, side: unit::Side) -> bool {
+    pub(crate) fn takes_side(self, side: unit::BoxSide) -> bool {
         let sides = match self {
             Direction::Front => 0b00_0001,
             Direction::NotFront => 0b11_1110,
@@ -115,7 +115,7 @@ mod tests {
     fn sides_of_boxes_are_taken_as_their_normals_are() {
         use Direction::*;
         let all = [Front, Back, Right, Left, Top, Bottom, Horizontal, Side, Aslant, Vertical, Nutant];
-        for side in unit::Side::ALL {
+        for side in unit::BoxSide::ALL {
             assert!(
                 all.iter().all(|direction| direction.takes_side(side) == direction.takes(side.normal())),
                 "{side:?}"

@@ -54,14 +54,19 @@ pub(crate) struct LookIds {
     /// The numbers by the address of the look.
     by_address: BTreeMap<usize, u32>,
     /// By place in the rules: the look before the operation and the look after it, as found last.
-    paints: Vec<Option<(LookId, LookId)>>,
+    last_changes: Vec<Option<(LookId, LookId)>>,
     /// All such results: the look after an operation, by its place and the look before.
-    painted: BTreeMap<(u32, u32), LookId>,
+    all_changes: BTreeMap<(u32, u32), LookId>,
 }
 
 impl Default for LookIds {
     fn default() -> Self {
-        LookIds { list: vec![UNSET.clone()], by_address: BTreeMap::new(), paints: Vec::new(), painted: BTreeMap::new() }
+        LookIds {
+            list: vec![UNSET.clone()],
+            by_address: BTreeMap::new(),
+            last_changes: Vec::new(),
+            all_changes: BTreeMap::new(),
+        }
     }
 }
 
@@ -106,28 +111,28 @@ impl LookIds {
     /// The result of the material operation at a place in the rules, if its last use there began with the look
     /// `before`.
     #[inline]
-    pub(crate) fn painted(&self, place: u32, before: LookId) -> Option<LookId> {
-        match self.paints.get(place as usize) {
+    pub(crate) fn changed(&self, place: u32, before: LookId) -> Option<LookId> {
+        match self.last_changes.get(place as usize) {
             Some(&Some((known, after))) if known == before => Some(after),
             _ => None,
         }
     }
 
     /// The result of the material operation at a place, if an earlier use there began with the look `before`.
-    pub(crate) fn painted_before(&mut self, place: u32, before: LookId) -> Option<LookId> {
-        let after = *self.painted.get(&(place, before.0))?;
-        self.paints[place as usize] = Some((before, after));
+    pub(crate) fn changed_before(&mut self, place: u32, before: LookId) -> Option<LookId> {
+        let after = *self.all_changes.get(&(place, before.0))?;
+        self.last_changes[place as usize] = Some((before, after));
         Some(after)
     }
 
     /// Keeps the result of a material operation, if both looks have a number. Returns true if it was kept.
-    pub(crate) fn keep_paint(&mut self, place: u32, before: LookId, after: LookId) -> bool {
+    pub(crate) fn keep_change(&mut self, place: u32, before: LookId, after: LookId) -> bool {
         let has_numbers = before != LookId::OF_BASE && after != LookId::OF_BASE;
         if has_numbers {
-            self.painted.insert((place, before.0), after);
+            self.all_changes.insert((place, before.0), after);
             let place = place as usize;
-            self.paints.resize(self.paints.len().max(place + 1), None);
-            self.paints[place] = Some((before, after));
+            self.last_changes.resize(self.last_changes.len().max(place + 1), None);
+            self.last_changes[place] = Some((before, after));
         }
         has_numbers
     }
@@ -154,18 +159,18 @@ mod tests {
     }
 
     #[test]
-    fn a_place_that_paints_many_materials_in_turn_adds_each_once() {
+    fn a_place_that_changes_many_materials_in_turn_adds_each_once() {
         let mut ids = LookIds::default();
         let before: Vec<_> = (0..200).map(|number| ids.intern(&named(number))).collect();
         for _ in 0..3 {
             for &before in &before {
-                if ids.painted(0, before).or_else(|| ids.painted_before(0, before)).is_none() {
+                if ids.changed(0, before).or_else(|| ids.changed_before(0, before)).is_none() {
                     let after = ids.intern(&named(1000 + before.0 as usize));
-                    assert!(ids.keep_paint(0, before, after));
+                    assert!(ids.keep_change(0, before, after));
                 }
             }
         }
         assert_eq!(ids.list.len(), 1 + 2 * 200);
-        assert_eq!(ids.painted_before(1, before[0]), None);
+        assert_eq!(ids.changed_before(1, before[0]), None);
     }
 }

@@ -16,7 +16,7 @@ use crate::geometry::face_frame::face_frame;
 use crate::geometry::hull::hull;
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::tol::{ANGLE_EPSILON, PLANAR_EPSILON};
-use crate::geometry::triangulate::Projection;
+use crate::geometry::triangulate::PlaneProjection;
 
 /// A trim plane in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -156,7 +156,7 @@ fn face_end(mesh: &Mesh, corner: usize) -> DVec3 {
 
 /// The convex hull of a polygon. Its corners decide on which side of a line the polygon is.
 struct Hull {
-    projection: Projection,
+    projection: PlaneProjection,
     /// The corners, counter-clockwise from the leftmost one.
     corners: Vec<DVec3>,
     /// The angles of the edges after the corners, in rising order.
@@ -165,7 +165,7 @@ struct Hull {
 
 impl Hull {
     fn of(mut corners: Vec<DVec3>, normal: DVec3) -> Self {
-        let projection = Projection::along(normal);
+        let projection = PlaneProjection::along(normal);
         hull(&mut corners, |&point| projection.apply(point));
         let ends = corners.iter().zip(corners.iter().cycle().skip(1));
         let angles = ends.map(|(a, b)| angle(projection.apply(*b) - projection.apply(*a))).collect();

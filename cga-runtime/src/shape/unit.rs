@@ -19,9 +19,9 @@ use crate::geometry::provenance::Provenance;
 /// The mesh of a box or a rectangle with a length of 1 along each of its axes. A rectangle is at 0 on the axis across
 /// it.
 #[derive(Clone, Copy)]
-pub(crate) struct UnitMesh(&'static Unit);
+pub(crate) struct UnitMesh(&'static UnitShape);
 
-struct Unit {
+struct UnitShape {
     mesh: Arc<Mesh>,
     /// The faces in order; six equal faces for a rectangle.
     faces: [UnitFace; 6],
@@ -40,7 +40,7 @@ struct Unit {
 /// A face of a unit mesh.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct UnitFace {
-    pub(crate) side: Side,
+    pub(crate) side: BoxSide,
     /// The corners from the first edge on, as numbers x + 2y + 4z.
     pub(crate) corners: [u8; 4],
     /// The first corner.
@@ -52,7 +52,7 @@ pub(crate) struct UnitFace {
 
 /// A side of a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Side {
+pub(crate) enum BoxSide {
     Front,
     Right,
     Back,
@@ -61,18 +61,19 @@ pub(crate) enum Side {
     Bottom,
 }
 
-impl Side {
-    pub(crate) const ALL: [Side; 6] = [Side::Front, Side::Right, Side::Back, Side::Left, Side::Top, Side::Bottom];
+impl BoxSide {
+    pub(crate) const ALL: [BoxSide; 6] =
+        [BoxSide::Front, BoxSide::Right, BoxSide::Back, BoxSide::Left, BoxSide::Top, BoxSide::Bottom];
 
     /// The outward normal.
     pub(crate) const fn normal(self) -> DVec3 {
         match self {
-            Side::Front => DVec3::Z,
-            Side::Right => DVec3::X,
-            Side::Back => DVec3::NEG_Z,
-            Side::Left => DVec3::NEG_X,
-            Side::Top => DVec3::Y,
-            Side::Bottom => DVec3::NEG_Y,
+            BoxSide::Front => DVec3::Z,
+            BoxSide::Right => DVec3::X,
+            BoxSide::Back => DVec3::NEG_Z,
+            BoxSide::Left => DVec3::NEG_X,
+            BoxSide::Top => DVec3::Y,
+            BoxSide::Bottom => DVec3::NEG_Y,
         }
     }
 }
@@ -120,8 +121,8 @@ impl UnitMesh {
     /// The same mesh marked as inserted (*geometry.isInstanced function*). Its parts do not have the mark.
     fn as_inserted(self) -> Self {
         *self.0.inserted.get_or_init(|| {
-            let Unit { mesh, faces, face_count, .. } = self.0;
-            let unit = Unit { plain: Some(self), ..Unit::with(mesh.clone(), *faces, *face_count) };
+            let UnitShape { mesh, faces, face_count, .. } = self.0;
+            let unit = UnitShape { plain: Some(self), ..UnitShape::with(mesh.clone(), *faces, *face_count) };
             UnitMesh(Box::leak(Box::new(unit)))
         })
     }
@@ -162,7 +163,7 @@ impl UnitMesh {
         static ALL: Mutex<BTreeMap<Vec<u32>, UnitMesh>> = Mutex::new(BTreeMap::new());
         // A panic in another thread cannot leave the map half changed.
         let mut all = ALL.lock().unwrap_or_else(PoisonError::into_inner);
-        *all.entry(key(&mesh)).or_insert_with(|| UnitMesh(Box::leak(Box::new(Unit::new(mesh)))))
+        *all.entry(key(&mesh)).or_insert_with(|| UnitMesh(Box::leak(Box::new(UnitShape::new(mesh)))))
     }
 
     pub(crate) fn mesh(self) -> &'static Arc<Mesh> {
@@ -265,15 +266,15 @@ impl UnitMesh {
     }
 }
 
-impl Unit {
+impl UnitShape {
     fn new(mesh: Mesh) -> Self {
         let face = |number: usize| UnitFace::of(&mesh, number % mesh.face_count());
         let (faces, face_count) = ([0, 1, 2, 3, 4, 5].map(face), mesh.face_count());
-        Unit::with(Arc::new(mesh), faces, face_count)
+        UnitShape::with(Arc::new(mesh), faces, face_count)
     }
 
     fn with(mesh: Arc<Mesh>, faces: [UnitFace; 6], face_count: usize) -> Self {
-        Unit {
+        UnitShape {
             mesh,
             faces,
             face_count,
@@ -300,7 +301,7 @@ impl UnitFace {
             let axis = [Axis::X, Axis::Y, Axis::Z].into_iter().find(|axis| direction[axis.index()] != 0.0);
             (axis.unwrap_or(Axis::X), direction.element_sum())
         };
-        let side = Side::ALL.into_iter().find(|side| side.normal() == outwards).unwrap_or(Side::Front);
+        let side = BoxSide::ALL.into_iter().find(|side| side.normal() == outwards).unwrap_or(BoxSide::Front);
         let provenance = Provenance::of(mesh, face.tag()).unwrap_or_default();
         UnitFace { side, corners, origin, along: [x, y, outwards].map(along), provenance }
     }

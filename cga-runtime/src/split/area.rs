@@ -59,8 +59,8 @@ impl Profile {
         }
     }
 
-    /// The distance from the low end up to which the area is `area`: at a gap in the geometry its low end, and for
-    /// the total area the end of the scope, so that parts fill the scope.
+    /// The distance from the low end up to which the area is `area`. In a gap of the geometry it is the low end of the gap. For
+    /// the total area it is the end of the scope, so parts fill the scope.
     pub(super) fn distance(&self, area: f64, extent: f64) -> f64 {
         let Profile::Sections(list) = self else { return 0.0 };
         let rounding = self.total() * AREA_EPSILON;
@@ -123,8 +123,7 @@ fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<WidthSection> {
     list
 }
 
-/// A running sum with twice the digits, so that a steep edge, which adds a large number and subtracts it again,
-/// leaves no error.
+/// A running sum with twice the digits. A steep edge adds a large number and subtracts it again, which leaves no error here.
 #[derive(Clone, Copy, Default)]
 struct CompensatedSum {
     high: f64,

@@ -189,7 +189,7 @@ impl<'s> Division<'s> {
             return &made[index];
         }
         let (shape, whole) = (self.shape, &self.whole);
-        // An operation may have painted the previous part.
+        // An operation may have changed the material of the previous part.
         shape.look.set(whole.look);
         shape.origin.set(whole.origin + shape.axes.along(axis) * piece.start);
         shape.size.set_along(axis, piece.length);

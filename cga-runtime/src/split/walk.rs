@@ -48,7 +48,7 @@ pub enum Successor {
 }
 
 /// Calls the rule of a slot, by number, with a part.
-pub(crate) type Visit<'v, C> = dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow + 'v;
+pub(crate) type VisitPiece<'v, C> = dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow + 'v;
 
 /// Splits a shape along an axis (*split operation*). Returns true if there was a piece. `sizes` and `lengths` have one entry
 /// for each slot; the lengths are overwritten. `Break` when the run ends.
@@ -58,7 +58,7 @@ pub fn split<'s, C>(
     split: &Split<'s>,
     sizes: &mut [Size],
     lengths: &'s mut [f64],
-    visit: &mut Visit<'_, C>,
+    visit: &mut VisitPiece<'_, C>,
 ) -> ControlFlow<(), bool> {
     let (solution, made, total) = solve(cx.env, shape, split, sizes, lengths)?;
     let pieces = Solved { solution: &solution, cursor: solution.cursor() };
@@ -72,7 +72,7 @@ pub fn split_solved<C>(
     split: &Split<'_>,
     known: f64,
     pieces: &[Piece],
-    visit: &mut Visit<'_, C>,
+    visit: &mut VisitPiece<'_, C>,
 ) -> ControlFlow<(), bool> {
     let pieces = solved(cx.env, shape, split.axis, known, pieces);
     let made = made(cx.env, shape, split, pieces)?;
@@ -86,7 +86,7 @@ pub fn split_area<C>(
     split: &Split<'_>,
     sizes: &mut [Size],
     lengths: &mut [f64],
-    visit: &mut Visit<'_, C>,
+    visit: &mut VisitPiece<'_, C>,
 ) -> ControlFlow<(), bool> {
     let pieces = areas(cx.env, shape, split.axis, split.pattern, sizes, lengths);
     let made = made(cx.env, shape, split, &pieces)?;
@@ -101,7 +101,7 @@ pub fn split_texture<C>(
     axis: TextureAxis,
     sizes: &mut [Size],
     lengths: &mut [f64],
-    visit: &mut Visit<'_, C>,
+    visit: &mut VisitPiece<'_, C>,
 ) -> ControlFlow<(), bool> {
     let (pieces, made) = texture(cx.env, shape, axis, split.pattern, sizes, lengths)?;
     walk(cx, shape, split, &made, pieces.len() as u64, List::new(&pieces), visit)
@@ -130,7 +130,7 @@ fn made(env: &mut Env, shape: &ShapeRef<'_>, split: &Split<'_>, pieces: &[Piece]
 }
 
 /// The pieces of a pattern in order, with its groups.
-trait Pieces {
+trait PieceSource {
     /// A group while it repeats.
     type Group;
     /// The piece of the next slot, if it gets one.
@@ -147,7 +147,7 @@ struct Solved<'s> {
     cursor: Cursor<'s>,
 }
 
-impl Pieces for Solved<'_> {
+impl PieceSource for Solved<'_> {
     type Group = Group;
 
     fn slot(&mut self, slot: usize) -> Option<Piece> {
@@ -163,7 +163,7 @@ impl Pieces for Solved<'_> {
     }
 }
 
-impl Pieces for List<'_> {
+impl PieceSource for List<'_> {
     type Group = Range<u32>;
 
     fn slot(&mut self, slot: usize) -> Option<Piece> {
@@ -180,11 +180,11 @@ impl Pieces for List<'_> {
 }
 
 /// A walk through a pattern.
-struct Walk<'w, 's, P, C> {
+struct SplitWalk<'w, 's, P, C> {
     split: &'w Split<'w>,
     division: Division<'s>,
     pieces: P,
-    visit: &'w mut Visit<'w, C>,
+    visit: &'w mut VisitPiece<'w, C>,
 }
 
 /// The position of the next item of a pattern: the numbers of slots and groups before it.
@@ -202,17 +202,17 @@ fn walk<'w, C>(
     split: &'w Split<'w>,
     made: &'w Made,
     total: u64,
-    pieces: impl Pieces,
-    visit: &'w mut Visit<'w, C>,
+    pieces: impl PieceSource,
+    visit: &'w mut VisitPiece<'w, C>,
 ) -> ControlFlow<(), bool> {
     let division = Division::new(shape, made, split.axis, split.adjust, split.number, total);
-    let mut walk = Walk { split, division, pieces, visit };
+    let mut walk = SplitWalk { split, division, pieces, visit };
     walk.items(cx, split.pattern, At::default(), false)?;
     walk.division.end(split.axis);
     ControlFlow::Continue(walk.division.has_parts())
 }
 
-impl<P: Pieces, C> Walk<'_, '_, P, C> {
+impl<P: PieceSource, C> SplitWalk<'_, '_, P, C> {
     /// Passes on the parts of some items of the pattern.
     fn items(&mut self, cx: &mut Cx<'_, C>, items: &[Item], mut at: At, in_group: bool) -> Flow {
         let mut rest = items;
@@ -225,19 +225,26 @@ impl<P: Pieces, C> Walk<'_, '_, P, C> {
             };
             let (inside, behind) = rest.split_at((len as usize).min(rest.len()));
             rest = behind;
-            let slots = inside.iter().filter(|item| matches!(item, Item::Slot)).count();
-            let mut group = self.pieces.open(at.group, at.slot..at.slot + slots);
-            while self.pieces.turn(&mut group) {
-                self.division.turn(cx.env)?;
-                if slots == inside.len() {
-                    (at.slot..at.slot + slots).try_for_each(|slot| self.slot(cx, slot, true))?;
-                } else {
-                    self.items(cx, inside, At { group: at.group + 1, ..at }, true)?;
-                }
-            }
-            at = At { slot: at.slot + slots, group: at.group + 1 + inside.len() - slots };
+            at = self.repeat(cx, inside, at)?;
         }
         Flow::Continue(())
+    }
+
+    /// Passes on the parts of a group, in all repetitions. Returns the position behind it.
+    #[inline(always)]
+    fn repeat(&mut self, cx: &mut Cx<'_, C>, inside: &[Item], at: At) -> ControlFlow<(), At> {
+        let slots = inside.iter().filter(|item| matches!(item, Item::Slot)).count();
+        let has_groups = slots < inside.len();
+        let mut group = self.pieces.open(at.group, at.slot..at.slot + slots);
+        while self.pieces.turn(&mut group) {
+            self.division.turn(cx.env)?;
+            if has_groups {
+                self.items(cx, inside, At { group: at.group + 1, ..at }, true)?;
+            } else {
+                (at.slot..at.slot + slots).try_for_each(|slot| self.slot(cx, slot, true))?;
+            }
+        }
+        ControlFlow::Continue(At { slot: at.slot + slots, group: at.group + 1 + inside.len() - slots })
     }
 
     /// Passes on the part of a slot.

@@ -1,7 +1,7 @@
 //! Finds overlaps of roadways and assigns these parts to junctions.
 
 use super::grid::{Point, is_sliver};
-use super::pieces::{Draft, Pieces, Plot};
+use super::pieces::{Draft, Plot, StreetPieces};
 use super::subdivision::Subdivision;
 use super::{MOST_CROSSINGS, StreetError};
 
@@ -14,7 +14,7 @@ const MARGIN: f64 = 1e-5;
 /// The pieces of a plan after its overlaps between free roadways are resolved. Overlaps that are left after `attempts`
 /// belong to the first of their streets. So the parts of a network never overlap, but such a street may have texture
 /// coordinates that do not reach 0 or 1.
-pub(super) fn resolve(plan: &mut Draft, attempts: usize) -> Result<Pieces, StreetError> {
+pub(super) fn resolve(plan: &mut Draft, attempts: usize) -> Result<StreetPieces, StreetError> {
     for _ in 0..attempts {
         let pieces = plan.pieces();
         let roads: Vec<usize> =

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3};
 
-use super::grid::{Buckets, GridMap, Point};
+use super::grid::{GridMap, Point, SegmentGrid};
 use super::input::{Centerline, NetworkOptions};
 use super::rounding::divide;
 use super::{MOST_CROSSINGS, StreetError};
@@ -184,7 +184,7 @@ fn reach_segments(paths: &mut [Vec<LinePoint>], snap: f64) {
             homes.push((line, at));
         }
     }
-    let buckets = Buckets::of_segments(&segments);
+    let buckets = SegmentGrid::of_segments(&segments);
     let margin = (snap / super::grid::UNIT) as i64 + 1;
     let mut added: BTreeMap<(usize, usize), Vec<LinePoint>> = BTreeMap::new();
     for line in 0..paths.len() {

@@ -2,8 +2,7 @@
 //!
 //! Grid points are exact as f64, and orientation tests of them are exact in 128 bits.
 
-use std::collections::HashMap;
-use std::hash::{BuildHasherDefault, Hasher};
+use std::collections::BTreeMap;
 
 use glam::DVec2;
 
@@ -89,52 +88,26 @@ pub(super) fn winding(ring: &[Point], point: Point) -> i32 {
     sides(ring).map(turn).sum()
 }
 
-/// A map by points or cells.
-pub(super) type GridMap<K, V> = HashMap<K, V, BuildHasherDefault<Mix>>;
-
-/// A fast hash of a few integers.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Mix(u64);
-
-impl Hasher for Mix {
-    fn finish(&self) -> u64 {
-        self.0 ^ (self.0 >> 32)
-    }
-
-    fn write(&mut self, bytes: &[u8]) {
-        bytes.iter().for_each(|&byte| self.write_u64(byte.into()));
-    }
-
-    fn write_i64(&mut self, value: i64) {
-        self.write_u64(value as u64);
-    }
-
-    fn write_u32(&mut self, value: u32) {
-        self.write_u64(value.into());
-    }
-
-    fn write_u64(&mut self, value: u64) {
-        self.0 = (self.0.rotate_left(29) ^ value).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    }
-}
+/// A map by points or cells. Its time is bounded for all points, and its order is that of the keys.
+pub(super) type GridMap<K, V> = BTreeMap<K, V>;
 
 /// Lists of numbers by square cells of the plane.
-pub(super) struct Buckets {
+pub(super) struct SegmentGrid {
     size: i64,
     cells: GridMap<(i64, i64), Vec<u32>>,
 }
 
-impl Buckets {
+impl SegmentGrid {
     /// Empty cells of a size that suits segments: their average length, but at least 1 m.
     pub(super) fn for_segments(segments: &[[Point; 2]]) -> Self {
         let length: f64 = segments.iter().map(|[a, b]| a.place().distance(b.place())).sum();
         let size = (length / segments.len().max(1) as f64).max(1.0);
-        Buckets { size: ((size * UNITS).ceil() as i64).max(16), cells: GridMap::default() }
+        SegmentGrid { size: ((size * UNITS).ceil() as i64).max(16), cells: GridMap::default() }
     }
 
     /// Segments by number, each in all cells that it crosses.
     pub(super) fn of_segments(segments: &[[Point; 2]]) -> Self {
-        let mut buckets = Buckets::for_segments(segments);
+        let mut buckets = SegmentGrid::for_segments(segments);
         for (&segment, number) in segments.iter().zip(0..) {
             let mut cells = Vec::new();
             buckets.along(segment, 2, |cell| cells.push(cell));

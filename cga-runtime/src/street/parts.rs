@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::grid::{GridMap, Point, is_sliver, twice_area, winding};
 use super::mesh::{StreetFace, mesh};
-use super::pieces::{Chart, Draft, Pieces, Plot};
+use super::pieces::{Chart, Draft, Plot, StreetPieces};
 use super::subdivision::{NONE, Subdivision};
 use super::{Kind, MOST_CROSSINGS, Part, Side, StreetError};
 use crate::geometry::disjoint::DisjointSets;
@@ -13,7 +13,7 @@ use crate::geometry::disjoint::DisjointSets;
 const STRAIGHT_ON: f64 = 30.0;
 
 /// The parts of a network.
-pub(super) fn parts(plan: &Draft, pieces: &Pieces) -> Result<Vec<Part>, StreetError> {
+pub(super) fn parts(plan: &Draft, pieces: &StreetPieces) -> Result<Vec<Part>, StreetError> {
     let rings: Vec<Vec<Point>> = pieces.list.iter().map(Plot::ring).collect();
     let faces = Subdivision::new(&rings, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
     let owners = owners(pieces, &faces);
@@ -56,7 +56,7 @@ pub(super) fn parts(plan: &Draft, pieces: &Pieces) -> Result<Vec<Part>, StreetEr
 }
 
 /// The owner of each cycle: the number of a piece. The first piece of a junction owns all its pieces.
-fn owners(pieces: &Pieces, faces: &Subdivision) -> Vec<u32> {
+fn owners(pieces: &StreetPieces, faces: &Subdivision) -> Vec<u32> {
     let is_free = |&&at: &&u32| matches!(pieces.list[at as usize], Plot::Road { free: true, .. });
     let is_walk = |at: u32| matches!(pieces.list[at as usize], Plot::Walk { .. });
     let owner = |covers: &Vec<u32>| {
@@ -78,6 +78,7 @@ fn owners(pieces: &Pieces, faces: &Subdivision) -> Vec<u32> {
             junctions.unite(a, b);
         }
     }
+    junctions.flatten();
     for owner in of_cycle.iter_mut().filter(|owner| is_part(**owner)) {
         *owner = junctions.find(*owner);
     }
@@ -90,7 +91,7 @@ fn is_junction(piece: &Plot) -> bool {
 }
 
 /// For each junction the directions of its streets, away from it.
-fn arms(owners: &[u32], plan: &Draft, pieces: &Pieces, faces: &Subdivision) -> GridMap<u32, Vec<DVec2>> {
+fn arms(owners: &[u32], plan: &Draft, pieces: &StreetPieces, faces: &Subdivision) -> GridMap<u32, Vec<DVec2>> {
     let mut found: Vec<(u32, u32, bool)> = Vec::new();
     for half in 0..faces.cycle.len() {
         let [here, there] = [half, half ^ 1].map(|half| owners[faces.cycle[half] as usize]);
@@ -157,7 +158,7 @@ fn faces_of(loops: &[Vec<Point>]) -> Vec<Vec<Vec<Point>>> {
 fn street(
     run: &Chart,
     list: &[usize],
-    pieces: &Pieces,
+    pieces: &StreetPieces,
     loops: &[Vec<Vec<Point>>],
     heights: &GridMap<Point, f64>,
 ) -> Option<Part> {

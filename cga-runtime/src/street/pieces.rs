@@ -7,7 +7,7 @@ use super::junction::{self, JunctionLayout};
 use super::section::{CrossSection, Station};
 use super::{Kind, Side};
 
-/// The run that a cell is a part of, by number in [`Pieces::runs`].
+/// The run that a cell is a part of, by number in [`StreetPieces::runs`].
 pub(super) type RunId = u32;
 
 /// A stretch of a street, of a sidewalk beside it, or of a sidewalk around a corner: one chart.
@@ -45,7 +45,7 @@ impl Plot {
 
 /// All pieces and runs.
 #[derive(Debug, Default)]
-pub(super) struct Pieces {
+pub(super) struct StreetPieces {
     pub(super) list: Vec<Plot>,
     pub(super) runs: Vec<Chart>,
 }
@@ -81,7 +81,7 @@ impl Draft {
     }
 
     /// The pieces of the current plan. Junctions that do not fit are reduced until they do.
-    pub(super) fn pieces(&mut self) -> Pieces {
+    pub(super) fn pieces(&mut self) -> StreetPieces {
         let mut layouts: Vec<Option<JunctionLayout>> = (0..self.nodes.len()).map(|_| None).collect();
         let mut waiting: Vec<usize> = (0..self.nodes.len()).collect();
         let mut ends: Vec<[Station; 2]> = Vec::new();
@@ -114,7 +114,7 @@ impl Draft {
             waiting.sort_unstable();
             waiting.dedup();
         }
-        let mut pieces = Pieces::default();
+        let mut pieces = StreetPieces::default();
         for (number, ends) in ends.iter().enumerate() {
             self.add_chain(number, *ends, &mut pieces);
         }
@@ -171,7 +171,7 @@ impl Draft {
         merged
     }
 
-    fn add_chain(&self, number: usize, ends: [Station; 2], pieces: &mut Pieces) {
+    fn add_chain(&self, number: usize, ends: [Station; 2], pieces: &mut StreetPieces) {
         let chain = &self.chains[number];
         let [start, end] = ends.map(|station| chain.along(station));
         if end <= start {

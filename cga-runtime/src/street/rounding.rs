@@ -3,7 +3,7 @@
 //! Ends and rounded crossings are *hot*. A segment that passes the unit square around a hot point is routed through
 //! that point. So no two segments cross afterwards, and all segments that meet at a point share it.
 
-use super::grid::{Buckets, Point, are_apart, dot, orient};
+use super::grid::{Point, SegmentGrid, are_apart, dot, orient};
 
 /// Divides segments at each other. Each becomes a chain of points from its first end to its second. `None` if there are
 /// more than `most` crossings.
@@ -45,7 +45,7 @@ fn sorted(edge: &[Point]) -> [Point; 2] {
 
 /// The crossings of segments: the number of a segment and the rounded point. `None` if there are more than `most`.
 fn crossings(segments: &[[Point; 2]], most: usize) -> Option<Vec<(u32, Point)>> {
-    let buckets = Buckets::of_segments(segments);
+    let buckets = SegmentGrid::of_segments(segments);
     let mut found = Vec::new();
     for list in buckets.lists() {
         for (at, &first) in list.iter().enumerate() {
@@ -69,7 +69,7 @@ fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)]) -> Vec<Vec<Point>>
     let mut hot: Vec<Point> = segments.iter().flatten().copied().chain(crossings.iter().map(|one| one.1)).collect();
     hot.sort_unstable();
     hot.dedup();
-    let mut pixels = Buckets::for_segments(segments);
+    let mut pixels = SegmentGrid::for_segments(segments);
     for (number, &point) in hot.iter().enumerate() {
         pixels.add_point(point, number as u32);
     }

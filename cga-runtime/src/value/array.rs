@@ -22,7 +22,10 @@ pub struct Array<T> {
 
 /// A type that an array can hold: `f64`, `bool` and [`Text`]. Its default is the value of a missing element: 0, false,
 /// "" (*index operator*).
-pub trait Element: Clone + Default + PartialEq + fmt::Debug + Send + Sync + Compare + sealed::Print + 'static {}
+pub trait Element:
+    Clone + Default + PartialEq + fmt::Debug + Send + Sync + Compare + sealed::Printed + 'static
+{
+}
 
 impl Element for f64 {}
 impl Element for bool {}
@@ -32,7 +35,7 @@ mod sealed {
     use std::fmt;
 
     /// Writes a value as `str` and `print` show it. Private, so that other crates cannot add element types.
-    pub trait Print {
+    pub trait Printed {
         fn print(&self, out: &mut dyn fmt::Write) -> fmt::Result;
 
         /// A lower bound of the printed bytes, known without printing.
@@ -42,21 +45,21 @@ mod sealed {
     }
 }
 
-pub(crate) use sealed::Print;
+pub(crate) use sealed::Printed;
 
-impl Print for f64 {
+impl Printed for f64 {
     fn print(&self, out: &mut dyn Write) -> fmt::Result {
         write!(out, "{}", Number(*self))
     }
 }
 
-impl Print for bool {
+impl Printed for bool {
     fn print(&self, out: &mut dyn Write) -> fmt::Result {
         out.write_str(if *self { "true" } else { "false" })
     }
 }
 
-impl Print for Text {
+impl Printed for Text {
     fn print(&self, out: &mut dyn Write) -> fmt::Result {
         out.write_str(self)
     }
@@ -218,7 +221,7 @@ impl<T: Element> fmt::Display for Array<T> {
 }
 
 /// The number of characters of a printed value.
-fn value_width(value: &impl Print) -> Result<usize, fmt::Error> {
+fn value_width(value: &impl Printed) -> Result<usize, fmt::Error> {
     struct Count(usize);
     impl Write for Count {
         fn write_str(&mut self, text: &str) -> fmt::Result {

@@ -2,7 +2,7 @@
 
 use super::closure::closure;
 use super::{Facts, RuleFacts, Uses};
-use crate::ir::{Arm, Block, Grammar, Parts, Renewal, Rule, Selector, Step, Target, walk};
+use crate::ir::{Arm, Block, BlockParts, Grammar, Renewal, Rule, Selector, Step, Target, walk};
 use crate::ops;
 
 /// The facts of a rule without the rules that it reaches.
@@ -29,7 +29,7 @@ impl Facts {
             .zip(&own)
             .map(|((((uses, all), counters), loose), own)| RuleFacts {
                 own: uses,
-                below: all.without_counters() | counters,
+                below: all.but(Uses::COUNTERS) | counters,
                 rigid: !loose && counters.is_none(),
                 own_rigid: own.rigid && uses.counters().is_none(),
             })
@@ -38,20 +38,20 @@ impl Facts {
 
     fn own(&self, rule: &Rule, renewals: &[Uses]) -> OwnFacts {
         let locals = self.exprs(&rule.locals);
-        let mut own = OwnFacts { uses: locals, rigid: locals.without_counters().is_rigid() };
+        let mut own = OwnFacts { uses: locals, rigid: locals.but(Uses::COUNTERS).is_rigid() };
         walk::steps(&rule.body, &mut |step| {
             let args = walk::targets(step).into_iter().map(|target| match target {
                 Target::Rule { args, .. } => self.exprs(args),
                 Target::Leaf(..) | Target::Nil => Uses::NONE,
             });
             let args: Uses = args.collect();
-            let args = if hands_counters_on(step) { args } else { args.without_counters() };
+            let args = if hands_counters_on(step) { args } else { args.but(Uses::COUNTERS) };
             let (exprs, itself) = (self.exprs(walk::in_step(step)) | args, itself(step, renewals));
             own.uses = own.uses | exprs | itself;
-            own.rigid &= exprs.without_counters().is_rigid();
+            own.rigid &= exprs.but(Uses::COUNTERS).is_rigid();
             own.rigid &= match step {
-                Step::Block(block @ Block { parts: Parts::Arms(arms), .. }) => is_rigid(block, arms),
-                _ => itself.without_counters().is_rigid(),
+                Step::Block(block @ Block { parts: BlockParts::Arms(arms), .. }) => is_rigid(block, arms),
+                _ => itself.but(Uses::COUNTERS).is_rigid(),
             };
         });
         own
@@ -83,7 +83,7 @@ fn itself(step: &Step, renewals: &[Uses]) -> Uses {
 
 /// Returns true if the shapes that a step makes keep `split.index` and `split.total`.
 fn hands_counters_on(step: &Step) -> bool {
-    !matches!(step, Step::Block(Block { parts: Parts::Slots(_), .. }))
+    !matches!(step, Step::Block(Block { parts: BlockParts::Slots(_), .. }))
 }
 
 /// Returns true if an operation makes the same parts of a shape wherever the shape is. `noAlign` gives parts the axes of the pivot,
@@ -94,5 +94,5 @@ fn is_rigid(block: &Block, arms: &[Arm<Target>]) -> bool {
         Selector::Index(_) => true,
         Selector::When(_) => false,
     };
-    block.is_plain() && !block.row.uses.place && arms.iter().all(selects)
+    block.is_plain() && !block.row.uses.has(Uses::PLACE) && arms.iter().all(selects)
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::compile::compile_text;
-use crate::ir::{Block, Parts, Slots, Step};
+use crate::ir::{Block, BlockParts, Slots, Step};
 
 fn grammar(text: &str) -> Grammar {
     let compiled = compile_text(text).compiled;
@@ -24,7 +24,7 @@ fn shown(text: &str) -> Vec<String> {
 /// The slots that a rule begins with.
 fn slots(grammar: &Grammar, rule: usize) -> &Slots {
     match &grammar.rules[rule].body[0] {
-        Step::Block(Block { parts: Parts::Slots(slots), .. }) => slots,
+        Step::Block(Block { parts: BlockParts::Slots(slots), .. }) => slots,
         other => panic!("{other:?} has no slots"),
     }
 }

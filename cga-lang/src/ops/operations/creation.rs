@@ -1,8 +1,8 @@
 //! Geometry creation: extrusion, assets, primitives, envelopes.
 
 use super::super::{
-    Allowed, Bounds, Default, Effect, FILE, FS, FileUse, Operation, Param, Params, Str, Uses, UvEffect, bounds, file,
-    float, length, of, or, outdated, renamed, uv_set, within, word, words,
+    Allowed, Default, Effect, FILE, FS, FileUse, Operation, Param, ParamBounds, Params, Str, Uses, UvEffect, bounds,
+    file, float, length, of, or, outdated, renamed, uv_set, within, word, words,
 };
 use super::{later, moves, old, op, using, uvs, with};
 
@@ -36,10 +36,10 @@ const DIRECTION: Param = words("direction", &["normal", "world.up"]);
 const KEEP_FACES: Param = word("keepFaces", "OffsetFaces", &["all", "inside", "border"]);
 
 /// *primitiveDisk*, *primitiveSphere*, *primitiveCylinder* and *primitiveCone operation*.
-static CORNERS: Bounds = bounds(Allowed::AtLeast(3.0), "there are at least 3");
+static CORNERS: ParamBounds = bounds(Allowed::AtLeast(3.0), "there are at least 3");
 
 /// *primitiveSphere operation*.
-static DIVISIONS: Bounds = bounds(Allowed::AtLeast(2.0), "there are at least 2");
+static DIVISIONS: ParamBounds = bounds(Allowed::AtLeast(2.0), "there are at least 2");
 
 const N_VERTICES: Param = within(float("nVertices"), &CORNERS);
 const SIDES: Param = within(float("sides"), &CORNERS);

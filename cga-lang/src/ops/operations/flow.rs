@@ -1,13 +1,13 @@
 //! Colours and materials, labels, reports. `set` has a syntax of its own.
 
-use super::super::{Allowed, B, Bounds, Default, F, HEX, Operation, Param, ParamKind, T, TS, Uses};
+use super::super::{Allowed, B, Default, F, HEX, Operation, Param, ParamBounds, ParamKind, T, TS, Uses};
 use super::super::{bounds, channel, of, or, param, text, within, word};
 use super::{keeps, old, op, says, sets_material, using};
 
 const TARGET: Param = or(word("target", "MaterialTarget", &["shape", "geometry", "all"]), Default::Word("shape"));
 
 /// *label operation*.
-static LABELS: Bounds = bounds(Allowed::NotEmpty, "a label is not empty");
+static LABELS: ParamBounds = bounds(Allowed::NotEmpty, "a label is not empty");
 
 const REPORT: &str = "adds a value to a collection of the run";
 

@@ -1,16 +1,16 @@
 //! Geometry manipulation, tags, inlined rules and boolean operations.
 
 use super::super::{
-    Allowed, Bounds, Braces, Default, Effect, Operation, Param, Params, Str, boolean, bounds, float, or, text, within,
-    words,
+    Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Params, Str, boolean, bounds, float, or, text,
+    within, words,
 };
 use super::{block, later, old, op, with};
 
 /// *cleanupGeometry* and *reduceGeometry operation*.
-static TOLERANCES: Bounds = bounds(Allowed::Between(0.0, 1.0), "it is from 0 to 1");
+static TOLERANCES: ParamBounds = bounds(Allowed::Between(0.0, 1.0), "it is from 0 to 1");
 
 /// *rectify operation*.
-static DEVIATIONS: Bounds = bounds(Allowed::Between(0.0, 45.0), "it is from 0 to 45 degrees");
+static DEVIATIONS: ParamBounds = bounds(Allowed::Between(0.0, 45.0), "it is from 0 to 45 degrees");
 
 const TOLERANCE: Param = within(float("tolerance"), &TOLERANCES);
 

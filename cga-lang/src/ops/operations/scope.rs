@@ -1,7 +1,8 @@
 //! Operations on the scope and the pivot. The geometry keeps its position.
 
 use super::super::{
-    Allowed, Bounds, Default, Effect, Operation, Param, Params, Str, boolean, bounds, float, or, renamed, within, word,
+    Allowed, Default, Effect, Operation, Param, ParamBounds, Params, Str, boolean, bounds, float, or, renamed, within,
+    word,
 };
 use super::{old, op, with};
 
@@ -43,7 +44,7 @@ const AUTO: Param = word("mode", "AlignAuto", &["auto"]);
 const BOX_AXES: Param = word("alignAxes", "BoxAxes", &["xy", "yx", "xz", "zx", "yz", "zy"]);
 
 /// *setPivot operation*.
-static CORNERS: Bounds = bounds(Allowed::Whole(0.0, 7.0), "corners are numbered from 0 to 7");
+static CORNERS: ParamBounds = bounds(Allowed::Whole(0.0, 7.0), "corners are numbered from 0 to 7");
 
 const AXIS_MAP: Param = word("axisMap", "AxisMap", &["xyz", "yzx", "zxy"]);
 

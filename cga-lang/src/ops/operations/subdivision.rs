@@ -2,7 +2,7 @@
 
 use super::super::queries::SPACE;
 use super::super::{
-    Allowed, BS, Bounds, Braces, Default, FS, Measure, Operation, Param, ParamKind, Places, Uses, bounds, float,
+    Allowed, BS, Braces, Default, FS, Measure, Operation, Param, ParamBounds, ParamKind, Places, Uses, bounds, float,
     length, of, or, param, renamed, unknown, uv_set, within, word, words,
 };
 use super::{block, divides, later, old};
@@ -42,11 +42,13 @@ const GAUSSIAN: Param = words("distributionType", &["gaussian"]);
 const MEAN: Param = words("scatterMean", &["center", "front", "back", "left", "right", "top", "bottom"]);
 
 /// *setbackToArea operation*.
-static AREAS: Bounds = bounds(Allowed::Above(0.0), "an area is above 0");
+static AREAS: ParamBounds = bounds(Allowed::Above(0.0), "an area is above 0");
 
 /// *CGA changelog 2017.0*.
-static COUNTS: Bounds =
-    Bounds { result: Some("no points are made"), ..bounds(Allowed::Above(0.0), "the number of points is above 0") };
+static COUNTS: ParamBounds = ParamBounds {
+    result: Some("no points are made"),
+    ..bounds(Allowed::Above(0.0), "the number of points is above 0")
+};
 
 const AREA: Param = within(float("area"), &AREAS);
 const N_POINTS: Param = within(float("nPoints"), &COUNTS);
@@ -133,17 +135,25 @@ pub(super) static ROWS: &[Operation] = &[
             "sets the front and left edges back and keeps the strip",
         ),
     ),
-    block(
-        "shapeU",
-        Braces::Arms(Places::SHAPE),
-        &[float("frontWidth"), float("rightWidth"), float("leftWidth")],
-        "sets all but the back edges back and keeps the strip",
+    divides(
+        "shape_u",
+        Uses::WHOLE,
+        block(
+            "shapeU",
+            Braces::Arms(Places::SHAPE),
+            &[float("frontWidth"), float("rightWidth"), float("leftWidth")],
+            "sets all but the back edges back and keeps the strip",
+        ),
     ),
-    block(
-        "shapeO",
-        Braces::Arms(Places::SHAPE),
-        &[float("frontWidth"), float("rightWidth"), float("backWidth"), float("leftWidth")],
-        "sets all edges back and keeps the strip",
+    divides(
+        "shape_o",
+        Uses::WHOLE,
+        block(
+            "shapeO",
+            Braces::Arms(Places::SHAPE),
+            &[float("frontWidth"), float("rightWidth"), float("backWidth"), float("leftWidth")],
+            "sets all edges back and keeps the strip",
+        ),
     ),
     block("innerRectangle", Braces::Arms(Places::SHAPE), &[ALIGNMENT], "cuts the largest rectangle out of each face"),
     old(

@@ -15,10 +15,10 @@ use std::collections::{HashMap, HashSet};
 /// All declarations. Indices count the items of a kind: instance by instance, in source order.
 pub(crate) struct Globals<'a> {
     pub(crate) program: &'a Program,
-    pub(crate) attrs: Vec<Item<'a>>,
-    pub(crate) consts: Vec<Item<'a>>,
-    pub(crate) functions: Vec<Item<'a>>,
-    pub(crate) rules: Vec<Item<'a>>,
+    pub(crate) attrs: Vec<Declared<'a>>,
+    pub(crate) consts: Vec<Declared<'a>>,
+    pub(crate) functions: Vec<Declared<'a>>,
+    pub(crate) rules: Vec<Declared<'a>>,
     names: Vec<NameTable<'a>>,
     /// The remaining number of suggestions.
     hints: Cell<u32>,
@@ -34,7 +34,7 @@ const MOST_OVERLOADS: usize = 64;
 
 /// A declaration in an instance.
 #[derive(Clone)]
-pub(crate) struct Item<'a> {
+pub(crate) struct Declared<'a> {
     pub(crate) decl: &'a Decl,
     /// The instance that contains it.
     pub(crate) instance: InstanceId,
@@ -46,7 +46,7 @@ pub(crate) struct Item<'a> {
     /// The name with the prefixes of imports: `imp.height`.
     pub(crate) name: String,
     /// The origin of its value.
-    pub(crate) init: Init<'a>,
+    pub(crate) init: Initializer<'a>,
     /// The distance of its style from the one in force.
     pub(crate) rank: usize,
     /// True for the value that an overridden attribute would have without the override.
@@ -55,7 +55,7 @@ pub(crate) struct Item<'a> {
 
 /// The origin of the value of an attribute.
 #[derive(Clone, Copy)]
-pub(crate) enum Init<'a> {
+pub(crate) enum Initializer<'a> {
     /// The declaration.
     Own,
     /// An override in an import. Its names are looked up in the importing instance.
@@ -81,13 +81,13 @@ struct NameTable<'a> {
     origins: HashMap<&'a str, u32>,
 }
 
-impl<'a> Item<'a> {
+impl<'a> Declared<'a> {
     /// The expression of its value, and the instance that has the entries of its names; `None` for a rule.
     pub(crate) fn value(&self) -> Option<(&'a Expr, InstanceId)> {
         match self.init {
-            Init::Own => self.decl.value().map(|value| (value, self.own)),
-            Init::Override(value, home) => Some((value, home)),
-            Init::Flows(_) => None,
+            Initializer::Own => self.decl.value().map(|value| (value, self.own)),
+            Initializer::Override(value, home) => Some((value, home)),
+            Initializer::Flows(_) => None,
         }
     }
 
@@ -108,7 +108,7 @@ impl<'a> Item<'a> {
 
     /// Returns true if its value is that of the declaration, which may use the parameters and locals.
     pub(crate) fn is_own(&self) -> bool {
-        matches!(self.init, Init::Own)
+        matches!(self.init, Initializer::Own)
     }
 }
 
@@ -156,13 +156,13 @@ impl<'a> Globals<'a> {
             if !overloads && nearest.get(&decl.form()).is_some_and(|least| *least < rank) {
                 continue;
             }
-            let item = Item {
+            let item = Declared {
                 decl,
                 instance: id,
                 home: id,
                 own,
                 name: format!("{}{}", instance.prefix, decl.name.text),
-                init: Init::Own,
+                init: Initializer::Own,
                 rank,
                 origin: false,
             };
@@ -176,9 +176,9 @@ impl<'a> Globals<'a> {
     }
 
     /// Fills the tables of names. A name that is already declared goes to `twice`.
-    pub(super) fn name<'s>(&'s mut self, mut twice: impl FnMut(&Item<'a>, &Item<'a>)) {
-        let mut found: Vec<(&Item<'a>, Use)> = Vec::new();
-        let mut enter = |items: &'s [Item<'a>], make: fn(u32) -> Use| {
+    pub(super) fn name<'s>(&'s mut self, mut twice: impl FnMut(&Declared<'a>, &Declared<'a>)) {
+        let mut found: Vec<(&Declared<'a>, Use)> = Vec::new();
+        let mut enter = |items: &'s [Declared<'a>], make: fn(u32) -> Use| {
             found.extend(items.iter().zip((0..).map(make)).filter(|(item, _)| !item.origin));
         };
         enter(&self.attrs, Use::Attr);
@@ -297,7 +297,7 @@ impl<'a> Globals<'a> {
     }
 
     /// The declaration that a name means.
-    pub(crate) fn item(&self, found: Use) -> Option<&Item<'a>> {
+    pub(crate) fn item(&self, found: Use) -> Option<&Declared<'a>> {
         let (items, index) = match found {
             Use::Attr(index) => (&self.attrs, index),
             Use::Const(index) => (&self.consts, index),
@@ -309,7 +309,7 @@ impl<'a> Globals<'a> {
     }
 
     /// All items with a value: attributes, constants, functions.
-    pub(crate) fn values(&self) -> impl Iterator<Item = &Item<'a>> + '_ {
+    pub(crate) fn values(&self) -> impl Iterator<Item = &Declared<'a>> + '_ {
         self.attrs.iter().chain(&self.consts).chain(&self.functions)
     }
 
@@ -325,18 +325,18 @@ impl<'a> Globals<'a> {
 
     /// The values that several styles declare, by name and number of parameters. Overloads of a style are left out,
     /// because it is not known which of them correspond.
-    pub(crate) fn by_style(&self) -> Vec<Vec<&Item<'a>>> {
-        let style = |item: &Item| self.program.instances[item.instance].root_style;
-        let mut groups: HashMap<(&str, usize), Vec<&Item<'a>>> = HashMap::new();
+    pub(crate) fn by_style(&self) -> Vec<Vec<&Declared<'a>>> {
+        let style = |item: &Declared| self.program.instances[item.instance].root_style;
+        let mut groups: HashMap<(&str, usize), Vec<&Declared<'a>>> = HashMap::new();
         for item in self.values().filter(|item| !item.origin && 1 < self.program.roots.len()) {
             groups.entry((&item.name, item.decl.params.len())).or_default().push(item);
         }
-        let overloads = |group: &Vec<&Item>| group.windows(2).any(|pair| style(pair[0]) == style(pair[1]));
+        let overloads = |group: &Vec<&Declared>| group.windows(2).any(|pair| style(pair[0]) == style(pair[1]));
         groups.into_values().filter(|group| !overloads(group)).collect()
     }
 
     /// All items.
-    pub(crate) fn items(&self) -> impl Iterator<Item = &Item<'a>> + '_ {
+    pub(crate) fn items(&self) -> impl Iterator<Item = &Declared<'a>> + '_ {
         self.rules.iter().chain(self.values())
     }
 
@@ -412,7 +412,7 @@ pub(crate) enum Namespace {
 }
 
 /// Adds to the declarations of a name.
-fn overload(list: &mut Vec<u32>, index: u32, items: &[Item]) {
+fn overload(list: &mut Vec<u32>, index: u32, items: &[Declared]) {
     let params = |index: u32| items[index as usize].decl.params.len();
     // The last declarations are counted first, in case a name is declared ten thousand times.
     if list.iter().rev().filter(|other| params(**other) == params(index)).take(MOST_OVERLOADS).count() < MOST_OVERLOADS

@@ -1,6 +1,6 @@
 //! Values and rules that importing files give to imported files.
 
-use super::{Globals, Init, Item};
+use super::{Declared, Globals, Initializer};
 use crate::link::{InstanceId, Key, Program};
 use crate::syntax::ast::{Expr, Override, Role};
 use std::collections::{HashMap, HashSet};
@@ -42,13 +42,13 @@ impl<'a> Globals<'a> {
             let init = match written.get(name) {
                 _ if deep.contains_key(&(id, name)) => {
                     let (value, home) = deep[&(id, name)];
-                    Init::Override(value, home)
+                    Initializer::Override(value, home)
                 }
-                Some(Override::Value(_, value)) => Init::Override(value, layer.home),
+                Some(Override::Value(_, value)) => Initializer::Override(value, layer.home),
                 Some(_) => continue,
                 None if list.is_some_and(<[_]>::is_empty) => continue,
                 None => match by_name.get(&(layer.home, name)) {
-                    Some(outer) => Init::Flows(*outer),
+                    Some(outer) => Initializer::Flows(*outer),
                     None => continue,
                 },
             };
@@ -83,13 +83,13 @@ impl<'a> Globals<'a> {
             }) {
                 let name = decl.name.text.as_str();
                 let index = *replacing.entry((layer.home, decl.name.id())).or_insert_with(|| {
-                    self.rules.push(Item {
+                    self.rules.push(Declared {
                         decl,
                         instance: id,
                         home: layer.home,
                         own: layer.home,
                         name: format!("{}{name}", instance.prefix),
-                        init: Init::Own,
+                        init: Initializer::Own,
                         rank: 0,
                         origin: false,
                     });

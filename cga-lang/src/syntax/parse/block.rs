@@ -58,8 +58,15 @@ impl Parser<'_> {
             Braces::Ops => "{ operations }",
             Braces::Operands => "{ operations | operations }",
         };
-        let arguments = ops::operations(name).any(|row| !row.params.is_empty());
-        Some(format!("write `{name}{} {inside}`", if arguments { "(…)" } else { "" }))
+        let arguments =
+            ops::operations(name).find(|row| !row.params.is_empty()).map_or(String::new(), |row| {
+                match row.params[0].kind.words().map(|words| words.list[0]) {
+                    Some(word) if ops::required(row.params) == 1 => format!("({word})"),
+                    Some(word) => format!("({word}, …)"),
+                    None => "(…)".to_owned(),
+                }
+            });
+        Some(format!("write `{name}{arguments} {inside}`"))
     }
 
     /// Guesses the contents of the braces of an unknown operation from arm separators, sizes and bars.

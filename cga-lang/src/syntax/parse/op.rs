@@ -131,8 +131,10 @@ impl Parser<'_> {
             return self.block(name, args);
         }
         if !own && let Some(usage) = self.missing_braces(&name.text) {
-            let goes_on = self.at_border() || !matches!(self.peek(), Some(Tok::Number(_) | Tok::Str(_) | Tok::Host(_)));
-            self.expected(if has_args || !needs_arguments(&name.text) { "`{`" } else { "`(`" }).help(usage);
+            let lacks_args = !has_args && needs_arguments(&name.text);
+            let is_step = !lacks_args && !matches!(self.peek(), Some(Tok::Number(_) | Tok::Str(_) | Tok::Host(_)));
+            let goes_on = self.at_border() || is_step;
+            self.expected(if lacks_args { "`(`" } else { "`{`" }).help(usage);
             return if goes_on { Ok(OpKind::Error) } else { Err(Reported) };
         }
         Ok(OpKind::Call(name, args))

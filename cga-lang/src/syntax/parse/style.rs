@@ -2,7 +2,7 @@
 
 use super::{Parsed, Parser};
 use crate::diag::code::Code;
-use crate::syntax::ast::{Annotation, Ast, DEFAULT, Style};
+use crate::syntax::ast::{Annotation, Ast, DEFAULT, StyleDecl};
 use crate::syntax::token::Sym;
 
 impl Parser<'_> {
@@ -30,7 +30,7 @@ impl Parser<'_> {
         let next = ast.styles.len() as u32 + 1;
         let number = *self.styles.entry(name.text.clone()).or_insert(next);
         if number == next {
-            ast.styles.push(Style { annotations, name, base });
+            ast.styles.push(StyleDecl { annotations, name, base });
             return Ok(number);
         }
         let style = &mut ast.styles[number as usize - 1];

@@ -2,7 +2,8 @@ impl Tower {
     /// Runs the start rule on a shape, with default settings.
     ///
     /// # Errors
-    /// A limit that was reached, an attribute out of its range, attributes that need each other, no such start rule, an initial shape that is refused.
+    /// An error if a limit is reached, an attribute is out of its range, attributes need each other, the start rule does not exist, or
+    /// the initial shape is refused.
     pub fn generate(
         &self,
         shape: &cga_rt::Shape,
@@ -12,7 +13,8 @@ impl Tower {
     /// Runs the rule of that name on a shape, with default settings.
     ///
     /// # Errors
-    /// A limit that was reached, an attribute out of its range, attributes that need each other, no such start rule, an initial shape that is refused.
+    /// An error if a limit is reached, an attribute is out of its range, attributes need each other, the start rule does not exist, or
+    /// the initial shape is refused.
     pub fn generate_from(
         &self,
         rule: &::core::primitive::str,
@@ -27,7 +29,8 @@ impl Tower {
     /// Runs on a shape with settings: start rule, limits, assets.
     ///
     /// # Errors
-    /// A limit that was reached, an attribute out of its range, attributes that need each other, no such start rule, an initial shape that is refused.
+    /// An error if a limit is reached, an attribute is out of its range, attributes need each other, the start rule does not exist, or
+    /// the initial shape is refused.
     pub fn generate_with(
         &self,
         shape: &cga_rt::Shape,
@@ -38,7 +41,8 @@ impl Tower {
     /// Runs on a shape and hands the leaves to a sink. This is the fast path: no model in between.
     ///
     /// # Errors
-    /// A limit that was reached, an attribute out of its range, attributes that need each other, no such start rule, an initial shape that is refused.
+    /// An error if a limit is reached, an attribute is out of its range, attributes need each other, the start rule does not exist, or
+    /// the initial shape is refused.
     pub fn generate_into<Sink: cga_rt::Sink + ?::core::marker::Sized>(
         &self,
         shape: &cga_rt::Shape,

@@ -168,13 +168,10 @@ struct Names {
 
 impl Names {
     fn number(&mut self, name: &str) -> u32 {
-        if let Some(&number) = self.index.get(name) {
-            return number;
-        }
-        let number = self.list.len() as u32;
-        self.list.push(name.to_owned());
-        self.index.insert(name.to_owned(), number);
-        number
+        *self.index.entry(name.to_owned()).or_insert_with(|| {
+            self.list.push(name.to_owned());
+            (self.list.len() - 1) as u32
+        })
     }
 }
 
@@ -299,7 +296,7 @@ impl<'a> Reader<'a> {
             return true;
         }
         match mtl::read_mtl(&bytes) {
-            Ok(mtl::Library { materials, left_out }) => {
+            Ok(mtl::MaterialLibrary { materials, left_out }) => {
                 if let Some((first, more)) = left_out {
                     self.warnings.add(|| {
                         let what = format!("line {first} of the material library `{}` can't be read", short(name));

@@ -10,7 +10,7 @@ use crate::material::{Channel, Color, ColorOf, Layer, Material, MaterialNumber, 
 use crate::value::text::Text;
 
 /// A material library.
-pub(super) struct Library {
+pub(super) struct MaterialLibrary {
     /// Names and materials, in the order of the file.
     pub(super) materials: Vec<(String, Material)>,
     /// The number of the first line that is invalid, and the number of further ones.
@@ -18,7 +18,7 @@ pub(super) struct Library {
 }
 
 /// Reads a library and skips invalid lines.
-pub(super) fn read_mtl(bytes: &[u8]) -> Result<Library, tobj::LoadError> {
+pub(super) fn read_mtl(bytes: &[u8]) -> Result<MaterialLibrary, tobj::LoadError> {
     let mut left_out: Option<(usize, usize)> = None;
     let mut text = String::with_capacity(bytes.len());
     for (number, line) in lines(&String::from_utf8_lossy(bytes)) {
@@ -33,7 +33,7 @@ pub(super) fn read_mtl(bytes: &[u8]) -> Result<Library, tobj::LoadError> {
         let look = look(&material);
         (material.name, look)
     });
-    Ok(Library { materials: materials.collect(), left_out })
+    Ok(MaterialLibrary { materials: materials.collect(), left_out })
 }
 
 /// Keywords that are matched without regard to case.

@@ -84,12 +84,6 @@ pub fn array<T: Element>(env: &mut Env, rows: &[&[ArrayPart<T>]]) -> Array<T> {
     Array::new(values, count, columns)
 }
 
-/// `[base : limit]`: in steps of 1 (*colon operator*).
-#[cfg(test)]
-pub(crate) fn range(env: &mut Env, base: f64, limit: f64) -> Array<f64> {
-    range_by(env, base, 1.0, limit)
-}
-
 /// `[base : increment : limit]`: `base`, `base + increment`, `base + 2 increment`, … up to `limit` (*colon operator*).
 /// Empty when the increment is 0 or leads away from the limit.
 pub fn range_by(env: &mut Env, base: f64, increment: f64, limit: f64) -> Array<f64> {
@@ -124,6 +118,7 @@ mod tests {
     use super::super::super::tests::{Random, env, faults, limit, small_env, text};
     use super::*;
     use crate::fault::LimitKind;
+    use crate::func::tests::range;
 
     fn by(base: f64, increment: f64, limit: f64) -> Vec<f64> {
         range_by(&mut env(), base, increment, limit).as_slice().to_vec()

@@ -5,7 +5,7 @@
 
 use crate::fault::FaultKind;
 use crate::run::env::Env;
-use crate::value::array::{Array, Element, Print};
+use crate::value::array::{Array, Element, Printed};
 use crate::value::compare::Compare;
 use crate::value::text::Text;
 
@@ -34,7 +34,7 @@ impl<T: Element> Operand for Array<T> {
 }
 
 macro_rules! single_values {
-    ($($ty:ty)*) => {$(
+    ($([$ty:ty])*) => {$(
         impl Operand for $ty {
             type Item = $ty;
 
@@ -49,7 +49,7 @@ macro_rules! single_values {
     )*};
 }
 
-single_values! { f64 bool Text }
+single_values! { [f64] [bool] [Text] }
 
 /// The rows and columns of the result. `None`, with a fault, when the operands differ in shape.
 fn common_form(env: &mut Env, what: &str, a: &impl Operand, b: &impl Operand) -> Option<(usize, usize)> {

@@ -82,10 +82,11 @@ pub fn elements_at<T: Element>(env: &mut Env, array: Array<T>, rows: impl Indice
 #[cfg(test)]
 mod tests {
     use super::super::super::tests::{Random, env, faults, limit, small_env, text};
-    use super::super::build::{range, range_by};
+    use super::super::build::range_by;
     use super::super::each::each_greater;
     use super::*;
     use crate::fault::LimitKind;
+    use crate::func::tests::range;
 
     fn row<const N: usize>(values: [f64; N]) -> Array<f64> {
         Array::from(values)

@@ -97,11 +97,12 @@ fn enlarged<T: Element>(env: &mut Env, array: &Array<T>, rows: usize, columns: u
 #[cfg(test)]
 mod tests {
     use super::super::super::tests::{Random, env, faults, limit, small_env, text};
-    use super::super::build::{range, range_by};
+    use super::super::build::range_by;
     use super::super::each::{each_equal, each_greater};
     use super::super::measure::count_true;
     use super::*;
     use crate::fault::LimitKind;
+    use crate::func::tests::range;
 
     fn row<const N: usize>(values: [f64; N]) -> Array<f64> {
         Array::from(values)

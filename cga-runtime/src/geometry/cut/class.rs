@@ -60,23 +60,23 @@ impl Class {
 
 /// The range from one class up to another.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Span {
+pub(super) struct ClassRange {
     pub(super) low: Class,
     pub(super) high: Class,
 }
 
-impl Span {
+impl ClassRange {
     /// The span of several classes, at least one.
     #[inline]
     pub(super) fn of(classes: impl Iterator<Item = Class>) -> Self {
-        let none = Span { low: Class(u32::MAX), high: Class(0) };
-        classes.fold(none, |span, class| Span { low: span.low.min(class), high: span.high.max(class) })
+        let none = ClassRange { low: Class(u32::MAX), high: Class(0) };
+        classes.fold(none, |span, class| ClassRange { low: span.low.min(class), high: span.high.max(class) })
     }
 
     /// The span of two classes.
     #[inline]
     pub(super) fn between(a: Class, b: Class) -> Self {
-        Span { low: a.min(b), high: a.max(b) }
+        ClassRange { low: a.min(b), high: a.max(b) }
     }
 
     /// The lowest slab that contains a part of the span.
@@ -122,7 +122,7 @@ mod tests {
 
     #[test]
     fn spans_know_their_slabs_and_planes() {
-        let span = |low, high| Span { low, high };
+        let span = |low, high| ClassRange { low, high };
         let (inside, on) = (Class::inside, Class::on);
         assert!(inside(0) < on(0) && on(0) < inside(1) && inside(1) < on(1));
         assert_eq!(span(inside(1), inside(3)).slabs(), 1..=3);

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::class::Span;
+use super::class::ClassRange;
 use super::points::{Location, PieceCorner, Points};
 use super::segment::{Segment, comes_first};
 use super::slab::Slab;
@@ -46,7 +46,7 @@ impl Points {
         to: PieceCorner,
         nodes: &mut Vec<PieceCorner>,
     ) {
-        let planes = Span::between(from.class(), to.class()).planes();
+        let planes = ClassRange::between(from.class(), to.class()).planes();
         if planes.is_empty() {
             return;
         }

@@ -4,7 +4,7 @@
 //! look-ups access nearby memory; a hash table would lose this locality. Where very many edges meet at a point, the
 //! edges after the first ones are in a hash table nevertheless.
 
-use crate::geometry::mesh::table::PairTable;
+use crate::geometry::mesh::pair_table::PairTable;
 
 /// The end of a list.
 const END: u32 = u32::MAX;
@@ -17,11 +17,11 @@ const CROWD: usize = 16;
 pub(super) struct Edges {
     /// The first link of each point.
     heads: Vec<u32>,
-    links: Vec<Link>,
+    links: Vec<EdgeEntry>,
     crowded: PairTable,
 }
 
-struct Link {
+struct EdgeEntry {
     /// The other end.
     end: u32,
     number: u32,
@@ -45,7 +45,7 @@ impl Edges {
         for _ in 0..CROWD {
             if at == END {
                 let new = self.links.len() as u32;
-                self.links.push(Link { end: high, number: initial, next: END });
+                self.links.push(EdgeEntry { end: high, number: initial, next: END });
                 *(if last == END { &mut self.heads[low as usize] } else { &mut self.links[last as usize].next }) = new;
                 return (initial, true);
             }

@@ -36,13 +36,13 @@ pub(crate) use plane::above;
 pub use plane::{Plane, halves};
 
 use caps::{CapTexture, Caps, sheet_search};
-use class::Span;
+use class::ClassRange;
 use faces::chain::Chain;
 use faces::general::General;
 use faces::near_coplanar::Rough;
 use faces::{simple, triangle};
 use points::Location;
-use state::State;
+use state::CutState;
 
 /// The result of a cut.
 #[derive(Clone, Debug, Default)]
@@ -100,7 +100,7 @@ pub(crate) fn stretched_slabs(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64], low
 /// Buffers that are reused by the next cut.
 #[derive(Default)]
 pub(crate) struct Cutter {
-    state: State,
+    state: CutState,
     chain: Chain,
     general: General,
     rough: Rough,
@@ -209,7 +209,7 @@ impl Cutter {
                     continue;
                 }
             }
-            let span = Span::of(places.iter().map(|place| place.class));
+            let span = ClassRange::of(places.iter().map(|place| place.class));
             let (bottom, top) = (span.bottom(), span.top());
             if let [p, q, r] = *places
                 && !(p.class.is_on_plane() | q.class.is_on_plane() | r.class.is_on_plane())

@@ -60,7 +60,7 @@ impl PieceCorner {
 
 /// The points on a plane.
 #[derive(Default)]
-pub(super) struct Level {
+pub(super) struct PlanePoints {
     /// The other two coordinates of each point, in the order in which the plane's axis points to the viewer.
     pub(super) flat: Vec<DVec2>,
     /// The numbers of each point in the slabs below and above, [`NONE`] until assigned.
@@ -70,7 +70,7 @@ pub(super) struct Level {
     shares: Vec<f64>,
 }
 
-impl Level {
+impl PlanePoints {
     fn clear(&mut self) {
         self.flat.clear();
         self.numbers.clear();
@@ -87,7 +87,7 @@ pub(super) struct Points {
     /// The place of each point of the mesh.
     pub(super) places: Vec<Location>,
     /// The points on each plane. The list may be longer than the list of planes.
-    pub(super) levels: Vec<Level>,
+    pub(super) levels: Vec<PlanePoints>,
     /// True if corners have values to interpolate at crossings.
     pub(super) mixes: bool,
     /// For each edge the number of its only crossing on the plane, or the start of its crossings in the list.
@@ -104,8 +104,8 @@ impl Points {
         places.extend(mesh.points.iter().map(|p| Location { class: Class::among(planes, p[*axis]), number: 0 }));
         // Drops the lists left by cuts with many more planes.
         let keep = self.levels.len().min(4 * self.planes.len() + 64).max(self.planes.len());
-        self.levels.resize_with(keep, Level::default);
-        self.levels[..self.planes.len()].iter_mut().for_each(Level::clear);
+        self.levels.resize_with(keep, PlanePoints::default);
+        self.levels[..self.planes.len()].iter_mut().for_each(PlanePoints::clear);
         self.edges.reset(mesh.points.len());
         self.crossings.clear();
         self.mixes = !mesh.uvs.is_empty() || !mesh.normals.is_empty();

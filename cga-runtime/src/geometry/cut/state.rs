@@ -1,6 +1,6 @@
 //! The state that all steps of a cut share, and the faces that are not cut.
 
-use super::class::Span;
+use super::class::ClassRange;
 use super::points::{Location, NONE, Points};
 use crate::geometry::cut::caps::rim::{PlaneSide, Rim};
 use crate::geometry::cut::caps::sheets::Sheets;
@@ -10,12 +10,12 @@ use crate::geometry::mesh::{FaceTag, Mesh};
 
 /// A cut in progress.
 #[derive(Default)]
-pub(super) struct State {
+pub(super) struct CutState {
     pub(super) points: Points,
     pub(super) parts: Vec<Slab>,
     pub(super) rim: Rim,
     pub(super) sheets: Sheets,
-    room: Vec<Room>,
+    room: Vec<SlabRoom>,
     /// True if the mesh is inside out, computed on demand.
     pub(super) inverted: Option<bool>,
 }
@@ -30,7 +30,7 @@ const SAMPLE_A_SLAB: usize = 1 << 9;
 
 /// The expected contents of a slab.
 #[derive(Clone, Copy, Default)]
-struct Room {
+struct SlabRoom {
     points: usize,
     /// The corners of faces inside the slab or on its upper plane.
     corners: usize,
@@ -41,7 +41,7 @@ struct Room {
     end: usize,
 }
 
-impl State {
+impl CutState {
     /// Returns true if its buffers are too large to be kept for the next cut.
     pub(super) fn is_large(&self) -> bool {
         const KEPT: usize = 1 << 20;
@@ -52,7 +52,7 @@ impl State {
     pub(super) fn start(&mut self, mesh: &Mesh) {
         self.points.start(mesh);
         self.make_room(mesh);
-        let State { points, parts, .. } = self;
+        let CutState { points, parts, .. } = self;
         for (index, &p) in mesh.points.iter().enumerate() {
             let class = points.places[index].class;
             points.places[index].number = if class.is_on_plane() {
@@ -67,10 +67,10 @@ impl State {
     /// Makes the slabs with about the capacity that they will need. With many slabs, growing would take much of the
     /// time.
     fn make_room(&mut self, mesh: &Mesh) {
-        let State { points, parts, room, .. } = self;
+        let CutState { points, parts, room, .. } = self;
         let slabs = points.planes.len() + 1;
         room.clear();
-        room.resize(slabs + 1, Room::default());
+        room.resize(slabs + 1, SlabRoom::default());
         points.places.iter().for_each(|place| room[place.class.slab() as usize].points += 1);
         parts.clear();
         if slabs < MANY_SLABS {
@@ -93,7 +93,7 @@ impl State {
             let corners = mesh.face_corners(face);
             let count = corners.len();
             let classes = mesh.corners[corners].iter().map(|&point| points.places[point as usize].class);
-            let span = Span::of(classes.clone());
+            let span = ClassRange::of(classes.clone());
             let (bottom, top) = (span.bottom() as usize, span.top() as usize);
             if bottom < top {
                 // A face that reaches far is not representative.
@@ -113,7 +113,7 @@ impl State {
         };
         let mut pieces = 0;
         parts.extend((0..slabs).map(|slab| {
-            let Room { points, corners, loops, begin, end } = room[slab];
+            let SlabRoom { points, corners, loops, begin, end } = room[slab];
             // A face that is cut by a plane has pieces on both sides of it. Each piece has two new corners at the
             // plane, and the cap has one. Two faces share each of these points.
             let crossings = pieces - end;
@@ -125,7 +125,7 @@ impl State {
 
     /// Adds a face that is in one slab.
     pub(super) fn keep(&mut self, mesh: &Mesh, face: usize, tag: FaceTag, slab: u32, touches_plane: bool) {
-        let State { parts, points, .. } = self;
+        let CutState { parts, points, .. } = self;
         let part = &mut parts[slab as usize];
         part.whole += 1;
         let loops = mesh.face_loops(face);
@@ -153,8 +153,8 @@ impl State {
         }
     }
 
-    /// Adds a face in a plane to the side that its normal points away from, which it closes (to the other side in a
-    /// mesh that is inside out). If that tears a sheet apart, [`Sheets`] decide.
+    /// Adds a face in a plane to the side behind it, because it closes that side. In a mesh that is inside out this is the side
+    /// before it. If that tears a sheet apart, [`Sheets`] decide.
     pub(super) fn keep_flat(&mut self, mesh: &Mesh, face: usize, tag: FaceTag, plane: u32) {
         let by_rule = self.is_above_by_rule(mesh, face, plane);
         let is_above = self.sheets.place(face, plane, by_rule);
@@ -217,7 +217,7 @@ mod tests {
             builder.face(&corners, &[], FaceTag::PLAIN);
         }
         let mesh = builder.build().unwrap();
-        let mut state = State::default();
+        let mut state = CutState::default();
         state.points.planes.extend((0..8 * triangles).map(|i| f64::from(i) * 0.5 + 0.25));
         state.start(&mesh);
         let corners: usize = state.parts.iter().map(|part| part.mesh.corners.capacity()).sum();

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::Mesh;
 use crate::geometry::exact::orient;
 use crate::geometry::tol::PLANAR_EPSILON;
-use crate::geometry::triangulate::Projection;
+use crate::geometry::triangulate::PlaneProjection;
 
 /// A violated invariant of [`Mesh`].
 #[derive(Clone, Debug, PartialEq)]
@@ -136,7 +136,7 @@ impl Mesh {
         if by > PLANAR_EPSILON * extent + 64.0 * f64::EPSILON * size * thin.max(1.0) {
             flaws.push(Flaw::NotPlanar { face: index, by });
         }
-        let flat = Projection::along(normal);
+        let flat = PlaneProjection::along(normal);
         let outer: Vec<_> = face.outer().iter().map(|&c| flat.apply(at(c))).collect();
         for (ring, hole) in face.holes().enumerate() {
             let hole: Vec<_> = hole.iter().map(|&c| flat.apply(at(c))).collect();

@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use super::face::unit;
 use super::map::flip;
-use super::table::PairTable;
+use super::pair_table::PairTable;
 use super::{Bounds, FaceTag, Mesh, TagSet};
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::provenance::Extruded;

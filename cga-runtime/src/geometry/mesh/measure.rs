@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::table::PairTable;
+use super::pair_table::PairTable;
 use super::{Bounds, Mesh};
 use crate::geometry::tol::VOLUME_EPSILON;
 

@@ -7,7 +7,7 @@
 //! for each of its edges, outline before holes. The parts of a face share their points with each other, but not with
 //! other faces: an edge that only one face uses is a border of the parts of one source face. Strips of an inward offset
 //! have the orientation of the face and begin with the moved edge, if there is one. Strips of an outward offset have
-//! the opposite orientation, so that the areas add up to that of the face, and begin with the edge itself. An interior
+//! the opposite orientation and begin with the edge itself. So the areas of all parts add up to the area of the face. An interior
 //! part begins with the first edge of the face that has a part in it.
 
 use glam::DVec2;
@@ -19,10 +19,11 @@ use super::flat_face::FlatFace;
 use super::map::flip;
 use super::spread::Spread;
 use crate::geometry::nesting::Nest;
-use crate::geometry::nesting::contour::Section;
+use crate::geometry::nesting::contour::PlaneSection;
 use crate::geometry::skeleton::{self, Failure, Left, Strip, Swept};
 
 mod relief;
+pub(crate) mod set_back;
 
 /// The faces that an offset keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,16 +44,23 @@ pub(crate) enum OffsetError {
     Tangled,
 }
 
+impl From<Failure> for OffsetError {
+    fn from(failure: Failure) -> Self {
+        match failure {
+            Failure::TooMany => OffsetError::TooMany,
+            Failure::Tangled => OffsetError::Tangled,
+        }
+    }
+}
+
 /// Moves the faces of a mesh inwards (a negative distance) or outwards. Faces that cannot be moved are copied
 /// unchanged, with points of their own, and are also listed with the reason.
 pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> (Mesh, Vec<(usize, OffsetError)>) {
     let mut made = mesh.alike(0);
     let mut refused = Vec::new();
     for face in mesh.faces() {
-        if let Err(why) = FlatFace::of(&face)
-            .ok_or(OffsetError::NoNormal)
-            .and_then(|plane| offset_face(&plane, distance, keep, &mut made))
-        {
+        let plane = FlatFace::of(&face).ok_or(OffsetError::NoNormal);
+        if let Err(why) = plane.and_then(|plane| offset_face(&plane, distance, keep, &mut made)) {
             refused.push((face.index(), why));
             made.add_copy(&face);
         }
@@ -66,10 +74,7 @@ pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> (Mesh, Ve
 fn offset_face(plane: &FlatFace<'_>, distance: f64, keep: OffsetFaces, made: &mut Mesh) -> Result<(), OffsetError> {
     let outwards = 0.0 < distance;
     let (edges, rings) = plane.edges(outwards);
-    let swept = skeleton::sweep(&plane.flat, &rings, distance.abs()).map_err(|failure| match failure {
-        Failure::TooMany => OffsetError::TooMany,
-        Failure::Tangled => OffsetError::Tangled,
-    })?;
+    let swept = skeleton::sweep(&plane.flat, &rings, distance.abs())?;
     let heights = relief::heights(&plane.heights, &rings, &swept);
     let mut part = FaceParts::new(plane, &swept, &heights, outwards, made);
     if keep != OffsetFaces::Border {
@@ -112,7 +117,13 @@ impl<'p, 'a> FaceParts<'p, 'a> {
     /// Adds the interiors of the moved outlines: loops grouped to outlines and holes, each beginning with its first
     /// edge.
     fn inside(&mut self, edges: &[[usize; 2]]) {
-        let mut rings: Vec<Vec<(usize, u32)>> = self.swept.left.iter().map(|ring| self.ahead(ring, edges)).collect();
+        let rings = self.swept.left.iter().map(|ring| self.ahead(ring, edges)).collect();
+        self.nested(rings, |_| None);
+    }
+
+    /// Adds faces of loops that are grouped to outlines and holes, in the order of the first sides. A corner has the rank
+    /// of its next side and the point. `own` gives the corner of the face at a point. Returns the number of faces.
+    fn nested(&mut self, mut rings: Vec<Vec<(usize, u32)>>, own: impl Fn(u32) -> Option<usize>) -> usize {
         rings.sort_unstable_by_key(|ring| ring[0]);
         let numbers: Vec<u32> = rings.iter().flatten().map(|corner| corner.1).collect();
         let ends: Vec<usize> = rings
@@ -123,15 +134,16 @@ impl<'p, 'a> FaceParts<'p, 'a> {
             })
             .collect();
         let mut nest = Nest::default();
-        nest.sort(&Section { flat: &self.swept.points, corners: &numbers, ends: &ends });
+        nest.sort(&PlaneSection { flat: &self.swept.points, corners: &numbers, ends: &ends });
         for rings in nest.groups() {
             for ring in rings {
                 let ring: Vec<(u32, Option<usize>)> =
-                    numbers[ring.clone()].iter().map(|&point| (point, None)).collect();
+                    numbers[ring.clone()].iter().map(|&point| (point, own(point))).collect();
                 self.ring(&ring, 1.0);
             }
             self.end_face();
         }
+        nest.groups().len()
     }
 
     /// A loop of the remaining interior in the direction of the face, beginning with the first edge. For each corner it
@@ -142,10 +154,7 @@ impl<'p, 'a> FaceParts<'p, 'a> {
             let (edge, from) = if self.outwards { (count - 1 - k, (count - k) % count) } else { (k, k) };
             (edges[ring[edge].edge as usize][0], ring[from].point)
         };
-        let mut sides: Vec<(usize, u32)> = (0..count).map(side).collect();
-        let first = (0..count).min_by_key(|&k| sides[k].0).unwrap_or(0);
-        sides.rotate_left(first);
-        sides
+        from_first((0..count).map(side).collect())
     }
 
     /// Adds the strip of an edge of the face.
@@ -191,6 +200,13 @@ impl<'p, 'a> FaceParts<'p, 'a> {
     fn end_face(&mut self) {
         self.made.end_face(self.plane.face.tag());
     }
+}
+
+/// A loop of sides that begins with the first one by rank.
+fn from_first(mut sides: Vec<(usize, u32)>) -> Vec<(usize, u32)> {
+    let first = (0..sides.len()).min_by_key(|&k| sides[k].0).unwrap_or(0);
+    sides.rotate_left(first);
+    sides
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use super::{FaceTag, Mesh, MeshBuilder, MeshError};
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::check::winding;
 use crate::geometry::nesting::extent::Extent;
-use crate::geometry::triangulate::Projection;
+use crate::geometry::triangulate::PlaneProjection;
 
 impl Mesh {
     /// A mesh with one face from an outline, counter-clockwise as seen from the front, and holes with any winding.
@@ -106,7 +106,7 @@ impl LoopEdge {
 }
 
 fn check_crossings(points: &[DVec3], rings: &[Range<usize>], normal: DVec3) -> Result<(), MeshError> {
-    let flat = Projection::along(normal);
+    let flat = PlaneProjection::along(normal);
     let mut edges = Vec::with_capacity(points.len());
     for (ring, range) in rings.iter().enumerate() {
         for number in 0..range.len() {
@@ -132,7 +132,7 @@ fn check_crossings(points: &[DVec3], rings: &[Range<usize>], normal: DVec3) -> R
 /// Checks the places of holes. Loops do not cross here, so each is entirely inside or outside another one, and one
 /// corner decides.
 fn check_holes(points: &[DVec3], rings: &[Range<usize>], normal: DVec3) -> Result<(), MeshError> {
-    let flat = Projection::along(normal);
+    let flat = PlaneProjection::along(normal);
     let flat: Vec<DVec2> = points.iter().map(|&p| flat.apply(p)).collect();
     let inside = |ring: usize, around: usize| {
         let around = &flat[rings[around].clone()];

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::contour::Section;
+use super::contour::PlaneSection;
 use super::extent::Extent;
 
 /// Groups of loops through the same points in the same order.
@@ -20,7 +20,11 @@ pub(crate) struct Twins {
 
 impl Twins {
     /// Finds the groups among loops, which are given by their corners and bounding boxes.
-    pub(crate) fn find(&mut self, section: &Section<'_>, loops: impl Iterator<Item = (Range<usize>, Extent)> + Clone) {
+    pub(crate) fn find(
+        &mut self,
+        section: &PlaneSection<'_>,
+        loops: impl Iterator<Item = (Range<usize>, Extent)> + Clone,
+    ) {
         self.groups.clear();
         self.places.clear();
         self.order.clear();
@@ -67,7 +71,7 @@ struct Ring {
 }
 
 impl Ring {
-    fn of(section: &Section<'_>, range: &Range<usize>, number: usize) -> Self {
+    fn of(section: &PlaneSection<'_>, range: &Range<usize>, number: usize) -> Self {
         let mut places: Vec<DVec2> = section.ring(range).iter().map(|&at| section.flat[at as usize]).collect();
         let start = least_start(&places);
         places.rotate_left(start);
@@ -134,7 +138,7 @@ mod tests {
         let flat = [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0), at(1.0, 1.0)];
         let corners = [0, 1, 2, 3, 3, 2, 1, 0, 4, 3, 0, 1, 0, 2, 3, 2, 3, 0, 1];
         let ends = [4, 8, 12, 15, 19];
-        let section = Section { flat: &flat, corners: &corners, ends: &ends };
+        let section = PlaneSection { flat: &flat, corners: &corners, ends: &ends };
         let starts = [0].into_iter().chain(ends);
         let loops = starts.zip(ends).map(|(start, end)| (start..end, Extent { low: DVec2::ZERO, high: DVec2::ONE }));
         let mut twins = Twins::default();

@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 
 use glam::DVec2;
 
-use super::contour::Section;
+use super::contour::PlaneSection;
 use super::merge_sort::merge_sort;
 use crate::geometry::exact::orient;
 use crate::geometry::status::{LEFT, RIGHT, Status, is_below};
@@ -20,7 +20,7 @@ const UNKNOWN: u32 = u32::MAX - 1;
 
 /// Buffers.
 #[derive(Default)]
-pub(crate) struct Sweep {
+pub(crate) struct LoopSweep {
     /// For each loop the outline around it.
     around: Vec<u32>,
     /// The corners of a loop.
@@ -53,7 +53,7 @@ struct SweepEvent {
     edges: [u32; 2],
 }
 
-impl Sweep {
+impl LoopSweep {
     /// The outline around a loop, if the sweep has found one.
     pub(crate) fn around(&self, number: usize) -> Option<usize> {
         let outline = self.around[number];
@@ -64,7 +64,7 @@ impl Sweep {
     /// out, outlines are clockwise.
     pub(crate) fn find(
         &mut self,
-        section: &Section<'_>,
+        section: &PlaneSection<'_>,
         inverted: bool,
         counts: impl Fn(usize) -> bool,
         is_outline: impl Fn(usize) -> bool,
@@ -80,8 +80,8 @@ impl Sweep {
     }
 
     /// Sorts the corners. Returns `false` if a coordinate is not finite.
-    fn start(&mut self, section: &Section<'_>, inverted: bool, counts: impl Fn(usize) -> bool) -> bool {
-        let Sweep { around, places, edges, events, .. } = self;
+    fn start(&mut self, section: &PlaneSection<'_>, inverted: bool, counts: impl Fn(usize) -> bool) -> bool {
+        let LoopSweep { around, places, edges, events, .. } = self;
         around.clear();
         around.resize(section.ends.len(), UNKNOWN);
         edges.clear();
@@ -293,8 +293,8 @@ mod tests {
             loops.iter().scan(0, |end, ring| Some(std::mem::replace(end, *end + ring.len()) + ring.len())).collect();
         let area =
             |ring: &[DVec2]| (1..ring.len()).map(|i| (ring[i - 1] - ring[0]).perp_dot(ring[i] - ring[0])).sum::<f64>();
-        let mut sweep = Sweep::default();
-        let section = Section { flat: &flat, corners: &corners, ends: &ends };
+        let mut sweep = LoopSweep::default();
+        let section = PlaneSection { flat: &flat, corners: &corners, ends: &ends };
         let total: f64 = loops.iter().map(|ring| area(ring)).sum();
         let is_outline = |number: usize| (area(&loops[number]) > 0.0) == (total > 0.0);
         sweep.find(&section, total < 0.0, |_| true, is_outline).then_some(sweep.around)

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::contour::Section;
+use super::contour::PlaneSection;
 use super::extent::Extent;
 use super::probe::Probe;
 
@@ -41,7 +41,11 @@ pub(crate) struct Runs {
 
 impl Runs {
     /// Sorts the edges of loops into runs. `None` for a loop that is never queried.
-    pub(crate) fn fill<'r>(&mut self, section: &Section<'_>, loops: impl Iterator<Item = Option<&'r Range<usize>>>) {
+    pub(crate) fn fill<'r>(
+        &mut self,
+        section: &PlaneSection<'_>,
+        loops: impl Iterator<Item = Option<&'r Range<usize>>>,
+    ) {
         self.extents.clear();
         self.of_loop.clear();
         for range in loops {
@@ -53,7 +57,7 @@ impl Runs {
         }
     }
 
-    fn add(&mut self, section: &Section<'_>, ring: &[u32]) {
+    fn add(&mut self, section: &PlaneSection<'_>, ring: &[u32]) {
         let mut level = self.extents.len();
         for start in (0..ring.len()).step_by(FAN) {
             // The last edge of a run ends where the next run starts.
@@ -74,7 +78,7 @@ impl Runs {
     /// The winding number of a loop around a probe; an arbitrary number if the budget is spent.
     pub(crate) fn winding(
         &self,
-        section: &Section<'_>,
+        section: &PlaneSection<'_>,
         number: usize,
         range: &Range<usize>,
         probe: &Probe,
@@ -82,7 +86,7 @@ impl Runs {
     ) -> i32 {
         let extents = &self.of_loop[number];
         let ring = section.ring(range);
-        let mut query = Query { section, ring, extents: &self.extents[extents.clone()], probe, budget };
+        let mut query = WindingQuery { section, ring, extents: &self.extents[extents.clone()], probe, budget };
         if extents.is_empty() {
             return query.edges(0..ring.len());
         }
@@ -98,15 +102,15 @@ impl Runs {
 }
 
 /// One loop and one probe.
-struct Query<'q> {
-    section: &'q Section<'q>,
+struct WindingQuery<'q> {
+    section: &'q PlaneSection<'q>,
     ring: &'q [u32],
     extents: &'q [Extent],
     probe: &'q Probe,
     budget: &'q mut Budget,
 }
 
-impl Query<'_> {
+impl WindingQuery<'_> {
     /// The corner where an edge begins. After the last edge it is the first corner.
     fn corner(&self, number: usize) -> DVec2 {
         let number = if number == self.ring.len() { 0 } else { number };
@@ -163,7 +167,7 @@ mod tests {
         };
         let flat: Vec<DVec2> = (0..count).map(place).collect();
         let corners: Vec<u32> = (0..count).collect();
-        let section = Section { flat: &flat, corners: &corners, ends: &[count as usize] };
+        let section = PlaneSection { flat: &flat, corners: &corners, ends: &[count as usize] };
         let range = 0..count as usize;
         let mut runs = Runs::default();
         runs.fill(&section, [Some(&range)].into_iter());

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use super::plan::Plan;
 use super::{Outline, Rise, Roof};
-use crate::geometry::skeleton::Failure;
+use crate::geometry::skeleton::{Failure, Speeds};
 
 /// A hip roof with one face for each edge. An overhang continues the faces below the outline.
 pub(super) fn hip(outline: &Outline<'_>, rise: Rise, overhang: f64, even: bool) -> Result<Roof, Failure> {
-    let mut plan = Plan::of(outline, &[])?;
+    let mut plan = Plan::of(outline, Speeds::Equal)?;
     let slope = rise.slope(plan.top());
     if even {
         plan.level_ridges(outline);

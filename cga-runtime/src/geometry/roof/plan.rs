@@ -9,7 +9,7 @@ use super::settle::settle;
 use super::{Outline, Roof, RoofFace, RoofPart};
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::nesting::extent::Extent;
-use crate::geometry::skeleton::{self, Failure, Swept};
+use crate::geometry::skeleton::{self, Failure, Speeds, Swept};
 use crate::geometry::tol::{ANGLE_EPSILON, NUDGE_EPSILONS, TIE_EPSILON};
 use crate::geometry::triangulate::Triangulator;
 
@@ -50,7 +50,7 @@ impl Plan {
     ///
     /// An outline whose events are too entangled is tried again with its corners moved by far less than a hair: the
     /// structure of that skeleton is right for the outline up to this distance.
-    pub(super) fn of(outline: &Outline<'_>, speeds: &[f64]) -> Result<Plan, Failure> {
+    pub(super) fn of(outline: &Outline<'_>, speeds: Speeds<'_>) -> Result<Plan, Failure> {
         let mut found = skeleton::sweep_at(outline.points, outline.rings, speeds, f64::INFINITY);
         for by in NUDGE_EPSILONS {
             if found != Err(Failure::Tangled) {
@@ -259,7 +259,7 @@ impl Plan {
         }
         let speeds: Vec<f64> = edges.iter().map(|&edge| distances[edge as usize] / most).collect();
         let plain = speeds.iter().all(|&speed| 1.0 - speed < ANGLE_EPSILON);
-        let speeds: &[f64] = if plain { &[] } else { &speeds };
+        let speeds = if plain { Speeds::Equal } else { Speeds::Heights(&speeds) };
         let mut swept = skeleton::sweep_at(outline.points, &rings, speeds, most)?;
         settle(&mut swept, &Outline { rings: &rings, ..*outline }, speeds);
         let given = outline.points.len();

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use super::plan::rings_of;
 use super::{Outline, Rise, Roof, RoofFace, RoofPart};
 use crate::geometry::nesting::Nest;
-use crate::geometry::nesting::contour::Section;
+use crate::geometry::nesting::contour::PlaneSection;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
 
@@ -190,7 +190,7 @@ fn nested(points: &[DVec3], mut rings: Vec<Vec<u32>>) -> Vec<RoofFace> {
         })
         .collect();
     let mut nest = Nest::default();
-    nest.sort(&Section { flat: &flat, corners: &numbers, ends: &ends });
+    nest.sort(&PlaneSection { flat: &flat, corners: &numbers, ends: &ends });
     let face = |rings: &[std::ops::Range<usize>]| RoofFace {
         part: RoofPart::Top,
         rings: rings.iter().map(|ring| numbers[ring.clone()].to_vec()).collect(),

@@ -7,14 +7,14 @@ use glam::{DMat3, DVec2, DVec3};
 
 use super::Outline;
 use crate::geometry::nesting::extent::Extent;
-use crate::geometry::skeleton::Swept;
+use crate::geometry::skeleton::{Speeds, Swept};
 use crate::geometry::tol::{MEETING_EPSILONS, SETTLE_DAMPING};
 
 /// Repetitions, each of which reduces the effect of the damping.
 const ROUNDS: usize = 3;
 
 /// Moves the new points of a whole straight skeleton. Points that would move by more than a contact distance stay.
-pub(super) fn settle(swept: &mut Swept, outline: &Outline<'_>, speeds: &[f64]) {
+pub(super) fn settle(swept: &mut Swept, outline: &Outline<'_>, speeds: Speeds<'_>) {
     let given = outline.points.len();
     let Extent { low, high } = Extent::of(outline.points.iter().copied());
     let farthest = MEETING_EPSILONS.iter().copied().fold(0.0, f64::max) * (high - low).max_element();
@@ -23,7 +23,7 @@ pub(super) fn settle(swept: &mut Swept, outline: &Outline<'_>, speeds: &[f64]) {
     let edges = outline.edges();
     for strip in &swept.strips {
         let edge = edges[strip.edge as usize];
-        let speed = speeds.get(strip.edge as usize).copied().unwrap_or(1.0);
+        let speed = speeds.of(strip.edge as usize);
         let plane = (outline.along(edge).perp().extend(-speed), outline.at(edge[0]));
         for point in strip.ring.iter().filter(|&&point| given <= point as usize) {
             planes[*point as usize - given].push(plane);

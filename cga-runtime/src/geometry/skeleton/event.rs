@@ -1,7 +1,7 @@
 //! The times of events: an edge shrinks to a point, or a reflex vertex reaches an edge.
 
 use super::Failure;
-use super::wavefront::{NONE, Split, Wavefront};
+use super::wavefront::{NONE, SplitEvent, Wavefront};
 
 /// An event at the current time, up to rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +34,7 @@ impl Wavefront {
                 return next;
             }
             for vertex in open {
-                self.vertices[vertex as usize].split = self.first_split(vertex, Split::NEVER, &self.alive);
+                self.vertices[vertex as usize].split = self.first_split(vertex, SplitEvent::NEVER, &self.alive);
             }
         }
     }
@@ -78,7 +78,7 @@ impl Wavefront {
             }
             let mut split = vertex.split;
             self.vertices[number as usize].split = if vertex.born == self.now {
-                self.first_split(number, Split::NEVER, &self.alive)
+                self.first_split(number, SplitEvent::NEVER, &self.alive)
             } else {
                 let edge = split.edge as usize;
                 if split.edge != NONE && (!self.vertices[edge].alive || is_changed[edge]) {
@@ -115,18 +115,18 @@ impl Wavefront {
 
     /// The first of some edges that a vertex reaches, if that is before the known split. If the known split is open,
     /// equal times count too, because the edge may be another part of the known one.
-    fn first_split(&self, vertex: u32, known: Split, edges: &[u32]) -> Split {
+    fn first_split(&self, vertex: u32, known: SplitEvent, edges: &[u32]) -> SplitEvent {
         let mut split = known;
         for &edge in edges {
             if let Some(time) = self.reach(vertex, edge, split) {
-                split = Split { time, edge };
+                split = SplitEvent { time, edge };
             }
         }
         split
     }
 
     /// The time when a vertex reaches an edge, if that is before another split.
-    fn reach(&self, number: u32, edge: u32, other: Split) -> Option<f64> {
+    fn reach(&self, number: u32, edge: u32, other: SplitEvent) -> Option<f64> {
         let (vertex, start) = (&self.vertices[number as usize], &self.vertices[edge as usize]);
         if edge == number || start.next == number {
             return None;

@@ -5,7 +5,7 @@ use super::Failure;
 
 /// The remaining work. In brackets: the largest value of many kinds of wavefronts with a correct result.
 #[derive(Debug)]
-pub(super) struct Limits {
+pub(super) struct WorkLimits {
     /// Rounds of the search for contacts (1.5 per corner of the polygon).
     rounds: usize,
     /// Vertices in total (3 per corner).
@@ -14,10 +14,10 @@ pub(super) struct Limits {
     alive: usize,
 }
 
-impl Limits {
+impl WorkLimits {
     /// The limits for a polygon.
     pub(super) fn of(corners: usize) -> Self {
-        Limits { rounds: 4 * corners + 64, vertices: 8 * corners + 64, alive: 2 * corners + 64 }
+        WorkLimits { rounds: 4 * corners + 64, vertices: 8 * corners + 64, alive: 2 * corners + 64 }
     }
 
     /// Counts a round with `alive` vertices, of which `touching` touch edges (usually at most as many as are alive).

@@ -1,5 +1,5 @@
-//! The areas that the edges of a polygon sweep when they move inwards at the same speed: the faces of the straight
-//! skeleton up to a distance, and the remaining interior.
+//! The areas that the edges of a polygon sweep when they move inwards: the faces of the straight skeleton up to a
+//! distance, and the remaining interior. Edges move equally far, or each by a distance of its own ([`speeds`]).
 //!
 //! Edges have the region on their left. Loops are outlines and holes; for the region outside, both are reversed. The
 //! edges move as a *wavefront*: loops of *vertices*, which move along bisectors, and of edges between them, each on the
@@ -15,7 +15,7 @@
 //! rounding errors of single points. A final check ensures that strips do not overlap ([`check`]). If it fails, because
 //! edges are nearly but not exactly coincident, the sweep is repeated with another distance for contacts.
 //!
-//! Edges can have different speeds, and the sweep can run until nothing is left. Then the strips are the faces of the whole
+//! The sweep can run until nothing is left. Then the strips are the faces of the whole
 //! straight skeleton, and the times of points are their heights on a roof.
 //!
 //! The time is quadratic in the number of corners, for few or many simultaneous events: an event scans the wavefront a
@@ -30,6 +30,7 @@ mod event;
 mod limits;
 mod overlap;
 mod rejoin;
+mod speeds;
 mod step;
 mod trace;
 mod wavefront;
@@ -39,6 +40,7 @@ use glam::DVec2;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::{MEETING_EPSILONS, PLANAR_EPSILON};
 pub(crate) use check::any_cross;
+pub(crate) use speeds::Speeds;
 use wavefront::Wavefront;
 
 /// The limit on the total number of corners, because the time is quadratic.
@@ -56,7 +58,8 @@ pub(crate) struct Strip {
     pub(crate) front: Vec<bool>,
 }
 
-/// A corner of the remaining interior, and the edge that is parallel to the next side.
+/// A corner of the remaining interior, and the edge that is parallel to the next side. Sides that divide a corner
+/// between edges of different speeds have numbers after those of the edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Left {
     pub(crate) point: u32,
@@ -88,14 +91,23 @@ pub(crate) enum Failure {
 /// Moves the edges of a polygon to their left by a distance. Loops are numbers of points, and edges are numbered along
 /// the loops. Equal numbers are the same corner.
 pub(crate) fn sweep(points: &[DVec2], rings: &[Vec<u32>], distance: f64) -> Result<Swept, Failure> {
-    sweep_at(points, rings, &[], distance)
+    sweep_at(points, rings, Speeds::Equal, distance)
 }
 
-/// Moves edges that have different speeds, from 0 to 1, until a time; an infinite time gives the whole straight skeleton.
-/// Without `speeds` all edges have speed 1. The strip of an edge with speed 0 has no area, but its points have times.
+/// Moves each edge of a polygon to its left by a distance of its own, which is not negative. All edges arrive at the
+/// same time.
+pub(crate) fn sweep_each(points: &[DVec2], rings: &[Vec<u32>], distances: &[f64]) -> Result<Swept, Failure> {
+    let most = distances.iter().fold(0.0, |most: f64, &distance| most.max(distance));
+    let speed = |distance: &f64| if most == 0.0 { 1.0 } else { distance / most };
+    let speeds: Vec<f64> = distances.iter().map(speed).collect();
+    sweep_at(points, rings, Speeds::Places(&speeds), most)
+}
+
+/// Moves edges until a time; an infinite time gives the whole straight skeleton.
 ///
-/// Parallel neighbours with different speeds do not determine the path of the vertex between them. They are refused.
-pub(crate) fn sweep_at(points: &[DVec2], rings: &[Vec<u32>], speeds: &[f64], until: f64) -> Result<Swept, Failure> {
+/// Parallel neighbours with different speeds do not determine the path of the vertex between them. They are refused where
+/// heights count.
+pub(crate) fn sweep_at(points: &[DVec2], rings: &[Vec<u32>], speeds: Speeds<'_>, until: f64) -> Result<Swept, Failure> {
     if MOST_CORNERS < rings.iter().map(Vec::len).sum() {
         return Err(Failure::TooMany);
     }
@@ -126,13 +138,13 @@ fn has_divided_strips(swept: &Swept) -> bool {
 
 /// The largest distance of a point, when the wavefront reaches it, from the line of an edge whose strip has the point,
 /// relative to the extent.
-fn deviation(rings: &[Vec<u32>], speeds: &[f64], swept: &Swept) -> f64 {
+fn deviation(rings: &[Vec<u32>], speeds: Speeds<'_>, swept: &Swept) -> f64 {
     let at = |point: u32| swept.points[point as usize];
     let lines = rings.iter().flat_map(|ring| (0..ring.len()).map(|i| [at(ring[i]), at(ring[(i + 1) % ring.len()])]));
     let lines: Vec<[DVec2; 2]> = lines.collect();
     let off = |strip: &Strip, point: u32| {
         let [from, to] = lines[strip.edge as usize];
-        let speed = speeds.get(strip.edge as usize).copied().unwrap_or(1.0);
+        let speed = speeds.of(strip.edge as usize);
         let height = (to - from).normalize_or_zero().perp_dot(at(point) - from);
         (height - speed * swept.times[point as usize]).abs()
     };

@@ -4,7 +4,8 @@ use std::ops::RangeInclusive;
 
 use glam::DVec2;
 
-use super::limits::Limits;
+use super::limits::WorkLimits;
+use super::speeds::Speeds;
 use super::trace::Arcs;
 use super::{Failure, Left, Swept};
 use crate::geometry::nesting::extent::Extent;
@@ -21,14 +22,14 @@ const TURNED_BACK: f64 = 1e-10;
 
 /// The line of an edge. At a time `t` it contains the points whose scalar product with the normal is `at + speed * t`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Line {
+pub(super) struct MovingLine {
     pub(super) along: DVec2,
     pub(super) at: f64,
     /// From 0 to 1.
     pub(super) speed: f64,
 }
 
-impl Line {
+impl MovingLine {
     /// The direction in which the line moves.
     pub(super) fn normal(&self) -> DVec2 {
         self.along.perp()
@@ -42,7 +43,7 @@ impl Line {
 
 /// A vertex of the wavefront, and the edge from it to the next vertex.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Vertex {
+pub(super) struct WavefrontVertex {
     /// The node of the skeleton where the vertex started.
     pub(super) node: u32,
     pub(super) from: DVec2,
@@ -60,19 +61,19 @@ pub(super) struct Vertex {
     pub(super) reflex: bool,
     /// The time when the edge after it shrinks to a point.
     pub(super) collapse: f64,
-    pub(super) split: Split,
+    pub(super) split: SplitEvent,
 }
 
 /// The first edge that a reflex vertex reaches, and the time.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Split {
+pub(super) struct SplitEvent {
     pub(super) time: f64,
     /// [`NONE`] if the edge has changed; then no edge is reached before the time.
     pub(super) edge: u32,
 }
 
-impl Split {
-    pub(super) const NEVER: Split = Split { time: f64::INFINITY, edge: NONE };
+impl SplitEvent {
+    pub(super) const NEVER: SplitEvent = SplitEvent { time: f64::INFINITY, edge: NONE };
 
     /// Returns true if the split must be computed again.
     pub(super) fn is_open(&self) -> bool {
@@ -87,13 +88,13 @@ pub(super) fn twice_area(points: &[DVec2], ring: &[u32]) -> f64 {
 }
 
 /// Returns true if two lines are opposite, so that a vertex between them cannot move.
-pub(super) fn turn_back(a: &Line, b: &Line) -> bool {
+pub(super) fn turn_back(a: &MovingLine, b: &MovingLine) -> bool {
     (a.along + b.along).length() < TURNED_BACK
 }
 
 /// The velocity of a vertex between two lines; `None` if it is not determined: for opposite lines, and for parallel ones
 /// with different speeds.
-fn velocity(a: &Line, b: &Line) -> Option<DVec2> {
+fn velocity(a: &MovingLine, b: &MovingLine) -> Option<DVec2> {
     if turn_back(a, b) {
         return None;
     }
@@ -103,13 +104,14 @@ fn velocity(a: &Line, b: &Line) -> Option<DVec2> {
         return Some(sum * (2.0 * a.speed / sum.length_squared()));
     }
     let across = a.along.perp_dot(b.along);
-    (STRAIGHT_EPSILON < across.abs()).then(|| (b.along * a.speed - a.along * b.speed) / across)
+    let is_determined = a.along.dot(b.along) < 0.0 || STRAIGHT_EPSILON < across.abs();
+    is_determined.then(|| (b.along * a.speed - a.along * b.speed) / across)
 }
 
 #[derive(Debug)]
 pub(super) struct Wavefront {
-    pub(super) lines: Vec<Line>,
-    pub(super) vertices: Vec<Vertex>,
+    pub(super) lines: Vec<MovingLine>,
+    pub(super) vertices: Vec<WavefrontVertex>,
     /// The vertices that are alive, in the order of their creation.
     pub(super) alive: Vec<u32>,
     /// The positions of the vertices that are alive, at the last event.
@@ -120,23 +122,25 @@ pub(super) struct Wavefront {
     pub(super) times: Vec<f64>,
     given: usize,
     pub(super) arcs: Arcs,
+    /// True if only the places of points count, so that edges of different speeds may divide corners.
+    pub(super) flat: bool,
     /// True if the region is outside the loops.
     pub(super) unbounded: bool,
     /// The size of the polygon.
     pub(super) extent: f64,
     /// The distance below which objects count as touching.
     pub(super) epsilon: f64,
-    pub(super) limits: Limits,
+    pub(super) limits: WorkLimits,
     pub(super) now: f64,
     pub(super) until: f64,
 }
 
 impl Wavefront {
-    /// The wavefront at the start. Without `speeds` all edges have speed 1.
+    /// The wavefront at the start.
     pub(super) fn new(
         points: &[DVec2],
         rings: &[Vec<u32>],
-        speeds: &[f64],
+        speeds: Speeds<'_>,
         epsilon: f64,
         until: f64,
     ) -> Result<Self, Failure> {
@@ -158,10 +162,11 @@ impl Wavefront {
             times: vec![0.0; points.len()],
             given: points.len(),
             arcs: Arcs::default(),
+            flat: matches!(speeds, Speeds::Places(_)),
             unbounded,
             extent,
             epsilon: epsilon * extent,
-            limits: Limits::of(rings.iter().map(Vec::len).sum()),
+            limits: WorkLimits::of(rings.iter().map(Vec::len).sum()),
             now: 0.0,
             until,
         };
@@ -172,8 +177,8 @@ impl Wavefront {
                 let (p, q) = (points[a as usize], points[b as usize]);
                 // An edge without length ends at once, with any direction.
                 let along = (q - p).normalize_or(DVec2::X);
-                let speed = speeds.get(front.lines.len()).copied().unwrap_or(1.0);
-                front.lines.push(Line { along, at: along.perp().dot(p), speed });
+                let speed = speeds.of(front.lines.len());
+                front.lines.push(MovingLine { along, at: along.perp().dot(p), speed });
                 front.arcs.edge(a, b);
             }
             let count = ring.len() as u32;
@@ -181,7 +186,7 @@ impl Wavefront {
                 let [last, next] = [(i + count - 1) % count, (i + 1) % count].map(|k| start + k);
                 let vertex = front.vertex(node, last, start + i);
                 front.alive.push(start + i);
-                front.push(Vertex { last, next, ..vertex });
+                front.push(WavefrontVertex { last, next, ..vertex });
             }
         }
         Ok(front)
@@ -192,6 +197,7 @@ impl Wavefront {
         // Contacts at the start: pinches, bridges to holes.
         let everything: Vec<u32> = self.alive.clone();
         self.handle(&[], &everything)?;
+        self.part_speeds(&self.alive.clone());
         self.foresee(&self.alive.clone())?;
         loop {
             let next = self.next_event();
@@ -200,7 +206,8 @@ impl Wavefront {
             if due.is_empty() {
                 return if self.now == self.until { self.finish() } else { Err(Failure::Tangled) };
             }
-            let made = self.handle(&due, &[])?;
+            let mut made = self.handle(&due, &[])?;
+            made.extend(self.part_speeds(&made));
             self.limits.make(made.len())?;
             self.foresee(&made)?;
         }
@@ -214,10 +221,10 @@ impl Wavefront {
     }
 
     /// A vertex between the edges on two lines that starts now at a node, not connected to others yet.
-    pub(super) fn vertex(&self, node: u32, before: u32, after: u32) -> Vertex {
+    pub(super) fn vertex(&self, node: u32, before: u32, after: u32) -> WavefrontVertex {
         let [a, b] = [before, after].map(|line| self.lines[line as usize]);
         let velocity = velocity(&a, &b);
-        Vertex {
+        WavefrontVertex {
             node,
             from: self.nodes[node as usize],
             born: self.now,
@@ -230,11 +237,11 @@ impl Wavefront {
             alive: true,
             reflex: a.along.perp_dot(b.along) <= STRAIGHT_EPSILON,
             collapse: f64::INFINITY,
-            split: Split::NEVER,
+            split: SplitEvent::NEVER,
         }
     }
 
-    pub(super) fn push(&mut self, vertex: Vertex) {
+    pub(super) fn push(&mut self, vertex: WavefrontVertex) {
         self.positions.push(vertex.from);
         self.vertices.push(vertex);
     }
@@ -265,7 +272,8 @@ impl Wavefront {
             let vertex = &self.vertices[number as usize];
             self.arcs.front(end[number as usize], end[vertex.next as usize], vertex.after);
         }
-        let same = self.arcs.contracted(&self.nodes, &self.times, self.given, self.epsilon);
+        let times = (!self.flat).then_some(&self.times[..]);
+        let same = self.arcs.contracted(&self.nodes, times, self.given, self.epsilon);
         end.iter_mut().filter(|end| **end != NONE).for_each(|end| *end = same[*end as usize]);
         let left = self.loops(&end);
         let (points, times) = (std::mem::take(&mut self.nodes), std::mem::take(&mut self.times));

@@ -21,19 +21,19 @@ use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::TOUCH_EPSILON;
 use cap::Cap;
 pub(crate) use convex::apex;
-use sweep::Sweep;
+use sweep::MonotoneSweep;
 use unfold::Unfold;
 
 /// The two coordinates that remain when a face is projected, in an order that keeps counter-clockwise loops
 /// counter-clockwise. The projection drops one coordinate without arithmetic, so collinear points stay exactly
 /// collinear.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Projection {
+pub(crate) struct PlaneProjection {
     u: usize,
     v: usize,
 }
 
-impl Projection {
+impl PlaneProjection {
     /// Drops the coordinate with the largest component of the normal.
     pub(crate) fn along(normal: DVec3) -> Self {
         let size = normal.abs();
@@ -44,7 +44,7 @@ impl Projection {
         } else {
             2
         };
-        Projection::without(axis, normal)
+        PlaneProjection::without(axis, normal)
     }
 
     /// Keeps a coordinate, unless the projection would be very thin: drops the one of the other two with the larger
@@ -54,14 +54,14 @@ impl Projection {
         let (u, v) = ((kept + 1) % 3, (kept + 2) % 3);
         let axis = if normal[u].abs() >= normal[v].abs() { u } else { v };
         if normal[axis].abs() < LEAST * normal[kept].abs() {
-            return Projection::along(normal);
+            return PlaneProjection::along(normal);
         }
-        Projection::without(axis, normal)
+        PlaneProjection::without(axis, normal)
     }
 
     fn without(axis: usize, normal: DVec3) -> Self {
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
-        if normal[axis] < 0.0 { Projection { u: v, v: u } } else { Projection { u, v } }
+        if normal[axis] < 0.0 { PlaneProjection { u: v, v: u } } else { PlaneProjection { u, v } }
     }
 
     #[inline]
@@ -76,7 +76,7 @@ pub struct Triangulator {
     flat: Vec<DVec2>,
     ends: Vec<u32>,
     cap: Cap,
-    sweep: Sweep,
+    sweep: MonotoneSweep,
     unfold: Unfold,
 }
 
@@ -113,13 +113,13 @@ impl Triangulator {
         if face.tag().cap {
             let mut cap = std::mem::take(&mut self.cap);
             cap.read(&face);
-            let projection = Projection::along(cap.normal(&ends));
+            let projection = PlaneProjection::along(cap.normal(&ends));
             flat.extend(cap.points.iter().map(|&point| projection.apply(point)));
             self.polygon(&flat, &ends, out);
             out[from..].iter_mut().for_each(|t| *t = cap.triangle(*t));
             self.cap = cap;
         } else {
-            let projection = Projection::along(face.normal());
+            let projection = PlaneProjection::along(face.normal());
             flat.extend(range.clone().map(|c| projection.apply(face.position(c))));
             self.polygon(&flat, &ends, out);
             out[from..].iter_mut().flatten().for_each(|c| *c += start);

@@ -36,7 +36,7 @@ struct Region {
 
 /// A point of a chain.
 #[derive(Clone, Copy)]
-struct Link {
+struct ChainPoint {
     corner: u32,
     /// The links to the left and to the right.
     beside: [u32; 2],
@@ -52,7 +52,7 @@ struct SweepCorner {
 
 /// Buffers, reused for the next polygon.
 #[derive(Default)]
-pub(super) struct Sweep {
+pub(super) struct MonotoneSweep {
     next: Vec<u32>,
     prev: Vec<u32>,
     order: Vec<SweepCorner>,
@@ -61,12 +61,12 @@ pub(super) struct Sweep {
     regions: Vec<Region>,
     /// The regions from left to right.
     status: Status,
-    links: Vec<Link>,
+    links: Vec<ChainPoint>,
     /// The amount by which a triangle may be reversed, and a hole may begin outside.
     slack: f64,
 }
 
-impl Sweep {
+impl MonotoneSweep {
     /// Appends the triangles of a polygon. If its loops cross by rounding errors, a triangle that is reversed by less
     /// than `slack` may have to be cut off, because otherwise a large triangle would be reversed.
     pub(super) fn triangulate(&mut self, points: &[DVec2], loop_ends: &[u32], slack: f64, out: &mut Vec<[u32; 3]>) {
@@ -174,7 +174,7 @@ impl Sweep {
 
     fn link(&mut self, corner: u32, beside: [u32; 2]) -> u32 {
         let link = self.links.len() as u32;
-        self.links.push(Link { corner, beside });
+        self.links.push(ChainPoint { corner, beside });
         for side in [LEFT, RIGHT] {
             if beside[side] != NONE {
                 self.links[beside[side] as usize].beside[1 - side] = link;
@@ -193,7 +193,7 @@ impl Sweep {
     fn attach(&mut self, points: &[DVec2], region: u32, side: usize, corner: u32, out: &mut Vec<[u32; 3]>) {
         let mut at = self.regions[region as usize].ends[side];
         loop {
-            let Link { corner: here, beside } = self.links[at as usize];
+            let ChainPoint { corner: here, beside } = self.links[at as usize];
             let next = beside[1 - side];
             if next == NONE {
                 break;
@@ -228,7 +228,7 @@ impl Sweep {
     fn end(&mut self, region: u32, corner: u32, out: &mut Vec<[u32; 3]>) {
         let mut at = self.regions[region as usize].ends[LEFT];
         loop {
-            let Link { corner: here, beside: [_, next] } = self.links[at as usize];
+            let ChainPoint { corner: here, beside: [_, next] } = self.links[at as usize];
             if next == NONE {
                 return;
             }

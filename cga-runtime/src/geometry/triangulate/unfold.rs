@@ -1,8 +1,8 @@
 //! Removes reversed triangles from a triangulation if the polygon allows it.
 //!
 //! If loops cross, even if only by rounding errors, a sweep makes reversed triangles. Around each of them a patch of
-//! connected triangles is removed, and its rim, a closed chain of corners, is triangulated again with the least
-//! reversed area, by dynamic programming over stretches of the chain. A patch grows along shared edges, so its
+//! connected triangles is removed. Its rim is a closed chain of corners. It is triangulated again with the least reversed
+//! area, by dynamic programming over stretches of the chain. A patch grows along shared edges, so its
 //! triangles form a tree and its rim is one chain, even if the polygon has holes. The rim stays, so for any geometry
 //! each edge of each loop is still used exactly once.
 //!

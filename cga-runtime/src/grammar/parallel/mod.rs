@@ -26,7 +26,7 @@ use self::stretch::{Done, EarlyEnd, derive_stretch};
 use crate::grammar::Grammar;
 use crate::grammar::session::{Session, Setup};
 use crate::output::model::Model;
-use crate::run::derive::{self, Outcome};
+use crate::run::derive::{self, RunOutcome};
 use crate::run::report::Report;
 use crate::run::rules::Rules;
 use crate::run::settings::Settings;
@@ -63,8 +63,8 @@ pub fn derive_all<G: Grammar + Sync + ?Sized, S: Sink + Send>(
     let first = grammar.session(&quiet)?;
     let again = || grammar.session(&quiet).ok();
     Crew { shapes, settings, first, again }.run_all(sink, |session, shape, sink| match session.run(shape, sink) {
-        Ok(report) => Outcome { report, error: None },
-        Err(error) => Outcome { report: Report::default(), error: Some(error) },
+        Ok(report) => RunOutcome { report, error: None },
+        Err(error) => RunOutcome { report: Report::default(), error: Some(error) },
     })
 }
 
@@ -111,7 +111,7 @@ impl<W, A: Fn() -> Option<W> + Sync> Crew<'_, W, A> {
     fn run_all<S: Sink + Send>(
         self,
         sink: impl Fn(&Stretch) -> S + Sync,
-        run: impl Fn(&mut W, &Shape, &mut S) -> Outcome + Sync,
+        run: impl Fn(&mut W, &Shape, &mut S) -> RunOutcome + Sync,
     ) -> Result<Parts<S>, ShapeError> {
         let shapes = self.shapes;
         let job = |worker: &mut W, stretch: &Stretch, ended: &dyn Fn() -> bool| {

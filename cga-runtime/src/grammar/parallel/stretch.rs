@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::fault::Error;
-use crate::run::derive::Outcome;
+use crate::run::derive::RunOutcome;
 use crate::run::report::Report;
 use crate::shape::Shape;
 
@@ -70,7 +70,7 @@ pub(super) fn derive_stretch<T>(
     stretch: &Stretch,
     ended: &dyn Fn() -> bool,
     output: T,
-    mut run: impl FnMut(&mut T, &Shape) -> Outcome,
+    mut run: impl FnMut(&mut T, &Shape) -> RunOutcome,
 ) -> Done<T> {
     let start = stretch.shapes.start;
     let mut done = Done { output, shapes: start..start, reports: Vec::new(), counts: Report::default(), end: None };
@@ -79,7 +79,7 @@ pub(super) fn derive_stretch<T>(
             break;
         }
         done.shapes.end = at + 1;
-        let Outcome { report, error } = run(&mut done.output, &shapes[at]);
+        let RunOutcome { report, error } = run(&mut done.output, &shapes[at]);
         let stopped = report.stopped;
         if report.is_only_counts() {
             done.counts.shapes = done.counts.shapes.saturating_add(report.shapes);

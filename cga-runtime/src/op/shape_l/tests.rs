@@ -1,27 +1,12 @@
+use glam::DVec3;
+
+use super::super::set_back::tests::{ARMS, Parts, divided_by, polygon};
 use super::*;
-use crate::geometry::mesh::Mesh;
+use crate::comp::never;
 use crate::shape::Shape;
 
-const ARMS: [Arm; 2] = [
-    Arm { select: Select::Word(Word::Shape), mode: Mode::Each, text: "shape" },
-    Arm { select: Select::Word(Word::Remainder), mode: Mode::Each, text: "remainder" },
-];
-
-/// The corners and the area of each face, with its arm, and the number of faults.
-fn divided(shape: &Shape, front: f64, left: f64) -> (Vec<(u32, usize, f64)>, usize) {
-    let env = &mut Env::for_tests();
-    let ControlFlow::Continue(made) = shape_l(env, &mut Arms::new(shape, &ARMS, &mut never), front, left) else {
-        panic!("no limit is reached")
-    };
-    assert_eq!(made.mesh.check(), []);
-    let faces = made.mesh.faces().zip(&made.arms);
-    let faces = faces.map(|(face, arm)| (arm.expect("both are selected"), face.corner_count(), face.area()));
-    (faces.collect(), env.take_faults().0.len())
-}
-
-fn polygon(corners: &[[f64; 2]]) -> Shape {
-    let corners: Vec<DVec3> = corners.iter().map(|[x, z]| DVec3::new(*x, 0.0, -*z)).collect();
-    Shape::mesh_axis_aligned(Mesh::from_polygon(&corners, &[]).expect("a polygon"))
+fn divided(shape: &Shape, front: f64, left: f64) -> (Parts, usize) {
+    divided_by(shape, |env, arms| shape_l(env, arms, front, left))
 }
 
 #[test]
@@ -78,11 +63,17 @@ fn areas_of_convex_faces_add_up() {
     }
 }
 
+/// A notch in the back: the strip of the front is cut by it, and the slopes of the notch face the sides.
 #[test]
-fn concave_faces_stay_whole() {
+fn a_concave_face_has_an_l_too() {
     let shape = polygon(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [4.0, 2.0], [0.0, 8.0]]);
-    let (faces, faults) = divided(&shape, 1.0, 1.0);
-    assert_eq!((faces.len(), faces[0].0, faults), (1, 1, 1));
+    let (faces, faults) = divided(&shape, 1.0, 0.0);
+    assert_eq!((faces, faults), (vec![(0, 4, 8.0), (1, 5, 32.0)], 0));
+    // The tip of the notch divides the remainder.
+    let (faces, faults) = divided(&shape, 3.0, 0.0);
+    let numbers: Vec<_> = faces.iter().map(|face| (face.0, face.1)).collect();
+    assert_eq!((numbers, faults), (vec![(0, 7), (1, 3), (1, 3)], 0));
+    assert!((faces[1].2 - 25.0 / 3.0).abs() < 1e-9 && (faces[2].2 - 25.0 / 3.0).abs() < 1e-9, "{faces:?}");
 }
 
 #[test]
@@ -103,19 +94,4 @@ fn texture_coordinates_continue_those_of_the_face() {
 
 fn size(metres: f64) -> cga_split::Size {
     cga_split::Size::absolute(metres)
-}
-
-#[test]
-fn an_arm_is_found_for_each_edge() {
-    // As `setback` will ask: the first arm that selects the edge, with indices and words.
-    let arms = [
-        Arm { select: Select::Index(2.0), mode: Mode::Each, text: "2" },
-        Arm { select: Select::Word(Word::Remainder), mode: Mode::Each, text: "remainder" },
-        Arm { select: Select::Word(Word::All), mode: Mode::Each, text: "all" },
-    ];
-    let (env, shape) = (&mut Env::for_tests(), Shape::rectangle(2.0, 1.0));
-    let mut never = never;
-    let mut arms = Arms::new(&shape, &arms, &mut never);
-    assert_eq!((arms.of(Word::Remainder), arms.of(Word::Shape)), (Some(1), None));
-    assert_eq!(arms.edges(env), ControlFlow::Continue(vec![Some(2), Some(2), Some(0), Some(2)]));
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use super::part::Run;
+use super::part::PartStart;
 use super::{Buffers, Vertex};
 use crate::geometry::mesh::Mesh;
 use crate::output::flatten::FlatFace;
@@ -154,7 +154,7 @@ impl Buffers {
         size_of::<Vertex>() * self.triangles.vertices.capacity()
             + size_of::<u32>() * self.triangles.indices.capacity()
             + self.uvs.memory()
-            + size_of::<Run>() * self.runs.capacity()
+            + size_of::<PartStart>() * self.runs.capacity()
     }
 }
 

@@ -17,7 +17,7 @@ pub struct Part {
 
 /// The start of a part, which ends at the start of the next.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Run {
+pub(super) struct PartStart {
     pub(super) rule: u32,
     pub(super) material: u32,
     /// The number of triangles before it.
@@ -25,17 +25,17 @@ pub(super) struct Run {
     pub(super) vertex: u32,
 }
 
-impl Run {
+impl PartStart {
     /// Returns true for a part with the same rule and the same material.
     #[inline]
-    pub(super) fn is_like(&self, other: &Run) -> bool {
+    pub(super) fn is_like(&self, other: &PartStart) -> bool {
         (self.rule, self.material) == (other.rule, other.material)
     }
 
     /// The start after further triangles and vertices.
     #[inline]
-    pub(super) fn moved(&self, triangles: u32, vertices: u32) -> Run {
-        Run { triangle: self.triangle + triangles, vertex: self.vertex + vertices, ..*self }
+    pub(super) fn moved(&self, triangles: u32, vertices: u32) -> PartStart {
+        PartStart { triangle: self.triangle + triangles, vertex: self.vertex + vertices, ..*self }
     }
 
     /// The number of indices before it.
@@ -46,10 +46,10 @@ impl Run {
 
 #[cfg(test)]
 mod tests {
-    use super::Run;
+    use super::PartStart;
 
     #[test]
     fn a_run_takes_sixteen_bytes() {
-        assert_eq!(size_of::<Run>(), 16);
+        assert_eq!(size_of::<PartStart>(), 16);
     }
 }

@@ -1,6 +1,6 @@
 //! The rules and materials of parts that repeat, as numbers of the buffers' table.
 
-use super::part::Run;
+use super::part::PartStart;
 use crate::output::numbers::Numbers;
 use crate::run::sink::Replay;
 use crate::shape::look_id::LookId;
@@ -19,7 +19,7 @@ pub(super) struct Marks {
     /// True if no two consecutive marks are equal.
     pub(super) is_distinct: bool,
     /// The marks as starts of parts, relative to the first.
-    pub(super) runs: Vec<Run>,
+    pub(super) runs: Vec<PartStart>,
 }
 
 impl Replayed {
@@ -42,7 +42,7 @@ impl Marks {
         self.runs.clear();
         self.runs.extend(replay.marks().map(|(leaf, mark)| {
             let (rule, material) = numbers.with_look(&leaf, mark.look);
-            Run { rule, material, triangle: mark.before / 2, vertex: mark.before }
+            PartStart { rule, material, triangle: mark.before / 2, vertex: mark.before }
         }));
         self.is_distinct = self.runs.windows(2).all(|pair| !pair[0].is_like(&pair[1]));
         // The next base may have another material.

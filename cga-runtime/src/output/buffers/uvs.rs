@@ -5,7 +5,7 @@ use glam::{DVec2, DVec4};
 use crate::geometry::uv_map::{SetMap, UvMap};
 use crate::output::flatten::FlatFace;
 use crate::run::sink::Replay;
-use crate::run::sink::corners::Placed;
+use crate::run::sink::corners::PlacedBox;
 use crate::shape::base::Form;
 use crate::shape::texture::SETS;
 use crate::shape::unit::UnitMesh;
@@ -70,7 +70,7 @@ impl UvLists {
     }
 
     /// Adds the coordinates of a rectangle, or of all faces of a box, whose vertices begin at `vertex`.
-    pub(super) fn place(&mut self, maps: &[SetMap], placed: &Placed, block: Option<UnitMesh>, vertex: usize) {
+    pub(super) fn place(&mut self, maps: &[SetMap], placed: &PlacedBox, block: Option<UnitMesh>, vertex: usize) {
         let end = vertex + 4 * block.map_or(1, |unit| unit.face_count());
         for SetMap { set, map } in maps {
             if let Some(list) = self.list(*set, end) {
@@ -124,7 +124,7 @@ struct Corners {
 
 impl Corners {
     #[inline]
-    fn of(map: &Columns, placed: &Placed) -> Self {
+    fn of(map: &Columns, placed: &PlacedBox) -> Self {
         let [x, y, z] = map.axes;
         let along = |side: DVec4| x * side.x + y * side.y + z * side.z;
         Corners { first: along(placed.origin) + map.origin, sides: placed.sides.map(along) }

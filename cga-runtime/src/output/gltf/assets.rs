@@ -5,20 +5,20 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use super::{Glb, Instances, Shared};
+use super::{Glb, Instances, SharedMesh};
 use crate::geometry::mesh::Mesh;
 
 /// Assets by mesh, rule and material, in the order of their first use.
 #[derive(Debug, Default)]
 pub(super) struct AssetList {
-    list: Vec<Asset>,
+    list: Vec<PlacedAsset>,
     /// Only for look-ups, never iterated.
     by_mesh: HashMap<(usize, u32, u32), usize>,
 }
 
 /// An asset with one rule and one material, at one or more places.
 #[derive(Debug)]
-struct Asset {
+struct PlacedAsset {
     mesh: Arc<Mesh>,
     rule: u32,
     material: u32,
@@ -31,7 +31,7 @@ impl AssetList {
         let list = &mut self.list;
         // The list keeps the first mesh, so its address belongs to no other mesh.
         let index = *self.by_mesh.entry((Arc::as_ptr(mesh).addr(), rule, material)).or_insert_with(|| {
-            list.push(Asset { mesh: mesh.clone(), rule, material, placements: Vec::new() });
+            list.push(PlacedAsset { mesh: mesh.clone(), rule, material, placements: Vec::new() });
             list.len() - 1
         });
         self.list[index].placements.push(*placement);
@@ -40,9 +40,9 @@ impl AssetList {
 
 impl Glb {
     /// Turns assets at several places into separate meshes; the others join the rest.
-    pub(super) fn place_assets(&mut self) -> Vec<Shared> {
+    pub(super) fn place_assets(&mut self) -> Vec<SharedMesh> {
         let mut shared = Vec::new();
-        for Asset { mesh, rule, material, placements } in std::mem::take(&mut self.assets).list {
+        for PlacedAsset { mesh, rule, material, placements } in std::mem::take(&mut self.assets).list {
             let (own, loose): (Vec<_>, Vec<_>) = placements.into_iter().partition(is_node_transform);
             if 2 <= own.len() {
                 // Filled in the mesh's own coordinates, with a separate list of primitives.
@@ -51,7 +51,7 @@ impl Glb {
                 self.add_mesh(rule, material, &mesh, &DAffine3::IDENTITY);
                 self.origin = origin;
                 let primitives = std::mem::replace(&mut self.primitives, main);
-                shared.push(Shared { primitives: primitives.into_list(), places: Instances::Nodes(own) });
+                shared.push(SharedMesh { primitives: primitives.into_list(), places: Instances::Nodes(own) });
             } else {
                 own.iter().for_each(|placement| self.add_mesh(rule, material, &mesh, placement));
             }

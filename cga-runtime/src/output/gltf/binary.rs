@@ -7,39 +7,39 @@ use crate::output::error::WriteError;
 
 /// Views of bytes and accessors into them.
 #[derive(Default)]
-pub(super) struct Binary<'a> {
+pub(super) struct BinaryChunk<'a> {
     pub(super) length: usize,
     pub(super) views: Vec<String>,
     pub(super) accessors: Vec<String>,
-    bytes: Vec<View<'a>>,
+    bytes: Vec<BufferView<'a>>,
 }
 
 /// Four bytes.
-pub(super) type Word = [u8; 4];
+pub(super) type FourBytes = [u8; 4];
 
 /// Appends the words of a view.
-type Write<'a> = Box<dyn Fn(&mut Vec<Word>) + 'a>;
+type Write<'a> = Box<dyn Fn(&mut Vec<FourBytes>) + 'a>;
 
 /// The place of a view, and the function that writes its bytes.
-struct View<'a> {
+struct BufferView<'a> {
     start: usize,
     write: Write<'a>,
 }
 
-impl<'a> Binary<'a> {
+impl<'a> BinaryChunk<'a> {
     /// Continues on an 8-byte boundary.
     pub(super) fn align(&mut self) {
         self.length = self.length.next_multiple_of(8);
     }
 
     /// Appends a view of `length` bytes, on an 8-byte boundary. Returns its number. `write` writes the bytes later.
-    pub(super) fn view(&mut self, length: usize, more: &str, write: impl Fn(&mut Vec<Word>) + 'a) -> usize {
+    pub(super) fn view(&mut self, length: usize, more: &str, write: impl Fn(&mut Vec<FourBytes>) + 'a) -> usize {
         self.align();
         let start = self.length;
         self.length += length;
         let offset = if start == 0 { String::new() } else { format!(",\"byteOffset\":{start}") };
         self.views.push(format!("{{\"buffer\":0{offset},\"byteLength\":{length}{more}}}"));
-        self.bytes.push(View { start, write: Box::new(write) });
+        self.bytes.push(BufferView { start, write: Box::new(write) });
         self.views.len() - 1
     }
 
@@ -61,7 +61,7 @@ impl<'a> Binary<'a> {
 }
 
 /// Appends bytes, and zeros or spaces up to the next word.
-pub(super) fn text(to: &mut Vec<Word>, bytes: &[u8], padding: u8) {
+pub(super) fn text(to: &mut Vec<FourBytes>, bytes: &[u8], padding: u8) {
     let (words, rest) = bytes.as_chunks::<4>();
     to.extend_from_slice(words);
     if !rest.is_empty() {
@@ -73,14 +73,14 @@ pub(super) fn text(to: &mut Vec<Word>, bytes: &[u8], padding: u8) {
 
 /// The header and the chunks. The description is padded so that the binary part starts on an 8-byte boundary of the
 /// file.
-pub(super) fn container(json: &str, binary: &Binary<'_>) -> Result<Vec<u8>, WriteError> {
+pub(super) fn container(json: &str, binary: &BinaryChunk<'_>) -> Result<Vec<u8>, WriteError> {
     let json_length = (json.len() + 4).next_multiple_of(8) - 4;
     let binary_chunk = if binary.length == 0 { 0 } else { 8 + binary.length };
     let total = 20 + json_length + binary_chunk;
     let Ok(length) = u32::try_from(total) else {
         return Err(WriteError::TooLarge { what: "bytes", limit: u64::from(u32::MAX) });
     };
-    let mut file: Vec<Word> = Vec::with_capacity(total / 4);
+    let mut file: Vec<FourBytes> = Vec::with_capacity(total / 4);
     file.push(*b"glTF");
     file.extend([2, length, json_length as u32].map(u32::to_le_bytes));
     file.push(*b"JSON");

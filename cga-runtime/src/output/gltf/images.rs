@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::fmt::Write as _;
 
-use super::binary::{Binary, text};
+use super::binary::{BinaryChunk, text};
 use super::combine;
 use super::json::quoted;
 use super::textures::{ImageKey, LookTexture};
@@ -17,13 +17,13 @@ use crate::output::texture::source::{self, ImageSource};
 pub(super) struct Images<'a> {
     assets: Option<&'a Assets>,
     is_referenced: bool,
-    images: Interner<Image>,
+    images: Interner<GltfImage>,
     /// Only for look-ups, never iterated.
     by_key: HashMap<ImageKey, Option<usize>>,
 }
 
 #[derive(Debug, PartialEq, Hash)]
-enum Image {
+enum GltfImage {
     Referenced(String),
     Embedded { kind: ImageKind, bytes: Vec<u8> },
 }
@@ -54,7 +54,7 @@ impl<'a> Images<'a> {
         let number = match key {
             ImageKey::File(name) => self.file(name).map(|image| self.images.index(image)),
             key => match combine::combined(self.assets, key) {
-                Some(bytes) => Some(self.images.index(Image::Embedded { kind: ImageKind::Png, bytes })),
+                Some(bytes) => Some(self.images.index(GltfImage::Embedded { kind: ImageKind::Png, bytes })),
                 None => key.file().and_then(|name| self.add(&ImageKey::File(name.clone()))),
             },
         };
@@ -62,27 +62,27 @@ impl<'a> Images<'a> {
         number
     }
 
-    fn file(&self, name: &str) -> Option<Image> {
+    fn file(&self, name: &str) -> Option<GltfImage> {
         if self.is_referenced && !name.starts_with("builtin:") {
-            return Some(Image::Referenced(uri(name)));
+            return Some(GltfImage::Referenced(uri(name)));
         }
         Some(match source::find(self.assets, name) {
-            ImageSource::File(header, bytes) => Image::Embedded { kind: header.kind, bytes },
-            ImageSource::Drawn(image) => Image::Embedded { kind: ImageKind::Png, bytes: combine::encoded(&image)? },
-            ImageSource::Absent => Image::Referenced(uri(name)),
+            ImageSource::File(header, bytes) => GltfImage::Embedded { kind: header.kind, bytes },
+            ImageSource::Drawn(image) => GltfImage::Embedded { kind: ImageKind::Png, bytes: combine::encoded(&image)? },
+            ImageSource::Absent => GltfImage::Referenced(uri(name)),
         })
     }
 
     /// The members `textures` and `images`, each followed by a comma, and the views of embedded images.
-    pub(super) fn write(self, json: &mut String, binary: &mut Binary<'_>) {
+    pub(super) fn write(self, json: &mut String, binary: &mut BinaryChunk<'_>) {
         if self.images.list.is_empty() {
             return;
         }
         let sources: Vec<String> =
             (0..self.images.list.len()).map(|number| format!("{{\"source\":{number}}}")).collect();
         let images = self.images.list.into_iter().map(|image| match image {
-            Image::Referenced(address) => format!("{{\"uri\":{}}}", quoted(&address)),
-            Image::Embedded { kind, bytes } => {
+            GltfImage::Referenced(address) => format!("{{\"uri\":{}}}", quoted(&address)),
+            GltfImage::Embedded { kind, bytes } => {
                 let kind = match kind {
                     ImageKind::Png => "image/png",
                     ImageKind::Jpeg => "image/jpeg",

@@ -22,7 +22,7 @@ enum Alpha {
 /// The looks in the order of their first use.
 #[derive(Debug, Default)]
 pub(super) struct Looks {
-    looks: Interner<Look>,
+    looks: Interner<MaterialKey>,
     /// The names of the looks.
     names: Vec<String>,
     /// The looks by material number and sets of texture coordinates, with the sets that are needed. Only for
@@ -32,7 +32,7 @@ pub(super) struct Looks {
 
 /// The properties that make a look different.
 #[derive(Debug, PartialEq, Hash)]
-struct Look {
+struct MaterialKey {
     /// The bits of linear red, green, blue, opacity, metallic, roughness, emissive red, green, blue.
     numbers: [u32; 9],
     alpha: Alpha,
@@ -70,7 +70,7 @@ impl Looks {
         };
         let (textures, written) = textures(material, sets, alpha == Alpha::Opaque, numbers[4]);
         let double_sided = material.double_sided.unwrap_or(true);
-        let look = self.looks.index(Look { numbers: numbers.map(f32::to_bits), alpha, double_sided, textures });
+        let look = self.looks.index(MaterialKey { numbers: numbers.map(f32::to_bits), alpha, double_sided, textures });
         if look == self.names.len() {
             let name = material.name.as_ref().map_or_else(|| format!("#{}", hex(&color)), |name| name.to_string());
             self.names.push(name);

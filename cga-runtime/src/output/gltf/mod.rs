@@ -36,7 +36,7 @@ use glam::{DAffine3, DVec3};
 
 use self::assets::AssetList;
 use self::look::Looks;
-use self::parts::{Instance, RepeatedParts};
+use self::parts::{MeshInstance, RepeatedParts};
 use self::primitive::{INDEX_BYTES, Primitive, Primitives, UV_BYTES, VERTEX_BYTES};
 use super::error::WriteError;
 use super::flatten::Flattener;
@@ -48,7 +48,7 @@ use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::uv_map::{self, SetMap};
 use crate::material::layer::SetMask;
 use crate::output::model::Model;
-use crate::run::sink::corners::{Placed, four};
+use crate::run::sink::corners::{PlacedBox, four};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
 
@@ -70,7 +70,7 @@ pub struct Glb {
 }
 
 /// A glTF mesh at several places.
-struct Shared {
+struct SharedMesh {
     primitives: Vec<Primitive>,
     places: Instances,
 }
@@ -79,7 +79,7 @@ enum Instances {
     /// A node for each place.
     Nodes(Vec<DAffine3>),
     /// One node for all places.
-    Instances(Vec<Instance>),
+    Instances(Vec<MeshInstance>),
 }
 
 /// The largest 32-bit length of the format, less room for the description.
@@ -192,7 +192,7 @@ impl Sink for Glb {
             return leaf.pass_to(self);
         }
         let shape = leaf.shape;
-        let placed = Placed::of(shape).moved(-four(self.origin));
+        let placed = PlacedBox::of(shape).moved(-four(self.origin));
         match shape.form {
             Form::Rect(Axis::Z) => {
                 let (rule, material) = self.numbers.filled(leaf);
@@ -232,7 +232,7 @@ impl Sink for Glb {
 
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
-        let placed = Placed::from(quad).moved(-four(self.origin));
+        let placed = PlacedBox::from(quad).moved(-four(self.origin));
         let primitive = self.primitive(material, leaf.uvs());
         primitive.quad(rule, placed, normals::of_quad(leaf, quad));
         primitive.uvs(leaf.uvs(), quad.corners().into_iter());
@@ -241,7 +241,7 @@ impl Sink for Glb {
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
-        let placed = Placed::from(cuboid).moved(-four(self.origin));
+        let placed = PlacedBox::from(cuboid).moved(-four(self.origin));
         let primitive = self.primitive(material, leaf.uvs());
         primitive.cuboid(rule, &placed, cuboid.unit, &normals::of_cuboid(leaf, cuboid));
         primitive.uvs(leaf.uvs(), cuboid.face_corners());

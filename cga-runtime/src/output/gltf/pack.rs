@@ -4,14 +4,14 @@ use std::fmt::Write as _;
 
 use glam::{DVec3, Vec3, Vec4};
 
-use super::binary::{Binary, Word, container, text};
+use super::binary::{BinaryChunk, FourBytes, container, text};
 use super::images::Images;
 use super::json::joined;
-use super::parts::Instance;
+use super::parts::MeshInstance;
 use super::primitive::Primitive;
 use super::streams::write_floats;
 use super::textures::LookTexture;
-use super::{Glb, Instances, Shared, check_size};
+use super::{Glb, Instances, SharedMesh, check_size};
 use crate::output::buffers::Vertex;
 use crate::output::error::WriteError;
 use crate::output::number::list;
@@ -21,17 +21,17 @@ const U32: u32 = 5125;
 const F32: u32 = 5126;
 
 /// The items of a stream: their type, the type of their components, and their bytes.
-struct Layout {
+struct VertexLayout {
     kind: &'static str,
     component: u32,
     bytes: usize,
 }
 
-const INDEX: Layout = Layout { kind: "SCALAR", component: U32, bytes: 4 };
-const RULE: Layout = Layout { kind: "SCALAR", component: F32, bytes: 4 };
-const UV: Layout = Layout { kind: "VEC2", component: F32, bytes: 8 };
-const POINT: Layout = Layout { kind: "VEC3", component: F32, bytes: 12 };
-const TANGENT: Layout = Layout { kind: "VEC4", component: F32, bytes: 16 };
+const INDEX: VertexLayout = VertexLayout { kind: "SCALAR", component: U32, bytes: 4 };
+const RULE: VertexLayout = VertexLayout { kind: "SCALAR", component: F32, bytes: 4 };
+const UV: VertexLayout = VertexLayout { kind: "VEC2", component: F32, bytes: 8 };
+const POINT: VertexLayout = VertexLayout { kind: "VEC3", component: F32, bytes: 12 };
+const TANGENT: VertexLayout = VertexLayout { kind: "VEC4", component: F32, bytes: 16 };
 
 /// The accessors of one primitive.
 struct Accessors {
@@ -44,11 +44,11 @@ struct Accessors {
     tangent: Option<usize>,
 }
 
-pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[Shared]) -> Result<Vec<u8>, WriteError> {
+pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[SharedMesh]) -> Result<Vec<u8>, WriteError> {
     let main = Some(main).filter(|primitives| !primitives.is_empty());
     let meshes: Vec<&[Primitive]> = main.into_iter().chain(shared.iter().map(|s| &s.primitives[..])).collect();
     let flat: Vec<&Primitive> = meshes.iter().copied().flatten().collect();
-    let mut binary = Binary::default();
+    let mut binary = BinaryChunk::default();
     let images = Images::of(glb.looks.textures(), glb.files.as_deref(), glb.references_images);
     let mut accessors = binary.primitives(&flat)?;
     for (primitive, accessors) in flat.iter().copied().zip(&mut accessors) {
@@ -67,7 +67,7 @@ pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[Shared]) -> Result<V
     let mut json = String::from("{\"asset\":{\"generator\":\"cga\",\"version\":\"2.0\"},");
     if flat.is_empty() {
         json.push_str("\"scene\":0,\"scenes\":[{}]}");
-        return container(&json, &Binary::default());
+        return container(&json, &BinaryChunk::default());
     }
     let rules = glb.numbers.table.rules();
     let has_transforms = glb.looks.textures().any(LookTexture::is_transformed);
@@ -92,7 +92,13 @@ pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[Shared]) -> Result<V
 }
 
 /// Writes the rule names: a string table with one row for each rule.
-fn write_rules(json: &mut String, binary: &mut Binary<'_>, rules: &[&str], has_transforms: bool, has_instances: bool) {
+fn write_rules(
+    json: &mut String,
+    binary: &mut BinaryChunk<'_>,
+    rules: &[&str],
+    has_transforms: bool,
+    has_instances: bool,
+) {
     let mut offsets = vec![0u32];
     let mut names = Vec::new();
     for rule in rules {
@@ -117,7 +123,7 @@ fn write_rules(json: &mut String, binary: &mut Binary<'_>, rules: &[&str], has_t
 }
 
 /// Writes the nodes. The first node contains all others, so that one translation moves everything.
-fn write_nodes(json: &mut String, origin: DVec3, has_main: bool, shared: &[Shared], places: &[[usize; 2]]) {
+fn write_nodes(json: &mut String, origin: DVec3, has_main: bool, shared: &[SharedMesh], places: &[[usize; 2]]) {
     let moved = match origin {
         DVec3::ZERO => String::new(),
         origin => format!(",\"translation\":[{}]", list(&origin.to_array())),
@@ -161,7 +167,7 @@ fn primitive(primitive: &Primitive, at: &Accessors, rules: usize) -> String {
     )
 }
 
-impl<'a> Binary<'a> {
+impl<'a> BinaryChunk<'a> {
     /// Adds one view for each stream of all primitives together, and accessors for each primitive.
     fn primitives(&mut self, primitives: &[&'a Primitive]) -> Result<Vec<Accessors>, WriteError> {
         if primitives.is_empty() {
@@ -194,13 +200,13 @@ impl<'a> Binary<'a> {
     /// the accessors. Returns the number of the first accessor.
     fn stream<T: 'a>(
         &mut self,
-        layout: &Layout,
+        layout: &VertexLayout,
         parts: &[&'a T],
         count: impl Fn(&T) -> usize,
         more: &[String],
-        write: impl Fn(&T, &mut Vec<Word>) + 'a,
+        write: impl Fn(&T, &mut Vec<FourBytes>) + 'a,
     ) -> usize {
-        let Layout { kind, component, bytes } = *layout;
+        let VertexLayout { kind, component, bytes } = *layout;
         let usage = match component {
             U32 => ",\"target\":34963".to_owned(),
             _ => format!(",\"byteStride\":{bytes},\"target\":34962"),
@@ -217,12 +223,12 @@ impl<'a> Binary<'a> {
     }
 
     /// The accessors of the translations and the rotations of instances, for each mesh with instances.
-    fn places(&mut self, shared: &'a [Shared]) -> Vec<[usize; 2]> {
+    fn places(&mut self, shared: &'a [SharedMesh]) -> Vec<[usize; 2]> {
         let lists = shared.iter().filter_map(|mesh| match &mesh.places {
             Instances::Instances(places) => Some(&places[..]),
             Instances::Nodes(_) => None,
         });
-        let lists: Vec<&[Instance]> = lists.collect();
+        let lists: Vec<&[MeshInstance]> = lists.collect();
         let count = lists.iter().map(|list| list.len()).sum::<usize>();
         if count == 0 {
             return Vec::new();

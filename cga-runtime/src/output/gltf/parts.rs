@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use glam::{DAffine3, DQuat, DVec3};
 
 use super::primitive::Primitive;
-use super::{Glb, Instances, Shared};
+use super::{Glb, Instances, SharedMesh};
 use crate::material::layer::SetMask;
 use crate::output::interner::Interner;
 use crate::run::sink::{Flow, PartId, Replay};
@@ -18,25 +18,25 @@ use crate::run::sink::{Flow, PartId, Replay};
 pub(super) struct RepeatedParts {
     parts: Interner<Vec<Primitive>>,
     /// The first place of each part, and all its places.
-    places: Vec<(DAffine3, Vec<Instance>)>,
+    places: Vec<(DAffine3, Vec<MeshInstance>)>,
     /// The parts of the current run. Only for look-ups, never iterated.
     by_id: HashMap<PartId, usize>,
 }
 
 /// A place of an instance, relative to the origin of the file.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Instance {
+pub(super) struct MeshInstance {
     pub(super) translation: [f32; 3],
     /// A unit quaternion.
     pub(super) rotation: [f32; 4],
 }
 
 /// The bytes of a place.
-const PLACE_BYTES: u64 = size_of::<Instance>() as u64;
+const PLACE_BYTES: u64 = size_of::<MeshInstance>() as u64;
 
-impl Instance {
+impl MeshInstance {
     fn new(placement: &DAffine3, origin: DVec3) -> Self {
-        Instance {
+        MeshInstance {
             translation: (placement.translation - origin).to_array().map(|c| c as f32),
             rotation: DQuat::from_mat3(&placement.matrix3).normalize().to_array().map(|c| c as f32),
         }
@@ -70,7 +70,7 @@ impl Glb {
                 number
             }
         };
-        parts.places[number].1.push(Instance::new(&placement, self.origin));
+        parts.places[number].1.push(MeshInstance::new(&placement, self.origin));
         self.add_bytes(PLACE_BYTES)
     }
 
@@ -85,11 +85,11 @@ impl Glb {
     }
 
     /// Turns parts at several places into separate meshes; the others join the rest.
-    pub(super) fn place_parts(&mut self, parts: RepeatedParts) -> Vec<Shared> {
+    pub(super) fn place_parts(&mut self, parts: RepeatedParts) -> Vec<SharedMesh> {
         let mut shared = Vec::new();
         for (primitives, (first, places)) in parts.parts.list.into_iter().zip(parts.places) {
             if 2 <= places.len() {
-                shared.push(Shared { primitives, places: Instances::Instances(places) });
+                shared.push(SharedMesh { primitives, places: Instances::Instances(places) });
                 continue;
             }
             for primitive in &primitives {

@@ -12,10 +12,10 @@ use crate::geometry::uv_map::{self, SetMap};
 use crate::material::layer::SetMask;
 use crate::output::buffers::Vertex;
 use crate::output::flatten::FlatFace;
-use crate::output::table::Table;
+use crate::output::sink_table::SinkTable;
 use crate::output::triangles::{Triangles, marked, vertex, write_box, write_quad};
 use crate::run::sink::Replay;
-use crate::run::sink::corners::Placed;
+use crate::run::sink::corners::PlacedBox;
 use crate::shape::base::Form;
 use crate::shape::unit::UnitMesh;
 
@@ -52,7 +52,7 @@ pub(super) const UV_BYTES: u64 = 8;
 impl Primitives {
     /// The primitive for a material without texture coordinates.
     #[inline]
-    pub(super) fn plain(&mut self, looks: &mut Looks, table: &Table, material: u32) -> &mut Primitive {
+    pub(super) fn plain(&mut self, looks: &mut Looks, table: &SinkTable, material: u32) -> &mut Primitive {
         let index = match self.plain.get(material as usize) {
             Some(&Some(index)) => index as usize,
             _ => self.find_plain(looks, table, material),
@@ -61,14 +61,14 @@ impl Primitives {
     }
 
     /// The primitive for a material on a mesh with the sets `sets`.
-    pub(super) fn of(&mut self, looks: &mut Looks, table: &Table, material: u32, sets: SetMask) -> &mut Primitive {
+    pub(super) fn of(&mut self, looks: &mut Looks, table: &SinkTable, material: u32, sets: SetMask) -> &mut Primitive {
         let index = self.find(looks, table, material, sets);
         &mut self.list[index]
     }
 
     #[cold]
     #[inline(never)]
-    fn find_plain(&mut self, looks: &mut Looks, table: &Table, material: u32) -> usize {
+    fn find_plain(&mut self, looks: &mut Looks, table: &SinkTable, material: u32) -> usize {
         let index = self.find(looks, table, material, SetMask::default());
         let at = material as usize;
         self.plain.resize(self.plain.len().max(at + 1), None);
@@ -76,7 +76,7 @@ impl Primitives {
         index
     }
 
-    fn find(&mut self, looks: &mut Looks, table: &Table, material: u32, sets: SetMask) -> usize {
+    fn find(&mut self, looks: &mut Looks, table: &SinkTable, material: u32, sets: SetMask) -> usize {
         let (look, sets) = looks.of(material, &table.materials()[material as usize], sets);
         self.with_look(look, sets)
     }
@@ -144,13 +144,13 @@ impl Primitive {
     }
 
     /// Adds a rectangle.
-    pub(super) fn quad(&mut self, rule: u32, placed: Placed, normal: Vec4) {
+    pub(super) fn quad(&mut self, rule: u32, placed: PlacedBox, normal: Vec4) {
         self.begin(rule);
         self.triangles.quad(placed, normal);
     }
 
     /// Adds a box; `normals` are the normals of its sides.
-    pub(super) fn cuboid(&mut self, rule: u32, placed: &Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
+    pub(super) fn cuboid(&mut self, rule: u32, placed: &PlacedBox, unit: UnitMesh, normals: &[Vec4; 6]) {
         self.begin(rule);
         self.triangles.cuboid(placed, unit, normals);
     }
@@ -179,7 +179,7 @@ impl Primitive {
                 }
             } else if let [to] = own {
                 let normal = axes.normals[0];
-                write_quad(to, &Placed { origin: marked(placed.origin, normal), ..placed }, normal);
+                write_quad(to, &PlacedBox { origin: marked(placed.origin, normal), ..placed }, normal);
             }
         }
     }

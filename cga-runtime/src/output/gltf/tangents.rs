@@ -2,14 +2,14 @@
 
 use glam::{Vec2, Vec3};
 
-use super::binary::Word;
+use super::binary::FourBytes;
 use super::primitive::Primitive;
 use super::textures::NormalSpace;
 
 impl Primitive {
     /// Writes the direction of growing u on the surface at each vertex, and the side of growing v. A vertex belongs
     /// to one face, so the triangles around it are nearly always in one plane.
-    pub(super) fn write_tangents(&self, space: &NormalSpace, to: &mut Vec<Word>) {
+    pub(super) fn write_tangents(&self, space: &NormalSpace, to: &mut Vec<FourBytes>) {
         let Some(uvs) = self.uvs.get(space.list) else { return };
         let mut sums = vec![[Vec3::ZERO; 2]; self.vertices().len()];
         for triangle in self.indices().as_chunks::<3>().0 {

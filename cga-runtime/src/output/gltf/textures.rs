@@ -40,7 +40,7 @@ impl ImageKey {
 
 /// A map of the format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Role {
+pub(super) enum TextureRole {
     BaseColor,
     MetallicRoughness,
     Normal,
@@ -48,28 +48,28 @@ pub(super) enum Role {
     Emissive,
 }
 
-impl Role {
+impl TextureRole {
     /// The name of the member in a material.
     pub(super) fn name(self) -> &'static str {
         match self {
-            Role::BaseColor => "baseColorTexture",
-            Role::MetallicRoughness => "metallicRoughnessTexture",
-            Role::Normal => "normalTexture",
-            Role::Occlusion => "occlusionTexture",
-            Role::Emissive => "emissiveTexture",
+            TextureRole::BaseColor => "baseColorTexture",
+            TextureRole::MetallicRoughness => "metallicRoughnessTexture",
+            TextureRole::Normal => "normalTexture",
+            TextureRole::Occlusion => "occlusionTexture",
+            TextureRole::Emissive => "emissiveTexture",
         }
     }
 
     /// Returns true for the members of `pbrMetallicRoughness`.
     pub(super) fn is_pbr(self) -> bool {
-        matches!(self, Role::BaseColor | Role::MetallicRoughness)
+        matches!(self, TextureRole::BaseColor | TextureRole::MetallicRoughness)
     }
 }
 
 /// One texture of a look.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct LookTexture {
-    pub(super) role: Role,
+    pub(super) role: TextureRole,
     pub(super) image: ImageKey,
     /// The number of its set among the sets of the primitive.
     coordinates: usize,
@@ -112,11 +112,11 @@ pub(super) fn textures(
     };
     let single = |layer: Layer| shown(layer).map(|name| (layer, ImageKey::File(name)));
     let all = [
-        (Role::BaseColor, base),
-        (Role::MetallicRoughness, metal),
-        (Role::Normal, single(Layer::Normal)),
-        (Role::Occlusion, single(Layer::Occlusion)),
-        (Role::Emissive, single(Layer::Emissive)),
+        (TextureRole::BaseColor, base),
+        (TextureRole::MetallicRoughness, metal),
+        (TextureRole::Normal, single(Layer::Normal)),
+        (TextureRole::Occlusion, single(Layer::Occlusion)),
+        (TextureRole::Emissive, single(Layer::Emissive)),
     ];
     let all: Vec<_> =
         all.into_iter().filter_map(|(role, map)| map.map(|(layer, image)| (role, layer, image))).collect();
@@ -160,7 +160,7 @@ impl LookTexture {
             [Vec2::new(cos * su, -sin * sv), Vec2::new(sin * su, cos * sv)]
         };
         let rows = self.transform.map_or([Vec2::X, Vec2::Y], turn);
-        (self.role == Role::Normal).then_some(NormalSpace { list: self.coordinates, rows })
+        (self.role == TextureRole::Normal).then_some(NormalSpace { list: self.coordinates, rows })
     }
 
     /// Returns true if the texture needs `KHR_texture_transform`.

@@ -92,7 +92,7 @@ pub(crate) fn direction(azimuth: f64, elevation: f64) -> DVec3 {
 /// A camera for a picture of a certain size: maps between the world and pixels. The third coordinate of a projected
 /// point grows with nearness and is linear in the picture over any plane.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct View {
+pub(crate) struct Viewport {
     pub(crate) eye: DVec3,
     pub(crate) right: DVec3,
     pub(crate) up: DVec3,
@@ -106,20 +106,25 @@ pub(crate) struct View {
 /// The nearest visible distance, as a fraction of the distance to the middle of the model.
 const NEAR: f64 = 1e-3;
 
-impl View {
+impl Viewport {
     /// A view that shows all of the camera's bounds.
-    pub(crate) fn new(camera: &Camera, width: usize, height: usize) -> View {
+    pub(crate) fn new(camera: &Camera, width: usize, height: usize) -> Viewport {
         let Bounds { low, high } = camera.bounds;
         let corner = |i: usize| {
             let pick = |bit: usize, low: f64, high: f64| if i >> bit & 1 == 0 { low } else { high };
             DVec3::new(pick(0, low.x, high.x), pick(1, low.y, high.y), pick(2, low.z, high.z))
         };
-        View::around(camera, (0..8).map(corner), width, height)
+        Viewport::around(camera, (0..8).map(corner), width, height)
     }
 
     /// A view that shows all given points, which are within the camera's bounds. It is closer than the bounds require
     /// if possible.
-    pub(crate) fn around(camera: &Camera, points: impl Iterator<Item = DVec3>, width: usize, height: usize) -> View {
+    pub(crate) fn around(
+        camera: &Camera,
+        points: impl Iterator<Item = DVec3>,
+        width: usize,
+        height: usize,
+    ) -> Viewport {
         let bounds = match camera.bounds.low.cmple(camera.bounds.high).all() && camera.bounds.size().is_finite() {
             true => camera.bounds,
             false => Bounds { low: DVec3::splat(-1.0), high: DVec3::ONE },
@@ -160,7 +165,7 @@ impl View {
         };
         let eye = right * at.x + up * at.y + forward * at.z;
         let perspective = matches!(camera.projection, Projection::Perspective(_));
-        View { eye, right, up, forward, perspective, scale, centre: (0.5 * w, 0.5 * h) }
+        Viewport { eye, right, up, forward, perspective, scale, centre: (0.5 * w, 0.5 * h) }
     }
 
     /// The distance along the view.

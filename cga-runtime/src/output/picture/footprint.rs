@@ -6,10 +6,10 @@
 
 use glam::{DVec2, DVec3};
 
-use super::camera::View;
+use super::camera::Viewport;
 use super::scene::{Paint, Scene, Triangle};
-use super::texel::{Alpha, Corners, PLAIN};
-use super::texture::Texture;
+use super::texel::{Alpha, CornerUvs, PLAIN};
+use super::texture::{Texel, Texture};
 
 /// The part of a surface that a sample shows.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +21,7 @@ struct Footprint {
 }
 
 impl Footprint {
-    fn of(triangle: &Triangle, view: &View, [x, y]: [f64; 2], point: DVec3) -> Self {
+    fn of(triangle: &Triangle, view: &Viewport, [x, y]: [f64; 2], point: DVec3) -> Self {
         let [a, b, c] = triangle.corners();
         let normal = triangle.normal();
         let (e, f) = (b - a, c - a);
@@ -39,7 +39,7 @@ impl Footprint {
         Footprint { at: weights(point - a), sides: [beside(x + 1.0, y), beside(x, y + 1.0)] }
     }
 
-    fn sample(&self, texture: &Texture, corners: &Corners) -> [f32; 4] {
+    fn sample(&self, texture: &Texture, corners: &CornerUvs) -> Texel {
         let [a, b, c] = corners.map(|[u, v]| DVec2::new(u.into(), v.into()));
         let (e, f) = (b - a, c - a);
         let along = |weights: DVec2| e * weights.x + f * weights.y;
@@ -49,19 +49,18 @@ impl Footprint {
 
 impl Scene {
     /// The paint of a triangle at the point of a sample, with its images.
-    pub(super) fn paint_at(&self, triangle: &Triangle, view: &View, sample: [f64; 2], point: DVec3) -> Paint {
+    pub(super) fn paint_at(&self, triangle: &Triangle, view: &Viewport, sample: [f64; 2], point: DVec3) -> Paint {
         let mut paint = self.paints[triangle.paint as usize];
         let Some(corners) = self.textures.corners.get(triangle.uvs as usize) else { return paint };
         let footprint = Footprint::of(triangle, view, sample, point);
         if let (Some(map), Some(corners)) = (paint.maps.color, &corners[0]) {
-            let [r, g, b, _] = footprint.sample(&self.textures.list[map.texture as usize], corners);
-            paint.color = [paint.color[0] * r, paint.color[1] * g, paint.color[2] * b];
+            paint.color *= footprint.sample(&self.textures.list[map.texture as usize], corners).truncate();
         }
         if let (Some((map, alpha)), Some(corners)) = (paint.maps.opacity, &corners[1]) {
-            let [.., opacity] = footprint.sample(&self.textures.list[map.texture as usize], corners);
+            let opacity = paint.opacity * footprint.sample(&self.textures.list[map.texture as usize], corners).w;
             paint.opacity = match alpha {
-                Alpha::Blend => paint.opacity * opacity,
-                Alpha::Mask(cutoff) if paint.opacity * opacity < cutoff => 0.0,
+                Alpha::Blend => opacity,
+                Alpha::Mask(cutoff) if opacity < cutoff => 0.0,
                 Alpha::Mask(_) => 1.0,
             };
         }
@@ -73,7 +72,7 @@ impl Scene {
         let paint = &self.paints[triangle.paint as usize];
         match paint.maps.opacity {
             Some((map, _)) if triangle.uvs != PLAIN => {
-                paint.opacity * self.textures.list[map.texture as usize].mean()[3]
+                paint.opacity * self.textures.list[map.texture as usize].mean().w
             }
             _ => paint.opacity,
         }

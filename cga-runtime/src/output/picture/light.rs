@@ -6,10 +6,10 @@
 
 use glam::{DVec3, Vec3};
 
-use super::camera::{View, direction};
+use super::camera::{Viewport, direction};
 use super::raster;
 use super::scene::Scene;
-use super::visible::{GROUND, Layer, SKY};
+use super::visible::{GROUND, SKY, VisibilityBuffer};
 
 /// The samples along a side of a block, and the number of them with tests of their own.
 const BLOCK: usize = 4;
@@ -89,7 +89,7 @@ impl Lamp {
 }
 
 /// The texels along a side of the maps of the sun and of a lamp in the sky: about as fine as the picture.
-fn map_sizes(layer: &Layer) -> (usize, usize) {
+fn map_sizes(layer: &VisibilityBuffer) -> (usize, usize) {
     let side = layer.width.max(layer.height);
     (side.clamp(256, 2048), (side / 5).clamp(96, 384))
 }
@@ -116,7 +116,7 @@ fn sky_weight(up: f32) -> f32 {
 }
 
 /// The light on the surfaces visible in `layer`; `half` is half the size of the scene.
-pub(super) fn light(scene: &Scene, layer: &Layer, view: &View, half: DVec3, sun: DVec3) -> Light {
+pub(super) fn light(scene: &Scene, layer: &VisibilityBuffer, view: &Viewport, half: DVec3, sun: DVec3) -> Light {
     let mut raw = vec![Raw::default(); layer.seen.len()];
     // Thin glass casts no visible shadow.
     let casters: Vec<[Vec3; 3]> = scene
@@ -177,14 +177,14 @@ struct Raw {
 }
 
 #[derive(Default)]
-struct Sum {
+struct LightSum {
     count: u32,
     sun: u32,
     given: u32,
     possible: u32,
 }
 
-impl Sum {
+impl LightSum {
     #[inline]
     fn add(&mut self, told: Raw) {
         self.count += 1;
@@ -196,7 +196,12 @@ impl Sum {
 
 /// The visible point in a sample and the normal there, turned to the viewer.
 #[inline]
-pub(super) fn surface(scene: &Scene, layer: &Layer, view: &View, sample: usize) -> Option<(DVec3, DVec3)> {
+pub(super) fn surface(
+    scene: &Scene,
+    layer: &VisibilityBuffer,
+    view: &Viewport,
+    sample: usize,
+) -> Option<(DVec3, DVec3)> {
     let seen = layer.seen[sample];
     if seen == SKY {
         return None;
@@ -215,7 +220,7 @@ pub(super) fn surface(scene: &Scene, layer: &Layer, view: &View, sample: usize) 
 }
 
 /// Averages the light of a block of samples that belong to one surface.
-fn average(scene: &Scene, layer: &Layer, planes: &[u32], raw: &[Raw]) -> Light {
+fn average(scene: &Scene, layer: &VisibilityBuffer, planes: &[u32], raw: &[Raw]) -> Light {
     let (width, height) = (layer.width, layer.height);
     let count = layer.seen.len();
     let mut light = Light { sun: vec![1.0; count], sky: vec![1.0; count] };
@@ -231,22 +236,16 @@ fn average(scene: &Scene, layer: &Layer, planes: &[u32], raw: &[Raw]) -> Light {
             }
             let left = x.saturating_sub(BLOCK / 2).min(width - BLOCK);
             let plane = planes[sample];
-            let mut sum = Sum::default();
-            for row in top..top + BLOCK {
-                for near in (row * width + left + (row + left) % 2..).step_by(2).take(BLOCK / 2) {
-                    if planes[near] == plane || alike(scene, layer, sample, near) {
-                        sum.add(raw[near]);
-                    }
-                }
-            }
+            let mut sum = LightSum::default();
+            let tested = || {
+                let row = |row| (row * width + left + (row + left) % 2..).step_by(2).take(BLOCK / 2);
+                (top..top + BLOCK).flat_map(row)
+            };
+            let is_alike = |near: &usize| planes[*near] == plane || alike(scene, layer, sample, *near);
+            tested().filter(is_alike).for_each(|near| sum.add(raw[near]));
             if sum.count == 0 {
                 // A surface so thin that none of its samples has a test.
-                for row in top..top + BLOCK {
-                    (row * width + left + (row + left) % 2..)
-                        .step_by(2)
-                        .take(BLOCK / 2)
-                        .for_each(|near| sum.add(raw[near]));
-                }
+                tested().for_each(|near| sum.add(raw[near]));
             }
             light.sun[sample] = sum.sun as f32 / (255 * sum.count) as f32;
             light.sky[sample] = if sum.possible == 0 { 1.0 } else { sum.given as f32 / sum.possible as f32 };
@@ -257,7 +256,7 @@ fn average(scene: &Scene, layer: &Layer, planes: &[u32], raw: &[Raw]) -> Light {
 
 /// Smooths the sky's light within each plane, along rows and then columns. This removes the edges of the faint
 /// shadows of single lamps.
-fn smooth(layer: &Layer, planes: &[u32], sky: &mut [f32]) {
+fn smooth(layer: &VisibilityBuffer, planes: &[u32], sky: &mut [f32]) {
     let (width, height) = (layer.width, layer.height);
     let radius = height / 120;
     let mut sums = Vec::new();
@@ -303,7 +302,7 @@ fn smooth_line(
 
 /// Returns true if two samples in different planes still belong to one smooth surface.
 #[inline]
-fn alike(scene: &Scene, layer: &Layer, a: usize, b: usize) -> bool {
+fn alike(scene: &Scene, layer: &VisibilityBuffer, a: usize, b: usize) -> bool {
     if !scene.round {
         return false;
     }

@@ -6,29 +6,28 @@
 use glam::DVec3;
 
 use super::scene::Scene;
-use super::visible::{GROUND, Layer, SKY};
+use super::visible::{GROUND, SKY, VisibilityBuffer};
 
 /// The strength of the line at each sample, 0 to 1.
-pub(super) fn lines(scene: &Scene, layer: &Layer, leaves: bool) -> Vec<f32> {
+pub(super) fn lines(scene: &Scene, layer: &VisibilityBuffer, leaves: bool) -> Vec<f32> {
     let (width, height) = (layer.width, layer.height);
     let mut dark = vec![0.0f32; width * height];
     let planes = layer.planes(scene);
     for y in 0..height {
         for x in 0..width {
             let a = y * width + x;
-            for (b, before, after) in
-                [(a + 1, x.checked_sub(1).map(|_| a - 1), a + 2), (a + width, a.checked_sub(width), a + 2 * width)]
-            {
-                let across = b == a + 1;
-                if (across && width <= x + 1) || (!across && height <= y + 1) || layer.seen[a] == layer.seen[b] {
+            // The sample to the right and the one below.
+            for (step, at, count) in [(1, x, width), (width, y, height)] {
+                let b = a + step;
+                if count <= at + 1 || layer.seen[a] == layer.seen[b] {
                     continue;
                 }
                 let strength = match planes[a] == planes[b] {
                     true if leaves && leaf(scene, layer.seen[a]) != leaf(scene, layer.seen[b]) => 0.5,
                     true => continue,
                     false => {
-                        let after =
-                            if across { (x + 2 < width).then_some(after) } else { (y + 2 < height).then_some(after) };
+                        let (before, after) = (a.checked_sub(step), b + step);
+                        let (before, after) = (before.filter(|_| 0 < at), (at + 2 < count).then_some(after));
                         strength(scene, layer, a, b, before, after)
                     }
                 };
@@ -55,7 +54,14 @@ fn normal(scene: &Scene, seen: u32) -> Option<DVec3> {
     }
 }
 
-fn strength(scene: &Scene, layer: &Layer, a: usize, b: usize, before: Option<usize>, after: Option<usize>) -> f32 {
+fn strength(
+    scene: &Scene,
+    layer: &VisibilityBuffer,
+    a: usize,
+    b: usize,
+    before: Option<usize>,
+    after: Option<usize>,
+) -> f32 {
     let (Some(na), Some(nb)) = (normal(scene, layer.seen[a]), normal(scene, layer.seen[b])) else { return 1.0 };
     // A step: neither surface, extended, meets the other.
     let (qa, qb) = (layer.near[a], layer.near[b]);

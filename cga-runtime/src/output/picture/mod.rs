@@ -33,9 +33,9 @@ mod visible;
 pub use crate::asset::image::Image;
 pub use camera::{Camera, Projection, Viewpoint};
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
-use self::camera::{View, direction};
+use self::camera::{Viewport, direction};
 use self::gamma::Gamma;
 use self::scene::Scene;
 use self::shade::{Shader, display};
@@ -162,8 +162,8 @@ impl Picture {
         let local = Bounds { low: moved(camera.bounds.low), high: moved(camera.bounds.high) };
         let camera = Camera { bounds: local, ..camera };
         let view = match self.view {
-            Viewpoint::Camera(_) => View::new(&camera, width, height),
-            _ => View::around(&camera, scene.triangles.iter().flat_map(|t| t.corners()), width, height),
+            Viewpoint::Camera(_) => Viewport::new(&camera, width, height),
+            _ => Viewport::around(&camera, scene.triangles.iter().flat_map(|t| t.corners()), width, height),
         };
         let sun = direction(camera.azimuth + self.sun_azimuth, self.sun_elevation);
 
@@ -182,7 +182,7 @@ impl Picture {
         let color = |sample: usize| {
             let mut color = shader.opaque(&layer, &light, sample);
             if let Some(&dark) = dark.get(sample) {
-                color = shade::mix(color, self.style.line, dark * self.style.line_opacity);
+                color = shade::mix(color, self.style.line.into(), dark * self.style.line_opacity);
             }
             if let Some(clear) = &clear {
                 color = shader.clear(clear, &light, sample, color);
@@ -193,19 +193,14 @@ impl Picture {
     }
 
     /// Averages samples to pixels, in linear light.
-    fn filtered(&self, width: usize, samples: usize, color: impl Fn(usize) -> [f32; 3]) -> Image {
+    fn filtered(&self, width: usize, samples: usize, color: impl Fn(usize) -> Vec3) -> Image {
         let mut image = Image::filled(self.width, self.height, [0, 0, 0, 255]);
         let gamma = Gamma::new();
         let share = 1.0 / (samples * samples) as f32;
         for (at, pixel) in image.rgba.chunks_exact_mut(4).enumerate() {
             let (x, y) = (at % self.width * samples, at / self.width * samples);
-            let mut sum = [0.0; 3];
-            for row in 0..samples {
-                for column in 0..samples {
-                    let color = color((y + row) * width + x + column);
-                    (0..3).for_each(|i| sum[i] += color[i]);
-                }
-            }
+            let row = |row: usize| (0..samples).map(move |column| (y + row) * width + x + column);
+            let sum: Vec3 = (0..samples).flat_map(row).map(&color).sum();
             (0..3).for_each(|i| pixel[i] = gamma.byte(sum[i] * share));
         }
         image

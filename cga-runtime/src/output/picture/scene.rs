@@ -14,7 +14,7 @@ use crate::material::Material;
 use crate::material::layer::SetMask;
 use crate::output::flatten::{Flattener, unit};
 use crate::output::number::{linear, share};
-use crate::output::table::Table;
+use crate::output::sink_table::SinkTable;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 
 /// A triangle, its coordinates relative to [`Scene::centre`].
@@ -38,7 +38,7 @@ const FLAT: u32 = u32::MAX;
 /// The numbers of a material; colours are linear light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Paint {
-    pub(super) color: [f32; 3],
+    pub(super) color: Vec3,
     pub(super) opacity: f32,
     pub(super) metallic: f32,
     pub(super) gloss: f32,
@@ -54,7 +54,7 @@ pub(super) struct Scene {
     /// True if facets may represent round surfaces.
     pub(super) round: bool,
     smooth: Vec<[Vec3; 3]>,
-    table: Table,
+    table: SinkTable,
     /// Only for look-ups, never iterated.
     planes: HashMap<[i64; 4], u32>,
     /// Coordinates closer than this belong to one plane.
@@ -163,7 +163,7 @@ impl Scene {
 fn paint(material: &Material, maps: Maps) -> Paint {
     let color = material.color();
     Paint {
-        color: [color.r, color.g, color.b].map(|c| linear(c) as f32),
+        color: Vec3::from_array([color.r, color.g, color.b].map(|c| linear(c) as f32)),
         opacity: share(material.opacity, 1.0) as f32,
         metallic: share(material.metallic, 0.0) as f32,
         gloss: 1.0 - share(material.roughness, 1.0) as f32,

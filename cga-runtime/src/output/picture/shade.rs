@@ -1,20 +1,17 @@
 //! Colours from light and surface.
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 use super::Style;
-use super::camera::View;
+use super::camera::Viewport;
 use super::light::{Light, surface};
 use super::scene::{Paint, Scene};
-use super::visible::{GROUND, Layer, SKY};
-
-/// Linear red, green, blue.
-pub(super) type Rgb = [f32; 3];
+use super::visible::{GROUND, SKY, VisibilityBuffer};
 
 /// The data that colours depend on.
 pub(super) struct Shader<'a> {
     pub(super) scene: &'a Scene,
-    pub(super) view: &'a View,
+    pub(super) view: &'a Viewport,
     pub(super) style: &'a Style,
     /// The direction to the sun.
     pub(super) sun: DVec3,
@@ -23,16 +20,8 @@ pub(super) struct Shader<'a> {
     pub(super) ground: f64,
 }
 
-pub(super) fn mix(a: Rgb, b: Rgb, share: f32) -> Rgb {
-    [0, 1, 2].map(|i| a[i] + (b[i] - a[i]) * share)
-}
-
-fn times(a: Rgb, b: Rgb) -> Rgb {
-    [0, 1, 2].map(|i| a[i] * b[i])
-}
-
-fn plus(a: Rgb, b: Rgb, share: f32) -> Rgb {
-    [0, 1, 2].map(|i| a[i] + b[i] * share)
+pub(super) fn mix(a: Vec3, b: Vec3, share: f32) -> Vec3 {
+    a + (b - a) * share
 }
 
 fn smooth(low: f64, high: f64, value: f64) -> f32 {
@@ -47,12 +36,13 @@ fn deepened(sky: f32) -> f32 {
 
 impl Shader<'_> {
     /// The backdrop at a height in the picture, 0 at the top and 1 at the bottom.
-    pub(super) fn backdrop(&self, down: f64) -> Rgb {
-        mix(self.style.backdrop[0], self.style.backdrop[1], smooth(0.0, 0.85, down))
+    pub(super) fn backdrop(&self, down: f64) -> Vec3 {
+        let [top, bottom] = self.style.backdrop.map(Vec3::from);
+        mix(top, bottom, smooth(0.0, 0.85, down))
     }
 
     /// The colour of a sample of the opaque layer.
-    pub(super) fn opaque(&self, layer: &Layer, light: &Light, sample: usize) -> Rgb {
+    pub(super) fn opaque(&self, layer: &VisibilityBuffer, light: &Light, sample: usize) -> Vec3 {
         let down = (sample / layer.width) as f64 / layer.height as f64;
         let backdrop = self.backdrop(down);
         let Some((point, normal)) = surface(self.scene, layer, self.view, sample) else { return backdrop };
@@ -68,7 +58,7 @@ impl Shader<'_> {
     }
 
     /// The colour of a sample of the transparent layer over the colour behind it.
-    pub(super) fn clear(&self, layer: &Layer, light: &Light, sample: usize, behind: Rgb) -> Rgb {
+    pub(super) fn clear(&self, layer: &VisibilityBuffer, light: &Light, sample: usize, behind: Vec3) -> Vec3 {
         let Some((point, normal)) = surface(self.scene, layer, self.view, sample) else { return behind };
         let Some(triangle) = self.scene.triangles.get(layer.seen[sample] as usize) else { return behind };
         let paint = self.scene.paint_at(triangle, self.view, layer.place(sample), point);
@@ -83,19 +73,17 @@ impl Shader<'_> {
     }
 
     /// The colour of the ground: the backdrop, darker where less light falls. It has no edge and no horizon.
-    fn ground(&self, backdrop: Rgb, point: DVec3, sun: f32, sky: f32) -> Rgb {
+    fn ground(&self, backdrop: Vec3, point: DVec3, sun: f32, sky: f32) -> Vec3 {
         let style = self.style;
         let slope = self.sun.y as f32;
-        let full = [0, 1, 2].map(|i| style.sun[i] * slope + style.sky[i]);
-        let here = [0, 1, 2].map(|i| style.sun[i] * slope * sun + style.sky[i] * deepened(sky));
-        let shade = [0, 1, 2].map(|i| here[i] / full[i]);
+        let [sunlight, skylight] = [style.sun, style.sky].map(Vec3::from);
+        let shade = (sunlight * slope * sun + skylight * deepened(sky)) / (sunlight * slope + skylight);
         let flat = DVec3::new(point.x, 0.0, point.z).length();
         let far = smooth(2.5 * self.radius, 9.0 * self.radius, flat);
-        let ground = times(mix(style.ground, backdrop, 0.25 + 0.75 * far), [1.0; 3]);
-        times(ground, mix(shade, [1.0; 3], far))
+        mix(style.ground.into(), backdrop, 0.25 + 0.75 * far) * mix(shade, Vec3::ONE, far)
     }
 
-    fn lit(&self, paint: &Paint, point: DVec3, normal: DVec3, sun: f32, sky: f32) -> Rgb {
+    fn lit(&self, paint: &Paint, point: DVec3, normal: DVec3, sun: f32, sky: f32) -> Vec3 {
         let style = self.style;
         let sun_share = normal.dot(self.sun).max(0.0) as f32 * sun;
         let up = (0.5 + 0.5 * normal.y) as f32;
@@ -103,25 +91,22 @@ impl Shader<'_> {
         let height = (point.y - self.ground).max(0.0) / self.radius.max(1e-9);
         let bounce = (1.0 - up) * (1.0 - 0.35 * smooth(0.0, 2.0, height));
         let open = deepened(sky);
-        let mut arriving = [0.0; 3];
-        for (i, arriving) in arriving.iter_mut().enumerate() {
-            // White surroundings brighten each other's shade, and brighter surfaces more so.
-            let brighter = open + (1.0 - open) * 0.35 * paint.color[i] * open;
-            *arriving = style.sun[i] * sun_share + style.sky[i] * up * brighter + style.bounce[i] * bounce * brighter;
-        }
-        let diffuse = times(paint.color, arriving).map(|c| c * style.albedo * (1.0 - paint.metallic));
+        // White surroundings brighten each other's shade, and brighter surfaces more so.
+        let brighter = open + (1.0 - open) * 0.35 * paint.color * open;
+        let [sunlight, skylight, bounced] = [style.sun, style.sky, style.bounce].map(Vec3::from);
+        let arriving = sunlight * sun_share + skylight * up * brighter + bounced * bounce * brighter;
+        let diffuse = paint.color * arriving * style.albedo * (1.0 - paint.metallic);
         let (mirror, share) = self.reflection(paint, point, normal);
         if share == 0.0 {
             return diffuse;
         }
-        let tint = mix([1.0; 3], paint.color, paint.metallic);
-        plus(diffuse, times(mirror, tint), share * (0.35 + 0.65 * sky))
+        diffuse + mirror * mix(Vec3::ONE, paint.color, paint.metallic) * (share * (0.35 + 0.65 * sky))
     }
 
     /// The mirrored colour of a surface and its share.
-    fn reflection(&self, paint: &Paint, point: DVec3, normal: DVec3) -> (Rgb, f32) {
+    fn reflection(&self, paint: &Paint, point: DVec3, normal: DVec3) -> (Vec3, f32) {
         if paint.gloss == 0.0 && paint.metallic == 0.0 {
-            return ([0.0; 3], 0.0);
+            return (Vec3::ZERO, 0.0);
         }
         let look = (point - self.view.eye).normalize();
         let facing = (-look.dot(normal)).clamp(0.0, 1.0) as f32;
@@ -129,17 +114,17 @@ impl Shader<'_> {
         let grazing = (1.0 - facing) * (1.0 - facing);
         let fresnel = base + (1.0 - base) * grazing * grazing * (1.0 - facing);
         let out = look - normal * (2.0 * look.dot(normal));
-        let style = self.style;
+        let [top, bottom] = self.style.backdrop.map(Vec3::from);
         let mirror = match out.y {
-            y if 0.0 <= y => mix(style.backdrop[1], style.backdrop[0], smooth(0.0, 0.6, y)),
-            y => mix(style.backdrop[1], style.ground, smooth(0.0, 0.15, -y) * 0.7),
+            y if 0.0 <= y => mix(bottom, top, smooth(0.0, 0.6, y)),
+            y => mix(bottom, self.style.ground.into(), smooth(0.0, 0.15, -y) * 0.7),
         };
         (mirror, fresnel * paint.gloss.max(0.3 * paint.metallic))
     }
 }
 
 /// Compresses bright linear light, so that bright surfaces keep their colour.
-pub(super) fn display(color: Rgb) -> [f32; 3] {
+pub(super) fn display(color: Vec3) -> Vec3 {
     color.map(|c| {
         let knee = 0.8;
         if c <= knee { c } else { knee + (1.0 - knee) * (1.0 - libm::expf((knee - c) / (1.0 - knee))) }

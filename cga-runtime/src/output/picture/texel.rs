@@ -21,11 +21,11 @@ pub(super) struct Textures {
     /// The textures by name and use, colour or opacity. Only for look-ups, never iterated.
     by_name: HashMap<(Text, bool), Option<u32>>,
     /// The places of triangles' corners in images.
-    pub(super) corners: Vec<[Option<Corners>; 2]>,
+    pub(super) corners: Vec<[Option<CornerUvs>; 2]>,
 }
 
 /// The places of a triangle's corners in an image, moved near 0, as an image repeats.
-pub(super) type Corners = [[f32; 2]; 3];
+pub(super) type CornerUvs = [[f32; 2]; 3];
 
 /// The mark of a triangle without texture coordinates.
 pub(super) const PLAIN: u32 = u32::MAX;

@@ -1,6 +1,6 @@
 //! Images on surfaces: smaller copies of each, and interpolation between pixels.
 
-use glam::DVec2;
+use glam::{DVec2, Vec4};
 
 use super::Image;
 use super::gamma::Gamma;
@@ -13,7 +13,7 @@ pub(super) struct Texture {
 }
 
 /// A texel: linear red, green and blue, and opacity.
-pub(super) type Texel = [f32; 4];
+pub(super) type Texel = Vec4;
 
 /// The largest number of places that are averaged along the longer side of a sample's part of an image.
 const MOST_TAPS: f64 = 16.0;
@@ -27,7 +27,7 @@ fn table() -> &'static [f32; 256] {
 fn texel(pixel: [u8; 4]) -> Texel {
     let [r, g, b, a] = pixel;
     let table = table();
-    [table[r as usize], table[g as usize], table[b as usize], f32::from(a) / 255.0]
+    Vec4::new(table[r as usize], table[g as usize], table[b as usize], f32::from(a) / 255.0)
 }
 
 impl Texture {
@@ -46,7 +46,7 @@ impl Texture {
 
     /// The mean colour and opacity of the image.
     pub(super) fn mean(&self) -> Texel {
-        self.levels.last().and_then(|last| last.pixel(0, 0)).map_or([1.0; 4], texel)
+        self.levels.last().and_then(|last| last.pixel(0, 0)).map_or(Vec4::ONE, texel)
     }
 
     /// The mean colour of a parallelogram in the endlessly repeated image, given by its centre and two sides. v runs
@@ -65,13 +65,9 @@ impl Texture {
         let taps = (long / short.max(1.0)).ceil().clamp(1.0, MOST_TAPS);
         let level = (long / taps).max(short).max(1.0);
         let level = libm::log2(level);
-        let mut sum = [0.0; 4];
-        for tap in 0..taps as usize {
-            let place = at + long_side * ((tap as f64 + 0.5) / taps - 0.5);
-            let texel = self.between_levels(place, level);
-            (0..4).for_each(|i| sum[i] += texel[i]);
-        }
-        sum.map(|channel| channel / taps as f32)
+        let place = |tap: usize| at + long_side * ((tap as f64 + 0.5) / taps - 0.5);
+        let sum: Texel = (0..taps as usize).map(|tap| self.between_levels(place(tap), level)).sum();
+        sum / taps as f32
     }
 
     fn between_levels(&self, at: DVec2, level: f64) -> Texel {
@@ -83,7 +79,7 @@ impl Texture {
             return near;
         }
         let far = between_pixels(&self.levels[(low + 1).min(last)], at);
-        [0, 1, 2, 3].map(|i| near[i] + (far[i] - near[i]) * share)
+        near + (far - near) * share
     }
 }
 
@@ -99,10 +95,8 @@ fn between_pixels(image: &Image, at: DVec2) -> Texel {
     let (y0, y1, fy) = place(1.0 - at.y, image.height);
     let corner = |x, y| texel(image.pixel(x, y).unwrap_or([255; 4]));
     let (a, b, c, d) = (corner(x0, y0), corner(x1, y0), corner(x0, y1), corner(x1, y1));
-    [0, 1, 2, 3].map(|i| {
-        let (top, bottom) = (a[i] + (b[i] - a[i]) * fx, c[i] + (d[i] - c[i]) * fx);
-        top + (bottom - top) * fy
-    })
+    let (top, bottom) = (a + (b - a) * fx, c + (d - c) * fx);
+    top + (bottom - top) * fy
 }
 
 /// The image at half its size. At an odd size the last row or column is used twice.
@@ -111,11 +105,10 @@ fn halved(image: &Image, gamma: &Gamma) -> Image {
     let mut rgba = Vec::with_capacity(4 * width * height);
     for y in 0..height {
         for x in 0..width {
-            let mut sum = [0.0f32; 4];
+            let mut sum = Texel::ZERO;
             for (dx, dy) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
                 let (x, y) = ((2 * x + dx).min(image.width - 1), (2 * y + dy).min(image.height - 1));
-                let texel = texel(image.pixel(x, y).unwrap_or([255; 4]));
-                (0..4).for_each(|i| sum[i] += 0.25 * texel[i]);
+                sum += 0.25 * texel(image.pixel(x, y).unwrap_or([255; 4]));
             }
             rgba.extend([gamma.byte(sum[0]), gamma.byte(sum[1]), gamma.byte(sum[2]), (sum[3] * 255.0 + 0.5) as u8]);
         }
@@ -141,10 +134,10 @@ mod tests {
         assert_eq!(texture.levels.len(), 4);
         let centre = |x: f64, y: f64| DVec2::new((x + 0.5) / 8.0, 1.0 - (y + 0.5) / 8.0);
         let none = [DVec2::ZERO; 2];
-        assert_eq!(texture.sample(centre(0.0, 0.0), none), [1.0; 4]);
-        assert_eq!(texture.sample(centre(1.0, 0.0), none), [0.0, 0.0, 0.0, 1.0]);
+        assert_eq!(texture.sample(centre(0.0, 0.0), none), Vec4::ONE);
+        assert_eq!(texture.sample(centre(1.0, 0.0), none), Vec4::W);
         // The image repeats.
-        assert_eq!(texture.sample(centre(-7.0, 24.0), none), [0.0, 0.0, 0.0, 1.0]);
+        assert_eq!(texture.sample(centre(-7.0, 24.0), none), Vec4::W);
         let far = texture.sample(DVec2::new(0.3, 0.4), [DVec2::X * 5.0, DVec2::Y * 5.0]);
         assert!((far[0] - 0.5).abs() < 0.01, "{far:?}");
         let aslant = texture.sample(DVec2::new(0.3, 0.4), [DVec2::X * 5.0, DVec2::Y / 64.0]);
@@ -156,7 +149,7 @@ mod tests {
         let texture = Texture::new(Image::filled(1, 1, [255, 0, 0, 128]));
         for huge in [1e9, -1e9, 1e300, f64::MAX, f64::INFINITY, f64::NAN] {
             for sides in [[DVec2::ZERO; 2], [DVec2::splat(huge); 2], [DVec2::X, DVec2::Y * huge]] {
-                let [r, g, b, a] = texture.sample(DVec2::new(huge, 0.5), sides);
+                let [r, g, b, a] = texture.sample(DVec2::new(huge, 0.5), sides).to_array();
                 assert!(r == 1.0 && g == 0.0 && b == 0.0 && (a - 0.5).abs() < 0.01);
                 checker().sample(DVec2::new(0.5, huge), sides);
             }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::camera::View;
+use super::camera::Viewport;
 use super::raster;
 use super::scene::Scene;
 use super::texel::PLAIN;
@@ -14,19 +14,19 @@ pub(super) const GROUND: u32 = u32::MAX - 1;
 
 /// One layer of samples, row by row from the upper left.
 #[derive(Debug)]
-pub(super) struct Layer {
+pub(super) struct VisibilityBuffer {
     pub(super) width: usize,
     pub(super) height: usize,
-    /// The nearness of each sample; see [`View::project`].
+    /// The nearness of each sample; see [`Viewport::project`].
     pub(super) near: Vec<f32>,
     /// The triangle of each sample, or [`SKY`] or [`GROUND`].
     pub(super) seen: Vec<u32>,
 }
 
-impl Layer {
+impl VisibilityBuffer {
     fn new(width: usize, height: usize) -> Self {
         let count = width * height;
-        Layer { width, height, near: vec![f32::NEG_INFINITY; count], seen: vec![SKY; count] }
+        VisibilityBuffer { width, height, near: vec![f32::NEG_INFINITY; count], seen: vec![SKY; count] }
     }
 
     /// The middle of a sample, from the upper left corner of the picture.
@@ -42,13 +42,18 @@ impl Layer {
 
 /// The layer of opaque triangles, and if there are any, the layer of the nearest transparent triangles in front of
 /// it.
-pub(super) fn layers(scene: &Scene, view: &View, width: usize, height: usize) -> (Layer, Option<Layer>) {
-    let mut opaque = Layer::new(width, height);
+pub(super) fn layers(
+    scene: &Scene,
+    view: &Viewport,
+    width: usize,
+    height: usize,
+) -> (VisibilityBuffer, Option<VisibilityBuffer>) {
+    let mut opaque = VisibilityBuffer::new(width, height);
     draw(scene, view, &mut opaque, |opacity| OPAQUE <= opacity);
     if scene.paints.iter().all(|paint| paint.opacity == 1.0 && paint.maps.opacity.is_none()) {
         return (opaque, None);
     }
-    let mut clear = Layer::new(width, height);
+    let mut clear = VisibilityBuffer::new(width, height);
     draw(scene, view, &mut clear, |opacity| CLEAR < opacity && opacity < OPAQUE);
     for (near, (seen, behind)) in clear.near.iter().zip(clear.seen.iter_mut().zip(&opaque.near)) {
         if near <= behind {
@@ -63,7 +68,7 @@ pub(super) fn layers(scene: &Scene, view: &View, width: usize, height: usize) ->
 const OPAQUE: f32 = 0.995;
 const CLEAR: f32 = 0.005;
 
-fn draw(scene: &Scene, view: &View, layer: &mut Layer, wanted: impl Fn(f32) -> bool) {
+fn draw(scene: &Scene, view: &Viewport, layer: &mut VisibilityBuffer, wanted: impl Fn(f32) -> bool) {
     let (width, height) = (layer.width, layer.height);
     let limit = view.near(DVec3::ZERO);
     for (id, triangle) in scene.triangles.iter().enumerate() {
@@ -116,7 +121,7 @@ fn clipped(corners: [DVec3; 3], inside: impl Fn(DVec3) -> f64, mut put: impl FnM
 }
 
 /// Adds a horizontal ground to all samples without a surface, if the camera is above it.
-pub(super) fn ground(layer: &mut Layer, view: &View, height: f64) {
+pub(super) fn ground(layer: &mut VisibilityBuffer, view: &Viewport, height: f64) {
     for sample in 0..layer.seen.len() {
         if layer.seen[sample] != SKY {
             continue;

@@ -36,12 +36,12 @@ impl Env {
     #[inline(never)]
     pub fn base(&self, shape: Shape) -> Base {
         let look = self.leaf_tables.looks.id(shape.state.look());
-        self.base_painted(shape, look)
+        self.base_with_look(shape, look)
     }
 
     /// The base of a whole shape whose look has the number `material`; inlined.
     #[inline(always)]
-    pub(crate) fn base_painted(&self, shape: Shape, look: LookId) -> Base {
+    pub(crate) fn base_with_look(&self, shape: Shape, look: LookId) -> Base {
         self.bases.set(self.bases.get() + 1);
         Base::new(shape, look, self.bases.get())
     }

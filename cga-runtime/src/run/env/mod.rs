@@ -17,7 +17,7 @@ use crate::asset::{File, Query};
 use crate::fault::{Error, Fault, FaultKind, LimitKind};
 use crate::geometry::Frame;
 use crate::geometry::mesh::Mesh;
-use crate::geometry::mesh::primitive::Made;
+use crate::geometry::mesh::primitive::PrimitiveKind;
 use crate::run::report::{FAULTS_KEPT, Prints, Reports};
 use crate::run::settings::{Limits, Settings};
 use crate::run::sink::{Flow, LeafTables};
@@ -98,7 +98,7 @@ pub struct Env {
     asset_faults: BTreeMap<String, usize>,
     pub(crate) error: Option<Error>,
     /// The primitives made so far.
-    primitives: Vec<(Made, Arc<Mesh>)>,
+    primitives: Vec<(PrimitiveKind, Arc<Mesh>)>,
     /// The assets that were raised, each with its raised form.
     raised: Vec<[Arc<Mesh>; 2]>,
     pub(crate) reports: Reports,
@@ -374,7 +374,7 @@ impl Env {
     }
 
     /// A primitive in the unit box. The first few are kept for the run. `None` when the limit of vertices is reached.
-    pub(crate) fn primitive(&mut self, what: Made) -> Option<Arc<Mesh>> {
+    pub(crate) fn primitive(&mut self, what: PrimitiveKind) -> Option<Arc<Mesh>> {
         if let Some((_, mesh)) = self.primitives.iter().find(|(made, _)| *made == what) {
             return Some(mesh.clone());
         }

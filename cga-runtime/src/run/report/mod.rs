@@ -4,8 +4,8 @@
 mod merge;
 mod print;
 mod quota;
+mod report_table;
 mod run;
-mod table;
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;

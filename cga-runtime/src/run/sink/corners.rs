@@ -11,23 +11,23 @@ use crate::shape::ShapeRef;
 ///
 /// All vectors have a fourth coordinate of 0: processors compute with two halves, and store and load them as such.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Placed {
+pub(crate) struct PlacedBox {
     pub(crate) origin: DVec4,
     pub(crate) sides: [DVec4; 3],
 }
 
-impl Placed {
+impl PlacedBox {
     /// The position of a shape that fills its scope.
     #[inline(always)]
     pub(crate) fn of(shape: &ShapeRef<'_>) -> Self {
         let side = |axis| shape.axes.along(axis) * shape.size.along(axis);
-        Placed { origin: shape.origin.get(), sides: [Axis::X, Axis::Y, Axis::Z].map(side) }
+        PlacedBox { origin: shape.origin.get(), sides: [Axis::X, Axis::Y, Axis::Z].map(side) }
     }
 
     /// The position moved by a vector.
     #[inline(always)]
     pub(crate) fn moved(self, by: DVec4) -> Self {
-        Placed { origin: self.origin + by, ..self }
+        PlacedBox { origin: self.origin + by, ..self }
     }
 
     /// The eight corners of a box; the corner (x, y, z) has the index x + 2y + 4z. Each is rounded once, so the three
@@ -49,18 +49,18 @@ impl Placed {
     }
 }
 
-impl From<&Quad> for Placed {
+impl From<&Quad> for PlacedBox {
     #[inline]
     fn from(quad: &Quad) -> Self {
-        Placed { origin: four(quad.origin), sides: [quad.u, quad.v, DVec3::ZERO].map(four) }
+        PlacedBox { origin: four(quad.origin), sides: [quad.u, quad.v, DVec3::ZERO].map(four) }
     }
 }
 
-impl From<&Cuboid> for Placed {
+impl From<&Cuboid> for PlacedBox {
     #[inline]
     fn from(cuboid: &Cuboid) -> Self {
         let sides = [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis];
-        Placed { origin: four(cuboid.origin), sides: sides.map(four) }
+        PlacedBox { origin: four(cuboid.origin), sides: sides.map(four) }
     }
 }
 

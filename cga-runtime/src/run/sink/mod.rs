@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3, DVec4};
 
-use self::corners::Placed;
+use self::corners::PlacedBox;
 
 use crate::geometry::mesh::Mesh;
 use crate::geometry::uv_map::{self, SetMap, UvMap};
@@ -178,7 +178,7 @@ impl<'a> Filled<'a> {
     pub fn pass_to<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         let leaf = Leaf { rule: self.rule(), material: self.material(), source: LeafSource::Filled(self) };
         // Both forms have a position.
-        let (placed, unit) = (Placed::of(self.shape), self.shape.unit.get());
+        let (placed, unit) = (PlacedBox::of(self.shape), self.shape.unit.get());
         let (origin, [x, y, z]) = (placed.origin.truncate(), placed.sides.map(DVec4::truncate));
         match self.shape.form {
             Form::Rect(axis) => sink.quad(&leaf, &place::low_side(origin, [x, y, z], axis, unit)),

@@ -21,7 +21,7 @@ use std::rc::Rc;
 use glam::{DMat3, DVec3};
 
 use crate::geometry::Axis;
-use crate::run::sink::corners::{Placed, four};
+use crate::run::sink::corners::{PlacedBox, four};
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
 use crate::shape::look_id::LookId;
@@ -46,13 +46,13 @@ const MOST: usize = 64;
 /// The templates of a session, by place in the rules.
 #[derive(Debug)]
 pub(crate) struct Templates<C> {
-    places: Vec<Vec<Entry<C>>>,
+    places: Vec<Vec<TemplateEntry<C>>>,
 }
 
 /// A template, or the knowledge that a shape has none.
 #[derive(Debug)]
-struct Entry<C> {
-    key: Key,
+struct TemplateEntry<C> {
+    key: TemplateKey,
     template: Option<Rc<Template<C>>>,
     /// The template turned to the axes of bases.
     turned: Vec<Rc<Turned>>,
@@ -60,7 +60,7 @@ struct Entry<C> {
 
 /// The properties of a shape that determine its template.
 #[derive(Clone, Copy, Debug)]
-struct Key {
+struct TemplateKey {
     size: DVec3,
     form: Form,
     unit: UnitMesh,
@@ -82,27 +82,27 @@ struct Template<C> {
     shapes: u64,
     /// The highest count of shapes that the derivation requested room for.
     room: u64,
-    body: Body,
+    body: TemplateBody,
     holes: Vec<Hole<C>>,
 }
 
 /// The leaves of a template.
 #[derive(Debug)]
-struct Body {
+struct TemplateBody {
     /// The number of the template in the process.
     number: u64,
-    leaves: Vec<Record>,
+    leaves: Vec<TemplateLeaf>,
     /// The axes of the leaves.
     frames: Vec<Axes>,
     /// The ranges of leaves before, between and after the holes.
-    segments: Vec<Segment>,
+    segments: Vec<LeafRange>,
     marks: Vec<Mark>,
     rows: Vec<LeafRow>,
 }
 
 /// A leaf with its position in a template.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Record {
+pub(crate) struct TemplateLeaf {
     origin: DVec3,
     pub(crate) size: DVec3,
     pub(crate) unit: UnitMesh,
@@ -116,7 +116,7 @@ pub(crate) struct Record {
 
 /// The leaves between two holes.
 #[derive(Clone, Debug)]
-struct Segment {
+struct LeafRange {
     leaves: Range<usize>,
     marks: Range<usize>,
     rows: Range<usize>,
@@ -176,16 +176,16 @@ struct Hole<C> {
 struct Turned {
     axes: Vec<Axes>,
     /// The leaves relative to the origin of the repetition, along the axes of the world.
-    leaves: Vec<Placed>,
+    leaves: Vec<PlacedBox>,
     holes: Vec<DVec3>,
 }
 
 /// The counters of the recorded shape. A hole with these counters gets those of the repetition.
 const INHERITED: Counter = Counter::of(i32::MIN, 0);
 
-impl Key {
+impl TemplateKey {
     fn of(part: &ShapeRef<'_>, too_small: f64) -> Self {
-        Key {
+        TemplateKey {
             size: part.size.get(),
             form: part.form,
             unit: part.unit.get(),
@@ -219,7 +219,7 @@ impl<C> Default for Templates<C> {
 impl<C> Templates<C> {
     /// The entry for a shape, if there is one.
     #[inline]
-    fn find(&mut self, place: u32, part: &ShapeRef<'_>, too_small: f64) -> Option<&mut Entry<C>> {
+    fn find(&mut self, place: u32, part: &ShapeRef<'_>, too_small: f64) -> Option<&mut TemplateEntry<C>> {
         let list = self.places.get_mut(place as usize)?;
         if let Some(last) = list.last()
             && last.key.fits(part, too_small)
@@ -233,7 +233,7 @@ impl<C> Templates<C> {
         list.last_mut()
     }
 
-    fn keep(&mut self, place: u32, entry: Entry<C>) -> Option<&mut Entry<C>> {
+    fn keep(&mut self, place: u32, entry: TemplateEntry<C>) -> Option<&mut TemplateEntry<C>> {
         let place = place as usize;
         if self.places.len() <= place {
             self.places.resize_with(place + 1, Vec::new);
@@ -247,7 +247,7 @@ impl<C> Templates<C> {
     }
 }
 
-impl<C> Entry<C> {
+impl<C> TemplateEntry<C> {
     /// The template turned to axes, if there is a template.
     #[inline]
     fn turned(&mut self, axes: &Axes) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
@@ -282,7 +282,7 @@ impl<C> Template<C> {
         let leaves = self.body.leaves.iter().map(|leaf| {
             let (frame, size) = (&frames[leaf.frame as usize], leaf.size);
             let sides = [(Axis::X, size.x), (Axis::Y, size.y), (Axis::Z, size.z)];
-            Placed {
+            PlacedBox {
                 origin: four(axes.matrix * leaf.origin),
                 sides: sides.map(|(axis, size)| frame.along(axis) * size),
             }

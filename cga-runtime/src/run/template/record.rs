@@ -1,19 +1,21 @@
 //! The recording of templates: a rule runs at the origin, into a sink that keeps the leaves.
 
 use std::collections::VecDeque;
-use std::ops::ControlFlow;
 use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::{DAffine3, DMat3};
 
-use super::{Body, Entry, Hole, INHERITED, Key, LeafRow, MOST, Mark, Record, Segment, Template, Templates, Turned};
+use super::{
+    Hole, INHERITED, LeafRange, LeafRow, MOST, Mark, Template, TemplateBody, TemplateEntry, TemplateKey, TemplateLeaf,
+    Templates, Turned,
+};
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
 use crate::run::context::{Cx, RuleFn};
 use crate::run::settings::Repeats;
-use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
+use crate::run::sink::{Filled, Flow, Leaf, Sink};
 use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
 use crate::shape::base::{Base, Form};
@@ -30,7 +32,6 @@ pub(crate) struct Tape<'r, C> {
     leaves: u64,
     trail: usize,
     holes: Vec<Hole<C>>,
-    has_failed: bool,
 }
 
 /// The reason why there is no template.
@@ -44,16 +45,8 @@ enum Lost {
 /// A sink that keeps leaves.
 struct Recorder<'r> {
     base: &'r Base,
-    leaves: Vec<Record>,
+    leaves: Vec<TemplateLeaf>,
     frames: Vec<DMat3>,
-    has_failed: bool,
-}
-
-impl Recorder<'_> {
-    fn fail(&mut self) -> Flow {
-        self.has_failed = true;
-        ControlFlow::Break(())
-    }
 }
 
 impl Sink for Recorder<'_> {
@@ -62,14 +55,14 @@ impl Sink for Recorder<'_> {
         // A look without a number is the base's, and coordinates follow from projections of the base.
         let is_known = !shape.look.get().may_have_coordinates() || std::ptr::eq(shape.base, self.base);
         if !is_known || MOST <= self.leaves.len() {
-            return self.fail();
+            return Flow::Break(());
         }
         let matrix = shape.axes.matrix;
         let frame = self.frames.iter().position(|frame| *frame == matrix).unwrap_or_else(|| {
             self.frames.push(matrix);
             self.frames.len() - 1
         });
-        self.leaves.push(Record {
+        self.leaves.push(TemplateLeaf {
             origin: shape.origin(),
             size: shape.size.get(),
             unit: shape.unit.get(),
@@ -78,19 +71,11 @@ impl Sink for Recorder<'_> {
             rule: leaf.rule,
             look: shape.look.get(),
         });
-        ControlFlow::Continue(())
-    }
-
-    fn quad(&mut self, _: &Leaf<'_>, _: &Quad) -> Flow {
-        self.fail()
-    }
-
-    fn cuboid(&mut self, _: &Leaf<'_>, _: &Cuboid) -> Flow {
-        self.fail()
+        Flow::Continue(())
     }
 
     fn mesh(&mut self, _: &Leaf<'_>, _: &Arc<Mesh>, _: &DAffine3) -> Flow {
-        self.fail()
+        Flow::Break(())
     }
 }
 
@@ -106,12 +91,11 @@ impl<C: Clone> Cx<'_, C> {
     #[cold]
     #[inline(never)]
     pub fn hole(&mut self, shape: &ShapeRef<'_>, levels: u32, stack: u32, call: C) -> Flow {
-        let Some(tape) = &mut self.tape else { return ControlFlow::Break(()) };
+        let Some(tape) = &mut self.tape else { return Flow::Break(()) };
         let is_raised = std::ptr::eq(shape.axes, tape.base.raised());
         let has_base = std::ptr::eq(shape.base, tape.base);
         if !has_base || !(is_raised || std::ptr::eq(shape.axes, tape.base.axes())) || MOST <= tape.holes.len() {
-            tape.has_failed = true;
-            return ControlFlow::Break(());
+            return Flow::Break(());
         }
         tape.holes.push(Hole {
             at: (self.env.filled - tape.leaves) as usize,
@@ -128,7 +112,7 @@ impl<C: Clone> Cx<'_, C> {
             call,
             trail: self.env.trail[tape.trail..].into(),
         });
-        ControlFlow::Continue(())
+        Flow::Continue(())
     }
 
     /// Makes the template for a shape and keeps it, or keeps the knowledge that there is none.
@@ -143,8 +127,8 @@ impl<C: Clone> Cx<'_, C> {
     ) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
         let (least, too_small, repeats) = (self.env.least_split, self.env.too_small, self.env.settings.repeats);
         if repeats == Repeats::Direct {
-            let key = Key::of(part, too_small);
-            self.templates.keep(place, Entry { key, template: None, turned: Vec::new() });
+            let key = TemplateKey::of(part, too_small);
+            self.templates.keep(place, TemplateEntry { key, template: None, turned: Vec::new() });
             return None;
         }
         self.env.least_split = f64::INFINITY;
@@ -163,10 +147,10 @@ impl<C: Clone> Cx<'_, C> {
         // Two runs with different thresholds agree on extents above the largest possible threshold.
         let no_matter = crate::run::env::TOO_SMALL.1 < self.env.least_split;
         self.env.least_split = least.min(self.env.least_split);
-        let key = Key::of(part, if no_matter { f64::NAN } else { too_small });
+        let key = TemplateKey::of(part, if no_matter { f64::NAN } else { too_small });
         // Another run of the session may have room for it.
         let is_ended = matches!(template, Err(Lost::Ended));
-        let mut entry = Entry { key, template: template.ok().map(Rc::new), turned: Vec::new() };
+        let mut entry = TemplateEntry { key, template: template.ok().map(Rc::new), turned: Vec::new() };
         if repeats == Repeats::Kept && !is_ended {
             return self.templates.keep(place, entry)?.turned(part.axes);
         }
@@ -178,15 +162,8 @@ impl<C: Clone> Cx<'_, C> {
         let (before, count) = (self.env.state(), self.env.shape_count());
         let checkpoint = self.env.measure_room();
         let base = Base::at_origin(part);
-        let mut recorder =
-            Recorder { base: &base, leaves: Vec::new(), frames: vec![DMat3::IDENTITY], has_failed: false };
-        let tape = Tape {
-            base: &base,
-            leaves: self.env.filled,
-            trail: self.env.trail.len(),
-            holes: Vec::new(),
-            has_failed: false,
-        };
+        let mut recorder = Recorder { base: &base, leaves: Vec::new(), frames: vec![DMat3::IDENTITY] };
+        let tape = Tape { base: &base, leaves: self.env.filled, trail: self.env.trail.len(), holes: Vec::new() };
         let mut templates = Templates::default();
         let mut cx = Cx {
             env: self.env,
@@ -202,8 +179,8 @@ impl<C: Clone> Cx<'_, C> {
         shape.split.set(INHERITED);
         let flow = rule(g, &mut cx, &shape);
         let is_complete = flow.is_continue() && cx.waiting.is_empty();
-        let (holes, is_lost) = cx.tape.take().map_or((Vec::new(), true), |tape| (tape.holes, tape.has_failed));
-        let Recorder { leaves, frames, has_failed, .. } = recorder;
+        let holes = cx.tape.take().map(|tape| tape.holes).unwrap_or_default();
+        let Recorder { leaves, frames, .. } = recorder;
         let shapes = self.env.shapes.saturating_sub(before.shapes);
         let room = self.env.measured_room(checkpoint).saturating_sub(count);
         let is_ended = self.env.ended();
@@ -211,11 +188,11 @@ impl<C: Clone> Cx<'_, C> {
         if is_ended {
             return Err(Lost::Ended);
         }
-        if !is_complete || !is_quiet || has_failed || is_lost {
+        if !is_complete || !is_quiet {
             return Err(Lost::Never);
         }
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
-        let body = Body {
+        let body = TemplateBody {
             number,
             leaves,
             frames: frames.into_iter().map(Axes::new).collect(),
@@ -227,7 +204,7 @@ impl<C: Clone> Cx<'_, C> {
     }
 }
 
-impl Body {
+impl TemplateBody {
     /// Divides the leaves at the holes, and finds consecutive leaves that are alike.
     fn divided(mut self, holes: impl Iterator<Item = usize>) -> Self {
         let ends = holes.chain([self.leaves.len()]);
@@ -245,7 +222,7 @@ impl Body {
                         mark.corners += own;
                     }
                     _ => {
-                        let Record { rule, look, .. } = *leaf;
+                        let TemplateLeaf { rule, look, .. } = *leaf;
                         self.marks.push(Mark { rule, look, leaves: 1, corners: own, before: corners as u32 });
                     }
                 }
@@ -256,7 +233,7 @@ impl Body {
                 }
                 corners += own;
             }
-            self.segments.push(Segment {
+            self.segments.push(LeafRange {
                 leaves: start..end,
                 marks: first_mark..self.marks.len(),
                 rows: first_row..self.rows.len(),

@@ -5,8 +5,8 @@ use std::ops::Range;
 use glam::{DAffine3, DVec4};
 
 use super::part_id::PartId;
-use super::{Body, LeafRow, Mark, Record, Segment, Turned};
-use crate::run::sink::corners::{Placed, four};
+use super::{LeafRange, LeafRow, Mark, TemplateBody, TemplateLeaf, Turned};
+use crate::run::sink::corners::{PlacedBox, four};
 use crate::run::sink::{Filled, Flow, LeafTables, Sink};
 use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
@@ -65,9 +65,9 @@ use crate::shape::look_id::LookId;
 pub struct Replay<'a> {
     pub(super) part: &'a ShapeRef<'a>,
     pub(super) tables: &'a LeafTables,
-    pub(super) body: &'a Body,
+    pub(super) body: &'a TemplateBody,
     pub(super) turned: &'a Turned,
-    pub(super) segment: &'a Segment,
+    pub(super) segment: &'a LeafRange,
 }
 
 impl<'a> Replay<'a> {
@@ -154,7 +154,10 @@ impl<'a> Replay<'a> {
 
     /// A range of leaves: their positions, their records, and their axes.
     #[inline]
-    pub(crate) fn leaves(&self, range: Range<usize>) -> impl Iterator<Item = (&'a Placed, &'a Record, &'a Axes)> {
+    pub(crate) fn leaves(
+        &self,
+        range: Range<usize>,
+    ) -> impl Iterator<Item = (&'a PlacedBox, &'a TemplateLeaf, &'a Axes)> {
         let (axes, first) = (&self.turned.axes, self.segment.leaves.start);
         let range = first + range.start..first + range.end;
         let records = &self.body.leaves[range.clone()];
@@ -163,7 +166,7 @@ impl<'a> Replay<'a> {
     }
 
     /// The leaves in rows of boxes or rectangles, with their axes, positions and records.
-    pub(crate) fn rows(&self) -> impl Iterator<Item = (&'a LeafRow, &'a Axes, &'a [Placed], &'a [Record])> {
+    pub(crate) fn rows(&self) -> impl Iterator<Item = (&'a LeafRow, &'a Axes, &'a [PlacedBox], &'a [TemplateLeaf])> {
         let Replay { body, turned, segment, .. } = *self;
         body.rows[segment.rows.clone()].iter().map(move |row| {
             let axes = &turned.axes[row.frame as usize];

@@ -4,15 +4,15 @@
 //! linear-time matchers, `regex-lite` included, do not support. The matcher tries alternatives in order and remembers
 //! the failed ones, so the time of every pattern is bounded. Back references are not supported.
 //!
-//! [`Pattern::new`] parses (`parse.rs`) and compiles to steps (`program.rs`); [`Search`] runs them (`run.rs`).
+//! [`Regex::new`] parses (`parse.rs`) and compiles to steps (`program.rs`); [`RegexSearch`] runs them (`run.rs`).
 
 mod parse;
 mod program;
 mod run;
 mod set;
 
-pub(crate) use program::Pattern;
-pub(crate) use run::{Search, TooLong};
+pub(crate) use program::Regex;
+pub(crate) use run::{RegexSearch, TooLong};
 
 #[cfg(test)]
 mod tests;

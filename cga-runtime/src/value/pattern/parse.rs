@@ -9,22 +9,22 @@ const MOST_REPEATED: u32 = 1000;
 
 /// A pattern as a tree.
 #[derive(Debug, PartialEq)]
-pub(super) enum Syntax {
+pub(super) enum RegexNode {
     Set(Set),
     At(Assertion),
-    Sequence(Vec<Syntax>),
+    Sequence(Vec<RegexNode>),
     /// Alternatives: the first one that leads to a match.
-    Either(Vec<Syntax>),
+    Either(Vec<RegexNode>),
     /// As often as possible, or as rarely as possible (`lazy`).
     Repeat {
-        node: Box<Syntax>,
+        node: Box<RegexNode>,
         least: u32,
         most: Option<u32>,
         lazy: bool,
     },
     /// An assertion: must match here, or must not, and is not part of the match.
     Look {
-        node: Box<Syntax>,
+        node: Box<RegexNode>,
         ahead: bool,
         negated: bool,
     },
@@ -49,7 +49,7 @@ struct Flags {
     dot_line_ends: bool,
 }
 
-struct Parser<'p> {
+struct RegexParser<'p> {
     pattern: &'p [char],
     at: usize,
     flags: Flags,
@@ -57,9 +57,9 @@ struct Parser<'p> {
 }
 
 /// The tree of a pattern, or a description of its error.
-pub(super) fn parse(pattern: &str) -> Result<Syntax, String> {
+pub(super) fn parse(pattern: &str) -> Result<RegexNode, String> {
     let pattern: Vec<char> = pattern.chars().collect();
-    let mut parser = Parser { pattern: &pattern, at: 0, flags: Flags::default(), depth: 0 };
+    let mut parser = RegexParser { pattern: &pattern, at: 0, flags: Flags::default(), depth: 0 };
     parser.flags();
     let node = parser.either()?;
     match parser.peek() {
@@ -68,7 +68,7 @@ pub(super) fn parse(pattern: &str) -> Result<Syntax, String> {
     }
 }
 
-impl Parser<'_> {
+impl RegexParser<'_> {
     fn peek(&self) -> Option<char> {
         self.pattern.get(self.at).copied()
     }
@@ -96,24 +96,24 @@ impl Parser<'_> {
         }
     }
 
-    fn either(&mut self) -> Result<Syntax, String> {
+    fn either(&mut self) -> Result<RegexNode, String> {
         let mut nodes = vec![self.sequence()?];
         while self.take("|") {
             nodes.push(self.sequence()?);
         }
-        Ok(if nodes.len() == 1 { nodes.swap_remove(0) } else { Syntax::Either(nodes) })
+        Ok(if nodes.len() == 1 { nodes.swap_remove(0) } else { RegexNode::Either(nodes) })
     }
 
-    fn sequence(&mut self) -> Result<Syntax, String> {
+    fn sequence(&mut self) -> Result<RegexNode, String> {
         let mut nodes = Vec::new();
         while self.peek().is_some_and(|c| !matches!(c, '|' | ')')) {
             let node = self.atom()?;
             nodes.push(self.repeated(node)?);
         }
-        Ok(Syntax::Sequence(nodes))
+        Ok(RegexNode::Sequence(nodes))
     }
 
-    fn repeated(&mut self, node: Syntax) -> Result<Syntax, String> {
+    fn repeated(&mut self, node: RegexNode) -> Result<RegexNode, String> {
         let Some((least, most)) = self.count()? else { return Ok(node) };
         let lazy = self.take("?");
         if self.peek() == Some('+') {
@@ -122,7 +122,7 @@ impl Parser<'_> {
         if self.count()?.is_some() {
             return Err("a repetition of a repetition".to_owned());
         }
-        Ok(Syntax::Repeat { node: Box::new(node), least, most, lazy })
+        Ok(RegexNode::Repeat { node: Box::new(node), least, most, lazy })
     }
 
     /// `*`, `+`, `?`, `{2}`, `{2,}`, `{2,3}`.
@@ -168,34 +168,36 @@ impl Parser<'_> {
         number
     }
 
-    fn atom(&mut self) -> Result<Syntax, String> {
+    fn atom(&mut self) -> Result<RegexNode, String> {
         let lines = self.flags.lines;
         Ok(match self.next() {
             Some('(') => return self.group(),
-            Some('[') => Syntax::Set(self.bracket()?),
-            Some('.') => Syntax::Set(Set::any(self.flags.dot_line_ends)),
-            Some('^') => Syntax::At(if lines { Assertion::LineStart } else { Assertion::TextStart }),
-            Some('$') => Syntax::At(if lines { Assertion::LineEnd } else { Assertion::TextEnd }),
+            Some('[') => RegexNode::Set(self.bracket()?),
+            Some('.') => RegexNode::Set(Set::any(self.flags.dot_line_ends)),
+            Some('^') => RegexNode::At(if lines { Assertion::LineStart } else { Assertion::TextStart }),
+            Some('$') => RegexNode::At(if lines { Assertion::LineEnd } else { Assertion::TextEnd }),
             Some('\\') => match self.peek() {
                 Some('b') => self.place(Assertion::WordEdge),
                 Some('B') => self.place(Assertion::NoWordEdge),
                 Some('A') => self.place(Assertion::TextStart),
                 Some('z') => self.place(Assertion::TextEnd),
-                _ => Syntax::Set(self.class().map_or_else(|| self.escaped().map(Set::one), Ok)?.fold(self.flags.fold)),
+                _ => {
+                    RegexNode::Set(self.class().map_or_else(|| self.escaped().map(Set::one), Ok)?.fold(self.flags.fold))
+                }
             },
             Some(c @ ('*' | '+' | '?')) => return Err(format!("nothing before `{c}` to repeat")),
-            Some(c) => Syntax::Set(Set::one(c).fold(self.flags.fold)),
-            None => Syntax::Sequence(Vec::new()),
+            Some(c) => RegexNode::Set(Set::one(c).fold(self.flags.fold)),
+            None => RegexNode::Sequence(Vec::new()),
         })
     }
 
-    fn place(&mut self, place: Assertion) -> Syntax {
+    fn place(&mut self, place: Assertion) -> RegexNode {
         self.at += 1;
-        Syntax::At(place)
+        RegexNode::At(place)
     }
 
     /// Parses a group, after its `(`.
-    fn group(&mut self) -> Result<Syntax, String> {
+    fn group(&mut self) -> Result<RegexNode, String> {
         if self.depth == DEEPEST {
             return Err(format!("more than {DEEPEST} groups inside each other"));
         }
@@ -212,7 +214,7 @@ impl Parser<'_> {
             return Err("a `(` without a `)`".to_owned());
         }
         Ok(match look {
-            Some((_, ahead, negated)) => Syntax::Look { node: Box::new(node), ahead, negated },
+            Some((_, ahead, negated)) => RegexNode::Look { node: Box::new(node), ahead, negated },
             None => node,
         })
     }

@@ -1,7 +1,7 @@
 //! Runs the steps of a pattern over a text.
 
 use super::parse::Assertion;
-use super::program::{Pattern, Step};
+use super::program::{Instruction, Regex};
 use super::set::is_word;
 
 /// The largest number of positions times forks. The memory takes one bit for each.
@@ -13,12 +13,12 @@ const MOST_STEPS: u64 = 50_000_000;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TooLong;
 
-impl Pattern {
+impl Regex {
     /// Matches a text. Returns the result and the number of steps taken. A search that would take too long does not
     /// match.
     pub(crate) fn matches(&self, text: &str) -> (bool, u64) {
         let text: Vec<char> = text.chars().collect();
-        let Ok(mut search) = Search::new(self, &text) else { return (false, u64::MAX) };
+        let Ok(mut search) = RegexSearch::new(self, &text) else { return (false, u64::MAX) };
         match search.find(0) {
             Ok(found) => (found.is_some(), search.steps),
             Err(_) => (false, u64::MAX),
@@ -27,8 +27,8 @@ impl Pattern {
 }
 
 /// A search of a text for matches of a pattern.
-pub(crate) struct Search<'a> {
-    pattern: &'a Pattern,
+pub(crate) struct RegexSearch<'a> {
+    pattern: &'a Regex,
     text: &'a [char],
     /// The forks that are running or have failed, by position and number. The result of a fork depends on these two
     /// alone, so it is not tried again. This keeps patterns such as `(a+)+b` from taking exponential time.
@@ -37,13 +37,13 @@ pub(crate) struct Search<'a> {
     steps: u64,
 }
 
-impl<'a> Search<'a> {
-    pub(crate) fn new(pattern: &'a Pattern, text: &'a [char]) -> Result<Self, TooLong> {
+impl<'a> RegexSearch<'a> {
+    pub(crate) fn new(pattern: &'a Regex, text: &'a [char]) -> Result<Self, TooLong> {
         let states = (text.len() + 1).saturating_mul(pattern.forks);
         if MOST_STATES < states {
             return Err(TooLong);
         }
-        Ok(Search { pattern, text, tried: vec![0; states.div_ceil(64)], steps: 0 })
+        Ok(RegexSearch { pattern, text, tried: vec![0; states.div_ceil(64)], steps: 0 })
     }
 
     /// The start and end of the first match that begins at `from` or later.
@@ -67,7 +67,7 @@ impl<'a> Search<'a> {
                     return Err(TooLong);
                 }
                 match &self.pattern.steps[step] {
-                    Step::Over { set, back } => {
+                    Instruction::Over { set, back } => {
                         let character = if *back { place.checked_sub(1) } else { Some(place) };
                         match character.and_then(|at| self.text.get(at)) {
                             Some(c) if set.has(*c) => place = if *back { place - 1 } else { place + 1 },
@@ -75,9 +75,9 @@ impl<'a> Search<'a> {
                         }
                         step += 1;
                     }
-                    Step::At(what) if self.at(*what, place) => step += 1,
-                    Step::At(_) => continue 'next,
-                    Step::Fork { first, second, number } => {
+                    Instruction::At(what) if self.at(*what, place) => step += 1,
+                    Instruction::At(_) => continue 'next,
+                    Instruction::Fork { first, second, number } => {
                         let state = place * self.pattern.forks + number;
                         let (word, bit) = (&mut self.tried[state / 64], 1 << (state % 64));
                         if *word & bit != 0 {
@@ -88,15 +88,15 @@ impl<'a> Search<'a> {
                         waiting.push((*second, place));
                         step = *first;
                     }
-                    Step::Jump(to) => step = *to,
-                    Step::Look { end, negated } => {
+                    Instruction::Jump(to) => step = *to,
+                    Instruction::Look { end, negated } => {
                         let (end, negated) = (*end, *negated);
                         if self.run(step + 1, place)?.is_some() == negated {
                             continue 'next;
                         }
                         step = end;
                     }
-                    Step::Match => {
+                    Instruction::Match => {
                         // Some of these forks lead to a match, so later runs must try them again.
                         for state in marked {
                             self.tried[state as usize / 64] &= !(1 << (state % 64));

@@ -3,9 +3,9 @@ use crate::func::tests::Random;
 
 /// All matches in order, including empty ones.
 fn matches(pattern: &str, text: &str) -> Vec<String> {
-    let pattern = Pattern::new(pattern).unwrap_or_else(|error| panic!("{pattern}: {error}"));
+    let pattern = Regex::new(pattern).unwrap_or_else(|error| panic!("{pattern}: {error}"));
     let text: Vec<char> = text.chars().collect();
-    let mut search = Search::new(&pattern, &text).unwrap();
+    let mut search = RegexSearch::new(&pattern, &text).unwrap();
     let (mut list, mut from) = (Vec::new(), 0);
     while let Some((start, end)) = search.find(from).unwrap() {
         list.push(text[start..end].iter().collect());
@@ -88,11 +88,11 @@ fn wrong_patterns_are_refused() {
         "(?",
     ];
     for pattern in wrong {
-        assert!(Pattern::new(pattern).is_err(), "{pattern}");
+        assert!(Regex::new(pattern).is_err(), "{pattern}");
     }
     for huge in ["(((a{99}){99}){99})".to_owned(), "(".repeat(10_000), "((".to_owned() + &"a{1000}".repeat(100) + "))"]
     {
-        assert!(Pattern::new(&huge).is_err());
+        assert!(Regex::new(&huge).is_err());
     }
 }
 
@@ -100,23 +100,23 @@ fn wrong_patterns_are_refused() {
 fn no_pattern_takes_for_ever() {
     let text = "a".repeat(20_000);
     for pattern in ["(a+)+b", "(a|a)*b", "(a*)*b", "(?:a?){50}a{50}b", "((a*)*)*b", "(?=(a+)+b)", "(?<=b(a+)+)c"] {
-        let pattern = Pattern::new(pattern).unwrap();
+        let pattern = Regex::new(pattern).unwrap();
         let text: Vec<char> = text.chars().collect();
-        let mut search = Search::new(&pattern, &text).unwrap();
+        let mut search = RegexSearch::new(&pattern, &text).unwrap();
         assert!(matches!(search.find(0), Ok(None) | Err(TooLong)));
     }
     // Each match looks ahead to the end of the text.
-    let pattern = Pattern::new("a(?=.*c)b|a").unwrap();
+    let pattern = Regex::new("a(?=.*c)b|a").unwrap();
     let text: Vec<char> = text.chars().chain(['c']).collect();
-    let mut search = Search::new(&pattern, &text).unwrap();
+    let mut search = RegexSearch::new(&pattern, &text).unwrap();
     let mut from = 0;
     while let Ok(Some((_, end))) = search.find(from) {
         from = end;
     }
     assert_eq!(search.find(text.len()), Err(TooLong));
     let nothing: Vec<char> = vec!['a'; 20_000_000];
-    assert!(Search::new(&Pattern::new("a*").unwrap(), &nothing).is_err());
-    assert!(Pattern::new("(?:(?:(?:){1000}){1000}){1000}").is_ok());
+    assert!(RegexSearch::new(&Regex::new("a*").unwrap(), &nothing).is_err());
+    assert!(Regex::new("(?:(?:(?:){1000}){1000}){1000}").is_ok());
 }
 
 /// The matches of a pattern by the simplest algorithm: all possible ends from a position, in order of preference.
@@ -190,8 +190,8 @@ fn matches_agree_with_a_plain_matcher() {
         let depth = random.below(4);
         let plain = make(&mut random, depth);
         let text: Vec<char> = (0..random.below(7)).map(|_| ['a', 'b', 'c'][random.below(3)]).collect();
-        let pattern = Pattern::new(&plain.pattern()).unwrap();
-        let mut search = Search::new(&pattern, &text).unwrap();
+        let pattern = Regex::new(&plain.pattern()).unwrap();
+        let mut search = RegexSearch::new(&pattern, &text).unwrap();
         for from in 0..=text.len() {
             let expected = (from..=text.len()).find_map(|start| Some((start, *plain.ends(&text, start).first()?)));
             let found = search.find(from).unwrap();
@@ -203,9 +203,9 @@ fn matches_agree_with_a_plain_matcher() {
 
 #[test]
 fn nothing_is_left_over() {
-    let matches = |pattern, text| Pattern::whole(pattern).expect("a pattern").matches(text).0;
+    let matches = |pattern, text| Regex::whole(pattern).expect("a pattern").matches(text).0;
     assert!(matches("a|ab", "ab") && matches("a|ab", "a") && matches("(?i)A.", "ab") && matches("", ""));
     assert!(!matches("a|ab", "abc") && !matches("b", "ab") && !matches("", "a") && !matches("a|b", "ab"));
-    assert!(Pattern::whole("(").is_err());
+    assert!(Regex::whole("(").is_err());
     assert!(!matches("(?=(a|b)+c)*x", &"ab".repeat(10)));
 }

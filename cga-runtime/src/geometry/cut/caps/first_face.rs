@@ -9,12 +9,12 @@ use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
-use crate::geometry::cut::class::Span;
+use crate::geometry::cut::class::ClassRange;
 use crate::geometry::cut::points::PieceCorner;
-use crate::geometry::cut::state::State;
+use crate::geometry::cut::state::CutState;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::check::winding;
-use crate::geometry::triangulate::Projection;
+use crate::geometry::triangulate::PlaneProjection;
 
 /// The slabs of the mesh's first face, and the edges of the wall at its first edge.
 #[derive(Default)]
@@ -27,10 +27,10 @@ pub(crate) struct Lead {
 
 impl Lead {
     /// Finds the first face and the wall. Call it after all faces have been cut.
-    pub(crate) fn find(&mut self, state: &mut State, mesh: &Mesh) {
+    pub(crate) fn find(&mut self, state: &mut CutState, mesh: &Mesh) {
         self.wall.clear();
         let first = mesh.face(0);
-        let span = Span::of(first.loops().flatten().map(|&point| state.points.places[point as usize].class));
+        let span = ClassRange::of(first.loops().flatten().map(|&point| state.points.places[point as usize].class));
         self.slabs = if span.is_flat() {
             let slab = state.slab_of_flat(mesh, 0, span.low.plane());
             slab..slab + 1
@@ -93,7 +93,7 @@ impl Lead {
     /// For a slab without a piece of the mesh's first face: whether its cap in this plane is the one towards that face.
     pub(crate) fn is_nearer(&self, slab: u32, plane: u32) -> Option<bool> {
         // The upper plane of a slab has the slab's number.
-        (!self.slabs.contains(&slab)).then(|| (plane == slab) == (slab < self.slabs.start))
+        (!self.slabs.contains(&slab)).then_some((plane == slab) == (slab < self.slabs.start))
     }
 }
 
@@ -103,14 +103,14 @@ const QUESTIONS: usize = 1 << 16;
 
 /// A face seen from outside.
 struct Wall {
-    projection: Projection,
+    projection: PlaneProjection,
     rings: Vec<Vec<DVec2>>,
 }
 
 impl Wall {
     fn of(mesh: &Mesh, face: usize) -> Self {
         let face = mesh.face(face);
-        let projection = Projection::along(face.area_vector());
+        let projection = PlaneProjection::along(face.area_vector());
         let ring = |ring: &[u32]| ring.iter().map(|&point| projection.apply(mesh.points[point as usize])).collect();
         Wall { projection, rings: face.loops().map(ring).collect() }
     }

@@ -12,7 +12,7 @@ pub(crate) mod sheets;
 use glam::{DVec2, DVec3};
 
 use super::points::{Location, Points};
-use super::state::State;
+use super::state::CutState;
 use crate::geometry::cut::caps::first_face::Lead;
 use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::nesting::Nest;
@@ -45,7 +45,7 @@ impl Caps {
     /// with their plane, as numbers of points on it.
     pub(crate) fn close(
         &mut self,
-        state: &mut State,
+        state: &mut CutState,
         mesh: &Mesh,
         texture: CapTexture,
         mut open: impl FnMut(&Points, usize, Vec<u32>),
@@ -95,8 +95,8 @@ impl Caps {
     }
 
     /// Adds the caps of a plane to one of its slabs, beginning with the cap number `first`.
-    fn add(&self, state: &mut State, mesh: &Mesh, texture: CapTexture, plane: u32, slab: u32, first: usize) {
-        let State { parts, points, .. } = state;
+    fn add(&self, state: &mut CutState, mesh: &Mesh, texture: CapTexture, plane: u32, slab: u32, first: usize) {
+        let CutState { parts, points, .. } = state;
         let axis = points.axis;
         let up = slab == plane;
         let part = &mut parts[slab as usize];

@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 
 use super::sheets::Flat;
 use crate::geometry::cut::points::Location;
-use crate::geometry::cut::state::State;
+use crate::geometry::cut::state::CutState;
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::nesting::Nest;
@@ -23,7 +23,7 @@ use crate::geometry::nesting::contour::Contour;
 use glam::DVec2;
 
 /// Finds the faces that go to the other side, after all faces were cut by the rule. Returns whether there are any.
-pub(crate) fn find(state: &mut State, mesh: &Mesh) -> bool {
+pub(crate) fn find(state: &mut CutState, mesh: &Mesh) -> bool {
     let mut flat = std::mem::take(&mut state.sheets.flat);
     flat.sort_by_key(|flat| flat.plane);
     let mut moved = Vec::new();
@@ -36,7 +36,7 @@ pub(crate) fn find(state: &mut State, mesh: &Mesh) -> bool {
             state.rim.missing(plane, &mut missing);
             if !missing.is_empty() {
                 let places = &state.points.places;
-                let mut search = Search::new(mesh, places, together, &missing);
+                let mut search = SheetSearch::new(mesh, places, together, &missing);
                 search.match_all_sheets();
                 let inverted = state.is_inverted(mesh);
                 search.match_folds(&state.points.levels[plane].flat, inverted);
@@ -51,13 +51,13 @@ pub(crate) fn find(state: &mut State, mesh: &Mesh) -> bool {
 
 /// An edge of a face in a plane, in the direction in which the cap below the plane would have it instead of the face.
 #[derive(Clone, Copy)]
-struct Use {
+struct EdgeUse {
     edge: [u32; 2],
     flat: usize,
 }
 
 /// Connected faces, which share edges that do not lack a partner.
-struct Group {
+struct SheetGroup {
     is_above: bool,
     /// Numbers in the list of the plane, sorted.
     faces: Vec<usize>,
@@ -69,26 +69,26 @@ struct Group {
 const ROUNDS: usize = 8;
 
 /// The faces and the open edges of one plane.
-struct Search<'f> {
+struct SheetSearch<'f> {
     flat: &'f [Flat],
     /// The edges of the faces that are not settled.
-    uses: Vec<Use>,
-    groups: Vec<Group>,
+    uses: Vec<EdgeUse>,
+    groups: Vec<SheetGroup>,
     moved: Vec<u32>,
     /// The edges without partners, in the direction of the cap below, and the remaining number of each.
     missing: BTreeMap<[u32; 2], usize>,
 }
 
-impl<'f> Search<'f> {
+impl<'f> SheetSearch<'f> {
     fn new(mesh: &Mesh, places: &[Location], flat: &'f [Flat], missing: &[[u32; 2]]) -> Self {
         let mut uses = Vec::new();
         for (number, flat) in flat.iter().enumerate() {
             for edge in mesh.face(flat.face as usize).edges() {
                 let [a, b] = edge.map(|corner| places[mesh.corners[corner] as usize].number);
-                uses.push(Use { edge: if flat.is_above { [a, b] } else { [b, a] }, flat: number });
+                uses.push(EdgeUse { edge: if flat.is_above { [a, b] } else { [b, a] }, flat: number });
             }
         }
-        Search { flat, uses, groups: Vec::new(), moved: Vec::new(), missing: count(missing) }
+        SheetSearch { flat, uses, groups: Vec::new(), moved: Vec::new(), missing: count(missing) }
     }
 
     fn left(&self, edge: [u32; 2]) -> usize {
@@ -98,7 +98,7 @@ impl<'f> Search<'f> {
     fn make_groups(&mut self) {
         let flat = self.flat;
         let ends = |edge: [u32; 2]| (edge[0].min(edge[1]), edge[0].max(edge[1]));
-        let is_above = |item: &Use| flat[item.flat].is_above;
+        let is_above = |item: &EdgeUse| flat[item.flat].is_above;
         let mut uses = self.uses.clone();
         uses.sort_by_key(|item| (ends(item.edge), is_above(item)));
         let mut leaders = DisjointSets::new(flat.len());
@@ -111,7 +111,8 @@ impl<'f> Search<'f> {
             }
         }
         leaders.flatten();
-        let mut uses: Vec<(u32, Use)> = uses.into_iter().map(|item| (leaders.find(item.flat as u32), item)).collect();
+        let mut uses: Vec<(u32, EdgeUse)> =
+            uses.into_iter().map(|item| (leaders.find(item.flat as u32), item)).collect();
         uses.sort_by_key(|&(leader, item)| (leader, ends(item.edge)));
         self.groups.clear();
         for group in uses.chunk_by(|a, b| a.0 == b.0) {
@@ -128,7 +129,7 @@ impl<'f> Search<'f> {
                 let mut faces: Vec<usize> = group.iter().map(|(_, item)| item.flat).collect();
                 faces.sort_unstable();
                 faces.dedup();
-                self.groups.push(Group { is_above: is_above(&group[0].1), faces, rim });
+                self.groups.push(SheetGroup { is_above: is_above(&group[0].1), faces, rim });
             }
         }
     }
@@ -183,7 +184,7 @@ impl<'f> Search<'f> {
         settled
     }
 
-    fn change_sides(&mut self, group: &Group) {
+    fn change_sides(&mut self, group: &SheetGroup) {
         self.moved.extend(group.faces.iter().map(|&number| self.flat[number].face));
     }
 

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::first_edge::first_node;
-use crate::geometry::cut::class::{Class, Span};
+use crate::geometry::cut::class::{Class, ClassRange};
 use crate::geometry::cut::points::PieceCorner;
 
 /// The two ways of a loop: from the lowest corner up, and from the highest corner down.
@@ -28,7 +28,7 @@ impl Chain {
     pub(crate) fn walk(
         &mut self,
         count: usize,
-        span: Span,
+        span: ClassRange,
         node: impl Fn(usize) -> PieceCorner,
         mut cross: impl FnMut(PieceCorner, PieceCorner, &mut Vec<PieceCorner>),
     ) {
@@ -58,7 +58,7 @@ impl Chain {
 
     /// Calls `each` with the nodes in each slab: first the way up, then the way down.
     #[inline]
-    pub(crate) fn pieces(&self, span: Span, mut each: impl FnMut(u32, &[PieceCorner], &[PieceCorner], Borders)) {
+    pub(crate) fn pieces(&self, span: ClassRange, mut each: impl FnMut(u32, &[PieceCorner], &[PieceCorner], Borders)) {
         let (mut up, mut down) = (0, self.down.len());
         let mut lower = false;
         for slab in span.slabs() {

@@ -17,9 +17,9 @@ use super::pieces::Rings;
 use crate::geometry::cut::caps::rim::PlaneSide;
 use crate::geometry::cut::class::Class;
 use crate::geometry::cut::points::PieceCorner;
-use crate::geometry::cut::state::State;
+use crate::geometry::cut::state::CutState;
 use crate::geometry::mesh::{FaceRef, FaceTag, Mesh};
-use crate::geometry::triangulate::Projection;
+use crate::geometry::triangulate::PlaneProjection;
 
 /// A run of nodes within one slab: from plane to plane, or a whole loop that meets no plane.
 #[derive(Clone, Copy)]
@@ -42,7 +42,7 @@ struct OnPlane {
 }
 
 /// An edge along a plane, between two nodes.
-struct PlaneEdge {
+struct FaceEdge {
     plane: u32,
     nodes: [usize; 2],
     /// 1 for an edge of the face, -1 for an edge that the cut gave to a piece.
@@ -64,7 +64,7 @@ pub(crate) struct General {
     nodes: Vec<PieceCorner>,
     fragments: Vec<Fragment>,
     on_planes: Vec<OnPlane>,
-    plane_edges: Vec<PlaneEdge>,
+    plane_edges: Vec<FaceEdge>,
     /// The ends in one slab on one plane, from left to right.
     ends: Vec<FragmentEnd>,
     /// Ends where the interior begins, not paired yet.
@@ -79,12 +79,12 @@ pub(crate) struct General {
 
 /// The line where a face meets the planes.
 #[derive(Clone, Copy)]
-struct Line {
+struct PlaneLine {
     axis: usize,
     sign: f64,
 }
 
-impl Line {
+impl PlaneLine {
     /// The line along `axis × normal`, measured by the coordinate that changes most.
     fn of(face: &FaceRef<'_>, axis: usize) -> Self {
         let normal = face.normal();
@@ -93,14 +93,14 @@ impl Line {
         let along = cut.cross(normal);
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
         let axis = if along[u].abs() >= along[v].abs() { u } else { v };
-        Line { axis, sign: if along[axis] < 0.0 { -1.0 } else { 1.0 } }
+        PlaneLine { axis, sign: if along[axis] < 0.0 { -1.0 } else { 1.0 } }
     }
 }
 
 impl General {
-    pub(crate) fn clip(&mut self, state: &mut State, mesh: &Mesh, face: usize, tag: FaceTag) {
+    pub(crate) fn clip(&mut self, state: &mut CutState, mesh: &Mesh, face: usize, tag: FaceTag) {
         let view = mesh.face(face);
-        let line = Line::of(&view, state.points.axis);
+        let line = PlaneLine::of(&view, state.points.axis);
         self.take_apart(state, mesh, &view, line);
         // Whole loops come last in their slab. Each is its own successor.
         let is_whole = |fragment: &Fragment| !self.nodes[fragment.start].class().is_on_plane();
@@ -110,7 +110,7 @@ impl General {
         }
         let outline = view.loop_ranges().next().unwrap_or(0..0);
         // The projection keeps the coordinate across the planes, in which the positions of pieces are exact.
-        self.rings.start(Projection::keeping(state.points.axis, view.normal()), tag, outline);
+        self.rings.start(PlaneProjection::keeping(state.points.axis, view.normal()), tag, outline);
         let mut next = 0;
         while let Some(&Fragment { slab, .. }) = self.fragments.get(next) {
             let count = self.fragments[next..].iter().take_while(|f| f.slab == slab).count();
@@ -127,7 +127,7 @@ impl General {
     }
 
     /// Divides loops into fragments.
-    fn take_apart(&mut self, state: &mut State, mesh: &Mesh, face: &FaceRef<'_>, line: Line) {
+    fn take_apart(&mut self, state: &mut CutState, mesh: &Mesh, face: &FaceRef<'_>, line: PlaneLine) {
         self.nodes.clear();
         self.fragments.clear();
         self.on_planes.clear();
@@ -151,7 +151,7 @@ impl General {
                 }
                 let plane = b.class().plane();
                 if here == last + 1 && a.class() == b.class() {
-                    self.plane_edges.push(PlaneEdge { plane, nodes: [last, here], count: 1 });
+                    self.plane_edges.push(FaceEdge { plane, nodes: [last, here], count: 1 });
                 } else {
                     // Without a node in between, the edge leads from one plane to the next: the slab is below the upper
                     // one.
@@ -169,7 +169,15 @@ impl General {
     }
 
     /// Pairs the ends that fragments of one slab have on one of its planes.
-    fn join(&mut self, state: &mut State, mesh: &Mesh, line: Line, group: Range<usize>, plane: u32, side: PlaneSide) {
+    fn join(
+        &mut self,
+        state: &mut CutState,
+        mesh: &Mesh,
+        line: PlaneLine,
+        group: Range<usize>,
+        plane: u32,
+        side: PlaneSide,
+    ) {
         self.ends.clear();
         let class = Class::on(plane);
         for fragment in group {
@@ -205,7 +213,7 @@ impl General {
     }
 
     /// Pairs an end with the interior that began last.
-    fn close(&mut self, state: &mut State, end: FragmentEnd, plane: u32, side: PlaneSide) {
+    fn close(&mut self, state: &mut CutState, end: FragmentEnd, plane: u32, side: PlaneSide) {
         match self.open.pop() {
             Some(open) => self.link(state, open, end, plane, side),
             None => self.early.push(end),
@@ -213,7 +221,7 @@ impl General {
     }
 
     /// Makes one fragment the successor of another along a plane.
-    fn link(&mut self, state: &mut State, open: FragmentEnd, close: FragmentEnd, plane: u32, side: PlaneSide) {
+    fn link(&mut self, state: &mut CutState, open: FragmentEnd, close: FragmentEnd, plane: u32, side: PlaneSide) {
         let (from, to) = if side == PlaneSide::Below { (close, open) } else { (open, close) };
         let [a, b] = [self.fragments[from.fragment].end, self.fragments[to.fragment].start];
         let low = from.along.min(to.along);
@@ -234,7 +242,7 @@ impl General {
             let [p, q] = [last, here].map(|node| self.nodes[node].place);
             if p != q {
                 state.rim.edge(plane, p.number, q.number, side);
-                self.plane_edges.push(PlaneEdge { plane, nodes: [last, here], count: -1 });
+                self.plane_edges.push(FaceEdge { plane, nodes: [last, here], count: -1 });
             }
             last = here;
         }
@@ -260,9 +268,9 @@ impl General {
     /// Along a plane, the pieces below and above and the face itself use each edge equally often in both directions. A
     /// broken face (not planar, or crossing itself) may violate this. Then the missing edges become faces in the plane,
     /// so that every neighbour has its partner.
-    fn close_flat(&mut self, state: &mut State, mesh: &Mesh) {
+    fn close_flat(&mut self, state: &mut CutState, mesh: &Mesh) {
         let nodes = &self.nodes;
-        let key = |edge: &PlaneEdge| {
+        let key = |edge: &FaceEdge| {
             let [a, b] = edge.nodes.map(|node| nodes[node].place.number);
             (edge.plane, a.min(b), a.max(b))
         };
@@ -270,8 +278,8 @@ impl General {
         // By start point. Equally many edges end at each point.
         let mut left: BTreeMap<(u32, u32), Vec<[usize; 2]>> = BTreeMap::new();
         for same in self.plane_edges.chunk_by(|a, b| key(a) == key(b)) {
-            let PlaneEdge { plane, nodes: [a, b], .. } = same[0];
-            let is_forward = |edge: &PlaneEdge| nodes[edge.nodes[0]].place == nodes[a].place;
+            let FaceEdge { plane, nodes: [a, b], .. } = same[0];
+            let is_forward = |edge: &FaceEdge| nodes[edge.nodes[0]].place == nodes[a].place;
             let net: i32 = same.iter().map(|edge| if is_forward(edge) { edge.count } else { -edge.count }).sum();
             let missing = if net > 0 { [a, b] } else { [b, a] };
             if net != 0 {
@@ -304,6 +312,6 @@ impl General {
 }
 
 /// The position of a node along the line.
-fn place(state: &State, mesh: &Mesh, line: Line, node: PieceCorner) -> f64 {
+fn place(state: &CutState, mesh: &Mesh, line: PlaneLine, node: PieceCorner) -> f64 {
     line.sign * state.points.position(mesh, &node)[line.axis] + 0.0
 }

@@ -11,12 +11,12 @@ use glam::DVec2;
 
 use super::pieces::Rings;
 use crate::geometry::cut::caps::rim::PlaneSide;
-use crate::geometry::cut::class::Span;
+use crate::geometry::cut::class::ClassRange;
 use crate::geometry::cut::points::PieceCorner;
-use crate::geometry::cut::state::State;
+use crate::geometry::cut::state::CutState;
 use crate::geometry::mesh::{Bounds, FaceRef, FaceTag, Mesh};
 use crate::geometry::tol::{ACROSS_EPSILON, LINE_EPSILON};
-use crate::geometry::triangulate::{Projection, Triangulator};
+use crate::geometry::triangulate::{PlaneProjection, Triangulator};
 
 /// Buffers.
 #[derive(Default)]
@@ -47,7 +47,7 @@ impl Rough {
 
     /// Cuts a face into its slabs. Returns `false`, without any change, if the face is not of this kind.
     #[cold]
-    pub(crate) fn clip(&mut self, state: &mut State, mesh: &Mesh, face: usize, tag: FaceTag) -> bool {
+    pub(crate) fn clip(&mut self, state: &mut CutState, mesh: &Mesh, face: usize, tag: FaceTag) -> bool {
         let view = mesh.face(face);
         let is_rough = has_rough_line(&view, state.points.axis);
         if is_rough {
@@ -56,7 +56,7 @@ impl Rough {
         is_rough
     }
 
-    fn clip_triangles(&mut self, state: &mut State, mesh: &Mesh, face: &FaceRef<'_>, tag: FaceTag) {
+    fn clip_triangles(&mut self, state: &mut CutState, mesh: &Mesh, face: &FaceRef<'_>, tag: FaceTag) {
         let outline = face.loop_ranges().next().unwrap_or(0..0);
         self.triangles.clear();
         self.triangulator.face(mesh, face.index(), &mut self.triangles);
@@ -66,7 +66,7 @@ impl Rough {
         if let Some(at) = self.triangles.iter().position(with_first) {
             self.triangles[..=at].rotate_right(1);
         }
-        self.rings.start(Projection::along(face.normal()), tag, outline);
+        self.rings.start(PlaneProjection::along(face.normal()), tag, outline);
         for at in 0..self.triangles.len() {
             self.clip_triangle(state, mesh, self.triangles[at].map(|corner| corner as usize));
         }
@@ -75,7 +75,7 @@ impl Rough {
 
     /// Marks parts with unused points. A face that turns back on itself has corners outside all triangles, whose points
     /// may be unused.
-    fn mark_unused(&self, state: &mut State, mesh: &Mesh, face: &FaceRef<'_>) {
+    fn mark_unused(&self, state: &mut CutState, mesh: &Mesh, face: &FaceRef<'_>) {
         let mut used: Vec<u32> = self.triangles.iter().flatten().map(|&corner| mesh.corners[corner as usize]).collect();
         used.sort_unstable();
         for point in &mesh.corners[face.corner_range()] {
@@ -86,7 +86,7 @@ impl Rough {
         }
     }
 
-    fn clip_triangle(&mut self, state: &mut State, mesh: &Mesh, corners: [usize; 3]) {
+    fn clip_triangle(&mut self, state: &mut CutState, mesh: &Mesh, corners: [usize; 3]) {
         let places = corners.map(|corner| state.points.places[mesh.corners[corner] as usize]);
         self.nodes.clear();
         for (at, next) in [(0, 1), (1, 2), (2, 0)] {
@@ -94,7 +94,7 @@ impl Rough {
             self.nodes.push(from);
             state.points.cross(&mut state.parts, mesh, from, to, &mut self.nodes);
         }
-        let span = Span::of(places.iter().map(|place| place.class));
+        let span = ClassRange::of(places.iter().map(|place| place.class));
         let slabs = if span.is_flat() {
             let plane = span.low.plane();
             let slab = plane + u32::from(state.is_triangle_above(mesh, places, plane));

@@ -4,10 +4,10 @@ use std::ops::Range;
 
 use crate::geometry::cut::faces::first_edge::first_node;
 use crate::geometry::cut::points::PieceCorner;
-use crate::geometry::cut::state::State;
+use crate::geometry::cut::state::CutState;
 use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::nesting::Nest;
-use crate::geometry::triangulate::Projection;
+use crate::geometry::triangulate::PlaneProjection;
 
 /// The rings collected so far, and buffers.
 #[derive(Default)]
@@ -15,7 +15,7 @@ pub(crate) struct Rings {
     /// The nodes of all rings. The nodes after the last end belong to the current ring.
     pub(crate) nodes: Vec<PieceCorner>,
     ends: Vec<usize>,
-    view: Option<(Projection, FaceTag)>,
+    view: Option<(PlaneProjection, FaceTag)>,
     /// The corners of the face's outline.
     outline: Range<usize>,
     /// True if a ring was dropped since the last faces were added.
@@ -25,7 +25,7 @@ pub(crate) struct Rings {
 
 impl Rings {
     /// Begins a face.
-    pub(crate) fn start(&mut self, projection: Projection, tag: FaceTag, outline: Range<usize>) {
+    pub(crate) fn start(&mut self, projection: PlaneProjection, tag: FaceTag, outline: Range<usize>) {
         self.view = Some((projection, tag));
         self.outline = outline;
         self.nodes.clear();
@@ -44,11 +44,11 @@ impl Rings {
 
     /// Adds the rings to a slab as faces, and clears the list. A hole outside all outlines, which only a broken face
     /// has, becomes a face of its own.
-    pub(crate) fn emit(&mut self, state: &mut State, mesh: &Mesh, slab: u32) {
+    pub(crate) fn emit(&mut self, state: &mut CutState, mesh: &Mesh, slab: u32) {
         let Some((projection, tag)) = self.view else { return };
         let at = |node: usize| projection.apply(state.points.position(mesh, &self.nodes[node]));
         self.nest.sort_rings(&self.ends, at);
-        let State { parts, points, .. } = state;
+        let CutState { parts, points, .. } = state;
         let part = &mut parts[slab as usize];
         part.dropped |= std::mem::take(&mut self.dropped);
         for rings in self.nest.groups() {

@@ -7,27 +7,27 @@ use std::ops::Range;
 
 use super::chain::{Chain, rises_once, runs};
 use crate::geometry::cut::caps::rim::PlaneSide;
-use crate::geometry::cut::class::{Class, Span};
+use crate::geometry::cut::class::{Class, ClassRange};
 use crate::geometry::cut::points::{Location, PieceCorner};
-use crate::geometry::cut::state::State;
+use crate::geometry::cut::state::CutState;
 use crate::geometry::mesh::{FaceTag, Mesh};
 
 /// Cuts a face with one loop into its slabs. Returns `false`, without any change, if the face is not of this kind.
 /// `places` are the places of its corners, and `span` is their span.
 pub(crate) fn clip(
     chain: &mut Chain,
-    state: &mut State,
+    state: &mut CutState,
     mesh: &Mesh,
     tag: FaceTag,
     corners: Range<usize>,
     places: &[Location],
-    span: Span,
+    span: ClassRange,
 ) -> bool {
     // Checks the way by classes alone first, because crossings are never removed.
     if places.len() > 3 && !is_simple(places.iter().map(|place| place.class), span) {
         return false;
     }
-    let State { parts, points, rim, .. } = state;
+    let CutState { parts, points, rim, .. } = state;
     let node = |i: usize| PieceCorner::corner(corners.start + i, places[i]);
     chain.walk(places.len(), span, node, |from, to, nodes| points.cross(parts, mesh, from, to, nodes));
     chain.pieces(span, |slab, ahead, back, borders| {
@@ -60,7 +60,7 @@ pub(crate) fn clip(
 }
 
 /// Returns true if a cycle of classes rises once and falls once, without running along a plane in between.
-fn is_simple(classes: impl DoubleEndedIterator<Item = Class> + Clone, span: Span) -> bool {
+fn is_simple(classes: impl DoubleEndedIterator<Item = Class> + Clone, span: ClassRange) -> bool {
     rises_once(classes, |class| !class.is_on_plane() || class == span.low || class == span.high)
 }
 
@@ -70,7 +70,7 @@ mod tests {
 
     #[test]
     fn one_rise_and_one_fall_are_simple() {
-        let simple = |classes: &[Class]| is_simple(classes.iter().copied(), Span::of(classes.iter().copied()));
+        let simple = |classes: &[Class]| is_simple(classes.iter().copied(), ClassRange::of(classes.iter().copied()));
         let slabs = |slabs: &[u32]| simple(&slabs.iter().map(|&slab| Class::inside(slab)).collect::<Vec<_>>());
         assert!(slabs(&[0, 1, 2]));
         assert!(slabs(&[2, 0, 1]));

@@ -7,12 +7,12 @@
 use std::ops::Range;
 
 use crate::geometry::cut::points::{Location, PieceCorner};
-use crate::geometry::cut::state::State;
+use crate::geometry::cut::state::CutState;
 use crate::geometry::mesh::{FaceTag, Mesh};
 
 /// Cuts a triangle by the plane between its two slabs. The corner with number `lone` is alone on its side.
 pub(crate) fn clip(
-    state: &mut State,
+    state: &mut CutState,
     mesh: &Mesh,
     tag: FaceTag,
     corners: Range<usize>,
@@ -20,7 +20,7 @@ pub(crate) fn clip(
     plane: u32,
     lone: usize,
 ) {
-    let State { points, parts, rim, .. } = state;
+    let CutState { points, parts, rim, .. } = state;
     let corner = |at: usize| {
         let at = if at < 3 { at } else { at - 3 };
         PieceCorner::corner(corners.start + at, places[at])

@@ -9,20 +9,20 @@ use crate::geometry::cut::points::{NONE, PieceCorner};
 use crate::geometry::mesh::{FaceTag, Mesh};
 
 /// A band. Until it is finished, its corners are numbers of points of the source, followed by numbers of crossings.
-pub(super) struct Band {
+pub(super) struct LineBand {
     pub(super) mesh: Mesh,
     /// The number of faces that were not cut.
     whole: usize,
 }
 
-impl Band {
+impl LineBand {
     /// An empty band with capacity for an equal share of the source.
     pub(super) fn new(source: &Mesh, bands: usize) -> Self {
         let room = source.corners.len() / bands;
         let mut mesh = source.alike(room);
         mesh.corners.reserve(room);
         mesh.loop_ends.reserve(source.loop_ends.len() / bands);
-        Band { mesh, whole: 0 }
+        LineBand { mesh, whole: 0 }
     }
 
     /// Adds a face without cutting it.
@@ -61,7 +61,7 @@ impl Band {
     }
 
     /// The finished mesh. The source itself if the band contains all of it, `None` if the band is empty.
-    pub(super) fn finish(mut self, source: &Arc<Mesh>, numbers: &mut Numbers<'_>) -> Option<Arc<Mesh>> {
+    pub(super) fn finish(mut self, source: &Arc<Mesh>, numbers: &mut BandNumbers<'_>) -> Option<Arc<Mesh>> {
         let faces = self.mesh.face_count();
         if faces == 0 {
             return None;
@@ -82,17 +82,17 @@ fn between(a: DVec2, b: DVec2, share: f64) -> DVec2 {
 }
 
 /// Renumbers the points of each band: points of the source in their order, then crossings.
-pub(super) struct Numbers<'c> {
+pub(super) struct BandNumbers<'c> {
     source: &'c Mesh,
     crossings: &'c Crossings,
     new: Vec<u32>,
     used: Vec<u32>,
 }
 
-impl<'c> Numbers<'c> {
+impl<'c> BandNumbers<'c> {
     pub(super) fn new(source: &'c Mesh, crossings: &'c Crossings) -> Self {
         let new = vec![NONE; source.points.len() + crossings.points.len()];
-        Numbers { source, crossings, new, used: Vec::new() }
+        BandNumbers { source, crossings, new, used: Vec::new() }
     }
 
     fn renumber(&mut self, corners: &mut [u32]) -> Vec<DVec3> {

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::coordinate::Coordinate;
 use super::sites::Sites;
-use crate::geometry::cut::class::Span;
+use crate::geometry::cut::class::ClassRange;
 use crate::geometry::cut::edges::Edges;
 use crate::geometry::cut::points::{Location, PieceCorner};
 use crate::geometry::cut::segment::{Segment, comes_first};
@@ -42,7 +42,7 @@ impl Crossings {
         to: PieceCorner,
         nodes: &mut Vec<PieceCorner>,
     ) {
-        let lines = Span::between(from.class(), to.class()).planes();
+        let lines = ClassRange::between(from.class(), to.class()).planes();
         if lines.is_empty() {
             return;
         }

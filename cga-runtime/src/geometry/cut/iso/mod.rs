@@ -20,15 +20,15 @@ mod sites;
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::class::Span;
+use super::class::ClassRange;
 use super::faces::chain::{Chain, rises_once, runs};
 use super::rising;
 use crate::geometry::mesh::{FaceRef, FaceTag, Mesh, TooManyCorners, UvAxis};
 use affine::is_affine;
-use band::{Band, Numbers};
+use band::{BandNumbers, LineBand};
 use coordinate::Coordinate;
 use crossings::Crossings;
-use patch::Patch;
+use patch::PatchBuffers;
 use sites::Sites;
 
 /// Cuts the faces of a mesh along the lines where a coordinate of a texture set equals a value. Values must increase
@@ -90,9 +90,9 @@ pub fn iso_bands(
         return Ok(bands);
     }
     let lines = kept[first..end].iter().map(|&line| lines[line] + 0.0).collect();
-    let mut cutter = Cutter::new(mesh, Coordinate { set, axis: axis.index() }, lines, most);
+    let mut cutter = IsoCutter::new(mesh, Coordinate { set, axis: axis.index() }, lines, most);
     cutter.cut_faces()?;
-    let mut numbers = Numbers::new(mesh, &cutter.crossings);
+    let mut numbers = BandNumbers::new(mesh, &cutter.crossings);
     for (band, made) in cutter.bands.into_iter().enumerate() {
         bands[number(band)] = made.finish(mesh, &mut numbers);
     }
@@ -105,28 +105,28 @@ fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
 }
 
 /// A cut in progress.
-struct Cutter<'m> {
+struct IsoCutter<'m> {
     mesh: &'m Mesh,
     most: usize,
     sites: Sites,
     crossings: Crossings,
-    bands: Vec<Band>,
+    bands: Vec<LineBand>,
     chain: Chain,
-    patch: Patch,
+    patch: PatchBuffers,
     /// The number of corners made so far.
     made: usize,
 }
 
-impl<'m> Cutter<'m> {
+impl<'m> IsoCutter<'m> {
     fn new(mesh: &'m Mesh, coordinate: Coordinate, lines: Vec<f64>, most: usize) -> Self {
         let sites = Sites::of(mesh, coordinate, &lines);
         let crossings = Crossings::new(coordinate, lines, sites.len(), mesh.points.len());
         let count = crossings.lines.len() + 1;
-        let bands = (0..count).map(|_| Band::new(mesh, count)).collect();
+        let bands = (0..count).map(|_| LineBand::new(mesh, count)).collect();
         let (chain, patch) = Default::default();
         // Points and crossings have 32-bit numbers.
         let most = most.min(u32::MAX as usize / 16);
-        Cutter { mesh, most, sites, crossings, bands, chain, patch, made: 0 }
+        IsoCutter { mesh, most, sites, crossings, bands, chain, patch, made: 0 }
     }
 
     fn cut_faces(&mut self) -> Result<(), TooManyCorners> {
@@ -134,13 +134,13 @@ impl<'m> Cutter<'m> {
         for face in 0..self.mesh.face_count() {
             let corners = start..self.mesh.loop_ends[self.mesh.face_loops(face).end - 1] as usize;
             start = corners.end;
-            let span = Span::of(corners.clone().map(|corner| self.sites.class(corner)));
+            let span = ClassRange::of(corners.clone().map(|corner| self.sites.class(corner)));
             self.cut_face(face, corners, span)?;
         }
         Ok(())
     }
 
-    fn cut_face(&mut self, face: usize, corners: Range<usize>, span: Span) -> Result<(), TooManyCorners> {
+    fn cut_face(&mut self, face: usize, corners: Range<usize>, span: ClassRange) -> Result<(), TooManyCorners> {
         let (mesh, tag) = (self.mesh, self.mesh.tags[face]);
         if span.bottom() == span.top() || span.is_flat() {
             // A face on a line is in the band above it.
@@ -182,7 +182,7 @@ impl<'m> Cutter<'m> {
     fn crossings_of(&self, face: &FaceRef<'_>) -> usize {
         let between = |edge: [usize; 2]| {
             let [a, b] = edge.map(|corner| self.sites.class(corner));
-            2 * Span::between(a, b).planes().len() + 1
+            2 * ClassRange::between(a, b).planes().len() + 1
         };
         face.edges().map(between).sum()
     }
@@ -197,8 +197,8 @@ impl<'m> Cutter<'m> {
     }
 
     /// Cuts a face with one way up and one way down.
-    fn cut_chain(&mut self, corners: Range<usize>, tag: FaceTag, span: Span) {
-        let Cutter { mesh, sites, crossings, chain, .. } = self;
+    fn cut_chain(&mut self, corners: Range<usize>, tag: FaceTag, span: ClassRange) {
+        let IsoCutter { mesh, sites, crossings, chain, .. } = self;
         let node = |i: usize| sites.node(mesh, corners.start + i);
         chain.walk(corners.len(), span, node, |from, to, nodes| crossings.cross(mesh, sites, from, to, nodes));
         chain.pieces(span, |band, ahead, back, _| {

@@ -10,17 +10,17 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::Cutter;
-use crate::geometry::cut::class::Span;
+use super::IsoCutter;
+use crate::geometry::cut::class::ClassRange;
 use crate::geometry::cut::faces::chain::Chain;
 use crate::geometry::cut::faces::first_edge::first_node;
 use crate::geometry::cut::faces::pieces::close_ring;
 use crate::geometry::cut::points::{NONE, PieceCorner};
-use crate::geometry::mesh::table::PairTable;
+use crate::geometry::mesh::pair_table::PairTable;
 use crate::geometry::mesh::{FaceTag, TooManyCorners};
 use crate::geometry::nesting::Nest;
 use crate::geometry::tol::AFFINE_EPSILON;
-use crate::geometry::triangulate::{Projection, Triangulator};
+use crate::geometry::triangulate::{PlaneProjection, Triangulator};
 
 /// An edge of a piece of a triangle, with the node where it begins.
 #[derive(Clone, Copy)]
@@ -50,7 +50,7 @@ struct Ring {
 
 /// Buffers.
 #[derive(Default)]
-pub(super) struct Patch {
+pub(super) struct PatchBuffers {
     triangulator: Triangulator,
     flat: Vec<DVec2>,
     loop_ends: Vec<u32>,
@@ -73,16 +73,22 @@ pub(super) struct Patch {
     nest: Nest,
 }
 
-impl Patch {
+impl PatchBuffers {
     /// Cuts a face into its bands.
-    pub(super) fn cut(&mut self, cutter: &mut Cutter<'_>, face: usize, is_affine: bool) -> Result<(), TooManyCorners> {
+    pub(super) fn cut(
+        &mut self,
+        cutter: &mut IsoCutter<'_>,
+        face: usize,
+        is_affine: bool,
+    ) -> Result<(), TooManyCorners> {
         let view = cutter.mesh.face(face);
         let outline = view.loop_ranges().next().unwrap_or(0..0);
-        let projection = Projection::along(view.normal());
+        let projection = PlaneProjection::along(view.normal());
         self.triangulate(cutter, face, projection);
         let start = view.corner_range().start;
         // The check comes first: a face needs at most as many corners as its triangles.
-        let span_of = |t: &[u32; 3]| Span::of(t.iter().map(|&corner| cutter.sites.class(start + corner as usize)));
+        let span_of =
+            |t: &[u32; 3]| ClassRange::of(t.iter().map(|&corner| cutter.sites.class(start + corner as usize)));
         let pieces: usize = self.triangles.iter().map(|t| 3 + 4 * span_of(t).planes().len()).sum();
         cutter.foresee(pieces)?;
         self.halves.clear();
@@ -100,7 +106,7 @@ impl Patch {
     }
 
     /// Makes the triangles of the face, as corners counted from its first one, and the kinds of their sides.
-    fn triangulate(&mut self, cutter: &Cutter<'_>, face: usize, projection: Projection) {
+    fn triangulate(&mut self, cutter: &IsoCutter<'_>, face: usize, projection: PlaneProjection) {
         let view = cutter.mesh.face(face);
         let start = view.corner_range().start;
         self.flat.clear();
@@ -129,10 +135,10 @@ impl Patch {
         }
     }
 
-    fn cut_triangle(&mut self, cutter: &mut Cutter<'_>, triangle: usize, start: usize) {
+    fn cut_triangle(&mut self, cutter: &mut IsoCutter<'_>, triangle: usize, start: usize) {
         let corners = self.triangles[triangle].map(|corner| start + corner as usize);
         let nodes = corners.map(|corner| cutter.sites.node(cutter.mesh, corner));
-        let span = Span::of(nodes.iter().map(PieceCorner::class));
+        let span = ClassRange::of(nodes.iter().map(PieceCorner::class));
         if span.is_flat() {
             for side in self.sides[triangle].into_iter().flatten() {
                 self.flat_sides.entry(side, 0, self.flats.len() as u32);
@@ -188,7 +194,7 @@ impl Patch {
 
     /// Assigns a band to each triangle on a line: the band above, as for a face. A triangle without area gets the band
     /// of a neighbour, so that it makes no piece of its own.
-    fn place_flats(&mut self, cutter: &Cutter<'_>, start: usize, is_affine: bool) {
+    fn place_flats(&mut self, cutter: &IsoCutter<'_>, start: usize, is_affine: bool) {
         let mut stack = Vec::new();
         for flat in 0..self.flats.len() {
             if !is_affine && self.has_area(self.flats[flat].0) {
@@ -229,13 +235,13 @@ impl Patch {
         AFFINE_EPSILON * ab.length_squared().max(ac.length_squared()) < ab.perp_dot(ac).abs()
     }
 
-    fn add_flat_above(&mut self, cutter: &Cutter<'_>, flat: u32, start: usize) {
+    fn add_flat_above(&mut self, cutter: &IsoCutter<'_>, flat: u32, start: usize) {
         let corner = self.triangles[self.flats[flat as usize].0 as usize][0];
         let line = cutter.sites.class(start + corner as usize).plane();
         self.add_flat(cutter, flat, line + 1, start);
     }
 
-    fn add_flat(&mut self, cutter: &Cutter<'_>, flat: u32, band: u32, start: usize) {
+    fn add_flat(&mut self, cutter: &IsoCutter<'_>, flat: u32, band: u32, start: usize) {
         let (triangle, is_placed) = &mut self.flats[flat as usize];
         *is_placed = true;
         let triangle = *triangle as usize;
@@ -288,7 +294,7 @@ impl Patch {
     }
 
     /// Adds the rings to their bands as faces.
-    fn emit(&mut self, cutter: &mut Cutter<'_>, projection: Projection, outline: &Range<usize>, tag: FaceTag) {
+    fn emit(&mut self, cutter: &mut IsoCutter<'_>, projection: PlaneProjection, outline: &Range<usize>, tag: FaceTag) {
         let mut ends = Vec::new();
         let (mut nodes, mut marks): (Vec<PieceCorner>, Vec<PieceCorner>) = (Vec::new(), Vec::new());
         for rings in self.rings.chunk_by(|a, b| a.band == b.band) {
@@ -303,7 +309,7 @@ impl Patch {
                 }
                 ends.push(nodes.len());
             }
-            let Cutter { mesh, crossings, bands, .. } = &mut *cutter;
+            let IsoCutter { mesh, crossings, bands, .. } = &mut *cutter;
             let at = |node: usize| projection.apply(crossings.position(mesh, nodes[node].place.number));
             self.nest.sort_rings(&ends, at);
             let band = &mut bands[rings[0].band as usize];

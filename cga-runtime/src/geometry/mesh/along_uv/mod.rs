@@ -68,7 +68,7 @@ pub struct AlongUv {
 /// coordinates that overflow is empty.
 pub fn insert_along_uv(carrier: &Mesh, asset: &Mesh, options: &AlongUv, most: usize) -> Result<Mesh, TooManyCorners> {
     let too_many = TooManyCorners { most };
-    let mut made = Made { builder: MeshBuilder::new(), asset, corners: 0 };
+    let mut made = MappedMesh { builder: MeshBuilder::new(), asset, corners: 0 };
     made.builder.groups(asset.groups.clone()).materials(asset.materials.clone());
     let unit = UnitAsset::of(asset, options);
     let patches = if unit.polygons.is_empty() { Patches::default() } else { Patches::of(carrier, options) };
@@ -105,13 +105,13 @@ pub fn insert_along_uv(carrier: &Mesh, asset: &Mesh, options: &AlongUv, most: us
 const LOOKS: usize = 64;
 
 /// The mesh under construction.
-struct Made<'a> {
+struct MappedMesh<'a> {
     builder: MeshBuilder,
     asset: &'a Mesh,
     corners: usize,
 }
 
-impl Made<'_> {
+impl MappedMesh<'_> {
     /// Adds a piece of a face of the asset.
     fn add(&mut self, clip: &Clip<'_>, patch: &Patch, face: usize, turns_over: bool) {
         let mut nodes: Vec<(DVec3, &ClipVertex)> = clip.nodes.iter().map(|node| (node.place(patch), node)).collect();

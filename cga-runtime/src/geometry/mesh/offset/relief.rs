@@ -13,13 +13,14 @@ use crate::geometry::skeleton::Swept;
 pub(super) fn heights(own: &[f64], rings: &[Vec<u32>], swept: &Swept) -> Vec<f64> {
     let edges: Vec<[u32; 2]> =
         rings.iter().flat_map(|ring| (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]])).collect();
-    let near = |edge: u32, point: u32| {
-        let [a, b] = edges[edge as usize];
+    let near = |[a, b]: [u32; 2], point: u32| {
         let share = nearest_share(swept.points[point as usize], [a, b].map(|end| swept.points[end as usize]));
         own[a as usize] * (1.0 - share) + own[b as usize] * share
     };
     let mut sums = vec![(0.0, 0u32); swept.points.len()];
     let add = |sums: &mut [(f64, u32)], edge: u32, point: u32| {
+        // A line that divides a corner is on no edge.
+        let Some(&edge) = edges.get(edge as usize) else { return };
         let (sum, count) = &mut sums[point as usize];
         *sum += near(edge, point);
         *count += 1;

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::cylinder::turned_over;
-use super::{Faces, circle};
+use super::{FaceBuilder, circle};
 use crate::geometry::mesh::Mesh;
 
 /// A closed cone about the vertical through the centre, with its tip up: `sides` triangles counter-clockwise as seen
@@ -14,7 +14,7 @@ pub fn cone(sides: usize) -> Mesh {
     let ring: Vec<DVec2> = circle::corners(sides).collect();
     let tip = DVec3::new(0.5, 1.0, 0.5);
     let points = ring.iter().map(|p| DVec3::new(p.x, 0.0, p.y)).chain([tip]).collect();
-    let mut faces = Faces::new(points, 4 * sides);
+    let mut faces = FaceBuilder::new(points, 4 * sides);
     let around = |i: usize| DVec2::new(i as f64 / sides as f64, 0.0);
     for i in 0..sides {
         faces.face([(i, around(i)), ((i + 1) % sides, around(i + 1)), (sides, DVec2::new(0.5, 1.0))]);

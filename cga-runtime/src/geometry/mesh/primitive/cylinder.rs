@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Faces, circle};
+use super::{FaceBuilder, circle};
 use crate::geometry::mesh::Mesh;
 
 /// A closed cylinder about the vertical through the centre: `sides` side faces counter-clockwise as seen from above,
@@ -13,7 +13,7 @@ pub fn cylinder(sides: usize) -> Mesh {
     let sides = circle::sides(sides);
     let ring: Vec<DVec2> = circle::corners(sides).collect();
     let points = [0.0, 1.0].iter().flat_map(|&y| ring.iter().map(move |p| DVec3::new(p.x, y, p.y))).collect();
-    let mut faces = Faces::new(points, 6 * sides);
+    let mut faces = FaceBuilder::new(points, 6 * sides);
     let around = |i: usize| i as f64 / sides as f64;
     for i in 0..sides {
         let next = (i + 1) % sides;

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Faces, circle};
+use super::{FaceBuilder, circle};
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
 
@@ -20,7 +20,7 @@ pub(super) fn square(across: Axis) -> Mesh {
 
 /// A face across an axis, given by its texture coordinates.
 fn flat(texture: &[DVec2], across: Axis) -> Mesh {
-    let mut faces = Faces::new(texture.iter().map(|&uv| lying(uv, across)).collect(), texture.len());
+    let mut faces = FaceBuilder::new(texture.iter().map(|&uv| lying(uv, across)).collect(), texture.len());
     faces.face(texture.iter().copied().enumerate());
     faces.finish(false)
 }

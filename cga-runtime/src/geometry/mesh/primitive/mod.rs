@@ -37,7 +37,7 @@ pub fn quad() -> Mesh {
 
 /// The parameters of a primitive that is a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Made {
+pub(crate) enum PrimitiveKind {
     Cylinder { sides: u32 },
     Cone { sides: u32 },
     Disk { sides: u32, across: Axis },
@@ -45,40 +45,40 @@ pub(crate) enum Made {
     Sphere { sides: u32, divisions: u32 },
 }
 
-impl Made {
+impl PrimitiveKind {
     /// The total number of corners of its faces.
     pub(crate) fn corner_count(self) -> u64 {
         match self {
-            Made::Cylinder { sides } => 6 * u64::from(sides),
-            Made::Cone { sides } => 4 * u64::from(sides),
-            Made::Disk { sides, .. } => u64::from(sides),
-            Made::Square { .. } => 4,
-            Made::Sphere { sides, divisions } => u64::from(sides) * (4 * u64::from(divisions) - 2),
+            PrimitiveKind::Cylinder { sides } => 6 * u64::from(sides),
+            PrimitiveKind::Cone { sides } => 4 * u64::from(sides),
+            PrimitiveKind::Disk { sides, .. } => u64::from(sides),
+            PrimitiveKind::Square { .. } => 4,
+            PrimitiveKind::Sphere { sides, divisions } => u64::from(sides) * (4 * u64::from(divisions) - 2),
         }
     }
 
     /// Makes the mesh.
     pub(crate) fn mesh(self) -> Mesh {
         match self {
-            Made::Cylinder { sides } => cylinder(sides as usize),
-            Made::Cone { sides } => cone(sides as usize),
-            Made::Disk { sides, across } => disk(sides as usize, across),
-            Made::Square { across } => disk::square(across),
-            Made::Sphere { sides, divisions } => sphere(sides as usize, divisions as usize),
+            PrimitiveKind::Cylinder { sides } => cylinder(sides as usize),
+            PrimitiveKind::Cone { sides } => cone(sides as usize),
+            PrimitiveKind::Disk { sides, across } => disk(sides as usize, across),
+            PrimitiveKind::Square { across } => disk::square(across),
+            PrimitiveKind::Sphere { sides, divisions } => sphere(sides as usize, divisions as usize),
         }
     }
 }
 
 /// A builder of faces with one loop, with texture coordinates at each corner.
-struct Faces {
+struct FaceBuilder {
     mesh: Mesh,
     uvs: Vec<DVec2>,
 }
 
-impl Faces {
+impl FaceBuilder {
     fn new(points: Vec<DVec3>, corners: usize) -> Self {
         let mesh = Mesh { points, corners: Vec::with_capacity(corners), ..Mesh::default() };
-        Faces { mesh, uvs: Vec::with_capacity(corners) }
+        FaceBuilder { mesh, uvs: Vec::with_capacity(corners) }
     }
 
     fn face(&mut self, corners: impl IntoIterator<Item = (usize, DVec2)>) {
@@ -159,12 +159,12 @@ mod tests {
     #[test]
     fn what_is_said_of_corners_is_so() {
         let all = [
-            Made::Cylinder { sides: 9 },
-            Made::Cone { sides: 5 },
-            Made::Disk { sides: 7, across: Axis::Z },
-            Made::Square { across: Axis::X },
-            Made::Sphere { sides: 5, divisions: 2 },
-            Made::Sphere { sides: 4, divisions: 9 },
+            PrimitiveKind::Cylinder { sides: 9 },
+            PrimitiveKind::Cone { sides: 5 },
+            PrimitiveKind::Disk { sides: 7, across: Axis::Z },
+            PrimitiveKind::Square { across: Axis::X },
+            PrimitiveKind::Sphere { sides: 5, divisions: 2 },
+            PrimitiveKind::Sphere { sides: 4, divisions: 9 },
         ];
         for made in all {
             let mesh = made.mesh();

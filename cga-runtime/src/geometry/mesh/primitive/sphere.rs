@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Faces, circle};
+use super::{FaceBuilder, circle};
 use crate::geometry::mesh::Mesh;
 
 /// A closed sphere with its poles on the vertical through the centre: `divisions` rows of `sides` faces from the bottom
@@ -20,7 +20,7 @@ pub fn sphere(sides: usize, divisions: usize) -> Mesh {
     }
     points.push(DVec3::new(0.5, 1.0, 0.5));
     let north = points.len() - 1;
-    let mut faces = Faces::new(points, sides * (4 * divisions - 2));
+    let mut faces = FaceBuilder::new(points, sides * (4 * divisions - 2));
     let at = |row: usize, i: usize| 1 + (row - 1) * sides + i % sides;
     let uv = |row: usize, i: f64| DVec2::new(i / sides as f64, row as f64 / divisions as f64);
     for row in 0..divisions {

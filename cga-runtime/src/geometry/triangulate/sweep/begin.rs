@@ -6,11 +6,11 @@ use std::cmp::Ordering;
 
 use glam::DVec2;
 
-use super::{Link, NONE, Region, Sweep};
+use super::{ChainPoint, MonotoneSweep, NONE, Region};
 use crate::geometry::exact::orient;
 use crate::geometry::status::{LEFT, RIGHT};
 
-impl Sweep {
+impl MonotoneSweep {
     /// A corner with both edges above it: the start of a region, or of a hole in one.
     pub(super) fn begin(&mut self, points: &[DVec2], corner: u32, out: &mut Vec<[u32; 3]>) {
         let (a, b) = (self.prev[corner as usize], self.next[corner as usize]);
@@ -35,7 +35,7 @@ impl Sweep {
             // The chain is divided at its latest point. The corner sees that point and continues from it in both
             // directions.
             let old = self.regions[region as usize];
-            let Link { corner: last, beside: [_, next] } = self.links[old.latest as usize];
+            let ChainPoint { corner: last, beside: [_, next] } = self.links[old.latest as usize];
             self.links[old.latest as usize].beside[RIGHT] = NONE;
             let twin = self.link(last, [NONE, next]);
             let right_end = if old.ends[RIGHT] == old.latest { twin } else { old.ends[RIGHT] };

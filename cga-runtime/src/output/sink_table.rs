@@ -13,7 +13,7 @@ use crate::material::{Material, MaterialNumber};
 
 /// Interned rule names and materials. Equal leaves in equal order give equal numbers.
 #[derive(Clone, Default)]
-pub struct Table {
+pub struct SinkTable {
     rules: Vec<&'static str>,
     /// Only for look-ups, never iterated.
     rule_numbers: HashMap<&'static str, u32>,
@@ -44,18 +44,18 @@ fn recent_place<T>(address: *const T) -> usize {
     ((address.addr() as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 60) as usize
 }
 
-impl fmt::Debug for Table {
+impl fmt::Debug for SinkTable {
     /// Writes the contents, without the look-up tables, which differ between equal tables.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Table { rules, materials, .. } = self;
-        f.debug_struct("Table").field("rules", rules).field("materials", materials).finish_non_exhaustive()
+        let SinkTable { rules, materials, .. } = self;
+        f.debug_struct("SinkTable").field("rules", rules).field("materials", materials).finish_non_exhaustive()
     }
 }
 
-impl Table {
+impl SinkTable {
     /// An empty table.
     pub fn new() -> Self {
-        Table::default()
+        SinkTable::default()
     }
 
     /// The rule names by number.
@@ -188,7 +188,7 @@ mod tests {
 
     #[test]
     fn rules_are_numbered_as_first_seen_and_equal_text_is_one_rule() {
-        let mut table = Table::new();
+        let mut table = SinkTable::new();
         let copy: &'static str = Box::leak(String::from("Wall").into_boxed_str());
         assert_eq!(["Wall", "Roof", copy, "Roof", "Wall"].map(|name| table.rule(name)), [0, 1, 0, 1, 0]);
         assert_eq!(table.rules(), ["Wall", "Roof"]);
@@ -196,7 +196,7 @@ mod tests {
 
     #[test]
     fn materials_are_told_apart_by_value() {
-        let mut table = Table::new();
+        let mut table = SinkTable::new();
         let red = || Arc::new(Material { color: Some(Color::new(1.0, 0.0, 0.0)), ..Material::UNSET });
         let odd = || Arc::new(Material { opacity: Some(f64::NAN), ..Material::UNSET });
         let shiny = |value| {
@@ -210,7 +210,7 @@ mod tests {
 
     #[test]
     fn a_freed_address_is_not_taken_for_the_old_material() {
-        let mut table = Table::new();
+        let mut table = SinkTable::new();
         for i in 0..1000 {
             let material = Arc::new(Material { opacity: Some(f64::from(i)), ..Material::UNSET });
             assert_eq!(table.material(&material), i as u32);
@@ -219,7 +219,7 @@ mod tests {
 
     #[test]
     fn many_colours_stay_fast_and_distinct() {
-        let mut table = Table::new();
+        let mut table = SinkTable::new();
         for round in 0..2 {
             for i in 0..100_000u32 {
                 let color = Color::new(f64::from(i % 1000) / 1000.0, f64::from(i / 1000) / 1000.0, 0.5);
@@ -232,7 +232,7 @@ mod tests {
 
     #[test]
     fn a_face_shows_the_shapes_material_over_its_own() {
-        let mut table = Table::new();
+        let mut table = SinkTable::new();
         let shape = table.material(&Arc::new(Material { opacity: Some(0.5), ..Material::UNSET }));
         let own: Arc<[Material]> = Arc::new([Material { roughness: Some(0.1), ..Material::UNSET }]);
         let id = table.face_material(shape, &own, 0);
