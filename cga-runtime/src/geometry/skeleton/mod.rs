@@ -24,6 +24,7 @@
 //! for contacts have to be tried.
 
 mod arrangement;
+mod blunt;
 mod check;
 mod contact;
 mod event;
