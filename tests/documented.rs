@@ -29,6 +29,8 @@ mod outlines;
 mod pages;
 #[path = "documented/pieces.rs"]
 mod pieces;
+#[path = "documented/roofs.rs"]
+mod roofs;
 #[path = "documented/scattered.rs"]
 mod scattered;
 #[path = "documented/scopes.rs"]
@@ -46,7 +48,7 @@ mod wings;
 #[test]
 fn all_examples_run() {
     use pages::{
-        comp, components, cutting, primitives, scattering, split_area, split_attribute, split_operation,
+        comp, components, cutting, primitives, roofs, scattering, split_area, split_attribute, split_operation,
         subdivision_once, subdivision_repeat, texturing as textures,
     };
     let pages = [
@@ -60,6 +62,7 @@ fn all_examples_run() {
         components::ALL,
         textures::ALL,
         primitives::ALL,
+        roofs::ALL,
         scattering::ALL,
     ];
     let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();
@@ -73,5 +76,5 @@ fn all_examples_run() {
     }
     titles.sort_unstable();
     titles.dedup();
-    assert_eq!(titles.len(), 10 + 2 + 11 + 12 + 11 + 2 + 5 + 21 + 16 + 12 + 3);
+    assert_eq!(titles.len(), 10 + 2 + 11 + 12 + 11 + 2 + 5 + 21 + 16 + 12 + 3 + 16);
 }

@@ -45,7 +45,6 @@ fn all_points_are_on_the_outline() {
 
 cga! {
     grammar Strewn = r##"
-    attr domain = "surface"
     @StartRule
     Points --> scatter(surface, 20, uniform) { print(scope.sx + scope.sy + scope.sz) print(geometry.nVertices) Point. }
     @StartRule

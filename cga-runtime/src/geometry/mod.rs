@@ -10,6 +10,7 @@ pub(crate) mod hull;
 pub mod mesh;
 mod nesting;
 pub(crate) mod provenance;
+pub(crate) mod roof;
 pub(crate) mod rotation;
 pub(crate) mod scatter;
 mod segment;

@@ -19,6 +19,7 @@ mod pivot;
 mod primitive;
 mod refit;
 mod report;
+mod roof;
 mod scatter;
 #[cfg(test)]
 mod scope_tests;
@@ -55,6 +56,10 @@ pub use primitive::{
     sphere, sphere_sides, sphere_sized,
 };
 pub use report::{label, print, report};
+pub use roof::{
+    RoofValue, roof_gable, roof_gable_along, roof_gable_by, roof_hip, roof_hip_by, roof_pyramid, roof_pyramid_by,
+    roof_ridge_by, roof_shed, roof_shed_by,
+};
 pub use scatter::{Distribution, ScatterDomain, ScatterMean, scatter, scatter_around};
 pub use shape_l::shape_l;
 pub use shape_o::shape_o;

@@ -6,6 +6,7 @@ pub(crate) mod cutting;
 pub(crate) mod example;
 pub(crate) mod meshes;
 pub(crate) mod primitives;
+pub(crate) mod roofs;
 pub(crate) mod scattering;
 pub(crate) mod split_area;
 pub(crate) mod split_attribute;

@@ -68,7 +68,8 @@ fn points_in_a_volume_are_even() {
     let sum = chi_square(&points, 8, |at| (at.y * 8.0) as usize, |cell| below(cell + 1) - below(cell));
     assert!(sum < bound(7), "{sum}");
     // Even around the axis.
-    let sector = |at: DVec3| ((at.z - 0.5).atan2(at.x - 0.5) / std::f64::consts::TAU * 16.0).rem_euclid(16.0) as usize;
+    let sector =
+        |at: DVec3| (libm::atan2(at.z - 0.5, at.x - 0.5) / std::f64::consts::TAU * 16.0).rem_euclid(16.0) as usize;
     let sum = chi_square(&points, 16, |at| sector(at).min(15), |_| 1.0 / 16.0);
     assert!(sum < bound(15), "{sum}");
 }
