@@ -10,6 +10,7 @@ mod along_uv;
 mod coordinates;
 mod extrude;
 mod fit;
+mod footprint;
 mod insert;
 mod material;
 mod mirror;
@@ -41,6 +42,7 @@ pub use align_geometry::{
 pub use along_uv::{insert_along_uv, insert_along_uv_with};
 pub use coordinates::{System, TransformMode, rotate_in, translate_in};
 pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
+pub use footprint::footprint;
 pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
 pub(crate) use material::image;
 pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, opacity, reset_material, set_material, texture};
