@@ -3,7 +3,7 @@
 //! pictures of the pages do: x red, y green, z blue.
 //!
 //! The pages are *split operation*, *split attribute*, *splitArea operation*, *Subdivision split*, *comp operation*
-//! and, with the test texture, the pages on texture coordinates and primitives.
+//! the pages of roofs, and, with the test texture, the pages on texture coordinates and primitives.
 //!
 //! `cargo run --release --example documented` also cuts a ball; `-- mesh.obj` cuts that mesh instead.
 
@@ -32,7 +32,7 @@ use cga::{Model, Settings, Shape};
 use captions::{areas, counts, heights, lengths, numbered};
 use pages::example::{Example, Mark};
 use pages::{
-    comp, components, cutting, meshes, split_area, split_attribute, split_operation, subdivision_once,
+    comp, components, cutting, mass, meshes, roofs, split_area, split_attribute, split_operation, subdivision_once,
     subdivision_repeat,
 };
 use sheet::Cell;
@@ -137,6 +137,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         let cells: Vec<Cell> = examples.iter().map(|example| comp_cell(example, &plain)).collect();
         save(name, sheet::draw(&cells, columns))?;
     }
+
+    let cells: Vec<Cell> = roofs::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
+    save("roofs", sheet::draw(&cells, 4))?;
+
+    let cells: Vec<Cell> = mass::ALL.iter().map(|example| comp_cell(example, &cutting::settings())).collect();
+    save("mass", sheet::draw(&cells, 4))?;
 
     save("texturing", sheet::draw(&textured::texturing(&plain), 4))?;
     save("primitives", sheet::draw(&textured::primitives(&plain), 4))?;

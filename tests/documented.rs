@@ -21,6 +21,8 @@ mod components;
 mod cutting;
 #[path = "documented/faces.rs"]
 mod faces;
+#[path = "documented/mass.rs"]
+mod mass;
 #[path = "documented/offsets.rs"]
 mod offsets;
 #[path = "documented/outlines.rs"]
@@ -29,6 +31,8 @@ mod outlines;
 mod pages;
 #[path = "documented/pieces.rs"]
 mod pieces;
+#[path = "documented/roofs.rs"]
+mod roofs;
 #[path = "documented/scopes.rs"]
 mod scopes;
 #[path = "documented/selectors.rs"]
@@ -44,8 +48,8 @@ mod wings;
 #[test]
 fn all_examples_run() {
     use pages::{
-        comp, components, cutting, primitives, split_area, split_attribute, split_operation, subdivision_once,
-        subdivision_repeat, texturing as textures,
+        comp, components, cutting, mass as masses, primitives, roofs, split_area, split_attribute, split_operation,
+        subdivision_once, subdivision_repeat, texturing as textures,
     };
     let pages = [
         split_operation::ALL,
@@ -58,6 +62,8 @@ fn all_examples_run() {
         components::ALL,
         textures::ALL,
         primitives::ALL,
+        roofs::ALL,
+        masses::ALL,
     ];
     let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();
     for example in pages.concat() {
@@ -70,5 +76,5 @@ fn all_examples_run() {
     }
     titles.sort_unstable();
     titles.dedup();
-    assert_eq!(titles.len(), 10 + 2 + 11 + 12 + 11 + 2 + 5 + 21 + 16 + 12);
+    assert_eq!(titles.len(), 10 + 2 + 11 + 12 + 11 + 2 + 5 + 21 + 16 + 12 + 16 + 1);
 }

@@ -11,6 +11,7 @@ pub mod mesh;
 mod nesting;
 pub(crate) mod overlay;
 pub(crate) mod provenance;
+pub(crate) mod roof;
 pub(crate) mod rotation;
 mod segment;
 mod skeleton;

@@ -55,6 +55,14 @@ pub(crate) const TIE_EPSILON: f64 = 1e-9;
 /// tangle, the next one is tried.
 pub(crate) const MEETING_EPSILONS: [f64; 8] = [1e-10, 1e-9, 1e-8, 1e-7, 1e-11, 3e-10, 3e-9, 1e-6];
 
+/// The distances, relative to the polygon's extent, by which corners are moved if no distance for contacts gives a
+/// straight skeleton.
+pub(crate) const NUDGE_EPSILONS: [f64; 3] = [1e-9, 1e-8, 1e-7];
+
+/// The weight of the old position of a point that is moved into the planes that meet in it. Planes that are nearly
+/// parallel do not determine a point along them.
+pub(crate) const SETTLE_DAMPING: f64 = 1e-6;
+
 /// A texture coordinate is affine over a face if its corners deviate by at most this, relative to the range of the
 /// coordinate on the face.
 pub(crate) const AFFINE_EPSILON: f64 = 1e-9;

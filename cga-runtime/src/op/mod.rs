@@ -19,6 +19,7 @@ mod pivot;
 mod primitive;
 mod refit;
 mod report;
+mod roof;
 #[cfg(test)]
 mod scope_tests;
 pub mod set;
@@ -54,6 +55,10 @@ pub use primitive::{
     sphere, sphere_sides, sphere_sized,
 };
 pub use report::{label, print, report};
+pub use roof::{
+    RoofValue, roof_gable, roof_gable_along, roof_gable_by, roof_hip, roof_hip_by, roof_pyramid, roof_pyramid_by,
+    roof_ridge_by, roof_shed, roof_shed_by,
+};
 pub use shape_l::shape_l;
 pub use shape_o::shape_o;
 pub use shape_u::shape_u;

@@ -68,11 +68,17 @@ impl CgaRules {
                     let a2 = cga_rt::Length::Absolute(0f64);
                     cga_rt::op::translate(cx.env, shape, a0, a1, a2);
                 }
+                {
+                    let a0 = 30f64;
+                    let a1 = 0f64;
+                    let a2 = false;
+                    cga_rt::bake(shape);
+                    cga_rt::op::roof_hip(cx.env, shape, a0, a1, a2);
+                }
             }
             cx.env.base(whole)
         };
         let shape = &changed.shape();
-        cga_rt::later::operation(cx.env, "roofHip");
         cx.leaf(shape, 0u32)?;
         cx.leave()
     }

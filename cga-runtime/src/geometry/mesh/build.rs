@@ -222,7 +222,7 @@ pub(crate) fn keep_used(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
 }
 
 /// The points that corners use, in the order of their first use. Renumbers the corners; -0 becomes 0.
-pub(super) fn in_order_of_use(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
+pub(crate) fn in_order_of_use(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
     let mut new = vec![u32::MAX; points.len()];
     let mut kept = Vec::with_capacity(points.len());
     for corner in corners {

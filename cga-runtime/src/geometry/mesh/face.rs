@@ -9,7 +9,7 @@ use super::{Bounds, FaceTag, Mesh};
 /// A planar polygon with holes: a view into its mesh.
 #[derive(Clone, Copy, Debug)]
 pub struct FaceRef<'a> {
-    pub(super) mesh: &'a Mesh,
+    pub(crate) mesh: &'a Mesh,
     pub(super) index: usize,
 }
 

@@ -10,19 +10,17 @@
 //! the opposite orientation and begin with the edge itself. So the areas of all parts add up to the area of the face. An interior
 //! part begins with the first edge of the face that has a part in it.
 
-use std::collections::BTreeMap;
+use glam::DVec2;
 
-use glam::{DVec2, DVec3};
-
+use super::Mesh;
 use super::build::in_order_of_use;
 use super::face::unit;
+use super::flat_face::FlatFace;
 use super::map::flip;
 use super::spread::Spread;
-use super::{FaceRef, Mesh};
 use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::PlaneSection;
 use crate::geometry::skeleton::{self, Failure, Left, Strip, Swept};
-use crate::geometry::tol::PLANAR_EPSILON;
 
 mod relief;
 pub(crate) mod set_back;
@@ -61,7 +59,8 @@ pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> (Mesh, Ve
     let mut made = mesh.alike(0);
     let mut refused = Vec::new();
     for face in mesh.faces() {
-        if let Err(why) = OffsetPlane::of(&face).and_then(|plane| plane.offset(distance, keep, &mut made)) {
+        let plane = FlatFace::of(&face).ok_or(OffsetError::NoNormal);
+        if let Err(why) = plane.and_then(|plane| offset_face(&plane, distance, keep, &mut made)) {
             refused.push((face.index(), why));
             made.add_copy(&face);
         }
@@ -71,96 +70,28 @@ pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> (Mesh, Ve
     (made, refused)
 }
 
-/// A face projected to its plane.
-struct OffsetPlane<'a> {
-    face: FaceRef<'a>,
-    origin: DVec3,
-    axes: [DVec3; 2],
-    normal: DVec3,
-    /// The distinct points of the face, their heights above the plane, and their numbers in the mesh.
-    flat: Vec<DVec2>,
-    heights: Vec<f64>,
-    points: Vec<u32>,
-    /// For each corner the number of its point.
-    corners: Vec<u32>,
-}
-
-impl<'a> OffsetPlane<'a> {
-    fn of(face: &FaceRef<'a>) -> Result<Self, OffsetError> {
-        let (normal, range) = (face.normal(), face.corner_range());
-        if normal == DVec3::ZERO {
-            return Err(OffsetError::NoNormal);
-        }
-        let origin = face.position(range.start);
-        let ring = face.outer().len();
-        let edge = |i: usize| face.position(range.start + (i + 1) % ring) - face.position(range.start + i);
-        let first = (0..ring).map(|i| unit(edge(i))).find(|edge| *edge != DVec3::ZERO).ok_or(OffsetError::Tangled)?;
-        let x = unit(first - normal * first.dot(normal));
-        let axes = [x, normal.cross(x)];
-        let (flat, heights) = (Vec::new(), Vec::new());
-        let mut plane =
-            OffsetPlane { face: *face, origin, axes, normal, flat, heights, points: Vec::new(), corners: Vec::new() };
-        let mut extent = 0.0f64;
-        let mut numbers = BTreeMap::new();
-        for corner in range {
-            let point = face.mesh.corners[corner];
-            let to = face.position(corner) - origin;
-            extent = extent.max(to.abs().max_element());
-            let next = plane.flat.len() as u32;
-            let number = *numbers.entry(point).or_insert(next);
-            if number == next {
-                plane.flat.push(DVec2::new(to.dot(axes[0]), to.dot(axes[1])));
-                plane.heights.push(to.dot(normal));
-                plane.points.push(point);
-            }
-            plane.corners.push(number);
-        }
-        // Deviations by rounding errors count as in the plane.
-        if plane.heights.iter().all(|height| height.abs() <= PLANAR_EPSILON * extent) {
-            plane.heights.fill(0.0);
-        }
-        Ok(plane)
+/// Adds the offset of a face to a mesh.
+fn offset_face(plane: &FlatFace<'_>, distance: f64, keep: OffsetFaces, made: &mut Mesh) -> Result<(), OffsetError> {
+    let outwards = 0.0 < distance;
+    let (edges, rings) = plane.edges(outwards);
+    let swept = skeleton::sweep(&plane.flat, &rings, distance.abs())?;
+    let heights = relief::heights(&plane.heights, &rings, &swept);
+    let mut part = FaceParts::new(plane, &swept, &heights, outwards, made);
+    if keep != OffsetFaces::Border {
+        part.inside(&edges);
     }
-
-    fn offset(&self, distance: f64, keep: OffsetFaces, made: &mut Mesh) -> Result<(), OffsetError> {
-        let outwards = 0.0 < distance;
-        let (edges, rings) = self.edges(outwards);
-        let swept = skeleton::sweep(&self.flat, &rings, distance.abs())?;
-        let heights = relief::heights(&self.heights, &rings, &swept);
-        let mut part = FaceParts::new(self, &swept, &heights, outwards, made);
-        if keep != OffsetFaces::Border {
-            part.inside(&edges);
-        }
-        if keep != OffsetFaces::Inside {
-            let mut strips: Vec<([usize; 2], &Strip)> =
-                swept.strips.iter().map(|strip| (edges[strip.edge as usize], strip)).collect();
-            strips.sort_by_key(|(edge, _)| edge[0]);
-            strips.iter().for_each(|(edge, strip)| part.strip(*edge, strip));
-        }
-        Ok(())
+    if keep != OffsetFaces::Inside {
+        let mut strips: Vec<([usize; 2], &Strip)> =
+            swept.strips.iter().map(|strip| (edges[strip.edge as usize], strip)).collect();
+        strips.sort_by_key(|(edge, _)| edge[0]);
+        strips.iter().for_each(|(edge, strip)| part.strip(*edge, strip));
     }
-
-    /// The edges of the face in the order in which they are swept, with their corners counted from the first one of the
-    /// face, and the points of its loops. For an outward offset the loops are reversed.
-    fn edges(&self, outwards: bool) -> (Vec<[usize; 2]>, Vec<Vec<u32>>) {
-        let start = self.face.corner_range().start;
-        let (mut edges, mut rings) = (Vec::new(), Vec::new());
-        let mut all = self.face.edges().map(|edge| edge.map(|corner| corner - start));
-        for ring in self.face.loops() {
-            let first = edges.len();
-            edges.extend(all.by_ref().take(ring.len()));
-            if outwards {
-                edges[first..].reverse();
-            }
-            rings.push(edges[first..].iter().map(|edge| self.corners[edge[usize::from(outwards)]]).collect());
-        }
-        (edges, rings)
-    }
+    Ok(())
 }
 
 /// The parts of one face, while they are added to the mesh.
 struct FaceParts<'p, 'a> {
-    plane: &'p OffsetPlane<'a>,
+    plane: &'p FlatFace<'a>,
     swept: &'p Swept,
     spread: Spread,
     outwards: bool,
@@ -171,7 +102,7 @@ struct FaceParts<'p, 'a> {
 
 impl<'p, 'a> FaceParts<'p, 'a> {
     /// Adds the points to the mesh. Old points are copied bit for bit.
-    fn new(plane: &'p OffsetPlane<'a>, swept: &'p Swept, heights: &[f64], outwards: bool, made: &'p mut Mesh) -> Self {
+    fn new(plane: &'p FlatFace<'a>, swept: &'p Swept, heights: &[f64], outwards: bool, made: &'p mut Mesh) -> Self {
         let base = made.points.len() as u32;
         let old = plane.points.iter().map(|&point| plane.face.mesh.points[point as usize]);
         let new = swept.points.iter().zip(heights).skip(plane.points.len());

@@ -70,7 +70,8 @@ fn random_triangles_unite_and_are_taken_away() {
         let points: Vec<DVec2> = (0..3 * count).map(|_| DVec2::new(coordinate(rng), coordinate(rng))).collect();
         let rings: Vec<Vec<u32>> = (0..count as u32).map(|i| vec![3 * i, 3 * i + 1, 3 * i + 2]).collect();
         // Turned, moved far away, and very small or large.
-        for (turn, scale, by) in [(0.0, 1.0, 0.0), (0.6, 1.0, 0.0), (0.3, 1e-9, 0.0), (1.1, 1e9, 1e9), (0.9, 1.0, 1e5)] {
+        for (turn, scale, by) in [(0.0, 1.0, 0.0), (0.6, 1.0, 0.0), (0.3, 1e-9, 0.0), (1.1, 1e9, 1e9), (0.9, 1.0, 1e5)]
+        {
             let turned: Vec<DVec2> =
                 points.iter().map(|p| DMat2::from_angle(turn) * *p * scale + DVec2::splat(by)).collect();
             check(&turned, &rings, rng, 1e-6 * scale);

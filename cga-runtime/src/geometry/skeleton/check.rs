@@ -1,9 +1,9 @@
 //! A check of results.
 //!
 //! The areas add up wherever points are, so strips overlap only if something is reversed. A strip of a straight
-//! skeleton is connected and monotone along its edge. If speeds differ, a strip may go around edges that stay, as its
-//! outline and holes, so only its sum and its heights are checked. The remaining interior has no crossings, and its loops are nested
-//! correctly.
+//! skeleton is connected and monotone along its edge. If edges have distances of their own, a strip may go around edges that
+//! stay, as its outline and holes, so only the sum of its areas and its heights are checked. The remaining interior has no
+//! crossings, and its loops are nested correctly.
 
 use glam::DVec2;
 
@@ -21,20 +21,22 @@ impl Wavefront {
     pub(super) fn allows(&self, swept: &Swept) -> bool {
         let slack = SLACK * self.epsilon;
         let rounding = MEETING_EPSILONS[0] * self.extent * self.extent;
-        let uniform = self.is_uniform();
+        let plain = self.has_plain_strips();
         swept.points.iter().all(|p| p.is_finite())
-            && swept.strips.iter().all(|strip| self.is_possible(strip, &swept.points, slack, uniform))
-            && self.has_areas(&swept.strips, &swept.points, rounding, uniform)
+            && swept.strips.iter().all(|strip| self.is_possible(strip, &swept.points, slack, plain))
+            && self.has_areas(&swept.strips, &swept.points, rounding, plain)
             && !crosses(&swept.left, &swept.points, slack)
             && self.nests(swept)
     }
 
-    /// Returns true if a strip is in front of its edge and, if all edges move equally fast, goes along the edge once and
+    /// Returns true if a strip is in front of its edge and, if no strip goes around edges, goes along the edge once and
     /// returns once.
-    fn is_possible(&self, strip: &Strip, points: &[DVec2], slack: f64, uniform: bool) -> bool {
+    fn is_possible(&self, strip: &Strip, points: &[DVec2], slack: f64, plain: bool) -> bool {
         let line = &self.lines[strip.edge as usize];
         let count = strip.ring.len();
         let at = |i: usize| points[strip.ring[i % count] as usize];
+        // The time can be infinite.
+        let farthest = if line.speed == 0.0 { 0.0 } else { self.until * line.speed };
         let along: Vec<f64> = (0..count).map(|i| line.along.dot(at(i))).collect();
         let height: Vec<f64> = (0..count).map(|i| line.normal().dot(at(i)) - line.at).collect();
         let by = |a: &usize, b: &usize| along[*a].total_cmp(&along[*b]);
@@ -48,14 +50,14 @@ impl Wavefront {
                 back <= slack || (is_flat && back <= TOUCH_EPSILON * self.extent)
             })
         };
-        height.iter().all(|height| (-slack..=self.until * line.speed + slack).contains(height))
-            && (!uniform || runs(low, high, 1.0) && runs(high, low, -1.0))
+        height.iter().all(|height| (-slack..=farthest + slack).contains(height))
+            && (!plain || runs(low, high, 1.0) && runs(high, low, -1.0))
     }
 
-    /// Returns true if no strip is reversed and, if all edges move equally fast, each edge has at most one strip, except
+    /// Returns true if no strip is reversed and, if no strip goes around edges, each edge has at most one strip, except
     /// for rounding errors.
-    fn has_areas(&self, strips: &[Strip], points: &[DVec2], rounding: f64, uniform: bool) -> bool {
-        if !uniform {
+    fn has_areas(&self, strips: &[Strip], points: &[DVec2], rounding: f64, plain: bool) -> bool {
+        if !plain {
             let mut sums = vec![0.0; self.lines.len()];
             strips.iter().for_each(|strip| sums[strip.edge as usize] += twice_area(points, &strip.ring));
             return sums.iter().all(|sum| -rounding <= *sum);
@@ -101,6 +103,11 @@ fn crosses(left: &[Vec<Left>], points: &[DVec2], slack: f64) -> bool {
         let at = |i: usize| points[ring[i % ring.len()].point as usize];
         edges.extend((0..ring.len()).map(|i| [at(i), at(i + 1)]));
     }
+    any_cross(edges, slack)
+}
+
+/// Returns true if two of some edges cross by more than `slack`.
+pub(crate) fn any_cross(mut edges: Vec<[DVec2; 2]>, slack: f64) -> bool {
     edges.sort_by(|e, f| e[0].x.min(e[1].x).total_cmp(&f[0].x.min(f[1].x)));
     edges.iter().enumerate().any(|(i, edge)| {
         let reach = edge[0].x.max(edge[1].x);

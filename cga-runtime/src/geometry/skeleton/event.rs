@@ -1,7 +1,7 @@
 //! The times of events: an edge shrinks to a point, or a reflex vertex reaches an edge.
 
 use super::Failure;
-use super::wavefront::{NONE, SplitEvent, Wavefront, turn_back};
+use super::wavefront::{NONE, SplitEvent, Wavefront};
 
 /// An event at the current time, up to rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,12 +59,7 @@ impl Wavefront {
 
     /// Computes the next events after the given vertices were made. An error if one of them cannot move.
     pub(super) fn foresee(&mut self, made: &[u32]) -> Result<(), Failure> {
-        let is_stuck = |&vertex: &u32| {
-            let vertex = &self.vertices[vertex as usize];
-            let [a, b] = [vertex.before, vertex.after].map(|line| &self.lines[line as usize]);
-            turn_back(a, b) || !vertex.velocity.is_finite()
-        };
-        if made.iter().any(is_stuck) {
+        if made.iter().any(|&vertex| self.vertices[vertex as usize].stuck) {
             return Err(Failure::Tangled);
         }
         let mut changed: Vec<u32> = made.iter().flat_map(|&v| [v, self.vertices[v as usize].last]).collect();
@@ -115,8 +110,7 @@ impl Wavefront {
 
     /// The distance of a vertex in front of the line of an edge.
     fn height(&self, vertex: u32, edge: u32, time: f64) -> f64 {
-        let line = &self.lines[self.vertices[edge as usize].after as usize];
-        line.normal().dot(self.at(vertex, time)) - (line.at + line.speed * time)
+        self.lines[self.vertices[edge as usize].after as usize].height(self.at(vertex, time), time)
     }
 
     /// The first of some edges that a vertex reaches, if that is before the known split. If the known split is open,

@@ -15,12 +15,16 @@
 //! rounding errors of single points. A final check ensures that strips do not overlap ([`check`]). If it fails, because
 //! edges are nearly but not exactly coincident, the sweep is repeated with another distance for contacts.
 //!
+//! The sweep can run until nothing is left. Then the strips are the faces of the whole
+//! straight skeleton, and the times of points are their heights on a roof.
+//!
 //! The time is quadratic in the number of corners, for few or many simultaneous events: an event scans the wavefront a
 //! few times, and a vertex is compared with the whole wavefront when it is made and when it ends. Polygons with 1,000
 //! corners take 3 to 40 ms, those with 5,000 corners 50 ms to 1.2 s, and up to eight times as long if other distances
 //! for contacts have to be tried.
 
 mod arrangement;
+mod blunt;
 mod check;
 mod contact;
 mod event;
@@ -34,7 +38,10 @@ mod wavefront;
 
 use glam::DVec2;
 
-use crate::geometry::tol::MEETING_EPSILONS;
+use crate::geometry::nesting::extent::Extent;
+use crate::geometry::tol::{MEETING_EPSILONS, PLANAR_EPSILON};
+pub(crate) use check::any_cross;
+pub(crate) use speeds::Speeds;
 use wavefront::Wavefront;
 
 /// The limit on the total number of corners, because the time is quadratic.
@@ -65,6 +72,8 @@ pub(crate) struct Left {
 pub(crate) struct Swept {
     /// The corners of the polygon, followed by new points.
     pub(crate) points: Vec<DVec2>,
+    /// The time when the wavefront reached each point: 0 for the corners of the polygon.
+    pub(crate) times: Vec<f64>,
     /// The strips, in the order of edges.
     pub(crate) strips: Vec<Strip>,
     /// The loops of the remaining interior, with the region on their left.
@@ -83,34 +92,67 @@ pub(crate) enum Failure {
 /// Moves the edges of a polygon to their left by a distance. Loops are numbers of points, and edges are numbered along
 /// the loops. Equal numbers are the same corner.
 pub(crate) fn sweep(points: &[DVec2], rings: &[Vec<u32>], distance: f64) -> Result<Swept, Failure> {
-    sweep_at(points, rings, distance, |_| 1.0)
+    sweep_at(points, rings, Speeds::Equal, distance)
 }
 
 /// Moves each edge of a polygon to its left by a distance of its own, which is not negative. All edges arrive at the
 /// same time.
 pub(crate) fn sweep_each(points: &[DVec2], rings: &[Vec<u32>], distances: &[f64]) -> Result<Swept, Failure> {
     let most = distances.iter().fold(0.0, |most: f64, &distance| most.max(distance));
-    sweep_at(points, rings, most, |edge| if most == 0.0 { 1.0 } else { distances[edge] / most })
+    let speed = |distance: &f64| if most == 0.0 { 1.0 } else { distance / most };
+    let speeds: Vec<f64> = distances.iter().map(speed).collect();
+    sweep_at(points, rings, Speeds::Places(&speeds), most)
 }
 
-fn sweep_at(
-    points: &[DVec2],
-    rings: &[Vec<u32>],
-    distance: f64,
-    speed: impl Fn(usize) -> f64,
-) -> Result<Swept, Failure> {
+/// Moves edges until a time; an infinite time gives the whole straight skeleton.
+///
+/// Parallel neighbours with different speeds do not determine the path of the vertex between them. They are refused where
+/// heights count.
+pub(crate) fn sweep_at(points: &[DVec2], rings: &[Vec<u32>], speeds: Speeds<'_>, until: f64) -> Result<Swept, Failure> {
     if MOST_CORNERS < rings.iter().map(Vec::len).sum() {
         return Err(Failure::TooMany);
     }
     let mut failure = Failure::Tangled;
+    let mut best: Option<((bool, f64), Swept)> = None;
     for epsilon in MEETING_EPSILONS {
-        match Wavefront::new(points, rings, epsilon, distance, &speed).and_then(Wavefront::run) {
-            Ok(swept) => return Ok(swept),
+        match Wavefront::new(points, rings, speeds, epsilon, until).and_then(Wavefront::run) {
+            Ok(swept) if until < f64::INFINITY => return Ok(swept),
+            Ok(swept) => {
+                let flaws = (has_divided_strips(&swept), deviation(rings, speeds, &swept));
+                if !flaws.0 && flaws.1 <= PLANAR_EPSILON {
+                    return Ok(swept);
+                }
+                if best.as_ref().is_none_or(|best| flaws < best.0) {
+                    best = Some((flaws, swept));
+                }
+            }
             Err(found) => failure = found,
         }
     }
-    Err(failure)
+    best.map(|best| best.1).ok_or(failure)
+}
+
+/// Returns true if an edge has several strips. All but one of them are rounding errors.
+fn has_divided_strips(swept: &Swept) -> bool {
+    swept.strips.windows(2).any(|pair| pair[0].edge == pair[1].edge)
+}
+
+/// The largest distance of a point, when the wavefront reaches it, from the line of an edge whose strip has the point,
+/// relative to the extent.
+fn deviation(rings: &[Vec<u32>], speeds: Speeds<'_>, swept: &Swept) -> f64 {
+    let at = |point: u32| swept.points[point as usize];
+    let lines = rings.iter().flat_map(|ring| (0..ring.len()).map(|i| [at(ring[i]), at(ring[(i + 1) % ring.len()])]));
+    let lines: Vec<[DVec2; 2]> = lines.collect();
+    let off = |strip: &Strip, point: u32| {
+        let [from, to] = lines[strip.edge as usize];
+        let speed = speeds.of(strip.edge as usize);
+        let height = (to - from).normalize_or_zero().perp_dot(at(point) - from);
+        (height - speed * swept.times[point as usize]).abs()
+    };
+    let all = swept.strips.iter().flat_map(|strip| strip.ring.iter().map(|&point| off(strip, point)));
+    let Extent { low, high } = Extent::of(swept.points.iter().copied());
+    all.fold(0.0, f64::max) / (high - low).max_element()
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

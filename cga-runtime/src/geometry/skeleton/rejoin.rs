@@ -102,11 +102,7 @@ fn nodes(front: &mut Wavefront, contacts: &Contacts, arrangement: &Arrangement) 
         *sum += position * weight;
         *weights += weight;
     }
-    let node = |(known, (sum, weights)): (Option<u32>, (DVec2, f64))| {
-        known.unwrap_or_else(|| {
-            front.nodes.push(sum / weights);
-            front.nodes.len() as u32 - 1
-        })
-    };
+    let node =
+        |(known, (sum, weights)): (Option<u32>, (DVec2, f64))| known.unwrap_or_else(|| front.node(sum / weights));
     known.into_iter().zip(sums).map(node).collect()
 }

@@ -1,48 +1,24 @@
-//! Corners between edges of different speeds.
-//!
-//! Two lines of different speeds meet far beyond a blunt corner, or far before it: the faster edge would sweep a spike
-//! in front of its neighbour. There a third line, which stays, divides the corner along its bisector, so that each edge
-//! ends as if its neighbour were as fast.
+//! The speeds of edges.
 
-use super::wavefront::{MovingLine, Wavefront, WavefrontVertex};
-
-/// A corner is blunt if the cosine of the angle between the normals of its edges is larger: less than 45 degrees.
-const BLUNT: f64 = std::f64::consts::FRAC_1_SQRT_2;
-
-/// The line that divides a corner between two edges of different speeds, if the corner is blunt.
-fn divider(a: &MovingLine, b: &MovingLine, corner: glam::DVec2) -> Option<MovingLine> {
-    if a.speed == b.speed || a.along.dot(b.along) <= BLUNT {
-        return None;
-    }
-    let bisector = (a.normal() + b.normal()).normalize();
-    let along = if b.speed < a.speed { -bisector } else { bisector };
-    Some(MovingLine { along, at: along.perp().dot(corner), speed: 0.0 })
+/// The speeds of the edges of a polygon, from 0 to 1, and the meaning of points at one place.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Speeds<'a> {
+    /// All edges have speed 1.
+    Equal,
+    /// One for each edge. The times of points are heights: points at one place at different times are different, and the
+    /// strip of an edge with speed 0 has no area.
+    Heights(&'a [f64]),
+    /// One for each edge. Only places count: points at one place are the same, and blunt corners between different speeds
+    /// are divided.
+    Places(&'a [f64]),
 }
 
-impl Wavefront {
-    /// Returns true if all edges move equally fast.
-    pub(super) fn is_uniform(&self) -> bool {
-        self.lines.iter().all(|line| line.speed == 1.0)
-    }
-
-    /// Divides the blunt corners among the given vertices, which start now, where speeds differ. Returns the additional
-    /// vertices.
-    pub(super) fn part_speeds(&mut self, made: &[u32]) -> Vec<u32> {
-        let mut added = Vec::new();
-        for &number in made {
-            let WavefrontVertex { node, before, after, last, next, .. } = self.vertices[number as usize];
-            let [a, b] = [before, after].map(|line| self.lines[line as usize]);
-            let Some(line) = divider(&a, &b, self.nodes[node as usize]) else { continue };
-            let (between, new) = (self.lines.len() as u32, self.vertices.len() as u32);
-            self.lines.push(line);
-            self.arcs.line();
-            let [first, second] = [(before, between), (between, after)].map(|(a, b)| self.vertex(node, a, b));
-            self.vertices[number as usize] = WavefrontVertex { last, next: new, ..first };
-            self.push(WavefrontVertex { last: number, next, ..second });
-            self.vertices[next as usize].last = new;
-            self.alive.push(new);
-            added.push(new);
+impl Speeds<'_> {
+    /// The speed of an edge.
+    pub(crate) fn of(&self, edge: usize) -> f64 {
+        match self {
+            Speeds::Equal => 1.0,
+            Speeds::Heights(each) | Speeds::Places(each) => each[edge],
         }
-        added
     }
 }

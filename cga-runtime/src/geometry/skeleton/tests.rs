@@ -1,6 +1,6 @@
 //! Laws of strips and the remaining interior, on polygons of many kinds.
 
-mod polygons;
+pub(crate) mod polygons;
 
 use std::f64::consts::{FRAC_PI_4, TAU};
 

@@ -46,12 +46,15 @@ impl Arcs {
         }
     }
 
-    /// For each point the point that replaces it when very short arcs are contracted. The first `fixed` points, those
+    /// For each point the point that replaces it when very short arcs are contracted, in space and, with `times`, in time. The first `fixed` points, those
     /// of the polygon, are not merged with each other.
-    pub(super) fn contracted(&self, points: &[DVec2], fixed: usize, epsilon: f64) -> Vec<u32> {
+    pub(super) fn contracted(&self, points: &[DVec2], times: Option<&[f64]>, fixed: usize, epsilon: f64) -> Vec<u32> {
         let mut same = DisjointSets::new(points.len());
         for arc in self.of.iter().flatten() {
-            if points[arc.from as usize].distance(points[arc.to as usize]) <= epsilon {
+            let [from, to] = [arc.from, arc.to].map(|point| point as usize);
+            // Beside an edge that does not move, points at different times coincide.
+            let is_now = times.is_none_or(|times| (times[from] - times[to]).abs() <= epsilon);
+            if is_now && points[from].distance(points[to]) <= epsilon {
                 let [a, b] = [arc.from, arc.to].map(|point| same.find_and_shorten(point));
                 if fixed <= a.max(b) as usize {
                     same.unite(a, b);

@@ -5,9 +5,11 @@ use std::ops::RangeInclusive;
 use glam::DVec2;
 
 use super::limits::WorkLimits;
+use super::speeds::Speeds;
 use super::trace::Arcs;
 use super::{Failure, Left, Swept};
 use crate::geometry::nesting::extent::Extent;
+use crate::geometry::tol::STRAIGHT_EPSILON;
 
 /// The number for "no vertex".
 pub(super) const NONE: u32 = u32::MAX;
@@ -23,7 +25,7 @@ const TURNED_BACK: f64 = 1e-10;
 pub(super) struct MovingLine {
     pub(super) along: DVec2,
     pub(super) at: f64,
-    /// 1 for the fastest edges, 0 for edges that stay.
+    /// From 0 to 1.
     pub(super) speed: f64,
 }
 
@@ -31,6 +33,11 @@ impl MovingLine {
     /// The direction in which the line moves.
     pub(super) fn normal(&self) -> DVec2 {
         self.along.perp()
+    }
+
+    /// The distance of a point in front of the line at a time.
+    pub(super) fn height(&self, p: DVec2, time: f64) -> f64 {
+        self.normal().dot(p) - (self.at + self.speed * time)
     }
 }
 
@@ -42,6 +49,8 @@ pub(super) struct WavefrontVertex {
     pub(super) from: DVec2,
     pub(super) born: f64,
     pub(super) velocity: DVec2,
+    /// True if its lines do not determine a velocity.
+    pub(super) stuck: bool,
     /// The lines of the edge before and the edge after.
     pub(super) before: u32,
     pub(super) after: u32,
@@ -83,17 +92,20 @@ pub(super) fn turn_back(a: &MovingLine, b: &MovingLine) -> bool {
     (a.along + b.along).length() < TURNED_BACK
 }
 
-/// The velocity of a vertex between two lines, which stays on both.
-fn velocity(a: &MovingLine, b: &MovingLine) -> DVec2 {
+/// The velocity of a vertex between two lines; `None` if it is not determined: for opposite lines, and for parallel ones
+/// with different speeds.
+fn velocity(a: &MovingLine, b: &MovingLine) -> Option<DVec2> {
     if turn_back(a, b) {
-        DVec2::ZERO
-    } else if a.speed == b.speed {
+        return None;
+    }
+    if a.speed == b.speed {
         // The sum of the normals is on the bisector; the shorter it is, the faster the vertex.
         let sum = a.normal() + b.normal();
-        sum * (2.0 / sum.length_squared()) * a.speed
-    } else {
-        (b.along * a.speed - a.along * b.speed) / a.along.perp_dot(b.along)
+        return Some(sum * (2.0 * a.speed / sum.length_squared()));
     }
+    let across = a.along.perp_dot(b.along);
+    let is_determined = a.along.dot(b.along) < 0.0 || STRAIGHT_EPSILON < across.abs();
+    is_determined.then(|| (b.along * a.speed - a.along * b.speed) / across)
 }
 
 #[derive(Debug)]
@@ -106,8 +118,12 @@ pub(super) struct Wavefront {
     pub(super) positions: Vec<DVec2>,
     /// The nodes of the skeleton, beginning with the given points.
     pub(super) nodes: Vec<DVec2>,
+    /// The times of the nodes.
+    pub(super) times: Vec<f64>,
     given: usize,
     pub(super) arcs: Arcs,
+    /// True if only the places of points count, so that edges of different speeds may divide corners.
+    pub(super) flat: bool,
     /// True if the region is outside the loops.
     pub(super) unbounded: bool,
     /// The size of the polygon.
@@ -120,13 +136,13 @@ pub(super) struct Wavefront {
 }
 
 impl Wavefront {
-    /// The wavefront at the start. `speed` gives the speed of an edge by its number.
+    /// The wavefront at the start.
     pub(super) fn new(
         points: &[DVec2],
         rings: &[Vec<u32>],
+        speeds: Speeds<'_>,
         epsilon: f64,
         until: f64,
-        speed: impl Fn(usize) -> f64,
     ) -> Result<Self, Failure> {
         let Extent { low, high } = Extent::of(points.iter().copied());
         let extent = (high - low).max_element();
@@ -143,8 +159,10 @@ impl Wavefront {
             alive: Vec::new(),
             positions: Vec::new(),
             nodes: points.to_vec(),
+            times: vec![0.0; points.len()],
             given: points.len(),
             arcs: Arcs::default(),
+            flat: matches!(speeds, Speeds::Places(_)),
             unbounded,
             extent,
             epsilon: epsilon * extent,
@@ -159,7 +177,8 @@ impl Wavefront {
                 let (p, q) = (points[a as usize], points[b as usize]);
                 // An edge without length ends at once, with any direction.
                 let along = (q - p).normalize_or(DVec2::X);
-                front.lines.push(MovingLine { along, at: along.perp().dot(p), speed: speed(front.lines.len()) });
+                let speed = speeds.of(front.lines.len());
+                front.lines.push(MovingLine { along, at: along.perp().dot(p), speed });
                 front.arcs.edge(a, b);
             }
             let count = ring.len() as u32;
@@ -209,13 +228,14 @@ impl Wavefront {
             node,
             from: self.nodes[node as usize],
             born: self.now,
-            velocity,
+            velocity: velocity.unwrap_or_default(),
+            stuck: velocity.is_none(),
             before,
             after,
             last: NONE,
             next: NONE,
             alive: true,
-            reflex: a.along.perp_dot(b.along) <= crate::geometry::tol::STRAIGHT_EPSILON,
+            reflex: a.along.perp_dot(b.along) <= STRAIGHT_EPSILON,
             collapse: f64::INFINITY,
             split: SplitEvent::NEVER,
         }
@@ -224,6 +244,13 @@ impl Wavefront {
     pub(super) fn push(&mut self, vertex: WavefrontVertex) {
         self.positions.push(vertex.from);
         self.vertices.push(vertex);
+    }
+
+    /// Adds a node of the skeleton at the current time.
+    pub(super) fn node(&mut self, at: DVec2) -> u32 {
+        self.nodes.push(at);
+        self.times.push(self.now);
+        self.nodes.len() as u32 - 1
     }
 
     /// Records the final positions.
@@ -236,6 +263,7 @@ impl Wavefront {
                 vertex.node
             } else {
                 self.nodes.push(at);
+                self.times.push(self.now);
                 self.nodes.len() as u32 - 1
             };
             self.arcs.path(vertex.node, end[number as usize], vertex.before, vertex.after);
@@ -244,10 +272,12 @@ impl Wavefront {
             let vertex = &self.vertices[number as usize];
             self.arcs.front(end[number as usize], end[vertex.next as usize], vertex.after);
         }
-        let same = self.arcs.contracted(&self.nodes, self.given, self.epsilon);
+        let times = (!self.flat).then_some(&self.times[..]);
+        let same = self.arcs.contracted(&self.nodes, times, self.given, self.epsilon);
         end.iter_mut().filter(|end| **end != NONE).for_each(|end| *end = same[*end as usize]);
         let left = self.loops(&end);
-        let swept = Swept { strips: self.arcs.strips(&same), left, points: std::mem::take(&mut self.nodes) };
+        let (points, times) = (std::mem::take(&mut self.nodes), std::mem::take(&mut self.times));
+        let swept = Swept { strips: self.arcs.strips(&same), left, points, times };
         if self.allows(&swept) { Ok(swept) } else { Err(Failure::Tangled) }
     }
 

@@ -69,7 +69,8 @@ fn parts_that_overlap_unite_and_eaves_count() {
 #[test]
 fn a_ring_keeps_its_hole_and_parts_apart_are_faces() {
     let ring: Vec<DVec3> = SQUARE.iter().map(|&(x, z)| DVec3::new(x, 0.0, z)).collect();
-    let hole: Vec<DVec3> = [(1.0, 1.0), (3.0, 1.0), (3.0, 3.0), (1.0, 3.0)].map(|(x, z)| DVec3::new(x, 0.0, z)).to_vec();
+    let hole: Vec<DVec3> =
+        [(1.0, 1.0), (3.0, 1.0), (3.0, 3.0), (1.0, 3.0)].map(|(x, z)| DVec3::new(x, 0.0, z)).to_vec();
     let mesh = Mesh::from_polygon(&ring, &[hole]).unwrap();
     let mut shape = Shape::mesh_axis_aligned(mesh);
     crate::op::extrude(&mut Env::for_tests(), &mut shape, crate::op::Length::Absolute(3.0));

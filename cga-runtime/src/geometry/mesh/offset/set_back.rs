@@ -6,8 +6,9 @@
 
 use std::collections::BTreeMap;
 
-use super::{FaceParts, OffsetError, OffsetPlane, from_first, relief};
+use super::{FaceParts, OffsetError, from_first, relief};
 use crate::geometry::mesh::build::in_order_of_use;
+use crate::geometry::mesh::flat_face::FlatFace;
 use crate::geometry::mesh::{FaceRef, Mesh};
 use crate::geometry::nesting::contour::Contour;
 use crate::geometry::skeleton::{self, Swept};
@@ -29,7 +30,7 @@ pub(crate) fn set_back(face: &FaceRef<'_>, distances: &[f64], made: &mut Mesh) -
         made.add_copy(face);
         return Ok(SetBack { setback: 0, remainder: 1 });
     }
-    let plane = OffsetPlane::of(face)?;
+    let plane = FlatFace::of(face).ok_or(OffsetError::NoNormal)?;
     let (edges, rings) = plane.edges(false);
     let distances: Vec<f64> = edges.iter().map(|edge| distances[edge[0]].max(0.0)).collect();
     let swept = skeleton::sweep_each(&plane.flat, &rings, &distances)?;

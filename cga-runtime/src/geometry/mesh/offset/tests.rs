@@ -32,8 +32,8 @@ fn courtyard() -> Mesh {
 }
 
 /// For each edge of a face the number of faces that use it.
-fn uses(mesh: &Mesh, face: &FaceRef<'_>) -> Vec<usize> {
-    let edges = |face: &FaceRef<'_>| -> Vec<[u32; 2]> {
+fn uses(mesh: &Mesh, face: &crate::geometry::mesh::FaceRef<'_>) -> Vec<usize> {
+    let edges = |face: &crate::geometry::mesh::FaceRef<'_>| -> Vec<[u32; 2]> {
         let ring = |ring: &[u32]| (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]).collect::<Vec<_>>();
         face.loops().flat_map(ring).collect()
     };

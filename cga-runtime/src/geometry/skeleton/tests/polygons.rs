@@ -10,10 +10,10 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::check::winding;
 
 /// A small generator of pseudo-random numbers (splitmix64).
-pub(super) struct Rng(pub(super) u64);
+pub(crate) struct Rng(pub(crate) u64);
 
 impl Rng {
-    pub(super) fn next(&mut self) -> u64 {
+    pub(crate) fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -21,20 +21,20 @@ impl Rng {
         z ^ (z >> 31)
     }
 
-    pub(super) fn unit(&mut self) -> f64 {
+    pub(crate) fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1u64 << 53) as f64
     }
 }
 
 /// Loops of points.
 #[derive(Clone, Debug)]
-pub(super) struct Polygon {
-    pub(super) points: Vec<DVec2>,
-    pub(super) rings: Vec<Vec<u32>>,
+pub(crate) struct Polygon {
+    pub(crate) points: Vec<DVec2>,
+    pub(crate) rings: Vec<Vec<u32>>,
 }
 
 impl Polygon {
-    pub(super) fn of(rings: &[&[(f64, f64)]]) -> Self {
+    pub(crate) fn of(rings: &[&[(f64, f64)]]) -> Self {
         let mut polygon = Polygon { points: Vec::new(), rings: Vec::new() };
         for ring in rings {
             polygon.add(ring.iter().map(|&(x, y)| DVec2::new(x, y)).collect());
@@ -56,7 +56,7 @@ impl Polygon {
     }
 
     /// A star around the origin, optionally with a hole.
-    pub(super) fn star(rng: &mut Rng, corners: usize, hole: bool) -> Self {
+    pub(crate) fn star(rng: &mut Rng, corners: usize, hole: bool) -> Self {
         let mut polygon = Polygon { points: Vec::new(), rings: Vec::new() };
         let mut radial = |low: f64, high: f64| -> Vec<DVec2> {
             (0..corners)
@@ -76,7 +76,7 @@ impl Polygon {
     }
 
     /// A convex polygon with corners at random positions on a circle.
-    pub(super) fn convex(rng: &mut Rng, corners: usize) -> Self {
+    pub(crate) fn convex(rng: &mut Rng, corners: usize) -> Self {
         let step = TAU / corners as f64;
         let at = |i: usize, by: f64| (i as f64 + 0.7 * by) * step;
         let ring =
@@ -88,7 +88,7 @@ impl Polygon {
 
     /// The polygon rounded to a lattice of `lines` lines, if the result is still a polygon. This makes many events
     /// simultaneous.
-    pub(super) fn rounded(&self, lines: f64) -> Self {
+    pub(crate) fn rounded(&self, lines: f64) -> Self {
         let rings =
             self.rings.iter().map(|ring| ring.iter().map(|&p| (self.points[p as usize] * lines).round() / lines));
         let rings: Vec<Vec<DVec3>> = rings.map(|ring| ring.map(|p| p.extend(0.0)).collect()).collect();
@@ -100,7 +100,7 @@ impl Polygon {
         Polygon { points, rings: mesh.face(0).loops().map(<[u32]>::to_vec).collect() }
     }
 
-    pub(super) fn mirrored(&self) -> Self {
+    pub(crate) fn mirrored(&self) -> Self {
         let points = self.points.iter().map(|p| DVec2::new(-p.x, p.y)).collect();
         Polygon { points, rings: self.inverted().rings }
     }
@@ -111,17 +111,17 @@ impl Polygon {
     }
 
     /// Returns true if a point is inside an outline and in no hole, for any winding.
-    pub(super) fn holds(&self, p: DVec2) -> bool {
+    pub(crate) fn holds(&self, p: DVec2) -> bool {
         self.rings.iter().filter(|ring| holds(&self.points, ring, p)).count() % 2 == 1
     }
 
     /// The distance of a point from the outline.
-    pub(super) fn distance(&self, p: DVec2) -> f64 {
+    pub(crate) fn distance(&self, p: DVec2) -> f64 {
         self.edges().map(|[a, b]| to_segment(p, a, b)).fold(f64::INFINITY, f64::min).sqrt()
     }
 
     /// The speed of the fastest corner that is not convex, relative to that of edges.
-    pub(super) fn sharpest(&self) -> f64 {
+    pub(crate) fn sharpest(&self) -> f64 {
         let mut most: f64 = 1.0;
         for ring in &self.rings {
             let at = |i: usize| self.points[ring[i % ring.len()] as usize];
@@ -136,7 +136,7 @@ impl Polygon {
     }
 
     /// The area of a convex polygon after all edges have moved inwards, computed by cuts with one edge after the other.
-    pub(super) fn clipped(&self, distance: f64) -> f64 {
+    pub(crate) fn clipped(&self, distance: f64) -> f64 {
         let mut rest: Vec<DVec2> = self.points.clone();
         for [a, b] in self.edges() {
             let normal = (b - a).normalize().perp();
@@ -157,7 +157,7 @@ impl Polygon {
     }
 
     /// The area of a convex polygon that has grown: its own area, a rectangle per edge, a kite per corner.
-    pub(super) fn mitred(&self, distance: f64) -> f64 {
+    pub(crate) fn mitred(&self, distance: f64) -> f64 {
         let ring = &self.rings[0];
         let at = |i: usize| self.points[ring[i % ring.len()] as usize];
         let mut area = 0.5 * twice_area(&self.points, ring);
@@ -170,19 +170,19 @@ impl Polygon {
     }
 
     /// The region outside: the reversed loops.
-    pub(super) fn inverted(&self) -> Self {
+    pub(crate) fn inverted(&self) -> Self {
         let mut polygon = self.clone();
         polygon.rings.iter_mut().for_each(|ring| ring.reverse());
         polygon
     }
 
-    pub(super) fn turned(&self, angle: f64, away: f64) -> Self {
+    pub(crate) fn turned(&self, angle: f64, away: f64) -> Self {
         let turn = DVec2::new(libm::cos(angle), libm::sin(angle));
         let map = |p: &DVec2| turn.rotate(*p) + DVec2::splat(away);
         Polygon { points: self.points.iter().map(map).collect(), rings: self.rings.clone() }
     }
 
-    pub(super) fn jittered(&self, by: f64, rng: &mut Rng) -> Self {
+    pub(crate) fn jittered(&self, by: f64, rng: &mut Rng) -> Self {
         let mut polygon = self.clone();
         polygon.points.iter_mut().for_each(|p| *p += (DVec2::new(rng.unit(), rng.unit()) - 0.5) * by);
         polygon
@@ -190,20 +190,20 @@ impl Polygon {
 }
 
 /// Returns true if a loop winds around a point.
-pub(super) fn holds(points: &[DVec2], ring: &[u32], p: DVec2) -> bool {
+pub(crate) fn holds(points: &[DVec2], ring: &[u32], p: DVec2) -> bool {
     let ring: Vec<DVec2> = ring.iter().map(|&i| points[i as usize]).collect();
     winding(&ring, p).is_some_and(|turns| turns != 0)
 }
 
 /// Cells of a chessboard.
 #[derive(Clone, Debug)]
-pub(super) struct Cells {
+pub(crate) struct Cells {
     size: i32,
     full: Vec<bool>,
 }
 
 impl Cells {
-    pub(super) fn random(rng: &mut Rng, size: i32) -> Self {
+    pub(crate) fn random(rng: &mut Rng, size: i32) -> Self {
         let share = 0.3 + 0.6 * rng.unit();
         let full = (0..size * size).map(|_| rng.unit() < share).collect();
         Cells { size, full }
@@ -214,7 +214,7 @@ impl Cells {
     }
 
     /// The outline of the cells, with corners at turns. Outlines touch where cells meet only at a corner.
-    pub(super) fn polygon(&self) -> Polygon {
+    pub(crate) fn polygon(&self) -> Polygon {
         let mut edges: Vec<[(i32, i32); 2]> = Vec::new();
         for y in 0..self.size {
             for x in 0..self.size {
@@ -252,7 +252,7 @@ impl Cells {
 
     /// The area after `eighths` eighths, counted on a raster. For the region outside, the negative of the area that
     /// does not remain.
-    pub(super) fn eroded(&self, eighths: usize, outside: bool) -> f64 {
+    pub(crate) fn eroded(&self, eighths: usize, outside: bool) -> f64 {
         let (e, margin) = (eighths as i32, 2);
         let cell = |v: i32| v.div_euclid(8);
         let full = |x: i32, y: i32| self.at(cell(x), cell(y)) != outside;

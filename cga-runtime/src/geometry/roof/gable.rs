@@ -1,0 +1,175 @@
+//! Gable roofs: hip roofs with upright pediments at their ends.
+//!
+//! An end does not move while the wavefront runs. So its strip has no area, and its points are the pediment when they get
+//! heights. Other planes end at the pediment, and continue in front of it as overhangs.
+
+use std::collections::BTreeMap;
+
+use glam::DVec2;
+
+use super::hip::overhang_in_plan;
+use super::plan::{Outside, Plan, arcs, joined};
+use super::{Outline, Rise, Roof};
+use crate::geometry::skeleton::{Failure, Speeds};
+
+/// A gable roof with one face for each edge; `ends` are the edges with pediments. `[across, along]` are the overhangs at
+/// the eaves and beyond the pediments.
+///
+/// If the wavefront with edges that do not move is not determined, all edges get roof planes. An overhang beyond a
+/// pediment that would touch another part of the roof is left out.
+pub(super) fn gable(
+    outline: &Outline<'_>,
+    ends: &[bool],
+    rise: Rise,
+    [across, along]: [f64; 2],
+    even: bool,
+) -> Result<Roof, Failure> {
+    let speeds: Vec<f64> = ends.iter().map(|&end| if end { 0.0 } else { 1.0 }).collect();
+    let (mut plan, ends) = match Plan::of(outline, Speeds::Heights(&speeds)) {
+        Ok(plan) => (plan, ends.to_vec()),
+        Err(Failure::TooMany) => return Err(Failure::TooMany),
+        Err(Failure::Tangled) => (Plan::of(outline, Speeds::Equal)?, vec![false; ends.len()]),
+    };
+    let slope = rise.slope(plan.top());
+    if even {
+        plan.level_ridges(outline);
+    }
+    let eave = if 0.0 < across { overhang_in_plan(across, slope) } else { 0.0 };
+    let gables = gables(outline, &ends);
+    let mut beyond: Vec<f64> = gables.iter().map(|_| along.max(0.0)).collect();
+    while 0.0 < eave || beyond.iter().any(|&along| 0.0 < along) {
+        let mut distances = vec![eave; ends.len()];
+        for (gable, &along) in gables.iter().zip(&beyond) {
+            gable.iter().for_each(|&edge| distances[edge as usize] = along);
+        }
+        match overhang(&mut plan, outline, &gables, &beyond, &distances, eave) {
+            Ok(()) => break,
+            Err(Some(gable)) => beyond[gable] = 0.0,
+            Err(None) if beyond.iter().any(|&along| 0.0 < along) => beyond.fill(0.0),
+            // With one speed the wavefront is always determined. Eaves then reach around the corners of pediments.
+            Err(None) => {
+                let distances = vec![eave; ends.len()];
+                let found = overhang(&mut plan, outline, &gables, &beyond, &distances, eave);
+                found.map_err(|_| Failure::Tangled)?;
+                break;
+            }
+        }
+    }
+    Ok(plan.roof(slope, |edge| ends[edge as usize]))
+}
+
+/// The gables: neighbouring edges that are ends, in their order.
+fn gables(outline: &Outline<'_>, ends: &[bool]) -> Vec<Vec<u32>> {
+    let (mut gables, mut first): (Vec<Vec<u32>>, _) = (Vec::new(), 0);
+    for ring in outline.rings {
+        let count = ring.len();
+        let is_end = |i: usize| ends[first + i % count];
+        for start in (0..count).filter(|&i| is_end(i) && !is_end(i + count - 1)) {
+            let run = (start..start + count).take_while(|&i| is_end(i));
+            gables.push(run.map(|i| (first + i % count) as u32).collect());
+        }
+        first += count;
+    }
+    gables
+}
+
+/// Adds overhangs. An error is the number of a gable that has no room for its overhang, or `None` if the outside has no
+/// wavefront. Then the plan has only more points.
+fn overhang(
+    plan: &mut Plan,
+    outline: &Outline<'_>,
+    gables: &[Vec<u32>],
+    beyond: &[f64],
+    distances: &[f64],
+    eave: f64,
+) -> Result<(), Option<usize>> {
+    let outside = plan.outside(outline, distances, eave).map_err(|_| None)?;
+    let mut regions: Vec<(u32, Vec<u32>)> = Vec::new();
+    for (number, gable) in gables.iter().enumerate() {
+        if 0.0 < beyond[number] {
+            regions.extend(in_front(plan, outline, gable, &outside).ok_or(Some(number))?);
+        }
+    }
+    let is_end = |edge: u32| gables.iter().any(|gable| gable.contains(&edge));
+    let eaves = || outside.strips.iter().filter(|strip| !is_end(strip.edge) && 0.0 < distances[strip.edge as usize]);
+    let fronts: BTreeMap<_, _> = eaves().map(|strip| (strip.edge, strip.fronts())).collect();
+    regions.extend(eaves().map(|strip| (strip.edge, strip.ring.clone())));
+    plan.join(regions, &fronts);
+    plan.drop_straight(|edge| !is_end(edge));
+    Ok(())
+}
+
+/// The regions in front of a pediment, each with the edge whose plane continues there. `None` if the strip of the gable
+/// outside is not a quadrilateral, or the ridge does not reach its outer edge.
+fn in_front(plan: &mut Plan, outline: &Outline<'_>, gable: &[u32], outside: &Outside) -> Option<Vec<(u32, Vec<u32>)>> {
+    let edges = outline.edges();
+    let (a, b) = (edges[*gable.first()? as usize][0], edges[*gable.last()? as usize][1]);
+    // The outer ends of the strip: `a` to `outer[0]`, and `outer[1]` to `b`.
+    let strips: Vec<Vec<u32>> =
+        outside.strips.iter().filter(|strip| gable.contains(&strip.edge)).map(|strip| strip.ring.clone()).collect();
+    let fronts: Vec<[u32; 2]> =
+        outside.strips.iter().filter(|strip| gable.contains(&strip.edge)).flat_map(|strip| strip.fronts()).collect();
+    let rings = joined(&strips);
+    let [ring] = &rings[..] else { return None };
+    let own: Vec<[u32; 2]> = gable.iter().map(|&edge| edges[edge as usize]).collect();
+    let sides: Vec<[u32; 2]> =
+        arcs(ring).filter(|arc| !own.contains(&[arc[1], arc[0]]) && !fronts.contains(arc)).collect();
+    let outer = match sides[..] {
+        [p, q] if p[0] == a && q[1] == b => [p[1], q[0]],
+        [q, p] if p[0] == a && q[1] == b => [p[1], q[0]],
+        _ => return None,
+    };
+    // The upper rim of the pediment, from `b` to `a`.
+    let pediment: Vec<Vec<u32>> =
+        plan.faces.iter().filter(|face| gable.contains(&face.edge)).map(|face| face.ring.clone()).collect();
+    let rings = joined(&pediment);
+    let [ring] = &rings[..] else { return None };
+    let rim: Vec<[u32; 2]> = {
+        let mut rim: Vec<[u32; 2]> = arcs(ring).filter(|arc| !own.contains(arc)).collect();
+        let first = rim.iter().position(|arc| arc[0] == b)?;
+        rim.rotate_left(first);
+        rim
+    };
+    if rim.last()?[1] != a || rim.windows(2).any(|pair| pair[0][1] != pair[1][0]) {
+        return None;
+    }
+    let lefts = plan.lefts();
+    let face_of = |arc: &[u32; 2]| lefts.get(&[arc[1], arc[0]]).map(|&face| plan.faces[face].edge);
+    let faces: Vec<u32> = rim.iter().map(face_of).collect::<Option<_>>()?;
+    // The planes beside the pediment must be those that the strip borders on, not those of another gable at a corner.
+    let borders = |arc: [u32; 2], edge: u32| {
+        let others = outside.strips.iter().filter(|strip| !gable.contains(&strip.edge));
+        others.filter(|strip| arcs(&strip.ring).any(|other| other == [arc[1], arc[0]])).all(|strip| strip.edge == edge)
+    };
+    if !borders([a, outer[0]], faces[faces.len() - 1]) || !borders([outer[1], b], faces[0]) {
+        return None;
+    }
+    let plane =
+        |edge: u32, p: DVec2| outline.along(edges[edge as usize]).perp().dot(p - outline.at(edges[edge as usize][0]));
+    let mut regions = Vec::new();
+    let (mut start, mut from) = (0, outer[1]);
+    while start < rim.len() {
+        let edge = faces[start];
+        let end = (start..rim.len()).find(|&i| faces[i] != edge).unwrap_or(rim.len());
+        let to = match faces.get(end) {
+            None => outer[0],
+            Some(&other) => {
+                // Both planes are equally high there.
+                let [p, q] = outer.map(|point| plan.points[point as usize]);
+                let lead = |p: DVec2| plane(edge, p) - plane(other, p);
+                let share = lead(p) / (lead(p) - lead(q));
+                if !(0.0 < share && share < 1.0) {
+                    return None;
+                }
+                let (at, ridge) = (p.lerp(q, share), rim[end][0]);
+                let here = plan.points[ridge as usize];
+                plan.beyond(ridge, at, plane(edge, at) - plane(edge, here))
+            }
+        };
+        let mut region: Vec<u32> = rim[start..end].iter().map(|arc| arc[0]).collect();
+        region.extend([rim[end - 1][1], to, from]);
+        regions.push((edge, region));
+        (start, from) = (end, to);
+    }
+    Some(regions)
+}

@@ -1,0 +1,186 @@
+//! Roofs over a polygon with holes: pure geometry in the coordinates of a face that is laid flat.
+//!
+//! Hip and gable roofs are the straight skeleton of the outline with heights: the wavefront reaches a point at a time, and
+//! the roof is as high there as its planes rise in that distance ([`plan`]). An edge with a gable does not move, so its
+//! strip is the upright pediment ([`gable`]). An overhang is the wavefront of the region outside. Pyramid, shed and ridge
+//! roofs are planes over the outline ([`planes`]).
+//!
+//! A roof without overhang and its bottom are a closed volume, because the arcs of the wavefront are shared.
+
+mod ends;
+mod gable;
+mod hip;
+mod mesh;
+mod plan;
+mod planes;
+mod settle;
+
+use glam::{DVec2, DVec3};
+
+use crate::geometry::skeleton::Failure;
+
+pub(crate) use mesh::{RoofRefusal, roof_over};
+
+/// The rise of roof planes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Rise {
+    /// The tangent of the angle between the planes and the face.
+    Slope(f64),
+    /// The height of the highest point of the roof, without overhangs, in metres.
+    Height(f64),
+}
+
+impl Rise {
+    /// The tangent of the angle for a roof whose highest point is at a distance from its eaves.
+    fn slope(self, distance: f64) -> f64 {
+        match self {
+            Rise::Slope(slope) => slope,
+            Rise::Height(height) => height / distance,
+        }
+    }
+}
+
+/// The kind of a roof.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum RoofForm {
+    /// A plane rises at each edge.
+    Hip {
+        /// The length of the overhang on the planes, in metres.
+        overhang: f64,
+        /// True to make ridges level.
+        even: bool,
+    },
+    /// A hip roof with upright pediments at its ends.
+    Gable {
+        /// The length of the overhang at the eaves on the planes, in metres.
+        across: f64,
+        /// The overhang beyond the pediments, in metres.
+        along: f64,
+        /// True to make ridges level.
+        even: bool,
+        /// The edge that the ridge is parallel to; negative numbers count from the end.
+        edge: Option<i64>,
+    },
+    /// Triangles to an apex over the mean of the corners.
+    Pyramid,
+    /// One plane that rises from an edge.
+    Shed {
+        /// The number of the edge; negative ones count from the end.
+        edge: i64,
+    },
+    /// Two planes whose ridge is parallel to the x axis, projected into the face.
+    Ridge,
+}
+
+/// A part of a roof, for its tag.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum RoofPart {
+    Bottom,
+    Top,
+    Side,
+    Outer,
+    Inner,
+}
+
+impl RoofPart {
+    const ALL: [RoofPart; 5] = [RoofPart::Bottom, RoofPart::Top, RoofPart::Side, RoofPart::Outer, RoofPart::Inner];
+
+    /// The tag of the part (*component tags*).
+    fn tag(self) -> &'static str {
+        match self {
+            RoofPart::Bottom => "roof.bottom",
+            RoofPart::Top => "roof.top",
+            RoofPart::Side => "roof.side",
+            RoofPart::Outer => "roof.side.outer",
+            RoofPart::Inner => "roof.side.inner",
+        }
+    }
+}
+
+/// A polygon with holes. Edges are numbered along its rings.
+struct Outline<'a> {
+    points: &'a [DVec2],
+    /// The outline anticlockwise, then the holes clockwise, as numbers of points.
+    rings: &'a [Vec<u32>],
+    /// The direction of the shape's x axis.
+    x: DVec2,
+}
+
+impl Outline<'_> {
+    /// The ends of all edges, as numbers of points.
+    fn edges(&self) -> Vec<[u32; 2]> {
+        let ends = |ring: &Vec<u32>| -> Vec<[u32; 2]> {
+            (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]).collect()
+        };
+        self.rings.iter().flat_map(ends).collect()
+    }
+
+    /// The edge with a number, which may be out of range.
+    fn edge(&self, number: i64) -> usize {
+        let count: usize = self.rings.iter().map(Vec::len).sum();
+        number.rem_euclid(count.max(1) as i64) as usize
+    }
+
+    fn at(&self, point: u32) -> DVec2 {
+        self.points[point as usize]
+    }
+
+    /// The direction of an edge.
+    fn along(&self, [a, b]: [u32; 2]) -> DVec2 {
+        (self.at(b) - self.at(a)).normalize_or(DVec2::X)
+    }
+}
+
+/// A face of a roof.
+#[derive(Clone, Debug)]
+struct RoofFace {
+    part: RoofPart,
+    /// The outline anticlockwise as seen from outside, then the holes, as numbers of points.
+    rings: Vec<Vec<u32>>,
+}
+
+/// A roof over one polygon, without its bottom.
+#[derive(Clone, Debug, Default)]
+struct Roof {
+    /// The corners of the polygon, then new points. The third coordinate is the height over the polygon.
+    points: Vec<DVec3>,
+    faces: Vec<RoofFace>,
+    /// True if the roof is below the polygon, which then looks outwards. The rings of its faces are clockwise.
+    below: bool,
+}
+
+impl Roof {
+    /// A roof without faces.
+    fn over(outline: &Outline<'_>) -> Self {
+        Roof { points: outline.points.iter().map(|p| p.extend(0.0)).collect(), faces: Vec::new(), below: false }
+    }
+
+    fn point(&mut self, at: DVec3) -> u32 {
+        self.points.push(at);
+        self.points.len() as u32 - 1
+    }
+
+    fn face(&mut self, part: RoofPart, ring: Vec<u32>) {
+        self.faces.push(RoofFace { part, rings: vec![ring] });
+    }
+}
+
+/// Makes a roof over a polygon.
+fn roof(outline: &Outline<'_>, form: RoofForm, rise: Rise) -> Result<Roof, Failure> {
+    match form {
+        RoofForm::Hip { overhang, even } => hip::hip(outline, rise, overhang, even),
+        RoofForm::Gable { across, along, even, edge } => {
+            let ends = match edge {
+                Some(edge) => ends::ends_along(outline, outline.edge(edge)),
+                None => ends::ends(outline),
+            };
+            gable::gable(outline, &ends, rise, [across, along], even && edge.is_none())
+        }
+        RoofForm::Pyramid => Ok(planes::pyramid(outline, rise)),
+        RoofForm::Shed { edge } => Ok(planes::shed(outline, outline.edge(edge), rise)),
+        RoofForm::Ridge => Ok(planes::ridge(outline, outline.x, rise)),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,283 @@
+//! A hip or gable roof as seen from above: the faces of the straight skeleton, with the distance from the eaves as the
+//! height of each point.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use glam::DVec2;
+
+use super::settle::settle;
+use super::{Outline, Roof, RoofFace, RoofPart};
+use crate::geometry::disjoint::DisjointSets;
+use crate::geometry::nesting::extent::Extent;
+use crate::geometry::skeleton::{self, Failure, Speeds, Swept};
+use crate::geometry::tol::{ANGLE_EPSILON, NUDGE_EPSILONS, TIE_EPSILON};
+use crate::geometry::triangulate::Triangulator;
+
+/// A ridge is between edges whose directions differ from opposite ones by less than 45 degrees: the cosine of 135 degrees.
+const RIDGE: f64 = -std::f64::consts::FRAC_1_SQRT_2;
+
+/// Points that are each moved by less than a distance relative to their extent.
+fn nudged(points: &[DVec2], by: f64) -> Vec<DVec2> {
+    let Extent { low, high } = Extent::of(points.iter().copied());
+    let by = by * (high - low).max_element();
+    // Multiples of an irrational number, modulo 1, are spread evenly.
+    let share = |i: usize, step: f64| (i as f64 * step).fract() - 0.5;
+    let nudge = |i: usize| DVec2::new(share(i, 0.618_033_988_749_894_8), share(i, std::f64::consts::SQRT_2));
+    points.iter().enumerate().map(|(i, p)| *p + nudge(i) * by).collect()
+}
+
+/// The face over an edge.
+#[derive(Clone, Debug)]
+pub(super) struct PlanFace {
+    pub(super) edge: u32,
+    pub(super) ring: Vec<u32>,
+}
+
+/// The faces over the edges of an outline.
+#[derive(Debug)]
+pub(super) struct Plan {
+    /// The corners of the outline, then new points.
+    pub(super) points: Vec<DVec2>,
+    /// The distance of each point from the eaves, along the face; negative outside.
+    pub(super) rises: Vec<f64>,
+    pub(super) faces: Vec<PlanFace>,
+    /// True for points that `even` has moved.
+    moved: Vec<bool>,
+}
+
+impl Plan {
+    /// The whole straight skeleton. Edges with speed 0 get upright faces.
+    ///
+    /// An outline whose events are too entangled is tried again with its corners moved by far less than a hair: the
+    /// structure of that skeleton is right for the outline up to this distance.
+    pub(super) fn of(outline: &Outline<'_>, speeds: Speeds<'_>) -> Result<Plan, Failure> {
+        let mut found = skeleton::sweep_at(outline.points, outline.rings, speeds, f64::INFINITY);
+        for by in NUDGE_EPSILONS {
+            if found != Err(Failure::Tangled) {
+                break;
+            }
+            found = skeleton::sweep_at(&nudged(outline.points, by), outline.rings, speeds, f64::INFINITY);
+        }
+        let mut swept = found?;
+        swept.points[..outline.points.len()].copy_from_slice(outline.points);
+        settle(&mut swept, outline, speeds);
+        let Swept { points, times, strips, .. } = swept;
+        let faces = strips.into_iter().map(|strip| PlanFace { edge: strip.edge, ring: strip.ring }).collect();
+        let moved = vec![false; points.len()];
+        Ok(Plan { points, rises: times, faces, moved })
+    }
+
+    /// The largest distance from the eaves.
+    pub(super) fn top(&self) -> f64 {
+        self.rises.iter().copied().fold(0.0, f64::max)
+    }
+
+    pub(super) fn point(&mut self, at: DVec2, rise: f64) -> u32 {
+        self.points.push(at);
+        self.rises.push(rise);
+        self.moved.push(false);
+        self.points.len() as u32 - 1
+    }
+
+    /// Continues a ridge to a place where its planes are higher by `rise`. A ridge that was made level stays level.
+    pub(super) fn beyond(&mut self, ridge: u32, at: DVec2, rise: f64) -> u32 {
+        let moved = self.moved[ridge as usize];
+        let point = self.point(at, self.rises[ridge as usize] + if moved { 0.0 } else { rise });
+        self.moved[point as usize] = moved;
+        point
+    }
+
+    /// For each arc of a face, the face on its left.
+    pub(super) fn lefts(&self) -> BTreeMap<[u32; 2], usize> {
+        let arcs =
+            |(face, found): (usize, &PlanFace)| arcs(&found.ring).map(move |arc| (arc, face)).collect::<Vec<_>>();
+        self.faces.iter().enumerate().flat_map(arcs).collect()
+    }
+
+    /// Makes ridges level: the points of each connected ridge get their mean height. A ridge is between two edges that
+    /// run against each other, so hips and valleys do not count.
+    pub(super) fn level_ridges(&mut self, outline: &Outline<'_>) {
+        let (edges, lefts) = (outline.edges(), self.lefts());
+        let is_new = |point: u32| outline.points.len() <= point as usize;
+        let along = |face: usize| outline.along(edges[self.faces[face].edge as usize]);
+        let mut ridges = DisjointSets::new(self.points.len());
+        for (&[a, b], &face) in &lefts {
+            let Some(&other) = lefts.get(&[b, a]) else { continue };
+            if a < b && is_new(a) && is_new(b) && along(face).dot(along(other)) < RIDGE {
+                ridges.unite(a, b);
+            }
+        }
+        ridges.flatten();
+        for ridge in ridges.sets().into_iter().filter(|ridge| 1 < ridge.len()) {
+            let mean = ridge.iter().map(|&point| self.rises[point as usize]).sum::<f64>() / ridge.len() as f64;
+            for point in ridge {
+                let rise = &mut self.rises[point as usize];
+                self.moved[point as usize] = TIE_EPSILON * mean < (*rise - mean).abs();
+                *rise = mean;
+            }
+        }
+    }
+
+    /// Joins regions to the faces, each of an edge and a ring. A ring `fronts` has the arcs where the faces now begin.
+    pub(super) fn join(&mut self, regions: Vec<(u32, Vec<u32>)>, fronts: &BTreeMap<u32, Vec<[u32; 2]>>) {
+        let mut of: BTreeMap<u32, Vec<Vec<u32>>> = BTreeMap::new();
+        for face in std::mem::take(&mut self.faces) {
+            of.entry(face.edge).or_default().push(face.ring);
+        }
+        for (edge, ring) in regions {
+            of.entry(edge).or_default().push(ring);
+        }
+        for (edge, rings) in of {
+            let fronts = fronts.get(&edge).map(Vec::as_slice).unwrap_or_default();
+            for mut ring in if rings.len() == 1 { rings } else { joined(&rings) } {
+                let first = fronts.iter().find_map(|front| arcs(&ring).position(|arc| arc == *front));
+                ring.rotate_left(first.unwrap_or(0));
+                self.faces.push(PlanFace { edge, ring });
+            }
+        }
+    }
+
+    /// Removes points between two collinear arcs of the faces over edges that `counts` selects, if no other face has them.
+    pub(super) fn drop_straight(&mut self, counts: impl Fn(u32) -> bool) {
+        let mut around: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
+        let lefts = self.lefts();
+        for (&[a, b], &face) in &lefts {
+            if counts(self.faces[face].edge) {
+                around.entry(a).or_default().insert(b);
+                around.entry(b).or_default().insert(a);
+            }
+        }
+        // An upright face needs the points of the arcs that it shares.
+        let shared = |a: u32, b: u32| {
+            [[a, b], [b, a]].iter().any(|arc| lefts.get(arc).is_some_and(|&face| !counts(self.faces[face].edge)))
+        };
+        let is_straight = |point: u32, ends: &BTreeSet<u32>| {
+            let mut ends = ends.iter().copied();
+            let (Some(a), Some(b), None) = (ends.next(), ends.next(), ends.next()) else { return false };
+            let to = |end: u32| (self.points[end as usize] - self.points[point as usize]).normalize_or_zero();
+            to(a).dot(to(b)) < 0.0
+                && to(a).perp_dot(to(b)).abs() < TIE_EPSILON.sqrt()
+                && !shared(a, point)
+                && !shared(b, point)
+        };
+        let gone: Vec<u32> = around.iter().filter(|(point, ends)| is_straight(**point, ends)).map(|it| *it.0).collect();
+        for face in &mut self.faces {
+            if counts(face.edge) {
+                let kept: Vec<u32> =
+                    face.ring.iter().copied().filter(|point| gone.binary_search(point).is_err()).collect();
+                face.ring = if kept.len() < 3 { continue } else { kept };
+            }
+        }
+    }
+
+    /// The roof whose planes rise by `slope` per metre. Faces over edges that `is_side` selects are upright. Faces that
+    /// are bent become triangles.
+    pub(super) fn roof(mut self, slope: f64, is_side: impl Fn(u32) -> bool) -> Roof {
+        self.faces.sort_by_key(|face| face.edge);
+        let mut faces = Vec::with_capacity(self.faces.len());
+        for PlanFace { edge, ring } in self.faces {
+            if is_side(edge) {
+                faces.push(RoofFace { part: RoofPart::Side, rings: vec![ring] });
+            } else if 3 < ring.len() && ring.iter().any(|&point| self.moved[point as usize]) {
+                let flat: Vec<DVec2> = ring.iter().map(|&point| self.points[point as usize]).collect();
+                let mut triangles = Vec::new();
+                Triangulator::new().polygon(&flat, &[flat.len() as u32], &mut triangles);
+                // The first one has the eave.
+                triangles.sort_by_key(|triangle| !(triangle.contains(&0) && triangle.contains(&1)));
+                for mut triangle in triangles {
+                    let first = (0..3).find(|&i| triangle[i] == 0 && triangle[(i + 1) % 3] == 1);
+                    triangle.rotate_left(first.unwrap_or(0));
+                    let ring = triangle.map(|corner| ring[corner as usize]).to_vec();
+                    faces.push(RoofFace { part: RoofPart::Top, rings: vec![ring] });
+                }
+            } else {
+                faces.push(RoofFace { part: RoofPart::Top, rings: vec![ring] });
+            }
+        }
+        let points = self.points.iter().zip(&self.rises).map(|(p, rise)| p.extend(rise * slope)).collect();
+        Roof { points, faces, below: false }
+    }
+}
+
+/// The arcs of a ring.
+pub(super) fn arcs(ring: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
+    (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]])
+}
+
+/// The union of regions that share arcs, as rings.
+pub(super) fn joined(rings: &[Vec<u32>]) -> Vec<Vec<u32>> {
+    rings_of(rings.iter().flat_map(|ring| arcs(ring)))
+}
+
+/// Joins arcs to rings. Arcs back and forth are not sides.
+pub(super) fn rings_of(arcs: impl Iterator<Item = [u32; 2]>) -> Vec<Vec<u32>> {
+    let mut all: Vec<[u32; 2]> = Vec::new();
+    for arc in arcs {
+        match all.iter().position(|other| *other == [arc[1], arc[0]]) {
+            Some(against) => _ = all.remove(against),
+            None => all.push(arc),
+        }
+    }
+    let mut found = Vec::new();
+    while !all.is_empty() {
+        let start = all.remove(0);
+        let (mut ring, mut end) = (vec![start[0]], start[1]);
+        while end != start[0] {
+            let Some(next) = all.iter().position(|arc| arc[0] == end) else { break };
+            ring.push(end);
+            end = all.remove(next)[1];
+        }
+        if 3 <= ring.len() {
+            found.push(ring);
+        }
+    }
+    found
+}
+
+/// The region outside that edges sweep when each moves outwards by its distance: the strip of each edge.
+pub(super) struct Outside {
+    pub(super) strips: Vec<OutsideStrip>,
+}
+
+pub(super) struct OutsideStrip {
+    pub(super) edge: u32,
+    pub(super) ring: Vec<u32>,
+    /// For each side of the ring whether it is an outer edge.
+    pub(super) front: Vec<bool>,
+}
+
+impl Plan {
+    /// Sweeps the outside, and adds its points to the plan, as far below the eaves as an edge with speed `eave` has moved.
+    pub(super) fn outside(&mut self, outline: &Outline<'_>, distances: &[f64], eave: f64) -> Result<Outside, Failure> {
+        let most = distances.iter().copied().fold(0.0, f64::max);
+        let (mut rings, mut edges) = (Vec::new(), Vec::new());
+        for ring in outline.rings {
+            let (first, count) = (edges.len() as u32, ring.len() as u32);
+            // Edges in reverse order, each from its end to its start.
+            rings.push((0..count).map(|i| ring[((count - i) % count) as usize]).collect::<Vec<u32>>());
+            edges.extend((first..first + count).rev());
+        }
+        let speeds: Vec<f64> = edges.iter().map(|&edge| distances[edge as usize] / most).collect();
+        let plain = speeds.iter().all(|&speed| 1.0 - speed < ANGLE_EPSILON);
+        let speeds = if plain { Speeds::Equal } else { Speeds::Heights(&speeds) };
+        let mut swept = skeleton::sweep_at(outline.points, &rings, speeds, most)?;
+        settle(&mut swept, &Outline { rings: &rings, ..*outline }, speeds);
+        let given = outline.points.len();
+        let new: Vec<u32> = (0..swept.points.len())
+            .map(|i| if i < given { i as u32 } else { self.point(swept.points[i], -swept.times[i] * eave / most) })
+            .collect();
+        let strips = swept.strips.into_iter().map(|strip| OutsideStrip {
+            edge: edges[strip.edge as usize],
+            ring: strip.ring.iter().map(|&point| new[point as usize]).collect(),
+            front: strip.front,
+        });
+        Ok(Outside { strips: strips.collect() })
+    }
+}
+
+impl OutsideStrip {
+    /// The outer edges, in the direction of the edge of the outline, in their order along it.
+    pub(super) fn fronts(&self) -> Vec<[u32; 2]> {
+        arcs(&self.ring).zip(&self.front).filter(|(_, front)| **front).map(|(arc, _)| arc).collect()
+    }
+}

@@ -1,0 +1,46 @@
+//! Moves the points of a straight skeleton into the planes that meet in them.
+//!
+//! A node is the mean of vertices that met within the contact distance. The planes of its faces determine it more
+//! accurately: the nearest point, with its time, that is closest to all of them.
+
+use glam::{DMat3, DVec2, DVec3};
+
+use super::Outline;
+use crate::geometry::nesting::extent::Extent;
+use crate::geometry::skeleton::{Speeds, Swept};
+use crate::geometry::tol::{MEETING_EPSILONS, SETTLE_DAMPING};
+
+/// Repetitions, each of which reduces the effect of the damping.
+const ROUNDS: usize = 3;
+
+/// Moves the new points of a whole straight skeleton. Points that would move by more than a contact distance stay.
+pub(super) fn settle(swept: &mut Swept, outline: &Outline<'_>, speeds: Speeds<'_>) {
+    let given = outline.points.len();
+    let Extent { low, high } = Extent::of(outline.points.iter().copied());
+    let farthest = MEETING_EPSILONS.iter().copied().fold(0.0, f64::max) * (high - low).max_element();
+    // For each new point the planes: the normal and the speed, and the place of the edge.
+    let mut planes: Vec<Vec<(DVec3, DVec2)>> = vec![Vec::new(); swept.points.len() - given];
+    let edges = outline.edges();
+    for strip in &swept.strips {
+        let edge = edges[strip.edge as usize];
+        let speed = speeds.of(strip.edge as usize);
+        let plane = (outline.along(edge).perp().extend(-speed), outline.at(edge[0]));
+        for point in strip.ring.iter().filter(|&&point| given <= point as usize) {
+            planes[*point as usize - given].push(plane);
+        }
+    }
+    for (point, planes) in (given..).zip(&planes).filter(|(_, planes)| 3 <= planes.len()) {
+        let from = swept.points[point].extend(swept.times[point]);
+        let outer = |v: DVec3| DMat3::from_cols(v * v.x, v * v.y, v * v.z);
+        let damped = DMat3::from_diagonal(DVec3::splat(SETTLE_DAMPING));
+        let inverse = planes.iter().fold(damped, |sum, plane| sum + outer(plane.0)).inverse();
+        let mut at = from;
+        for _ in 0..ROUNDS {
+            let miss = |(normal, place): &(DVec3, DVec2)| normal * -normal.dot(at - place.extend(0.0));
+            at += inverse * planes.iter().map(miss).sum::<DVec3>();
+        }
+        if (at - from).length() <= farthest {
+            (swept.points[point], swept.times[point]) = (at.truncate(), at.z);
+        }
+    }
+}

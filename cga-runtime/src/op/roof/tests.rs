@@ -1,0 +1,124 @@
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::*;
+use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
+
+type Op = fn(&mut Env, &mut Shape);
+
+const ALL: [Op; 5] = [
+    |env, shape| roof_hip(env, shape, 30.0, 0.0, false),
+    |env, shape| roof_gable(env, shape, 30.0, 0.0, 0.0, false),
+    |env, shape| roof_pyramid(env, shape, 30.0),
+    |env, shape| roof_shed(env, shape, 30.0, 0.0),
+    |env, shape| roof_ridge_by(env, shape, RoofValue::ByAngle, 30.0),
+];
+
+fn mesh_of(faces: &[&[[f64; 3]]]) -> Mesh {
+    let mut builder = MeshBuilder::new();
+    for face in faces {
+        let points: Vec<u32> = face.iter().map(|&p| builder.point(p)).collect();
+        builder.face(&points, &[], FaceTag::PLAIN);
+    }
+    builder.build().expect("a mesh")
+}
+
+/// Runs an operation. Returns the shape and the number of faults.
+fn run(shape: &Shape, op: Op) -> (Shape, usize) {
+    let (env, mut made) = (&mut Env::for_tests(), shape.clone());
+    op(env, &mut made);
+    assert_eq!(made.pivot, shape.pivot);
+    (made, env.take_faults().0.len())
+}
+
+fn is_same(a: &Shape, b: &Shape) -> bool {
+    a.scope == b.scope && Arc::ptr_eq(&a.to_mesh(), &b.to_mesh()) || a.to_mesh().points() == b.to_mesh().points()
+}
+
+#[test]
+fn roofs_are_closed_and_keep_the_pivot() {
+    for op in ALL {
+        let (shape, faults) = run(&Shape::rectangle(10.0, 8.0), op);
+        let mesh = shape.to_mesh();
+        assert_eq!(faults, 0);
+        assert!(mesh.is_closed() && mesh.check().is_empty() && 0.0 < mesh.volume(), "{:?}", mesh.check());
+        assert_eq!(shape.scope.axes.y_axis, DVec3::Y);
+        assert!((mesh.bounds().size() - shape.scope.size).length() < 1e-9);
+    }
+}
+
+#[test]
+fn every_face_gets_a_roof_across_it() {
+    // The walls and caps of a box.
+    let (hip, faults) = run(&Shape::cuboid(4.0, 6.0, 8.0), ALL[0]);
+    assert_eq!((hip.to_mesh().face_count(), faults), (6 * 5, 0));
+    assert!(hip.to_mesh().is_closed());
+    // A wall: the scope's y axis is its normal, x stays.
+    let wall = mesh_of(&[&[[0.0, 0.0, 0.0], [6.0, 0.0, 0.0], [6.0, 4.0, 0.0], [0.0, 4.0, 0.0]]]);
+    for op in ALL {
+        let (shape, faults) = run(&Shape::mesh_axis_aligned(wall.clone()), op);
+        assert_eq!((shape.scope.axes.x_axis, shape.scope.axes.y_axis, faults), (DVec3::X, DVec3::Z, 0));
+        assert!(shape.to_mesh().is_closed() && 0.0 < shape.to_mesh().volume());
+    }
+    // A face that is not planar keeps its corners.
+    let bent = mesh_of(&[&[[0.0, 0.0, 0.0], [6.0, 0.3, 0.0], [6.0, 0.0, -6.0], [0.0, 0.3, -6.0]]]);
+    for op in ALL {
+        let (shape, faults) = run(&Shape::mesh_axis_aligned(bent.clone()), op);
+        assert!(faults == 0 && shape.to_mesh().is_closed());
+    }
+}
+
+#[test]
+fn hostile_input_leaves_a_fault_and_the_shape() {
+    let crossing = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [1.0, 0.0, -3.0], [1.0, 0.0, 1.0]];
+    let flat = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [8.0, 0.0, 0.0]];
+    for outline in [&crossing[..], &flat] {
+        let shape = Shape::mesh_axis_aligned(mesh_of(&[outline]));
+        for op in ALL {
+            let (made, faults) = run(&shape, op);
+            assert!(faults == 1 && is_same(&made, &shape));
+        }
+    }
+    let lot = Shape::rectangle(10.0, 8.0);
+    let values = [f64::NAN, f64::INFINITY, 0.0, 90.0, -90.0, 1e300];
+    for value in values {
+        let env = &mut Env::for_tests();
+        for at in 0..5 {
+            let mut made = lot.clone();
+            match at {
+                0 => roof_hip(env, &mut made, value, 0.0, false),
+                1 => roof_gable(env, &mut made, value, 0.0, 0.0, false),
+                2 => roof_pyramid(env, &mut made, value),
+                3 => roof_shed(env, &mut made, value, 0.0),
+                _ => roof_ridge_by(env, &mut made, RoofValue::ByAngle, value),
+            }
+            assert!(!env.take_faults().0.is_empty() && is_same(&made, &lot), "{value} {at}");
+        }
+    }
+    // Negative numbers make the shed fall, and nothing else.
+    let (shed, faults) = run(&lot, |env, shape| roof_shed_by(env, shape, RoofValue::ByHeight, -2.0, 0.0));
+    assert!(faults == 0 && (shed.to_mesh().volume() - 80.0).abs() < 1e-9);
+    assert_eq!(run(&lot, |env, shape| roof_hip_by(env, shape, RoofValue::ByHeight, -2.0, 0.0, false)).1, 1);
+    for (overhang, faults) in [(f64::NAN, 1), (1e300, 1), (-1.0, 0)] {
+        let (env, mut made) = (&mut Env::for_tests(), lot.clone());
+        roof_hip(env, &mut made, 30.0, overhang, false);
+        assert_eq!(env.take_faults().0.len(), faults, "{overhang}");
+        assert!(made.to_mesh().check().is_empty());
+    }
+    for index in [f64::NAN, 1e300, -1e300, 0.5, 7.0, -7.0] {
+        let (env, mut made) = (&mut Env::for_tests(), lot.clone());
+        roof_shed(env, &mut made, 30.0, index);
+        roof_gable_along(env, &mut lot.clone(), 30.0, 1.0, 1.0, true, index);
+        assert!(made.to_mesh().is_closed() && made.to_mesh().check().is_empty());
+    }
+}
+
+#[test]
+fn tags_of_the_face_stay_and_old_roof_tags_go() {
+    let (shape, _) = run(&Shape::rectangle(10.0, 8.0), ALL[1]);
+    let (again, _) = run(&shape, ALL[0]);
+    let mesh = again.to_mesh();
+    let tags = |face: usize| mesh.tag_sets()[mesh.face(face).tag().tags as usize].names().len();
+    assert!((0..mesh.face_count()).all(|face| tags(face) == 1));
+}

@@ -1,0 +1,286 @@
+//! *roofHip, roofGable, roofPyramid, roofShed and roofRidge operations*: numbers that follow from the pages.
+
+use cga::{Model, Shape, cga};
+
+cga! {
+    @Allow(undefined_rule)
+    grammar Roofs = r##"
+    attr a = 45
+    attr x = 0
+    attr y = 0
+    attr n = 0
+    attr h = 4
+    attr even = false
+    attr turn = 0
+
+    @StartRule
+    Hip --> roofHip(a, x, even) Roof
+    @StartRule
+    HipHeight --> roofHip(byHeight, h, x) Roof
+    @StartRule
+    Gable --> roofGable(a, x, y, even) Roof
+    @StartRule
+    GableHeight --> roofGable(byHeight, h) Roof
+    @StartRule
+    GableAlong --> roofGable(a, x, y, even, n) Roof
+    @StartRule
+    Pyramid --> roofPyramid(a) Roof
+    @StartRule
+    PyramidHeight --> roofPyramid(byHeight, h) Roof
+    @StartRule
+    Shed --> roofShed(a, n) Roof
+    @StartRule
+    ShedHeight --> roofShed(byHeight, h, n) Roof
+    @StartRule
+    Ridge --> rotateScope(0, turn, 0) roofRidge(byAngle, a) Roof
+    @StartRule
+    RidgeHeight --> roofRidge(byHeight, h) Roof
+
+    Roof --> [ Whole. ]
+             [ comp(f) { all : Face. } ]
+             [ comp(f) { isTagged("roof.top") : Top. | isTagged("roof.bottom") : Bottom. | isTagged("roof.side.outer") : Outer.
+                       | isTagged("roof.side.inner") : Inner. | isTagged("roof.side") : Side. } ]
+             comp(e) { eave : primitiveCube Eave. | hip : primitiveCube Hip_. | valley : primitiveCube Valley. | ridge : primitiveCube Ridge_. }
+    "##;
+}
+
+fn rectangle() -> Shape {
+    outline(&[[0.0, 0.0], [10.0, 0.0], [10.0, -8.0], [0.0, -8.0]])
+}
+
+fn outline(points: &[[f64; 2]]) -> Shape {
+    Shape::footprint(points, &[]).expect("an outline")
+}
+
+fn l_lot() -> Shape {
+    outline(&[[0.0, 0.0], [4.0, 0.0], [4.0, -6.0], [10.0, -6.0], [10.0, -10.0], [0.0, -10.0]])
+}
+
+fn run(grammar: Roofs, rule: &str, shape: &Shape) -> Model {
+    let model = grammar.generate_from(rule, shape).expect("a model");
+    assert!(model.faults().is_empty(), "{:?}", model.faults());
+    model
+}
+
+fn rounded(number: f64) -> f64 {
+    (number * 1e3).round() / 1e3
+}
+
+/// The areas of the leaves of a rule.
+fn areas(model: &Model, rule: &str) -> Vec<f64> {
+    model.leaves_of(rule).map(|leaf| rounded(leaf.area())).collect()
+}
+
+fn size(model: &Model) -> [f64; 3] {
+    let leaf = model.leaves_of("Whole").next().expect("a leaf");
+    leaf.scope().size.to_array().map(rounded)
+}
+
+fn volume(model: &Model) -> f64 {
+    rounded(model.leaves_of("Whole").next().expect("a leaf").volume())
+}
+
+fn counts(model: &Model) -> [usize; 4] {
+    ["Eave", "Hip_", "Valley", "Ridge_"].map(|rule| model.count(rule))
+}
+
+/// RH2, RH4, RH11: a ridge 2 m long and 4 m high.
+#[test]
+fn a_hip_roof_over_a_rectangle() {
+    let model = run(Roofs::default(), "Hip", &rectangle());
+    assert_eq!(size(&model), [10.0, 4.0, 8.0]);
+    assert_eq!((volume(&model), counts(&model)), (rounded(4.0 * (8.0 * 2.0 / 2.0 + 8.0 * 8.0 / 3.0)), [4, 4, 0, 1]));
+    let root = 2f64.sqrt();
+    // Each face in the order of its edge, then the bottom.
+    assert_eq!(areas(&model, "Face"), [24.0 * root, 16.0 * root, 24.0 * root, 16.0 * root, 80.0].map(rounded));
+    assert_eq!((model.count("Top"), areas(&model, "Bottom")), (4, vec![80.0]));
+    let same = run(Roofs { h: 4.0, ..Roofs::default() }, "HipHeight", &rectangle());
+    assert_eq!((areas(&same, "Face"), size(&same)), (areas(&model, "Face"), size(&model)));
+}
+
+/// RH3: an exact square has one apex, also with collinear corners (R20).
+#[test]
+fn a_hip_roof_over_a_square() {
+    let model = run(Roofs::default(), "Hip", &outline(&[[0.0, 0.0], [8.0, 0.0], [8.0, -8.0], [0.0, -8.0]]));
+    assert_eq!((size(&model), volume(&model)), ([8.0, 4.0, 8.0], rounded(256.0 / 3.0)));
+    assert_eq!((model.count("Top"), counts(&model)), (4, [4, 4, 0, 0]));
+    let divided = [[0.0, 0.0], [4.0, 0.0], [8.0, 0.0], [8.0, -8.0], [3.0, -8.0], [0.0, -8.0]];
+    let model = run(Roofs::default(), "Hip", &outline(&divided));
+    assert_eq!((size(&model), volume(&model), model.count("Top")), ([8.0, 4.0, 8.0], rounded(256.0 / 3.0), 6));
+}
+
+/// RH5 to RH7: the overhang is measured on the planes, and is part of the faces.
+#[test]
+fn a_hip_roof_with_an_overhang() {
+    let model = run(Roofs { a: 30.0, x: 2.0, ..Roofs::default() }, "Hip", &rectangle());
+    assert_eq!(size(&model), [13.464, 3.309, 11.464]);
+    assert_eq!((model.count("Face"), model.count("Top"), counts(&model)), (5, 4, [4, 4, 0, 1]));
+    let first = model.leaves_of("Face").next().expect("a face");
+    // x along the eave, y up the slope.
+    assert_eq!([first.scope().size.x, first.scope().size.y].map(rounded), [13.464, rounded(2.0 + 8.0 / 3f64.sqrt())]);
+}
+
+/// RH8 to RH10.
+#[test]
+fn even_makes_ridges_level() {
+    let trapezoid = outline(&[[0.0, 0.0], [24.0, 0.0], [24.0, -10.0], [0.0, -18.0]]);
+    let ridge = |even: bool, rule: &str, shape: &Shape| {
+        let model = run(Roofs { even, ..Roofs::default() }, rule, shape);
+        let scope = model.leaves_of("Ridge_").next().expect("a ridge").scope();
+        [scope.origin.y, scope.origin.y + scope.axes.x_axis.y * scope.size.x].map(rounded)
+    };
+    for rule in ["Hip", "Gable"] {
+        let uneven = ridge(false, rule, &trapezoid);
+        assert!(0.5 < (uneven[0] - uneven[1]).abs(), "{uneven:?}");
+        let even = ridge(true, rule, &trapezoid);
+        assert!((even[0] - even[1]).abs() < 1e-3 && (even[0] - (uneven[0] + uneven[1]) / 2.0).abs() < 2e-3, "{even:?}");
+        assert_eq!(ridge(true, rule, &rectangle()), ridge(false, rule, &rectangle()));
+    }
+}
+
+/// RH13, RG4: the L of the pictures.
+#[test]
+fn roofs_over_an_l() {
+    let model = run(Roofs::default(), "Hip", &l_lot());
+    assert_eq!((model.count("Top"), counts(&model)), (6, [6, 5, 1, 2]));
+    let model = run(Roofs::default(), "Gable", &l_lot());
+    assert_eq!((model.count("Top"), areas(&model, "Side"), counts(&model)), (4, vec![4.0, 4.0], [4, 1, 1, 2]));
+}
+
+/// RG2, RG3, RG10, RG12, R17.
+#[test]
+fn a_gable_roof_over_a_rectangle() {
+    let model = run(Roofs::default(), "Gable", &rectangle());
+    let slope = rounded(40.0 * 2f64.sqrt());
+    assert_eq!(areas(&model, "Face"), [slope, 16.0, slope, 16.0, 80.0]);
+    assert_eq!((areas(&model, "Side"), counts(&model)), (vec![16.0, 16.0], [2, 0, 0, 1]));
+    assert_eq!((size(&model), volume(&model)), ([10.0, 4.0, 8.0], 160.0));
+    let same = run(Roofs { h: 4.0, ..Roofs::default() }, "GableHeight", &rectangle());
+    assert_eq!(areas(&same, "Face"), areas(&model, "Face"));
+    // Collinear corners at an end: each edge has its part of the pediment.
+    let divided = outline(&[[0.0, 0.0], [10.0, 0.0], [10.0, -3.0], [10.0, -8.0], [0.0, -8.0]]);
+    let model = run(Roofs::default(), "Gable", &divided);
+    assert_eq!(areas(&model, "Side"), [4.5, 11.5, 16.0]);
+    assert_eq!((model.count("Top"), volume(&model)), (2, 160.0));
+}
+
+/// RG5 to RG7.
+#[test]
+fn a_gable_roof_with_overhangs() {
+    let model = run(Roofs { a: 30.0, x: 2.0, y: 1.0, ..Roofs::default() }, "Gable", &rectangle());
+    assert_eq!(size(&model), [12.0, 3.309, 11.464]);
+    let slope = rounded(12.0 * (2.0 + 8.0 / 3f64.sqrt()));
+    let pediment = rounded(16.0 / 3f64.sqrt());
+    assert_eq!(areas(&model, "Face"), [slope, pediment, slope, pediment, 80.0]);
+    assert_eq!(counts(&model), [2, 0, 0, 1]);
+    for (x, y, size_of) in [(2.0, 0.0, [10.0, 3.309, 11.464]), (0.0, 1.0, [12.0, 2.309, 8.0])] {
+        let model = run(Roofs { a: 30.0, x, y, ..Roofs::default() }, "Gable", &rectangle());
+        assert_eq!((size(&model), model.count("Face")), (size_of, 5));
+    }
+    let model = run(Roofs { a: 30.0, x: 2.0, y: 1.0, ..Roofs::default() }, "Gable", &l_lot());
+    assert_eq!((model.count("Top"), model.count("Side"), counts(&model)), (4, 2, [4, 1, 1, 2]));
+}
+
+/// RG11, and a square: the ridge runs along the first edge.
+#[test]
+fn the_ridge_of_a_gable_follows_an_edge() {
+    let square = outline(&[[0.0, 0.0], [8.0, 0.0], [8.0, -8.0], [0.0, -8.0]]);
+    let sides = |grammar: Roofs, rule: &str, shape: &Shape| areas(&run(grammar, rule, shape), "Face");
+    let root = 2f64.sqrt();
+    let along = [32.0 * root, 16.0, 32.0 * root, 16.0, 64.0].map(rounded);
+    assert_eq!(sides(Roofs::default(), "Gable", &square), along);
+    assert_eq!(sides(Roofs::default(), "GableAlong", &square), along);
+    let across = [16.0, 32.0 * root, 16.0, 32.0 * root, 64.0].map(rounded);
+    assert_eq!(sides(Roofs { n: 1.0, ..Roofs::default() }, "GableAlong", &square), across);
+    assert_eq!(sides(Roofs { n: -1.0, ..Roofs::default() }, "GableAlong", &square), across);
+    let across = [25.0, 40.0 * root, 25.0, 40.0 * root, 80.0].map(rounded);
+    assert_eq!(sides(Roofs { n: 3.0, ..Roofs::default() }, "GableAlong", &rectangle()), across);
+}
+
+/// RP1 to RP6, RP8, RP10.
+#[test]
+fn a_pyramid_over_the_mean_of_the_corners() {
+    let model = run(Roofs::default(), "Pyramid", &rectangle());
+    assert_eq!((size(&model), volume(&model), model.count("Top")), ([10.0, 4.0, 8.0], rounded(320.0 / 3.0), 4));
+    assert_eq!(counts(&model), [4, 4, 0, 0]);
+    let second = 8.0 * (25.0f64 + 16.0).sqrt() / 2.0;
+    assert_eq!(areas(&model, "Face")[..2], [rounded(20.0 * 2f64.sqrt() * 2f64.sqrt() / 2f64.sqrt()), rounded(second)]);
+    let turned = outline(&[[10.0, 0.0], [10.0, -8.0], [0.0, -8.0], [0.0, 0.0]]);
+    assert_eq!(rounded(size(&run(Roofs::default(), "Pyramid", &turned))[1]), 5.0);
+    let divided = outline(&[[0.0, 0.0], [5.0, 0.0], [10.0, 0.0], [10.0, -8.0], [0.0, -8.0]]);
+    let model = run(Roofs { h: 4.0, ..Roofs::default() }, "PyramidHeight", &divided);
+    assert_eq!((volume(&model), model.count("Top")), (rounded(320.0 / 3.0), 5));
+    // The apex is 3.2 m from the divided edge.
+    assert_eq!(areas(&model, "Face")[0], rounded(2.5 * (3.2f64 * 3.2 + 16.0).sqrt()));
+}
+
+/// RS1 to RS7, RS9, RS10.
+#[test]
+fn a_shed_rises_from_an_edge() {
+    let model = run(Roofs::default(), "Shed", &rectangle());
+    assert_eq!(size(&model), [10.0, 8.0, 8.0]);
+    assert_eq!(areas(&model, "Face"), [rounded(80.0 * 2f64.sqrt()), 32.0, 80.0, 32.0, 80.0]);
+    assert_eq!((areas(&model, "Outer"), model.count("Inner"), volume(&model)), (vec![32.0, 80.0, 32.0], 0, 320.0));
+    let same = run(Roofs { h: 8.0, ..Roofs::default() }, "ShedHeight", &rectangle());
+    assert_eq!(areas(&same, "Face"), areas(&model, "Face"));
+    let model = run(Roofs { a: 10.0, n: 3.0, ..Roofs::default() }, "Shed", &l_lot());
+    assert_eq!((model.count("Top"), model.count("Outer"), model.count("Face")), (1, 5, 7));
+    let last = run(Roofs { n: -1.0, ..Roofs::default() }, "Shed", &rectangle());
+    assert_eq!(areas(&last, "Face"), areas(&run(Roofs { n: 3.0, ..Roofs::default() }, "Shed", &rectangle()), "Face"));
+    // A plane that falls: the roof is below.
+    let model = run(Roofs { a: -45.0, ..Roofs::default() }, "Shed", &rectangle());
+    assert_eq!((volume(&model), size(&model), rounded(model.bounds().low.y)), (320.0, [10.0, 8.0, 8.0], -8.0));
+}
+
+/// RS6, RR7, RR8: a courtyard.
+#[test]
+fn holes_have_inner_sides() {
+    let hole = vec![[3.0, -2.0], [7.0, -2.0], [7.0, -6.0], [3.0, -6.0]];
+    let yard = Shape::footprint(&[[0.0, 0.0], [10.0, 0.0], [10.0, -8.0], [0.0, -8.0]], &[hole]).expect("a yard");
+    let model = run(Roofs::default(), "Shed", &yard);
+    assert_eq!((model.count("Top"), model.count("Outer")), (1, 3));
+    assert_eq!(areas(&model, "Top"), [rounded(64.0 * 2f64.sqrt())]);
+    let mut inner = areas(&model, "Inner");
+    inner.sort_by(f64::total_cmp);
+    assert_eq!(inner, [8.0, 16.0, 16.0, 24.0]);
+    let model = run(Roofs::default(), "Ridge", &yard);
+    assert_eq!((model.count("Top"), areas(&model, "Outer")), (2, vec![16.0, 16.0]));
+    let mut inner = areas(&model, "Inner");
+    inner.sort_by(f64::total_cmp);
+    // Those across the ridge are pentagons.
+    assert_eq!(inner, [8.0, 8.0, 12.0, 12.0]);
+    // The skeleton of a courtyard: each of the eight edges has its plane, and the ridge goes around.
+    let model = run(Roofs::default(), "Hip", &yard);
+    assert_eq!((model.count("Top"), model.count("Bottom")), (8, 1));
+    assert_eq!(size(&model), [10.0, 1.5, 8.0]);
+}
+
+/// RR1 to RR6.
+#[test]
+fn a_ridge_along_the_x_axis() {
+    let model = run(Roofs::default(), "Ridge", &rectangle());
+    let slope = rounded(40.0 * 2f64.sqrt());
+    assert_eq!((areas(&model, "Top"), areas(&model, "Outer")), (vec![slope, slope], vec![16.0, 16.0]));
+    assert_eq!((size(&model), volume(&model)), ([10.0, 4.0, 8.0], 160.0));
+    let same = run(Roofs { h: 4.0, ..Roofs::default() }, "RidgeHeight", &rectangle());
+    assert_eq!(areas(&same, "Face"), areas(&model, "Face"));
+    let model = run(Roofs { turn: 90.0, ..Roofs::default() }, "Ridge", &rectangle());
+    assert_eq!((size(&model)[1], areas(&model, "Outer")), (5.0, vec![25.0, 25.0]));
+    // Diagonally: the outermost points are two corners.
+    let model = run(Roofs { turn: 45.0, ..Roofs::default() }, "Ridge", &rectangle());
+    assert_eq!((model.count("Top"), model.count("Outer")), (2, 4));
+    assert_eq!(size(&model)[1], rounded(9.0 / 2f64.sqrt()));
+}
+
+/// R16: the U of the picture.
+#[test]
+fn roof_edges_of_a_u() {
+    let u =
+        [[0.0, 0.0], [6.0, 0.0], [6.0, -10.0], [16.0, -10.0], [16.0, 0.0], [22.0, 0.0], [22.0, -18.0], [0.0, -18.0]];
+    let model = run(Roofs::default(), "Hip", &outline(&u));
+    assert_eq!(counts(&model)[0], 8);
+    assert_eq!(counts(&model)[2], 2);
+    assert_eq!(model.count("Top"), 8);
+    let model = run(Roofs::default(), "Gable", &outline(&u));
+    assert_eq!((counts(&model)[0], counts(&model)[2], areas(&model, "Side")), (6, 2, vec![9.0, 9.0]));
+}
