@@ -18,8 +18,11 @@ fn printed(mut shape: Shape) -> Shape {
     shape
 }
 
-/// Prisms with a side along y, from polygons (x, z) and heights, each with points of its own.
-fn prisms(parts: &[(&[(f64, f64)], f64, f64)]) -> Mesh {
+/// A polygon (x, z), and the heights of the bottom and the top over it.
+type Prism<'a> = (&'a [(f64, f64)], f64, f64);
+
+/// Prisms with points of their own.
+fn prisms(parts: &[Prism<'_>]) -> Mesh {
     let mut builder = MeshBuilder::new();
     for (outline, low, high) in parts {
         let count = outline.len() as u32;
