@@ -9,6 +9,7 @@ pub(crate) mod frame;
 pub(crate) mod hull;
 pub mod mesh;
 mod nesting;
+pub(crate) mod overlay;
 pub(crate) mod provenance;
 pub(crate) mod roof;
 pub(crate) mod rotation;

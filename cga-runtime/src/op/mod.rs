@@ -10,6 +10,7 @@ mod along_uv;
 mod coordinates;
 mod extrude;
 mod fit;
+mod footprint;
 mod inline;
 mod insert;
 mod material;
@@ -44,6 +45,7 @@ pub use align_geometry::{
 pub use along_uv::{insert_along_uv, insert_along_uv_with};
 pub use coordinates::{System, TransformMode, rotate_in, translate_in};
 pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
+pub use footprint::footprint;
 pub use inline::{MergeStrategy, inline};
 pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
 pub(crate) use material::image;

@@ -4,6 +4,7 @@ pub(crate) mod comp;
 pub(crate) mod components;
 pub(crate) mod cutting;
 pub(crate) mod example;
+pub(crate) mod mass;
 pub(crate) mod meshes;
 pub(crate) mod primitives;
 pub(crate) mod roofs;

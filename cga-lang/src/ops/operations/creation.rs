@@ -210,7 +210,7 @@ pub(super) static ROWS: &[Operation] = &[
         &[float("distance"), or(KEEP_FACES, Default::Word("all"))],
         "moves the outline of each face in or out, with faces for the difference",
     )),
-    later("footprint", &[], "replaces the geometry by its outline seen from above"),
+    op("footprint", "footprint", &[], "replaces the geometry by its outline seen from above"),
     later("envelope", first(4, ENVELOPE), VOLUME),
     later("envelope", first(6, ENVELOPE), VOLUME),
     later("envelope", ENVELOPE_SIDES, VOLUME),
