@@ -14,6 +14,7 @@ pub(crate) mod overlay;
 pub(crate) mod provenance;
 pub(crate) mod roof;
 pub(crate) mod rotation;
+pub(crate) mod scatter;
 mod segment;
 mod skeleton;
 mod status;

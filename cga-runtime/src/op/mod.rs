@@ -12,6 +12,7 @@ mod envelope;
 mod extrude;
 mod fit;
 mod footprint;
+mod inline;
 mod insert;
 mod material;
 mod mirror;
@@ -21,6 +22,7 @@ mod primitive;
 mod refit;
 mod report;
 mod roof;
+mod scatter;
 #[cfg(test)]
 mod scope_tests;
 pub mod set;
@@ -49,6 +51,7 @@ pub use envelope::{
 };
 pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
 pub use footprint::footprint;
+pub use inline::{MergeStrategy, inline};
 pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
 pub(crate) use material::image;
 pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, opacity, reset_material, set_material, texture};
@@ -64,6 +67,7 @@ pub use roof::{
     RoofValue, roof_gable, roof_gable_along, roof_gable_by, roof_hip, roof_hip_by, roof_pyramid, roof_pyramid_by,
     roof_ridge_by, roof_shed, roof_shed_by,
 };
+pub use scatter::{Distribution, ScatterDomain, ScatterMean, scatter, scatter_around};
 pub use shape_l::shape_l;
 pub use shape_o::shape_o;
 pub use shape_u::shape_u;

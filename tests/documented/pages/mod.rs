@@ -8,6 +8,7 @@ pub(crate) mod mass;
 pub(crate) mod meshes;
 pub(crate) mod primitives;
 pub(crate) mod roofs;
+pub(crate) mod scattering;
 pub(crate) mod split_area;
 pub(crate) mod split_attribute;
 pub(crate) mod split_operation;
