@@ -33,6 +33,7 @@ pub use arms::divide;
 pub(crate) use arms::{Arms, Faces, face_edges};
 pub(crate) use candidate::Candidate;
 pub use candidate::{is_tagged, is_tagged_at};
+pub(crate) use points::Points;
 pub use points::each;
 pub use select::Subcomponent;
 pub use value::comp_values;

@@ -8,6 +8,7 @@ mod align_box;
 mod align_geometry;
 mod along_uv;
 mod coordinates;
+mod envelope;
 mod extrude;
 mod fit;
 mod footprint;
@@ -46,6 +47,10 @@ pub use align_geometry::{
 };
 pub use along_uv::{insert_along_uv, insert_along_uv_with};
 pub use coordinates::{System, TransformMode, rotate_in, translate_in};
+pub use envelope::{
+    EnvelopeAlong, envelope_all, envelope_edges, envelope_front, envelope_front_back, envelope_old_all,
+    envelope_old_front, envelope_old_front_back, envelope_old_sides, envelope_sides,
+};
 pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
 pub use footprint::footprint;
 pub use inline::{MergeStrategy, inline};
