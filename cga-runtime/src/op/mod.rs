@@ -13,6 +13,7 @@ mod extrude;
 mod fit;
 mod footprint;
 mod inline;
+mod inner_rectangle;
 mod insert;
 mod material;
 mod mirror;
@@ -52,6 +53,7 @@ pub use envelope::{
 pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
 pub use footprint::footprint;
 pub use inline::{MergeStrategy, inline};
+pub use inner_rectangle::{RectangleAlignment, inner_rect, inner_rectangle};
 pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
 pub(crate) use material::image;
 pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, opacity, reset_material, set_material, texture};
