@@ -10,7 +10,7 @@ use glam::DVec2;
 use super::hip::overhang_in_plan;
 use super::plan::{Outside, Plan, arcs, joined};
 use super::{Outline, Rise, Roof};
-use crate::geometry::skeleton::{Failure, Speeds};
+use crate::geometry::skeleton::Failure;
 
 /// A gable roof with one face for each edge; `ends` are the edges with pediments. `[across, along]` are the overhangs at
 /// the eaves and beyond the pediments.
@@ -25,10 +25,10 @@ pub(super) fn gable(
     even: bool,
 ) -> Result<Roof, Failure> {
     let speeds: Vec<f64> = ends.iter().map(|&end| if end { 0.0 } else { 1.0 }).collect();
-    let (mut plan, ends) = match Plan::of(outline, Speeds::Heights(&speeds)) {
+    let (mut plan, ends) = match Plan::of(outline, &speeds) {
         Ok(plan) => (plan, ends.to_vec()),
         Err(Failure::TooMany) => return Err(Failure::TooMany),
-        Err(Failure::Tangled) => (Plan::of(outline, Speeds::Equal)?, vec![false; ends.len()]),
+        Err(Failure::Tangled) => (Plan::of(outline, &vec![1.0; ends.len()])?, vec![false; ends.len()]),
     };
     let slope = rise.slope(plan.top());
     if even {
