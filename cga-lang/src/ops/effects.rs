@@ -56,6 +56,8 @@ pub enum UvEffect {
     First,
     /// Sets up a projection of the set.
     SetsUp,
+    /// The new geometry has no sets.
+    Drops,
     /// Makes the set from its projection.
     Projects,
     /// Changes the set, which must exist.

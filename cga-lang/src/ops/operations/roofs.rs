@@ -15,7 +15,7 @@ const INDEX: Param = or(float("index"), Default::Float(0.0));
 
 /// A roof. Its faces have no texture coordinates.
 const fn roof(name: Str, call: Str, params: Params, about: Str) -> Operation {
-    uvs(UvEffect::Keeps, op(name, call, params, about))
+    uvs(UvEffect::Drops, op(name, call, params, about))
 }
 
 pub(super) static ROWS: &[Operation] = &[

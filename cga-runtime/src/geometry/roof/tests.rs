@@ -62,15 +62,15 @@ fn extent(polygon: &Polygon) -> f64 {
     size(points().reduce(DVec2::min).unwrap(), points().reduce(DVec2::max).unwrap())
 }
 
-/// Roof faces do not cross each other, as seen from above.
-fn is_flat_map(polygon: &Polygon, roof: &Roof) -> bool {
+/// Roof faces do not cross each other by more than `slack`, relative to the extent, as seen from above.
+fn is_flat_map(polygon: &Polygon, roof: &Roof, slack: f64) -> bool {
     let tops = roof.faces.iter().filter(|face| face.part == RoofPart::Top);
     let arcs = tops.flat_map(|face| &face.rings).flat_map(|ring| plan::arcs(ring));
     let mut edges: Vec<[u32; 2]> = arcs.map(|[a, b]| [a.min(b), a.max(b)]).collect();
     edges.sort_unstable();
     edges.dedup();
     let ends = |edge: [u32; 2]| edge.map(|point| roof.points[point as usize].truncate());
-    !any_cross(edges.into_iter().map(ends).collect(), PLANAR * extent(polygon))
+    !any_cross(edges.into_iter().map(ends).collect(), slack * extent(polygon))
 }
 
 /// Checks the laws of a roof without overhang: closed, above the polygon, every place covered once.
@@ -100,7 +100,7 @@ fn checked(polygon: &Polygon, roof: &Roof, rng: &mut Rng) -> Result<(), String> 
     if (sum - whole).abs() > 1e-12 * whole {
         return Err(format!("areas {sum} of {whole}"));
     }
-    if !is_flat_map(polygon, roof) {
+    if !is_flat_map(polygon, roof, PLANAR) {
         return Err("faces cross".to_string());
     }
     let flat: Vec<DVec2> = roof.points.iter().map(|point| point.truncate()).collect();
@@ -224,6 +224,9 @@ fn shed_and_ridge_roofs_are_closed_and_planar() {
     law(RoofForm::Ridge, |polygon, roof| Ok(off_own_planes(polygon, roof)));
 }
 
+/// The largest distance from planes, and the largest crossing, of overhangs that meet far away.
+const BENT: f64 = 2e-7;
+
 /// Overhangs continue the planes of the roof: faces stay planar and equally steep, and no place is covered twice.
 ///
 /// Neighbours that are parallel up to 1e-6 and have overhangs of 2 and 1.5 m meet far away, at a place that is not accurate.
@@ -251,7 +254,7 @@ fn overhangs_continue_the_roof() {
 fn overhanging(polygon: &Polygon, roof: &Roof) -> Result<f64, String> {
     let flat: Vec<DVec2> = roof.points.iter().map(|point| point.truncate()).collect();
     let tops: Vec<&RoofFace> = roof.faces.iter().filter(|face| face.part == RoofPart::Top).collect();
-    if !is_flat_map(polygon, roof) {
+    if !is_flat_map(polygon, roof, BENT) {
         return Err("faces cross".to_string());
     }
     let low = flat.iter().copied().reduce(DVec2::min).unwrap();
