@@ -53,9 +53,9 @@ impl UvSets {
                 None => UvSets { may: ALL, awaits: 0 },
             },
             (UvEffect::Deletes, Some(bit)) => UvSets { may: may & !bit, awaits },
-            (UvEffect::Drops, _) => UvSets { may: 0, awaits },
             (UvEffect::First, _) => UvSets { may: 1, awaits: awaits & !1 },
-            (UvEffect::Keeps | UvEffect::Changes | UvEffect::Copies | UvEffect::Deletes, _) => self,
+            (UvEffect::Keeps | UvEffect::Drops, _) => self,
+            (UvEffect::Changes | UvEffect::Copies | UvEffect::Deletes, _) => self,
             (UvEffect::Any | UvEffect::Follows, _) => UvSets { may: ALL, awaits: 0 },
         }
     }

@@ -56,7 +56,7 @@ pub enum UvEffect {
     First,
     /// Sets up a projection of the set.
     SetsUp,
-    /// The new geometry has no sets.
+    /// The new geometry has no sets. A shape that the operation refuses keeps its sets.
     Drops,
     /// Makes the set from its projection.
     Projects,

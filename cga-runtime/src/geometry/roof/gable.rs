@@ -109,6 +109,9 @@ fn overhang(
     regions.extend(eaves().map(|strip| (strip.edge, strip.ring.clone())));
     plan.join(regions, &fronts);
     plan.drop_straight(|edge| !is_end(edge));
+    if eave == 0.0 {
+        plan.begin_at_eaves(outline, is_end);
+    }
     Ok(())
 }
 

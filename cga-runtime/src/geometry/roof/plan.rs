@@ -138,6 +138,20 @@ impl Plan {
         }
     }
 
+    /// Rotates faces so that they begin with the first arc at the eave, which may be longer than the edge. Faces over ends
+    /// stay as they are.
+    pub(super) fn begin_at_eaves(&mut self, outline: &Outline<'_>, is_end: impl Fn(u32) -> bool) {
+        let edges = outline.edges();
+        for face in self.faces.iter_mut().filter(|face| !is_end(face.edge)) {
+            let along = outline.along(edges[face.edge as usize]);
+            let at_eave = |arc: &[u32; 2]| arc.iter().all(|&point| self.rises[point as usize] == 0.0);
+            let place = |arc: [u32; 2]| along.dot(self.points[arc[0] as usize]);
+            let found = arcs(&face.ring).enumerate().filter(|(_, arc)| at_eave(arc));
+            let first = found.min_by(|a, b| place(a.1).total_cmp(&place(b.1))).map(|found| found.0);
+            face.ring.rotate_left(first.unwrap_or(0));
+        }
+    }
+
     /// Removes points between two collinear arcs of the faces over edges that `counts` selects, if no other face has them.
     pub(super) fn drop_straight(&mut self, counts: impl Fn(u32) -> bool) {
         let mut around: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
