@@ -31,10 +31,7 @@ use cga::{Model, Settings, Shape};
 
 use captions::{areas, counts, heights, lengths, numbered};
 use pages::example::{Example, Mark};
-use pages::{
-    comp, components, cutting, meshes, roofs, split_area, split_attribute, split_operation, subdivision_once,
-    subdivision_repeat,
-};
+use pages::{cutting, meshes};
 use sheet::Cell;
 
 /// The share of the model below which pieces are not drawn: about a tenth of a pixel.
@@ -108,18 +105,18 @@ fn main() -> Result<(), Box<dyn Error>> {
         let cells: Vec<Cell> = examples.iter().map(|example| cell(example, &plain, camera, lengths)).collect();
         sheet::draw(&cells, 3)
     };
-    save("split-operation", sheet(split_operation::ALL, row(10.0, 3.0, 1.0)))?;
-    save("subdivision-once", sheet(subdivision_once::ALL, row(5.0, 2.0, 1.0)))?;
-    save("subdivision-repeat", sheet(subdivision_repeat::ALL, row(10.0, 3.0, 1.0)))?;
+    save("split-operation", sheet(pages::split_operation::ALL, row(10.0, 3.0, 1.0)))?;
+    save("subdivision-once", sheet(pages::subdivision_once::ALL, row(5.0, 2.0, 1.0)))?;
+    save("subdivision-repeat", sheet(pages::subdivision_repeat::ALL, row(10.0, 3.0, 1.0)))?;
 
     let measures: [fn(&Model) -> String; 2] = [numbered, heights];
-    let cells = split_attribute::ALL.iter().zip(measures).map(|(example, measured)| {
+    let cells = pages::split_attribute::ALL.iter().zip(measures).map(|(example, measured)| {
         let bounds = example.model(&plain).bounds();
         cell(example, &plain, camera(bounds), measured)
     });
     save("split-attribute", sheet::draw(&cells.collect::<Vec<_>>(), 2))?;
 
-    let cells: Vec<Cell> = split_area::ALL.iter().map(|example| area_cell(example, &plain)).collect();
+    let cells: Vec<Cell> = pages::split_area::ALL.iter().map(|example| area_cell(example, &plain)).collect();
     save("split-area", sheet::draw(&cells, 3))?;
 
     // The cylinder, and the same rules on a hollow cylinder.
@@ -133,13 +130,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     save("cutting", sheet::draw(&cells, 2))?;
 
-    for (name, examples, columns) in [("comp", comp::ALL, 3), ("components", components::ALL, 4)] {
+    for (name, examples, columns) in [("comp", pages::comp::ALL, 3), ("components", pages::components::ALL, 4)] {
         let cells: Vec<Cell> = examples.iter().map(|example| comp_cell(example, &plain)).collect();
         save(name, sheet::draw(&cells, columns))?;
     }
 
-    let cells: Vec<Cell> = roofs::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
+    let cells: Vec<Cell> = pages::roofs::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
     save("roofs", sheet::draw(&cells, 4))?;
+    let cells: Vec<Cell> = pages::scattering::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
+    save("scatter", sheet::draw(&cells, 3))?;
+
+    let cells: Vec<Cell> = pages::mass::ALL.iter().map(|example| comp_cell(example, &cutting::settings())).collect();
+    save("mass", sheet::draw(&cells, 4))?;
 
     save("texturing", sheet::draw(&textured::texturing(&plain), 4))?;
     save("primitives", sheet::draw(&textured::primitives(&plain), 4))?;

@@ -254,3 +254,36 @@ fn doubling_17_times_is_no_recursion() {
     let model = Doubling::default().generate(&lot()).expect("no limit");
     assert_eq!(model.leaves().next().expect("a leaf").size().x, 131_072.0 * 9.0);
 }
+
+cga! {
+    /// Operands in rules that call each other: what they defer runs on top of the stack.
+    grammar Inlining;
+    attr levels = 3000
+    attr nested = 5
+    @StartRule
+    Recursive --> inline Level(0) End.
+    Level(n) --> case n < levels : s(^0.999, ^1, ^1) X. Level(n + 1) else : X.
+    @StartRule
+    AfterDeep --> Deep(0)
+    Deep(n) --> case n < levels : Deep(n + 1) else : inline Level(0) End.
+    @StartRule
+    AllTheWay --> Each(0)
+    Each(n) --> case n < levels : inline { X. } Each(n + 1) else : End.
+    @StartRule
+    Nested --> Nest(nested)
+    Nest(n) --> case n > 0 : inline { X. Nest(n - 1) } End. else : X.
+}
+
+#[test]
+fn operands_find_stack_or_end_with_an_error() {
+    fn from(start: &str, nested: f64) -> Result<Model, Error> {
+        let settings = Settings { start: Some(start.to_owned()), ..deep() };
+        on_a_small_stack(move || Inlining { nested, ..Inlining::default() }.generate_with(&lot(), &settings))
+    }
+    for start in ["Recursive", "AfterDeep", "AllTheWay"] {
+        assert_eq!(names(&from(start, 0.0).expect("enough stack")), ["End"], "{start}");
+    }
+    assert_eq!(names(&from("Nested", 20.0).expect("enough stack")), ["End"]);
+    let error = from("Nested", 100_000.0).expect_err("operands nest too deep");
+    assert!(matches!(error, Error::Limit { what: LimitKind::Depth, .. }), "{error}");
+}

@@ -21,6 +21,8 @@ mod components;
 mod cutting;
 #[path = "documented/faces.rs"]
 mod faces;
+#[path = "documented/mass.rs"]
+mod mass;
 #[path = "documented/offsets.rs"]
 mod offsets;
 #[path = "documented/outlines.rs"]
@@ -31,6 +33,8 @@ mod pages;
 mod pieces;
 #[path = "documented/roofs.rs"]
 mod roofs;
+#[path = "documented/scattered.rs"]
+mod scattered;
 #[path = "documented/scopes.rs"]
 mod scopes;
 #[path = "documented/selectors.rs"]
@@ -45,33 +49,32 @@ mod wings;
 /// Every example runs, leaves something and has nothing to complain about, and they can be told apart.
 #[test]
 fn all_examples_run() {
-    use pages::{
-        comp, components, cutting, primitives, roofs, split_area, split_attribute, split_operation, subdivision_once,
-        subdivision_repeat, texturing as textures,
-    };
     let pages = [
-        split_operation::ALL,
-        split_attribute::ALL,
-        split_area::ALL,
-        subdivision_once::ALL,
-        subdivision_repeat::ALL,
-        cutting::ALL,
-        comp::ALL,
-        components::ALL,
-        textures::ALL,
-        primitives::ALL,
-        roofs::ALL,
+        pages::split_operation::ALL,
+        pages::split_attribute::ALL,
+        pages::split_area::ALL,
+        pages::subdivision_once::ALL,
+        pages::subdivision_repeat::ALL,
+        pages::cutting::ALL,
+        pages::comp::ALL,
+        pages::components::ALL,
+        pages::texturing::ALL,
+        pages::primitives::ALL,
+        pages::roofs::ALL,
+        pages::mass::ALL,
+        pages::scattering::ALL,
     ];
     let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();
     for example in pages.concat() {
-        let model = example.model(&cutting::settings());
+        let model = example.model(&pages::cutting::settings());
         assert!(!model.is_empty() && model.faults().is_empty(), "{}: {:?}", example.title, model.faults());
         assert!(example.rules.contains("-->"));
         for rule in example.marks.iter().filter_map(|mark| mark.rule()) {
             assert!(0 < model.count(rule), "{}: no piece of {rule} to mark", example.title);
         }
     }
+    let count = titles.len();
     titles.sort_unstable();
     titles.dedup();
-    assert_eq!(titles.len(), 10 + 2 + 11 + 12 + 11 + 2 + 5 + 21 + 16 + 12 + 16);
+    assert_eq!(titles.len(), count);
 }

@@ -53,6 +53,8 @@ fn targets(steps: &[Step], visit: &mut dyn FnMut(&Target)) {
                         own.targets.iter().for_each(&mut *visit);
                     }
                     BlockParts::Arms(arms) => arms.iter().for_each(|arm| visit(&arm.then)),
+                    BlockParts::Each(target) => visit(target),
+                    BlockParts::Operands(targets) => targets.iter().for_each(&mut *visit),
                 }
             }
             Step::Push(steps) => targets(steps, visit),

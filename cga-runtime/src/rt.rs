@@ -6,7 +6,7 @@ pub use std::string::String;
 
 pub use crate::asset::File;
 pub use crate::comp::select::Word;
-pub use crate::comp::{Align, Arm, Components, Mode, Select, comp, comp_values, divide, never};
+pub use crate::comp::{Align, Arm, Components, Mode, Select, comp, comp_values, divide, each, never};
 pub use crate::fault::Error;
 pub use crate::func::{host, later};
 pub use crate::geometry::Axis;
@@ -23,6 +23,7 @@ pub use crate::output::parts::{Parts, ShapeError};
 pub use crate::query::get;
 pub use crate::run::context::{Cx, MaterialCx};
 pub use crate::run::env::Env;
+pub use crate::run::operand::operand;
 pub use crate::run::report::Report;
 pub use crate::run::rules::Rules;
 pub use crate::run::settings::Settings;

@@ -11,6 +11,7 @@ mod attributes;
 mod chance;
 mod dynamic;
 mod imports;
+mod inline;
 mod lazy;
 mod locals;
 mod old_spellings;

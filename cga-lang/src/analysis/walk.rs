@@ -103,7 +103,7 @@ impl<'w> Walk<'w> {
                     self.hand_on(rule, args, &facts, visit);
                 }
             }
-            OpKind::Block(block) => self.block(block, &facts, visit),
+            OpKind::Block(block) => return Some(self.block(block, facts, visit)),
             OpKind::Leaf(_) | OpKind::Nil => {}
             OpKind::Path(_, args) => {
                 self.meet_args(args, &facts, visit);
@@ -177,8 +177,21 @@ impl<'w> Walk<'w> {
         joined(ends)
     }
 
-    /// An operation with braces. It does not change the shape itself.
-    fn block<'a>(&self, block: &'a Block, facts: &AbstractState, visit: &mut dyn Visit<'a>) {
+    /// An operation with braces. Only one that goes on with the results of its operands changes the shape itself.
+    fn block<'a>(&self, block: &'a Block, facts: AbstractState, visit: &mut dyn Visit<'a>) -> AbstractState {
+        let changes = match self.known.of(&block.name, &facts) {
+            Some(Use::Operation(row)) => !row.braces.divides(),
+            _ => false,
+        };
+        self.parts(block, &facts, visit);
+        match changes {
+            true => AbstractState { globals: Vec::new(), uvs: UvSets::ANY, asset: None, ..facts.on_any_shape() },
+            false => facts,
+        }
+    }
+
+    /// The parts that an operation with braces makes.
+    fn parts<'a>(&self, block: &'a Block, facts: &AbstractState, visit: &mut dyn Visit<'a>) {
         let any = || AbstractState { asset: None, ..facts.on_any_shape() };
         let row = match self.known.of(&block.name, facts) {
             Some(Use::Operation(row)) => Some(row),
@@ -201,7 +214,11 @@ impl<'w> Walk<'w> {
                         self.steps(&section.ops, any(), visit);
                     }
                 }
-                BlockPart::Ops(list) => list.iter().for_each(|ops| _ = self.steps(ops, any(), visit)),
+                BlockPart::Ops(list) => {
+                    let is_made = row.is_none_or(|row| row.braces == Braces::Ops);
+                    let part = || if is_made { any() } else { facts.clone() };
+                    list.iter().for_each(|ops| _ = self.steps(ops, part(), visit));
+                }
             }
         }
     }

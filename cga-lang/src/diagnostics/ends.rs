@@ -5,7 +5,7 @@ use crate::analysis::{Calls, body};
 use crate::diag::code::Code;
 use crate::diag::{Basis, Diag, Level, by_way_of};
 use crate::graph::{components, is_cycle};
-use crate::ops::Effect;
+use crate::ops::{Braces, Effect, Run};
 use crate::resolve::context::Context;
 use crate::resolve::globals::Declared;
 use crate::resolve::tables::{Entries, Use};
@@ -128,7 +128,9 @@ fn goes_on(list: &[Op], names: Entries, ends: Ends, within: &dyn Fn(u32) -> bool
                     taken.clone().all(|ops| inner(ops)) && (rest || inner(otherwise))
                 }
             }
-            OpKind::Block(block) if ends == Ends::ButWholeSplits => whole(block).is_some_and(inner),
+            OpKind::Block(block) if ends == Ends::ButWholeSplits && whole(block).is_some_and(inner) => true,
+            // Operands are always derived.
+            OpKind::Block(block) if is_derived(block, names) => op.bodies().any(inner),
             // A shape may be too small to divide, or have no such components. That ends the cycle.
             OpKind::Block(_) | OpKind::Leaf(_) | OpKind::Nil | OpKind::Path(..) => false,
         };
@@ -137,6 +139,12 @@ fn goes_on(list: &[Op], names: Entries, ends: Ends, within: &dyn Fn(u32) -> bool
         }
     }
     false
+}
+
+/// Returns true if the operations in the braces act on the whole shape.
+fn is_derived(block: &Block, names: Entries) -> bool {
+    let is_operand = |braces: Braces| matches!(braces, Braces::Inline | Braces::Operands);
+    matches!(names.of(&block.name), Some(Use::Operation(row)) if row.run != Run::Later && is_operand(row.braces))
 }
 
 /// The operations of the only slot, if it takes the whole shape.

@@ -4,7 +4,8 @@ use super::{Arg, Axis, Expr, Piece, Size, Target};
 use crate::ops::{Default, Operation};
 use crate::syntax::ast::ArmMode;
 
-/// `name(args) { … }`: makes parts of the current shape, each with a successor. The shape itself goes on unchanged.
+/// `name(args) { … }`: makes parts of the current shape, each with a successor, and the shape itself goes on unchanged. With
+/// [`BlockParts::Operands`], it makes a new current shape.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
     /// The operation.
@@ -22,6 +23,10 @@ pub enum BlockParts {
     Slots(Slots),
     /// `selector : … | selector = …`, from left to right: a part goes to the first arm that selects it.
     Arms(Vec<Arm<Target>>),
+    /// Operations for every part.
+    Each(Target),
+    /// Operands. Each is derived at once from a copy of the current shape, and the operation takes the leaves.
+    Operands(Vec<Target>),
 }
 
 /// Slots with their sizes.

@@ -39,6 +39,8 @@ macro_rules! step_walkers {
                 Step::Block(Block { parts: BlockParts::Arms(arms), .. }) => {
                     arms.$iter().map(|arm| & $($mutable)? arm.then).collect()
                 }
+                Step::Block(Block { parts: BlockParts::Each(target), .. }) => vec![target],
+                Step::Block(Block { parts: BlockParts::Operands(targets), .. }) => targets.$iter().collect(),
                 Step::Do(..)
                 | Step::SetAttr(..)
                 | Step::SetShape(..)
@@ -65,6 +67,7 @@ macro_rules! step_walkers {
                             Selector::Index(asked) | Selector::When(asked) => Some(asked),
                             Selector::Word(_) => None,
                         })),
+                        BlockParts::Each(_) | BlockParts::Operands(_) => {}
                     }
                     list
                 }

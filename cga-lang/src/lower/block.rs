@@ -3,7 +3,7 @@
 use super::{LONGEST_SOURCE, Lower};
 use crate::ir::{Arm, Block, BlockParts, Comp, Expr, ExprKind, Item, Selector, Slots, Step, Target, Type};
 use crate::lower::fold::fold;
-use crate::ops::{self, Run};
+use crate::ops::{self, Braces, Run};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::syntax::ast::{self, ArmMode, BlockPart, SplitItem};
@@ -15,13 +15,17 @@ impl<'c> Lower<'c> {
             return Some(Step::Later(block.name.text.clone()));
         }
         let args = self.args(row, &block.args, block.name.span);
-        let parts = match block.parts.as_slice() {
-            [BlockPart::Slots(items, repeat)] => {
+        let parts = match (row.braces, block.parts.as_slice()) {
+            (_, [BlockPart::Slots(items, repeat)]) => {
                 let mut slots = Slots::default();
                 self.slots(items, *repeat, &mut slots, block.name.span);
                 BlockParts::Slots(slots)
             }
-            [BlockPart::Arms(arms)] => BlockParts::Arms(arms.iter().map(|arm| self.arm_of(arm)).collect()),
+            (_, [BlockPart::Arms(arms)]) => BlockParts::Arms(arms.iter().map(|arm| self.arm_of(arm)).collect()),
+            (Braces::Ops, [BlockPart::Ops(sides)]) => BlockParts::Each(self.part(sides.first()?, block.name.span)),
+            (_, [BlockPart::Ops(sides)]) => {
+                BlockParts::Operands(sides.iter().map(|ops| self.part(ops, block.name.span)).collect())
+            }
             // No operation with such braces runs yet.
             _ => return Some(Step::Later(block.name.text.clone())),
         };

@@ -1,7 +1,7 @@
 //! Finds out if a rule has made a child by the end of its body. A shape without children is a leaf. `NIL` is a child that
 //! vanishes.
 
-use crate::ir::{Block, BlockParts, Childless, Step};
+use crate::ir::{BlockParts, Childless, Step};
 
 /// Which paths can get to a place: with a child made, without one.
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
@@ -35,9 +35,13 @@ fn walk(steps: &[Step], start: Paths) -> Paths {
     for step in steps {
         paths = match step {
             Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) | Step::Later(..) => paths,
-            Step::Give(_) | Step::Renew(_) | Step::Block(Block { parts: BlockParts::Arms(_), .. }) => paths.child(),
-            // It may not divide: the scope can be empty, every slot dropped.
-            Step::Block(Block { parts: BlockParts::Slots(_), .. }) => paths.or(paths.child()),
+            Step::Give(_) | Step::Renew(_) => paths.child(),
+            Step::Block(block) => match block.parts {
+                BlockParts::Arms(_) | BlockParts::Each(_) => paths.child(),
+                // It may not divide: the scope can be empty, every slot dropped.
+                BlockParts::Slots(_) => paths.or(paths.child()),
+                BlockParts::Operands(_) => paths,
+            },
             Step::Push(steps) => walk(steps, paths),
             Step::Case { arms, otherwise } => {
                 let end = walk(otherwise, paths);

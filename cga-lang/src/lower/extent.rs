@@ -108,7 +108,7 @@ fn follow(steps: &mut [Step], mut known: KnownExtents, hand_on: &mut dyn FnMut(&
     for step in steps {
         match step {
             Step::Give(target) | Step::Renew(Renew { target, .. }) => hand_on(target, known),
-            Step::Block(block) => divide(block, known, hand_on),
+            Step::Block(block) => known = divide(block, known, hand_on),
             Step::Push(inner) => {
                 follow(inner, known, hand_on);
             }
@@ -142,8 +142,8 @@ fn after(step: &Step, known: KnownExtents) -> KnownExtents {
     }
 }
 
-/// Solves the slots of an operation if it can, and hands its parts on.
-fn divide(block: &mut Block, known: KnownExtents, hand_on: &mut dyn FnMut(&Target, KnownExtents)) {
+/// Solves the slots of an operation if it can, and hands its parts on. Returns the extents after the operation.
+fn divide(block: &mut Block, known: KnownExtents, hand_on: &mut dyn FnMut(&Target, KnownExtents)) -> KnownExtents {
     let (axis, adjusts) = (block.axis(), block.adjusts());
     match (&mut block.parts, block.row.braces, axis) {
         (BlockParts::Slots(slots), Braces::Slots(measure @ (Measure::Length | Measure::Area)), Some(axis)) => {
@@ -155,7 +155,13 @@ fn divide(block: &mut Block, known: KnownExtents, hand_on: &mut dyn FnMut(&Targe
         }
         (BlockParts::Slots(slots), ..) => slots.targets.iter().for_each(|target| hand_on(target, known.moved_on())),
         (BlockParts::Arms(arms), ..) => arms.iter().for_each(|arm| hand_on(&arm.then, NOTHING)),
+        (BlockParts::Each(target), ..) => hand_on(target, NOTHING),
+        (BlockParts::Operands(targets), ..) => {
+            targets.iter().for_each(|target| hand_on(target, known));
+            return NOTHING;
+        }
     }
+    known
 }
 
 /// The parts in a slot, where they fill their pieces.

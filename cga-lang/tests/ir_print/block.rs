@@ -23,6 +23,11 @@ impl Printer<'_> {
                 }
                 self.depth -= 1;
             }
+            BlockParts::Each(target) => self.line(&format!("{head} -> {}", self.target(target))),
+            BlockParts::Operands(targets) => {
+                let targets: Vec<String> = targets.iter().map(|target| self.target(target)).collect();
+                self.line(&format!("{head} of {}", targets.join(" | ")));
+            }
         }
     }
 

@@ -16,6 +16,8 @@ pub(super) fn rule(rule: &Rule) -> u32 {
             Step::Block(block) => match &block.parts {
                 BlockParts::Slots(slots) => 3000 + 500 * slots.targets.len(),
                 BlockParts::Arms(arms) => 4000 + 500 * arms.len(),
+                BlockParts::Each(_) => 4000,
+                BlockParts::Operands(targets) => 4000 + 500 * targets.len(),
             },
             Step::Push(_) => 400,
             // A whole shape, a base and two slim shapes; steps after each other share them.

@@ -16,6 +16,7 @@ mod items;
 mod lazy;
 mod leaves;
 mod names;
+mod operands;
 mod operation;
 mod public;
 mod rule;

@@ -157,7 +157,7 @@ impl Generator<'_> {
                 return code;
             }
             code.extend(self.step(step, body, number, rest.is_empty()));
-            number += 1;
+            number += children(step);
         }
         code.extend(if number == 0 { tail.childless.clone() } else { tail.otherwise.clone() });
         code
@@ -296,6 +296,13 @@ impl Generator<'_> {
                 let code = self.divided(block, arms, body.id, number);
                 code!({ #code } #made)
             }
+            Step::Block(block @ Block { parts: BlockParts::Each(target), .. }) => {
+                let code = self.each(block, target, body.id, number);
+                code!({ #code } #made)
+            }
+            Step::Block(block @ Block { parts: BlockParts::Operands(targets), .. }) => {
+                self.derived(block, targets, body.id, number)
+            }
             Step::Push(steps) => {
                 let (base, steps) = (base(steps), self.steps(steps, body, 0, &Tail::default()));
                 code!({
@@ -320,7 +327,13 @@ impl Generator<'_> {
 
     /// Hands the current shape to a successor, which `successor` makes. `copy` comes after the arguments, which are those of the shape
     /// before it.
-    fn give(&self, target: &Target, from: RuleId, copy: &TokenStream, successor: &TokenStream) -> TokenStream {
+    pub(super) fn give(
+        &self,
+        target: &Target,
+        from: RuleId,
+        copy: &TokenStream,
+        successor: &TokenStream,
+    ) -> TokenStream {
         match target {
             Target::Leaf(name) => {
                 let name = self.leaves.number(name);
@@ -369,7 +382,7 @@ impl Generator<'_> {
                 cx.ascend(#levels, #stack);
                 flow
             } else {
-                cx.defer(part, #levels, CgaCall::#variant(#(#args),*))
+                cx.defer(part, #levels, #stack, CgaCall::#variant(#(#args),*))
             }
         }
     }
@@ -403,8 +416,16 @@ impl Generator<'_> {
     }
 }
 
+/// How many numbers of children a step takes.
+fn children(step: &Step) -> u32 {
+    match step {
+        Step::Block(Block { parts: BlockParts::Operands(targets), .. }) => targets.len() as u32,
+        _ => 1,
+    }
+}
+
 /// A copy of the current shape, as child number `number`.
-fn successor(number: u32) -> TokenStream {
+pub(super) fn successor(number: u32) -> TokenStream {
     let number = Literal::u32_unsuffixed(number);
     code!(let part = &cga_rt::successor(shape, #number);)
 }

@@ -6,6 +6,7 @@ mod mesh_parts;
 pub(crate) mod orientation;
 mod owners;
 mod part;
+mod points;
 mod roof;
 pub(crate) mod select;
 mod source;
@@ -31,6 +32,8 @@ pub use arms::divide;
 pub(crate) use arms::{Arms, Faces, face_edges};
 pub(crate) use candidate::Candidate;
 pub use candidate::{is_tagged, is_tagged_at};
+pub(crate) use points::Points;
+pub use points::each;
 pub use select::Subcomponent;
 pub use value::comp_values;
 

@@ -3,15 +3,18 @@
 mod buckets;
 pub mod cut;
 pub(crate) mod disjoint;
+pub(crate) mod envelope;
 mod exact;
 pub(crate) mod face_frame;
 pub(crate) mod frame;
 pub(crate) mod hull;
 pub mod mesh;
 mod nesting;
+pub(crate) mod overlay;
 pub(crate) mod provenance;
 pub(crate) mod roof;
 pub(crate) mod rotation;
+pub(crate) mod scatter;
 mod segment;
 mod skeleton;
 mod status;

@@ -8,8 +8,11 @@ mod align_box;
 mod align_geometry;
 mod along_uv;
 mod coordinates;
+mod envelope;
 mod extrude;
 mod fit;
+mod footprint;
+mod inline;
 mod insert;
 mod material;
 mod mirror;
@@ -19,6 +22,7 @@ mod primitive;
 mod refit;
 mod report;
 mod roof;
+mod scatter;
 #[cfg(test)]
 mod scope_tests;
 pub mod set;
@@ -41,7 +45,13 @@ pub use align_geometry::{
 };
 pub use along_uv::{insert_along_uv, insert_along_uv_with};
 pub use coordinates::{System, TransformMode, rotate_in, translate_in};
+pub use envelope::{
+    EnvelopeAlong, envelope_all, envelope_edges, envelope_front, envelope_front_back, envelope_old_all,
+    envelope_old_front, envelope_old_front_back, envelope_old_sides, envelope_sides,
+};
 pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
+pub use footprint::footprint;
+pub use inline::{MergeStrategy, inline};
 pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
 pub(crate) use material::image;
 pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, opacity, reset_material, set_material, texture};
@@ -57,6 +67,7 @@ pub use roof::{
     RoofValue, roof_gable, roof_gable_along, roof_gable_by, roof_hip, roof_hip_by, roof_pyramid, roof_pyramid_by,
     roof_ridge_by, roof_shed, roof_shed_by,
 };
+pub use scatter::{Distribution, ScatterDomain, ScatterMean, scatter, scatter_around};
 pub use shape_l::shape_l;
 pub use shape_o::shape_o;
 pub use shape_u::shape_u;

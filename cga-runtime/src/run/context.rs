@@ -54,6 +54,8 @@ pub(crate) struct Waiting<C> {
     pub(super) shape: Shape,
     pub(super) call: C,
     pub(super) depth: u32,
+    /// The units of [`STACK`] that the call asked for.
+    pub(super) stack: u32,
     pub(super) trail: Rc<Trail>,
 }
 
@@ -91,9 +93,9 @@ impl<C> Cx<'_, C> {
         self.depth -= levels;
     }
 
-    /// Adds a call to the list of waiting calls.
+    /// Adds a call to the list of waiting calls. `levels` and `stack` are those of [`Cx::descend`].
     #[cold]
-    pub fn defer(&mut self, shape: &ShapeRef<'_>, levels: u32, call: C) -> Flow {
+    pub fn defer(&mut self, shape: &ShapeRef<'_>, levels: u32, stack: u32, call: C) -> Flow {
         let depth = self.depth + levels;
         if self.env.settings.limits.depth < depth {
             return self.env.limit(LimitKind::Depth, u64::from(self.env.settings.limits.depth));
@@ -102,7 +104,7 @@ impl<C> Cx<'_, C> {
             return self.env.limit(LimitKind::Waiting, self.env.settings.limits.waiting);
         }
         let trail = self.env.keep_trail();
-        self.waiting.push_back(Waiting { shape: self.env.whole(shape), call, depth, trail });
+        self.waiting.push_back(Waiting { shape: self.env.whole(shape), call, depth, stack, trail });
         Flow::Continue(())
     }
 
@@ -160,6 +162,9 @@ pub(crate) fn filled(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, r
 fn other_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
     env.shapes += 1;
     let mut shape = env.whole(shape);
+    if let Some(flow) = sink.keep(&shape) {
+        return flow;
+    }
     shape.bake();
     env.leaves += u64::from(shape.geometry.has_surface());
     let rule = env.leaf_tables.names.get(rule as usize).copied().unwrap_or_default();

@@ -3,6 +3,7 @@
 pub(crate) mod context;
 pub(crate) mod derive;
 pub(crate) mod env;
+pub(crate) mod operand;
 pub mod report;
 pub mod rules;
 pub mod settings;

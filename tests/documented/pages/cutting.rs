@@ -13,14 +13,15 @@ pub(crate) const ALL: &[Example] = &[cylinder::EXAMPLE, cylinder_cut::EXAMPLE];
 /// Sides of the cylinder of the page's pictures.
 pub(crate) const SIDES: u32 = 16;
 
-/// Settings with the mesh that the page inserts.
+/// Settings with the meshes that the pages insert.
 pub(crate) fn settings() -> Settings {
     settings_with(meshes::lying_cylinder(SIDES, 0.5, 4.0))
 }
 
-/// The same with another mesh under that name.
+/// The same with another cylinder.
 pub(crate) fn settings_with(mesh: Mesh) -> Settings {
-    Settings { assets: Arc::new(Assets::new().with("cylinder.hor.obj", mesh)), ..Settings::default() }
+    let assets = Assets::new().with("cylinder.hor.obj", mesh).with("building.obj", meshes::house());
+    Settings { assets: Arc::new(assets), ..Settings::default() }
 }
 
 /// On the page's pictures the cylinder lies on the ground, its middle above the x axis: the initial shape is 10 metres long

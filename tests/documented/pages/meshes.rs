@@ -108,3 +108,35 @@ pub(crate) fn tree() -> Mesh {
     }
     builder.build().expect("a tree")
 }
+
+/// "building.obj": an open house with a wing, a porch and gable roofs whose eaves stick out. Walls, roofs and floors are separate
+/// faces, as in a model made by hand.
+///
+/// # Panics
+/// Never.
+pub(crate) fn house() -> Mesh {
+    let mut builder = MeshBuilder::new();
+    // Walls around rectangles from x, z to x, z, up to a height.
+    for ([x, z], [to_x, to_z], high) in
+        [([0., 0.], [12., 8.], 4.), ([8., 8.], [12., 12.], 4.), ([3., 8.], [6., 10.], 0.5)]
+    {
+        let ring = [[x, to_z], [to_x, to_z], [to_x, z], [x, z]];
+        for k in 0..4 {
+            let ([ax, az], [bx, bz]) = (ring[k], ring[(k + 1) % 4]);
+            let wall = [[ax, 0., az], [bx, 0., bz], [bx, high, bz], [ax, high, az]].map(|at| builder.point(at));
+            builder.face(&wall, &[], FaceTag::PLAIN);
+        }
+        let floor = ring.map(|[x, z]| builder.point([x, high.min(0.5), z]));
+        builder.face(&floor, &[], FaceTag::PLAIN);
+    }
+    // Gable roofs: the ridge along x over the house, along z over the wing.
+    let mut roof = |corners: [[f64; 3]; 4]| {
+        let face = corners.map(|at| builder.point(at));
+        builder.face(&face, &[], FaceTag::PLAIN);
+    };
+    roof([[-1., 3.5, 9.], [13., 3.5, 9.], [13., 6., 4.], [-1., 6., 4.]]);
+    roof([[13., 3.5, -1.], [-1., 3.5, -1.], [-1., 6., 4.], [13., 6., 4.]]);
+    roof([[7., 3.5, 13.], [10., 5., 13.], [10., 5., 6.], [7., 3.5, 6.]]);
+    roof([[13., 3.5, 6.], [10., 5., 6.], [10., 5., 13.], [13., 3.5, 13.]]);
+    builder.build().expect("a house")
+}

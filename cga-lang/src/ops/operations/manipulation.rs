@@ -2,9 +2,9 @@
 
 use super::super::{
     Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Params, Str, boolean, bounds, float, or, text,
-    within, words,
+    within, word, words,
 };
-use super::{block, later, old, op, with};
+use super::{block, joins, later, old, op, with};
 
 /// *cleanupGeometry* and *reduceGeometry operation*.
 static TOLERANCES: ParamBounds = bounds(Allowed::Between(0.0, 1.0), "it is from 0 to 1");
@@ -22,11 +22,14 @@ const TAGGED: Param = or(words("components", &["auto", "faces", "edges", "vertic
 
 const UNTAGGED: Param = or(words("components", &["all", "faces", "edges", "vertices"]), Default::Word("all"));
 
-const STRATEGY: Param = or(words("geometryMergeStrategy", &["append", "unify", "recompose"]), Default::Word("append"));
+const APPEND: Param = or(word("geometryMergeStrategy", "MergeStrategy", &["append"]), Default::Word("append"));
+
+const STRATEGY: Param = words("geometryMergeStrategy", &["unify", "recompose"]);
 
 /// *Boolean 3D operations*, 2024.1.
 const SWAP: Param = words("swapMode", &["noSwap", "swap"]);
 
+const INLINE: &str = "derives a rule at once and continues with its result as one shape";
 const UNION: &str = "joins the results of both sides";
 const SUBTRACT: &str = "removes the result of the right side from the result of the left side";
 const INTERSECT: &str = "keeps the common part of both results";
@@ -61,7 +64,8 @@ pub(super) static ROWS: &[Operation] = &[
     later("deleteTags", &[], "removes all tags"),
     later("deleteTags", &[text("tagQuery"), UNTAGGED], "removes the tags that match"),
     later("setTagsFromEdgeAttrs", &[], "makes tags of the initial shape's edge attributes"),
-    block("inline", Braces::Inline, &[STRATEGY], "derives a rule at once and continues with its result as one shape"),
+    joins("inline", block("inline", Braces::Inline, &[APPEND], INLINE)),
+    block("inline", Braces::Inline, &[STRATEGY], INLINE),
     block("union", Braces::Operands, &[], UNION),
     block("subtract", Braces::Operands, &[], SUBTRACT),
     block("intersect", Braces::Operands, &[], INTERSECT),

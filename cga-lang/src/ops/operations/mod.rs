@@ -103,6 +103,11 @@ const fn divides(call: Str, uses: Uses, row: Operation) -> Operation {
     Operation { run: Run::Now(call), ..keeps(using(uses, row)) }
 }
 
+/// A row with operands that is implemented. The results of the operands become the shape.
+const fn joins(call: Str, row: Operation) -> Operation {
+    Operation { run: Run::Now(call), ..row }
+}
+
 /// The row of an operation that only old files should have.
 const fn old(row: Operation, instead: Str) -> Operation {
     Operation { old: Some(instead), ..row }

@@ -33,13 +33,13 @@ const SCOPE_ALIGNMENT: Param =
 
 const ALIGNMENT: Param = words("alignment", &["scope", "edge"]);
 
-const DOMAIN: Param = words("domain", &["surface", "volume", "scope"]);
+const DOMAIN: Param = word("domain", "ScatterDomain", &["surface", "volume", "scope"]);
 
-const DISTRIBUTION: Param = words("distributionType", &["uniform", "gaussian"]);
+const DISTRIBUTION: Param = word("distributionType", "Distribution", &["uniform", "gaussian"]);
 
-const GAUSSIAN: Param = words("distributionType", &["gaussian"]);
+const GAUSSIAN: Param = word("distributionType", "Distribution", &["gaussian"]);
 
-const MEAN: Param = words("scatterMean", &["center", "front", "back", "left", "right", "top", "bottom"]);
+const MEAN: Param = word("scatterMean", "ScatterMean", &["center", "front", "back", "left", "right", "top", "bottom"]);
 
 /// *setbackToArea operation*.
 static AREAS: ParamBounds = bounds(Allowed::Above(0.0), "an area is above 0");
@@ -160,17 +160,25 @@ pub(super) static ROWS: &[Operation] = &[
         later("innerRect", &[], "replaces each face by its largest rectangle along the scope"),
         "write `innerRectangle(scope) { shape : … }`",
     ),
-    block(
+    divides(
         "scatter",
-        Braces::Ops,
-        &[DOMAIN, N_POINTS, DISTRIBUTION],
-        "strews points over the surface, the volume or the scope",
+        Uses::WHOLE.and(Uses::DRAWS),
+        block(
+            "scatter",
+            Braces::Ops,
+            &[DOMAIN, N_POINTS, DISTRIBUTION],
+            "strews points over the surface, the volume or the scope",
+        ),
     ),
-    block(
-        "scatter",
-        Braces::Ops,
-        &[DOMAIN, N_POINTS, GAUSSIAN, MEAN, length("scatterStddev")],
-        "strews points around a place",
+    divides(
+        "scatter_around",
+        Uses::WHOLE.and(Uses::DRAWS),
+        block(
+            "scatter",
+            Braces::Ops,
+            &[DOMAIN, N_POINTS, GAUSSIAN, MEAN, length("scatterStddev")],
+            "strews points around a place",
+        ),
     ),
     block(
         "modify",

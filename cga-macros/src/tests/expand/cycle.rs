@@ -18,7 +18,7 @@ impl CgaRules {
                     cx.ascend(1, 2);
                     flow
                 } else {
-                    cx.defer(part, 1, CgaCall::Rule1(a0))
+                    cx.defer(part, 1, 2, CgaCall::Rule1(a0))
                 };
                 flow?;
             }
@@ -30,7 +30,7 @@ impl CgaRules {
                     cx.ascend(1, 2);
                     flow
                 } else {
-                    cx.defer(part, 1, CgaCall::Rule1(a0))
+                    cx.defer(part, 1, 2, CgaCall::Rule1(a0))
                 };
                 flow?;
             }
@@ -54,7 +54,7 @@ impl CgaRules {
                 cx.ascend(1, 3);
                 flow
             } else {
-                cx.defer(part, 1, CgaCall::Rule0(a0))
+                cx.defer(part, 1, 3, CgaCall::Rule0(a0))
             };
             flow?;
         }

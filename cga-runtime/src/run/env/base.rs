@@ -1,7 +1,5 @@
 //! The conversion between slim and whole shapes.
 
-use std::sync::Arc;
-
 use super::Env;
 use crate::shape::base::Base;
 use crate::shape::look_id::LookId;
@@ -12,24 +10,7 @@ impl Env {
     #[cold]
     #[inline(never)]
     pub fn whole(&self, shape: &ShapeRef<'_>) -> Shape {
-        let base = &shape.base.shape;
-        let mut state = base.state.clone();
-        if let Some(look) = self.leaf_tables.looks.get(shape.look.get())
-            && !Arc::ptr_eq(look, state.look())
-        {
-            state.change().look = look.clone();
-        }
-        Shape {
-            scope: shape.scope(),
-            pivot: base.pivot,
-            geometry: shape.geometry(),
-            seed: shape.seed.get(),
-            split: shape.split.get(),
-            comp: base.comp,
-            selector: base.selector,
-            trims: base.trims.clone(),
-            state,
-        }
+        self.leaf_tables.whole(shape)
     }
 
     /// The base of a whole shape, for slim shapes.

@@ -72,7 +72,7 @@ pub struct Env {
     /// The rules entered and not yet left, since the last waiting call was resumed.
     pub(crate) trail: Vec<u32>,
     /// The rules that led to the waiting call that was resumed last.
-    before: Option<Rc<Trail>>,
+    pub(crate) before: Option<Rc<Trail>>,
     /// The counts of shapes and leaves without those of `filled`.
     pub(crate) shapes: u64,
     pub(crate) leaves: u64,

@@ -1,10 +1,37 @@
 //! The names and looks of leaves, by number.
 
+use std::sync::Arc;
+
 use crate::shape::look_id::LookIds;
+use crate::shape::{Shape, ShapeRef};
 
 /// The names and looks of a run's leaves, by number.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct LeafTables {
     pub(crate) names: &'static [&'static str],
     pub(crate) looks: LookIds,
+}
+
+impl LeafTables {
+    /// The whole form of a shape.
+    pub(crate) fn whole(&self, shape: &ShapeRef<'_>) -> Shape {
+        let base = &shape.base.shape;
+        let mut state = base.state.clone();
+        if let Some(look) = self.looks.get(shape.look.get())
+            && !Arc::ptr_eq(look, state.look())
+        {
+            state.change().look = look.clone();
+        }
+        Shape {
+            scope: shape.scope(),
+            pivot: base.pivot,
+            geometry: shape.geometry(),
+            seed: shape.seed.get(),
+            split: shape.split.get(),
+            comp: base.comp,
+            selector: base.selector,
+            trims: base.trims.clone(),
+            state,
+        }
+    }
 }

@@ -16,12 +16,12 @@ use self::corners::PlacedBox;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::uv_map::{self, SetMap, UvMap};
 use crate::material::Material;
-use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
 use crate::shape::look_id::LookId;
 use crate::shape::place;
 use crate::shape::scope::Scope;
+use crate::shape::{Shape, ShapeRef};
 
 pub use crate::run::template::{PartId, Replay};
 pub use crate::shape::place::{Cuboid, Quad};
@@ -173,6 +173,11 @@ impl<'a> Filled<'a> {
         4 * self.shape.unit.get().face_count()
     }
 
+    /// The leaf as a whole shape.
+    pub(crate) fn whole(&self) -> Shape {
+        self.tables.whole(self.shape)
+    }
+
     /// Passes the leaf to a sink as a rectangle or a box.
     #[inline]
     pub fn pass_to<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
@@ -225,6 +230,13 @@ pub trait Sink {
 
     /// Any mesh, in local coordinates; `placement` maps them to the world.
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow;
+
+    /// Takes a leaf as a whole shape, with or without faces; `None` if the sink takes its geometry. Operations that go on
+    /// with leaves take shapes.
+    #[doc(hidden)]
+    fn keep(&mut self, _shape: &Shape) -> Option<Flow> {
+        None
+    }
 
     /// Passes on the data that the sink still holds. No leaves follow.
     ///
@@ -281,5 +293,9 @@ impl<S: Sink + ?Sized> Sink for &mut S {
 
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         (**self).mesh(leaf, mesh, placement)
+    }
+
+    fn keep(&mut self, shape: &Shape) -> Option<Flow> {
+        (**self).keep(shape)
     }
 }

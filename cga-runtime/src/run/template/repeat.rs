@@ -139,7 +139,7 @@ impl<C: Clone> Cx<'_, C> {
             self.ascend(hole.levels, hole.stack);
             flow
         } else {
-            self.defer(&shape, hole.levels, hole.call.clone())
+            self.defer(&shape, hole.levels, hole.stack, hole.call.clone())
         };
         self.env.trail.truncate(trail);
         flow

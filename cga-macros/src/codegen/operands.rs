@@ -1,0 +1,58 @@
+//! Operations with operations in their braces: for each part that they make, or as operands.
+
+use cga_lang::ir::{Block, RuleId, Target};
+use proc_macro2::{Ident, Literal, TokenStream};
+
+use super::access::Access;
+use super::rule::successor;
+use super::{Generator, function_of, local};
+
+impl Generator<'_> {
+    /// An operation that makes parts, each with the same successor. `number` counts the children that the rule makes.
+    pub(super) fn each(&self, block: &Block, target: &Target, rule: RuleId, number: u32) -> TokenStream {
+        let (lets, names) = self.named_args(block);
+        let name = function_of(block.row.run, block.row.name);
+        let (number, part) = (Literal::u32_unsuffixed(number), self.part(target, rule));
+        code! {
+            #lets
+            cga_rt::each(cx, shape, #number, |env, shape| cga_rt::op::#name(env, shape, #(#names),*), &mut |cx, part| #part)?;
+        }
+    }
+
+    /// An operation that makes a new current shape from the leaves of its operands. The first operand is child number `number`.
+    pub(super) fn derived(&self, block: &Block, operands: &[Target], rule: RuleId, number: u32) -> TokenStream {
+        let (lets, names) = self.named_args(block);
+        let name = function_of(block.row.run, block.row.name);
+        let operands = operands.iter().zip(number..).map(|(target, number)| {
+            let code = self.give(target, rule, &TokenStream::new(), &successor(number));
+            code! {
+                cga_rt::operand(
+                    cx,
+                    g,
+                    &mut |cx| {
+                        #code
+                        cga_rt::Flow::Continue(())
+                    },
+                    CgaRules::cga_resume,
+                )?
+            }
+        });
+        code! {
+            let changed = {
+                #lets
+                let operands = [#(#operands),*];
+                let mut whole = cx.env.whole(shape);
+                cga_rt::op::#name(cx.env, &mut whole, operands, #(#names),*);
+                cx.env.base(whole)
+            };
+            let shape = &changed.shape();
+        }
+    }
+
+    /// The arguments of an operation as statements, and their names.
+    fn named_args(&self, block: &Block) -> (TokenStream, Vec<Ident>) {
+        let names: Vec<Ident> = (0..block.args.len()).map(|number| local("a", number)).collect();
+        let values = self.args(block.row, &block.args, &Access::rule(), &code!(op::));
+        (code!(#(let #names = #values;)*), names)
+    }
+}

@@ -1,0 +1,184 @@
+//! Divides edges where they cross and where they pass a point closely, until all edges meet in points only.
+//!
+//! A crossing is rounded to a place of the grid, and both edges lead through it. So an edge moves by less than a step, and
+//! may then cross or pass others: the new edges are compared again.
+
+use std::collections::HashMap;
+
+use super::OverlayError;
+use super::grid::{Place, is_near, side};
+
+/// An edge between two points, the first before the second in lexicographic order of places, and the number of times that
+/// it runs in that direction, less those back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct NodedEdge {
+    pub(super) ends: [u32; 2],
+    pub(super) count: i32,
+}
+
+/// Points at most this far from an edge are on it, in steps. The limit is below the distance of the diagonal of a step from
+/// its other corners, so that every division makes edges shorter.
+const NEAR: f64 = 0.7;
+
+/// The limit on comparisons of edges, about two seconds.
+const MOST_PAIRS: usize = 400_000_000;
+
+/// The limit on rounds. One or two suffice for most polygons.
+const MOST_ROUNDS: usize = 24;
+
+/// Divides edges. New points are added to `places`, and to `at` by place.
+pub(super) fn divide(
+    places: &mut Vec<Place>,
+    at: &mut HashMap<Place, u32>,
+    edges: Vec<[u32; 2]>,
+) -> Result<Vec<NodedEdge>, OverlayError> {
+    let mut all: Vec<NodedEdge> = edges.into_iter().filter_map(|[a, b]| directed(places, a, b, 1)).collect();
+    merge(&mut all);
+    let mut is_new = vec![true; all.len()];
+    let mut pairs = MOST_PAIRS;
+    for _ in 0..MOST_ROUNDS {
+        let mut cuts = vec![Vec::new(); all.len()];
+        compare(places, at, &all, &is_new, &mut cuts, &mut pairs)?;
+        if cuts.iter().all(Vec::is_empty) {
+            return Ok(all);
+        }
+        let mut made = Vec::with_capacity(all.len());
+        let old: Vec<NodedEdge> = all.iter().zip(&cuts).filter(|(_, cuts)| cuts.is_empty()).map(|(e, _)| *e).collect();
+        for (edge, mut cuts) in all.into_iter().zip(cuts).filter(|(_, cuts)| !cuts.is_empty()) {
+            let [a, b] = edge.ends.map(|end| places[end as usize]);
+            let along = |point: u32| {
+                let p = places[point as usize];
+                i128::from(b.x - a.x) * i128::from(p.x - a.x) + i128::from(b.y - a.y) * i128::from(p.y - a.y)
+            };
+            cuts.sort_unstable_by_key(|point| (along(*point), *point));
+            cuts.dedup_by_key(|point| along(*point));
+            let mut from = edge.ends[0];
+            for to in cuts.into_iter().chain([edge.ends[1]]) {
+                made.extend(directed(places, from, to, edge.count));
+                from = to;
+            }
+        }
+        let known: std::collections::HashSet<[u32; 2]> = old.iter().map(|edge| edge.ends).collect();
+        all = old;
+        all.append(&mut made);
+        merge(&mut all);
+        is_new = all.iter().map(|edge| !known.contains(&edge.ends)).collect();
+    }
+    Err(OverlayError::Tangled)
+}
+
+/// An edge in lexicographic order; `None` if it has no length.
+fn directed(places: &[Place], a: u32, b: u32, count: i32) -> Option<NodedEdge> {
+    match places[a as usize].cmp(&places[b as usize]) {
+        std::cmp::Ordering::Less => Some(NodedEdge { ends: [a, b], count }),
+        std::cmp::Ordering::Greater => Some(NodedEdge { ends: [b, a], count: -count }),
+        std::cmp::Ordering::Equal => None,
+    }
+}
+
+/// Unites edges between the same points. Those that cancel are dropped.
+fn merge(edges: &mut Vec<NodedEdge>) {
+    edges.sort_unstable();
+    edges.dedup_by(|next, kept| {
+        let is_same = next.ends == kept.ends;
+        if is_same {
+            kept.count += next.count;
+        }
+        is_same
+    });
+    edges.retain(|edge| edge.count != 0);
+}
+
+/// Finds the points in which edges must be divided, by a sweep over their boxes. Pairs of old edges are known.
+fn compare(
+    places: &mut Vec<Place>,
+    at: &mut HashMap<Place, u32>,
+    edges: &[NodedEdge],
+    is_new: &[bool],
+    cuts: &mut [Vec<u32>],
+    pairs: &mut usize,
+) -> Result<(), OverlayError> {
+    let boxes: Vec<[i64; 4]> = edges
+        .iter()
+        .map(|edge| {
+            let [a, b] = edge.ends.map(|end| places[end as usize]);
+            [a.x, b.x, a.y.min(b.y), a.y.max(b.y)]
+        })
+        .collect();
+    let mut order: Vec<u32> = (0..edges.len() as u32).collect();
+    order.sort_unstable_by_key(|&edge| (boxes[edge as usize][0], edge));
+    let mut active: Vec<u32> = Vec::new();
+    for &edge in &order {
+        let own = boxes[edge as usize];
+        *pairs = pairs.checked_sub(active.len()).ok_or(OverlayError::TooMany)?;
+        let mut kept = 0;
+        for i in 0..active.len() {
+            let other = active[i];
+            let its = boxes[other as usize];
+            // A point within a step may be on an edge beside its box.
+            if its[1] + 1 < own[0] {
+                continue;
+            }
+            active[kept] = other;
+            kept += 1;
+            let apart = its[3] + 1 < own[2] || own[3] + 1 < its[2];
+            if !apart && (is_new[edge as usize] || is_new[other as usize]) {
+                meet(places, at, edges, [edge as usize, other as usize], cuts);
+            }
+        }
+        active.truncate(kept);
+        active.push(edge);
+    }
+    Ok(())
+}
+
+/// Records where two edges divide each other.
+fn meet(
+    places: &mut Vec<Place>,
+    at: &mut HashMap<Place, u32>,
+    edges: &[NodedEdge],
+    pair: [usize; 2],
+    cuts: &mut [Vec<u32>],
+) {
+    let ends = pair.map(|edge| edges[edge].ends);
+    let spots = ends.map(|ends| ends.map(|end| places[end as usize]));
+    let mut touches = false;
+    for (own, other) in [(0, 1), (1, 0)] {
+        for k in 0..2 {
+            let point = ends[other][k];
+            if ends[own].contains(&point) {
+                touches = true;
+            } else if is_near(spots[own][0], spots[own][1], spots[other][k], NEAR) {
+                cuts[pair[own]].push(point);
+                touches = true;
+            }
+        }
+    }
+    let [[a, b], [c, d]] = spots;
+    if touches {
+        return;
+    }
+    let [sides, others] = [[side(a, b, c), side(a, b, d)], [side(c, d, a), side(c, d, b)]];
+    if (0 < sides[0]) == (0 < sides[1]) || (0 < others[0]) == (0 < others[1]) {
+        return;
+    }
+    let whole = sides[0] - sides[1];
+    let share = |from: i64, to: i64| from + rounded(i128::from(to - from) * sides[0], whole) as i64;
+    let place = Place { x: share(c.x, d.x), y: share(c.y, d.y) };
+    let next = places.len() as u32;
+    let number = *at.entry(place).or_insert(next);
+    if number == next {
+        places.push(place);
+    }
+    for edge in pair {
+        if !edges[edge].ends.contains(&number) {
+            cuts[edge].push(number);
+        }
+    }
+}
+
+/// A quotient, rounded to the nearest whole number.
+fn rounded(number: i128, by: i128) -> i128 {
+    let (number, by) = if by < 0 { (-number, -by) } else { (number, by) };
+    (2 * number + by).div_euclid(2 * by)
+}

@@ -1,0 +1,103 @@
+//! `inline`: the leaves of a rule as one shape (*Rule inlining*).
+
+use std::sync::Arc;
+
+use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::join::join;
+use crate::geometry::wire::Wire;
+use crate::run::env::Env;
+use crate::shape::look::Look;
+use crate::shape::state::{State, StateRef};
+use crate::shape::{Geometry, PlacedWire, Shape};
+
+/// How the geometry of leaves is combined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MergeStrategy {
+    /// The faces of all leaves, as they are.
+    Append,
+}
+
+/// Replaces the current shape by the leaves of a rule, which was derived from a copy of it (*Rule inlining*, `append`).
+///
+/// One leaf is taken as it is. Several leaves become one mesh: the faces of all, one after the other, without merged
+/// vertices. The scope keeps its axes and becomes their bounding box, and the pivot stays. If their materials differ, each
+/// face gets the material of its leaf. Attributes and projections that all leaves have in common are taken, otherwise
+/// those of the current shape stay. Leaves without faces are left out, unless no leaf has faces. Without leaves, the shape
+/// has no geometry.
+pub fn inline(env: &mut Env, shape: &mut Shape, [mut leaves]: [Vec<Shape>; 1], MergeStrategy::Append: MergeStrategy) {
+    if leaves.iter().any(|leaf| leaf.geometry.has_surface()) {
+        leaves.retain(|leaf| leaf.geometry.has_surface());
+    }
+    match leaves.as_slice() {
+        [] => shape.geometry = Geometry::Empty,
+        [_] => {
+            let Shape { seed, split, comp, selector, .. } = *shape;
+            leaves.drain(..).for_each(|leaf| *shape = Shape { seed, split, comp, selector, ..leaf });
+        }
+        [first, others @ ..] => {
+            shape.state = common_state(shape, first, others);
+            if first.geometry.has_surface() {
+                join_faces(env, shape, &leaves);
+            } else {
+                join_wires(shape, &leaves);
+            }
+        }
+    }
+}
+
+/// The state of the sum: what all leaves have in common, otherwise what the current shape has. Faces have their material
+/// if it is not common.
+fn common_state(shape: &Shape, first: &Shape, others: &[Shape]) -> StateRef {
+    let unset = State::default();
+    let first = first.state.get().unwrap_or(&unset);
+    let others = || others.iter().map(|leaf| leaf.state.get().unwrap_or(&unset));
+    let mut sum = shape.state.clone();
+    let state = sum.change();
+    let is_common = others().all(|other| other.look.material == first.look.material);
+    let material = if is_common { first.look.material.clone() } else { Arc::default() };
+    state.look = Arc::new(Look { material, ..Look::default() });
+    if others().all(|other| other.projections == first.projections) {
+        state.projections.clone_from(&first.projections);
+    }
+    if others().all(|other| other.attributes == first.attributes) {
+        state.attributes.clone_from(&first.attributes);
+    }
+    if others().all(|other| other.trim == first.trim) {
+        state.trim = first.trim;
+    }
+    state.foreign = first.foreign || others().any(|other| other.foreign);
+    sum
+}
+
+fn join_faces(env: &mut Env, shape: &mut Shape, leaves: &[Shape]) {
+    let is_common = leaves.iter().all(|leaf| leaf.material() == leaves[0].material());
+    let to_scope = shape.scope.placement().inverse();
+    let meshes: Vec<Mesh> = leaves
+        .iter()
+        .map(|leaf| {
+            let mesh = leaf.to_mesh().map(&(to_scope * leaf.scope.placement()));
+            if is_common { mesh } else { mesh.with_material(leaf.material()) }
+        })
+        .collect();
+    let count: u64 = meshes.iter().map(|mesh| mesh.corners().len() as u64).sum();
+    if env.count_corners(count).is_continue() {
+        shape.set_mesh(join(meshes.iter()));
+    }
+}
+
+fn join_wires(shape: &mut Shape, leaves: &[Shape]) {
+    let mut sum = Wire::default();
+    let wires = || leaves.iter().filter_map(|leaf| Some((leaf, leaf.to_wire()?)));
+    let has_edges = wires().any(|(_, wire)| !wire.edges.is_empty());
+    for (leaf, wire) in wires().filter(|(_, wire)| !has_edges || !wire.edges.is_empty()) {
+        let first = sum.points.len() as u32;
+        let frame = shape.scope.frame();
+        sum.points.extend(wire.points.iter().map(|point| frame.to_local(leaf.scope.frame().to_world(*point))));
+        sum.edges.extend(wire.edges.iter().map(|edge| edge.map(|point| first + point)));
+        sum.normals.extend(wire.normals.iter().map(|normal| frame.axes.transpose() * (leaf.scope.axes * *normal)));
+    }
+    let placed = PlacedWire::fitted(sum);
+    shape.scope.origin += shape.scope.axes * placed.low;
+    shape.scope.size = placed.size;
+    shape.geometry = Geometry::Wire(Arc::new(placed));
+}
