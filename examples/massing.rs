@@ -44,7 +44,9 @@ cga! {
     @StartRule
     Steps --> Lot offset(-margin, inside) Step(5, 16)
     Step(count, height) -->
-        case count > 0 : extrude(height) [ Storeys ] comp(f) { top : setback(3) { all : Terrace | remainder : Step(count - 1, height * 0.8) } }
+        case count > 0 :
+            extrude(height) [ Storeys ]
+            comp(f) { top : setback(3) { all : Terrace | remainder : Step(count - 1, height * 0.8) } }
         else : color("#c9a24b") taper(9) Spire.
 
     Terrace --> color(lawn) extrude(0.3) Terrace.
@@ -58,7 +60,8 @@ cga! {
     /// A pavilion between trees that gather around it.
     @StartRule
     Park --> Lot Lawn scatter(surface, 46, gaussian, center, ^0.3) { Tree } Pavilion
-    Pavilion --> s(9, ^1, 9) center(xz) primitiveDisk(10) extrude(4) comp(f) { side : Wall. | top : color(tiles) roofHip(28, 1.2) Roof. }
+    Pavilion --> s(9, ^1, 9) center(xz) primitiveDisk(10) extrude(4)
+                 comp(f) { side : Wall. | top : color(tiles) roofHip(28, 1.2) Roof. }
 
     /// Stalls of a market, strewn over the square.
     @StartRule
@@ -71,7 +74,8 @@ cga! {
     Lot    --> t(0, -0.3, 0) extrude(0.3) color("#cfc9bd") Ground.
     Lawn   --> t(0, 0.05, 0) color(lawn) Lawn.
     Garden(trees) --> Lawn scatter(surface, trees, uniform) { Tree }
-    Tree   --> [ s(0.35, 2, 0.35) primitiveCylinder(8) center(xz) color("#6b5138") Trunk. ] t(0, 1.6, 0) Crown(rand(2, 3.6))
+    Tree   --> Trunk t(0, 1.6, 0) Crown(rand(2, 3.6))
+    Trunk  --> s(0.35, 2, 0.35) primitiveCylinder(8) center(xz) color("#6b5138") Trunk.
     Crown(size) --> s(size, size * 1.25, size) primitiveSphere(10, 7) center(xz) color(leaves) Crown.
 
     // A mass with floors, and one with a roof.

@@ -27,6 +27,8 @@ mod scatter;
 mod scope_tests;
 pub mod set;
 mod set_back;
+mod setback;
+mod setback_to_area;
 mod shape_l;
 mod shape_o;
 mod shape_u;
@@ -68,6 +70,8 @@ pub use roof::{
     roof_ridge_by, roof_shed, roof_shed_by,
 };
 pub use scatter::{Distribution, ScatterDomain, ScatterMean, scatter, scatter_around};
+pub use setback::{setback, setback_each, setback_per_edge};
+pub use setback_to_area::{setback_to_area, setback_to_area_between, setback_to_area_from};
 pub use shape_l::shape_l;
 pub use shape_o::shape_o;
 pub use shape_u::shape_u;
