@@ -12,7 +12,8 @@ use cga::{Model, Settings, Shape, Sink, cga};
 use serde_json::Value;
 
 cga! {
-    /// A town house on any footprint. Storeys and colours are random values of each building, from its seed.
+    /// A town house on any footprint, with a roof that fits its outline. Storeys, colours and the form of the roof are random
+    /// values of each building, from its seed.
     pub grammar House;
 
     /// The number of storeys above the ground floor.
@@ -20,21 +21,63 @@ cga! {
     attr storeys = rint(rand(2, 5))
     attr wall = 22% : "#e6d3b1" 20% : "#d8c3a5" 16% : "#c9d1c8" 14% : "#d9b8a0" 12% : "#cfc6bd" else : "#eadfca"
     attr roof = 60% : "#9a5a44" 25% : "#7c4a3c" else : "#5d5f63"
+    /// The slope of hips and gables in degrees.
+    @Range(min = 10, max = 60)
+    attr slope = rand(30, 42)
     /// True if the ground floor has shops.
     attr shops = p(0.4)
 
     const ground = 3.9
     const storey = 3.2
+    const cornice = 0.45
+    const eaves = 0.6
+    const tiles = 0.14
     height = ground + storeys * storey + 1
     light = 15% : "#f0d48c" else : "#5b7583"
 
     @StartRule
-    Lot    --> color(wall) extrude(height) split(y) { ~1 : Body | 0.45 : Cornice | 0.12 : Roof }
+    Lot    --> case geometry.area < 60 : Build(3.2) else : Build(height)
+    Build(h) --> color(wall) Mass(h) t(0, h, 0) Top
+    Mass(h) --> extrude(h) split(y) { ~1 : Body | cornice : Cornice }
     Body   --> comp(f) { side : Facade }
-    Cornice --> color("#efe9dc") Cornice.
-    Roof   --> color(roof) Roof.
+    Cornice --> color("#efe9dc") comp(f) { side : Cornice. }
 
-    Facade --> case scope.sx < 2.6 : Wall.
+    // Halls and sheds are flat, blocks with a courtyard have hips on both sides, and other houses hips or gables.
+    Top    --> case geometry.area > 4000 : Flat
+               case geometry.nHoles > 0 : Hip
+               case geometry.area > 1500 || geometry.area < 60 : Flat
+               case geometry.area < 140 : Shed
+               else : Pitched
+    Pitched --> 55% : Gable else : Hip
+    Hip    --> roofHip(slope, eaves) Planes
+    Gable  --> roofGable(slope, eaves, 0.3) Planes
+    Shed   --> roofShed(rand(8, 14)) Planes
+    Planes --> comp(f) { isTagged("roof.side") : Pediment | isTagged("roof.bottom") : NIL | all : Plane }
+    Pediment --> case scope.sy < 3 : Wall.
+               else : split(y) { 0.5 : Wall. | 2.2 : split(x) { ~1 : Wall. | { ~2.8 : Attic }* | ~1 : Wall. } | ~1 : Wall. }
+    Attic  --> case geometry.isRectangular(3) && scope.sx > 2 : Bay(0.5, 1.4) else : Wall.
+    Plane  --> [ color(roof) extrude(-tiles) Tiles. ] Dormers
+
+    // Dormers stand in one row above the eaves, where the plane is long and high enough.
+    Dormers --> case scope.sx > 6 && scope.sy > 4.5 && geometry.isRectangular(3) : DormerRow(1.5)
+                else : case scope.sx > 14 && scope.sy > 4.5 : DormerRow(4.5) else : NIL
+    DormerRow(gap) -->
+        split(y) { 1.4 : NIL | 2 : split(x) { gap : NIL | { ~2 : NIL | 1.5 : Dormer | ~2 : NIL }* | gap : NIL } }
+    Dormer --> case geometry.isRectangular(3) :
+                   alignScopeToAxes(y) primitiveCube color(wall)
+                   comp(f) { front : DormerFront | side : Wall. | top : DormerRoof }
+               else : NIL
+    DormerFront --> split(x) { ~1 : Wall. | 0.9 : split(y) { ~1 : Wall. | ^0.75 : Pane | ~1 : Wall. } | ~1 : Wall. }
+    Pane   --> color(light) Glass.
+    DormerRoof --> color(roof) roofGable(35, 0.2, 0.2) comp(f) { isTagged("roof.bottom") : NIL | all : DormerTiles. }
+
+    // A flat roof has a parapet, and what stands on such roofs.
+    Flat   --> offset(-0.4) comp(f) { inside : Terrace | border : Parapet }
+    Terrace --> color("#8d8f8c") [ Gravel. ] scatter(surface, 1 + geometry.area / 150, uniform) { Plant }
+    Plant  --> s(rand(0.8, 2.6), rand(0.7, 1.8), rand(0.8, 2.6)) primitiveCube center(xz) color("#b9bcbd") Plant.
+    Parapet --> extrude(0.8) color("#efe9dc") Parapet.
+
+    Facade --> case scope.sx < 2.6 || scope.sy < 3.5 : Wall.
                else : split(y) { ground : Ground | { ~storey : Floor }* }
     Ground --> case shops && scope.sx > 5 : split(x) { 0.5 : Wall. | { ~3.4 : Shop | 0.4 : Wall. }* }
                else : split(x) { ~0.4 : Wall. | { ~2.8 : Bay(1.1, 2.0) }* | ~0.4 : Wall. }

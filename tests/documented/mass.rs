@@ -1,6 +1,106 @@
 //! *footprint*, *envelope* and *innerRectangle operations*.
 
+use cga::{Model, Settings, Shape, cga};
+
+use crate::pages::example::Example;
 use crate::pages::{cutting, mass};
+
+cga! {
+    grammar Mass = r##"
+    # envelope operation, per edge control
+    @StartRule
+    Sides --> envelope(normal, 20, 6, 40, 8, 50) X.
+    @StartRule
+    Arrays -->
+        envelope(normal, 20,
+          comp(fe) { street.front = 6 | street.back = 8 },
+          comp(fe) { street.front = 40      | street.back = 50      | all = 90 }) X.
+    @StartRule
+    Three --> envelope(normal, 20, 6, 40) X.
+    @StartRule
+    Seven --> envelope(normal, 20, 6, 40, 8, 50, 5, 60) X.
+    @StartRule
+    Nine  --> envelope(normal, 20, 6, 40, 8, 50, 5, 60, 5, 60) X.
+    @StartRule
+    Again --> envelope(normal, 20, 6, 40) comp(f) { isTagged("envelope.top") : envelope(normal, 2, 1, 45) comp(f) {
+        isTagged("envelope.side") : Side. | isTagged("envelope.bottom") : Bottom. | isTagged("envelope.top") : Top. } | all : NIL }
+    "##;
+}
+
+fn run(rule: &str, shape: &Shape) -> Model {
+    let model = Mass::default().generate_from(rule, shape).expect("a model");
+    assert!(model.faults().is_empty(), "{:?}", model.faults());
+    model
+}
+
+fn example(example: &Example) -> Model {
+    example.model(&Settings::default())
+}
+
+/// The areas of the leaves of a rule, in tenths of square metres.
+fn areas(model: &Model, rule: &str) -> Vec<f64> {
+    model.leaves_of(rule).map(|leaf| (leaf.area() * 10.0).round() / 10.0).collect()
+}
+
+/// "The volume is cut and sealed horizontally."
+#[test]
+fn an_envelope_is_closed_and_has_a_level_top() {
+    let model = example(&mass::envelope_parameters::EXAMPLE);
+    let leaf = model.leaves_of("Envelope").next().unwrap();
+    assert!((leaf.size().y - 16.0).abs() < 1e-9);
+    let (mesh, _) = leaf.mesh();
+    assert!(mesh.is_closed());
+    assert_eq!(mesh.face_count(), 1 + 4 + 4 + 1);
+}
+
+/// Fifteen metres high at the street, higher behind.
+#[test]
+fn a_slope_faces_the_street() {
+    let model = example(&mass::envelope_slope::EXAMPLE);
+    let leaf = model.leaves().next().unwrap();
+    assert!((leaf.size().y - (15.0 + 30.0 / 3f64.sqrt())).abs() < 1e-9);
+    assert_eq!(leaf.mesh().0.face_count(), 6);
+}
+
+/// Each part has its tag, and faces of holes are no bases.
+#[test]
+fn parts_of_envelopes_are_tagged() {
+    let model = example(&mass::envelope_tags::EXAMPLE);
+    let counts = ["Bottom", "Base", "Slope", "Inner", "Top"].map(|rule| model.count(rule));
+    assert_eq!(counts, [1, 4, 4, 4, 1]);
+    assert_eq!(areas(&model, "Bottom"), [336.0]);
+    // The front has no base, and its slope has the notch of the hole.
+    let model = example(&mass::envelope_notch::EXAMPLE);
+    let counts = ["Bottom", "Base", "Slope", "Inner", "Top"].map(|rule| model.count(rule));
+    assert_eq!(counts, [1, 3, 4, 4, 1]);
+    let (slope, _) = model.leaves_of("Slope").next().unwrap().mesh();
+    assert_eq!(slope.face(0).outer().len(), 10);
+}
+
+/// "This allows to e.g. write … as …"; and sides that have no numbers are upright.
+#[test]
+fn forms_of_envelopes_agree() {
+    for shape in [Shape::rectangle(20.0, 30.0), Shape::rectangle(20.0, 30.0).streets([0.0, 8.0, 0.0, 0.0])] {
+        let volume = |rule: &str| run(rule, &shape).leaves_of("X").map(|leaf| leaf.mesh().0.volume()).sum::<f64>();
+        let mesh = |rule: &str| run(rule, &shape).leaves_of("X").next().unwrap().mesh().0.points().to_vec();
+        assert_eq!(mesh("Sides"), mesh("Arrays"));
+        assert!(volume("Sides") < volume("Three") && volume("Seven") < volume("Sides"));
+        assert_eq!(mesh("Seven"), mesh("Nine"));
+    }
+}
+
+/// Calling the operation again replaces its tags.
+#[test]
+fn tags_of_an_envelope_are_replaced_by_the_next() {
+    let model = run("Again", &Shape::rectangle(20.0, 30.0));
+    assert_eq!([model.count("Side"), model.count("Bottom"), model.count("Top")], [5, 1, 1]);
+}
+
+#[test]
+fn a_concave_lot_has_valleys() {
+    let model = example(&mass::envelope_concave::EXAMPLE);
+    assert_eq!(["Base", "Slope", "Top", "Bottom"].map(|rule| model.count(rule)), [6, 6, 1, 1]);
+}
 
 /// The union of the roofs with their eaves, and of the porch.
 #[test]

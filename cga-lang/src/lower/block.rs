@@ -1,7 +1,9 @@
 //! Operations with braces, and `comp` as a value.
 
 use super::{LONGEST_SOURCE, Lower};
-use crate::ir::{Arg, Arm, Block, BlockParts, Comp, Expr, ExprKind, Item, Selector, Slots, Step, Target, Type};
+use crate::ir::{
+    Arg as IrArg, Arm, Block, BlockParts, Comp, Expr, ExprKind, Item, Selector, Slots, Step, Target, Type,
+};
 use crate::lower::fold::fold;
 use crate::ops::{self, Braces, Operation, Run};
 use crate::resolve::tables::Use;
@@ -36,7 +38,7 @@ impl<'c> Lower<'c> {
     }
 
     /// The operand of `modify`: a rule that divides the shape into its components.
-    fn modified(&mut self, row: &'static Operation, args: &[Arg], arms: &'c [ast::Arm], span: Span) -> Target {
+    fn modified(&mut self, row: &'static Operation, args: &[IrArg], arms: &'c [ast::Arm], span: Span) -> Target {
         let arms = |lower: &mut Self| BlockParts::Arms(arms.iter().map(|arm| lower.arm_of(arm)).collect());
         self.block_rule(span, |lower| vec![Step::Block(Block { row, args: args.to_vec(), parts: arms(lower) })])
     }
@@ -81,6 +83,20 @@ impl<'c> Lower<'c> {
             comp.args.iter().map(|value| ast::Arg { prefix: None, value: value.clone(), span: value.span }).collect();
         let args = self.args(row, &args, comp.name.span);
         Some((ExprKind::Comp(Box::new(Comp { row, args, arms })), ty))
+    }
+
+    /// The array of a value that is computed on each edge of each face (*setbackPerEdge operation*).
+    pub(super) fn per_edge(&mut self, value: &ast::Expr) -> Expr {
+        let then = self.folded(value);
+        let all = Arm { selector: Selector::Word("all"), text: "all".to_owned(), mode: ArmMode::Each, then };
+        let (kind, ty) = match ops::operations("comp").next() {
+            Some(row) => {
+                let args = vec![IrArg::Word("fe"), IrArg::Word("zUp")];
+                (ExprKind::Comp(Box::new(Comp { row, args, arms: vec![all] })), Type::Floats)
+            }
+            None => (all.then.kind, all.then.ty),
+        };
+        Expr { kind, ty, span: value.span }
     }
 
     fn arm<T>(&mut self, selector: &ast::Expr, mode: ArmMode, then: T) -> Arm<T> {

@@ -65,12 +65,10 @@ impl<'c> Lower<'c> {
     /// The arguments of an operation, with the defaults of those that are left out.
     pub(super) fn args(&mut self, row: &'static Operation, args: &[ast::Arg], span: Span) -> Vec<Arg> {
         let given = row.params.iter().zip(args).map(|(param, arg)| match &param.kind {
-            ParamKind::Value(_)
-            | ParamKind::Any
-            | ParamKind::Color
-            | ParamKind::Channel
-            | ParamKind::Selector
-            | ParamKind::PerEdge => Arg::Value(self.folded(&arg.value)),
+            ParamKind::Value(_) | ParamKind::Any | ParamKind::Color | ParamKind::Channel | ParamKind::Selector => {
+                Arg::Value(self.folded(&arg.value))
+            }
+            ParamKind::PerEdge => Arg::Value(self.per_edge(&arg.value)),
             ParamKind::File(_) | ParamKind::Image(_) => Arg::Value(self.file(&arg.value)),
             ParamKind::Length | ParamKind::Size => Arg::Length(self.size(arg)),
             ParamKind::Word(words) => Arg::Word(word(&arg.value, words)),

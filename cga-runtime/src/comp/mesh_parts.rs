@@ -8,6 +8,7 @@ use glam::DVec3;
 use super::Components;
 use super::roof::Roof;
 use super::select::{RoofEdge, Sense, Subcomponent, Word};
+use super::uv_edges::UvEdges;
 use crate::comp::orientation::Orientation;
 use crate::geometry::Frame;
 use crate::geometry::face_frame::{FaceFrame, along, beside, face_frame, upright};
@@ -33,6 +34,9 @@ pub(super) struct MeshParts {
     /// True for each point at the end of a border edge.
     border: OnceCell<Vec<bool>>,
     roof: OnceCell<Roof>,
+    /// The set of texture coordinates that selectors mean.
+    pub(super) uv_set: usize,
+    uvs: OnceCell<UvEdges>,
     /// The last query for tags, with the sets that match.
     found: RefCell<(String, Vec<bool>)>,
 }
@@ -60,6 +64,8 @@ impl MeshParts {
             holes,
             border: OnceCell::new(),
             roof: OnceCell::new(),
+            uv_set: 0,
+            uvs: OnceCell::new(),
             found: RefCell::default(),
         }
     }
@@ -182,6 +188,11 @@ impl MeshParts {
                     let within = matches!(kind, Components::FaceEdges | Components::FaceVertices);
                     let normal = if within { normal } else { looks.outwards(normal) };
                     looks.takes(axes, direction, normal, || self.place(kind, index))
+                }
+                Sense::Uv(side) => {
+                    let uvs = self.uvs.get_or_init(|| UvEdges::of(&self.mesh, self.uv_set));
+                    let face = || self.adjacency().face(index as u32) as usize;
+                    kind == Components::FaceEdges && uvs.takes(&self.mesh, face(), self.end_corners(index), side)
                 }
                 Sense::Border(border) => self.at_border(kind, index) == border,
                 Sense::Roof(edge) => {

@@ -12,6 +12,7 @@ pub(crate) mod select;
 mod source;
 #[cfg(test)]
 mod tests;
+mod uv_edges;
 mod value;
 mod wire_parts;
 
@@ -32,6 +33,7 @@ pub use arms::divide;
 pub(crate) use arms::{Arms, Faces, face_edges};
 pub(crate) use candidate::Candidate;
 pub use candidate::{is_tagged, is_tagged_at};
+pub(crate) use points::Points;
 pub use points::each;
 pub use select::Subcomponent;
 pub use value::comp_values;
@@ -198,16 +200,30 @@ impl<'s> AssignedComponents<'s> {
         components: Components,
         align: Align,
         arms: &'s [Arm],
-        mut when: impl FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
+        when: impl FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
     ) -> ControlFlow<(), Self> {
+        let source = ComponentSource::of(env, shape, components, align, arms)?;
+        ControlFlow::Continue(Self::assigned(env, shape, components, align, arms, when, source))
+    }
+
+    /// Assigns the components of a source.
+    #[inline]
+    fn assigned(
+        env: &mut Env,
+        shape: &'s Shape,
+        components: Components,
+        align: Align,
+        arms: &'s [Arm],
+        mut when: impl FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
+        source: ComponentSource,
+    ) -> Self {
         for arm in arms {
             if let Select::Index(number) = arm.select
                 && !number.is_finite()
             {
-                env.fault(FaultKind::Value, format!("an index of `comp` is {number}; it takes nothing"));
+                env.fault(FaultKind::Value, format!("an index of a component is {number}; it takes nothing"));
             }
         }
-        let source = ComponentSource::of(env, shape, components, align, arms)?;
         let parent = shape;
         let looks = Orientation::of(env, parent);
         let mut as_roof = Vec::new();
@@ -240,7 +256,7 @@ impl<'s> AssignedComponents<'s> {
             }
             _ => None,
         };
-        ControlFlow::Continue(AssignedComponents { parent, align, arms, owners, source, as_roof, trims })
+        AssignedComponents { parent, align, arms, owners, source, as_roof, trims }
     }
 
     /// Calls `visit` with every part: its arm, the numbers of its components, and its shape.

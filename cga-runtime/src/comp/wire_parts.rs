@@ -64,7 +64,7 @@ impl WireParts {
     pub(super) fn is(&self, looks: &Orientation, index: usize, word: Word) -> bool {
         match word.0 {
             Sense::All => true,
-            Sense::Shape | Sense::Remainder => false,
+            Sense::Uv(_) | Sense::Shape | Sense::Remainder => false,
             Sense::Border(border) => border,
             Sense::Roof(_) => false,
             Sense::Looks(axes, direction) => {

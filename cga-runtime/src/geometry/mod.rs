@@ -3,6 +3,7 @@
 mod buckets;
 pub mod cut;
 pub(crate) mod disjoint;
+pub(crate) mod envelope;
 mod exact;
 pub(crate) mod face_frame;
 pub(crate) mod frame;

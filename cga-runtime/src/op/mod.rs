@@ -8,6 +8,7 @@ mod align_box;
 mod align_geometry;
 mod along_uv;
 mod coordinates;
+mod envelope;
 mod extrude;
 mod fit;
 mod footprint;
@@ -28,6 +29,8 @@ mod scatter;
 mod scope_tests;
 pub mod set;
 mod set_back;
+mod setback;
+mod setback_to_area;
 mod shape_l;
 mod shape_o;
 mod shape_u;
@@ -47,6 +50,10 @@ pub use align_geometry::{
 };
 pub use along_uv::{insert_along_uv, insert_along_uv_with};
 pub use coordinates::{System, TransformMode, rotate_in, translate_in};
+pub use envelope::{
+    EnvelopeAlong, envelope_all, envelope_edges, envelope_front, envelope_front_back, envelope_old_all,
+    envelope_old_front, envelope_old_front_back, envelope_old_sides, envelope_sides,
+};
 pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
 pub use footprint::footprint;
 pub use inline::{MergeStrategy, inline};
@@ -67,6 +74,8 @@ pub use roof::{
     roof_ridge_by, roof_shed, roof_shed_by,
 };
 pub use scatter::{Distribution, ScatterDomain, ScatterMean, scatter, scatter_around};
+pub use setback::{setback, setback_each, setback_per_edge};
+pub use setback_to_area::{setback_to_area, setback_to_area_between, setback_to_area_from};
 pub use shape_l::shape_l;
 pub use shape_o::shape_o;
 pub use shape_u::shape_u;

@@ -262,7 +262,7 @@ VInside --> s(0.05, 0.05, 0.05) t(-0.025, -0.025, -0.025)
 }
 
 example! {
-    /// Faces by the tags that `extrude` gives. The page tags with `envelope`, which does not run yet.
+    /// Faces by the tags that `extrude` gives. The page tags with `envelope`.
     tagged, "comp operation, isTagged Selector", yard(),
     r##"Init --> extrude(4) comp(f) {
    isTagged("extrude.bottom") : color("#0399F5") Bottom. | isTagged("extrude.side.outer") : color("#FADB19") Outer. |

@@ -2,9 +2,9 @@
 
 use super::super::{
     Allowed, Default, Effect, FILE, FS, FileUse, Operation, Param, ParamBounds, Params, Str, Uses, UvEffect, bounds,
-    file, float, length, of, or, outdated, renamed, uv_set, within, word, words,
+    file, float, length, of, or, outdated, renamed, uv_set, within, word,
 };
-use super::{later, moves, old, op, using, uvs, with};
+use super::{moves, old, op, using, uvs, with};
 
 const EXTRUDE_ALONG: Param = outdated(
     &[("world.y", "world.up")],
@@ -31,7 +31,7 @@ const HEIGHT_DIRECTION: Param = word("heightDirection", "HeightDirection", &["sc
 
 const HEIGHT_ALIGNMENT: Param = word("heightAlignment", "HeightAlignment", &["alignPosition", "keepPosition"]);
 
-const DIRECTION: Param = words("direction", &["normal", "world.up"]);
+const DIRECTION: Param = word("direction", "EnvelopeAlong", &["normal", "world.up"]);
 
 const KEEP_FACES: Param = word("keepFaces", "OffsetFaces", &["all", "inside", "border"]);
 
@@ -53,30 +53,55 @@ const FROM_FILE: Uses = Uses::WHOLE.and(Uses::SAYS);
 const SPHERE: &str = "replaces the geometry by a sphere that fills the scope";
 const VOLUME: &str = "makes the volume that may be built on";
 
+/// The bounds of a parameter of an envelope.
+const fn envelope_bounds(values: Allowed, about: Str) -> ParamBounds {
+    ParamBounds { result: Some("the shape stays as it is"), ..bounds(values, about) }
+}
+
+/// *envelope operation*: the volume ends at this height.
+static MAX_HEIGHTS: ParamBounds = envelope_bounds(Allowed::Above(0.0), "a maximum height is above 0");
+
+/// *envelope operation*: sides rise from the face.
+static BASE_HEIGHTS: ParamBounds = envelope_bounds(Allowed::AtLeast(0.0), "base heights are at least 0");
+
+/// *envelope operation*: slopes lean inwards.
+static SLOPE_ANGLES: ParamBounds =
+    envelope_bounds(Allowed::Between(0.0, 90.0), "slope angles are from 0 to 90 degrees");
+
+const MAX_HEIGHT: Param = within(float("maxHeight"), &MAX_HEIGHTS);
+
+const fn base(name: Str) -> Param {
+    within(float(name), &BASE_HEIGHTS)
+}
+
+const fn slope(name: Str) -> Param {
+    within(float(name), &SLOPE_ANGLES)
+}
+
 /// Heights and angles of each side.
 const ENVELOPE: &[Param] = &[
     DIRECTION,
-    float("maxHeight"),
-    float("frontBaseHeight"),
-    float("frontAngle"),
-    float("backBaseHeight"),
-    float("backAngle"),
-    float("rightBaseHeight"),
-    float("rightAngle"),
-    float("leftBaseHeight"),
-    float("leftAngle"),
+    MAX_HEIGHT,
+    base("frontBaseHeight"),
+    slope("frontAngle"),
+    base("backBaseHeight"),
+    slope("backAngle"),
+    base("rightBaseHeight"),
+    slope("rightAngle"),
+    base("leftBaseHeight"),
+    slope("leftAngle"),
 ];
 
 /// Both sides alike.
 const ENVELOPE_SIDES: &[Param] = &[
     DIRECTION,
-    float("maxHeight"),
-    float("frontBaseHeight"),
-    float("frontAngle"),
-    float("backBaseHeight"),
-    float("backAngle"),
-    float("sideBaseHeight"),
-    float("sideAngle"),
+    MAX_HEIGHT,
+    base("frontBaseHeight"),
+    slope("frontAngle"),
+    base("backBaseHeight"),
+    slope("backAngle"),
+    base("sideBaseHeight"),
+    slope("sideAngle"),
 ];
 
 const INSERTED: Param = file("filePath", FileUse::Inserted);
@@ -107,8 +132,8 @@ const fn first(count: usize, params: Params) -> Params {
 }
 
 /// An envelope without the direction.
-const fn undirected(params: Params) -> Operation {
-    old(later("envelope", params.split_at(1).1, VOLUME), "give the up direction: `envelope(normal, …)`")
+const fn undirected(call: Str, params: Params) -> Operation {
+    old(op("envelope", call, params.split_at(1).1, VOLUME), "give the up direction: `envelope(normal, …)`")
 }
 
 pub(super) static ROWS: &[Operation] = &[
@@ -211,18 +236,19 @@ pub(super) static ROWS: &[Operation] = &[
         "moves the outline of each face in or out, with faces for the difference",
     )),
     op("footprint", "footprint", &[], "replaces the geometry by its outline seen from above"),
-    later("envelope", first(4, ENVELOPE), VOLUME),
-    later("envelope", first(6, ENVELOPE), VOLUME),
-    later("envelope", ENVELOPE_SIDES, VOLUME),
-    later("envelope", ENVELOPE, VOLUME),
-    later(
+    op("envelope", "envelope_front", first(4, ENVELOPE), VOLUME),
+    op("envelope", "envelope_front_back", first(6, ENVELOPE), VOLUME),
+    op("envelope", "envelope_sides", ENVELOPE_SIDES, VOLUME),
+    op("envelope", "envelope_all", ENVELOPE, VOLUME),
+    op(
         "envelope",
-        &[DIRECTION, float("maxHeight"), of("baseHeights", FS), of("angles", FS)],
+        "envelope_edges",
+        &[DIRECTION, MAX_HEIGHT, of("baseHeights", FS), of("angles", FS)],
         "makes the volume that may be built on, with heights and angles edge by edge",
     ),
     // Without a direction, as before 2013.1 (*CGA changelog*).
-    undirected(first(4, ENVELOPE)),
-    undirected(first(6, ENVELOPE)),
-    undirected(ENVELOPE_SIDES),
-    undirected(ENVELOPE),
+    undirected("envelope_old_front", first(4, ENVELOPE)),
+    undirected("envelope_old_front_back", first(6, ENVELOPE)),
+    undirected("envelope_old_sides", ENVELOPE_SIDES),
+    undirected("envelope_old_all", ENVELOPE),
 ];

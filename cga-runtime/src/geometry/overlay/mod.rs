@@ -112,4 +112,4 @@ fn nested(mut loops: Vec<Vec<u32>>, flat: &[DVec2], places: &[Place]) -> Vec<Vec
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

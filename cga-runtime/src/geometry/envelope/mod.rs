@@ -1,0 +1,294 @@
+//! Volumes over faces that may be built on (*envelope operation*).
+//!
+//! At each edge of a face an upright side rises to a *base height*, and from there a *slope* leans inwards. Edges of holes
+//! have upright sides. The volume is cut off level at its maximum height.
+//!
+//! If the whole outline is in front of each edge that has a slope, as in every convex outline, the volume is the prism over
+//! the face, cut by the planes of all slopes ([`planes`]). Otherwise slopes end at each other as the planes of a roof do: a
+//! wavefront from the outline has one speed for each edge, and starts again at each base height ([`layers`]).
+//!
+//! Both ways work along the direction in which the volume is erected. The slope of an edge rises at its angle to the level
+//! plane across that direction, from a line that is parallel to the edge.
+
+mod layers;
+mod planes;
+
+use std::sync::Arc;
+
+use glam::{DVec2, DVec3};
+
+use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh, TagSet, Tags, unit};
+use crate::geometry::nesting::extent::Extent;
+use crate::geometry::skeleton::MOST_CORNERS;
+use crate::geometry::tol::{PLANAR_EPSILON, TOUCH_EPSILON};
+
+/// The side of an envelope at an edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct EnvelopeSide {
+    /// The height of the upright part, in metres.
+    pub(crate) base: f64,
+    /// The angle of the slope, from 0 to 90 degrees.
+    pub(crate) angle: f64,
+}
+
+impl EnvelopeSide {
+    /// An upright side up to the top.
+    pub(crate) const UPRIGHT: EnvelopeSide = EnvelopeSide { base: 0.0, angle: 90.0 };
+
+    fn is_upright(self) -> bool {
+        90.0 <= self.angle
+    }
+}
+
+/// The reason why a face has no envelope.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum EnvelopeRefusal {
+    NoNormal,
+    TooMany,
+    Tangled,
+    /// The maximum height is below a part of the face, or nothing is left below the slopes.
+    Empty,
+    /// The face is upright, or looks down.
+    Aside,
+}
+
+/// A part of an envelope.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Part {
+    Bottom,
+    Top,
+    /// The upright side at a hole.
+    Inner(u32),
+    /// The upright side and the slope at an edge of the outline, by its corner.
+    Base(u32),
+    Slope(u32),
+}
+
+impl Part {
+    /// The tags of parts (*component tags*).
+    const TAGS: [&'static str; 5] =
+        ["envelope.bottom", "envelope.top", "envelope.side.inner", "envelope.side.base", "envelope.side.slope"];
+
+    fn number(self) -> usize {
+        match self {
+            Part::Bottom => 0,
+            Part::Top => 1,
+            Part::Inner(_) => 2,
+            Part::Base(_) => 3,
+            Part::Slope(_) => 4,
+        }
+    }
+
+    /// A number in place of the tags of a face, while faces are cut.
+    fn to_mark(self) -> u32 {
+        match self {
+            Part::Bottom | Part::Top => self.number() as u32,
+            Part::Inner(edge) => 2 + 3 * edge,
+            Part::Base(edge) => 3 + 3 * edge,
+            Part::Slope(edge) => 4 + 3 * edge,
+        }
+    }
+
+    fn of_mark(mark: u32) -> Part {
+        match mark {
+            0 => Part::Bottom,
+            1 => Part::Top,
+            _ => match ((mark - 2) % 3, (mark - 2) / 3) {
+                (0, edge) => Part::Inner(edge),
+                (1, edge) => Part::Base(edge),
+                (_, edge) => Part::Slope(edge),
+            },
+        }
+    }
+}
+
+/// A face, and the sides over its edges by corner, counted from the first one of the face.
+struct Ground<'a> {
+    flat: FlatFace<'a>,
+    sides: Vec<EnvelopeSide>,
+    /// The direction in which the volume is erected, of length 1.
+    up: DVec3,
+    /// The height along `up` at which the volume ends.
+    top: f64,
+    /// The number of corners of the outline.
+    outer: usize,
+}
+
+impl Ground<'_> {
+    fn at(&self, corner: usize) -> DVec3 {
+        self.flat.face.position(self.flat.face.corner_range().start + corner)
+    }
+
+    /// The corner after a corner of the outline.
+    fn next(&self, corner: usize) -> usize {
+        (corner + 1) % self.outer
+    }
+
+    /// True for sides with a slope that may cut the volume.
+    fn slopes(&self, corner: usize) -> bool {
+        corner < self.outer && !self.sides[corner].is_upright()
+    }
+
+    /// The level direction from an edge of the outline inwards.
+    fn inwards(&self, corner: usize) -> DVec3 {
+        unit(self.up.cross(self.at(self.next(corner)) - self.at(corner)))
+    }
+
+    /// Returns true if the whole outline is in front of an edge.
+    fn is_outermost(&self, corner: usize) -> bool {
+        let flat = |corner: usize| self.flat.flat[self.flat.corners[corner] as usize];
+        let (from, along) = (flat(corner), (flat(self.next(corner)) - flat(corner)).normalize_or_zero());
+        let Extent { low, high } = Extent::of(self.flat.flat.iter().copied());
+        let slack = PLANAR_EPSILON * (high - low).max_element();
+        (0..self.outer).all(|other| -slack <= along.perp_dot(flat(other) - from))
+    }
+
+    /// Returns true if loops cross.
+    fn is_tangled(&self) -> bool {
+        let flat = &self.flat.flat;
+        let (_, rings) = self.flat.edges(false);
+        let sides = |ring: &Vec<u32>| -> Vec<[DVec2; 2]> {
+            (0..ring.len()).map(|k| [flat[ring[k] as usize], flat[ring[(k + 1) % ring.len()] as usize]]).collect()
+        };
+        let Extent { low, high } = Extent::of(flat.iter().copied());
+        let slack = TOUCH_EPSILON * (high - low).max_element();
+        crate::geometry::skeleton::any_cross(rings.iter().flat_map(sides).collect(), slack)
+    }
+}
+
+/// Builds the envelope of each face. `sides` has a side for each corner of the mesh, for the edge that begins there. Without
+/// `up`, an envelope is erected along the normal of its face. The maximum height is measured from the lowest point of a face.
+/// Faces without an envelope are copied, and are also listed with the reason.
+///
+/// The faces over a face are the bottom, the top, the upright sides in the order of edges, and then the slopes.
+pub(crate) fn envelopes(
+    source: &Mesh,
+    sides: &[EnvelopeSide],
+    height: f64,
+    up: Option<DVec3>,
+) -> (Mesh, Vec<(usize, EnvelopeRefusal)>) {
+    let mut made = Mesh {
+        groups: source.groups().to_vec().into(),
+        materials: source.materials().to_vec().into(),
+        tag_sets: tag_sets(source),
+        ..Mesh::default()
+    };
+    let mut refused = Vec::new();
+    for face in source.faces() {
+        match envelope(&face, &sides[face.corner_range()], height, up) {
+            Ok(volume) => add(&mut made, &volume, |tag| tag_of(&face, source.tag_sets().len(), tag)),
+            Err(why) => {
+                refused.push((face.index(), why));
+                let own =
+                    |_| FaceTag { tags: tag_number(&face, source.tag_sets().len(), Part::TAGS.len()), ..face.tag() };
+                add(&mut made, &plain(&face), own);
+            }
+        }
+    }
+    (made, refused)
+}
+
+fn envelope(
+    face: &FaceRef<'_>,
+    sides: &[EnvelopeSide],
+    height: f64,
+    up: Option<DVec3>,
+) -> Result<Mesh, EnvelopeRefusal> {
+    if MOST_CORNERS < face.corner_count() {
+        return Err(EnvelopeRefusal::TooMany);
+    }
+    let flat = FlatFace::of(face).ok_or(EnvelopeRefusal::NoNormal)?;
+    let up = up.unwrap_or(flat.normal);
+    if up.dot(flat.normal) <= TOUCH_EPSILON {
+        return Err(EnvelopeRefusal::Aside);
+    }
+    let heights = || face.corner_range().map(|corner| face.position(corner).dot(up));
+    let (low, high) = heights().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), at| (l.min(at), h.max(at)));
+    let ground = Ground { flat, sides: sides.to_vec(), up, top: low + height, outer: face.outer().len() };
+    if !(ground.top > high && ground.top.is_finite()) {
+        return Err(EnvelopeRefusal::Empty);
+    }
+    if ground.is_tangled() {
+        return Err(EnvelopeRefusal::Tangled);
+    }
+    let slopes = (0..ground.outer).filter(|&corner| ground.slopes(corner));
+    let volume = match slopes.clone().all(|corner| ground.is_outermost(corner)) {
+        true => planes::cut(&ground)?,
+        false => layers::stack(&ground)?,
+    };
+    Ok(begun_at_outline(&ground, &volume))
+}
+
+/// The volume with slopes that begin with their edge nearest to the outline.
+fn begun_at_outline(ground: &Ground<'_>, volume: &Mesh) -> Mesh {
+    let mut made = volume.clone();
+    for face in volume.faces() {
+        let Part::Slope(corner) = Part::of_mark(face.tag().tags) else { continue };
+        let (from, inwards) = (ground.at(corner as usize), ground.inwards(corner as usize));
+        let ring = face.outer();
+        let at = |k: usize| volume.points()[ring[k % ring.len()] as usize];
+        let off = |k: usize| inwards.dot(at(k) - from).max(inwards.dot(at(k + 1) - from));
+        let first = (0..ring.len()).min_by(|&a, &b| off(a).total_cmp(&off(b))).unwrap_or(0);
+        let range = face.corner_range().start;
+        made.corners[range..range + ring.len()].rotate_left(first);
+    }
+    made
+}
+
+/// The mesh with its caps marked as a part.
+fn capped(mesh: &Mesh, part: Part) -> Mesh {
+    let mut made = mesh.clone();
+    let mark = |tag: FaceTag| if tag.cap { FaceTag { tags: part.to_mark(), ..FaceTag::PLAIN } } else { tag };
+    made.tags = Tags::default();
+    mesh.faces().for_each(|face| made.tags.push(mark(face.tag())));
+    made
+}
+
+/// A mesh of one face without texture coordinates and normals.
+fn plain(face: &FaceRef<'_>) -> Mesh {
+    let mut mesh = Mesh::default();
+    let mut numbers = std::collections::BTreeMap::new();
+    for ring in face.loop_ranges() {
+        for corner in ring {
+            let at = face.position(corner);
+            let number = *numbers.entry(at.to_array().map(f64::to_bits)).or_insert_with(|| mesh.add_point(at));
+            mesh.corners.push(number);
+        }
+        mesh.end_loop();
+    }
+    mesh.end_face(face.tag());
+    mesh
+}
+
+/// Adds the faces of a mesh, with other tags.
+fn add(made: &mut Mesh, from: &Mesh, tag: impl Fn(FaceTag) -> FaceTag) {
+    let base = made.points.len() as u32;
+    made.points.extend_from_slice(from.points());
+    for face in from.faces() {
+        for ring in face.loops() {
+            made.corners.extend(ring.iter().map(|point| base + point));
+            made.end_loop();
+        }
+        made.end_face(tag(face.tag()));
+    }
+}
+
+/// The sets of the source and the empty one, for each part with its tag in place of other tags of envelopes; then the sets
+/// unchanged.
+fn tag_sets(source: &Mesh) -> Arc<[TagSet]> {
+    let plain = TagSet::default();
+    let sets = || source.tag_sets().iter().chain([&plain]);
+    let tagged = Part::TAGS.iter().flat_map(|tag| sets().map(|set| set.renewed("envelope", tag)));
+    tagged.chain(sets().cloned()).collect()
+}
+
+/// The number of a face's tags in a block of the sets of [`tag_sets`].
+fn tag_number(face: &FaceRef<'_>, sets: usize, block: usize) -> u32 {
+    (block * (sets + 1)) as u32 + face.tag().tags.min(sets as u32)
+}
+
+/// The tag of a face of a volume, whose tags are a mark.
+fn tag_of(face: &FaceRef<'_>, sets: usize, marked: FaceTag) -> FaceTag {
+    let tags = tag_number(face, sets, Part::of_mark(marked.tags).number());
+    FaceTag { cap: false, tags, ..face.tag() }
+}

@@ -1,0 +1,80 @@
+//! The prism over a face, cut by the planes of slopes.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{EnvelopeRefusal, Ground, Part, capped};
+use crate::geometry::cut::{Plane, halves};
+use crate::geometry::mesh::{FaceTag, Mesh, flip};
+
+/// Points closer to a plane, relative to the extent of the prism, are in it: planes meet in corners that earlier cuts have
+/// rounded.
+const IN_PLANE: f64 = 1e-11;
+
+/// The volume below all planes. The faces have marks of their parts in place of tags.
+pub(super) fn cut(ground: &Ground<'_>) -> Result<Mesh, EnvelopeRefusal> {
+    let mut volume = Arc::new(prism(ground).known_closed(true));
+    let tolerance = IN_PLANE * volume.bounds().size().max_element();
+    for corner in (0..ground.outer).filter(|&corner| ground.slopes(corner)) {
+        let side = ground.sides[corner];
+        let (sin, cos) = libm::sincos(side.angle.to_radians());
+        let inwards = ground.inwards(corner);
+        if inwards == DVec3::ZERO {
+            continue;
+        }
+        let normal = ground.slope_normal(corner, sin, cos);
+        let plane = Plane { point: ground.at(corner) + ground.up * side.base, normal };
+        let below = halves(&volume, &plane, tolerance).parts.swap_remove(0).ok_or(EnvelopeRefusal::Empty)?;
+        volume = Arc::new(capped(&below, Part::Slope(corner as u32)));
+    }
+    // Every cut keeps the sides that it does not remove, so a volume without a bottom or with less than a tetrahedron's
+    // faces has no contents.
+    if volume.face_count() < 4 || !volume.faces().any(|face| Part::of_mark(face.tag().tags) == Part::Bottom) {
+        return Err(EnvelopeRefusal::Empty);
+    }
+    Ok(Arc::unwrap_or_clone(volume))
+}
+
+impl Ground<'_> {
+    /// The normal of the slope at an edge of the outline, which looks up and outwards.
+    fn slope_normal(&self, corner: usize, sin: f64, cos: f64) -> DVec3 {
+        let along = self.at(self.next(corner)) - self.at(corner);
+        along.cross(self.inwards(corner) * cos + self.up * sin).normalize_or_zero()
+    }
+}
+
+/// The prism from the face to the top.
+fn prism(ground: &Ground<'_>) -> Mesh {
+    let flat = &ground.flat;
+    let mut mesh = Mesh::default();
+    let low: Vec<DVec3> = flat.points.iter().map(|&point| flat.face.mesh.points()[point as usize]).collect();
+    let high = low.iter().map(|p| *p + ground.up * (ground.top - p.dot(ground.up)));
+    mesh.points = low.iter().copied().chain(high).collect();
+    let count = low.len() as u32;
+    let (_, rings) = flat.edges(false);
+    let end_face = |mesh: &mut Mesh, part: Part| mesh.end_face(FaceTag { tags: part.to_mark(), ..FaceTag::PLAIN });
+    for part in [Part::Bottom, Part::Top] {
+        for ring in &rings {
+            let mut ring = ring.clone();
+            match part {
+                Part::Bottom => flip(&mut ring),
+                _ => ring.iter_mut().for_each(|point| *point += count),
+            }
+            mesh.corners.extend(ring);
+            mesh.end_loop();
+        }
+        end_face(&mut mesh, part);
+    }
+    let mut corner = 0;
+    for (number, ring) in rings.iter().enumerate() {
+        for k in 0..ring.len() {
+            let (a, b) = (ring[k], ring[(k + 1) % ring.len()]);
+            mesh.corners.extend([a, b, b + count, a + count]);
+            mesh.end_loop();
+            end_face(&mut mesh, if number == 0 { Part::Base(corner) } else { Part::Inner(corner) });
+            corner += 1;
+        }
+    }
+    mesh
+}
