@@ -39,6 +39,8 @@ mod scattered;
 mod scopes;
 #[path = "documented/selectors.rs"]
 mod selectors;
+#[path = "documented/setbacks.rs"]
+mod setbacks;
 #[path = "documented/texturing.rs"]
 mod texturing;
 #[path = "documented/thirty.rs"]

@@ -18,8 +18,9 @@ pub(crate) fn check(cx: &Context) -> Vec<Diag> {
         agreed.check(item, |diags| {
             for op in walk::ops(body(item)) {
                 let OpKind::Block(block) = &op.kind else { continue };
-                // Setbacks leave remainders, which no other selector takes.
-                let Some(Use::Operation(Operation { braces: Braces::Components, .. })) = names.of(&block.name) else {
+                let Some(Use::Operation(Operation { braces: Braces::Components | Braces::Arms(_), .. })) =
+                    names.of(&block.name)
+                else {
                     continue;
                 };
                 for part in &block.parts {
@@ -97,6 +98,8 @@ fn shown(of: Selection) -> String {
 fn covers(one: Selection, other: Selection) -> bool {
     one == other
         || match (one, other) {
+            // What a setback leaves is selected by this word alone.
+            (_, Selection::Word(Selector { name: "remainder", .. })) => false,
             (Selection::Word(one), _) if one.directions == Directions::ALL => true,
             (Selection::Word(one), Selection::Word(other)) => other.directions.within(one.directions),
             _ => false,

@@ -1,9 +1,11 @@
 //! Operations with braces, and `comp` as a value.
 
 use super::{LONGEST_SOURCE, Lower};
-use crate::ir::{Arm, Block, BlockParts, Comp, Expr, ExprKind, Item, Selector, Slots, Step, Target, Type};
+use crate::ir::{
+    Arg as IrArg, Arm, Block, BlockParts, Comp, Expr, ExprKind, Item, Selector, Slots, Step, Target, Type,
+};
 use crate::lower::fold::fold;
-use crate::ops::{self, Braces, Run};
+use crate::ops::{self, Braces, Operation, Run};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::syntax::ast::{self, ArmMode, BlockPart, SplitItem};
@@ -21,6 +23,9 @@ impl<'c> Lower<'c> {
                 self.slots(items, *repeat, &mut slots, block.name.span);
                 BlockParts::Slots(slots)
             }
+            (Braces::Modified, [BlockPart::Arms(arms)]) => {
+                BlockParts::Operands(vec![self.modified(row, &args, arms, block.name.span)])
+            }
             (_, [BlockPart::Arms(arms)]) => BlockParts::Arms(arms.iter().map(|arm| self.arm_of(arm)).collect()),
             (Braces::Ops, [BlockPart::Ops(sides)]) => BlockParts::Each(self.part(sides.first()?, block.name.span)),
             (_, [BlockPart::Ops(sides)]) => {
@@ -30,6 +35,12 @@ impl<'c> Lower<'c> {
             _ => return Some(Step::Later(block.name.text.clone())),
         };
         Some(Step::Block(Block { row, args, parts }))
+    }
+
+    /// The operand of `modify`: a rule that divides the shape into its components.
+    fn modified(&mut self, row: &'static Operation, args: &[IrArg], arms: &'c [ast::Arm], span: Span) -> Target {
+        let arms = |lower: &mut Self| BlockParts::Arms(arms.iter().map(|arm| lower.arm_of(arm)).collect());
+        self.block_rule(span, |lower| vec![Step::Block(Block { row, args: args.to_vec(), parts: arms(lower) })])
     }
 
     fn slots(&mut self, items: &'c [SplitItem], repeat: bool, out: &mut Slots, owner: Span) {
@@ -72,6 +83,20 @@ impl<'c> Lower<'c> {
             comp.args.iter().map(|value| ast::Arg { prefix: None, value: value.clone(), span: value.span }).collect();
         let args = self.args(row, &args, comp.name.span);
         Some((ExprKind::Comp(Box::new(Comp { row, args, arms })), ty))
+    }
+
+    /// The array of a value that is computed on each edge of each face (*setbackPerEdge operation*).
+    pub(super) fn per_edge(&mut self, value: &ast::Expr) -> Expr {
+        let then = self.folded(value);
+        let all = Arm { selector: Selector::Word("all"), text: "all".to_owned(), mode: ArmMode::Each, then };
+        let (kind, ty) = match ops::operations("comp").next() {
+            Some(row) => {
+                let args = vec![IrArg::Word("fe"), IrArg::Word("zUp")];
+                (ExprKind::Comp(Box::new(Comp { row, args, arms: vec![all] })), Type::Floats)
+            }
+            None => (all.then.kind, all.then.ty),
+        };
+        Expr { kind, ty, span: value.span }
     }
 
     fn arm<T>(&mut self, selector: &ast::Expr, mode: ArmMode, then: T) -> Arm<T> {

@@ -65,12 +65,10 @@ impl<'c> Lower<'c> {
     /// The arguments of an operation, with the defaults of those that are left out.
     pub(super) fn args(&mut self, row: &'static Operation, args: &[ast::Arg], span: Span) -> Vec<Arg> {
         let given = row.params.iter().zip(args).map(|(param, arg)| match &param.kind {
-            ParamKind::Value(_)
-            | ParamKind::Any
-            | ParamKind::Color
-            | ParamKind::Channel
-            | ParamKind::Selector
-            | ParamKind::PerEdge => Arg::Value(self.folded(&arg.value)),
+            ParamKind::Value(_) | ParamKind::Any | ParamKind::Color | ParamKind::Channel | ParamKind::Selector => {
+                Arg::Value(self.folded(&arg.value))
+            }
+            ParamKind::PerEdge => Arg::Value(self.per_edge(&arg.value)),
             ParamKind::File(_) | ParamKind::Image(_) => Arg::Value(self.file(&arg.value)),
             ParamKind::Length | ParamKind::Size => Arg::Length(self.size(arg)),
             ParamKind::Word(words) => Arg::Word(word(&arg.value, words)),
@@ -123,12 +121,17 @@ impl<'c> Lower<'c> {
                 _ => {}
             }
         }
+        self.block_rule(span, |lower| lower.steps(ops))
+    }
+
+    /// A rule of its own for steps in braces, with the parameters that they read.
+    pub(super) fn block_rule(&mut self, span: Span, steps: impl FnOnce(&mut Self) -> Vec<Step>) -> Target {
         let count = self.blocks.entry(self.name.clone()).or_default();
         *count += 1;
         let name = format!("{}/{count}", self.name);
         let rule = RuleId(self.out.rules.len() as u32);
         self.out.rules.push(Rule { name, label: self.label.clone(), block: true, span, ..Rule::default() });
-        let mut body = self.steps(ops);
+        let mut body = steps(self);
         let captured = capture(&mut body);
         let own = |&index: &u32| {
             let name = self.inner[index as usize];

@@ -52,8 +52,7 @@ pub enum ParamKind {
     Image(u32),
     /// A selector of components, an index or a condition. No implemented row has such a parameter yet.
     Selector,
-    /// A float that is computed for each edge of each face, with the edge as current shape. No implemented row has
-    /// such a parameter yet.
+    /// A float that is computed for each edge of each face, with the edge as current shape. The runtime gets the array.
     PerEdge,
     /// A word.
     Word(Words),

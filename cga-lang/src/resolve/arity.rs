@@ -3,7 +3,7 @@
 use super::context::Context;
 use crate::diag::code::Code;
 use crate::diag::count;
-use crate::ops::Operation;
+use crate::ops::{self, Param};
 use crate::syntax::ast::Name;
 
 /// Returns "2 arguments", "0 or 3 arguments" or "1, 3 or 4 arguments".
@@ -21,14 +21,24 @@ pub(crate) fn counts(counts: impl IntoIterator<Item = usize>) -> String {
     }
 }
 
-/// Reports a call with a wrong number of arguments.
+/// Reports a call with a wrong number of arguments. The help shows the calls of a function of the language.
 pub(crate) fn wrong_count(cx: &mut Context, what: &str, name: &Name, takes: Vec<usize>, got: usize) {
     let message = format!("{what} `{}` takes {}, got {got}", name.text, counts(takes));
-    cx.diags.report(Code::ArgumentCount, name.span, message);
+    let rows = ops::functions(&name.text).filter(|row| what == "function" && row.old.is_none());
+    let rows = usages(rows.map(|row| (row.name, row.params)));
+    let diag = cx.diags.report(Code::ArgumentCount, name.span, message);
+    if !rows.is_empty() {
+        diag.help(format!("write {rows}"));
+    }
 }
 
-/// The usage of an operation: `s(x, y, z)`.
-pub(crate) fn usage(row: &Operation) -> String {
-    let params: Vec<&str> = row.params.iter().map(|param| param.name).collect();
-    format!("{}({})", row.name, params.join(", "))
+/// The calls of rows of a table: "`s(x, y, z)` or `s(xyz)`".
+pub(crate) fn usages(rows: impl Iterator<Item = (&'static str, &'static [Param])>) -> String {
+    let call = |(name, params): (&str, &[Param])| {
+        let params: Vec<&str> = params.iter().map(|param| param.name).collect();
+        format!("`{name}({})`", params.join(", "))
+    };
+    let mut calls: Vec<String> = rows.map(call).collect();
+    calls.dedup();
+    calls.join(" or ")
 }

@@ -1,7 +1,7 @@
 //! Operations of a rule: resolves each call to an operation, rule or leaf, and checks its words.
 
 use super::arguments::{has_error, word};
-use super::arity::{counts, usage, wrong_count};
+use super::arity::{counts, usages, wrong_count};
 use super::globals::Namespace;
 use super::resolver::Resolver;
 use super::tables::Use;
@@ -207,15 +207,14 @@ impl<'a> Resolver<'_, 'a, '_> {
             ops::operations(text).flat_map(|row| ops::required(row.params)..=row.params.len()).collect();
         if !takes.is_empty() {
             let new = ops::operations(text).filter(|row| row.old.is_none());
-            let mut rows: Vec<String> = new.map(|row| format!("`{}`", usage(row))).collect();
-            rows.dedup();
+            let rows = usages(new.map(|row| (row.name, row.params)));
             let message = format!("operation `{text}` takes {}, got {count}", counts(takes));
             // The help of an operation that only exists for old files.
             let instead = ops::operations(text).find_map(|row| row.old);
             let diag = self.cx.diags.report(Code::ArgumentCount, name.span, message);
             match instead.filter(|_| rows.is_empty()) {
                 Some(instead) => diag.help(instead),
-                None => diag.help(format!("write {}", rows.join(" or "))),
+                None => diag.help(format!("write {rows}")),
             };
             if let Some(help) = habits::step(text).filter(|_| count == 3) {
                 diag.help(help);

@@ -177,7 +177,7 @@ impl InlineReader {
             Err(_) => {
                 let value = number_and_unit(written);
                 let at = self.push(value.map_or(Tok::Bad, Tok::Number), first, last);
-                let diag = self.diags.report(Code::BadNumber, at, format!("`{written}` is no number in CGA"));
+                let diag = self.diags.report(Code::BadNumber, at, format!("`{written}` is not a number in CGA"));
                 match value {
                     Some(value) => diag.note(NO_UNITS).help(format!("write `{value}`")),
                     None => diag.help("write it in digits, like `12` or `0.5`"),

@@ -69,10 +69,10 @@ fn names_are_emitted_whatever_is_wrong() {
 #[test]
 fn habits_of_other_languages_are_named_once() {
     for (rules, message, help) in [
-        ("Lot --> extrude(3m) X.", "`3m` is no number in CGA", "write `3`"),
-        ("Lot --> split(x) { 2.5cm : X. | ~1 : Y. }", "`2.5cm` is no number in CGA", "write `0.025`"),
+        ("Lot --> extrude(3m) X.", "`3m` is not a number in CGA", "write `3`"),
+        ("Lot --> split(x) { 2.5cm : X. | ~1 : Y. }", "`2.5cm` is not a number in CGA", "write `0.025`"),
         ("Lot --> extrude(3e400) X.", "this number is too large", ""),
-        ("Lot --> extrude(0x10) X.", "`0x10` is no number in CGA", "write it in digits"),
+        ("Lot --> extrude(0x10) X.", "`0x10` is not a number in CGA", "write it in digits"),
         ("Lot --> s('1', ^2, 3) X.", "Rust reads `'1'` as a character", "inline, write `^1`"),
         ("Lot --> s(3, 'a', 3) X.", "Rust reads `'a'` as a character", "inline, write a relative size as `^0.5`"),
         ("Lot --> case 3 < 4 & 4 < 5 : X. else : Y.", "`&` has no meaning in CGA", "write `&&`"),

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::select::Word;
+use super::source::ComponentSource;
 use super::{Align, Arm, AssignedComponents, Candidate, Components, Mode, Select};
 use crate::geometry::Frame;
 use crate::geometry::mesh::{Mesh, extract};
@@ -46,10 +47,18 @@ impl<'a> Arms<'a> {
         self.arms.iter().position(|arm| arm.select == Select::Word(word)).map(|arm| arm as u32)
     }
 
-    /// The first arm that selects each edge of each face, by corner, as those of `comp(fe)` (*setback operation*). `Break` when a
-    /// limit was reached.
-    pub fn edges(&mut self, env: &mut Env) -> ControlFlow<(), Vec<Option<u32>>> {
-        face_edges(env, self.shape, self.arms, &mut *self.when)
+    /// The first arm that selects each edge of each face, by corner, as those of `comp(fe)`; indices wrap (*setback
+    /// operation*). Selectors in texture space mean a set of coordinates. `Break` when a limit was reached.
+    pub fn edges(&mut self, env: &mut Env, uv_set: usize) -> ControlFlow<(), Vec<Option<u32>>> {
+        let count = self.shape.to_mesh().corners().len() as f64;
+        let wrapped = |arm: &Arm| match arm.select {
+            Select::Index(index) if index.is_finite() && 0.0 < count => {
+                Arm { select: Select::Index(index.rem_euclid(count)), ..*arm }
+            }
+            _ => *arm,
+        };
+        let arms: Vec<Arm> = self.arms.iter().map(wrapped).collect();
+        edges(env, self.shape, &arms, uv_set, &mut *self.when)
     }
 }
 
@@ -60,7 +69,22 @@ pub(crate) fn face_edges(
     arms: &[Arm],
     when: &mut ArmTest<'_>,
 ) -> ControlFlow<(), Vec<Option<u32>>> {
-    let parts = AssignedComponents::of(env, shape, Components::FaceEdges, Align::ZUp, arms, when)?;
+    edges(env, shape, arms, 0, when)
+}
+
+fn edges(
+    env: &mut Env,
+    shape: &Shape,
+    arms: &[Arm],
+    uv_set: usize,
+    when: &mut ArmTest<'_>,
+) -> ControlFlow<(), Vec<Option<u32>>> {
+    let (kind, align) = (Components::FaceEdges, Align::ZUp);
+    let mut source = ComponentSource::of(env, shape, kind, align, arms)?;
+    if let ComponentSource::Mesh(parts) = &mut source {
+        parts.uv_set = uv_set;
+    }
+    let parts = AssignedComponents::assigned(env, shape, kind, align, arms, when, source);
     let mut edges = vec![None; parts.owners.len()];
     for arm in 0..arms.len() {
         parts.owners.of(arm as u16).for_each(|edge| edges[edge as usize] = Some(arm as u32));
@@ -82,6 +106,7 @@ pub fn divide<C>(
 ) -> Flow {
     let mut whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
     whole.bake();
+    cx.env.divide_trace(&mut whole);
     let made = make(cx.env, &mut Arms::new(&whole, arms, when))?;
     cx.env.count_corners(made.mesh.corners().len() as u64)?;
     for (number, arm) in arms.iter().enumerate() {

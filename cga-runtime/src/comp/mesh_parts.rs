@@ -8,6 +8,7 @@ use glam::DVec3;
 use super::Components;
 use super::roof::Roof;
 use super::select::{RoofEdge, Sense, Subcomponent, Word};
+use super::uv_edges::UvEdges;
 use crate::comp::orientation::Orientation;
 use crate::geometry::Frame;
 use crate::geometry::face_frame::{FaceFrame, along, beside, face_frame, upright};
@@ -33,6 +34,9 @@ pub(super) struct MeshParts {
     /// True for each point at the end of a border edge.
     border: OnceCell<Vec<bool>>,
     roof: OnceCell<Roof>,
+    /// The set of texture coordinates that selectors mean.
+    pub(super) uv_set: usize,
+    uvs: OnceCell<UvEdges>,
     /// The last query for tags, with the sets that match.
     found: RefCell<(String, Vec<bool>)>,
 }
@@ -60,6 +64,8 @@ impl MeshParts {
             holes,
             border: OnceCell::new(),
             roof: OnceCell::new(),
+            uv_set: 0,
+            uvs: OnceCell::new(),
             found: RefCell::default(),
         }
     }
@@ -182,6 +188,11 @@ impl MeshParts {
                     let within = matches!(kind, Components::FaceEdges | Components::FaceVertices);
                     let normal = if within { normal } else { looks.outwards(normal) };
                     looks.takes(axes, direction, normal, || self.place(kind, index))
+                }
+                Sense::Uv(side) => {
+                    let uvs = self.uvs.get_or_init(|| UvEdges::of(&self.mesh, self.uv_set));
+                    let face = || self.adjacency().face(index as u32) as usize;
+                    kind == Components::FaceEdges && uvs.takes(&self.mesh, face(), self.end_corners(index), side)
                 }
                 Sense::Border(border) => self.at_border(kind, index) == border,
                 Sense::Roof(edge) => {
@@ -328,7 +339,9 @@ impl MeshParts {
             flip(&mut ring);
             builder.face(&ring, &[], FaceTag::PLAIN);
         }
-        builder.build().unwrap_or_default()
+        let mut filled = builder.build().unwrap_or_default();
+        filled.trace = self.mesh.trace.at_places(&self.mesh.points, &filled.points);
+        filled
     }
 
     /// The edges or points of some components.
@@ -336,12 +349,17 @@ impl MeshParts {
         let indices = indices.iter().map(|&index| index as usize);
         let normals = indices.clone().map(|index| self.normal(self.kind, index)).collect();
         if !matches!(self.kind, Components::Edges | Components::FaceEdges) {
+            let point = |index: usize| match self.kind {
+                Components::FaceVertices => self.mesh.corners()[index],
+                _ => index as u32,
+            };
+            let trace = self.mesh.trace.pick(indices.clone().map(|index| Some(point(index))));
             let points = indices.map(|index| self.place(self.kind, index)).collect();
-            return Wire { points, edges: Vec::new(), normals };
+            return Wire { points, edges: Vec::new(), normals, trace };
         }
         let point = |corner: u32| self.mesh.corners()[corner as usize];
         let edges = indices.map(|index| self.directed(index, as_roof).map(point));
-        Wire::of_edges(self.mesh.points(), edges, normals)
+        Wire::of_edges(self.mesh.points(), &self.mesh.trace, edges, normals)
     }
 
     /// Calls `bond` with the number of each edge of a component with faces, or of each point of another component.

@@ -12,6 +12,7 @@ pub(crate) mod select;
 mod source;
 #[cfg(test)]
 mod tests;
+mod uv_edges;
 mod value;
 mod wire_parts;
 
@@ -32,6 +33,7 @@ pub use arms::divide;
 pub(crate) use arms::{Arms, Faces, face_edges};
 pub(crate) use candidate::Candidate;
 pub use candidate::{is_tagged, is_tagged_at};
+pub(crate) use points::Points;
 pub use points::each;
 pub use select::Subcomponent;
 pub use value::comp_values;
@@ -136,15 +138,43 @@ pub fn comp<C>(
     when: &mut dyn FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
     visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
 ) -> Flow {
-    let whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
+    let mut whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
+    cx.env.divide_trace(&mut whole);
     let parts = AssignedComponents::of(cx.env, &whole, components, align, arms, when)?;
     if let ComponentSource::Quads(quads) = &parts.source {
         return parts.each_side(quads, cx, visit);
     }
-    parts.each(|arm, _, part| {
+    parts.each(|arm, _, mut part| {
+        cx.env.begin_part(&mut part);
         let base = cx.env.base(part);
         visit(cx, arm, &base.shape())
     })
+}
+
+/// As [`comp`] for the operand of `modify`: then passes the geometry that no arm takes to the sink. Edges, vertices and holes leave
+/// all faces (*modify operation*).
+#[allow(clippy::too_many_arguments, reason = "generated code calls it")]
+pub fn comp_and_rest<C>(
+    cx: &mut Cx<'_, C>,
+    shape: &ShapeRef<'_>,
+    number: u32,
+    components: Components,
+    align: Align,
+    arms: &[Arm],
+    when: &mut dyn FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
+    visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
+) -> Flow {
+    let mut whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
+    cx.env.divide_trace(&mut whole);
+    let parts = AssignedComponents::of(cx.env, &whole, components, align, arms, when)?;
+    parts.each(|arm, _, mut part| {
+        cx.env.begin_part(&mut part);
+        let base = cx.env.base(part);
+        visit(cx, arm, &base.shape())
+    })?;
+    let mut rest = parts.rest(components);
+    cx.env.begin_part(&mut rest);
+    cx.sink.keep(&rest).unwrap_or(Flow::Continue(()))
 }
 
 /// The components of a shape, each assigned to an arm.
@@ -170,16 +200,30 @@ impl<'s> AssignedComponents<'s> {
         components: Components,
         align: Align,
         arms: &'s [Arm],
-        mut when: impl FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
+        when: impl FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
     ) -> ControlFlow<(), Self> {
+        let source = ComponentSource::of(env, shape, components, align, arms)?;
+        ControlFlow::Continue(Self::assigned(env, shape, components, align, arms, when, source))
+    }
+
+    /// Assigns the components of a source.
+    #[inline]
+    fn assigned(
+        env: &mut Env,
+        shape: &'s Shape,
+        components: Components,
+        align: Align,
+        arms: &'s [Arm],
+        mut when: impl FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
+        source: ComponentSource,
+    ) -> Self {
         for arm in arms {
             if let Select::Index(number) = arm.select
                 && !number.is_finite()
             {
-                env.fault(FaultKind::Value, format!("an index of `comp` is {number}; it takes nothing"));
+                env.fault(FaultKind::Value, format!("an index of a component is {number}; it takes nothing"));
             }
         }
-        let source = ComponentSource::of(env, shape, components, align, arms)?;
         let parent = shape;
         let looks = Orientation::of(env, parent);
         let mut as_roof = Vec::new();
@@ -212,7 +256,7 @@ impl<'s> AssignedComponents<'s> {
             }
             _ => None,
         };
-        ControlFlow::Continue(AssignedComponents { parent, align, arms, owners, source, as_roof, trims })
+        AssignedComponents { parent, align, arms, owners, source, as_roof, trims }
     }
 
     /// Calls `visit` with every part: its arm, the numbers of its components, and its shape.
@@ -244,6 +288,21 @@ impl<'s> AssignedComponents<'s> {
             }
         }
         Flow::Continue(())
+    }
+
+    /// The geometry that no arm takes. Edges, vertices and holes take none.
+    fn rest(&self, components: Components) -> Shape {
+        let mut rest = self.parent.clone();
+        let takes = matches!(components, Components::Faces | Components::Groups | Components::Materials);
+        if takes && !matches!(self.source, ComponentSource::Wire(_)) {
+            let left: Vec<u32> = self.owners.left().collect();
+            rest.geometry = Geometry::Empty;
+            if !left.is_empty() {
+                let part = self.source.kept(self.parent, &left, false);
+                (rest.scope, rest.geometry) = (part.scope, part.geometry);
+            }
+        }
+        rest
     }
 
     /// The façade path: calls `visit` with the sides of a box one by one. Bases are made in their final place: a copy

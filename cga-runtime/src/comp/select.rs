@@ -45,6 +45,14 @@ impl Word {
     pub const StreetLeft: Word = Word(Sense::Looks(AxesOf::Street, Direction::Left));
     pub const StreetRight: Word = Word(Sense::Looks(AxesOf::Street, Direction::Right));
     pub const StreetSide: Word = Word(Sense::Looks(AxesOf::Street, Direction::Side));
+    pub const UvLeft: Word = Word(Sense::Uv(UvSide::Left));
+    pub const UvRight: Word = Word(Sense::Uv(UvSide::Right));
+    pub const UvBottom: Word = Word(Sense::Uv(UvSide::Bottom));
+    pub const UvTop: Word = Word(Sense::Uv(UvSide::Top));
+    pub const UvUMin: Word = Word(Sense::Uv(UvSide::UMin));
+    pub const UvUMax: Word = Word(Sense::Uv(UvSide::UMax));
+    pub const UvVMin: Word = Word(Sense::Uv(UvSide::VMin));
+    pub const UvVMax: Word = Word(Sense::Uv(UvSide::VMax));
     pub const Shape: Word = Word(Sense::Shape);
     pub const Remainder: Word = Word(Sense::Remainder);
     /// `noStreetSide`, a spelling of versions before 2012.1.
@@ -71,6 +79,8 @@ pub(crate) enum Sense {
     Border(bool),
     /// The class of an edge of a roof.
     Roof(RoofEdge),
+    /// The edges of faces with a direction or a place in texture space.
+    Uv(UvSide),
     /// No component: a part that `shapeL` makes.
     Shape,
     /// No component: the rest that `shapeL` leaves.
@@ -97,4 +107,17 @@ pub(crate) enum RoofEdge {
     Hip,
     Valley,
     Ridge,
+}
+
+/// A direction or a place in texture space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum UvSide {
+    Left,
+    Right,
+    Bottom,
+    Top,
+    UMin,
+    UMax,
+    VMin,
+    VMax,
 }

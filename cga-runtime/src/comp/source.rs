@@ -127,7 +127,7 @@ impl Quads {
     fn is(&self, looks: &Orientation, number: usize, word: Word) -> bool {
         match word.0 {
             Sense::All => true,
-            Sense::Shape | Sense::Remainder => false,
+            Sense::Uv(_) | Sense::Shape | Sense::Remainder => false,
             Sense::Looks(AxesOf::Scope, direction) => direction.takes_side(self.face(number).side),
             Sense::Looks(axes, direction) => {
                 let normal = self.face(number).side.normal();

@@ -15,11 +15,13 @@ mod footprint;
 mod inline;
 mod inner_rectangle;
 mod insert;
+mod joined_state;
 mod material;
 mod mirror;
 mod offset;
 mod pivot;
 mod primitive;
+mod recompose;
 mod refit;
 mod report;
 mod roof;
@@ -28,6 +30,8 @@ mod scatter;
 mod scope_tests;
 pub mod set;
 mod set_back;
+mod setback;
+mod setback_to_area;
 mod shape_l;
 mod shape_o;
 mod shape_u;
@@ -37,6 +41,7 @@ pub(crate) mod texture;
 mod transform;
 mod trim;
 
+pub use crate::comp::{Align, Components};
 pub use crate::geometry::mesh::{HeightAlignment, HeightDirection, OffsetFaces};
 pub use align::{AlignAxes, align_to_axes, rotate_scope};
 pub use align_box::{BoxAxes, align_to_box};
@@ -64,12 +69,15 @@ pub use primitive::{
     cone, cone_sized, cube, cube_sized, cylinder, cylinder_sides, cylinder_sized, disk, disk_sized, quad, quad_sized,
     sphere, sphere_sides, sphere_sized,
 };
+pub use recompose::modify;
 pub use report::{label, print, report};
 pub use roof::{
     RoofValue, roof_gable, roof_gable_along, roof_gable_by, roof_hip, roof_hip_by, roof_pyramid, roof_pyramid_by,
     roof_ridge_by, roof_shed, roof_shed_by,
 };
 pub use scatter::{Distribution, ScatterDomain, ScatterMean, scatter, scatter_around};
+pub use setback::{setback, setback_each, setback_per_edge};
+pub use setback_to_area::{setback_to_area, setback_to_area_between, setback_to_area_from};
 pub use shape_l::shape_l;
 pub use shape_o::shape_o;
 pub use shape_u::shape_u;

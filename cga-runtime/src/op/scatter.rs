@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use glam::{DMat3, DVec3};
 
+use crate::comp::Points;
 use crate::fault::FaultKind;
 use crate::geometry::Frame;
 use crate::geometry::scatter::{Bell, Domain, ScatteredPoint};
@@ -81,7 +82,7 @@ pub fn scatter(
     domain: ScatterDomain,
     count: f64,
     distribution: Distribution,
-) -> ControlFlow<(), Vec<Frame>> {
+) -> ControlFlow<(), Points> {
     match distribution {
         Distribution::Uniform => strew(env, shape, domain, count, |_| Bell::EVEN),
         Distribution::Gaussian => {
@@ -100,7 +101,7 @@ pub fn scatter_around(
     _: Distribution,
     mean: ScatterMean,
     deviation: Length,
-) -> ControlFlow<(), Vec<Frame>> {
+) -> ControlFlow<(), Points> {
     let size = shape.scope.size;
     let deviation = size.abs().to_array().map(|extent| deviation.of(extent, env, "the deviation of scatter").abs());
     strew(env, shape, domain, count, |scale| {
@@ -119,11 +120,11 @@ fn strew(
     domain: ScatterDomain,
     count: f64,
     bell: impl FnOnce(f64) -> Bell,
-) -> ControlFlow<(), Vec<Frame>> {
+) -> ControlFlow<(), Points> {
     let count = env.finite(count, "the number of points").floor();
     if count < 1.0 {
         env.fault(FaultKind::Value, format!("scatter: {count} points are asked for; none is made"));
-        return ControlFlow::Continue(Vec::new());
+        return ControlFlow::Continue(Points::none());
     }
     let count = count as u64;
     if !env.has_room(count) {
@@ -144,18 +145,14 @@ fn strew(
             }
         }
     };
-    let mut seed = shape.seed.child(Tag::Candidate, 0);
-    let points = found.draw(count, &mut || seed.draw());
-    if (points.len() as u64) < count {
-        let made = points.len();
-        env.fault(FaultKind::Geometry, format!("scatter: the geometry has room for {made} of {count} points"));
-    }
-    let inwards = if shape.looks_inwards() { -1.0 } else { 1.0 };
-    let frame = |point: ScatteredPoint| Frame {
-        origin: shape.scope.frame().to_world(point.position / scale),
-        axes: shape.scope.axes * axes_on(point.normal * inwards),
+    let (scope, inwards) = (shape.scope, if shape.looks_inwards() { -1.0 } else { 1.0 });
+    let frame = move |point: ScatteredPoint| Frame {
+        origin: scope.frame().to_world(point.position / scale),
+        axes: scope.axes * axes_on(point.normal * inwards),
     };
-    ControlFlow::Continue(points.into_iter().map(frame).collect())
+    let mut seed = shape.seed.child(Tag::Candidate, 0);
+    let points = found.draw(count, move || seed.draw());
+    ControlFlow::Continue(Points::new(points.map(frame), count))
 }
 
 /// Axes with y along a normal; x stays as near as it can. The axes of the scope without a normal.

@@ -1,13 +1,23 @@
-//! Setbacks of the edges that selectors choose, for the operations that divide faces into `shape` and `remainder`.
+//! Setbacks of edges, for the operations that divide faces into what edges sweep and a remainder.
 
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 use crate::comp::select::Word;
 use crate::comp::{Arm, Arms, Faces, Mode, Select, face_edges, never};
 use crate::fault::FaultKind;
 use crate::geometry::mesh::offset::OffsetError;
+use crate::geometry::mesh::offset::region::EdgeCut;
 use crate::geometry::mesh::offset::set_back::{renumber, set_back as set_face_back};
+use crate::geometry::mesh::{FaceRef, Mesh};
 use crate::run::env::Env;
+
+/// Edges of a face that move together, and the arm of what they sweep.
+pub(super) struct Turn {
+    pub(super) arm: Option<u32>,
+    /// One distance in metres for each piece of the outline.
+    pub(super) distances: Vec<f64>,
+}
 
 /// Sets back the edges of each face that the words select, each by its distance in metres. An edge belongs to the first word that
 /// selects it. Each connected part that the edges sweep is a `shape`, the rest of the face is a `remainder`. A face that cannot
@@ -27,25 +37,69 @@ pub(super) fn set_back(
     let words: Vec<Arm> = widths.iter().map(word).collect();
     let edges = face_edges(env, arms.shape(), &words, &mut never)?;
     let mesh = arms.shape().to_mesh();
-    let labels = [Word::Shape, Word::Remainder].map(|word| arms.of(word));
+    let shape = arms.of(Word::Shape);
+    let turns = |face: &FaceRef<'_>| {
+        let edges = edges[face.corner_range()].iter();
+        let distances = edges.map(|arm| arm.map_or(0.0, |arm| distances[arm as usize])).collect();
+        vec![Turn { arm: shape, distances }]
+    };
+    ControlFlow::Continue(divided(env, &mesh, arms.of(Word::Remainder), what, turns))
+}
+
+/// The edges of each face that arms select, in turns: those of the first arm move first. `distance` gives the distance in
+/// metres of an edge by its corner in the mesh; those that are not positive do not move.
+pub(super) fn turns(face: &FaceRef<'_>, edges: &[Option<u32>], distance: impl Fn(usize) -> f64) -> Vec<Turn> {
+    let range = face.corner_range();
+    let mut turns: BTreeMap<u32, Vec<f64>> = BTreeMap::new();
+    for (piece, corner) in range.clone().enumerate() {
+        let distance = distance(corner);
+        if let Some(arm) = edges[corner]
+            && 0.0 < distance
+        {
+            turns.entry(arm).or_insert_with(|| vec![0.0; range.len()])[piece] = distance;
+        }
+    }
+    turns.into_iter().map(|(arm, distances)| Turn { arm: Some(arm), distances }).collect()
+}
+
+/// Divides the faces of a mesh. A face that cannot be divided is a remainder, with a fault that begins with `what`.
+pub(super) fn divided(
+    env: &mut Env,
+    mesh: &Mesh,
+    remainder: Option<u32>,
+    what: &str,
+    turns: impl Fn(&FaceRef<'_>) -> Vec<Turn>,
+) -> Faces {
+    divided_at(env, mesh, remainder, what, |face| (Vec::new(), turns(face)))
+}
+
+/// Divides the faces of a mesh, whose edges are divided into pieces by cuts.
+pub(super) fn divided_at(
+    env: &mut Env,
+    mesh: &Mesh,
+    remainder: Option<u32>,
+    what: &str,
+    turns: impl Fn(&FaceRef<'_>) -> (Vec<EdgeCut>, Vec<Turn>),
+) -> Faces {
     let mut made = Faces { mesh: mesh.alike(0), arms: Vec::new() };
     for face in mesh.faces() {
-        let by: Vec<f64> =
-            edges[face.corner_range()].iter().map(|arm| arm.map_or(0.0, |arm| distances[arm as usize])).collect();
-        let [setback, remainder] = match set_face_back(&face, &by, &mut made.mesh) {
-            Ok(counts) => [counts.setback, counts.remainder],
+        let (cuts, turns) = turns(&face);
+        let distances: Vec<&[f64]> = turns.iter().map(|turn| &turn.distances[..]).collect();
+        match set_face_back(&face, &cuts, &distances, &mut made.mesh) {
+            Ok(counts) => {
+                let arms = turns.iter().map(|turn| turn.arm).chain([remainder]);
+                made.arms.extend(arms.zip(counts).flat_map(|(arm, count)| std::iter::repeat_n(arm, count)));
+            }
             Err(why) => {
                 let (number, why) = (face.index(), reason(why));
                 env.fault(FaultKind::Geometry, format!("{what}: face {number} {why}; it stays whole"));
                 made.mesh.add_copy(&face);
-                [0, 1]
+                made.arms.push(remainder);
             }
-        };
-        made.arms.extend(std::iter::repeat_n(labels[0], setback));
-        made.arms.extend(std::iter::repeat_n(labels[1], remainder));
+        }
     }
     renumber(&mut made.mesh);
-    ControlFlow::Continue(made)
+    made
 }
 
 fn reason(why: OffsetError) -> &'static str {

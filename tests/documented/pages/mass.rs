@@ -1,7 +1,8 @@
 //! *footprint*, *envelope* and *innerRectangle operations*.
 
+use cga::glam::DVec3;
 use cga::mesh::FaceTag;
-use cga::{MeshBuilder, Shape};
+use cga::{Mesh, MeshBuilder, Shape};
 
 use super::example::{Example, example};
 
@@ -36,10 +37,17 @@ fn bent_lot() -> Shape {
     Shape::footprint(&outline, &[]).expect("an outline")
 }
 
-/// The lot of the pictures of *innerRectangle operation*: its corners as read from them, with x along the long side of the scope.
+/// The lot of the pictures of *innerRectangle operation*, with corners as read from them, in the axes of its scope.
+///
+/// # Panics
+/// Never.
 fn concave_lot() -> Shape {
-    let outline = [[-2.0, -9.5], [12.8, -17.1], [25.8, -6.5], [52.4, -13.8], [60.8, 5.0], [37.0, 14.5], [9.5, 14.1]];
-    Shape::footprint(&outline, &[]).expect("an outline").seed(3)
+    let outline =
+        [[1.0, 42.0], [57.0, 3.0], [111.0, 46.0], [208.0, 18.0], [239.0, 89.0], [156.0, 128.0], [52.0, 130.0]];
+    let corners = outline.map(|[x, z]| DVec3::new(x, 0.0, z) / 10.0);
+    let corners: Vec<DVec3> = corners.into_iter().rev().collect();
+    let mesh = Mesh::from_polygon(&corners, &[]).expect("an outline");
+    Shape::mesh_axis_aligned(mesh).seed(3)
 }
 
 /// Slanted faces side by side, as on the page.

@@ -5,7 +5,7 @@ use super::super::{
     Allowed, BS, Braces, Default, FS, Measure, Operation, Param, ParamBounds, ParamKind, Places, Uses, bounds, float,
     length, of, or, param, renamed, unknown, uv_set, within, word,
 };
-use super::{block, divides, old, op};
+use super::{block, divides, joins, old, op};
 use crate::diag::code::Code;
 
 pub(super) const COMPONENT: Param = renamed(
@@ -50,6 +50,12 @@ static COUNTS: ParamBounds = ParamBounds {
     ..bounds(Allowed::Above(0.0), "the number of points is above 0")
 };
 
+/// *setback operation*.
+static DISTANCES: ParamBounds =
+    ParamBounds { result: Some("no edge is set back"), ..bounds(Allowed::Above(0.0), "a distance is above 0") };
+
+const DISTANCE: Param = within(float("distance"), &DISTANCES);
+const EDGE_DISTANCE: Param = within(param("distance", ParamKind::PerEdge), &DISTANCES);
 const AREA: Param = within(float("area"), &AREAS);
 const N_POINTS: Param = within(float("nPoints"), &COUNTS);
 const UV_SET: Param = or(uv_set("uvSet"), Default::Float(0.0));
@@ -104,26 +110,50 @@ pub(super) static ROWS: &[Operation] = &[
         &[length("splitOffset"), float("firstEdgeIndex"), of("selectedEdgesMask", BS)],
         "divides some edges of the outline into sections and sets each back",
     ),
-    block("setback", Braces::Arms(Places::SETBACK), &[float("distance"), UV_SET], "sets edges back by a distance"),
-    block(
+    divides(
         "setback",
-        Braces::Arms(Places::SETBACK),
-        &[of("distances", FS), UV_SET],
-        "sets edges back, each face edge by a distance of its own",
+        Uses::WHOLE,
+        block("setback", Braces::Arms(Places::SETBACK), &[DISTANCE, UV_SET], "sets edges back by a distance"),
     ),
-    block(
-        "setbackPerEdge",
-        Braces::Arms(Places::SETBACK),
-        &[param("distance", ParamKind::PerEdge), UV_SET],
-        "sets edges back by a distance that is computed on each",
+    divides(
+        "setback_each",
+        Uses::WHOLE,
+        block(
+            "setback",
+            Braces::Arms(Places::SETBACK),
+            &[of("distances", FS), UV_SET],
+            "sets edges back, each face edge by a distance of its own",
+        ),
     ),
-    block("setbackToArea", Braces::Arms(Places::SETBACK), &[AREA, UV_SET], TO_AREA),
-    block("setbackToArea", Braces::Arms(Places::SETBACK), &[AREA, of("minDistances", FS), UV_SET], TO_AREA),
-    block(
-        "setbackToArea",
-        Braces::Arms(Places::SETBACK),
-        &[AREA, of("minDistances", FS), of("maxDistances", FS), UV_SET],
-        TO_AREA,
+    divides(
+        "setback_per_edge",
+        Uses::WHOLE,
+        block(
+            "setbackPerEdge",
+            Braces::Arms(Places::SETBACK),
+            &[EDGE_DISTANCE, UV_SET],
+            "sets edges back by a distance that is computed on each",
+        ),
+    ),
+    divides(
+        "setback_to_area",
+        Uses::WHOLE,
+        block("setbackToArea", Braces::Arms(Places::SETBACK), &[AREA, UV_SET], TO_AREA),
+    ),
+    divides(
+        "setback_to_area_from",
+        Uses::WHOLE,
+        block("setbackToArea", Braces::Arms(Places::SETBACK), &[AREA, of("minDistances", FS), UV_SET], TO_AREA),
+    ),
+    divides(
+        "setback_to_area_between",
+        Uses::WHOLE,
+        block(
+            "setbackToArea",
+            Braces::Arms(Places::SETBACK),
+            &[AREA, of("minDistances", FS), of("maxDistances", FS), UV_SET],
+            TO_AREA,
+        ),
     ),
     divides(
         "shape_l",
@@ -189,10 +219,13 @@ pub(super) static ROWS: &[Operation] = &[
             "strews points around a place",
         ),
     ),
-    block(
+    joins(
         "modify",
-        Braces::Modified,
-        &[COMPONENT, SCOPE_ALIGNMENT],
-        "changes components where they are and joins them up again",
+        block(
+            "modify",
+            Braces::Modified,
+            &[COMPONENT, SCOPE_ALIGNMENT],
+            "changes components where they are and joins them up again",
+        ),
     ),
 ];

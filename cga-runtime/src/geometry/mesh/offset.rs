@@ -20,10 +20,12 @@ use super::map::flip;
 use super::spread::Spread;
 use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::PlaneSection;
-use crate::geometry::skeleton::{self, Failure, Left, Strip, Swept};
+use crate::geometry::skeleton::{self, Failure, Left, Strip};
 
+pub(crate) mod region;
 mod relief;
 pub(crate) mod set_back;
+pub(crate) mod to_area;
 
 /// The faces that an offset keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,9 +78,9 @@ fn offset_face(plane: &FlatFace<'_>, distance: f64, keep: OffsetFaces, made: &mu
     let (edges, rings) = plane.edges(outwards);
     let swept = skeleton::sweep(&plane.flat, &rings, distance.abs())?;
     let heights = relief::heights(&plane.heights, &rings, &swept);
-    let mut part = FaceParts::new(plane, &swept, &heights, outwards, made);
+    let mut part = FaceParts::new(plane, &swept.points, &heights, outwards, made);
     if keep != OffsetFaces::Border {
-        part.inside(&edges);
+        part.inside(&edges, &swept.left);
     }
     if keep != OffsetFaces::Inside {
         let mut strips: Vec<([usize; 2], &Strip)> =
@@ -92,7 +94,7 @@ fn offset_face(plane: &FlatFace<'_>, distance: f64, keep: OffsetFaces, made: &mu
 /// The parts of one face, while they are added to the mesh.
 struct FaceParts<'p, 'a> {
     plane: &'p FlatFace<'a>,
-    swept: &'p Swept,
+    points: &'p [DVec2],
     spread: Spread,
     outwards: bool,
     made: &'p mut Mesh,
@@ -102,22 +104,22 @@ struct FaceParts<'p, 'a> {
 
 impl<'p, 'a> FaceParts<'p, 'a> {
     /// Adds the points to the mesh. Old points are copied bit for bit.
-    fn new(plane: &'p FlatFace<'a>, swept: &'p Swept, heights: &[f64], outwards: bool, made: &'p mut Mesh) -> Self {
+    fn new(plane: &'p FlatFace<'a>, points: &'p [DVec2], heights: &[f64], outwards: bool, made: &'p mut Mesh) -> Self {
         let base = made.points.len() as u32;
         let old = plane.points.iter().map(|&point| plane.face.mesh.points[point as usize]);
-        let new = swept.points.iter().zip(heights).skip(plane.points.len());
+        let new = points.iter().zip(heights).skip(plane.points.len());
         let place = |(p, &height): (&DVec2, &f64)| {
             plane.origin + plane.axes[0] * p.x + plane.axes[1] * p.y + plane.normal * height
         };
         made.points.extend(old.chain(new.map(place)));
         let spread = Spread::of(plane.corners.iter().map(|&point| plane.flat[point as usize]).collect());
-        FaceParts { plane, swept, spread, outwards, made, base }
+        FaceParts { plane, points, spread, outwards, made, base }
     }
 
     /// Adds the interiors of the moved outlines: loops grouped to outlines and holes, each beginning with its first
     /// edge.
-    fn inside(&mut self, edges: &[[usize; 2]]) {
-        let rings = self.swept.left.iter().map(|ring| self.ahead(ring, edges)).collect();
+    fn inside(&mut self, edges: &[[usize; 2]], left: &[Vec<Left>]) {
+        let rings = left.iter().map(|ring| self.ahead(ring, edges)).collect();
         self.nested(rings, |_| None);
     }
 
@@ -134,7 +136,7 @@ impl<'p, 'a> FaceParts<'p, 'a> {
             })
             .collect();
         let mut nest = Nest::default();
-        nest.sort(&PlaneSection { flat: &self.swept.points, corners: &numbers, ends: &ends });
+        nest.sort(&PlaneSection { flat: self.points, corners: &numbers, ends: &ends });
         for rings in nest.groups() {
             for ring in rings {
                 let ring: Vec<(u32, Option<usize>)> =
@@ -183,7 +185,7 @@ impl<'p, 'a> FaceParts<'p, 'a> {
             }
             let weights = match corner {
                 Some(_) => Vec::new(),
-                None => self.spread.weights(self.swept.points[point as usize]),
+                None => self.spread.weights(self.points[point as usize]),
             };
             let mixed =
                 |list: &[DVec2]| list[range.clone()].iter().zip(&weights).map(|(&uv, &weight)| uv * weight).sum();

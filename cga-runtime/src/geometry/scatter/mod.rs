@@ -140,26 +140,30 @@ impl Domain {
         Domain { cells, sums, bell, solid }
     }
 
-    /// Draws up to `count` points. There are fewer if the domain has no extent, or is too small a part of its cells.
-    pub(crate) fn draw(&self, count: u64, random: &mut dyn FnMut() -> f64) -> Vec<ScatteredPoint> {
-        let mut points = Vec::new();
-        let Some(total) = self.sums.last() else { return points };
+    /// Draws up to `count` points, one by one. There are fewer if the domain has no extent, or is too small a part of its
+    /// cells.
+    pub(crate) fn draw(self, count: u64, mut random: impl FnMut() -> f64) -> impl Iterator<Item = ScatteredPoint> {
         let [each, more] = MOST_MISSES;
         let mut misses = count.saturating_mul(each).saturating_add(more);
-        while (points.len() as u64) < count && 0 < misses {
-            let wanted = random() * total;
-            let at = self.sums.partition_point(|sum| *sum <= wanted).min(self.cells.len() - 1);
-            let cell = &self.cells[at];
-            let (point, is_inside) = self.within(cell, random);
-            let ratio = libm::exp(self.bell.log_density(point.position) - cell.log_peak);
-            // The draw comes first, so that every try takes as many numbers.
-            if random() < ratio && is_inside {
-                points.push(point);
-            } else {
-                misses -= 1;
+        let count = if self.cells.is_empty() { 0 } else { count };
+        (0..count).map_while(move |_| {
+            loop {
+                if let Some(point) = self.try_draw(&mut random) {
+                    return Some(point);
+                }
+                misses = misses.checked_sub(1)?;
             }
-        }
-        points
+        })
+    }
+
+    /// A random point, or nothing. Every try draws as many numbers, for domains of one kind.
+    fn try_draw(&self, random: &mut dyn FnMut() -> f64) -> Option<ScatteredPoint> {
+        let wanted = random() * self.sums.last()?;
+        let at = self.sums.partition_point(|sum| *sum <= wanted).min(self.cells.len() - 1);
+        let cell = &self.cells[at];
+        let (point, is_inside) = self.within(cell, random);
+        let ratio = libm::exp(self.bell.log_density(point.position) - cell.log_peak);
+        (random() < ratio && is_inside).then_some(point)
     }
 
     /// A random point of a cell, and true if it is in the domain.

@@ -9,7 +9,7 @@ use crate::shape::Shape;
 fn uniform(shape: &Shape, domain: ScatterDomain, count: f64) -> (Vec<Frame>, u64) {
     let mut env = Env::for_tests();
     let points = scatter(&mut env, shape, domain, count, Distribution::Uniform);
-    (points.continue_value().expect("no limit"), env.fault_count())
+    (points.continue_value().expect("no limit").collect(), env.fault_count())
 }
 
 #[test]
@@ -66,7 +66,7 @@ fn counts_and_deviations_that_make_no_sense_are_faults() {
         let (gaussian, left) = (Distribution::Gaussian, ScatterMean::Left);
         let length = Length::Absolute(deviation);
         let points = scatter_around(&mut env, &shape, ScatterDomain::Surface, 20.0, gaussian, left, length);
-        assert_eq!(points.continue_value().map(|points| points.len()), Some(20), "{deviation}");
+        assert_eq!(points.continue_value().map(Iterator::count), Some(20), "{deviation}");
     }
 }
 

@@ -42,7 +42,7 @@ pub(in crate::op) fn polygon(corners: &[[f64; 2]]) -> Shape {
     holed(corners, &[])
 }
 
-fn holed(corners: &[[f64; 2]], holes: &[&[[f64; 2]]]) -> Shape {
+pub(in crate::op) fn holed(corners: &[[f64; 2]], holes: &[&[[f64; 2]]]) -> Shape {
     let holes: Vec<_> = holes.iter().map(|hole| ring(hole)).collect();
     Shape::mesh_axis_aligned(Mesh::from_polygon(&ring(corners), &holes).expect("a polygon"))
 }
@@ -76,7 +76,7 @@ const WIDTHS: [[f64; 4]; 9] = [
     [50.0, 0.0, 0.0, 0.0],
 ];
 
-fn lots() -> Vec<Shape> {
+pub(in crate::op) fn lots() -> Vec<Shape> {
     let arc = |k: usize| {
         let angle = std::f64::consts::TAU * k as f64 / 24.0;
         [10.0 * libm::cos(angle), 8.0 * libm::sin(angle)]
@@ -256,7 +256,7 @@ fn an_arm_is_found_for_each_edge() {
     let mut never = never;
     let mut arms = Arms::new(&shape, &arms, &mut never);
     assert_eq!((arms.of(Word::Remainder), arms.of(Word::Shape)), (Some(1), None));
-    assert_eq!(arms.edges(env), ControlFlow::Continue(vec![Some(2), Some(2), Some(0), Some(2)]));
+    assert_eq!(arms.edges(env, 0), ControlFlow::Continue(vec![Some(2), Some(2), Some(0), Some(2)]));
 }
 
 #[test]
@@ -292,7 +292,7 @@ fn sizes_and_places_do_not_matter() {
 }
 
 /// The numbers of a small generator.
-fn random(state: &mut u64) -> f64 {
+pub(in crate::op) fn random(state: &mut u64) -> f64 {
     *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
     (*state >> 11) as f64 / (1u64 << 53) as f64
 }

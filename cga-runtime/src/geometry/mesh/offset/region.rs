@@ -1,0 +1,178 @@
+//! The part of a face that is left, while its edges are set back in turns.
+//!
+//! A turn moves some edges, each by a distance of its own, and everything else stays. What they sweep is taken from the
+//! region, and the next turn divides the rest: so the parts of all turns and the rest add up to the face, and an
+//! earlier turn keeps a corner that a later one reaches too.
+
+use std::collections::BTreeMap;
+
+use glam::DVec2;
+
+use super::{OffsetError, relief};
+use crate::geometry::mesh::flat_face::FlatFace;
+use crate::geometry::nesting::contour::Contour;
+use crate::geometry::skeleton::{self, Swept};
+
+/// The piece of a side that is on no edge of the face.
+const NONE: usize = usize::MAX;
+
+/// A place on an edge of a face that divides the edge: the number of the corner where the edge begins, counted from the
+/// first one of the face, and the share of the edge before the place, from 0 to 1.
+pub(crate) type EdgeCut = (usize, f64);
+
+/// A side of the region: its first point, and its piece. Pieces are the edges of the face, or the parts of divided
+/// ones, in order.
+#[derive(Clone, Copy, Debug)]
+struct Side {
+    point: u32,
+    piece: usize,
+}
+
+/// Loops of a part of a face. A corner has the rank of its next side, and the point.
+pub(super) type Loops = Vec<Vec<(usize, u32)>>;
+
+/// A region in the plane of a face.
+pub(crate) struct Region {
+    /// The points of the face, those that divide edges, and those of all turns.
+    pub(super) points: Vec<DVec2>,
+    pub(super) heights: Vec<f64>,
+    pieces: usize,
+    rings: Vec<Vec<Side>>,
+}
+
+impl Region {
+    /// The whole face. The cuts are in the order of edges, and of shares along an edge.
+    pub(crate) fn of(plane: &FlatFace<'_>, cuts: &[EdgeCut]) -> Self {
+        let (mut points, mut heights) = (plane.flat.clone(), plane.heights.clone());
+        let (edges, rings) = plane.edges(false);
+        let (mut edges, mut cuts, mut pieces) = (edges.iter(), cuts.iter().peekable(), 0);
+        let mut divided = Vec::with_capacity(rings.len());
+        for ring in rings {
+            let mut sides = Vec::with_capacity(ring.len());
+            for edge in edges.by_ref().take(ring.len()) {
+                let mut add = |point: u32| {
+                    sides.push(Side { point, piece: pieces });
+                    pieces += 1;
+                };
+                let [a, b] = edge.map(|corner| plane.corners[corner]);
+                add(a);
+                while let Some((_, share)) = cuts.next_if(|cut| cut.0 == edge[0]) {
+                    let [a, b] = [a, b].map(|end| end as usize);
+                    points.push(points[a].lerp(points[b], *share));
+                    heights.push(heights[a] + (heights[b] - heights[a]) * share);
+                    add(points.len() as u32 - 1);
+                }
+            }
+            divided.push(sides);
+        }
+        Region { points, heights, pieces, rings: divided }
+    }
+
+    /// The area.
+    pub(crate) fn area(&self) -> f64 {
+        let at = |side: &Side| self.points[side.point as usize];
+        let twice = |ring: &Vec<Side>| -> f64 {
+            let first = at(&ring[0]);
+            ring.windows(2).map(|pair| (at(&pair[0]) - first).perp_dot(at(&pair[1]) - first)).sum()
+        };
+        0.5 * self.rings.iter().map(twice).sum::<f64>()
+    }
+
+    /// The total length of the sides on some pieces.
+    pub(crate) fn length(&self, of: impl Fn(usize) -> bool) -> f64 {
+        let at = |side: &Side| self.points[side.point as usize];
+        let sides = self.rings.iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
+        sides.filter(|(side, _)| side.piece != NONE && of(side.piece)).map(|(a, b)| at(a).distance(at(b))).sum()
+    }
+
+    /// Moves pieces by distances and takes from the region what they sweep. Distances that are not positive leave their
+    /// pieces where they are. Returns the loops of the parts that were taken; they begin with the first piece that moved.
+    pub(super) fn set_back(&mut self, distances: &[f64]) -> Result<Loops, OffsetError> {
+        let pieces: Vec<usize> = self.rings.iter().flatten().map(|side| side.piece).collect();
+        let distance = |piece: &usize| distances.get(*piece).map_or(0.0, |distance| distance.max(0.0));
+        let distances: Vec<f64> = pieces.iter().map(distance).collect();
+        if !distances.iter().any(|distance| 0.0 < *distance) {
+            return Ok(Vec::new());
+        }
+        let rings: Vec<Vec<u32>> = self.rings.iter().map(|ring| ring.iter().map(|side| side.point).collect()).collect();
+        let mut swept = skeleton::sweep_each(&self.points, &rings, &distances)?;
+        self.heights = relief::heights(&self.heights, &rings, &swept);
+        let rank =
+            |side: usize| if 0.0 < distances[side] { pieces[side] } else { pieces[side].saturating_add(self.pieces) };
+        let taken = taken(&rings, &swept, &distances, rank);
+        let side = |left: &skeleton::Left| {
+            let piece = pieces.get(left.edge as usize).copied().unwrap_or(NONE);
+            Side { point: left.point, piece }
+        };
+        self.rings = swept.left.iter().map(|ring| ring.iter().map(side).collect()).collect();
+        self.points = std::mem::take(&mut swept.points);
+        Ok(taken)
+    }
+
+    /// The loops of the region. They begin with the first piece that has a side.
+    pub(super) fn loops(&self) -> Loops {
+        let ring = |ring: &Vec<Side>| super::from_first(ring.iter().map(|side| (side.piece, side.point)).collect());
+        self.rings.iter().map(ring).collect()
+    }
+}
+
+/// The loops of what the sides swept.
+fn taken(rings: &[Vec<u32>], swept: &Swept, distances: &[f64], rank: impl Fn(usize) -> usize) -> Loops {
+    let mut lines: BTreeMap<usize, Vec<[u32; 2]>> = BTreeMap::new();
+    let sides = rings.iter().flat_map(|ring| (0..ring.len()).map(|k| [ring[k], ring[(k + 1) % ring.len()]]));
+    sides.enumerate().for_each(|(edge, side)| lines.entry(edge).or_default().push(side));
+    for ring in &swept.left {
+        for (k, left) in ring.iter().enumerate() {
+            let side = [ring[(k + 1) % ring.len()].point, left.point];
+            lines.entry(left.edge as usize).or_default().push(side);
+        }
+    }
+    let mut ranks = BTreeMap::new();
+    for (&edge, sides) in &lines {
+        let is_moved = distances.get(edge).is_some_and(|distance| 0.0 < *distance);
+        match &sides[..] {
+            [side, moved @ ..] if is_moved => {
+                ranks.insert(*side, rank(edge));
+                ranks.extend(moved.iter().map(|side| (*side, NONE)));
+            }
+            _ => {
+                let rank = if edge < distances.len() { rank(edge) } else { NONE };
+                ranks.extend(apart(sides, swept).into_iter().map(|side| (side, rank)));
+            }
+        }
+    }
+    let sides: Vec<[u32; 2]> = ranks.keys().copied().collect();
+    let mut contour = Contour::default();
+    contour.follow(&sides, &swept.points, |_| ());
+    let mut loops = Vec::new();
+    let mut from = 0;
+    for &end in &contour.ends {
+        let ring = &contour.corners[from..end];
+        let rank = |k: usize| ranks.get(&[ring[k], ring[(k + 1) % ring.len()]]).copied().unwrap_or(NONE);
+        loops.push(super::from_first((0..ring.len()).map(|k| (rank(k), ring[k])).collect()));
+        from = end;
+    }
+    loops
+}
+
+/// The sides of one line, without the parts where two sides of opposite directions cover each other.
+fn apart(sides: &[[u32; 2]], swept: &Swept) -> Vec<[u32; 2]> {
+    let at = |point: u32| swept.points[point as usize];
+    let Some(&[from, to]) = sides.first() else { return Vec::new() };
+    let along = at(to) - at(from);
+    let mut points: Vec<u32> = sides.iter().flatten().copied().collect();
+    points.sort_unstable();
+    points.dedup();
+    points.sort_by(|&a, &b| along.dot(at(a)).total_cmp(&along.dot(at(b))));
+    let place = |point: u32| points.iter().position(|&other| other == point).unwrap_or(0);
+    // For each gap between neighbours the sides ahead less the sides back.
+    let mut cover = vec![0i32; points.len()];
+    for &[from, to] in sides {
+        let (from, to) = (place(from), place(to));
+        cover[from.min(to)..from.max(to)].iter_mut().for_each(|count| *count += if from < to { 1 } else { -1 });
+    }
+    let gaps = points.windows(2).zip(cover);
+    gaps.filter(|(_, count)| *count != 0)
+        .map(|(gap, count)| if 0 < count { [gap[0], gap[1]] } else { [gap[1], gap[0]] })
+        .collect()
+}

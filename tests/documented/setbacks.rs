@@ -1,0 +1,167 @@
+//! *setback operation* and *setbackPerEdge operation*.
+
+use cga::glam::DVec3;
+use cga::{Mesh, Model, Shape, cga};
+
+cga! {
+    grammar Setbacks = r##"
+    # setback operation
+    @StartRule
+    Shape --> setback(4) { front : Strip. }
+    @StartRule
+    Remainder --> setback(4) { front : NIL | remainder : Rest. }
+
+    # "setback vs. setbackPerEdge"
+    @StartRule
+    Once --> setback(drawn) { front = Red. | back = Blue. | left = Green. }
+    @StartRule
+    PerEdge --> setbackPerEdge(drawn) { front = Red. | back = Blue. | left = Green. }
+    drawn = printed(rand(5))
+    printed(x) = print(x)
+
+    # "this means internally an array is constructed by the comp function"
+    @StartRule
+    Array --> setback(comp(fe) { all : scope.sx / 7.5 }) { all : Strip. | remainder : Rest. }
+    @StartRule
+    Lengths --> setbackPerEdge(scope.sx / 7.5) { all : Strip. | remainder : Rest. }
+
+    # "debug is evaluated 4 times, once for each edge"
+    debug = print(comp.index + 5)
+    @StartRule
+    Debug --> setbackPerEdge(debug) { front = Strip. }
+
+    # "If dist was an attr or const it would only be evaluated once at rule start with comp.index being -1."
+    dists = [3, 2, 1, 0]
+    const fixed = comp.index + 2
+    @StartRule
+    Indexed --> setbackPerEdge(dists[comp.index]) { all = Strip. | remainder = Rest. }
+    @StartRule
+    Fixed --> setbackPerEdge(fixed) { all = Strip. | remainder = Rest. }
+
+    # Selectors.
+    @StartRule
+    Words --> setback(1) { world.south = South. | object.left = Left. | street.right = Right. | remainder = Rest. }
+    @StartRule
+    Turned --> rotateScope(0, 90, 0) setback(1) { front = Front. | object.front = South. | remainder = Rest. }
+    @StartRule
+    Condition --> setback(1) { scope.sx > 9 && !back = South. | -1 = Left. | remainder = Rest. }
+    @StartRule
+    Tagged --> extrude(4) setback(1) { isTagged("extrude.side") && top = Strip. | isTagged("extrude.top") = Top. | remainder = Rest. }
+    @StartRule
+    Each --> extrude(4) comp(f) { side = Walls | all : NIL }
+    Walls --> setback(1) { bottom : Strip. | remainder = Rest. }
+    @StartRule
+    Textured --> setupProjection(0, scope.xz, scope.sx, scope.sz) projectUV(0)
+        setback(2, 0) { uv.uMin = Left. | uv.bottom = Bottom. | remainder = Rest. }
+    "##;
+}
+
+fn run(rule: &str, shape: &Shape) -> Model {
+    let model = Setbacks::default().generate_from(rule, shape).expect("a model");
+    assert!(model.faults().is_empty(), "{rule}: {:?}", model.faults());
+    model
+}
+
+fn lot() -> Shape {
+    Shape::rectangle(10.0, 8.0)
+}
+
+/// The areas of the leaves of a rule.
+fn areas(model: &Model, rule: &str) -> Vec<f64> {
+    model.leaves_of(rule).map(|leaf| (leaf.area() * 1e6).round() / 1e6).collect()
+}
+
+fn printed(model: &Model) -> Vec<String> {
+    model.prints().iter().map(|line| line.value.to_string()).collect()
+}
+
+/// A lot with a round front of six edges, as in the pictures of the tags.
+fn round() -> Shape {
+    let at = |[x, z]: [f64; 2]| DVec3::new(x, 0.0, -z);
+    let corners =
+        [[8.0, 2.0], [14.0, 0.5], [20.0, 0.0], [60.0, 2.0], [58.0, 30.0], [2.0, 28.0], [0.0, 14.0], [3.0, 5.0]];
+    Shape::mesh(Mesh::from_polygon(&corners.map(at), &[]).expect("a polygon"))
+}
+
+/// "Selects a number of edges and sets them back": the edges of a round front have one polygon.
+#[test]
+fn a_front_of_several_edges_has_one_strip() {
+    let (strip, rest) = (run("Shape", &round()), run("Remainder", &round()));
+    assert_eq!((strip.counts(), rest.counts()), (vec![("Strip", 1)], vec![("Rest", 1)]));
+    assert!((strip.area() + rest.area() - round().to_mesh().area()).abs() < 1e-9);
+}
+
+/// "While for setback the distance is evaluated once and assigned the same for all edges, setbackPerEdge re-evaluates the
+/// distance for each edge."
+#[test]
+fn a_distance_is_drawn_once_or_for_each_edge() {
+    let (once, each) = (run("Once", &lot()), run("PerEdge", &lot()));
+    assert_eq!((printed(&once).len(), printed(&each).len()), (1, 4));
+    let distance: f64 = printed(&once)[0].parse().expect("a number");
+    for (rule, length) in [("Red", 10.0), ("Blue", 10.0)] {
+        assert!((areas(&once, rule)[0] - distance.min(4.0) * length).abs() < 1e-3, "{distance}");
+    }
+    let mut drawn = printed(&each);
+    drawn.dedup();
+    assert_eq!(drawn.len(), 4);
+}
+
+/// "Setbacks are applied relative to edge lengths."
+#[test]
+fn distances_follow_from_edges() {
+    let [a, b] = ["Array", "Lengths"].map(|rule| run(rule, &Shape::rectangle(15.0, 7.5)));
+    // 2 from the long edges, 1 from the short ones.
+    assert_eq!((areas(&a, "Rest"), areas(&b, "Rest")), (vec![13.0 * 3.5], vec![13.0 * 3.5]));
+    assert_eq!(areas(&a, "Strip"), areas(&b, "Strip"));
+}
+
+#[test]
+fn the_distance_is_evaluated_for_all_edges() {
+    let model = run("Debug", &lot());
+    assert_eq!(printed(&model), ["5", "6", "7", "8"]);
+    assert_eq!(model.counts(), [("Strip", 1)]);
+}
+
+#[test]
+fn indices_of_edges_choose_distances() {
+    let model = run("Indexed", &lot());
+    // The edges of a rectangle with their distances of 3, 2, 1 and 0.
+    let rest = areas(&model, "Rest")[0];
+    assert!(rest == 8.0 * 4.0 || rest == 6.0 * 6.0, "{rest}");
+    let model = run("Fixed", &lot());
+    assert_eq!(areas(&model, "Rest"), [8.0 * 6.0]);
+}
+
+#[test]
+fn edges_are_selected_in_all_axes() {
+    let all = |rule: &str, names: &[&str], shape: &Shape| -> Vec<f64> {
+        let model = run(rule, shape);
+        names.iter().flat_map(|name| areas(&model, name)).collect()
+    };
+    // Without streets their words mean the object's axes. Earlier arms keep the corners.
+    assert_eq!(all("Words", &["South", "Left", "Right", "Rest"], &lot()), [10.0, 7.0, 7.0, 56.0]);
+    assert_eq!(all("Turned", &["Front", "South", "Rest"], &lot()), [8.0, 9.0, 63.0]);
+    // Edge 3 is one of the short ones, or the front.
+    let parts = all("Condition", &["South", "Left", "Rest"], &lot());
+    assert_eq!((parts[0], parts.iter().sum::<f64>()), (10.0, 80.0));
+    assert_eq!(all("Textured", &["Left", "Bottom", "Rest"], &lot()), [16.0, 16.0, 48.0]);
+}
+
+/// "Edges can also be selected based on the tags of adjacent faces."
+#[test]
+fn tags_of_faces_select_edges() {
+    let model = run("Tagged", &lot());
+    // The upper edges of the walls, where the top has them too, and those of the top, which the walls have too.
+    assert_eq!(areas(&model, "Strip"), [36.0]);
+    assert_eq!(areas(&model, "Top"), [80.0 - 8.0 * 6.0]);
+}
+
+/// ": Each polygon is put into a new shape. = All polygons corresponding to the selector are combined into one new shape.
+/// This also applies to shapes with more than one face."
+#[test]
+fn operators_apply_to_all_faces() {
+    let model = run("Each", &lot());
+    let mut strips = areas(&model, "Strip");
+    strips.sort_by(f64::total_cmp);
+    assert_eq!((strips, areas(&model, "Rest")), (vec![8.0, 8.0, 10.0, 10.0], vec![108.0]));
+}
