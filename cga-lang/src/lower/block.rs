@@ -5,7 +5,7 @@ use crate::ir::{
     Arg as IrArg, Arm, Block, BlockParts, Comp, Expr, ExprKind, Item, Selector, Slots, Step, Target, Type,
 };
 use crate::lower::fold::fold;
-use crate::ops::{self, Braces, Run};
+use crate::ops::{self, Braces, Operation, Run};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::syntax::ast::{self, ArmMode, BlockPart, SplitItem};
@@ -23,6 +23,9 @@ impl<'c> Lower<'c> {
                 self.slots(items, *repeat, &mut slots, block.name.span);
                 BlockParts::Slots(slots)
             }
+            (Braces::Modified, [BlockPart::Arms(arms)]) => {
+                BlockParts::Operands(vec![self.modified(row, &args, arms, block.name.span)])
+            }
             (_, [BlockPart::Arms(arms)]) => BlockParts::Arms(arms.iter().map(|arm| self.arm_of(arm)).collect()),
             (Braces::Ops, [BlockPart::Ops(sides)]) => BlockParts::Each(self.part(sides.first()?, block.name.span)),
             (_, [BlockPart::Ops(sides)]) => {
@@ -32,6 +35,12 @@ impl<'c> Lower<'c> {
             _ => return Some(Step::Later(block.name.text.clone())),
         };
         Some(Step::Block(Block { row, args, parts }))
+    }
+
+    /// The operand of `modify`: a rule that divides the shape into its components.
+    fn modified(&mut self, row: &'static Operation, args: &[IrArg], arms: &'c [ast::Arm], span: Span) -> Target {
+        let arms = |lower: &mut Self| BlockParts::Arms(arms.iter().map(|arm| lower.arm_of(arm)).collect());
+        self.block_rule(span, |lower| vec![Step::Block(Block { row, args: args.to_vec(), parts: arms(lower) })])
     }
 
     fn slots(&mut self, items: &'c [SplitItem], repeat: bool, out: &mut Slots, owner: Span) {

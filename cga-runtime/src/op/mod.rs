@@ -14,11 +14,13 @@ mod fit;
 mod footprint;
 mod inline;
 mod insert;
+mod joined_state;
 mod material;
 mod mirror;
 mod offset;
 mod pivot;
 mod primitive;
+mod recompose;
 mod refit;
 mod report;
 mod roof;
@@ -38,6 +40,7 @@ pub(crate) mod texture;
 mod transform;
 mod trim;
 
+pub use crate::comp::{Align, Components};
 pub use crate::geometry::mesh::{HeightAlignment, HeightDirection, OffsetFaces};
 pub use align::{AlignAxes, align_to_axes, rotate_scope};
 pub use align_box::{BoxAxes, align_to_box};
@@ -64,6 +67,7 @@ pub use primitive::{
     cone, cone_sized, cube, cube_sized, cylinder, cylinder_sides, cylinder_sized, disk, disk_sized, quad, quad_sized,
     sphere, sphere_sides, sphere_sized,
 };
+pub use recompose::modify;
 pub use report::{label, print, report};
 pub use roof::{
     RoofValue, roof_gable, roof_gable_along, roof_gable_by, roof_hip, roof_hip_by, roof_pyramid, roof_pyramid_by,

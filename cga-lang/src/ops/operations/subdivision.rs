@@ -5,7 +5,7 @@ use super::super::{
     Allowed, BS, Braces, Default, FS, Measure, Operation, Param, ParamBounds, ParamKind, Places, Uses, bounds, float,
     length, of, or, param, renamed, unknown, uv_set, within, word, words,
 };
-use super::{block, divides, later, old};
+use super::{block, divides, joins, later, old};
 use crate::diag::code::Code;
 
 pub(super) const COMPONENT: Param = renamed(
@@ -210,10 +210,13 @@ pub(super) static ROWS: &[Operation] = &[
             "strews points around a place",
         ),
     ),
-    block(
+    joins(
         "modify",
-        Braces::Modified,
-        &[COMPONENT, SCOPE_ALIGNMENT],
-        "changes components where they are and joins them up again",
+        block(
+            "modify",
+            Braces::Modified,
+            &[COMPONENT, SCOPE_ALIGNMENT],
+            "changes components where they are and joins them up again",
+        ),
     ),
 ];
