@@ -18,6 +18,7 @@ mod old_spellings;
 mod operators;
 mod overloads;
 mod prints;
+mod recompose;
 mod run;
 mod styles;
 mod text;

@@ -54,7 +54,8 @@ impl UvSets {
             },
             (UvEffect::Deletes, Some(bit)) => UvSets { may: may & !bit, awaits },
             (UvEffect::First, _) => UvSets { may: 1, awaits: awaits & !1 },
-            (UvEffect::Keeps | UvEffect::Changes | UvEffect::Copies | UvEffect::Deletes, _) => self,
+            (UvEffect::Keeps | UvEffect::Drops, _) => self,
+            (UvEffect::Changes | UvEffect::Copies | UvEffect::Deletes, _) => self,
             (UvEffect::Any | UvEffect::Follows, _) => UvSets { may: ALL, awaits: 0 },
         }
     }

@@ -1,7 +1,7 @@
 //! Operations with braces, and `comp` as a value.
 
 use super::{Arg, Axis, Expr, Piece, Size, Target};
-use crate::ops::{Default, Operation};
+use crate::ops::{Braces, Default, Operation};
 use crate::syntax::ast::ArmMode;
 
 /// `name(args) { … }`: makes parts of the current shape, each with a successor, and the shape itself goes on unchanged. With
@@ -116,6 +116,12 @@ impl Block {
             (Arg::Word(word), Some(Default::Word(default))) => *word == default,
             _ => true,
         })
+    }
+
+    /// Returns true if the shapes of its operands are reconnected (*Shape recomposition*).
+    pub fn recomposes(&self) -> bool {
+        let joins = matches!(self.parts, BlockParts::Operands(_));
+        joins && (self.row.braces == Braces::Modified || self.args.contains(&Arg::Word("recompose")))
     }
 
     fn word(&self, index: usize) -> Option<&'static str> {

@@ -5,7 +5,7 @@ use crate::ir::{
     Arg as IrArg, Arm, Block, BlockParts, Comp, Expr, ExprKind, Item, Sections, Selector, Slots, Step, Target, Type,
 };
 use crate::lower::fold::fold;
-use crate::ops::{self, Braces, Run};
+use crate::ops::{self, Braces, Operation, Run};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::syntax::ast::{self, ArmMode, BlockPart, Section, SplitItem};
@@ -23,6 +23,9 @@ impl<'c> Lower<'c> {
                 self.slots(items, *repeat, &mut slots, block.name.span);
                 BlockParts::Slots(slots)
             }
+            (Braces::Modified, [BlockPart::Arms(arms)]) => {
+                BlockParts::Operands(vec![self.modified(row, &args, arms, block.name.span)])
+            }
             (_, [BlockPart::Arms(arms)]) => BlockParts::Arms(arms.iter().map(|arm| self.arm_of(arm)).collect()),
             (Braces::Sections, [BlockPart::Sections(sections, repeat), BlockPart::Arms(rest)]) => {
                 BlockParts::Sections(self.sections(sections, *repeat, rest, block.name.span))
@@ -31,10 +34,16 @@ impl<'c> Lower<'c> {
             (_, [BlockPart::Ops(sides)]) => {
                 BlockParts::Operands(sides.iter().map(|ops| self.part(ops, block.name.span)).collect())
             }
-            // No operation with such braces runs yet.
+            // Braces that could not be read.
             _ => return Some(Step::Later(block.name.text.clone())),
         };
         Some(Step::Block(Block { row, args, parts }))
+    }
+
+    /// The operand of `modify`: a rule that divides the shape into its components.
+    fn modified(&mut self, row: &'static Operation, args: &[IrArg], arms: &'c [ast::Arm], span: Span) -> Target {
+        let arms = |lower: &mut Self| BlockParts::Arms(arms.iter().map(|arm| lower.arm_of(arm)).collect());
+        self.block_rule(span, |lower| vec![Step::Block(Block { row, args: args.to_vec(), parts: arms(lower) })])
     }
 
     fn slots(&mut self, items: &'c [SplitItem], repeat: bool, out: &mut Slots, owner: Span) {

@@ -121,12 +121,17 @@ impl<'c> Lower<'c> {
                 _ => {}
             }
         }
+        self.block_rule(span, |lower| lower.steps(ops))
+    }
+
+    /// A rule of its own for steps in braces, with the parameters that they read.
+    pub(super) fn block_rule(&mut self, span: Span, steps: impl FnOnce(&mut Self) -> Vec<Step>) -> Target {
         let count = self.blocks.entry(self.name.clone()).or_default();
         *count += 1;
         let name = format!("{}/{count}", self.name);
         let rule = RuleId(self.out.rules.len() as u32);
         self.out.rules.push(Rule { name, label: self.label.clone(), block: true, span, ..Rule::default() });
-        let mut body = self.steps(ops);
+        let mut body = steps(self);
         let captured = capture(&mut body);
         let own = |&index: &u32| {
             let name = self.inner[index as usize];

@@ -56,6 +56,8 @@ pub enum UvEffect {
     First,
     /// Sets up a projection of the set.
     SetsUp,
+    /// The new geometry has no sets. A shape that the operation refuses keeps its sets.
+    Drops,
     /// Makes the set from its projection.
     Projects,
     /// Changes the set, which must exist.

@@ -22,8 +22,11 @@ impl Generator<'_> {
                 _ => cga_rt::Flow::Continue(()),
             }
         };
-        let name = function_of(block.row.run, block.row.name);
-        if block.row.braces == Braces::Components {
+        let name = match block.row.braces {
+            Braces::Modified => hygienic("comp_and_rest"),
+            _ => function_of(block.row.run, block.row.name),
+        };
+        if matches!(block.row.braces, Braces::Components | Braces::Modified) {
             let args = self.args(block.row, &block.args, &Access::rule(), &TokenStream::new());
             return code! {
                 let arms = #table;

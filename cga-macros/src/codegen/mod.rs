@@ -29,6 +29,7 @@ mod templates;
 mod types;
 
 use std::cell::RefCell;
+use std::collections::HashSet;
 
 use cga_lang::ir::facts::Facts;
 use cga_lang::ir::{ExprKind, Grammar, HostId, RuleId, Type};
@@ -63,6 +64,8 @@ struct Generator<'a> {
     facts: Facts,
     leaves: leaves::LeafNames,
     templates: templates::TemplatePlan,
+    /// The rules that recomposed operands reach: their `NIL` still moves neighbours.
+    recomposed: HashSet<RuleId>,
     material_changes: RefCell<site::MaterialChanges>,
 }
 
@@ -87,6 +90,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         facts,
         leaves,
         templates,
+        recomposed: operands::recomposed(grammar),
         material_changes: RefCell::default(),
     };
     let (values, call) = (items::values(&cx), items::calls(&cx));

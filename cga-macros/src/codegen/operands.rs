@@ -1,11 +1,37 @@
 //! Operations with operations in their braces: for each part that they make, or as operands.
 
-use cga_lang::ir::{Block, RuleId, Target};
+use std::collections::HashSet;
+
+use cga_lang::ir::{Block, Grammar, RuleId, Step, Target, walk};
 use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
 use super::rule::successor;
 use super::{Generator, function_of, local};
+
+/// The rules that operands reach whose shapes are reconnected.
+pub(super) fn recomposed(grammar: &Grammar) -> HashSet<RuleId> {
+    let mut todo = Vec::new();
+    for rule in &grammar.rules {
+        walk::steps(&rule.body, &mut |step| {
+            if let Step::Block(block) = step
+                && block.recomposes()
+            {
+                todo.extend(walk::targets(step).into_iter().filter_map(|target| match target {
+                    Target::Rule { rule, .. } => Some(*rule),
+                    Target::Leaf(_) | Target::Nil => None,
+                }));
+            }
+        });
+    }
+    let (mut met, calls) = (HashSet::new(), walk::calls(grammar, |_| true));
+    while let Some(rule) = todo.pop() {
+        if met.insert(rule) {
+            todo.extend(calls[rule.0 as usize].iter().map(|called| RuleId(*called as u32)));
+        }
+    }
+    met
+}
 
 impl Generator<'_> {
     /// An operation that makes parts, each with the same successor. `number` counts the children that the rule makes.
@@ -23,6 +49,7 @@ impl Generator<'_> {
     pub(super) fn derived(&self, block: &Block, operands: &[Target], rule: RuleId, number: u32) -> TokenStream {
         let (lets, names) = self.named_args(block);
         let name = function_of(block.row.run, block.row.name);
+        let recomposes = block.recomposes();
         let operands = operands.iter().zip(number..).map(|(target, number)| {
             let code = self.give(target, rule, &TokenStream::new(), &successor(number));
             code! {
@@ -37,10 +64,19 @@ impl Generator<'_> {
                 )?
             }
         });
+        let operands = code!([#(#operands),*]);
+        let operands = match recomposes {
+            true => code!({
+                let begun = cx.env.begin_recomposition(shape);
+                let shape = &begun.shape();
+                #operands
+            }),
+            false => operands,
+        };
         code! {
             let changed = {
                 #lets
-                let operands = [#(#operands),*];
+                let operands = #operands;
                 let mut whole = cx.env.whole(shape);
                 cga_rt::op::#name(cx.env, &mut whole, operands, #(#names),*);
                 cx.env.base(whole)

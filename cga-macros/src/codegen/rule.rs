@@ -343,6 +343,7 @@ impl Generator<'_> {
                 let name = self.leaves.number(name);
                 code!(#copy cx.symbol(shape, #name)?;)
             }
+            Target::Nil if self.recomposed.contains(&from) => code!(#copy cx.vanish(shape)?;),
             Target::Nil => TokenStream::new(),
             Target::Rule { rule, sites, args, span } => {
                 let call = self.call(from, (*rule, sites), args.len(), self.source.token(span.first));
@@ -400,6 +401,7 @@ impl Generator<'_> {
     /// The successor of a part of a split or comp; of type `Flow`.
     pub(super) fn part(&self, target: &Target, from: RuleId) -> TokenStream {
         match target {
+            Target::Nil if self.recomposed.contains(&from) => code!(cx.vanish(part)),
             Target::Nil => code!(cga_rt::Flow::Continue(())),
             Target::Leaf(name) => {
                 let name = self.leaves.number(name);

@@ -27,7 +27,7 @@ impl Generator<'_> {
             return self.in_place(slots, rule, [&axis, &adjust], &number);
         }
         let items = items(&slots.pattern);
-        let successors = slots.targets.iter().map(|target| self.successor(target));
+        let successors = slots.targets.iter().map(|target| self.successor(target, rule));
         let has_total = slots.targets.iter().any(|target| self.facts.target(target).has(Uses::TOTAL));
         let (last, visit) = self.visit(slots, rule, &axis);
         let sizes = self.sizes(slots);
@@ -69,8 +69,11 @@ impl Generator<'_> {
     }
 
     /// The successor of a slot, as the runtime knows it.
-    fn successor(&self, target: &Target) -> TokenStream {
+    fn successor(&self, target: &Target, rule: RuleId) -> TokenStream {
         match target {
+            Target::Nil if self.recomposed.contains(&rule) => {
+                code!(cga_rt::Successor::Rule { draws: false, counts: false })
+            }
             Target::Nil => code!(cga_rt::Successor::Nil),
             Target::Leaf(name) => {
                 let name = self.leaves.number(name);
@@ -88,7 +91,8 @@ impl Generator<'_> {
     fn visit(&self, slots: &Slots, rule: RuleId, axis: &TokenStream) -> (TokenStream, TokenStream) {
         let (mut last, mut calls) = (TokenStream::new(), TokenStream::new());
         for (slot, (target, in_group)) in slots.targets.iter().zip(templates::in_groups(&slots.pattern)).enumerate() {
-            if !matches!(target, Target::Rule { .. }) {
+            let vanishes = matches!(target, Target::Nil) && self.recomposed.contains(&rule);
+            if !(vanishes || matches!(target, Target::Rule { .. })) {
                 continue;
             }
             let code = match templates::root(target, rule, &self.facts, &self.plan).filter(|_| in_group) {
@@ -141,12 +145,12 @@ impl Generator<'_> {
         let statements = slots.targets.iter().enumerate().map(|(slot, target)| {
             let slot = Literal::usize_unsuffixed(slot);
             match target {
-                Target::Nil => code!(division.skip(row.slot(#slot));),
+                Target::Nil if !self.recomposed.contains(&rule) => code!(division.skip(row.slot(#slot));),
                 Target::Leaf(name) => {
                     let name = self.leaves.number(name);
                     code!(division.leaf(cx, row.slot(#slot), #axis, #name)?;)
                 }
-                Target::Rule { .. } => {
+                Target::Nil | Target::Rule { .. } => {
                     let (uses, code) = (self.facts.target(target), self.part(target, rule));
                     let (draws, counts) = (uses.has(Uses::DRAWS), !uses.counters().is_none());
                     code! {

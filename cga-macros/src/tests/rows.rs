@@ -200,7 +200,7 @@ fn functions(names: BTreeSet<String>) -> BTreeSet<String> {
 
 /// Returns true if the function of an operation is in the module `op`. The code generator has code for slots and components.
 pub(super) fn is_in_op(row: &&'static Operation) -> bool {
-    !matches!(row.braces, Braces::Slots(_) | Braces::Components | Braces::Modified)
+    !matches!(row.braces, Braces::Slots(_) | Braces::Components)
 }
 
 /// The functions that rows name.

@@ -106,6 +106,7 @@ pub fn divide<C>(
 ) -> Flow {
     let mut whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
     whole.bake();
+    cx.env.divide_trace(&mut whole);
     let made = make(cx.env, &mut Arms::new(&whole, arms, when))?;
     cx.env.count_corners(made.mesh.corners().len() as u64)?;
     for (number, arm) in arms.iter().enumerate() {

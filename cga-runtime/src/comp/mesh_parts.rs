@@ -339,7 +339,9 @@ impl MeshParts {
             flip(&mut ring);
             builder.face(&ring, &[], FaceTag::PLAIN);
         }
-        builder.build().unwrap_or_default()
+        let mut filled = builder.build().unwrap_or_default();
+        filled.trace = self.mesh.trace.at_places(&self.mesh.points, &filled.points);
+        filled
     }
 
     /// The edges or points of some components.
@@ -347,12 +349,17 @@ impl MeshParts {
         let indices = indices.iter().map(|&index| index as usize);
         let normals = indices.clone().map(|index| self.normal(self.kind, index)).collect();
         if !matches!(self.kind, Components::Edges | Components::FaceEdges) {
+            let point = |index: usize| match self.kind {
+                Components::FaceVertices => self.mesh.corners()[index],
+                _ => index as u32,
+            };
+            let trace = self.mesh.trace.pick(indices.clone().map(|index| Some(point(index))));
             let points = indices.map(|index| self.place(self.kind, index)).collect();
-            return Wire { points, edges: Vec::new(), normals };
+            return Wire { points, edges: Vec::new(), normals, trace };
         }
         let point = |corner: u32| self.mesh.corners()[corner as usize];
         let edges = indices.map(|index| self.directed(index, as_roof).map(point));
-        Wire::of_edges(self.mesh.points(), edges, normals)
+        Wire::of_edges(self.mesh.points(), &self.mesh.trace, edges, normals)
     }
 
     /// Calls `bond` with the number of each edge of a component with faces, or of each point of another component.

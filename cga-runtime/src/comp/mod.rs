@@ -141,15 +141,43 @@ pub fn comp<C>(
     when: &mut dyn FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
     visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
 ) -> Flow {
-    let whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
+    let mut whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
+    cx.env.divide_trace(&mut whole);
     let parts = AssignedComponents::of(cx.env, &whole, components, align, arms, when)?;
     if let ComponentSource::Quads(quads) = &parts.source {
         return parts.each_side(quads, cx, visit);
     }
-    parts.each(|arm, _, part| {
+    parts.each(|arm, _, mut part| {
+        cx.env.begin_part(&mut part);
         let base = cx.env.base(part);
         visit(cx, arm, &base.shape())
     })
+}
+
+/// As [`comp`] for the operand of `modify`: then passes the geometry that no arm takes to the sink. Edges, vertices and holes leave
+/// all faces (*modify operation*).
+#[allow(clippy::too_many_arguments, reason = "generated code calls it")]
+pub fn comp_and_rest<C>(
+    cx: &mut Cx<'_, C>,
+    shape: &ShapeRef<'_>,
+    number: u32,
+    components: Components,
+    align: Align,
+    arms: &[Arm],
+    when: &mut dyn FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
+    visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
+) -> Flow {
+    let mut whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
+    cx.env.divide_trace(&mut whole);
+    let parts = AssignedComponents::of(cx.env, &whole, components, align, arms, when)?;
+    parts.each(|arm, _, mut part| {
+        cx.env.begin_part(&mut part);
+        let base = cx.env.base(part);
+        visit(cx, arm, &base.shape())
+    })?;
+    let mut rest = parts.rest(components);
+    cx.env.begin_part(&mut rest);
+    cx.sink.keep(&rest).unwrap_or(Flow::Continue(()))
 }
 
 /// The components of a shape, each assigned to an arm.
@@ -263,6 +291,21 @@ impl<'s> AssignedComponents<'s> {
             }
         }
         Flow::Continue(())
+    }
+
+    /// The geometry that no arm takes. Edges, vertices and holes take none.
+    fn rest(&self, components: Components) -> Shape {
+        let mut rest = self.parent.clone();
+        let takes = matches!(components, Components::Faces | Components::Groups | Components::Materials);
+        if takes && !matches!(self.source, ComponentSource::Wire(_)) {
+            let left: Vec<u32> = self.owners.left().collect();
+            rest.geometry = Geometry::Empty;
+            if !left.is_empty() {
+                let part = self.source.kept(self.parent, &left, false);
+                (rest.scope, rest.geometry) = (part.scope, part.geometry);
+            }
+        }
+        rest
     }
 
     /// The façade path: calls `visit` with the sides of a box one by one. Bases are made in their final place: a copy

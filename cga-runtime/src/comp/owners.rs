@@ -37,6 +37,11 @@ impl ArmOwners {
         self.list().len()
     }
 
+    /// The components without an arm, by number.
+    pub(super) fn left(&self) -> impl Iterator<Item = u32> + '_ {
+        self.list().iter().zip(0..).filter(|(owner, _)| owner.is_none()).map(|(_, number)| number)
+    }
+
     /// The components of an arm, by number.
     #[inline]
     pub(super) fn of(&self, arm: u16) -> impl Iterator<Item = u32> + Clone + '_ {

@@ -12,6 +12,7 @@ use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Shape};
 
 mod kept;
+mod roofs;
 
 const KINDS: [Components; 8] = [
     Components::Faces,

@@ -84,9 +84,15 @@ impl WireParts {
         let parts = indices.iter().map(|&index| &self.parts[index as usize]);
         let normals = parts.clone().map(|part| part.normal).collect();
         if !matches!(self.kind, Components::Edges | Components::FaceEdges) {
-            return Wire { points: parts.map(|part| part.origin).collect(), edges: Vec::new(), normals };
+            let point = |index: u32| match self.kind {
+                Components::FaceVertices => self.wire.edges[index as usize / 2][index as usize % 2],
+                _ => index,
+            };
+            let trace = self.wire.trace.pick(indices.iter().map(|index| Some(point(*index))));
+            return Wire { points: parts.map(|part| part.origin).collect(), edges: Vec::new(), normals, trace };
         }
-        Wire::of_edges(&self.wire.points, indices.iter().map(|&index| self.wire.edges[index as usize]), normals)
+        let (points, trace) = (&self.wire.points, &self.wire.trace);
+        Wire::of_edges(points, trace, indices.iter().map(|&index| self.wire.edges[index as usize]), normals)
     }
 
     /// Calls `bond` with the points of a component. Components with a common point are connected.

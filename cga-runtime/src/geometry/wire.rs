@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use crate::geometry::Frame;
 use crate::geometry::mesh::unit;
+use crate::geometry::trace::{PartPoint, Trace};
 
 /// Edges between points, or points without edges.
 #[derive(Clone, Debug, Default)]
@@ -15,30 +16,43 @@ pub(crate) struct Wire {
     pub(crate) edges: Vec<[u32; 2]>,
     /// The normal of each edge, or of each point if there are no edges: of length 1, or zero if unknown.
     pub(crate) normals: Vec<DVec3>,
+    /// The origins of points, in operands.
+    pub(crate) trace: Trace,
 }
 
 impl Wire {
     /// A line along x from the origin, with its normal along z.
     pub(crate) fn edge(length: f64) -> Self {
-        Wire { points: vec![DVec3::ZERO, DVec3::X * length], edges: vec![[0, 1]], normals: vec![DVec3::Z] }
+        Wire {
+            points: vec![DVec3::ZERO, DVec3::X * length],
+            edges: vec![[0, 1]],
+            normals: vec![DVec3::Z],
+            trace: Trace::default(),
+        }
     }
 
     /// A point at the origin, with its normal along z.
     pub(crate) fn point() -> Self {
-        Wire { points: vec![DVec3::ZERO], edges: Vec::new(), normals: vec![DVec3::Z] }
+        Wire { points: vec![DVec3::ZERO], normals: vec![DVec3::Z], ..Wire::default() }
     }
 
-    /// The wire of some edges between `points`, with the points that they use.
-    pub(crate) fn of_edges(points: &[DVec3], edges: impl Iterator<Item = [u32; 2]>, normals: Vec<DVec3>) -> Self {
+    /// The wire of some edges between `points` with a trace, with the points that they use.
+    pub(crate) fn of_edges(
+        points: &[DVec3],
+        trace: &Trace,
+        edges: impl Iterator<Item = [u32; 2]>,
+        normals: Vec<DVec3>,
+    ) -> Self {
         let (mut used, mut numbers) = (Vec::new(), HashMap::new());
         let mut number = |point: u32| {
             *numbers.entry(point).or_insert_with(|| {
-                used.push(points[point as usize]);
+                used.push(point);
                 used.len() as u32 - 1
             })
         };
         let edges = edges.map(|edge| edge.map(&mut number)).collect();
-        Wire { points: used, edges, normals }
+        let trace = trace.pick(used.iter().map(|point| Some(*point)));
+        Wire { points: used.iter().map(|point| points[*point as usize]).collect(), edges, normals, trace }
     }
 
     /// The wire in the coordinates of a frame.
@@ -61,8 +75,9 @@ impl Wire {
 
     /// The part between two offsets along a direction, with edges cut off there. Edges and points exactly at an offset
     /// are below it. Points that edges share are shared in the part too (*CGA changelog, SDK 3.3.11351*).
-    pub(crate) fn between(&self, along: DVec3, low: f64, high: f64) -> Wire {
-        let mut part = Wire::default();
+    /// The part has no trace, but comes with the origins of its points.
+    pub(crate) fn between(&self, along: DVec3, low: f64, high: f64) -> (Wire, Vec<PartPoint>) {
+        let (mut part, mut origins) = (Wire::default(), Vec::new());
         let mut numbers = HashMap::new();
         for (edge, &normal) in (0..self.edges.len()).zip(&self.normals) {
             let [a, b] = self.ends(edge);
@@ -77,14 +92,16 @@ impl Wire {
             let own = start.dot(along);
             let mut number = |point: u32, place: f64| {
                 let inside = place.clamp(low, high);
-                let (key, found) = match inside == place {
-                    true => (CutEnd::Point(point), self.points[point as usize]),
-                    false if inside == low => {
-                        (CutEnd::Low(min, max), cut_at(start, end, (low - own) / (end.dot(along) - own)))
-                    }
-                    false => (CutEnd::High(min, max), cut_at(start, end, (high - own) / (end.dot(along) - own))),
+                let share = |at: f64| (at - own) / (end.dot(along) - own);
+                let (key, share) = match inside == place {
+                    true => (CutEnd::Point(point), None),
+                    false if inside == low => (CutEnd::Low(min, max), Some(share(low))),
+                    false => (CutEnd::High(min, max), Some(share(high))),
                 };
                 *numbers.entry(key).or_insert_with(|| {
+                    let found = share.map_or(self.points[point as usize], |share| start + (end - start) * share);
+                    let old = PartPoint::old(point);
+                    origins.push(share.map_or(old, |share| PartPoint { ends: [min, max], share }));
                     part.points.push(found);
                     part.points.len() as u32 - 1
                 })
@@ -94,14 +111,15 @@ impl Wire {
             part.normals.push(normal);
         }
         if self.edges.is_empty() {
-            for (&point, &normal) in self.points.iter().zip(&self.normals) {
+            for ((number, &point), &normal) in (0..).zip(&self.points).zip(&self.normals) {
                 if low < point.dot(along) && point.dot(along) <= high {
                     part.points.push(point);
                     part.normals.push(normal);
+                    origins.push(PartPoint::old(number));
                 }
             }
         }
-        part
+        (part, origins)
     }
 
     /// The start and the end of an edge.
@@ -116,8 +134,4 @@ enum CutEnd {
     Point(u32),
     Low(u32, u32),
     High(u32, u32),
-}
-
-fn cut_at(start: DVec3, end: DVec3, share: f64) -> DVec3 {
-    start + (end - start) * share
 }

@@ -324,6 +324,7 @@ mod tests {
             points: vec![DVec3::ZERO, DVec3::X * 3.0, DVec3::new(3.0, 0.0, -2.0)],
             edges: vec![[0, 1], [1, 2]],
             normals: vec![DVec3::Y, DVec3::X],
+            ..Wire::default()
         };
         let mut shape = Shape::cuboid(1.0, 1.0, 1.0);
         let placed = crate::shape::PlacedWire::fitted(wire);

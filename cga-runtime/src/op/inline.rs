@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
+use super::joined_state::joined_state;
+use super::recompose::{is_gone, recompose};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::join::join;
 use crate::geometry::wire::Wire;
 use crate::run::env::Env;
-use crate::shape::look::Look;
-use crate::shape::state::{State, StateRef};
 use crate::shape::{Geometry, PlacedWire, Shape};
 
 /// How the geometry of leaves is combined.
@@ -15,16 +15,29 @@ use crate::shape::{Geometry, PlacedWire, Shape};
 pub enum MergeStrategy {
     /// The faces of all leaves, as they are.
     Append,
+    /// One mesh, with the vertices that the parts shared.
+    Recompose,
 }
 
-/// Replaces the current shape by the leaves of a rule, which was derived from a copy of it (*Rule inlining*, `append`).
+/// Replaces the current shape by the leaves of a rule, which was derived from a copy of it (*Rule inlining*, `append` and
+/// `recompose`).
 ///
 /// One leaf is taken as it is. Several leaves become one mesh: the faces of all, one after the other, without merged
-/// vertices. The scope keeps its axes and becomes their bounding box, and the pivot stays. If their materials differ, each
+/// vertices, or with `recompose` reconnected (*Shape recomposition*). The scope keeps its axes and becomes their bounding box, and the pivot stays. If their materials differ, each
 /// face gets the material of its leaf. Attributes and projections that all leaves have in common are taken, otherwise
 /// those of the current shape stay. Leaves without faces are left out, unless no leaf has faces. Without leaves, the shape
 /// has no geometry.
-pub fn inline(env: &mut Env, shape: &mut Shape, [mut leaves]: [Vec<Shape>; 1], MergeStrategy::Append: MergeStrategy) {
+pub fn inline(env: &mut Env, shape: &mut Shape, [mut leaves]: [Vec<Shape>; 1], strategy: MergeStrategy) {
+    if strategy == MergeStrategy::Recompose {
+        if leaves.len() != 1 {
+            return recompose(env, shape, leaves);
+        }
+        leaves.iter_mut().for_each(|leaf| _ = env.end_trace(leaf));
+        env.end_recomposition();
+        let depth = env.recomposed_depth();
+        leaves.iter_mut().for_each(|leaf| leaf.change_trace(|trace| trace.cut_to(depth)));
+    }
+    leaves.retain(|leaf| !is_gone(leaf));
     if leaves.iter().any(|leaf| leaf.geometry.has_surface()) {
         leaves.retain(|leaf| leaf.geometry.has_surface());
     }
@@ -35,7 +48,7 @@ pub fn inline(env: &mut Env, shape: &mut Shape, [mut leaves]: [Vec<Shape>; 1], M
             leaves.drain(..).for_each(|leaf| *shape = Shape { seed, split, comp, selector, ..leaf });
         }
         [first, others @ ..] => {
-            shape.state = common_state(shape, first, others);
+            shape.state = joined_state(shape, first, others);
             if first.geometry.has_surface() {
                 join_faces(env, shape, &leaves);
             } else {
@@ -43,30 +56,6 @@ pub fn inline(env: &mut Env, shape: &mut Shape, [mut leaves]: [Vec<Shape>; 1], M
             }
         }
     }
-}
-
-/// The state of the sum: what all leaves have in common, otherwise what the current shape has. Faces have their material
-/// if it is not common.
-fn common_state(shape: &Shape, first: &Shape, others: &[Shape]) -> StateRef {
-    let unset = State::default();
-    let first = first.state.get().unwrap_or(&unset);
-    let others = || others.iter().map(|leaf| leaf.state.get().unwrap_or(&unset));
-    let mut sum = shape.state.clone();
-    let state = sum.change();
-    let is_common = others().all(|other| other.look.material == first.look.material);
-    let material = if is_common { first.look.material.clone() } else { Arc::default() };
-    state.look = Arc::new(Look { material, ..Look::default() });
-    if others().all(|other| other.projections == first.projections) {
-        state.projections.clone_from(&first.projections);
-    }
-    if others().all(|other| other.attributes == first.attributes) {
-        state.attributes.clone_from(&first.attributes);
-    }
-    if others().all(|other| other.trim == first.trim) {
-        state.trim = first.trim;
-    }
-    state.foreign = first.foreign || others().any(|other| other.foreign);
-    sum
 }
 
 fn join_faces(env: &mut Env, shape: &mut Shape, leaves: &[Shape]) {

@@ -13,13 +13,16 @@ mod extrude;
 mod fit;
 mod footprint;
 mod inline;
+mod inner_rectangle;
 mod insert;
+mod joined_state;
 mod material;
 mod mirror;
 mod offset;
 mod perimeter;
 mod pivot;
 mod primitive;
+mod recompose;
 mod refit;
 mod report;
 mod roof;
@@ -39,6 +42,7 @@ pub(crate) mod texture;
 mod transform;
 mod trim;
 
+pub use crate::comp::{Align, Components};
 pub use crate::geometry::mesh::{HeightAlignment, HeightDirection, OffsetFaces};
 pub use align::{AlignAxes, align_to_axes, rotate_scope};
 pub use align_box::{BoxAxes, align_to_box};
@@ -55,6 +59,7 @@ pub use envelope::{
 pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
 pub use footprint::footprint;
 pub use inline::{MergeStrategy, inline};
+pub use inner_rectangle::{RectangleAlignment, inner_rect, inner_rectangle};
 pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
 pub(crate) use material::image;
 pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, opacity, reset_material, set_material, texture};
@@ -66,6 +71,7 @@ pub use primitive::{
     cone, cone_sized, cube, cube_sized, cylinder, cylinder_sides, cylinder_sized, disk, disk_sized, quad, quad_sized,
     sphere, sphere_sides, sphere_sized,
 };
+pub use recompose::modify;
 pub use report::{label, print, report};
 pub use roof::{
     RoofValue, roof_gable, roof_gable_along, roof_gable_by, roof_hip, roof_hip_by, roof_pyramid, roof_pyramid_by,

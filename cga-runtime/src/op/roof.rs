@@ -31,6 +31,8 @@ pub fn roof_hip(env: &mut Env, shape: &mut Shape, angle: f64, overhang: f64, eve
 /// closed. With `even` the points of each ridge get their mean height, and faces that are bent become triangles. A ridge
 /// is between edges that run against each other; hips and valleys keep their slope.
 ///
+/// The new geometry has no texture coordinates and no vertex normals.
+///
 /// A face stays with a fault that names it if it has no normal, touches itself, or has more than 5000 corners. So does a
 /// shape with an angle that is not between 0 and 90 degrees, or a height that is not positive.
 pub fn roof_hip_by(env: &mut Env, shape: &mut Shape, by: RoofValue, value: f64, overhang: f64, even: bool) {

@@ -131,6 +131,17 @@ impl<C> Cx<'_, C> {
         self.symbol(shape, rule)
     }
 
+    /// Removes a shape, `NIL`, in a rule that an operand may reach. It still moves its neighbours when the operand is recomposed
+    /// (*Shape recomposition*).
+    #[inline(never)]
+    pub fn vanish(&mut self, shape: &ShapeRef<'_>) -> Flow {
+        if self.env.recompositions.is_empty() {
+            return Flow::Continue(());
+        }
+        let whole = self.env.whole(shape);
+        self.sink.gone(&whole)
+    }
+
     /// Passes a leaf symbol to the sink. It counts as a shape of its own.
     #[inline]
     pub fn symbol(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {

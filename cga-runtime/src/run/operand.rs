@@ -8,6 +8,7 @@ use glam::DAffine3;
 
 use crate::fault::LimitKind;
 use crate::geometry::mesh::Mesh;
+use crate::geometry::trace::Trace;
 use crate::run::context::{Cx, ResumeFn, STACK};
 use crate::run::sink::{Filled, Flow, Leaf, Sink};
 use crate::shape::{Geometry, Shape};
@@ -45,6 +46,12 @@ impl Sink for Leaves {
 
     fn keep(&mut self, shape: &Shape) -> Option<Flow> {
         Some(self.add(shape.clone()))
+    }
+
+    fn gone(&mut self, shape: &Shape) -> Flow {
+        let mut shape = shape.clone();
+        shape.change_trace(Trace::remove);
+        if shape.trace().is_some_and(Trace::is_gone) { self.add(shape) } else { Flow::Continue(()) }
     }
 
     fn mesh(&mut self, _: &Leaf<'_>, _: &Arc<Mesh>, _: &DAffine3) -> Flow {

@@ -18,6 +18,7 @@ pub(crate) mod slim;
 pub(crate) mod state;
 pub(crate) mod street;
 pub(crate) mod texture;
+mod trace;
 pub(crate) mod trim;
 pub(crate) mod unit;
 pub(crate) mod view;

@@ -5,6 +5,8 @@
 //! between the two faces. Only planes with the whole face on their near side count: planes at reflex corners and at
 //! holes would cut geometry above the face itself. (The planes of the reference have a limited extent instead, which
 //! it does not specify.)
+//!
+//! Roofs of operations have planes between faces of one part alone: between two roof planes, or two upright sides.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::{Arc, OnceLock};
@@ -125,6 +127,10 @@ impl Surface {
         for corner in face.corner_range() {
             let edge = adjacency.edge(corner as u32);
             let Some(other) = adjacency.faces_at(edge).find(|&other| other as usize != index) else { continue };
+            let [part, other_part] = [index, other as usize].map(|face| roof_part(mesh, face));
+            if part.is_some() && other_part.is_some() && part != other_part {
+                continue;
+            }
             let a = face.position(corner);
             let along = unit(face_end(mesh, corner) - a);
             let (out, inwards) = (normal + mesh.face(other as usize).normal(), normal.cross(along));
@@ -147,6 +153,12 @@ impl Surface {
         }
         planes.into()
     }
+}
+
+/// The part of a roof that a face is, from its tag: `top`, `side` or `bottom`.
+fn roof_part(mesh: &Mesh, face: usize) -> Option<&str> {
+    let tags = mesh.tag_sets().get(mesh.face(face).tag().tags as usize)?;
+    tags.names().iter().find_map(|name| name.strip_prefix("roof.")?.split('.').next())
 }
 
 fn face_end(mesh: &Mesh, corner: usize) -> DVec3 {

@@ -94,11 +94,13 @@ impl Made {
     #[cold]
     #[inline(never)]
     fn cut(env: &mut Env, whole: &ShapeRef<'_>, axis: Axis, adjust: Adjust, row: impl Row) -> ControlFlow<(), Self> {
-        let whole = env.whole(whole);
+        let mut whole = env.whole(whole);
+        env.divide_trace(&mut whole);
         let mut parts = SplitParts::new(env, &whole, axis, adjust, row)?;
         let mut pieces = Vec::with_capacity(parts.total());
         let _ = row.each(|piece| {
-            pieces.push(env.base(parts.next(piece)));
+            let part = parts.next(env, piece);
+            pieces.push(env.base(part));
             Flow::Continue(())
         });
         ControlFlow::Continue(Made(Some(pieces)))

@@ -60,14 +60,16 @@ impl<'s> SplitParts<'s> {
     }
 
     /// The shape of the next piece. Seed and counters are those of the whole.
-    pub(super) fn next(&mut self, piece: Piece) -> Shape {
+    pub(super) fn next(&mut self, env: &mut Env, piece: Piece) -> Shape {
         let parent = self.parent;
         let index = self.index;
         self.index += 1;
         let mut scope = Scope { origin: parent.scope.origin + self.along * piece.start, ..parent.scope };
         scope.size[self.axis.index()] = self.sign * piece.length;
-        let geometry = self.geometry(index, piece, &mut scope);
-        Shape { scope, geometry, ..parent.clone() }
+        let geometry = self.geometry(env, index, piece, &mut scope);
+        let mut part = Shape { scope, geometry, ..parent.clone() };
+        env.begin_part(&mut part);
+        part
     }
 
     /// The geometry of a part. With `adjust`, its scope shrinks.
@@ -75,7 +77,7 @@ impl<'s> SplitParts<'s> {
     /// The reference does not say whether a slot without geometry is a part. Here it is one, with the slot as its
     /// scope, so that inserted geometry has its place and `split.index` counts slots.
     #[inline]
-    fn geometry(&self, index: usize, piece: Piece, scope: &mut Scope) -> Geometry {
+    fn geometry(&self, env: &mut Env, index: usize, piece: Piece, scope: &mut Scope) -> Geometry {
         match &self.parent.geometry {
             Geometry::Empty => Geometry::Empty,
             Geometry::Box(unit) => Geometry::Box(unit.part(self.axis, self.band(piece))),
@@ -93,10 +95,12 @@ impl<'s> SplitParts<'s> {
             Geometry::Wire(whole) => {
                 let near = if piece.start == 0.0 { f64::NEG_INFINITY } else { piece.start };
                 let along = DVec3::AXES[self.axis.index()] * self.sign;
-                self.wire(
-                    whole.in_scope(self.parent.scope.size).between(along, near, piece.start + piece.length),
-                    scope,
-                )
+                let whole = whole.in_scope(self.parent.scope.size);
+                let (mut wire, points) = whole.between(along, near, piece.start + piece.length);
+                if !whole.trace.is_empty() {
+                    wire.trace = env.cut_trace(&whole.trace, &points);
+                }
+                self.wire(wire, scope)
             }
             // Geometry that is flat along the axis in a thick scope is at the low end.
             flat if piece.start == 0.0 => {
@@ -251,11 +255,16 @@ fn slabs(
     let borders = PieceBorders::of(row, extent, plane(extent), plane);
     // Texture coordinates of caps are metres in the scope, for every stretch of the mesh.
     let stretch = placed.stretch(size.abs());
-    let cut = cut::stretched_slabs(&placed.mesh, axis, &borders.rising, placed.low, stretch);
+    let mut cut = cut::stretched_slabs(&placed.mesh, axis, &borders.rising, placed.low, stretch);
     // *split operation*: surfaces get no caps. An asset is usually meant to be a solid, so it gets a fault; a single
     // face does not.
     if !cut.open.is_empty() && placed.inserted == Inserted::Asset && 1 < placed.mesh.face_count() {
         env.fault(FaultKind::Geometry, "the inserted mesh is not closed where it is split; the cut stays open there");
+    }
+    for (part, points) in cut.parts.iter_mut().zip(&cut.points) {
+        if let Some(part) = part {
+            env.with_cut_trace(&placed.mesh, part, points);
+        }
     }
     borders.one_a_piece(env, cut.parts)
 }

@@ -22,9 +22,10 @@ const TAGGED: Param = or(words("components", &["auto", "faces", "edges", "vertic
 
 const UNTAGGED: Param = or(words("components", &["all", "faces", "edges", "vertices"]), Default::Word("all"));
 
-const APPEND: Param = or(word("geometryMergeStrategy", "MergeStrategy", &["append"]), Default::Word("append"));
+const APPEND: Param =
+    or(word("geometryMergeStrategy", "MergeStrategy", &["append", "recompose"]), Default::Word("append"));
 
-const STRATEGY: Param = words("geometryMergeStrategy", &["unify", "recompose"]);
+const STRATEGY: Param = words("geometryMergeStrategy", &["unify"]);
 
 /// *Boolean 3D operations*, 2024.1.
 const SWAP: Param = words("swapMode", &["noSwap", "swap"]);

@@ -13,9 +13,9 @@ const OVERHANG_Y: Param = or(float("overhangY"), Default::Float(0.0));
 const EVEN: Param = or(boolean("even"), Default::Bool(false));
 const INDEX: Param = or(float("index"), Default::Float(0.0));
 
-/// A roof. Its faces have no texture coordinates.
+/// A roof.
 const fn roof(name: Str, call: Str, params: Params, about: Str) -> Operation {
-    uvs(UvEffect::Keeps, op(name, call, params, about))
+    uvs(UvEffect::Drops, op(name, call, params, about))
 }
 
 pub(super) static ROWS: &[Operation] = &[

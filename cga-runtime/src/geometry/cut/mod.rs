@@ -16,6 +16,7 @@ mod crossings;
 mod edges;
 mod faces;
 mod iso;
+mod origins;
 mod plane;
 mod points;
 mod segment;
@@ -30,6 +31,7 @@ use glam::DVec3;
 
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
+use crate::geometry::trace::PartPoint;
 
 pub use iso::iso_bands;
 pub(crate) use plane::above;
@@ -51,6 +53,8 @@ pub struct Slabs {
     pub parts: Vec<Option<Arc<Mesh>>>,
     /// The chains that could not be closed, because the mesh is open there.
     pub open: Vec<OpenChain>,
+    /// The origins of the points of each part, if the mesh has a trace.
+    pub(crate) points: Vec<Vec<PartPoint>>,
 }
 
 /// A run of edges in a cut plane that does not close.
@@ -131,7 +135,7 @@ impl Cutter {
     }
 
     pub(crate) fn slabs(&mut self, mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64], texture: CapTexture) -> Slabs {
-        let mut slabs = Slabs { parts: vec![None; offsets.len() + 1], open: Vec::new() };
+        let mut slabs = Slabs { parts: vec![None; offsets.len() + 1], ..Slabs::default() };
         if mesh.is_empty() {
             return slabs;
         }
@@ -162,6 +166,12 @@ impl Cutter {
             slabs.open.push(OpenChain { plane: number(plane + first), points });
         });
         let closed = mesh.derived.closed.get() == Some(&true) && slabs.open.is_empty();
+        if !mesh.trace.is_empty() {
+            slabs.points = vec![Vec::new(); offsets.len() + 1];
+            for (slab, points) in self.state.origins(mesh).into_iter().enumerate() {
+                slabs.points[number(slab + first)] = points;
+            }
+        }
         for (slab, part) in self.state.parts.drain(..).enumerate() {
             slabs.parts[number(slab + first)] = part.finish(mesh, closed);
         }

@@ -67,7 +67,7 @@ fn frame_of(plane: &Plane) -> Option<Frame> {
 impl Cutter {
     fn halves(&mut self, mesh: &Arc<Mesh>, plane: &Plane, tolerance: f64, close: bool) -> Slabs {
         let whole = |side: usize| {
-            let mut slabs = Slabs { parts: vec![None, None], open: Vec::new() };
+            let mut slabs = Slabs { parts: vec![None, None], ..Slabs::default() };
             slabs.parts[side] = (!mesh.is_empty()).then(|| mesh.clone());
             slabs
         };
@@ -93,7 +93,7 @@ impl Cutter {
         self.state.points.planes.push(0.0);
         self.cut_faces(&local);
         let without_caps = [0, 1].map(|side: usize| self.state.parts[side].mesh.corners.len());
-        let mut slabs = Slabs { parts: Vec::new(), open: Vec::new() };
+        let mut slabs = Slabs::default();
         let mut open = Vec::new();
         if close {
             self.caps.close(&mut self.state, &local, CapTexture::UNCHANGED, |_, _, chain| open.push(chain));

@@ -15,6 +15,8 @@ pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
         new.resize(mesh.points.len(), u32::MAX);
     }
     let mut seen: Vec<u32> = Vec::new();
+    // The points of a mesh with a trace.
+    let mut taken: Vec<u32> = Vec::new();
     for &index in faces {
         if index as usize >= mesh.face_count() {
             continue;
@@ -30,6 +32,9 @@ pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
                 };
                 let number = known.unwrap_or_else(|| {
                     let number = part.add_point(to.to_local(mesh.points[point as usize]));
+                    if !mesh.trace.is_empty() {
+                        taken.push(point);
+                    }
                     if few {
                         seen.push(point);
                     } else {
@@ -47,6 +52,7 @@ pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
         }
         part.end_face(face.tag());
     }
+    part.trace = mesh.trace.pick(taken.iter().map(|point| Some(*point)));
     part
 }
 

@@ -46,6 +46,7 @@ pub(crate) fn join<'m>(meshes: impl Iterator<Item = &'m Mesh> + Clone) -> Mesh {
         let numbers =
             [groups.numbers(&mesh.groups), materials.numbers(&mesh.materials), tag_sets.numbers(&mesh.tag_sets)];
         let (points, corners) = (sum.points.len() as u32, sum.corners.len() as u32);
+        sum.trace.append(sum.points.len(), &mesh.trace);
         sum.points.extend_from_slice(&mesh.points);
         sum.corners.extend(mesh.corners.iter().map(|point| points + point));
         sum.loop_ends.extend(mesh.loop_ends.iter().map(|end| corners + end));

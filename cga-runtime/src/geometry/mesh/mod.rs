@@ -23,6 +23,7 @@ mod extrude_wire;
 pub(crate) mod face;
 mod flat_face;
 mod footprint;
+pub(crate) mod inner_rectangle;
 pub(crate) mod join;
 mod layout;
 pub(crate) mod map;
@@ -42,6 +43,7 @@ use std::sync::{Arc, OnceLock};
 
 use glam::{DVec2, DVec3};
 
+use crate::geometry::trace::Trace;
 use crate::material::Material;
 
 pub(crate) use adjacency::Adjacency;
@@ -87,6 +89,8 @@ pub struct Mesh {
     pub(crate) materials: Arc<[Material]>,
     /// The sets of component tags, indexed by [`FaceTag::tags`].
     pub(crate) tag_sets: Arc<[TagSet]>,
+    /// The origins of points, in operands.
+    pub(crate) trace: Trace,
     pub(crate) derived: Derived,
 }
 

@@ -10,7 +10,6 @@ use glam::DVec2;
 
 use super::Outline;
 use super::plan::Plan;
-use crate::geometry::skeleton::Speeds;
 use crate::geometry::tol::TIE_EPSILON;
 
 /// Edges belong to one side up to this angle, in radians (3 degrees).
@@ -37,7 +36,7 @@ pub(super) fn ends(outline: &Outline<'_>) -> Vec<bool> {
     let simple = Outline { points: outline.points, rings: &sides.rings, ..*outline };
     let corners = simple.edges();
     let mut found = vec![false; corners.len()];
-    let Ok(plan) = Plan::of(&simple, Speeds::Equal) else { return vec![false; outline.edges().len()] };
+    let Ok(plan) = Plan::of(&simple, &vec![1.0; corners.len()]) else { return vec![false; outline.edges().len()] };
     let mut candidates: Vec<(f64, usize)> = Vec::new();
     for face in plan.faces.iter().filter(|face| face.ring.len() == 3) {
         let side = face.edge as usize;

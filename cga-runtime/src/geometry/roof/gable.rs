@@ -10,13 +10,13 @@ use glam::DVec2;
 use super::hip::overhang_in_plan;
 use super::plan::{Outside, Plan, arcs, joined};
 use super::{Outline, Rise, Roof};
-use crate::geometry::skeleton::{Failure, Speeds};
+use crate::geometry::skeleton::Failure;
 
 /// A gable roof with one face for each edge; `ends` are the edges with pediments. `[across, along]` are the overhangs at
 /// the eaves and beyond the pediments.
 ///
-/// If the wavefront with edges that do not move is not determined, all edges get roof planes. An overhang beyond a
-/// pediment that would touch another part of the roof is left out.
+/// If the wavefront with edges that do not move is not determined, all edges get roof planes. Overhangs beyond pediments that
+/// would touch another part of the roof are left out.
 pub(super) fn gable(
     outline: &Outline<'_>,
     ends: &[bool],
@@ -25,10 +25,10 @@ pub(super) fn gable(
     even: bool,
 ) -> Result<Roof, Failure> {
     let speeds: Vec<f64> = ends.iter().map(|&end| if end { 0.0 } else { 1.0 }).collect();
-    let (mut plan, ends) = match Plan::of(outline, Speeds::Heights(&speeds)) {
+    let (mut plan, ends) = match Plan::of(outline, &speeds) {
         Ok(plan) => (plan, ends.to_vec()),
         Err(Failure::TooMany) => return Err(Failure::TooMany),
-        Err(Failure::Tangled) => (Plan::of(outline, Speeds::Equal)?, vec![false; ends.len()]),
+        Err(Failure::Tangled) => (Plan::of(outline, &vec![1.0; ends.len()])?, vec![false; ends.len()]),
     };
     let slope = rise.slope(plan.top());
     if even {
@@ -44,10 +44,10 @@ pub(super) fn gable(
         }
         match overhang(&mut plan, outline, &gables, &beyond, &distances, eave) {
             Ok(()) => break,
-            Err(Some(gable)) => beyond[gable] = 0.0,
-            Err(None) if beyond.iter().any(|&along| 0.0 < along) => beyond.fill(0.0),
+            Err(NoOverhang::Without(gables)) => gables.into_iter().for_each(|gable| beyond[gable] = 0.0),
+            Err(NoOverhang::Tangled) if beyond.iter().any(|&along| 0.0 < along) => beyond.fill(0.0),
             // With one speed the wavefront is always determined. Eaves then reach around the corners of pediments.
-            Err(None) => {
+            Err(NoOverhang::Tangled) => {
                 let distances = vec![eave; ends.len()];
                 let found = overhang(&mut plan, outline, &gables, &beyond, &distances, eave);
                 found.map_err(|_| Failure::Tangled)?;
@@ -73,8 +73,15 @@ fn gables(outline: &Outline<'_>, ends: &[bool]) -> Vec<Vec<u32>> {
     gables
 }
 
-/// Adds overhangs. An error is the number of a gable that has no room for its overhang, or `None` if the outside has no
-/// wavefront. Then the plan has only more points.
+/// The reason why there are no overhangs.
+enum NoOverhang {
+    /// The numbers of gables that have no room for theirs.
+    Without(Vec<usize>),
+    /// The outside has no wavefront.
+    Tangled,
+}
+
+/// Adds overhangs. After an error the plan has only more points.
 fn overhang(
     plan: &mut Plan,
     outline: &Outline<'_>,
@@ -82,13 +89,19 @@ fn overhang(
     beyond: &[f64],
     distances: &[f64],
     eave: f64,
-) -> Result<(), Option<usize>> {
-    let outside = plan.outside(outline, distances, eave).map_err(|_| None)?;
+) -> Result<(), NoOverhang> {
+    let outside = plan.outside(outline, distances, eave).map_err(|_| NoOverhang::Tangled)?;
+    let lefts = plan.lefts();
     let mut regions: Vec<(u32, Vec<u32>)> = Vec::new();
-    for (number, gable) in gables.iter().enumerate() {
-        if 0.0 < beyond[number] {
-            regions.extend(in_front(plan, outline, gable, &outside).ok_or(Some(number))?);
+    let mut without = Vec::new();
+    for (number, gable) in gables.iter().enumerate().filter(|(number, _)| 0.0 < beyond[*number]) {
+        match in_front(plan, outline, gable, &outside, &lefts) {
+            Some(found) => regions.extend(found),
+            None => without.push(number),
         }
+    }
+    if !without.is_empty() {
+        return Err(NoOverhang::Without(without));
     }
     let is_end = |edge: u32| gables.iter().any(|gable| gable.contains(&edge));
     let eaves = || outside.strips.iter().filter(|strip| !is_end(strip.edge) && 0.0 < distances[strip.edge as usize]);
@@ -96,12 +109,21 @@ fn overhang(
     regions.extend(eaves().map(|strip| (strip.edge, strip.ring.clone())));
     plan.join(regions, &fronts);
     plan.drop_straight(|edge| !is_end(edge));
+    if eave == 0.0 {
+        plan.begin_at_eaves(outline, is_end);
+    }
     Ok(())
 }
 
 /// The regions in front of a pediment, each with the edge whose plane continues there. `None` if the strip of the gable
 /// outside is not a quadrilateral, or the ridge does not reach its outer edge.
-fn in_front(plan: &mut Plan, outline: &Outline<'_>, gable: &[u32], outside: &Outside) -> Option<Vec<(u32, Vec<u32>)>> {
+fn in_front(
+    plan: &mut Plan,
+    outline: &Outline<'_>,
+    gable: &[u32],
+    outside: &Outside,
+    lefts: &BTreeMap<[u32; 2], usize>,
+) -> Option<Vec<(u32, Vec<u32>)>> {
     let edges = outline.edges();
     let (a, b) = (edges[*gable.first()? as usize][0], edges[*gable.last()? as usize][1]);
     // The outer ends of the strip: `a` to `outer[0]`, and `outer[1]` to `b`.
@@ -133,7 +155,6 @@ fn in_front(plan: &mut Plan, outline: &Outline<'_>, gable: &[u32], outside: &Out
     if rim.last()?[1] != a || rim.windows(2).any(|pair| pair[0][1] != pair[1][0]) {
         return None;
     }
-    let lefts = plan.lefts();
     let face_of = |arc: &[u32; 2]| lefts.get(&[arc[1], arc[0]]).map(|&face| plan.faces[face].edge);
     let faces: Vec<u32> = rim.iter().map(face_of).collect::<Option<_>>()?;
     // The planes beside the pediment must be those that the strip borders on, not those of another gable at a corner.

@@ -4,18 +4,19 @@ use std::collections::BTreeMap;
 
 use super::plan::Plan;
 use super::{Outline, Rise, Roof};
-use crate::geometry::skeleton::{Failure, Speeds};
+use crate::geometry::skeleton::Failure;
 
 /// A hip roof with one face for each edge. An overhang continues the faces below the outline.
 pub(super) fn hip(outline: &Outline<'_>, rise: Rise, overhang: f64, even: bool) -> Result<Roof, Failure> {
-    let mut plan = Plan::of(outline, Speeds::Equal)?;
+    let count = outline.edges().len();
+    let mut plan = Plan::of(outline, &vec![1.0; count])?;
     let slope = rise.slope(plan.top());
     if even {
         plan.level_ridges(outline);
     }
     if 0.0 < overhang {
         let distance = overhang_in_plan(overhang, slope);
-        let outside = plan.outside(outline, &vec![distance; outline.edges().len()], distance)?;
+        let outside = plan.outside(outline, &vec![distance; count], distance)?;
         let fronts: BTreeMap<_, _> = outside.strips.iter().map(|strip| (strip.edge, strip.fronts())).collect();
         let regions = outside.strips.into_iter().map(|strip| (strip.edge, strip.ring)).collect();
         plan.join(regions, &fronts);

@@ -10,7 +10,7 @@ use super::{Outline, Roof, RoofFace, RoofPart};
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::skeleton::{self, Failure, Speeds, Swept};
-use crate::geometry::tol::{ANGLE_EPSILON, NUDGE_EPSILONS, TIE_EPSILON};
+use crate::geometry::tol::{NUDGE_EPSILONS, TIE_EPSILON};
 use crate::geometry::triangulate::Triangulator;
 
 /// A ridge is between edges whose directions differ from opposite ones by less than 45 degrees: the cosine of 135 degrees.
@@ -46,11 +46,12 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// The whole straight skeleton. Edges with speed 0 get upright faces.
+    /// The whole straight skeleton, with a speed for each edge. Edges with speed 0 get upright faces.
     ///
     /// An outline whose events are too entangled is tried again with its corners moved by far less than a hair: the
     /// structure of that skeleton is right for the outline up to this distance.
-    pub(super) fn of(outline: &Outline<'_>, speeds: Speeds<'_>) -> Result<Plan, Failure> {
+    pub(super) fn of(outline: &Outline<'_>, speeds: &[f64]) -> Result<Plan, Failure> {
+        let speeds = Speeds::Heights(speeds);
         let mut found = skeleton::sweep_at(outline.points, outline.rings, speeds, f64::INFINITY);
         for by in NUDGE_EPSILONS {
             if found != Err(Failure::Tangled) {
@@ -134,6 +135,20 @@ impl Plan {
                 ring.rotate_left(first.unwrap_or(0));
                 self.faces.push(PlanFace { edge, ring });
             }
+        }
+    }
+
+    /// Rotates faces so that they begin with the first arc at the eave, which may be longer than the edge. Faces over ends
+    /// stay as they are.
+    pub(super) fn begin_at_eaves(&mut self, outline: &Outline<'_>, is_end: impl Fn(u32) -> bool) {
+        let edges = outline.edges();
+        for face in self.faces.iter_mut().filter(|face| !is_end(face.edge)) {
+            let along = outline.along(edges[face.edge as usize]);
+            let at_eave = |arc: &[u32; 2]| arc.iter().all(|&point| self.rises[point as usize] == 0.0);
+            let place = |arc: [u32; 2]| along.dot(self.points[arc[0] as usize]);
+            let found = arcs(&face.ring).enumerate().filter(|(_, arc)| at_eave(arc));
+            let first = found.min_by(|a, b| place(a.1).total_cmp(&place(b.1))).map(|found| found.0);
+            face.ring.rotate_left(first.unwrap_or(0));
         }
     }
 
@@ -258,8 +273,7 @@ impl Plan {
             edges.extend((first..first + count).rev());
         }
         let speeds: Vec<f64> = edges.iter().map(|&edge| distances[edge as usize] / most).collect();
-        let plain = speeds.iter().all(|&speed| 1.0 - speed < ANGLE_EPSILON);
-        let speeds = if plain { Speeds::Equal } else { Speeds::Heights(&speeds) };
+        let speeds = Speeds::Heights(&speeds);
         let mut swept = skeleton::sweep_at(outline.points, &rings, speeds, most)?;
         settle(&mut swept, &Outline { rings: &rings, ..*outline }, speeds);
         let given = outline.points.len();

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_4;
 
 use super::*;
+use crate::geometry::skeleton::any_cross;
 use crate::geometry::skeleton::tests::polygons::{Cells, Polygon, Rng, holds};
 
 const HIP: RoofForm = RoofForm::Hip { overhang: 0.0, even: false };
@@ -27,9 +28,53 @@ fn normal(roof: &Roof, face: &RoofFace) -> DVec3 {
     arcs.map(|[a, b]| at(a).cross(at(b)) * 0.5).sum()
 }
 
-/// Checks the laws of a roof without overhang: closed, planar, above the polygon, every place covered once. Returns the
-/// largest distance of a corner from the plane of its face.
-fn checked(polygon: &Polygon, roof: &Roof, rng: &mut Rng) -> Result<f64, String> {
+/// The slope of all roofs by angle.
+const SLOPE: f64 = 0.8;
+
+/// Points, relative to the extent, are that close to the plane over their edge.
+const PLANAR: f64 = 4e-9;
+
+/// The largest distance of a point from the plane over its edge, relative to the extent. Planes rise by [`SLOPE`] from
+/// edges that have no pediment. There is one face for each edge, in their order.
+fn off_planes(polygon: &Polygon, roof: &Roof) -> Result<f64, String> {
+    let edges: Vec<[u32; 2]> = polygon.rings.iter().flat_map(|ring| plan::arcs(ring)).collect();
+    if roof.faces.len() != edges.len() {
+        return Err(format!("{} faces over {} edges", roof.faces.len(), edges.len()));
+    }
+    let mut most = 0.0f64;
+    for (face, [a, b]) in roof.faces.iter().zip(edges) {
+        let [from, to] = [a, b].map(|point| polygon.points[point as usize]);
+        let inwards = (to - from).normalize().perp();
+        for &point in &face.rings[0] {
+            let point = roof.points[point as usize];
+            let ahead = inwards.dot(point.truncate() - from);
+            // At right angles to the plane.
+            let off = if face.part == RoofPart::Side { ahead } else { (point.z - SLOPE * ahead) / SLOPE.hypot(1.0) };
+            most = most.max(off.abs());
+        }
+    }
+    Ok(most / extent(polygon))
+}
+
+fn extent(polygon: &Polygon) -> f64 {
+    let size = |low: DVec2, high: DVec2| (high - low).max_element();
+    let points = || polygon.points.iter().copied();
+    size(points().reduce(DVec2::min).unwrap(), points().reduce(DVec2::max).unwrap())
+}
+
+/// Roof faces do not cross each other by more than `slack`, relative to the extent, as seen from above.
+fn is_flat_map(polygon: &Polygon, roof: &Roof, slack: f64) -> bool {
+    let tops = roof.faces.iter().filter(|face| face.part == RoofPart::Top);
+    let arcs = tops.flat_map(|face| &face.rings).flat_map(|ring| plan::arcs(ring));
+    let mut edges: Vec<[u32; 2]> = arcs.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    edges.sort_unstable();
+    edges.dedup();
+    let ends = |edge: [u32; 2]| edge.map(|point| roof.points[point as usize].truncate());
+    !any_cross(edges.into_iter().map(ends).collect(), slack * extent(polygon))
+}
+
+/// Checks the laws of a roof without overhang: closed, above the polygon, every place covered once.
+fn checked(polygon: &Polygon, roof: &Roof, rng: &mut Rng) -> Result<(), String> {
     let mut net: BTreeMap<[u32; 2], i32> = BTreeMap::new();
     let mut add =
         |a: u32, b: u32, sign: i32| *net.entry([a.min(b), a.max(b)]).or_default() += if a < b { sign } else { -sign };
@@ -41,28 +86,22 @@ fn checked(polygon: &Polygon, roof: &Roof, rng: &mut Rng) -> Result<f64, String>
     }
     let area = |ring: &Vec<u32>| flat_area(roof, ring);
     let whole: f64 = polygon.rings.iter().map(area).sum();
-    let extent = whole.sqrt();
     let mut sum = 0.0;
-    let mut off = 0.0f64;
     for (number, face) in roof.faces.iter().enumerate() {
-        let (normal, own) = (normal(roof, face), face.rings.iter().map(area).sum::<f64>());
+        let own = face.rings.iter().map(area).sum::<f64>();
         sum += own;
         if own < -1e-9 * whole || (face.part != RoofPart::Top && 1e-9 * whole < own) {
             return Err(format!("face {number} has area {own}"));
         }
-        let up = normal.normalize_or_zero();
-        let from = roof.points[face.rings[0][0] as usize];
-        // The normal of a thin face is not accurate.
-        if 1e-6 * whole < normal.length() {
-            let by = face.rings.iter().flatten().map(|&p| (roof.points[p as usize] - from).dot(up).abs());
-            off = by.fold(off, f64::max);
-        }
-        if face.rings.iter().flatten().any(|&point| roof.points[point as usize].z < -1e-9 * extent) {
+        if face.rings.iter().flatten().any(|&point| roof.points[point as usize].z < -1e-9 * extent(polygon)) {
             return Err(format!("face {number} is below"));
         }
     }
-    if (sum - whole).abs() > 1e-9 * whole {
+    if (sum - whole).abs() > 1e-12 * whole {
         return Err(format!("areas {sum} of {whole}"));
+    }
+    if !is_flat_map(polygon, roof, PLANAR) {
+        return Err("faces cross".to_string());
     }
     let flat: Vec<DVec2> = roof.points.iter().map(|point| point.truncate()).collect();
     let low = polygon.points.iter().copied().reduce(DVec2::min).unwrap();
@@ -75,25 +114,50 @@ fn checked(polygon: &Polygon, roof: &Roof, rng: &mut Rng) -> Result<f64, String>
             return Err(format!("{p} is covered {count} times"));
         }
     }
-    Ok(off / extent)
+    Ok(())
+}
+
+/// The largest distance of a corner from the plane of its face, relative to the extent.
+fn off_own_planes(polygon: &Polygon, roof: &Roof) -> f64 {
+    let whole: f64 = polygon.rings.iter().map(|ring| flat_area(roof, ring)).sum();
+    let off = |face: &RoofFace| {
+        let (normal, from) = (normal(roof, face), roof.points[face.rings[0][0] as usize]);
+        let up = normal.normalize_or_zero();
+        let by = face.rings.iter().flatten().map(|&p| (roof.points[p as usize] - from).dot(up).abs());
+        // The normal of a thin face is not accurate.
+        if 1e-6 * whole < normal.length() { by.fold(0.0, f64::max) } else { 0.0 }
+    };
+    roof.faces.iter().map(off).fold(0.0, f64::max) / extent(polygon)
 }
 
 /// Rectilinear outlines, turned, jittered, with holes, and stars.
 fn outlines(count: u64) -> impl Iterator<Item = (String, Polygon)> {
     let kinds = [(0.0, 0.0), (0.3, 0.0), (FRAC_PI_4, 0.0), (0.3, 1e-9), (0.3, 1e-6), (0.3, 1e-4), (0.3, 2e-2)];
-    (0..count).flat_map(move |seed| {
-        let cells = Cells::random(&mut Rng(seed), 3 + (seed % 5) as i32).polygon();
-        let cells = (!cells.rings.is_empty()).then_some(cells);
-        let turned = cells.into_iter().flat_map(move |cells| {
-            kinds.map(|(turn, jitter)| {
-                let polygon = cells.turned(turn, 0.0).jittered(jitter, &mut Rng(seed + 7));
-                (format!("cells {seed} turned {turn} jittered {jitter}"), polygon)
-            })
-        });
-        let star = Polygon::star(&mut Rng(seed), 3 + (seed % 40) as usize, seed % 3 == 0);
-        let round = star.rounded(6.0 + 20.0 * Rng(seed).unit());
-        turned.chain([(format!("star {seed}"), star), (format!("round {seed}"), round)])
-    })
+    (0..count)
+        .flat_map(move |seed| {
+            let cells = Cells::random(&mut Rng(seed), 3 + (seed % 5) as i32).polygon();
+            let cells = (!cells.rings.is_empty()).then_some(cells);
+            let turned = cells.into_iter().flat_map(move |cells| {
+                kinds.map(|(turn, jitter)| {
+                    let polygon = cells.turned(turn, 0.0).jittered(jitter, &mut Rng(seed + 7));
+                    (format!("cells {seed} turned {turn} jittered {jitter}"), polygon)
+                })
+            });
+            let star = Polygon::star(&mut Rng(seed), 3 + (seed % 40) as usize, seed % 3 == 0);
+            let round = star.rounded(6.0 + 20.0 * Rng(seed).unit());
+            turned.chain([(format!("star {seed}"), star), (format!("round {seed}"), round)])
+        })
+        .filter(|(_, polygon)| !has_spikes(polygon))
+}
+
+/// Returns true if an edge runs back along the one before it, so that the outline has no inside there.
+fn has_spikes(polygon: &Polygon) -> bool {
+    let at = |ring: &[u32], i: usize| polygon.points[ring[i % ring.len()] as usize];
+    let is_spike = |ring: &[u32], i: usize| {
+        let [before, after] = [at(ring, i + 1) - at(ring, i), at(ring, i + 2) - at(ring, i + 1)];
+        before.perp_dot(after).abs() < 1e-12 && before.dot(after) < 0.0
+    };
+    polygon.rings.iter().any(|ring| (0..ring.len()).any(|i| is_spike(ring, i)))
 }
 
 fn complain(failures: &[String], of: usize) {
@@ -105,53 +169,38 @@ fn seeds() -> u64 {
     std::env::var("CGA_ROOFS").ok().and_then(|count| count.parse().ok()).unwrap_or(60)
 }
 
-fn law(form: RoofForm, law: impl Fn(&Polygon, &Roof) -> Result<(), String>) {
-    let (mut failures, mut count, mut bent, mut worst) = (Vec::new(), 0, 0, (0.0, String::new()));
+/// Checks the laws, and that `off` is small, over all outlines.
+fn law(form: RoofForm, off: impl Fn(&Polygon, &Roof) -> Result<f64, String>) {
+    let (mut failures, mut count, mut worst) = (Vec::new(), 0, 0.0f64);
     for (name, polygon) in outlines(seeds()) {
         count += 1;
-        let found = built(&polygon, form, Rise::Slope(0.8)).and_then(|roof| {
-            law(&polygon, &roof)?;
-            checked(&polygon, &roof, &mut Rng(count as u64))
+        let found = built(&polygon, form, Rise::Slope(SLOPE)).and_then(|roof| {
+            checked(&polygon, &roof, &mut Rng(count as u64))?;
+            off(&polygon, &roof)
         });
         match found {
-            Ok(off) => {
-                bent += usize::from(1e-9 < off);
-                if worst.0 < off {
-                    worst = (off, name);
-                }
-            }
-            Err(why) => {
-                failures.push(format!("{name}: {why}"));
-            }
+            Ok(off) if off <= PLANAR => worst = worst.max(off),
+            Ok(off) => failures.push(format!("{name}: bent by {off}")),
+            Err(why) => failures.push(format!("{name}: {why}")),
         }
     }
-    println!("{count} outlines, {bent} not quite planar, the worst {worst:?}");
+    println!("{count} outlines, the worst {worst:?}");
     complain(&failures, count);
-    // An entangled outline is moved by up to 1e-7 of its extent, so its roof is planar up to that.
-    assert!(worst.0 < 2e-7 && bent * 200 <= count, "{bent}, {worst:?}");
 }
 
 #[test]
 fn hip_roofs_are_closed_planar_and_equally_steep() {
     law(HIP, |polygon, roof| {
-        let edges: Vec<[u32; 2]> = polygon.rings.iter().flat_map(|ring| plan::arcs(ring)).collect();
-        for face in &roof.faces {
-            let normal = normal(roof, face);
-            let cosine = 1.0 / libm::sqrt(1.64);
-            if 1e-4 < normal.length() && (normal.z / normal.length() - cosine).abs() > 1e-5 {
-                return Err(format!("a slope of {}", normal.z / normal.length()));
-            }
-        }
         // Each face begins with its edge.
-        let begins = |(face, edge): (&RoofFace, &[u32; 2])| face.rings[0][..2] == *edge;
-        let all = roof.faces.len() == edges.len() && roof.faces.iter().zip(&edges).all(begins);
-        if all { Ok(()) } else { Err(format!("{} faces over {} edges", roof.faces.len(), edges.len())) }
+        let edges = polygon.rings.iter().flat_map(|ring| plan::arcs(ring));
+        let mut begins = roof.faces.iter().zip(edges).map(|(face, edge)| face.rings[0][..2] == edge);
+        if begins.all(|begins| begins) { off_planes(polygon, roof) } else { Err("a face begins elsewhere".into()) }
     });
 }
 
 #[test]
 fn gable_roofs_are_closed_and_planar() {
-    law(GABLE, |_, _| Ok(()));
+    law(GABLE, off_planes);
 }
 
 #[test]
@@ -170,46 +219,59 @@ fn pyramids_are_closed_and_planar() {
 #[test]
 fn shed_and_ridge_roofs_are_closed_and_planar() {
     for edge in [0, 3, -1] {
-        law(RoofForm::Shed { edge }, |_, _| Ok(()));
+        law(RoofForm::Shed { edge }, |polygon, roof| Ok(off_own_planes(polygon, roof)));
     }
-    law(RoofForm::Ridge, |_, _| Ok(()));
+    law(RoofForm::Ridge, |polygon, roof| Ok(off_own_planes(polygon, roof)));
 }
 
+/// The largest distance from planes, and the largest crossing, of overhangs that meet far away.
+const BENT: f64 = 2e-7;
+
 /// Overhangs continue the planes of the roof: faces stay planar and equally steep, and no place is covered twice.
+///
+/// Neighbours that are parallel up to 1e-6 and have overhangs of 2 and 1.5 m meet far away, at a place that is not accurate.
+/// One roof in a thousand is bent by that.
 #[test]
 fn overhangs_continue_the_roof() {
     for (across, along) in [(0.1, 0.1), (0.3, 0.0), (0.0, 0.2), (2.0, 1.5)] {
-        let (mut failures, mut count) = (Vec::new(), 0);
+        let (mut failures, mut count, mut bent) = (Vec::new(), 0, 0);
         for (name, polygon) in outlines(seeds() / 2) {
             let hip = RoofForm::Hip { overhang: across, even: false };
             let gable = RoofForm::Gable { across, along, even: false, edge: None };
             for form in [hip, gable] {
                 count += 1;
-                if let Err(why) = built(&polygon, form, Rise::Slope(0.8)).and_then(|roof| overhanging(&polygon, &roof))
-                {
-                    failures.push(format!("{name} {form:?}: {why}"));
+                match built(&polygon, form, Rise::Slope(SLOPE)).and_then(|roof| overhanging(&polygon, &roof, across)) {
+                    Ok(off) if off <= PLANAR => {}
+                    Ok(off) if off <= BENT && 0.0 < across * along => bent += 1,
+                    Ok(off) => failures.push(format!("{name} {form:?}: bent by {off}")),
+                    Err(why) => failures.push(format!("{name} {form:?}: {why}")),
                 }
             }
         }
         complain(&failures, count);
+        assert!(1000 * bent <= count, "{bent} of {count} are bent");
     }
 }
 
-fn overhanging(polygon: &Polygon, roof: &Roof) -> Result<(), String> {
+fn overhanging(polygon: &Polygon, roof: &Roof, across: f64) -> Result<f64, String> {
     let flat: Vec<DVec2> = roof.points.iter().map(|point| point.truncate()).collect();
     let tops: Vec<&RoofFace> = roof.faces.iter().filter(|face| face.part == RoofPart::Top).collect();
-    let extent = polygon.rings.iter().map(|ring| flat_area(roof, ring)).sum::<f64>().sqrt();
-    for face in &tops {
-        let normal = normal(roof, face);
-        if 1e-3 < normal.length() && (normal.z / normal.length() - 1.0 / libm::sqrt(1.64)).abs() > 1e-5 {
-            return Err(format!("a slope of {}", normal.z / normal.length()));
+    let edges = polygon.rings.iter().flat_map(|ring| plan::arcs(ring));
+    for (number, (face, [a, b])) in roof.faces.iter().zip(edges).enumerate() {
+        let along = (polygon.points[b as usize] - polygon.points[a as usize]).normalize();
+        let is_eave = |[a, b]: [u32; 2]| {
+            let to = flat[b as usize] - flat[a as usize];
+            let depth = roof.points[a as usize].z.max(roof.points[b as usize].z);
+            (to - along * to.length()).length() < 1e-7 && (depth + across / 1.64f64.sqrt() * SLOPE).abs() < 1e-7
+        };
+        // In a narrow yard an overhang may end before its eave.
+        let eave = plan::arcs(&face.rings[0]).position(is_eave);
+        if face.part == RoofPart::Top && eave.is_some_and(|first| 0 < first) {
+            return Err(format!("face {number} begins elsewhere"));
         }
-        let (from, up) = (roof.points[face.rings[0][0] as usize], normal.normalize_or_zero());
-        let off = |&point: &u32| (roof.points[point as usize] - from).dot(up).abs();
-        let off = face.rings[0].iter().map(off).fold(0.0, f64::max);
-        if 1e-3 < normal.length() && 1e-6 * extent < off {
-            return Err(format!("bent by {off}"));
-        }
+    }
+    if !is_flat_map(polygon, roof, BENT) {
+        return Err("faces cross".to_string());
     }
     let low = flat.iter().copied().reduce(DVec2::min).unwrap();
     let high = flat.iter().copied().reduce(DVec2::max).unwrap();
@@ -221,5 +283,5 @@ fn overhanging(polygon: &Polygon, roof: &Roof) -> Result<(), String> {
             return Err(format!("{p} is covered {count} times"));
         }
     }
-    Ok(())
+    off_planes(polygon, roof)
 }

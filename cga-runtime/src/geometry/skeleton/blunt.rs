@@ -20,11 +20,6 @@ fn divider(a: &MovingLine, b: &MovingLine, corner: glam::DVec2) -> Option<Moving
 }
 
 impl Wavefront {
-    /// Returns true if no strip can go around an edge that stays.
-    pub(super) fn has_plain_strips(&self) -> bool {
-        !self.flat || self.lines.iter().all(|line| line.speed == 1.0)
-    }
-
     /// Divides the blunt corners among the given vertices, which start now, where speeds differ and only places count.
     /// Returns the additional vertices.
     pub(super) fn part_speeds(&mut self, made: &[u32]) -> Vec<u32> {

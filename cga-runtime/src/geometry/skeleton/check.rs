@@ -1,9 +1,9 @@
 //! A check of results.
 //!
 //! The areas add up wherever points are, so strips overlap only if something is reversed. A strip of a straight
-//! skeleton is connected and monotone along its edge. If edges have distances of their own, a strip may go around edges that
-//! stay, as its outline and holes, so only the sum of its areas and its heights are checked. The remaining interior has no
-//! crossings, and its loops are nested correctly.
+//! skeleton is connected and monotone along its edge. If speeds differ, it need not be monotone. Where only places count,
+//! it may also go around edges that stay, as its outline and holes, so only the sum of its areas and its heights are
+//! checked. The remaining interior has no crossings, and its loops are nested correctly.
 
 use glam::DVec2;
 
@@ -21,17 +21,17 @@ impl Wavefront {
     pub(super) fn allows(&self, swept: &Swept) -> bool {
         let slack = SLACK * self.epsilon;
         let rounding = MEETING_EPSILONS[0] * self.extent * self.extent;
-        let plain = self.has_plain_strips();
+        let uniform = self.lines.iter().all(|line| line.speed == 1.0);
         swept.points.iter().all(|p| p.is_finite())
-            && swept.strips.iter().all(|strip| self.is_possible(strip, &swept.points, slack, plain))
-            && self.has_areas(&swept.strips, &swept.points, rounding, plain)
+            && swept.strips.iter().all(|strip| self.is_possible(strip, &swept.points, slack, uniform))
+            && self.has_areas(&swept.strips, &swept.points, rounding, uniform || !self.flat)
             && !crosses(&swept.left, &swept.points, slack)
             && self.nests(swept)
     }
 
-    /// Returns true if a strip is in front of its edge and, if no strip goes around edges, goes along the edge once and
-    /// returns once.
-    fn is_possible(&self, strip: &Strip, points: &[DVec2], slack: f64, plain: bool) -> bool {
+    /// Returns true if a strip is in front of its edge and, if all speeds are equal, goes along the edge once and returns
+    /// once.
+    fn is_possible(&self, strip: &Strip, points: &[DVec2], slack: f64, uniform: bool) -> bool {
         let line = &self.lines[strip.edge as usize];
         let count = strip.ring.len();
         let at = |i: usize| points[strip.ring[i % count] as usize];
@@ -51,10 +51,10 @@ impl Wavefront {
             })
         };
         height.iter().all(|height| (-slack..=farthest + slack).contains(height))
-            && (!plain || runs(low, high, 1.0) && runs(high, low, -1.0))
+            && (!uniform || runs(low, high, 1.0) && runs(high, low, -1.0))
     }
 
-    /// Returns true if no strip is reversed and, if no strip goes around edges, each edge has at most one strip, except
+    /// Returns true if no strip is reversed and, if strips are `plain`, each edge has at most one strip, except
     /// for rounding errors.
     fn has_areas(&self, strips: &[Strip], points: &[DVec2], rounding: f64, plain: bool) -> bool {
         if !plain {

@@ -104,7 +104,8 @@ pub(crate) fn sweep_each(points: &[DVec2], rings: &[Vec<u32>], distances: &[f64]
     sweep_at(points, rings, Speeds::Places(&speeds), most)
 }
 
-/// Moves edges until a time; an infinite time gives the whole straight skeleton.
+/// Moves edges until a time; an infinite time gives the whole straight skeleton. If heights count, several distances for
+/// contacts are tried until all points are in the planes that meet in them, and the best result is taken.
 ///
 /// Parallel neighbours with different speeds do not determine the path of the vertex between them. They are refused where
 /// heights count.
@@ -116,7 +117,7 @@ pub(crate) fn sweep_at(points: &[DVec2], rings: &[Vec<u32>], speeds: Speeds<'_>,
     let mut best: Option<((bool, f64), Swept)> = None;
     for epsilon in MEETING_EPSILONS {
         match Wavefront::new(points, rings, speeds, epsilon, until).and_then(Wavefront::run) {
-            Ok(swept) if until < f64::INFINITY => return Ok(swept),
+            Ok(swept) if !matches!(speeds, Speeds::Heights(_)) => return Ok(swept),
             Ok(swept) => {
                 let flaws = (has_divided_strips(&swept), deviation(rings, speeds, &swept));
                 if !flaws.0 && flaws.1 <= PLANAR_EPSILON {

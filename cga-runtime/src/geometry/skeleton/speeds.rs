@@ -5,8 +5,8 @@
 pub(crate) enum Speeds<'a> {
     /// All edges have speed 1.
     Equal,
-    /// One for each edge. The times of points are heights: points at one place at different times are different, and the
-    /// strip of an edge with speed 0 has no area.
+    /// One for each edge. The times of points are heights, as of a roof: points at one place at different times are
+    /// different, and the strip of an edge with speed 0 has no area.
     Heights(&'a [f64]),
     /// One for each edge. Only places count: points at one place are the same, and blunt corners between different speeds
     /// are divided.

@@ -114,6 +114,15 @@ fn hostile_input_leaves_a_fault_and_the_shape() {
     }
 }
 
+/// Only `extrude` and `taper` are said to keep them (*roofHip operation*).
+#[test]
+fn texture_coordinates_go() {
+    for op in ALL {
+        let (roof, _) = run(&Shape::mesh_axis_aligned(crate::geometry::mesh::primitive::quad()), op);
+        assert!(roof.to_mesh().uvs.is_empty() && roof.to_mesh().normals.is_empty());
+    }
+}
+
 #[test]
 fn tags_of_the_face_stay_and_old_roof_tags_go() {
     let (shape, _) = run(&Shape::rectangle(10.0, 8.0), ALL[1]);

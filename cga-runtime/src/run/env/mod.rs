@@ -3,6 +3,7 @@
 mod base;
 mod checkpoint;
 mod counters;
+mod recompose;
 mod trail;
 mod uv_set;
 
@@ -28,6 +29,7 @@ use crate::value::array::Array;
 use crate::value::text::Text;
 
 use checkpoint::Checkpoint;
+use recompose::Recompositions;
 pub(crate) use trail::Trail;
 
 /// The largest nesting of functions that reserve stack, as CGA documents it (*CGA changelog 2014.1*).
@@ -103,6 +105,8 @@ pub struct Env {
     raised: Vec<[Arc<Mesh>; 2]>,
     pub(crate) reports: Reports,
     pub(crate) prints: Prints,
+    /// The operands whose shapes remember their connectivity.
+    pub(crate) recompositions: Recompositions,
     /// The results of file searches; see [`Env::files`].
     searches: BTreeMap<File, Rc<[Text]>>,
     /// The tables read so far, by file.

@@ -238,6 +238,12 @@ pub trait Sink {
         None
     }
 
+    /// Takes a shape that `NIL` has removed from an operand. It is no leaf.
+    #[doc(hidden)]
+    fn gone(&mut self, _shape: &Shape) -> Flow {
+        Flow::Continue(())
+    }
+
     /// Passes on the data that the sink still holds. No leaves follow.
     ///
     /// The owner of a sink calls this once, after the last run. A run never calls it, as a sink may take the leaves
@@ -297,5 +303,9 @@ impl<S: Sink + ?Sized> Sink for &mut S {
 
     fn keep(&mut self, shape: &Shape) -> Option<Flow> {
         (**self).keep(shape)
+    }
+
+    fn gone(&mut self, shape: &Shape) -> Flow {
+        (**self).gone(shape)
     }
 }

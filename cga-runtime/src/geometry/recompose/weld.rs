@@ -1,0 +1,137 @@
+//! Makes one mesh of parts that share points.
+
+use glam::{DAffine3, DVec3};
+
+use super::origins::Origins;
+use crate::geometry::mesh::join::join;
+use crate::geometry::mesh::{Derived, Mesh};
+use crate::geometry::trace::{Trace, UNTRACED};
+use crate::geometry::wire::Wire;
+
+/// Parts that become one mesh.
+#[derive(Debug, Default)]
+pub(crate) struct Weld {
+    meshes: Vec<Mesh>,
+    /// The numbers of the points of all meshes.
+    points: Vec<u32>,
+}
+
+/// A corner of a face: a corner of the part, or a point between it and the next one.
+#[derive(Clone, Copy)]
+struct WeldCorner {
+    from: usize,
+    to: usize,
+    share: f64,
+    point: u32,
+}
+
+impl Weld {
+    /// Adds a part. `points` are the numbers of its points. Used points on its edges become corners. A loop that has fewer than
+    /// three different neighbours is dropped.
+    pub(crate) fn add(&mut self, origins: &Origins, mut mesh: Mesh, points: &[u32]) {
+        mesh.trace = Trace::default();
+        mesh.derived = Derived::default();
+        let mut refined = mesh.alike(mesh.corners.len());
+        // The points of the refined mesh are its corners; `finish` finds the points that they are.
+        let mut numbers = Vec::with_capacity(mesh.corners.len());
+        let mut ring = Vec::new();
+        for face in mesh.faces() {
+            let mut has_loop = false;
+            for (number, range) in face.loop_ranges().enumerate() {
+                ring.clear();
+                for from in range.clone() {
+                    let to = if from + 1 == range.end { range.start } else { from + 1 };
+                    let ends = [from, to].map(|corner| points[mesh.corners[corner] as usize]);
+                    let mut push = |corner: WeldCorner| {
+                        if ring.last().is_none_or(|last: &WeldCorner| last.point != corner.point) {
+                            ring.push(corner);
+                        }
+                    };
+                    push(WeldCorner { from, to: from, share: 0.0, point: ends[0] });
+                    origins.between(ends, |point, share| push(WeldCorner { from, to, share, point }));
+                }
+                while 1 < ring.len() && ring[0].point == ring[ring.len() - 1].point {
+                    ring.pop();
+                }
+                if ring.len() < 3 {
+                    // A face without an outline has no holes.
+                    if number == 0 {
+                        break;
+                    }
+                    continue;
+                }
+                has_loop = true;
+                for corner in &ring {
+                    numbers.push(corner.point);
+                    refined.corners.push(numbers.len() as u32 - 1);
+                    let WeldCorner { from, to, share, .. } = *corner;
+                    refined.uvs.push_from(&mesh.uvs, |list| {
+                        if from == to { list[from] } else { list[from].lerp(list[to], share) }
+                    });
+                    if let (Some(a), Some(b)) = (mesh.normals.get(from), mesh.normals.get(to)) {
+                        refined.normals.push(if from == to { *a } else { a.lerp(*b, share).normalize_or(*a) });
+                    }
+                }
+                refined.end_loop();
+            }
+            if has_loop {
+                refined.end_face(face.tag());
+            }
+        }
+        refined.points = vec![DVec3::ZERO; numbers.len()];
+        self.points.extend(numbers);
+        self.meshes.push(refined);
+    }
+
+    /// The number of corners so far.
+    pub(crate) fn corner_count(&self) -> u64 {
+        self.points.len() as u64
+    }
+
+    /// The mesh, with points at `places`, seen through `map`, and the numbers of its points.
+    pub(crate) fn finish(self, places: &[DVec3], map: &DAffine3) -> (Mesh, Vec<u32>) {
+        let mut sum = join(self.meshes.iter());
+        let (points, numbers) = renumbered(&self.points, places, map, &mut sum.corners);
+        sum.points = points;
+        sum.derived = Derived::default();
+        (sum, numbers)
+    }
+}
+
+/// The points that corners use, in the order of their first use, and their numbers. Corners are indices into `ids`.
+fn renumbered(ids: &[u32], places: &[DVec3], map: &DAffine3, corners: &mut [u32]) -> (Vec<DVec3>, Vec<u32>) {
+    let mut new = vec![UNTRACED; places.len()];
+    let (mut points, mut numbers) = (Vec::new(), Vec::new());
+    for corner in corners {
+        let id = ids[*corner as usize];
+        let number = &mut new[id as usize];
+        if *number == UNTRACED {
+            *number = points.len() as u32;
+            points.push(map.transform_point3(places[id as usize]) + 0.0);
+            numbers.push(id);
+        }
+        *corner = *number;
+    }
+    (points, numbers)
+}
+
+/// The wire of several wires that share points, with points at `places`, seen through `map`, and the numbers of its points.
+pub(crate) fn welded_wire(parts: &[(Wire, Vec<u32>)], places: &[DVec3], map: &DAffine3) -> (Wire, Vec<u32>) {
+    let has_edges = parts.iter().any(|(wire, _)| !wire.edges.is_empty());
+    let (mut ids, mut normals, mut ends) = (Vec::new(), Vec::new(), Vec::new());
+    for (wire, own) in parts.iter().filter(|(wire, _)| wire.edges.is_empty() != has_edges) {
+        let first = ids.len() as u32;
+        ids.extend_from_slice(own);
+        normals.extend_from_slice(&wire.normals);
+        match has_edges {
+            true => ends.extend(wire.edges.iter().flatten().map(|end| first + end)),
+            false => ends.extend(first..ids.len() as u32),
+        }
+    }
+    let (points, numbers) = renumbered(&ids, places, map, &mut ends);
+    if !has_edges {
+        normals.truncate(points.len());
+    }
+    let edges = if has_edges { ends.chunks_exact(2).map(|ends| [ends[0], ends[1]]).collect() } else { Vec::new() };
+    (Wire { points, edges, normals, trace: Trace::default() }, numbers)
+}

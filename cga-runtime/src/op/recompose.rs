@@ -1,0 +1,103 @@
+//! `inline(recompose)` and `modify`: the parts of a shape as one mesh again (*Shape recomposition*).
+
+use super::joined_state::joined_state;
+use crate::comp::{Align, Components};
+use crate::geometry::recompose::{Origins, Weld, welded_wire};
+use crate::geometry::trace::{Trace, TraceLayer, TracedPoint, UNTRACED};
+use crate::geometry::wire::Wire;
+use crate::run::env::Env;
+use crate::shape::{Geometry, PlacedWire, Shape};
+
+/// Edits the components of the current shape (*modify operation*). `leaves` are the edited components and the rest of the
+/// geometry; they become one mesh with the axes and the pivot of the shape.
+pub fn modify(env: &mut Env, shape: &mut Shape, [leaves]: [Vec<Shape>; 1], _: Components, _: Align) {
+    recompose(env, shape, leaves);
+}
+
+/// Makes the current shape of the leaves of an operand that [`Env::begin_recomposition`] has begun. Points with the same origin
+/// become one, and points on edges of other leaves are inserted there. A point moves by the sum of the movements of all
+/// leaves that have it.
+pub(super) fn recompose(env: &mut Env, shape: &mut Shape, mut leaves: Vec<Shape>) {
+    let points: Vec<Vec<u32>> = leaves.iter_mut().map(|leaf| env.end_trace(leaf)).collect();
+    let mut origins = env.end_recomposition();
+    let places = origins.settle();
+    let outer = OuterTrace::of(env.recomposed_depth(), &origins, &leaves, &points);
+    let mut parts: Vec<(Shape, Vec<u32>)> = leaves.into_iter().zip(points).filter(|(leaf, _)| !is_gone(leaf)).collect();
+    if parts.iter().any(|(leaf, _)| leaf.geometry.has_surface()) {
+        parts.retain(|(leaf, _)| leaf.geometry.has_surface());
+    }
+    let (leaves, points): (Vec<Shape>, Vec<Vec<u32>>) = parts.into_iter().unzip();
+    let Some((first, others)) = leaves.split_first() else {
+        shape.geometry = Geometry::Empty;
+        return;
+    };
+    shape.state = joined_state(shape, first, others);
+    let to_scope = shape.scope.placement().inverse();
+    if !first.geometry.has_surface() {
+        let wires: Vec<(Wire, Vec<u32>)> =
+            leaves.iter().zip(points).filter_map(|(leaf, points)| Some((turned(leaf, shape)?, points))).collect();
+        let (mut wire, numbers) = welded_wire(&wires, &places, &to_scope);
+        wire.trace = outer.pick(&numbers);
+        let placed = PlacedWire::fitted(wire);
+        shape.scope.origin += shape.scope.axes * placed.low;
+        shape.scope.size = placed.size;
+        shape.geometry = Geometry::Wire(std::sync::Arc::new(placed));
+        return;
+    }
+    let is_common = others.iter().all(|leaf| leaf.material() == first.material());
+    let mut weld = Weld::default();
+    for (leaf, points) in leaves.iter().zip(points) {
+        let before = weld.corner_count();
+        let mesh = leaf.to_mesh().map(&(to_scope * leaf.scope.placement()));
+        weld.add(&origins, if is_common { mesh } else { mesh.with_material(leaf.material()) }, &points);
+        if env.count_corners(weld.corner_count() - before).is_break() {
+            return;
+        }
+    }
+    let (mut mesh, numbers) = weld.finish(&places, &to_scope);
+    mesh.trace = outer.pick(&numbers);
+    if mesh.is_empty() {
+        shape.geometry = Geometry::Empty;
+    } else {
+        shape.set_mesh(mesh);
+    }
+}
+
+/// Returns true if `NIL` has removed the shape.
+pub(super) fn is_gone(leaf: &Shape) -> bool {
+    leaf.trace().is_some_and(Trace::is_gone)
+}
+
+/// The wire of a leaf, with normals in the coordinates of a shape.
+fn turned(leaf: &Shape, shape: &Shape) -> Option<Wire> {
+    let mut wire = leaf.to_wire()?;
+    let turn = shape.scope.axes.transpose() * leaf.scope.axes;
+    wire.normals.iter_mut().for_each(|normal| *normal = turn * *normal);
+    Some(wire)
+}
+
+/// The trace of the points of a result for the operands around it, by the numbers of points.
+struct OuterTrace(Vec<TraceLayer>);
+
+impl OuterTrace {
+    fn of(depth: usize, origins: &Origins, leaves: &[Shape], points: &[Vec<u32>]) -> Self {
+        let mut list = vec![TraceLayer { division: 0, points: vec![TracedPoint::NONE; origins.len()] }; depth];
+        for (leaf, points) in leaves.iter().zip(points) {
+            let layers = leaf.trace().map_or(&[][..], Trace::layers);
+            for (found, layer) in list.iter_mut().zip(layers) {
+                found.division = found.division.max(layer.division);
+                for (point, own) in points.iter().zip(&layer.points) {
+                    let known = &mut found.points[*point as usize];
+                    if known.id == UNTRACED {
+                        *known = *own;
+                    }
+                }
+            }
+        }
+        OuterTrace(list)
+    }
+
+    fn pick(self, numbers: &[u32]) -> Trace {
+        Trace::of(self.0).pick(numbers.iter().map(|number| Some(*number)))
+    }
+}
