@@ -65,6 +65,7 @@ fn all_examples_run() {
         pages::roofs::ALL,
         pages::mass::ALL,
         pages::scattering::ALL,
+        pages::setback::ALL,
     ];
     let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();
     for example in pages.concat() {

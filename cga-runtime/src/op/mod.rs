@@ -19,6 +19,7 @@ mod joined_state;
 mod material;
 mod mirror;
 mod offset;
+mod perimeter;
 mod pivot;
 mod primitive;
 mod recompose;
@@ -64,6 +65,7 @@ pub(crate) use material::image;
 pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, opacity, reset_material, set_material, texture};
 pub use mirror::{mirror, reverse_normals};
 pub use offset::offset;
+pub use perimeter::{perimeter, perimeter_of};
 pub use pivot::{AxisMap, mirror_scope, set_pivot};
 pub use primitive::{
     cone, cone_sized, cube, cube_sized, cylinder, cylinder_sides, cylinder_sized, disk, disk_sized, quad, quad_sized,

@@ -98,17 +98,25 @@ pub(super) static ROWS: &[Operation] = &[
             "divides the shape into faces, edges, vertices or other components",
         ),
     ),
-    block(
-        "splitAndSetbackPerimeter",
-        Braces::Sections,
-        &[length("splitOffset")],
-        "divides the outline into sections and sets each back",
+    divides(
+        "perimeter",
+        Uses::WHOLE.and(Uses::DRAWS),
+        block(
+            "splitAndSetbackPerimeter",
+            Braces::Sections,
+            &[length("splitOffset")],
+            "divides the outline into sections and sets each back",
+        ),
     ),
-    block(
-        "splitAndSetbackPerimeter",
-        Braces::Sections,
-        &[length("splitOffset"), float("firstEdgeIndex"), of("selectedEdgesMask", BS)],
-        "divides some edges of the outline into sections and sets each back",
+    divides(
+        "perimeter_of",
+        Uses::WHOLE.and(Uses::DRAWS),
+        block(
+            "splitAndSetbackPerimeter",
+            Braces::Sections,
+            &[length("splitOffset"), float("firstEdgeIndex"), of("selectedEdgesMask", BS)],
+            "divides some edges of the outline into sections and sets each back",
+        ),
     ),
     divides(
         "setback",
