@@ -1,4 +1,4 @@
-//! Outlines moved inwards until nothing is left.
+//! Outlines moved inwards until nothing is left, and roofs, which are made by the same wavefront.
 //!
 //! `cargo bench --bench offset`. The time is proportional to the square of the number of corners, both for separate
 //! and for simultaneous events.
@@ -18,6 +18,20 @@ cga! {
     grammar Swept;
 
     Lot --> offset(-10, border) Border.
+}
+
+cga! {
+    /// Roofs over a lot.
+    grammar Roofs;
+
+    @StartRule
+    Hip --> roofHip(30) Roof.
+    @StartRule
+    HipOver --> roofHip(30, 0.5) Roof.
+    @StartRule
+    Gable --> roofGable(30) Roof.
+    @StartRule
+    GableOver --> roofGable(30, 0.5, 0.3) Roof.
 }
 
 /// Pseudo-random numbers from 0 to 1.
@@ -59,6 +73,25 @@ fn row(table: &mut Table, name: &str, outline: &[[f64; 2]]) {
     table.row(name, &[number(a_pair, 1), corners.to_string(), number(us, 1)]);
 }
 
+/// The time of each roof over an outline, in microseconds.
+fn roofs(table: &mut Table, name: &str, outline: &[[f64; 2]]) {
+    let lot = Shape::footprint(outline, &[]).expect("a polygon");
+    let times = ["Hip", "HipOver", "Gable", "GableOver"].map(|rule| {
+        let mut work = || {
+            let mut stats = Stats::new();
+            let settings = Settings { start: Some(rule.to_string()), ..Settings::default() };
+            let report = Roofs::default().generate_into(&lot, &settings, &mut stats).expect("no limit is reached");
+            assert!(report.faults.is_empty(), "{name}: {:?}", report.faults);
+            black_box(stats);
+        };
+        let [best] = fastest(0.25, [&mut work]);
+        number(nanoseconds_each(best, 1) / 1e3, 1)
+    });
+    let mut cells = vec![outline.len().to_string()];
+    cells.extend(times);
+    table.row(name, &cells);
+}
+
 fn main() {
     let mut table = Table::new("Offset of a face", &["face", "ns a pair of corners", "corners", "us"]);
     row(
@@ -71,5 +104,14 @@ fn main() {
         row(&mut table, "corridor: all at once", &corridor(corners));
         row(&mut table, "star: one by one", &around(corners, |i| 4.0 + mixed(i)));
     }
+    table.print();
+    let mut table = Table::new("Roofs", &["face", "corners", "hip us", "with overhang", "gable us", "with overhangs"]);
+    roofs(&mut table, "rectangle", &[[0.0, 0.0], [12.0, 0.0], [12.0, 8.0], [0.0, 8.0]]);
+    let wings = [[0.0, 0.0], [14.0, 1.0], [13.5, 8.0], [9.0, 7.7], [8.6, 13.0], [5.0, 12.8], [5.3, 9.0], [-0.5, 8.6]];
+    roofs(&mut table, "house with a wing", &wings);
+    roofs(&mut table, "star", &around(45, |i| 10.0 + 4.0 * mixed(i)));
+    roofs(&mut table, "disk", &around(1_000, |_| 50.0));
+    roofs(&mut table, "corridor", &corridor(1_000));
+    roofs(&mut table, "star", &around(1_000, |i| 40.0 + 10.0 * mixed(i)));
     table.print();
 }

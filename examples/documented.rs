@@ -140,6 +140,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cells: Vec<Cell> = pages::scattering::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
     save("scatter", sheet::draw(&cells, 3))?;
 
+    let cells: Vec<Cell> = pages::setback::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
+    save("setback", sheet::draw(&cells, 5))?;
+
     let cells: Vec<Cell> = pages::mass::ALL.iter().map(|example| comp_cell(example, &cutting::settings())).collect();
     save("mass", sheet::draw(&cells, 4))?;
 

@@ -66,6 +66,7 @@ fn all_examples_run() {
         pages::mass::ALL,
         pages::recompose::ALL,
         pages::scattering::ALL,
+        pages::setback::ALL,
     ];
     let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();
     for example in pages.concat() {

@@ -53,6 +53,11 @@ fn targets(steps: &[Step], visit: &mut dyn FnMut(&Target)) {
                         own.targets.iter().for_each(&mut *visit);
                     }
                     BlockParts::Arms(arms) => arms.iter().for_each(|arm| visit(&arm.then)),
+                    BlockParts::Sections(parts) => {
+                        assert_eq!(parts.depths.len(), parts.slots.targets.len());
+                        parts.slots.targets.iter().for_each(&mut *visit);
+                        parts.rest.iter().for_each(|arm| visit(&arm.then));
+                    }
                     BlockParts::Each(target) => visit(target),
                     BlockParts::Operands(targets) => targets.iter().for_each(&mut *visit),
                 }

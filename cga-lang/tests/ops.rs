@@ -120,14 +120,6 @@ fn what_does_not_run_says_what_it_would_do() {
 }
 
 #[test]
-fn rows_with_braces_run_if_there_is_a_step_for_their_parts() {
-    for row in ops::all_operations().filter(|row| row.run != Run::Later) {
-        let waits = matches!(row.braces, Braces::Sections);
-        assert!(!waits, "{}: `lower/block.rs` has no parts of this kind", row.name);
-    }
-}
-
-#[test]
 fn old_rows_say_what_to_do_instead() {
     let operations = ops::all_operations().filter_map(|row| Some((row.name, row.old?)));
     let selectors = ops::selectors().filter_map(|row| Some((row.name, row.old?)));

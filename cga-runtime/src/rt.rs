@@ -6,7 +6,9 @@ pub use std::string::String;
 
 pub use crate::asset::File;
 pub use crate::comp::select::Word;
-pub use crate::comp::{Align, Arm, Components, Mode, Select, comp, comp_and_rest, comp_values, divide, each, never};
+pub use crate::comp::{
+    Align, Arm, Components, Mode, Select, comp, comp_and_rest, comp_values, divide, each, never, sections,
+};
 pub use crate::fault::Error;
 pub use crate::func::{host, later};
 pub use crate::geometry::Axis;

@@ -113,3 +113,39 @@ fn the_footprint_of_a_building_has_its_eaves() {
     assert_eq!(volume.face_count(), 2 + 10);
     assert!((volume.volume() / 6.0 - (14.0 * 10.0 + 6.0 * 4.0 + 3.0)).abs() < 1e-6);
 }
+
+/// "Each polygon is a separate shape", or all polygons of the remainder are one.
+#[test]
+fn the_lot_has_an_inner_rectangle_and_three_parts_besides() {
+    let scope = example(&mass::inner_rectangle_scope::EXAMPLE);
+    let edge = example(&mass::inner_rectangle_edge::EXAMPLE);
+    assert_eq!((scope.count("Color"), edge.count("Color")), (4, 2));
+    let largest = |model: &Model| model.leaves().next().unwrap().area();
+    assert!(largest(&scope) < largest(&edge));
+    let lot: f64 = areas(&scope, "Color").iter().sum();
+    assert!((lot - areas(&edge, "Color").iter().sum::<f64>()).abs() < 0.5);
+    // The rectangle fills its scope, which has the axes of the lot.
+    let leaf = scope.leaves().next().unwrap();
+    assert!((leaf.size().x * leaf.size().z - leaf.area()).abs() < 1e-6);
+}
+
+/// A rectangle for each lot, and volumes on them.
+#[test]
+fn rectangles_place_volumes_in_lots() {
+    let model = example(&mass::inner_rectangle_lots::EXAMPLE);
+    assert_eq!(model.count("Extrude"), 4);
+    assert!(model.leaves_of("Extrude").all(|leaf| leaf.mesh().0.face_count() == 6 && leaf.mesh().0.is_closed()));
+    for model in [example(&mass::inner_rectangle_faces::EXAMPLE), example(&mass::inner_rectangle_aligned::EXAMPLE)] {
+        assert_eq!(model.count("Extrude"), 4);
+        assert!(model.leaves_of("Extrude").all(|leaf| leaf.mesh().0.is_closed()));
+    }
+    // Aligned to the world, the sides are upright and along its axes.
+    let model = example(&mass::inner_rectangle_aligned::EXAMPLE);
+    for leaf in model.leaves_of("Extrude") {
+        let (mesh, _) = leaf.mesh();
+        assert!((mesh.volume() / leaf.size().x / leaf.size().z) < leaf.size().y + 1e-9);
+    }
+    let model = example(&mass::inner_rect::EXAMPLE);
+    assert_eq!(model.count("Lot"), 1);
+    assert_eq!(model.leaves().next().unwrap().mesh().0.face_count(), 4 * 6);
+}

@@ -1,6 +1,9 @@
 //! *roofHip, roofGable, roofPyramid, roofShed and roofRidge operations*: numbers that follow from the pages.
 
-use cga::{Model, Shape, cga};
+use cga::{Model, Settings, Shape, cga};
+
+use crate::pages::example::Example;
+use crate::pages::roofs as pages;
 
 cga! {
     @Allow(undefined_rule)
@@ -283,4 +286,61 @@ fn roof_edges_of_a_u() {
     assert_eq!(model.count("Top"), 8);
     let model = run(Roofs::default(), "Gable", &outline(&u));
     assert_eq!((counts(&model)[0], counts(&model)[2], areas(&model, "Side")), (6, 2, vec![9.0, 9.0]));
+}
+
+/// The size of the roof of an example, which its last leaf has.
+fn size_of(example: &Example, rule: &str) -> [f64; 3] {
+    let model = example.model(&Settings::default());
+    assert!(model.faults().is_empty(), "{}: {:?}", example.title, model.faults());
+    let leaf = model.leaves_of(rule).last().expect("a roof");
+    leaf.scope().size.to_array().map(rounded)
+}
+
+/// The lot is an L of 30 by 26 m with wings 12 m wide. Eaves are 2 cos 30 outside and 1 m below, verges 1 m outside.
+#[test]
+fn examples_have_the_sizes_of_their_rules() {
+    let (tan30, out) = (1.0 / 3f64.sqrt(), 3f64.sqrt());
+    assert_eq!(
+        size_of(&pages::hip::EXAMPLE, "Roof"),
+        [30.0 + 2.0 * out, 6.0 * tan30 + 1.0, 26.0 + 2.0 * out].map(rounded)
+    );
+    assert_eq!(size_of(&pages::gable::EXAMPLE, "Roof"), [31.0 + out, 6.0 * tan30 + 1.0, 27.0 + out].map(rounded));
+    let shed = 30.0 * libm::tan(10f64.to_radians());
+    assert_eq!(size_of(&pages::shed::EXAMPLE, "Roof"), [30.0, shed, 26.0].map(rounded));
+    // The mean of the corners is (10.6, -9.2).
+    let height = (20.0 * 9.2 + 2.0 * 10.6) / 404f64.sqrt() * tan30;
+    assert_eq!(size_of(&pages::pyramid::EXAMPLE, "Roof")[1], rounded(height));
+    assert_eq!(size_of(&pages::ridge::EXAMPLE, "Top")[1], rounded(13.0 * tan30));
+    assert_eq!(size_of(&pages::ridge_across::EXAMPLE, "Top")[1], rounded(15.0 * tan30));
+    assert_eq!(size_of(&pages::ridge_diagonal::EXAMPLE, "Top")[1], rounded(0.5 * 56.0 / 2f64.sqrt() * tan30));
+    // Verges 1 m beyond both ends of the trapezoid, eaves 1 m down the planes.
+    assert_eq!(size_of(&pages::hip_uneven::EXAMPLE, "Roof")[0], rounded(24.0 + 2f64.sqrt()));
+    assert_eq!(size_of(&pages::gable_uneven::EXAMPLE, "Roof")[0], 26.0);
+    for [uneven, even] in [
+        [pages::hip_uneven::EXAMPLE, pages::hip_even::EXAMPLE],
+        [pages::gable_uneven::EXAMPLE, pages::gable_even::EXAMPLE],
+    ] {
+        let [uneven, even] = [size_of(&uneven, "Roof"), size_of(&even, "Roof")];
+        assert!(uneven[0] == even[0] && even[1] < uneven[1], "{uneven:?} {even:?}");
+    }
+}
+
+#[test]
+fn examples_have_the_parts_of_their_pictures() {
+    let counts = |example: &Example| {
+        let model = example.model(&Settings::default());
+        ["Blue_", "Yellow_", "Red_", "Green_", "Bar", "Tiles_"].map(|rule| model.count(rule))
+    };
+    assert_eq!(counts(&pages::tags_hip::EXAMPLE), [1, 0, 0, 4, 0, 0]);
+    assert_eq!(counts(&pages::tags_gable::EXAMPLE), [1, 2, 0, 2, 0, 0]);
+    assert_eq!(counts(&pages::tags_pyramid::EXAMPLE), [1, 0, 0, 4, 0, 0]);
+    assert_eq!(counts(&pages::tags_shed::EXAMPLE), [1, 3, 4, 1, 0, 0]);
+    assert_eq!(counts(&pages::tags_ridge::EXAMPLE), [1, 2, 4, 2, 0, 0]);
+    assert_eq!(counts(&pages::edges_pyramid::EXAMPLE), [0, 0, 0, 0, 8, 0]);
+    assert_eq!(counts(&pages::edges_shed::EXAMPLE), [0, 0, 0, 0, 2, 0]);
+    assert_eq!(counts(&pages::edges_hip::EXAMPLE), [0, 0, 0, 0, 21, 0]);
+    assert_eq!(counts(&pages::edges_gable::EXAMPLE), [0, 0, 0, 0, 15, 0]);
+    assert_eq!(counts(&pages::trim_hip::EXAMPLE), [0, 0, 0, 0, 0, 6]);
+    assert_eq!(counts(&pages::trim_gable::EXAMPLE), [0, 0, 0, 0, 0, 4]);
+    assert_eq!(counts(&pages::trim_pyramid::EXAMPLE), [0, 0, 0, 0, 0, 5]);
 }

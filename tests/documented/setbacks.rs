@@ -1,7 +1,10 @@
-//! *setback operation* and *setbackPerEdge operation*.
+//! *setback*, *setbackPerEdge*, *setbackToArea* and *splitAndSetbackPerimeter operations*.
 
 use cga::glam::DVec3;
-use cga::{Mesh, Model, Shape, cga};
+use cga::{Mesh, Model, Settings, Shape, cga};
+
+use crate::pages::example::Example;
+use crate::pages::setback;
 
 cga! {
     grammar Setbacks = r##"
@@ -50,6 +53,13 @@ cga! {
     @StartRule
     Each --> extrude(4) comp(f) { side = Walls | all : NIL }
     Walls --> setback(1) { bottom : Strip. | remainder = Rest. }
+    # Sections.
+    @StartRule
+    Sections --> splitAndSetbackPerimeter(0) { ~9 : 1 : print(split.index + " of " + split.total) A. }* { remainder : Rest. }
+    @StartRule
+    Depths --> splitAndSetbackPerimeter('0.5) { ~9 : print(rand(1, 2)) : A. | ~9 : split.index : print(rand(1, 2)) B. }* { remainder = Rest. }
+    @StartRule
+    TwoFaces --> splitAndSetbackPerimeter(10) { 4 : 0.5 : A. } { remainder : Rest. }
     @StartRule
     Textured --> setupProjection(0, scope.xz, scope.sx, scope.sz) projectUV(0)
         setback(2, 0) { uv.uMin = Left. | uv.bottom = Bottom. | remainder = Rest. }
@@ -164,4 +174,82 @@ fn operators_apply_to_all_faces() {
     let mut strips = areas(&model, "Strip");
     strips.sort_by(f64::total_cmp);
     assert_eq!((strips, areas(&model, "Rest")), (vec![8.0, 8.0, 10.0, 10.0], vec![108.0]));
+}
+
+fn example(example: &Example) -> Model {
+    example.model(&Settings::default())
+}
+
+fn sum(model: &Model, rule: &str) -> f64 {
+    areas(model, rule).iter().sum()
+}
+
+/// "A left-handed L shape … a right-handed L shape."
+#[test]
+fn an_l_is_left_or_right_handed() {
+    let [left, right] = [&setback::left_handed::EXAMPLE, &setback::right_handed::EXAMPLE].map(example);
+    for rule in ["Garden", "Building"] {
+        assert_eq!(areas(&left, rule), areas(&right, rule));
+    }
+    let x = |model: &Model| model.leaves_of("Building").next().expect("a building").scope().origin.x;
+    assert_eq!(x(&left) - x(&right), 5.0);
+}
+
+/// "(9)[1,6,1,6,1,6,1,6,1]" and "(9)[4,0,2,0.5,5,0.5,2,2,0]": nine distances on two faces.
+#[test]
+fn distances_of_two_faces() {
+    for page in [&setback::alternating::EXAMPLE, &setback::by_selectors::EXAMPLE] {
+        let model = example(page);
+        assert_eq!(model.counts(), [("Garden", 1), ("Building", 2)], "{}", page.title);
+        let all = (page.start)().to_mesh().area();
+        assert!((model.area() - all).abs() < 1e-9 * all);
+    }
+}
+
+/// "A square shape with an area of 400 is setback to an area of 100." "All setback faces have an area of 300."
+#[test]
+fn areas_are_those_of_the_page() {
+    let near = |model: &Model, rule: &str, area: f64| assert!((sum(model, rule) - area).abs() < 1e-5, "{rule}");
+    near(&example(&setback::area_left::EXAMPLE), "Green", 100.0);
+    near(&example(&setback::area_right::EXAMPLE), "Green", 300.0);
+    near(&example(&setback::area_of_an_l::EXAMPLE), "Green", 100.0);
+    near(&example(&setback::area_of_a_larger_lot::EXAMPLE), "Green", 100.0);
+}
+
+#[test]
+fn sections_are_those_of_the_pages() {
+    let counts = |page: &Example| {
+        example(page).counts().into_iter().map(|(name, count)| format!("{name} {count}")).collect::<Vec<_>>()
+    };
+    assert_eq!(counts(&setback::perimeter::EXAMPLE), ["Yellow 1", "Blue 1", "Grey 1"]);
+    assert_eq!(counts(&setback::perimeter_fronts::EXAMPLE), ["Yellow 1", "Grey 1"]);
+    // The section with the index 0 has no depth.
+    let [random, indices] = [&setback::perimeter_random::EXAMPLE, &setback::perimeter_indices::EXAMPLE].map(example);
+    assert_eq!(random.count("Yellow"), indices.count("Yellow") + 1);
+    // "The overlap belongs to the shape that has been generated with larger depth."
+    let [left, right] = [&setback::perimeter_left::EXAMPLE, &setback::perimeter_right::EXAMPLE].map(example);
+    assert_eq!((areas(&left, "Yellow"), areas(&right, "Blue")), (vec![12.0], vec![12.0]));
+    assert!(areas(&left, "Blue")[0] < 8.0 && areas(&right, "Yellow")[0] < 8.0);
+}
+
+/// Depths and operations see the counters of their section, and draw numbers of their own.
+#[test]
+fn sections_have_counters_and_seeds() {
+    let model = run("Sections", &lot());
+    assert_eq!(printed(&model), ["0 of 4", "1 of 4", "2 of 4", "3 of 4"]);
+    assert_eq!((areas(&model, "A").len(), sum(&model, "A")), (4, 32.0));
+    let mut drawn = printed(&run("Depths", &lot()));
+    let count = drawn.len();
+    drawn.sort();
+    drawn.dedup();
+    assert_eq!((count, drawn.len()), (4, 4));
+}
+
+/// The edges of all faces are one chain, so a section may be on two faces. It is one shape.
+#[test]
+fn a_section_goes_on_from_face_to_face() {
+    let two = setback::faces(&[&[[0.0, 0.0], [3.0, 0.0], [0.0, 4.0]], &[[9.0, 0.0], [9.0, 4.0], [6.0, 4.0]]]);
+    let model = run("TwoFaces", &two);
+    assert_eq!((model.count("A"), model.count("Rest")), (1, 2));
+    assert!((model.area() - 12.0).abs() < 1e-9);
 }

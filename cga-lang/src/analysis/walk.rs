@@ -210,7 +210,8 @@ impl<'w> Walk<'w> {
                 }
                 BlockPart::Sections(list, _) => {
                     for section in list {
-                        visit.meet(&Site::Value(&section.length.value), &any());
+                        visit.meet(&Site::Value(&section.length.value), facts);
+                        visit.meet(&Site::Value(&section.depth), &any());
                         self.steps(&section.ops, any(), visit);
                     }
                 }

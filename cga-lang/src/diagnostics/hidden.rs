@@ -18,8 +18,10 @@ pub(crate) fn check(cx: &Context) -> Vec<Diag> {
         agreed.check(item, |diags| {
             for op in walk::ops(body(item)) {
                 let OpKind::Block(block) = &op.kind else { continue };
-                let Some(Use::Operation(Operation { braces: Braces::Components | Braces::Arms(_), .. })) =
-                    names.of(&block.name)
+                let Some(Use::Operation(Operation {
+                    braces: Braces::Components | Braces::Arms(_) | Braces::Sections,
+                    ..
+                })) = names.of(&block.name)
                 else {
                     continue;
                 };

@@ -23,6 +23,8 @@ pub enum BlockParts {
     Slots(Slots),
     /// `selector : … | selector = …`, from left to right: a part goes to the first arm that selects it.
     Arms(Vec<Arm<Target>>),
+    /// `length : depth : … | …`, then `{ remainder : … }`.
+    Sections(Sections),
     /// Operations for every part.
     Each(Target),
     /// Operands. Each is derived at once from a copy of the current shape, and the operation takes the leaves.
@@ -40,6 +42,17 @@ pub struct Slots {
     pub targets: Vec<Target>,
     /// The solution, where the extent and the sizes are known.
     pub solved: Option<Solved>,
+}
+
+/// Sections of a boundary, each with a depth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sections {
+    /// Their lengths and successors.
+    pub slots: Slots,
+    /// One depth for each written section, evaluated for each section that is made, with its counters.
+    pub depths: Vec<Expr>,
+    /// The rest.
+    pub rest: Vec<Arm<Target>>,
 }
 
 /// A split that was solved at compile time.

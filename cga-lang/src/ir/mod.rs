@@ -17,7 +17,7 @@ pub use cga_split::{Item, Piece, Prefix};
 
 pub use crate::syntax::ast::{ArmMode, Binary};
 pub use attr::{AttrGroup, AttrInfo, ChoiceValues, Choices, Presentation, Range};
-pub use block::{Arm, Block, BlockParts, Comp, Selector, Slots, Solved};
+pub use block::{Arm, Block, BlockParts, Comp, Sections, Selector, Slots, Solved};
 pub use expr::{EachUnary, Expr, ExprKind};
 
 /// Index into [`Grammar::rules`].

@@ -39,6 +39,10 @@ macro_rules! step_walkers {
                 Step::Block(Block { parts: BlockParts::Arms(arms), .. }) => {
                     arms.$iter().map(|arm| & $($mutable)? arm.then).collect()
                 }
+                Step::Block(Block { parts: BlockParts::Sections(parts), .. }) => {
+                    let rest = parts.rest.$iter().map(|arm| & $($mutable)? arm.then);
+                    parts.slots.targets.$iter().chain(rest).collect()
+                }
                 Step::Block(Block { parts: BlockParts::Each(target), .. }) => vec![target],
                 Step::Block(Block { parts: BlockParts::Operands(targets), .. }) => targets.$iter().collect(),
                 Step::Do(..)
@@ -67,6 +71,10 @@ macro_rules! step_walkers {
                             Selector::Index(asked) | Selector::When(asked) => Some(asked),
                             Selector::Word(_) => None,
                         })),
+                        BlockParts::Sections(parts) => {
+                            list.extend(parts.slots.sizes.$iter().map(|size| & $($mutable)? size.value));
+                            list.extend(& $($mutable)? parts.depths);
+                        }
                         BlockParts::Each(_) | BlockParts::Operands(_) => {}
                     }
                     list

@@ -2,13 +2,13 @@
 
 use super::{LONGEST_SOURCE, Lower};
 use crate::ir::{
-    Arg as IrArg, Arm, Block, BlockParts, Comp, Expr, ExprKind, Item, Selector, Slots, Step, Target, Type,
+    Arg as IrArg, Arm, Block, BlockParts, Comp, Expr, ExprKind, Item, Sections, Selector, Slots, Step, Target, Type,
 };
 use crate::lower::fold::fold;
 use crate::ops::{self, Braces, Operation, Run};
 use crate::resolve::tables::Use;
 use crate::span::Span;
-use crate::syntax::ast::{self, ArmMode, BlockPart, SplitItem};
+use crate::syntax::ast::{self, ArmMode, BlockPart, Section, SplitItem};
 
 impl<'c> Lower<'c> {
     pub(super) fn block(&mut self, block: &'c ast::Block) -> Option<Step> {
@@ -27,11 +27,14 @@ impl<'c> Lower<'c> {
                 BlockParts::Operands(vec![self.modified(row, &args, arms, block.name.span)])
             }
             (_, [BlockPart::Arms(arms)]) => BlockParts::Arms(arms.iter().map(|arm| self.arm_of(arm)).collect()),
+            (Braces::Sections, [BlockPart::Sections(sections, repeat), BlockPart::Arms(rest)]) => {
+                BlockParts::Sections(self.sections(sections, *repeat, rest, block.name.span))
+            }
             (Braces::Ops, [BlockPart::Ops(sides)]) => BlockParts::Each(self.part(sides.first()?, block.name.span)),
             (_, [BlockPart::Ops(sides)]) => {
                 BlockParts::Operands(sides.iter().map(|ops| self.part(ops, block.name.span)).collect())
             }
-            // No operation with such braces runs yet.
+            // Braces that could not be read.
             _ => return Some(Step::Later(block.name.text.clone())),
         };
         Some(Step::Block(Block { row, args, parts }))
@@ -63,6 +66,22 @@ impl<'c> Lower<'c> {
         if repeat {
             out.pattern[start] = Item::Repeat((out.pattern.len() - start - 1) as u32);
         }
+    }
+
+    fn sections(&mut self, sections: &'c [Section], repeat: bool, rest: &'c [ast::Arm], owner: Span) -> Sections {
+        let mut slots = Slots { pattern: vec![Item::Slot; sections.len()], ..Slots::default() };
+        if repeat {
+            slots.pattern.insert(0, Item::Repeat(sections.len() as u32));
+        }
+        let mut depths = Vec::with_capacity(sections.len());
+        for section in sections {
+            let size = self.size(&section.length);
+            slots.sizes.push(size);
+            depths.push(self.folded(&section.depth));
+            let target = self.part(&section.ops, owner);
+            slots.targets.push(target);
+        }
+        Sections { slots, depths, rest: rest.iter().map(|arm| self.arm_of(arm)).collect() }
     }
 
     fn arm_of(&mut self, arm: &'c ast::Arm) -> Arm<Target> {

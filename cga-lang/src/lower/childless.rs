@@ -37,7 +37,7 @@ fn walk(steps: &[Step], start: Paths) -> Paths {
             Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) | Step::Later(..) => paths,
             Step::Give(_) | Step::Renew(_) => paths.child(),
             Step::Block(block) => match block.parts {
-                BlockParts::Arms(_) | BlockParts::Each(_) => paths.child(),
+                BlockParts::Arms(_) | BlockParts::Sections(_) | BlockParts::Each(_) => paths.child(),
                 // It may not divide: the scope can be empty, every slot dropped.
                 BlockParts::Slots(_) => paths.or(paths.child()),
                 BlockParts::Operands(_) => paths,

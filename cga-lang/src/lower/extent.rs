@@ -155,6 +155,10 @@ fn divide(block: &mut Block, known: KnownExtents, hand_on: &mut dyn FnMut(&Targe
         }
         (BlockParts::Slots(slots), ..) => slots.targets.iter().for_each(|target| hand_on(target, known.moved_on())),
         (BlockParts::Arms(arms), ..) => arms.iter().for_each(|arm| hand_on(&arm.then, NOTHING)),
+        (BlockParts::Sections(parts), ..) => {
+            let rest = parts.rest.iter().map(|arm| &arm.then);
+            parts.slots.targets.iter().chain(rest).for_each(|target| hand_on(target, NOTHING));
+        }
         (BlockParts::Each(target), ..) => hand_on(target, NOTHING),
         (BlockParts::Operands(targets), ..) => {
             targets.iter().for_each(|target| hand_on(target, known));

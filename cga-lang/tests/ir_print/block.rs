@@ -23,6 +23,20 @@ impl Printer<'_> {
                 }
                 self.depth -= 1;
             }
+            BlockParts::Sections(parts) => {
+                self.line(&format!("{head} {}", pattern(&parts.slots.pattern)));
+                self.slots(&parts.slots);
+                self.depth += 1;
+                for (index, depth) in parts.depths.iter().enumerate() {
+                    let text = format!("depth {index}: {}", self.expr(depth));
+                    self.line(&text);
+                }
+                for arm in &parts.rest {
+                    let text = self.arm(arm, &self.target(&arm.then));
+                    self.line(&text);
+                }
+                self.depth -= 1;
+            }
             BlockParts::Each(target) => self.line(&format!("{head} -> {}", self.target(target))),
             BlockParts::Operands(targets) => {
                 let targets: Vec<String> = targets.iter().map(|target| self.target(target)).collect();

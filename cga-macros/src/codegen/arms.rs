@@ -69,7 +69,7 @@ impl Generator<'_> {
     }
 
     /// The table.
-    fn arms<T>(&self, arms: &[Arm<T>], at: &Access) -> TokenStream {
+    pub(super) fn arms<T>(&self, arms: &[Arm<T>], at: &Access) -> TokenStream {
         let table = arms.iter().map(|arm| {
             let select = match &arm.selector {
                 Selector::Word(word) => {

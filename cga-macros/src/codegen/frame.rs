@@ -16,6 +16,7 @@ pub(super) fn rule(rule: &Rule) -> u32 {
             Step::Block(block) => match &block.parts {
                 BlockParts::Slots(slots) => 3000 + 500 * slots.targets.len(),
                 BlockParts::Arms(arms) => 4000 + 500 * arms.len(),
+                BlockParts::Sections(parts) => 4000 + 500 * (parts.slots.targets.len() + parts.rest.len()),
                 BlockParts::Each(_) => 4000,
                 BlockParts::Operands(targets) => 4000 + 500 * targets.len(),
             },

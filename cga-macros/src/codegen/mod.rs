@@ -20,6 +20,7 @@ mod operands;
 mod operation;
 mod public;
 mod rule;
+mod sections;
 mod site;
 mod split;
 mod stack;

@@ -86,7 +86,7 @@ impl Generator<'_> {
     }
 
     /// The arguments of an operation as statements, and their names.
-    fn named_args(&self, block: &Block) -> (TokenStream, Vec<Ident>) {
+    pub(super) fn named_args(&self, block: &Block) -> (TokenStream, Vec<Ident>) {
         let names: Vec<Ident> = (0..block.args.len()).map(|number| local("a", number)).collect();
         let values = self.args(block.row, &block.args, &Access::rule(), &code!(op::));
         (code!(#(let #names = #values;)*), names)

@@ -296,6 +296,10 @@ impl Generator<'_> {
                 let code = self.divided(block, arms, body.id, number);
                 code!({ #code } #made)
             }
+            Step::Block(block @ Block { parts: BlockParts::Sections(parts), .. }) => {
+                let code = self.sections(block, parts, body.id, number);
+                code!({ #code } #made)
+            }
             Step::Block(block @ Block { parts: BlockParts::Each(target), .. }) => {
                 let code = self.each(block, target, body.id, number);
                 code!({ #code } #made)

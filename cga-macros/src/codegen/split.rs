@@ -209,7 +209,7 @@ impl Generator<'_> {
     }
 
     /// The sizes.
-    fn sizes(&self, slots: &Slots) -> impl Iterator<Item = TokenStream> {
+    pub(super) fn sizes(&self, slots: &Slots) -> impl Iterator<Item = TokenStream> {
         let at = Access::rule();
         slots.sizes.iter().map(move |size| prefixed(size.prefix, &self.expr(&size.value, &at)))
     }
@@ -225,7 +225,7 @@ pub(super) fn prefixed(prefix: Prefix, value: &TokenStream) -> TokenStream {
 }
 
 /// Slots and groups as the solver takes them.
-fn items(pattern: &[Item]) -> impl Iterator<Item = TokenStream> {
+pub(super) fn items(pattern: &[Item]) -> impl Iterator<Item = TokenStream> {
     pattern.iter().map(move |item| match item {
         Item::Slot => code!(cga_rt::Item::Slot),
         Item::Repeat(len) => {

@@ -8,6 +8,7 @@ mod owners;
 mod part;
 mod points;
 mod roof;
+mod sections;
 pub(crate) mod select;
 mod source;
 #[cfg(test)]
@@ -35,6 +36,8 @@ pub(crate) use candidate::Candidate;
 pub use candidate::{is_tagged, is_tagged_at};
 pub(crate) use points::Points;
 pub use points::each;
+pub use sections::sections;
+pub(crate) use sections::{Section, Sections};
 pub use select::Subcomponent;
 pub use value::comp_values;
 

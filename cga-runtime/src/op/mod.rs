@@ -13,11 +13,13 @@ mod extrude;
 mod fit;
 mod footprint;
 mod inline;
+mod inner_rectangle;
 mod insert;
 mod joined_state;
 mod material;
 mod mirror;
 mod offset;
+mod perimeter;
 mod pivot;
 mod primitive;
 mod recompose;
@@ -57,11 +59,13 @@ pub use envelope::{
 pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
 pub use footprint::footprint;
 pub use inline::{MergeStrategy, inline};
+pub use inner_rectangle::{RectangleAlignment, inner_rect, inner_rectangle};
 pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
 pub(crate) use material::image;
 pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, opacity, reset_material, set_material, texture};
 pub use mirror::{mirror, reverse_normals};
 pub use offset::offset;
+pub use perimeter::{perimeter, perimeter_of};
 pub use pivot::{AxisMap, mirror_scope, set_pivot};
 pub use primitive::{
     cone, cone_sized, cube, cube_sized, cylinder, cylinder_sides, cylinder_sized, disk, disk_sized, quad, quad_sized,

@@ -10,6 +10,7 @@ pub(crate) mod primitives;
 pub(crate) mod recompose;
 pub(crate) mod roofs;
 pub(crate) mod scattering;
+pub(crate) mod setback;
 pub(crate) mod split_area;
 pub(crate) mod split_attribute;
 pub(crate) mod split_operation;

@@ -1,6 +1,7 @@
 //! *roofHip, roofGable, roofPyramid, roofShed and roofRidge operations*.
 //!
-//! The rules are those of the pages, but for the colours of tags, which the pages give as pictures.
+//! The rules are those of the pages. Those of tags and edges, which the pages give as pictures, and the tiles that trim planes
+//! cut are ours.
 
 use cga::Shape;
 
@@ -19,9 +20,16 @@ pub(crate) const ALL: &[Example] = &[
     ridge::EXAMPLE,
     ridge_across::EXAMPLE,
     ridge_diagonal::EXAMPLE,
+    trim_hip::EXAMPLE,
+    trim_gable::EXAMPLE,
+    trim_pyramid::EXAMPLE,
+    edges_pyramid::EXAMPLE,
+    edges_shed::EXAMPLE,
     edges_hip::EXAMPLE,
     edges_gable::EXAMPLE,
+    tags_hip::EXAMPLE,
     tags_gable::EXAMPLE,
+    tags_pyramid::EXAMPLE,
     tags_shed::EXAMPLE,
     tags_ridge::EXAMPLE,
 ];
@@ -202,13 +210,46 @@ example!(
 );
 
 example!(
+    tags_hip,
+    "roofHip operation, component tags",
+    Shape::rectangle(24.0, 12.0),
+    r##"
+    Lot --> roofHip(45)
+            comp(f) { isTagged("roof.bottom") : Blue
+                    | isTagged("roof.top") : Green }
+
+    Blue --> color("#0080ff") Blue_.
+    Green --> color("#00ff00") Green_.
+"##
+);
+
+example!(
     tags_gable,
     "roofGable operation, component tags",
     Shape::rectangle(24.0, 12.0),
     r##"
-    Lot --> roofGable(45) comp(f) { isTagged("roof.bottom") : color("#0080ff") B.
-                                  | isTagged("roof.side") : color("#ffff00") S.
-                                  | isTagged("roof.top") : color("#00ff00") T. }
+    Lot --> roofGable(45)
+            comp(f) { isTagged("roof.bottom") : Blue
+                    | isTagged("roof.side") : Yellow
+                    | isTagged("roof.top") : Green }
+
+    Blue --> color("#0080ff") Blue_.
+    Yellow --> color("#ffff00") Yellow_.
+    Green --> color("#00ff00") Green_.
+"##
+);
+
+example!(
+    tags_pyramid,
+    "roofPyramid operation, component tags",
+    Shape::rectangle(24.0, 12.0),
+    r##"
+    Lot --> roofPyramid(45)
+            comp(f) { isTagged("roof.bottom") : Blue
+                    | isTagged("roof.top") : Green }
+
+    Blue --> color("#0080ff") Blue_.
+    Green --> color("#00ff00") Green_.
 "##
 );
 
@@ -217,10 +258,16 @@ example!(
     "roofShed operation, component tags",
     yard(),
     r##"
-    Lot --> roofShed(30) comp(f) { isTagged("roof.bottom") : color("#0080ff") B.
-                                 | isTagged("roof.side.outer") : color("#ffff00") S.
-                                 | isTagged("roof.side.inner") : color("#ff4000") I.
-                                 | isTagged("roof.top") : color("#00ff00") T. }
+    Lot --> roofShed(30)
+            comp(f) { isTagged("roof.bottom") : Blue
+                    | isTagged("roof.side.outer") : Yellow
+                    | isTagged("roof.side.inner") : Red
+                    | isTagged("roof.top") : Green }
+
+    Blue --> color("#0080ff") Blue_.
+    Yellow --> color("#ffff00") Yellow_.
+    Red --> color("#ff4000") Red_.
+    Green --> color("#00ff00") Green_.
 "##
 );
 
@@ -229,9 +276,85 @@ example!(
     "roofRidge operation, component tags",
     yard(),
     r##"
-    Lot --> roofRidge(byAngle, 45) comp(f) { isTagged("roof.bottom") : color("#0080ff") B.
-                                           | isTagged("roof.side.outer") : color("#ffff00") S.
-                                           | isTagged("roof.side.inner") : color("#ff4000") I.
-                                           | isTagged("roof.top") : color("#00ff00") T. }
+    Lot --> roofRidge(byAngle, 45)
+            comp(f) { isTagged("roof.bottom") : Blue
+                    | isTagged("roof.side.outer") : Yellow
+                    | isTagged("roof.side.inner") : Red
+                    | isTagged("roof.top") : Green }
+
+    Blue --> color("#0080ff") Blue_.
+    Yellow --> color("#ffff00") Yellow_.
+    Red --> color("#ff4000") Red_.
+    Green --> color("#00ff00") Green_.
+"##
+);
+
+example!(
+    trim_hip,
+    "roofHip operation, trim planes",
+    l_lot(),
+    r##"
+    Lot  --> extrude(10) Mass
+    Mass --> comp(f) { top: Top | all: X }
+    Top  --> roofHip(30, 2) Roof
+    Roof --> set(trim.horizontal, true)
+             comp(f) { isTagged("roof.top") : Tiles }
+
+    Tiles --> s('1, '1, 0.6) primitiveCube color("#b04030") Tiles_.
+"##
+);
+
+example!(
+    trim_gable,
+    "roofGable operation, trim planes",
+    l_lot(),
+    r##"
+    Lot  --> extrude(10) Mass
+    Mass --> comp(f) { top: Top | all: X }
+    Top  --> roofGable(30, 2, 1) Roof
+    Roof --> set(trim.horizontal, true)
+             comp(f) { isTagged("roof.top") : Tiles }
+
+    Tiles --> s('1, '1, 0.6) primitiveCube color("#b04030") Tiles_.
+"##
+);
+
+example!(
+    trim_pyramid,
+    "roofPyramid operation, trim planes",
+    pentagon(),
+    r##"
+    Lot  --> extrude(10) Mass
+    Mass --> comp(f) { top: Top | all: X }
+    Top  --> roofPyramid(30) Roof
+    Roof --> comp(f) { isTagged("roof.top") : Tiles }
+
+    Tiles --> s('1, '1, 0.6) primitiveCube color("#b04030") Tiles_.
+"##
+);
+
+example!(
+    edges_pyramid,
+    "comp operation, edges of a pyramid",
+    Shape::rectangle(14.0, 14.0),
+    r##"
+    Lot  --> roofPyramid(45) Roof
+    Roof --> [ color("#dddddd") R. ]
+             comp(e) { eave : Line("#00aa00") | hip : Line("#ddaa00") | valley : Line("#0000ff") | ridge : Line("#ff0000") }
+
+    Line(c) --> color(c) primitiveCube s('1, 0.3, 0.3) Bar.
+"##
+);
+
+example!(
+    edges_shed,
+    "comp operation, edges of a shed",
+    Shape::rectangle(14.0, 10.0),
+    r##"
+    Lot  --> roofShed(20) Roof
+    Roof --> [ color("#dddddd") R. ]
+             comp(e) { eave : Line("#00aa00") | hip : Line("#ddaa00") | valley : Line("#0000ff") | ridge : Line("#ff0000") }
+
+    Line(c) --> color(c) primitiveCube s('1, 0.3, 0.3) Bar.
 "##
 );

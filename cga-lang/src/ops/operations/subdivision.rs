@@ -3,9 +3,9 @@
 use super::super::queries::SPACE;
 use super::super::{
     Allowed, BS, Braces, Default, FS, Measure, Operation, Param, ParamBounds, ParamKind, Places, Uses, bounds, float,
-    length, of, or, param, renamed, unknown, uv_set, within, word, words,
+    length, of, or, param, renamed, unknown, uv_set, within, word,
 };
-use super::{block, divides, joins, later, old};
+use super::{block, divides, joins, old, op};
 use crate::diag::code::Code;
 
 pub(super) const COMPONENT: Param = renamed(
@@ -31,7 +31,7 @@ const ADJUST: Param = or(word("adjustSelector", "Adjust", &["adjust", "noAdjust"
 const SCOPE_ALIGNMENT: Param =
     or(renamed(&[("noAlign", "Keep")], word("scopeAlignment", "Align", &["zUp", "noAlign"])), Default::Word("zUp"));
 
-const ALIGNMENT: Param = words("alignment", &["scope", "edge"]);
+const ALIGNMENT: Param = word("alignment", "RectangleAlignment", &["scope", "edge"]);
 
 const DOMAIN: Param = word("domain", "ScatterDomain", &["surface", "volume", "scope"]);
 
@@ -98,17 +98,25 @@ pub(super) static ROWS: &[Operation] = &[
             "divides the shape into faces, edges, vertices or other components",
         ),
     ),
-    block(
-        "splitAndSetbackPerimeter",
-        Braces::Sections,
-        &[length("splitOffset")],
-        "divides the outline into sections and sets each back",
+    divides(
+        "perimeter",
+        Uses::WHOLE.and(Uses::DRAWS),
+        block(
+            "splitAndSetbackPerimeter",
+            Braces::Sections,
+            &[length("splitOffset")],
+            "divides the outline into sections and sets each back",
+        ),
     ),
-    block(
-        "splitAndSetbackPerimeter",
-        Braces::Sections,
-        &[length("splitOffset"), float("firstEdgeIndex"), of("selectedEdgesMask", BS)],
-        "divides some edges of the outline into sections and sets each back",
+    divides(
+        "perimeter_of",
+        Uses::WHOLE.and(Uses::DRAWS),
+        block(
+            "splitAndSetbackPerimeter",
+            Braces::Sections,
+            &[length("splitOffset"), float("firstEdgeIndex"), of("selectedEdgesMask", BS)],
+            "divides some edges of the outline into sections and sets each back",
+        ),
     ),
     divides(
         "setback",
@@ -185,9 +193,18 @@ pub(super) static ROWS: &[Operation] = &[
             "sets all edges back and keeps the strip",
         ),
     ),
-    block("innerRectangle", Braces::Arms(Places::SHAPE), &[ALIGNMENT], "cuts the largest rectangle out of each face"),
+    divides(
+        "inner_rectangle",
+        Uses::WHOLE,
+        block(
+            "innerRectangle",
+            Braces::Arms(Places::SHAPE),
+            &[ALIGNMENT],
+            "cuts the largest rectangle out of each face",
+        ),
+    ),
     old(
-        later("innerRect", &[], "replaces each face by its largest rectangle along the scope"),
+        op("innerRect", "inner_rect", &[], "replaces each face by its largest rectangle along the scope"),
         "write `innerRectangle(scope) { shape : … }`",
     ),
     divides(

@@ -23,6 +23,7 @@ mod extrude_wire;
 pub(crate) mod face;
 mod flat_face;
 mod footprint;
+pub(crate) mod inner_rectangle;
 pub(crate) mod join;
 mod layout;
 pub(crate) mod map;

@@ -78,7 +78,7 @@ pub(crate) fn is_near(a: Place, b: Place, p: Place, most: f64) -> bool {
 pub(crate) fn drop_straight(ring: &mut Vec<u32>, places: &[Place], kept: usize) {
     /// The largest distance of a corner from the line of its neighbours, in steps: those of rounding, of a place and of an
     /// edge that was led through it.
-    const STRAIGHT: f64 = 2.0;
+    const STRAIGHT: f64 = 3.0;
     let at = |point: u32| places[point as usize];
     let runs_on = |a: u32, p: u32, b: u32| kept <= p as usize && is_near(at(a), at(b), at(p), STRAIGHT);
     let mut made: Vec<u32> = Vec::with_capacity(ring.len());

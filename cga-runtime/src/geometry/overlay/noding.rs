@@ -20,6 +20,9 @@ pub(super) struct NodedEdge {
 /// its other corners, so that every division makes edges shorter.
 const NEAR: f64 = 0.7;
 
+/// The same in the first round: a given point on an edge, and the ends of the edge, are rounded by up to 0.71 steps each.
+const NEAR_AT_FIRST: f64 = 2.0;
+
 /// The limit on comparisons of edges, about two seconds.
 const MOST_PAIRS: usize = 400_000_000;
 
@@ -36,9 +39,10 @@ pub(super) fn divide(
     merge(&mut all);
     let mut is_new = vec![true; all.len()];
     let mut pairs = MOST_PAIRS;
-    for _ in 0..MOST_ROUNDS {
+    for round in 0..MOST_ROUNDS {
+        let near = if round == 0 { NEAR_AT_FIRST } else { NEAR };
         let mut cuts = vec![Vec::new(); all.len()];
-        compare(places, at, &all, &is_new, &mut cuts, &mut pairs)?;
+        compare(places, at, &all, &is_new, near, &mut cuts, &mut pairs)?;
         if cuts.iter().all(Vec::is_empty) {
             return Ok(all);
         }
@@ -95,6 +99,7 @@ fn compare(
     at: &mut HashMap<Place, u32>,
     edges: &[NodedEdge],
     is_new: &[bool],
+    near: f64,
     cuts: &mut [Vec<u32>],
     pairs: &mut usize,
 ) -> Result<(), OverlayError> {
@@ -115,15 +120,15 @@ fn compare(
         for i in 0..active.len() {
             let other = active[i];
             let its = boxes[other as usize];
-            // A point within a step may be on an edge beside its box.
-            if its[1] + 1 < own[0] {
+            // A point within two steps may be on an edge beside its box.
+            if its[1] + 2 < own[0] {
                 continue;
             }
             active[kept] = other;
             kept += 1;
-            let apart = its[3] + 1 < own[2] || own[3] + 1 < its[2];
+            let apart = its[3] + 2 < own[2] || own[3] + 2 < its[2];
             if !apart && (is_new[edge as usize] || is_new[other as usize]) {
-                meet(places, at, edges, [edge as usize, other as usize], cuts);
+                meet(places, at, edges, [edge as usize, other as usize], near, cuts);
             }
         }
         active.truncate(kept);
@@ -138,6 +143,7 @@ fn meet(
     at: &mut HashMap<Place, u32>,
     edges: &[NodedEdge],
     pair: [usize; 2],
+    near: f64,
     cuts: &mut [Vec<u32>],
 ) {
     let ends = pair.map(|edge| edges[edge].ends);
@@ -148,7 +154,7 @@ fn meet(
             let point = ends[other][k];
             if ends[own].contains(&point) {
                 touches = true;
-            } else if is_near(spots[own][0], spots[own][1], spots[other][k], NEAR) {
+            } else if is_near(spots[own][0], spots[own][1], spots[other][k], near) {
                 cuts[pair[own]].push(point);
                 touches = true;
             }

@@ -1,0 +1,133 @@
+//! The search for the pair of slabs with the sides of the largest rectangle.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use glam::DVec2;
+
+use super::Found;
+use super::corner::{Limit, Limits};
+use super::slabs::{SlabEdge, Slabs};
+use crate::geometry::tol::TIE_EPSILON;
+
+/// Pairs of slabs: all left ones with all right ones. No rectangle with sides in them is larger than `most`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Pairs {
+    most: f64,
+    left: [usize; 2],
+    right: [usize; 2],
+}
+
+impl Eq for Pairs {}
+
+impl Ord for Pairs {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.most.total_cmp(&other.most).then_with(|| (other.left, other.right).cmp(&(self.left, self.right)))
+    }
+}
+
+impl PartialOrd for Pairs {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+/// The largest rectangle, if it is not smaller than `least`; of several, the one nearest to `centre`. Every visit of an edge is
+/// taken from the budget; the search ends when it is spent.
+pub(super) fn search(slabs: &Slabs, centre: DVec2, least: f64, budget: &mut usize) -> Option<Found> {
+    let last = slabs.count().checked_sub(1)?;
+    let mut queue = BinaryHeap::new();
+    let mut best: Option<Found> = None;
+    let mut least = least * (1.0 - TIE_EPSILON);
+    queue.push(Pairs { most: f64::INFINITY, left: [0, last], right: [0, last] });
+    while let Some(pairs) = queue.pop() {
+        if pairs.most < least {
+            break;
+        }
+        let Pairs { left, right, .. } = pairs;
+        if left[0] == left[1] && right[0] == right[1] {
+            *budget = budget.saturating_sub(8 * slabs.edge_count());
+            for found in within(slabs, left[0], right[0], least, centre) {
+                let off = |found: &Found| found.middle().distance(centre);
+                let is_better = best.is_none_or(|best| {
+                    let is_tied = (found.area - best.area).abs() <= TIE_EPSILON * best.area;
+                    if is_tied { off(&found) < off(&best) - TIE_EPSILON } else { best.area < found.area }
+                });
+                if is_better && least <= found.area {
+                    least = least.max(found.area * (1.0 - TIE_EPSILON));
+                    best = Some(found);
+                }
+            }
+        } else {
+            let width = |[first, last]: [usize; 2]| slabs.lines[last + 1] - slabs.lines[first];
+            let divides_left = right[0] == right[1] || (left[0] < left[1] && width(right) <= width(left));
+            let [first, last] = if divides_left { left } else { right };
+            let middle = first + (last - first) / 2;
+            for part in [[first, middle], [middle + 1, last]] {
+                let [left, right] = if divides_left { [part, right] } else { [left, part] };
+                if left[0] <= right[1] {
+                    let most = bound(slabs, left, right, budget);
+                    if least <= most {
+                        queue.push(Pairs { most, left, right });
+                    }
+                }
+            }
+        }
+        if *budget == 0 {
+            break;
+        }
+    }
+    best
+}
+
+/// The area that no rectangle with its sides in these slabs exceeds.
+fn bound(slabs: &Slabs, left: [usize; 2], right: [usize; 2], budget: &mut usize) -> f64 {
+    let width = slabs.lines[right[1] + 1] - slabs.lines[left[0]];
+    let mut height = slabs.highest(left[0], left[1]).min(slabs.highest(right[0], right[1]));
+    if left[1] + 1 < right[0] {
+        *budget = budget.saturating_sub(slabs.edge_count());
+        let gaps = slabs.gaps(slabs.lines[left[1] + 1], slabs.lines[right[0]]);
+        height = height.min(gaps.iter().map(|gap| gap[1] - gap[0]).fold(0.0, f64::max));
+    }
+    width * height
+}
+
+/// The largest rectangles with the left side in one slab and the right side in another, for each way between them.
+fn within(slabs: &Slabs, left: usize, right: usize, least: f64, centre: DVec2) -> Vec<Found> {
+    let [from, to] = [slabs.span(left), slabs.span(right)];
+    let most_width = to[1] - from[0];
+    let by_left = |edge: &SlabEdge| Limit { constant: edge.at(from[0]), by_left: edge.slope(), by_right: 0.0 };
+    let by_right = |edge: &SlabEdge| Limit { constant: edge.at(to[0]), by_left: 0.0, by_right: edge.slope() };
+    let starts = slabs.trapezoids(left);
+    if left == right {
+        let limits = starts.iter().map(|[bottom, top]| Limits {
+            tops: vec![by_left(top), by_right(top)],
+            bottoms: vec![by_left(bottom), by_right(bottom)],
+            lines: [from[0], to[0]],
+            widths: [from[1] - from[0], to[1] - to[0]],
+        });
+        return limits.filter_map(|limits| limits.largest(centre)).collect();
+    }
+    let gaps = if left + 1 == right { vec![[f64::NEG_INFINITY, f64::INFINITY]] } else { slabs.gaps(from[1], to[0]) };
+    let ends = slabs.trapezoids(right);
+    let mut all = Vec::new();
+    for [low, high] in gaps {
+        for [start_bottom, start_top] in &starts {
+            for [end_bottom, end_top] in &ends {
+                let top = high.min(start_top.at(from[1])).min(end_top.at(to[0]));
+                let bottom = low.max(start_bottom.at(from[1])).max(end_bottom.at(to[0]));
+                if top <= bottom || (top - bottom) * most_width < least {
+                    continue;
+                }
+                let limits = Limits {
+                    tops: vec![Limit::constant(top), by_left(start_top), by_right(end_top)],
+                    bottoms: vec![Limit::constant(bottom), by_left(start_bottom), by_right(end_bottom)],
+                    lines: [from[0], to[0]],
+                    widths: [from[1] - from[0], to[1] - to[0]],
+                };
+                all.extend(limits.largest(centre));
+            }
+        }
+    }
+    all
+}

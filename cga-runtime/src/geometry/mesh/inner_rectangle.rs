@@ -1,0 +1,176 @@
+//! Divides a face into its largest rectangle and the rest (*innerRectangle operation*).
+
+use glam::{DVec2, DVec3};
+
+use super::build::in_order_of_use;
+use super::{FaceRef, Mesh, Spread, unit};
+use crate::geometry::inner_rectangle::{RectangleSides, largest};
+use crate::geometry::overlay::wound;
+use crate::geometry::segment::nearest_share;
+use crate::geometry::skeleton::{MOST_CORNERS, any_cross};
+use crate::geometry::tol::{TIE_EPSILON, TOUCH_EPSILON};
+
+/// The reason why a face is not divided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum RectangleRefusal {
+    NoNormal,
+    TooMany,
+    Tangled,
+}
+
+/// A face as seen along the axis that is nearest to its normal.
+struct Seen<'a> {
+    face: FaceRef<'a>,
+    axes: [DVec3; 2],
+    /// The axis of view, and the plane of the face: its normal, and the place of the plane along it.
+    view: DVec3,
+    normal: DVec3,
+    at: f64,
+    /// The distinct points, and their numbers in the mesh.
+    flat: Vec<DVec2>,
+    points: Vec<u32>,
+    rings: Vec<Vec<u32>>,
+    /// For each corner its place.
+    spread: Spread,
+}
+
+/// Adds the largest rectangle in a face to a mesh, and, with `rest`, the connected parts of the rest of the face. Returns the
+/// number of parts. If there is no rectangle, nothing is added.
+///
+/// The face is seen along the axis that is nearest to its normal, and so are the angles of the rectangle. Without
+/// `sides` along edges it follows the axes. Parts of the rest are in the order of the points of the face, and begin with an
+/// edge on its outline if they have one. Texture coordinates and normals of new points continue those of the face.
+pub(crate) fn cut_rectangle(
+    face: &FaceRef<'_>,
+    sides: RectangleSides,
+    rest: bool,
+    made: &mut Mesh,
+) -> Result<usize, RectangleRefusal> {
+    if MOST_CORNERS < face.corner_count() {
+        return Err(RectangleRefusal::TooMany);
+    }
+    let seen = Seen::of(face).ok_or(RectangleRefusal::NoNormal)?;
+    let extent = seen.extent();
+    if any_cross(seen.edges().collect(), TOUCH_EPSILON * extent) {
+        return Err(RectangleRefusal::Tangled);
+    }
+    let rectangle = largest(&seen.flat, &seen.rings, sides).ok_or(RectangleRefusal::Tangled)?;
+    let own = seen.flat.len() as u32;
+    let mut all = seen.flat.clone();
+    all.extend(rectangle.corners);
+    let polygons = if rest {
+        let hole: Vec<u32> = (own..own + 4).rev().collect();
+        let rings = seen.rings.iter().chain([&hole]).map(Vec::as_slice);
+        let region = wound(&all, rings, seen.flat.len()).map_err(|_| RectangleRefusal::Tangled)?;
+        all = region.points;
+        region.polygons
+    } else {
+        Vec::new()
+    };
+    let base = made.points.len() as u32;
+    made.points.extend(seen.points.iter().map(|&point| face.mesh.points[point as usize]));
+    made.points.extend(all[seen.flat.len()..].iter().map(|p| seen.place(*p)));
+    // A corner of the rectangle in a corner of the face is that corner.
+    let same = |corner: u32| {
+        let at = all[corner as usize];
+        (0..own).find(|&point| seen.flat[point as usize].distance(at) <= TIE_EPSILON * extent).unwrap_or(corner)
+    };
+    let corners: Vec<u32> = (own..own + 4).map(same).collect();
+    seen.add_ring(&corners, &all, base, made);
+    made.end_face(face.tag());
+    let count = polygons.len();
+    for mut polygon in polygons {
+        let outline = &mut polygon[0];
+        let is_own = |k: usize| {
+            let side = [outline[k], outline[(k + 1) % outline.len()]].map(|point| all[point as usize]);
+            let near = |p: DVec2, [a, b]: [DVec2; 2]| a.lerp(b, nearest_share(p, [a, b])).distance(p);
+            seen.edges().any(|edge| side.iter().all(|&p| near(p, edge) <= TIE_EPSILON * extent))
+        };
+        let first = (0..outline.len()).find(|&k| is_own(k)).unwrap_or(0);
+        outline.rotate_left(first);
+        polygon.iter().for_each(|ring| seen.add_ring(ring, &all, base, made));
+        made.end_face(face.tag());
+    }
+    Ok(count)
+}
+
+/// Gives points numbers in the order of faces, after all faces were added.
+pub(crate) fn finish(mesh: &mut Mesh) {
+    mesh.points = in_order_of_use(&mesh.points, &mut mesh.corners);
+}
+
+impl<'a> Seen<'a> {
+    /// `None` for a face without a normal.
+    fn of(face: &FaceRef<'a>) -> Option<Self> {
+        let normal = face.normal();
+        let size = normal.abs();
+        let largest = if size.z >= size.x && size.z >= size.y { 2 } else { usize::from(size.y >= size.x) };
+        if normal == DVec3::ZERO {
+            return None;
+        }
+        // From outside, the second axis points up, or to the back.
+        let (x, y, view) = match largest {
+            0 => (DVec3::NEG_Z, DVec3::Y, DVec3::X),
+            1 => (DVec3::X, DVec3::NEG_Z, DVec3::Y),
+            _ => (DVec3::X, DVec3::Y, DVec3::Z),
+        };
+        let axes = if normal.dot(view) < 0.0 { [-x, y] } else { [x, y] };
+        let (mut flat, mut points, mut rings) = (Vec::new(), Vec::new(), Vec::new());
+        let mut numbers = std::collections::BTreeMap::new();
+        for ring in face.loops() {
+            let number = |&point: &u32| {
+                *numbers.entry(point).or_insert_with(|| {
+                    let p = face.mesh.points[point as usize];
+                    flat.push(DVec2::new(p.dot(axes[0]), p.dot(axes[1])));
+                    points.push(point);
+                    points.len() as u32 - 1
+                })
+            };
+            rings.push(ring.iter().map(number).collect::<Vec<u32>>());
+        }
+        let count = face.corner_count() as f64;
+        let at = face.corner_range().map(|corner| face.position(corner).dot(normal)).sum::<f64>() / count;
+        let spread = Spread::of(rings.iter().flatten().map(|&point| flat[point as usize]).collect());
+        Some(Seen { face: *face, axes, view, normal, at, flat, points, rings, spread })
+    }
+
+    fn extent(&self) -> f64 {
+        self.flat.iter().fold(0.0, |most: f64, p| most.max((*p - self.flat[0]).abs().max_element()))
+    }
+
+    fn edges(&self) -> impl Iterator<Item = [DVec2; 2]> + '_ {
+        let at = |point: u32| self.flat[point as usize];
+        let edges = move |ring: &'_ Vec<u32>| -> Vec<[DVec2; 2]> {
+            (0..ring.len()).map(|k| [at(ring[k]), at(ring[(k + 1) % ring.len()])]).collect()
+        };
+        self.rings.iter().flat_map(edges)
+    }
+
+    /// The place of a point in the plane of the face.
+    fn place(&self, p: DVec2) -> DVec3 {
+        let beside = self.axes[0] * p.x + self.axes[1] * p.y;
+        beside + self.view * ((self.at - self.normal.dot(beside)) / self.normal.dot(self.view))
+    }
+
+    /// Adds a loop of points. Those of the face have the values of its corners.
+    fn add_ring(&self, ring: &[u32], all: &[DVec2], base: u32, made: &mut Mesh) {
+        let (source, range) = (self.face.mesh, self.face.corner_range());
+        for &point in ring {
+            made.corners.push(base + point);
+            if source.uvs.is_empty() && source.normals.is_empty() {
+                continue;
+            }
+            let own = self.rings.iter().flatten().position(|&other| other == point);
+            let weights = if own.is_some() { Vec::new() } else { self.spread.weights(all[point as usize]) };
+            let mixed =
+                |list: &[DVec2]| list[range.clone()].iter().zip(&weights).map(|(&uv, &weight)| uv * weight).sum();
+            made.uvs.push_from(&source.uvs, |list| own.map_or_else(|| mixed(list), |k| list[range.start + k]));
+            if !source.normals.is_empty() {
+                let list = &source.normals[range.clone()];
+                let mixed = || unit(list.iter().zip(&weights).map(|(&normal, &weight)| normal * weight).sum());
+                made.normals.push(own.map_or_else(mixed, |k| list[k]));
+            }
+        }
+        made.end_loop();
+    }
+}

@@ -1,0 +1,111 @@
+//! What may be built on a lot, and what is: `massing.glb` and `massing.png`.
+//!
+//! `cargo run --release --example massing`: eight lots of the same size, each with another operation that makes masses.
+
+use std::error::Error;
+
+use cga::sink::picture::Picture;
+use cga::{Model, Settings, Shape, Sink, cga};
+
+cga! {
+    /// Eight ways to fill a lot, one for each start rule.
+    pub grammar Massing;
+
+    /// The distance between buildings and the edge of the lot, in metres.
+    @Range(min = 0, max = 6)
+    attr margin = 3
+    /// The height of a storey in metres.
+    @Range(min = 2.5, max = 5)
+    attr storey = 3.4
+    attr stone = "#e9e3d6"
+    attr tiles = "#9a5a44"
+    attr lawn = "#a9b98a"
+    attr glass = "#7d9bab"
+
+    leaves = 40% : "#6d8f4e" 35% : "#587d46" else : "#86a05a"
+
+    /// The volume that the rules of a town allow: upright to a base height, then leaning back.
+    @StartRule
+    Envelope --> Lot offset(-margin, inside) envelope(normal, 46, 18, 62, 10, 70, 13, 78, 13, 78) Storeys
+
+    /// Two wings at the street and a garden behind them.
+    @StartRule
+    Corner --> Lot offset(-margin, inside) shapeL(11, 11) { shape : Wings(15) | remainder : Garden(14) }
+
+    /// Three wings around a court that is open to the back.
+    @StartRule
+    Court --> Lot offset(-margin, inside) shapeU(10, 9, 9) { shape : Wings(18) | remainder : Garden(8) }
+
+    /// Four wings around a courtyard, under one hip roof.
+    @StartRule
+    Block --> Lot offset(-margin, inside) shapeO(9, 9, 9, 9) { shape : Wings(21) | remainder : Garden(5) }
+
+    /// A tower whose storeys step back.
+    @StartRule
+    Steps --> Lot offset(-margin, inside) Step(5, 16)
+    Step(count, height) -->
+        case count > 0 :
+            extrude(height) [ Storeys ]
+            comp(f) { top : setback(3) { all : Terrace | remainder : Step(count - 1, height * 0.8) } }
+        else : color("#c9a24b") taper(9) Spire.
+
+    Terrace --> color(lawn) extrude(0.3) Terrace.
+
+    /// Everything that is inserted by an inlined rule is one shape afterwards, and has one colour.
+    @StartRule
+    Hall --> Lot offset(-margin, inside) inline { Naves } color("#d8cdbb") Hall.
+    Naves --> split(x) { { ~11 : Nave }* }
+    Nave --> extrude(9) comp(f) { side : Wall. | top : roofGable(38, 0.6, 0.4) Roof. }
+
+    /// A pavilion between trees that gather around it.
+    @StartRule
+    Park --> Lot Lawn scatter(surface, 46, gaussian, center, ^0.3) { Tree } Pavilion
+    Pavilion --> s(9, ^1, 9) center(xz) primitiveDisk(10) extrude(4)
+                 comp(f) { side : Wall. | top : color(tiles) roofHip(28, 1.2) Roof. }
+
+    /// Stalls of a market, strewn over the square.
+    @StartRule
+    Market --> Lot scatter(surface, 38, uniform) { r(0, rand(360), 0) Stall } NIL
+    Stall --> s(2.2, 2.1, 2.8) primitiveCube center(xz)
+              comp(f) { top : color(awning) roofGable(30, 0.5, 0.3) Awning. | side : Side. }
+    awning = 30% : "#b5483c" 30% : "#d9a441" 20% : "#4b7a8c" else : "#f2efe6"
+
+    // The ground of a lot.
+    Lot    --> t(0, -0.3, 0) extrude(0.3) color("#cfc9bd") Ground.
+    Lawn   --> t(0, 0.05, 0) color(lawn) Lawn.
+    Garden(trees) --> Lawn scatter(surface, trees, uniform) { Tree }
+    Tree   --> Trunk t(0, 1.6, 0) Crown(rand(2, 3.6))
+    Trunk  --> s(0.35, 2, 0.35) primitiveCylinder(8) center(xz) color("#6b5138") Trunk.
+    Crown(size) --> s(size, size * 1.25, size) primitiveSphere(10, 7) center(xz) color(leaves) Crown.
+
+    // A mass with floors, and one with a roof.
+    Storeys --> split(y) { { ~storey : Storey }* }
+    Storey --> split(y) { ~1 : color(glass) Storey. | 0.4 : color(stone) Slab. }
+    Wings(height) --> [ extrude(height) Storeys ] t(0, height, 0) color(tiles) roofHip(27, 0.6) Roof.
+}
+
+/// The side of a lot and the distance between two, in metres.
+const LOT: f64 = 44.0;
+const STREET: f64 = 14.0;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let starts = ["Envelope", "Steps", "Block", "Hall", "Corner", "Park", "Court", "Market"];
+    let grammar = Massing::default();
+    let mut model = Model::new();
+    for (number, start) in starts.into_iter().enumerate() {
+        let [column, row] = [number % 4, number / 4].map(|at| at as f64 * (LOT + STREET));
+        let lot = Shape::rectangle(LOT, LOT).at([column, 0.0, row]).seed(number as u64);
+        let settings = Settings { start: Some(start.to_owned()), ..Settings::default() };
+        let made = grammar.generate_with(&lot, &settings)?;
+        for fault in made.faults() {
+            println!("{start}: {fault}");
+        }
+        println!("{start}: {} parts, {:.0} m³", made.leaves().len(), made.volume());
+        let _ = made.replay(&mut model as &mut dyn Sink);
+    }
+    Picture::new(1600, 1000).looking_from(-28.0, 32.0).render(&model).write_png("massing.png")?;
+    model.write_glb("massing.glb")?;
+    println!("{} triangles", model.triangle_count());
+    println!("wrote massing.glb and massing.png");
+    Ok(())
+}
