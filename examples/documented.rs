@@ -146,6 +146,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cells: Vec<Cell> = pages::mass::ALL.iter().map(|example| comp_cell(example, &cutting::settings())).collect();
     save("mass", sheet::draw(&cells, 4))?;
 
+    let cells: Vec<Cell> =
+        pages::recompose::ALL.iter().map(|example| comp_cell(example, &cutting::settings())).collect();
+    save("recompose", sheet::draw(&cells, 4))?;
+
     save("texturing", sheet::draw(&textured::texturing(&plain), 4))?;
     save("primitives", sheet::draw(&textured::primitives(&plain), 4))?;
 

@@ -64,6 +64,7 @@ fn all_examples_run() {
         pages::primitives::ALL,
         pages::roofs::ALL,
         pages::mass::ALL,
+        pages::recompose::ALL,
         pages::scattering::ALL,
         pages::setback::ALL,
     ];

@@ -19,6 +19,7 @@ mod operators;
 mod overloads;
 mod prints;
 mod recompose;
+mod reconnected;
 mod run;
 mod styles;
 mod text;

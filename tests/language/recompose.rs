@@ -131,6 +131,14 @@ cga! {
     @StartRule
     SetBack --> extrude(1) modify(f) { top : shapeL(1, 1) { shape : X. | remainder : X. } } print(geometry.nVertices) X.
 
+    # Operations that keep points of a face.
+    @StartRule
+    Roofed --> extrude(5) modify(f) { top : roofPyramid(45) X. } print(geometry.nVertices) X.
+    @StartRule
+    Offset --> extrude(5) modify(f) { top : offset(-1) X. } print(geometry.nVertices) X.
+    @StartRule
+    Mapped --> setupProjection(0, scope.xy, 1, 1) projectUV(0) inline(recompose) split(u, uvSpace, 0) { '0.5 : X. | ~1 : t(0, 1, 0) X. } print(geometry.nVertices) X.
+
     # A part is moved before it is divided: its movement counts once.
     @StartRule
     Once --> inline(recompose) split(x) { '0.5 : t(0, 1, 0) split(z) { '0.5 : X. }* | ~1 : X. } X.
@@ -343,6 +351,9 @@ fn only_vertices_of_one_origin_are_merged() {
     // The body and the half share an edge.
     assert_eq!(lines(&on(2.0, 2.0, "Grown")), ["10"]);
     assert_eq!(lines(&on(2.0, 2.0, "Inserted")), ["12"]);
+    assert_eq!(lines(&on(4.0, 4.0, "Roofed")), ["9"]);
+    assert_eq!(lines(&on(4.0, 4.0, "Offset")), ["12"]);
+    assert_eq!(lines(&on(4.0, 4.0, "Mapped")), ["6"]);
     // The parts of the top are appended to the five other faces.
     assert_eq!(lines(&on(8.0, 8.0, "SetBack")), ["16"]);
 }

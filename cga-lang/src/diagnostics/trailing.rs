@@ -6,7 +6,7 @@ use super::agreed::Agreed;
 use crate::analysis::body;
 use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
-use crate::ops::Run;
+use crate::ops::{Operation, Run};
 use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
 use crate::syntax::ast::{Block, BlockPart, Op, OpKind};
@@ -75,6 +75,7 @@ fn sequence(ops: &[Op], made: bool, restored: bool, names: Entries, diags: &mut 
 
 /// Returns true if an operation with braces certainly makes a child. The slots of a split may find nothing to divide.
 fn makes_children(block: &Block, names: Entries) -> bool {
-    let runs = matches!(names.of(&block.name), Some(Use::Operation(row)) if row.run != Run::Later);
-    runs && block.parts.iter().any(|part| matches!(part, BlockPart::Arms(_)))
+    let divides = |row: &Operation| row.run != Run::Later && row.braces.divides();
+    let makes = matches!(names.of(&block.name), Some(Use::Operation(row)) if divides(row));
+    makes && block.parts.iter().any(|part| matches!(part, BlockPart::Arms(_)))
 }

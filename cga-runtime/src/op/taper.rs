@@ -31,8 +31,6 @@ fn pyramid(source: &Mesh, face: &FaceRef<'_>, height: f64) -> Mesh {
     mesh.points = range.clone().map(|corner| face.position(corner)).collect();
     let apex = mesh.points.len() as u32;
     mesh.points.push(centre + normal * height);
-    let corners = source.corners[range.clone()].iter().map(|point| Some(*point));
-    mesh.trace = source.trace.pick(corners.chain([None]));
     let plain = TagSet::default();
     let sets = || source.tag_sets().iter().chain([&plain]);
     let tagged = ["taper.bottom", "taper.side"].map(|tag| sets().map(move |set| set.renewed("taper", tag)));

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{Geometry, PlacedWire, Shape};
+use crate::geometry::mesh::Mesh;
 use crate::geometry::trace::Trace;
 
 impl Shape {
@@ -51,6 +52,16 @@ impl Shape {
             Geometry::Wire(placed) => Some(&placed.wire.trace),
             _ => None,
         }
+    }
+
+    /// Gives the origins of points to a mesh in scope coordinates that an operation has made of the geometry: to the points that
+    /// it has kept.
+    pub(crate) fn hand_trace_to(&self, made: &mut Mesh) {
+        let Some(trace) = self.trace().filter(|trace| !trace.is_empty() && made.trace.is_empty()) else { return };
+        made.trace = match self.to_wire() {
+            Some(wire) => trace.at_places(&wire.points, &made.points),
+            None => trace.at_places(&self.to_mesh().points, &made.points),
+        };
     }
 
     /// Changes the trace of a mesh or a wire.

@@ -13,7 +13,6 @@ use crate::geometry::cut;
 use crate::geometry::mesh::uv::spread;
 use crate::geometry::mesh::{Mesh, TextureSpace, UvAxis};
 use crate::run::env::Env;
-use crate::shape::base::Base;
 use crate::shape::{Geometry, Placed, Shape, ShapeRef};
 
 /// The coordinate, the unit and the uv set of a split in texture space.
@@ -35,6 +34,7 @@ pub(super) fn texture(
     let Some(set) = env.uv_set(set, "split") else { return none };
     let mut whole = env.whole(shape);
     whole.bake();
+    env.divide_trace(&mut whole);
     let Geometry::Mesh(placed) = &whole.geometry else {
         missing(env, set);
         return none;
@@ -61,11 +61,21 @@ pub(super) fn texture(
     let borders = PieceBorders::of(&pieces[..], length, extent.high[axis.index()], line);
     let limit = env.settings.limits.vertices;
     let most = usize::try_from(limit).unwrap_or(usize::MAX);
-    let Ok(bands) = cut::iso_bands(&placed.mesh, usize::from(set), axis, &borders.rising, most) else {
+    let Ok((mut bands, points)) = cut::traced_iso_bands(&placed.mesh, usize::from(set), axis, &borders.rising, most)
+    else {
         return env.limit(LimitKind::Vertices, limit);
     };
-    let bands = borders.one_a_piece(env, bands)?;
-    let parts: Vec<Base> = bands.into_iter().map(|mesh| env.base(part(&whole, placed, mesh))).collect();
+    for (band, points) in bands.iter_mut().zip(&points) {
+        if let Some(band) = band {
+            env.with_cut_trace(&placed.mesh, band, points);
+        }
+    }
+    let mut parts = Vec::new();
+    for mesh in borders.one_a_piece(env, bands)? {
+        let mut part = part(&whole, placed, mesh);
+        env.begin_part(&mut part);
+        parts.push(env.base(part));
+    }
     ControlFlow::Continue((pieces, Made::of(parts)))
 }
 

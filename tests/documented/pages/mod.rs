@@ -7,6 +7,7 @@ pub(crate) mod example;
 pub(crate) mod mass;
 pub(crate) mod meshes;
 pub(crate) mod primitives;
+pub(crate) mod recompose;
 pub(crate) mod roofs;
 pub(crate) mod scattering;
 pub(crate) mod setback;

@@ -34,6 +34,7 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::trace::PartPoint;
 
 pub use iso::iso_bands;
+pub(crate) use iso::traced_iso_bands;
 pub(crate) use plane::above;
 pub use plane::{Plane, halves};
 

@@ -5,7 +5,8 @@
 //!
 //! If the whole outline is in front of each edge that has a slope, as in every convex outline, the volume is the prism over
 //! the face, cut by the planes of all slopes ([`planes`]). Otherwise slopes end at each other as the planes of a roof do: a
-//! wavefront from the outline has one speed for each edge, and starts again at each base height ([`layers`]).
+//! wavefront from the outline has one speed for each edge, and starts again at each base height ([`layers`]). There a hole ends
+//! the slopes behind it, at the lines of its edges.
 //!
 //! Both ways work along the direction in which the volume is erected. The slope of an edge rises at its angle to the level
 //! plane across that direction, from a line that is parallel to the edge.
@@ -292,3 +293,6 @@ fn tag_of(face: &FaceRef<'_>, sets: usize, marked: FaceTag) -> FaceTag {
     let tags = tag_number(face, sets, Part::of_mark(marked.tags).number());
     FaceTag { cap: false, tags, ..face.tag() }
 }
+
+#[cfg(test)]
+mod tests;

@@ -97,13 +97,6 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
             }
         }
     }
-    if !mesh.trace.is_empty() {
-        let mut from = vec![None; grown.mesh.points.len()];
-        for (point, low) in grown.low.iter().enumerate().filter(|(_, low)| **low != u32::MAX) {
-            from[*low as usize] = Some(point as u32);
-        }
-        grown.mesh.trace = mesh.trace.pick(from.into_iter());
-    }
     grown.mesh
 }
 

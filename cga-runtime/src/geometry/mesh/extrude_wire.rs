@@ -37,9 +37,7 @@ pub(crate) fn extrude_wire(wire: &Wire, along: Extrude, distance: f64) -> Result
         let face = [low[a as usize], low[b as usize], high_b, high_a];
         builder.face(&face, &[], FaceTag { tags: 0, ..FaceTag::PLAIN });
     }
-    let mut mesh = builder.build()?;
-    mesh.trace = wire.trace.at_places(&wire.points, &mesh.points);
-    Ok(mesh)
+    builder.build()
 }
 
 /// The normals of the points of a wire: the mean of the normals of the edges at each point.

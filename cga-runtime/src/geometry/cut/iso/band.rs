@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 use super::crossings::Crossings;
 use crate::geometry::cut::points::{NONE, PieceCorner};
 use crate::geometry::mesh::{FaceTag, Mesh};
+use crate::geometry::trace::PartPoint;
 
 /// A band. Until it is finished, its corners are numbers of points of the source, followed by numbers of crossings.
 pub(super) struct LineBand {
@@ -60,8 +61,14 @@ impl LineBand {
         }
     }
 
-    /// The finished mesh. The source itself if the band contains all of it, `None` if the band is empty.
-    pub(super) fn finish(mut self, source: &Arc<Mesh>, numbers: &mut BandNumbers<'_>) -> Option<Arc<Mesh>> {
+    /// The finished mesh. The source itself if the band contains all of it, `None` if the band is empty. `points` become the
+    /// origins of its points, for a source with a trace.
+    pub(super) fn finish(
+        mut self,
+        source: &Arc<Mesh>,
+        numbers: &mut BandNumbers<'_>,
+        points: &mut Vec<PartPoint>,
+    ) -> Option<Arc<Mesh>> {
         let faces = self.mesh.face_count();
         if faces == 0 {
             return None;
@@ -70,6 +77,9 @@ impl LineBand {
             return Some(source.clone());
         }
         self.mesh.points = numbers.renumber(&mut self.mesh.corners);
+        if !source.trace.is_empty() {
+            *points = numbers.used.iter().map(|point| numbers.crossings.origin(*point)).collect();
+        }
         self.mesh.give_back_room();
         Some(Arc::new(self.mesh))
     }

@@ -10,6 +10,7 @@ use crate::geometry::cut::edges::Edges;
 use crate::geometry::cut::points::{Location, PieceCorner};
 use crate::geometry::cut::segment::{Segment, comes_first};
 use crate::geometry::mesh::Mesh;
+use crate::geometry::trace::PartPoint;
 
 /// All crossings of a cut. They are numbered after the points of the mesh.
 pub(super) struct Crossings {
@@ -20,6 +21,8 @@ pub(super) struct Crossings {
     pub(super) points: Vec<DVec3>,
     /// The relative positions of crossings on their edges, from the lexicographically first end.
     shares: Vec<f64>,
+    /// The points of the mesh between which crossings are, from the lexicographically first. Kept only for meshes with a trace.
+    pub(super) ends: Vec<[u32; 2]>,
     /// For each edge between sites the first of its crossings, which is on the lowest line.
     edges: Edges,
     /// The number of the first crossing.
@@ -30,7 +33,15 @@ impl Crossings {
     pub(super) fn new(coordinate: Coordinate, lines: Vec<f64>, sites: usize, points: usize) -> Self {
         let mut edges = Edges::default();
         edges.reset(sites);
-        Crossings { coordinate, lines, points: Vec::new(), shares: Vec::new(), edges, base: points as u32 }
+        Crossings {
+            coordinate,
+            lines,
+            points: Vec::new(),
+            shares: Vec::new(),
+            ends: Vec::new(),
+            edges,
+            base: points as u32,
+        }
     }
 
     /// Appends the crossings of the edge from one corner to another, in the order along the edge.
@@ -58,6 +69,11 @@ impl Crossings {
                 self.points.push(point + 0.0);
                 self.shares.push(share);
             }
+            if !mesh.trace.is_empty() {
+                let ends = if comes_first(at(from), at(to)) { [from, to] } else { [to, from] };
+                let ends = ends.map(|corner| mesh.corners[corner]);
+                self.ends.extend(lines.clone().map(|_| ends));
+            }
         }
         // The values of corners are interpolated from the same end as the position.
         let [first, last] = if comes_first(at(from), at(to)) { [from, to] } else { [to, from] };
@@ -71,6 +87,13 @@ impl Crossings {
         } else {
             nodes.extend(lines.rev().map(node));
         }
+    }
+
+    /// The origin of a point of the mesh or of a crossing.
+    pub(super) fn origin(&self, point: u32) -> PartPoint {
+        let Some(crossing) = point.checked_sub(self.base) else { return PartPoint::old(point) };
+        let found = self.ends.get(crossing as usize).zip(self.shares.get(crossing as usize));
+        found.map_or(PartPoint::NEW, |(ends, share)| PartPoint { ends: *ends, share: *share })
     }
 
     /// The relative position of a crossing on its edge.

@@ -24,6 +24,7 @@ use super::class::ClassRange;
 use super::faces::chain::{Chain, rises_once, runs};
 use super::rising;
 use crate::geometry::mesh::{FaceRef, FaceTag, Mesh, TooManyCorners, UvAxis};
+use crate::geometry::trace::PartPoint;
 use affine::is_affine;
 use band::{BandNumbers, LineBand};
 use coordinate::Coordinate;
@@ -73,11 +74,26 @@ pub fn iso_bands(
     lines: &[f64],
     most: usize,
 ) -> Result<Vec<Option<Arc<Mesh>>>, TooManyCorners> {
+    traced_iso_bands(mesh, set, axis, lines, most).map(|(bands, _)| bands)
+}
+
+/// Bands, and for each band the origins of its points, if the mesh has a trace.
+pub(crate) type TracedBands = (Vec<Option<Arc<Mesh>>>, Vec<Vec<PartPoint>>);
+
+/// The same as [`iso_bands`], with the origins of points.
+pub(crate) fn traced_iso_bands(
+    mesh: &Arc<Mesh>,
+    set: usize,
+    axis: UvAxis,
+    lines: &[f64],
+    most: usize,
+) -> Result<TracedBands, TooManyCorners> {
     let mut bands = vec![None; lines.len() + 1];
+    let mut points = vec![Vec::new(); lines.len() + 1];
     let uvs = mesh.uv_set(set);
     if uvs.is_empty() {
         bands[0] = (!mesh.is_empty()).then(|| mesh.clone());
-        return Ok(bands);
+        return Ok((bands, points));
     }
     let kept = rising(lines);
     let (low, high) = range(uvs.iter().map(|uv| uv[axis.index()]));
@@ -87,16 +103,16 @@ pub fn iso_bands(
     let number = |band: usize| kept.get(band + first).copied().unwrap_or(lines.len());
     if first == end {
         bands[number(0)] = Some(mesh.clone());
-        return Ok(bands);
+        return Ok((bands, points));
     }
     let lines = kept[first..end].iter().map(|&line| lines[line] + 0.0).collect();
     let mut cutter = IsoCutter::new(mesh, Coordinate { set, axis: axis.index() }, lines, most);
     cutter.cut_faces()?;
     let mut numbers = BandNumbers::new(mesh, &cutter.crossings);
     for (band, made) in cutter.bands.into_iter().enumerate() {
-        bands[number(band)] = made.finish(mesh, &mut numbers);
+        bands[number(band)] = made.finish(mesh, &mut numbers, &mut points[number(band)]);
     }
-    Ok(bands)
+    Ok((bands, points))
 }
 
 /// The smallest and the largest value.
