@@ -1,6 +1,6 @@
 //! What may be built on a lot, and what is: `massing.glb` and `massing.png`.
 //!
-//! `cargo run --release --example massing`: eight lots of the same size, each with another operation that makes masses.
+//! `cargo run --release --example massing`: ten lots of the same size, each with other operations that make masses.
 
 use std::error::Error;
 
@@ -8,7 +8,7 @@ use cga::sink::picture::Picture;
 use cga::{Model, Settings, Shape, Sink, cga};
 
 cga! {
-    /// Eight ways to fill a lot, one for each start rule.
+    /// Ten ways to fill a lot, one for each start rule.
     pub grammar Massing;
 
     /// The distance between buildings and the edge of the lot, in metres.
@@ -57,6 +57,19 @@ cga! {
     Naves --> split(x) { { ~11 : Nave }* }
     Nave --> extrude(9) comp(f) { side : Wall. | top : roofGable(38, 0.6, 0.4) Roof. }
 
+    /// A shaft whose slices turn and shrink; they are joined at the points that they had in common.
+    @StartRule
+    Twist --> Lot offset(-7, inside) extrude(58) inline(recompose) { split(y) { ^0.05 : Slice }* } Storeys
+    Slice --> modify(f, noAlign) { top : Turned(split.index + 1) }
+    Turned(n) --> r(0, n * 4.5, 0) s(^(1 - n * 0.02), ^1, ^(1 - n * 0.02)) center(xz)
+
+    /// A block of houses of random depth and height along the street, around a garden.
+    @StartRule
+    Row --> Lot offset(-margin, inside)
+            splitAndSetbackPerimeter(0) { ~9 : rand(8, 11) : House(rand(9, 16)) }* { remainder : Garden(6) }
+    House(height) --> color(front) extrude(height) comp(f) { side : Front. | top : color(tiles) roofHip(24, 0.3) Roof. }
+    front = 30% : "#e6d3b1" 25% : "#c9d1c8" 25% : "#d9b8a0" else : "#eadfca"
+
     /// A pavilion between trees that gather around it.
     @StartRule
     Park --> Lot Lawn scatter(surface, 46, gaussian, center, ^0.3) { Tree } Pavilion
@@ -89,11 +102,11 @@ const LOT: f64 = 44.0;
 const STREET: f64 = 14.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let starts = ["Envelope", "Steps", "Block", "Hall", "Corner", "Park", "Court", "Market"];
+    let starts = ["Envelope", "Steps", "Twist", "Block", "Hall", "Corner", "Park", "Court", "Row", "Market"];
     let grammar = Massing::default();
     let mut model = Model::new();
     for (number, start) in starts.into_iter().enumerate() {
-        let [column, row] = [number % 4, number / 4].map(|at| at as f64 * (LOT + STREET));
+        let [column, row] = [number % 5, number / 5].map(|at| at as f64 * (LOT + STREET));
         let lot = Shape::rectangle(LOT, LOT).at([column, 0.0, row]).seed(number as u64);
         let settings = Settings { start: Some(start.to_owned()), ..Settings::default() };
         let made = grammar.generate_with(&lot, &settings)?;
