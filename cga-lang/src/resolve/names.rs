@@ -145,6 +145,16 @@ impl<'a> Resolver<'_, 'a, '_> {
                 self.cx.diags.report(Code::UnknownFunction, name.span, message).note("it reads a component");
                 return;
             }
+            // *setback operation*: what is selected there are edges.
+            Use::Builtin(Function { needs: Needs::Component, params: [_, _, ..], .. })
+                if self.place == Some(Places::SETBACK) =>
+            {
+                let message = format!("`{}` takes 1 argument in a setback", name.text);
+                let diag = self.cx.diags.report(Code::ArgumentCount, name.span, message);
+                diag.note("a setback selects edges, and faces pass their tags on to them")
+                    .help("leave out the second argument");
+                return;
+            }
             Use::Builtin(row) => ("", row.run, row.about, row.old.filter(|_| row.run != Run::Later)),
             Use::Shape(row) => ("", row.get, "", row.old),
             Use::SetShape(row) => ("`set` of ", row.set.unwrap_or(row.get), "", row.old),

@@ -15,7 +15,7 @@ use crate::shape::seed::{self, Seed, Tag};
 use crate::shape::{Counter, Shape, ShapeRef};
 
 /// The limit on sections, because each is set back on its own.
-const MOST_SECTIONS: u64 = 1000;
+const MOST_SECTIONS: u64 = 500;
 
 /// The depth of a written section, by number, with the shape that is divided and the counters of the section.
 pub(crate) type Depth<'d> = dyn FnMut(&mut Env, u32, &mut Shape) -> f64 + 'd;

@@ -207,6 +207,19 @@ fn a_section_may_cover_several_edges_and_all() {
     }
 }
 
+/// Sections that overlap, around a lot and a lot with many concave corners.
+#[test]
+fn many_sections_end() {
+    let teeth = |k: usize| [[k as f64, 4.0], [k as f64 + 0.5, 2.0]];
+    let saw: Vec<[f64; 2]> = (0..100).flat_map(teeth).chain([[100.0, 4.0], [100.0, 40.0], [0.0, 40.0]]).collect();
+    for shape in [lot(), polygon(&saw)] {
+        let pattern = repeated(&[(Size::relative(0.01), 0.5), (Size::relative(0.01), 1.0)]);
+        let (made, faults) = made(&shape, &pattern, 0.01, |env, sections| perimeter(env, sections, from(0.3)));
+        let (sum, all) = (made.mesh.area(), shape.to_mesh().area());
+        assert!((sum - all).abs() < 1e-9 * all && faults == 0, "{sum} {all} {faults}");
+    }
+}
+
 #[test]
 fn areas_of_random_faces_add_up() {
     let state = &mut 23;

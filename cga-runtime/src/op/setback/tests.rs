@@ -279,6 +279,21 @@ pub(in crate::op) fn random_lot(number: usize, state: &mut u64) -> Shape {
     if number.is_multiple_of(2) { polygon(&outline) } else { holed(&outline, &[&hole]) }
 }
 
+/// A quarter turn of a face gives the same parts, with the words turned too.
+#[test]
+fn turned_faces_have_turned_parts() {
+    let quarter = glam::DMat3::from_cols(DVec3::new(0.0, 0.0, -1.0), DVec3::Y, DVec3::X);
+    for shape in lots() {
+        let turned = shape.to_mesh().map(&glam::DAffine3::from_mat3(quarter));
+        let turned = Shape::mesh_axis_aligned(turned);
+        for distance in [0.3, 1.0, 2.5] {
+            let a: [f64; 4] = areas(&made(&shape, &[FRONT, LEFT, BACK, REST], distance));
+            let b: [f64; 4] = areas(&made(&turned, &[RIGHT, FRONT, LEFT, REST], distance));
+            assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9), "{distance}: {a:?} {b:?}");
+        }
+    }
+}
+
 /// The areas that all arms have in turns, or that one arm has with all edges, and the rest.
 fn in_turns_and_at_once(shape: &Shape, distances: &[f64]) -> ([f64; 6], [f64; 2]) {
     let all = shape.to_mesh().area();
