@@ -113,10 +113,10 @@ impl Origins {
         let edge = &mut self.edges[stretch.edge as usize];
         let [first, last] = edge.ends;
         // Also for a share that is not a number.
-        if !(SAME < at) {
+        if at.is_nan() || at <= SAME {
             return first;
         }
-        if !(at < 1.0 - SAME) {
+        if 1.0 - SAME <= at {
             return last;
         }
         let near = edge.inner.range((at - SAME).to_bits()..=(at + SAME).to_bits()).next();
@@ -166,7 +166,7 @@ impl Origins {
         }
         let Some(Stretch { edge, shares: [from, to] }) = self.stretch(ends) else { return };
         let (low, high) = (from.min(to), from.max(to));
-        if !(low < high) {
+        if high <= low {
             return;
         }
         let inner =
