@@ -272,6 +272,12 @@ cga! {
     @StartRule
     Nested --> Nest(nested)
     Nest(n) --> case n > 0 : inline { X. Nest(n - 1) } End. else : X.
+    @StartRule
+    Modified --> Modify(200)
+    Modify(n) --> case n > 0 : modify(f) { top : s(^0.99, ^1, ^0.99) X. } Modify(n - 1) else : End.
+    @StartRule
+    Recomposed --> Recompose(nested)
+    Recompose(n) --> case n > 0 : inline(recompose) { X. Recompose(n - 1) } End. else : X.
 }
 
 #[test]
@@ -280,10 +286,12 @@ fn operands_find_stack_or_end_with_an_error() {
         let settings = Settings { start: Some(start.to_owned()), ..deep() };
         on_a_small_stack(move || Inlining { nested, ..Inlining::default() }.generate_with(&lot(), &settings))
     }
-    for start in ["Recursive", "AfterDeep", "AllTheWay"] {
+    for start in ["Recursive", "AfterDeep", "AllTheWay", "Modified"] {
         assert_eq!(names(&from(start, 0.0).expect("enough stack")), ["End"], "{start}");
     }
-    assert_eq!(names(&from("Nested", 20.0).expect("enough stack")), ["End"]);
-    let error = from("Nested", 100_000.0).expect_err("operands nest too deep");
-    assert!(matches!(error, Error::Limit { what: LimitKind::Depth, .. }), "{error}");
+    for start in ["Nested", "Recomposed"] {
+        assert_eq!(names(&from(start, 12.0).expect("enough stack")), ["End"]);
+        let error = from(start, 100_000.0).expect_err("operands nest too deep");
+        assert!(matches!(error, Error::Limit { what: LimitKind::Depth, .. }), "{start}: {error}");
+    }
 }
