@@ -51,6 +51,7 @@ fn is_outside(values: Allowed, number: Interval) -> bool {
         }
         Allowed::AtLeast(least) => number.hi < least,
         Allowed::Above(least) => number.hi <= least,
+        Allowed::Inside(least, most) => number.hi <= least || most <= number.lo,
         Allowed::NotEmpty => false,
     }
 }

@@ -26,6 +26,8 @@ pub enum Allowed {
     AtLeast(f64),
     /// The numbers from a minimum, exclusive.
     Above(f64),
+    /// The numbers between two numbers, exclusive.
+    Inside(f64, f64),
     /// Text with at least one character.
     NotEmpty,
 }

@@ -158,7 +158,10 @@ impl<'a> Resolver<'_, 'a, '_> {
             Use::Builtin(row) => ("", row.run, row.about, row.old.filter(|_| row.run != Run::Later)),
             Use::Shape(row) => ("", row.get, "", row.old),
             Use::SetShape(row) => ("`set` of ", row.set.unwrap_or(row.get), "", row.old),
-            Use::Operation(row) => ("", row.run, row.about, row.old),
+            Use::Operation(row) => {
+                let some_run = ops::operations(row.name).any(|other| other.run != Run::Later);
+                (if some_run { "this form of " } else { "" }, row.run, row.about, row.old)
+            }
             _ => return,
         };
         if run == Run::Later {

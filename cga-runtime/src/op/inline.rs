@@ -23,10 +23,10 @@ pub enum MergeStrategy {
 /// `recompose`).
 ///
 /// One leaf is taken as it is. Several leaves become one mesh: the faces of all, one after the other, without merged
-/// vertices, or with `recompose` reconnected (*Shape recomposition*). The scope keeps its axes and becomes their bounding box, and the pivot stays. If their materials differ, each
-/// face gets the material of its leaf. Attributes and projections that all leaves have in common are taken, otherwise
-/// those of the current shape stay. Leaves without faces are left out, unless no leaf has faces. Without leaves, the shape
-/// has no geometry.
+/// vertices, or with `recompose` reconnected (*Shape recomposition*). The scope keeps its axes and becomes their bounding
+/// box, and the pivot stays. If their materials differ, each face gets the material of its leaf. Attributes and projections
+/// that all leaves have in common are taken, otherwise those of the current shape stay. Leaves without faces are left out,
+/// unless no leaf has faces. Without leaves, the shape has no geometry.
 pub fn inline(env: &mut Env, shape: &mut Shape, [mut leaves]: [Vec<Shape>; 1], strategy: MergeStrategy) {
     if strategy == MergeStrategy::Recompose {
         if leaves.len() != 1 {

@@ -37,8 +37,8 @@ impl RectangleAlignment {
 /// The rectangle is exact except for rounding. The search is limited to about half a second for each face. Along the scope no
 /// face that was tried reached the limit; along edges, faces with hundreds of directions do. Then longer edges count first.
 ///
-/// A face that has no normal, touches itself or has more than 5000 corners stays whole, as a remainder, with a fault. Edges get
-/// no tags, because meshes have tags of faces alone.
+/// A face that has no normal, touches itself, is so narrow that the corners of its rectangle fall together, or has more than
+/// 5000 corners stays whole, as a remainder, with a fault. Edges get no tags, because meshes have tags of faces alone.
 pub fn inner_rectangle(env: &mut Env, arms: &mut Arms<'_>, alignment: RectangleAlignment) -> ControlFlow<(), Faces> {
     if !arms.shape().geometry.has_surface() {
         return ControlFlow::Continue(Faces::default());
@@ -97,6 +97,7 @@ fn reason(why: RectangleRefusal) -> &'static str {
         RectangleRefusal::NoNormal => "has no normal",
         RectangleRefusal::TooMany => "has too many corners",
         RectangleRefusal::Tangled => "touches itself or has no area",
+        RectangleRefusal::TooNarrow => "is too narrow",
     }
 }
 

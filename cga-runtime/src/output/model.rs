@@ -316,12 +316,12 @@ impl Model {
 
     /// The sum of the leaves' surfaces, in square metres.
     pub fn area(&self) -> f64 {
-        self.leaves().map(|leaf| leaf.area()).sum()
+        self.leaves().fold(0.0, |sum, leaf| sum + leaf.area())
     }
 
     /// The sum of the leaves' volumes, in cubic metres. Leaves that overlap count twice.
     pub fn volume(&self) -> f64 {
-        self.leaves().map(|leaf| leaf.volume()).sum()
+        self.leaves().fold(0.0, |sum, leaf| sum + leaf.volume())
     }
 
     /// The number of triangles that a writer makes of it.

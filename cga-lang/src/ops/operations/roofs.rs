@@ -1,17 +1,31 @@
 //! Roofs. Each has rows for an angle in degrees, and for an angle or height selected by a word.
 
-use super::super::{Default, Operation, Param, Params, Str, UvEffect, boolean, float, or, word};
+use super::super::{
+    Allowed, Default, Operation, Param, ParamBounds, Params, Str, UvEffect, boolean, bounds, float, or, within, word,
+};
 use super::{op, uvs};
 
 const VALUE_TYPE: Param = word("valueType", "RoofValue", &["byAngle", "byHeight"]);
 
-const ANGLE: Param = float("angle");
-const VALUE: Param = float("value");
+const ANGLE: Param = within(float("angle"), &ANGLES);
+const VALUE: Param = within(float("value"), &VALUES);
+/// A shed may fall.
+const SHED_ANGLE: Param = within(float("angle"), &SHED_ANGLES);
+const SHED_VALUE: Param = float("value");
 const OVERHANG: Param = or(float("overhang"), Default::Float(0.0));
 const OVERHANG_X: Param = or(float("overhangX"), Default::Float(0.0));
 const OVERHANG_Y: Param = or(float("overhangY"), Default::Float(0.0));
 const EVEN: Param = or(boolean("even"), Default::Bool(false));
 const INDEX: Param = or(float("index"), Default::Float(0.0));
+
+/// The bounds of the form of a roof.
+const fn form_bounds(values: Allowed, about: Str) -> ParamBounds {
+    ParamBounds { result: Some("the shape stays as it is"), ..bounds(values, about) }
+}
+
+static ANGLES: ParamBounds = form_bounds(Allowed::Inside(0.0, 90.0), "an angle is between 0 and 90 degrees");
+static VALUES: ParamBounds = form_bounds(Allowed::Above(0.0), "an angle or height is above 0");
+static SHED_ANGLES: ParamBounds = form_bounds(Allowed::Inside(-90.0, 90.0), "an angle is between -90 and 90 degrees");
 
 /// A roof.
 const fn roof(name: Str, call: Str, params: Params, about: Str) -> Operation {
@@ -37,6 +51,6 @@ pub(super) static ROWS: &[Operation] = &[
     roof("roofPyramid", "roof_pyramid", &[ANGLE], "builds a pyramid over each face"),
     roof("roofPyramid", "roof_pyramid_by", &[VALUE_TYPE, VALUE], "builds a pyramid over each face"),
     roof("roofRidge", "roof_ridge_by", &[VALUE_TYPE, VALUE], "builds a roof with one ridge along the scope's x axis"),
-    roof("roofShed", "roof_shed", &[ANGLE, INDEX], "builds a shed roof that rises from an edge"),
-    roof("roofShed", "roof_shed_by", &[VALUE_TYPE, VALUE, INDEX], "builds a shed roof that rises from an edge"),
+    roof("roofShed", "roof_shed", &[SHED_ANGLE, INDEX], "builds a shed roof that rises from an edge"),
+    roof("roofShed", "roof_shed_by", &[VALUE_TYPE, SHED_VALUE, INDEX], "builds a shed roof that rises from an edge"),
 ];

@@ -16,6 +16,8 @@ pub(crate) enum RectangleRefusal {
     NoNormal,
     TooMany,
     Tangled,
+    /// Corners of the rectangle are one point of the face.
+    TooNarrow,
 }
 
 /// A face as seen along the axis that is nearest to its normal.
@@ -55,6 +57,9 @@ pub(crate) fn cut_rectangle(
         return Err(RectangleRefusal::Tangled);
     }
     let rectangle = largest(&seen.flat, &seen.rings, sides).ok_or(RectangleRefusal::Tangled)?;
+    if (0..4).any(|k| rectangle.corners[k].distance(rectangle.corners[(k + 1) % 4]) <= 2.0 * TIE_EPSILON * extent) {
+        return Err(RectangleRefusal::TooNarrow);
+    }
     let own = seen.flat.len() as u32;
     let mut all = seen.flat.clone();
     all.extend(rectangle.corners);

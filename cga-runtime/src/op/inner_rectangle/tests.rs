@@ -54,6 +54,17 @@ fn a_rectangle_has_no_remainder() {
 }
 
 #[test]
+fn a_sliver_stays_whole() {
+    for (width, depth) in [(10.0, 1e-9), (1e9, 1e-3)] {
+        for alignment in [Scope, Edge] {
+            let (made, faults) = cut(&Shape::rectangle(width, depth), alignment);
+            assert_eq!((made.arms.as_slice(), faults), (&[Some(1)][..], 1));
+            assert!(made.mesh.check().is_empty(), "{:?}", made.mesh.check());
+        }
+    }
+}
+
+#[test]
 fn a_right_triangle_leaves_two() {
     let made = divided(&polygon(&[(0.0, 0.0), (10.0, 0.0), (0.0, 10.0)], &[]), Scope);
     let [shape, rest] = [0, 1].map(|arm| areas(&made, arm));
