@@ -23,7 +23,7 @@ use crate::geometry::tol::TOUCH_EPSILON;
 pub(crate) use grid::Grid;
 use grid::{Place, double_area};
 
-/// The reason why there is no result.
+/// The reason why an overlay fails.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum OverlayError {
     /// Too many edges cross.
