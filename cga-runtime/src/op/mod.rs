@@ -24,6 +24,7 @@ mod pivot;
 mod primitive;
 mod recompose;
 mod refit;
+mod refused;
 mod report;
 mod roof;
 mod scatter;
