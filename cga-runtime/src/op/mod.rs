@@ -15,7 +15,7 @@ mod footprint;
 mod inline;
 mod inner_rectangle;
 mod insert;
-mod joined_state;
+mod joined;
 mod material;
 mod mirror;
 mod offset;
