@@ -1,5 +1,6 @@
 //! Geometry: meshes and operations on them. This module does not know shapes, rules or sinks.
 
+pub(crate) mod boolean;
 mod buckets;
 pub mod cut;
 pub(crate) mod disjoint;

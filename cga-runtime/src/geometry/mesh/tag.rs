@@ -29,8 +29,12 @@ impl TagSet {
 
     /// The tags without those below `below`, with `name` added: the result of an operation that tags its faces.
     pub(crate) fn renewed(&self, below: &str, name: &str) -> Self {
-        let others = self.0.iter().filter(|name| !matches(below, name)).cloned();
-        TagSet::new(others.chain([Text::from(name)]))
+        self.renewed_with(below, [Text::from(name)])
+    }
+
+    /// The same with several names.
+    pub(crate) fn renewed_with(&self, below: &str, names: impl IntoIterator<Item = Text>) -> Self {
+        TagSet::new(self.0.iter().filter(|name| !matches(below, name)).cloned().chain(names))
     }
 }
 
