@@ -149,6 +149,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cells: Vec<Cell> =
         pages::recompose::ALL.iter().map(|example| comp_cell(example, &cutting::settings())).collect();
     save("recompose", sheet::draw(&cells, 4))?;
+    let cells: Vec<Cell> = pages::boolean::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
+    save("boolean", sheet::draw(&cells, 4))?;
 
     save("texturing", sheet::draw(&textured::texturing(&plain), 4))?;
     save("primitives", sheet::draw(&textured::primitives(&plain), 4))?;

@@ -7,6 +7,7 @@ mod align;
 mod align_box;
 mod align_geometry;
 mod along_uv;
+mod boolean;
 mod coordinates;
 mod envelope;
 mod extrude;
@@ -52,6 +53,7 @@ pub use align_geometry::{
     align_to_indices, align_to_selected,
 };
 pub use along_uv::{insert_along_uv, insert_along_uv_with};
+pub use boolean::{SwapMode, intersect, intersect_current, subtract, subtract_current, union, union_current};
 pub use coordinates::{System, TransformMode, rotate_in, translate_in};
 pub use envelope::{
     EnvelopeAlong, envelope_all, envelope_edges, envelope_front, envelope_front_back, envelope_old_all,

@@ -1,8 +1,8 @@
 //! Geometry manipulation, tags, inlined rules and boolean operations.
 
 use super::super::{
-    Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Params, Str, boolean, bounds, float, or, text,
-    within, word, words,
+    Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Str, boolean, bounds, float, or, text, within,
+    word, words,
 };
 use super::{block, joins, later, old, op, with};
 
@@ -22,13 +22,11 @@ const TAGGED: Param = or(words("components", &["auto", "faces", "edges", "vertic
 
 const UNTAGGED: Param = or(words("components", &["all", "faces", "edges", "vertices"]), Default::Word("all"));
 
-const APPEND: Param =
-    or(word("geometryMergeStrategy", "MergeStrategy", &["append", "recompose"]), Default::Word("append"));
-
-const STRATEGY: Param = words("geometryMergeStrategy", &["unify"]);
+const STRATEGY: Param =
+    or(word("geometryMergeStrategy", "MergeStrategy", &["append", "unify", "recompose"]), Default::Word("append"));
 
 /// *Boolean 3D operations*, 2024.1.
-const SWAP: Param = words("swapMode", &["noSwap", "swap"]);
+const SWAP: Param = or(word("swapMode", "SwapMode", &["noSwap", "swap"]), Default::Word("noSwap"));
 
 const INLINE: &str = "derives a rule at once and continues with its result as one shape";
 const UNION: &str = "joins the results of both sides";
@@ -36,8 +34,8 @@ const SUBTRACT: &str = "removes the result of the right side from the result of 
 const INTERSECT: &str = "keeps the common part of both results";
 
 /// The syntax up to 2024.1, where the left operand was the current shape (*CGA changelog 2025.0*).
-const fn one_operand(name: Str, params: Params, about: Str) -> Operation {
-    old(block(name, Braces::Inline, params, about), "name both operands in braces: `{ A | B }`")
+const fn one_operand(name: Str, about: Str) -> Operation {
+    old(block(name, Braces::Inline, &[SWAP], about), "name both operands in braces: `{ A | B }`")
 }
 
 pub(super) static ROWS: &[Operation] = &[
@@ -65,15 +63,11 @@ pub(super) static ROWS: &[Operation] = &[
     later("deleteTags", &[], "removes all tags"),
     later("deleteTags", &[text("tagQuery"), UNTAGGED], "removes the tags that match"),
     later("setTagsFromEdgeAttrs", &[], "makes tags of the initial shape's edge attributes"),
-    joins("inline", block("inline", Braces::Inline, &[APPEND], INLINE)),
-    block("inline", Braces::Inline, &[STRATEGY], INLINE),
-    block("union", Braces::Operands, &[], UNION),
-    block("subtract", Braces::Operands, &[], SUBTRACT),
-    block("intersect", Braces::Operands, &[], INTERSECT),
-    one_operand("union", &[], UNION),
-    one_operand("union", &[SWAP], UNION),
-    one_operand("subtract", &[], SUBTRACT),
-    one_operand("subtract", &[SWAP], SUBTRACT),
-    one_operand("intersect", &[], INTERSECT),
-    one_operand("intersect", &[SWAP], INTERSECT),
+    joins("inline", block("inline", Braces::Inline, &[STRATEGY], INLINE)),
+    joins("union", block("union", Braces::Operands, &[], UNION)),
+    joins("subtract", block("subtract", Braces::Operands, &[], SUBTRACT)),
+    joins("intersect", block("intersect", Braces::Operands, &[], INTERSECT)),
+    joins("union_current", one_operand("union", UNION)),
+    joins("subtract_current", one_operand("subtract", SUBTRACT)),
+    joins("intersect_current", one_operand("intersect", INTERSECT)),
 ];

@@ -1,6 +1,6 @@
 //! The mesh of a result.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3};
 
@@ -33,8 +33,13 @@ fn only(corner: u32) -> Shares {
 impl Assembly<'_> {
     /// The mesh of the result.
     pub(super) fn mesh_of(&self, polygons: &[ResultPolygon]) -> Mesh {
-        let mut made = self.mesh.alike(polygons.iter().flat_map(|polygon| &polygon.rings).map(Vec::len).sum());
-        let mut numbers: HashMap<u32, u32> = HashMap::new();
+        // Points keep their order; new points come last.
+        let corners = || polygons.iter().flat_map(|polygon| polygon.rings.iter().flatten());
+        let mut used: Vec<u32> = corners().map(|corner| corner.point).collect();
+        let mut made = self.mesh.alike(used.len());
+        used.sort_unstable();
+        used.dedup();
+        made.points.extend(used.iter().map(|point| self.places[*point as usize] + 0.0));
         let mut sets = TagSets::default();
         let mut triangulator = Triangulator::new();
         let mut triangles: Option<(u32, Vec<[u32; 3]>)> = None;
@@ -62,9 +67,7 @@ impl Assembly<'_> {
                     flip(&mut corners);
                 }
                 for (point, shares) in corners {
-                    let number =
-                        *numbers.entry(point).or_insert_with(|| made.add_point(self.places[point as usize] + 0.0));
-                    made.corners.push(number);
+                    made.corners.push(used.binary_search(&point).unwrap_or_default() as u32);
                     self.add_values(&mut made, &shares, polygon.is_turned);
                 }
                 made.end_loop();

@@ -74,6 +74,15 @@ pub(crate) enum BooleanError {
 /// The faces of the first operand come first. A face keeps its group, its material, its tags and the values of corners; where
 /// faces coincide, those of the first one, with the tags of all.
 pub(crate) fn combine(op: BooleanOp, operands: [&[Mesh]; 2], rounding: f64) -> Result<Mesh, BooleanError> {
+    combine_within(Budget::DEFAULT, op, operands, rounding)
+}
+
+fn combine_within(
+    mut budget: Budget,
+    op: BooleanOp,
+    operands: [&[Mesh]; 2],
+    rounding: f64,
+) -> Result<Mesh, BooleanError> {
     let all = operands.into_iter().flatten();
     let mesh = join(all);
     let mut mesh_of_face = Vec::with_capacity(mesh.face_count());
@@ -87,7 +96,6 @@ pub(crate) fn combine(op: BooleanOp, operands: [&[Mesh]; 2], rounding: f64) -> R
     if !size.is_finite() || mesh.is_empty() {
         return Ok(Mesh::default());
     }
-    let mut budget = Budget::new();
     let mut error = BooleanError::Tangled;
     for epsilon in BOOLEAN_EPSILONS {
         let epsilon = (epsilon * size).max(16.0 * rounding * scale);
@@ -208,6 +216,7 @@ fn meet_all(
         for &other in &near {
             budget.spend(facets[number as usize].corners.len() + facets[other as usize].corners.len())?;
             meeting.meet(points, edges, facets, [number, other]);
+            budget.check(edges)?;
         }
     }
     Ok(())

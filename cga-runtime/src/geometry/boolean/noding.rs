@@ -40,6 +40,7 @@ pub(super) fn divide_edges(
             here.clear();
             here.extend(group.iter().map(|[_, point]| *point));
             edges.divide(facets, points, group[0][0], &mut here, &mut open);
+            budget.check(edges)?;
         }
         open.sort_unstable();
         open.dedup();

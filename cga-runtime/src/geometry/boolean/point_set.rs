@@ -21,10 +21,6 @@ impl PointSet {
         PointSet { at: Vec::new(), epsilon, cells: HashMap::new(), before: Vec::new() }
     }
 
-    pub(super) fn len(&self) -> usize {
-        self.at.len()
-    }
-
     /// The nearest point within epsilon of a place; a new point if there is none.
     pub(super) fn number(&mut self, place: DVec3) -> u32 {
         let size = 4.0 * self.epsilon;

@@ -42,7 +42,7 @@ impl RayCaster<'_> {
         budget: &mut Budget,
     ) -> Result<Around, BooleanError> {
         let facet = &self.facets[sheet.facet() as usize];
-        let place = self.place_inside(sheet, facet).ok_or(BooleanError::Tangled)?;
+        let triangle = self.largest_triangle(sheet, facet).ok_or(BooleanError::Tangled)?;
         let is_source = |facet: u32| sheet.sources.iter().any(|source| source.facet == facet);
         for turn in 0..MOST_RAYS {
             let mut direction = spread_direction(turn);
@@ -51,6 +51,8 @@ impl RayCaster<'_> {
                 continue;
             }
             direction *= rise.signum();
+            // Another solid may touch the sheet in one point.
+            let place = place_in(triangle, turn);
             if let Some(found) = self.cast(place, direction, |facet| counts(facet) && !is_source(facet), budget)? {
                 return Ok(found);
             }
@@ -119,8 +121,8 @@ impl RayCaster<'_> {
         }
     }
 
-    /// A place well inside a sheet: the middle of its largest triangle.
-    pub(super) fn place_inside(&self, sheet: &Sheet, facet: &Facet) -> Option<DVec3> {
+    /// The corners of a sheet's largest triangle.
+    pub(super) fn largest_triangle(&self, sheet: &Sheet, facet: &Facet) -> Option<[DVec3; 3]> {
         let corners: Vec<u32> = sheet.rings.iter().flatten().copied().collect();
         let at = |corner: u32| self.points.at[corners[corner as usize] as usize];
         let flat: Vec<DVec2> = (0..corners.len() as u32).map(|corner| facet.flat(at(corner))).collect();
@@ -136,8 +138,7 @@ impl RayCaster<'_> {
             (b - a).perp_dot(c - a)
         };
         let largest = triangles.iter().max_by(|a, b| area(a).total_cmp(&area(b)))?;
-        let [a, b, c] = largest.map(at);
-        Some((a + b + c) / 3.0)
+        Some(largest.map(at))
     }
 }
 
@@ -145,6 +146,13 @@ enum Crossing {
     /// The change of the winding number.
     Winding(i32),
     Unclear,
+}
+
+/// Places well inside a triangle, each turn another one.
+pub(super) fn place_in([a, b, c]: [DVec3; 3], turn: u32) -> DVec3 {
+    let share = |step: f64| 0.5 + (f64::from(turn) * step).fract();
+    let [x, y, z] = [share(0.0), share(0.754_877_666_246_692_8), share(0.569_840_290_998_053_3)];
+    (a * x + b * y + c * z) / (x + y + z)
 }
 
 /// Directions all over the sphere, none of them along an axis or a diagonal.

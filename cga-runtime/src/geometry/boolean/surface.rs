@@ -11,7 +11,7 @@ use glam::DVec3;
 
 use super::edge_table::EdgeTable;
 use super::point_set::PointSet;
-use super::ray::RayCaster;
+use super::ray::{RayCaster, place_in};
 use super::sheet::{EdgeUse, SheetSide, Sheets};
 use super::shell::ShellKind;
 use crate::geometry::disjoint::DisjointSets;
@@ -84,7 +84,8 @@ fn votes_at(uses: &[EdgeUse], place: usize, surface: &[i32]) -> Option<[bool; 2]
 /// Returns true if the open surface fills more than half of the view from a sheet, seen from its back.
 fn is_hidden(sheets: &Sheets, rays: &RayCaster<'_>, sheet: u32, surface: &[i32]) -> bool {
     let sheet = &sheets.list[sheet as usize];
-    let Some(eye) = rays.place_inside(sheet, &rays.facets[sheet.facet() as usize]) else { return false };
+    let Some(triangle) = rays.largest_triangle(sheet, &rays.facets[sheet.facet() as usize]) else { return false };
+    let eye = place_in(triangle, 0);
     let mut triangulator = Triangulator::new();
     let mut sum = 0.0;
     for (sheet, winding) in sheets.list.iter().zip(surface).filter(|(_, winding)| **winding != 0) {

@@ -112,7 +112,7 @@ fn wrong_sequences(place: &DAffine3, count: u64, first: u64) -> Vec<String> {
 }
 
 fn count() -> u64 {
-    std::env::var("BOOLEAN_SEQUENCES").ok().and_then(|count| count.parse().ok()).unwrap_or(60)
+    std::env::var("BOOLEAN_SEQUENCES").ok().and_then(|count| count.parse().ok()).unwrap_or(40)
 }
 
 fn turned() -> DMat3 {

@@ -1,6 +1,11 @@
 //! Laws and examples of boolean operations on meshes.
 
 mod boxes;
+mod hostile;
+mod solids;
+mod surfaces;
+
+use std::slice::from_ref;
 
 use glam::{DAffine3, DMat3, DVec3};
 
@@ -12,7 +17,7 @@ use crate::geometry::mesh::primitive::cube;
 pub(super) fn combined(op: BooleanOp, a: &Mesh, b: &Mesh) -> Result<Mesh, BooleanError> {
     let far = |mesh: &Mesh| mesh.points().iter().fold(0.0f64, |far, point| far.max(point.abs().max_element()));
     let rounding = far(a).max(far(b)) * f64::EPSILON;
-    combine(op, [&[a.clone()], &[b.clone()]], rounding)
+    combine(op, [from_ref(a), from_ref(b)], rounding)
 }
 
 /// A box between two corners.
