@@ -221,6 +221,22 @@ pub(crate) fn keep_used(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
     kept
 }
 
+impl Mesh {
+    /// Takes the points that the corners use from another mesh, whose points the corners have, with their origins.
+    pub(crate) fn take_points(&mut self, source: &Mesh) {
+        let used = (!source.trace.is_empty()).then(|| {
+            let mut used = self.corners.clone();
+            used.sort_unstable();
+            used.dedup();
+            used
+        });
+        self.points = keep_used(&source.points, &mut self.corners);
+        if let Some(used) = used {
+            self.trace = source.trace.pick(used.iter().map(|point| Some(*point)));
+        }
+    }
+}
+
 /// The points that corners use, in the order of their first use. Renumbers the corners; -0 becomes 0.
 pub(crate) fn in_order_of_use(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
     let mut new = vec![u32::MAX; points.len()];
