@@ -4,7 +4,6 @@ use super::{LONGEST_SOURCE, Lower};
 use crate::ir::{
     Arg as IrArg, Arm, Block, BlockParts, Comp, Expr, ExprKind, Item, Sections, Selector, Slots, Step, Target, Type,
 };
-use crate::lower::body::defaults;
 use crate::lower::fold::fold;
 use crate::ops::{self, Braces, Directions, Operation, Places, Run, SameAs};
 use crate::resolve::tables::Use;
@@ -113,7 +112,8 @@ impl<'c> Lower<'c> {
         let all = ops::selectors().find(|row| row.directions == Directions::ALL);
         let (Some(row), Some(edges), Some(all)) = (row, edges, all) else { return then };
         let mut args = vec![IrArg::Word(edges.name)];
-        args.extend(defaults(row, args.len(), value.span));
+        // The other parameters have defaults.
+        args.extend(self.args(row, &[], value.span));
         let arm = Arm { selector: Selector::Word(all.name), text: all.name.to_owned(), mode: ArmMode::Each, then };
         let kind = ExprKind::Comp(Box::new(Comp { row, args, arms: vec![arm] }));
         Expr { kind, ty: Type::Floats, span: value.span }

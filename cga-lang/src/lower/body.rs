@@ -74,7 +74,7 @@ impl<'c> Lower<'c> {
             ParamKind::Word(words) => Arg::Word(word(&arg.value, words)),
         });
         let mut list: Vec<Arg> = given.collect();
-        list.extend(defaults(row, args.len(), span));
+        list.extend(row.params.iter().skip(args.len()).filter_map(|param| default(param, span)));
         list
     }
 
@@ -156,11 +156,6 @@ fn capture(body: &mut [Step]) -> Vec<u32> {
         walk::params_mut(expr, &mut |index| *index = captured.binary_search(index).unwrap_or_default() as u32);
     });
     captured
-}
-
-/// The values of the parameters after the first `given` ones.
-pub(super) fn defaults(row: &'static Operation, given: usize, span: Span) -> impl Iterator<Item = Arg> {
-    row.params.iter().skip(given).filter_map(move |param| default(param, span))
 }
 
 /// The default of an omitted argument.
