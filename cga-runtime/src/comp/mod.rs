@@ -2,6 +2,7 @@
 
 mod arms;
 mod candidate;
+mod found_tags;
 mod mesh_parts;
 pub(crate) mod orientation;
 mod owners;
