@@ -64,6 +64,9 @@ pub use cga_runtime::value::{Value, ValueType};
 
 /// Meshes: building, measuring, checking, reading.
 pub mod mesh {
+    pub use cga_runtime::asset::EmbeddedImage;
+    #[cfg(feature = "gltf")]
+    pub use cga_runtime::asset::gltf::{GltfError, GltfFile, read_gltf};
     #[cfg(feature = "obj")]
     pub use cga_runtime::asset::obj::{ObjError, ObjFile, read_obj};
     pub use cga_runtime::geometry::mesh::check::Flaw;

@@ -72,7 +72,7 @@ fn edges_vertices_and_neighbours_have_the_tags_of_faces() {
 }
 
 #[test]
-fn primitives_and_new_extrusions_begin_anew() {
+fn primitives_and_new_extrusions_replace_tags() {
     let lot = Shape::rectangle(4.0, 3.0);
     assert_eq!(counts("Primitive", &lot), [("Plain", 6)]);
     assert_eq!(counts("Again", &lot), [("Bottom", 1), ("Side", 4), ("Top", 1)]);

@@ -31,7 +31,7 @@ fn values_are_computed_where_the_call_stands() {
 }
 
 #[test]
-fn everything_that_depends_on_it_is_computed_anew() {
+fn everything_that_depends_on_it_is_computed_again() {
     cga! {
         grammar Depends = r#"
             import imp : "tests/rules/import/inner.cga"
@@ -91,7 +91,7 @@ fn extensions_are_replaced_for_one_call() {
 }
 
 #[test]
-fn imports_of_the_import_start_anew_too() {
+fn imports_of_the_import_start_again_too() {
     cga! {
         grammar Nested = r#"
             import a : "tests/rules/import/outer.cga"
@@ -150,7 +150,7 @@ fn dynamic_imports_stand_wherever_rules_do() {
 }
 
 #[test]
-fn what_is_drawn_anew_is_drawn_for_each_call_and_from_streams_of_its_own() {
+fn values_are_drawn_again_for_each_call_and_from_their_own_streams() {
     cga! { grammar Few = r#"import imp : "tests/rules/import/drawn.cga"
     Lot --> imp( ).Show imp( ).Show imp(b = 1).Show print(rand())"#; }
     cga! { grammar More = r#"import imp : "tests/rules/import/drawn.cga" (c = 1)
@@ -183,7 +183,7 @@ fn what_goes_on_with_a_leaf_goes_on_with_it_in_every_call() {
 }
 
 #[test]
-fn each_style_starts_its_own_values_anew() {
+fn each_style_starts_its_own_values_again() {
     cga! { grammar Styled = r#"
         import imp : "tests/rules/import/inner.cga"
         attr n = 7

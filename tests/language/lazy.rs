@@ -92,7 +92,7 @@ fn rules_and_styles_set_them_as_others() {
 }
 
 #[test]
-fn an_import_that_starts_anew_computes_them_anew() {
+fn an_import_that_starts_again_computes_them_again() {
     cga! {
         grammar Anew = r#"
             import imp : "tests/rules/import/lazy.cga"

@@ -66,7 +66,7 @@ fn expressions_print_at_the_depth_of_the_rule_that_evaluates_them() {
 }
 
 #[test]
-fn an_import_that_starts_anew_prints_at_the_depth_of_the_call() {
+fn an_import_that_starts_again_prints_at_the_depth_of_the_call() {
     cga! {
         grammar Dynamic = r#"
             import imp : "tests/rules/import/printing.cga"

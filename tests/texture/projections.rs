@@ -50,7 +50,7 @@ fn a_projection_of_the_facade_runs_through_all_pieces() {
 }
 
 #[test]
-fn a_projection_of_a_piece_begins_anew() {
+fn a_projection_of_a_piece_begins_at_its_scope() {
     let leaves = leaves!(&Facade { perTile: true }, &Shape::cuboid(20.0, 13.0, 4.0));
     for (rule, faces) in &leaves.0 {
         let Some(first) = faces[0].iter().min_by(|a, b| a.point.length().total_cmp(&b.point.length())) else {

@@ -100,7 +100,7 @@ fn shown(of: Selection) -> String {
 fn covers(one: Selection, other: Selection) -> bool {
     one == other
         || match (one, other) {
-            // What a setback leaves is selected by this word alone.
+            // The rest of a setback goes to this word alone.
             (_, Selection::Word(Selector { name: "remainder", .. })) => false,
             (Selection::Word(one), _) if one.directions == Directions::ALL => true,
             (Selection::Word(one), Selection::Word(other)) => other.directions.within(one.directions),

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use super::select::Word;
 use super::source::ComponentSource;
-use super::{Align, Arm, AssignedComponents, Candidate, Components, Mode, Select};
+use super::{Align, Arm, AssignedComponents, Candidate, Components, Mode, Select, never};
 use crate::geometry::Frame;
 use crate::geometry::mesh::{Mesh, extract};
 use crate::run::context::Cx;
@@ -62,14 +62,15 @@ impl<'a> Arms<'a> {
     }
 }
 
-/// The first arm that selects each edge of each face of a shape, by corner.
+/// The first word that selects each edge of each face of a shape, by corner.
 pub(crate) fn face_edges(
     env: &mut Env,
     shape: &Shape,
-    arms: &[Arm],
-    when: &mut ArmTest<'_>,
+    words: impl IntoIterator<Item = Word>,
 ) -> ControlFlow<(), Vec<Option<u32>>> {
-    edges(env, shape, arms, 0, when)
+    let arm = |word: Word| Arm { select: Select::Word(word), mode: Mode::Each, text: "" };
+    let arms: Vec<Arm> = words.into_iter().map(arm).collect();
+    edges(env, shape, &arms, 0, &mut never)
 }
 
 fn edges(

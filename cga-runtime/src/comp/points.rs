@@ -66,7 +66,7 @@ pub fn each<C>(
         made += 1;
     }
     if made < wanted {
-        cx.env.fault(FaultKind::Geometry, format!("scatter: the geometry has room for {made} of {wanted} points"));
+        cx.env.fault(FaultKind::Geometry, format!("`scatter`: the geometry has room for {made} of {wanted} points"));
     }
     Flow::Continue(())
 }

@@ -5,8 +5,9 @@ use std::ops::ControlFlow;
 use glam::DVec3;
 
 use super::extrude::stand;
+use super::refused::report_refused;
+use crate::comp::face_edges;
 use crate::comp::select::Word;
-use crate::comp::{Arm, Mode, Select, face_edges, never};
 use crate::fault::FaultKind;
 use crate::geometry::envelope::{EnvelopeRefusal, EnvelopeSide, envelopes};
 use crate::run::env::Env;
@@ -60,13 +61,20 @@ pub fn envelope_sides(
     side_base: f64,
     side_angle: f64,
 ) {
-    let sides = [
-        (Word::StreetFront, front_base, front_angle),
-        (Word::StreetBack, back_base, back_angle),
-        (Word::StreetRight, side_base, side_angle),
-        (Word::StreetLeft, side_base, side_angle),
-    ];
-    by_words(env, shape, along, height, &sides);
+    envelope_all(
+        env,
+        shape,
+        along,
+        height,
+        front_base,
+        front_angle,
+        back_base,
+        back_angle,
+        side_base,
+        side_angle,
+        side_base,
+        side_angle,
+    );
 }
 
 /// `envelope(direction, maxHeight, frontBaseHeight, frontAngle, backBaseHeight, backAngle, rightBaseHeight, rightAngle,
@@ -184,13 +192,20 @@ pub fn envelope_old_all(
     left_base: f64,
     left_angle: f64,
 ) {
-    let sides = [
-        (Word::StreetFront, front_base, front_angle),
-        (Word::StreetBack, back_base, back_angle),
-        (Word::StreetRight, right_base, right_angle),
-        (Word::StreetLeft, left_base, left_angle),
-    ];
-    by_words(env, shape, EnvelopeAlong::Normal, height, &sides);
+    envelope_all(
+        env,
+        shape,
+        EnvelopeAlong::Normal,
+        height,
+        front_base,
+        front_angle,
+        back_base,
+        back_angle,
+        right_base,
+        right_angle,
+        left_base,
+        left_angle,
+    );
 }
 
 /// Builds envelopes with the base height and the angle of each word. An edge belongs to the first word that selects it.
@@ -198,16 +213,14 @@ fn by_words(env: &mut Env, shape: &mut Shape, along: EnvelopeAlong, height: f64,
     if !shape.geometry.has_surface() {
         return;
     }
-    let arm = |word: &(Word, f64, f64)| Arm { select: Select::Word(word.0), mode: Mode::Each, text: "" };
-    let arms: Vec<Arm> = words.iter().map(arm).collect();
-    let ControlFlow::Continue(edges) = face_edges(env, shape, &arms, &mut never) else { return };
+    let ControlFlow::Continue(edges) = face_edges(env, shape, words.iter().map(|word| word.0)) else { return };
     let mut side = |word: &(Word, f64, f64)| EnvelopeSide {
         base: env.finite(word.1, "a base height of `envelope`"),
         angle: env.finite(word.2, "an angle of `envelope`"),
     };
     let of: Vec<EnvelopeSide> = words.iter().map(&mut side).collect();
     let sides: Vec<EnvelopeSide> =
-        edges.iter().map(|arm| arm.map_or(EnvelopeSide::UPRIGHT, |arm| of[arm as usize])).collect();
+        edges.iter().map(|word| word.map_or(EnvelopeSide::UPRIGHT, |word| of[word as usize])).collect();
     build(env, shape, along, height, &sides);
 }
 
@@ -226,9 +239,6 @@ fn build(env: &mut Env, shape: &mut Shape, along: EnvelopeAlong, height: f64, si
         env.fault(FaultKind::Value, format!("`envelope`: {why}; the shape stays as it is"));
         return;
     }
-    if !shape.state.coordinates().is_empty() {
-        shape.bake();
-    }
     let mesh = shape.to_mesh();
     let up = match along {
         EnvelopeAlong::Normal => None,
@@ -239,7 +249,7 @@ fn build(env: &mut Env, shape: &mut Shape, along: EnvelopeAlong, height: f64, si
         return;
     }
     let (made, refused) = envelopes(&mesh, sides, height, up);
-    report(env, &refused);
+    report_refused(env, "envelope", &refused, &REFUSALS);
     let normal = || mesh.faces().map(|face| face.normal()).find(|normal| *normal != DVec3::ZERO);
     if refused.len() < mesh.face_count()
         && let Some(up) = up.or_else(normal)
@@ -248,24 +258,14 @@ fn build(env: &mut Env, shape: &mut Shape, along: EnvelopeAlong, height: f64, si
     }
 }
 
-/// Reports the faces that stay, and the reasons.
-fn report(env: &mut Env, refused: &[(usize, EnvelopeRefusal)]) {
-    for (why, text) in [
-        (EnvelopeRefusal::NoNormal, "has no normal"),
-        (EnvelopeRefusal::TooMany, "has too many corners"),
-        (EnvelopeRefusal::Tangled, "touches itself, or its slopes are too entangled"),
-        (EnvelopeRefusal::Empty, "has no room below its slopes and its maximum height"),
-        (EnvelopeRefusal::Aside, "does not look in the direction of the envelope"),
-    ] {
-        let mut faces = refused.iter().filter(|refused| refused.1 == why).map(|refused| refused.0);
-        let Some(first) = faces.next() else { continue };
-        let more = match faces.count() {
-            0 => String::new(),
-            more => format!(", as {more} more"),
-        };
-        env.fault(FaultKind::Geometry, format!("`envelope`: face {first} {text}{more}; it stays as it is"));
-    }
-}
+/// The reasons for which a face stays.
+const REFUSALS: [(EnvelopeRefusal, &str); 5] = [
+    (EnvelopeRefusal::NoNormal, "has no normal"),
+    (EnvelopeRefusal::TooMany, "has too many corners"),
+    (EnvelopeRefusal::Tangled, "touches itself, or its slopes are too entangled"),
+    (EnvelopeRefusal::Empty, "has no room below its slopes and its maximum height"),
+    (EnvelopeRefusal::Aside, "does not look in the direction of the envelope"),
+];
 
 #[cfg(test)]
 mod tests;

@@ -328,9 +328,7 @@ mod tests {
             ..Wire::default()
         };
         let mut shape = Shape::cuboid(1.0, 1.0, 1.0);
-        let placed = crate::shape::PlacedWire::fitted(wire);
-        (shape.scope.size, shape.geometry) = (placed.size, Geometry::Wire(Arc::new(placed)));
-        shape.scope.origin.z = -2.0;
+        shape.set_wire(wire);
         for (along, points, area) in [
             (ExtrudeAlong::FaceNormal, 7, 20.0),
             (ExtrudeAlong::VertexNormal, 6, 0.0),

@@ -1,14 +1,12 @@
 //! `inline`: the leaves of a rule as one shape (*Rule inlining*).
 
-use std::sync::Arc;
-
-use super::joined_state::joined_state;
-use super::recompose::{is_gone, recompose};
+use super::joined::{joined_state, part_meshes, retain_parts};
+use super::recompose::recompose;
 use crate::geometry::mesh::join::join;
 use crate::geometry::mesh::{Mesh, SubcomponentTagger};
 use crate::geometry::wire::Wire;
 use crate::run::env::Env;
-use crate::shape::{Geometry, PlacedWire, Shape};
+use crate::shape::{Geometry, Shape};
 
 /// How the geometry of leaves is combined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,10 +35,7 @@ pub fn inline(env: &mut Env, shape: &mut Shape, [mut leaves]: [Vec<Shape>; 1], s
         let depth = env.recomposed_depth();
         leaves.iter_mut().for_each(|leaf| leaf.change_trace(|trace| trace.cut_to(depth)));
     }
-    leaves.retain(|leaf| !is_gone(leaf));
-    if leaves.iter().any(|leaf| leaf.geometry.has_surface()) {
-        leaves.retain(|leaf| leaf.geometry.has_surface());
-    }
+    retain_parts(&mut leaves, |leaf| leaf);
     match leaves.as_slice() {
         [] => shape.geometry = Geometry::Empty,
         [_] => {
@@ -59,15 +54,7 @@ pub fn inline(env: &mut Env, shape: &mut Shape, [mut leaves]: [Vec<Shape>; 1], s
 }
 
 fn join_faces(env: &mut Env, shape: &mut Shape, leaves: &[Shape]) {
-    let is_common = leaves.iter().all(|leaf| leaf.material() == leaves[0].material());
-    let to_scope = shape.scope.placement().inverse();
-    let meshes: Vec<Mesh> = leaves
-        .iter()
-        .map(|leaf| {
-            let mesh = leaf.to_mesh().map(&(to_scope * leaf.scope.placement()));
-            if is_common { mesh } else { mesh.with_material(leaf.material()) }
-        })
-        .collect();
+    let meshes: Vec<Mesh> = part_meshes(shape, leaves).collect();
     let count: u64 = meshes.iter().map(|mesh| mesh.corners().len() as u64).sum();
     if env.count_corners(count).is_continue() {
         shape.set_mesh(join(meshes.iter()));
@@ -87,8 +74,5 @@ fn join_wires(shape: &mut Shape, leaves: &[Shape]) {
         sum.normals.extend(wire.normals.iter().map(|normal| frame.axes.transpose() * (leaf.scope.axes * *normal)));
     }
     sum.tags = tagger.finish();
-    let placed = PlacedWire::fitted(sum);
-    shape.scope.origin += shape.scope.axes * placed.low;
-    shape.scope.size = placed.size;
-    shape.geometry = Geometry::Wire(Arc::new(placed));
+    shape.set_wire(sum);
 }

@@ -72,9 +72,6 @@ pub fn inner_rect(env: &mut Env, shape: &mut Shape) {
     if !shape.geometry.has_surface() {
         return;
     }
-    if !shape.state.coordinates().is_empty() {
-        shape.bake();
-    }
     let mesh = shape.to_mesh();
     let mut made = mesh.alike(0);
     let mut refused = 0;

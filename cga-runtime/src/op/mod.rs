@@ -8,6 +8,7 @@ mod align_box;
 mod align_geometry;
 mod along_uv;
 mod coordinates;
+mod delete_holes;
 mod envelope;
 mod extrude;
 mod fit;
@@ -15,7 +16,7 @@ mod footprint;
 mod inline;
 mod inner_rectangle;
 mod insert;
-mod joined_state;
+mod joined;
 mod material;
 mod mirror;
 mod offset;
@@ -24,7 +25,9 @@ mod pivot;
 mod primitive;
 mod recompose;
 mod refit;
+mod refused;
 mod report;
+mod reset_geometry;
 mod roof;
 mod scatter;
 #[cfg(test)]
@@ -52,6 +55,7 @@ pub use align_geometry::{
 };
 pub use along_uv::{insert_along_uv, insert_along_uv_with};
 pub use coordinates::{System, TransformMode, rotate_in, translate_in};
+pub use delete_holes::delete_holes;
 pub use envelope::{
     EnvelopeAlong, envelope_all, envelope_edges, envelope_front, envelope_front_back, envelope_old_all,
     envelope_old_front, envelope_old_front_back, envelope_old_sides, envelope_sides,
@@ -73,6 +77,7 @@ pub use primitive::{
 };
 pub use recompose::modify;
 pub use report::{label, print, report};
+pub use reset_geometry::reset_geometry;
 pub use roof::{
     RoofValue, roof_gable, roof_gable_along, roof_gable_by, roof_hip, roof_hip_by, roof_pyramid, roof_pyramid_by,
     roof_ridge_by, roof_shed, roof_shed_by,

@@ -1,12 +1,12 @@
 //! `inline(recompose)` and `modify`: the parts of a shape as one mesh again (*Shape recomposition*).
 
-use super::joined_state::joined_state;
+use super::joined::{joined_state, part_meshes, retain_parts};
 use crate::comp::{Align, Components};
 use crate::geometry::recompose::{Origins, Weld, welded_wire};
 use crate::geometry::trace::{Trace, TraceLayer, TracedPoint, UNTRACED};
 use crate::geometry::wire::Wire;
 use crate::run::env::Env;
-use crate::shape::{Geometry, PlacedWire, Shape};
+use crate::shape::{Geometry, Shape};
 
 /// Edits the components of the current shape (*modify operation*). `leaves` are the edited components and the rest of the
 /// geometry; they become one mesh with the axes and the pivot of the shape.
@@ -22,10 +22,8 @@ pub(super) fn recompose(env: &mut Env, shape: &mut Shape, mut leaves: Vec<Shape>
     let mut origins = env.end_recomposition();
     let places = origins.settle();
     let outer = OuterTrace::of(env.recomposed_depth(), &origins, &leaves, &points);
-    let mut parts: Vec<(Shape, Vec<u32>)> = leaves.into_iter().zip(points).filter(|(leaf, _)| !is_gone(leaf)).collect();
-    if parts.iter().any(|(leaf, _)| leaf.geometry.has_surface()) {
-        parts.retain(|(leaf, _)| leaf.geometry.has_surface());
-    }
+    let mut parts: Vec<(Shape, Vec<u32>)> = leaves.into_iter().zip(points).collect();
+    retain_parts(&mut parts, |(leaf, _)| leaf);
     let (leaves, points): (Vec<Shape>, Vec<Vec<u32>>) = parts.into_iter().unzip();
     let Some((first, others)) = leaves.split_first() else {
         shape.geometry = Geometry::Empty;
@@ -38,18 +36,13 @@ pub(super) fn recompose(env: &mut Env, shape: &mut Shape, mut leaves: Vec<Shape>
             leaves.iter().zip(points).filter_map(|(leaf, points)| Some((turned(leaf, shape)?, points))).collect();
         let (mut wire, numbers) = welded_wire(&wires, &places, &to_scope);
         wire.trace = outer.pick(&numbers);
-        let placed = PlacedWire::fitted(wire);
-        shape.scope.origin += shape.scope.axes * placed.low;
-        shape.scope.size = placed.size;
-        shape.geometry = Geometry::Wire(std::sync::Arc::new(placed));
+        shape.set_wire(wire);
         return;
     }
-    let is_common = others.iter().all(|leaf| leaf.material() == first.material());
     let mut weld = Weld::default();
-    for (leaf, points) in leaves.iter().zip(points) {
+    for (mesh, points) in part_meshes(shape, &leaves).zip(points) {
         let before = weld.corner_count();
-        let mesh = leaf.to_mesh().map(&(to_scope * leaf.scope.placement()));
-        weld.add(&origins, if is_common { mesh } else { mesh.with_material(leaf.material()) }, &points);
+        weld.add(&origins, mesh, &points);
         if env.count_corners(weld.corner_count() - before).is_break() {
             return;
         }
@@ -61,11 +54,6 @@ pub(super) fn recompose(env: &mut Env, shape: &mut Shape, mut leaves: Vec<Shape>
     } else {
         shape.set_mesh(mesh);
     }
-}
-
-/// Returns true if `NIL` has removed the shape.
-pub(super) fn is_gone(leaf: &Shape) -> bool {
-    leaf.trace().is_some_and(Trace::is_gone)
 }
 
 /// The wire of a leaf, with normals in the coordinates of a shape.

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::extrude::stand;
+use super::refused::report_refused;
 use crate::fault::FaultKind;
 use crate::geometry::roof::{Rise, RoofForm, RoofRefusal, roof_over};
 use crate::run::env::Env;
@@ -141,9 +142,6 @@ fn build(env: &mut Env, shape: &mut Shape, name: &str, form: RoofForm, by: RoofV
         RoofValue::ByAngle => return refuse(env, name, "the angle is not between 0 and 90 degrees"),
         RoofValue::ByHeight => return refuse(env, name, "the height is not positive"),
     };
-    if !shape.state.coordinates().is_empty() {
-        shape.bake();
-    }
     let mesh = shape.to_mesh();
     let Some(up) = mesh.faces().map(|face| face.normal()).find(|normal| *normal != DVec3::ZERO) else {
         return refuse(env, name, "no face has a normal");
@@ -153,7 +151,7 @@ fn build(env: &mut Env, shape: &mut Shape, name: &str, form: RoofForm, by: RoofV
         return;
     }
     let (made, refused) = roof_over(&mesh, form, rise);
-    report(env, name, &refused);
+    report_refused(env, name, &refused, &REFUSALS);
     if refused.len() < mesh.face_count() {
         stand(env, shape, made, up, 1.0, &format!("`{name}`"));
     }
@@ -164,22 +162,12 @@ fn refuse(env: &mut Env, name: &str, why: &str) {
     env.fault(FaultKind::Value, format!("`{name}`: {why}; the shape stays as it is"));
 }
 
-/// Reports the faces that stay, and the reasons.
-fn report(env: &mut Env, name: &str, refused: &[(usize, RoofRefusal)]) {
-    for (why, text) in [
-        (RoofRefusal::NoNormal, "has no normal"),
-        (RoofRefusal::TooMany, "has too many corners"),
-        (RoofRefusal::Tangled, "touches itself or leads too far"),
-    ] {
-        let mut faces = refused.iter().filter(|refused| refused.1 == why).map(|refused| refused.0);
-        let Some(first) = faces.next() else { continue };
-        let more = match faces.count() {
-            0 => String::new(),
-            more => format!(", as {more} more"),
-        };
-        env.fault(FaultKind::Geometry, format!("`{name}`: face {first} {text}{more}; it stays as it is"));
-    }
-}
+/// The reasons for which a face stays.
+const REFUSALS: [(RoofRefusal, &str); 3] = [
+    (RoofRefusal::NoNormal, "has no normal"),
+    (RoofRefusal::TooMany, "has too many corners"),
+    (RoofRefusal::Tangled, "touches itself or leads too far"),
+];
 
 #[cfg(test)]
 mod tests;

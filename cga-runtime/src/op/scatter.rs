@@ -123,7 +123,7 @@ fn strew(
 ) -> ControlFlow<(), Points> {
     let count = env.finite(count, "the number of points").floor();
     if count < 1.0 {
-        env.fault(FaultKind::Value, format!("scatter: {count} points are asked for; none is made"));
+        env.fault(FaultKind::Value, format!("`scatter`: {count} points are asked for; none is made"));
         return ControlFlow::Continue(Points::none());
     }
     let count = count as u64;

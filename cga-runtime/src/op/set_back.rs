@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 use crate::comp::select::Word;
-use crate::comp::{Arm, Arms, Faces, Mode, Select, face_edges, never};
+use crate::comp::{Arms, Faces, face_edges};
 use crate::fault::FaultKind;
 use crate::geometry::mesh::offset::OffsetError;
 use crate::geometry::mesh::offset::region::EdgeCut;
@@ -33,14 +33,12 @@ pub(super) fn set_back(
     if !arms.shape().geometry.has_surface() {
         return ControlFlow::Continue(Faces::default());
     }
-    let word = |width: &(Word, f64)| Arm { select: Select::Word(width.0), mode: Mode::Each, text: "" };
-    let words: Vec<Arm> = widths.iter().map(word).collect();
-    let edges = face_edges(env, arms.shape(), &words, &mut never)?;
+    let edges = face_edges(env, arms.shape(), widths.iter().map(|width| width.0))?;
     let mesh = arms.shape().to_mesh();
     let shape = arms.of(Word::Shape);
     let turns = |face: &FaceRef<'_>| {
         let edges = edges[face.corner_range()].iter();
-        let distances = edges.map(|arm| arm.map_or(0.0, |arm| distances[arm as usize])).collect();
+        let distances = edges.map(|word| word.map_or(0.0, |word| distances[word as usize])).collect();
         vec![Turn { arm: shape, distances }]
     };
     ControlFlow::Continue(divided(env, &mesh, arms.of(Word::Remainder), what, turns))

@@ -257,6 +257,14 @@ impl Shape {
         }
     }
 
+    /// Replaces the geometry by a wire in scope coordinates. The scope becomes its bounding box.
+    pub(crate) fn set_wire(&mut self, wire: Wire) {
+        let placed = PlacedWire::fitted(wire);
+        self.scope.origin += self.scope.axes * placed.low;
+        self.scope.size = placed.size;
+        self.geometry = Geometry::Wire(Arc::new(placed));
+    }
+
     /// Sets the size. A size of zero flattens the geometry permanently.
     pub(crate) fn resize(&mut self, size: DVec3) {
         let flattens = self.scope.size.cmpne(DVec3::ZERO) & size.cmpeq(DVec3::ZERO);

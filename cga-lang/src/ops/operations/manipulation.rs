@@ -1,10 +1,10 @@
 //! Geometry manipulation, tags, inlined rules and boolean operations.
 
 use super::super::{
-    Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Params, Str, boolean, bounds, float, or, text,
-    within, word, words,
+    Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Params, Str, Uses, boolean, bounds, float, or,
+    text, within, word, words,
 };
-use super::{block, joins, later, old, op, with};
+use super::{block, joins, later, old, op, using, with};
 
 /// *cleanupGeometry* and *reduceGeometry operation*.
 static TOLERANCES: ParamBounds = bounds(Allowed::Between(0.0, 1.0), "it is from 0 to 1");
@@ -30,6 +30,9 @@ const STRATEGY: Param = words("geometryMergeStrategy", &["unify"]);
 /// *Boolean 3D operations*, 2024.1.
 const SWAP: Param = words("swapMode", &["noSwap", "swap"]);
 
+/// The initial shape and its place in the world.
+const INITIAL: Uses = Uses::WHOLE.and(Uses::PLACE).and(Uses::SAYS);
+
 const INLINE: &str = "derives a rule at once and continues with its result as one shape";
 const UNION: &str = "joins the results of both sides";
 const SUBTRACT: &str = "removes the result of the right side from the result of the left side";
@@ -44,7 +47,7 @@ pub(super) static ROWS: &[Operation] = &[
     later("cleanupGeometry", &[CLEANUP, TOLERANCE], "merges parts that are nearly the same"),
     later("convexify", &[], "cuts concave faces into convex ones"),
     later("convexify", &[float("maxLength")], "cuts concave faces where the cut is short"),
-    later("deleteHoles", &[], "fills the holes of faces"),
+    with(Effect::KeepsSize, op("deleteHoles", "delete_holes", &[], "fills the holes of faces")),
     with(Effect::KeepsSize, op("reverseNormals", "reverse_normals", &[], "turns every face over")),
     later("setNormals", &[NORMALS], "sets the normals of vertices"),
     later("softenNormals", &[float("angle")], "smooths edges flatter than an angle"),
@@ -59,7 +62,7 @@ pub(super) static ROWS: &[Operation] = &[
     ),
     later("rectify", &[within(float("angle"), &DEVIATIONS)], "turns edges that nearly follow the scope's axes to them"),
     later("reduceGeometry", &[TOLERANCE], "removes vertices and changes the form as little as it can"),
-    later("resetGeometry", &[], "takes the geometry of the initial shape again"),
+    using(INITIAL, op("resetGeometry", "reset_geometry", &[], "takes the geometry of the initial shape again")),
     with(Effect::KeepsSize, op("trim", "trim", &[], "cuts the geometry at the trim planes")),
     later("tag", &[text("name"), TAGGED], "gives components a tag"),
     later("deleteTags", &[], "removes all tags"),

@@ -87,8 +87,8 @@ fn pyramids_have_planes_to_the_apex() {
     assert_eq!(edges(&pyramid), [5, 5, 0, 0]);
 }
 
-/// Planes stand at the upright edges between sides (*roofShed operation*, second picture). The plane has the edge that it
-/// rises from and the highest one as eaves (*comp operation*, roof edges).
+/// Trim planes at the upright edges between sides (*roofShed operation*, second picture). The roof plane has two eaves: the
+/// edge that it rises from, and the highest one (*comp operation*, roof edges).
 #[test]
 fn a_shed_has_planes_between_its_sides() {
     let shed = roof(rectangle(), |env, shape| op::roof_shed(env, shape, 30.0, 0.0));

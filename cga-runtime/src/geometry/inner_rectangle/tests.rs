@@ -133,7 +133,7 @@ fn of_equal_rectangles_the_one_nearest_to_the_centre_is_taken() {
 
 #[test]
 fn short_edges_give_no_directions() {
-    // Of the long edges of this lot, none follows the short bevel, which would give no better rectangle either.
+    // The long edges of this lot are parallel to the axes. A rectangle along the short bevel would not be larger.
     let lot = Polygon::of(&[&[(0.0, 0.0), (10.0, 0.0), (10.0, 9.0), (9.0, 10.0), (0.0, 10.0)]]);
     let rectangle = found(&lot, EDGES);
     assert!(rectangle.along.abs_diff_eq(DVec2::X, 1e-9) || rectangle.along.abs_diff_eq(DVec2::Y, 1e-9));

@@ -36,7 +36,7 @@ struct Seen<'a> {
 }
 
 /// Adds the largest rectangle in a face to a mesh, and, with `rest`, the connected parts of the rest of the face. Returns the
-/// number of parts. If there is no rectangle, nothing is added.
+/// number of parts. A face that is refused adds nothing.
 ///
 /// The face is seen along the axis that is nearest to its normal, and so are the angles of the rectangle. Without
 /// `sides` along edges it follows the axes. Parts of the rest are in the order of the points of the face, and begin with an

@@ -23,6 +23,7 @@ mod extrude_wire;
 pub(crate) mod face;
 mod flat_face;
 mod footprint;
+mod holes;
 pub(crate) mod inner_rectangle;
 pub(crate) mod join;
 mod layout;

@@ -40,6 +40,19 @@ pub(crate) fn in_order_of_use(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec
 }
 
 impl Mesh {
+    /// Takes the points that the corners use from another mesh, whose points the corners have, with their origins and tags.
+    pub(crate) fn take_points(&mut self, source: &Mesh) {
+        let mut used = Vec::new();
+        if source.needs_origins() {
+            used.clone_from(&self.corners);
+            used.sort_unstable();
+            used.dedup();
+        }
+        self.points = keep_used(&source.points, &mut self.corners);
+        self.trace = source.trace.pick(used.iter().map(|point| Some(*point)));
+        self.carry_tags(source, |point| PartPoint::old(used[point as usize]));
+    }
+
     /// Drops unused points and numbers the others in the order of their first use.
     pub(crate) fn number_by_use(&mut self) {
         self.renumber(in_order_of_use);

@@ -17,8 +17,7 @@ use super::face::unit;
 use super::flat_face::FlatFace;
 use super::map::flip;
 use super::spread::Spread;
-use crate::geometry::nesting::Nest;
-use crate::geometry::nesting::contour::PlaneSection;
+use crate::geometry::nesting::rings::NestedRings;
 use crate::geometry::skeleton::{self, Failure, Left, Strip};
 
 pub(crate) mod region;
@@ -126,25 +125,15 @@ impl<'p, 'a> FaceParts<'p, 'a> {
     /// of its next side and the point. `own` gives the corner of the face at a point. Returns the number of faces.
     fn nested(&mut self, mut rings: Vec<Vec<(usize, u32)>>, own: impl Fn(u32) -> Option<usize>) -> usize {
         rings.sort_unstable_by_key(|ring| ring[0]);
-        let numbers: Vec<u32> = rings.iter().flatten().map(|corner| corner.1).collect();
-        let ends: Vec<usize> = rings
-            .iter()
-            .scan(0, |end, ring| {
-                *end += ring.len();
-                Some(*end)
-            })
-            .collect();
-        let mut nest = Nest::default();
-        nest.sort(&PlaneSection { flat: self.points, corners: &numbers, ends: &ends });
-        for rings in nest.groups() {
+        let nested = NestedRings::of(self.points, rings.iter().map(|ring| ring.iter().map(|corner| corner.1)));
+        for rings in nested.polygons() {
             for ring in rings {
-                let ring: Vec<(u32, Option<usize>)> =
-                    numbers[ring.clone()].iter().map(|&point| (point, own(point))).collect();
+                let ring: Vec<(u32, Option<usize>)> = ring.iter().map(|&point| (point, own(point))).collect();
                 self.ring(&ring, 1.0);
             }
             self.end_face();
         }
-        nest.groups().len()
+        nested.polygons().len()
     }
 
     /// A loop of the remaining interior in the direction of the face, beginning with the first edge. For each corner it

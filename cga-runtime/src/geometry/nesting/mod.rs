@@ -19,6 +19,7 @@ mod merge_sort;
 mod pairing;
 mod probe;
 mod ring;
+pub(crate) mod rings;
 mod sweep;
 mod winding;
 

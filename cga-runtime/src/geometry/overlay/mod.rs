@@ -17,13 +17,13 @@ use std::collections::HashMap;
 
 use glam::DVec2;
 
-use crate::geometry::nesting::Nest;
-use crate::geometry::nesting::contour::{Contour, PlaneSection};
+use crate::geometry::nesting::contour::Contour;
+use crate::geometry::nesting::rings::NestedRings;
 use crate::geometry::tol::TOUCH_EPSILON;
 pub(crate) use grid::Grid;
 use grid::{Place, double_area};
 
-/// The reason why there is no result.
+/// The reason why an overlay fails.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum OverlayError {
     /// Too many edges cross.
@@ -96,19 +96,10 @@ fn nested(mut loops: Vec<Vec<u32>>, flat: &[DVec2], places: &[Place]) -> Vec<Vec
         ring.rotate_left(first);
     }
     loops.sort_unstable();
-    let corners: Vec<u32> = loops.iter().flatten().copied().collect();
-    let end = |end: &mut usize, ring: &Vec<u32>| {
-        *end += ring.len();
-        Some(*end)
-    };
-    let ends: Vec<usize> = loops.iter().scan(0, end).collect();
-    let mut nest = Nest::default();
-    nest.sort_as(&PlaneSection { flat, corners: &corners, ends: &ends }, false);
-    let polygon = |rings: &[std::ops::Range<usize>]| -> Vec<Vec<u32>> {
-        rings.iter().map(|ring| corners[ring.clone()].to_vec()).collect()
-    };
+    let nested = NestedRings::of_anticlockwise(flat, loops.into_iter());
+    let polygons = nested.polygons().map(|rings| -> Vec<Vec<u32>> { rings.map(<[u32]>::to_vec).collect() });
     // A hole whose outline was a sliver has no region around it.
-    nest.groups().map(polygon).filter(|rings| 0 < double_area(&rings[0], places)).collect()
+    polygons.filter(|rings| 0 < double_area(&rings[0], places)).collect()
 }
 
 #[cfg(test)]

@@ -6,9 +6,8 @@ use glam::{DVec2, DVec3};
 
 use super::plan::rings_of;
 use super::{Outline, Rise, Roof, RoofFace, RoofPart};
-use crate::geometry::nesting::Nest;
-use crate::geometry::nesting::contour::PlaneSection;
 use crate::geometry::nesting::extent::Extent;
+use crate::geometry::nesting::rings::NestedRings;
 use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
 
 /// A triangle for each edge, to an apex over the mean of all corners. An angle is that of the first triangle.
@@ -181,19 +180,8 @@ fn nested(points: &[DVec3], mut rings: Vec<Vec<u32>>) -> Vec<RoofFace> {
         ring.rotate_left(first.unwrap_or(0));
     }
     let flat: Vec<DVec2> = points.iter().map(|point| point.truncate()).collect();
-    let numbers: Vec<u32> = rings.concat();
-    let ends: Vec<usize> = rings
-        .iter()
-        .scan(0, |end, ring| {
-            *end += ring.len();
-            Some(*end)
-        })
-        .collect();
-    let mut nest = Nest::default();
-    nest.sort(&PlaneSection { flat: &flat, corners: &numbers, ends: &ends });
-    let face = |rings: &[std::ops::Range<usize>]| RoofFace {
-        part: RoofPart::Top,
-        rings: rings.iter().map(|ring| numbers[ring.clone()].to_vec()).collect(),
-    };
-    nest.groups().map(face).collect()
+    let nested = NestedRings::of(&flat, rings.into_iter());
+    let faces =
+        nested.polygons().map(|rings| RoofFace { part: RoofPart::Top, rings: rings.map(<[u32]>::to_vec).collect() });
+    faces.collect()
 }

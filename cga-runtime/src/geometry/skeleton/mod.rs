@@ -80,7 +80,7 @@ pub(crate) struct Swept {
     pub(crate) left: Vec<Vec<Left>>,
 }
 
-/// The reason why there is no result.
+/// The reason why a sweep fails.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Failure {
     /// The polygon has more than [`MOST_CORNERS`] corners.

@@ -1,6 +1,7 @@
 use glam::{DMat3, DVec3};
 
 use super::*;
+use crate::comp::{Arm, Mode, Select, never};
 use crate::geometry::mesh::primitive::cube;
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use crate::shape::Shape;

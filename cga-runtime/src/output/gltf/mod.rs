@@ -105,7 +105,7 @@ impl Glb {
     }
 
     /// References image files by their names, relative to the file, instead of embedding them. Only images without a
-    /// file are embedded: built-in textures, and images combined from two.
+    /// file are embedded: built-in textures, images inside glTF files, and images combined from two.
     pub fn with_referenced_images(mut self) -> Self {
         self.references_images = true;
         self

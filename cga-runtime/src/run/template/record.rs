@@ -34,7 +34,7 @@ pub(crate) struct Tape<'r, C> {
     holes: Vec<Hole<C>>,
 }
 
-/// The reason why there is no template.
+/// The reason why a recording fails.
 enum Lost {
     /// The rule makes something that templates do not hold.
     Never,

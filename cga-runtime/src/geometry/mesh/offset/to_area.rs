@@ -14,7 +14,7 @@ const AREA_EPSILON: f64 = 1e-13;
 /// The limit on steps. Halving alone takes fewer to reach neighbouring numbers.
 const STEPS: usize = 1100;
 
-/// What a setback leaves.
+/// The rest of faces after a setback.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Rest {
     /// The area.
@@ -24,7 +24,7 @@ pub(crate) struct Rest {
 }
 
 impl Rest {
-    /// What the turns leave of a face; all of it if the face cannot be set back. `moves` tells whether a piece moves on.
+    /// The rest of a face after the turns: all of it if the face cannot be set back. `moves` returns true if a piece moves on.
     pub(crate) fn of(face: &FaceRef<'_>, turns: &[&[f64]], moves: impl Fn(usize) -> bool) -> Self {
         let whole = || Rest { area: face.area(), front: 0.0 };
         let Some(plane) = FlatFace::of(face) else { return whole() };

@@ -1,10 +1,31 @@
-//! The state of a shape that is made of several.
+//! The leaves of an operand as parts of one shape.
 
 use std::sync::Arc;
 
+use crate::geometry::mesh::Mesh;
+use crate::geometry::trace::Trace;
 use crate::shape::Shape;
 use crate::shape::look::Look;
 use crate::shape::state::{State, StateRef};
+
+/// Drops leaves that `NIL` has removed, and leaves without faces if another leaf has some. `leaf` gives the shape of an
+/// element.
+pub(super) fn retain_parts<T>(list: &mut Vec<T>, leaf: impl Fn(&T) -> &Shape) {
+    list.retain(|own| !leaf(own).trace().is_some_and(Trace::is_gone));
+    if list.iter().any(|own| leaf(own).geometry.has_surface()) {
+        list.retain(|own| leaf(own).geometry.has_surface());
+    }
+}
+
+/// The meshes of leaves in the scope of a shape. If the materials of leaves differ, faces have the material of their leaf.
+pub(super) fn part_meshes<'l>(shape: &Shape, leaves: &'l [Shape]) -> impl Iterator<Item = Mesh> + use<'l> {
+    let is_common = leaves.iter().all(|leaf| leaf.material() == leaves[0].material());
+    let to_scope = shape.scope.placement().inverse();
+    leaves.iter().map(move |leaf| {
+        let mesh = leaf.to_mesh().map(&(to_scope * leaf.scope.placement()));
+        if is_common { mesh } else { mesh.with_material(leaf.material()) }
+    })
+}
 
 /// The state of the sum: what all leaves have in common, otherwise what the current shape has. Faces have their material
 /// if it is not common.
