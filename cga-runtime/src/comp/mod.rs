@@ -3,6 +3,7 @@
 mod arms;
 mod candidate;
 mod faces;
+mod found_tags;
 mod mesh_parts;
 pub(crate) mod orientation;
 mod owners;
