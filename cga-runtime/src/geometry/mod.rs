@@ -13,6 +13,8 @@ pub mod mesh;
 mod nesting;
 pub(crate) mod overlay;
 pub(crate) mod provenance;
+#[cfg(test)]
+pub(crate) mod random;
 pub(crate) mod recompose;
 pub(crate) mod roof;
 pub(crate) mod rotation;
