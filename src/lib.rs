@@ -188,3 +188,8 @@ pub mod split {
 pub mod __rt {
     pub use cga_runtime::rt::*;
 }
+
+/// The code of the guide, which runs as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/guide/recipes.md")]
+mod recipes {}
