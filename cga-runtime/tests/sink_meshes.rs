@@ -145,5 +145,5 @@ fn appended_models_keep_leaves_in_order() {
     let rules = |model: &Model| model.leaves().map(|leaf| leaf.rule()).collect::<Vec<_>>();
     assert_eq!(rules(&sum), [rules(&one), rules(&two)].concat());
     assert!((sum.area() - one.area() - two.area()).abs() < 1e-9);
-    assert_eq!(sum.leaves().next_back().map(|leaf| leaf.rule()), two.leaves().last().map(|leaf| leaf.rule()));
+    assert_eq!(sum.leaves().next_back().map(|leaf| leaf.rule()), two.leaves().next_back().map(|leaf| leaf.rule()));
 }
