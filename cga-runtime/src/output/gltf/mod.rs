@@ -1,7 +1,8 @@
 //! GLB 2.0: one binary file with geometry, materials and rule names.
 //!
 //! Triangles are grouped into one primitive for each material. Each vertex has the number of its rule
-//! (`_FEATURE_ID_0`, `EXT_mesh_features`), and a property table (`EXT_structural_metadata`) has the names. Assets
+//! (`_FEATURE_ID_0`, `EXT_mesh_features`), and a property table (`EXT_structural_metadata`) has the names; on request,
+//! rules are nodes instead ([`Glb::by_rule`]). Assets
 //! inserted more than once are stored once and placed by nodes. On request, parts that rules repeat are stored once
 //! with a list of their places (`EXT_mesh_gpu_instancing`). Colours are converted from sRGB to linear light.
 //! Materials are double sided by default, as in CGA. Equal leaves and images give equal bytes.
@@ -23,6 +24,7 @@ mod look;
 mod pack;
 mod parts;
 mod primitive;
+mod scene;
 mod streams;
 mod textures;
 
@@ -33,8 +35,9 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use self::look::Looks;
-use self::parts::{MeshInstance, RepeatedParts};
+use self::parts::RepeatedParts;
 use self::primitive::{INDEX_BYTES, Primitive, Primitives, UV_BYTES, VERTEX_BYTES};
+use self::scene::{Places, SceneMesh};
 use super::error::WriteError;
 use super::flatten::Flattener;
 use super::near_origin::near_origin;
@@ -50,6 +53,7 @@ use crate::output::model::Model;
 use crate::run::sink::corners::{PlacedBox, four};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
+use crate::value::Value;
 
 /// Collects leaves for a GLB file.
 #[derive(Debug, Default)]
@@ -66,19 +70,10 @@ pub struct Glb {
     /// The assets that contain the images.
     files: Option<Arc<Assets>>,
     references_images: bool,
-}
-
-/// A glTF mesh at several places.
-struct SharedMesh {
-    primitives: Vec<Primitive>,
-    places: Instances,
-}
-
-enum Instances {
-    /// A node for each place.
-    Nodes(Vec<DAffine3>),
-    /// One node for all places.
-    Instances(Vec<MeshInstance>),
+    name: Option<String>,
+    is_by_rule: bool,
+    /// Names and JSON texts of values.
+    extras: Vec<(String, String)>,
 }
 
 /// The largest 32-bit length of the format, less room for the description.
@@ -128,6 +123,34 @@ impl Glb {
         self
     }
 
+    /// Names the file's root node and its mesh, "model" by default: a grammar, or the address of a house.
+    pub fn named(mut self, name: impl Into<String>) -> Self {
+        self.name = Some(name.into());
+        self
+    }
+
+    /// Writes a node and a mesh for each rule, with the name of the rule, below the root node. Programs that ignore the
+    /// extension for rule names (most do) then show the rules as objects. A rule has a primitive for each of its
+    /// materials, and vertices have no rule numbers.
+    pub fn by_rule(mut self) -> Self {
+        self.is_by_rule = true;
+        self
+    }
+
+    /// Adds a value to the member `extras` of the root node, where programs show custom properties: an attribute, the
+    /// seed. A value that is not finite is written as null.
+    ///
+    /// ```
+    /// use cga_runtime::output::gltf::Glb;
+    ///
+    /// let glb = Glb::new().named("Tower").by_rule().with_extra("height", 24.0);
+    /// # let _ = glb;
+    /// ```
+    pub fn with_extra(mut self, name: impl Into<String>, value: impl Into<Value>) -> Self {
+        self.extras.push((name.into(), json::value(&value.into())));
+        self
+    }
+
     /// Completes the file.
     ///
     /// # Errors
@@ -138,14 +161,19 @@ impl Glb {
         if let Some(parts) = self.parts.take() {
             shared.extend(self.place_parts(parts));
         }
-        shared.retain(|mesh| !mesh.primitives.is_empty());
         check_size(self.bytes)?;
         let main = std::mem::take(&mut self.primitives).into_list();
-        pack::pack(&self, &main, &shared)
+        let mut meshes = vec![SceneMesh { primitives: main, places: Places::Root }];
+        meshes.extend(shared);
+        if self.is_by_rule {
+            meshes = meshes.into_iter().flat_map(SceneMesh::by_rule).collect();
+        }
+        meshes.retain(|mesh| !mesh.primitives.is_empty());
+        pack::pack(&self, &meshes)
     }
 
     /// Turns assets at several places into separate meshes; the others join the rest.
-    fn place_assets(&mut self) -> Vec<SharedMesh> {
+    fn place_assets(&mut self) -> Vec<SceneMesh> {
         let mut shared = Vec::new();
         for mut asset in std::mem::take(&mut self.assets).into_list() {
             let (own, single) = asset.shared_and_single();
@@ -157,8 +185,8 @@ impl Glb {
                 self.add_mesh(rule, material, mesh, &DAffine3::IDENTITY);
                 self.origin = origin;
                 let primitives = std::mem::replace(&mut self.primitives, main).into_list();
-                let places = Instances::Nodes(own.into_iter().map(|(place, ())| place).collect());
-                shared.push(SharedMesh { primitives, places });
+                let places = Places::Nodes(own.into_iter().map(|(place, ())| place).collect());
+                shared.push(SceneMesh { primitives, places });
             }
             single.iter().for_each(|(place, ())| self.add_mesh(rule, material, mesh, place));
         }

@@ -7,8 +7,9 @@ use std::collections::HashMap;
 
 use glam::{DAffine3, DQuat, DVec3};
 
+use super::Glb;
 use super::primitive::Primitive;
-use super::{Glb, Instances, SharedMesh};
+use super::scene::{Places, SceneMesh};
 use crate::material::layer::SetMask;
 use crate::output::interner::Interner;
 use crate::run::sink::{Flow, PartId, Replay};
@@ -85,11 +86,11 @@ impl Glb {
     }
 
     /// Turns parts at several places into separate meshes; the others join the rest.
-    pub(super) fn place_parts(&mut self, parts: RepeatedParts) -> Vec<SharedMesh> {
+    pub(super) fn place_parts(&mut self, parts: RepeatedParts) -> Vec<SceneMesh> {
         let mut shared = Vec::new();
         for (primitives, (first, places)) in parts.parts.list.into_iter().zip(parts.places) {
             if 2 <= places.len() {
-                shared.push(SharedMesh { primitives, places: Instances::Instances(places) });
+                shared.push(SceneMesh { primitives, places: Places::Instances(places) });
                 continue;
             }
             for primitive in &primitives {
