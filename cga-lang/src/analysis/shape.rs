@@ -1,7 +1,7 @@
 //! The abstract shape: sizes, filling and trim planes.
 
 use super::interval::Interval;
-use crate::ops::{Directions, Selector};
+use crate::ops::{Directions, MOST_SIZE, Selector};
 use crate::span::Span;
 
 /// The tolerance of bounding boxes of parts of meshes, in metres and relative: points far from the origin are rounded. It
@@ -147,7 +147,9 @@ impl Shape {
         if distance.known() == Some(0.0) {
             return *self;
         }
-        if distance.is_odd() || distance.lo <= 0.0 && 0.0 <= distance.hi {
+        // A shape that would be too high stays as it is.
+        let may_stay = distance.lo <= 0.0 && 0.0 <= distance.hi || MOST_SIZE < distance.abs().hi;
+        if distance.is_odd() || may_stay {
             return self.moved_on();
         }
         let since = [self.since[0], Some(by), self.since[1]];
