@@ -14,7 +14,6 @@
 //! image share the set and the placement of the first. Bump, dirt and specular maps are left out: glTF has no such
 //! maps.
 
-mod assets;
 mod binary;
 mod buffers;
 mod combine;
@@ -25,7 +24,6 @@ mod pack;
 mod parts;
 mod primitive;
 mod streams;
-mod tangents;
 mod textures;
 
 use std::ops::ControlFlow;
@@ -34,14 +32,15 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use self::assets::AssetList;
 use self::look::Looks;
 use self::parts::{MeshInstance, RepeatedParts};
 use self::primitive::{INDEX_BYTES, Primitive, Primitives, UV_BYTES, VERTEX_BYTES};
 use super::error::WriteError;
 use super::flatten::Flattener;
+use super::near_origin::near_origin;
 use super::normals;
 use super::numbers::Numbers;
+use super::placed_assets::AssetList;
 use crate::asset::Assets;
 use crate::geometry::Axis;
 use crate::geometry::mesh::{Bounds, Mesh};
@@ -59,7 +58,7 @@ pub struct Glb {
     numbers: Numbers,
     looks: Looks,
     primitives: Primitives,
-    assets: AssetList,
+    assets: AssetList<()>,
     /// The repeated parts, if they become instances.
     parts: Option<RepeatedParts>,
     flattener: Flattener,
@@ -143,6 +142,27 @@ impl Glb {
         check_size(self.bytes)?;
         let main = std::mem::take(&mut self.primitives).into_list();
         pack::pack(&self, &main, &shared)
+    }
+
+    /// Turns assets at several places into separate meshes; the others join the rest.
+    fn place_assets(&mut self) -> Vec<SharedMesh> {
+        let mut shared = Vec::new();
+        for mut asset in std::mem::take(&mut self.assets).into_list() {
+            let (own, single) = asset.shared_and_single();
+            let (rule, material, mesh) = (asset.rule, asset.material, &asset.mesh);
+            if !own.is_empty() {
+                // Filled in the mesh's own coordinates, with a separate list of primitives.
+                let main = std::mem::take(&mut self.primitives);
+                let origin = std::mem::take(&mut self.origin);
+                self.add_mesh(rule, material, mesh, &DAffine3::IDENTITY);
+                self.origin = origin;
+                let primitives = std::mem::replace(&mut self.primitives, main).into_list();
+                let places = Instances::Nodes(own.into_iter().map(|(place, ())| place).collect());
+                shared.push(SharedMesh { primitives, places });
+            }
+            single.iter().for_each(|(place, ())| self.add_mesh(rule, material, mesh, place));
+        }
+        shared
     }
 
     /// Counts the bytes of vertices with a number of sets of texture coordinates, and of indices.
@@ -250,7 +270,7 @@ impl Sink for Glb {
 
     fn instance(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
-        self.assets.add(mesh, rule, material, placement);
+        self.assets.add(mesh, rule, material, (*placement, ()));
         ControlFlow::Continue(())
     }
 
@@ -313,16 +333,4 @@ fn to_glb(
 /// An error for more bytes than the format allows.
 fn check_size(bytes: u64) -> Result<(), WriteError> {
     if MAX_BYTES < bytes { Err(WriteError::TooLarge { what: "bytes", limit: u64::from(u32::MAX) }) } else { Ok(()) }
-}
-
-/// The origin of the world. If 32-bit floats relative to it would be off by more than a millimetre, a point in whole
-/// metres near geometry with those bounds.
-fn near_origin(bounds: Bounds) -> DVec3 {
-    const FINE: f64 = 8192.0;
-    let reach = bounds.low.abs().max(bounds.high.abs()).max_element();
-    if !bounds.low.is_finite() || !bounds.high.is_finite() || reach <= FINE {
-        return DVec3::ZERO;
-    }
-    let middle = (bounds.low + bounds.high) * 0.5;
-    DVec3::new(middle.x, bounds.low.y, middle.z).round()
 }
