@@ -1,8 +1,7 @@
 //! The meshes of the scene, and their places.
 
-use glam::DAffine3;
+use glam::{DAffine3, DQuat, DVec3};
 
-use super::parts::MeshInstance;
 use super::primitive::{Primitive, Primitives};
 
 /// A mesh of the file.
@@ -53,5 +52,22 @@ impl SceneMesh {
         let mut rules = self.primitives.iter().flat_map(|primitive| &primitive.rules).map(|(rule, _)| *rule);
         let first = rules.next()?;
         rules.all(|rule| rule == first).then_some(first)
+    }
+}
+
+/// A place of an instance, relative to the origin of the file.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct MeshInstance {
+    pub(super) translation: [f32; 3],
+    /// A unit quaternion.
+    pub(super) rotation: [f32; 4],
+}
+
+impl MeshInstance {
+    pub(super) fn new(placement: &DAffine3, origin: DVec3) -> Self {
+        MeshInstance {
+            translation: (placement.translation - origin).to_array().map(|c| c as f32),
+            rotation: DQuat::from_mat3(&placement.matrix3).normalize().to_array().map(|c| c as f32),
+        }
     }
 }
