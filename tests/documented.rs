@@ -23,6 +23,8 @@ mod cutting;
 mod faces;
 #[path = "documented/mass.rs"]
 mod mass;
+#[path = "documented/mesh_operations.rs"]
+mod mesh_operations;
 #[path = "documented/offsets.rs"]
 mod offsets;
 #[path = "documented/outlines.rs"]
@@ -68,6 +70,7 @@ fn all_examples_run() {
         pages::recompose::ALL,
         pages::scattering::ALL,
         pages::setback::ALL,
+        pages::mesh_operations::ALL,
     ];
     let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();
     for example in pages.concat() {

@@ -1,7 +1,7 @@
 //! Geometry: meshes and operations on them. This module does not know shapes, rules or sinks.
 
 pub(crate) mod boolean;
-mod buckets;
+pub(crate) mod buckets;
 pub mod cut;
 pub(crate) mod disjoint;
 pub(crate) mod envelope;
@@ -14,6 +14,8 @@ pub mod mesh;
 mod nesting;
 pub(crate) mod overlay;
 pub(crate) mod provenance;
+#[cfg(test)]
+pub(crate) mod random;
 pub(crate) mod recompose;
 pub(crate) mod roof;
 pub(crate) mod rotation;

@@ -9,6 +9,7 @@ mod align_geometry;
 mod along_uv;
 mod boolean;
 mod coordinates;
+mod delete_holes;
 mod envelope;
 mod extrude;
 mod fit;
@@ -27,6 +28,7 @@ mod recompose;
 mod refit;
 mod refused;
 mod report;
+mod reset_geometry;
 mod roof;
 mod scatter;
 #[cfg(test)]
@@ -55,6 +57,7 @@ pub use align_geometry::{
 pub use along_uv::{insert_along_uv, insert_along_uv_with};
 pub use boolean::{SwapMode, intersect, intersect_current, subtract, subtract_current, union, union_current};
 pub use coordinates::{System, TransformMode, rotate_in, translate_in};
+pub use delete_holes::delete_holes;
 pub use envelope::{
     EnvelopeAlong, envelope_all, envelope_edges, envelope_front, envelope_front_back, envelope_old_all,
     envelope_old_front, envelope_old_front_back, envelope_old_sides, envelope_sides,
@@ -76,6 +79,7 @@ pub use primitive::{
 };
 pub use recompose::modify;
 pub use report::{label, print, report};
+pub use reset_geometry::reset_geometry;
 pub use roof::{
     RoofValue, roof_gable, roof_gable_along, roof_gable_by, roof_hip, roof_hip_by, roof_pyramid, roof_pyramid_by,
     roof_ridge_by, roof_shed, roof_shed_by,

@@ -6,6 +6,7 @@ pub(crate) mod components;
 pub(crate) mod cutting;
 pub(crate) mod example;
 pub(crate) mod mass;
+pub(crate) mod mesh_operations;
 pub(crate) mod meshes;
 pub(crate) mod primitives;
 pub(crate) mod recompose;

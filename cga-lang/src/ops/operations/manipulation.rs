@@ -1,10 +1,10 @@
 //! Geometry manipulation, tags, inlined rules and boolean operations.
 
 use super::super::{
-    Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Str, boolean, bounds, float, or, text, within,
-    word, words,
+    Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Str, Uses, boolean, bounds, float, or, text,
+    within, word, words,
 };
-use super::{block, joins, later, old, op, with};
+use super::{block, joins, later, old, op, recomposes, using, with};
 
 /// *cleanupGeometry* and *reduceGeometry operation*.
 static TOLERANCES: ParamBounds = bounds(Allowed::Between(0.0, 1.0), "it is from 0 to 1");
@@ -23,10 +23,15 @@ const TAGGED: Param = or(words("components", &["auto", "faces", "edges", "vertic
 const UNTAGGED: Param = or(words("components", &["all", "faces", "edges", "vertices"]), Default::Word("all"));
 
 const STRATEGY: Param =
-    or(word("geometryMergeStrategy", "MergeStrategy", &["append", "unify", "recompose"]), Default::Word("append"));
+    or(word("geometryMergeStrategy", "MergeStrategy", &["append", "unify"]), Default::Word("append"));
+
+const RECOMPOSE: Param = word("geometryMergeStrategy", "MergeStrategy", &["recompose"]);
 
 /// *Boolean 3D operations*, 2024.1.
 const SWAP: Param = or(word("swapMode", "SwapMode", &["noSwap", "swap"]), Default::Word("noSwap"));
+
+/// The initial shape and its place in the world.
+const INITIAL: Uses = Uses::WHOLE.and(Uses::PLACE).and(Uses::SAYS);
 
 const INLINE: &str = "derives a rule at once and continues with its result as one shape";
 const UNION: &str = "joins the results of both sides";
@@ -42,7 +47,7 @@ pub(super) static ROWS: &[Operation] = &[
     later("cleanupGeometry", &[CLEANUP, TOLERANCE], "merges parts that are nearly the same"),
     later("convexify", &[], "cuts concave faces into convex ones"),
     later("convexify", &[float("maxLength")], "cuts concave faces where the cut is short"),
-    later("deleteHoles", &[], "fills the holes of faces"),
+    with(Effect::KeepsSize, op("deleteHoles", "delete_holes", &[], "fills the holes of faces")),
     with(Effect::KeepsSize, op("reverseNormals", "reverse_normals", &[], "turns every face over")),
     later("setNormals", &[NORMALS], "sets the normals of vertices"),
     later("softenNormals", &[float("angle")], "smooths edges flatter than an angle"),
@@ -57,13 +62,14 @@ pub(super) static ROWS: &[Operation] = &[
     ),
     later("rectify", &[within(float("angle"), &DEVIATIONS)], "turns edges that nearly follow the scope's axes to them"),
     later("reduceGeometry", &[TOLERANCE], "removes vertices and changes the form as little as it can"),
-    later("resetGeometry", &[], "takes the geometry of the initial shape again"),
+    using(INITIAL, op("resetGeometry", "reset_geometry", &[], "takes the geometry of the initial shape again")),
     with(Effect::KeepsSize, op("trim", "trim", &[], "cuts the geometry at the trim planes")),
     later("tag", &[text("name"), TAGGED], "gives components a tag"),
     later("deleteTags", &[], "removes all tags"),
     later("deleteTags", &[text("tagQuery"), UNTAGGED], "removes the tags that match"),
     later("setTagsFromEdgeAttrs", &[], "makes tags of the initial shape's edge attributes"),
     joins("inline", block("inline", Braces::Inline, &[STRATEGY], INLINE)),
+    recomposes(joins("inline", block("inline", Braces::Inline, &[RECOMPOSE], INLINE))),
     joins("union", block("union", Braces::Operands, &[], UNION)),
     joins("subtract", block("subtract", Braces::Operands, &[], SUBTRACT)),
     joins("intersect", block("intersect", Braces::Operands, &[], INTERSECT)),

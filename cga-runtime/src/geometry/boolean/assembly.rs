@@ -1,14 +1,13 @@
 //! The mesh of a result.
 
-use std::collections::BTreeMap;
-
 use glam::{DVec2, DVec3};
 
 use super::BooleanOp;
+use super::component_tags::EdgeTags;
 use super::edge_table::NO_CORNER;
 use super::facet::Facet;
 use super::polygon::{PolygonCorner, ResultPolygon};
-use crate::geometry::mesh::{FaceTag, Mesh, TagSet, flip, unit};
+use crate::geometry::mesh::{FaceTag, Mesh, SubcomponentTagger, SubcomponentTags, TagSet, TagSetTable, flip, unit};
 use crate::geometry::triangulate::{PlaneProjection, Triangulator};
 use crate::value::text::Text;
 
@@ -20,6 +19,9 @@ pub(super) struct Assembly<'a> {
     pub(super) operands: &'a [u8],
     /// The places of points.
     pub(super) places: &'a [DVec3],
+    pub(super) edge_tags: &'a EdgeTags,
+    /// The tags of points, sorted.
+    pub(super) vertex_tags: &'a [(u32, TagSet)],
     pub(super) op: BooleanOp,
 }
 
@@ -40,7 +42,7 @@ impl Assembly<'_> {
         used.sort_unstable();
         used.dedup();
         made.points.extend(used.iter().map(|point| self.places[*point as usize] + 0.0));
-        let mut sets = TagSets::default();
+        let mut sets = TagSetTable::default();
         let mut triangulator = Triangulator::new();
         let mut triangles: Option<(u32, Vec<[u32; 3]>)> = None;
         for polygon in polygons {
@@ -73,10 +75,32 @@ impl Assembly<'_> {
                 made.end_loop();
             }
             let tag = self.mesh.face(facet.face as usize).tag();
-            made.end_face(FaceTag { tags: sets.number(self.tags(polygon)), ..tag });
+            let tags = self.tags(polygon);
+            let tags = if tags.names().is_empty() { FaceTag::NONE } else { sets.number(&tags) };
+            made.end_face(FaceTag { tags, ..tag });
         }
-        made.tag_sets = sets.list.into();
+        made.tag_sets = sets.into_sets();
+        made.subcomponent_tags = self.subcomponent_tags(polygons, &used);
         made
+    }
+
+    /// The tags of edges and vertices. `used` are the points of the result.
+    fn subcomponent_tags(&self, polygons: &[ResultPolygon], used: &[u32]) -> SubcomponentTags {
+        let mut tagger = SubcomponentTagger::default();
+        let number = |point: u32| used.binary_search(&point).ok().map(|number| number as u32);
+        for ring in polygons.iter().flat_map(|polygon| &polygon.rings) {
+            for (corner, next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+                if let Some(tags) = self.edge_tags.set(corner.tags)
+                    && let (Some(a), Some(b)) = (number(corner.point), number(next.point))
+                {
+                    tagger.edge([a, b], tags);
+                }
+            }
+        }
+        for (point, tags) in self.vertex_tags {
+            number(*point).into_iter().for_each(|point| tagger.vertex(point, tags));
+        }
+        tagger.finish()
     }
 
     fn add_values(&self, made: &mut Mesh, shares: &Shares, is_turned: bool) {
@@ -154,24 +178,5 @@ impl Assembly<'_> {
         let operand = |facet: &u32| ["bool.A", "bool.B"][usize::from(self.operands[*facet as usize])];
         let own = polygon.sources.iter().map(|facet| Text::from(operand(facet)));
         TagSet::new(names).renewed_with("bool", own)
-    }
-}
-
-/// Distinct sets of tags.
-#[derive(Default)]
-struct TagSets {
-    list: Vec<TagSet>,
-    numbers: BTreeMap<Vec<Text>, u32>,
-}
-
-impl TagSets {
-    fn number(&mut self, set: TagSet) -> u32 {
-        if set.names().is_empty() {
-            return FaceTag::NONE;
-        }
-        *self.numbers.entry(set.names().to_vec()).or_insert_with(|| {
-            self.list.push(set);
-            self.list.len() as u32 - 1
-        })
     }
 }

@@ -54,6 +54,13 @@ impl Facet {
         })
     }
 
+    /// The corners of the mesh at both ends of the edge of the loops that starts at a corner.
+    pub(super) fn edge_sources(&self, corner: u32) -> [u32; 2] {
+        let ring = self.loops().find(|ring| ring.contains(&(corner as usize))).unwrap_or(0..1);
+        let next = if corner as usize + 1 == ring.end { ring.start } else { corner as usize + 1 };
+        [self.sources[corner as usize], self.sources[next]]
+    }
+
     /// The places of an edge of the loops in the facet's plane.
     fn flat_edge(&self, points: &PointSet, edge: [usize; 2]) -> [DVec2; 2] {
         edge.map(|corner| self.flat(points.at[self.corners[corner] as usize]))

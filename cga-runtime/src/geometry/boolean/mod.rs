@@ -13,6 +13,7 @@
 mod assembly;
 mod budget;
 mod cell;
+mod component_tags;
 mod edge_table;
 mod facet;
 mod facet_tree;
@@ -35,6 +36,7 @@ use super::mesh::join::join;
 use super::tol::BOOLEAN_EPSILONS;
 use assembly::Assembly;
 use budget::Budget;
+use component_tags::{EdgeTags, vertex_tags};
 use edge_table::{EdgeOwner, EdgeTable};
 use facet::{Facet, facets_of};
 use facet_tree::{FacetTree, overlap};
@@ -156,8 +158,8 @@ impl Input<'_> {
             let windings = Windings::of(&sheets, &rays, budget)?;
             selection::choose(op, &sheets, &edges, &rays, &windings)
         };
-        let cuts = cut_edges(op, &edges, &sheets, &operands);
-        let maker = PolygonMaker { points: &points, edges: &edges, facets: &facets, sheets: &sheets, cuts: &cuts };
+        let tags = EdgeTags::new(op, self.mesh, &edges, &facets, &sheets, &operands);
+        let maker = PolygonMaker { points: &points, edges: &edges, facets: &facets, sheets: &sheets, tags: &tags };
         let mut polygons = maker.polygons(&chosen, budget);
         straight::drop_straight(&points, &mut polygons);
         // Points of the mesh keep their coordinates to the bit.
@@ -165,7 +167,16 @@ impl Input<'_> {
         for (point, number) in self.mesh.points().iter().zip(&numbers).rev() {
             places[*number as usize] = *point;
         }
-        let assembly = Assembly { mesh: self.mesh, facets: &facets, operands: &operands, places: &places, op };
+        let vertex_tags = vertex_tags(self.mesh, &numbers);
+        let assembly = Assembly {
+            mesh: self.mesh,
+            facets: &facets,
+            operands: &operands,
+            places: &places,
+            edge_tags: &tags,
+            vertex_tags: &vertex_tags,
+            op,
+        };
         let made = assembly.mesh_of(&polygons);
         let must_close = !kinds.contains(&ShellKind::Open) && !is_flat(&points, &facets);
         if must_close && !made.is_empty() && !made.is_closed() {
@@ -254,19 +265,6 @@ fn inverted_shells(
         }
     }
     Ok(found)
-}
-
-/// For each edge whether the faces of both operands meet there (*Boolean operations*: `bool.cut`).
-fn cut_edges(op: BooleanOp, edges: &EdgeTable, sheets: &Sheets, operands: &[u8]) -> Vec<bool> {
-    let mut cuts = vec![false; edges.list.len()];
-    if op != BooleanOp::Unify {
-        for (edge, uses) in sheets.fans() {
-            let sources = || uses.iter().flat_map(|used| &sheets.list[used.sheet as usize].sources);
-            let has = |operand: u8| sources().any(|source| operands[source.facet as usize] == operand);
-            cuts[edge as usize] = has(0) && has(1);
-        }
-    }
-    cuts
 }
 
 #[cfg(test)]

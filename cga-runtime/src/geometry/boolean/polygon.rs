@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::budget::Budget;
 use super::cell::{GraphLine, LineGraph};
+use super::component_tags::EdgeTags;
 use super::edge_table::{EdgeTable, NO_CORNER};
 use super::facet::Facet;
 use super::point_set::PointSet;
@@ -18,8 +19,8 @@ pub(super) struct PolygonCorner {
     /// The ends, as corners of the mesh, of the edge of the face that contains this edge. [`NO_CORNER`] for an edge inside
     /// the face.
     pub(super) along: [u32; 2],
-    /// True if the faces of both operands meet at the edge.
-    pub(super) is_cut: bool,
+    /// The number of the edge's tags.
+    pub(super) tags: u32,
 }
 
 /// A face of the result, in the direction of its first facet.
@@ -38,8 +39,7 @@ pub(super) struct PolygonMaker<'a> {
     pub(super) edges: &'a EdgeTable,
     pub(super) facets: &'a [Facet],
     pub(super) sheets: &'a Sheets,
-    /// For each edge whether the faces of both operands meet there.
-    pub(super) cuts: &'a [bool],
+    pub(super) tags: &'a EdgeTags,
 }
 
 impl PolygonMaker<'_> {
@@ -162,7 +162,7 @@ impl PolygonMaker<'_> {
             let along = owner
                 .filter(|(_, owner)| owner.corner != NO_CORNER)
                 .map(|(facet, owner)| facet.edge_sources(owner.corner));
-            Some(PolygonCorner { point, along: along.unwrap_or([NO_CORNER; 2]), is_cut: self.cuts[edge as usize] })
+            Some(PolygonCorner { point, along: along.unwrap_or([NO_CORNER; 2]), tags: self.tags.of(edge) })
         };
         rings
             .iter()
@@ -216,13 +216,4 @@ fn follow(net: &BTreeMap<[u32; 2], (i32, u32)>) -> Option<Vec<Vec<u32>>> {
         rings.push(ring);
     }
     (!rings.is_empty()).then_some(rings)
-}
-
-impl Facet {
-    /// The corners of the mesh at both ends of the edge of the loops that starts at a corner.
-    fn edge_sources(&self, corner: u32) -> [u32; 2] {
-        let ring = self.loops().find(|ring| ring.contains(&(corner as usize))).unwrap_or(0..1);
-        let next = if corner as usize + 1 == ring.end { ring.start } else { corner as usize + 1 };
-        [self.sources[corner as usize], self.sources[next]]
-    }
 }

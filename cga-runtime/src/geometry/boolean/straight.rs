@@ -6,8 +6,8 @@ use super::edge_table::NO_CORNER;
 use super::point_set::PointSet;
 use super::polygon::{PolygonCorner, ResultPolygon};
 
-/// Drops the corners at which edges were divided but nothing meets any more. Corners of faces stay, and so do the ends of
-/// intersections.
+/// Drops the corners at which edges were divided but nothing meets any more. Corners of faces stay, and so do corners between
+/// edges with different tags.
 pub(super) fn drop_straight(points: &PointSet, polygons: &mut Vec<ResultPolygon>) {
     // The neighbours of each point that all loops with the point agree about. Equal neighbours for a point that stays.
     let mut neighbours: HashMap<u32, [u32; 2]> = HashMap::new();
@@ -36,7 +36,7 @@ pub(super) fn drop_straight(points: &PointSet, polygons: &mut Vec<ResultPolygon>
 
 /// Returns true if a corner is inside an edge of the face, or inside a straight line in the face.
 fn may_go(points: &PointSet, last: &PolygonCorner, corner: &PolygonCorner, next: u32) -> bool {
-    let is_inside = last.along == corner.along && last.is_cut == corner.is_cut;
+    let is_inside = last.along == corner.along && last.tags == corner.tags;
     let is_same_edge = corner.along[0] != NO_CORNER;
     let [a, b, c] = [last.point, corner.point, next].map(|point| points.at[point as usize]);
     let whole = c - a;

@@ -128,6 +128,8 @@ pub(crate) struct Initial {
     pub(crate) streets: Option<Arc<Streets>>,
     /// True if boxes and rectangles are held as meshes.
     pub(crate) as_meshes: bool,
+    /// The shape itself.
+    pub(crate) shape: Option<Shape>,
 }
 
 impl Env {
@@ -147,6 +149,7 @@ impl Env {
                 start_rule,
                 streets: shape.find_streets(),
                 as_meshes: shape.state.get().is_some_and(|state| state.as_meshes),
+                shape: Some(shape.clone()),
             },
             // The largest number marks a run that has ended; see `limit`.
             settings: Settings {

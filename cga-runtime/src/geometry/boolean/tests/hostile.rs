@@ -9,7 +9,7 @@ use crate::geometry::boolean::budget::Budget;
 use crate::geometry::boolean::combine_within;
 use crate::geometry::mesh::primitive::sphere;
 use crate::geometry::mesh::{FaceTag, Flaw, Mesh, MeshBuilder};
-use crate::geometry::overlay::tests::Rng;
+use crate::geometry::random::Rng;
 
 const OPS: [BooleanOp; 4] = [BooleanOp::Unify, BooleanOp::Union, BooleanOp::Subtract, BooleanOp::Intersect];
 

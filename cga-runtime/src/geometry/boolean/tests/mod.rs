@@ -4,6 +4,7 @@ mod boxes;
 mod hostile;
 mod solids;
 mod surfaces;
+mod tags;
 
 use std::slice::from_ref;
 

@@ -7,7 +7,7 @@ use glam::{DAffine3, DVec3};
 use super::{BooleanOp, block, combine, combined};
 use crate::geometry::mesh::primitive::{quad, sphere};
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
-use crate::geometry::overlay::tests::Rng;
+use crate::geometry::random::Rng;
 use crate::geometry::rotation::turn;
 use BooleanOp::{Intersect, Subtract, Unify, Union};
 

@@ -1,0 +1,155 @@
+//! Findings and summaries of files.
+
+use crate::count::count;
+use crate::files::Library;
+use crate::format::{self, Format};
+use crate::options::Options;
+use cga_lang::compile::compile;
+use cga_lang::diag::code::Code;
+use cga_lang::diag::{Detail, Diag, Diags, Level, Line};
+use cga_lang::syntax::parse::parse;
+use std::collections::{BTreeMap, HashSet};
+use std::io::{Result, Write};
+use std::time::Duration;
+
+/// The limit on findings of a file that are reported: finding the place of each takes the time of reading the text.
+const MOST_SHOWN: usize = 1000;
+
+/// A finding: file, first and last token there, code, message.
+type Place = (String, u32, u32, Code, Line);
+
+/// Prints findings and summaries, and counts them.
+pub(crate) struct Report<'o> {
+    options: &'o Options,
+    /// Files that other files import: no run starts in them.
+    imported: HashSet<String>,
+    /// The findings so far. A file that many import has the same findings each time.
+    seen: HashSet<Place>,
+    files: usize,
+    failed: usize,
+    lines: usize,
+    codes: BTreeMap<(Level, Code), usize>,
+    later: BTreeMap<String, usize>,
+}
+
+impl<'o> Report<'o> {
+    pub(crate) fn new(options: &'o Options, imported: HashSet<String>) -> Self {
+        let (codes, later) = (BTreeMap::new(), BTreeMap::new());
+        Report { options, imported, seen: HashSet::new(), files: 0, failed: 0, lines: 0, codes, later }
+    }
+
+    /// Returns true if a file has errors, or warnings that are denied.
+    pub(crate) fn has_failed(&self) -> bool {
+        let denied = |level: Level| level == Level::Error || self.options.denies_warnings;
+        0 < self.failed || self.codes.keys().any(|(level, _)| denied(*level))
+    }
+
+    /// Checks a file, and prints new findings and a summary.
+    pub(crate) fn file(&mut self, library: &mut Library, number: usize, out: &mut dyn Write) -> Result<()> {
+        let root = library.unit(number);
+        let mut again = Diags::new();
+        let counts = count(&parse(&root.tokens, &mut again));
+        // The compiler reports the same.
+        again.finish();
+        let compiled = compile(root, library, &[]);
+        let mut own = Own::default();
+        let mut more = 0;
+        let is_imported = self.imported.contains(&compiled.files[0].name);
+        for diag in compiled.diags.iter().filter(|diag| !(is_imported && diag.code == Code::NoStartRule)) {
+            let (file, first) = compiled.locate(diag.span.first);
+            own.add(diag, file == 0);
+            let last = compiled.locate(diag.span.last).1;
+            if !self.seen.insert((compiled.files[file].name.clone(), first, last, diag.code, diag.message.clone())) {
+                continue;
+            }
+            *self.codes.entry((diag.level, diag.code)).or_default() += 1;
+            if let Detail::Later(name) = &diag.detail {
+                *self.later.entry(name.clone()).or_default() += 1;
+            }
+            if self.options.quiet || !(self.options.shows_warnings || diag.level == Level::Error) {
+                continue;
+            }
+            if own.shown == MOST_SHOWN && self.options.format == Format::Full {
+                more += 1;
+                continue;
+            }
+            own.shown += 1;
+            let quote = |file: usize| library.quote(&compiled.files.get(file)?.name);
+            format::write(self.options.format, &compiled, &quote, diag, out)?;
+        }
+        if 0 < more && self.options.format == Format::Full {
+            writeln!(out, "… and {more} more\n")?;
+        }
+        self.files += 1;
+        self.failed += usize::from(0 < own.errors + own.imported);
+        self.lines += library.text(number).lines().count();
+        if self.options.format != Format::Full {
+            return Ok(());
+        }
+        let name = &compiled.files[0].name;
+        write!(out, "{name}: {} rules, {} splits, {} comps; ", counts.rules, counts.splits, counts.comps)?;
+        write!(out, "{} errors, {} warnings", own.errors, own.warnings)?;
+        if 0 < own.imported {
+            write!(out, "; {} errors in imported files", own.imported)?;
+        }
+        if !own.later.is_empty() {
+            write!(out, "; not implemented: {}", list(&own.later))?;
+        }
+        writeln!(out)
+    }
+
+    /// The sum of all files.
+    pub(crate) fn totals(&self, time: Duration, out: &mut dyn Write) -> Result<()> {
+        if self.options.format != Format::Full {
+            return Ok(());
+        }
+        writeln!(out, "\n{} files, {} lines, {} with errors, {time:.1?}", self.files, self.lines, self.failed)?;
+        for (level, word) in [(Level::Error, "errors"), (Level::Warning, "warnings")] {
+            let codes = self.codes.iter().filter(|((own, _), _)| *own == level);
+            let codes: BTreeMap<String, usize> =
+                codes.map(|((_, code), count)| (code.name().to_owned(), *count)).collect();
+            let sum: usize = codes.values().sum();
+            let colon = if sum == 0 { "" } else { ": " };
+            writeln!(out, "{sum} {word}{colon}{}", list(&codes))?;
+        }
+        if !self.later.is_empty() {
+            writeln!(out, "not implemented: {}", list(&self.later))?;
+        }
+        Ok(())
+    }
+}
+
+/// The findings of one file.
+#[derive(Default)]
+struct Own {
+    errors: usize,
+    warnings: usize,
+    shown: usize,
+    /// Errors in imported files.
+    imported: usize,
+    later: BTreeMap<String, usize>,
+}
+
+impl Own {
+    fn add(&mut self, diag: &Diag, here: bool) {
+        match (diag.level, here) {
+            (Level::Error, true) => self.errors += 1,
+            (Level::Error, false) => self.imported += 1,
+            (_, true) => self.warnings += 1,
+            (_, false) => {}
+        }
+        if let Detail::Later(name) = &diag.detail
+            && here
+        {
+            *self.later.entry(name.clone()).or_default() += 1;
+        }
+    }
+}
+
+/// Names with numbers, the most frequent first.
+fn list(counts: &BTreeMap<String, usize>) -> String {
+    let mut all: Vec<(&String, &usize)> = counts.iter().collect();
+    all.sort_by_key(|(name, count)| (std::cmp::Reverse(**count), *name));
+    let shown: Vec<String> = all.iter().map(|(name, count)| format!("{name} {count}")).collect();
+    shown.join(", ")
+}

@@ -1,0 +1,35 @@
+//! *resetGeometry*, *deleteHoles* and the operations that change the mesh of a shape.
+
+use cga::Settings;
+
+use crate::pages::mesh_operations as pages;
+
+/// "Each setback shall be applied wrt. the initial shape." "Note how shape attributes (here the color) are not changed."
+#[test]
+fn floors_are_set_back_from_the_initial_shape() {
+    let example = pages::reset_setbacks::EXAMPLE;
+    let lot = (example.start)();
+    let model = example.model(&Settings::default());
+    assert!(model.faults().is_empty(), "{:?}", model.faults());
+    let inset = |distance: f64| {
+        let inset = cga::cga! { Lot --> offset(-#distance, inside) X. };
+        inset.generate(&lot).expect("a model").leaves().map(|leaf| leaf.area()).sum::<f64>()
+    };
+    let mut sum = 0.0;
+    let floors: Vec<_> = model.leaves().collect();
+    assert!(3 < floors.len());
+    for (floor, leaf) in floors.iter().enumerate() {
+        let number = floor as f64;
+        assert_eq!((leaf.scope().origin.y, leaf.size().y), (10.0 * number, 10.0));
+        let area = leaf.mesh().0.volume() / 10.0;
+        let expected = if floor == 0 { lot.to_mesh().area() } else { inset(3.0 * number) };
+        assert!((area - expected).abs() < 1e-9 * expected, "floor {floor}: {area} instead of {expected}");
+        sum += area;
+        let material = leaf.material();
+        assert_eq!(material.opacity, Some(if 5000.0 < sum { 0.1 } else { 1.0 }));
+        assert_eq!(material.color, floors[0].material().color);
+    }
+    // Two floors fit, as in the picture.
+    assert_eq!(floors.iter().filter(|floor| floor.material().opacity == Some(1.0)).count(), 2, "{sum}");
+    assert_eq!(floors.len(), 7);
+}
