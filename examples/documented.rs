@@ -149,8 +149,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cells: Vec<Cell> =
         pages::recompose::ALL.iter().map(|example| comp_cell(example, &cutting::settings())).collect();
     save("recompose", sheet::draw(&cells, 4))?;
-    let cells: Vec<Cell> = pages::boolean::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
-    save("boolean", sheet::draw(&cells, 4))?;
+    for (name, examples) in [("boolean", pages::boolean::ALL), ("boolean-table", pages::boolean_table::ALL)] {
+        let cells: Vec<Cell> = examples.iter().map(|example| comp_cell(example, &plain)).collect();
+        save(name, sheet::draw(&cells, 4))?;
+    }
 
     save("texturing", sheet::draw(&textured::texturing(&plain), 4))?;
     save("primitives", sheet::draw(&textured::primitives(&plain), 4))?;

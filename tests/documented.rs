@@ -61,6 +61,7 @@ fn all_examples_run() {
         pages::subdivision_repeat::ALL,
         pages::cutting::ALL,
         pages::boolean::ALL,
+        pages::boolean_table::ALL,
         pages::comp::ALL,
         pages::components::ALL,
         pages::texturing::ALL,

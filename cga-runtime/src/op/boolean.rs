@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use super::inline::replace_by;
-use super::joined::{joined_state, part_meshes, retain_parts};
+use super::joined::{joined_state, part_meshes, replace_by, retain_parts};
 use crate::fault::FaultKind;
 use crate::geometry::boolean::{BooleanError, BooleanOp, combine};
 use crate::geometry::mesh::Mesh;

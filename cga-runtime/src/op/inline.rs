@@ -1,7 +1,7 @@
 //! `inline`: the leaves of a rule as one shape (*Rule inlining*).
 
 use super::boolean::unify;
-use super::joined::{joined_state, part_meshes, retain_parts};
+use super::joined::{joined_state, part_meshes, replace_by, retain_parts};
 use super::recompose::recompose;
 use crate::geometry::mesh::join::join;
 use crate::geometry::mesh::{Mesh, SubcomponentTagger};
@@ -54,12 +54,6 @@ pub fn inline(env: &mut Env, shape: &mut Shape, [mut leaves]: [Vec<Shape>; 1], s
             }
         }
     }
-}
-
-/// Replaces the current shape by a leaf, except for its place in the derivation.
-pub(super) fn replace_by(shape: &mut Shape, leaf: Shape) {
-    let Shape { seed, split, comp, selector, .. } = *shape;
-    *shape = Shape { seed, split, comp, selector, ..leaf };
 }
 
 fn join_faces(env: &mut Env, shape: &mut Shape, leaves: &[Shape]) {

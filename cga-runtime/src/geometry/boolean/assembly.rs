@@ -2,10 +2,10 @@
 
 use glam::{DVec2, DVec3};
 
-use super::BooleanOp;
 use super::component_tags::EdgeTags;
 use super::edge_table::NO_CORNER;
 use super::facet::Facet;
+use super::operation::BooleanOp;
 use super::polygon::{PolygonCorner, ResultPolygon};
 use crate::geometry::mesh::{FaceTag, Mesh, SubcomponentTagger, SubcomponentTags, TagSet, TagSetTable, flip, unit};
 use crate::geometry::triangulate::{PlaneProjection, Triangulator};

@@ -1,7 +1,7 @@
 //! The limits on the work and the memory of an arrangement.
 
-use super::BooleanError;
 use super::edge_table::EdgeTable;
+use super::operation::BooleanError;
 
 /// What an operation may still spend.
 #[derive(Clone, Copy, Debug)]

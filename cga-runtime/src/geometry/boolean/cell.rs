@@ -5,10 +5,10 @@
 
 use glam::DVec2;
 
-use super::BooleanError;
 use super::budget::Budget;
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
+use super::operation::BooleanError;
 use super::point_set::PointSet;
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::exact::orient;

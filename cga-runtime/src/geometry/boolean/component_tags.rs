@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use super::BooleanOp;
 use super::edge_table::{EdgeTable, NO_CORNER};
 use super::facet::Facet;
+use super::operation::BooleanOp;
 use super::sheet::Sheets;
 use crate::geometry::mesh::{Mesh, TagSet, TagSetTable};
 use crate::value::text::Text;

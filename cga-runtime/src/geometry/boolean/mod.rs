@@ -19,6 +19,7 @@ mod facet;
 mod facet_tree;
 mod meeting;
 mod noding;
+mod operation;
 mod point_set;
 mod polygon;
 mod ray;
@@ -41,34 +42,13 @@ use edge_table::{EdgeOwner, EdgeTable};
 use facet::{Facet, facets_of};
 use facet_tree::{FacetTree, overlap};
 use meeting::FacetMeeting;
+pub(crate) use operation::{BooleanError, BooleanOp};
 use point_set::PointSet;
 use polygon::PolygonMaker;
 use ray::RayCaster;
 use sheet::Sheets;
 use shell::{Shell, ShellKind, close_shells, shells};
 use winding::Windings;
-
-/// An operation on two operands, or the union of the parts of one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum BooleanOp {
-    /// The union of all parts of one operand. Open surfaces hide nothing.
-    Unify,
-    /// Whatever is in one of the operands.
-    Union,
-    /// The first operand without the second.
-    Subtract,
-    /// Whatever is in both operands.
-    Intersect,
-}
-
-/// The reason why there is no result.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum BooleanError {
-    /// Too many faces meet.
-    TooMany,
-    /// Faces that are nearly at one place cannot be told apart.
-    Tangled,
-}
 
 /// The result of an operation on meshes in the same coordinates. The parts of an operand are united first. `rounding` is the
 /// largest rounding error of coordinates.

@@ -3,10 +3,10 @@
 //! An edge that passes a point within epsilon is led through it, and edges that cross are led through a new point. So an edge
 //! moves by up to epsilon, and may then pass other points: the facets of divided edges are compared again.
 
-use super::BooleanError;
 use super::budget::Budget;
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
+use super::operation::BooleanError;
 use super::point_set::PointSet;
 use crate::geometry::exact::orient;
 

@@ -2,10 +2,10 @@
 
 use glam::{DVec2, DVec3};
 
-use super::BooleanError;
 use super::budget::Budget;
 use super::facet::Facet;
 use super::facet_tree::{FacetTree, meets_ray};
+use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::sheet::Sheet;
 use super::shell::ShellKind;

@@ -1,7 +1,7 @@
 //! The sheets that are the result of an operation.
 
-use super::BooleanOp;
 use super::edge_table::EdgeTable;
+use super::operation::BooleanOp;
 use super::ray::RayCaster;
 use super::sheet::{Sheet, SheetSide, SheetSource, Sheets};
 use super::surface::{inside_surface, surface_winding};
@@ -14,20 +14,6 @@ pub(super) struct ChosenSheet {
     pub(super) is_reversed: bool,
     /// The facets that the result has there, in order. The first one gives material and coordinates.
     pub(super) sources: Vec<u32>,
-}
-
-/// Inside or outside of both operands.
-type Inside = [bool; 2];
-
-impl BooleanOp {
-    /// The operation on one place.
-    pub(super) fn keeps(self, [a, b]: Inside) -> bool {
-        match self {
-            BooleanOp::Unify | BooleanOp::Union => a || b,
-            BooleanOp::Subtract => a && !b,
-            BooleanOp::Intersect => a && b,
-        }
-    }
 }
 
 /// The sheets between the inside and the outside of the result.

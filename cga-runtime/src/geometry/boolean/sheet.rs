@@ -7,10 +7,10 @@ use std::collections::HashMap;
 
 use glam::DVec2;
 
-use super::BooleanError;
 use super::cell::Cell;
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
+use super::operation::BooleanError;
 
 /// The sine of the smallest angle between sheets at an edge that can be told from none.
 const LEAST_ANGLE: f64 = 1e-13;

@@ -4,8 +4,8 @@
 //! numbers change by the windings of its facets. So one ray decides for all sheets that are connected, and the numbers of
 //! all wedges must agree.
 
-use super::BooleanError;
 use super::budget::Budget;
+use super::operation::BooleanError;
 use super::ray::{Around, RayCaster};
 use super::sheet::{SheetSide, Sheets};
 use super::shell::ShellKind;
