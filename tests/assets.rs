@@ -10,6 +10,11 @@ struct Temporary(PathBuf);
 
 impl Temporary {
     fn new(name: &str, files: &[(&str, &str)]) -> Temporary {
+        let files: Vec<(&str, &[u8])> = files.iter().map(|(name, text)| (*name, text.as_bytes())).collect();
+        Temporary::with_bytes(name, &files)
+    }
+
+    fn with_bytes(name: &str, files: &[(&str, &[u8])]) -> Temporary {
         let folder = std::env::temp_dir().join(format!("cga-{name}-{}", std::process::id()));
         let _ = std::fs::remove_dir_all(&folder);
         for (name, text) in files {
@@ -147,5 +152,54 @@ fn a_missing_texture_is_one_fault_in_each_run() {
         assert_eq!(model.leaves().count(), 5);
         let images = model.leaves().map(|leaf| leaf.material().texture.as_ref().map(|name| name.to_string()));
         assert!(images.into_iter().all(|name| name.as_deref() == Some("builtin:unknowntexture.png")));
+    }
+}
+
+cga! {
+    @Allow(missing_asset)
+    grammar Glazed = r##"
+        Source --> color("#80ff00") set(material.name, "Glass") setupProjection(0, scope.xy, 1, 1)
+            texture("builtin:uvtest.png") projectUV(0) extrude(2) Pane.
+        Lot --> s(0, 0, 0) i("window.glb") print(assetInfo("window.glb", sy)) print(fileExists("window.glb#0.png"))
+            print(imageInfo("window.glb#0.png", sx)) Window.
+        Broken --> i("broken.glb") X.
+        Text --> i("text.gltf") X.
+    "##;
+}
+
+#[test]
+fn a_glb_file_that_was_written_is_an_asset() {
+    let grammar = Glazed::default();
+    let settings = Settings { start: Some("Source".into()), ..Settings::default() };
+    let source = grammar.generate_with(&Shape::rectangle(3.0, 1.0), &settings).expect("no limit");
+    let glb = source.to_glb().expect("a file");
+    let folder = Temporary::with_bytes("glb", &[("window.glb", &glb)]);
+    let model = folder.run(&grammar, "Lot");
+    assert_eq!(model.faults().iter().map(|fault| fault.message.clone()).collect::<Vec<_>>(), [""; 0]);
+    assert_eq!(printed(&model), ["2", "true", "512"]);
+    let leaf = model.leaves().next().expect("a leaf");
+    let (mesh, _) = leaf.mesh();
+    assert_eq!((leaf.size().to_array(), mesh.is_closed(), mesh.face_count()), ([3.0, 2.0, 1.0], true, 12));
+    assert!((mesh.area() - 22.0).abs() < 1e-12);
+    let material = &mesh.materials()[0];
+    assert_eq!(material.name.as_ref().map(|name| name.as_str()), Some("Glass"));
+    assert_eq!(material.texture.as_ref().map(|name| name.as_str()), Some("/window.glb#0.png"));
+    let color = material.color();
+    assert!((color.r - 128.0 / 255.0).abs() < 1e-6 && color.g == 1.0 && color.b == 0.0);
+    // The image goes into the next file, whether images are embedded or not: other programs cannot find it.
+    let again = model.to_glb().expect("a file");
+    let picture = again.windows(8).filter(|bytes| *bytes == b"\x89PNG\r\n\x1a\n").count();
+    assert_eq!(picture, 1);
+}
+
+#[test]
+fn a_gltf_file_that_cannot_be_read_is_one_fault_that_names_the_place() {
+    let text = r#"{"asset": {"version": "2.0"}, "nodes": [{"mesh": 3}]}"#;
+    let folder = Temporary::new("broken-glb", &[("broken.glb", "glTF"), ("text.gltf", text)]);
+    for (start, message) in [("Broken", "the file ends early"), ("Text", "meshes[3]: it does not exist")] {
+        let model = folder.run(&Glazed::default(), start);
+        let faults: Vec<String> = model.faults().iter().map(|fault| fault.message.clone()).collect();
+        assert!(faults.len() == 1 && faults[0].contains(message), "{faults:?}");
+        assert_eq!(model.leaves().count(), 1);
     }
 }

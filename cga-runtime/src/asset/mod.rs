@@ -4,8 +4,17 @@ mod error;
 mod file;
 mod folder;
 pub(crate) mod image;
+#[cfg(any(feature = "obj", feature = "gltf"))]
+mod image_names;
+mod mesh_file;
+#[cfg(any(feature = "obj", feature = "gltf"))]
+mod names;
 mod search;
+#[cfg(any(feature = "obj", feature = "gltf"))]
+mod warnings;
 
+#[cfg(feature = "gltf")]
+pub mod gltf;
 #[cfg(feature = "obj")]
 pub mod obj;
 
@@ -17,6 +26,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 pub use error::AssetError;
 pub use file::File;
+pub use mesh_file::EmbeddedImage;
 pub(crate) use search::Query;
 
 use cga_split::files::places;
@@ -26,6 +36,7 @@ use crate::asset::image::builtin;
 use crate::geometry::mesh::Mesh;
 use crate::value::text::Text;
 use folder::Listing;
+use mesh_file::MeshFile;
 
 /// The limit on cached names of meshes and images. Other names are looked up each time, so that memory stays bounded.
 const NAMES_KEPT: usize = 10_000;
@@ -72,10 +83,20 @@ struct Read {
     /// By name as written in the material.
     headers: HashMap<String, Result<ImageHeader, AssetError>>,
     /// By path: a file with several names is one mesh.
-    files: HashMap<PathBuf, Result<Arc<Mesh>, AssetError>>,
+    files: HashMap<PathBuf, Result<MeshFile, AssetError>>,
 }
 
 impl Read {
+    /// The mesh file at a path.
+    fn mesh_file(&mut self, root: Option<&Path>, path: PathBuf) -> Result<MeshFile, AssetError> {
+        if let Some(known) = self.files.get(&path) {
+            return known.clone();
+        }
+        let file = mesh_file::read(root, &path);
+        self.files.insert(path, file.clone());
+        file
+    }
+
     /// Returns true if another name may be cached.
     fn has_room(&self) -> bool {
         self.meshes.len() + self.images.len() + self.headers.len() < NAMES_KEPT
@@ -88,6 +109,8 @@ enum FoundAsset<'a> {
     Given(&'a Arc<Mesh>),
     /// A file, by its path with links resolved.
     File(PathBuf),
+    /// An image inside a mesh file.
+    Embedded(MeshFile, usize),
 }
 
 impl Assets {
@@ -123,21 +146,20 @@ impl Assets {
         if let Some(mesh) = self.given.get(name) {
             return Ok(mesh.clone());
         }
-        let mut read = self.read();
-        if let Some(known) = read.meshes.get(file) {
+        if let Some(known) = self.read().meshes.get(file) {
             return known.clone();
         }
-        let found = match self.look_up(file) {
+        // A look-up may read a mesh file, so it takes place without the lock.
+        let target = self.look_up(file);
+        let mut read = self.read();
+        let found = match target {
             Ok((_, FoundAsset::Given(mesh))) => Ok(mesh.clone()),
-            Ok((_, FoundAsset::File(path))) => match read.files.get(&path) {
-                Some(known) => known.clone(),
-                None => {
-                    let mesh = readable_mesh(name).and_then(|()| read_mesh(self.root.as_deref(), &path));
-                    read.files.insert(path, mesh.clone());
-                    mesh
-                }
-            },
-            Err(why) => readable_mesh(name).and(Err(why)),
+            Ok((_, FoundAsset::File(path))) => {
+                let file = mesh_file::readable(name).and_then(|()| read.mesh_file(self.root.as_deref(), path));
+                file.map(|file| file.mesh)
+            }
+            Ok((_, FoundAsset::Embedded(..))) => Err(AssetError::Format("it is an image")),
+            Err(why) => mesh_file::readable(name).and(Err(why)),
         };
         if read.has_room() {
             read.meshes.insert(file.clone(), found.clone());
@@ -152,10 +174,11 @@ impl Assets {
             return true;
         }
         let end = Path::new(name).extension().and_then(|end| end.to_str()).unwrap_or_default();
-        let mesh = cfg!(feature = "obj").then_some("obj");
-        let usable = || USABLE.into_iter().chain(mesh).any(|known| known.eq_ignore_ascii_case(end));
+        let usable = || {
+            USABLE.into_iter().chain(mesh_file::EXTENSIONS.iter().copied()).any(|known| known.eq_ignore_ascii_case(end))
+        };
         match self.look_up(file) {
-            Ok((_, FoundAsset::Given(_))) => true,
+            Ok((_, FoundAsset::Given(_) | FoundAsset::Embedded(..))) => true,
             Ok((_, FoundAsset::File(_))) => usable(),
             Err(_) => false,
         }
@@ -163,11 +186,18 @@ impl Assets {
 
     /// The beginning of a file, at most `most` bytes, and whether that is the whole file.
     pub(crate) fn bytes(&self, file: &File, most: u64) -> Result<(Vec<u8>, bool), AssetError> {
-        let FoundAsset::File(path) = self.look_up(file)?.1 else {
-            return Err(AssetError::Format("it is a mesh that the program registered, not a file"));
-        };
         let mut bytes = Vec::new();
-        std::fs::File::open(path)?.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
+        match self.look_up(file)?.1 {
+            FoundAsset::Given(_) => {
+                return Err(AssetError::Format("it is a mesh that the program registered, not a file"));
+            }
+            FoundAsset::File(path) => {
+                std::fs::File::open(path)?.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
+            }
+            FoundAsset::Embedded(file, image) => {
+                file.images[image].bytes.as_slice().take(most.saturating_add(1)).read_to_end(&mut bytes)?;
+            }
+        }
         let all = bytes.len() as u64 <= most;
         bytes.truncate(usize::try_from(most).unwrap_or(usize::MAX));
         Ok((bytes, all))
@@ -180,8 +210,7 @@ impl Assets {
         if file.folder.is_empty() || file.name.is_empty() || file.name.starts_with('/') {
             return file.name;
         }
-        let mut read = self.read();
-        if let Some(known) = read.images.get(&file) {
+        if let Some(known) = self.read().images.get(&file) {
             return known.clone();
         }
         let outer = places(&file.name, "").unwrap_or_default();
@@ -189,10 +218,17 @@ impl Assets {
             Ok((place, _)) if !outer.contains(&place) => Text::from(place),
             _ => file.name.clone(),
         };
+        let mut read = self.read();
         if read.has_room() {
             read.images.insert(file, image.clone());
         }
         image
+    }
+
+    /// Returns true if an image is inside a mesh file.
+    #[cfg(feature = "gltf")]
+    pub(crate) fn is_embedded(&self, name: &str) -> bool {
+        matches!(self.look_up(&File::from(name)), Ok((_, FoundAsset::Embedded(..))))
     }
 
     /// The results of earlier look-ups.
@@ -213,12 +249,28 @@ impl Assets {
             let Some(root) = &self.root else { continue };
             match folder::file(root, &place) {
                 Ok(path) => return Ok((place, FoundAsset::File(path))),
+                Err(error)
+                    if is_missing(&error)
+                        && let Some(image) = self.embedded(root, &place) =>
+                {
+                    return Ok((place, image));
+                }
                 // "Not found" is reported only if all places give it; any other error takes precedence.
                 Err(error) if why.as_ref().is_none_or(is_missing) => why = Some(error),
                 Err(_) => {}
             }
         }
         Err(why.unwrap_or(AssetError::NoFolder))
+    }
+
+    /// An image inside a mesh file: its place ends with `#` and the name of the image.
+    fn embedded(&self, root: &Path, place: &str) -> Option<FoundAsset<'_>> {
+        let (file, _) = place.rsplit_once('#').filter(|(file, _)| mesh_file::readable(file).is_ok())?;
+        let name = &place[file.len()..];
+        let path = folder::file(root, file).ok()?;
+        let file = self.read().mesh_file(Some(root), path).ok()?;
+        let image = file.images.iter().position(|EmbeddedImage { name: known, .. }| known == name)?;
+        Some(FoundAsset::Embedded(file, image))
     }
 
     /// The names of the files that match a query in a rule file in `folder`, sorted by path, and whether files were
@@ -233,30 +285,4 @@ impl Assets {
 
 fn is_missing(error: &AssetError) -> bool {
     matches!(error, AssetError::File { kind: std::io::ErrorKind::NotFound, .. })
-}
-
-/// An error if a file with this name cannot be read as a mesh.
-fn readable_mesh(name: &str) -> Result<(), AssetError> {
-    if !cfg!(feature = "obj") {
-        return Err(AssetError::Format("reading meshes needs the feature `obj`"));
-    }
-    let is_obj = Path::new(name).extension().is_some_and(|end| end.eq_ignore_ascii_case("obj"));
-    if is_obj { Ok(()) } else { Err(AssetError::Format("only OBJ files can be read")) }
-}
-
-#[cfg(feature = "obj")]
-fn read_mesh(root: Option<&Path>, path: &Path) -> Result<Arc<Mesh>, AssetError> {
-    let root = root.ok_or(AssetError::NoFolder)?;
-    let bytes = std::fs::read(path)?;
-    let mut material_file = |name: &str| {
-        let file = folder::inside(root, &path.parent()?.join(name)).ok().filter(|file| file.is_file())?;
-        std::fs::read(file).ok()
-    };
-    let file = obj::read_obj(&bytes, &mut material_file).map_err(|error| AssetError::Broken(error.to_string()))?;
-    Ok(Arc::new(obj::image_names::with_names_from_root(file.mesh, root, path)))
-}
-
-#[cfg(not(feature = "obj"))]
-fn read_mesh(_: Option<&Path>, _: &Path) -> Result<Arc<Mesh>, AssetError> {
-    Err(AssetError::NoFolder)
 }

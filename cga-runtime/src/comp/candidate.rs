@@ -50,7 +50,7 @@ impl<'c> Candidate<'c> {
         match self.source {
             ComponentSource::Mesh(parts) => parts.tagged(self.number, of, query),
             ComponentSource::Quads(quads) => quads.tagged(self.number, of, query),
-            ComponentSource::Wire(_) => false,
+            ComponentSource::Wire(parts) => parts.tagged(self.number, of, query),
         }
     }
 

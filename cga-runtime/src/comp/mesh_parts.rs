@@ -1,11 +1,13 @@
 //! The components of a mesh.
 
 use std::cell::{OnceCell, RefCell};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use glam::DVec3;
 
 use super::Components;
+use super::found_tags::FoundTags;
 use super::roof::Roof;
 use super::select::{RoofEdge, Sense, Subcomponent, Word};
 use super::uv_edges::UvEdges;
@@ -13,9 +15,10 @@ use crate::comp::orientation::Orientation;
 use crate::geometry::Frame;
 use crate::geometry::face_frame::{FaceFrame, along, beside, face_frame, upright};
 use crate::geometry::mesh::extract;
-use crate::geometry::mesh::{Adjacency, FaceTag, Mesh, MeshBuilder, flip, unit};
+use crate::geometry::mesh::{Adjacency, FaceTag, Mesh, flip, unit};
 use crate::geometry::provenance::Provenance;
 use crate::geometry::tol::{COPLANAR_EPSILON, UP_EPSILON};
+use crate::geometry::trace::PartPoint;
 use crate::geometry::wire::Wire;
 
 /// A mesh in scope coordinates, with its components of one kind.
@@ -37,8 +40,8 @@ pub(super) struct MeshParts {
     /// The set of texture coordinates that selectors mean.
     pub(super) uv_set: usize,
     uvs: OnceCell<UvEdges>,
-    /// The last query for tags, with the sets that match.
-    found: RefCell<(String, Vec<bool>)>,
+    /// The last query for tags, with its matches.
+    found: RefCell<FoundTags>,
 }
 
 impl MeshParts {
@@ -202,27 +205,32 @@ impl MeshParts {
             }
     }
 
-    /// Returns true if a tag of a component matches. Faces pass their tags on to their edges and vertices. If
-    /// subcomponents are named, their tags are tested instead of the component's own (*comp operation*, isTagged).
+    /// Returns true if a tag of a component matches. Faces pass their tags on to their edges and vertices, and edges to
+    /// their vertices. If subcomponents are named, their tags are tested instead of the component's own (*comp operation*,
+    /// isTagged).
     pub(super) fn tagged(&self, index: usize, of: Option<Subcomponent>, query: &str) -> bool {
-        let sets = self.mesh.tag_sets();
-        if sets.is_empty() {
+        let (mesh, tags) = (&self.mesh, &self.mesh.subcomponent_tags);
+        if mesh.tag_sets().is_empty() && tags.is_empty() {
             return false;
         }
-        let adjacency = self.adjacency();
         let mut found = self.found.borrow_mut();
-        if found.0 != query {
-            *found = (query.to_owned(), sets.iter().map(|set| set.matches(query)).collect());
+        found.search(query, mesh.tag_sets(), tags, mesh.points().len());
+        if found.is_empty() {
+            return false;
         }
-        let face = |face: u32| found.1.get(self.mesh.face(face as usize).tag().tags as usize) == Some(&true);
-        let edge = |edge: usize| adjacency.faces_at(edge).any(face);
-        let point = |corner: u32| adjacency.faces_around(self.mesh.corners()[corner as usize] as usize).any(face);
+        let (adjacency, point_of) = (self.adjacency(), |corner: u32| mesh.corners()[corner as usize]);
+        let face = |face: u32| found.face(mesh.face(face as usize).tag().tags);
+        let edge = |corner: u32| {
+            let ends = [corner, adjacency.next(corner)].map(point_of);
+            found.edge(tags, ends) || adjacency.faces_at(adjacency.edge(corner)).any(face)
+        };
+        let point = |point: u32| found.point(point) || adjacency.faces_around(point as usize).any(face);
         let by_face = |number: u32| {
-            let mut corners = self.mesh.face(number as usize).corner_range().map(|corner| corner as u32);
+            let mut corners = mesh.face(number as usize).corner_range().map(|corner| corner as u32);
             match of {
                 None => face(number),
-                Some(Subcomponent::Edges) => corners.any(|corner| edge(adjacency.edge(corner))),
-                Some(Subcomponent::Vertices) => corners.any(point),
+                Some(Subcomponent::Edges) => corners.any(edge),
+                Some(Subcomponent::Vertices) => corners.any(|corner| point(point_of(corner))),
             }
         };
         match self.kind {
@@ -230,11 +238,11 @@ impl MeshParts {
             Components::Holes => by_face(self.holes[index][0]),
             Components::Groups | Components::Materials => self.sets[index].iter().copied().any(by_face),
             Components::Edges | Components::FaceEdges if of == Some(Subcomponent::Vertices) => {
-                self.end_corners(index).into_iter().any(point)
+                self.end_corners(index).into_iter().any(|corner| point(point_of(corner)))
             }
-            Components::Edges | Components::FaceEdges => edge(adjacency.edge(self.end_corners(index)[0])),
-            Components::Vertices => adjacency.faces_around(index).any(face),
-            Components::FaceVertices => point(index as u32),
+            Components::Edges | Components::FaceEdges => edge(self.end_corners(index)[0]),
+            Components::Vertices => point(index as u32),
+            Components::FaceVertices => point(point_of(index as u32)),
         }
     }
 
@@ -268,8 +276,20 @@ impl MeshParts {
         if self.as_meshes || self.kind != Components::Faces || !mesh.uvs.is_empty() || !mesh.normals.is_empty() {
             return None;
         }
+        if !mesh.subcomponent_tags.is_empty() && self.has_tagged_subcomponents(index) {
+            return None;
+        }
         let provenance = Provenance::of(mesh, mesh.face(index).tag())?;
         face_frame(mesh, index).filter(|found| found.rectangle).map(|found| (found, provenance))
+    }
+
+    /// Returns true if an edge or a vertex of a face has tags.
+    fn has_tagged_subcomponents(&self, face: usize) -> bool {
+        let (mesh, tags) = (&self.mesh, &self.mesh.subcomponent_tags);
+        mesh.face(face).edges().any(|edge| {
+            let ends = edge.map(|corner| mesh.corners()[corner]);
+            tags.edge(ends).is_some() || tags.vertex(ends[0]).is_some()
+        })
     }
 
     /// The coordinate system of a component (*comp operation*). `None` for groups and materials, which keep that of
@@ -328,19 +348,25 @@ impl MeshParts {
     }
 
     /// Faces that fill holes, with the direction of the faces around them. They begin with the first edges of the
-    /// holes.
+    /// holes, and have the tags of edges and vertices.
     fn filled(&self, indices: &[u32]) -> Mesh {
-        let mut builder = MeshBuilder::new();
+        let (mut filled, mut numbers, mut taken) = (Mesh::default(), BTreeMap::new(), Vec::new());
         for &index in indices {
             let [face, ring] = self.holes[index as usize];
-            let ring = self.mesh.face(face as usize).loops().nth(ring as usize).unwrap_or_default();
-            let mut ring: Vec<u32> =
-                ring.iter().map(|&point| builder.point(self.mesh.points()[point as usize])).collect();
+            let mut ring = self.mesh.face(face as usize).loops().nth(ring as usize).unwrap_or_default().to_vec();
             flip(&mut ring);
-            builder.face(&ring, &[], FaceTag::PLAIN);
+            for point in ring {
+                let number = *numbers.entry(point).or_insert_with(|| {
+                    taken.push(point);
+                    filled.add_point(self.mesh.points()[point as usize])
+                });
+                filled.corners.push(number);
+            }
+            filled.end_loop();
+            filled.end_face(FaceTag::PLAIN);
         }
-        let mut filled = builder.build().unwrap_or_default();
-        filled.trace = self.mesh.trace.at_places(&self.mesh.points, &filled.points);
+        filled.carry_tags(&self.mesh, |point| PartPoint::old(taken[point as usize]));
+        filled.trace = self.mesh.trace.pick(taken.iter().map(|point| Some(*point)));
         filled
     }
 
@@ -353,13 +379,13 @@ impl MeshParts {
                 Components::FaceVertices => self.mesh.corners()[index],
                 _ => index as u32,
             };
-            let trace = self.mesh.trace.pick(indices.clone().map(|index| Some(point(index))));
+            let numbers: Vec<u32> = indices.clone().map(point).collect();
             let points = indices.map(|index| self.place(self.kind, index)).collect();
-            return Wire { points, edges: Vec::new(), normals, trace };
+            return Wire::of_points(points, &self.mesh.subcomponent_tags, &self.mesh.trace, &numbers, normals);
         }
         let point = |corner: u32| self.mesh.corners()[corner as usize];
         let edges = indices.map(|index| self.directed(index, as_roof).map(point));
-        Wire::of_edges(self.mesh.points(), &self.mesh.trace, edges, normals)
+        Wire::of_edges(self.mesh.points(), &self.mesh.subcomponent_tags, &self.mesh.trace, edges, normals)
     }
 
     /// Calls `bond` with the number of each edge of a component with faces, or of each point of another component.

@@ -104,12 +104,12 @@ fn wire(pivot: Frame, wire: Wire) -> ComponentPart {
     let mut scope = Scope { origin: pivot.to_world(placed.low), axes: pivot.axes, size: placed.size };
     let geometry = match (&placed.wire.edges[..], placed.wire.points.len()) {
         ([], 0) => Geometry::Empty,
-        ([], 1) if placed.wire.trace.is_empty() => Geometry::Vertex,
+        ([], 1) if placed.wire.is_plain() => Geometry::Vertex,
         // Along x except for rounding.
         ([[0, 1]], 2) if placed.wire.points[0] == DVec3::ZERO && is_along_x(placed.wire.points[1]) => {
             let size = placed.wire.points[1].length() * DVec3::X;
             scope = Scope { origin: pivot.origin, axes: pivot.axes, size };
-            if placed.wire.trace.is_empty() {
+            if placed.wire.is_plain() {
                 Geometry::Edge
             } else {
                 let points = vec![DVec3::ZERO, size];

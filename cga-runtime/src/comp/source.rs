@@ -21,7 +21,7 @@ pub(super) enum ComponentSource {
     /// The faces of a box or a rectangle, used one by one.
     Quads(Quads),
     Mesh(Box<MeshParts>),
-    Wire(WireParts),
+    Wire(Box<WireParts>),
 }
 
 impl ComponentSource {
@@ -42,7 +42,7 @@ impl ComponentSource {
             return ControlFlow::Continue(ComponentSource::Quads(quads));
         }
         if let Some(wire) = shape.to_wire() {
-            return ControlFlow::Continue(ComponentSource::Wire(WireParts::new(wire, components)));
+            return ControlFlow::Continue(ComponentSource::Wire(Box::new(WireParts::new(wire, components))));
         }
         if let Geometry::Mesh(placed) = &shape.geometry {
             // Computed on the mesh itself, the adjacency is available to all its copies.

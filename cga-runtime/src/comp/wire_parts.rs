@@ -1,9 +1,12 @@
 //! The components of edges and points that have no faces.
 
+use std::cell::RefCell;
+
 use glam::DVec3;
 
 use super::Components;
-use super::select::{Sense, Word};
+use super::found_tags::FoundTags;
+use super::select::{Sense, Subcomponent, Word};
 use crate::comp::orientation::Orientation;
 use crate::geometry::Frame;
 use crate::geometry::face_frame::{along, beside, upright};
@@ -16,6 +19,8 @@ pub(super) struct WireParts {
     wire: Wire,
     kind: Components,
     parts: Vec<WirePart>,
+    /// The last query for tags, with its matches.
+    found: RefCell<FoundTags>,
 }
 
 /// A component of a wire.
@@ -53,7 +58,7 @@ impl WireParts {
             }
             _ => Vec::new(),
         };
-        WireParts { wire, kind, parts }
+        WireParts { wire, kind, parts, found: RefCell::default() }
     }
 
     pub(super) fn len(&self) -> usize {
@@ -74,6 +79,25 @@ impl WireParts {
         }
     }
 
+    /// Returns true if a tag of a component matches. Edges pass their tags on to their vertices. If subcomponents are
+    /// named, their tags are tested instead of the component's own (*comp operation*, isTagged).
+    pub(super) fn tagged(&self, index: usize, of: Option<Subcomponent>, query: &str) -> bool {
+        let Wire { tags, edges, points, .. } = &self.wire;
+        if tags.is_empty() {
+            return false;
+        }
+        let mut found = self.found.borrow_mut();
+        found.search(query, &[], tags, points.len());
+        match self.kind {
+            Components::Edges | Components::FaceEdges if of == Some(Subcomponent::Vertices) => {
+                edges[index].into_iter().any(|end| found.point(end))
+            }
+            Components::Edges | Components::FaceEdges => found.edge(tags, edges[index]),
+            Components::FaceVertices => found.point(edges[index / 2][index % 2]),
+            _ => found.point(index as u32),
+        }
+    }
+
     pub(super) fn frame(&self, index: usize) -> Frame {
         let WirePart { origin, along: edge, normal, .. } = self.parts[index];
         let x = if edge == DVec3::ZERO { beside(normal) } else { edge };
@@ -88,11 +112,12 @@ impl WireParts {
                 Components::FaceVertices => self.wire.edges[index as usize / 2][index as usize % 2],
                 _ => index,
             };
-            let trace = self.wire.trace.pick(indices.iter().map(|index| Some(point(*index))));
-            return Wire { points: parts.map(|part| part.origin).collect(), edges: Vec::new(), normals, trace };
+            let numbers: Vec<u32> = indices.iter().map(|index| point(*index)).collect();
+            let points = parts.map(|part| part.origin).collect();
+            return Wire::of_points(points, &self.wire.tags, &self.wire.trace, &numbers, normals);
         }
-        let (points, trace) = (&self.wire.points, &self.wire.trace);
-        Wire::of_edges(points, trace, indices.iter().map(|&index| self.wire.edges[index as usize]), normals)
+        let Wire { points, edges, tags, trace, .. } = &self.wire;
+        Wire::of_edges(points, tags, trace, indices.iter().map(|&index| edges[index as usize]), normals)
     }
 
     /// Calls `bond` with the points of a component. Components with a common point are connected.

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use glam::DVec3;
 
 use crate::geometry::Frame;
-use crate::geometry::mesh::unit;
+use crate::geometry::mesh::{SubcomponentTags, unit};
 use crate::geometry::trace::{PartPoint, Trace};
 
 /// Edges between points, or points without edges.
@@ -16,6 +16,7 @@ pub(crate) struct Wire {
     pub(crate) edges: Vec<[u32; 2]>,
     /// The normal of each edge, or of each point if there are no edges: of length 1, or zero if unknown.
     pub(crate) normals: Vec<DVec3>,
+    pub(crate) tags: SubcomponentTags,
     /// The origins of points, in operands.
     pub(crate) trace: Trace,
 }
@@ -27,7 +28,7 @@ impl Wire {
             points: vec![DVec3::ZERO, DVec3::X * length],
             edges: vec![[0, 1]],
             normals: vec![DVec3::Z],
-            trace: Trace::default(),
+            ..Wire::default()
         }
     }
 
@@ -36,9 +37,10 @@ impl Wire {
         Wire { points: vec![DVec3::ZERO], normals: vec![DVec3::Z], ..Wire::default() }
     }
 
-    /// The wire of some edges between `points` with a trace, with the points that they use.
+    /// The wire of some edges between `points` with tags and a trace, with the points that they use.
     pub(crate) fn of_edges(
         points: &[DVec3],
+        tags: &SubcomponentTags,
         trace: &Trace,
         edges: impl Iterator<Item = [u32; 2]>,
         normals: Vec<DVec3>,
@@ -50,9 +52,28 @@ impl Wire {
                 used.len() as u32 - 1
             })
         };
-        let edges = edges.map(|edge| edge.map(&mut number)).collect();
+        let edges: Vec<[u32; 2]> = edges.map(|edge| edge.map(&mut number)).collect();
         let trace = trace.pick(used.iter().map(|point| Some(*point)));
-        Wire { points: used.iter().map(|point| points[*point as usize]).collect(), edges, normals, trace }
+        let tags = tags.carried(edges.iter().copied(), used.len(), |point| PartPoint::old(used[point as usize]));
+        Wire { points: used.iter().map(|point| points[*point as usize]).collect(), edges, normals, tags, trace }
+    }
+
+    /// The wire of some points with tags and a trace, without edges. `numbers` are the numbers of the points there.
+    pub(crate) fn of_points(
+        points: Vec<DVec3>,
+        tags: &SubcomponentTags,
+        trace: &Trace,
+        numbers: &[u32],
+        normals: Vec<DVec3>,
+    ) -> Self {
+        let tags = tags.carried(std::iter::empty(), numbers.len(), |point| PartPoint::old(numbers[point as usize]));
+        let trace = trace.pick(numbers.iter().map(|point| Some(*point)));
+        Wire { points, edges: Vec::new(), normals, tags, trace }
+    }
+
+    /// Returns true if points and edges have no tags and no origins.
+    pub(crate) fn is_plain(&self) -> bool {
+        self.tags.is_empty() && self.trace.is_empty()
     }
 
     /// The wire in the coordinates of a frame.
@@ -75,7 +96,7 @@ impl Wire {
 
     /// The part between two offsets along a direction, with edges cut off there. Edges and points exactly at an offset
     /// are below it. Points that edges share are shared in the part too (*CGA changelog, SDK 3.3.11351*).
-    /// The part has no trace, but comes with the origins of its points.
+    /// Parts of edges keep their tags. The part has no trace, but comes with the origins of its points.
     pub(crate) fn between(&self, along: DVec3, low: f64, high: f64) -> (Wire, Vec<PartPoint>) {
         let (mut part, mut origins) = (Wire::default(), Vec::new());
         let mut numbers = HashMap::new();
@@ -119,6 +140,7 @@ impl Wire {
                 }
             }
         }
+        part.tags = self.tags.carried(part.edges.iter().copied(), origins.len(), |point| origins[point as usize]);
         (part, origins)
     }
 

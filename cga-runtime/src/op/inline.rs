@@ -2,8 +2,8 @@
 
 use super::joined::{joined_state, part_meshes, retain_parts};
 use super::recompose::recompose;
-use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::join::join;
+use crate::geometry::mesh::{Mesh, SubcomponentTagger};
 use crate::geometry::wire::Wire;
 use crate::run::env::Env;
 use crate::shape::{Geometry, Shape};
@@ -62,15 +62,17 @@ fn join_faces(env: &mut Env, shape: &mut Shape, leaves: &[Shape]) {
 }
 
 fn join_wires(shape: &mut Shape, leaves: &[Shape]) {
-    let mut sum = Wire::default();
+    let (mut sum, mut tagger) = (Wire::default(), SubcomponentTagger::default());
     let wires = || leaves.iter().filter_map(|leaf| Some((leaf, leaf.to_wire()?)));
     let has_edges = wires().any(|(_, wire)| !wire.edges.is_empty());
     for (leaf, wire) in wires().filter(|(_, wire)| !has_edges || !wire.edges.is_empty()) {
         let first = sum.points.len() as u32;
         let frame = shape.scope.frame();
+        tagger.append(&wire.tags, |point| first + point);
         sum.points.extend(wire.points.iter().map(|point| frame.to_local(leaf.scope.frame().to_world(*point))));
         sum.edges.extend(wire.edges.iter().map(|edge| edge.map(|point| first + point)));
         sum.normals.extend(wire.normals.iter().map(|normal| frame.axes.transpose() * (leaf.scope.axes * *normal)));
     }
+    sum.tags = tagger.finish();
     shape.set_wire(sum);
 }

@@ -1,5 +1,6 @@
 //! The results of runs: models, and sinks that write buffers, files and pictures.
 
+pub mod batches;
 pub mod buffers;
 pub mod error;
 pub(crate) mod flatten;
@@ -8,17 +9,20 @@ pub mod gltf;
 #[cfg(feature = "gltf")]
 mod interner;
 pub(crate) mod measure;
+pub mod meshes;
 pub mod model;
+mod near_origin;
 mod normals;
 pub(crate) mod number;
 pub(crate) mod numbers;
 pub mod obj;
 pub(crate) mod order;
-pub mod parts;
 pub mod picture;
+mod placed_assets;
 mod room;
 pub mod sink_table;
 pub mod stats;
 pub mod svg;
+mod tangents;
 mod texture;
 mod triangles;

@@ -5,13 +5,13 @@ pub mod bytes;
 pub mod corpus;
 pub mod section;
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use cga_runtime::geometry::Axis;
 use cga_runtime::geometry::cut::{Slabs, slabs};
-use cga_runtime::geometry::mesh::{Extrude, FaceTag, Mesh, MeshBuilder, extrude};
+use cga_runtime::geometry::mesh::{Extrude, FaceTag, Mesh, MeshBuilder, TagSet, extrude};
 use cga_runtime::geometry::triangulate::Triangulator;
 use glam::{DAffine3, DMat3, DVec3};
 
@@ -237,4 +237,36 @@ pub fn check_triangles(what: &str, mesh: &Mesh, scale: f64) {
         let area = face.area();
         assert!((sum - area).abs() <= 1e-11 * scale * scale, "{what}: face {index} has {area}, triangles {sum}");
     }
+}
+
+/// The mesh with a tag for each edge, made of the numbers of its points, and one for each vertex.
+pub fn tagged(mesh: &Mesh) -> Mesh {
+    let mut builder = MeshBuilder::new();
+    for (number, point) in mesh.points().iter().enumerate() {
+        builder.point(*point);
+        builder.vertex_tags(number as u32, &TagSet::new([format!("v.{number}").into()]));
+    }
+    for face in mesh.faces() {
+        let loops: Vec<&[u32]> = face.loops().collect();
+        builder.face(loops[0], &loops[1..], FaceTag { tags: FaceTag::NONE, ..face.tag() });
+        for ring in loops {
+            for k in 0..ring.len() {
+                let [a, b] = [ring[k], ring[(k + 1) % ring.len()]];
+                builder.edge_tags([a, b], &TagSet::new([edge_tag([a, b]).into()]));
+            }
+        }
+    }
+    builder.build().unwrap()
+}
+
+/// The tag that [`tagged`] gives an edge.
+pub fn edge_tag([a, b]: [u32; 2]) -> String {
+    format!("e.{}.{}", a.min(b), a.max(b))
+}
+
+/// The edges of a mesh, each once, as the numbers of their points.
+pub fn edges(mesh: &Mesh) -> BTreeSet<[u32; 2]> {
+    let rings = mesh.faces().flat_map(|face| face.loops().map(<[u32]>::to_vec).collect::<Vec<_>>());
+    let sides = |ring: Vec<u32>| (0..ring.len()).map(|k| [ring[k], ring[(k + 1) % ring.len()]]).collect::<Vec<_>>();
+    rings.flat_map(sides).map(|[a, b]| [a.min(b), a.max(b)]).collect()
 }

@@ -235,7 +235,7 @@ pub(super) static ROWS: &[Operation] = &[
         &[float("distance"), or(KEEP_FACES, Default::Word("all"))],
         "moves the outline of each face in or out, with faces for the difference",
     )),
-    op("footprint", "footprint", &[], "replaces the geometry by its outline seen from above"),
+    with(Effect::Flattens, op("footprint", "footprint", &[], "replaces the geometry by its outline seen from above")),
     op("envelope", "envelope_front", first(4, ENVELOPE), VOLUME),
     op("envelope", "envelope_front_back", first(6, ENVELOPE), VOLUME),
     op("envelope", "envelope_sides", ENVELOPE_SIDES, VOLUME),

@@ -10,21 +10,20 @@
 //! types for every other crate in the build. It also starts a new mesh at each group, and cannot distinguish lines from
 //! triangles. The material libraries are read by `tobj`.
 
-pub(super) mod image_names;
 mod lines;
 mod mtl;
-mod warnings;
 
 use std::collections::HashMap;
 use std::fmt;
 
 use glam::{DVec2, DVec3};
 
+use crate::asset::names::Names;
+use crate::asset::warnings::{Warnings, short};
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder, MeshError};
 use crate::material::Material;
 use crate::value::text::Text;
 use lines::{is_utf16, lines};
-use warnings::{Warnings, short};
 
 /// A mesh and the warnings from reading it.
 #[derive(Clone, Debug)]
@@ -156,22 +155,6 @@ impl Coverage {
         let all: Option<Vec<T>> = of_corners.collect();
         self.all += usize::from(all.is_some());
         all
-    }
-}
-
-/// Names in the order of their first use.
-#[derive(Default)]
-struct Names {
-    list: Vec<String>,
-    index: HashMap<String, u32>,
-}
-
-impl Names {
-    fn number(&mut self, name: &str) -> u32 {
-        *self.index.entry(name.to_owned()).or_insert_with(|| {
-            self.list.push(name.to_owned());
-            (self.list.len() - 1) as u32
-        })
     }
 }
 
@@ -339,7 +322,7 @@ impl<'a> Reader<'a> {
             self.warnings.add(|| "the file has no faces".to_owned());
         }
         let mut materials = Vec::new();
-        for name in &self.materials.list {
+        for name in &self.materials.into_list() {
             let mut material = self.looks.get(name).cloned().unwrap_or_else(|| {
                 if !self.libraries.is_empty() {
                     self.warnings.add(|| format!("the material `{}` is in no library", short(name)));
@@ -349,7 +332,7 @@ impl<'a> Reader<'a> {
             material.name = Some(Text::from(name.as_str()));
             materials.push(material);
         }
-        self.builder.groups(self.groups.list).materials(materials);
+        self.builder.groups(self.groups.into_list()).materials(materials);
         let mesh = self.builder.build().map_err(ObjError::Mesh)?;
         let lost = self.faces - mesh.face_count();
         if lost != 0 {

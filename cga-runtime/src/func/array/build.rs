@@ -132,9 +132,9 @@ mod tests {
         assert!(range(env, 4.0, 2.0).is_empty());
         assert_eq!(by(1.0, 0.5, 3.0), [1.0, 1.5, 2.0, 2.5, 3.0]);
         assert_eq!(by(4.0, -1.0, 2.0), [4.0, 3.0, 2.0]);
-        assert_eq!(by(1.0, -0.5, 2.0), []);
+        assert_eq!(by(1.0, -0.5, 2.0), [0.0; 0]);
         assert_eq!(by(1.0, -0.5, 1.0), [1.0]);
-        assert_eq!(by(1.0, 0.0, 1.0), []);
+        assert_eq!(by(1.0, 0.0, 1.0), [0.0; 0]);
         // "Floating point imprecision".
         assert_eq!(range_by(env, 0.0, 0.15, 0.5).to_string(), "(4)[0,0.15,0.3,0.45]");
         assert_eq!(faults(env), 0);

@@ -188,14 +188,12 @@ impl Obstacles {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::random::Rng;
 
     #[test]
     fn rays_and_circles_find_what_a_loop_finds() {
-        let mut seed = 5u32;
-        let mut noise = || {
-            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            f64::from(seed >> 8) / f64::from(1 << 24)
-        };
+        let mut random = Rng(5);
+        let mut noise = || random.unit();
         let mut tree = Obstacles::default();
         let mut all: Vec<[DVec2; 2]> = Vec::new();
         for number in 0..700 {

@@ -2,6 +2,7 @@ use glam::{DAffine3, DQuat, DVec2, DVec3};
 
 use super::*;
 use crate::geometry::mesh::{Extrude, FaceTag, MeshBuilder, extrude};
+use crate::geometry::random::Rng;
 
 const ALL: f64 = f64::INFINITY;
 
@@ -150,11 +151,8 @@ fn a_bent_face_keeps_its_bend() {
 
 #[test]
 fn stars_combs_and_plates_of_any_place_are_cut() {
-    let mut seed = 3u32;
-    let mut noise = || {
-        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        f64::from(seed >> 8) / f64::from(1 << 24)
-    };
+    let mut random = Rng(3);
+    let mut noise = || random.unit();
     for round in 0..60 {
         let corners = 5 + (noise() * 40.0) as usize;
         let round_trip = |radius: f64, noise: &mut dyn FnMut() -> f64| -> Vec<(f64, f64)> {

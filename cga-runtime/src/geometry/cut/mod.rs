@@ -167,14 +167,16 @@ impl Cutter {
             slabs.open.push(OpenChain { plane: number(plane + first), points });
         });
         let closed = mesh.derived.closed.get() == Some(&true) && slabs.open.is_empty();
+        let mut origins = self.state.needed_origins(mesh);
         if !mesh.trace.is_empty() {
             slabs.points = vec![Vec::new(); offsets.len() + 1];
-            for (slab, points) in self.state.origins(mesh).into_iter().enumerate() {
-                slabs.points[number(slab + first)] = points;
-            }
         }
         for (slab, part) in self.state.parts.drain(..).enumerate() {
-            slabs.parts[number(slab + first)] = part.finish(mesh, closed);
+            let (slab, points) = (number(slab + first), origins.next().unwrap_or_default());
+            slabs.parts[slab] = part.finish(mesh, closed, &points);
+            if let Some(list) = slabs.points.get_mut(slab) {
+                *list = points;
+            }
         }
         slabs
     }

@@ -1,4 +1,4 @@
-//! The origins of the points of slabs, for meshes with a trace.
+//! The origins of the points of slabs, for meshes with a trace or with tags of edges and vertices.
 
 use super::class::ClassRange;
 use super::points::{Location, NONE};
@@ -8,8 +8,14 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::trace::PartPoint;
 
 impl CutState {
+    /// The origin of each point of each slab, if the mesh needs them.
+    #[inline]
+    pub(super) fn needed_origins(&self, mesh: &Mesh) -> impl Iterator<Item = Vec<PartPoint>> + use<> {
+        if mesh.needs_origins() { self.origins(mesh).into_iter() } else { Vec::new().into_iter() }
+    }
+
     /// The origin of each point of each slab, in the order of the finished meshes.
-    pub(super) fn origins(&self, mesh: &Mesh) -> Vec<Vec<PartPoint>> {
+    fn origins(&self, mesh: &Mesh) -> Vec<Vec<PartPoint>> {
         let of_part = |part: &super::slab::Slab| vec![PartPoint::NEW; part.mesh.points.len()];
         let mut lists: Vec<Vec<PartPoint>> = self.parts.iter().map(of_part).collect();
         let mut put = |place: Location, origin: PartPoint| {

@@ -105,7 +105,9 @@ impl Cutter {
         }
         self.restore(mesh, &met, without_caps, frame.axes.x_axis);
         let closed = close && mesh.derived.closed.get() == Some(&true) && slabs.open.is_empty();
-        slabs.parts = self.state.parts.drain(..).map(|part| part.finish(mesh, closed)).collect();
+        let mut origins = self.state.needed_origins(&local);
+        let parts = self.state.parts.drain(..);
+        slabs.parts = parts.map(|part| part.finish(mesh, closed, &origins.next().unwrap_or_default())).collect();
         slabs
     }
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::points::{Location, NONE, PieceCorner, Points};
 use crate::geometry::mesh::{FaceTag, Mesh, keep_used};
+use crate::geometry::trace::PartPoint;
 
 /// The mesh of a slab, and the number of its faces that were not cut.
 pub(crate) struct Slab {
@@ -95,8 +96,9 @@ impl Slab {
         self.mesh.end_face(tag);
     }
 
-    /// The finished mesh. The source itself if the part contains all of it, `None` if the part is empty.
-    pub(crate) fn finish(mut self, source: &Arc<Mesh>, closed: bool) -> Option<Arc<Mesh>> {
+    /// The finished mesh. The source itself if the part contains all of it, `None` if the part is empty. `origins` are those
+    /// of its points, if edges or vertices of the source have tags.
+    pub(crate) fn finish(mut self, source: &Arc<Mesh>, closed: bool, origins: &[PartPoint]) -> Option<Arc<Mesh>> {
         let faces = self.mesh.face_ends.len();
         if faces == 0 {
             return None;
@@ -110,6 +112,7 @@ impl Slab {
         if let Some(lead) = self.lead {
             self.mesh.bring_to_front(lead);
         }
+        self.mesh.carry_tags(source, |point| origins[point as usize]);
         self.mesh.give_back_room();
         Some(Arc::new(if closed { self.mesh.known_closed(true) } else { self.mesh }))
     }

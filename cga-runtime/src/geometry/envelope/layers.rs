@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3};
 
 use super::{EnvelopeRefusal, Ground, Part, capped};
 use crate::geometry::cut::{Plane, halves};
-use crate::geometry::mesh::{FaceTag, Mesh, flip, keep_used};
+use crate::geometry::mesh::{FaceTag, Mesh, flip};
 use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::Contour;
 use crate::geometry::skeleton::{self, Failure, Speeds, Strip};
@@ -82,7 +82,7 @@ pub(super) fn stack(ground: &Ground<'_>) -> Result<Mesh, EnvelopeRefusal> {
             Part::Bottom | Part::Top => {}
         }
     }
-    mesh.points = keep_used(&mesh.points, &mut mesh.corners);
+    mesh.drop_unused();
     if !mesh.is_closed() || mesh.points.iter().any(|point| !point.is_finite()) {
         return Err(EnvelopeRefusal::Tangled);
     }

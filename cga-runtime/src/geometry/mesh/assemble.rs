@@ -58,7 +58,7 @@ impl Mesh {
         self.copy_values(source, corners);
     }
 
-    /// Adds a copy of a face of another mesh. The copy has points of its own.
+    /// Adds a copy of a face of another mesh, without the tags of edges and vertices. The copy has points of its own.
     pub(crate) fn add_copy(&mut self, face: &FaceRef<'_>) {
         let mut numbers = std::collections::BTreeMap::new();
         for corner in face.corner_range() {

@@ -8,8 +8,10 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
+use super::numbering::keep_used;
 use super::weld::weld;
-use super::{FaceTag, Mesh, MeshError, TagSet, UvSets};
+use super::{FaceTag, Mesh, MeshError, SubcomponentTagger, TagSet, UvSets};
+use crate::geometry::trace::UNTRACED;
 use crate::material::Material;
 
 /// Takes points and faces and makes a checked [`Mesh`].
@@ -31,6 +33,7 @@ pub struct MeshBuilder {
     /// For each texture set, and for the normals, the number of faces with values.
     uv_faces: [usize; UvSets::MOST],
     normal_faces: usize,
+    tagger: SubcomponentTagger,
     wrong: Option<MeshError>,
 }
 
@@ -111,6 +114,18 @@ impl MeshBuilder {
         self
     }
 
+    /// Adds tags to the edge between two points. They are dropped if no face has the edge.
+    pub fn edge_tags(&mut self, ends: [u32; 2], tags: &TagSet) -> &mut Self {
+        self.tagger.edge(ends, tags);
+        self
+    }
+
+    /// Adds tags to the vertex at a point. They are dropped if no face has the vertex.
+    pub fn vertex_tags(&mut self, point: u32, tags: &TagSet) -> &mut Self {
+        self.tagger.vertex(point, tags);
+        self
+    }
+
     /// Checks all data and makes the mesh.
     ///
     /// # Errors
@@ -118,7 +133,7 @@ impl MeshBuilder {
     /// fewer than three corners.
     pub fn build(self) -> Result<Mesh, MeshError> {
         self.check()?;
-        let MeshBuilder { mut given, uv_faces, normal_faces, .. } = self;
+        let MeshBuilder { mut given, uv_faces, normal_faces, tagger, .. } = self;
         let (faces, corners) = (given.face_count(), given.corners.len());
         for (set, with_values) in uv_faces.into_iter().enumerate() {
             if with_values != faces || given.uv_set(set).len() != corners {
@@ -155,7 +170,14 @@ impl MeshBuilder {
                 mesh.end_face(face.tag());
             }
         }
+        let before = if tagger.is_empty() { Vec::new() } else { mesh.corners.clone() };
         mesh.points = keep_used(&given.points, &mut mesh.corners);
+        if !tagger.is_empty() {
+            let mut welded = SubcomponentTagger::default();
+            welded.append(&tagger.finish(), |point| same.get(point as usize).copied().unwrap_or(UNTRACED));
+            mesh.subcomponent_tags = welded.finish();
+            mesh.renumber_tags(&before);
+        }
         Ok(mesh)
     }
 
@@ -202,56 +224,6 @@ fn add_values<T: Copy>(list: &mut Vec<T>, faces: &mut usize, values: &[T], corne
     fits
 }
 
-/// The points that corners use, in their old order. Renumbers the corners; -0 becomes 0.
-pub(crate) fn keep_used(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
-    let mut new = vec![u32::MAX; points.len()];
-    for &c in corners.iter() {
-        new[c as usize] = 0;
-    }
-    let mut kept = Vec::with_capacity(points.len());
-    for (slot, &p) in new.iter_mut().zip(points) {
-        if *slot == 0 {
-            *slot = kept.len() as u32;
-            kept.push(p + 0.0);
-        }
-    }
-    for c in corners {
-        *c = new[*c as usize];
-    }
-    kept
-}
-
-impl Mesh {
-    /// Takes the points that the corners use from another mesh, whose points the corners have, with their origins.
-    pub(crate) fn take_points(&mut self, source: &Mesh) {
-        let used = (!source.trace.is_empty()).then(|| {
-            let mut used = self.corners.clone();
-            used.sort_unstable();
-            used.dedup();
-            used
-        });
-        self.points = keep_used(&source.points, &mut self.corners);
-        if let Some(used) = used {
-            self.trace = source.trace.pick(used.iter().map(|point| Some(*point)));
-        }
-    }
-}
-
-/// The points that corners use, in the order of their first use. Renumbers the corners; -0 becomes 0.
-pub(crate) fn in_order_of_use(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
-    let mut new = vec![u32::MAX; points.len()];
-    let mut kept = Vec::with_capacity(points.len());
-    for corner in corners {
-        let number = &mut new[*corner as usize];
-        if *number == u32::MAX {
-            *number = kept.len() as u32;
-            kept.push(points[*corner as usize] + 0.0);
-        }
-        *corner = *number;
-    }
-    kept
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -280,6 +252,22 @@ mod tests {
         b.point([0.0; 3]);
         b.face(&[0, 0], &[], FaceTag::PLAIN);
         assert_eq!(b.build().unwrap_err(), MeshError::ShortLoop { face: 0, ring: 0 });
+    }
+
+    #[test]
+    fn edges_and_vertices_keep_their_tags_under_new_numbers() {
+        let mut b = MeshBuilder::new();
+        let at = [[9.0, 9.0, 9.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, -0.0, 0.0], [0.0, 1.0, 0.0]];
+        let p = at.map(|p| b.point(p));
+        let [edge, vertex, other] = ["e", "v", "w"].map(|name| TagSet::new([name.into()]));
+        b.face(&[p[1], p[2], p[4]], &[], FaceTag::PLAIN);
+        b.edge_tags([p[3], p[1]], &edge).edge_tags([p[2], p[1]], &other).edge_tags([p[0], p[1]], &other);
+        b.vertex_tags(p[3], &vertex).vertex_tags(p[0], &other).vertex_tags(77, &other);
+        let mesh = b.build().unwrap();
+        assert_eq!(mesh.check(), []);
+        assert_eq!((mesh.edge_tags([0, 1]), mesh.edge_tags([0, 2])), (Some(&edge.union(&other)), None));
+        assert_eq!([0, 1, 2].map(|point| mesh.vertex_tags(point)), [None, Some(&vertex), None]);
+        assert_eq!(mesh.subcomponent_tags.vertices().len(), 1);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Checks of the invariants of a mesh, for tests.
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use glam::DVec3;
@@ -56,6 +57,8 @@ pub enum Flaw {
     },
     /// The mesh is cached as closed but is not, or the reverse.
     Pairing,
+    /// An edge or a vertex has tags, but does not exist.
+    Tags,
 }
 
 impl fmt::Display for Flaw {
@@ -70,6 +73,7 @@ impl fmt::Display for Flaw {
             Flaw::NotPlanar { face, by } => write!(f, "face {face} is not planar by {by:e}"),
             Flaw::Hole { face, ring } => write!(f, "loop {ring} of face {face} is not a hole in its outline"),
             Flaw::Pairing => write!(f, "edges are not paired as claimed"),
+            Flaw::Tags => write!(f, "an edge or a vertex that does not exist has tags"),
         }
     }
 }
@@ -96,6 +100,9 @@ impl Mesh {
         if self.derived.closed.get().is_some_and(|&closed| closed != self.count_closed()) {
             flaws.push(Flaw::Pairing);
         }
+        if !self.tags_hold() {
+            flaws.push(Flaw::Tags);
+        }
         flaws
     }
 
@@ -109,6 +116,16 @@ impl Mesh {
             && self.tags.len() == self.face_ends.len()
             && self.uvs.fit(corners)
             && [0, corners].contains(&self.normals.len())
+    }
+
+    /// Returns true if only edges and vertices of faces have tags.
+    fn tags_hold(&self) -> bool {
+        let tags = &self.subcomponent_tags;
+        let edges: BTreeSet<[u32; 2]> = match tags.edges().len() {
+            0 => BTreeSet::new(),
+            _ => self.face_edges().map(|[a, b]| [a.min(b), a.max(b)]).collect(),
+        };
+        tags.hold(self.points.len()) && tags.edges().all(|(ends, _)| edges.contains(&ends))
     }
 
     fn check_face(&self, index: usize, flaws: &mut Vec<Flaw>) {

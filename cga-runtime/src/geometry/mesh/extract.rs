@@ -2,9 +2,10 @@
 
 use super::Mesh;
 use crate::geometry::Frame;
+use crate::geometry::trace::PartPoint;
 
 /// A mesh of the given faces, in their order, in the coordinates of a frame. Shared points stay shared, and unused
-/// points are dropped. Tags, texture coordinates and normals are kept. Faces that do not exist are ignored.
+/// points are dropped. Tags, those of edges and vertices too, texture coordinates and normals are kept. Faces that do not exist are ignored.
 pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
     let into = to.axes.transpose();
     let mut part = mesh.alike(0);
@@ -15,8 +16,9 @@ pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
         new.resize(mesh.points.len(), u32::MAX);
     }
     let mut seen: Vec<u32> = Vec::new();
-    // The points of a mesh with a trace.
+    // The points of a mesh that needs origins.
     let mut taken: Vec<u32> = Vec::new();
+    let takes = mesh.needs_origins();
     for &index in faces {
         if index as usize >= mesh.face_count() {
             continue;
@@ -32,7 +34,7 @@ pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
                 };
                 let number = known.unwrap_or_else(|| {
                     let number = part.add_point(to.to_local(mesh.points[point as usize]));
-                    if !mesh.trace.is_empty() {
+                    if takes {
                         taken.push(point);
                     }
                     if few {
@@ -53,6 +55,7 @@ pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
         part.end_face(face.tag());
     }
     part.trace = mesh.trace.pick(taken.iter().map(|point| Some(*point)));
+    part.carry_tags(mesh, |point| PartPoint::old(taken[point as usize]));
     part
 }
 

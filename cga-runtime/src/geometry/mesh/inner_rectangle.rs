@@ -2,7 +2,6 @@
 
 use glam::{DVec2, DVec3};
 
-use super::build::in_order_of_use;
 use super::{FaceRef, Mesh, Spread, unit};
 use crate::geometry::inner_rectangle::{RectangleSides, largest};
 use crate::geometry::overlay::wound;
@@ -101,7 +100,7 @@ pub(crate) fn cut_rectangle(
 
 /// Gives points numbers in the order of faces, after all faces were added.
 pub(crate) fn finish(mesh: &mut Mesh) {
-    mesh.points = in_order_of_use(&mesh.points, &mut mesh.corners);
+    mesh.number_by_use();
 }
 
 impl<'a> Seen<'a> {

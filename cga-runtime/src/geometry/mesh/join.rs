@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec2;
 
-use super::{FaceTag, Mesh, Tags, UvSets};
+use super::{FaceTag, Mesh, SubcomponentTagger, Tags, UvSets};
 use crate::material::Material;
 
 /// How far back a list is searched for an equal element.
@@ -41,11 +41,12 @@ pub(crate) fn join<'m>(meshes: impl Iterator<Item = &'m Mesh> + Clone) -> Mesh {
     let has_set = |set: usize| meshes.clone().any(|mesh| !mesh.uvs.get(set).is_empty());
     let has_sets: Vec<usize> = (0..UvSets::MOST).filter(|set| has_set(*set)).collect();
     let has_normals = meshes.clone().any(|mesh| !mesh.normals.is_empty());
-    let mut sum = Mesh::default();
+    let (mut sum, mut tagger) = (Mesh::default(), SubcomponentTagger::default());
     for mesh in meshes.clone() {
         let numbers =
             [groups.numbers(&mesh.groups), materials.numbers(&mesh.materials), tag_sets.numbers(&mesh.tag_sets)];
         let (points, corners) = (sum.points.len() as u32, sum.corners.len() as u32);
+        tagger.append(&mesh.subcomponent_tags, |point| points + point);
         sum.trace.append(sum.points.len(), &mesh.trace);
         sum.points.extend_from_slice(&mesh.points);
         sum.corners.extend(mesh.corners.iter().map(|point| points + point));
@@ -74,6 +75,7 @@ pub(crate) fn join<'m>(meshes: impl Iterator<Item = &'m Mesh> + Clone) -> Mesh {
         }
     }
     (sum.groups, sum.materials, sum.tag_sets) = (groups.0.into(), materials.0.into(), tag_sets.0.into());
+    sum.subcomponent_tags = tagger.finish();
     let is_closed = meshes.clone().all(Mesh::is_closed);
     if sum.is_empty() { sum } else { sum.known_closed(is_closed) }
 }

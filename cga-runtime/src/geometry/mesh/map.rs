@@ -70,6 +70,7 @@ impl Mesh {
             face_ends: self.face_ends.clone(),
             tags: self.tags.clone(),
             uvs: self.uvs.clone(),
+            subcomponent_tags: self.subcomponent_tags.clone(),
             trace: self.trace.clone(),
             ..self.alike(0)
         }

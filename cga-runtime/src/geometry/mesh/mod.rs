@@ -2,8 +2,8 @@
 //!
 //! The storage is flat: positions; corners (indices into the positions) loop by loop; loops face by face. The first
 //! loop of a face is its outline, counter-clockwise as seen from outside; the others are holes, clockwise. Faces have a
-//! group, a material and a flag for faces made by cuts. Corners may have texture coordinates and normals. Coordinates
-//! are local; the owner of a mesh defines their frame.
+//! group, a material and a flag for faces made by cuts. Corners may have texture coordinates and normals. Faces, edges and
+//! vertices may have tags. Coordinates are local; the owner of a mesh defines their frame.
 //!
 //! Invariants: every coordinate is finite, every index is in range, every loop has at least three corners, no corner
 //! equals its predecessor, and every point is used. Two faces share an edge if they share its two point *indices*.
@@ -29,12 +29,14 @@ pub(crate) mod join;
 mod layout;
 pub(crate) mod map;
 mod measure;
+mod numbering;
 pub(crate) mod offset;
 pub(crate) mod pair_table;
 mod polygon;
 pub mod primitive;
 pub(crate) mod solid;
 mod spread;
+mod subcomponent_tags;
 mod tag;
 pub(crate) mod uv;
 mod weld;
@@ -44,13 +46,12 @@ use std::sync::{Arc, OnceLock};
 
 use glam::{DVec2, DVec3};
 
-use crate::geometry::trace::Trace;
+use crate::geometry::trace::{PartPoint, Trace};
 use crate::material::Material;
 
 pub(crate) use adjacency::Adjacency;
 pub use along_uv::{AlongUv, HeightAlignment, HeightDirection, insert_along_uv};
 pub use build::MeshBuilder;
-pub(crate) use build::{in_order_of_use, keep_used};
 pub use check::Flaw;
 pub use error::{MeshError, TooManyCorners};
 pub use extract::extract;
@@ -62,8 +63,10 @@ pub(crate) use flat_face::FlatFace;
 pub(crate) use footprint::footprint;
 pub(crate) use layout::{FaceEnds, Tags};
 pub(crate) use map::flip;
+pub(crate) use numbering::keep_used;
 pub use offset::OffsetFaces;
 pub(crate) use spread::Spread;
+pub(crate) use subcomponent_tags::{SubcomponentTagger, SubcomponentTags};
 pub use tag::TagSet;
 pub(crate) use tag::matches as tag_matches;
 pub(crate) use uv::UvSets;
@@ -90,6 +93,7 @@ pub struct Mesh {
     pub(crate) materials: Arc<[Material]>,
     /// The sets of component tags, indexed by [`FaceTag::tags`].
     pub(crate) tag_sets: Arc<[TagSet]>,
+    pub(crate) subcomponent_tags: SubcomponentTags,
     /// The origins of points, in operands.
     pub(crate) trace: Trace,
     pub(crate) derived: Derived,
@@ -250,6 +254,34 @@ impl Mesh {
     /// The sets of component tags, indexed by [`FaceTag::tags`].
     pub fn tag_sets(&self) -> &[TagSet] {
         &self.tag_sets
+    }
+
+    /// The tags of the edge between two points.
+    pub fn edge_tags(&self, ends: [u32; 2]) -> Option<&TagSet> {
+        self.subcomponent_tags.edge(ends)
+    }
+
+    /// The tags of the vertex at a point.
+    pub fn vertex_tags(&self, point: u32) -> Option<&TagSet> {
+        self.subcomponent_tags.vertex(point)
+    }
+
+    /// Returns true if parts of the mesh need the origins of their points: for a trace, or for tags of edges and vertices.
+    #[inline]
+    pub(crate) fn needs_origins(&self) -> bool {
+        !self.trace.is_empty() || !self.subcomponent_tags.is_empty()
+    }
+
+    /// The two points of every edge, once for each face at the edge.
+    pub(crate) fn face_edges(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        self.faces().flat_map(|face| face.edges()).map(|edge| edge.map(|corner| self.corners[corner]))
+    }
+
+    /// Takes over the tags of edges and vertices of a mesh in which the points have their origins.
+    pub(crate) fn carry_tags(&mut self, source: &Mesh, origin: impl Fn(u32) -> PartPoint) {
+        if !source.subcomponent_tags.is_empty() {
+            self.subcomponent_tags = source.subcomponent_tags.carried(self.face_edges(), self.points.len(), origin);
+        }
     }
 
     /// A mesh without faces that has the same groups, materials, tag sets and texture sets, with capacity for the

@@ -13,7 +13,6 @@
 use glam::DVec2;
 
 use super::Mesh;
-use super::build::in_order_of_use;
 use super::face::unit;
 use super::flat_face::FlatFace;
 use super::map::flip;
@@ -67,7 +66,7 @@ pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> (Mesh, Ve
         }
     }
     // The wavefront numbers points in the order of its events; rules expect vertices in the order of faces.
-    made.points = in_order_of_use(&made.points, &mut made.corners);
+    made.number_by_use();
     (made, refused)
 }
 

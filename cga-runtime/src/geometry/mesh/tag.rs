@@ -1,11 +1,12 @@
 //! Tags of components, and tag queries (*Geometry tagging*).
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::value::text::Text;
 
-/// The tags of a face, sorted and without duplicates. Names have parts, as in `extrude.side.outer`.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+/// The tags of a component, sorted and without duplicates. Names have parts, as in `extrude.side.outer`.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct TagSet(Arc<[Text]>);
 
 impl TagSet {
@@ -27,10 +28,46 @@ impl TagSet {
         self.0.iter().any(|name| matches(query, name))
     }
 
+    /// The tags of both sets.
+    pub(crate) fn union(&self, other: &TagSet) -> Self {
+        TagSet::new(self.0.iter().chain(&*other.0).cloned())
+    }
+
     /// The tags without those below `below`, with `name` added: the result of an operation that tags its faces.
     pub(crate) fn renewed(&self, below: &str, name: &str) -> Self {
         let others = self.0.iter().filter(|name| !matches(below, name)).cloned();
         TagSet::new(others.chain([Text::from(name)]))
+    }
+}
+
+/// Distinct sets of tags, numbered in the order of their first use.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct TagSetTable {
+    sets: Vec<TagSet>,
+    numbers: BTreeMap<TagSet, u32>,
+}
+
+impl TagSetTable {
+    /// The number of a set.
+    pub(crate) fn number(&mut self, set: &TagSet) -> u32 {
+        if let Some(number) = self.numbers.get(set) {
+            return *number;
+        }
+        let number = self.sets.len() as u32;
+        self.sets.push(set.clone());
+        self.numbers.insert(set.clone(), number);
+        number
+    }
+
+    /// The number of the union of two sets.
+    pub(crate) fn union(&mut self, a: u32, b: u32) -> u32 {
+        let union = self.sets[a as usize].union(&self.sets[b as usize]);
+        self.number(&union)
+    }
+
+    /// The sets by number.
+    pub(crate) fn into_sets(self) -> Arc<[TagSet]> {
+        self.sets.into()
     }
 }
 

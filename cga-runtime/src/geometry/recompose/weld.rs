@@ -4,8 +4,8 @@ use glam::{DAffine3, DVec3};
 
 use super::origins::Origins;
 use crate::geometry::mesh::join::join;
-use crate::geometry::mesh::{Derived, Mesh};
-use crate::geometry::trace::{Trace, UNTRACED};
+use crate::geometry::mesh::{Derived, Mesh, SubcomponentTagger};
+use crate::geometry::trace::{PartPoint, Trace, UNTRACED};
 use crate::geometry::wire::Wire;
 
 /// Parts that become one mesh.
@@ -14,6 +14,8 @@ pub(crate) struct Weld {
     meshes: Vec<Mesh>,
     /// The numbers of the points of all meshes.
     points: Vec<u32>,
+    /// The tags of edges and vertices, by these numbers.
+    tagger: SubcomponentTagger,
 }
 
 /// A corner of a face: a corner of the part, or a point between it and the next one.
@@ -49,6 +51,7 @@ impl Weld {
                     };
                     push(WeldCorner { from, to: from, share: 0.0, point: ends[0] });
                     origins.between(ends, |point, share| push(WeldCorner { from, to, share, point }));
+                    self.tag_edge(origins, &mesh, [from, to], ends);
                 }
                 while 1 < ring.len() && ring[0].point == ring[ring.len() - 1].point {
                     ring.pop();
@@ -78,9 +81,18 @@ impl Weld {
                 refined.end_face(face.tag());
             }
         }
+        mesh.subcomponent_tags.vertices().for_each(|(point, set)| self.tagger.vertex(points[point as usize], set));
         refined.points = vec![DVec3::ZERO; numbers.len()];
         self.points.extend(numbers);
         self.meshes.push(refined);
+    }
+
+    /// Adds the tags of the edge between two corners, all along the edge.
+    fn tag_edge(&mut self, origins: &Origins, mesh: &Mesh, corners: [usize; 2], ends: [u32; 2]) {
+        let Some(set) = mesh.edge_tags(corners.map(|corner| mesh.corners[corner])) else { return };
+        let mut last = ends[0];
+        origins.between(ends, |point, _| self.tagger.edge([std::mem::replace(&mut last, point), point], set));
+        self.tagger.edge([last, ends[1]], set);
     }
 
     /// The number of corners so far.
@@ -93,6 +105,9 @@ impl Weld {
         let mut sum = join(self.meshes.iter());
         let (points, numbers) = renumbered(&self.points, places, map, &mut sum.corners);
         sum.points = points;
+        let tags = self.tagger.finish();
+        sum.subcomponent_tags =
+            tags.carried(sum.face_edges(), sum.points.len(), |point| PartPoint::old(numbers[point as usize]));
         sum.derived = Derived::default();
         (sum, numbers)
     }
@@ -132,6 +147,11 @@ pub(crate) fn welded_wire(parts: &[(Wire, Vec<u32>)], places: &[DVec3], map: &DA
     if !has_edges {
         normals.truncate(points.len());
     }
-    let edges = if has_edges { ends.chunks_exact(2).map(|ends| [ends[0], ends[1]]).collect() } else { Vec::new() };
-    (Wire { points, edges, normals, trace: Trace::default() }, numbers)
+    let edges: Vec<[u32; 2]> =
+        if has_edges { ends.chunks_exact(2).map(|ends| [ends[0], ends[1]]).collect() } else { Vec::new() };
+    let mut tagger = SubcomponentTagger::default();
+    parts.iter().for_each(|(wire, own)| tagger.append(&wire.tags, |point| own[point as usize]));
+    let origin = |point: u32| PartPoint::old(numbers[point as usize]);
+    let tags = tagger.finish().carried(edges.iter().copied(), points.len(), origin);
+    (Wire { points, edges, normals, tags, trace: Trace::default() }, numbers)
 }

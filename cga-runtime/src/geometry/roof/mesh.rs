@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::{Outline, Rise, Roof, RoofFace, RoofForm, RoofPart, roof};
-use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh, TagSet, flip, in_order_of_use};
+use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh, TagSet, flip};
 use crate::geometry::skeleton::{Failure, any_cross};
 use crate::geometry::tol::TOUCH_EPSILON;
 
@@ -31,7 +31,7 @@ pub(crate) fn roof_over(source: &Mesh, form: RoofForm, rise: Rise) -> (Mesh, Vec
             add_plain(&face, &mut made);
         }
     }
-    made.points = in_order_of_use(&made.points, &mut made.corners);
+    made.number_by_use();
     (made, refused)
 }
 

@@ -63,7 +63,8 @@ impl<'a> Images<'a> {
     }
 
     fn file(&self, name: &str) -> Option<GltfImage> {
-        if self.is_referenced && !name.starts_with("builtin:") {
+        let has_file = || !name.starts_with("builtin:") && !self.assets.is_some_and(|assets| assets.is_embedded(name));
+        if self.is_referenced && has_file() {
             return Some(GltfImage::Referenced(uri(name)));
         }
         Some(match source::find(self.assets, name) {

@@ -80,6 +80,7 @@ impl LineBand {
         if !source.trace.is_empty() {
             *points = numbers.used.iter().map(|point| numbers.crossings.origin(*point)).collect();
         }
+        self.mesh.carry_tags(source, |point| numbers.crossings.origin(numbers.used[point as usize]));
         self.mesh.give_back_room();
         Some(Arc::new(self.mesh))
     }

@@ -21,7 +21,8 @@ pub(super) struct Crossings {
     pub(super) points: Vec<DVec3>,
     /// The relative positions of crossings on their edges, from the lexicographically first end.
     shares: Vec<f64>,
-    /// The points of the mesh between which crossings are, from the lexicographically first. Kept only for meshes with a trace.
+    /// The points of the mesh between which crossings are, from the lexicographically first. Kept only for meshes that
+    /// need origins.
     pub(super) ends: Vec<[u32; 2]>,
     /// For each edge between sites the first of its crossings, which is on the lowest line.
     edges: Edges,
@@ -69,7 +70,7 @@ impl Crossings {
                 self.points.push(point + 0.0);
                 self.shares.push(share);
             }
-            if !mesh.trace.is_empty() {
+            if mesh.needs_origins() {
                 let ends = if comes_first(at(from), at(to)) { [from, to] } else { [to, from] };
                 let ends = ends.map(|corner| mesh.corners[corner]);
                 self.ends.extend(lines.clone().map(|_| ends));

@@ -7,7 +7,6 @@
 
 use super::region::{EdgeCut, Region};
 use super::{FaceParts, OffsetError};
-use crate::geometry::mesh::build::in_order_of_use;
 use crate::geometry::mesh::flat_face::FlatFace;
 use crate::geometry::mesh::{FaceRef, Mesh};
 
@@ -38,5 +37,5 @@ pub(crate) fn set_back(
 
 /// Gives points numbers in the order of faces, after all faces were added.
 pub(crate) fn renumber(mesh: &mut Mesh) {
-    mesh.points = in_order_of_use(&mesh.points, &mut mesh.corners);
+    mesh.number_by_use();
 }

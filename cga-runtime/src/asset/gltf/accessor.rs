@@ -1,0 +1,175 @@
+//! Accessors: lists of numbers in the binary data.
+
+use super::GltfError;
+use super::document::{Document, View};
+use super::item::{Item, item};
+
+/// The greatest number of elements of an accessor whose elements are not in the file.
+const MOST_ABSENT: usize = 1 << 24;
+
+/// The type of one number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Component {
+    I8,
+    U8,
+    I16,
+    U16,
+    U32,
+    F32,
+}
+
+impl Component {
+    fn of(item: &Item<'_>) -> Result<Self, GltfError> {
+        Ok(match item.required("componentType")? {
+            5120 => Component::I8,
+            5121 => Component::U8,
+            5122 => Component::I16,
+            5123 => Component::U16,
+            5125 => Component::U32,
+            5126 => Component::F32,
+            other => return Err(item.error(format!("`componentType` {other} is unknown"))),
+        })
+    }
+
+    fn bytes(self) -> usize {
+        match self {
+            Component::I8 | Component::U8 => 1,
+            Component::I16 | Component::U16 => 2,
+            Component::U32 | Component::F32 => 4,
+        }
+    }
+
+    /// The number at the start of `bytes`, which are long enough.
+    fn number(self, bytes: &[u8]) -> f64 {
+        let two = || bytes.first_chunk().copied().unwrap_or_default();
+        let four = || bytes.first_chunk().copied().unwrap_or_default();
+        match self {
+            Component::I8 => f64::from(i8::from_le_bytes([bytes[0]])),
+            Component::U8 => f64::from(bytes[0]),
+            Component::I16 => f64::from(i16::from_le_bytes(two())),
+            Component::U16 => f64::from(u16::from_le_bytes(two())),
+            Component::U32 => f64::from(u32::from_le_bytes(four())),
+            Component::F32 => f64::from(f32::from_le_bytes(four())),
+        }
+    }
+
+    /// The number that stands for 1 in a normalised accessor.
+    fn one(self) -> f64 {
+        match self {
+            Component::I8 => f64::from(i8::MAX),
+            Component::U8 => f64::from(u8::MAX),
+            Component::I16 => f64::from(i16::MAX),
+            Component::U16 => f64::from(u16::MAX),
+            Component::U32 => f64::from(u32::MAX),
+            Component::F32 => 1.0,
+        }
+    }
+}
+
+/// The name of a list of elements with `width` numbers.
+fn kind(width: usize) -> &'static str {
+    ["SCALAR", "VEC2", "VEC3", "VEC4"][width - 1]
+}
+
+/// An accessor with elements of `N` numbers.
+struct Accessor<'a, const N: usize> {
+    item: Item<'a>,
+    component: Component,
+    count: usize,
+}
+
+impl<'a, const N: usize> Accessor<'a, N> {
+    fn new(document: &'a Document<'_>, index: usize) -> Result<Self, GltfError> {
+        let item = item(&document.json, "accessors", index)?;
+        if item.text("type")? != Some(kind(N)) {
+            return Err(item.error(format!("its `type` must be `{}` here", kind(N))));
+        }
+        Ok(Accessor { item, component: Component::of(&item)?, count: item.required("count")? })
+    }
+
+    /// The elements, each as the numbers of the file.
+    fn elements(&self, document: &Document<'_>) -> Result<Vec<[f64; N]>, GltfError> {
+        let mut elements = match self.item.whole("bufferView")? {
+            Some(view) => {
+                let start = self.item.whole("byteOffset")?.unwrap_or(0);
+                numbers(&self.item, document.view(view)?, start, self.component, self.count)?
+            }
+            None if MOST_ABSENT < self.count => return Err(self.item.error("it has too many elements")),
+            None => vec![[0.0; N]; self.count],
+        };
+        if let Some(sparse) = self.item.object("sparse")? {
+            self.replace(&sparse, document, &mut elements)?;
+        }
+        Ok(elements)
+    }
+
+    /// Replaces the elements that a sparse accessor lists.
+    fn replace(&self, sparse: &Item<'_>, document: &Document<'_>, elements: &mut [[f64; N]]) -> Result<(), GltfError> {
+        let count = sparse.required("count")?;
+        let part = |member| sparse.object(member)?.ok_or_else(|| sparse.error(format!("`{member}` is missing")));
+        let (indices, values) = (part("indices")?, part("values")?);
+        let start = |part: &Item<'_>| Ok(part.whole("byteOffset")?.unwrap_or(0));
+        let view = document.view(indices.required("bufferView")?)?;
+        let places: Vec<[f64; 1]> = numbers(&indices, view, start(&indices)?, Component::of(&indices)?, count)?;
+        let view = document.view(values.required("bufferView")?)?;
+        let values: Vec<[f64; N]> = numbers(&values, view, start(&values)?, self.component, count)?;
+        for ([place], value) in places.into_iter().zip(values) {
+            let element = elements.get_mut(place as usize);
+            *element.ok_or_else(|| sparse.error("a sparse index is out of range"))? = value;
+        }
+        Ok(())
+    }
+}
+
+/// The numbers of `count` elements from a byte of a view on.
+fn numbers<const N: usize>(
+    item: &Item<'_>,
+    view: View<'_>,
+    start: usize,
+    component: Component,
+    count: usize,
+) -> Result<Vec<[f64; N]>, GltfError> {
+    let size = N * component.bytes();
+    let stride = view.stride.unwrap_or(size);
+    if stride < size {
+        return Err(item.error("the elements of its view overlap"));
+    }
+    if count == 0 {
+        return Ok(Vec::new());
+    }
+    let length = (count - 1).checked_mul(stride).and_then(|length| length.checked_add(size));
+    let bytes = length.and_then(|length| view.bytes.get(start..start.checked_add(length)?));
+    let bytes = bytes.ok_or_else(|| item.error("its view ends early"))?;
+    let element = |bytes: &[u8]| std::array::from_fn(|at| component.number(&bytes[at * component.bytes()..]));
+    Ok(bytes.chunks(stride).map(element).collect())
+}
+
+/// The elements of an accessor with `N` numbers each. Normalised numbers are divided by their greatest value.
+///
+/// # Errors
+/// The accessor is of another type, ends early, or has numbers that are not finite.
+pub(super) fn vectors<const N: usize>(document: &Document<'_>, index: usize) -> Result<Vec<[f64; N]>, GltfError> {
+    let accessor = Accessor::<N>::new(document, index)?;
+    let mut elements = accessor.elements(document)?;
+    if accessor.item.flag("normalized")? {
+        let one = accessor.component.one();
+        elements.as_flattened_mut().iter_mut().for_each(|number| *number = (*number / one).max(-1.0));
+    }
+    if elements.as_flattened().iter().all(|number| number.is_finite()) {
+        Ok(elements)
+    } else {
+        Err(accessor.item.error("a number is not finite"))
+    }
+}
+
+/// The elements of an accessor of indices.
+///
+/// # Errors
+/// The accessor is of another type or ends early.
+pub(super) fn indices(document: &Document<'_>, index: usize) -> Result<Vec<u32>, GltfError> {
+    let accessor = Accessor::<1>::new(document, index)?;
+    if matches!(accessor.component, Component::F32 | Component::I8 | Component::I16) {
+        return Err(accessor.item.error("indices must be unsigned integers"));
+    }
+    Ok(accessor.elements(document)?.into_iter().map(|[index]| index as u32).collect())
+}

@@ -1,0 +1,61 @@
+//! The images of a file. Images in other files keep their names; embedded ones get a name from their number.
+
+use std::collections::HashMap;
+
+use crate::asset::image::header::{self, ImageKind};
+use crate::asset::mesh_file::EmbeddedImage;
+use crate::value::text::Text;
+
+/// The images that materials use.
+#[derive(Default)]
+pub(super) struct Images {
+    /// By the number in the file. `None` for an image that cannot be shown.
+    by_index: HashMap<usize, Option<Text>>,
+    /// The names of images with an alpha channel.
+    with_alpha: Vec<Text>,
+    /// The embedded images, in the order of their first use.
+    pub(super) embedded: Vec<EmbeddedImage>,
+    /// The numbers of images that are neither PNG nor JPEG.
+    pub(super) unknown: Vec<usize>,
+}
+
+impl Images {
+    /// The name of an image that was added.
+    pub(super) fn known(&self, index: usize) -> Option<Option<&Text>> {
+        self.by_index.get(&index).map(Option::as_ref)
+    }
+
+    /// Returns true if the image with a name has an alpha channel.
+    pub(super) fn has_alpha(&self, name: Option<&Text>) -> bool {
+        name.is_some_and(|name| self.with_alpha.contains(name))
+    }
+
+    /// Adds an image in a file of its own.
+    pub(super) fn refer(&mut self, index: usize, name: &str, has_alpha: bool) -> Option<Text> {
+        self.add(index, Text::from(name), has_alpha)
+    }
+
+    /// Adds an embedded image. `None` if it is neither PNG nor JPEG.
+    pub(super) fn embed(&mut self, index: usize, bytes: &[u8]) -> Option<Text> {
+        let Ok(header) = header::header(bytes) else {
+            self.unknown.push(index);
+            self.by_index.insert(index, None);
+            return None;
+        };
+        let end = match header.kind {
+            ImageKind::Png => "png",
+            ImageKind::Jpeg => "jpg",
+        };
+        let name = format!("#{index}.{end}");
+        self.embedded.push(EmbeddedImage { name: name.clone(), bytes: bytes.to_vec() });
+        self.add(index, Text::from(name), header.has_alpha)
+    }
+
+    fn add(&mut self, index: usize, name: Text, has_alpha: bool) -> Option<Text> {
+        if has_alpha {
+            self.with_alpha.push(name.clone());
+        }
+        self.by_index.insert(index, Some(name.clone()));
+        Some(name)
+    }
+}

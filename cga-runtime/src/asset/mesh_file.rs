@@ -1,0 +1,85 @@
+//! Files with meshes, by the extensions of their names.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use super::AssetError;
+use crate::geometry::mesh::Mesh;
+
+/// A mesh, and the images inside its file.
+#[derive(Clone, Debug)]
+pub(super) struct MeshFile {
+    pub(super) mesh: Arc<Mesh>,
+    pub(super) images: Arc<[EmbeddedImage]>,
+}
+
+/// An image inside a mesh file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EmbeddedImage {
+    /// Its name in the materials of the mesh: `#`, its number in the file, and `.png` or `.jpg`.
+    pub name: String,
+    /// The bytes of the PNG or JPEG file.
+    pub bytes: Vec<u8>,
+}
+
+/// The extensions of files that can be read.
+pub(super) const EXTENSIONS: &[&str] = &[
+    #[cfg(feature = "obj")]
+    "obj",
+    #[cfg(feature = "gltf")]
+    "gltf",
+    #[cfg(feature = "gltf")]
+    "glb",
+];
+
+/// An error if a file with this name cannot be read as a mesh.
+pub(super) fn readable(name: &str) -> Result<(), AssetError> {
+    let end = Path::new(name).extension().and_then(|end| end.to_str()).unwrap_or_default();
+    if EXTENSIONS.iter().any(|known| known.eq_ignore_ascii_case(end)) {
+        return Ok(());
+    }
+    Err(AssetError::Format(match end.to_ascii_lowercase().as_str() {
+        "obj" => "reading OBJ files needs the feature `obj`",
+        "gltf" | "glb" => "reading glTF files needs the feature `gltf`",
+        _ => "only OBJ and glTF files can be read",
+    }))
+}
+
+/// Reads a file below the root. Image names in its materials become relative to the root.
+#[cfg(any(feature = "obj", feature = "gltf"))]
+pub(super) fn read(root: Option<&Path>, path: &Path) -> Result<MeshFile, AssetError> {
+    let root = root.ok_or(AssetError::NoFolder)?;
+    let bytes = std::fs::read(path)?;
+    let mut beside = |name: &str| {
+        let file = super::folder::inside(root, &path.parent()?.join(name)).ok().filter(|file| file.is_file())?;
+        std::fs::read(file).ok()
+    };
+    let (mesh, images) = parsed(path, &bytes, &mut beside)?;
+    let mesh = super::image_names::with_names_from_root(mesh, root, path);
+    Ok(MeshFile { mesh: Arc::new(mesh), images: images.into() })
+}
+
+#[cfg(not(any(feature = "obj", feature = "gltf")))]
+pub(super) fn read(_: Option<&Path>, _: &Path) -> Result<MeshFile, AssetError> {
+    Err(AssetError::NoFolder)
+}
+
+/// The mesh in the bytes of a file, and the images inside it. `beside` returns the bytes of another file by its name.
+#[cfg(any(feature = "obj", feature = "gltf"))]
+fn parsed(
+    path: &Path,
+    bytes: &[u8],
+    beside: &mut dyn FnMut(&str) -> Option<Vec<u8>>,
+) -> Result<(Mesh, Vec<EmbeddedImage>), AssetError> {
+    #[cfg(feature = "gltf")]
+    if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("gltf") || end.eq_ignore_ascii_case("glb")) {
+        let file = super::gltf::read_gltf(bytes, beside).map_err(|error| AssetError::Broken(error.to_string()))?;
+        return Ok((file.mesh, file.images));
+    }
+    #[cfg(feature = "obj")]
+    if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("obj")) {
+        let file = super::obj::read_obj(bytes, beside).map_err(|error| AssetError::Broken(error.to_string()))?;
+        return Ok((file.mesh, Vec::new()));
+    }
+    readable(&path.to_string_lossy()).and(Err(AssetError::NoFolder))
+}

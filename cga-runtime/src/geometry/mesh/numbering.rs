@@ -1,0 +1,83 @@
+//! The numbers of points: unused points are dropped, and the others numbered again.
+
+use glam::DVec3;
+
+use super::Mesh;
+use crate::geometry::trace::PartPoint;
+
+/// The points that corners use, in their old order. Renumbers the corners; -0 becomes 0.
+pub(crate) fn keep_used(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
+    let mut new = vec![u32::MAX; points.len()];
+    for &c in corners.iter() {
+        new[c as usize] = 0;
+    }
+    let mut kept = Vec::with_capacity(points.len());
+    for (slot, &p) in new.iter_mut().zip(points) {
+        if *slot == 0 {
+            *slot = kept.len() as u32;
+            kept.push(p + 0.0);
+        }
+    }
+    for c in corners {
+        *c = new[*c as usize];
+    }
+    kept
+}
+
+/// The points that corners use, in the order of their first use. Renumbers the corners; -0 becomes 0.
+pub(crate) fn in_order_of_use(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
+    let mut new = vec![u32::MAX; points.len()];
+    let mut kept = Vec::with_capacity(points.len());
+    for corner in corners {
+        let number = &mut new[*corner as usize];
+        if *number == u32::MAX {
+            *number = kept.len() as u32;
+            kept.push(points[*corner as usize] + 0.0);
+        }
+        *corner = *number;
+    }
+    kept
+}
+
+impl Mesh {
+    /// Takes the points that the corners use from another mesh, whose points the corners have, with their origins and tags.
+    pub(crate) fn take_points(&mut self, source: &Mesh) {
+        let mut used = Vec::new();
+        if source.needs_origins() {
+            used.clone_from(&self.corners);
+            used.sort_unstable();
+            used.dedup();
+        }
+        self.points = keep_used(&source.points, &mut self.corners);
+        self.trace = source.trace.pick(used.iter().map(|point| Some(*point)));
+        self.carry_tags(source, |point| PartPoint::old(used[point as usize]));
+    }
+
+    /// Drops unused points and numbers the others in the order of their first use.
+    pub(crate) fn number_by_use(&mut self) {
+        self.renumber(in_order_of_use);
+    }
+
+    /// Drops unused points.
+    pub(crate) fn drop_unused(&mut self) {
+        self.renumber(keep_used);
+    }
+
+    fn renumber(&mut self, points: fn(&[DVec3], &mut [u32]) -> Vec<DVec3>) {
+        let before = if self.subcomponent_tags.is_empty() { Vec::new() } else { self.corners.clone() };
+        self.points = points(&self.points, &mut self.corners);
+        self.renumber_tags(&before);
+    }
+
+    /// Renumbers the tags of edges and vertices. `before` are the corners with the old numbers of points. Tags without an
+    /// edge or a vertex are dropped.
+    pub(super) fn renumber_tags(&mut self, before: &[u32]) {
+        if self.subcomponent_tags.is_empty() {
+            return;
+        }
+        let mut old = vec![0; self.points.len()];
+        self.corners.iter().zip(before).for_each(|(new, before)| old[*new as usize] = *before);
+        let origin = |point: u32| PartPoint::old(old[point as usize]);
+        self.subcomponent_tags = self.subcomponent_tags.carried(self.face_edges(), self.points.len(), origin);
+    }
+}
