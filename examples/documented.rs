@@ -154,6 +154,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         save(name, sheet::draw(&cells, 4))?;
     }
 
+    let cells: Vec<Cell> = pages::mesh_operations::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
+    save("mesh-operations", sheet::draw(&cells, 2))?;
+
     save("texturing", sheet::draw(&textured::texturing(&plain), 4))?;
     save("primitives", sheet::draw(&textured::primitives(&plain), 4))?;
 
