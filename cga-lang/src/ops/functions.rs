@@ -35,9 +35,10 @@ pub static FUNCTIONS: &[&[Function]] = &[
     REST,
 ];
 
-/// A query of a component that is not implemented yet.
+/// A query of the tags of a component.
 const fn asked(name: Str, call: Str, params: Params, about: Str) -> Function {
-    Function { run: Run::Now(call), needs: Needs::Component, uses: Uses::WHOLE, ..later(name, params, B, about) }
+    let uses = Uses::WHOLE.and(Uses::TAGS);
+    Function { run: Run::Now(call), needs: Needs::Component, uses, ..later(name, params, B, about) }
 }
 
 /// *contextCompare*, *contextCount* and *minimumDistance function*.
@@ -85,23 +86,31 @@ static CONTEXT: &[Function] = &[
     later("getTreeKey", &[], T, "the way from the initial shape to this one, as a list of numbers"),
 ];
 
-const TAGGED: Param = or(words("components", &["all", "faces", "edges", "vertices"]), Default::Word("all"));
+const TAGGED: Param =
+    or(word("components", "TaggedComponents", &["all", "faces", "edges", "vertices"]), Default::Word("all"));
 
 /// The subcomponents that `isTagged` tests instead of the component itself.
 const SUBCOMPONENT: Param =
     renamed(&[("e", "Edges"), ("v", "Vertices")], word("subcomponent", "Subcomponent", &["e", "v"]));
 
-/// A query of the geometry that is not implemented yet.
-const fn tags(name: Str, params: Params, ty: Type, about: Str) -> Function {
-    Function { needs: Needs::Shape, uses: Uses::WHOLE, ..later(name, params, ty, about) }
+/// A query of the tags of the geometry.
+const fn tags(name: Str, call: Str, params: Params, ty: Type, about: Str) -> Function {
+    let uses = Uses::WHOLE.and(Uses::TAGS);
+    Function { run: Run::Now(call), needs: Needs::Shape, uses, ..later(name, params, ty, about) }
 }
 
 /// Tags of geometry.
 static GEOMETRY: &[Function] = &[
-    tags("geometry.tags", &[], TS, "the tags of the components, in order"),
-    tags("geometry.tags", &[text("tagQuery"), TAGGED], TS, "the tags that match, in order"),
-    tags("geometry.hasTags", &[], B, "whether components have tags"),
-    tags("geometry.hasTags", &[text("tagQuery"), TAGGED], B, "whether components have tags that match"),
+    tags("geometry.tags", "geometry_tags", &[], TS, "the tags of the components, in order"),
+    tags("geometry.tags", "geometry_tags_of", &[text("tagQuery"), TAGGED], TS, "the tags that match, in order"),
+    tags("geometry.hasTags", "geometry_has_tags", &[], B, "whether components have tags"),
+    tags(
+        "geometry.hasTags",
+        "geometry_has_tags_of",
+        &[text("tagQuery"), TAGGED],
+        B,
+        "whether components have tags that match",
+    ),
 ];
 
 /// Tags in selectors (*comp operation*).

@@ -13,10 +13,11 @@ pub mod get;
 mod material;
 mod measure;
 mod print;
+mod tags;
 mod texture;
 
 pub use crate::comp::select::Word;
-pub use crate::geometry::mesh::TextureSpace;
+pub use crate::geometry::mesh::{TaggedComponents, TextureSpace};
 pub use convert::{ConvertWhat, System, convert, convert_array};
 pub use count::{
     geometry_groups, geometry_materials, geometry_n_edges, geometry_n_faces, geometry_n_holes, geometry_n_vertices,
@@ -35,6 +36,7 @@ pub use measure::{
     AngleType, geometry_angle, geometry_area, geometry_boundary_length, geometry_height, geometry_volume,
 };
 pub use print::print;
+pub use tags::{geometry_has_tags, geometry_has_tags_of, geometry_tags, geometry_tags_of};
 pub use texture::{
     geometry_du, geometry_dv, geometry_has_uv_set, geometry_has_uvs, geometry_u_max, geometry_u_min, geometry_v_max,
     geometry_v_min,

@@ -17,6 +17,7 @@ pub(crate) mod seed;
 pub(crate) mod slim;
 pub(crate) mod state;
 pub(crate) mod street;
+mod tags;
 pub(crate) mod texture;
 mod trace;
 pub(crate) mod trim;

@@ -4,7 +4,7 @@ use super::super::{
     Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Params, Str, Uses, boolean, bounds, float, or,
     text, within, word, words,
 };
-use super::{block, joins, later, old, op, using, with};
+use super::{block, joins, keeps, later, old, op, reads_tags, using, with};
 
 /// *cleanupGeometry* and *reduceGeometry operation*.
 static TOLERANCES: ParamBounds = bounds(Allowed::Between(0.0, 1.0), "it is from 0 to 1");
@@ -18,9 +18,11 @@ const CLEANUP: Param = words("components", &["vertices", "edges", "faces", "all"
 
 const NORMALS: Param = words("normalsMode", &["hard", "conform", "soft", "auto"]);
 
-const TAGGED: Param = or(words("components", &["auto", "faces", "edges", "vertices"]), Default::Word("auto"));
+const TAGGED: Param =
+    or(word("components", "TagTarget", &["auto", "faces", "edges", "vertices"]), Default::Word("auto"));
 
-const UNTAGGED: Param = or(words("components", &["all", "faces", "edges", "vertices"]), Default::Word("all"));
+const UNTAGGED: Param =
+    or(word("components", "TaggedComponents", &["all", "faces", "edges", "vertices"]), Default::Word("all"));
 
 const APPEND: Param =
     or(word("geometryMergeStrategy", "MergeStrategy", &["append", "recompose"]), Default::Word("append"));
@@ -43,8 +45,13 @@ const fn one_operand(name: Str, params: Params, about: Str) -> Operation {
     old(block(name, Braces::Inline, params, about), "name both operands in braces: `{ A | B }`")
 }
 
+/// The row of an operation that changes tags alone.
+const fn tags(row: Operation) -> Operation {
+    keeps(reads_tags(row))
+}
+
 pub(super) static ROWS: &[Operation] = &[
-    later("cleanupGeometry", &[CLEANUP, TOLERANCE], "merges parts that are nearly the same"),
+    reads_tags(later("cleanupGeometry", &[CLEANUP, TOLERANCE], "merges parts that are nearly the same")),
     later("convexify", &[], "cuts concave faces into convex ones"),
     later("convexify", &[float("maxLength")], "cuts concave faces where the cut is short"),
     with(Effect::KeepsSize, op("deleteHoles", "delete_holes", &[], "fills the holes of faces")),
@@ -64,9 +71,9 @@ pub(super) static ROWS: &[Operation] = &[
     later("reduceGeometry", &[TOLERANCE], "removes vertices and changes the form as little as it can"),
     using(INITIAL, op("resetGeometry", "reset_geometry", &[], "takes the geometry of the initial shape again")),
     with(Effect::KeepsSize, op("trim", "trim", &[], "cuts the geometry at the trim planes")),
-    later("tag", &[text("name"), TAGGED], "gives components a tag"),
-    later("deleteTags", &[], "removes all tags"),
-    later("deleteTags", &[text("tagQuery"), UNTAGGED], "removes the tags that match"),
+    tags(op("tag", "tag", &[text("name"), TAGGED], "gives components a tag")),
+    tags(op("deleteTags", "delete_tags", &[], "removes all tags")),
+    tags(op("deleteTags", "delete_tags_of", &[text("tagQuery"), UNTAGGED], "removes the tags that match")),
     later("setTagsFromEdgeAttrs", &[], "makes tags of the initial shape's edge attributes"),
     joins("inline", block("inline", Braces::Inline, &[APPEND], INLINE)),
     block("inline", Braces::Inline, &[STRATEGY], INLINE),

@@ -68,6 +68,11 @@ const fn using(uses: Uses, row: Operation) -> Operation {
     Operation { uses, ..row }
 }
 
+/// The row of an operation whose result depends on tags of edges or vertices.
+const fn reads_tags(row: Operation) -> Operation {
+    using(row.uses.and(Uses::TAGS), row)
+}
+
 /// The row of an operation that only needs the scope and the material, and has the same effect in every place.
 const fn slim(row: Operation) -> Operation {
     using(Uses::NONE, row)

@@ -38,6 +38,7 @@ pub(crate) mod solid;
 mod spread;
 mod subcomponent_tags;
 mod tag;
+mod tagging;
 pub(crate) mod uv;
 mod weld;
 
@@ -67,8 +68,8 @@ pub(crate) use numbering::keep_used;
 pub use offset::OffsetFaces;
 pub(crate) use spread::Spread;
 pub(crate) use subcomponent_tags::{SubcomponentTagger, SubcomponentTags};
-pub use tag::TagSet;
 pub(crate) use tag::matches as tag_matches;
+pub use tag::{TagSet, TaggedComponents};
 pub(crate) use uv::UvSets;
 pub use uv::{TextureSpace, UvAxis, UvExtent};
 

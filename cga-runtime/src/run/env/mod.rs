@@ -68,6 +68,8 @@ pub struct Env {
     /// recursion stops when the geometry gets too small"). It is relative to the initial shape.
     pub(crate) too_small: f64,
     pub(crate) initial: Initial,
+    /// True if operations tag the edges that they make (*Geometry tagging*, auto-tags on edges).
+    pub(crate) tags_edges: bool,
     names: &'static [&'static str],
     /// The names and materials of leaves, by number.
     pub(crate) leaf_tables: LeafTables,
