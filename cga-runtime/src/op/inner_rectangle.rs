@@ -55,7 +55,7 @@ pub fn inner_rectangle(env: &mut Env, arms: &mut Arms<'_>, alignment: RectangleA
             Err(why) => {
                 let (number, why) = (face.index(), reason(why));
                 env.fault(FaultKind::Geometry, format!("`innerRectangle`: face {number} {why}; it stays whole"));
-                made.mesh.add_copy(&face);
+                made.mesh.add_copy(&face, face.tag());
                 1
             }
         };
@@ -79,7 +79,7 @@ pub fn inner_rect(env: &mut Env, shape: &mut Shape) {
         if let Err(why) = cut_rectangle(&face, RectangleSides::Axes, false, &mut made) {
             let (number, why) = (face.index(), reason(why));
             env.fault(FaultKind::Geometry, format!("`innerRect`: face {number} {why}; it stays as it is"));
-            made.add_copy(&face);
+            made.add_copy(&face, face.tag());
             refused += 1;
         }
     }
