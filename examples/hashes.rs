@@ -4,10 +4,9 @@
 //! wasm.
 
 use std::error::Error;
-use std::fmt::Debug;
 
 use cga::parallel::derive_all;
-use cga::sink::buffers::{Buffers, Chunks};
+use cga::sink::buffers::{Buffers, Chunks, Submesh};
 use cga::sink::gltf::Glb;
 use cga::{Flow, Grammar, Repeats, Settings, Shape, Sink};
 
@@ -43,10 +42,13 @@ impl Hash {
 /// The hash of all contents of buffers.
 fn buffers(buffers: &Buffers) -> u64 {
     let mut hash = Hash(Hash::of(b""));
-    let mut text = |text: &dyn Debug| hash.add(format!("{text:?}").as_bytes());
-    text(&buffers.rules());
-    text(&buffers.materials());
-    text(&buffers.parts().collect::<Vec<_>>());
+    let submesh = |submesh: Submesh| {
+        let Submesh { rule, material, indices, vertices } = submesh;
+        format!("Part {{ rule: {rule}, material: {material}, indices: {indices:?}, vertices: {vertices:?} }}")
+    };
+    let submeshes = buffers.submeshes().map(submesh).collect::<Vec<_>>().join(", ");
+    // The text of earlier versions, so that hashes can be compared with theirs.
+    hash.add(format!("{:?}{:?}[{submeshes}]", buffers.rules(), buffers.materials()).as_bytes());
     let floats = buffers.vertices().iter().flatten().chain(buffers.uvs().iter().flatten());
     floats.for_each(|float| hash.add(&float.to_bits().to_le_bytes()));
     buffers.indices().iter().for_each(|index| hash.add(&index.to_le_bytes()));

@@ -45,8 +45,8 @@ pub use cga_runtime::grammar::session::DynSession;
 /// ```
 pub use cga_runtime::grammar::session::Session;
 pub use cga_runtime::material::{Channel, Color, Layer, LayerPart, Material, MaterialNumber, MaterialText};
+pub use cga_runtime::output::batches::{Batch, Batches, ShapeError};
 pub use cga_runtime::output::model::{Geometry, LeafView, Model};
-pub use cga_runtime::output::parts::{Part, Parts, ShapeError};
 pub use cga_runtime::run::report::Report;
 pub use cga_runtime::run::report::{Collection, Print, Reports, Summary};
 pub use cga_runtime::run::rules::Rules;
@@ -89,7 +89,7 @@ pub mod sink {
 /// Runs on many initial shapes, on several threads with the feature `rayon`. The results equal those of a loop, to
 /// the byte.
 ///
-/// [`generate_all`](parallel::generate_all) returns a model of each shape. Its parts can be written as one file,
+/// [`generate_all`](parallel::generate_all) returns a model of each shape. Its batches can be written as one file,
 /// without being joined first:
 ///
 /// ```
@@ -116,9 +116,9 @@ pub mod sink {
 /// # let lots: Vec<Shape> = (1..=100).map(|at| Shape::rectangle(f64::from(at), 10.0)).collect();
 /// use cga::sink::buffers::Buffers;
 ///
-/// let parts = House::default().generate_all_into(&lots, &Settings::default(), |_stretch| Buffers::new())?;
-/// assert_eq!(parts.sinks().map(Buffers::triangle_count).sum::<usize>(), 200 * 12);
-/// assert_eq!(parts.iter().next_back().unwrap().shapes, 99..100);
+/// let batches = House::default().generate_all_into(&lots, &Settings::default(), |_stretch| Buffers::new())?;
+/// assert_eq!(batches.sinks().map(Buffers::triangle_count).sum::<usize>(), 200 * 12);
+/// assert_eq!(batches.iter().next_back().unwrap().shapes, 99..100);
 /// # Ok::<(), Error>(())
 /// ```
 ///
@@ -132,8 +132,8 @@ pub mod sink {
 /// use cga::sink::stats::Stats;
 ///
 /// let chosen: Box<dyn Grammar + Sync> = Box::new(House::default());
-/// let parts = derive_all(&*chosen, &lots, &Settings::default(), |_stretch| Stats::new())?;
-/// assert_eq!(parts.report().leaves, 200);
+/// let batches = derive_all(&*chosen, &lots, &Settings::default(), |_stretch| Stats::new())?;
+/// assert_eq!(batches.report().leaves, 200);
 /// # Ok::<(), Error>(())
 /// ```
 ///
@@ -149,7 +149,7 @@ pub mod sink {
 /// ```
 pub mod parallel {
     pub use cga_runtime::grammar::parallel::{Stretch, derive_all, generate_all, run_all};
-    pub use cga_runtime::output::parts::{Part, Parts, ShapeError};
+    pub use cga_runtime::output::batches::{Batch, Batches, ShapeError};
 }
 
 /// Streets, sidewalks and junctions from centre lines: initial shapes with texture coordinates along and across.
@@ -175,7 +175,7 @@ pub mod parallel {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub mod street {
-    pub use cga_runtime::street::{Centerline, Kind, Network, NetworkOptions, Part, Side, StreetError};
+    pub use cga_runtime::street::{Centerline, Kind, Network, NetworkOptions, NetworkPart, Side, StreetError};
 }
 
 /// The split solver: pieces from sizes and an extent.

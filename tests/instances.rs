@@ -294,10 +294,10 @@ impl Sink for Scene {
 
 fn triangles(buffers: &Buffers, placement: &DAffine3) -> Vec<Triangle> {
     let mut triangles = Vec::new();
-    for part in buffers.parts() {
-        let color = buffers.materials()[part.material as usize].color();
-        let look = format!("{} {color:?}", buffers.rules()[part.rule as usize]);
-        for triangle in buffers.indices()[part.indices].chunks_exact(3) {
+    for submesh in buffers.submeshes() {
+        let color = buffers.materials()[submesh.material as usize].color();
+        let look = format!("{} {color:?}", buffers.rules()[submesh.rule as usize]);
+        for triangle in buffers.indices()[submesh.indices].chunks_exact(3) {
             let vertices = [0, 1, 2].map(|i| buffers.vertices()[triangle[i] as usize].map(f64::from));
             let look = look.clone();
             let corners = vertices.map(|[x, y, z, ..]| placement.transform_point3(DVec3::new(x, y, z)));

@@ -55,7 +55,7 @@ pub(crate) fn check(scene: &mut dyn Scene) {
 
     // The materials differ, but not the places where they change.
     let by_hand: Vec<_> = raw.runs.iter().map(|run| (run.index, run.vertex as usize)).collect();
-    let by_rules: Vec<_> = buffers.parts().map(|part| (part.indices.start, part.vertices.start)).collect();
+    let by_rules: Vec<_> = buffers.submeshes().map(|submesh| (submesh.indices.start, submesh.vertices.start)).collect();
     assert!(by_hand == by_rules, "{name}: {} runs by hand, {} by rules", by_hand.len(), by_rules.len());
 
     let mut fold = Fold::default();

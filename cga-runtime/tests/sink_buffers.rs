@@ -120,7 +120,7 @@ fn texture_coordinates_are_there_for_all_or_none() {
 }
 
 #[test]
-fn parts_are_runs_of_one_rule_and_material() {
+fn submeshes_are_runs_of_one_rule_and_material() {
     let (red, blue) = (color(1.0, 0.0, 0.0), color(0.0, 0.0, 1.0));
     let mut fill = Fill(Buffers::new());
     let quad = front(DVec3::ZERO, 1.0, 1.0);
@@ -128,9 +128,9 @@ fn parts_are_runs_of_one_rule_and_material() {
         fill.quad(rule, material, quad);
     }
     fill.quad("A", &color(1.0, 0.0, 0.0), quad);
-    let parts: Vec<_> = fill.0.parts().map(|p| (p.rule, p.material, p.indices, p.vertices)).collect();
+    let submeshes: Vec<_> = fill.0.submeshes().map(|p| (p.rule, p.material, p.indices, p.vertices)).collect();
     let run = |rule, material, from: usize, to: usize| (rule, material, 6 * from..6 * to, 4 * from..4 * to);
-    assert_eq!(parts, [run(0, 0, 0, 2), run(0, 1, 2, 3), run(1, 1, 3, 4), run(0, 0, 4, 6)]);
+    assert_eq!(submeshes, [run(0, 0, 0, 2), run(0, 1, 2, 3), run(1, 1, 3, 4), run(0, 0, 4, 6)]);
     assert_eq!((fill.0.rules(), fill.0.materials().len()), (&["A", "B"][..], 2));
 }
 
@@ -139,10 +139,10 @@ fn faces_of_a_mesh_show_their_own_materials_unless_the_shape_sets_one() {
     let mut fill = Fill(Buffers::new());
     fill.mesh("Plate", &Arc::default(), &plate(), DAffine3::IDENTITY);
     // Both faces with holes, then outer and inner sides in turn.
-    assert_eq!(fill.0.parts().count(), 9);
+    assert_eq!(fill.0.submeshes().count(), 9);
     fill.0.clear();
     fill.mesh("Plate", &color(0.1, 0.2, 0.3), &plate(), DAffine3::IDENTITY);
-    assert_eq!(fill.0.parts().count(), 1);
+    assert_eq!(fill.0.submeshes().count(), 1);
 }
 
 #[test]
@@ -155,7 +155,7 @@ fn a_full_buffer_ends_the_run_and_says_so() {
     assert!(buffers.check().is_ok());
     assert_eq!(buffers.quad(&leaf, &cuboid.faces()[0]), ControlFlow::Break(()));
     assert_eq!(buffers.check().unwrap_err().to_string(), "too large: more than 27 vertices");
-    assert_eq!((buffers.vertices().len(), buffers.parts().count()), (24, 1));
+    assert_eq!((buffers.vertices().len(), buffers.submeshes().count()), (24, 1));
     buffers.clear();
     assert!(buffers.check().is_ok() && buffers.quad(&leaf, &cuboid.faces()[0]).is_continue());
 }

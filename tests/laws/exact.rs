@@ -1,6 +1,6 @@
 //! Comparisons to the last bit.
 
-use cga::sink::buffers::{Buffers, Part, Vertex};
+use cga::sink::buffers::{Buffers, Submesh, Vertex};
 use cga::{LeafView, Material};
 
 use crate::compare::Outcome;
@@ -56,11 +56,11 @@ pub(crate) fn buffers(a: &Buffers, b: &Buffers) -> Option<String> {
         let of_set = |set: usize| buffers.uv_set(set).iter().map(|uv| uv.map(f32::to_bits)).collect::<Vec<_>>();
         (vertices, (0..10).map(of_set).collect::<Vec<_>>())
     };
-    let parts = |buffers: &Buffers| {
-        let parts = buffers.parts().collect::<Vec<_>>();
-        format!("{parts:?} {:?} {:?} {:?}", buffers.rules(), buffers.materials(), buffers.indices())
+    let submeshes = |buffers: &Buffers| {
+        let submeshes = buffers.submeshes().collect::<Vec<_>>();
+        format!("{submeshes:?} {:?} {:?} {:?}", buffers.rules(), buffers.materials(), buffers.indices())
     };
-    texts("the parts of buffers", &parts(a), &parts(b))
+    texts("the submeshes of buffers", &submeshes(a), &submeshes(b))
         .or_else(|| (bits(a) != bits(b)).then(|| "the vertices of buffers".to_owned()))
 }
 
@@ -75,10 +75,11 @@ pub(crate) fn triangles(buffers: &Buffers) -> Vec<Triangle> {
         }
         all.map(f32::to_bits)
     };
-    let of = |part: Part| {
-        let (rule, material) = (buffers.rules()[part.rule as usize], &buffers.materials()[part.material as usize]);
-        let (triangles, _) = buffers.indices()[part.indices].as_chunks::<3>();
+    let of = |submesh: Submesh| {
+        let (rule, material) =
+            (buffers.rules()[submesh.rule as usize], &buffers.materials()[submesh.material as usize]);
+        let (triangles, _) = buffers.indices()[submesh.indices].as_chunks::<3>();
         triangles.iter().map(move |t| (t.map(corner), rule, Material::clone(material))).collect::<Vec<_>>()
     };
-    buffers.parts().flat_map(of).collect()
+    buffers.submeshes().flat_map(of).collect()
 }

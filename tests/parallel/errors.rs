@@ -75,11 +75,11 @@ fn a_sink_that_ends_its_run_ends_the_whole_there() {
     let shapes = widths((0..12).map(|at| if [6, 8].contains(&at) { 60 } else { 10 }));
     for threads in THREADS {
         let finished = AtomicUsize::new(0);
-        let parts = with_threads(threads, || {
+        let batches = with_threads(threads, || {
             Wide::default().generate_all_into(&shapes, &Settings::default(), |_| Few { room: 50, finished: &finished })
         });
-        let parts = parts.expect("no limit");
-        assert_eq!((parts.len(), parts.report().stopped, parts.report().leaves), (7, true, 6 * 10 + 50));
+        let batches = batches.expect("no limit");
+        assert_eq!((batches.len(), batches.report().stopped, batches.report().leaves), (7, true, 6 * 10 + 50));
         assert!(7 <= finished.load(Ordering::Relaxed));
     }
 }
@@ -89,10 +89,10 @@ fn every_sink_is_finished_once_and_only_by_its_owner() {
     for threads in THREADS {
         let finished = AtomicUsize::new(0);
         let sink = || Few { room: usize::MAX, finished: &finished };
-        let parts = with_threads(threads, || {
+        let batches = with_threads(threads, || {
             Street::default().generate_all_into(&lots(700), &Settings::default(), |_| sink()).expect("no limit")
         });
-        assert_eq!((parts.len(), finished.load(Ordering::Relaxed)), (234, 234));
+        assert_eq!((batches.len(), finished.load(Ordering::Relaxed)), (234, 234));
         let mut one = sink();
         for lot in lots(3) {
             assert!(Street::default().generate_into(&lot, &Settings::default(), &mut one).is_ok());

@@ -32,13 +32,13 @@ impl Sink for Yielding<'_> {
 fn no_thread_has_two_workers_on_its_stack() {
     for _ in 0..20 {
         let at_work = Mutex::new(HashSet::new());
-        let parts = with_threads(7, || {
+        let batches = with_threads(7, || {
             Street::default().generate_all_into(&lots(20), &Settings::default(), |_| {
                 let is_new = at_work.lock().expect("no panic").insert(current().id());
                 assert!(is_new, "a worker within a worker");
                 Yielding { at_work: &at_work }
             })
         });
-        assert_eq!(parts.expect("no limit").len(), 20);
+        assert_eq!(batches.expect("no limit").len(), 20);
     }
 }

@@ -52,20 +52,20 @@ fn random_grammars_give_the_same_in_parallel_and_streamed() {
             let mut model = Model::new();
             let expected = serial(&*grammar, &shapes, &settings, &mut model);
             let threads = *random.pick(&THREADS);
-            let parts = with_threads(threads, || derive_all(&*grammar, &shapes, &settings, |_| Model::new()));
-            match (&expected, parts) {
-                (Ok(report), Ok(parts)) => {
-                    assert_eq!(format!("{:?}", parts.report()), format!("{report:?}"), "{what}");
-                    let (parts, model) =
-                        (bytes(parts.to_glb(), parts.to_obj("a")), bytes(model.to_glb(), model.to_obj("a")));
-                    assert!(parts == model, "{what}");
+            let batches = with_threads(threads, || derive_all(&*grammar, &shapes, &settings, |_| Model::new()));
+            match (&expected, batches) {
+                (Ok(report), Ok(batches)) => {
+                    assert_eq!(format!("{:?}", batches.report()), format!("{report:?}"), "{what}");
+                    let (batches, model) =
+                        (bytes(batches.to_glb(), batches.to_obj("a")), bytes(model.to_glb(), model.to_obj("a")));
+                    assert!(batches == model, "{what}");
                     (leaves, complete) = (leaves + report.leaves, complete + 1);
                 }
                 (Err((at, error)), Err(ShapeError { shape, error: other, .. })) => {
                     assert_eq!((Some(*at), error), (shape, &other), "{what}");
                     errors += 1;
                 }
-                (expected, parts) => panic!("{what}: {:?} and {:?}", expected.as_ref().err(), parts.err()),
+                (expected, batches) => panic!("{what}: {:?} and {:?}", expected.as_ref().err(), batches.err()),
             }
 
             let shapes = match &expected {

@@ -3,7 +3,7 @@
 use cga::parallel::{derive_all, run_all};
 use cga::sink::buffers::Buffers;
 use cga::sink::gltf::Glb;
-use cga::{FaultKind, Grammar, Limits, Model, Parts, Report, Rules, Settings, Shape};
+use cga::{Batches, FaultKind, Grammar, Limits, Model, Report, Rules, Settings, Shape};
 
 use super::grammars::{Deep, Park, Shared, Street, cases, lots, settings};
 use super::{THREADS, with_threads};
@@ -21,11 +21,16 @@ fn serial<S: cga::Sink>(grammar: &dyn Grammar, shapes: &[Shape], mut sink: S) ->
 fn bits(buffers: &Buffers) -> String {
     let vertices = buffers.vertices().iter().map(|vertex| vertex.map(f32::to_bits)).collect::<Vec<_>>();
     let uvs = buffers.uvs().iter().map(|uv| uv.map(f32::to_bits)).collect::<Vec<_>>();
-    let parts = buffers.parts().collect::<Vec<_>>();
-    format!("{vertices:?} {uvs:?} {:?} {parts:?} {:?} {:?}", buffers.indices(), buffers.rules(), buffers.materials())
+    let submeshes = buffers.submeshes().collect::<Vec<_>>();
+    format!(
+        "{vertices:?} {uvs:?} {:?} {submeshes:?} {:?} {:?}",
+        buffers.indices(),
+        buffers.rules(),
+        buffers.materials()
+    )
 }
 
-fn buffers<G: Rules + Sync>(grammar: &G, shapes: &[Shape]) -> Parts<Buffers> {
+fn buffers<G: Rules + Sync>(grammar: &G, shapes: &[Shape]) -> Batches<Buffers> {
     run_all(grammar, shapes, &settings(), |_| Buffers::new()).expect("no limit")
 }
 
@@ -38,28 +43,28 @@ fn one_grammar<G: Rules + Grammar + Sync>(grammar: &G, shapes: &[Shape]) {
     let from_loop = from_loop.into_bytes().expect("a file");
     let first = with_threads(1, || buffers(grammar, shapes));
     for threads in THREADS {
-        let (models, parts) = with_threads(threads, || {
+        let (models, batches) = with_threads(threads, || {
             (cga::parallel::generate_all(grammar, shapes, &settings()).expect("no limit"), buffers(grammar, shapes))
         });
         assert_eq!(format!("{:?}", models.report()), format!("{report:?}"), "{threads} threads");
-        assert_eq!(format!("{:?}", parts.report()), format!("{report:?}"), "{threads} threads");
+        assert_eq!(format!("{:?}", batches.report()), format!("{report:?}"), "{threads} threads");
         assert_eq!((models.len(), models.leaves().count()), (shapes.len(), model.len()));
         assert!(models.to_glb().expect("a file") == glb && models.to_obj("a.mtl") == obj);
         assert_eq!(models.bounds(), model.bounds());
-        for (part, shape) in models.iter().zip(shapes) {
+        for (batch, shape) in models.iter().zip(shapes) {
             let alone = grammar.generate_with(shape, &settings()).expect("no limit");
-            assert_eq!(format!("{:?}", part.sink.report()), format!("{:?}", alone.report()));
-            assert!(part.sink.to_glb().expect("a file") == alone.to_glb().expect("a file"));
+            assert_eq!(format!("{:?}", batch.sink.report()), format!("{:?}", alone.report()));
+            assert!(batch.sink.to_glb().expect("a file") == alone.to_glb().expect("a file"));
         }
-        assert_eq!(parts.len(), first.len());
-        for (part, first) in parts.iter().zip(&first) {
-            assert_eq!(part.shapes, first.shapes);
-            assert!(bits(&part.sink) == bits(&first.sink), "{threads} threads");
+        assert_eq!(batches.len(), first.len());
+        for (batch, first) in batches.iter().zip(&first) {
+            assert_eq!(batch.shapes, first.shapes);
+            assert!(bits(&batch.sink) == bits(&first.sink), "{threads} threads");
         }
-        // A part without texture coordinates has none in the file either.
+        // A batch without texture coordinates has none in the file either.
         let as_one = one.uvs().is_empty();
         let expected = if as_one { &from_loop } else { &first.to_glb().expect("a file") };
-        assert!(parts.to_glb().expect("a file") == *expected);
+        assert!(batches.to_glb().expect("a file") == *expected);
     }
 }
 
@@ -88,13 +93,13 @@ fn stretches_of_several_shapes_are_those_of_a_loop() {
     let (grammar, shapes) = (Street::default(), lots(600));
     let (one, report) = serial(&grammar, &shapes, Buffers::new());
     for threads in THREADS {
-        let parts = with_threads(threads, || buffers(&grammar, &shapes));
-        assert_eq!(parts.len(), 200);
-        assert!(parts.iter().zip(0..).all(|(part, at)| part.shapes == (3 * at..3 * at + 3)));
-        let vertices: Vec<_> = parts.sinks().flat_map(|part| part.vertices().iter().copied()).collect();
+        let batches = with_threads(threads, || buffers(&grammar, &shapes));
+        assert_eq!(batches.len(), 200);
+        assert!(batches.iter().zip(0..).all(|(batch, at)| batch.shapes == (3 * at..3 * at + 3)));
+        let vertices: Vec<_> = batches.sinks().flat_map(|batch| batch.vertices().iter().copied()).collect();
         assert!(vertices == one.vertices());
-        assert_eq!(parts.report().reported("floor"), report.reported("floor"));
-        assert_eq!(format!("{:?}", parts.report()), format!("{report:?}"));
+        assert_eq!(batches.report().reported("floor"), report.reported("floor"));
+        assert_eq!(format!("{:?}", batches.report()), format!("{report:?}"));
     }
 }
 
@@ -104,11 +109,11 @@ fn grammars_that_are_chosen_at_run_time_run_in_parallel() {
         let grammar: &dyn Shared = &*grammar;
         let (model, report) = serial(grammar, &shapes, Model::new());
         for threads in THREADS {
-            let parts = with_threads(threads, || {
+            let batches = with_threads(threads, || {
                 derive_all(grammar, &shapes, &settings(), |_| Model::new()).expect("no limit")
             });
-            assert_eq!(format!("{:?}", parts.report()), format!("{report:?}"));
-            assert!(parts.to_glb().expect("a file") == model.to_glb().expect("a file"));
+            assert_eq!(format!("{:?}", batches.report()), format!("{report:?}"));
+            assert!(batches.to_glb().expect("a file") == model.to_glb().expect("a file"));
         }
     }
 }
@@ -124,7 +129,7 @@ fn sums_have_the_limits_of_one_run() {
     }
     assert_eq!((sum.prints().len(), sum.prints_left_out(), sum.reports().left_out() != 0), (10, 110, true));
     for threads in THREADS {
-        let parts = with_threads(threads, || Street::default().generate_all(&shapes, &settings).expect("no error"));
-        assert_eq!(format!("{:?}", parts.report()), format!("{sum:?}"));
+        let batches = with_threads(threads, || Street::default().generate_all(&shapes, &settings).expect("no error"));
+        assert_eq!(format!("{:?}", batches.report()), format!("{sum:?}"));
     }
 }

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Mutex;
 
 use cga::mesh::FaceTag;
-use cga::sink::buffers::{Buffers, Chunks, Part, Vertex};
+use cga::sink::buffers::{Buffers, Chunks, Submesh, Vertex};
 use cga::{Flow, Grammar, Material, Mesh, MeshBuilder, Settings, Shape, Sink, cga};
 
 use super::grammars::{cases, settings};
@@ -20,15 +20,16 @@ pub(crate) fn triangles(buffers: &Buffers) -> Vec<Triangle> {
         let [s, t] = buffers.uvs().get(index as usize).copied().unwrap_or_default();
         [x, y, z, u, v, w, s, t].map(f32::to_bits)
     };
-    let of = |part: Part| {
-        let (rule, material) = (buffers.rules()[part.rule as usize], &buffers.materials()[part.material as usize]);
-        let (triangles, rest) = buffers.indices()[part.indices].as_chunks::<3>();
+    let of = |submesh: Submesh| {
+        let (rule, material) =
+            (buffers.rules()[submesh.rule as usize], &buffers.materials()[submesh.material as usize]);
+        let (triangles, rest) = buffers.indices()[submesh.indices].as_chunks::<3>();
         assert!(rest.is_empty());
         triangles.iter().map(move |t| (t.map(corner), rule, Material::clone(material))).collect::<Vec<_>>()
     };
     assert!(buffers.uvs().is_empty() || buffers.uvs().len() == buffers.vertices().len());
     assert!(buffers.indices().iter().all(|&index| (index as usize) < buffers.vertices().len()));
-    buffers.parts().flat_map(of).collect()
+    buffers.submeshes().flat_map(of).collect()
 }
 
 /// Runs with chunks of at most that many vertices; gives their triangles, and the size of each.

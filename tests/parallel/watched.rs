@@ -58,9 +58,9 @@ fn a_run_without_leaves_is_ended_from_another_thread() {
     for threads in THREADS {
         stopped_from_outside(|settings| {
             let shapes = vec![shape.clone(); 40];
-            let parts = with_threads(threads, || Void::default().generate_all(&shapes, settings)).expect("no error");
-            assert_eq!(parts.len(), 1);
-            parts.report().stopped
+            let batches = with_threads(threads, || Void::default().generate_all(&shapes, settings)).expect("no error");
+            assert_eq!(batches.len(), 1);
+            batches.report().stopped
         });
     }
 }
@@ -81,8 +81,8 @@ fn a_stopped_watch_lets_nothing_begin() {
     let settings = Settings { watch: Some(watch.clone()), ..Settings::default() };
     let model = Street::default().generate_with(&lots(1)[0], &settings).expect("no error");
     assert!(model.is_empty() && model.report().stopped);
-    let parts = Street::default().generate_all_into(&lots(9), &settings, |_| Buffers::new()).expect("no error");
-    assert!(parts.report().stopped && parts.report().leaves == 0 && parts.len() == 1);
+    let batches = Street::default().generate_all_into(&lots(9), &settings, |_| Buffers::new()).expect("no error");
+    assert!(batches.report().stopped && batches.report().leaves == 0 && batches.len() == 1);
     assert_eq!(watch.progress().initial_shapes, 0);
 }
 
@@ -120,11 +120,11 @@ fn a_callback_ends_the_runs() {
         let watch = Watch::every(20_000, |_| ControlFlow::Break(()));
         let settings = Settings { watch: Some(watch.clone()), ..Settings::default() };
         let shapes = lots(400);
-        let parts = with_threads(threads, || Street::default().generate_all(&shapes, &settings)).expect("no limit");
-        assert!(parts.report().stopped && watch.is_stopped() && parts.len() < 400);
-        // All but the last part are complete.
-        for (part, shape) in parts.iter().zip(&shapes).take(parts.len() - 1) {
-            assert_eq!(part.sink.len(), Street::default().generate(shape).expect("no limit").len());
+        let batches = with_threads(threads, || Street::default().generate_all(&shapes, &settings)).expect("no limit");
+        assert!(batches.report().stopped && watch.is_stopped() && batches.len() < 400);
+        // All but the last batch are complete.
+        for (batch, shape) in batches.iter().zip(&shapes).take(batches.len() - 1) {
+            assert_eq!(batch.sink.len(), Street::default().generate(shape).expect("no limit").len());
         }
     }
 }

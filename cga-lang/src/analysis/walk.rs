@@ -239,7 +239,8 @@ impl<'w> Walk<'w> {
                 let value = |size: &Arg| self.value(&size.value, facts).number();
                 let slots = Slots::new(block, (items, repeat), axis as usize, facts, value);
                 visit.meet(&Site::Split(&slots), facts);
-                let adjusts = block.adjusts();
+                // Parts shrink to their geometry, which a word can turn off (*split operation*).
+                let adjusts = row.is_none_or(|row| block.is_plain(row));
                 self.items(items, &mut 0, facts, visit, &|index| {
                     if facts.shape.is_flat(slots.axis) || slots.is_never(index) {
                         return None;
@@ -297,12 +298,14 @@ impl<'w> Walk<'w> {
             },
             _ => None,
         };
-        let word = |index: usize| block.args.get(index).and_then(|arg| arg.value.word());
-        let (is_comp, z_up) = (row.is_some_and(|row| row.braces == Braces::Components), word(1) == Some("zUp"));
-        let kind = word(0).and_then(ops::component);
-        let faces = is_comp && kind.is_some_and(|kind| kind.place == Places::FACES) && (z_up || word(1).is_none());
-        let shape = match (faces && arm.mode == ArmMode::Each, facts.shape.filling) {
-            (true, Filling::Box) if !z_up => facts.shape.face_of_box(selector, block.name.span),
+        let comp = row.filter(|row| row.braces == Braces::Components);
+        let is_comp = comp.is_some();
+        let kind = block.args.first().and_then(|arg| arg.value.word()).and_then(ops::component);
+        let is_face = kind.is_some_and(|kind| kind.place == Places::FACES) && arm.mode == ArmMode::Each;
+        // Faces have their own axes, unless a word keeps those of the shape.
+        let faces = is_face && comp.is_some_and(|row| block.is_plain(row));
+        let shape = match (faces, facts.shape.filling) {
+            (true, Filling::Box) => facts.shape.face_of_box(selector, block.name.span),
             (true, _) => Shape::face(block.name.span),
             (false, _) => Shape::ANY,
         };

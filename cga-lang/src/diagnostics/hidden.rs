@@ -100,8 +100,7 @@ fn shown(of: Selection) -> String {
 fn covers(one: Selection, other: Selection) -> bool {
     one == other
         || match (one, other) {
-            // The rest of a setback goes to this word alone.
-            (_, Selection::Word(Selector { name: "remainder", .. })) => false,
+            (_, Selection::Word(Selector { is_rest: true, .. })) => false,
             (Selection::Word(one), _) if one.directions == Directions::ALL => true,
             (Selection::Word(one), Selection::Word(other)) => other.directions.within(one.directions),
             _ => false,

@@ -1,7 +1,7 @@
 //! Operations with braces, and `comp` as a value.
 
 use super::{Arg, Axis, Expr, Piece, Size, Target};
-use crate::ops::{Braces, Default, Operation};
+use crate::ops::Operation;
 use crate::syntax::ast::ArmMode;
 
 /// `name(args) { … }`: makes parts of the current shape, each with a successor, and the shape itself goes on unchanged. With
@@ -105,23 +105,20 @@ impl Block {
         Axis::named(self.word(0)?)
     }
 
-    /// Returns true if parts in slots shrink to their geometry.
+    /// Returns true if parts in slots shrink to their geometry, which a word can turn off (*split operation*).
     pub fn adjusts(&self) -> bool {
-        self.word(1) == Some("adjust")
+        self.is_plain()
     }
 
     /// Returns true if all words that may be left out are the default ones.
     pub fn is_plain(&self) -> bool {
-        self.args.iter().zip(self.row.params).all(|(arg, param)| match (arg, param.default) {
-            (Arg::Word(word), Some(Default::Word(default))) => *word == default,
-            _ => true,
-        })
+        let words: Vec<Option<&str>> = (0..self.args.len()).map(|index| self.word(index)).collect();
+        self.row.has_default_words(&words)
     }
 
     /// Returns true if the shapes of its operands are reconnected (*Shape recomposition*).
     pub fn recomposes(&self) -> bool {
-        let joins = matches!(self.parts, BlockParts::Operands(_));
-        joins && (self.row.braces == Braces::Modified || self.args.contains(&Arg::Word("recompose")))
+        self.row.recomposes && matches!(self.parts, BlockParts::Operands(_))
     }
 
     fn word(&self, index: usize) -> Option<&'static str> {

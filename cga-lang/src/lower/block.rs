@@ -5,7 +5,7 @@ use crate::ir::{
     Arg as IrArg, Arm, Block, BlockParts, Comp, Expr, ExprKind, Item, Sections, Selector, Slots, Step, Target, Type,
 };
 use crate::lower::fold::fold;
-use crate::ops::{self, Braces, Operation, Run};
+use crate::ops::{self, Braces, Directions, Operation, Places, Run, SameAs};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::syntax::ast::{self, ArmMode, BlockPart, Section, SplitItem};
@@ -107,15 +107,16 @@ impl<'c> Lower<'c> {
     /// The array of a value that is computed on each edge of each face (*setbackPerEdge operation*).
     pub(super) fn per_edge(&mut self, value: &ast::Expr) -> Expr {
         let then = self.folded(value);
-        let all = Arm { selector: Selector::Word("all"), text: "all".to_owned(), mode: ArmMode::Each, then };
-        let (kind, ty) = match ops::operations("comp").next() {
-            Some(row) => {
-                let args = vec![IrArg::Word("fe"), IrArg::Word("zUp")];
-                (ExprKind::Comp(Box::new(Comp { row, args, arms: vec![all] })), Type::Floats)
-            }
-            None => (all.then.kind, all.then.ty),
-        };
-        Expr { kind, ty, span: value.span }
+        let row = ops::all_operations().find(|row| row.braces == Braces::Components);
+        let edges = ops::COMPONENTS.iter().find(|row| row.place == Places::FACE_EDGES);
+        let all = ops::selectors().find(|row| row.directions == Directions::ALL);
+        let (Some(row), Some(edges), Some(all)) = (row, edges, all) else { return then };
+        let mut args = vec![IrArg::Word(edges.name)];
+        // The other parameters have defaults.
+        args.extend(self.args(row, &[], value.span));
+        let arm = Arm { selector: Selector::Word(all.name), text: all.name.to_owned(), mode: ArmMode::Each, then };
+        let kind = ExprKind::Comp(Box::new(Comp { row, args, arms: vec![arm] }));
+        Expr { kind, ty: Type::Floats, span: value.span }
     }
 
     fn arm<T>(&mut self, selector: &ast::Expr, mode: ArmMode, then: T) -> Arm<T> {
@@ -134,12 +135,11 @@ impl<'c> Lower<'c> {
     }
 }
 
-/// The question that a selector's word is. Old words are said in new ones.
+/// The condition of a selector's word. Deprecated words are replaced.
 pub(super) fn word(word: &'static str, span: Span) -> ExprKind {
-    let street = || Expr { kind: ExprKind::Word("street.front"), ty: Type::Bool, span };
-    match word {
-        "streetSide" => street().kind,
-        "noStreetSide" => ExprKind::Not(Box::new(street())),
-        _ => ExprKind::Word(word),
+    match ops::selector(word).and_then(|row| row.same_as) {
+        None => ExprKind::Word(word),
+        Some(SameAs::Word(word)) => ExprKind::Word(word),
+        Some(SameAs::Not(word)) => ExprKind::Not(Box::new(Expr { kind: ExprKind::Word(word), ty: Type::Bool, span })),
     }
 }

@@ -34,7 +34,7 @@ pub use functions::FUNCTIONS;
 pub use meaning::{AttrValues, Meaning};
 pub use operations::OPERATIONS;
 pub use params::{Default, FileUse, Param, ParamKind, Words, required, variant};
-pub use selectors::{COMPONENTS, Component, Places, Selector, component, selector, selectors};
+pub use selectors::{COMPONENTS, Component, Places, SameAs, Selector, component, selector, selectors};
 pub use syntax::{SYNTAX, Syntax, syntax};
 pub use uses::Uses;
 
@@ -74,6 +74,8 @@ pub struct Operation {
     pub uses: Uses,
     /// The part of the shape that it changes.
     pub changes: Changes,
+    /// True if the shapes of its operands are reconnected (*Shape recomposition*).
+    pub recomposes: bool,
     /// True if a rule with its name and the same number of parameters of other types can be called (*CGA changelog
     /// 2019.1*).
     pub overloads: bool,
@@ -250,6 +252,15 @@ impl Operation {
     /// Returns true if it takes `count` arguments.
     pub fn takes(&self, count: usize) -> bool {
         takes(self.params, count)
+    }
+
+    /// Returns true if no argument is a word other than the default of its parameter. `args` has the bare word of each
+    /// argument, or `None`.
+    pub fn has_default_words(&self, args: &[Option<&str>]) -> bool {
+        self.params.iter().zip(args).all(|(param, arg)| match (param.default, arg) {
+            (Some(Default::Word(default)), Some(word)) => *word == default || !param.kind.has_word(word),
+            _ => true,
+        })
     }
 
     /// The number of arguments that are words of its parameters; `None` if an argument must be a word and is not.

@@ -107,10 +107,23 @@ pub struct Selector {
     pub directions: Directions,
     /// True if it takes the same components of a shape in every position and orientation of the shape.
     pub rigid: bool,
+    /// True for the rest of a face, which no other selector takes.
+    pub is_rest: bool,
     /// The help for a deprecated selector: its replacement.
     pub old: Option<&'static str>,
+    /// The meaning of a deprecated selector.
+    pub same_as: Option<SameAs>,
     /// The description of the components that it takes, in one line.
     pub about: &'static str,
+}
+
+/// The components of a deprecated selector by another word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SameAs {
+    /// The components of the word.
+    Word(&'static str),
+    /// The components that the word does not take.
+    Not(&'static str),
 }
 
 /// A word for all kinds of `comp` and for setbacks.
@@ -119,7 +132,7 @@ const fn facing(name: &'static str, about: &'static str) -> Selector {
 }
 
 const fn only(name: &'static str, on: Places, about: &'static str) -> Selector {
-    Selector { name, on, directions: Directions::NONE, rigid: false, old: None, about }
+    Selector { name, on, directions: Directions::NONE, rigid: false, is_rest: false, old: None, same_as: None, about }
 }
 
 /// The row of a word for directions in the axes of the scope.
@@ -132,8 +145,13 @@ const fn rigid(row: Selector) -> Selector {
     Selector { rigid: true, ..row }
 }
 
-const fn old(row: Selector, instead: &'static str) -> Selector {
-    Selector { old: Some(instead), ..row }
+/// The row of a word for the rest of a face.
+const fn rest(row: Selector) -> Selector {
+    Selector { is_rest: true, ..row }
+}
+
+const fn old(row: Selector, same_as: SameAs, instead: &'static str) -> Selector {
+    Selector { old: Some(instead), same_as: Some(same_as), ..row }
 }
 
 /// All selectors, in their order in messages.
@@ -184,9 +202,9 @@ static ROWS: &[Selector] = &[
     only("uv.vMin", Places::SETBACK, "edges at the smallest v"),
     only("uv.vMax", Places::SETBACK, "edges at the largest v"),
     only("shape", Places::SHAPE, "the rectangle or the strip"),
-    only("remainder", Places::SETBACK.and(Places::SHAPE).and(Places::PERIMETER), "what is left of the face"),
-    old(facing("streetSide", "what borders a street"), "write `street.front`"),
-    old(facing("noStreetSide", "what borders no street"), "write `!street.front`"),
+    rest(only("remainder", Places::SETBACK.and(Places::SHAPE).and(Places::PERIMETER), "what is left of the face")),
+    old(facing("streetSide", "what borders a street"), SameAs::Word("street.front"), "write `street.front`"),
+    old(facing("noStreetSide", "what borders no street"), SameAs::Not("street.front"), "write `!street.front`"),
 ];
 
 /// All selectors.

@@ -1,6 +1,7 @@
 //! Arguments as written: bare words, axes, errors.
 
 use crate::ir::Axis;
+use crate::ops::Operation;
 use crate::syntax::ast::{Arg, Block, Expr, ExprKind};
 
 impl Block {
@@ -9,9 +10,10 @@ impl Block {
         Axis::named(self.args.first()?.value.word()?)
     }
 
-    /// Returns true if parts shrink to their geometry, which the second argument can turn off (*split operation*).
-    pub(crate) fn adjusts(&self) -> bool {
-        self.args.get(1).and_then(|arg| arg.value.word()) != Some("noAdjust")
+    /// Returns true if all words that may be left out are the default ones of its row.
+    pub(crate) fn is_plain(&self, row: &Operation) -> bool {
+        let words: Vec<Option<&str>> = self.args.iter().map(|arg| arg.value.word()).collect();
+        row.has_default_words(&words)
     }
 }
 

@@ -252,7 +252,7 @@ fn methods() -> TokenStream {
             &self,
             shapes: &[cga_rt::Shape],
             settings: &cga_rt::Settings,
-        ) -> ::core::result::Result<cga_rt::Parts<cga_rt::Model>, cga_rt::ShapeError> {
+        ) -> ::core::result::Result<cga_rt::Batches<cga_rt::Model>, cga_rt::ShapeError> {
             cga_rt::generate_all(self, shapes, settings)
         }
 
@@ -265,7 +265,7 @@ fn methods() -> TokenStream {
             shapes: &[cga_rt::Shape],
             settings: &cga_rt::Settings,
             sink: impl ::core::ops::Fn(&cga_rt::Stretch) -> Sink + ::core::marker::Sync,
-        ) -> ::core::result::Result<cga_rt::Parts<Sink>, cga_rt::ShapeError> {
+        ) -> ::core::result::Result<cga_rt::Batches<Sink>, cga_rt::ShapeError> {
             cga_rt::run_all(self, shapes, settings, sink)
         }
     }

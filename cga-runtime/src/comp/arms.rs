@@ -2,15 +2,14 @@
 
 use std::ops::ControlFlow;
 
+use super::faces::{Faces, by_shape};
 use super::select::Word;
 use super::source::ComponentSource;
 use super::{Align, Arm, AssignedComponents, Candidate, Components, Mode, Select, never};
-use crate::geometry::Frame;
-use crate::geometry::mesh::{Mesh, extract};
 use crate::run::context::Cx;
 use crate::run::env::Env;
 use crate::run::sink::Flow;
-use crate::shape::seed::{self, Seed, Tag};
+use crate::shape::seed::{self, Tag};
 use crate::shape::{Shape, ShapeRef};
 
 /// The condition of an arm, by number, for a component.
@@ -21,15 +20,6 @@ pub struct Arms<'a> {
     shape: &'a Shape,
     arms: &'a [Arm],
     when: &'a mut ArmTest<'a>,
-}
-
-/// The faces that an operation makes, in the scope of the shape that it divides.
-#[derive(Debug, Default)]
-pub struct Faces {
-    /// All faces.
-    pub mesh: Mesh,
-    /// The arm of each face, by number.
-    pub arms: Vec<Option<u32>>,
 }
 
 impl<'a> Arms<'a> {
@@ -110,14 +100,10 @@ pub fn divide<C>(
     cx.env.divide_trace(&mut whole);
     let made = make(cx.env, &mut Arms::new(&whole, arms, when))?;
     cx.env.count_corners(made.mesh.corners().len() as u64)?;
+    let by_arm = made.by_arm(arms.len());
     for (number, arm) in arms.iter().enumerate() {
-        let mine = |face: &u32| made.arms.get(*face as usize) == Some(&Some(number as u32));
-        let faces: Vec<u32> = (0..made.mesh.face_count() as u32).filter(mine).collect();
-        let size = if arm.mode == Mode::Each { 1 } else { faces.len().max(1) };
-        for faces in faces.chunks(size) {
-            let mut part = whole.clone();
-            part.seed = Seed::new(seed::part(whole.seed.value(), faces[0], 0));
-            part.set_mesh(extract(&made.mesh, faces, &Frame::WORLD));
+        for faces in by_shape(by_arm.of(number), arm.mode) {
+            let part = made.shape(&whole, faces, seed::part(whole.seed.value(), faces[0], 0));
             let base = cx.env.base(part);
             visit(cx, number as u32, &base.shape())?;
         }

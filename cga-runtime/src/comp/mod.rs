@@ -2,6 +2,7 @@
 
 mod arms;
 mod candidate;
+mod faces;
 mod found_tags;
 mod mesh_parts;
 pub(crate) mod orientation;
@@ -32,9 +33,10 @@ use crate::shape::trim::{Surface, Trims};
 use crate::shape::{Counter, Geometry, Shape, ShapeRef};
 
 pub use arms::divide;
-pub(crate) use arms::{Arms, Faces, face_edges};
+pub(crate) use arms::{Arms, face_edges};
 pub(crate) use candidate::Candidate;
 pub use candidate::{is_tagged, is_tagged_at};
+pub(crate) use faces::Faces;
 pub(crate) use points::Points;
 pub use points::each;
 pub use sections::sections;
@@ -142,17 +144,12 @@ pub fn comp<C>(
     when: &mut dyn FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
     visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
 ) -> Flow {
-    let mut whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
-    cx.env.divide_trace(&mut whole);
+    let whole = to_divide(cx, shape, number);
     let parts = AssignedComponents::of(cx.env, &whole, components, align, arms, when)?;
     if let ComponentSource::Quads(quads) = &parts.source {
         return parts.each_side(quads, cx, visit);
     }
-    parts.each(|arm, _, mut part| {
-        cx.env.begin_part(&mut part);
-        let base = cx.env.base(part);
-        visit(cx, arm, &base.shape())
-    })
+    parts.each_successor(cx, visit)
 }
 
 /// As [`comp`] for the operand of `modify`: then passes the geometry that no arm takes to the sink. Edges, vertices and holes leave
@@ -168,17 +165,20 @@ pub fn comp_and_rest<C>(
     when: &mut dyn FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
     visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
 ) -> Flow {
-    let mut whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
-    cx.env.divide_trace(&mut whole);
+    let whole = to_divide(cx, shape, number);
     let parts = AssignedComponents::of(cx.env, &whole, components, align, arms, when)?;
-    parts.each(|arm, _, mut part| {
-        cx.env.begin_part(&mut part);
-        let base = cx.env.base(part);
-        visit(cx, arm, &base.shape())
-    })?;
+    parts.each_successor(cx, visit)?;
     let mut rest = parts.rest(components);
     cx.env.begin_part(&mut rest);
     cx.sink.keep(&rest).unwrap_or(Flow::Continue(()))
+}
+
+/// The shape whose components are the next children of its rule.
+#[inline]
+fn to_divide<C>(cx: &mut Cx<'_, C>, shape: &ShapeRef<'_>, number: u32) -> Shape {
+    let mut whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
+    cx.env.divide_trace(&mut whole);
+    whole
 }
 
 /// The components of a shape, each assigned to an arm.
@@ -292,6 +292,20 @@ impl<'s> AssignedComponents<'s> {
             }
         }
         Flow::Continue(())
+    }
+
+    /// Calls `visit` with the arm and the shape of every part.
+    #[inline]
+    fn each_successor<C>(
+        &self,
+        cx: &mut Cx<'_, C>,
+        visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
+    ) -> Flow {
+        self.each(|arm, _, mut part| {
+            cx.env.begin_part(&mut part);
+            let base = cx.env.base(part);
+            visit(cx, arm, &base.shape())
+        })
     }
 
     /// The geometry that no arm takes. Edges, vertices and holes take none.

@@ -4,14 +4,13 @@ use std::ops::ControlFlow;
 
 use cga_split::{Item, Size};
 
-use super::{Arm, Faces, Mode};
+use super::faces::{Faces, by_shape};
+use super::{Arm, Mode};
 use crate::fault::FaultKind;
-use crate::geometry::Frame;
-use crate::geometry::mesh::extract;
 use crate::run::context::Cx;
 use crate::run::env::Env;
 use crate::run::sink::Flow;
-use crate::shape::seed::{self, Seed, Tag};
+use crate::shape::seed::{self, Tag};
 use crate::shape::{Counter, Shape, ShapeRef};
 
 /// The limit on sections, because each is set back on its own.
@@ -112,26 +111,18 @@ pub fn sections<C>(
     let made = make(cx.env, &mut all)?;
     let slots = all.slots;
     cx.env.count_corners(made.mesh.corners().len() as u64)?;
-    let faces = |arm: usize| -> Vec<u32> {
-        let faces = 0..made.mesh.face_count() as u32;
-        faces.filter(|face| made.arms.get(*face as usize) == Some(&Some(arm as u32))).collect()
-    };
+    let by_section = made.by_arm(slots.len() + 1);
     let mut give = |cx: &mut Cx<'_, C>, slot: u32, counter: Option<Counter>, key: u32, faces: &[u32]| {
-        let mut part = whole.clone();
-        part.seed = Seed::new(seed::part(whole.seed.value(), slot, u64::from(key)));
+        let mut part = made.shape(&whole, faces, seed::part(whole.seed.value(), slot, u64::from(key)));
         part.split = counter.unwrap_or(part.split);
-        part.set_mesh(extract(&made.mesh, faces, &Frame::WORLD));
         let base = cx.env.base(part);
         visit(cx, slot, &base.shape())
     };
     for (index, &slot) in slots.iter().enumerate() {
-        let faces = faces(index);
-        if !faces.is_empty() {
-            give(cx, slot, Some(Counter::new(index, slots.len())), index as u32, &faces)?;
+        for faces in by_shape(by_section.of(index), Mode::Together) {
+            give(cx, slot, Some(Counter::new(index, slots.len())), index as u32, faces)?;
         }
     }
     let Some(arm) = rest.first() else { return Flow::Continue(()) };
-    let faces = faces(slots.len());
-    let size = if arm.mode == Mode::Each { 1 } else { faces.len().max(1) };
-    faces.chunks(size).try_for_each(|faces| give(cx, written, None, faces[0], faces))
+    by_shape(by_section.of(slots.len()), arm.mode).try_for_each(|faces| give(cx, written, None, faces[0], faces))
 }

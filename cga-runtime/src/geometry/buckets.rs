@@ -2,7 +2,7 @@
 
 /// The numbers of items, sorted by keys. Items with the same key keep their order.
 #[derive(Debug, Default)]
-pub(super) struct Buckets {
+pub(crate) struct Buckets {
     /// The end of each key's items.
     ends: Vec<u32>,
     pub(super) items: Vec<u32>,
@@ -10,7 +10,7 @@ pub(super) struct Buckets {
 
 impl Buckets {
     /// Items with the given keys, which are below `count`.
-    pub(super) fn by(count: usize, keys: impl Iterator<Item = u32> + Clone) -> Self {
+    pub(crate) fn by(count: usize, keys: impl Iterator<Item = u32> + Clone) -> Self {
         let mut buckets = Buckets::default();
         buckets.fill(count, keys);
         buckets
@@ -45,7 +45,7 @@ impl Buckets {
     }
 
     /// The items with a key, in increasing order.
-    pub(super) fn of(&self, key: usize) -> &[u32] {
+    pub(crate) fn of(&self, key: usize) -> &[u32] {
         &self.items[self.range(key)]
     }
 }

@@ -1,6 +1,6 @@
 //! Geometry: meshes and operations on them. This module does not know shapes, rules or sinks.
 
-mod buckets;
+pub(crate) mod buckets;
 pub mod cut;
 pub(crate) mod disjoint;
 pub(crate) mod envelope;

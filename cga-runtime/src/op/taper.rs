@@ -61,13 +61,9 @@ fn pyramid(source: &Mesh, face: &FaceRef<'_>, height: f64) -> Mesh {
             mesh.loop_ends.push(mesh.corners.len() as u32);
             let ends = [corner, next].map(|corner| source.corners[corner]);
             mesh.end_face(tags.over_edge(own, "taper.side", ends));
-            if let Some(set) = source.edge_tags(ends) {
-                tagger.edge([corner, next].map(number), set);
-            }
-            if let Some(set) = source.vertex_tags(ends[0]) {
-                tagger.vertex(number(corner), set);
-                tagger.edge([number(corner), apex], set);
-            }
+            let triangle = [number(corner), number(next), apex];
+            let old = |point: u32| (point != apex).then(|| source.corners[range.start + point as usize]);
+            tagger.grow_ring(source, &triangle, |point| point, old);
         }
     }
     mesh.tag_sets = tags.finish();

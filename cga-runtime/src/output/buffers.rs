@@ -5,21 +5,21 @@
 //! counter-clockwise. Texture coordinates are separate lists beside the vertices, one for each set.
 
 mod chunks;
-mod part;
 mod replayed;
+mod submesh;
 mod uvs;
 
 pub use super::triangles::Vertex;
 pub use chunks::Chunks;
-pub use part::Part;
+pub use submesh::Submesh;
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use glam::{DAffine3, DVec3, DVec4};
 
-use self::part::PartStart;
 use self::replayed::{Marks, Replayed};
+use self::submesh::SubmeshStart;
 use self::uvs::UvLists;
 use super::error::WriteError;
 use super::flatten::{FlatFace, Flattener};
@@ -39,7 +39,7 @@ use crate::shape::base::Form;
 pub struct Buffers {
     triangles: Triangles,
     uvs: UvLists,
-    runs: Vec<PartStart>,
+    runs: Vec<SubmeshStart>,
     numbers: Numbers,
     replayed: Replayed,
     /// The rule and the material of the last leaf that fills its scope, unless another leaf came after it.
@@ -131,14 +131,14 @@ impl Buffers {
         self.origin.truncate()
     }
 
-    /// The parts, in order. Together they cover all triangles.
-    pub fn parts(&self) -> impl ExactSizeIterator<Item = Part> + '_ {
+    /// The submeshes, in order. Together they cover all triangles.
+    pub fn submeshes(&self) -> impl ExactSizeIterator<Item = Submesh> + '_ {
         self.runs.iter().enumerate().map(|(i, run)| {
             let (index, vertex) = match self.runs.get(i + 1) {
                 Some(next) => (next.index(), next.vertex as usize),
                 None => (self.triangles.indices.len(), self.triangles.vertices.len()),
             };
-            Part {
+            Submesh {
                 rule: run.rule,
                 material: run.material,
                 indices: run.index()..index,
@@ -170,11 +170,11 @@ impl Buffers {
         }
     }
 
-    /// Starts a new part unless the last one continues.
+    /// Starts a new submesh unless the last one continues.
     #[inline]
     fn run(&mut self, rule: u32, material: u32) {
         let Triangles { vertices, indices } = &self.triangles;
-        let next = PartStart { rule, material, triangle: indices.len() as u32 / 3, vertex: vertices.len() as u32 };
+        let next = SubmeshStart { rule, material, triangle: indices.len() as u32 / 3, vertex: vertices.len() as u32 };
         if !self.runs.last().is_some_and(|last| last.is_like(&next)) {
             self.runs.push(next);
         }
@@ -197,7 +197,7 @@ impl Buffers {
             && self.uvs.is_empty()
     }
 
-    /// Writes a leaf that does not continue the last part, or needs memory. A separate function, so that the fast
+    /// Writes a leaf that does not continue the last submesh, or needs memory. A separate function, so that the fast
     /// path needs fewer registers.
     #[inline(never)]
     fn other(&mut self, leaf: &Filled<'_>, vertices: usize) -> Flow {
@@ -206,7 +206,7 @@ impl Buffers {
         self.triangles.indices.reserve(vertices / 4 * 6);
         let (rule, material) = self.numbers.filled(leaf);
         let (uvs, start) = (leaf.uvs(), self.triangles.vertices.len());
-        // A leaf that continues the part has the same number, so it has no coordinates either.
+        // A leaf that continues the submesh has the same number, so it has no coordinates either.
         self.last = if uvs.is_empty() { leaf.material_number().map(|material| (leaf.rule, material)) } else { None };
         self.run(rule, material);
         let block = (leaf.shape.form == Form::Box).then(|| leaf.shape.unit.get());
@@ -299,7 +299,7 @@ impl Buffers {
         let triangle = self.triangles.indices.len() / 3;
         let Marks { is_distinct, runs: marks, .. } = self.replayed.of(replay, &mut self.numbers);
         let runs = &mut self.runs;
-        let moved = |run: &PartStart| run.moved(triangle as u32, start);
+        let moved = |run: &SubmeshStart| run.moved(triangle as u32, start);
         if *is_distinct {
             let goes_on = marks.first().zip(runs.last()).is_some_and(|(first, last)| first.is_like(last));
             runs.extend(marks[usize::from(goes_on)..].iter().map(moved));

@@ -1,5 +1,6 @@
 //! The results of runs: models, and sinks that write buffers, files and pictures.
 
+pub mod batches;
 pub mod buffers;
 pub mod error;
 pub(crate) mod flatten;
@@ -14,7 +15,6 @@ pub(crate) mod number;
 pub(crate) mod numbers;
 pub mod obj;
 pub(crate) mod order;
-pub mod parts;
 pub mod picture;
 mod room;
 pub mod sink_table;

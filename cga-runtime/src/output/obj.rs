@@ -26,8 +26,8 @@ use super::numbers::Numbers;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
 use crate::material::Material;
+use crate::output::batches::Batches;
 use crate::output::model::Model;
-use crate::output::parts::Parts;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
 use crate::value::text::Text;
 
@@ -271,7 +271,7 @@ impl Model {
     }
 }
 
-impl Parts<Model> {
+impl Batches<Model> {
     /// All models as one OBJ text that refers to `library`, and the text of that library.
     pub fn to_obj(&self, library: &str) -> (String, String) {
         to_text(library, |obj| self.replay(obj))

@@ -1,7 +1,7 @@
 //! Streets, sidewalks and junctions from centre lines.
 //!
 //! [`Network::new`] joins [`Centerline`]s to a graph and returns the parts of its streets. Each part is a mesh on the
-//! ground with texture coordinates, and a grammar can start with its [`Part::shape`]. The start rules are CityEngine's
+//! ground with texture coordinates, and a grammar can start with its [`NetworkPart::shape`]. The start rules are CityEngine's
 //! (*Help*, street and intersection shapes): `Street` and `Sidewalk` along lines, `Joint`, `Junction` and `Crossing` at
 //! meeting points.
 //!
@@ -92,7 +92,7 @@ pub enum Side {
 /// above. Roadways of junctions are projected from above, from 0 to 1 along and across the first arm.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
-pub struct Part {
+pub struct NetworkPart {
     /// The kind of the part.
     pub kind: Kind,
     /// The side of the line that a sidewalk is on.
@@ -110,7 +110,7 @@ pub struct Part {
     pub mesh: Mesh,
 }
 
-impl Part {
+impl NetworkPart {
     /// CityEngine's start rule for the part: the name of its kind.
     pub fn start_rule(&self) -> &'static str {
         match self.kind {
@@ -137,7 +137,7 @@ impl Part {
 /// The streets, sidewalks and junctions of some centre lines.
 #[derive(Clone, Debug)]
 pub struct Network {
-    parts: Vec<Part>,
+    parts: Vec<NetworkPart>,
 }
 
 impl Network {
@@ -162,12 +162,12 @@ impl Network {
     }
 
     /// The parts: streets and sidewalks in the order of lines, then corners, then junctions.
-    pub fn parts(&self) -> &[Part] {
+    pub fn parts(&self) -> &[NetworkPart] {
         &self.parts
     }
 
     /// Converts the network into its parts.
-    pub fn into_parts(self) -> Vec<Part> {
+    pub fn into_parts(self) -> Vec<NetworkPart> {
         self.parts
     }
 }

@@ -6,14 +6,14 @@ use super::grid::{GridMap, Point, is_sliver, twice_area, winding};
 use super::mesh::{StreetFace, mesh};
 use super::pieces::{Chart, Draft, Plot, StreetPieces};
 use super::subdivision::{NONE, Subdivision};
-use super::{Kind, MOST_CROSSINGS, Part, Side, StreetError};
+use super::{Kind, MOST_CROSSINGS, NetworkPart, Side, StreetError};
 use crate::geometry::disjoint::DisjointSets;
 
 /// Three arms make a `Junction` if two of them are straight within this many degrees; otherwise a `Crossing`.
 const STRAIGHT_ON: f64 = 30.0;
 
 /// The parts of a network.
-pub(super) fn parts(plan: &Draft, pieces: &StreetPieces) -> Result<Vec<Part>, StreetError> {
+pub(super) fn parts(plan: &Draft, pieces: &StreetPieces) -> Result<Vec<NetworkPart>, StreetError> {
     let rings: Vec<Vec<Point>> = pieces.list.iter().map(Plot::ring).collect();
     let faces = Subdivision::new(&rings, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
     let owners = owners(pieces, &faces);
@@ -161,7 +161,7 @@ fn street(
     pieces: &StreetPieces,
     loops: &[Vec<Vec<Point>>],
     heights: &GridMap<Point, f64>,
-) -> Option<Part> {
+) -> Option<NetworkPart> {
     let forward = run.line.is_none_or(|(_, forward)| forward);
     let length = run.along[1] - run.along[0];
     let is_road = run.kind == Kind::Street;
@@ -192,7 +192,7 @@ fn street(
         side => side,
     });
     let mesh = mesh(&faces, heights, if run.line.is_some() { 3 } else { 1 })?;
-    Some(Part {
+    Some(NetworkPart {
         kind: run.kind,
         side,
         line: run.line.map(|(line, _)| line as usize),
@@ -204,7 +204,7 @@ fn street(
 }
 
 /// A junction, with coordinates from 0 to 1 along and across its first arm.
-fn junction(loops: &[Vec<Point>], arms: &[DVec2], heights: &GridMap<Point, f64>) -> Option<Part> {
+fn junction(loops: &[Vec<Point>], arms: &[DVec2], heights: &GridMap<Point, f64>) -> Option<NetworkPart> {
     let along = arms.first().copied().unwrap_or(DVec2::X);
     let flat = |point: Point| {
         let place = point.place();
@@ -226,5 +226,5 @@ fn junction(loops: &[Vec<Point>], arms: &[DVec2], heights: &GridMap<Point, f64>)
         _ => Kind::Crossing,
     };
     let mesh = mesh(&faces, heights, 1)?;
-    Some(Part { kind, side: None, line: None, length: size.x, width: size.y, arms: arms.len(), mesh })
+    Some(NetworkPart { kind, side: None, line: None, length: size.x, width: size.y, arms: arms.len(), mesh })
 }

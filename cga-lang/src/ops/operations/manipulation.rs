@@ -4,7 +4,7 @@ use super::super::{
     Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Params, Str, Uses, boolean, bounds, float, or,
     text, within, word, words,
 };
-use super::{block, joins, keeps, later, old, op, reads_tags, using, with};
+use super::{block, joins, keeps, later, old, op, reads_tags, recomposes, using, with};
 
 /// *cleanupGeometry* and *reduceGeometry operation*.
 static TOLERANCES: ParamBounds = bounds(Allowed::Between(0.0, 1.0), "it is from 0 to 1");
@@ -24,10 +24,11 @@ const TAGGED: Param =
 const UNTAGGED: Param =
     or(word("components", "TaggedComponents", &["all", "faces", "edges", "vertices"]), Default::Word("all"));
 
-const APPEND: Param =
-    or(word("geometryMergeStrategy", "MergeStrategy", &["append", "recompose"]), Default::Word("append"));
+const APPEND: Param = or(word("geometryMergeStrategy", "MergeStrategy", &["append"]), Default::Word("append"));
 
-const STRATEGY: Param = words("geometryMergeStrategy", &["unify"]);
+const RECOMPOSE: Param = word("geometryMergeStrategy", "MergeStrategy", &["recompose"]);
+
+const UNIFY: Param = words("geometryMergeStrategy", &["unify"]);
 
 /// *Boolean 3D operations*, 2024.1.
 const SWAP: Param = words("swapMode", &["noSwap", "swap"]);
@@ -76,7 +77,8 @@ pub(super) static ROWS: &[Operation] = &[
     tags(op("deleteTags", "delete_tags_of", &[text("tagQuery"), UNTAGGED], "removes the tags that match")),
     later("setTagsFromEdgeAttrs", &[], "makes tags of the initial shape's edge attributes"),
     joins("inline", block("inline", Braces::Inline, &[APPEND], INLINE)),
-    block("inline", Braces::Inline, &[STRATEGY], INLINE),
+    recomposes(joins("inline", block("inline", Braces::Inline, &[RECOMPOSE], INLINE))),
+    block("inline", Braces::Inline, &[UNIFY], INLINE),
     block("union", Braces::Operands, &[], UNION),
     block("subtract", Braces::Operands, &[], SUBTRACT),
     block("intersect", Braces::Operands, &[], INTERSECT),

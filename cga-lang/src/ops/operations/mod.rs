@@ -41,6 +41,7 @@ const fn later(name: Str, params: Params, about: Str) -> Operation {
         uses_base: false,
         uses: Uses::WHOLE,
         changes: Changes::Whole,
+        recomposes: false,
         overloads: true,
         old: None,
         about,
@@ -111,6 +112,11 @@ const fn divides(call: Str, uses: Uses, row: Operation) -> Operation {
 /// A row with operands that is implemented. The results of the operands become the shape.
 const fn joins(call: Str, row: Operation) -> Operation {
     Operation { run: Run::Now(call), ..row }
+}
+
+/// The row of an operation that reconnects the shapes of its operands.
+const fn recomposes(row: Operation) -> Operation {
+    Operation { recomposes: true, ..row }
 }
 
 /// The row of an operation that only old files should have.

@@ -5,7 +5,7 @@ use super::super::{
     Allowed, BS, Braces, Default, FS, Measure, Operation, Param, ParamBounds, ParamKind, Places, Uses, bounds, float,
     length, of, or, param, renamed, unknown, uv_set, within, word,
 };
-use super::{block, divides, joins, old, op};
+use super::{block, divides, joins, old, op, recomposes};
 use crate::diag::code::Code;
 
 pub(super) const COMPONENT: Param = renamed(
@@ -227,7 +227,7 @@ pub(super) static ROWS: &[Operation] = &[
             "strews points around a place",
         ),
     ),
-    joins(
+    recomposes(joins(
         "modify",
         block(
             "modify",
@@ -235,5 +235,5 @@ pub(super) static ROWS: &[Operation] = &[
             &[COMPONENT, SCOPE_ALIGNMENT],
             "changes components where they are and joins them up again",
         ),
-    ),
+    )),
 ];

@@ -1,20 +1,26 @@
 //! Arms: `{ selector : operations | selector = operations }`, and `comp` with values instead of operations.
 
 use super::{Parsed, Parser};
+use crate::ops::{self, Braces};
 use crate::syntax::ast::{Arm, ArmMode, CompValue, Expr, ExprKind, Name};
 use crate::syntax::token::Sym;
 
 /// The form of an arm in messages.
 pub(super) const ARM: &str = "selector : operations";
 
+/// Returns true for the operation that may have values instead of operations in its arms.
+pub(super) fn has_values(name: &str) -> bool {
+    ops::operations(name).any(|row| row.braces == Braces::Components)
+}
+
 impl Parser<'_> {
-    /// Parses the rest of a `comp` value, after the word `comp` at `start`.
+    /// Parses the rest of a `comp` value, after its name at `start`.
     pub(super) fn comp_value(&mut self, name: Name, start: usize) -> Parsed<Expr> {
         const USAGE: &str = "write `comp(f) { selector : value | … }`";
         if !self.is(Sym::LParen) {
             return Err(self.expected("`(`").help(USAGE).into());
         }
-        let args = self.call_args("comp")?;
+        let args = self.call_args(&name.text)?;
         if !self.is(Sym::LBrace) {
             return Err(self.expected("`{`").help(USAGE).into());
         }

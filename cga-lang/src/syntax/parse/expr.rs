@@ -1,5 +1,6 @@
 //! Values: precedence climbing with C's levels.
 
+use super::arms::has_values;
 use super::{MAX_DEPTH, Parsed, Parser, Reported};
 use crate::diag::RELATIVE;
 use crate::diag::code::Code;
@@ -182,7 +183,7 @@ impl Parser<'_> {
         let start = self.at;
         let path = matches!(self.peek(), Some(Tok::Path(_)));
         let Some(name) = self.take_joined() else { return self.fail("a name") };
-        if name.text == "comp" && (self.is(Sym::LParen) || self.is(Sym::LBrace)) {
+        if (self.is(Sym::LParen) || self.is(Sym::LBrace)) && has_values(&name.text) {
             return self.comp_value(name, start);
         }
         if !self.is(Sym::LParen) {

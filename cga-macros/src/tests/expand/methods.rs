@@ -70,7 +70,7 @@ impl Tower {
         &self,
         shapes: &[cga_rt::Shape],
         settings: &cga_rt::Settings,
-    ) -> ::core::result::Result<cga_rt::Parts<cga_rt::Model>, cga_rt::ShapeError> {
+    ) -> ::core::result::Result<cga_rt::Batches<cga_rt::Model>, cga_rt::ShapeError> {
         cga_rt::generate_all(self, shapes, settings)
     }
     /// Runs on many shapes, in parallel with the feature `rayon`, with a sink for each stretch of shapes.
@@ -82,7 +82,7 @@ impl Tower {
         shapes: &[cga_rt::Shape],
         settings: &cga_rt::Settings,
         sink: impl ::core::ops::Fn(&cga_rt::Stretch) -> Sink + ::core::marker::Sync,
-    ) -> ::core::result::Result<cga_rt::Parts<Sink>, cga_rt::ShapeError> {
+    ) -> ::core::result::Result<cga_rt::Batches<Sink>, cga_rt::ShapeError> {
         cga_rt::run_all(self, shapes, settings, sink)
     }
 }

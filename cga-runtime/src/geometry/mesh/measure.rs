@@ -39,7 +39,8 @@ impl Mesh {
 
     /// The area of all faces.
     pub fn area(&self) -> f64 {
-        self.faces().map(|face| face.area()).sum()
+        // The empty sum is −0.
+        self.faces().map(|face| face.area()).sum::<f64>() + 0.0
     }
 
     /// The enclosed volume, negative if the faces look inwards. For an open mesh, the signed volume of the cone from

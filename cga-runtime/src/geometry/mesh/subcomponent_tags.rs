@@ -5,6 +5,7 @@
 
 use std::sync::Arc;
 
+use super::Mesh;
 use super::tag::{TagSet, TagSetTable, TaggedComponents};
 use crate::geometry::trace::{PartPoint, UNTRACED};
 use crate::value::text::Text;
@@ -202,6 +203,35 @@ impl SubcomponentTagger {
     pub(crate) fn vertex(&mut self, point: u32, tags: &TagSet) {
         if !tags.names().is_empty() {
             self.vertices.push((point, self.sets.number(tags)));
+        }
+    }
+
+    /// Adds the tags of a loop of a face that grows out of a mesh. `number` gives the number of a point, and `old` the vertex of
+    /// the mesh that the point is. Old edges and vertices keep their tags, and an edge from an old vertex to a new one has the
+    /// tags of the vertex (*Geometry tagging*, edge and vertex tag propagation).
+    pub(crate) fn grow_ring(
+        &mut self,
+        source: &Mesh,
+        ring: &[u32],
+        number: impl Fn(u32) -> u32,
+        old: impl Fn(u32) -> Option<u32>,
+    ) {
+        if source.subcomponent_tags.is_empty() {
+            return;
+        }
+        for (&point, &next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+            let ends = [point, next].map(&old);
+            let set = match ends {
+                [Some(a), Some(b)] => source.edge_tags([a, b]),
+                [Some(vertex), None] | [None, Some(vertex)] => source.vertex_tags(vertex),
+                [None, None] => None,
+            };
+            if let Some(set) = set {
+                self.edge([point, next].map(&number), set);
+            }
+            if let Some(set) = ends[0].and_then(|vertex| source.vertex_tags(vertex)) {
+                self.vertex(number(point), set);
+            }
         }
     }
 

@@ -6,11 +6,11 @@
 //! shapes alone. So the results do not depend on the number of threads: they are the bytes that a loop over the
 //! shapes gives.
 //!
-//! The sinks stay apart, in order ([`Parts`]); none is copied into another. Reports are merged shape by shape. The
+//! The sinks stay apart, in order ([`Batches`]); none is copied into another. Reports are merged shape by shape. The
 //! first error in the order of the shapes ends the whole, and all shapes after it are discarded. The same holds for a
-//! sink that ends its run: parts up to it are kept, and later ones are dropped, even complete ones.
+//! sink that ends its run: batches up to it are kept, and later ones are dropped, even complete ones.
 //!
-//! Threads take stretches in order, so a program that streams its parts gets them almost in order.
+//! Threads take stretches in order, so a program that streams its sinks gets them almost in order.
 
 mod order;
 mod stretch;
@@ -18,7 +18,7 @@ mod stretch;
 use std::borrow::Cow;
 use std::ops::Range;
 
-pub use crate::output::parts::{Part, Parts, ShapeError};
+pub use crate::output::batches::{Batch, Batches, ShapeError};
 pub use stretch::Stretch;
 
 use self::order::in_order;
@@ -43,7 +43,7 @@ pub fn run_all<G: Rules + Sync, S: Sink + Send>(
     shapes: &[Shape],
     settings: &Settings,
     sink: impl Fn(&Stretch) -> S + Sync,
-) -> Result<Parts<S>, ShapeError> {
+) -> Result<Batches<S>, ShapeError> {
     let setup = Setup::new(grammar, Cow::Owned(quiet(settings)))?;
     let run = |session: &mut Session<'_, G>, shape: &Shape, sink: &mut S| session.outcome(shape, sink);
     Crew { shapes, settings, first: setup.session(), again: || Some(setup.session()) }.run_all(sink, run)
@@ -58,7 +58,7 @@ pub fn derive_all<G: Grammar + Sync + ?Sized, S: Sink + Send>(
     shapes: &[Shape],
     settings: &Settings,
     sink: impl Fn(&Stretch) -> S + Sync,
-) -> Result<Parts<S>, ShapeError> {
+) -> Result<Batches<S>, ShapeError> {
     let quiet = quiet(settings);
     let first = grammar.session(&quiet)?;
     let again = || grammar.session(&quiet).ok();
@@ -77,7 +77,7 @@ pub fn generate_all<G: Rules + Sync>(
     grammar: &G,
     shapes: &[Shape],
     settings: &Settings,
-) -> Result<Parts<Model>, ShapeError> {
+) -> Result<Batches<Model>, ShapeError> {
     let setup = Setup::new(grammar, Cow::Owned(quiet(settings)))?;
     let job = |session: &mut Session<'_, G>, stretch: &Stretch, ended: &dyn Fn() -> bool| {
         derive_stretch(shapes, stretch, ended, Vec::new(), |models, shape| {
@@ -87,8 +87,8 @@ pub fn generate_all<G: Rules + Sync>(
             outcome
         })
     };
-    let put = |parts: &mut Vec<Part<Model>>, shapes: Range<usize>, models: Vec<Model>| {
-        parts.extend(shapes.zip(models).map(|(at, model)| Part { shapes: at..at + 1, sink: model }));
+    let put = |batches: &mut Vec<Batch<Model>>, shapes: Range<usize>, models: Vec<Model>| {
+        batches.extend(shapes.zip(models).map(|(at, model)| Batch { shapes: at..at + 1, sink: model }));
     };
     Crew { shapes, settings, first: setup.session(), again: || Some(setup.session()) }.work(job, put)
 }
@@ -112,7 +112,7 @@ impl<W, A: Fn() -> Option<W> + Sync> Crew<'_, W, A> {
         self,
         sink: impl Fn(&Stretch) -> S + Sync,
         run: impl Fn(&mut W, &Shape, &mut S) -> RunOutcome + Sync,
-    ) -> Result<Parts<S>, ShapeError> {
+    ) -> Result<Batches<S>, ShapeError> {
         let shapes = self.shapes;
         let job = |worker: &mut W, stretch: &Stretch, ended: &dyn Fn() -> bool| {
             let run = |sink: &mut S, shape: &Shape| run(worker, shape, sink);
@@ -123,21 +123,21 @@ impl<W, A: Fn() -> Option<W> + Sync> Crew<'_, W, A> {
             }
             done
         };
-        self.work(job, |parts, shapes, sink| parts.push(Part { shapes, sink }))
+        self.work(job, |batches, shapes, sink| batches.push(Batch { shapes, sink }))
     }
 
-    /// Derives all stretches; `put` adds the output of each to the parts, in order.
+    /// Derives all stretches; `put` adds the output of each to the batches, in order.
     fn work<S, T: Send>(
         self,
         job: impl Fn(&mut W, &Stretch, &dyn Fn() -> bool) -> Done<T> + Sync,
-        put: impl Fn(&mut Vec<Part<S>>, Range<usize>, T) + Sync,
-    ) -> Result<Parts<S>, ShapeError>
+        put: impl Fn(&mut Vec<Batch<S>>, Range<usize>, T) + Sync,
+    ) -> Result<Batches<S>, ShapeError>
     where
         S: Send,
     {
         let Crew { shapes, settings, first, again } = self;
         let count = shapes.len();
-        let mut parts = Parts { parts: Vec::new(), report: Report::default() };
+        let mut batches = Batches { batches: Vec::new(), report: Report::default() };
         let mut failed = None;
         let job = |worker: &mut W, number: usize, ended: &dyn Fn() -> bool| {
             let done = job(worker, &Stretch::of(number, count), ended);
@@ -150,16 +150,16 @@ impl<W, A: Fn() -> Option<W> + Sync> Crew<'_, W, A> {
                 if settings.echo {
                     derive::echo(report.prints());
                 }
-                parts.report.merge(report, &settings.limits);
+                batches.report.merge(report, &settings.limits);
             }
-            parts.report.merge(counts, &settings.limits);
+            batches.report.merge(counts, &settings.limits);
             match end {
                 Some(EarlyEnd::Failed(at, error)) => failed = Some(ShapeError { shape: Some(at), error }),
-                Some(EarlyEnd::Stopped) => parts.report.stopped = true,
+                Some(EarlyEnd::Stopped) => batches.report.stopped = true,
                 None => {}
             }
-            put(&mut parts.parts, shapes, output);
+            put(&mut batches.batches, shapes, output);
         });
-        failed.map_or(Ok(parts), Err)
+        failed.map_or(Ok(batches), Err)
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use super::part::PartStart;
+use super::submesh::SubmeshStart;
 use super::{Buffers, Vertex};
 use crate::geometry::mesh::Mesh;
 use crate::output::flatten::FlatFace;
@@ -149,12 +149,12 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
 }
 
 impl Buffers {
-    /// The bytes reserved for vertices, indices, texture coordinates and parts.
+    /// The bytes reserved for vertices, indices, texture coordinates and submeshes.
     pub fn memory(&self) -> usize {
         size_of::<Vertex>() * self.triangles.vertices.capacity()
             + size_of::<u32>() * self.triangles.indices.capacity()
             + self.uvs.memory()
-            + size_of::<PartStart>() * self.runs.capacity()
+            + size_of::<SubmeshStart>() * self.runs.capacity()
     }
 }
 

@@ -1,6 +1,6 @@
 //! The rules and materials of parts that repeat, as numbers of the buffers' table.
 
-use super::part::PartStart;
+use super::submesh::SubmeshStart;
 use crate::output::numbers::Numbers;
 use crate::run::sink::Replay;
 use crate::shape::look_id::LookId;
@@ -18,8 +18,8 @@ pub(super) struct Marks {
     part: (u64, usize),
     /// True if no two consecutive marks are equal.
     pub(super) is_distinct: bool,
-    /// The marks as starts of parts, relative to the first.
-    pub(super) runs: Vec<PartStart>,
+    /// The marks as starts of submeshes, relative to the first.
+    pub(super) runs: Vec<SubmeshStart>,
 }
 
 impl Replayed {
@@ -42,7 +42,7 @@ impl Marks {
         self.runs.clear();
         self.runs.extend(replay.marks().map(|(leaf, mark)| {
             let (rule, material) = numbers.with_look(&leaf, mark.look);
-            PartStart { rule, material, triangle: mark.before / 2, vertex: mark.before }
+            SubmeshStart { rule, material, triangle: mark.before / 2, vertex: mark.before }
         }));
         self.is_distinct = self.runs.windows(2).all(|pair| !pair[0].is_like(&pair[1]));
         // The next base may have another material.

@@ -1,4 +1,4 @@
-//! GLB files from buffers: chunks of a stream, or parts made in parallel.
+//! GLB files from buffers: chunks of a stream, or batches made in parallel.
 
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -8,9 +8,9 @@ use glam::DVec3;
 use super::Glb;
 use super::primitive::Primitive;
 use crate::material::layer::SetMask;
-use crate::output::buffers::{Buffers, Part, Vertex};
+use crate::output::batches::Batches;
+use crate::output::buffers::{Buffers, Submesh, Vertex};
 use crate::output::error::WriteError;
-use crate::output::parts::Parts;
 use crate::run::sink::Flow;
 
 impl Glb {
@@ -21,32 +21,32 @@ impl Glb {
     /// use cga_runtime::output::buffers::Buffers;
     /// use cga_runtime::output::gltf::Glb;
     ///
-    /// let parts = [Buffers::new(), Buffers::new()];
+    /// let list = [Buffers::new(), Buffers::new()];
     /// let mut glb = Glb::new();
-    /// let _ = parts.iter().try_for_each(|part| glb.buffers(part));
+    /// let _ = list.iter().try_for_each(|buffers| glb.buffers(buffers));
     /// assert!(glb.into_bytes().unwrap().starts_with(b"glTF"));
     /// ```
     pub fn buffers(&mut self, buffers: &Buffers) -> Flow {
         let sets = SetMask::of(|set| !buffers.uv_set(set).is_empty());
         let moved = buffers.origin() - self.origin;
-        for part in buffers.parts() {
+        for submesh in buffers.submeshes() {
             let table = &mut self.numbers.table;
-            let rule = table.rule(buffers.rules()[part.rule as usize]);
-            let material = table.material(&buffers.materials()[part.material as usize]);
-            self.add(part.vertices.len(), part.indices.len(), sets.sets().count())?;
+            let rule = table.rule(buffers.rules()[submesh.rule as usize]);
+            let material = table.material(&buffers.materials()[submesh.material as usize]);
+            self.add(submesh.vertices.len(), submesh.indices.len(), sets.sets().count())?;
             let primitive = self.primitives.of(&mut self.looks, &self.numbers.table, material, sets);
-            primitive.part(buffers, &part, rule, moved);
+            primitive.submesh(buffers, &submesh, rule, moved);
         }
         ControlFlow::Continue(())
     }
 }
 
 impl Primitive {
-    /// Adds the triangles of one part of buffers.
-    fn part(&mut self, buffers: &Buffers, part: &Part, rule: u32, moved: DVec3) {
+    /// Adds the triangles of a submesh of buffers.
+    fn submesh(&mut self, buffers: &Buffers, submesh: &Submesh, rule: u32, moved: DVec3) {
         self.begin(rule);
-        let vertices = &buffers.vertices()[part.vertices.clone()];
-        let (start, first) = (self.vertices().len() as u32, part.vertices.start as u32);
+        let vertices = &buffers.vertices()[submesh.vertices.clone()];
+        let (start, first) = (self.vertices().len() as u32, submesh.vertices.start as u32);
         let to_file = |vertex: &Vertex| match (*vertex, moved) {
             (vertex, DVec3::ZERO) => vertex,
             ([x, y, z, u, v, w], moved) => {
@@ -57,11 +57,11 @@ impl Primitive {
         self.triangles.vertices.extend(vertices.iter().map(to_file));
         for (set, list) in self.sets.sets().zip(&mut self.uvs) {
             // The v axis of glTF points down.
-            list.extend(buffers.uv_set(set)[part.vertices.clone()].iter().map(|&[u, v]| [u, 1.0 - v]));
+            list.extend(buffers.uv_set(set)[submesh.vertices.clone()].iter().map(|&[u, v]| [u, 1.0 - v]));
         }
         self.triangles
             .indices
-            .extend(buffers.indices()[part.indices.clone()].iter().map(|index| index - first + start));
+            .extend(buffers.indices()[submesh.indices.clone()].iter().map(|index| index - first + start));
     }
 }
 
@@ -104,8 +104,8 @@ impl Buffers {
     }
 }
 
-impl Parts<Buffers> {
-    /// All parts as one GLB file, with positions relative to the origin of the first.
+impl Batches<Buffers> {
+    /// All batches as one GLB file, with positions relative to the origin of the first.
     ///
     /// # Errors
     /// As [`Glb::into_bytes`].

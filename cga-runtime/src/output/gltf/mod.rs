@@ -280,7 +280,7 @@ impl Model {
     }
 }
 
-impl super::parts::Parts<Model> {
+impl super::batches::Batches<Model> {
     /// All models as one GLB file, equal to that of one model with all leaves.
     ///
     /// # Errors

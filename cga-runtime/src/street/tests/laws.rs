@@ -115,7 +115,7 @@ fn touching(border: &[(Bits, Bits)], name: &str) {
 }
 
 /// Coordinates of streets go from 0 to 1, agree at common points, and are counter-clockwise on roadways.
-fn coordinates(part: &Part, name: &str) {
+fn coordinates(part: &NetworkPart, name: &str) {
     let mesh = &part.mesh;
     let sets: &[usize] = if part.line.is_some() { &[0, 1, 2] } else { &[0] };
     for &set in sets {

@@ -10,7 +10,7 @@ fn network(lines: &[Centerline]) -> Network {
     Network::new(lines, &NetworkOptions::default()).unwrap()
 }
 
-fn of_kind(network: &Network, kind: Kind) -> Vec<&Part> {
+fn of_kind(network: &Network, kind: Kind) -> Vec<&NetworkPart> {
     network.parts().iter().filter(|part| part.kind == kind).collect()
 }
 
@@ -18,7 +18,7 @@ fn counts(network: &Network) -> [usize; 5] {
     [Kind::Street, Kind::Sidewalk, Kind::Joint, Kind::Junction, Kind::Crossing].map(|kind| of_kind(network, kind).len())
 }
 
-fn points(part: &Part) -> HashSet<[u64; 3]> {
+fn points(part: &NetworkPart) -> HashSet<[u64; 3]> {
     part.mesh.points().iter().map(|point| point.to_array().map(f64::to_bits)).collect()
 }
 

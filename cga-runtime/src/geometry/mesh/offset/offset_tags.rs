@@ -30,23 +30,9 @@ impl<'s> OffsetTags<'s> {
 
     /// Tags the edges and vertices of a loop: its points in the plane, and in the mesh.
     pub(super) fn ring(&mut self, plane: &FlatFace<'_>, ring: &[RingCorner], numbers: &[u32]) {
-        if self.source.subcomponent_tags.is_empty() {
-            return;
-        }
-        let source = |k: usize| plane.points.get(ring[k % ring.len()].0 as usize).copied();
-        for k in 0..ring.len() {
-            let set = match (source(k), source(k + 1)) {
-                (Some(a), Some(b)) => self.source.edge_tags([a, b]),
-                (Some(vertex), None) | (None, Some(vertex)) => self.source.vertex_tags(vertex),
-                (None, None) => None,
-            };
-            if let Some(set) = set {
-                self.tagger.edge([numbers[k], numbers[(k + 1) % ring.len()]], set);
-            }
-            if let Some(set) = source(k).and_then(|vertex| self.source.vertex_tags(vertex)) {
-                self.tagger.vertex(numbers[k], set);
-            }
-        }
+        let source = |k: u32| plane.points.get(ring[k as usize].0 as usize).copied();
+        let corners: Vec<u32> = (0..ring.len() as u32).collect();
+        self.tagger.grow_ring(self.source, &corners, |k| numbers[k as usize], source);
     }
 
     /// Adds a copy of a face with all its tags.

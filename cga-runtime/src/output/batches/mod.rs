@@ -10,40 +10,40 @@ use crate::run::report::Report;
 
 /// The sinks of all stretches, in order, and the merged report of the runs.
 #[derive(Clone, Debug, Default)]
-pub struct Parts<S> {
-    pub(crate) parts: Vec<Part<S>>,
+pub struct Batches<S> {
+    pub(crate) batches: Vec<Batch<S>>,
     pub(crate) report: Report,
 }
 
 /// A sink and the initial shapes whose leaves it has.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
-pub struct Part<S> {
+pub struct Batch<S> {
     /// The indices of the shapes in the list.
     pub shapes: Range<usize>,
     /// The sink, with all leaves of these shapes, in order.
     pub sink: S,
 }
 
-impl<S> Parts<S> {
-    /// The parts, in the order of the shapes.
-    pub fn iter(&self) -> std::slice::Iter<'_, Part<S>> {
-        self.parts.iter()
+impl<S> Batches<S> {
+    /// The batches, in the order of the shapes.
+    pub fn iter(&self) -> std::slice::Iter<'_, Batch<S>> {
+        self.batches.iter()
     }
 
     /// The sinks, in the order of the shapes.
     pub fn sinks(&self) -> impl ExactSizeIterator<Item = &S> + DoubleEndedIterator + Clone {
-        self.parts.iter().map(|part| &part.sink)
+        self.batches.iter().map(|batch| &batch.sink)
     }
 
-    /// The number of parts.
+    /// The number of batches.
     pub fn len(&self) -> usize {
-        self.parts.len()
+        self.batches.len()
     }
 
-    /// Returns true if there are no parts, as there were no shapes.
+    /// Returns true if there are no batches, as there were no shapes.
     pub fn is_empty(&self) -> bool {
-        self.parts.is_empty()
+        self.batches.is_empty()
     }
 
     /// The reports of all runs, [merged](Report::merge) in the order of the shapes.
@@ -52,18 +52,18 @@ impl<S> Parts<S> {
     }
 }
 
-impl<S> IntoIterator for Parts<S> {
-    type Item = Part<S>;
-    type IntoIter = std::vec::IntoIter<Part<S>>;
+impl<S> IntoIterator for Batches<S> {
+    type Item = Batch<S>;
+    type IntoIter = std::vec::IntoIter<Batch<S>>;
 
     fn into_iter(self) -> Self::IntoIter {
-        self.parts.into_iter()
+        self.batches.into_iter()
     }
 }
 
-impl<'a, S> IntoIterator for &'a Parts<S> {
-    type Item = &'a Part<S>;
-    type IntoIter = std::slice::Iter<'a, Part<S>>;
+impl<'a, S> IntoIterator for &'a Batches<S> {
+    type Item = &'a Batch<S>;
+    type IntoIter = std::slice::Iter<'a, Batch<S>>;
 
     fn into_iter(self) -> Self::IntoIter {
         self.iter()

@@ -1,12 +1,12 @@
 //! Models of many shapes, with the methods of one model of all shapes.
 
 use crate::geometry::mesh::Bounds;
+use crate::output::batches::Batches;
 use crate::output::model::{LeafView, Model};
-use crate::output::parts::Parts;
 use crate::output::stats::Stats;
 use crate::run::sink::{Flow, Sink};
 
-impl Parts<Model> {
+impl Batches<Model> {
     /// The leaves of all models, in the order of the shapes.
     pub fn leaves(&self) -> impl DoubleEndedIterator<Item = LeafView<'_>> + Clone + '_ {
         self.sinks().flat_map(Model::leaves)

@@ -1,9 +1,9 @@
-//! How much a file does.
+//! The size of a file.
 
 use cga_lang::syntax::ast::{Ast, BlockPart, Body, OpKind};
 use cga_lang::syntax::walk;
 
-/// Numbers of what stands in a file.
+/// The numbers of rules, splits and comps in a file.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Counts {
     pub(crate) rules: usize,

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 /// Consecutive triangles with one rule and one material.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Part {
+pub struct Submesh {
     /// The index of the rule in [`Buffers::rules`](super::Buffers::rules).
     pub rule: u32,
     /// The index of the material in [`Buffers::materials`](super::Buffers::materials).
@@ -15,9 +15,9 @@ pub struct Part {
     pub vertices: Range<usize>,
 }
 
-/// The start of a part, which ends at the start of the next.
+/// The start of a submesh, which ends at the start of the next.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct PartStart {
+pub(super) struct SubmeshStart {
     pub(super) rule: u32,
     pub(super) material: u32,
     /// The number of triangles before it.
@@ -25,17 +25,17 @@ pub(super) struct PartStart {
     pub(super) vertex: u32,
 }
 
-impl PartStart {
-    /// Returns true for a part with the same rule and the same material.
+impl SubmeshStart {
+    /// Returns true for a submesh with the same rule and the same material.
     #[inline]
-    pub(super) fn is_like(&self, other: &PartStart) -> bool {
+    pub(super) fn is_like(&self, other: &SubmeshStart) -> bool {
         (self.rule, self.material) == (other.rule, other.material)
     }
 
     /// The start after further triangles and vertices.
     #[inline]
-    pub(super) fn moved(&self, triangles: u32, vertices: u32) -> PartStart {
-        PartStart { triangle: self.triangle + triangles, vertex: self.vertex + vertices, ..*self }
+    pub(super) fn moved(&self, triangles: u32, vertices: u32) -> SubmeshStart {
+        SubmeshStart { triangle: self.triangle + triangles, vertex: self.vertex + vertices, ..*self }
     }
 
     /// The number of indices before it.
@@ -46,10 +46,10 @@ impl PartStart {
 
 #[cfg(test)]
 mod tests {
-    use super::PartStart;
+    use super::SubmeshStart;
 
     #[test]
     fn a_run_takes_sixteen_bytes() {
-        assert_eq!(size_of::<PartStart>(), 16);
+        assert_eq!(size_of::<SubmeshStart>(), 16);
     }
 }

@@ -1,29 +1,29 @@
-//! What is printed.
+//! Findings and summaries of files.
 
 use crate::count::count;
 use crate::files::Library;
+use crate::format::{self, Format};
 use crate::options::Options;
 use cga_lang::compile::compile;
 use cga_lang::diag::code::Code;
 use cga_lang::diag::{Detail, Diag, Diags, Level, Line};
-use cga_lang::snippet::render_in;
 use cga_lang::syntax::parse::parse;
 use std::collections::{BTreeMap, HashSet};
 use std::io::{Result, Write};
 use std::time::Duration;
 
-/// Most findings of a file that are shown: nobody reads more, and each is looked for in the text.
+/// The limit on findings of a file that are reported: finding the place of each takes the time of reading the text.
 const MOST_SHOWN: usize = 1000;
 
 /// A finding: file, first and last token there, code, message.
 type Place = (String, u32, u32, Code, Line);
 
-/// Prints findings and summaries, and adds up.
+/// Prints findings and summaries, and counts them.
 pub(crate) struct Report<'o> {
     options: &'o Options,
-    /// Files that others import: runs begin in those.
+    /// Files that other files import: no run starts in them.
     imported: HashSet<String>,
-    /// What was found so far. A file that many import has the same findings each time.
+    /// The findings so far. A file that many import has the same findings each time.
     seen: HashSet<Place>,
     files: usize,
     failed: usize,
@@ -38,16 +38,18 @@ impl<'o> Report<'o> {
         Report { options, imported, seen: HashSet::new(), files: 0, failed: 0, lines: 0, codes, later }
     }
 
-    pub(crate) fn has_errors(&self) -> bool {
-        0 < self.failed
+    /// Returns true if a file has errors, or warnings that are denied.
+    pub(crate) fn has_failed(&self) -> bool {
+        let denied = |level: Level| level == Level::Error || self.options.denies_warnings;
+        0 < self.failed || self.codes.keys().any(|(level, _)| denied(*level))
     }
 
-    /// Checks a file, prints what is new and a line that sums it up.
+    /// Checks a file, and prints new findings and a summary.
     pub(crate) fn file(&mut self, library: &mut Library, number: usize, out: &mut dyn Write) -> Result<()> {
         let root = library.unit(number);
         let mut again = Diags::new();
         let counts = count(&parse(&root.tokens, &mut again));
-        // The compiler says the same.
+        // The compiler reports the same.
         again.finish();
         let compiled = compile(root, library, &[]);
         let mut own = Own::default();
@@ -64,23 +66,26 @@ impl<'o> Report<'o> {
             if let Detail::Later(name) = &diag.detail {
                 *self.later.entry(name.clone()).or_default() += 1;
             }
-            if self.options.quiet || !(self.options.warnings || diag.level == Level::Error) {
+            if self.options.quiet || !(self.options.shows_warnings || diag.level == Level::Error) {
                 continue;
             }
-            if own.shown == MOST_SHOWN {
+            if own.shown == MOST_SHOWN && self.options.format == Format::Full {
                 more += 1;
                 continue;
             }
             own.shown += 1;
             let quote = |file: usize| library.quote(&compiled.files.get(file)?.name);
-            writeln!(out, "{}\n", render_in(&compiled, &quote, diag))?;
+            format::write(self.options.format, &compiled, &quote, diag, out)?;
         }
-        if 0 < more {
+        if 0 < more && self.options.format == Format::Full {
             writeln!(out, "… and {more} more\n")?;
         }
         self.files += 1;
         self.failed += usize::from(0 < own.errors + own.imported);
         self.lines += library.text(number).lines().count();
+        if self.options.format != Format::Full {
+            return Ok(());
+        }
         let name = &compiled.files[0].name;
         write!(out, "{name}: {} rules, {} splits, {} comps; ", counts.rules, counts.splits, counts.comps)?;
         write!(out, "{} errors, {} warnings", own.errors, own.warnings)?;
@@ -95,6 +100,9 @@ impl<'o> Report<'o> {
 
     /// The sum of all files.
     pub(crate) fn totals(&self, time: Duration, out: &mut dyn Write) -> Result<()> {
+        if self.options.format != Format::Full {
+            return Ok(());
+        }
         writeln!(out, "\n{} files, {} lines, {} with errors, {time:.1?}", self.files, self.lines, self.failed)?;
         for (level, word) in [(Level::Error, "errors"), (Level::Warning, "warnings")] {
             let codes = self.codes.iter().filter(|((own, _), _)| *own == level);
@@ -111,13 +119,13 @@ impl<'o> Report<'o> {
     }
 }
 
-/// What was found for one file.
+/// The findings of one file.
 #[derive(Default)]
 struct Own {
     errors: usize,
     warnings: usize,
     shown: usize,
-    /// Errors in what it imports.
+    /// Errors in imported files.
     imported: usize,
     later: BTreeMap<String, usize>,
 }

@@ -1,0 +1,80 @@
+//! Tests of the command.
+
+use serde_json::Value;
+
+use super::*;
+use crate::format::Format;
+
+/// The output for a folder with these files, and true if the check succeeds. The names of files begin with `FOLDER`.
+fn run(name: &str, files: &[(&str, &str)], change: impl Fn(&mut Options)) -> (String, bool) {
+    let folder = std::env::temp_dir().join(format!("cga-check-{name}-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    for (name, text) in files {
+        std::fs::write(folder.join(name), text).expect("a file");
+    }
+    let mut options = Options {
+        paths: vec![folder.clone()],
+        format: Format::Full,
+        quiet: false,
+        shows_warnings: true,
+        denies_warnings: false,
+    };
+    change(&mut options);
+    let mut out = Vec::new();
+    let code = check(&options, &mut out).expect("memory takes it all");
+    std::fs::remove_dir_all(&folder).expect("the folder");
+    let text = String::from_utf8(out).expect("text");
+    (text.replace(&*folder.to_string_lossy(), "FOLDER"), code == ExitCode::SUCCESS)
+}
+
+fn printed(name: &str, files: &[(&str, &str)]) -> String {
+    run(name, files, |_| {}).0
+}
+
+#[test]
+fn a_file_that_is_imported_needs_no_start_rule() {
+    let library = ("lib.cga", "Wall(a) --> extrude(a) X.");
+    let main = ("main.cga", "import lib : \"lib.cga\"\nLot --> lib.Wall(2)");
+    assert!(printed("alone", &[library]).contains("warning[no_start_rule]"));
+    let both = printed("both", &[library, main]);
+    assert!(!both.contains("no_start_rule") && both.contains("2 files"), "{both}");
+}
+
+const WRONG: (&str, &str) = ("tower.cga", "attr h = 3\nLot --> extrude(h) Wal\nWall --> X.\n");
+
+#[test]
+fn a_short_line_has_place_level_code_and_message() {
+    let (text, _) = run("short", &[WRONG], |options| options.format = Format::Short);
+    let lines: Vec<&str> = text.lines().collect();
+    assert!(lines.iter().any(|line| line.starts_with("FOLDER/tower.cga:2:20: ") && line.contains("Wal")), "{text}");
+    assert!(lines.iter().all(|line| line.starts_with("FOLDER/tower.cga:")), "{text}");
+}
+
+#[test]
+fn a_json_line_has_places_notes_and_help() {
+    let (text, _) = run("json", &[WRONG], |options| options.format = Format::Json);
+    let objects: Vec<Value> = text.lines().map(|line| serde_json::from_str(line).expect("an object")).collect();
+    let wal = objects.iter().find(|object| object["place"]["line"] == 2).expect("a finding in line 2");
+    let number = |member: &str| wal["place"][member].as_u64().expect("a number");
+    assert_eq!(["line", "column", "end_line", "end_column"].map(number), [2, 20, 2, 23]);
+    assert!(wal["help"][0].as_str().expect("help").contains("`Wall`"), "{wal}");
+    assert!(wal["code"].is_string() && wal["level"].is_string() && wal["notes"].is_array());
+}
+
+#[test]
+fn errors_fail_and_warnings_fail_when_denied() {
+    let fine = ("fine.cga", "@StartRule\nLot --> extrude(3) X.\n");
+    let error = ("error.cga", "Lot --> extrude(\n");
+    let warning = ("warning.cga", "Wall(a) --> extrude(a) X.");
+    assert!(run("fine", &[fine], |_| {}).1);
+    assert!(!run("error", &[error], |_| {}).1);
+    assert!(run("warning", &[warning], |_| {}).1);
+    assert!(!run("denied", &[warning], |options| options.denies_warnings = true).1);
+    assert!(run("fine-denied", &[fine], |options| options.denies_warnings = true).1);
+}
+
+#[test]
+fn only_summaries_remain_when_quiet() {
+    let (text, _) = run("quiet", &[WRONG], |options| options.quiet = true);
+    assert!(text.contains("tower.cga: 2 rules") && !text.contains("-->"), "{text}");
+}
