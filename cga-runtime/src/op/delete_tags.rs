@@ -1,11 +1,8 @@
 //! `deleteTags`: removes tags of components.
 
-use std::sync::Arc;
-
-use super::tag::retag;
 use crate::geometry::mesh::TaggedComponents;
 use crate::run::env::Env;
-use crate::shape::{Geometry, PlacedWire, Shape};
+use crate::shape::{Geometry, Shape};
 use crate::value::text::Text;
 
 /// `deleteTags()`: removes all tags (*deleteTags operation*).
@@ -22,15 +19,10 @@ fn delete(env: &mut Env, shape: &mut Shape, query: Option<&str>, components: Tag
     if shape.found_tags(query, components).next().is_none() {
         return;
     }
-    match &shape.geometry {
-        Geometry::Rect(axis, unit) => shape.geometry = Geometry::Rect(*axis, unit.without_tags(query)),
-        Geometry::Box(unit) => shape.geometry = Geometry::Box(unit.without_tags(query)),
-        Geometry::Mesh(_) => retag(env, shape, |mesh| mesh.without_tags(query, components)),
-        Geometry::Wire(placed) => {
-            let mut wire = placed.wire.clone();
-            wire.tags = wire.tags.without(query, components);
-            shape.geometry = Geometry::Wire(Arc::new(PlacedWire { wire, ..PlacedWire::clone(placed) }));
-        }
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge => {}
+    if let Geometry::Mesh(placed) = &shape.geometry
+        && env.count_vertices(&placed.mesh).is_break()
+    {
+        return;
     }
+    shape.remove_tags(query, components);
 }

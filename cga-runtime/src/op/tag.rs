@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use crate::fault::FaultKind;
-use crate::geometry::mesh::Mesh;
 use crate::run::env::Env;
 use crate::shape::{Geometry, Inserted, Placed, PlacedWire, Shape};
 use crate::value::text::Text;
@@ -52,20 +51,16 @@ pub fn tag(env: &mut Env, shape: &mut Shape, name: Text, target: TagTarget) {
 
 fn tag_mesh(env: &mut Env, shape: &mut Shape, name: &Text, target: TagTarget) {
     shape.hold_as_mesh();
-    retag(env, shape, |mesh| match target {
-        TagTarget::Auto | TagTarget::Faces => mesh.with_tagged_faces(name),
-        TagTarget::Edges => mesh.with_tagged_edges(name),
-        TagTarget::Vertices => mesh.with_tagged_vertices(name),
-    });
-}
-
-/// Replaces a mesh by one with other tags. The geometry is no longer that of an asset.
-pub(super) fn retag(env: &mut Env, shape: &mut Shape, change: impl FnOnce(&Mesh) -> Mesh) {
     let Geometry::Mesh(placed) = &shape.geometry else { return };
     if env.count_vertices(&placed.mesh).is_break() {
         return;
     }
-    let mesh = Arc::new(change(&placed.mesh));
+    let mesh = Arc::new(match target {
+        TagTarget::Auto | TagTarget::Faces => placed.mesh.with_tagged_faces(name),
+        TagTarget::Edges => placed.mesh.with_tagged_edges(name),
+        TagTarget::Vertices => placed.mesh.with_tagged_vertices(name),
+    });
+    // The geometry is no longer that of an asset.
     shape.geometry = Geometry::Mesh(Arc::new(Placed { mesh, inserted: Inserted::No, ..Placed::clone(placed) }));
 }
 

@@ -1,6 +1,8 @@
 //! The tags of the components of a shape.
 
-use super::{Geometry, Shape};
+use std::sync::Arc;
+
+use super::{Geometry, Inserted, Placed, PlacedWire, Shape};
 use crate::geometry::mesh::{Mesh, SubcomponentTags, TaggedComponents};
 use crate::value::text::Text;
 
@@ -19,5 +21,28 @@ impl Shape {
         };
         let faces = mesh.filter(|_| components.faces()).into_iter().flat_map(move |mesh| mesh.found_face_tags(query));
         faces.chain(tags.into_iter().flat_map(move |tags| tags.found(query, components)))
+    }
+
+    /// Removes the tags of some components that a query matches, or all of them if there is no query. Boxes and rectangles stay
+    /// such.
+    pub(crate) fn remove_tags(&mut self, query: Option<&str>, components: TaggedComponents) {
+        match &self.geometry {
+            Geometry::Empty | Geometry::Vertex | Geometry::Edge => {}
+            Geometry::Rect(axis, unit) if components.faces() => {
+                self.geometry = Geometry::Rect(*axis, unit.without_tags(query));
+            }
+            Geometry::Box(unit) if components.faces() => self.geometry = Geometry::Box(unit.without_tags(query)),
+            Geometry::Rect(..) | Geometry::Box(_) => {}
+            Geometry::Mesh(placed) => {
+                let mesh = Arc::new(placed.mesh.without_tags(query, components));
+                let placed = Placed { mesh, inserted: Inserted::No, ..Placed::clone(placed) };
+                self.geometry = Geometry::Mesh(Arc::new(placed));
+            }
+            Geometry::Wire(placed) => {
+                let mut wire = placed.wire.clone();
+                wire.tags = wire.tags.without(query, components);
+                self.geometry = Geometry::Wire(Arc::new(PlacedWire { wire, ..PlacedWire::clone(placed) }));
+            }
+        }
     }
 }
