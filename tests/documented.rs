@@ -43,6 +43,8 @@ mod scopes;
 mod selectors;
 #[path = "documented/setbacks.rs"]
 mod setbacks;
+#[path = "documented/tags.rs"]
+mod tags;
 #[path = "documented/texturing.rs"]
 mod texturing;
 #[path = "documented/thirty.rs"]

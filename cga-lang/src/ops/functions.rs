@@ -71,6 +71,15 @@ const COMPARISON: Param = words(
 
 const GEO_COORDINATE: Param = words("geoCoordinate", &["X", "Y", "lon", "lat"]);
 
+const EDGE_ATTRIBUTE: Params = &[text("attributeName")];
+
+/// An attribute of the initial shape's edges.
+const fn edge_attr(name: Str, call: Str, ty: Type) -> Function {
+    let about = "an attribute of the initial shape's edge that the shape faces";
+    let uses = Uses::WHOLE.and(Uses::PLACE).and(Uses::SAYS);
+    Function { run: Run::Now(call), needs: Needs::Both, uses, ..later(name, EDGE_ATTRIBUTE, ty, about) }
+}
+
 /// Other shapes, the edges of the initial shape, and the place of a shape on Earth.
 static CONTEXT: &[Function] = &[
     later("inside", &[OPTIONAL_TARGET, OPTIONAL_LABEL], B, "whether the shape is inside another closed shape"),
@@ -79,9 +88,9 @@ static CONTEXT: &[Function] = &[
     later("minimumDistance", &[TARGET, LABEL], F, "the distance to the nearest shape of a label"),
     later("contextCompare", &[TARGET, LABEL, COMPARISON], F, "the rank among the shapes of a label"),
     later("contextCount", &[TARGET, LABEL], F, "how many shapes have a label"),
-    later("edgeAttr.getFloat", &[text("attributeName")], F, "an attribute of the initial shape's nearest edge"),
-    later("edgeAttr.getString", &[text("attributeName")], T, "an attribute of the initial shape's nearest edge"),
-    later("edgeAttr.getBool", &[text("attributeName")], B, "an attribute of the initial shape's nearest edge"),
+    edge_attr("edgeAttr.getFloat", "edge_attr_float", F),
+    edge_attr("edgeAttr.getString", "edge_attr_string", T),
+    edge_attr("edgeAttr.getBool", "edge_attr_bool", B),
     later("getGeoCoord", &[GEO_COORDINATE], F, "a coordinate of the scope's origin on the map"),
     later("getTreeKey", &[], T, "the way from the initial shape to this one, as a list of numbers"),
 ];

@@ -16,6 +16,7 @@ pub(crate) mod provenance;
 pub(crate) mod recompose;
 pub(crate) mod roof;
 pub(crate) mod rotation;
+pub(crate) mod sampled_outline;
 pub(crate) mod scatter;
 pub(crate) mod segment;
 mod skeleton;

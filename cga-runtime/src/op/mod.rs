@@ -10,6 +10,7 @@ mod along_uv;
 mod coordinates;
 mod delete_holes;
 mod delete_tags;
+mod edge_attr_tags;
 mod envelope;
 mod extrude;
 mod fit;
@@ -59,6 +60,7 @@ pub use along_uv::{insert_along_uv, insert_along_uv_with};
 pub use coordinates::{System, TransformMode, rotate_in, translate_in};
 pub use delete_holes::delete_holes;
 pub use delete_tags::{delete_tags, delete_tags_of};
+pub use edge_attr_tags::set_tags_from_edge_attrs;
 pub use envelope::{
     EnvelopeAlong, envelope_all, envelope_edges, envelope_front, envelope_front_back, envelope_old_all,
     envelope_old_front, envelope_old_front_back, envelope_old_sides, envelope_sides,

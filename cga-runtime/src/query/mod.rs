@@ -5,6 +5,7 @@
 
 mod convert;
 mod count;
+mod edge_attr;
 mod faces;
 mod file;
 mod file_table;
@@ -22,6 +23,7 @@ pub use convert::{ConvertWhat, System, convert, convert_array};
 pub use count::{
     geometry_groups, geometry_materials, geometry_n_edges, geometry_n_faces, geometry_n_holes, geometry_n_vertices,
 };
+pub use edge_attr::{edge_attr_bool, edge_attr_float, edge_attr_string};
 pub use file::{
     AssetDimension, AssetNaming, ImageDimension, asset_info, asset_naming_info, asset_naming_infos, file_exists,
     file_random, file_search, files_search, image_info, read_text_file,

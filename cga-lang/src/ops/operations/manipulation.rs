@@ -75,7 +75,15 @@ pub(super) static ROWS: &[Operation] = &[
     tags(op("tag", "tag", &[text("name"), TAGGED], "gives components a tag")),
     tags(op("deleteTags", "delete_tags", &[], "removes all tags")),
     tags(op("deleteTags", "delete_tags_of", &[text("tagQuery"), UNTAGGED], "removes the tags that match")),
-    later("setTagsFromEdgeAttrs", &[], "makes tags of the initial shape's edge attributes"),
+    keeps(using(
+        INITIAL.and(Uses::TAGS),
+        op(
+            "setTagsFromEdgeAttrs",
+            "set_tags_from_edge_attrs",
+            &[],
+            "makes tags of the initial shape's edge attributes",
+        ),
+    )),
     joins("inline", block("inline", Braces::Inline, &[APPEND], INLINE)),
     recomposes(joins("inline", block("inline", Braces::Inline, &[RECOMPOSE], INLINE))),
     block("inline", Braces::Inline, &[UNIFY], INLINE),

@@ -3,6 +3,7 @@
 mod base;
 mod checkpoint;
 mod counters;
+mod edge_attributes;
 mod recompose;
 mod trail;
 mod uv_set;
@@ -23,6 +24,7 @@ use crate::run::report::{FAULTS_KEPT, Prints, Reports};
 use crate::run::settings::{Limits, Settings};
 use crate::run::sink::{Flow, LeafTables};
 use crate::shape::Shape;
+use crate::shape::edge_attributes::SampledAttributes;
 use crate::shape::street::Streets;
 use crate::value::Value;
 use crate::value::array::Array;
@@ -113,6 +115,8 @@ pub struct Env {
     searches: BTreeMap<File, Rc<[Text]>>,
     /// The tables read so far, by file.
     pub(crate) tables: BTreeMap<File, Array<Text>>,
+    /// The attributes of the edges of the initial shape, once a rule has asked for them.
+    edge_attributes: Option<Option<Arc<SampledAttributes>>>,
     /// The texts reported so far of those that are reported once a run: names that are not implemented, messages.
     said_once: Vec<&'static str>,
     /// The number of attempts to report such a text, and of repetitions of counted faults.
