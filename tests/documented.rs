@@ -72,6 +72,7 @@ fn all_examples_run() {
         pages::scattering::ALL,
         pages::setback::ALL,
         pages::mesh_operations::ALL,
+        pages::tags::ALL,
     ];
     let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();
     for example in pages.concat() {

@@ -1,8 +1,9 @@
 //! *Geometry tagging*, *setTagsFromEdgeAttrs operation* and *edgeAttr functions*, on shapes like those of the pictures. Rules
 //! whose names end in a dot are the same in all pictures: bars for edges and balls for vertices.
 
+use cga::glam::DVec3;
 use cga::mesh::{FaceTag, TagSet};
-use cga::{MeshBuilder, Shape};
+use cga::{Mesh, MeshBuilder, Shape};
 
 use super::example::{Example, example};
 
@@ -44,7 +45,8 @@ pub(crate) fn bend() -> Shape {
         [0.3, 7.4],
         [1.2, 5.0],
     ];
-    super::setback::faces(&[&corners])
+    let corners = corners.map(|[x, z]| DVec3::new(x, 0.0, -z));
+    Shape::mesh_axis_aligned(Mesh::from_polygon(&corners, &[]).expect("an outline"))
 }
 
 /// A square of 10 m without its front right quarter: edges and vertices of the square have tags below A, those of the quarter
@@ -66,8 +68,9 @@ pub(crate) fn quarter_cut_out() -> Shape {
 
 /// A lot whose edges know what they look at.
 pub(crate) fn quadrilateral() -> Shape {
-    let corners = [[0.0, 9.0], [8.0, 0.0], [17.0, 4.0], [20.0, 17.0]];
-    super::setback::faces(&[&corners]).edge_attribute("orientations", ["front", "front", "side", "side"])
+    let corners = [[0.0, 9.1], [5.5, 0.0], [11.5, 3.3], [13.2, 16.8]].map(|[x, z]| DVec3::new(x, 0.0, -z));
+    let outline = Mesh::from_polygon(&corners, &[]).expect("an outline");
+    Shape::mesh_axis_aligned(outline).edge_attribute("orientations", ["front", "front", "side", "side"])
 }
 
 /// A square lot with a colour for each edge.
@@ -254,7 +257,7 @@ Bar --> s('1, 0.3, 0.3) center(yz) primitiveCube()
 example! {
     /// "If the geometry has been modified, the attribute value is sampled for each face edge."
     sampled, "setTagsFromEdgeAttrs operation, sampling", quadrilateral(),
-    r##"Lot --> [ color("#dddddd") Ground. ] s(9, 0, 9) center(xz) primitiveDisk(12)
+    r##"Lot --> [ color("#dddddd") Ground. ] s(9.5, 0, 9.5) center(xz) primitiveDisk(12)
         setTagsFromEdgeAttrs() [ t(0, 0.01, 0) color("#ffffff") Disk. ] Marked
 
 Marked --> comp(e) { isTagged("edgeattr.orientations.front") : color("#09DE1F") Bar
@@ -267,7 +270,7 @@ example! {
     /// The tags of edges that were set back are those of their new places, too.
     kept_in_shape, "setTagsFromEdgeAttrs operation, Setback and edge tags: the shape", quadrilateral(),
     r##"Lot --> setTagsFromEdgeAttrs()
-        setback(5) { isTagged("edgeattr.orientations.front") : color("#ffffff") Strip
+        setback(4) { isTagged("edgeattr.orientations.front") : color("#ffffff") Strip
                    | remainder                               : color("#cccccc") Rest. }
 Strip --> [ Ground. ] Marked
 
@@ -281,7 +284,7 @@ example! {
     /// They are in the remainder as well.
     kept_in_remainder, "setTagsFromEdgeAttrs operation, Setback and edge tags: the remainder", quadrilateral(),
     r##"Lot --> setTagsFromEdgeAttrs()
-        setback(5) { isTagged("edgeattr.orientations.front") : color("#cccccc") Strip.
+        setback(4) { isTagged("edgeattr.orientations.front") : color("#cccccc") Strip.
                    | remainder                               : color("#ffffff") Rest }
 Rest --> [ Ground. ] Marked
 
