@@ -2,8 +2,8 @@
 
 use super::base::later;
 use super::{
-    Allowed, B, BS, Default, F, FILE, FS, Function, Needs, Param, ParamBounds, Params, Run, Str, T, TS, Uses, boolean,
-    bounds, float, of, or, queries, renamed, set_elements, text, values, within, word, words,
+    Allowed, B, BS, Default, F, FILE, FS, Function, Needs, Param, ParamBounds, Params, Run, Str, T, TAG_QUERY, TS,
+    Uses, boolean, bounds, float, of, or, queries, renamed, set_elements, text, values, within, word, words,
 };
 use crate::types::Type;
 
@@ -111,12 +111,12 @@ const fn tags(name: Str, call: Str, params: Params, ty: Type, about: Str) -> Fun
 /// Tags of geometry.
 static GEOMETRY: &[Function] = &[
     tags("geometry.tags", "geometry_tags", &[], TS, "the tags of the components, in order"),
-    tags("geometry.tags", "geometry_tags_of", &[text("tagQuery"), TAGGED], TS, "the tags that match, in order"),
+    tags("geometry.tags", "geometry_tags_of", &[TAG_QUERY, TAGGED], TS, "the tags that match, in order"),
     tags("geometry.hasTags", "geometry_has_tags", &[], B, "whether components have tags"),
     tags(
         "geometry.hasTags",
         "geometry_has_tags_of",
-        &[text("tagQuery"), TAGGED],
+        &[TAG_QUERY, TAGGED],
         B,
         "whether components have tags that match",
     ),
@@ -124,11 +124,11 @@ static GEOMETRY: &[Function] = &[
 
 /// Tags in selectors (*comp operation*).
 static TAGS: &[Function] = &[
-    asked("isTagged", "is_tagged", &[text("tagQuery")], "whether a component has a tag that matches"),
+    asked("isTagged", "is_tagged", &[TAG_QUERY], "whether a component has a tag that matches"),
     asked(
         "isTagged",
         "is_tagged_at",
-        &[text("tagQuery"), SUBCOMPONENT],
+        &[TAG_QUERY, SUBCOMPONENT],
         "whether an edge or vertex of a component has a tag that matches",
     ),
 ];

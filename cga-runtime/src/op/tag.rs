@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use cga_split::tags::{self, WILDCARDS};
+
 use crate::fault::FaultKind;
 use crate::run::env::Env;
 use crate::shape::{Geometry, Inserted, Placed, PlacedWire, Shape};
@@ -66,7 +68,7 @@ fn tag_mesh(env: &mut Env, shape: &mut Shape, name: &Text, target: TagTarget) {
 
 /// The name of a tag: text without the wildcards of queries.
 pub(super) fn tag_name(name: &Text) -> Text {
-    if name.contains(['?', '*']) { Text::from(name.replace(['?', '*'], "")) } else { name.clone() }
+    if name.contains(WILDCARDS) { Text::from(tags::name(name)) } else { name.clone() }
 }
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
 //! Geometry manipulation, tags, inlined rules and boolean operations.
 
 use super::super::{
-    Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Params, Str, Uses, boolean, bounds, float, or,
-    text, within, word, words,
+    Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Params, Str, TAG_QUERY, Uses, boolean, bounds,
+    float, or, text, within, word, words,
 };
-use super::{block, joins, keeps, later, old, op, reads_tags, recomposes, using, with};
+use super::{block, joins, keeps, later, old, op, reads_tags, recomposes, tagging, using, with};
 
 /// *cleanupGeometry* and *reduceGeometry operation*.
 static TOLERANCES: ParamBounds = bounds(Allowed::Between(0.0, 1.0), "it is from 0 to 1");
@@ -41,10 +41,26 @@ const UNION: &str = "joins the results of both sides";
 const SUBTRACT: &str = "removes the result of the right side from the result of the left side";
 const INTERSECT: &str = "keeps the common part of both results";
 
+/// The tags of all boolean operations.
+const BOOLEAN_TAGS: &[&str] = &["bool.A", "bool.B", "bool.cut"];
+
+/// A boolean operation.
+const fn operands(name: Str, about: Str) -> Operation {
+    tagging(BOOLEAN_TAGS, block(name, Braces::Operands, &[], about))
+}
+
 /// The syntax up to 2024.1, where the left operand was the current shape (*CGA changelog 2025.0*).
 const fn one_operand(name: Str, params: Params, about: Str) -> Operation {
-    old(block(name, Braces::Inline, params, about), "name both operands in braces: `{ A | B }`")
+    old(tagging(BOOLEAN_TAGS, block(name, Braces::Inline, params, about)), "name both operands in braces: `{ A | B }`")
 }
+
+/// *tag operation*: wildcards are filtered out.
+static TAG_NAMES: ParamBounds = ParamBounds {
+    result: Some("nothing is tagged"),
+    ..bounds(Allowed::TagName, "the wildcards `?` and `*` are left out of the names of tags")
+};
+
+const TAG_NAME: Param = within(text("name"), &TAG_NAMES);
 
 /// The row of an operation that changes tags alone.
 const fn tags(row: Operation) -> Operation {
@@ -72,9 +88,9 @@ pub(super) static ROWS: &[Operation] = &[
     later("reduceGeometry", &[TOLERANCE], "removes vertices and changes the form as little as it can"),
     using(INITIAL, op("resetGeometry", "reset_geometry", &[], "takes the geometry of the initial shape again")),
     with(Effect::KeepsSize, op("trim", "trim", &[], "cuts the geometry at the trim planes")),
-    tags(op("tag", "tag", &[text("name"), TAGGED], "gives components a tag")),
+    tags(op("tag", "tag", &[TAG_NAME, TAGGED], "gives components a tag")),
     tags(op("deleteTags", "delete_tags", &[], "removes all tags")),
-    tags(op("deleteTags", "delete_tags_of", &[text("tagQuery"), UNTAGGED], "removes the tags that match")),
+    tags(op("deleteTags", "delete_tags_of", &[TAG_QUERY, UNTAGGED], "removes the tags that match")),
     keeps(using(
         INITIAL.and(Uses::TAGS),
         op(
@@ -87,9 +103,9 @@ pub(super) static ROWS: &[Operation] = &[
     joins("inline", block("inline", Braces::Inline, &[APPEND], INLINE)),
     recomposes(joins("inline", block("inline", Braces::Inline, &[RECOMPOSE], INLINE))),
     block("inline", Braces::Inline, &[UNIFY], INLINE),
-    block("union", Braces::Operands, &[], UNION),
-    block("subtract", Braces::Operands, &[], SUBTRACT),
-    block("intersect", Braces::Operands, &[], INTERSECT),
+    operands("union", UNION),
+    operands("subtract", SUBTRACT),
+    operands("intersect", INTERSECT),
     one_operand("union", &[], UNION),
     one_operand("union", &[SWAP], UNION),
     one_operand("subtract", &[], SUBTRACT),
