@@ -153,6 +153,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         pages::recompose::ALL.iter().map(|example| comp_cell(example, &cutting::settings())).collect();
     save("recompose", sheet::draw(&cells, 4))?;
 
+    let cells: Vec<Cell> = pages::mesh_operations::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
+    save("mesh-operations", sheet::draw(&cells, 2))?;
+
     save("texturing", sheet::draw(&textured::texturing(&plain), 4))?;
     save("primitives", sheet::draw(&textured::primitives(&plain), 4))?;
 

@@ -46,7 +46,7 @@ pub use cga_runtime::grammar::session::DynSession;
 pub use cga_runtime::grammar::session::Session;
 pub use cga_runtime::material::{Channel, Color, Layer, LayerPart, Material, MaterialNumber, MaterialText};
 pub use cga_runtime::output::batches::{Batch, Batches, ShapeError};
-pub use cga_runtime::output::model::{Geometry, LeafView, Model};
+pub use cga_runtime::output::model::{Geometry, LeafView, Leaves, Model};
 pub use cga_runtime::run::report::Report;
 pub use cga_runtime::run::report::{Collection, Print, Reports, Summary};
 pub use cga_runtime::run::rules::Rules;
@@ -82,7 +82,7 @@ pub mod texture {
 pub mod sink {
     #[cfg(feature = "gltf")]
     pub use cga_runtime::output::gltf;
-    pub use cga_runtime::output::{buffers, error, obj, picture, sink_table, stats, svg};
+    pub use cga_runtime::output::{buffers, error, meshes, obj, picture, sink_table, stats, svg};
     pub use cga_runtime::run::sink::{Cuboid, Filled, Flow, Leaf, PartId, Quad, Replay, Sink};
 }
 
@@ -188,3 +188,8 @@ pub mod split {
 pub mod __rt {
     pub use cga_runtime::rt::*;
 }
+
+/// The code of the guide, which runs as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/guide/recipes.md")]
+mod recipes {}

@@ -5,9 +5,13 @@ mod sink_support;
 
 use std::sync::Arc;
 
+use cga_runtime::asset::gltf::read_gltf;
 use cga_runtime::material::{Channel, Color, Material, MaterialNumber, MaterialText};
 use cga_runtime::output::error::WriteError;
+use cga_runtime::output::gltf::Glb;
 use cga_runtime::output::model::Model;
+use cga_runtime::value::array::Array;
+use cga_runtime::value::text::Text;
 use glam::{DAffine3, DVec3, dvec3};
 use sink_support::{Fill, color, front, hash, mixed, plate, steady, textured, tower, upright};
 
@@ -166,7 +170,7 @@ fn coordinates_that_are_no_floats_are_an_error() {
 fn the_same_model_gives_the_same_bytes() {
     assert_eq!(glb(&mixed()), glb(&mixed()));
     let file = glb(&steady());
-    assert_eq!((file.len(), hash(&file)), (43424, 0x0dad_ac61_6183_8cfc));
+    assert_eq!((file.len(), hash(&file)), (43496, 0xc99b_9766_fc3c_363e));
 }
 
 /// Writes files for other programs if a folder is given.
@@ -183,4 +187,54 @@ fn samples_are_written_when_asked_for() {
     for (name, model) in samples {
         model.write_glb(format!("{folder}/{name}.glb")).expect("a writable folder");
     }
+}
+
+/// The description as JSON.
+fn description(file: &[u8]) -> serde_json::Value {
+    serde_json::from_str(&parts(file).0).expect("JSON")
+}
+
+/// A file of a model, by rule.
+fn by_rule(model: &Model) -> Vec<u8> {
+    let mut glb = Glb::new().named("Tower \"A\"").by_rule();
+    assert!(model.replay(&mut glb).is_continue());
+    let glb = glb
+        .with_extra("height", 24.0)
+        .with_extra("walls", Array::from(vec![Text::from("brick"), Text::from("st\"one")]))
+        .with_extra("slope", f64::NAN);
+    glb.into_bytes().expect("a file")
+}
+
+#[test]
+fn rules_can_be_nodes_with_the_same_triangles() {
+    for model in [mixed(), steady(), tower(3)] {
+        let (plain, file) = (glb(&model), by_rule(&model));
+        let json = description(&file);
+        let root = &json["nodes"][0];
+        assert_eq!(root["name"], "Tower \"A\"");
+        assert_eq!(root["extras"]["height"], 24);
+        assert_eq!(root["extras"]["walls"][1], "st\"one");
+        assert!(root["extras"]["slope"].is_null() && root["mesh"].is_null());
+        let nodes: Vec<&str> = json["nodes"].as_array().expect("nodes")[1..]
+            .iter()
+            .map(|node| node["name"].as_str().expect("a name"))
+            .collect();
+        assert!(model.rules().iter().all(|rule| nodes.contains(rule)), "{nodes:?}");
+        assert!(!json.to_string().contains("EXT_mesh_features") && file.len() < plain.len() + 4000);
+        let read = |bytes: &[u8]| read_gltf(bytes, &mut |_| None).expect("it was written by us").mesh;
+        let (plain, own) = (read(&plain), read(&file));
+        assert_eq!(own.face_count(), plain.face_count());
+        assert!((own.area() - plain.area()).abs() < 1e-9 * own.area());
+        assert!((own.area() - model.area()).abs() < 1e-4 * own.area());
+        // The groups of the file are the rules.
+        assert!(own.groups().iter().all(|group| model.rules().contains(&group.as_str())));
+    }
+}
+
+#[test]
+fn meshes_and_nodes_have_names() {
+    let json = description(&glb(&mixed()));
+    assert_eq!((&json["nodes"][0]["name"], &json["meshes"][0]["name"]), (&"model".into(), &"model".into()));
+    // The asset is stored once, at three places.
+    assert_eq!((&json["nodes"][1]["name"], &json["meshes"][1]["name"]), (&"Bench".into(), &"Bench".into()));
 }

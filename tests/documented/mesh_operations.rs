@@ -4,6 +4,22 @@ use cga::Settings;
 
 use crate::pages::mesh_operations as pages;
 
+/// The parts of the picture, with its colours: "one of the resulting polygons might still be concave".
+#[test]
+fn lots_are_cut_as_in_the_picture() {
+    let example = pages::convexify::EXAMPLE;
+    let model = example.model(&Settings::default());
+    assert!(model.faults().is_empty(), "{:?}", model.faults());
+    let colours =
+        |red: f64| model.leaves().filter(move |leaf| leaf.material().color.is_some_and(|color| color.r == red));
+    assert_eq!((model.len(), colours(1.0).count(), colours(0.0).count()), (10, 6, 4));
+    let area: f64 = model.leaves().map(|leaf| leaf.area()).sum();
+    assert!((area - (example.start)().to_mesh().area()).abs() < 1e-9);
+    // The comb keeps its wide notch, the others are convex.
+    let corners = model.leaves().map(|leaf| leaf.mesh().0.face(0).outer().len()).max();
+    assert_eq!(corners, Some(14));
+}
+
 /// "Each setback shall be applied wrt. the initial shape." "Note how shape attributes (here the color) are not changed."
 #[test]
 fn floors_are_set_back_from_the_initial_shape() {

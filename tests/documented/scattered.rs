@@ -101,3 +101,40 @@ fn points_draw_their_own_numbers() {
     assert!((1..4).all(|at| !places[..at].contains(&places[at])));
     assert_eq!(model.reported("draw").map(|it| it.summary().count), Some(4));
 }
+
+/// Rules with findings of the codes `no_faces` and `selector_hidden`: the run makes nothing there either.
+#[test]
+fn points_have_vertices_alone_and_faces_of_footprints_look_up() {
+    cga! { grammar Found = r#"
+        @Allow(no_faces)
+        @StartRule
+        Points --> scatter(surface, 3, uniform) { Parts s(1, 2, 3) Parts comp(v) { all : primitiveCube() Vertex. } }
+        @Allow(no_faces)
+        Parts -->
+            comp(f) { all : A. } comp(e) { all : A. } comp(fe) { all : A. } comp(h) { all : A. }
+            setback(0.1) { all : A. | remainder : A. } shapeO(1, 1, 1, 1) { shape : A. | remainder : A. }
+            innerRectangle(scope) { shape : A. | remainder : A. }
+            splitAndSetbackPerimeter(0) { 1 : 1 : A. }* { remainder : A. }
+        @Allow(selector_hidden)
+        @StartRule
+        Ground --> footprint() comp(f) { side : A. | bottom : A. | nutant : A. | aslant : A. | top : Top. } NIL
+        @Allow(too_many_pieces)
+        @StartRule
+        Many --> splitAndSetbackPerimeter(0) { '0.00199 : 1 : A. }* { remainder : Rest. }
+    "#; }
+    let rules = |rule: &str, shape: &Shape| {
+        let model = Found::default().generate_from(rule, shape).expect("no limit");
+        let mut rules: Vec<&str> = model.leaves().map(|leaf| leaf.rule()).collect();
+        rules.dedup();
+        (rules.join(" "), model.len(), model.faults().len())
+    };
+    for shape in
+        [Shape::cuboid(4.0, 5.0, 6.0), Shape::rectangle(8.0, 9.0), Shape::cuboid(4.0, 5.0, 6.0).held_as_meshes()]
+    {
+        assert_eq!(rules("Points", &shape), ("Vertex".into(), 3, 0));
+        assert_eq!(rules("Ground", &shape), ("Top".into(), 1, 0));
+    }
+    let lot = Shape::rectangle(90.0, 80.0);
+    // More than 500 sections make none.
+    assert_eq!(rules("Many", &lot), ("Rest".into(), 1, 1));
+}

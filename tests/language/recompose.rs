@@ -391,3 +391,17 @@ fn many_parts_take_little_time() {
     };
     assert_eq!([run(25.0), run(50.0), run(100.0)], [26 * 26, 51 * 51, 101 * 101]);
 }
+
+#[test]
+fn shapes_that_would_be_too_high_stay_flat() {
+    cga! { grammar High = r#"
+        attr height = 0
+        Lot --> extrude(height) modify(f) { top : s('0.5, '0.5, '1) center(xy) X. } X.
+    "#; }
+    for height in [1e300, -1e300, 1e150] {
+        let model = High { height }.generate(&Shape::rectangle(2.0, 4.0)).expect("a model");
+        let faults: Vec<&str> = model.faults().iter().map(|fault| fault.message.as_str()).collect();
+        assert_eq!(faults, ["`extrude` overflows; the shape stays as it is"]);
+        assert_eq!(model.area(), 2.0);
+    }
+}

@@ -61,6 +61,21 @@ fn numbers_without_meaning_leave_faults_and_finite_coordinates() {
     assert!(wrong.is_empty(), "{wrong:?}");
 }
 
+#[test]
+fn a_length_without_meaning_leaves_one_fault() {
+    cga! {
+        grammar Moved;
+        attr x = 0
+        Lot --> comp(f) { front : setupProjection(0, scope.xy, 1, 1) projectUV(0) Wall }
+        Wall --> t(x, 1, 0) X.
+    }
+    for shape in [Shape::cuboid(10.0, 8.0, 3.0), Shape::cuboid(10.0, 8.0, 3.0).held_as_meshes()] {
+        let model = Moved { x: f64::NAN }.generate(&shape).expect("no limit");
+        let faults: Vec<&str> = model.faults().iter().map(|fault| fault.message.as_str()).collect();
+        assert_eq!(faults, ["`t` along x is NaN; 0 is used instead"]);
+    }
+}
+
 cga! {
     /// Parts of equal size below bases that differ.
     grammar Bases;

@@ -23,7 +23,7 @@ use crate::syntax::walk::ops;
 
 pub(crate) use evaluator::{Attrs, Evaluator};
 pub(crate) use facts::AbstractState;
-pub(crate) use shape::Face;
+pub(crate) use shape::{Face, Filling};
 pub(crate) use slots::{MARGIN, Once, SizeSum, Slot, Slots};
 pub(crate) use uvs::UvSets;
 pub(crate) use value::Value;

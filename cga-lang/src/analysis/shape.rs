@@ -1,7 +1,7 @@
 //! The abstract shape: sizes, filling and trim planes.
 
 use super::interval::Interval;
-use crate::ops::{Directions, Selector};
+use crate::ops::{Directions, MOST_SIZE, Selector};
 use crate::span::Span;
 
 /// The tolerance of bounding boxes of parts of meshes, in metres and relative: points far from the origin are rounded. It
@@ -15,6 +15,10 @@ pub(crate) enum Filling {
     Box,
     /// A rectangle normal to the z axis.
     Sheet,
+    /// Faces that look along the y axis, unless the geometry has no footprint.
+    Footprint,
+    /// A point.
+    Point,
     /// Any geometry.
     Unknown,
 }
@@ -57,6 +61,12 @@ impl Shape {
     /// The shape with an unknown scope.
     pub(super) fn moved_on(&self) -> Shape {
         Shape { trimmed: self.trimmed, ..Shape::ANY }
+    }
+
+    /// A point without extent.
+    pub(super) fn point(&self, from: Span) -> Shape {
+        let (size, since) = ([Interval::ZERO; 3], [Some(from); 3]);
+        Shape { size, since, filling: Filling::Point, trimmed: self.trimmed, is_face: false }
     }
 
     /// A face from a comp. A face that is not planar has a depth.
@@ -128,6 +138,7 @@ impl Shape {
         let filling = match self.filling {
             Filling::Box if size.iter().all(|size| size.hi < 0.0 || 0.0 < size.lo) => Filling::Box,
             Filling::Sheet if size[2] == Interval::ZERO && 0.0 < size[0].lo && 0.0 < size[1].lo => Filling::Sheet,
+            Filling::Point => Filling::Point,
             _ => Filling::Unknown,
         };
         Shape { size, since, filling, is_face: self.is_face && kept[2], ..*self }
@@ -147,7 +158,9 @@ impl Shape {
         if distance.known() == Some(0.0) {
             return *self;
         }
-        if distance.is_odd() || distance.lo <= 0.0 && 0.0 <= distance.hi {
+        // A shape that would be too high stays as it is.
+        let may_stay = distance.lo <= 0.0 && 0.0 <= distance.hi || MOST_SIZE < distance.abs().hi;
+        if distance.is_odd() || may_stay {
             return self.moved_on();
         }
         let since = [self.since[0], Some(by), self.since[1]];
@@ -171,7 +184,7 @@ impl Shape {
         let fills = match self.filling {
             Filling::Box => true,
             Filling::Sheet => axis != 2,
-            Filling::Unknown => !adjust,
+            Filling::Footprint | Filling::Point | Filling::Unknown => !adjust,
         };
         if !fills {
             return self.shrunk(axis, length, by);

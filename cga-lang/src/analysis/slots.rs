@@ -1,9 +1,9 @@
-//! The abstract sizes of a split, and its solution where all sizes are known.
+//! The abstract sizes of a split or of sections, and the solution where all sizes are known.
 
 use super::facts::AbstractState;
 use super::interval::Interval;
 use crate::span::Span;
-use crate::syntax::ast::{Arg, Block, Op, Prefix, SplitItem};
+use crate::syntax::ast::{Arg, Block, Expr, Op, Prefix, Section, SplitItem};
 use cga_split::{Item, Piece, Solution, solve};
 
 /// The largest number of pieces that are laid out.
@@ -29,6 +29,8 @@ pub(crate) struct Slot<'a> {
     pub(crate) value: Interval,
     /// The innermost group with `*` around it, by number; 0 is the whole split.
     pub(crate) group: Option<usize>,
+    /// The depth of a section, and its value as a run takes it.
+    pub(crate) depth: Option<(&'a Expr, Interval)>,
 }
 
 /// A group with `*`.
@@ -39,10 +41,11 @@ pub(crate) struct Repeated {
     pub(crate) span: Span,
 }
 
-/// The slots of a split along an axis, in writing order.
+/// The slots of a split along an axis, or the sections of a boundary, in writing order.
 pub(crate) struct Slots<'a> {
     pub(crate) split: &'a Block,
-    pub(crate) axis: usize,
+    /// The axis of a split. Sections have none.
+    pub(crate) axis: Option<usize>,
     pub(crate) extent: Interval,
     pub(crate) list: Vec<Slot<'a>>,
     pub(crate) groups: Vec<Repeated>,
@@ -96,6 +99,11 @@ impl Slot<'_> {
     pub(crate) fn is_nothing(&self) -> bool {
         self.value.hi <= 0.0
     }
+
+    /// Returns true for a section that is never set back. It takes space all the same.
+    pub(crate) fn has_no_depth(&self) -> bool {
+        self.depth.is_some_and(|(_, depth)| depth.hi <= 0.0)
+    }
 }
 
 /// The pieces of a solution, unless they are too many to be laid out.
@@ -127,18 +135,39 @@ impl<'a> Slots<'a> {
         facts: &AbstractState,
         value: impl Fn(&Arg) -> Interval,
     ) -> Slots<'a> {
-        let extent = facts.shape.extent(axis);
-        let (list, groups, pattern) = (Vec::new(), Vec::new(), Vec::new());
-        let (before, most, fixed) = (Vec::new(), Vec::new(), SizeSum::default());
-        let mut slots =
-            Slots { split, axis, extent, list, groups, pattern, before, most, fixed, all_fixed: false, pieces: None };
+        let mut slots = Slots::empty(split, Some(axis), facts.shape.extent(axis));
         slots.items(items, repeat, None, &value);
         slots.add_up();
-        slots.pieces = slots.solved();
         slots
     }
 
-    /// Adds up the space of the slots in order. Slots of a group count for slots of the same group alone, as a group may have
+    /// Reads the sections of a boundary, whose length is unknown. `value` evaluates a length, `depth` a depth.
+    pub(super) fn of_sections(
+        split: &'a Block,
+        (sections, repeat): (&'a [Section], bool),
+        value: impl Fn(&Arg) -> Interval,
+        depth: impl Fn(&Expr) -> Interval,
+    ) -> Slots<'a> {
+        let mut slots = Slots::empty(split, None, Interval::EXTENT);
+        let group = repeat.then(|| slots.begin_group());
+        for Section { length, depth: own, ops } in sections {
+            slots.slot(length, ops, group, &value);
+            slots.list.last_mut().expect("a section").depth = Some((own, depth(own).taken()));
+        }
+        if let Some(group) = group {
+            slots.end_group(group, 0);
+        }
+        slots.add_up();
+        slots
+    }
+
+    fn empty(split: &'a Block, axis: Option<usize>, extent: Interval) -> Slots<'a> {
+        let (list, groups, pattern) = (Vec::new(), Vec::new(), Vec::new());
+        let (before, most, fixed) = (Vec::new(), Vec::new(), SizeSum::default());
+        Slots { split, axis, extent, list, groups, pattern, before, most, fixed, all_fixed: false, pieces: None }
+    }
+
+    /// Adds up the space of the slots in order, and solves the pattern. Slots of a group count for slots of the same group alone, as a group may have
     /// no repetition. Floating slots count as zero.
     fn add_up(&mut self) {
         let (mut outer, mut inner) = (SizeSum::default(), vec![SizeSum::default(); self.groups.len()]);
@@ -154,6 +183,7 @@ impl<'a> Slots<'a> {
         }
         self.fixed = outer;
         self.all_fixed = self.list.iter().all(|slot| !slot.floats() && slot.group.is_none());
+        self.pieces = self.solved();
     }
 
     fn items(
@@ -163,30 +193,41 @@ impl<'a> Slots<'a> {
         around: Option<usize>,
         value: &impl Fn(&Arg) -> Interval,
     ) {
-        let (start, first) = (self.pattern.len(), self.list.len());
-        let mut group = around;
-        if repeat {
-            self.pattern.push(Item::Repeat(0));
-            group = Some(self.groups.len());
-            self.groups.push(Repeated { slots: first..first, span: self.split.name.span });
-        }
+        let start = self.pattern.len();
+        let own = repeat.then(|| self.begin_group());
+        let group = own.or(around);
         for item in items {
             match item {
-                SplitItem::Slot(size, ops) => {
-                    self.pattern.push(Item::Slot);
-                    self.list.push(Slot { size, ops, value: value(size).taken(), group });
-                }
+                SplitItem::Slot(size, ops) => self.slot(size, ops, group, value),
                 SplitItem::Group(items, repeat) => self.items(items, *repeat, group, value),
             }
         }
-        if let Some(own) = group.filter(|_| repeat) {
-            self.pattern[start] = Item::Repeat((self.pattern.len() - start - 1) as u32);
-            let slots = first..self.list.len();
-            if let [first, .., last] | [first @ last] = &self.list[slots.clone()] {
-                self.groups[own].span = first.size.span.to(last.ops.last().map_or(last.size.span, |op| op.span));
-            }
-            self.groups[own].slots = slots;
+        if let Some(own) = own {
+            self.end_group(own, start);
         }
+    }
+
+    fn slot(&mut self, size: &'a Arg, ops: &'a [Op], group: Option<usize>, value: &impl Fn(&Arg) -> Interval) {
+        self.pattern.push(Item::Slot);
+        self.list.push(Slot { size, ops, value: value(size).taken(), group, depth: None });
+    }
+
+    /// Begins a group with `*`. Returns its number.
+    fn begin_group(&mut self) -> usize {
+        self.pattern.push(Item::Repeat(0));
+        let first = self.list.len();
+        self.groups.push(Repeated { slots: first..first, span: self.split.name.span });
+        self.groups.len() - 1
+    }
+
+    /// Ends a group that began at `start` in the pattern.
+    fn end_group(&mut self, group: usize, start: usize) {
+        self.pattern[start] = Item::Repeat((self.pattern.len() - start - 1) as u32);
+        let slots = self.groups[group].slots.start..self.list.len();
+        if let [first, .., last] | [first @ last] = &self.list[slots.clone()] {
+            self.groups[group].span = first.size.span.to(last.ops.last().map_or(last.size.span, |op| op.span));
+        }
+        self.groups[group].slots = slots;
     }
 
     /// The pieces, if the extent and all sizes are known.

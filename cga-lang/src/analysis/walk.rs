@@ -15,6 +15,10 @@ use crate::syntax::ast::{Arg, Arm, ArmMode, Block, BlockPart, Expr, ExprKind, Na
 pub(crate) enum Site<'s, 'a> {
     /// A split along an axis of the scope.
     Split(&'s Slots<'a>),
+    /// The sections of a boundary.
+    Sections(&'s Slots<'a>),
+    /// An operation that divides the faces, edges or other components of the shape.
+    Components(&'static Operation, &'a Block),
     /// A split along an axis of a uv set, with the number of the set if it is known and valid.
     TextureSplit(&'a Block, Option<u32>),
     /// A condition of a `case`, after the earlier conditions have failed.
@@ -201,23 +205,42 @@ impl<'w> Walk<'w> {
         let on_edges = row.is_some_and(|row| row.params.iter().any(|param| param.kind == ParamKind::PerEdge));
         let here = if on_edges { any() } else { facts.clone() };
         self.meet_args(&block.args, &here, visit);
-        row.into_iter().for_each(|row| visit.meet(&Site::Operation(row, &block.args), &here));
+        if let Some(row) = row {
+            visit.meet(&Site::Operation(row, &block.args), &here);
+            if matches!(row.braces, Braces::Arms(_) | Braces::Sections | Braces::Components | Braces::Modified) {
+                visit.meet(&Site::Components(row, block), facts);
+            }
+        }
         for part in &block.parts {
             match part {
                 BlockPart::Slots(items, repeat) => self.slots(block, row, (items, *repeat), facts, visit),
                 BlockPart::Arms(arms) => {
                     arms.iter().for_each(|arm| self.arm(arm, block, row, facts, visit));
                 }
-                BlockPart::Sections(list, _) => {
+                BlockPart::Sections(list, repeat) => {
                     for section in list {
                         visit.meet(&Site::Value(&section.length.value), facts);
                         visit.meet(&Site::Value(&section.depth), &any());
-                        self.steps(&section.ops, any(), visit);
+                    }
+                    let length = |length: &Arg| self.value(&length.value, facts).number();
+                    let depth = |depth: &Expr| self.value(depth, &any()).number();
+                    let slots = Slots::of_sections(block, (list, *repeat), length, depth);
+                    visit.meet(&Site::Sections(&slots), facts);
+                    for (index, slot) in slots.list.iter().enumerate() {
+                        if !slots.is_never(index) && !slot.has_no_depth() {
+                            self.steps(slot.ops, any(), visit);
+                        }
                     }
                 }
                 BlockPart::Ops(list) => {
-                    let is_made = row.is_none_or(|row| row.braces == Braces::Ops);
-                    let part = || if is_made { any() } else { facts.clone() };
+                    let part = || match row {
+                        None => any(),
+                        Some(row) if row.braces == Braces::Ops => {
+                            let point = facts.shape.point(block.name.span);
+                            AbstractState { asset: None, ..facts.on(point) }
+                        }
+                        Some(_) => facts.clone(),
+                    };
                     list.iter().for_each(|ops| _ = self.steps(ops, part(), visit));
                 }
             }
@@ -242,10 +265,10 @@ impl<'w> Walk<'w> {
                 // Parts shrink to their geometry, which a word can turn off (*split operation*).
                 let adjusts = row.is_none_or(|row| block.is_plain(row));
                 self.items(items, &mut 0, facts, visit, &|index| {
-                    if facts.shape.is_flat(slots.axis) || slots.is_never(index) {
+                    if facts.shape.is_flat(axis as usize) || slots.is_never(index) {
                         return None;
                     }
-                    Some(facts.shape.part(slots.axis, slots.length(index), adjusts, block.name.span))
+                    Some(facts.shape.part(axis as usize, slots.length(index), adjusts, block.name.span))
                 });
             }
             Some(Braces::Slots(Measure::Texture)) => {
@@ -330,6 +353,7 @@ impl<'w> Walk<'w> {
                 [Arg { prefix: None, value, .. }] => shape.extruded(self.value(value, facts).number(), span),
                 _ => shape.moved_on(),
             },
+            Effect::Flattens => shape.moved_on().filled(Filling::Footprint),
             Effect::Any | Effect::MovesScope | Effect::FillsWithBox | Effect::Fills => shape.moved_on(),
         }
     }

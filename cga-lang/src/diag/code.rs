@@ -82,7 +82,7 @@ codes! {
     TypeMismatch "type_mismatch" Error "A value of the wrong type.",
     OutOfRange "out_of_range" Error "An argument outside the values that CGA documents.",
     // Sizes.
-    SizeNotPositive "size_not_positive" Warning "A slot whose size is never positive.",
+    SizeNotPositive "size_not_positive" Warning "A slot whose size, or a section whose depth, is never positive.",
     SlotNeverMade "slot_never_made" Warning "A slot for which earlier sizes never leave room.",
     FloatWithoutSpace "float_without_space" Warning "A floating slot for which the other sizes never leave room.",
     SlotAlwaysCut "slot_always_cut" Warning "A slot that always reaches beyond the end of the scope.",
@@ -100,8 +100,9 @@ codes! {
     RuleNotReached "rule_not_reached" Warning "A rule that no run can reach.",
     EndlessRules "endless_rules" Error "Recursive rules without a path that ends.",
     OnlyChanceEnds "only_chance_ends" Warning "Recursive rules that only chance ends.",
-    SelectorHidden "selector_hidden" Warning "A selector that never matches: earlier selectors take all components, or no component has that index.",
+    SelectorHidden "selector_hidden" Warning "A selector that never matches: earlier selectors take all components, none has that index, or none faces that way.",
     NoEffect "no_effect" Warning "Operations whose result is never used.",
+    NoFaces "no_faces" Warning "An operation on faces or edges of a point.",
     // Declarations without a use.
     UnusedAttribute "unused_attribute" Warning "An attribute that is never read.",
     UnusedConstant "unused_constant" Warning "A constant that is never read.",

@@ -33,7 +33,7 @@ pub(crate) fn check(cx: &Context, calls: &Calls, certain: &[Diag]) -> Vec<Diag> 
         }
         agreed.check(item, |diags| {
             flow.visit(&cx.globals, rule, &mut |site, facts| {
-                let Site::Split(slots) = site else { return };
+                let (Site::Split(slots) | Site::Sections(slots)) = site else { return };
                 let mut found = Diags::new();
                 size::check(slots, facts, &cx.tables, &mut found);
                 repeat::check(slots, &mut found);

@@ -8,6 +8,7 @@ mod branches;
 mod colour;
 mod defaults;
 mod ends;
+mod faces;
 mod hidden;
 pub(crate) mod levels;
 mod numbers;
@@ -47,7 +48,7 @@ pub(crate) fn check(cx: &mut Context) {
             values.visit(&cx.globals, rule, &mut |site, facts| {
                 assets::check(site, facts, cx, diags);
                 match site {
-                    Site::Split(_) | Site::TextureSplit(..) => {}
+                    Site::Split(_) | Site::Sections(_) | Site::Components(..) | Site::TextureSplit(..) => {}
                     Site::Condition(turn) => branches::check(turn, facts, &values, cx, diags),
                     Site::Value(value) => arithmetic::check(value, facts, &values, cx, diags),
                     Site::Operation(row, args) => {
@@ -111,6 +112,12 @@ fn divisions(rule: usize, flow: &DataFlow, projected: Projected, cx: &Context) -
             size::check(slots, facts, &cx.tables, &mut diags);
             repeat::check(slots, &mut diags);
         }
+        Site::Sections(slots) => {
+            size::check(slots, facts, &cx.tables, &mut diags);
+            size::depths(slots, facts, &cx.tables, &mut diags);
+            repeat::check(slots, &mut diags);
+        }
+        Site::Components(row, block) => faces::check(row, block, facts, &cx.tables, &mut diags),
         Site::TextureSplit(split, Some(set)) => texture::check(split, *set, projected, facts, &mut diags),
         _ => {}
     });

@@ -1,10 +1,11 @@
 //! Repeats without progress, with too many pieces, with one repetition or with a sliver.
 
 use super::numbers::{about, shown};
-use super::size::axis;
+use super::size::{Terms, axis, terms};
 use crate::analysis::{MARGIN, Once, Slots};
 use crate::diag::Diags;
 use crate::diag::code::Code;
+use crate::ops::MOST_SECTIONS;
 
 /// The maximum number of shapes of a run, unless the host program sets another limit.
 pub(crate) const MOST_SHAPES: f64 = 1e7;
@@ -13,6 +14,8 @@ pub(crate) const MOST_SHAPES: f64 = 1e7;
 const SLIVER: f64 = 0.1;
 
 pub(crate) fn check(slots: &Slots, diags: &mut Diags) {
+    let Terms { slot, size, whole } = terms(slots);
+    let most = if slots.axis.is_some() { MOST_SHAPES } else { MOST_SECTIONS };
     for (number, group) in slots.groups.iter().enumerate() {
         if group.slots.is_empty() {
             continue;
@@ -24,31 +27,40 @@ pub(crate) fn check(slots: &Slots, diags: &mut Diags) {
             if outer.into_iter().any(|(outer, _)| slots.makes_nothing(outer)) {
                 continue;
             }
-            let message = "this repeat makes no progress: none of its sizes is positive";
+            let message = format!("this repeat makes no progress: none of its {size}s is positive");
             let span = if group.slots.len() == 1 { first } else { group.span };
-            diags.report(Code::RepeatNoProgress, span, message).help("give one of its slots a positive size");
-        } else if let Some(count) = slots.at_least(number).filter(|count| MOST_SHAPES < *count) {
-            let message = format!("this repeat makes about {} million pieces", (count * 1e-6).round());
-            let diag = diags.report(Code::TooManyPieces, first, message);
-            let most = MOST_SHAPES * 1e-6;
-            diag.note(format!("a run ends at {most} million shapes, unless the host program sets another limit"));
+            diags
+                .report(Code::RepeatNoProgress, span, message)
+                .help(format!("give one of its {slot}s a positive {size}"));
+        } else if let Some(count) = slots.at_least(number).filter(|count| most < *count) {
+            let (message, note) = match slots.axis {
+                Some(_) => (
+                    format!("this repeat makes about {} million pieces", (count * 1e-6).round()),
+                    format!("a run ends at {} million shapes, unless the host program sets another limit", most * 1e-6),
+                ),
+                None => (
+                    format!("this repeat makes about {} sections", count.round()),
+                    format!("a pattern of more than {most} sections makes none"),
+                ),
+            };
+            diags.report(Code::TooManyPieces, first, message).note(note);
         } else if let Some(why) = slots.once(number) {
             let diag = diags.report(Code::RepeatOnce, first, "this always repeats only once");
-            diag.note(reason(&why, slots)).help("leave out the `*`, or make the sizes smaller");
+            diag.note(reason(&why, slots)).help(format!("leave out the `*`, or make the {size}s smaller"));
         } else if let Some((share, own)) = sliver(slots) {
-            let message = format!("the last piece is a sliver: {} of the scope", shown(share));
+            let message = format!("the last piece is a sliver: {} of the {whole}", shown(share));
             let diag = diags.report(Code::RepeatSliver, first, message);
-            diag.note(format!("its size is {}, but no more space is left along {}", shown(own), axis(slots)));
-            diag.help("put `~` before the size: then the repeats fill the scope evenly");
+            diag.note(format!("its {size} is {}, but no more space is left along {}", shown(own), axis(slots)));
+            diag.help(format!("put `~` before the {size}: then the repeats fill the {whole} evenly"));
         }
     }
 }
 
 /// The note about the reason why a group repeats once.
 fn reason(once: &Once, slots: &Slots) -> String {
-    let axis = axis(slots);
+    let (axis, Terms { size, whole, .. }) = (axis(slots), terms(slots));
     match *once {
-        Once::Shares(sum) => format!("its sizes add up to {} of the scope", shown(sum)),
+        Once::Shares(sum) => format!("its {size}s add up to {} of the {whole}", shown(sum)),
         Once::Metres { sum, most } => {
             format!("its sizes add up to {}, and the scope has {} at most along {axis}", shown(sum), about(most))
         }

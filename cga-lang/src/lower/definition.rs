@@ -15,13 +15,17 @@ pub(super) struct Variant<T> {
 /// An attribute, a constant, a function or a rule.
 pub(super) trait Definition: Clone {
     /// The parameters, then the locals.
-    fn params(&self) -> &[Param];
+    fn params(&self) -> &[Param] {
+        &[]
+    }
 
     /// The values of the locals, then its own value.
     fn values(&mut self) -> Vec<&mut Expr>;
 
     /// The steps of a rule.
-    fn steps(&mut self) -> &mut [Step];
+    fn steps(&mut self) -> &mut [Step] {
+        &mut []
+    }
 
     /// One definition for all variants.
     fn merged(variants: Vec<Variant<Self>>, when: CaseCondition) -> Self;

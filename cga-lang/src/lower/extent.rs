@@ -132,9 +132,12 @@ fn after(step: &Step, known: KnownExtents) -> KnownExtents {
             Effect::Sizes => known.resize(args),
             Effect::FillsWithBox if known.has_room() => KnownExtents { solid: !known.trimmed, ..known },
             Effect::Fills if known.has_room() => KnownExtents { solid: false, ..known },
-            Effect::Any | Effect::MovesScope | Effect::Extrudes | Effect::FillsWithBox | Effect::Fills => {
-                known.moved_on()
-            }
+            Effect::Any
+            | Effect::MovesScope
+            | Effect::Extrudes
+            | Effect::Flattens
+            | Effect::FillsWithBox
+            | Effect::Fills => known.moved_on(),
         },
         Step::SetShape(row, ..) if row.set_scope != Effect::Keeps => known.moved_on(),
         Step::Rust(..) => NOTHING,

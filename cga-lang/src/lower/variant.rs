@@ -41,16 +41,8 @@ fn first<T: Clone>(variants: &[Variant<T>]) -> T {
 }
 
 impl Definition for Global {
-    fn params(&self) -> &[Param] {
-        &[]
-    }
-
     fn values(&mut self) -> Vec<&mut Expr> {
         vec![&mut self.value]
-    }
-
-    fn steps(&mut self) -> &mut [Step] {
-        &mut []
     }
 
     fn merged(variants: Vec<Variant<Global>>, when: CaseCondition) -> Global {
@@ -69,10 +61,6 @@ impl Definition for Function {
 
     fn values(&mut self) -> Vec<&mut Expr> {
         self.locals.iter_mut().chain([&mut self.body]).collect()
-    }
-
-    fn steps(&mut self) -> &mut [Step] {
-        &mut []
     }
 
     fn merged(mut variants: Vec<Variant<Function>>, when: CaseCondition) -> Function {

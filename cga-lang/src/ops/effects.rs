@@ -3,6 +3,9 @@
 /// The maximum size of a scope in metres. Operations do not set a larger one (*s operation* of the runtime).
 pub(crate) const MOST_SIZE: f64 = 1e149;
 
+/// The limit on sections (*splitAndSetbackPerimeter operation* of the runtime). A pattern with more makes none.
+pub(crate) const MOST_SECTIONS: f64 = 500.0;
+
 /// The effect on the scope and on the geometry in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effect {
@@ -18,6 +21,8 @@ pub enum Effect {
     Sizes,
     /// A rectangle becomes a box with the given height: `extrude`.
     Extrudes,
+    /// Faces that look along the scope's y axis replace the geometry, if it has a footprint.
+    Flattens,
     /// A box replaces the geometry and fills the scope, if the scope has a size along all axes.
     FillsWithBox,
     /// Another geometry replaces the geometry and fills the scope, under the same condition.

@@ -8,6 +8,14 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use super::access::Access;
 use super::{Generator, hygienic, local, site, templates};
 
+/// The properties of a part that its successor reads.
+struct SlotNeeds {
+    /// True if it draws random numbers.
+    draws: bool,
+    /// True if it reads `split.index` or `split.total`.
+    counts: bool,
+}
+
 impl Generator<'_> {
     /// An expression that divides the shape and is true if there was a piece. `number` counts the children that the rule makes.
     pub(super) fn split(&self, block: &Block, slots: &Slots, rule: RuleId, number: u32) -> TokenStream {
@@ -28,7 +36,7 @@ impl Generator<'_> {
         }
         let items = items(&slots.pattern);
         let successors = slots.targets.iter().map(|target| self.successor(target, rule));
-        let has_total = slots.targets.iter().any(|target| self.facts.target(target).has(Uses::TOTAL));
+        let has_total = self.has_total(slots);
         let (last, visit) = self.visit(slots, rule, &axis);
         let sizes = self.sizes(slots);
         let count = slots.sizes.len();
@@ -80,11 +88,21 @@ impl Generator<'_> {
                 code!(cga_rt::Successor::Leaf(#name))
             }
             Target::Rule { .. } => {
-                let uses = self.facts.target(target);
-                let (draws, counts) = (uses.has(Uses::DRAWS), !uses.counters().is_none());
+                let SlotNeeds { draws, counts } = self.needs(target);
                 code!(cga_rt::Successor::Rule { draws: #draws, counts: #counts })
             }
         }
+    }
+
+    /// The properties of a part that its successor reads.
+    fn needs(&self, target: &Target) -> SlotNeeds {
+        let uses = self.facts.target(target);
+        SlotNeeds { draws: uses.has(Uses::DRAWS), counts: !uses.counters().is_none() }
+    }
+
+    /// Returns true if a successor reads `split.total`.
+    fn has_total(&self, slots: &Slots) -> bool {
+        slots.targets.iter().any(|target| self.facts.target(target).has(Uses::TOTAL))
     }
 
     /// The function that calls the rule of a slot, with the variables that it needs.
@@ -140,8 +158,7 @@ impl Generator<'_> {
     ) -> TokenStream {
         let count = slots.sizes.len();
         let (items, sizes) = (items(&slots.pattern), self.sizes(slots));
-        let is_counted = slots.targets.iter().any(|target| self.facts.target(target).has(Uses::TOTAL));
-        let total = if is_counted { code!(cga_rt::Row::total(&pieces)) } else { code!(0) };
+        let total = if self.has_total(slots) { code!(cga_rt::Row::total(&pieces)) } else { code!(0) };
         let statements = slots.targets.iter().enumerate().map(|(slot, target)| {
             let slot = Literal::usize_unsuffixed(slot);
             match target {
@@ -151,8 +168,7 @@ impl Generator<'_> {
                     code!(division.leaf(cx, row.slot(#slot), #axis, #name)?;)
                 }
                 Target::Nil | Target::Rule { .. } => {
-                    let (uses, code) = (self.facts.target(target), self.part(target, rule));
-                    let (draws, counts) = (uses.has(Uses::DRAWS), !uses.counters().is_none());
+                    let (SlotNeeds { draws, counts }, code) = (self.needs(target), self.part(target, rule));
                     code! {
                         let slot = cga_rt::Slot { number: #slot, in_group: false, draws: #draws, counts: #counts };
                         if let ::core::option::Option::Some(part) = division.part(row.slot(#slot), #axis, slot) {

@@ -1,6 +1,7 @@
 //! Geometry: meshes and operations on them. This module does not know shapes, rules or sinks.
 
 pub(crate) mod buckets;
+pub(crate) mod convexify;
 pub mod cut;
 pub(crate) mod disjoint;
 pub(crate) mod envelope;
@@ -13,6 +14,8 @@ pub mod mesh;
 mod nesting;
 pub(crate) mod overlay;
 pub(crate) mod provenance;
+#[cfg(test)]
+pub(crate) mod random;
 pub(crate) mod recompose;
 pub(crate) mod roof;
 pub(crate) mod rotation;

@@ -102,7 +102,6 @@ impl SetMask {
     }
 
     /// The sets, in order.
-    #[cfg(feature = "gltf")]
     pub(crate) fn sets(self) -> impl Iterator<Item = usize> {
         (0..Layer::ALL.len()).filter(move |&set| self.has(set))
     }

@@ -53,22 +53,29 @@ pub fn extrude_along(env: &mut Env, shape: &mut Shape, along: ExtrudeAlong, dist
     if distance == 0.0 && along != ExtrudeAlong::WorldUpFlatTop {
         return;
     }
+    let grown = match shape.geometry {
+        Geometry::Rect(axis, unit) if straight(&shape.scope, axis, along) => {
+            Some((raised(&shape.scope, axis, distance), Geometry::Box(unit.grown(axis))))
+        }
+        _ => None,
+    };
+    if grown.as_ref().is_some_and(|(scope, _)| !scope.is_bounded()) {
+        return leads_beyond(env, "`extrude`");
+    }
     if !shape.state.coordinates().is_empty() {
         match [Axis::X, Axis::Y, Axis::Z].into_iter().find(|axis| straight(&shape.scope, *axis, along)) {
             Some(axis) => shape.raise_coordinates(axis),
             None => shape.bake(),
         }
     }
-    match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex => {}
-        Geometry::Rect(axis, unit) if straight(&shape.scope, *axis, along) => {
+    match (&shape.geometry, grown) {
+        (Geometry::Empty | Geometry::Vertex, _) => {}
+        (_, Some(grown)) => {
             if distance != 0.0 {
-                let unit = unit.grown(*axis);
-                shape.scope = raised(&shape.scope, *axis, distance);
-                shape.geometry = Geometry::Box(unit);
+                (shape.scope, shape.geometry) = grown;
             }
         }
-        _ => {
+        (_, None) => {
             let up = shape.scope.axes.transpose() * DVec3::Y;
             let how = match along {
                 ExtrudeAlong::FaceNormal => Extrude::FaceNormal,
@@ -302,6 +309,18 @@ mod tests {
                 assert!(shape.scope.size.is_finite() && shape.scope.origin.is_finite());
                 assert!(shape.to_mesh().points().iter().all(|p| p.is_finite()));
             }
+        }
+    }
+
+    #[test]
+    fn rectangles_that_would_be_too_high_stay_with_a_fault() {
+        for distance in [1e150, -1e150, 1e300, -1e300] {
+            let (env, mut shape) = (&mut Env::for_tests(), Shape::rectangle(3.0, 4.0));
+            extrude(env, &mut shape, Length::Absolute(distance));
+            assert_eq!((shape.scope.size, shape.to_mesh().area()), (DVec3::new(3.0, 0.0, 4.0), 12.0), "{distance}");
+            assert_eq!(env.take_faults().0.len(), 1, "{distance}");
+            extrude(env, &mut shape, Length::Absolute(1e149_f64.copysign(distance)));
+            assert!(shape.to_mesh().area().is_finite() && env.take_faults().0.is_empty());
         }
     }
 

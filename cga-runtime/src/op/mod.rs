@@ -7,6 +7,7 @@ mod align;
 mod align_box;
 mod align_geometry;
 mod along_uv;
+mod convexify;
 mod coordinates;
 mod delete_holes;
 mod delete_tags;
@@ -57,6 +58,7 @@ pub use align_geometry::{
     align_to_indices, align_to_selected,
 };
 pub use along_uv::{insert_along_uv, insert_along_uv_with};
+pub use convexify::{convexify, convexify_within};
 pub use coordinates::{System, TransformMode, rotate_in, translate_in};
 pub use delete_holes::delete_holes;
 pub use delete_tags::{delete_tags, delete_tags_of};

@@ -28,11 +28,12 @@ pub fn translate<'s, 'b>(
 ) -> &'s ShapeRef<'b> {
     let shape = own.insert(shape.clone());
     let size = shape.size.get();
-    let by = lengths(env, "`t`", [x, y, z], size);
-    if shape.has_coordinates() && !shape.keeps_coordinates(by) {
+    let moves_coordinates = || !shape.keeps_coordinates(DVec3::new(x.plain(size.x), y.plain(size.y), z.plain(size.z)));
+    if shape.has_coordinates() && moves_coordinates() {
         *shape = whole(env, shape, bases, |env, shape| super::translate(env, shape, x, y, z));
         return shape;
     }
+    let by = lengths(env, "`t`", [x, y, z], size);
     let origin = shape.origin() + shape.axes.matrix * by;
     if settle_origin(env, origin, "`t`") {
         shape.origin.set(origin.extend(0.0));

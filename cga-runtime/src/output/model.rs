@@ -4,7 +4,7 @@
 //! takes about 140 bytes if its geometry follows from its scope, as for most leaves. Other geometry is stored in
 //! addition.
 
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
@@ -21,6 +21,7 @@ use crate::output::stats::Stats;
 use crate::output::texture::leaf_uvs::LeafUvs;
 use crate::run::report::Report;
 use crate::run::report::{Collection, Print, Reports};
+use crate::run::settings::Limits;
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink, cuboid_mesh, quad_mesh};
 use crate::shape::base::Form;
 use crate::shape::place;
@@ -212,6 +213,52 @@ impl<'a> LeafView<'a> {
     }
 }
 
+/// The leaves of a model, in the order of the run.
+#[derive(Clone, Debug)]
+pub struct Leaves<'a> {
+    model: &'a Model,
+    numbers: Range<usize>,
+}
+
+impl<'a> Leaves<'a> {
+    fn view(&self, number: usize) -> LeafView<'a> {
+        LeafView { model: self.model, record: &self.model.records[number], number }
+    }
+}
+
+impl<'a> Iterator for Leaves<'a> {
+    type Item = LeafView<'a>;
+
+    fn next(&mut self) -> Option<LeafView<'a>> {
+        self.numbers.next().map(|number| self.view(number))
+    }
+
+    fn nth(&mut self, n: usize) -> Option<LeafView<'a>> {
+        self.numbers.nth(n).map(|number| self.view(number))
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        self.numbers.size_hint()
+    }
+}
+
+impl DoubleEndedIterator for Leaves<'_> {
+    fn next_back(&mut self) -> Option<Self::Item> {
+        self.numbers.next_back().map(|number| self.view(number))
+    }
+}
+
+impl ExactSizeIterator for Leaves<'_> {}
+
+impl<'a> IntoIterator for &'a Model {
+    type Item = LeafView<'a>;
+    type IntoIter = Leaves<'a>;
+
+    fn into_iter(self) -> Leaves<'a> {
+        self.leaves()
+    }
+}
+
 impl Model {
     /// The faults of single shapes, each with the rules that led there.
     pub fn faults(&self) -> &[Fault] {
@@ -270,8 +317,28 @@ impl Model {
     }
 
     /// The leaves, in the order of the run.
-    pub fn leaves(&self) -> impl ExactSizeIterator<Item = LeafView<'_>> + DoubleEndedIterator + Clone + '_ {
-        self.records.iter().enumerate().map(|(number, record)| LeafView { model: self, record, number })
+    pub fn leaves(&self) -> Leaves<'_> {
+        Leaves { model: self, numbers: 0..self.records.len() }
+    }
+
+    /// Adds the leaves and the report of another model: counts, faults, reported values, printed lines. Models of
+    /// neighbours become one scene. The images come from the assets of this model, or from those of the other if this
+    /// has none.
+    ///
+    /// ```
+    /// use cga_runtime::output::model::Model;
+    ///
+    /// let (mut scene, house) = (Model::new(), Model::new());
+    /// scene.append(&house);
+    /// assert!(scene.is_empty());
+    /// ```
+    pub fn append(&mut self, other: &Model) {
+        // A model never stops a run.
+        let _ = other.replay(self);
+        self.report.merge(other.report.clone(), &Limits::default());
+        if self.assets.is_none() {
+            self.assets.clone_from(&other.assets);
+        }
     }
 
     /// The leaves of one rule, in the order of the run.

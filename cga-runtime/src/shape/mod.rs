@@ -30,6 +30,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::geometry::mesh::Mesh;
+use crate::geometry::tol::ROUNDING_EPSILON;
 use crate::geometry::wire::Wire;
 use crate::geometry::{Axis, Frame};
 use crate::material::{Color, Material};
@@ -255,6 +256,26 @@ impl Shape {
         self.scope.origin += self.scope.axes * placed.low;
         self.scope.size = placed.size;
         self.geometry = Geometry::Mesh(Arc::new(placed));
+        if !self.state.coordinates().is_empty() {
+            self.state.change_look().coordinates = Coordinates::default();
+        }
+    }
+
+    /// Replaces the geometry by a mesh in scope coordinates with its own texture coordinates, in the scope as it is.
+    pub(crate) fn put_mesh(&mut self, mesh: Mesh) {
+        let is_box =
+            |placed: &Placed, mesh: &Mesh| placed.low == mesh.bounds().low && placed.size == mesh.bounds().size();
+        // A scope that is not the box of its geometry, as after a split with `noAdjust`, stays that way.
+        let was_box = self.geometry.placed().is_none_or(|placed| is_box(&placed, &placed.mesh));
+        let mirrored = self.looks_inwards();
+        let placed = Placed { mirrored, ..Placed::fitted(mesh) };
+        let (low, high) = (DVec3::ZERO.min(self.scope.size), DVec3::ZERO.max(self.scope.size));
+        let bounds = placed.mesh.bounds();
+        let near = ROUNDING_EPSILON * high.max(-low).max_element();
+        let fits = was_box && bounds.low.abs_diff_eq(low, near) && bounds.high.abs_diff_eq(high, near);
+        let whole = Placed { low: DVec3::ZERO, size: self.scope.size, ..placed.clone() };
+        let is_upright = 0.0 <= self.scope.size.min_element();
+        self.geometry = Geometry::Mesh(Arc::new(if fits && is_upright { placed } else { whole }));
         if !self.state.coordinates().is_empty() {
             self.state.change_look().coordinates = Coordinates::default();
         }

@@ -73,7 +73,6 @@ impl Cuboid {
     }
 
     /// The corners of all faces, in the order in which sinks write them.
-    #[cfg(feature = "gltf")]
     pub(crate) fn face_corners(&self) -> impl Iterator<Item = DVec3> + Clone + use<> {
         let corners = self.corners();
         self.unit.sides().iter().flat_map(|face| face.corners).map(move |at| corners[usize::from(at & 7)])

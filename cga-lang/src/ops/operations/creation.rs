@@ -253,7 +253,7 @@ pub(super) static ROWS: &[Operation] = &[
         &[float("distance"), or(KEEP_FACES, Default::Word("all"))],
         "moves the outline of each face in or out, with faces for the difference",
     )),
-    op("footprint", "footprint", &[], "replaces the geometry by its outline seen from above"),
+    with(Effect::Flattens, op("footprint", "footprint", &[], "replaces the geometry by its outline seen from above")),
     envelope("envelope_front", first(4, ENVELOPE), VOLUME),
     envelope("envelope_front_back", first(6, ENVELOPE), VOLUME),
     envelope("envelope_sides", ENVELOPE_SIDES, VOLUME),

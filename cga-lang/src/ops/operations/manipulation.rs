@@ -12,6 +12,10 @@ static TOLERANCES: ParamBounds = bounds(Allowed::Between(0.0, 1.0), "it is from 
 /// *rectify operation*.
 static DEVIATIONS: ParamBounds = bounds(Allowed::Between(0.0, 45.0), "it is from 0 to 45 degrees");
 
+/// *convexify operation*.
+static CUT_LENGTHS: ParamBounds =
+    ParamBounds { result: Some("no face is cut"), ..bounds(Allowed::Above(0.0), "it is above 0") };
+
 const TOLERANCE: Param = within(float("tolerance"), &TOLERANCES);
 
 const CLEANUP: Param = words("components", &["vertices", "edges", "faces", "all"]);
@@ -69,8 +73,16 @@ const fn tags(row: Operation) -> Operation {
 
 pub(super) static ROWS: &[Operation] = &[
     reads_tags(later("cleanupGeometry", &[CLEANUP, TOLERANCE], "merges parts that are nearly the same")),
-    later("convexify", &[], "cuts concave faces into convex ones"),
-    later("convexify", &[float("maxLength")], "cuts concave faces where the cut is short"),
+    with(Effect::KeepsSize, op("convexify", "convexify", &[], "cuts concave faces into convex ones")),
+    with(
+        Effect::KeepsSize,
+        op(
+            "convexify",
+            "convexify_within",
+            &[within(float("maxLength"), &CUT_LENGTHS)],
+            "cuts concave faces where the cut is short",
+        ),
+    ),
     with(Effect::KeepsSize, op("deleteHoles", "delete_holes", &[], "fills the holes of faces")),
     with(Effect::KeepsSize, op("reverseNormals", "reverse_normals", &[], "turns every face over")),
     later("setNormals", &[NORMALS], "sets the normals of vertices"),

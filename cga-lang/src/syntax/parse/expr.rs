@@ -13,6 +13,19 @@ const ADDITIVE: u8 = 5;
 /// The level of `==`, the lowest above `&&`.
 const COMPARISON: u8 = 3;
 
+/// An operator between two values, as written.
+struct Operator {
+    op: Binary,
+    /// Its level of precedence.
+    level: u8,
+    /// True if it works element by element.
+    each: bool,
+    /// The number of its tokens.
+    length: usize,
+    /// The CGA symbol for an operator of another language.
+    meant: Option<Sym>,
+}
+
 impl Parser<'_> {
     /// Parses a value, including `case` and percentages.
     pub(super) fn expr(&mut self) -> Parsed<Expr> {
@@ -51,9 +64,8 @@ impl Parser<'_> {
         Ok(Arg { prefix, value, span: self.span_from(start) })
     }
 
-    /// Returns the operator here, its level, true if it works element by element, and the number of its tokens. The
-    /// last item is the CGA symbol for an operator of another language.
-    fn operator(&self) -> Option<(Binary, u8, bool, usize, Option<Sym>)> {
+    /// The operator here.
+    fn operator(&self) -> Option<Operator> {
         let each = self.is(Sym::Dot);
         let meant = match (self.peek()?, self.nth(1)) {
             (Tok::Sym(Sym::Less), Some(Tok::Sym(Sym::Greater))) => Some((Sym::NotEq, 2)),
@@ -64,17 +76,17 @@ impl Parser<'_> {
         };
         if let Some((meant, length)) = meant {
             let &(op, _, level) = OPERATORS.iter().find(|(_, sign, _)| *sign == meant)?;
-            return Some((op, level, false, length, Some(meant)));
+            return Some(Operator { op, level, each: false, length, meant: Some(meant) });
         }
         let length = 1 + usize::from(each);
         let &(op, _, level) = OPERATORS.iter().find(|(_, sign, _)| self.nth_is(length - 1, *sign))?;
-        Some((op, level, each, length, None))
+        Some(Operator { op, level, each, length, meant: None })
     }
 
     fn binary(&mut self, least: u8) -> Parsed<Expr> {
         let start = self.at;
         let mut left = self.unary()?;
-        while let Some((op, level, each, length, meant)) = self.operator() {
+        while let Some(Operator { op, level, each, length, meant }) = self.operator() {
             if level < least || !self.tick() {
                 break;
             }

@@ -74,7 +74,7 @@ impl Parser<'_> {
         let start = self.at;
         let kind = match self.peek() {
             _ if self.at_border() => return self.fail(STEP),
-            Some(Tok::Ident(_)) => self.named()?,
+            Some(Tok::Ident(_)) => self.op_with_name()?,
             Some(Tok::Path(_)) => self.rust()?,
             Some(Tok::Sym(Sym::LBracket)) => self.brackets()?,
             Some(Tok::Number(_)) if self.nth_is(1, Sym::Percent) => {
@@ -89,7 +89,8 @@ impl Parser<'_> {
         Ok(Op { kind, span: self.span_from(start) })
     }
 
-    fn named(&mut self) -> Parsed<OpKind> {
+    /// Parses an operation that begins with a name: a call, a block, a leaf, `NIL`, or a rule of an import.
+    fn op_with_name(&mut self) -> Parsed<OpKind> {
         let end = self.layout.name_end(self.at);
         let Some(name) = self.take_dotted(end) else { return self.fail("a name") };
         match name.text.as_str() {

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::{EnvelopeRefusal, EnvelopeSide, Ground, begun_at_outline, envelope, layers, planes};
 use crate::geometry::mesh::{FlatFace, Mesh};
-use crate::geometry::overlay::tests::Rng;
+use crate::geometry::random::Rng;
 
 type Ring = Vec<(f64, f64)>;
 

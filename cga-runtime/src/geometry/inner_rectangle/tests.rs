@@ -3,7 +3,7 @@
 use glam::{DMat2, DVec2};
 
 use super::{InnerRectangle, RectangleSides, largest};
-use crate::geometry::overlay::tests::Rng;
+use crate::geometry::random::Rng;
 use crate::geometry::segment::nearest_share;
 
 const AXES: RectangleSides = RectangleSides::Axes;

@@ -23,6 +23,18 @@ impl Mesh {
         }
     }
 
+    /// The points and corners of this mesh, without loops and faces.
+    pub(crate) fn corner_pool(&self) -> Mesh {
+        Mesh {
+            points: self.points.clone(),
+            corners: self.corners.clone(),
+            uvs: self.uvs.clone(),
+            normals: self.normals.clone(),
+            trace: self.trace.clone(),
+            ..Mesh::default()
+        }
+    }
+
     /// Ends a loop with the last corner that was added.
     #[inline]
     pub(crate) fn end_loop(&mut self) {

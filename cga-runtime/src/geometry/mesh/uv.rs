@@ -107,6 +107,13 @@ impl UvSets {
         }
     }
 
+    /// Adds to each set the result of `value` for its own list.
+    pub(crate) fn push_own(&mut self, value: impl Fn(&[DVec2]) -> DVec2) {
+        for list in self.lists.iter_mut().filter(|list| !list.is_empty()) {
+            list.push(value(list));
+        }
+    }
+
     /// Copies some corners of the source to each set.
     #[inline(always)]
     pub(crate) fn copy_from(&mut self, source: &UvSets, corners: Range<usize>) {

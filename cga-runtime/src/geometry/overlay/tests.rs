@@ -3,19 +3,7 @@
 use glam::{DMat2, DVec2};
 
 use super::{Region, wound};
-
-/// Pseudo-random numbers from 0 to 1 (splitmix64).
-pub(crate) struct Rng(pub(crate) u64);
-
-impl Rng {
-    pub(crate) fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
+use crate::geometry::random::Rng;
 
 fn area_of(points: &[DVec2], ring: &[u32]) -> f64 {
     let at = |i: usize| points[ring[i] as usize] - points[ring[0] as usize];

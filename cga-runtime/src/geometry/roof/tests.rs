@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_4;
 
 use super::*;
+use crate::geometry::random::Rng;
 use crate::geometry::skeleton::any_cross;
-use crate::geometry::skeleton::tests::polygons::{Cells, Polygon, Rng, holds};
+use crate::geometry::skeleton::tests::polygons::{Cells, Polygon, holds};
 
 const HIP: RoofForm = RoofForm::Hip { overhang: 0.0, even: false };
 const GABLE: RoofForm = RoofForm::Gable { across: 0.0, along: 0.0, even: false, edge: None };

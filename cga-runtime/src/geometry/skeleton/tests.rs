@@ -7,7 +7,8 @@ use std::f64::consts::{FRAC_PI_4, TAU};
 use super::wavefront::twice_area;
 use super::*;
 use crate::geometry::mesh::check::winding;
-use polygons::{Cells, Polygon, Rng};
+use crate::geometry::random::Rng;
+use polygons::{Cells, Polygon};
 
 fn left_area(swept: &Swept) -> f64 {
     let points = |ring: &[Left]| ring.iter().map(|left| left.point).collect::<Vec<_>>();

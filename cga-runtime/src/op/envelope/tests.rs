@@ -265,13 +265,12 @@ fn planes_and_layers_agree() {
 
 #[test]
 fn random_lots_turn_with_their_envelopes() {
-    let rng = &mut crate::geometry::overlay::tests::Rng(11);
+    let rng = &mut crate::geometry::random::Rng(11);
     let mut refused = 0;
     for round in 0..300 {
         let count = 3 + (rng.unit() * 9.0) as usize;
         let convex = round % 2 == 0;
-        let radius =
-            |rng: &mut crate::geometry::overlay::tests::Rng| if convex { 10.0 } else { 4.0 + 8.0 * rng.unit() };
+        let radius = |rng: &mut crate::geometry::random::Rng| if convex { 10.0 } else { 4.0 + 8.0 * rng.unit() };
         let mut angles: Vec<f64> = (0..count).map(|_| rng.unit() * std::f64::consts::TAU).collect();
         angles.sort_unstable_by(f64::total_cmp);
         angles.dedup_by(|a, b| *a - *b < 0.1);

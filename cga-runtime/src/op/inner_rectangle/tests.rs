@@ -4,7 +4,7 @@ use super::{RectangleAlignment, inner_rect, inner_rectangle};
 use crate::comp::select::Word;
 use crate::comp::{Arm, Arms, Faces, Mode, Select, never};
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder, primitive};
-use crate::geometry::overlay::tests::Rng;
+use crate::geometry::random::Rng;
 use crate::run::env::Env;
 use crate::shape::Shape;
 

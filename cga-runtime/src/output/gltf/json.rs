@@ -2,6 +2,9 @@
 
 use std::fmt::Write as _;
 
+use crate::output::number::Short;
+use crate::value::Value;
+
 /// A string with its quotes, escaped.
 pub(super) fn quoted(text: &str) -> String {
     let mut json = String::with_capacity(text.len() + 2);
@@ -18,6 +21,20 @@ pub(super) fn quoted(text: &str) -> String {
     }
     json.push('"');
     json
+}
+
+/// A value of a grammar. A number that is not finite is null.
+pub(super) fn value(value: &Value) -> String {
+    let number = |value: &f64| if value.is_finite() { Short(*value).to_string() } else { "null".to_owned() };
+    let list = |items: Vec<String>| format!("[{}]", items.join(","));
+    match value {
+        Value::Float(value) => number(value),
+        Value::Bool(value) => value.to_string(),
+        Value::Text(text) => quoted(text),
+        Value::Floats(array) => list(array.as_slice().iter().map(number).collect()),
+        Value::Bools(array) => list(array.as_slice().iter().map(ToString::to_string).collect()),
+        Value::Texts(array) => list(array.as_slice().iter().map(|text| quoted(text)).collect()),
+    }
 }
 
 /// The members of an object or elements of an array, separated by commas.

@@ -1,7 +1,8 @@
 //! GLB 2.0: one binary file with geometry, materials and rule names.
 //!
 //! Triangles are grouped into one primitive for each material. Each vertex has the number of its rule
-//! (`_FEATURE_ID_0`, `EXT_mesh_features`), and a property table (`EXT_structural_metadata`) has the names. Assets
+//! (`_FEATURE_ID_0`, `EXT_mesh_features`), and a property table (`EXT_structural_metadata`) has the names; on request,
+//! rules are nodes instead ([`Glb::by_rule`]). Assets
 //! inserted more than once are stored once and placed by nodes. On request, parts that rules repeat are stored once
 //! with a list of their places (`EXT_mesh_gpu_instancing`). Colours are converted from sRGB to linear light.
 //! Materials are double sided by default, as in CGA. Equal leaves and images give equal bytes.
@@ -14,7 +15,6 @@
 //! image share the set and the placement of the first. Bump, dirt and specular maps are left out: glTF has no such
 //! maps.
 
-mod assets;
 mod binary;
 mod buffers;
 mod combine;
@@ -24,8 +24,8 @@ mod look;
 mod pack;
 mod parts;
 mod primitive;
+mod scene;
 mod streams;
-mod tangents;
 mod textures;
 
 use std::ops::ControlFlow;
@@ -34,14 +34,16 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use self::assets::AssetList;
 use self::look::Looks;
-use self::parts::{MeshInstance, RepeatedParts};
+use self::parts::RepeatedParts;
 use self::primitive::{INDEX_BYTES, Primitive, Primitives, UV_BYTES, VERTEX_BYTES};
+use self::scene::{Places, SceneMesh};
 use super::error::WriteError;
 use super::flatten::Flattener;
+use super::near_origin::near_origin;
 use super::normals;
 use super::numbers::Numbers;
+use super::placed_assets::AssetList;
 use crate::asset::Assets;
 use crate::geometry::Axis;
 use crate::geometry::mesh::{Bounds, Mesh};
@@ -51,6 +53,7 @@ use crate::output::model::Model;
 use crate::run::sink::corners::{PlacedBox, four};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
+use crate::value::Value;
 
 /// Collects leaves for a GLB file.
 #[derive(Debug, Default)]
@@ -59,7 +62,7 @@ pub struct Glb {
     numbers: Numbers,
     looks: Looks,
     primitives: Primitives,
-    assets: AssetList,
+    assets: AssetList<()>,
     /// The repeated parts, if they become instances.
     parts: Option<RepeatedParts>,
     flattener: Flattener,
@@ -67,19 +70,10 @@ pub struct Glb {
     /// The assets that contain the images.
     files: Option<Arc<Assets>>,
     references_images: bool,
-}
-
-/// A glTF mesh at several places.
-struct SharedMesh {
-    primitives: Vec<Primitive>,
-    places: Instances,
-}
-
-enum Instances {
-    /// A node for each place.
-    Nodes(Vec<DAffine3>),
-    /// One node for all places.
-    Instances(Vec<MeshInstance>),
+    name: Option<String>,
+    is_by_rule: bool,
+    /// Names and JSON texts of values.
+    extras: Vec<(String, String)>,
 }
 
 /// The largest 32-bit length of the format, less room for the description.
@@ -129,6 +123,34 @@ impl Glb {
         self
     }
 
+    /// Names the file's root node and its mesh, "model" by default: a grammar, or the address of a house.
+    pub fn named(mut self, name: impl Into<String>) -> Self {
+        self.name = Some(name.into());
+        self
+    }
+
+    /// Writes a node and a mesh for each rule, with the name of the rule, below the root node. Programs that ignore the
+    /// extension for rule names (most do) then show the rules as objects. A rule has a primitive for each of its
+    /// materials, and vertices have no rule numbers.
+    pub fn by_rule(mut self) -> Self {
+        self.is_by_rule = true;
+        self
+    }
+
+    /// Adds a value to the member `extras` of the root node, where programs show custom properties: an attribute, the
+    /// seed. A value that is not finite is written as null.
+    ///
+    /// ```
+    /// use cga_runtime::output::gltf::Glb;
+    ///
+    /// let glb = Glb::new().named("Tower").by_rule().with_extra("height", 24.0);
+    /// # let _ = glb;
+    /// ```
+    pub fn with_extra(mut self, name: impl Into<String>, value: impl Into<Value>) -> Self {
+        self.extras.push((name.into(), json::value(&value.into())));
+        self
+    }
+
     /// Completes the file.
     ///
     /// # Errors
@@ -139,10 +161,36 @@ impl Glb {
         if let Some(parts) = self.parts.take() {
             shared.extend(self.place_parts(parts));
         }
-        shared.retain(|mesh| !mesh.primitives.is_empty());
         check_size(self.bytes)?;
         let main = std::mem::take(&mut self.primitives).into_list();
-        pack::pack(&self, &main, &shared)
+        let mut meshes = vec![SceneMesh { primitives: main, places: Places::Root }];
+        meshes.extend(shared);
+        if self.is_by_rule {
+            meshes = meshes.into_iter().flat_map(SceneMesh::by_rule).collect();
+        }
+        meshes.retain(|mesh| !mesh.primitives.is_empty());
+        pack::pack(&self, &meshes)
+    }
+
+    /// Turns assets at several places into separate meshes; the others join the rest.
+    fn place_assets(&mut self) -> Vec<SceneMesh> {
+        let mut shared = Vec::new();
+        for mut asset in std::mem::take(&mut self.assets).into_list() {
+            let (own, single) = asset.shared_and_single();
+            let (rule, material, mesh) = (asset.rule, asset.material, &asset.mesh);
+            if !own.is_empty() {
+                // Filled in the mesh's own coordinates, with a separate list of primitives.
+                let main = std::mem::take(&mut self.primitives);
+                let origin = std::mem::take(&mut self.origin);
+                self.add_mesh(rule, material, mesh, &DAffine3::IDENTITY);
+                self.origin = origin;
+                let primitives = std::mem::replace(&mut self.primitives, main).into_list();
+                let places = Places::Nodes(own.into_iter().map(|(place, ())| place).collect());
+                shared.push(SceneMesh { primitives, places });
+            }
+            single.iter().for_each(|(place, ())| self.add_mesh(rule, material, mesh, place));
+        }
+        shared
     }
 
     /// Counts the bytes of vertices with a number of sets of texture coordinates, and of indices.
@@ -250,7 +298,7 @@ impl Sink for Glb {
 
     fn instance(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
-        self.assets.add(mesh, rule, material, placement);
+        self.assets.add(mesh, rule, material, (*placement, ()));
         ControlFlow::Continue(())
     }
 
@@ -313,16 +361,4 @@ fn to_glb(
 /// An error for more bytes than the format allows.
 fn check_size(bytes: u64) -> Result<(), WriteError> {
     if MAX_BYTES < bytes { Err(WriteError::TooLarge { what: "bytes", limit: u64::from(u32::MAX) }) } else { Ok(()) }
-}
-
-/// The origin of the world. If 32-bit floats relative to it would be off by more than a millimetre, a point in whole
-/// metres near geometry with those bounds.
-fn near_origin(bounds: Bounds) -> DVec3 {
-    const FINE: f64 = 8192.0;
-    let reach = bounds.low.abs().max(bounds.high.abs()).max_element();
-    if !bounds.low.is_finite() || !bounds.high.is_finite() || reach <= FINE {
-        return DVec3::ZERO;
-    }
-    let middle = (bounds.low + bounds.high) * 0.5;
-    DVec3::new(middle.x, bounds.low.y, middle.z).round()
 }

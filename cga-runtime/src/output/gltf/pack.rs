@@ -6,12 +6,12 @@ use glam::{DVec3, Vec3, Vec4};
 
 use super::binary::{BinaryChunk, FourBytes, container, text};
 use super::images::Images;
-use super::json::joined;
-use super::parts::MeshInstance;
+use super::json::{joined, quoted};
 use super::primitive::Primitive;
+use super::scene::{MeshInstance, Places, SceneMesh};
 use super::streams::write_floats;
 use super::textures::LookTexture;
-use super::{Glb, Instances, SharedMesh, check_size};
+use super::{Glb, check_size};
 use crate::output::buffers::Vertex;
 use crate::output::error::WriteError;
 use crate::output::number::list;
@@ -38,19 +38,18 @@ struct Accessors {
     indices: usize,
     position: usize,
     normal: usize,
-    rule: usize,
+    /// The numbers of rules, unless the rules have nodes of their own.
+    rule: Option<usize>,
     /// The first of its accessors of texture coordinates, one for each set.
     uv: usize,
     tangent: Option<usize>,
 }
 
-pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[SharedMesh]) -> Result<Vec<u8>, WriteError> {
-    let main = Some(main).filter(|primitives| !primitives.is_empty());
-    let meshes: Vec<&[Primitive]> = main.into_iter().chain(shared.iter().map(|s| &s.primitives[..])).collect();
-    let flat: Vec<&Primitive> = meshes.iter().copied().flatten().collect();
+pub(super) fn pack(glb: &Glb, meshes: &[SceneMesh]) -> Result<Vec<u8>, WriteError> {
+    let flat: Vec<&Primitive> = meshes.iter().flat_map(|mesh| &mesh.primitives).collect();
     let mut binary = BinaryChunk::default();
     let images = Images::of(glb.looks.textures(), glb.files.as_deref(), glb.references_images);
-    let mut accessors = binary.primitives(&flat)?;
+    let mut accessors = binary.primitives(&flat, !glb.is_by_rule)?;
     for (primitive, accessors) in flat.iter().copied().zip(&mut accessors) {
         accessors.tangent = glb.looks.normal_space(primitive.look, &images).map(|space| {
             binary.stream(
@@ -62,7 +61,7 @@ pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[SharedMesh]) -> Resu
             )
         });
     }
-    let places = binary.places(shared);
+    let places = binary.places(meshes);
 
     let mut json = String::from("{\"asset\":{\"generator\":\"cga\",\"version\":\"2.0\"},");
     if flat.is_empty() {
@@ -70,14 +69,18 @@ pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[SharedMesh]) -> Resu
         return container(&json, &BinaryChunk::default());
     }
     let rules = glb.numbers.table.rules();
+    let table = Some(rules).filter(|_| !glb.is_by_rule);
     let has_transforms = glb.looks.textures().any(LookTexture::is_transformed);
-    write_rules(&mut json, &mut binary, rules, has_transforms, !places.is_empty());
+    write_extensions(&mut json, table.is_some(), has_transforms, !places.is_empty());
+    if let Some(rules) = table {
+        write_rules(&mut json, &mut binary, rules);
+    }
     json.push_str("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],");
-    write_nodes(&mut json, glb.origin, main.is_some(), shared, &places);
+    write_nodes(&mut json, glb, meshes, &places);
     let mut next = accessors.into_iter();
-    let mesh = |primitives: &&[Primitive]| {
-        let list = primitives.iter().zip(&mut next).map(|(p, a)| primitive(p, &a, rules.len()));
-        format!("{{\"primitives\":[{}]}}", joined(list))
+    let mesh = |mesh: &SceneMesh| {
+        let list = mesh.primitives.iter().zip(&mut next).map(|(p, a)| primitive(p, &a, rules.len()));
+        format!("{{\"name\":{},\"primitives\":[{}]}}", quoted(name(glb, mesh)), joined(list))
     };
     let _ = write!(json, "\"meshes\":[{}],", joined(meshes.iter().map(mesh)));
     glb.looks.write(&mut json, &images);
@@ -91,14 +94,38 @@ pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[SharedMesh]) -> Resu
     container(&json, &binary)
 }
 
+/// The name of a mesh and of its node: that of its rule, or of the file if it has several rules.
+fn name<'a>(glb: &'a Glb, mesh: &SceneMesh) -> &'a str {
+    let of_file = glb.name.as_deref().unwrap_or("model");
+    match (&mesh.places, mesh.rule()) {
+        (Places::Root, _) | (_, None) => of_file,
+        (_, Some(rule)) => glb.numbers.table.rules()[rule as usize],
+    }
+}
+
+/// Writes the names of the used extensions.
+fn write_extensions(json: &mut String, has_rules: bool, has_transforms: bool, has_instances: bool) {
+    let used = [
+        (has_rules, "EXT_mesh_features"),
+        (has_rules, "EXT_structural_metadata"),
+        (has_transforms, "KHR_texture_transform"),
+        (has_instances, INSTANCING),
+    ];
+    let used = joined(used.into_iter().filter(|(is_used, _)| *is_used).map(|(_, name)| quoted(name)));
+    if !used.is_empty() {
+        let _ = write!(json, "\"extensionsUsed\":[{used}],");
+    }
+    if has_instances {
+        // A reader without the extension would show each part once, at a wrong place.
+        let _ = write!(json, "\"extensionsRequired\":[{}],", quoted(INSTANCING));
+    }
+}
+
+/// The extension for lists of places.
+const INSTANCING: &str = "EXT_mesh_gpu_instancing";
+
 /// Writes the rule names: a string table with one row for each rule.
-fn write_rules(
-    json: &mut String,
-    binary: &mut BinaryChunk<'_>,
-    rules: &[&str],
-    has_transforms: bool,
-    has_instances: bool,
-) {
+fn write_rules(json: &mut String, binary: &mut BinaryChunk<'_>, rules: &[&str]) {
     let mut offsets = vec![0u32];
     let mut names = Vec::new();
     for rule in rules {
@@ -107,15 +134,6 @@ fn write_rules(
     }
     let values = binary.view(names.len(), "", move |to| text(to, &names, 0));
     let offsets = binary.view(4 * offsets.len(), "", move |to| to.extend(offsets.iter().map(|o| o.to_le_bytes())));
-    json.push_str("\"extensionsUsed\":[\"EXT_mesh_features\",\"EXT_structural_metadata\"");
-    if has_transforms {
-        json.push_str(",\"KHR_texture_transform\"");
-    }
-    // A reader without the extension would show each part once, at a wrong place.
-    json.push_str(match has_instances {
-        true => ",\"EXT_mesh_gpu_instancing\"],\"extensionsRequired\":[\"EXT_mesh_gpu_instancing\"],",
-        false => "],",
-    });
     json.push_str("\"extensions\":{\"EXT_structural_metadata\":{\"schema\":{\"id\":\"cga\",\"classes\":{");
     json.push_str("\"rule\":{\"properties\":{\"name\":{\"type\":\"STRING\",\"required\":true}}}}},");
     let _ = write!(json, "\"propertyTables\":[{{\"class\":\"rule\",\"count\":{},\"properties\":{{", rules.len());
@@ -123,26 +141,30 @@ fn write_rules(
 }
 
 /// Writes the nodes. The first node contains all others, so that one translation moves everything.
-fn write_nodes(json: &mut String, origin: DVec3, has_main: bool, shared: &[SharedMesh], places: &[[usize; 2]]) {
-    let moved = match origin {
+fn write_nodes(json: &mut String, glb: &Glb, meshes: &[SceneMesh], places: &[[usize; 2]]) {
+    let moved = match glb.origin {
         DVec3::ZERO => String::new(),
         origin => format!(",\"translation\":[{}]", list(&origin.to_array())),
     };
-    let main = if has_main { ",\"mesh\":0" } else { "" };
+    let mut main = "";
     let mut children = Vec::new();
     let mut places = places.iter();
-    for (i, asset) in shared.iter().enumerate() {
-        let mesh = i + usize::from(has_main);
-        match &asset.places {
-            Instances::Nodes(nodes) => children.extend(nodes.iter().map(|place| {
+    for (number, mesh) in meshes.iter().enumerate() {
+        let name = quoted(name(glb, mesh));
+        match &mesh.places {
+            // It is the first mesh.
+            Places::Root => main = ",\"mesh\":0",
+            Places::Child => children.push(format!("{{\"name\":{name},\"mesh\":{number}}}")),
+            Places::Nodes(nodes) => children.extend(nodes.iter().map(|place| {
                 let [x, y, z] = [place.matrix3.x_axis, place.matrix3.y_axis, place.matrix3.z_axis];
-                let columns = [x.extend(0.0), y.extend(0.0), z.extend(0.0), (place.translation - origin).extend(1.0)];
+                let translation = (place.translation - glb.origin).extend(1.0);
+                let columns = [x.extend(0.0), y.extend(0.0), z.extend(0.0), translation];
                 let matrix = list(columns.map(|column| column.to_array()).as_flattened());
-                format!("{{\"mesh\":{mesh},\"matrix\":[{matrix}]}}")
+                format!("{{\"name\":{name},\"mesh\":{number},\"matrix\":[{matrix}]}}")
             })),
-            Instances::Instances(_) => children.extend(places.next().map(|[translation, rotation]| {
+            Places::Instances(_) => children.extend(places.next().map(|[translation, rotation]| {
                 format!(
-                    "{{\"mesh\":{mesh},\"extensions\":{{\"EXT_mesh_gpu_instancing\":{{\"attributes\":\
+                    "{{\"name\":{name},\"mesh\":{number},\"extensions\":{{\"{INSTANCING}\":{{\"attributes\":\
                      {{\"TRANSLATION\":{translation},\"ROTATION\":{rotation}}}}}}}}}"
                 )
             })),
@@ -152,24 +174,32 @@ fn write_nodes(json: &mut String, origin: DVec3, has_main: bool, shared: &[Share
         0 => String::new(),
         count => format!(",\"children\":[{}]", joined((1..=count).map(|i| i.to_string()))),
     };
-    let root = format!("{{\"name\":\"model\"{main}{moved}{ids}}}");
+    let extras = joined(glb.extras.iter().map(|(name, value)| format!("{}:{value}", quoted(name))));
+    let extras = if extras.is_empty() { extras } else { format!(",\"extras\":{{{extras}}}") };
+    let name = quoted(glb.name.as_deref().unwrap_or("model"));
+    let root = format!("{{\"name\":{name}{main}{moved}{ids}{extras}}}");
     let _ = write!(json, "\"nodes\":[{}],", joined(std::iter::once(root).chain(children)));
 }
 
 fn primitive(primitive: &Primitive, at: &Accessors, rules: usize) -> String {
     let tangent = at.tangent.map_or(String::new(), |tangent| format!(",\"TANGENT\":{tangent}"));
     let uvs: String = (0..primitive.uvs.len()).map(|set| format!(",\"TEXCOORD_{set}\":{}", at.uv + set)).collect();
+    let rule = at.rule.map_or(String::new(), |rule| format!(",\"_FEATURE_ID_0\":{rule}"));
+    let features = at.rule.map_or(String::new(), |_| {
+        format!(
+            ",\"extensions\":{{\"EXT_mesh_features\":{{\"featureIds\":[{{\"featureCount\":{rules},\"attribute\":0,\
+             \"propertyTable\":0}}]}}}}"
+        )
+    });
     format!(
-        "{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{},\"_FEATURE_ID_0\":{}{uvs}{tangent}}},\"indices\":{},\"material\":{},\
-         \"extensions\":{{\"EXT_mesh_features\":{{\"featureIds\":[{{\"featureCount\":{rules},\"attribute\":0,\
-         \"propertyTable\":0}}]}}}}}}",
-        at.position, at.normal, at.rule, at.indices, primitive.look
+        "{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{}{rule}{uvs}{tangent}}},\"indices\":{},\"material\":{}{features}}}",
+        at.position, at.normal, at.indices, primitive.look
     )
 }
 
 impl<'a> BinaryChunk<'a> {
     /// Adds one view for each stream of all primitives together, and accessors for each primitive.
-    fn primitives(&mut self, primitives: &[&'a Primitive]) -> Result<Vec<Accessors>, WriteError> {
+    fn primitives(&mut self, primitives: &[&'a Primitive], has_rules: bool) -> Result<Vec<Accessors>, WriteError> {
         if primitives.is_empty() {
             return Ok(Vec::new());
         }
@@ -182,13 +212,14 @@ impl<'a> BinaryChunk<'a> {
         let vertices = |p: &Primitive| p.vertices().len();
         let position = self.stream(&POINT, primitives, vertices, &ranges, Primitive::write_positions);
         let normal = self.stream(&POINT, primitives, vertices, &[], Primitive::write_normals);
-        let rule = self.stream(&RULE, primitives, vertices, &[], Primitive::write_rules);
+        let rule = has_rules.then(|| self.stream(&RULE, primitives, vertices, &[], Primitive::write_rules));
         let mut uv = self.accessors.len();
         if !lists.is_empty() {
             uv = self.stream(&UV, &lists, |list| list.len(), &[], |list, to| write_floats(list.as_flattened(), to));
         }
         let accessors = primitives.iter().enumerate().map(|(i, primitive)| {
-            let (indices, position, normal, rule) = (indices + i, position + i, normal + i, rule + i);
+            let (indices, position, normal) = (indices + i, position + i, normal + i);
+            let rule = rule.map(|rule| rule + i);
             let own = Accessors { indices, position, normal, rule, uv, tangent: None };
             uv += primitive.uvs.len();
             own
@@ -223,10 +254,10 @@ impl<'a> BinaryChunk<'a> {
     }
 
     /// The accessors of the translations and the rotations of instances, for each mesh with instances.
-    fn places(&mut self, shared: &'a [SharedMesh]) -> Vec<[usize; 2]> {
-        let lists = shared.iter().filter_map(|mesh| match &mesh.places {
-            Instances::Instances(places) => Some(&places[..]),
-            Instances::Nodes(_) => None,
+    fn places(&mut self, meshes: &'a [SceneMesh]) -> Vec<[usize; 2]> {
+        let lists = meshes.iter().filter_map(|mesh| match &mesh.places {
+            Places::Instances(places) => Some(&places[..]),
+            Places::Root | Places::Child | Places::Nodes(_) => None,
         });
         let lists: Vec<&[MeshInstance]> = lists.collect();
         let count = lists.iter().map(|list| list.len()).sum::<usize>();

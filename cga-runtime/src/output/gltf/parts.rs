@@ -5,10 +5,11 @@
 
 use std::collections::HashMap;
 
-use glam::{DAffine3, DQuat, DVec3};
+use glam::DAffine3;
 
+use super::Glb;
 use super::primitive::Primitive;
-use super::{Glb, Instances, SharedMesh};
+use super::scene::{MeshInstance, Places, SceneMesh};
 use crate::material::layer::SetMask;
 use crate::output::interner::Interner;
 use crate::run::sink::{Flow, PartId, Replay};
@@ -23,25 +24,8 @@ pub(super) struct RepeatedParts {
     by_id: HashMap<PartId, usize>,
 }
 
-/// A place of an instance, relative to the origin of the file.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct MeshInstance {
-    pub(super) translation: [f32; 3],
-    /// A unit quaternion.
-    pub(super) rotation: [f32; 4],
-}
-
 /// The bytes of a place.
 const PLACE_BYTES: u64 = size_of::<MeshInstance>() as u64;
-
-impl MeshInstance {
-    fn new(placement: &DAffine3, origin: DVec3) -> Self {
-        MeshInstance {
-            translation: (placement.translation - origin).to_array().map(|c| c as f32),
-            rotation: DQuat::from_mat3(&placement.matrix3).normalize().to_array().map(|c| c as f32),
-        }
-    }
-}
 
 impl RepeatedParts {
     /// Begins another run, in which identities have another meaning.
@@ -85,11 +69,11 @@ impl Glb {
     }
 
     /// Turns parts at several places into separate meshes; the others join the rest.
-    pub(super) fn place_parts(&mut self, parts: RepeatedParts) -> Vec<SharedMesh> {
+    pub(super) fn place_parts(&mut self, parts: RepeatedParts) -> Vec<SceneMesh> {
         let mut shared = Vec::new();
         for (primitives, (first, places)) in parts.parts.list.into_iter().zip(parts.places) {
             if 2 <= places.len() {
-                shared.push(SharedMesh { primitives, places: Instances::Instances(places) });
+                shared.push(SceneMesh { primitives, places: Places::Instances(places) });
                 continue;
             }
             for primitive in &primitives {

@@ -91,6 +91,20 @@ impl Primitives {
         })
     }
 
+    /// Adds vertices and indices of a primitive to that with its look.
+    pub(super) fn add_part(&mut self, of: &Primitive, rule: u32, vertices: Range<usize>, indices: Range<usize>) {
+        let index = self.with_look(of.look, of.sets);
+        let own = &mut self.list[index];
+        own.begin(rule);
+        let start = own.vertices().len() as u32;
+        let first = vertices.start as u32;
+        own.triangles.indices.extend(of.indices()[indices].iter().map(|index| index - first + start));
+        own.triangles.vertices.extend(of.vertices()[vertices.clone()].iter().copied());
+        for (list, from) in own.uvs.iter_mut().zip(&of.uvs) {
+            list.extend_from_slice(&from[vertices.clone()]);
+        }
+    }
+
     /// The primitives with triangles: the format does not allow empty lists, and a face can be too thin for a
     /// triangle.
     pub(super) fn into_list(self) -> Vec<Primitive> {
@@ -133,6 +147,18 @@ impl Primitive {
 
     pub(super) fn indices(&self) -> &[u32] {
         self.triangles.indices.items()
+    }
+
+    /// Passes the vertices and the indices of consecutive leaves with the same rule to `each`.
+    pub(super) fn each_rule(&self, mut each: impl FnMut(u32, Range<usize>, Range<usize>)) {
+        let mut index = 0;
+        let ends = self.rules.iter().skip(1).map(|(_, vertex)| *vertex).chain([self.vertices().len()]);
+        for ((rule, start), end) in self.rules.iter().zip(ends) {
+            // The triangles are in the order of their vertices.
+            let first = index;
+            index += self.indices()[first..].partition_point(|&vertex| (vertex as usize) < end);
+            each(*rule, *start..end, first..index);
+        }
     }
 
     /// Begins the vertices of a rule unless those of the last rule continue.

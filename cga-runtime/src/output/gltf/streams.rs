@@ -1,7 +1,11 @@
 //! The streams of a file: its data for each vertex and each triangle, as words.
 
+use glam::Vec2;
+
 use super::binary::FourBytes;
 use super::primitive::Primitive;
+use super::textures::NormalSpace;
+use crate::output::tangents::tangents;
 
 /// Appends numbers.
 pub(super) fn write_floats(numbers: &[f32], to: &mut Vec<FourBytes>) {
@@ -29,6 +33,17 @@ impl Primitive {
         for (place, vertex) in places.iter_mut().zip(self.vertices()) {
             *place = [vertex[first], vertex[first + 1], vertex[first + 2]].map(f32::to_le_bytes);
         }
+    }
+
+    /// Writes the tangents of vertices for a normal map.
+    pub(super) fn write_tangents(&self, space: &NormalSpace, to: &mut Vec<FourBytes>) {
+        let Some(uvs) = self.uvs.get(space.list) else { return };
+        let uv = |at: usize| {
+            // The v axis of glTF points down.
+            let uv = Vec2::new(uvs[at][0], 1.0 - uvs[at][1]);
+            Vec2::new(space.rows[0].dot(uv), space.rows[1].dot(uv))
+        };
+        write_floats(tangents(self.vertices(), self.indices(), uv).as_flattened(), to);
     }
 
     /// Writes the rule number of each vertex.

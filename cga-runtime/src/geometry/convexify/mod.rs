@@ -1,0 +1,127 @@
+//! Concave faces cut into convex ones (*convexify operation*).
+//!
+//! All faces are loops of linked corners ([`net`]). A concave face, or one with holes, is cut in its plane projection
+//! ([`cutter`]), where the sides of lines are exact. New points are on edges, which they divide in all faces, so faces stay
+//! connected and a closed mesh stays closed. Bent faces keep their bend. Faces with touching loops, which cuts may fail to divide,
+//! are divided along diagonals ([`triangles`]).
+
+mod cutter;
+mod net;
+mod obstacles;
+mod plane;
+mod rings;
+mod touching;
+mod triangles;
+mod turn;
+
+#[cfg(test)]
+mod tests;
+
+use glam::DVec3;
+
+use crate::geometry::mesh::{FaceRef, Mesh};
+use cutter::Cutter;
+use net::Net;
+use plane::Plane;
+use rings::{Part, Rings};
+use touching::Relinked;
+
+/// The result of cutting all faces.
+pub(crate) struct Convexified {
+    /// `None` if no face was cut.
+    pub(crate) mesh: Option<Mesh>,
+    /// The faces that stay concave because they cross or touch themselves.
+    pub(crate) refused: Vec<usize>,
+}
+
+/// Cuts all concave faces and faces with holes into convex ones, with cuts shorter than `longest`. Faces that are convex stay as
+/// they are. Parts of a face come in its place, in the order of its corners, and begin with its edges. They keep its attributes;
+/// values at new corners are interpolated along edges.
+pub(crate) fn convexify(mesh: &Mesh, longest: f64) -> Convexified {
+    let concave: Vec<usize> = (0..mesh.face_count()).filter(|&face| is_concave(&mesh.face(face))).collect();
+    if concave.is_empty() || longest <= 0.0 {
+        return Convexified { mesh: None, refused: Vec::new() };
+    }
+    let mut net = Net::of(mesh);
+    let mut refused = Vec::new();
+    let mut parts: Vec<Vec<Part>> = Vec::with_capacity(concave.len());
+    for &number in &concave {
+        let face = mesh.face(number);
+        let heads: Vec<u32> = face.loop_ranges().map(|ring| ring.start as u32).collect();
+        let plane = Plane::of(face.normal(), face.corner_range().map(|corner| face.position(corner)));
+        parts.push(divide(&mut net, &heads, plane, longest).unwrap_or_else(|| {
+            refused.push(number);
+            vec![heads]
+        }));
+    }
+    let is_cut = parts.iter().any(|parts| 1 < parts.len());
+    Convexified { mesh: is_cut.then(|| assembled(mesh, &net, &concave, &parts)), refused }
+}
+
+/// The mesh with the parts of its concave faces.
+fn assembled(mesh: &Mesh, net: &Net, concave: &[usize], parts: &[Vec<Part>]) -> Mesh {
+    let mut made = mesh.alike(net.corner_count());
+    let mut add = |heads: &[u32], tag| {
+        for &head in heads {
+            for corner in net.ring(head) {
+                made.corners.push(net.point(corner));
+                made.copy_values(&net.pool, corner as usize..corner as usize + 1);
+            }
+            made.end_loop();
+        }
+        made.end_face(tag);
+    };
+    let mut cut = concave.iter().zip(parts).peekable();
+    for face in mesh.faces() {
+        match cut.next_if(|(number, _)| **number == face.index()) {
+            Some((_, parts)) => parts.iter().for_each(|part| add(part, face.tag())),
+            None => add(&face.loop_ranges().map(|ring| ring.start as u32).collect::<Vec<_>>(), face.tag()),
+        }
+    }
+    made.take_points(&net.pool);
+    made
+}
+
+/// Returns true for a face with an area that has holes or is not convex, where corners that are straight except for rounding
+/// count as convex.
+fn is_concave(face: &FaceRef<'_>) -> bool {
+    let normal = face.normal();
+    if normal == DVec3::ZERO || face.corner_count() == 3 {
+        return false;
+    }
+    if face.holes().len() != 0 {
+        return true;
+    }
+    let plane = Plane::of(normal, face.outline());
+    !face.is_convex() && !turn::is_convex(&face.outline().map(|point| plane.place(point)).collect::<Vec<_>>())
+}
+
+/// Divides a face. `None`, and the face is as it was, if that is not possible.
+fn divide(net: &mut Net, heads: &[u32], plane: Plane, longest: f64) -> Option<Vec<Part>> {
+    let own: Vec<u32> = heads.iter().flat_map(|&head| net.ring(head)).collect();
+    let flat = |net: &Net, corner: u32| plane.flat(net, corner);
+    net.mark();
+    let relinked = Relinked::at_points(net, &own, flat);
+    let mut cutter = Cutter::new(net, &own, plane, longest);
+    let is_done = cutter.cut();
+    let corners = std::mem::take(&mut cutter.corners);
+    let parts = is_done
+        .then(|| Rings::of(net, &corners, flat))
+        .and_then(|rings| if longest == f64::INFINITY { rings.convex_parts() } else { rings.parts() });
+    match parts {
+        Some(parts) if 1 < parts.len() => return Some(parts),
+        Some(_) => {}
+        None => {
+            let halves = corners.iter().copied().filter(|&half| net.is_cut(half) && half < net.mate(half));
+            let cuts: Vec<u32> = halves.filter(|&half| net.is_alive(half)).collect();
+            cuts.into_iter().for_each(|half| net.remove(half));
+            net.join_divided();
+        }
+    }
+    relinked.undo(net);
+    match parts {
+        Some(_) => Some(vec![heads.to_vec()]),
+        None if longest == f64::INFINITY => triangles::divide(net, heads, &plane),
+        None => None,
+    }
+}

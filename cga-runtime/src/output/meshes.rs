@@ -1,0 +1,316 @@
+//! Triangle meshes for engines and renderers: separate lists of positions, normals, tangents and texture coordinates.
+
+use std::collections::HashMap;
+use std::ops::{ControlFlow, Range};
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec2, DVec3, Vec2};
+
+use super::flatten::Flattener;
+use super::model::Model;
+use super::near_origin::near_origin;
+use super::normals;
+use super::placed_assets::AssetList;
+use super::sink_table::SinkTable;
+use super::tangents::tangents;
+use super::triangles::Triangles;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::uv_map;
+use crate::material::layer::{self, Placement, SetMask};
+use crate::material::{Layer, Material};
+use crate::run::sink::corners::{PlacedBox, four};
+use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
+
+/// The division of a model into meshes. A mesh always has one material.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Granularity {
+    /// A mesh for each material: the fewest draw calls.
+    #[default]
+    Material,
+    /// A mesh for each rule and material.
+    Rule,
+    /// A mesh for each leaf and material.
+    Leaf,
+}
+
+/// The meshes of a model.
+#[derive(Clone, Debug)]
+pub struct Meshes {
+    /// The point of the world, in metres, to which positions and places are relative: the origin, or for a model far
+    /// from it a point near the model, because 32-bit floats are too coarse there.
+    pub origin: DVec3,
+    /// The meshes, in the order of their first leaf; meshes at several places follow.
+    pub list: Vec<TriangleMesh>,
+}
+
+/// A mesh of one material. Faces share no vertices, and front faces are counter-clockwise.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct TriangleMesh {
+    /// The rule or leaf symbol of all leaves; `None` for a mesh with leaves of any rule.
+    pub rule: Option<&'static str>,
+    /// The material, with that of the asset where rules set none.
+    pub material: Arc<Material>,
+    /// A position for each vertex, in metres.
+    pub positions: Vec<[f32; 3]>,
+    /// A unit normal for each vertex.
+    pub normals: Vec<[f32; 3]>,
+    /// The direction of growing u of the normal map for each vertex, and in the fourth number 1 if v grows to its left,
+    /// as seen from outside, otherwise −1. Empty without a normal map.
+    pub tangents: Vec<[f32; 4]>,
+    /// Texture coordinates by set, v upwards: empty, or a pair for each vertex. A layer of the material uses the set
+    /// [`TriangleMesh::set_of`].
+    pub uvs: [Vec<[f32; 2]>; 10],
+    /// Three indices of vertices for each triangle.
+    pub indices: Vec<u32>,
+    /// The leaves, in the order of their triangles. A mesh with places has one leaf for each place.
+    pub leaves: Vec<MeshLeaf>,
+    /// The places of a mesh that is shown several times, each relative to [`Meshes::origin`]: an asset that rules
+    /// insert. Empty for a mesh that is in its place.
+    pub places: Vec<DAffine3>,
+}
+
+/// The triangles of a leaf.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MeshLeaf {
+    /// The index of the leaf in [`Model::leaves`].
+    pub leaf: usize,
+    /// The range of its indices in [`TriangleMesh::indices`].
+    pub indices: Range<usize>,
+}
+
+impl TriangleMesh {
+    /// The set of texture coordinates of a layer of the material: that of its own number, otherwise set 0. `None` if the
+    /// mesh has neither.
+    pub fn set_of(&self, layer: Layer) -> Option<usize> {
+        layer::set(layer, SetMask::of(|set| !self.uvs[set].is_empty()))
+    }
+}
+
+impl IntoIterator for Meshes {
+    type Item = TriangleMesh;
+    type IntoIter = std::vec::IntoIter<TriangleMesh>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.list.into_iter()
+    }
+}
+
+impl<'a> IntoIterator for &'a Meshes {
+    type Item = &'a TriangleMesh;
+    type IntoIter = std::slice::Iter<'a, TriangleMesh>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.list.iter()
+    }
+}
+
+impl Model {
+    /// The model as triangle meshes. Assets that rules insert at several places become one mesh with a list of places.
+    ///
+    /// ```
+    /// # use cga_runtime as cga;
+    /// use cga::output::meshes::Granularity;
+    /// use cga::output::model::Model;
+    ///
+    /// fn draw_calls(model: &Model) -> usize {
+    ///     let meshes = model.meshes(Granularity::Material);
+    ///     for mesh in &meshes {
+    ///         assert_eq!(mesh.positions.len(), mesh.normals.len());
+    ///     }
+    ///     meshes.list.len()
+    /// }
+    /// assert_eq!(draw_calls(&Model::new()), 0);
+    /// ```
+    pub fn meshes(&self, granularity: Granularity) -> Meshes {
+        let mut sink = MeshSink { granularity, origin: near_origin(self.bounds()), ..MeshSink::default() };
+        // It never stops the run.
+        let _ = self.replay(&mut sink);
+        sink.finish()
+    }
+}
+
+/// The leaves of a mesh under construction have in common: material, sets of texture coordinates, and by granularity the
+/// rule or the leaf.
+type MeshKey = (u32, SetMask, Option<u32>, Option<usize>);
+
+/// A mesh under construction.
+#[derive(Debug, Default)]
+struct MeshBuild {
+    rule: Option<u32>,
+    material: u32,
+    sets: SetMask,
+    triangles: Triangles,
+    uvs: [Vec<[f32; 2]>; 10],
+    leaves: Vec<MeshLeaf>,
+    places: Vec<DAffine3>,
+}
+
+/// Collects the leaves of a model.
+#[derive(Debug, Default)]
+struct MeshSink {
+    granularity: Granularity,
+    origin: DVec3,
+    table: SinkTable,
+    list: Vec<MeshBuild>,
+    /// Only for look-ups, never iterated.
+    by_key: HashMap<MeshKey, usize>,
+    assets: AssetList<usize>,
+    flattener: Flattener,
+    /// The number of leaves so far.
+    leaf: usize,
+}
+
+impl MeshSink {
+    /// The number of the next leaf.
+    fn next(&mut self) -> usize {
+        self.leaf += 1;
+        self.leaf - 1
+    }
+
+    /// The mesh for a leaf, and the start of the leaf's triangles.
+    fn build(&mut self, rule: u32, material: u32, sets: SetMask, leaf: usize) -> &mut MeshBuild {
+        let rule = (self.granularity != Granularity::Material).then_some(rule);
+        let key = (material, sets, rule, (self.granularity == Granularity::Leaf).then_some(leaf));
+        let list = &mut self.list;
+        let index = *self.by_key.entry(key).or_insert_with(|| {
+            list.push(MeshBuild { rule, material, sets, ..MeshBuild::default() });
+            list.len() - 1
+        });
+        let build = &mut self.list[index];
+        if build.leaves.last().is_none_or(|last| last.leaf != leaf) {
+            let start = build.triangles.indices.len();
+            build.leaves.push(MeshLeaf { leaf, indices: start..start });
+        }
+        build
+    }
+
+    /// Adds the faces of a mesh.
+    fn add(&mut self, rule: u32, material: u32, mesh: &Mesh, placement: &DAffine3, leaf: usize) {
+        let sets = SetMask::of(|set| !mesh.uv_set(set).is_empty());
+        let (mut flattener, origin) = (std::mem::take(&mut self.flattener), self.origin);
+        flattener.faces(mesh, placement, |face| {
+            let shown = face.material(&mut self.table, material);
+            let build = self.build(rule, shown, sets, leaf);
+            build.triangles.face(&face, origin, face.corners.clone(), face.triangles);
+            for set in sets.sets() {
+                build.uvs[set].extend(face.uvs(set).iter().map(|uv| uv.as_vec2().to_array()));
+            }
+            build.end();
+            true
+        });
+        self.flattener = flattener;
+    }
+
+    fn finish(mut self) -> Meshes {
+        let mut shared = Vec::new();
+        for mut asset in std::mem::take(&mut self.assets).into_list() {
+            let (own, single) = asset.shared_and_single();
+            let (rule, material) = (asset.rule, asset.material);
+            for (place, leaf) in single {
+                self.add(rule, material, &asset.mesh, &place, leaf);
+            }
+            if own.is_empty() {
+                continue;
+            }
+            // Built in the mesh's own coordinates, apart from the others.
+            let table = std::mem::take(&mut self.table);
+            let mut local = MeshSink { granularity: self.granularity, table, ..MeshSink::default() };
+            local.add(rule, material, &asset.mesh, &DAffine3::IDENTITY, own[0].1);
+            self.table = local.table;
+            for mut build in local.list {
+                let whole = 0..build.triangles.indices.len();
+                build.leaves = own.iter().map(|(_, leaf)| MeshLeaf { leaf: *leaf, indices: whole.clone() }).collect();
+                let moved = |place: &DAffine3| DAffine3 { translation: place.translation - self.origin, ..*place };
+                build.places = own.iter().map(|(place, _)| moved(place)).collect();
+                shared.push(build);
+            }
+        }
+        let MeshSink { list, table, origin, .. } = self;
+        let all = list.into_iter().chain(shared).filter(|build| !build.triangles.indices.items().is_empty());
+        Meshes { origin, list: all.map(|build| build.into_mesh(&table)).collect() }
+    }
+}
+
+impl MeshBuild {
+    /// Ends the triangles of the last leaf.
+    fn end(&mut self) {
+        let end = self.triangles.indices.len();
+        if let Some(last) = self.leaves.last_mut() {
+            last.indices.end = end;
+        }
+    }
+
+    /// Adds the texture coordinates of the last vertices, from their points in the world.
+    fn uvs(&mut self, leaf: &Leaf<'_>, points: impl Iterator<Item = DVec3> + Clone) {
+        for set in self.sets.sets() {
+            if let Some(map) = uv_map::find(leaf.uvs(), set) {
+                self.uvs[set].extend(points.clone().map(|point| map.at(point).as_vec2().to_array()));
+            }
+        }
+    }
+
+    fn into_mesh(self, table: &SinkTable) -> TriangleMesh {
+        let (vertices, indices) = (self.triangles.vertices.items(), self.triangles.indices.items());
+        let material = table.materials()[self.material as usize].clone();
+        let set = layer::set(Layer::Normal, self.sets).filter(|_| layer::image(&material, Layer::Normal).is_some());
+        let tangents = set.map_or_else(Vec::new, |set| {
+            let (map, uvs) = (Placement::of(&material, Layer::Normal).map(), &self.uvs[set]);
+            let uv = |at: usize| -> Vec2 {
+                let [u, v] = uvs[at].map(f64::from);
+                map.at(DVec2::new(u, v)).as_vec2()
+            };
+            tangents(vertices, indices, uv)
+        });
+        TriangleMesh {
+            rule: self.rule.map(|rule| table.rules()[rule as usize]),
+            material,
+            positions: vertices.iter().map(|&[x, y, z, ..]| [x, y, z]).collect(),
+            normals: vertices.iter().map(|&[.., x, y, z]| [x, y, z]).collect(),
+            tangents,
+            indices: indices.to_vec(),
+            uvs: self.uvs,
+            leaves: self.leaves,
+            places: self.places,
+        }
+    }
+}
+
+impl Sink for MeshSink {
+    fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
+        let (rule, material, number) = (self.table.rule(leaf.rule), self.table.material(leaf.material), self.next());
+        let placed = PlacedBox::from(quad).moved(-four(self.origin));
+        let build = self.build(rule, material, sets(leaf), number);
+        build.triangles.quad(placed, normals::of_quad(leaf, quad));
+        build.uvs(leaf, quad.corners().into_iter());
+        build.end();
+        ControlFlow::Continue(())
+    }
+
+    fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
+        let (rule, material, number) = (self.table.rule(leaf.rule), self.table.material(leaf.material), self.next());
+        let placed = PlacedBox::from(cuboid).moved(-four(self.origin));
+        let build = self.build(rule, material, sets(leaf), number);
+        build.triangles.cuboid(&placed, cuboid.unit, &normals::of_cuboid(leaf, cuboid));
+        build.uvs(leaf, cuboid.face_corners());
+        build.end();
+        ControlFlow::Continue(())
+    }
+
+    fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        let (rule, material, number) = (self.table.rule(leaf.rule), self.table.material(leaf.material), self.next());
+        self.add(rule, material, mesh, placement, number);
+        ControlFlow::Continue(())
+    }
+
+    fn instance(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        let (rule, material, number) = (self.table.rule(leaf.rule), self.table.material(leaf.material), self.next());
+        self.assets.add(mesh, rule, material, (*placement, number));
+        ControlFlow::Continue(())
+    }
+}
+
+/// The sets of a rectangle or a box.
+fn sets(leaf: &Leaf<'_>) -> SetMask {
+    SetMask::of(|set| uv_map::find(leaf.uvs(), set).is_some())
+}

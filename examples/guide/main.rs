@@ -1,0 +1,72 @@
+//! The pictures of the guide: `docs/guide/step-01.png` and so on.
+//!
+//! `cargo run --release --example guide`
+
+#[path = "../images/mod.rs"]
+mod images;
+mod step_01;
+mod step_02;
+mod step_03;
+mod step_04;
+mod step_05;
+mod step_06;
+mod step_07;
+mod step_08;
+mod step_09;
+mod step_10;
+
+use std::error::Error;
+use std::path::Path;
+
+use cga::sink::picture::Picture;
+use cga::{Assets, Grammar, Model, Settings, Shape, Sink};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = Path::new("out/guide");
+    std::fs::create_dir_all(folder)?;
+    images::bricks().write_png(folder.join("bricks.png"))?;
+    images::tiles().write_png(folder.join("tiles.png"))?;
+    let settings = Settings { assets: Assets::below(folder).into(), ..Settings::default() };
+
+    let lot = Shape::rectangle(11.0, 8.0);
+    let higher = step_03::House { storeys: 4.0, ..step_03::House::default() };
+    let steps: [&dyn Grammar; 9] = [
+        &step_01::House::default(),
+        &step_02::House::default(),
+        &higher,
+        &step_04::House::default(),
+        &step_05::House::default(),
+        &step_06::House::default(),
+        &step_07::House::default(),
+        &step_08::House::default(),
+        &step_09::House::default(),
+    ];
+    for (number, grammar) in (1..).zip(steps) {
+        write(number, &grammar.generate_with(&lot, &settings)?)?;
+    }
+    write(10, &street(&settings)?)?;
+    println!("wrote the pictures of docs/guide");
+    Ok(())
+}
+
+/// A row of houses on lots of several widths, each with a seed of its own.
+fn street(settings: &Settings) -> Result<Model, Box<dyn Error>> {
+    let mut street = Model::new().with_assets(settings.assets.clone());
+    let mut x = 0.0;
+    for (seed, width) in (1..).zip([9.0, 7.0, 11.0, 8.0, 10.0, 7.5]) {
+        let house = step_10::House::default();
+        let model = house.generate_with(&Shape::rectangle(width, 8.0).at([x, 0.0, 0.0]).seed(seed), settings)?;
+        let _ = model.replay(&mut street as &mut dyn Sink);
+        x += width + 2.5;
+    }
+    Ok(street)
+}
+
+fn write(step: usize, model: &Model) -> Result<(), Box<dyn Error>> {
+    model.faults().iter().for_each(|fault| eprintln!("step {step}: {fault}"));
+    // The street is long.
+    let (width, height) = if step == 10 { (1200, 560) } else { (900, 620) };
+    let picture = Picture::new(width, height).looking_from(28.0, 16.0);
+    picture.render(model).write_png(format!("docs/guide/step-{step:02}.png"))?;
+    Ok(())
+}

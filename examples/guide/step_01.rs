@@ -1,0 +1,9 @@
+//! A block.
+
+use cga::cga;
+
+cga! {
+    pub grammar House;
+
+    Lot --> extrude(6) House.
+}

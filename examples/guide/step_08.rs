@@ -1,0 +1,32 @@
+//! The roof.
+
+use cga::cga;
+
+cga! {
+    pub grammar House;
+
+    /// The number of storeys.
+    @Range(min = 1, max = 5)
+    attr storeys = 2
+    const height = 2.8
+
+    Lot     --> extrude(0.75 + storeys * height) split(y) { 0.5 : Plinth | ~1 : Walls | 0.25 : Cornice }
+    Plinth  --> s(scope.sx + 0.2, ^1, scope.sz + 0.2) center(xz) color("#8d8a83") Plinth.
+    Walls   --> comp(f) { front : Facade(true) | side : Facade(false) }
+    Facade(hasDoor) --> split(y) { ~height : Ground(hasDoor) | { ~height : Storey }* }
+    Ground(hasDoor) -->
+        case hasDoor : split(x) { ~1 : Storey | 1.5 : Entrance | ~1 : Storey }
+        else         : Storey
+    Entrance --> split(y) { 2.3 : Door | ~1 : Wall }
+    Door    --> [ t(0, -0.5, 0) s(^1, 0.5, ^1) color("#8d8a83") extrude(0.7) Step. ] t(0, 0, -0.15) color("#3f5f4a") Door.
+    Storey  --> split(x) { 0.5 : Wall | { ~2.4 : Bay }* | 0.5 : Wall }
+    Bay     --> split(x) { ~1 : Wall | 1.1 : Column | ~1 : Wall }
+    Column  --> split(y) { 0.8 : Wall | 1.5 : Window | ~1 : Wall }
+    Window  --> offset(-0.08) comp(f) { inside : Pane | border : Frame }
+    Pane    --> t(0, 0, -0.12) color("#6f93ab") Glass.
+    Frame   --> t(0, 0, -0.12) extrude(0.18) color("#fbf8f1") Frame.
+    Wall    --> color("#e8dcc0") Wall.
+    Cornice --> s(scope.sx + 0.4, ^1, scope.sz + 0.4) center(xz) color("#f6f0e4") comp(f) { top : Roof | all : Cornice. }
+    Roof    --> roofGable(38, 0.5, 0.4) comp(f) { isTagged("roof.side") : Wall | isTagged("roof.bottom") : NIL | all : Plane }
+    Plane   --> color("#9c4a36") extrude(0.12) Tiles.
+}
