@@ -143,6 +143,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cells: Vec<Cell> = pages::setback::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
     save("setback", sheet::draw(&cells, 5))?;
 
+    let cells: Vec<Cell> = pages::tags::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
+    save("tags", sheet::draw(&cells, 5))?;
+
     let cells: Vec<Cell> = pages::mass::ALL.iter().map(|example| comp_cell(example, &cutting::settings())).collect();
     save("mass", sheet::draw(&cells, 4))?;
 

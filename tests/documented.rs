@@ -43,6 +43,8 @@ mod scopes;
 mod selectors;
 #[path = "documented/setbacks.rs"]
 mod setbacks;
+#[path = "documented/tags.rs"]
+mod tags;
 #[path = "documented/texturing.rs"]
 mod texturing;
 #[path = "documented/thirty.rs"]
@@ -72,6 +74,7 @@ fn all_examples_run() {
         pages::scattering::ALL,
         pages::setback::ALL,
         pages::mesh_operations::ALL,
+        pages::tags::ALL,
     ];
     let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();
     for example in pages.concat() {

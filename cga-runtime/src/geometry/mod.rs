@@ -20,6 +20,7 @@ pub(crate) mod random;
 pub(crate) mod recompose;
 pub(crate) mod roof;
 pub(crate) mod rotation;
+pub(crate) mod sampled_outline;
 pub(crate) mod scatter;
 pub(crate) mod segment;
 mod skeleton;

@@ -22,6 +22,7 @@ pub(crate) const ALL: &[Example] = &[
     half_spheres::EXAMPLE,
     half_spheres_unified::EXAMPLE,
     half_spheres_drilled::EXAMPLE,
+    half_spheres_tagged::EXAMPLE,
     auto_tags::EXAMPLE,
     layout::EXAMPLE,
     open_cube::EXAMPLE,
@@ -29,6 +30,8 @@ pub(crate) const ALL: &[Example] = &[
     plane::EXAMPLE,
     plane_crossed::EXAMPLE,
     stairs::EXAMPLE,
+    united_solids::EXAMPLE,
+    united_areas::EXAMPLE,
 ];
 
 fn square() -> Shape {
@@ -50,11 +53,13 @@ example! {
     r##"Left --> union { Cube | Sphere }
          comp(f) { isTagged("bool.A") : Blue
                  | isTagged("bool.B") : Green }
+         comp(e) { isTagged("bool.cut") : Orange }
 Cube --> primitiveCube
 Sphere --> t(0.3,0.3,0.3) primitiveSphere
 
 Blue --> color("#0399F5")
 Green --> color("#09DE1F")
+Orange --> color("#FA9100")
 "##
 }
 
@@ -63,11 +68,13 @@ example! {
     r##"Middle --> subtract { Cube | Sphere }
          comp(f) { isTagged("bool.A") : Blue
                  | isTagged("bool.B") : Green }
+         comp(e) { isTagged("bool.cut") : Orange }
 Cube --> primitiveCube
 Sphere --> t(0.3,0.3,0.3) primitiveSphere
 
 Blue --> color("#0399F5")
 Green --> color("#09DE1F")
+Orange --> color("#FA9100")
 "##
 }
 
@@ -76,11 +83,13 @@ example! {
     r##"Right --> intersect { Cube | Sphere }
          comp(f) { isTagged("bool.A") : Blue
                  | isTagged("bool.B") : Green }
+         comp(e) { isTagged("bool.cut") : Orange }
 Cube --> primitiveCube
 Sphere --> t(0.3,0.3,0.3) primitiveSphere
 
 Blue --> color("#0399F5")
 Green --> color("#09DE1F")
+Orange --> color("#FA9100")
 "##
 }
 
@@ -280,6 +289,49 @@ Hole -->
 }
 
 example! {
+    /// The page writes `tag("envelope")`, which `isTagged("Envelope")` does not find.
+    half_spheres_tagged, "Boolean operations, mass modeling, adding tags", lot(),
+    r##"Init -->
+    intersect { Envelope | Sphere }
+    inline(unify) split(y) { ~1: LowerHalf
+                           | 20: UpperHalf }
+    subtract { CurrentMass. | Hole }
+    comp(f) { isTagged("Envelope") && side   : Blue
+            | isTagged("Lower")    && top    : Red
+            | isTagged("Upper")    && bottom : Orange
+            | isTagged("Lower")              : Green
+            | isTagged("Upper")              : Yellow
+            | isTagged("Hole")               : Purple }
+Envelope -->
+    extrude(40)
+    tag("Envelope")
+Sphere -->
+    s('1, 40, '2)
+    center(z)
+    t(0, '-0.2, 0)
+    primitiveSphere
+LowerHalf --> tag("Lower")
+UpperHalf --> t(10, 0, 0)
+              r(scopeCenter, 0, 7.2, 0)
+              tag("Upper")
+Hole -->
+    s(16, 16, '1.2)
+    center(z)
+    t(30, 5, 0)
+    rotateScope(-90, 0, 0)
+    primitiveCylinder
+    tag("Hole")
+
+Blue --> color("#0399F5")
+Green --> color("#09DE1F")
+Yellow --> color("#FADB19")
+Purple --> color("#8D09DE")
+Red --> color("#FF360A")
+Orange --> color("#FA9100")
+"##
+}
+
+example! {
     auto_tags, "Boolean operations, auto-tags", house(),
     r##"Init -->
     extrude(40)
@@ -396,4 +448,47 @@ StepsRec(nSteps) -->
 Step --> s(0.4, 0.3, 1) primitiveCube
 
 "##
+}
+
+example! {
+    united_solids, "Rule inlining, inline and tags in 3D", Shape::rectangle(10.0, 3.0),
+    r##"Init -->
+    inline(unify) split(x) { 3: A | 4: B | 3: C }
+    comp(f) { isTagged("A"): Blue
+            | isTagged("B"): Yellow
+            | isTagged("C"): Red }
+A --> primitiveCylinder tag("A")
+B --> t(-1, 0.5, 0.75)
+      s(6, 2, 1.5)
+      primitiveCube
+      tag("B")
+C --> primitiveSphere tag("C")
+
+Blue --> color("#0399F5")
+Yellow --> color("#FADB19")
+Red --> color("#FF360A")
+"##
+}
+
+example! {
+    united_areas, "Rule inlining, inline and tags in 2D", Shape::rectangle(10.0, 3.0),
+    r##"Init -->
+    inline(unify) split(x) { 3: A | 4: B | 3: C }
+    comp(f) { isTagged("A") && isTagged("B"): Green
+            | isTagged("B") && isTagged("C"): Orange
+            | isTagged("A")                 : Blue
+            | isTagged("B")                 : Yellow
+            | isTagged("C")                 : Red }
+A --> primitiveDisk tag("A")
+B --> t(-1, 0, 0.75)
+      s(6, 0, 1.5)
+      tag("B")
+C --> tag("C")
+
+Blue --> color("#0399F5")
+Yellow --> color("#FADB19")
+Red --> color("#FF360A")
+Green --> color("#09DE1F")
+Orange --> color("#FA9100")
+"##; marks &[Mark::FromAbove]
 }

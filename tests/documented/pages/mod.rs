@@ -19,4 +19,5 @@ pub(crate) mod split_attribute;
 pub(crate) mod split_operation;
 pub(crate) mod subdivision_once;
 pub(crate) mod subdivision_repeat;
+pub(crate) mod tags;
 pub(crate) mod texturing;

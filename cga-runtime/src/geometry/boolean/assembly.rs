@@ -177,6 +177,6 @@ impl Assembly<'_> {
         }
         let operand = |facet: &u32| ["bool.A", "bool.B"][usize::from(self.operands[*facet as usize])];
         let own = polygon.sources.iter().map(|facet| Text::from(operand(facet)));
-        TagSet::new(names).renewed_with("bool", own)
+        TagSet::new(names).without(Some("bool")).union(&TagSet::new(own))
     }
 }

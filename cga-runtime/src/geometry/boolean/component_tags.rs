@@ -55,7 +55,10 @@ impl EdgeTags {
             if op != BooleanOp::Unify {
                 let sources = || uses.iter().flat_map(|used| &sheets.list[used.sheet as usize].sources);
                 let has = |operand: u8| sources().any(|source| operands[source.facet as usize] == operand);
-                tags = tags.renewed_with("bool", (has(0) && has(1)).then(|| Text::from("bool.cut")));
+                tags = tags.without(Some("bool"));
+                if has(0) && has(1) {
+                    tags = tags.with(&Text::from("bool.cut"));
+                }
             }
             if !tags.names().is_empty() {
                 of_edge[edge as usize] = table.number(&tags);

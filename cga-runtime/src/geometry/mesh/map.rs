@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::face::unit;
-use super::{FaceTag, Mesh, Tags};
+use super::{FaceTag, Mesh};
 
 /// The map of normals that matches the winding: it maps `a × b` to `(m·a) × (m·b)`, also if `m` mirrors. Unlike the
 /// inverse it exists for flat maps too.
@@ -57,8 +57,7 @@ impl Mesh {
 
     /// The mesh without materials.
     pub(crate) fn without_materials(&self) -> Mesh {
-        let mut tags = Tags::default();
-        (0..self.face_count()).for_each(|face| tags.push(FaceTag { material: FaceTag::NONE, ..self.tags[face] }));
+        let tags = self.tags.mapped(|tag| FaceTag { material: FaceTag::NONE, ..tag });
         Mesh { tags, materials: Arc::default(), ..self.clone() }
     }
 
