@@ -78,7 +78,14 @@ fn assembled(mesh: &Mesh, net: &Net, concave: &[usize], parts: &[Vec<Part>]) -> 
             None => add(&face.loop_ranges().map(|ring| ring.start as u32).collect::<Vec<_>>(), face.tag()),
         }
     }
+    let mut used = Vec::new();
+    if !mesh.subcomponent_tags.is_empty() {
+        used.clone_from(&made.corners);
+        used.sort_unstable();
+        used.dedup();
+    }
     made.take_points(&net.pool);
+    made.carry_tags(mesh, |point| net.origin(used[point as usize]));
     made
 }
 

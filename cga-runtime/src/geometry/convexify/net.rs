@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::geometry::mesh::{Mesh, unit};
+use crate::geometry::trace::PartPoint;
 
 /// The corners of a mesh, linked to loops. The half-edge that starts at a corner has the number of the corner.
 pub(super) struct Net {
@@ -14,6 +15,8 @@ pub(super) struct Net {
     mates: Vec<u32>,
     /// True for the sides of cuts.
     cuts: Vec<bool>,
+    /// The origins of the points that divisions have added, on edges of the mesh.
+    origins: Vec<PartPoint>,
     /// The divisions of edges of the mesh since the last mark: for each half-edge the corner behind it.
     divisions: Vec<Vec<[u32; 2]>>,
 }
@@ -32,6 +35,7 @@ impl Net {
             before: (0..corners).map(|corner| adjacency.before(corner)).collect(),
             mates,
             cuts: vec![false; corners as usize],
+            origins: Vec::new(),
             divisions: Vec::new(),
         }
     }
@@ -80,6 +84,10 @@ impl Net {
     /// Divides an edge in all loops that have it. Returns the new corner in the loop of `half`.
     pub(super) fn divide(&mut self, half: u32, share: f64) -> u32 {
         let start = self.point(half);
+        self.origins.push(match self.is_cut(half) {
+            true => PartPoint::NEW,
+            false => between([half, self.next(half)].map(|corner| self.origin(self.point(corner))), share),
+        });
         let point = self.pool.add_point(self.along(half, share));
         let after = |&other: &u32| Some(self.mate(other)).filter(|&next| next != half);
         let all: Vec<u32> = std::iter::successors(Some(half), after).collect();
@@ -103,6 +111,12 @@ impl Net {
             self.divisions.push(division);
         }
         own
+    }
+
+    /// The origin of a point in the mesh.
+    pub(super) fn origin(&self, point: u32) -> PartPoint {
+        let old = self.pool.points.len() - self.origins.len();
+        (point as usize).checked_sub(old).map_or(PartPoint::old(point), |new| self.origins[new])
     }
 
     /// Forgets the divisions of edges, so that they stay.
@@ -218,4 +232,17 @@ fn link(mates: &mut [u32], circle: &[u32]) {
     for (k, &half) in circle.iter().enumerate() {
         mates[half as usize] = circle[(k + 1) % circle.len()];
     }
+}
+
+/// The origin of a point between two points of an edge of the mesh.
+fn between(ends: [PartPoint; 2], share: f64) -> PartPoint {
+    let is_inside = |point: &&PartPoint| point.ends[0] != point.ends[1];
+    let Some(known) = ends.iter().find(is_inside) else {
+        return PartPoint { ends: ends.map(|point| point.ends[0]), share };
+    };
+    let shares = ends.map(|point| match is_inside(&&point) {
+        true => point.share,
+        false => f64::from(u8::from(point.ends[0] == known.ends[1])),
+    });
+    PartPoint { ends: known.ends, share: shares[0] + (shares[1] - shares[0]) * share }
 }
