@@ -4,7 +4,7 @@ use glam::{DAffine3, DVec3};
 
 use super::origins::Origins;
 use crate::geometry::mesh::join::join;
-use crate::geometry::mesh::{Derived, Mesh, SubcomponentTagger};
+use crate::geometry::mesh::{Derived, Mesh, SubcomponentTagger, TagSet};
 use crate::geometry::trace::{PartPoint, Trace, UNTRACED};
 use crate::geometry::wire::Wire;
 
@@ -87,9 +87,22 @@ impl Weld {
         self.meshes.push(refined);
     }
 
-    /// Adds the tags of the edge between two corners, all along the edge.
+    /// Adds the tags of a part without faces. `points` are the numbers of its points.
+    pub(crate) fn add_tags(&mut self, origins: &Origins, wire: &Wire, points: &[u32]) {
+        for (ends, set) in wire.tags.edges() {
+            self.tag_all_along(origins, ends.map(|end| points[end as usize]), set);
+        }
+        wire.tags.vertices().for_each(|(point, set)| self.tagger.vertex(points[point as usize], set));
+    }
+
+    /// Adds the tags of the edge between two corners.
     fn tag_edge(&mut self, origins: &Origins, mesh: &Mesh, corners: [usize; 2], ends: [u32; 2]) {
         let Some(set) = mesh.edge_tags(corners.map(|corner| mesh.corners[corner])) else { return };
+        self.tag_all_along(origins, ends, set);
+    }
+
+    /// Adds tags to all parts of an edge.
+    fn tag_all_along(&mut self, origins: &Origins, ends: [u32; 2], set: &TagSet) {
         let mut last = ends[0];
         origins.between(ends, |point, _| self.tagger.edge([std::mem::replace(&mut last, point), point], set));
         self.tagger.edge([last, ends[1]], set);
