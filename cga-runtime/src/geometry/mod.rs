@@ -1,6 +1,7 @@
 //! Geometry: meshes and operations on them. This module does not know shapes, rules or sinks.
 
 pub(crate) mod buckets;
+pub(crate) mod conform;
 pub(crate) mod convexify;
 pub mod cut;
 pub(crate) mod disjoint;

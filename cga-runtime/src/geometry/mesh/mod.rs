@@ -13,6 +13,7 @@
 mod adjacency;
 mod along_uv;
 mod assemble;
+mod average_normal;
 mod build;
 pub mod check;
 mod convex;
@@ -34,6 +35,7 @@ pub(crate) mod offset;
 pub(crate) mod pair_table;
 mod polygon;
 pub mod primitive;
+mod soften;
 pub(crate) mod solid;
 mod spread;
 mod subcomponent_tags;
