@@ -143,12 +143,19 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cells: Vec<Cell> = pages::setback::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
     save("setback", sheet::draw(&cells, 5))?;
 
+    let cells: Vec<Cell> = pages::tags::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
+    save("tags", sheet::draw(&cells, 5))?;
+
     let cells: Vec<Cell> = pages::mass::ALL.iter().map(|example| comp_cell(example, &cutting::settings())).collect();
     save("mass", sheet::draw(&cells, 4))?;
 
     let cells: Vec<Cell> =
         pages::recompose::ALL.iter().map(|example| comp_cell(example, &cutting::settings())).collect();
     save("recompose", sheet::draw(&cells, 4))?;
+    for (name, examples) in [("boolean", pages::boolean::ALL), ("boolean-table", pages::boolean_table::ALL)] {
+        let cells: Vec<Cell> = examples.iter().map(|example| comp_cell(example, &plain)).collect();
+        save(name, sheet::draw(&cells, 4))?;
+    }
 
     let cells: Vec<Cell> = pages::mesh_operations::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
     save("mesh-operations", sheet::draw(&cells, 2))?;

@@ -57,7 +57,7 @@ pub use cga_runtime::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 pub use cga_runtime::run::start_rule::StartRule;
 pub use cga_runtime::run::watch::{Progress, Watch};
 pub use cga_runtime::shape::scope::Scope;
-pub use cga_runtime::shape::{Shape, ShapeRef};
+pub use cga_runtime::shape::{EdgeAttribute, Shape, ShapeRef};
 pub use cga_runtime::value::array::Array;
 pub use cga_runtime::value::text::Text;
 pub use cga_runtime::value::{Value, ValueType};
@@ -70,7 +70,7 @@ pub mod mesh {
     #[cfg(feature = "obj")]
     pub use cga_runtime::asset::obj::{ObjError, ObjFile, read_obj};
     pub use cga_runtime::geometry::mesh::check::Flaw;
-    pub use cga_runtime::geometry::mesh::{Bounds, FaceRef, FaceTag, Mesh, MeshBuilder, MeshError};
+    pub use cga_runtime::geometry::mesh::{Bounds, FaceRef, FaceTag, Mesh, MeshBuilder, MeshError, TagSet};
 }
 
 /// Texture coordinates of leaves that are rectangles or boxes: maps from points of the world.

@@ -45,6 +45,8 @@ mod scopes;
 mod selectors;
 #[path = "documented/setbacks.rs"]
 mod setbacks;
+#[path = "documented/tags.rs"]
+mod tags;
 #[path = "documented/texturing.rs"]
 mod texturing;
 #[path = "documented/thirty.rs"]
@@ -62,6 +64,8 @@ fn all_examples_run() {
         pages::subdivision_once::ALL,
         pages::subdivision_repeat::ALL,
         pages::cutting::ALL,
+        pages::boolean::ALL,
+        pages::boolean_table::ALL,
         pages::comp::ALL,
         pages::components::ALL,
         pages::texturing::ALL,
@@ -73,6 +77,7 @@ fn all_examples_run() {
         pages::setback::ALL,
         pages::mesh_operations::ALL,
         pages::normals::ALL,
+        pages::tags::ALL,
     ];
     let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();
     for example in pages.concat() {

@@ -1,6 +1,7 @@
 //! The split solver: sizes and an extent in, pieces out. Pure arithmetic on `f64`, with the same bits on every platform
 //! and without dependencies: the compiler solves rules with the same code as a run. For the same reason this crate has
-//! [`files`], the places where files are looked up, and [`suggest`], the names that may be meant.
+//! [`files`], the places where files are looked up, [`suggest`], the names that may be meant, and [`tags`], the queries for
+//! component tags.
 //!
 //! ```
 //! use cga_split::{Item, Size, solve};
@@ -23,6 +24,7 @@ mod groups;
 mod search;
 mod solve;
 pub mod suggest;
+pub mod tags;
 mod turns;
 
 pub use choices::is_size;

@@ -1,6 +1,6 @@
 //! Checks of expressions: division by zero, arguments out of bounds, constant conditions.
 
-use super::{bounds, branches, colour, texture};
+use super::{bounds, branches, colour, tags, texture};
 use crate::analysis::{AbstractState, DataFlow, Turn};
 use crate::diag::Diags;
 use crate::diag::code::Code;
@@ -25,6 +25,7 @@ pub(crate) fn check(expr: &Expr, facts: &AbstractState, flow: &DataFlow, cx: &Co
                 texture::asked(row, name, args, (facts, flow), diags);
                 let args: Vec<&Expr> = args.iter().collect();
                 bounds::check(row.params, &args, facts, flow, diags);
+                tags::check(row.params, &args, &cx.tables.given_tags, diags);
                 colour::check(cx.globals.program, row.params, &args, facts, flow, diags);
             }
         }

@@ -1,5 +1,7 @@
 //! Arguments outside the documented values of their parameters.
 
+use cga_split::tags;
+
 use super::numbers::shown;
 use crate::analysis::interval::Interval;
 use crate::analysis::{AbstractState, DataFlow, Value};
@@ -14,6 +16,10 @@ pub(crate) fn check(params: &[Param], args: &[&Expr], facts: &AbstractState, flo
         let Some(bounds) = param.bounds else { continue };
         let found = match (bounds.values, flow.value(arg, facts)) {
             (Allowed::NotEmpty, _) => is_empty_text(arg).then(|| "this text".to_owned()),
+            (Allowed::TagName, _) => match &arg.kind {
+                ExprKind::Text(text) => tags::name(text).is_empty().then(|| "this text".to_owned()),
+                _ => None,
+            },
             (values, Value::Number(number)) => {
                 is_outside(values, number).then(|| number.known().map_or_else(|| "this".to_owned(), shown))
             }
@@ -29,6 +35,7 @@ fn report(param: &Param, bounds: &ParamBounds, arg: &Expr, found: &str, diags: &
     let message = match bounds.code {
         Code::UnknownUvSet => format!("{found} is not the number of a uv set"),
         _ if bounds.values == Allowed::NotEmpty => format!("`{}` is empty", param.name),
+        _ if bounds.values == Allowed::TagName => format!("`{}` has no characters except wildcards", param.name),
         _ => format!("{found} is outside the values of `{}`", param.name),
     };
     let level = bounds.result.map_or(bounds.code.level(), |_| Level::Warning);
@@ -52,7 +59,7 @@ fn is_outside(values: Allowed, number: Interval) -> bool {
         Allowed::AtLeast(least) => number.hi < least,
         Allowed::Above(least) => number.hi <= least,
         Allowed::Inside(least, most) => number.hi <= least || most <= number.lo,
-        Allowed::NotEmpty => false,
+        Allowed::NotEmpty | Allowed::TagName | Allowed::TagQuery => false,
     }
 }
 

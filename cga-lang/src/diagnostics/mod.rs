@@ -16,6 +16,7 @@ mod reach;
 mod repeat;
 mod size;
 mod switch;
+pub(crate) mod tags;
 mod texture;
 mod trailing;
 mod unused;
@@ -30,6 +31,7 @@ use crate::syntax::ast::Expr;
 
 pub(crate) fn check(cx: &mut Context) {
     cx.tables.levels = branches::levels(cx);
+    cx.tables.given_tags = tags::given(cx);
     let program = cx.globals.program;
     // With an error anywhere, the calls are not known.
     let calls = (!cx.diags.has_errors()).then(|| Calls::new(&cx.globals, &cx.tables));
@@ -56,6 +58,7 @@ pub(crate) fn check(cx: &mut Context) {
                         texture::changed(row, args, projected, (facts, &values), diags);
                         let args: Vec<&Expr> = args.iter().map(|arg| &arg.value).collect();
                         bounds::check(row.params, &args, facts, &values, diags);
+                        tags::check(row.params, &args, &cx.tables.given_tags, diags);
                         colour::check(program, row.params, &args, facts, &values, diags);
                     }
                     Site::Set(row, value) => {

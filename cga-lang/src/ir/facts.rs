@@ -65,6 +65,12 @@ impl Facts {
         &self.rules[id.0 as usize]
     }
 
+    /// Uses of the whole grammar: of all rules, attributes and constants.
+    pub fn all(&self, grammar: &Grammar) -> Uses {
+        self.rules.iter().map(|rule| rule.own).collect::<Uses>()
+            | self.exprs(grammar.globals.iter().map(|global| &global.value))
+    }
+
     /// Uses of a function's value, with the functions that it calls.
     pub fn function(&self, id: FunctionId) -> Uses {
         self.functions[id.0 as usize]

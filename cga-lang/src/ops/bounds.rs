@@ -30,4 +30,8 @@ pub enum Allowed {
     Inside(f64, f64),
     /// Text with at least one character.
     NotEmpty,
+    /// Text with characters that are not wildcards of tag queries.
+    TagName,
+    /// A query for tags.
+    TagQuery,
 }

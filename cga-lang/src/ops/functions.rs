@@ -2,8 +2,8 @@
 
 use super::base::later;
 use super::{
-    Allowed, B, BS, Default, F, FILE, FS, Function, Needs, Param, ParamBounds, Params, Run, Str, T, TS, Uses, boolean,
-    bounds, float, of, or, queries, renamed, set_elements, text, values, within, word, words,
+    Allowed, B, BS, Default, F, FILE, FS, Function, Needs, Param, ParamBounds, Params, Run, Str, T, TAG_QUERY, TS,
+    Uses, boolean, bounds, float, of, or, queries, renamed, set_elements, text, values, within, word, words,
 };
 use crate::types::Type;
 
@@ -35,9 +35,10 @@ pub static FUNCTIONS: &[&[Function]] = &[
     REST,
 ];
 
-/// A query of a component that is not implemented yet.
+/// A query of the tags of a component.
 const fn asked(name: Str, call: Str, params: Params, about: Str) -> Function {
-    Function { run: Run::Now(call), needs: Needs::Component, uses: Uses::WHOLE, ..later(name, params, B, about) }
+    let uses = Uses::WHOLE.and(Uses::TAGS);
+    Function { run: Run::Now(call), needs: Needs::Component, uses, ..later(name, params, B, about) }
 }
 
 /// *contextCompare*, *contextCount* and *minimumDistance function*.
@@ -70,6 +71,15 @@ const COMPARISON: Param = words(
 
 const GEO_COORDINATE: Param = words("geoCoordinate", &["X", "Y", "lon", "lat"]);
 
+const EDGE_ATTRIBUTE: Params = &[text("attributeName")];
+
+/// An attribute of the initial shape's edges.
+const fn edge_attr(name: Str, call: Str, ty: Type) -> Function {
+    let about = "an attribute of the initial shape's edge that the shape faces";
+    let uses = Uses::WHOLE.and(Uses::PLACE).and(Uses::SAYS);
+    Function { run: Run::Now(call), needs: Needs::Both, uses, ..later(name, EDGE_ATTRIBUTE, ty, about) }
+}
+
 /// Other shapes, the edges of the initial shape, and the place of a shape on Earth.
 static CONTEXT: &[Function] = &[
     later("inside", &[OPTIONAL_TARGET, OPTIONAL_LABEL], B, "whether the shape is inside another closed shape"),
@@ -78,39 +88,47 @@ static CONTEXT: &[Function] = &[
     later("minimumDistance", &[TARGET, LABEL], F, "the distance to the nearest shape of a label"),
     later("contextCompare", &[TARGET, LABEL, COMPARISON], F, "the rank among the shapes of a label"),
     later("contextCount", &[TARGET, LABEL], F, "how many shapes have a label"),
-    later("edgeAttr.getFloat", &[text("attributeName")], F, "an attribute of the initial shape's nearest edge"),
-    later("edgeAttr.getString", &[text("attributeName")], T, "an attribute of the initial shape's nearest edge"),
-    later("edgeAttr.getBool", &[text("attributeName")], B, "an attribute of the initial shape's nearest edge"),
+    edge_attr("edgeAttr.getFloat", "edge_attr_float", F),
+    edge_attr("edgeAttr.getString", "edge_attr_string", T),
+    edge_attr("edgeAttr.getBool", "edge_attr_bool", B),
     later("getGeoCoord", &[GEO_COORDINATE], F, "a coordinate of the scope's origin on the map"),
     later("getTreeKey", &[], T, "the way from the initial shape to this one, as a list of numbers"),
 ];
 
-const TAGGED: Param = or(words("components", &["all", "faces", "edges", "vertices"]), Default::Word("all"));
+const TAGGED: Param =
+    or(word("components", "TaggedComponents", &["all", "faces", "edges", "vertices"]), Default::Word("all"));
 
 /// The subcomponents that `isTagged` tests instead of the component itself.
 const SUBCOMPONENT: Param =
     renamed(&[("e", "Edges"), ("v", "Vertices")], word("subcomponent", "Subcomponent", &["e", "v"]));
 
-/// A query of the geometry that is not implemented yet.
-const fn tags(name: Str, params: Params, ty: Type, about: Str) -> Function {
-    Function { needs: Needs::Shape, uses: Uses::WHOLE, ..later(name, params, ty, about) }
+/// A query of the tags of the geometry.
+const fn tags(name: Str, call: Str, params: Params, ty: Type, about: Str) -> Function {
+    let uses = Uses::WHOLE.and(Uses::TAGS);
+    Function { run: Run::Now(call), needs: Needs::Shape, uses, ..later(name, params, ty, about) }
 }
 
 /// Tags of geometry.
 static GEOMETRY: &[Function] = &[
-    tags("geometry.tags", &[], TS, "the tags of the components, in order"),
-    tags("geometry.tags", &[text("tagQuery"), TAGGED], TS, "the tags that match, in order"),
-    tags("geometry.hasTags", &[], B, "whether components have tags"),
-    tags("geometry.hasTags", &[text("tagQuery"), TAGGED], B, "whether components have tags that match"),
+    tags("geometry.tags", "geometry_tags", &[], TS, "the tags of the components, in order"),
+    tags("geometry.tags", "geometry_tags_of", &[TAG_QUERY, TAGGED], TS, "the tags that match, in order"),
+    tags("geometry.hasTags", "geometry_has_tags", &[], B, "whether components have tags"),
+    tags(
+        "geometry.hasTags",
+        "geometry_has_tags_of",
+        &[TAG_QUERY, TAGGED],
+        B,
+        "whether components have tags that match",
+    ),
 ];
 
 /// Tags in selectors (*comp operation*).
 static TAGS: &[Function] = &[
-    asked("isTagged", "is_tagged", &[text("tagQuery")], "whether a component has a tag that matches"),
+    asked("isTagged", "is_tagged", &[TAG_QUERY], "whether a component has a tag that matches"),
     asked(
         "isTagged",
         "is_tagged_at",
-        &[text("tagQuery"), SUBCOMPONENT],
+        &[TAG_QUERY, SUBCOMPONENT],
         "whether an edge or vertex of a component has a tag that matches",
     ),
 ];

@@ -39,8 +39,8 @@ pub use syntax::{SYNTAX, Syntax, syntax};
 pub use uses::Uses;
 
 use params::{
-    FILE, HEX, boolean, bounds, channel, file, float, length, of, or, outdated, param, renamed, size, takes, text,
-    unknown, uv_set, within, word, words,
+    FILE, HEX, TAG_QUERY, boolean, bounds, channel, file, float, length, of, or, outdated, param, renamed, size, takes,
+    text, unknown, uv_set, within, word, words,
 };
 
 /// The implementation of a row.
@@ -76,6 +76,8 @@ pub struct Operation {
     pub changes: Changes,
     /// True if the shapes of its operands are reconnected (*Shape recomposition*).
     pub recomposes: bool,
+    /// The tags that it gives to the components that it makes (*Geometry tagging*, auto-tags).
+    pub tags: &'static [&'static str],
     /// True if a rule with its name and the same number of parameters of other types can be called (*CGA changelog
     /// 2019.1*).
     pub overloads: bool,
@@ -318,6 +320,11 @@ pub fn operation(name: &str, args: &[Option<&str>]) -> Option<&'static Operation
 /// All operations.
 pub fn all_operations() -> impl Iterator<Item = &'static Operation> + Clone {
     OPERATIONS.iter().copied().flatten()
+}
+
+/// The tags that operations give to the components that they make.
+pub fn tags() -> impl Iterator<Item = &'static str> {
+    all_operations().flat_map(|row| row.tags.iter().copied())
 }
 
 /// The rows of a function with a name.

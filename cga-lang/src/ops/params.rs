@@ -243,6 +243,13 @@ pub(super) const fn uv_set(name: &'static str) -> Param {
     within(float(name), &UV_SETS)
 }
 
+/// Any query; a check compares its parts with known tags.
+static TAG_QUERIES: ParamBounds =
+    ParamBounds { code: Code::UnknownTag, ..bounds(Allowed::TagQuery, "`?` is one part of a tag, `*` one or more") };
+
+/// A query for component tags.
+pub(super) const TAG_QUERY: Param = within(text("tagQuery"), &TAG_QUERIES);
+
 /// No words.
 const WORDS: Words = Words { list: &[], old: &[], rust: None, renamed: &[], unknown: Code::UnknownWord };
 

@@ -7,13 +7,13 @@ use std::ops::BitOr;
 ///
 /// A part too many costs time. A part that is missing is a promise.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Uses(u8);
+pub struct Uses(u16);
 
 impl Uses {
     /// Nothing.
     pub const NONE: Uses = Uses(0);
     /// Everything, as for Rust code that gets the shape.
-    pub const ALL: Uses = Uses(u8::MAX);
+    pub const ALL: Uses = Uses(u16::MAX);
     /// Random numbers are drawn from the shape's seed, or the seed itself is read or set: `rand`, `p`, chances in
     /// expressions and rules, `seedian`.
     pub const DRAWS: Uses = Uses(1);
@@ -37,6 +37,10 @@ impl Uses {
     /// The run or the host program is queried or changed: prints, reports, files, Rust code, the limit of calls, the
     /// initial shape. Such a derivation must not be replayed. Faults alone do not count.
     pub const SAYS: Uses = Uses(1 << 7);
+
+    /// Tags of edges or vertices are read or set: `isTagged`, `geometry.hasTags`, `tag`. In grammars without such a use,
+    /// operations do not tag the edges that they make.
+    pub const TAGS: Uses = Uses(1 << 8);
 
     /// The union, in constants.
     pub const fn and(self, other: Uses) -> Uses {
@@ -79,6 +83,7 @@ impl Uses {
             (Uses::WHOLE, "whole"),
             (Uses::STATE, "state"),
             (Uses::SAYS, "says"),
+            (Uses::TAGS, "tags"),
         ];
         names.into_iter().filter(move |(part, _)| self.has(*part)).map(|(_, name)| name)
     }

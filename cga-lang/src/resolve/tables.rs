@@ -64,8 +64,17 @@ pub(crate) struct Tables {
     pub(crate) later: HashSet<Key>,
     /// Constants that serve as levels, by index: rules only compare them with numbers.
     pub(crate) levels: HashSet<u32>,
+    pub(crate) given_tags: GivenTags,
     /// Default values of overridden attributes that are used, by index of the constant.
     pub(crate) origins: HashSet<u32>,
+}
+
+/// The tags that the rules of a program give themselves.
+#[derive(Debug, Default)]
+pub(crate) struct GivenTags {
+    pub(crate) names: Vec<String>,
+    /// True if there may be others: a name is computed, or files that import this one may give them.
+    pub(crate) has_others: bool,
 }
 
 impl Tables {

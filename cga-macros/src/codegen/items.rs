@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use cga_lang::ir::walk;
 use cga_lang::ir::{ExprKind, Global, GlobalId, RuleId, Type};
+use cga_lang::ops::Uses;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 
 use super::access::Access;
@@ -98,7 +99,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     let (name, label) = (header.ident(), header.label());
     let names = site::names(cx.grammar);
     let leaves = cx.leaves.names();
-    let is_settled = cx.is_settled_globally();
+    let (is_settled, has_tags) = (cx.is_settled_globally(), cx.facts.all(cx.grammar).has(Uses::TAGS));
     let starts = &cx.grammar.starts;
     let start_rows = starts.iter().map(attribute_table::start);
     let start_numbers = starts.iter().map(|start| Literal::u32_suffixed(start.rule.0));
@@ -140,6 +141,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
             const NAMES: &'static [&'static ::core::primitive::str] = &[#(#names),*];
             const LEAVES: &'static [&'static ::core::primitive::str] = &[#(#leaves),*];
             const SETTLED: ::core::primitive::bool = #is_settled;
+            const TAGS: ::core::primitive::bool = #has_tags;
             const STARTS: &'static [cga_rt::StartRule] = &[#(#start_rows),*];
             const START_RULES: &'static [::core::primitive::u32] = &[#(#start_numbers),*];
             const START_STYLES: &'static [::core::primitive::u32] = &[#(#start_styles),*];

@@ -1,5 +1,6 @@
 //! Geometry: meshes and operations on them. This module does not know shapes, rules or sinks.
 
+pub(crate) mod boolean;
 pub(crate) mod buckets;
 pub(crate) mod conform;
 pub(crate) mod convexify;
@@ -20,6 +21,7 @@ pub(crate) mod random;
 pub(crate) mod recompose;
 pub(crate) mod roof;
 pub(crate) mod rotation;
+pub(crate) mod sampled_outline;
 pub(crate) mod scatter;
 pub(crate) mod segment;
 mod skeleton;

@@ -1,6 +1,8 @@
 //! The origin of a face, and the tags that `extrude` gives (*Geometry tagging*, auto-tags).
 
-use crate::geometry::mesh::{FaceTag, Mesh, TagSet, tag_matches};
+use cga_split::tags::matches;
+
+use crate::geometry::mesh::{FaceTag, Mesh, TagSet};
 use crate::value::text::Text;
 
 /// The part of an extrusion that a face is: the original face, a side at its outline, a side at a hole, or the face
@@ -82,7 +84,7 @@ impl Provenance {
 
     /// Returns true if a query for component tags matches.
     pub(crate) fn is_tagged(self, query: &str) -> bool {
-        matches!(self, Provenance::Extruded(extruded) if tag_matches(query, extruded.tag()))
+        matches!(self, Provenance::Extruded(extruded) if matches(query, extruded.tag()))
     }
 }
 

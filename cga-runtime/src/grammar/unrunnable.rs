@@ -18,6 +18,7 @@ impl<T: Unrunnable> Rules for T {
     const NAMES: &'static [&'static str] = &[];
     const LEAVES: &'static [&'static str] = &[];
     const SETTLED: bool = true;
+    const TAGS: bool = false;
     const STARTS: &'static [StartRule] = &[];
     const START_RULES: &'static [u32] = &[];
     const START_STYLES: &'static [u32] = &[];

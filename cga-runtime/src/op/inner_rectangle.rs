@@ -6,6 +6,7 @@ use crate::comp::select::Word;
 use crate::comp::{Arms, Faces};
 use crate::fault::FaultKind;
 use crate::geometry::inner_rectangle::RectangleSides;
+use crate::geometry::mesh::SubcomponentTagger;
 use crate::geometry::mesh::inner_rectangle::{RectangleRefusal, cut_rectangle, finish};
 use crate::run::env::Env;
 use crate::shape::Shape;
@@ -38,16 +39,17 @@ impl RectangleAlignment {
 /// face that was tried reached the limit; along edges, faces with hundreds of directions do. Then longer edges count first.
 ///
 /// A face that has no normal, touches itself, is so narrow that the corners of its rectangle fall together, or has more than
-/// 5000 corners stays whole, as a remainder, with a fault. Edges get no tags, because meshes have tags of faces alone.
+/// 5000 corners stays whole, as a remainder, with a fault. Faces keep their tags, and sides on
+/// edges of the face have those of the edges.
 pub fn inner_rectangle(env: &mut Env, arms: &mut Arms<'_>, alignment: RectangleAlignment) -> ControlFlow<(), Faces> {
     if !arms.shape().geometry.has_surface() {
         return ControlFlow::Continue(Faces::default());
     }
     let mesh = arms.shape().to_mesh();
     let labels = [Word::Shape, Word::Remainder].map(|word| arms.of(word));
-    let mut made = Faces { mesh: mesh.alike(0), arms: Vec::new() };
+    let (mut made, mut tagger) = (Faces { mesh: mesh.alike(0), arms: Vec::new() }, SubcomponentTagger::default());
     for face in mesh.faces() {
-        let count = match cut_rectangle(&face, alignment.sides(), labels[1].is_some(), &mut made.mesh) {
+        let count = match cut_rectangle(&face, alignment.sides(), labels[1].is_some(), &mut made.mesh, &mut tagger) {
             Ok(count) => {
                 made.arms.push(labels[0]);
                 count
@@ -55,13 +57,13 @@ pub fn inner_rectangle(env: &mut Env, arms: &mut Arms<'_>, alignment: RectangleA
             Err(why) => {
                 let (number, why) = (face.index(), reason(why));
                 env.fault(FaultKind::Geometry, format!("`innerRectangle`: face {number} {why}; it stays whole"));
-                made.mesh.add_copy(&face);
+                made.mesh.add_tagged_copy(&face, face.tag(), &mut tagger);
                 1
             }
         };
         made.arms.extend(std::iter::repeat_n(labels[1], count));
     }
-    finish(&mut made.mesh);
+    finish(&mut made.mesh, tagger);
     ControlFlow::Continue(made)
 }
 
@@ -73,17 +75,17 @@ pub fn inner_rect(env: &mut Env, shape: &mut Shape) {
         return;
     }
     let mesh = shape.to_mesh();
-    let mut made = mesh.alike(0);
+    let (mut made, mut tagger) = (mesh.alike(0), SubcomponentTagger::default());
     let mut refused = 0;
     for face in mesh.faces() {
-        if let Err(why) = cut_rectangle(&face, RectangleSides::Axes, false, &mut made) {
+        if let Err(why) = cut_rectangle(&face, RectangleSides::Axes, false, &mut made, &mut tagger) {
             let (number, why) = (face.index(), reason(why));
             env.fault(FaultKind::Geometry, format!("`innerRect`: face {number} {why}; it stays as it is"));
-            made.add_copy(&face);
+            made.add_tagged_copy(&face, face.tag(), &mut tagger);
             refused += 1;
         }
     }
-    finish(&mut made);
+    finish(&mut made, tagger);
     if refused < mesh.face_count() && env.count_corners(made.corners().len() as u64).is_continue() {
         shape.set_mesh(made);
     }

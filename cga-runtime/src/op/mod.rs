@@ -7,9 +7,12 @@ mod align;
 mod align_box;
 mod align_geometry;
 mod along_uv;
+mod boolean;
 mod convexify;
 mod coordinates;
 mod delete_holes;
+mod delete_tags;
+mod edge_attr_tags;
 mod envelope;
 mod extrude;
 mod fit;
@@ -42,13 +45,14 @@ mod shape_l;
 mod shape_o;
 mod shape_u;
 pub mod slim;
+mod tag;
 mod taper;
 pub(crate) mod texture;
 mod transform;
 mod trim;
 
 pub use crate::comp::{Align, Components};
-pub use crate::geometry::mesh::{HeightAlignment, HeightDirection, OffsetFaces};
+pub use crate::geometry::mesh::{HeightAlignment, HeightDirection, OffsetFaces, TaggedComponents};
 pub use align::{AlignAxes, align_to_axes, rotate_scope};
 pub use align_box::{BoxAxes, align_to_box};
 pub use align_geometry::{
@@ -56,9 +60,12 @@ pub use align_geometry::{
     align_to_indices, align_to_selected,
 };
 pub use along_uv::{insert_along_uv, insert_along_uv_with};
+pub use boolean::{SwapMode, intersect, intersect_current, subtract, subtract_current, union, union_current};
 pub use convexify::{convexify, convexify_within};
 pub use coordinates::{System, TransformMode, rotate_in, translate_in};
 pub use delete_holes::delete_holes;
+pub use delete_tags::{delete_tags, delete_tags_of};
+pub use edge_attr_tags::set_tags_from_edge_attrs;
 pub use envelope::{
     EnvelopeAlong, envelope_all, envelope_edges, envelope_front, envelope_front_back, envelope_old_all,
     envelope_old_front, envelope_old_front_back, envelope_old_sides, envelope_sides,
@@ -92,6 +99,7 @@ pub use setback_to_area::{setback_to_area, setback_to_area_between, setback_to_a
 pub use shape_l::shape_l;
 pub use shape_o::shape_o;
 pub use shape_u::shape_u;
+pub use tag::{TagTarget, tag};
 pub use taper::taper;
 pub use texture::{
     NormalizeMode, NormalizeType, ProjectionAxes, copy_uv, delete_uv, normalize_uv, project_uv, rotate_uv, scale_uv,

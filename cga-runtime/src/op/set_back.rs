@@ -9,6 +9,7 @@ use crate::fault::FaultKind;
 use crate::geometry::mesh::offset::OffsetError;
 use crate::geometry::mesh::offset::region::EdgeCut;
 use crate::geometry::mesh::offset::set_back::{renumber, set_back as set_face_back};
+use crate::geometry::mesh::offset::side_tags::SideTags;
 use crate::geometry::mesh::{FaceRef, Mesh};
 use crate::run::env::Env;
 
@@ -71,7 +72,9 @@ pub(super) fn divided(
     divided_at(env, mesh, remainder, what, |face| (Vec::new(), turns(face)))
 }
 
-/// Divides the faces of a mesh, whose edges are divided into pieces by cuts.
+/// Divides the faces of a mesh, whose edges are divided into pieces by cuts. In grammars that use tags, edges are tagged: those
+/// set back `setback.front`, their new places `setback.back`, the ends `setback.side`, and those left `setback.remainder`
+/// (*setback operation*).
 pub(super) fn divided_at(
     env: &mut Env,
     mesh: &Mesh,
@@ -80,10 +83,11 @@ pub(super) fn divided_at(
     turns: impl Fn(&FaceRef<'_>) -> (Vec<EdgeCut>, Vec<Turn>),
 ) -> Faces {
     let mut made = Faces { mesh: mesh.alike(0), arms: Vec::new() };
+    let mut tags = SideTags::new(mesh, env.tags_edges);
     for face in mesh.faces() {
         let (cuts, turns) = turns(&face);
         let distances: Vec<&[f64]> = turns.iter().map(|turn| &turn.distances[..]).collect();
-        match set_face_back(&face, &cuts, &distances, &mut made.mesh) {
+        match set_face_back(&face, &cuts, &distances, &mut made.mesh, &mut tags) {
             Ok(counts) => {
                 let arms = turns.iter().map(|turn| turn.arm).chain([remainder]);
                 made.arms.extend(arms.zip(counts).flat_map(|(arm, count)| std::iter::repeat_n(arm, count)));
@@ -91,11 +95,13 @@ pub(super) fn divided_at(
             Err(why) => {
                 let (number, why) = (face.index(), reason(why));
                 env.fault(FaultKind::Geometry, format!("{what}: face {number} {why}; it stays whole"));
-                made.mesh.add_copy(&face);
+                made.mesh.add_copy(&face, face.tag());
+                tags.whole(&face, &made.mesh);
                 made.arms.push(remainder);
             }
         }
     }
+    tags.finish(&mut made.mesh);
     renumber(&mut made.mesh);
     made
 }

@@ -13,8 +13,8 @@ use crate::run::env::Env;
 ///
 /// The setback of an edge ends on the neighbouring edges, or on the line of a neighbour that ends at a concave corner. At a
 /// corner that turns by less than 45 degrees it ends on the bisector, if the neighbour has another distance. A face without
-/// a normal, one that touches itself and one with more than 5000 corners stay whole, as remainders, with a fault. Edges get
-/// no tags, because meshes have tags of faces alone.
+/// a normal, one that touches itself and one with more than 5000 corners stay whole, as remainders, with a fault. In grammars
+/// that use tags, edges have the tags of setbacks.
 pub fn shape_l(env: &mut Env, arms: &mut Arms<'_>, front: f64, left: f64) -> ControlFlow<(), Faces> {
     set_back(env, arms, "`shapeL`", &[(Word::Front, front), (Word::Left, left)])
 }

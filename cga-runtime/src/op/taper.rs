@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::extrude::stand;
-use crate::geometry::mesh::{FaceRef, FaceTag, Mesh, Spread, TagSet, flip, unit};
+use crate::geometry::mesh::{FaceRef, Mesh, PartTags, Spread, SubcomponentTagger, flip, unit};
 use crate::run::env::Env;
 use crate::shape::Shape;
 
@@ -23,7 +23,8 @@ pub fn taper(env: &mut Env, shape: &mut Shape, height: f64) {
     stand(env, shape, pyramid(&mesh, &face, height), face.normal(), height, "`taper`");
 }
 
-/// The face turned over, then a triangle for each of its edges, outline before holes.
+/// The face turned over, then a triangle for each of its edges, outline before holes. A triangle has the tags of its edge, an
+/// edge to the apex those of its vertex (*Geometry tagging*, tag propagation).
 fn pyramid(source: &Mesh, face: &FaceRef<'_>, height: f64) -> Mesh {
     let (normal, range) = (face.normal(), face.corner_range());
     let centre = centre_of_gravity(face);
@@ -31,12 +32,7 @@ fn pyramid(source: &Mesh, face: &FaceRef<'_>, height: f64) -> Mesh {
     mesh.points = range.clone().map(|corner| face.position(corner)).collect();
     let apex = mesh.points.len() as u32;
     mesh.points.push(centre + normal * height);
-    let plain = TagSet::default();
-    let sets = || source.tag_sets().iter().chain([&plain]);
-    let tagged = ["taper.bottom", "taper.side"].map(|tag| sets().map(move |set| set.renewed("taper", tag)));
-    mesh.tag_sets = tagged.into_iter().flatten().collect();
-    let (own, count) = (face.tag(), sets().count() as u32);
-    let tags = [0, count].map(|first| first + own.tags.min(count - 1));
+    let (own, mut tags, mut tagger) = (face.tag(), PartTags::new(source, "taper"), SubcomponentTagger::default());
     // At the apex texture coordinates continue those of the face.
     let x = unit(face.position(range.start + 1) - face.position(range.start));
     let flat = |at: DVec3| DVec2::new((at - centre).dot(x), (at - centre).dot(normal.cross(x)));
@@ -51,8 +47,7 @@ fn pyramid(source: &Mesh, face: &FaceRef<'_>, height: f64) -> Mesh {
         }
         mesh.loop_ends.push(mesh.corners.len() as u32);
     }
-    mesh.face_ends.push(mesh.loop_ends.len());
-    mesh.tags.push(FaceTag { cap: false, tags: tags[0], ..own });
+    mesh.end_face(tags.over(own, "taper.bottom"));
     for ring in face.loop_ranges() {
         for corner in ring.clone() {
             let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
@@ -64,10 +59,15 @@ fn pyramid(source: &Mesh, face: &FaceRef<'_>, height: f64) -> Mesh {
                 |list: &[DVec2]| list[range.clone()].iter().zip(&weights).map(|(&uv, &weight)| uv * weight).sum();
             mesh.uvs.push_from(&source.uvs, mixed);
             mesh.loop_ends.push(mesh.corners.len() as u32);
-            mesh.face_ends.push(mesh.loop_ends.len());
-            mesh.tags.push(FaceTag { cap: false, tags: tags[1], ..own });
+            let ends = [corner, next].map(|corner| source.corners[corner]);
+            mesh.end_face(tags.over_edge(own, "taper.side", ends));
+            let triangle = [number(corner), number(next), apex];
+            let old = |point: u32| (point != apex).then(|| source.corners[range.start + point as usize]);
+            tagger.grow_ring(source, &triangle, |point| point, old);
         }
     }
+    mesh.tag_sets = tags.finish();
+    mesh.put_tags(tagger);
     mesh
 }
 

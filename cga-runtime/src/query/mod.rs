@@ -5,6 +5,7 @@
 
 mod convert;
 mod count;
+mod edge_attr;
 mod faces;
 mod file;
 mod file_table;
@@ -13,14 +14,16 @@ pub mod get;
 mod material;
 mod measure;
 mod print;
+mod tags;
 mod texture;
 
 pub use crate::comp::select::Word;
-pub use crate::geometry::mesh::TextureSpace;
+pub use crate::geometry::mesh::{TaggedComponents, TextureSpace};
 pub use convert::{ConvertWhat, System, convert, convert_array};
 pub use count::{
     geometry_groups, geometry_materials, geometry_n_edges, geometry_n_faces, geometry_n_holes, geometry_n_vertices,
 };
+pub use edge_attr::{edge_attr_bool, edge_attr_float, edge_attr_string};
 pub use file::{
     AssetDimension, AssetNaming, ImageDimension, asset_info, asset_naming_info, asset_naming_infos, file_exists,
     file_random, file_search, files_search, image_info, read_text_file,
@@ -35,6 +38,7 @@ pub use measure::{
     AngleType, geometry_angle, geometry_area, geometry_boundary_length, geometry_height, geometry_volume,
 };
 pub use print::print;
+pub use tags::{geometry_has_tags, geometry_has_tags_of, geometry_tags, geometry_tags_of};
 pub use texture::{
     geometry_du, geometry_dv, geometry_has_uv_set, geometry_has_uvs, geometry_u_max, geometry_u_min, geometry_v_max,
     geometry_v_min,

@@ -61,6 +61,7 @@ pub(crate) fn run<R: Rules>(
     sink: &mut dyn Sink,
 ) -> RunOutcome {
     let mut env = Env::new(settings, R::NAMES, shape, name);
+    env.tags_edges = R::TAGS;
     env.leaf_tables.names = R::LEAVES;
     sink.begin();
     kept.begin(R::SETTLED);

@@ -27,6 +27,9 @@ pub trait Rules {
     /// True if attributes and constants do not depend on the initial shape.
     const SETTLED: bool;
 
+    /// True if the rules read or set tags. Otherwise operations do not tag the edges that they make.
+    const TAGS: bool;
+
     /// Checks the attributes against their ranges.
     ///
     /// # Errors

@@ -10,6 +10,7 @@ use crate::geometry::face_frame::{self, FaceFrame};
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::tol::{ANGLE_EPSILON, ROUNDING_EPSILON};
 use crate::geometry::{Axis, Frame};
+use crate::shape::edge_attributes::EdgeAttribute;
 use crate::shape::scope::Scope;
 use crate::shape::seed::Seed;
 use crate::shape::state::StateRef;
@@ -188,6 +189,21 @@ impl Shape {
     /// streets (*comp operation*, street selectors). Without any street they equal the selectors of the object.
     pub fn streets(mut self, widths: impl Into<Arc<[f64]>>) -> Self {
         self.state.change().street_widths = widths.into();
+        self
+    }
+
+    /// Sets an attribute of the edges: a value for each edge of each face, from the first edge of the first face on. An edge
+    /// that two faces share has a value for each of them. Rules read it with `edgeAttr.getString(name)` and its like, and make
+    /// tags of it with `setTagsFromEdgeAttrs`. Edges beyond the end of the list have no value.
+    ///
+    /// ```
+    /// # use cga_runtime as cga;
+    /// use cga::shape::Shape;
+    ///
+    /// let lot = Shape::rectangle(20.0, 15.0).edge_attribute("use", ["street", "garden", "garden", "path"]);
+    /// ```
+    pub fn edge_attribute(mut self, name: impl Into<Text>, values: impl Into<EdgeAttribute>) -> Self {
+        Arc::make_mut(&mut self.state.change().edge_attributes).insert(name.into(), values.into());
         self
     }
 

@@ -7,6 +7,7 @@ pub(crate) mod axes;
 pub(crate) mod base;
 pub(crate) mod bases;
 pub(crate) mod direction;
+pub(crate) mod edge_attributes;
 mod initial;
 pub(crate) mod look;
 pub(crate) mod look_id;
@@ -17,6 +18,7 @@ pub(crate) mod seed;
 pub(crate) mod slim;
 pub(crate) mod state;
 pub(crate) mod street;
+mod tags;
 pub(crate) mod texture;
 mod trace;
 pub(crate) mod trim;
@@ -39,6 +41,7 @@ use crate::shape::texture::Coordinates;
 use crate::shape::trim::Trims;
 use crate::shape::unit::UnitMesh;
 
+pub use edge_attributes::EdgeAttribute;
 pub(crate) use placed::{Inserted, Placed, PlacedWire};
 pub use slim::ShapeRef;
 

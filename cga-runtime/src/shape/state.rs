@@ -3,6 +3,7 @@
 use std::sync::{Arc, LazyLock};
 
 use crate::material::Material;
+use crate::shape::edge_attributes::EdgeAttributes;
 use crate::shape::look::Look;
 use crate::shape::texture::{Coordinates, Projections};
 use crate::value::Value;
@@ -24,6 +25,8 @@ pub(crate) struct State {
     pub(crate) foreign: bool,
     /// The width of the street at each edge of the initial shape.
     pub(crate) street_widths: Arc<[f64]>,
+    /// The attributes of the edges of the initial shape.
+    pub(crate) edge_attributes: EdgeAttributes,
     /// True if a run from this shape holds boxes and rectangles as meshes. No result depends on it.
     pub(crate) as_meshes: bool,
 }
@@ -49,6 +52,7 @@ impl Default for State {
             name: Text::default(),
             foreign: false,
             street_widths: Arc::default(),
+            edge_attributes: EdgeAttributes::default(),
             as_meshes: false,
         }
     }

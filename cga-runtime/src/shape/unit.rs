@@ -13,7 +13,7 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use crate::geometry::Axis;
 use crate::geometry::cut;
-use crate::geometry::mesh::{Extrude, Mesh, extrude, primitive, solid};
+use crate::geometry::mesh::{Extrude, Mesh, TaggedComponents, extrude, primitive, solid};
 use crate::geometry::provenance::Provenance;
 
 /// The mesh of a box or a rectangle with a length of 1 along each of its axes. A rectangle is at 0 on the axis across
@@ -241,6 +241,11 @@ impl UnitMesh {
             let turn = DAffine3 { matrix3: axes.transpose(), translation: DVec3::ZERO };
             UnitMesh::shared(stretched(&extrude(&self.0.mesh, Extrude::FaceNormal, 1.0).map(&turn)))
         })
+    }
+
+    /// The mesh without the tags that a query matches, or without all tags if there is no query.
+    pub(crate) fn without_tags(self, query: Option<&str>) -> Self {
+        UnitMesh::shared(self.0.mesh.without_tags(query, TaggedComponents::Faces))
     }
 
     /// The mesh mirrored about its middle, with its faces looking outwards as before.

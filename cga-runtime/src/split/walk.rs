@@ -9,10 +9,12 @@ use super::division::{Division, Made, Slot};
 use super::texture::{TextureAxis, texture};
 use super::{Adjust, Item, Piece, Size};
 use crate::geometry::Axis;
+use crate::geometry::mesh::TaggedComponents;
 use crate::run::context::Cx;
 use crate::run::env::Env;
 use crate::run::sink::Flow;
 use crate::shape::ShapeRef;
+use crate::shape::base::Base;
 
 /// A split, as known to the code generator.
 #[derive(Clone, Copy, Debug)]
@@ -88,9 +90,21 @@ pub fn split_area<C>(
     lengths: &mut [f64],
     visit: &mut VisitPiece<'_, C>,
 ) -> ControlFlow<(), bool> {
+    // *Geometry tagging*: the parts have no tags.
+    let bare = without_tags(cx.env, shape);
+    let bare = bare.as_ref().map(Base::shape);
+    let shape = bare.as_ref().unwrap_or(shape);
     let pieces = areas(cx.env, shape, split.axis, split.pattern, sizes, lengths);
     let made = made(cx.env, shape, split, &pieces)?;
     walk(cx, shape, split, &made, pieces.len() as u64, List::new(&pieces), visit)
+}
+
+/// The shape without its tags; `None` if it has none.
+fn without_tags(env: &Env, shape: &ShapeRef<'_>) -> Option<Base> {
+    let mut whole = env.whole(shape);
+    whole.found_tags(None, TaggedComponents::All).next()?;
+    whole.remove_tags(None, TaggedComponents::All);
+    Some(env.base(whole))
 }
 
 /// Splits a shape in texture space (*split operation*), as [`split`].

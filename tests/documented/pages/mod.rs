@@ -1,5 +1,7 @@
 //! The pages' examples: what the tests check and `examples/documented.rs` draws.
 
+pub(crate) mod boolean;
+pub(crate) mod boolean_table;
 pub(crate) mod comp;
 pub(crate) mod components;
 pub(crate) mod cutting;
@@ -18,4 +20,5 @@ pub(crate) mod split_attribute;
 pub(crate) mod split_operation;
 pub(crate) mod subdivision_once;
 pub(crate) mod subdivision_repeat;
+pub(crate) mod tags;
 pub(crate) mod texturing;

@@ -13,6 +13,8 @@ cga! {
     Street --> setupProjection(0, scope.xy, 1, 1) split(u, uvSpace, 0) { 0.5 : A. | ~1 : A. }
     @Deny(missing_uv_set)
     Hut --> primitiveCube() tileUV(2, 1, 1) A.
+    @Deny(unknown_tag)
+    Barn --> extrude(9) comp(f) { isTagged("extrude.sides") : A. }
 }
 
 cga! {

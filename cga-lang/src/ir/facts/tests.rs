@@ -162,9 +162,32 @@ fn rust_code_may_do_anything() {
     let found = shown(rules);
     assert_eq!(
         found[0],
-        "A: draws index total scope place whole state says | draws index total scope place whole state says"
+        "A: draws index total scope place whole state says tags | draws index total scope place whole state says tags"
     );
     assert_eq!(found[1..], ["B: scope says | scope says", "C:  |  | rigid"]);
+}
+
+#[test]
+fn uses_of_tags_are_found_everywhere() {
+    let has_tags = |rules: &str| {
+        let grammar = grammar(rules);
+        Facts::new(&grammar).all(&grammar).has(Uses::TAGS)
+    };
+    assert!(!has_tags("A --> setback(1) { front : X. | remainder : extrude(3) comp(f) { side : Y. } }"));
+    for rules in [
+        r#"A --> comp(e) { isTagged("a") : X. }"#,
+        r#"A --> comp(f) { front && isTagged("a") : X. }"#,
+        r#"A --> setback(1) { isTagged("a") : X. }"#,
+        r#"A --> B(geometry.hasTags("a")) B(b) --> case b : X. else : Y."#,
+        "f = size(geometry.tags) A --> extrude(f) X.",
+        "attr many = size(geometry.tags) A --> extrude(many) X.",
+        r#"A --> tag("a") X."#,
+        "A --> deleteTags() X.",
+        "A --> setTagsFromEdgeAttrs X.",
+        r#"A --> extrude(sum(comp(fe) { isTagged("a") : 1 })) X."#,
+    ] {
+        assert!(has_tags(rules), "{rules}");
+    }
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::super::{
     Allowed, Default, Effect, FILE, FS, FileUse, Operation, Param, ParamBounds, Params, Str, Uses, UvEffect, bounds,
     file, float, length, of, or, outdated, renamed, uv_set, within, word,
 };
-use super::{moves, old, op, using, uvs, with};
+use super::{moves, old, op, tagging, using, uvs, with};
 
 const EXTRUDE_ALONG: Param = outdated(
     &[("world.y", "world.up")],
@@ -106,6 +106,21 @@ const ENVELOPE_SIDES: &[Param] = &[
 
 const INSERTED: Param = file("filePath", FileUse::Inserted);
 
+const EXTRUDE_TAGS: &[&str] = &["extrude.bottom", "extrude.top", "extrude.side.outer", "extrude.side.inner"];
+
+const ENVELOPE_TAGS: &[&str] =
+    &["envelope.bottom", "envelope.top", "envelope.side.base", "envelope.side.slope", "envelope.side.inner"];
+
+/// A row of `extrude`.
+const fn extrudes(row: Operation) -> Operation {
+    tagging(EXTRUDE_TAGS, keeps_uvs(row))
+}
+
+/// A row of `envelope`.
+const fn envelope(call: Str, params: Params, about: Str) -> Operation {
+    tagging(ENVELOPE_TAGS, op("envelope", call, params, about))
+}
+
 /// The row of an operation whose new faces have no texture coordinates.
 const fn keeps_uvs(row: Operation) -> Operation {
     uvs(UvEffect::Keeps, row)
@@ -133,22 +148,22 @@ const fn first(count: usize, params: Params) -> Params {
 
 /// An envelope without the direction.
 const fn undirected(call: Str, params: Params) -> Operation {
-    old(op("envelope", call, params.split_at(1).1, VOLUME), "give the up direction: `envelope(normal, …)`")
+    old(envelope(call, params.split_at(1).1, VOLUME), "give the up direction: `envelope(normal, …)`")
 }
 
 pub(super) static ROWS: &[Operation] = &[
-    keeps_uvs(with(
+    extrudes(with(
         Effect::Extrudes,
         moves(op("extrude", "extrude", &[length("distance")], "extrudes each face along its normal")),
     )),
-    keeps_uvs(op(
+    extrudes(op(
         "extrude",
         "extrude_along",
         &[EXTRUDE_ALONG, length("distance")],
         "extrudes faces along normals or upwards",
     )),
     old(
-        keeps_uvs(op("extrude", "extrude_axis", &[EXTRUDE_AXIS, length("distance")], "extrudes along an axis")),
+        extrudes(op("extrude", "extrude_axis", &[EXTRUDE_AXIS, length("distance")], "extrudes along an axis")),
         "write `extrude(world.up, …)` to extrude upwards",
     ),
     with(
@@ -228,7 +243,10 @@ pub(super) static ROWS: &[Operation] = &[
         &[SIDES, float("radius"), float("height")],
         "replaces the geometry by a cone of that size",
     ),
-    keeps_uvs(op("taper", "taper", &[float("height")], "makes a pyramid over the first face")),
+    tagging(
+        &["taper.bottom", "taper.side"],
+        keeps_uvs(op("taper", "taper", &[float("height")], "makes a pyramid over the first face")),
+    ),
     keeps_uvs(op(
         "offset",
         "offset",
@@ -236,12 +254,11 @@ pub(super) static ROWS: &[Operation] = &[
         "moves the outline of each face in or out, with faces for the difference",
     )),
     with(Effect::Flattens, op("footprint", "footprint", &[], "replaces the geometry by its outline seen from above")),
-    op("envelope", "envelope_front", first(4, ENVELOPE), VOLUME),
-    op("envelope", "envelope_front_back", first(6, ENVELOPE), VOLUME),
-    op("envelope", "envelope_sides", ENVELOPE_SIDES, VOLUME),
-    op("envelope", "envelope_all", ENVELOPE, VOLUME),
-    op(
-        "envelope",
+    envelope("envelope_front", first(4, ENVELOPE), VOLUME),
+    envelope("envelope_front_back", first(6, ENVELOPE), VOLUME),
+    envelope("envelope_sides", ENVELOPE_SIDES, VOLUME),
+    envelope("envelope_all", ENVELOPE, VOLUME),
+    envelope(
         "envelope_edges",
         &[DIRECTION, MAX_HEIGHT, of("baseHeights", FS), of("angles", FS)],
         "makes the volume that may be built on, with heights and angles edge by edge",

@@ -1,10 +1,10 @@
 //! Geometry manipulation, tags, inlined rules and boolean operations.
 
 use super::super::{
-    Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Params, Str, Uses, boolean, bounds, float, or,
+    Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Str, TAG_QUERY, Uses, boolean, bounds, float, or,
     text, within, word, words,
 };
-use super::{block, joins, later, old, op, recomposes, using, with};
+use super::{block, joins, keeps, later, old, op, reads_tags, recomposes, tagging, using, with};
 
 /// *cleanupGeometry* and *reduceGeometry operation*.
 static TOLERANCES: ParamBounds = bounds(Allowed::Between(0.0, 1.0), "it is from 0 to 1");
@@ -25,18 +25,19 @@ static SMOOTH_ANGLES: ParamBounds = bounds(Allowed::Between(0.0, 180.0), "it is 
 
 const NORMALS: Param = word("normalsMode", "NormalsMode", &["hard", "conform", "soft", "auto"]);
 
-const TAGGED: Param = or(words("components", &["auto", "faces", "edges", "vertices"]), Default::Word("auto"));
+const TAGGED: Param =
+    or(word("components", "TagTarget", &["auto", "faces", "edges", "vertices"]), Default::Word("auto"));
 
-const UNTAGGED: Param = or(words("components", &["all", "faces", "edges", "vertices"]), Default::Word("all"));
+const UNTAGGED: Param =
+    or(word("components", "TaggedComponents", &["all", "faces", "edges", "vertices"]), Default::Word("all"));
 
-const APPEND: Param = or(word("geometryMergeStrategy", "MergeStrategy", &["append"]), Default::Word("append"));
+const STRATEGY: Param =
+    or(word("geometryMergeStrategy", "MergeStrategy", &["append", "unify"]), Default::Word("append"));
 
 const RECOMPOSE: Param = word("geometryMergeStrategy", "MergeStrategy", &["recompose"]);
 
-const UNIFY: Param = words("geometryMergeStrategy", &["unify"]);
-
 /// *Boolean 3D operations*, 2024.1.
-const SWAP: Param = words("swapMode", &["noSwap", "swap"]);
+const SWAP: Param = or(word("swapMode", "SwapMode", &["noSwap", "swap"]), Default::Word("noSwap"));
 
 /// The initial shape and its place in the world.
 const INITIAL: Uses = Uses::WHOLE.and(Uses::PLACE).and(Uses::SAYS);
@@ -46,13 +47,35 @@ const UNION: &str = "joins the results of both sides";
 const SUBTRACT: &str = "removes the result of the right side from the result of the left side";
 const INTERSECT: &str = "keeps the common part of both results";
 
+/// The tags of all boolean operations.
+const BOOLEAN_TAGS: &[&str] = &["bool.A", "bool.B", "bool.cut"];
+
+/// A boolean operation.
+const fn operands(name: Str, about: Str) -> Operation {
+    joins(name, tagging(BOOLEAN_TAGS, block(name, Braces::Operands, &[], about)))
+}
+
 /// The syntax up to 2024.1, where the left operand was the current shape (*CGA changelog 2025.0*).
-const fn one_operand(name: Str, params: Params, about: Str) -> Operation {
-    old(block(name, Braces::Inline, params, about), "name both operands in braces: `{ A | B }`")
+const fn one_operand(name: Str, call: Str, about: Str) -> Operation {
+    let row = joins(call, tagging(BOOLEAN_TAGS, block(name, Braces::Inline, &[SWAP], about)));
+    old(row, "name both operands in braces: `{ A | B }`")
+}
+
+/// *tag operation*: wildcards are filtered out.
+static TAG_NAMES: ParamBounds = ParamBounds {
+    result: Some("nothing is tagged"),
+    ..bounds(Allowed::TagName, "the wildcards `?` and `*` are left out of the names of tags")
+};
+
+const TAG_NAME: Param = within(text("name"), &TAG_NAMES);
+
+/// The row of an operation that changes tags alone.
+const fn tags(row: Operation) -> Operation {
+    keeps(reads_tags(row))
 }
 
 pub(super) static ROWS: &[Operation] = &[
-    later("cleanupGeometry", &[CLEANUP, TOLERANCE], "merges parts that are nearly the same"),
+    reads_tags(later("cleanupGeometry", &[CLEANUP, TOLERANCE], "merges parts that are nearly the same")),
     with(Effect::KeepsSize, op("convexify", "convexify", &[], "cuts concave faces into convex ones")),
     with(
         Effect::KeepsSize,
@@ -88,20 +111,24 @@ pub(super) static ROWS: &[Operation] = &[
     later("reduceGeometry", &[TOLERANCE], "removes vertices and changes the form as little as it can"),
     using(INITIAL, op("resetGeometry", "reset_geometry", &[], "takes the geometry of the initial shape again")),
     with(Effect::KeepsSize, op("trim", "trim", &[], "cuts the geometry at the trim planes")),
-    later("tag", &[text("name"), TAGGED], "gives components a tag"),
-    later("deleteTags", &[], "removes all tags"),
-    later("deleteTags", &[text("tagQuery"), UNTAGGED], "removes the tags that match"),
-    later("setTagsFromEdgeAttrs", &[], "makes tags of the initial shape's edge attributes"),
-    joins("inline", block("inline", Braces::Inline, &[APPEND], INLINE)),
+    tags(op("tag", "tag", &[TAG_NAME, TAGGED], "gives components a tag")),
+    tags(op("deleteTags", "delete_tags", &[], "removes all tags")),
+    tags(op("deleteTags", "delete_tags_of", &[TAG_QUERY, UNTAGGED], "removes the tags that match")),
+    keeps(using(
+        INITIAL.and(Uses::TAGS),
+        op(
+            "setTagsFromEdgeAttrs",
+            "set_tags_from_edge_attrs",
+            &[],
+            "makes tags of the initial shape's edge attributes",
+        ),
+    )),
+    joins("inline", block("inline", Braces::Inline, &[STRATEGY], INLINE)),
     recomposes(joins("inline", block("inline", Braces::Inline, &[RECOMPOSE], INLINE))),
-    block("inline", Braces::Inline, &[UNIFY], INLINE),
-    block("union", Braces::Operands, &[], UNION),
-    block("subtract", Braces::Operands, &[], SUBTRACT),
-    block("intersect", Braces::Operands, &[], INTERSECT),
-    one_operand("union", &[], UNION),
-    one_operand("union", &[SWAP], UNION),
-    one_operand("subtract", &[], SUBTRACT),
-    one_operand("subtract", &[SWAP], SUBTRACT),
-    one_operand("intersect", &[], INTERSECT),
-    one_operand("intersect", &[SWAP], INTERSECT),
+    operands("union", UNION),
+    operands("subtract", SUBTRACT),
+    operands("intersect", INTERSECT),
+    one_operand("union", "union_current", UNION),
+    one_operand("subtract", "subtract_current", SUBTRACT),
+    one_operand("intersect", "intersect_current", INTERSECT),
 ];

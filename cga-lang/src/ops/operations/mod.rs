@@ -41,6 +41,7 @@ const fn later(name: Str, params: Params, about: Str) -> Operation {
         uses_base: false,
         uses: Uses::WHOLE,
         changes: Changes::Whole,
+        tags: &[],
         recomposes: false,
         overloads: true,
         old: None,
@@ -67,6 +68,16 @@ const fn keeps(row: Operation) -> Operation {
 /// The row with other uses.
 const fn using(uses: Uses, row: Operation) -> Operation {
     Operation { uses, ..row }
+}
+
+/// The row of an operation that tags the components that it makes.
+const fn tagging(tags: &'static [&'static str], row: Operation) -> Operation {
+    Operation { tags, ..row }
+}
+
+/// The row of an operation whose result depends on tags of edges or vertices.
+const fn reads_tags(row: Operation) -> Operation {
+    using(row.uses.and(Uses::TAGS), row)
 }
 
 /// The row of an operation that only needs the scope and the material, and has the same effect in every place.

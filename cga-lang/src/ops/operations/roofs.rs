@@ -3,7 +3,7 @@
 use super::super::{
     Allowed, Default, Operation, Param, ParamBounds, Params, Str, UvEffect, boolean, bounds, float, or, within, word,
 };
-use super::{op, uvs};
+use super::{op, tagging, uvs};
 
 const VALUE_TYPE: Param = word("valueType", "RoofValue", &["byAngle", "byHeight"]);
 
@@ -27,9 +27,12 @@ static ANGLES: ParamBounds = form_bounds(Allowed::Inside(0.0, 90.0), "an angle i
 static VALUES: ParamBounds = form_bounds(Allowed::Above(0.0), "an angle or height is above 0");
 static SHED_ANGLES: ParamBounds = form_bounds(Allowed::Inside(-90.0, 90.0), "an angle is between -90 and 90 degrees");
 
+/// The tags of all roofs; pediments of gables are neither outer nor inner sides.
+const TAGS: &[&str] = &["roof.bottom", "roof.top", "roof.side", "roof.side.outer", "roof.side.inner"];
+
 /// A roof.
 const fn roof(name: Str, call: Str, params: Params, about: Str) -> Operation {
-    uvs(UvEffect::Drops, op(name, call, params, about))
+    tagging(TAGS, uvs(UvEffect::Drops, op(name, call, params, about)))
 }
 
 pub(super) static ROWS: &[Operation] = &[

@@ -2,10 +2,10 @@
 
 use super::super::queries::SPACE;
 use super::super::{
-    Allowed, BS, Braces, Default, FS, Measure, Operation, Param, ParamBounds, ParamKind, Places, Uses, bounds, float,
-    length, of, or, param, renamed, unknown, uv_set, within, word,
+    Allowed, BS, Braces, Default, FS, Measure, Operation, Param, ParamBounds, ParamKind, Places, Str, Uses, bounds,
+    float, length, of, or, param, renamed, unknown, uv_set, within, word,
 };
-use super::{block, divides, joins, old, op, recomposes};
+use super::{block, divides, joins, old, op, recomposes, tagging};
 use crate::diag::code::Code;
 
 pub(super) const COMPONENT: Param = renamed(
@@ -62,6 +62,14 @@ const UV_SET: Param = or(uv_set("uvSet"), Default::Float(0.0));
 
 const TO_AREA: &str = "sets edges back until the remainder has that area";
 
+/// The tags of all operations that set edges back.
+const SETBACK_TAGS: &[&str] = &["setback.front", "setback.back", "setback.side", "setback.remainder"];
+
+/// The row of an operation that sets edges back.
+const fn sets_back(call: Str, uses: Uses, row: Operation) -> Operation {
+    tagging(SETBACK_TAGS, divides(call, uses, row))
+}
+
 pub(super) static ROWS: &[Operation] = &[
     divides(
         "split",
@@ -98,7 +106,7 @@ pub(super) static ROWS: &[Operation] = &[
             "divides the shape into faces, edges, vertices or other components",
         ),
     ),
-    divides(
+    sets_back(
         "perimeter",
         Uses::WHOLE.and(Uses::DRAWS),
         block(
@@ -108,7 +116,7 @@ pub(super) static ROWS: &[Operation] = &[
             "divides the outline into sections and sets each back",
         ),
     ),
-    divides(
+    sets_back(
         "perimeter_of",
         Uses::WHOLE.and(Uses::DRAWS),
         block(
@@ -118,12 +126,12 @@ pub(super) static ROWS: &[Operation] = &[
             "divides some edges of the outline into sections and sets each back",
         ),
     ),
-    divides(
+    sets_back(
         "setback",
         Uses::WHOLE,
         block("setback", Braces::Arms(Places::SETBACK), &[DISTANCE, UV_SET], "sets edges back by a distance"),
     ),
-    divides(
+    sets_back(
         "setback_each",
         Uses::WHOLE,
         block(
@@ -133,7 +141,7 @@ pub(super) static ROWS: &[Operation] = &[
             "sets edges back, each face edge by a distance of its own",
         ),
     ),
-    divides(
+    sets_back(
         "setback_per_edge",
         Uses::WHOLE,
         block(
@@ -143,17 +151,17 @@ pub(super) static ROWS: &[Operation] = &[
             "sets edges back by a distance that is computed on each",
         ),
     ),
-    divides(
+    sets_back(
         "setback_to_area",
         Uses::WHOLE,
         block("setbackToArea", Braces::Arms(Places::SETBACK), &[AREA, UV_SET], TO_AREA),
     ),
-    divides(
+    sets_back(
         "setback_to_area_from",
         Uses::WHOLE,
         block("setbackToArea", Braces::Arms(Places::SETBACK), &[AREA, of("minDistances", FS), UV_SET], TO_AREA),
     ),
-    divides(
+    sets_back(
         "setback_to_area_between",
         Uses::WHOLE,
         block(
@@ -163,7 +171,7 @@ pub(super) static ROWS: &[Operation] = &[
             TO_AREA,
         ),
     ),
-    divides(
+    sets_back(
         "shape_l",
         Uses::WHOLE,
         block(
@@ -173,7 +181,7 @@ pub(super) static ROWS: &[Operation] = &[
             "sets the front and left edges back and keeps the strip",
         ),
     ),
-    divides(
+    sets_back(
         "shape_u",
         Uses::WHOLE,
         block(
@@ -183,7 +191,7 @@ pub(super) static ROWS: &[Operation] = &[
             "sets all but the back edges back and keeps the strip",
         ),
     ),
-    divides(
+    sets_back(
         "shape_o",
         Uses::WHOLE,
         block(

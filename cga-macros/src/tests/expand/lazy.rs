@@ -42,6 +42,7 @@ impl cga_rt::Rules for CgaGrammar {
     const NAMES: &'static [&'static ::core::primitive::str] = &["Lot"];
     const LEAVES: &'static [&'static ::core::primitive::str] = &["X"];
     const SETTLED: ::core::primitive::bool = false;
+    const TAGS: ::core::primitive::bool = false;
     const STARTS: &'static [cga_rt::StartRule] = &[cga_rt::StartRule::new("Lot")];
     const START_RULES: &'static [::core::primitive::u32] = &[0u32];
     const START_STYLES: &'static [::core::primitive::u32] = &[0u32];

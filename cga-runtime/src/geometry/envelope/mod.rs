@@ -14,11 +14,11 @@
 mod layers;
 mod planes;
 
-use std::sync::Arc;
+use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3};
 
-use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh, TagSet, Tags, unit};
+use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh, PartTags, SubcomponentTagger, Tags, unit};
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::skeleton::MOST_CORNERS;
 use crate::geometry::tol::{PLANAR_EPSILON, TOUCH_EPSILON};
@@ -66,24 +66,22 @@ enum Part {
 }
 
 impl Part {
-    /// The tags of parts (*component tags*).
-    const TAGS: [&'static str; 5] =
-        ["envelope.bottom", "envelope.top", "envelope.side.inner", "envelope.side.base", "envelope.side.slope"];
-
-    fn number(self) -> usize {
+    /// The tag of the part (*component tags*).
+    fn tag(self) -> &'static str {
         match self {
-            Part::Bottom => 0,
-            Part::Top => 1,
-            Part::Inner(_) => 2,
-            Part::Base(_) => 3,
-            Part::Slope(_) => 4,
+            Part::Bottom => "envelope.bottom",
+            Part::Top => "envelope.top",
+            Part::Inner(_) => "envelope.side.inner",
+            Part::Base(_) => "envelope.side.base",
+            Part::Slope(_) => "envelope.side.slope",
         }
     }
 
     /// A number in place of the tags of a face, while faces are cut.
     fn to_mark(self) -> u32 {
         match self {
-            Part::Bottom | Part::Top => self.number() as u32,
+            Part::Bottom => 0,
+            Part::Top => 1,
             Part::Inner(edge) => 2 + 3 * edge,
             Part::Base(edge) => 3 + 3 * edge,
             Part::Slope(edge) => 4 + 3 * edge,
@@ -171,21 +169,30 @@ pub(crate) fn envelopes(
     let mut made = Mesh {
         groups: source.groups().to_vec().into(),
         materials: source.materials().to_vec().into(),
-        tag_sets: tag_sets(source),
         ..Mesh::default()
     };
+    let (mut tags, mut tagger) = (PartTags::new(source, "envelope"), SubcomponentTagger::default());
     let mut refused = Vec::new();
     for face in source.faces() {
+        let ends: Vec<[u32; 2]> = face.edges().map(|edge| edge.map(|corner| source.corners()[corner])).collect();
         match envelope(&face, &sides[face.corner_range()], height, up) {
-            Ok(volume) => add(&mut made, &volume, |tag| tag_of(&face, source.tag_sets().len(), tag)),
+            Ok(volume) => add(&mut made, &face, &volume, &mut tagger, |mark| {
+                let part = Part::of_mark(mark.tags);
+                match part {
+                    Part::Bottom | Part::Top => tags.over(face.tag(), part.tag()),
+                    Part::Inner(corner) | Part::Base(corner) | Part::Slope(corner) => {
+                        tags.over_edge(face.tag(), part.tag(), ends[corner as usize])
+                    }
+                }
+            }),
             Err(why) => {
                 refused.push((face.index(), why));
-                let own =
-                    |_| FaceTag { tags: tag_number(&face, source.tag_sets().len(), Part::TAGS.len()), ..face.tag() };
-                add(&mut made, &plain(&face), own);
+                add(&mut made, &face, &plain(&face), &mut tagger, |own| tags.same(own));
             }
         }
     }
+    made.tag_sets = tags.finish();
+    made.put_tags(tagger);
     (made, refused)
 }
 
@@ -261,37 +268,33 @@ fn plain(face: &FaceRef<'_>) -> Mesh {
     mesh
 }
 
-/// Adds the faces of a mesh, with other tags.
-fn add(made: &mut Mesh, from: &Mesh, tag: impl Fn(FaceTag) -> FaceTag) {
+/// Adds the faces of a mesh over a face, with other tags. Old edges and vertices keep their tags, and edges that rise at a
+/// corner have those of the corner.
+fn add(
+    made: &mut Mesh,
+    face: &FaceRef<'_>,
+    from: &Mesh,
+    tagger: &mut SubcomponentTagger,
+    mut tag: impl FnMut(FaceTag) -> FaceTag,
+) {
     let base = made.points.len() as u32;
     made.points.extend_from_slice(from.points());
-    for face in from.faces() {
-        for ring in face.loops() {
+    // The bottom has the points of the face bit for bit.
+    let key = |point: DVec3| point.to_array().map(|x| (x + 0.0).to_bits());
+    let mut olds = BTreeMap::new();
+    if !face.mesh.subcomponent_tags.is_empty() {
+        let points = face.corner_range().map(|corner| (key(face.position(corner)), face.mesh.corners()[corner]));
+        olds.extend(points);
+    }
+    for part in from.faces() {
+        for ring in part.loops() {
+            let old = |point: u32| olds.get(&key(from.points()[point as usize])).copied();
+            tagger.grow_ring(face.mesh, ring, |point| base + point, old);
             made.corners.extend(ring.iter().map(|point| base + point));
             made.end_loop();
         }
-        made.end_face(tag(face.tag()));
+        made.end_face(tag(part.tag()));
     }
-}
-
-/// The sets of the source and the empty one, for each part with its tag in place of other tags of envelopes; then the sets
-/// unchanged.
-fn tag_sets(source: &Mesh) -> Arc<[TagSet]> {
-    let plain = TagSet::default();
-    let sets = || source.tag_sets().iter().chain([&plain]);
-    let tagged = Part::TAGS.iter().flat_map(|tag| sets().map(|set| set.renewed("envelope", tag)));
-    tagged.chain(sets().cloned()).collect()
-}
-
-/// The number of a face's tags in a block of the sets of [`tag_sets`].
-fn tag_number(face: &FaceRef<'_>, sets: usize, block: usize) -> u32 {
-    (block * (sets + 1)) as u32 + face.tag().tags.min(sets as u32)
-}
-
-/// The tag of a face of a volume, whose tags are a mark.
-fn tag_of(face: &FaceRef<'_>, sets: usize, marked: FaceTag) -> FaceTag {
-    let tags = tag_number(face, sets, Part::of_mark(marked.tags).number());
-    FaceTag { cap: false, tags, ..face.tag() }
 }
 
 #[cfg(test)]

@@ -4,13 +4,16 @@
 //! face itself. The first edge of a side is its bottom edge, in the direction of the face. There is no wall between
 //! faces that move alike: coplanar neighbours along their normals, all neighbours in other modes. Points that do not
 //! move give no wall either. A negative distance mirrors: the faces look inwards.
+//!
+//! A side has the tags of its face and of its edge, an upright edge those of its vertex. The new edges and vertices of the
+//! top have none.
 
 use glam::DVec3;
 
 use super::average_normal::AverageNormal;
 use super::map::flip;
 use super::pair_table::PairTable;
-use super::{Bounds, FaceTag, Mesh, TagSet};
+use super::{Bounds, FaceTag, Mesh, PartTags, SubcomponentTagger};
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::provenance::Extruded;
 use crate::geometry::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
@@ -49,14 +52,10 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
         Extrude::FlatTop(vector) => flat_top(&mesh.points, vector, distance),
     };
     let way = |body: u32, point: u32| ways[if along == Extrude::FaceNormal { body } else { point } as usize];
-    // For each part of an extrusion the tags of all source faces, and last those of faces without tags.
-    let plain = TagSet::default();
-    let sets = || mesh.tag_sets.iter().chain([&plain]);
-    let tagged = Extruded::ALL.map(|part| sets().map(move |set| set.renewed("extrude", part.tag())));
-    let count = mesh.tag_sets.len() as u32 + 1;
+    let mut tags = PartTags::new(mesh, "extrude");
     let mut grown = Grown {
         source: mesh,
-        mesh: Mesh { tag_sets: tagged.into_iter().flatten().collect(), ..mesh.alike(6 * mesh.corners.len()) },
+        mesh: mesh.alike(6 * mesh.corners.len()),
         low: vec![u32::MAX; mesh.points.len()],
         high: PairTable::with_capacity(mesh.points.len()),
     };
@@ -66,7 +65,6 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
             continue;
         }
         let own = face.tag();
-        let tag = |part: Extruded| FaceTag { cap: false, tags: part as u32 * count + own.tags.min(count - 1), ..own };
         // Vertices of the bottom come first, then those of the top. The order of faces is the same, with the sides
         // last.
         face.corner_range().for_each(|corner| _ = grown.low(corner));
@@ -84,20 +82,23 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
                 grown.copy_uvs(&order);
                 grown.mesh.end_loop();
             }
-            grown.mesh.end_face(tag(if top { Extruded::Top } else { Extruded::Bottom }));
+            let part = if top { Extruded::Top } else { Extruded::Bottom };
+            grown.mesh.end_face(tags.over(own, part.tag()));
         }
         for (number, ring) in face.loop_ranges().enumerate() {
-            let tag = tag(if number == 0 { Extruded::Outer } else { Extruded::Inner });
+            let part = if number == 0 { Extruded::Outer } else { Extruded::Inner };
             for corner in ring.clone() {
                 let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
                 if !joints.inner[corner] {
+                    let tag = tags.over_edge(own, part.tag(), [corner, next].map(|corner| mesh.corners[corner]));
                     let [a, b] = [corner, next].map(|c| (grown.low(c), grown.high(c, body, way)));
                     grown.wall([(a.0, corner), (b.0, next), (b.1, next), (a.1, corner)], tag);
                 }
             }
         }
     }
-    grown.mesh
+    grown.mesh.tag_sets = tags.finish();
+    grown.tagged()
 }
 
 /// For each point the average of the normals of the faces around it. Faces with the same normal count once, so that the
@@ -228,6 +229,24 @@ impl Grown<'_> {
         }
         self.mesh.end_loop();
         self.mesh.end_face(tag);
+    }
+
+    /// The mesh. Edges and vertices of the base keep their tags, and upright edges have those of their vertices
+    /// (*Geometry tagging*, tag propagation).
+    fn tagged(self) -> Mesh {
+        let Grown { source, mut mesh, low, high } = self;
+        let (tags, mut tagger) = (&source.subcomponent_tags, SubcomponentTagger::default());
+        // Dropped where faces do not grow.
+        let low = |point: u32| low[point as usize];
+        tags.edges().for_each(|(ends, set)| tagger.edge(ends.map(low), set));
+        tags.vertices().for_each(|(point, set)| tagger.vertex(low(point), set));
+        for ([_, point], high) in high.pairs().filter(|_| tags.vertices().len() != 0) {
+            if let Some(set) = tags.vertex(point) {
+                tagger.edge([low(point), high], set);
+            }
+        }
+        mesh.put_tags(tagger);
+        mesh
     }
 
     fn copy_uvs(&mut self, corners: &[usize]) {

@@ -2,12 +2,13 @@
 //!
 //! Each edge gives one face, which begins with the edge. Edges that are extruded along their own normals separate where
 //! they meet at an angle. Edges that are extruded along the normals of their points, or along one vector, stay
-//! connected.
+//! connected. A face has the tags of its edge, an upright edge those of its vertex.
 
 use glam::DVec3;
 
 use super::extrude::{Extrude, flat_top};
 use super::face::unit;
+use super::tag::TagSetTable;
 use super::{FaceTag, Mesh, MeshBuilder, MeshError, TagSet};
 use crate::geometry::provenance::Extruded;
 use crate::geometry::wire::Wire;
@@ -24,8 +25,8 @@ pub(crate) fn extrude_wire(wire: &Wire, along: Extrude, distance: f64) -> Result
         Extrude::Vector(vector) => vec![vector * distance; wire.points.len()],
         Extrude::FlatTop(vector) => flat_top(&wire.points, vector, distance),
     };
-    let mut builder = MeshBuilder::new();
-    builder.tag_sets([TagSet::new([Text::from(Extruded::Outer.tag())])]);
+    let (mut builder, mut sets) = (MeshBuilder::new(), TagSetTable::default());
+    let side = TagSet::new([Text::from(Extruded::Outer.tag())]);
     let low: Vec<u32> = wire.points.iter().map(|&point| builder.point(point)).collect();
     for (edge, normal) in wire.edges.iter().zip(&wire.normals) {
         let way = |point: u32| at_points.get(point as usize).copied().unwrap_or(*normal * distance);
@@ -35,8 +36,19 @@ pub(crate) fn extrude_wire(wire: &Wire, along: Extrude, distance: f64) -> Result
         let [a, b] = *edge;
         let [high_a, high_b] = [a, b].map(|point| builder.point(wire.points[point as usize] + way(point)));
         let face = [low[a as usize], low[b as usize], high_b, high_a];
-        builder.face(&face, &[], FaceTag { tags: 0, ..FaceTag::PLAIN });
+        let own = wire.tags.edge(*edge);
+        let tags = sets.number(&own.map_or_else(|| side.clone(), |own| own.union(&side)));
+        builder.face(&face, &[], FaceTag { tags, ..FaceTag::PLAIN });
+        if let Some(own) = own {
+            builder.edge_tags([face[0], face[1]], own);
+        }
+        for (point, [low, high]) in [(a, [face[0], face[3]]), (b, [face[1], face[2]])] {
+            if let Some(own) = wire.tags.vertex(point) {
+                builder.vertex_tags(low, own).edge_tags([low, high], own);
+            }
+        }
     }
+    builder.tag_sets(sets.into_sets());
     builder.build()
 }
 

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{FaceRef, Mesh, Spread, unit};
+use super::{FaceRef, Mesh, Spread, SubcomponentTagger, unit};
 use crate::geometry::inner_rectangle::{RectangleSides, largest};
 use crate::geometry::overlay::wound;
 use crate::geometry::segment::nearest_share;
@@ -40,12 +40,14 @@ struct Seen<'a> {
 ///
 /// The face is seen along the axis that is nearest to its normal, and so are the angles of the rectangle. Without
 /// `sides` along edges it follows the axes. Parts of the rest are in the order of the points of the face, and begin with an
-/// edge on its outline if they have one. Texture coordinates and normals of new points continue those of the face.
+/// edge on its outline if they have one. Texture coordinates and normals of new points continue those of the face. Sides on
+/// edges of the face have their tags.
 pub(crate) fn cut_rectangle(
     face: &FaceRef<'_>,
     sides: RectangleSides,
     rest: bool,
     made: &mut Mesh,
+    tagger: &mut SubcomponentTagger,
 ) -> Result<usize, RectangleRefusal> {
     if MOST_CORNERS < face.corner_count() {
         return Err(RectangleRefusal::TooMany);
@@ -81,25 +83,29 @@ pub(crate) fn cut_rectangle(
     };
     let corners: Vec<u32> = (own..own + 4).map(same).collect();
     seen.add_ring(&corners, &all, base, made);
+    seen.tag_ring(&corners, &all, base, extent, tagger);
     made.end_face(face.tag());
     let count = polygons.len();
     for mut polygon in polygons {
         let outline = &mut polygon[0];
         let is_own = |k: usize| {
             let side = [outline[k], outline[(k + 1) % outline.len()]].map(|point| all[point as usize]);
-            let near = |p: DVec2, [a, b]: [DVec2; 2]| a.lerp(b, nearest_share(p, [a, b])).distance(p);
-            seen.edges().any(|edge| side.iter().all(|&p| near(p, edge) <= TIE_EPSILON * extent))
+            seen.edge_at(side, extent).is_some()
         };
         let first = (0..outline.len()).find(|&k| is_own(k)).unwrap_or(0);
         outline.rotate_left(first);
-        polygon.iter().for_each(|ring| seen.add_ring(ring, &all, base, made));
+        for ring in &polygon {
+            seen.add_ring(ring, &all, base, made);
+            seen.tag_ring(ring, &all, base, extent, tagger);
+        }
         made.end_face(face.tag());
     }
     Ok(count)
 }
 
-/// Gives points numbers in the order of faces, after all faces were added.
-pub(crate) fn finish(mesh: &mut Mesh) {
+/// Gives points numbers in the order of faces and tags to edges and vertices, after all faces were added.
+pub(crate) fn finish(mesh: &mut Mesh, tagger: SubcomponentTagger) {
+    mesh.put_tags(tagger);
     mesh.number_by_use();
 }
 
@@ -148,6 +154,32 @@ impl<'a> Seen<'a> {
             (0..ring.len()).map(|k| [at(ring[k]), at(ring[(k + 1) % ring.len()])]).collect()
         };
         self.rings.iter().flat_map(edges)
+    }
+
+    /// The edge of the face on which a side is, as the numbers of its points.
+    fn edge_at(&self, side: [DVec2; 2], extent: f64) -> Option<[u32; 2]> {
+        let near = |p: DVec2, [a, b]: [DVec2; 2]| a.lerp(b, nearest_share(p, [a, b])).distance(p);
+        let is_there = |edge: [DVec2; 2]| side.iter().all(|&p| near(p, edge) <= TIE_EPSILON * extent);
+        let ends = self.rings.iter().flat_map(|ring| (0..ring.len()).map(|k| [ring[k], ring[(k + 1) % ring.len()]]));
+        self.edges().zip(ends).find(|(edge, _)| is_there(*edge)).map(|(_, ends)| ends)
+    }
+
+    /// Tags the sides of a loop on edges of the face, and its vertices.
+    fn tag_ring(&self, ring: &[u32], all: &[DVec2], base: u32, extent: f64, tagger: &mut SubcomponentTagger) {
+        let source = self.face.mesh;
+        if source.subcomponent_tags.is_empty() {
+            return;
+        }
+        for (&point, &next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+            let edge = self.edge_at([point, next].map(|point| all[point as usize]), extent);
+            let ends = edge.map(|ends| ends.map(|end| self.points[end as usize]));
+            if let Some(set) = ends.and_then(|ends| source.edge_tags(ends)) {
+                tagger.edge([base + point, base + next], set);
+            }
+            if let Some(set) = self.points.get(point as usize).and_then(|vertex| source.vertex_tags(*vertex)) {
+                tagger.vertex(base + point, set);
+            }
+        }
     }
 
     /// The place of a point in the plane of the face.

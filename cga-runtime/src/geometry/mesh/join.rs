@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec2;
 
-use super::{FaceTag, Mesh, SubcomponentTagger, Tags, UvSets};
+use super::{FaceTag, Mesh, SubcomponentTagger, UvSets};
 use crate::material::Material;
 
 /// How far back a list is searched for an equal element.
@@ -86,11 +86,7 @@ impl Mesh {
         let mut materials: Vec<Material> = self.materials.iter().map(|own| material.over(own)).collect();
         let plain = materials.len() as u32;
         materials.push(material.clone());
-        let mut tags = Tags::default();
-        for face in 0..self.face_count() {
-            let tag = self.tags[face];
-            tags.push(FaceTag { material: tag.material.min(plain), ..tag });
-        }
+        let tags = self.tags.mapped(|tag| FaceTag { material: tag.material.min(plain), ..tag });
         Mesh { tags, materials: Arc::from(materials), ..self.clone() }
     }
 }

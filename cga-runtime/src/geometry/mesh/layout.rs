@@ -114,6 +114,19 @@ impl Tags {
         }
     }
 
+    /// The tags after a change, which is called once for each run.
+    pub(crate) fn mapped(&self, mut change: impl FnMut(FaceTag) -> FaceTag) -> Tags {
+        let mut runs: Vec<(u32, FaceTag)> = Vec::with_capacity(self.runs.len());
+        for &(end, tag) in &self.runs {
+            let tag = change(tag);
+            match runs.last_mut() {
+                Some(last) if last.1 == tag => last.0 = end,
+                _ => runs.push((end, tag)),
+            }
+        }
+        Tags { runs }
+    }
+
     /// All runs: the number of the face after the run, and the tag.
     pub(crate) fn runs(&self) -> &[(u32, FaceTag)] {
         &self.runs

@@ -60,8 +60,7 @@ impl Mesh {
 
     /// The mesh without materials.
     pub(crate) fn without_materials(&self) -> Mesh {
-        let mut tags = Tags::default();
-        (0..self.face_count()).for_each(|face| tags.push(FaceTag { material: FaceTag::NONE, ..self.tags[face] }));
+        let tags = self.tags.mapped(|tag| FaceTag { material: FaceTag::NONE, ..tag });
         Mesh { tags, materials: Arc::default(), ..self.clone() }
     }
 

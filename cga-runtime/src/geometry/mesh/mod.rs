@@ -33,6 +33,7 @@ mod measure;
 mod numbering;
 pub(crate) mod offset;
 pub(crate) mod pair_table;
+mod part_tags;
 mod polygon;
 pub mod primitive;
 mod soften;
@@ -40,6 +41,7 @@ pub(crate) mod solid;
 mod spread;
 mod subcomponent_tags;
 mod tag;
+mod tagging;
 pub(crate) mod uv;
 mod weld;
 
@@ -67,10 +69,11 @@ pub(crate) use layout::{FaceEnds, Tags};
 pub(crate) use map::flip;
 pub(crate) use numbering::keep_used;
 pub use offset::OffsetFaces;
+pub(crate) use part_tags::PartTags;
 pub(crate) use spread::Spread;
 pub(crate) use subcomponent_tags::{SubcomponentTagger, SubcomponentTags};
-pub use tag::TagSet;
-pub(crate) use tag::matches as tag_matches;
+pub(crate) use tag::TagSetTable;
+pub use tag::{TagSet, TaggedComponents};
 pub(crate) use uv::UvSets;
 pub use uv::{TextureSpace, UvAxis, UvExtent};
 
@@ -283,6 +286,14 @@ impl Mesh {
     pub(crate) fn carry_tags(&mut self, source: &Mesh, origin: impl Fn(u32) -> PartPoint) {
         if !source.subcomponent_tags.is_empty() {
             self.subcomponent_tags = source.subcomponent_tags.carried(self.face_edges(), self.points.len(), origin);
+        }
+    }
+
+    /// Sets the tags of edges and vertices. Those that no face has are dropped.
+    pub(crate) fn put_tags(&mut self, tagger: SubcomponentTagger) {
+        if !tagger.is_empty() {
+            let tags = tagger.finish();
+            self.subcomponent_tags = tags.carried(self.face_edges(), self.points.len(), PartPoint::old);
         }
     }
 

@@ -8,22 +8,28 @@
 //! other faces: an edge that only one face uses is a border of the parts of one source face. Strips of an inward offset
 //! have the orientation of the face and begin with the moved edge, if there is one. Strips of an outward offset have
 //! the opposite orientation and begin with the edge itself. So the areas of all parts add up to the area of the face. An interior
-//! part begins with the first edge of the face that has a part in it.
+//! part begins with the first edge of the face that has a part in it. Strips have the tags of their edges ([`offset_tags`]).
 
 use glam::DVec2;
 
-use super::Mesh;
 use super::face::unit;
 use super::flat_face::FlatFace;
 use super::map::flip;
 use super::spread::Spread;
+use super::{FaceTag, Mesh};
 use crate::geometry::nesting::rings::NestedRings;
 use crate::geometry::skeleton::{self, Failure, Left, Strip};
+use offset_tags::OffsetTags;
 
+mod offset_tags;
 pub(crate) mod region;
 mod relief;
 pub(crate) mod set_back;
+pub(crate) mod side_tags;
 pub(crate) mod to_area;
+
+/// A corner of a new loop: a point in the plane, and the corner of the face there.
+type RingCorner = (u32, Option<usize>);
 
 /// The faces that an offset keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,35 +62,42 @@ impl From<Failure> for OffsetError {
 /// Moves the faces of a mesh inwards (a negative distance) or outwards. Faces that cannot be moved are copied
 /// unchanged, with points of their own, and are also listed with the reason.
 pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> (Mesh, Vec<(usize, OffsetError)>) {
-    let mut made = mesh.alike(0);
+    let (mut made, mut tags) = (mesh.alike(0), OffsetTags::new(mesh));
     let mut refused = Vec::new();
     for face in mesh.faces() {
         let plane = FlatFace::of(&face).ok_or(OffsetError::NoNormal);
-        if let Err(why) = plane.and_then(|plane| offset_face(&plane, distance, keep, &mut made)) {
+        if let Err(why) = plane.and_then(|plane| offset_face(&plane, distance, keep, &mut made, &mut tags)) {
             refused.push((face.index(), why));
-            made.add_copy(&face);
+            tags.copy(&face, &mut made);
         }
     }
+    tags.finish(&mut made);
     // The wavefront numbers points in the order of its events; rules expect vertices in the order of faces.
     made.number_by_use();
     (made, refused)
 }
 
 /// Adds the offset of a face to a mesh.
-fn offset_face(plane: &FlatFace<'_>, distance: f64, keep: OffsetFaces, made: &mut Mesh) -> Result<(), OffsetError> {
+fn offset_face(
+    plane: &FlatFace<'_>,
+    distance: f64,
+    keep: OffsetFaces,
+    made: &mut Mesh,
+    tags: &mut OffsetTags<'_>,
+) -> Result<(), OffsetError> {
     let outwards = 0.0 < distance;
     let (edges, rings) = plane.edges(outwards);
     let swept = skeleton::sweep(&plane.flat, &rings, distance.abs())?;
     let heights = relief::heights(&plane.heights, &rings, &swept);
     let mut part = FaceParts::new(plane, &swept.points, &heights, outwards, made);
     if keep != OffsetFaces::Border {
-        part.inside(&edges, &swept.left);
+        part.inside(&edges, &swept.left, tags);
     }
     if keep != OffsetFaces::Inside {
         let mut strips: Vec<([usize; 2], &Strip)> =
             swept.strips.iter().map(|strip| (edges[strip.edge as usize], strip)).collect();
         strips.sort_by_key(|(edge, _)| edge[0]);
-        strips.iter().for_each(|(edge, strip)| part.strip(*edge, strip));
+        strips.iter().for_each(|(edge, strip)| part.strip(*edge, strip, tags));
     }
     Ok(())
 }
@@ -93,45 +106,76 @@ fn offset_face(plane: &FlatFace<'_>, distance: f64, keep: OffsetFaces, made: &mu
 struct FaceParts<'p, 'a> {
     plane: &'p FlatFace<'a>,
     points: &'p [DVec2],
+    heights: &'p [f64],
     spread: Spread,
     outwards: bool,
     made: &'p mut Mesh,
-    /// The start of its points in the mesh.
-    base: u32,
+    /// The number of each point in the mesh, or [`UNNUMBERED`].
+    numbers: Vec<u32>,
 }
 
+/// The number of a point that is not in the mesh.
+const UNNUMBERED: u32 = u32::MAX;
+
 impl<'p, 'a> FaceParts<'p, 'a> {
-    /// Adds the points to the mesh. Old points are copied bit for bit.
-    fn new(plane: &'p FlatFace<'a>, points: &'p [DVec2], heights: &[f64], outwards: bool, made: &'p mut Mesh) -> Self {
-        let base = made.points.len() as u32;
-        let old = plane.points.iter().map(|&point| plane.face.mesh.points[point as usize]);
-        let new = points.iter().zip(heights).skip(plane.points.len());
-        let place = |(p, &height): (&DVec2, &f64)| {
-            plane.origin + plane.axes[0] * p.x + plane.axes[1] * p.y + plane.normal * height
-        };
-        made.points.extend(old.chain(new.map(place)));
+    /// Parts with these points in the plane, those of the face first.
+    fn new(
+        plane: &'p FlatFace<'a>,
+        points: &'p [DVec2],
+        heights: &'p [f64],
+        outwards: bool,
+        made: &'p mut Mesh,
+    ) -> Self {
         let spread = Spread::of(plane.corners.iter().map(|&point| plane.flat[point as usize]).collect());
-        FaceParts { plane, points, spread, outwards, made, base }
+        FaceParts { plane, points, heights, spread, outwards, made, numbers: vec![UNNUMBERED; points.len()] }
+    }
+
+    /// Begins parts that share no points with the parts so far.
+    fn begin(&mut self) {
+        self.numbers.fill(UNNUMBERED);
+    }
+
+    /// The number of a point in the mesh. Points of the face are copied bit for bit.
+    fn number(&mut self, point: u32) -> u32 {
+        let FaceParts { plane, points, heights, made, numbers, .. } = self;
+        let at = point as usize;
+        if numbers[at] == UNNUMBERED {
+            let place = || {
+                let p = points[at];
+                plane.origin + plane.axes[0] * p.x + plane.axes[1] * p.y + plane.normal * heights[at]
+            };
+            let own = plane.points.get(at).map(|&point| plane.face.mesh.points[point as usize]);
+            numbers[at] = made.add_point(own.unwrap_or_else(place));
+        }
+        numbers[at]
     }
 
     /// Adds the interiors of the moved outlines: loops grouped to outlines and holes, each beginning with its first
     /// edge.
-    fn inside(&mut self, edges: &[[usize; 2]], left: &[Vec<Left>]) {
+    fn inside(&mut self, edges: &[[usize; 2]], left: &[Vec<Left>], tags: &mut OffsetTags<'_>) {
         let rings = left.iter().map(|ring| self.ahead(ring, edges)).collect();
-        self.nested(rings, |_| None);
+        let (plane, tag) = (self.plane, tags.inside(self.plane));
+        self.nested(rings, tag, |_| None, |ring, numbers| tags.ring(plane, ring, numbers));
     }
 
     /// Adds faces of loops that are grouped to outlines and holes, in the order of the first sides. A corner has the rank
-    /// of its next side and the point. `own` gives the corner of the face at a point. Returns the number of faces.
-    fn nested(&mut self, mut rings: Vec<Vec<(usize, u32)>>, own: impl Fn(u32) -> Option<usize>) -> usize {
+    /// of its next side and the point. `own` gives the corner of the face at a point. Calls `added` with the points of each
+    /// loop in the plane and in the mesh. Returns the number of faces.
+    fn nested(
+        &mut self,
+        mut rings: Vec<Vec<(usize, u32)>>,
+        tag: FaceTag,
+        own: impl Fn(u32) -> Option<usize>,
+        mut added: impl FnMut(&[RingCorner], &[u32]),
+    ) -> usize {
         rings.sort_unstable_by_key(|ring| ring[0]);
         let nested = NestedRings::of(self.points, rings.iter().map(|ring| ring.iter().map(|corner| corner.1)));
         for rings in nested.polygons() {
             for ring in rings {
-                let ring: Vec<(u32, Option<usize>)> = ring.iter().map(|&point| (point, own(point))).collect();
-                self.ring(&ring, 1.0);
+                let ring: Vec<RingCorner> = ring.iter().map(|&point| (point, own(point))).collect();
+                added(&ring, self.ring(&ring, 1.0));
             }
-            self.end_face();
+            self.made.end_face(tag);
         }
         nested.polygons().len()
     }
@@ -148,9 +192,9 @@ impl<'p, 'a> FaceParts<'p, 'a> {
     }
 
     /// Adds the strip of an edge of the face.
-    fn strip(&mut self, edge: [usize; 2], strip: &Strip) {
+    fn strip(&mut self, edge: [usize; 2], strip: &Strip, tags: &mut OffsetTags<'_>) {
         let own = |point: u32| edge.into_iter().find(|&c| self.plane.corners[c] == point);
-        let mut ring: Vec<(u32, Option<usize>)> = strip.ring.iter().map(|&point| (point, own(point))).collect();
+        let mut ring: Vec<RingCorner> = strip.ring.iter().map(|&point| (point, own(point))).collect();
         if self.outwards {
             flip(&mut ring);
         } else {
@@ -158,16 +202,18 @@ impl<'p, 'a> FaceParts<'p, 'a> {
             let first = strip.front.iter().rposition(|&front| front);
             ring.rotate_left(first.unwrap_or(0));
         }
-        self.ring(&ring, if self.outwards { -1.0 } else { 1.0 });
-        self.end_face();
+        let plane = self.plane;
+        tags.ring(plane, &ring, self.ring(&ring, if self.outwards { -1.0 } else { 1.0 }));
+        self.made.end_face(tags.strip(plane, edge));
     }
 
-    /// Adds a loop of points of the plane. Some are corners of the face.
-    fn ring(&mut self, ring: &[(u32, Option<usize>)], looking: f64) {
+    /// Adds a loop of points of the plane. Returns their numbers in the mesh.
+    fn ring(&mut self, ring: &[RingCorner], looking: f64) -> &[u32] {
         let source = self.plane.face.mesh;
         let range = self.plane.face.corner_range();
         for &(point, corner) in ring {
-            self.made.corners.push(self.base + point);
+            let number = self.number(point);
+            self.made.corners.push(number);
             if source.uvs.is_empty() && source.normals.is_empty() {
                 continue;
             }
@@ -185,10 +231,7 @@ impl<'p, 'a> FaceParts<'p, 'a> {
             }
         }
         self.made.end_loop();
-    }
-
-    fn end_face(&mut self) {
-        self.made.end_face(self.plane.face.tag());
+        &self.made.corners[self.made.corners.len() - ring.len()..]
     }
 }
 

@@ -5,8 +5,10 @@
 
 use std::sync::Arc;
 
-use super::tag::{TagSet, TagSetTable};
+use super::Mesh;
+use super::tag::{TagSet, TagSetTable, TaggedComponents};
 use crate::geometry::trace::{PartPoint, UNTRACED};
+use crate::value::text::Text;
 
 /// The tags of the edges and vertices of a mesh or a wire, by the numbers of its points.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -100,6 +102,54 @@ impl SubcomponentTags {
         SubcomponentTags::of(lists.sets.clone(), found, (0..points).filter_map(of_vertex).collect())
     }
 
+    /// These tags, and one more on each of the edges.
+    pub(crate) fn with_edges(&self, edges: impl Iterator<Item = [u32; 2]>, name: &Text) -> Self {
+        let mut tagger = SubcomponentTagger::default();
+        tagger.append(self, |point| point);
+        let mut edges: Vec<[u32; 2]> = edges.map(in_order).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        let own = TagSet::new([name.clone()]);
+        edges.into_iter().for_each(|edge| tagger.edge(edge, &own));
+        tagger.finish()
+    }
+
+    /// These tags, and one more on each of the first `points` vertices.
+    pub(crate) fn with_vertices(&self, points: usize, name: &Text) -> Self {
+        let mut tagger = SubcomponentTagger::default();
+        tagger.append(self, |point| point);
+        let own = TagSet::new([name.clone()]);
+        (0..points as u32).for_each(|point| tagger.vertex(point, &own));
+        tagger.finish()
+    }
+
+    /// These tags without those that a query matches, or without all if there is no query, of some components.
+    pub(crate) fn without(&self, query: Option<&str>, components: TaggedComponents) -> Self {
+        let kept: Vec<TagSet> = self.sets().iter().map(|set| set.without(query)).collect();
+        let mut tagger = SubcomponentTagger::default();
+        let Some(lists) = &self.0 else { return SubcomponentTags::default() };
+        let list = |is_meant: bool| if is_meant { &kept[..] } else { &lists.sets };
+        let (of_edges, of_vertices) = (list(components.edges()), list(components.vertices()));
+        lists.edges.iter().for_each(|(ends, set)| tagger.edge(*ends, &of_edges[*set as usize]));
+        lists.vertices.iter().for_each(|(point, set)| tagger.vertex(*point, &of_vertices[*set as usize]));
+        tagger.finish()
+    }
+
+    /// The tags of some components that a query matches, or all without a query, in any order.
+    pub(crate) fn found<'s>(
+        &'s self,
+        query: Option<&'s str>,
+        components: TaggedComponents,
+    ) -> impl Iterator<Item = &'s Text> {
+        let mut used = vec![false; self.sets().len()];
+        if let Some(lists) = &self.0 {
+            let edges = lists.edges.iter().filter(|_| components.edges()).map(|edge| edge.1);
+            let vertices = lists.vertices.iter().filter(|_| components.vertices()).map(|vertex| vertex.1);
+            edges.chain(vertices).for_each(|set| used[set as usize] = true);
+        }
+        self.sets().iter().zip(used).filter(|(_, used)| *used).flat_map(move |(set, _)| set.found(query))
+    }
+
     /// Returns true if the lists are sorted, if all numbers exist, and if no listed set is empty.
     pub(super) fn hold(&self, points: usize) -> bool {
         let Some(lists) = &self.0 else { return true };
@@ -156,13 +206,47 @@ impl SubcomponentTagger {
         }
     }
 
+    /// Adds the tags of a loop of a face that grows out of a mesh. `number` gives the number of a point, and `old` the vertex of
+    /// the mesh that the point is. Old edges and vertices keep their tags, and an edge from an old vertex to a new one has the
+    /// tags of the vertex (*Geometry tagging*, edge and vertex tag propagation).
+    pub(crate) fn grow_ring(
+        &mut self,
+        source: &Mesh,
+        ring: &[u32],
+        number: impl Fn(u32) -> u32,
+        old: impl Fn(u32) -> Option<u32>,
+    ) {
+        if source.subcomponent_tags.is_empty() {
+            return;
+        }
+        for (&point, &next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+            let ends = [point, next].map(&old);
+            let set = match ends {
+                [Some(a), Some(b)] => source.edge_tags([a, b]),
+                [Some(vertex), None] | [None, Some(vertex)] => source.vertex_tags(vertex),
+                [None, None] => None,
+            };
+            if let Some(set) = set {
+                self.edge([point, next].map(&number), set);
+            }
+            if let Some(set) = ends[0].and_then(|vertex| source.vertex_tags(vertex)) {
+                self.vertex(number(point), set);
+            }
+        }
+    }
+
     /// Adds all tags of a mesh whose points have new numbers.
     pub(crate) fn append(&mut self, tags: &SubcomponentTags, new: impl Fn(u32) -> u32) {
         let Some(lists) = &tags.0 else { return };
-        let sets: Vec<u32> = lists.sets.iter().map(|set| self.sets.number(set)).collect();
-        let edge = |&(ends, set): &([u32; 2], u32)| (in_order(ends.map(&new)), sets[set as usize]);
-        self.edges.extend(lists.edges.iter().map(edge));
-        self.vertices.extend(lists.vertices.iter().map(|&(point, set)| (new(point), sets[set as usize])));
+        // Unused sets get no number, so that they do not add up.
+        let mut numbers: Vec<Option<u32>> = vec![None; lists.sets.len()];
+        let sets = &mut self.sets;
+        let mut number = |set: u32| {
+            let number = &mut numbers[set as usize];
+            *number.get_or_insert_with(|| sets.number(&lists.sets[set as usize]))
+        };
+        self.edges.extend(lists.edges.iter().map(|&(ends, set)| (in_order(ends.map(&new)), number(set))));
+        self.vertices.extend(lists.vertices.iter().map(|&(point, set)| (new(point), number(set))));
     }
 
     /// The tags.
@@ -190,7 +274,6 @@ fn united<K: Ord + Copy>(mut list: Vec<(K, u32)>, sets: &mut TagSetTable) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::value::text::Text;
 
     fn set(names: &[&str]) -> TagSet {
         TagSet::new(names.iter().map(|name| Text::from(*name)))
@@ -225,6 +308,22 @@ mod tests {
         let tags = tagger.finish();
         assert_eq!(tags.edges().map(|edge| edge.0).collect::<Vec<_>>(), [[0, 1], [1, 2], [2, 3]]);
         assert!(tags.hold(4));
+    }
+
+    #[test]
+    fn many_changes_leave_few_sets() {
+        let mut tags = SubcomponentTags::default();
+        for round in 0..40 {
+            tags = tags.with_edges([[0, 1], [1, 2], [1, 0]].into_iter(), &Text::from(format!("t.{round}")));
+            tags = tags.with_vertices(3, &"v".into()).without(Some("v"), TaggedComponents::All);
+            assert!(tags.sets().len() <= 4 && tags.hold(3));
+        }
+        assert_eq!((tags.edges().len(), tags.vertices().len()), (2, 0));
+        assert_eq!(tags.edge([0, 1]).unwrap().names().len(), 40);
+        assert_eq!(tags.found(Some("t.7"), TaggedComponents::All).count(), 1);
+        assert_eq!(tags.found(Some("t"), TaggedComponents::Vertices).count(), 0);
+        assert!(tags.without(None, TaggedComponents::Faces) == tags);
+        assert!(tags.without(None, TaggedComponents::Edges).is_empty());
     }
 
     #[test]

@@ -3,7 +3,39 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use cga_split::tags::matches;
+
 use crate::value::text::Text;
+
+/// The components whose tags are meant (*deleteTags operation*).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TaggedComponents {
+    /// All components.
+    All,
+    /// Faces.
+    Faces,
+    /// Edges.
+    Edges,
+    /// Vertices.
+    Vertices,
+}
+
+impl TaggedComponents {
+    /// Returns true if faces are meant.
+    pub(crate) fn faces(self) -> bool {
+        matches!(self, TaggedComponents::All | TaggedComponents::Faces)
+    }
+
+    /// Returns true if edges are meant.
+    pub(crate) fn edges(self) -> bool {
+        matches!(self, TaggedComponents::All | TaggedComponents::Edges)
+    }
+
+    /// Returns true if vertices are meant.
+    pub(crate) fn vertices(self) -> bool {
+        matches!(self, TaggedComponents::All | TaggedComponents::Vertices)
+    }
+}
 
 /// The tags of a component, sorted and without duplicates. Names have parts, as in `extrude.side.outer`.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -33,10 +65,25 @@ impl TagSet {
         TagSet::new(self.0.iter().chain(&*other.0).cloned())
     }
 
+    /// The tags and one more.
+    pub(crate) fn with(&self, name: &Text) -> Self {
+        TagSet::new(self.0.iter().chain([name]).cloned())
+    }
+
+    /// The tags without those that a query matches, or no tags without a query.
+    pub(crate) fn without(&self, query: Option<&str>) -> Self {
+        let Some(query) = query else { return TagSet::default() };
+        TagSet::new(self.0.iter().filter(|name| !matches(query, name)).cloned())
+    }
+
+    /// The tags that a query matches, or all tags without a query.
+    pub(crate) fn found<'s>(&'s self, query: Option<&'s str>) -> impl Iterator<Item = &'s Text> {
+        self.0.iter().filter(move |name| query.is_none_or(|query| matches(query, name)))
+    }
+
     /// The tags without those below `below`, with `name` added: the result of an operation that tags its faces.
     pub(crate) fn renewed(&self, below: &str, name: &str) -> Self {
-        let others = self.0.iter().filter(|name| !matches(below, name)).cloned();
-        TagSet::new(others.chain([Text::from(name)]))
+        self.without(Some(below)).with(&Text::from(name))
     }
 }
 
@@ -45,6 +92,8 @@ impl TagSet {
 pub(crate) struct TagSetTable {
     sets: Vec<TagSet>,
     numbers: BTreeMap<TagSet, u32>,
+    /// The numbers of unions, by the numbers of both sets.
+    unions: BTreeMap<[u32; 2], u32>,
 }
 
 impl TagSetTable {
@@ -61,8 +110,12 @@ impl TagSetTable {
 
     /// The number of the union of two sets.
     pub(crate) fn union(&mut self, a: u32, b: u32) -> u32 {
-        let union = self.sets[a as usize].union(&self.sets[b as usize]);
-        self.number(&union)
+        if let Some(union) = self.unions.get(&[a, b]) {
+            return *union;
+        }
+        let union = self.number(&self.sets[a as usize].union(&self.sets[b as usize]));
+        self.unions.insert([a, b], union);
+        union
     }
 
     /// The sets by number.
@@ -71,41 +124,9 @@ impl TagSetTable {
     }
 }
 
-/// Returns true if a query matches a tag: the parts of the query match the first parts of the tag, where `?` matches
-/// any part and `*` one or more (*Geometry tagging*, tag queries).
-pub(crate) fn matches(query: &str, tag: &str) -> bool {
-    let parts: Vec<&str> = tag.split('.').collect();
-    // For each number of parts, whether the query so far can match exactly these parts.
-    let mut taken = vec![false; parts.len() + 1];
-    taken[0] = true;
-    for part in query.split('.') {
-        let mut next = vec![false; parts.len() + 1];
-        for at in 0..parts.len() {
-            next[at + 1] = match part {
-                "*" => taken[at] || next[at],
-                "?" => taken[at],
-                _ => taken[at] && part == parts[at],
-            };
-        }
-        taken = next;
-    }
-    taken.contains(&true)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn queries_match_as_documented() {
-        assert!(matches("Facade", "Facade") && matches("Facade", "Facade.TypeA.Side.Left"));
-        assert!(!matches("Facade", "Facades") && !matches("Facade.Front", "Facade"));
-        assert!(matches("?.Front", "Facade.Front") && !matches("?.Front", "Front"));
-        assert!(!matches("?.Front", "A.B.Front"));
-        assert!(matches("Facade.*.Left", "Facade.A.Left") && matches("Facade.*.Left", "Facade.A.B.Left.C"));
-        assert!(!matches("Facade.*.Left", "Facade.Left"));
-        assert!(matches("*", "anything") && matches("envelope.side", "envelope.side.slope"));
-    }
 
     #[test]
     fn a_set_is_renewed() {

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::{Outline, Rise, Roof, RoofFace, RoofForm, RoofPart, roof};
-use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh, TagSet, flip};
+use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh, PartTags, SubcomponentTagger, flip};
 use crate::geometry::skeleton::{Failure, any_cross};
 use crate::geometry::tol::TOUCH_EPSILON;
 
@@ -18,41 +18,35 @@ pub(crate) enum RoofRefusal {
 /// Builds a roof over each face: the faces of the roof in the order of edges, then the face itself as the bottom. Faces
 /// without a roof are copied unchanged, and are also listed with the reason.
 pub(crate) fn roof_over(source: &Mesh, form: RoofForm, rise: Rise) -> (Mesh, Vec<(usize, RoofRefusal)>) {
-    let mut made = Mesh {
-        groups: source.groups.clone(),
-        materials: source.materials.clone(),
-        tag_sets: tag_sets(source),
-        ..Mesh::default()
-    };
+    let mut made = Mesh { groups: source.groups.clone(), materials: source.materials.clone(), ..Mesh::default() };
+    let mut tags = RoofTags { parts: PartTags::new(source, "roof"), tagger: SubcomponentTagger::default() };
     let mut refused = Vec::new();
     for face in source.faces() {
-        if let Err(why) = add_roof(&face, source.tag_sets().len(), form, rise, &mut made) {
+        if let Err(why) = add_roof(&face, form, rise, &mut made, &mut tags) {
             refused.push((face.index(), why));
-            add_plain(&face, &mut made);
+            add_plain(&face, &mut made, &mut tags);
         }
     }
+    made.tag_sets = tags.parts.finish();
+    made.put_tags(tags.tagger);
     made.number_by_use();
     (made, refused)
 }
 
-/// The sets of the source and the empty one, for each part with its tag in place of other tags of roofs.
-fn tag_sets(source: &Mesh) -> std::sync::Arc<[TagSet]> {
-    let plain = TagSet::default();
-    let sets = || source.tag_sets().iter().chain([&plain]);
-    RoofPart::ALL
-        .iter()
-        .flat_map(|part| sets().map(|set| set.renewed("roof", part.tag())))
-        .chain(sets().cloned())
-        .collect()
+/// The tags of all roofs. A face over an edge has the tags of the edge, an edge at a corner of the face those of the corner
+/// (*Geometry tagging*, tag propagation).
+struct RoofTags<'s> {
+    parts: PartTags<'s>,
+    tagger: SubcomponentTagger,
 }
 
-/// The tag of a part over a face, with the sets of [`tag_sets`].
-fn tag(own: FaceTag, sets: usize, block: usize) -> FaceTag {
-    let own_set = own.tags.min(sets as u32);
-    FaceTag { cap: false, tags: (block * (sets + 1)) as u32 + own_set, ..own }
-}
-
-fn add_roof(face: &FaceRef<'_>, sets: usize, form: RoofForm, rise: Rise, made: &mut Mesh) -> Result<(), RoofRefusal> {
+fn add_roof(
+    face: &FaceRef<'_>,
+    form: RoofForm,
+    rise: Rise,
+    made: &mut Mesh,
+    tags: &mut RoofTags<'_>,
+) -> Result<(), RoofRefusal> {
     let flat = FlatFace::of(face).ok_or(RoofRefusal::NoNormal)?;
     let (_, rings) = flat.edges(false);
     // Across the face: along its first edge.
@@ -75,31 +69,39 @@ fn add_roof(face: &FaceRef<'_>, sets: usize, form: RoofForm, rise: Rise, made: &
     made.points.extend(flat.points.iter().map(|&point| face.mesh.points()[point as usize]));
     let place = |p: &DVec3| flat.origin + flat.axes[0] * p.x + flat.axes[1] * p.y + flat.normal * p.z;
     made.points.extend(points[given..].iter().map(place));
-    let mut bottom = RoofFace { part: RoofPart::Bottom, rings };
+    let edges = outline.edges();
+    let source = |point: u32| flat.points.get(point as usize).copied();
+    let mut bottom = RoofFace { part: RoofPart::Bottom, edge: None, rings: rings.clone() };
     bottom.rings.iter_mut().for_each(|ring| flip(ring));
-    for RoofFace { part, rings } in faces.into_iter().chain([bottom]) {
+    for RoofFace { part, edge, rings } in faces.into_iter().chain([bottom]) {
         for mut ring in rings {
             if below {
                 flip(&mut ring);
             }
+            tags.tagger.grow_ring(face.mesh, &ring, |point| base + point, source);
             made.corners.extend(ring.iter().map(|&point| base + point));
             made.end_loop();
         }
-        let block = RoofPart::ALL.iter().position(|other| *other == part).unwrap_or(0);
-        made.end_face(tag(face.tag(), sets, block));
+        let ends = edge.and_then(|edge| edges.get(edge as usize)).map(|ends| ends.map(|end| flat.points[end as usize]));
+        made.end_face(match ends {
+            Some(ends) => tags.parts.over_edge(face.tag(), part.tag(), ends),
+            None => tags.parts.over(face.tag(), part.tag()),
+        });
     }
     Ok(())
 }
 
 /// Adds a face without its texture coordinates and normals.
-fn add_plain(face: &FaceRef<'_>, made: &mut Mesh) {
-    let sets = face.mesh.tag_sets().len();
+fn add_plain(face: &FaceRef<'_>, made: &mut Mesh, tags: &mut RoofTags<'_>) {
     for ring in face.loops() {
+        let first = made.points.len() as u32;
+        let corners: Vec<u32> = (0..ring.len() as u32).collect();
+        tags.tagger.grow_ring(face.mesh, &corners, |corner| first + corner, |corner| Some(ring[corner as usize]));
         for &point in ring {
             let number = made.add_point(face.mesh.points()[point as usize]);
             made.corners.push(number);
         }
         made.end_loop();
     }
-    made.end_face(tag(face.tag(), sets, RoofPart::ALL.len()));
+    made.end_face(FaceTag { cap: false, ..tags.parts.same(face.tag()) });
 }

@@ -83,8 +83,6 @@ pub(crate) enum RoofPart {
 }
 
 impl RoofPart {
-    const ALL: [RoofPart; 5] = [RoofPart::Bottom, RoofPart::Top, RoofPart::Side, RoofPart::Outer, RoofPart::Inner];
-
     /// The tag of the part (*component tags*).
     fn tag(self) -> &'static str {
         match self {
@@ -135,6 +133,8 @@ impl Outline<'_> {
 #[derive(Clone, Debug)]
 struct RoofFace {
     part: RoofPart,
+    /// The edge of the polygon out of which it grows.
+    edge: Option<u32>,
     /// The outline anticlockwise as seen from outside, then the holes, as numbers of points.
     rings: Vec<Vec<u32>>,
 }
@@ -160,8 +160,8 @@ impl Roof {
         self.points.len() as u32 - 1
     }
 
-    fn face(&mut self, part: RoofPart, ring: Vec<u32>) {
-        self.faces.push(RoofFace { part, rings: vec![ring] });
+    fn face(&mut self, part: RoofPart, edge: u32, ring: Vec<u32>) {
+        self.faces.push(RoofFace { part, edge: Some(edge), rings: vec![ring] });
     }
 }
 

@@ -192,7 +192,7 @@ impl Plan {
         let mut faces = Vec::with_capacity(self.faces.len());
         for PlanFace { edge, ring } in self.faces {
             if is_side(edge) {
-                faces.push(RoofFace { part: RoofPart::Side, rings: vec![ring] });
+                faces.push(RoofFace { part: RoofPart::Side, edge: Some(edge), rings: vec![ring] });
             } else if 3 < ring.len() && ring.iter().any(|&point| self.moved[point as usize]) {
                 let flat: Vec<DVec2> = ring.iter().map(|&point| self.points[point as usize]).collect();
                 let mut triangles = Vec::new();
@@ -203,10 +203,10 @@ impl Plan {
                     let first = (0..3).find(|&i| triangle[i] == 0 && triangle[(i + 1) % 3] == 1);
                     triangle.rotate_left(first.unwrap_or(0));
                     let ring = triangle.map(|corner| ring[corner as usize]).to_vec();
-                    faces.push(RoofFace { part: RoofPart::Top, rings: vec![ring] });
+                    faces.push(RoofFace { part: RoofPart::Top, edge: Some(edge), rings: vec![ring] });
                 }
             } else {
-                faces.push(RoofFace { part: RoofPart::Top, rings: vec![ring] });
+                faces.push(RoofFace { part: RoofPart::Top, edge: Some(edge), rings: vec![ring] });
             }
         }
         let points = self.points.iter().zip(&self.rises).map(|(p, rise)| p.extend(rise * slope)).collect();

@@ -21,8 +21,8 @@ pub(super) fn pyramid(outline: &Outline<'_>, rise: Rise) -> Roof {
     let mut roof = Roof::over(outline);
     let apex = roof.point(mean.extend(height));
     // A height of 0, over the line of the first edge, has no roof.
-    for [a, b] in edges.into_iter().filter(|_| height != 0.0) {
-        roof.face(RoofPart::Top, vec![a, b, apex]);
+    for (number, [a, b]) in (0..).zip(edges).filter(|_| height != 0.0) {
+        roof.face(RoofPart::Top, number, vec![a, b, apex]);
     }
     roof
 }
@@ -42,7 +42,7 @@ pub(super) fn shed(outline: &Outline<'_>, edge: usize, rise: Rise) -> Roof {
     let rings: Vec<Vec<u32>> =
         outline.rings.iter().map(|ring| ring.iter().map(|&p| raised.top[p as usize]).collect()).collect();
     let mut faces = raised.sides(outline, &BTreeMap::new());
-    let mut top = RoofFace { part: RoofPart::Top, rings };
+    let mut top = RoofFace { part: RoofPart::Top, edge: Some(edge as u32), rings };
     if edge < outline.rings[0].len() {
         top.rings[0].rotate_left(edge);
     }
@@ -120,7 +120,7 @@ impl Raised {
             ring.extend(Some(self.top[a as usize]).filter(|top| *top != a));
             if 3 <= ring.len() {
                 let part = if number < outer { RoofPart::Outer } else { RoofPart::Inner };
-                sides.push((number, RoofFace { part, rings: vec![ring] }));
+                sides.push((number, RoofFace { part, edge: Some(number as u32), rings: vec![ring] }));
             }
         }
         sides
@@ -181,7 +181,6 @@ fn nested(points: &[DVec3], mut rings: Vec<Vec<u32>>) -> Vec<RoofFace> {
     }
     let flat: Vec<DVec2> = points.iter().map(|point| point.truncate()).collect();
     let nested = NestedRings::of(&flat, rings.into_iter());
-    let faces =
-        nested.polygons().map(|rings| RoofFace { part: RoofPart::Top, rings: rings.map(<[u32]>::to_vec).collect() });
-    faces.collect()
+    let rings = nested.polygons().map(|rings| rings.map(<[u32]>::to_vec).collect());
+    rings.map(|rings| RoofFace { part: RoofPart::Top, edge: None, rings }).collect()
 }

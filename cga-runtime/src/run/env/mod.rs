@@ -3,6 +3,7 @@
 mod base;
 mod checkpoint;
 mod counters;
+mod edge_attributes;
 mod recompose;
 mod trail;
 mod uv_set;
@@ -23,6 +24,7 @@ use crate::run::report::{FAULTS_KEPT, Prints, Reports};
 use crate::run::settings::{Limits, Settings};
 use crate::run::sink::{Flow, LeafTables};
 use crate::shape::Shape;
+use crate::shape::edge_attributes::SampledAttributes;
 use crate::shape::street::Streets;
 use crate::value::Value;
 use crate::value::array::Array;
@@ -68,6 +70,8 @@ pub struct Env {
     /// recursion stops when the geometry gets too small"). It is relative to the initial shape.
     pub(crate) too_small: f64,
     pub(crate) initial: Initial,
+    /// True if operations tag the edges that they make (*Geometry tagging*, auto-tags on edges).
+    pub(crate) tags_edges: bool,
     names: &'static [&'static str],
     /// The names and materials of leaves, by number.
     pub(crate) leaf_tables: LeafTables,
@@ -111,6 +115,8 @@ pub struct Env {
     searches: BTreeMap<File, Rc<[Text]>>,
     /// The tables read so far, by file.
     pub(crate) tables: BTreeMap<File, Array<Text>>,
+    /// The attributes of the edges of the initial shape, once a rule has asked for them.
+    edge_attributes: Option<Option<Arc<SampledAttributes>>>,
     /// The texts reported so far of those that are reported once a run: names that are not implemented, messages.
     said_once: Vec<&'static str>,
     /// The number of attempts to report such a text, and of repetitions of counted faults.

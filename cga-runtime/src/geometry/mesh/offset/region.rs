@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 
 use glam::DVec2;
 
+use super::side_tags::{SideKind, SideOrigin};
 use super::{OffsetError, relief};
 use crate::geometry::mesh::flat_face::FlatFace;
 use crate::geometry::nesting::contour::Contour;
@@ -26,17 +27,23 @@ pub(crate) type EdgeCut = (usize, f64);
 struct Side {
     point: u32,
     piece: usize,
+    /// True if the piece has moved.
+    has_moved: bool,
 }
 
 /// Loops of a part of a face. A corner has the rank of its next side, and the point.
 pub(super) type Loops = Vec<Vec<(usize, u32)>>;
+
+/// The origins of sides, by their points.
+pub(super) type SideOrigins = BTreeMap<[u32; 2], SideOrigin>;
 
 /// A region in the plane of a face.
 pub(crate) struct Region {
     /// The points of the face, those that divide edges, and those of all turns.
     pub(super) points: Vec<DVec2>,
     pub(super) heights: Vec<f64>,
-    pieces: usize,
+    /// The edge of each piece: the number of its first corner, counted from the first one of the face.
+    edges: Vec<usize>,
     rings: Vec<Vec<Side>>,
 }
 
@@ -45,14 +52,14 @@ impl Region {
     pub(crate) fn of(plane: &FlatFace<'_>, cuts: &[EdgeCut]) -> Self {
         let (mut points, mut heights) = (plane.flat.clone(), plane.heights.clone());
         let (edges, rings) = plane.edges(false);
-        let (mut edges, mut cuts, mut pieces) = (edges.iter(), cuts.iter().peekable(), 0);
+        let (mut edges, mut cuts, mut pieces) = (edges.iter(), cuts.iter().peekable(), Vec::new());
         let mut divided = Vec::with_capacity(rings.len());
         for ring in rings {
             let mut sides = Vec::with_capacity(ring.len());
             for edge in edges.by_ref().take(ring.len()) {
                 let mut add = |point: u32| {
-                    sides.push(Side { point, piece: pieces });
-                    pieces += 1;
+                    sides.push(Side { point, piece: pieces.len(), has_moved: false });
+                    pieces.push(edge[0]);
                 };
                 let [a, b] = edge.map(|corner| plane.corners[corner]);
                 add(a);
@@ -65,7 +72,7 @@ impl Region {
             }
             divided.push(sides);
         }
-        Region { points, heights, pieces, rings: divided }
+        Region { points, heights, edges: pieces, rings: divided }
     }
 
     /// The area.
@@ -87,37 +94,64 @@ impl Region {
 
     /// Moves pieces by distances and takes from the region what they sweep. Distances that are not positive leave their
     /// pieces where they are. Returns the loops of the parts that were taken; they begin with the first piece that moved.
-    pub(super) fn set_back(&mut self, distances: &[f64]) -> Result<Loops, OffsetError> {
-        let pieces: Vec<usize> = self.rings.iter().flatten().map(|side| side.piece).collect();
-        let distance = |piece: &usize| distances.get(*piece).map_or(0.0, |distance| distance.max(0.0));
-        let distances: Vec<f64> = pieces.iter().map(distance).collect();
+    pub(super) fn set_back(&mut self, distances: &[f64]) -> Result<(Loops, SideOrigins), OffsetError> {
+        let old: Vec<Side> = self.rings.iter().flatten().copied().collect();
+        let distance = |side: &Side| distances.get(side.piece).map_or(0.0, |distance| distance.max(0.0));
+        let distances: Vec<f64> = old.iter().map(distance).collect();
         if !distances.iter().any(|distance| 0.0 < *distance) {
-            return Ok(Vec::new());
+            return Ok(Default::default());
         }
         let rings: Vec<Vec<u32>> = self.rings.iter().map(|ring| ring.iter().map(|side| side.point).collect()).collect();
         let mut swept = skeleton::sweep_each(&self.points, &rings, &distances)?;
         self.heights = relief::heights(&self.heights, &rings, &swept);
-        let rank =
-            |side: usize| if 0.0 < distances[side] { pieces[side] } else { pieces[side].saturating_add(self.pieces) };
-        let taken = taken(&rings, &swept, &distances, rank);
+        let rank = |side: usize| {
+            let piece = old[side].piece;
+            if 0.0 < distances[side] { piece } else { piece.saturating_add(self.edges.len()) }
+        };
+        let mut origins = SideOrigins::new();
+        let origin = |side: [u32; 2], edge: usize, kind: SideKind| {
+            let edge = old.get(edge).and_then(|side| self.edges.get(side.piece)).copied();
+            origins.insert(side, SideOrigin { kind, edge });
+        };
+        let taken = taken(&rings, &swept, &distances, rank, origin);
         let side = |left: &skeleton::Left| {
-            let piece = pieces.get(left.edge as usize).copied().unwrap_or(NONE);
-            Side { point: left.point, piece }
+            let edge = left.edge as usize;
+            let Some(old) = old.get(edge) else { return Side { point: left.point, piece: NONE, has_moved: true } };
+            Side { point: left.point, piece: old.piece, has_moved: old.has_moved || 0.0 < distances[edge] }
         };
         self.rings = swept.left.iter().map(|ring| ring.iter().map(side).collect()).collect();
         self.points = std::mem::take(&mut swept.points);
-        Ok(taken)
+        Ok((taken, origins))
     }
 
     /// The loops of the region. They begin with the first piece that has a side.
-    pub(super) fn loops(&self) -> Loops {
+    pub(super) fn loops(&self) -> (Loops, SideOrigins) {
         let ring = |ring: &Vec<Side>| super::from_first(ring.iter().map(|side| (side.piece, side.point)).collect());
-        self.rings.iter().map(ring).collect()
+        let mut origins = SideOrigins::new();
+        for ring in &self.rings {
+            for (side, next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+                let kind = match side {
+                    Side { piece: NONE, .. } => SideKind::End,
+                    Side { has_moved: true, .. } => SideKind::Back,
+                    Side { has_moved: false, .. } => SideKind::Remainder,
+                };
+                let edge = self.edges.get(side.piece).copied();
+                origins.insert([side.point, next.point], SideOrigin { kind, edge });
+            }
+        }
+        (self.rings.iter().map(ring).collect(), origins)
     }
 }
 
-/// The loops of what the sides swept.
-fn taken(rings: &[Vec<u32>], swept: &Swept, distances: &[f64], rank: impl Fn(usize) -> usize) -> Loops {
+/// The loops of what the sides swept. Calls `origin` with each side of them, the number of the edge from which it comes, and
+/// its kind.
+fn taken(
+    rings: &[Vec<u32>],
+    swept: &Swept,
+    distances: &[f64],
+    rank: impl Fn(usize) -> usize,
+    mut origin: impl FnMut([u32; 2], usize, SideKind),
+) -> Loops {
     let mut lines: BTreeMap<usize, Vec<[u32; 2]>> = BTreeMap::new();
     let sides = rings.iter().flat_map(|ring| (0..ring.len()).map(|k| [ring[k], ring[(k + 1) % ring.len()]]));
     sides.enumerate().for_each(|(edge, side)| lines.entry(edge).or_default().push(side));
@@ -133,11 +167,16 @@ fn taken(rings: &[Vec<u32>], swept: &Swept, distances: &[f64], rank: impl Fn(usi
         match &sides[..] {
             [side, moved @ ..] if is_moved => {
                 ranks.insert(*side, rank(edge));
+                origin(*side, edge, SideKind::Front);
                 ranks.extend(moved.iter().map(|side| (*side, NONE)));
+                moved.iter().for_each(|side| origin(*side, edge, SideKind::Back));
             }
             _ => {
                 let rank = if edge < distances.len() { rank(edge) } else { NONE };
-                ranks.extend(apart(sides, swept).into_iter().map(|side| (side, rank)));
+                for side in apart(sides, swept) {
+                    ranks.insert(side, rank);
+                    origin(side, edge, SideKind::End);
+                }
             }
         }
     }

@@ -5,7 +5,8 @@
 //! up to the area of the face, and the parts that neighbouring edges sweep are one face. Edges that move in several
 //! turns have several setbacks ([`super::region`]).
 
-use super::region::{EdgeCut, Region};
+use super::region::{EdgeCut, Loops, Region, SideOrigins};
+use super::side_tags::SideTags;
 use super::{FaceParts, OffsetError};
 use crate::geometry::mesh::flat_face::FlatFace;
 use crate::geometry::mesh::{FaceRef, Mesh};
@@ -21,9 +22,11 @@ pub(crate) fn set_back(
     cuts: &[EdgeCut],
     turns: &[&[f64]],
     made: &mut Mesh,
+    tags: &mut SideTags<'_>,
 ) -> Result<Vec<usize>, OffsetError> {
     if !turns.iter().copied().flatten().any(|distance| 0.0 < *distance) {
-        made.add_copy(face);
+        made.add_copy(face, face.tag());
+        tags.whole(face, made);
         return Ok(turns.iter().map(|_| 0).chain([1]).collect());
     }
     let plane = FlatFace::of(face).ok_or(OffsetError::NoNormal)?;
@@ -32,7 +35,14 @@ pub(crate) fn set_back(
     parts.push(region.loops());
     let mut part = FaceParts::new(&plane, &region.points, &region.heights, false, made);
     let own = |point: u32| plane.corners.iter().position(|&corner| corner == point);
-    Ok(parts.into_iter().map(|loops| part.nested(loops, own)).collect())
+    // The points of the edge that begins at each corner.
+    let ends: Vec<[u32; 2]> = face.edges().map(|edge| edge.map(|corner| face.mesh.corners[corner])).collect();
+    let count = |(loops, origins): (Loops, SideOrigins)| {
+        // Each part has points of its own, because sides that two parts share may have different tags.
+        part.begin();
+        part.nested(loops, face.tag(), own, |ring, numbers| tags.ring(&plane.points, &ends, &origins, ring, numbers))
+    };
+    Ok(parts.into_iter().map(count).collect())
 }
 
 /// Gives points numbers in the order of faces, after all faces were added.

@@ -1,0 +1,52 @@
+//! Changes of the tags of a mesh (*tag*, *deleteTags operation*).
+
+use super::tag::{TagSet, TagSetTable, TaggedComponents};
+use super::{FaceTag, Mesh};
+use crate::value::text::Text;
+
+impl Mesh {
+    /// The mesh with a tag on every face.
+    pub(crate) fn with_tagged_faces(&self, name: &Text) -> Mesh {
+        self.with_face_tags(|set| set.with(name))
+    }
+
+    /// The mesh with a tag on every edge.
+    pub(crate) fn with_tagged_edges(&self, name: &Text) -> Mesh {
+        Mesh { subcomponent_tags: self.subcomponent_tags.with_edges(self.face_edges(), name), ..self.clone() }
+    }
+
+    /// The mesh with a tag on every vertex.
+    pub(crate) fn with_tagged_vertices(&self, name: &Text) -> Mesh {
+        Mesh { subcomponent_tags: self.subcomponent_tags.with_vertices(self.points.len(), name), ..self.clone() }
+    }
+
+    /// The mesh without the tags of some components that a query matches, or without all of them if there is no query.
+    pub(crate) fn without_tags(&self, query: Option<&str>, components: TaggedComponents) -> Mesh {
+        let subcomponent_tags = self.subcomponent_tags.without(query, components);
+        let mesh = if components.faces() { self.with_face_tags(|set| set.without(query)) } else { self.clone() };
+        Mesh { subcomponent_tags, ..mesh }
+    }
+
+    /// The tags of faces that a query matches, or all without a query, in any order.
+    pub(crate) fn found_face_tags<'m>(&'m self, query: Option<&'m str>) -> impl Iterator<Item = &'m Text> {
+        let mut used = vec![false; self.tag_sets.len()];
+        for (_, tag) in self.tags.runs() {
+            if let Some(used) = used.get_mut(tag.tags as usize) {
+                *used = true;
+            }
+        }
+        self.tag_sets.iter().zip(used).filter(|(_, used)| *used).flat_map(move |(set, _)| set.found(query))
+    }
+
+    /// The mesh with other sets of tags on its faces.
+    fn with_face_tags(&self, change: impl Fn(&TagSet) -> TagSet) -> Mesh {
+        let mut table = TagSetTable::default();
+        let plain = TagSet::default();
+        let mut number = |tag: &FaceTag| {
+            let set = change(self.tag_sets.get(tag.tags as usize).unwrap_or(&plain));
+            if set == plain { FaceTag::NONE } else { table.number(&set) }
+        };
+        let tags = self.tags.mapped(|tag| FaceTag { tags: number(&tag), ..tag });
+        Mesh { tags, tag_sets: table.into_sets(), ..self.clone() }
+    }
+}
