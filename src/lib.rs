@@ -183,6 +183,11 @@ pub mod split {
     pub use cga_runtime::split::{Item, Piece, Prefix, Size, Solution, solve};
 }
 
+/// The reference of the language: operations, selectors, functions, attributes and annotations.
+///
+#[doc = include_str!("../docs/reference.md")]
+pub mod reference {}
+
 /// The interface of generated code, without a promise of stability.
 #[doc(hidden)]
 pub mod __rt {
