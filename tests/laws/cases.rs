@@ -23,7 +23,7 @@ cga! {
     @Allow(not_implemented)
     grammar Unready;
     Lot  --> split(x) { { 1 : Tile }* }
-    Tile --> reduceGeometry(0.5) Wall.
+    Tile --> s(1, 1 + getGeoCoord(lat), 1) Wall.
 }
 
 #[test]

@@ -8,6 +8,7 @@ mod align_box;
 mod align_geometry;
 mod along_uv;
 mod boolean;
+mod cleanup;
 mod convexify;
 mod coordinates;
 mod delete_holes;
@@ -33,6 +34,7 @@ mod refit;
 mod refused;
 mod report;
 mod reset_geometry;
+mod reshaped;
 mod roof;
 mod scatter;
 #[cfg(test)]
@@ -61,6 +63,7 @@ pub use align_geometry::{
 };
 pub use along_uv::{insert_along_uv, insert_along_uv_with};
 pub use boolean::{SwapMode, intersect, intersect_current, subtract, subtract_current, union, union_current};
+pub use cleanup::{CleanupComponents, cleanup_geometry};
 pub use convexify::{convexify, convexify_within};
 pub use coordinates::{System, TransformMode, rotate_in, translate_in};
 pub use delete_holes::delete_holes;
