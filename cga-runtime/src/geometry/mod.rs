@@ -20,6 +20,8 @@ pub(crate) mod provenance;
 #[cfg(test)]
 pub(crate) mod random;
 pub(crate) mod recompose;
+pub(crate) mod rectify;
+pub(crate) mod reduce;
 pub(crate) mod roof;
 pub(crate) mod rotation;
 pub(crate) mod sampled_outline;

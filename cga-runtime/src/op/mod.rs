@@ -30,6 +30,8 @@ mod perimeter;
 mod pivot;
 mod primitive;
 mod recompose;
+mod rectify;
+mod reduce;
 mod refit;
 mod refused;
 mod report;
@@ -90,6 +92,8 @@ pub use primitive::{
     sphere, sphere_sides, sphere_sized,
 };
 pub use recompose::modify;
+pub use rectify::rectify;
+pub use reduce::reduce_geometry;
 pub use report::{label, print, report};
 pub use reset_geometry::reset_geometry;
 pub use roof::{

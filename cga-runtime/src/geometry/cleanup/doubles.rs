@@ -2,10 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::small_faces::components;
+use super::components::{components, is_closed};
 use super::values::{have_same_attributes, have_same_texture};
 use super::{add_face, without_faces};
-use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::tol::VOLUME_EPSILON;
 
@@ -34,25 +33,14 @@ pub(super) fn without_doubles(mesh: &Mesh, flat: FlatParts) -> Option<Mesh> {
     if sets.is_empty() {
         return None;
     }
-    let parts = components(mesh);
     let mut is_gone = vec![false; mesh.face_count()];
-    let mut of_part: BTreeMap<u32, Vec<&Vec<Double>>> = BTreeMap::new();
-    for set in &sets {
-        of_part.entry(parts.find(set[0].face)).or_default().push(set);
-    }
-    let faces = faces_of(mesh, &parts);
-    for (part, sets) in of_part {
-        let faces = &faces[part as usize];
-        let mut gone: Vec<u32> = sets.iter().flat_map(|set| &set[1..]).map(|double| double.face).collect();
-        if is_closed(mesh, faces, &[]) {
-            gone.sort_unstable();
-            let is_doubled = sets.iter().map(|set| set.len()).sum::<usize>() == faces.len();
-            let is_flat = is_doubled && encloses_nothing(mesh, faces);
-            if !(is_flat && flat == FlatParts::Open) && !is_closed(mesh, faces, &gone) {
-                gone = if is_flat { Vec::new() } else { sets.iter().flat_map(|set| surplus(set)).collect() };
-            }
+    let mut of_face: Vec<Option<&Vec<Double>>> = vec![None; mesh.face_count()];
+    sets.iter().for_each(|set| of_face[set[0].face as usize] = Some(set));
+    for faces in components(mesh).sets() {
+        let sets: Vec<&Vec<Double>> = faces.iter().filter_map(|&face| of_face[face as usize]).collect();
+        for face in gone(mesh, &faces, &sets, flat) {
+            is_gone[face as usize] = true;
         }
-        gone.into_iter().for_each(|face| is_gone[face as usize] = true);
     }
     if !is_gone.contains(&true) {
         return None;
@@ -62,11 +50,19 @@ pub(super) fn without_doubles(mesh: &Mesh, flat: FlatParts) -> Option<Mesh> {
     Some(made)
 }
 
-/// The faces of each part, by the first one.
-fn faces_of(mesh: &Mesh, parts: &DisjointSets) -> Vec<Vec<u32>> {
-    let mut faces = vec![Vec::new(); mesh.face_count()];
-    (0..mesh.face_count() as u32).for_each(|face| faces[parts.find(face) as usize].push(face));
-    faces
+/// The faces to remove from a part with these faces and sets of doubles.
+fn gone(mesh: &Mesh, faces: &[u32], sets: &[&Vec<Double>], flat: FlatParts) -> Vec<u32> {
+    let mut gone: Vec<u32> = sets.iter().flat_map(|set| &set[1..]).map(|double| double.face).collect();
+    gone.sort_unstable();
+    if gone.is_empty() || !is_closed(mesh, faces, &[]) || is_closed(mesh, faces, &gone) {
+        return gone;
+    }
+    let is_doubled = sets.iter().map(|set| set.len()).sum::<usize>() == faces.len();
+    match flat {
+        _ if !(is_doubled && encloses_nothing(mesh, faces)) => sets.iter().flat_map(|set| surplus(set)).collect(),
+        FlatParts::Open => gone,
+        FlatParts::StayClosed => Vec::new(),
+    }
 }
 
 /// The faces of a set whose edges cancel: as many of each direction as there are pairs.
@@ -75,18 +71,6 @@ fn surplus(set: &[Double]) -> Vec<u32> {
     let pairs = along.min(set.len() - along);
     let of = |is_along: bool| set.iter().rev().filter(move |double| double.is_along == is_along).take(pairs);
     of(true).chain(of(false)).map(|double| double.face).collect()
-}
-
-/// Returns true if all edges of the faces without some, which are sorted, are used as often in both directions.
-pub(super) fn is_closed(mesh: &Mesh, faces: &[u32], without: &[u32]) -> bool {
-    let mut counts: BTreeMap<usize, i64> = BTreeMap::new();
-    for &face in faces.iter().filter(|face| without.binary_search(face).is_err()) {
-        for [a, b] in mesh.face(face as usize).edges() {
-            let step = if mesh.corners[a] < mesh.corners[b] { 1 } else { -1 };
-            *counts.entry(mesh.adjacency().edge(a as u32)).or_default() += step;
-        }
-    }
-    counts.values().all(|&count| count == 0)
 }
 
 fn encloses_nothing(mesh: &Mesh, faces: &[u32]) -> bool {
@@ -99,11 +83,13 @@ fn encloses_nothing(mesh: &Mesh, faces: &[u32]) -> bool {
 
 /// The sets of faces with the same corners, each with at least two faces, in the order of their first faces.
 fn doubles(mesh: &Mesh) -> Vec<Vec<Double>> {
-    let mut found: BTreeMap<Vec<u32>, Vec<Vec<(Double, Vec<u32>)>>> = BTreeMap::new();
+    // Faces with their corners, in the order of the key.
+    type Set = Vec<(Double, Vec<u32>)>;
+    let mut found: BTreeMap<Vec<u32>, Vec<Set>> = BTreeMap::new();
     for face in 0..mesh.face_count() as u32 {
         let (key, corners, is_along) = canonical(mesh, face);
         let sets = found.entry(key).or_default();
-        let is_same = |set: &Vec<(Double, Vec<u32>)>| {
+        let is_same = |set: &Set| {
             let (first, others) = &set[0];
             have_same_attributes(mesh, first.face, face)
                 && others.iter().zip(&corners).all(|(&one, &other)| have_same_texture(mesh, one, other))

@@ -4,6 +4,7 @@
 //! All steps but the removal of small faces keep the sum of all directed edges: an edge vanishes together with its counterpart.
 //! So a closed mesh stays closed, and small faces are removed from open parts alone.
 
+mod components;
 mod doubles;
 mod flat_edges;
 mod merge;

@@ -1,21 +1,8 @@
 //! Removes small faces.
 
-use super::doubles::is_closed;
+use super::components::{components, is_closed};
 use super::{Limits, add_face, without_faces};
-use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::mesh::Mesh;
-
-/// The parts of a mesh: faces that are connected by edges.
-pub(super) fn components(mesh: &Mesh) -> DisjointSets {
-    let adjacency = mesh.adjacency();
-    let mut sets = DisjointSets::new(mesh.face_count());
-    for edge in 0..adjacency.edge_count() {
-        let uses = adjacency.uses(edge);
-        uses.windows(2).for_each(|pair| sets.unite(adjacency.face(pair[0]), adjacency.face(pair[1])));
-    }
-    sets.flatten();
-    sets
-}
 
 /// The mesh without faces whose area is below the limit. A closed part is removed as a whole, if all of it is that small; else it
 /// stays. `None` if no face is removed.
