@@ -70,7 +70,7 @@ fn what_does_not_run_yet_leaves_one_fault_and_a_value_of_its_type() {
     cga! {
         @Allow(not_implemented)
         grammar Later = r#"
-            Lot --> print(contextCount(intra, "a")) print(getTreeKey) print(touches) print(geometry.tags) print(contextCount(all, "a")) rectify(30) X.
+            Lot --> print(contextCount(intra, "a")) print(getTreeKey) print(touches) print(imagesSortRatio(["a"], xy)) print(contextCount(all, "a")) rectify(30) X.
         "#;
     }
     let model = Later::default().generate(&lot()).expect("faults end no run");
