@@ -51,6 +51,7 @@ impl Writer {
             0..6 if 0 < here.depth => self.split(here),
             6..12 if 0 < here.depth => self.comp(here),
             12 if 0 < here.depth => self.areas(here),
+            17 if 0 < here.depth => self.setback(here),
             13 | 14 if 0 < here.depth => {
                 self.line(here, "[");
                 self.body(here.deeper());
@@ -132,6 +133,26 @@ impl Writer {
         }
         let star = if self.chance(40) { "}*" } else { "}" };
         self.line(here, star);
+    }
+
+    fn setback(&mut self, here: Here) {
+        let head = self.fill(&["setback($N)", "setback(0.2317)", "setback(c * 0.5)", "shapeL(0.1731, 0.4117)"]);
+        self.line(here, &format!("{head} {{"));
+        let arms: &[&str] = match head.starts_with("shape") {
+            true => &["shape", "remainder"],
+            false => &["$W", "isTagged(\"$J\")", "remainder"],
+        };
+        for (number, selector) in arms.iter().enumerate() {
+            let bar = if number == 0 { " " } else { "|" };
+            let selector = self.fill(&[*selector]);
+            let joined = *self.random.pick(&[":", "="]);
+            self.line(here, &format!("{bar} {selector} {joined}"));
+            if self.chance(40) {
+                self.watch(here.deeper());
+            }
+            self.body(here.deeper());
+        }
+        self.line(here, "}");
     }
 
     fn comp(&mut self, here: Here) {

@@ -61,6 +61,10 @@ const STEPS: &[&str] = &[
     "color(\"#ff8000\")",
     "color(0.2, c, 0.7)",
     "set(material.name, \"m\" + split.index)",
+    "tag(\"mark.$X\", $M)",
+    "tag(\"mark.$X\", $M)",
+    "deleteTags(\"$J\")",
+    "deleteTags(\"$J\", $Z)",
 ];
 
 /// Reports.
@@ -181,7 +185,11 @@ impl Writer {
             // Directions that `geometry.isOriented` knows.
             "W" => &["front", "back", "left", "right", "top", "side", "object.front", "world.up", "street.front"],
             // Tags.
+            "J" if self.chance(40) => &["mark", "mark.x", "mark.?", "*.z", "setback.front", "setback"],
             "J" => &["extrude.*", "extrude.top", "extrude.bottom", "extrude.side", "extrude", "*.outer"],
+            // Components with tags.
+            "M" => &["auto", "faces", "edges", "vertices"],
+            "Z" => &["all", "faces", "edges", "vertices"],
             other => unreachable!("no values of kind {other}"),
         };
         (*self.random.pick(list)).to_owned()
