@@ -152,6 +152,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cells: Vec<Cell> =
         pages::recompose::ALL.iter().map(|example| comp_cell(example, &cutting::settings())).collect();
     save("recompose", sheet::draw(&cells, 4))?;
+    for (name, examples) in [("boolean", pages::boolean::ALL), ("boolean-table", pages::boolean_table::ALL)] {
+        let cells: Vec<Cell> = examples.iter().map(|example| comp_cell(example, &plain)).collect();
+        save(name, sheet::draw(&cells, 4))?;
+    }
 
     let cells: Vec<Cell> = pages::mesh_operations::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
     save("mesh-operations", sheet::draw(&cells, 2))?;

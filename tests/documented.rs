@@ -62,6 +62,8 @@ fn all_examples_run() {
         pages::subdivision_once::ALL,
         pages::subdivision_repeat::ALL,
         pages::cutting::ALL,
+        pages::boolean::ALL,
+        pages::boolean_table::ALL,
         pages::comp::ALL,
         pages::components::ALL,
         pages::texturing::ALL,

@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let settings = Settings { assets: Assets::below(folder).into(), ..Settings::default() };
 
     let lot = Shape::rectangle(11.0, 8.0);
-    let higher = step_03::House { storeys: 4.0, ..step_03::House::default() };
+    let higher = step_03::House { storeys: 4.0 };
     let steps: [&dyn Grammar; 9] = [
         &step_01::House::default(),
         &step_02::House::default(),

@@ -32,7 +32,7 @@ cga! {
     Err --> dyn
     String --> async
     Default --> gen
-    Sink --> union
+    Sink --> auto
     Option --> self
     Result --> super
     Box --> crate
@@ -52,7 +52,7 @@ cga! {
     dyn --> A.
     async --> A.
     gen --> A.
-    union --> A.
+    auto --> A.
     self --> A.
     super --> A.
     crate --> A.

@@ -1,5 +1,6 @@
 //! Geometry: meshes and operations on them. This module does not know shapes, rules or sinks.
 
+pub(crate) mod boolean;
 pub(crate) mod buckets;
 pub(crate) mod convexify;
 pub mod cut;

@@ -76,3 +76,7 @@ pub(crate) const NEXT_EPSILON: f64 = 1e-12;
 /// A coordinate that grows by less than this along a direction, relative to its size, counts as constant. Axes are unit
 /// vectors only up to rounding.
 pub(crate) const CONSTANT_EPSILON: f64 = 1e-14;
+
+/// The distance, relative to the extent of both operands, below which points of a boolean operation are one, and edges go
+/// through points. If one value leads to a tangle, the next one is tried.
+pub(crate) const BOOLEAN_EPSILONS: [f64; 4] = [1e-9, 1e-8, 1e-10, 1e-7];

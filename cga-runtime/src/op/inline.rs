@@ -1,6 +1,7 @@
 //! `inline`: the leaves of a rule as one shape (*Rule inlining*).
 
-use super::joined::{joined_state, part_meshes, retain_parts};
+use super::boolean::unify;
+use super::joined::{joined_state, part_meshes, replace_by, retain_parts};
 use super::recompose::recompose;
 use crate::geometry::mesh::join::join;
 use crate::geometry::mesh::{Mesh, SubcomponentTagger};
@@ -13,15 +14,17 @@ use crate::shape::{Geometry, Shape};
 pub enum MergeStrategy {
     /// The faces of all leaves, as they are.
     Append,
+    /// The boolean union.
+    Unify,
     /// One mesh, with the vertices that the parts shared.
     Recompose,
 }
 
-/// Replaces the current shape by the leaves of a rule, which was derived from a copy of it (*Rule inlining*, `append` and
-/// `recompose`).
+/// Replaces the current shape by the leaves of a rule, which was derived from a copy of it (*Rule inlining*).
 ///
 /// One leaf is taken as it is. Several leaves become one mesh: the faces of all, one after the other, without merged
-/// vertices, or with `recompose` reconnected (*Shape recomposition*). The scope keeps its axes and becomes their bounding
+/// vertices, with `recompose` reconnected (*Shape recomposition*), or with `unify` their boolean union. `unify` also unites the
+/// parts of one leaf. The scope keeps its axes and becomes their bounding
 /// box, and the pivot stays. If their materials differ, each face gets the material of its leaf. Attributes and projections
 /// that all leaves have in common are taken, otherwise those of the current shape stay. Leaves without faces are left out,
 /// unless no leaf has faces. Without leaves, the shape has no geometry.
@@ -36,12 +39,12 @@ pub fn inline(env: &mut Env, shape: &mut Shape, [mut leaves]: [Vec<Shape>; 1], s
         leaves.iter_mut().for_each(|leaf| leaf.change_trace(|trace| trace.cut_to(depth)));
     }
     retain_parts(&mut leaves, |leaf| leaf);
+    if strategy == MergeStrategy::Unify && leaves.iter().any(|leaf| leaf.geometry.has_surface()) {
+        return unify(env, shape, leaves);
+    }
     match leaves.as_slice() {
         [] => shape.geometry = Geometry::Empty,
-        [_] => {
-            let Shape { seed, split, comp, selector, .. } = *shape;
-            leaves.drain(..).for_each(|leaf| *shape = Shape { seed, split, comp, selector, ..leaf });
-        }
+        [_] => leaves.drain(..).for_each(|leaf| replace_by(shape, leaf)),
         [first, others @ ..] => {
             shape.state = joined_state(shape, first, others);
             if first.geometry.has_surface() {

@@ -17,6 +17,12 @@ pub(super) fn retain_parts<T>(list: &mut Vec<T>, leaf: impl Fn(&T) -> &Shape) {
     }
 }
 
+/// Replaces the current shape by a leaf, except for its place in the derivation.
+pub(super) fn replace_by(shape: &mut Shape, leaf: Shape) {
+    let Shape { seed, split, comp, selector, .. } = *shape;
+    *shape = Shape { seed, split, comp, selector, ..leaf };
+}
+
 /// The meshes of leaves in the scope of a shape. If the materials of leaves differ, faces have the material of their leaf.
 pub(super) fn part_meshes<'l>(shape: &Shape, leaves: &'l [Shape]) -> impl Iterator<Item = Mesh> + use<'l> {
     let is_common = leaves.iter().all(|leaf| leaf.material() == leaves[0].material());

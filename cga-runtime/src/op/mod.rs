@@ -7,6 +7,7 @@ mod align;
 mod align_box;
 mod align_geometry;
 mod along_uv;
+mod boolean;
 mod convexify;
 mod coordinates;
 mod delete_holes;
@@ -58,6 +59,7 @@ pub use align_geometry::{
     align_to_indices, align_to_selected,
 };
 pub use along_uv::{insert_along_uv, insert_along_uv_with};
+pub use boolean::{SwapMode, intersect, intersect_current, subtract, subtract_current, union, union_current};
 pub use convexify::{convexify, convexify_within};
 pub use coordinates::{System, TransformMode, rotate_in, translate_in};
 pub use delete_holes::delete_holes;

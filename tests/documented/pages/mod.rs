@@ -1,5 +1,7 @@
 //! The pages' examples: what the tests check and `examples/documented.rs` draws.
 
+pub(crate) mod boolean;
+pub(crate) mod boolean_table;
 pub(crate) mod comp;
 pub(crate) mod components;
 pub(crate) mod cutting;

@@ -1,8 +1,8 @@
 //! Geometry manipulation, tags, inlined rules and boolean operations.
 
 use super::super::{
-    Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Params, Str, TAG_QUERY, Uses, boolean, bounds,
-    float, or, text, within, word, words,
+    Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Str, TAG_QUERY, Uses, boolean, bounds, float, or,
+    text, within, word, words,
 };
 use super::{block, joins, keeps, later, old, op, reads_tags, recomposes, tagging, using, with};
 
@@ -28,14 +28,13 @@ const TAGGED: Param =
 const UNTAGGED: Param =
     or(word("components", "TaggedComponents", &["all", "faces", "edges", "vertices"]), Default::Word("all"));
 
-const APPEND: Param = or(word("geometryMergeStrategy", "MergeStrategy", &["append"]), Default::Word("append"));
+const STRATEGY: Param =
+    or(word("geometryMergeStrategy", "MergeStrategy", &["append", "unify"]), Default::Word("append"));
 
 const RECOMPOSE: Param = word("geometryMergeStrategy", "MergeStrategy", &["recompose"]);
 
-const UNIFY: Param = words("geometryMergeStrategy", &["unify"]);
-
 /// *Boolean 3D operations*, 2024.1.
-const SWAP: Param = words("swapMode", &["noSwap", "swap"]);
+const SWAP: Param = or(word("swapMode", "SwapMode", &["noSwap", "swap"]), Default::Word("noSwap"));
 
 /// The initial shape and its place in the world.
 const INITIAL: Uses = Uses::WHOLE.and(Uses::PLACE).and(Uses::SAYS);
@@ -50,12 +49,13 @@ const BOOLEAN_TAGS: &[&str] = &["bool.A", "bool.B", "bool.cut"];
 
 /// A boolean operation.
 const fn operands(name: Str, about: Str) -> Operation {
-    tagging(BOOLEAN_TAGS, block(name, Braces::Operands, &[], about))
+    joins(name, tagging(BOOLEAN_TAGS, block(name, Braces::Operands, &[], about)))
 }
 
 /// The syntax up to 2024.1, where the left operand was the current shape (*CGA changelog 2025.0*).
-const fn one_operand(name: Str, params: Params, about: Str) -> Operation {
-    old(tagging(BOOLEAN_TAGS, block(name, Braces::Inline, params, about)), "name both operands in braces: `{ A | B }`")
+const fn one_operand(name: Str, call: Str, about: Str) -> Operation {
+    let row = joins(call, tagging(BOOLEAN_TAGS, block(name, Braces::Inline, &[SWAP], about)));
+    old(row, "name both operands in braces: `{ A | B }`")
 }
 
 /// *tag operation*: wildcards are filtered out.
@@ -112,16 +112,12 @@ pub(super) static ROWS: &[Operation] = &[
             "makes tags of the initial shape's edge attributes",
         ),
     )),
-    joins("inline", block("inline", Braces::Inline, &[APPEND], INLINE)),
+    joins("inline", block("inline", Braces::Inline, &[STRATEGY], INLINE)),
     recomposes(joins("inline", block("inline", Braces::Inline, &[RECOMPOSE], INLINE))),
-    block("inline", Braces::Inline, &[UNIFY], INLINE),
     operands("union", UNION),
     operands("subtract", SUBTRACT),
     operands("intersect", INTERSECT),
-    one_operand("union", &[], UNION),
-    one_operand("union", &[SWAP], UNION),
-    one_operand("subtract", &[], SUBTRACT),
-    one_operand("subtract", &[SWAP], SUBTRACT),
-    one_operand("intersect", &[], INTERSECT),
-    one_operand("intersect", &[SWAP], INTERSECT),
+    one_operand("union", "union_current", UNION),
+    one_operand("subtract", "subtract_current", SUBTRACT),
+    one_operand("intersect", "intersect_current", INTERSECT),
 ];

@@ -70,6 +70,7 @@ pub use offset::OffsetFaces;
 pub(crate) use part_tags::PartTags;
 pub(crate) use spread::Spread;
 pub(crate) use subcomponent_tags::{SubcomponentTagger, SubcomponentTags};
+pub(crate) use tag::TagSetTable;
 pub use tag::{TagSet, TaggedComponents};
 pub(crate) use uv::UvSets;
 pub use uv::{TextureSpace, UvAxis, UvExtent};

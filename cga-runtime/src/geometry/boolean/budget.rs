@@ -1,0 +1,29 @@
+//! The limits on the work and the memory of an arrangement.
+
+use super::edge_table::EdgeTable;
+use super::operation::BooleanError;
+
+/// What an operation may still spend.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Budget {
+    /// The number of comparisons.
+    pub(super) comparisons: usize,
+    /// The number of edges, divided ones included.
+    pub(super) edges: usize,
+}
+
+impl Budget {
+    /// A few seconds, and about 400 MB.
+    pub(super) const DEFAULT: Budget = Budget { comparisons: 200_000_000, edges: 2_000_000 };
+
+    /// Takes some comparisons; an error if none are left.
+    pub(super) fn spend(&mut self, count: usize) -> Result<(), BooleanError> {
+        self.comparisons = self.comparisons.checked_sub(count).ok_or(BooleanError::TooMany)?;
+        Ok(())
+    }
+
+    /// An error if there are too many edges.
+    pub(super) fn check(&self, edges: &EdgeTable) -> Result<(), BooleanError> {
+        if self.edges < edges.list.len() { Err(BooleanError::TooMany) } else { Ok(()) }
+    }
+}

@@ -1,0 +1,332 @@
+//! The cells into which lines divide a facet.
+//!
+//! The lines are a planar graph. Its cycles, each with an area on its left, are the outlines of cells. Connected parts of
+//! the graph that lie inside a cell are its holes, or lines that do not divide it.
+
+use glam::DVec2;
+
+use super::budget::Budget;
+use super::edge_table::EdgeTable;
+use super::facet::Facet;
+use super::operation::BooleanError;
+use super::point_set::PointSet;
+use crate::geometry::disjoint::DisjointSets;
+use crate::geometry::exact::orient;
+
+/// A region of a facet without edges that divide it.
+#[derive(Debug)]
+pub(super) struct Cell {
+    /// The number of times that the outline of the facet winds around it. Not 0.
+    pub(super) winding: i32,
+    /// The outline, counter-clockwise in the facet's plane, and the holes.
+    pub(super) rings: Vec<Vec<u32>>,
+    /// Edges inside that do not divide it.
+    pub(super) inner: Vec<u32>,
+}
+
+/// A line of the graph, and the number of times that the outline follows it, less the number of times backwards.
+pub(super) struct GraphLine {
+    pub(super) ends: [u32; 2],
+    pub(super) count: i32,
+}
+
+/// The cells of a facet.
+pub(super) fn cells_of(
+    points: &PointSet,
+    edges: &EdgeTable,
+    number: u32,
+    facet: &Facet,
+    budget: &mut Budget,
+) -> Result<Vec<Cell>, BooleanError> {
+    let count = |line: u32| edges.owner(line, number).map_or(0, |owner| owner.count);
+    if facet.lines.len() == facet.corners.len() && facet.is_convex && facet.lines.iter().all(|line| count(*line) != 0) {
+        return Ok(vec![Cell { winding: 1, rings: vec![facet.corners.clone()], inner: Vec::new() }]);
+    }
+    let line = |line: &u32| GraphLine { ends: edges.list[*line as usize].ends, count: count(*line) };
+    let lines: Vec<GraphLine> = facet.lines.iter().map(line).collect();
+    let mut cells = LineGraph::new(&lines, |point| facet.flat(points.at[point as usize]))?.cells(budget)?;
+    cells.iter_mut().flat_map(|cell| &mut cell.inner).for_each(|line| *line = facet.lines[*line as usize]);
+    // Lines that were led through points move by up to epsilon. A lost cell is much larger.
+    let area: f64 = cells.iter().map(|cell| f64::from(cell.winding) * double_area(points, facet, &cell.rings)).sum();
+    let length: f64 = lines.iter().map(|line| points.length(line.ends)).sum();
+    let is_whole = (area - facet.double_area(points)).abs() <= 8.0 * points.epsilon * length;
+    if is_whole { Ok(cells) } else { Err(BooleanError::Tangled) }
+}
+
+fn double_area(points: &PointSet, facet: &Facet, rings: &[Vec<u32>]) -> f64 {
+    let flat = |point: u32| facet.flat(points.at[point as usize]);
+    let from = flat(rings[0][0]);
+    let ring_area = |ring: &Vec<u32>| -> f64 {
+        let ends = ring.iter().zip(ring.iter().cycle().skip(1));
+        ends.map(|(a, b)| (flat(*a) - from).perp_dot(flat(*b) - from)).sum()
+    };
+    rings.iter().map(ring_area).sum()
+}
+
+const NONE: u32 = u32::MAX;
+
+/// Lines as pairs of half-edges: half-edge `2 i` follows line `i`, half-edge `2 i + 1` runs back.
+pub(super) struct LineGraph<'l> {
+    lines: &'l [GraphLine],
+    /// The points, by their numbers in the graph.
+    points: Vec<u32>,
+    flat: Vec<DVec2>,
+    /// The start of each half-edge.
+    starts: Vec<u32>,
+    /// The half-edges that leave each point, counter-clockwise.
+    leaving: Vec<Vec<u32>>,
+    /// The place of each half-edge in that list.
+    places: Vec<u32>,
+}
+
+/// A cycle of half-edges with a face on its left.
+struct Cycle {
+    area: f64,
+    low: DVec2,
+    high: DVec2,
+    ring: Vec<u32>,
+}
+
+impl<'l> LineGraph<'l> {
+    pub(super) fn new(lines: &'l [GraphLine], at: impl Fn(u32) -> DVec2) -> Result<Self, BooleanError> {
+        let mut points: Vec<u32> = lines.iter().flat_map(|line| line.ends).collect();
+        points.sort_unstable();
+        points.dedup();
+        let flat: Vec<DVec2> = points.iter().map(|point| at(*point)).collect();
+        let number = |point: u32| points.binary_search(&point).unwrap_or_default() as u32;
+        let starts: Vec<u32> = lines.iter().flat_map(|line| line.ends.map(number)).collect();
+        let mut leaving = vec![Vec::new(); points.len()];
+        starts.iter().enumerate().for_each(|(half, start)| leaving[*start as usize].push(half as u32));
+        let mut places = vec![0; starts.len()];
+        for (point, list) in leaving.iter_mut().enumerate() {
+            let end = |half: u32| flat[starts[half as usize ^ 1] as usize];
+            let lower = |half: u32| {
+                let step = end(half) - flat[point];
+                step.y < 0.0 || (step.y == 0.0 && step.x < 0.0)
+            };
+            let turn = |a: u32, b: u32| orient(flat[point], end(a), end(b));
+            list.sort_unstable_by(|&a, &b| lower(a).cmp(&lower(b)).then_with(|| turn(b, a).cmp(&0)).then(a.cmp(&b)));
+            if list.windows(2).any(|pair| lower(pair[0]) == lower(pair[1]) && turn(pair[0], pair[1]) <= 0) {
+                return Err(BooleanError::Tangled);
+            }
+            list.iter().enumerate().for_each(|(place, half)| places[*half as usize] = place as u32);
+        }
+        Ok(LineGraph { lines, points, flat, starts, leaving, places })
+    }
+
+    /// The half-edge after another one in the cycle on its left, among those that are kept.
+    fn next(&self, half: u32, is_kept: impl Fn(u32) -> bool) -> u32 {
+        let back = half ^ 1;
+        let around = &self.leaving[self.starts[back as usize] as usize];
+        let mut place = self.places[back as usize] as usize;
+        loop {
+            place = if place == 0 { around.len() } else { place } - 1;
+            if is_kept(around[place]) {
+                return around[place];
+            }
+        }
+    }
+
+    /// All cycles of the kept half-edges, and the cycle of each half-edge.
+    fn cycles(&self, is_kept: impl Fn(u32) -> bool + Copy) -> (Vec<Cycle>, Vec<u32>) {
+        let mut of_half = vec![NONE; self.starts.len()];
+        let mut cycles = Vec::new();
+        for first in 0..self.starts.len() as u32 {
+            if of_half[first as usize] != NONE || !is_kept(first) {
+                continue;
+            }
+            let mut half = first;
+            let mut ring = Vec::new();
+            while of_half[half as usize] == NONE {
+                of_half[half as usize] = cycles.len() as u32;
+                ring.push(self.starts[half as usize]);
+                half = self.next(half, is_kept);
+            }
+            let at = |point: u32| self.flat[point as usize];
+            let from = at(ring[0]);
+            let ends = ring.iter().zip(ring.iter().cycle().skip(1));
+            let area = ends.map(|(a, b)| (at(*a) - from).perp_dot(at(*b) - from)).sum();
+            let low = ring.iter().fold(from, |low, point| low.min(at(*point)));
+            let high = ring.iter().fold(from, |high, point| high.max(at(*point)));
+            cycles.push(Cycle { area, low, high, ring });
+        }
+        (cycles, of_half)
+    }
+
+    /// The cells that the lines with a count enclose.
+    pub(super) fn cells(&self, budget: &mut Budget) -> Result<Vec<Cell>, BooleanError> {
+        let (cycles, of_half) = self.cycles(|_| true);
+        let parts = self.connected_parts(&of_half);
+        // The cell of each cycle, as the number of its outline, or `NONE` outside of all.
+        let mut cell: Vec<u32> = (0..cycles.len() as u32).collect();
+        let mut winding = vec![0; cycles.len()];
+        let mut open: Vec<u32> = Vec::new();
+        let mut done: Vec<u32> = Vec::new();
+        for (outer, halves) in parts.iter().map(|part| (part.outer, &part.halves)) {
+            let around = self.smallest_around(&cycles, &done, cycles[outer as usize].ring[0], budget)?;
+            cell[outer as usize] = around;
+            winding[outer as usize] = if around == NONE { 0 } else { winding[around as usize] };
+            let mut seen = vec![outer];
+            open.push(outer);
+            let mut by_cycle: Vec<(u32, u32)> = halves.iter().map(|half| (of_half[*half as usize], *half)).collect();
+            by_cycle.sort_unstable();
+            let mut known: std::collections::BTreeSet<u32> = [outer].into();
+            while let Some(cycle) = open.pop() {
+                let from = by_cycle.partition_point(|entry| entry.0 < cycle);
+                for &(_, half) in by_cycle[from..].iter().take_while(|entry| entry.0 == cycle) {
+                    let beyond = of_half[half as usize ^ 1];
+                    // The left side of a line has `count` more than its right side.
+                    let count = self.lines[half as usize / 2].count;
+                    let value = winding[cycle as usize] + if half % 2 == 0 { -count } else { count };
+                    if known.insert(beyond) {
+                        winding[beyond as usize] = value;
+                        seen.push(beyond);
+                        open.push(beyond);
+                    } else if winding[beyond as usize] != value {
+                        return Err(BooleanError::Tangled);
+                    }
+                }
+            }
+            done.extend(seen.into_iter().filter(|cycle| *cycle != outer));
+        }
+        self.collect(&cell, &winding, &of_half)
+    }
+
+    /// The cells with a winding number, with their rings.
+    fn collect(&self, cell: &[u32], winding: &[i32], of_half: &[u32]) -> Result<Vec<Cell>, BooleanError> {
+        let cell_of = |half: u32| cell[of_half[half as usize] as usize];
+        let (rings, ring_of) = self.cycles(|half| cell_of(half) != cell_of(half ^ 1));
+        let mut cells: Vec<Cell> = Vec::new();
+        let mut number_of = vec![NONE; cell.len()];
+        let mut is_done = vec![false; rings.len()];
+        for half in 0..self.starts.len() as u32 {
+            let outline = cell_of(half);
+            if outline == NONE || winding[outline as usize] == 0 {
+                continue;
+            }
+            if number_of[outline as usize] == NONE {
+                number_of[outline as usize] = cells.len() as u32;
+                cells.push(Cell { winding: winding[outline as usize], rings: Vec::new(), inner: Vec::new() });
+            }
+            let made = &mut cells[number_of[outline as usize] as usize];
+            let ring = ring_of[half as usize];
+            if ring == NONE {
+                if half % 2 == 0 {
+                    made.inner.push(half / 2);
+                }
+            } else if !std::mem::replace(&mut is_done[ring as usize], true) {
+                self.add_simple_rings(&rings[ring as usize].ring, &mut made.rings);
+            }
+        }
+        for cell in &mut cells {
+            let area = |ring: &Vec<u32>| self.area(ring);
+            let outlines = cell.rings.iter().filter(|ring| 0.0 < area(ring)).count();
+            let Some(outline) = cell.rings.iter().position(|ring| 0.0 < area(ring)).filter(|_| outlines == 1) else {
+                return Err(BooleanError::Tangled);
+            };
+            cell.rings[..=outline].rotate_right(1);
+            cell.rings.iter_mut().flatten().for_each(|point| *point = self.points[*point as usize]);
+        }
+        Ok(cells)
+    }
+
+    fn area(&self, ring: &[u32]) -> f64 {
+        let at = |i: usize| self.flat[ring[i % ring.len()] as usize] - self.flat[ring[0] as usize];
+        (1..ring.len()).map(|i| at(i).perp_dot(at(i + 1))).sum()
+    }
+
+    /// Divides a ring that meets itself into rings that have each point once.
+    fn add_simple_rings(&self, ring: &[u32], rings: &mut Vec<Vec<u32>>) {
+        let mut sorted = ring.to_vec();
+        sorted.sort_unstable();
+        if sorted.windows(2).all(|pair| pair[0] != pair[1]) {
+            return rings.push(ring.to_vec());
+        }
+        let mut stack: Vec<u32> = Vec::new();
+        // The place of each point on the stack.
+        let mut places = std::collections::BTreeMap::new();
+        for &point in ring {
+            if let Some(start) = places.get(&point).copied() {
+                let found = stack.split_off(start);
+                found.iter().for_each(|point| _ = places.remove(point));
+                rings.extend((3 <= found.len()).then_some(found));
+            }
+            places.insert(point, stack.len());
+            stack.push(point);
+        }
+        rings.extend((3 <= stack.len()).then_some(stack));
+    }
+
+    /// The connected parts of the graph, those with large boxes first.
+    fn connected_parts(&self, of_half: &[u32]) -> Vec<GraphPart> {
+        let mut sets = DisjointSets::new(self.points.len());
+        for line in self.starts.chunks_exact(2) {
+            sets.unite(line[0], line[1]);
+        }
+        let mut parts: Vec<GraphPart> = Vec::new();
+        for set in sets.sets() {
+            let at = |point: u32| self.flat[point as usize];
+            let lowest = set.iter().copied().min_by(|&a, &b| {
+                let [a, b] = [at(a), at(b)];
+                a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
+            });
+            let Some(lowest) = lowest else { continue };
+            // All lines lead to the right, or straight up. The outer face is beyond the steepest one.
+            let around = &self.leaving[lowest as usize];
+            let rises = |half: u32| self.flat[self.starts[half as usize ^ 1] as usize].y >= at(lowest).y;
+            let steepest = around.iter().rev().find(|half| rises(**half)).or(around.last());
+            let Some(&steepest) = steepest else { continue };
+            let size =
+                set.iter().fold([at(lowest); 2], |[low, high], point| [low.min(at(*point)), high.max(at(*point))]);
+            let halves = set.iter().flat_map(|point| self.leaving[*point as usize].iter().copied()).collect();
+            parts.push(GraphPart {
+                outer: of_half[steepest as usize],
+                halves,
+                size: (size[1] - size[0]).max_element(),
+            });
+        }
+        parts.sort_by(|a, b| b.size.total_cmp(&a.size));
+        parts
+    }
+
+    /// The smallest of some cycles around a point that is on none of them.
+    fn smallest_around(
+        &self,
+        cycles: &[Cycle],
+        among: &[u32],
+        point: u32,
+        budget: &mut Budget,
+    ) -> Result<u32, BooleanError> {
+        let place = self.flat[point as usize];
+        let mut found = (f64::INFINITY, NONE);
+        budget.spend(among.len())?;
+        for &number in among {
+            let Cycle { area, low, high, ref ring } = cycles[number as usize];
+            if found.0 <= area || low.cmpgt(place).any() || place.cmpgt(high).any() {
+                continue;
+            }
+            budget.spend(ring.len())?;
+            let mut turns = 0;
+            for (a, b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+                let [a, b] = [a, b].map(|point| self.flat[*point as usize]);
+                if a.y <= place.y && place.y < b.y {
+                    turns += i32::from(0 < orient(a, b, place));
+                } else if b.y <= place.y && place.y < a.y {
+                    turns -= i32::from(orient(a, b, place) < 0);
+                }
+            }
+            if turns != 0 {
+                found = (area, number);
+            }
+        }
+        Ok(found.1)
+    }
+}
+
+/// A connected part of the graph.
+struct GraphPart {
+    /// The cycle around it, with the outside on its left.
+    outer: u32,
+    halves: Vec<u32>,
+    size: f64,
+}

@@ -1,0 +1,180 @@
+//! The lines in which two facets meet.
+//!
+//! A point within epsilon of a facet's plane is on the plane. So facets that touch, except for rounding, have common points
+//! and edges. Where the outline of a facet crosses the plane of another, the crossing becomes a point.
+
+use glam::DVec3;
+
+use super::edge_table::{EdgeOwner, EdgeTable, NO_CORNER};
+use super::facet::Facet;
+use super::point_set::PointSet;
+
+/// Facets whose planes form a smaller angle than this are nearly parallel: the product of their normals is no good
+/// direction for the line in which they meet.
+const PARALLEL: f64 = 1e-7;
+
+/// The part of a facet's outline on the plane of another facet.
+#[derive(Default)]
+struct PlaneSection {
+    heights: Vec<f64>,
+    /// The points on the plane.
+    points: Vec<u32>,
+    /// The edges on the plane.
+    runs: Vec<[u32; 2]>,
+}
+
+impl PlaneSection {
+    /// Compares the corners of a facet with a plane. Returns true if some are on it, or on both sides.
+    fn measure(&mut self, points: &PointSet, facet: &Facet, plane: &Facet) -> bool {
+        self.heights.clear();
+        self.heights.extend(facet.corners.iter().map(|point| {
+            let height = plane.height(points.at[*point as usize]);
+            if height.abs() <= points.epsilon { 0.0 } else { height }
+        }));
+        let above = self.heights.iter().all(|height| 0.0 < *height);
+        !above && !self.heights.iter().all(|height| *height < 0.0)
+    }
+
+    fn is_flat(&self) -> bool {
+        self.heights.iter().all(|height| *height == 0.0)
+    }
+
+    /// Finds the points and edges of the outline on the plane.
+    fn cross(&mut self, points: &mut PointSet, facet: &Facet) {
+        self.points.clear();
+        self.runs.clear();
+        for [from, to] in facet.rim() {
+            let ends = [facet.corners[from], facet.corners[to]];
+            let heights = [self.heights[from], self.heights[to]];
+            if heights[0] == 0.0 {
+                self.points.push(ends[0]);
+                if heights[1] == 0.0 {
+                    self.runs.push(ends);
+                }
+            } else if heights[0] * heights[1] < 0.0 {
+                // Both facets at an edge cross it in the same order.
+                let turned = ends[1] < ends[0];
+                let [a, b] = if turned { [1, 0] } else { [0, 1] };
+                let [start, end] = [ends[a], ends[b]].map(|point| points.at[point as usize]);
+                let share = heights[a] / (heights[a] - heights[b]);
+                self.points.push(points.number(start + (end - start) * share));
+            }
+        }
+        self.points.sort_unstable();
+        self.points.dedup();
+    }
+
+    /// Returns true if the facet contains a place on its plane section.
+    fn contains(&self, points: &PointSet, facet: &Facet, along: DVec3, place: DVec3) -> bool {
+        let at = place.dot(along);
+        let runs_there = |run: &[u32; 2]| {
+            let [a, b] = run.map(|point| points.at[point as usize].dot(along));
+            a.min(b) < at && at < a.max(b)
+        };
+        self.runs.iter().any(runs_there) || facet.winding(points, facet.flat(place)) != 0
+    }
+}
+
+/// Finds the lines in which facets meet.
+#[derive(Default)]
+pub(super) struct FacetMeeting {
+    sections: [PlaneSection; 2],
+    on_line: Vec<(f64, u32)>,
+    found: Vec<[u32; 2]>,
+}
+
+impl FacetMeeting {
+    /// Adds the lines in which two facets meet to both.
+    pub(super) fn meet(&mut self, points: &mut PointSet, edges: &mut EdgeTable, facets: &mut [Facet], pair: [u32; 2]) {
+        let [first, second] = pair.map(|facet| &facets[facet as usize]);
+        let [a, b] = &mut self.sections;
+        if !a.measure(points, first, second) || !b.measure(points, second, first) {
+            return;
+        }
+        if a.is_flat() || b.is_flat() {
+            return share_edges(points, edges, facets, pair);
+        }
+        a.cross(points, first);
+        b.cross(points, second);
+        if a.points.is_empty() || b.points.is_empty() {
+            return;
+        }
+        let along = line_direction(points, first, second, [&a.points, &b.points]);
+        let numbers = a.points.iter().chain(&b.points);
+        self.on_line.clear();
+        self.on_line.extend(numbers.map(|point| (points.at[*point as usize].dot(along), *point)));
+        self.on_line.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        self.on_line.dedup_by_key(|entry| entry.1);
+        self.found.clear();
+        for between in self.on_line.windows(2) {
+            let ends = [between[0].1, between[1].1];
+            let [from, to] = ends.map(|point| points.at[point as usize]);
+            let middle = (from + to) * 0.5;
+            if a.contains(points, first, along, middle) && b.contains(points, second, along, middle) {
+                self.found.push(ends);
+            }
+        }
+        for ends in self.found.drain(..) {
+            for facet in pair {
+                // The direction is exact whatever the length of the piece, so it counts as long.
+                edges.add(facets, ends, along, EdgeOwner { facet, count: 0, corner: NO_CORNER });
+            }
+        }
+    }
+}
+
+/// The direction of the line in which two facets meet.
+fn line_direction(points: &PointSet, first: &Facet, second: &Facet, found: [&[u32]; 2]) -> DVec3 {
+    let along = first.normal.cross(second.normal);
+    let length = along.length();
+    if PARALLEL < length {
+        return along / length;
+    }
+    let all = || found.into_iter().flatten().map(|point| points.at[*point as usize]);
+    let from = all().next().unwrap_or_default();
+    let far = |from: DVec3| {
+        all().fold(
+            from,
+            |far, place| {
+                if far.distance_squared(from) < place.distance_squared(from) { place } else { far }
+            },
+        )
+    };
+    let end = far(from);
+    (far(end) - end).try_normalize().unwrap_or(first.normal.any_orthonormal_vector())
+}
+
+/// Adds the edges of two facets in the same plane to each other.
+fn share_edges(points: &PointSet, edges: &mut EdgeTable, facets: &mut [Facet], pair: [u32; 2]) {
+    for [from, to] in [pair, [pair[1], pair[0]]] {
+        let (giver, taker) = (&facets[from as usize], &facets[to as usize]);
+        let shared: Vec<[u32; 2]> = giver
+            .rim()
+            .map(|edge| edge.map(|corner| giver.corners[corner]))
+            .filter(|ends| may_meet(points, taker, *ends))
+            .collect();
+        for ends in shared {
+            let direction = points.at[ends[1] as usize] - points.at[ends[0] as usize];
+            edges.add(facets, ends, direction, EdgeOwner { facet: to, count: 0, corner: NO_CORNER });
+        }
+    }
+}
+
+/// Returns false if an edge in the plane of a facet certainly has no point in it except for corners of the facet.
+fn may_meet(points: &PointSet, facet: &Facet, ends: [u32; 2]) -> bool {
+    let [a, b] = ends.map(|point| points.at[point as usize]);
+    let is_apart = facet.bounds.high.cmplt(a.min(b)).any() || a.max(b).cmplt(facet.bounds.low).any();
+    if is_apart {
+        return false;
+    }
+    let flat = [a, b].map(|place| facet.flat(place));
+    let is_beyond = |edge: [usize; 2]| {
+        let outside = [0, 1].map(|end| {
+            let left = facet.left_of(points, edge, flat[end]);
+            left < -2.0 * points.epsilon || (left <= points.epsilon && facet.corners.contains(&ends[end]))
+        });
+        let both_on_it = ends.iter().all(|end| edge.iter().any(|corner| facet.corners[*corner] == *end));
+        outside[0] && outside[1] && !both_on_it
+    };
+    !(facet.is_convex && facet.rim().any(is_beyond))
+}

@@ -1,0 +1,251 @@
+//! Boolean operations on meshes (*Boolean operations*, *Rule inlining*: `unify`).
+//!
+//! All faces of both operands are divided where they meet, until they only meet in common edges and points ([`meeting`],
+//! [`noding`], [`cell`]). Faces that coincide become one ([`sheet`]). Each side of each face is then inside or outside of each
+//! operand ([`winding`], [`surface`]), and the faces between the inside and the outside of the result are the result
+//! ([`selection`]). Parts of one face that are connected become one polygon again ([`polygon`]).
+//!
+//! Distances up to an epsilon, which is relative to the extent, count as rounding errors: points are merged, and edges are led
+//! through points near them. Afterwards everything goes by the identity of points. Every step checks what it has found: areas
+//! add up, the numbers of solids around all wedges of space agree, and the result of closed operands is closed. If a check
+//! fails, the operation is repeated with another epsilon.
+
+mod assembly;
+mod budget;
+mod cell;
+mod component_tags;
+mod edge_table;
+mod facet;
+mod facet_tree;
+mod meeting;
+mod noding;
+mod operation;
+mod point_set;
+mod polygon;
+mod ray;
+mod selection;
+mod sheet;
+mod shell;
+mod straight;
+mod surface;
+mod winding;
+
+use glam::DVec3;
+
+use super::mesh::Mesh;
+use super::mesh::join::join;
+use super::tol::BOOLEAN_EPSILONS;
+use assembly::Assembly;
+use budget::Budget;
+use component_tags::{EdgeTags, vertex_tags};
+use edge_table::{EdgeOwner, EdgeTable};
+use facet::{Facet, facets_of};
+use facet_tree::{FacetTree, overlap};
+use meeting::FacetMeeting;
+pub(crate) use operation::{BooleanError, BooleanOp};
+use point_set::PointSet;
+use polygon::PolygonMaker;
+use ray::RayCaster;
+use sheet::Sheets;
+use shell::{Shell, ShellKind, close_shells, shells};
+use winding::Windings;
+
+/// The result of an operation on meshes in the same coordinates. The parts of an operand are united first. `rounding` is the
+/// largest rounding error of coordinates.
+///
+/// The faces of the first operand come first. A face keeps its group, its material, its tags and the values of corners; where
+/// faces coincide, those of the first one, with the tags of all.
+pub(crate) fn combine(op: BooleanOp, operands: [&[Mesh]; 2], rounding: f64) -> Result<Mesh, BooleanError> {
+    combine_within(Budget::DEFAULT, op, operands, rounding)
+}
+
+fn combine_within(
+    mut budget: Budget,
+    op: BooleanOp,
+    operands: [&[Mesh]; 2],
+    rounding: f64,
+) -> Result<Mesh, BooleanError> {
+    let all = operands.into_iter().flatten();
+    let mesh = join(all);
+    let mut mesh_of_face = Vec::with_capacity(mesh.face_count());
+    for (number, part) in (0..).zip(operands.into_iter().flatten()) {
+        mesh_of_face.resize(mesh_of_face.len() + part.face_count(), number);
+    }
+    let firsts = operands[0].len() as u32;
+    let bounds = mesh.bounds();
+    let scale = bounds.scale_to_one();
+    let size = (bounds.high * scale - bounds.low * scale).max_element();
+    if !size.is_finite() || mesh.is_empty() {
+        return Ok(Mesh::default());
+    }
+    let mut error = BooleanError::Tangled;
+    for epsilon in BOOLEAN_EPSILONS {
+        let epsilon = (epsilon * size).max(16.0 * rounding * scale);
+        let input = Input { mesh: &mesh, mesh_of_face: &mesh_of_face, firsts, scale, epsilon };
+        match input.result(op, &mut budget) {
+            Err(BooleanError::Tangled) => {}
+            Err(BooleanError::TooMany) => {
+                error = BooleanError::TooMany;
+                break;
+            }
+            made => return made,
+        }
+    }
+    Err(error)
+}
+
+/// The faces of all operands as one mesh.
+struct Input<'m> {
+    mesh: &'m Mesh,
+    /// The number of the mesh to which each face belongs.
+    mesh_of_face: &'m [u32],
+    /// The number of meshes of the first operand.
+    firsts: u32,
+    /// Coordinates are scaled to about 1.
+    scale: f64,
+    epsilon: f64,
+}
+
+impl Input<'_> {
+    fn result(&self, op: BooleanOp, budget: &mut Budget) -> Result<Mesh, BooleanError> {
+        let bounds = self.mesh.bounds();
+        let middle = bounds.low * 0.5 + bounds.high * 0.5;
+        let mut points = PointSet::new(self.epsilon);
+        let numbers: Vec<u32> = self.mesh.points().iter().map(|p| points.number((*p - middle) * self.scale)).collect();
+        let mut facets = facets_of(self.mesh, &points, &numbers);
+        let mesh_of: Vec<u32> = facets.iter().map(|facet| self.mesh_of_face[facet.face as usize]).collect();
+        let operands: Vec<u8> = mesh_of.iter().map(|mesh| u8::from(self.firsts <= *mesh)).collect();
+        let mut edges = outlines(&points, &mut facets);
+        let mut shells = shells(&points, &edges, &facets, &mesh_of);
+        let tree = FacetTree::of(&facets);
+        meet_all(&mut points, &mut edges, &mut facets, &tree, budget)?;
+        noding::divide_edges(&mut points, &mut edges, &mut facets, budget)?;
+        close_shells(&edges, &facets, &mesh_of, &mut shells);
+        let cells = (0..)
+            .zip(&facets)
+            .map(|(number, facet)| cell::cells_of(&points, &edges, number, facet, budget))
+            .collect::<Result<Vec<_>, _>>()?;
+        let sheets = Sheets::of(&edges, &facets, cells)?;
+        let mut kinds = vec![ShellKind::Open; facets.len()];
+        let closed = shells.iter().filter(|shell| shell.is_closed).flat_map(|shell| &shell.facets);
+        closed.for_each(|facet| kinds[*facet as usize] = ShellKind::Closed);
+        let inverted = inverted_shells(&points, &facets, &tree, &kinds, &sheets, &mesh_of, &shells, budget)?;
+        inverted.into_iter().for_each(|facet| kinds[facet as usize] = ShellKind::Inverted);
+        let rays = RayCaster { points: &points, facets: &facets, tree: &tree, kinds: &kinds, operands: &operands };
+        let chosen = if is_flat(&points, &facets) {
+            selection::choose_in_plane(op, &sheets, &rays)
+        } else {
+            let windings = Windings::of(&sheets, &rays, budget)?;
+            selection::choose(op, &sheets, &edges, &rays, &windings)
+        };
+        let tags = EdgeTags::new(op, self.mesh, &edges, &facets, &sheets, &operands);
+        let maker = PolygonMaker { points: &points, edges: &edges, facets: &facets, sheets: &sheets, tags: &tags };
+        let mut polygons = maker.polygons(&chosen, budget);
+        straight::drop_straight(&points, &mut polygons);
+        // Points of the mesh keep their coordinates to the bit.
+        let mut places: Vec<DVec3> = points.at.iter().map(|place| middle + *place / self.scale).collect();
+        for (point, number) in self.mesh.points().iter().zip(&numbers).rev() {
+            places[*number as usize] = *point;
+        }
+        let vertex_tags = vertex_tags(self.mesh, &numbers);
+        let assembly = Assembly {
+            mesh: self.mesh,
+            facets: &facets,
+            operands: &operands,
+            places: &places,
+            edge_tags: &tags,
+            vertex_tags: &vertex_tags,
+            op,
+        };
+        let made = assembly.mesh_of(&polygons);
+        let must_close = !kinds.contains(&ShellKind::Open) && !is_flat(&points, &facets);
+        if must_close && !made.is_empty() && !made.is_closed() {
+            return Err(BooleanError::Tangled);
+        }
+        Ok(made)
+    }
+}
+
+/// The outlines of facets.
+fn outlines(points: &PointSet, facets: &mut [Facet]) -> EdgeTable {
+    let mut edges = EdgeTable::default();
+    for number in 0..facets.len() {
+        let facet = &facets[number];
+        let rim: Vec<([u32; 2], u32)> =
+            facet.rim().map(|[a, b]| ([facet.corners[a], facet.corners[b]], a as u32)).collect();
+        for (ends, corner) in rim {
+            let direction = points.at[ends[1] as usize] - points.at[ends[0] as usize];
+            edges.add(facets, ends, direction, EdgeOwner { facet: number as u32, count: 1, corner });
+        }
+    }
+    edges
+}
+
+/// Adds the lines in which facets meet.
+fn meet_all(
+    points: &mut PointSet,
+    edges: &mut EdgeTable,
+    facets: &mut [Facet],
+    tree: &FacetTree,
+    budget: &mut Budget,
+) -> Result<(), BooleanError> {
+    let mut meeting = FacetMeeting::default();
+    let mut near = Vec::new();
+    for number in 0..facets.len() as u32 {
+        let bounds = facets[number as usize].bounds;
+        near.clear();
+        tree.visit(
+            |other| overlap(other, &bounds),
+            |other| {
+                if number < other && overlap(&facets[other as usize].bounds, &bounds) {
+                    near.push(other);
+                }
+                true
+            },
+        );
+        near.sort_unstable();
+        for &other in &near {
+            budget.spend(facets[number as usize].corners.len() + facets[other as usize].corners.len())?;
+            meeting.meet(points, edges, facets, [number, other]);
+            budget.check(edges)?;
+        }
+    }
+    Ok(())
+}
+
+/// Returns true if all facets lie in one plane.
+fn is_flat(points: &PointSet, facets: &[Facet]) -> bool {
+    let Some(first) = facets.first() else { return true };
+    let is_on_plane = |point: &u32| first.height(points.at[*point as usize]).abs() <= 2.0 * points.epsilon;
+    facets.iter().all(|facet| facet.corners.iter().all(is_on_plane))
+}
+
+/// The facets of closed shells that look inwards and are not cavities in another shell of their mesh.
+#[expect(clippy::too_many_arguments, reason = "the parts of an arrangement")]
+fn inverted_shells(
+    points: &PointSet,
+    facets: &[Facet],
+    tree: &FacetTree,
+    kinds: &[ShellKind],
+    sheets: &Sheets,
+    mesh_of: &[u32],
+    shells: &[Shell],
+    budget: &mut Budget,
+) -> Result<Vec<u32>, BooleanError> {
+    let mut found = Vec::new();
+    let none = vec![0; facets.len()];
+    let rays = RayCaster { points, facets, tree, kinds, operands: &none };
+    for shell in shells.iter().filter(|shell| shell.is_closed && shell.volume < -points.epsilon) {
+        let mesh = mesh_of[shell.facets[0] as usize];
+        let sheet = sheets.list.iter().find(|sheet| sheet.facet() == shell.facets[0]);
+        let is_other = |facet: u32| mesh_of[facet as usize] == mesh && !shell.facets.contains(&facet);
+        let around = sheet.map_or(Ok([0; 2]), |sheet| rays.around_front(sheet, is_other, budget))?;
+        if around[0] <= 0 {
+            found.extend(&shell.facets);
+        }
+    }
+    Ok(found)
+}
+
+#[cfg(test)]
+mod tests;
