@@ -47,7 +47,7 @@ impl Writer {
         if self.chance(30) {
             self.watch(here);
         }
-        match self.random.below(20) {
+        match self.random.below(24) {
             0..6 if 0 < here.depth => self.split(here),
             6..12 if 0 < here.depth => self.comp(here),
             12 if 0 < here.depth => self.areas(here),
@@ -60,6 +60,13 @@ impl Writer {
                 self.call(here);
             }
             15 => self.line(here, "NIL"),
+            17 if 0 < here.depth => self.division(here, &mut Self::body),
+            18 if 0 < here.depth => self.points(here, &mut Self::body),
+            19 if 0 < here.depth => {
+                self.inlined(here, &mut Self::body);
+                self.steps(here);
+                self.call(here);
+            }
             16 => {
                 self.call(here);
                 self.steps(here);
