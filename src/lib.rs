@@ -1,3 +1,20 @@
+// The first definition of a link counts: these replace those at the end of the README, which are right in the repository.
+#![doc = "[reference]: crate::reference"]
+#![cfg_attr(docsrs, doc = concat!("[picture]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/readme.png"))]
+#![cfg_attr(docsrs, doc = concat!("[tutorial]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/tutorial.md"))]
+#![cfg_attr(docsrs, doc = concat!("[recipes]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/recipes.md"))]
+#![cfg_attr(docsrs, doc = concat!("[diagnostics]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/diagnostics.md"))]
+#![cfg_attr(docsrs, doc = concat!("[performance]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/performance.md"))]
+#![cfg_attr(docsrs, doc = concat!("[tags]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/tags.md"))]
+#![cfg_attr(docsrs, doc = concat!("[boolean]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/boolean.md"))]
+#![cfg_attr(not(docsrs), doc = "[picture]: ../../../docs/readme.png")]
+#![cfg_attr(not(docsrs), doc = "[tutorial]: ../../../docs/guide/tutorial.md")]
+#![cfg_attr(not(docsrs), doc = "[recipes]: ../../../docs/guide/recipes.md")]
+#![cfg_attr(not(docsrs), doc = "[diagnostics]: ../../../docs/diagnostics.md")]
+#![cfg_attr(not(docsrs), doc = "[performance]: ../../../docs/performance.md")]
+#![cfg_attr(not(docsrs), doc = "[tags]: ../../../docs/tags.md")]
+#![cfg_attr(not(docsrs), doc = "[boolean]: ../../../docs/boolean.md")]
+#![doc = ""]
 #![doc = include_str!("../README.md")]
 #![forbid(unsafe_code)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
@@ -182,6 +199,11 @@ pub mod street {
 pub mod split {
     pub use cga_runtime::split::{Item, Piece, Prefix, Size, Solution, solve};
 }
+
+/// The reference of the language: operations, selectors, functions, attributes and annotations.
+///
+#[doc = include_str!("../docs/reference.md")]
+pub mod reference {}
 
 /// The interface of generated code, without a promise of stability.
 #[doc(hidden)]

@@ -25,6 +25,8 @@ mod faces;
 mod mass;
 #[path = "documented/mesh_operations.rs"]
 mod mesh_operations;
+#[path = "documented/normals.rs"]
+mod normals;
 #[path = "documented/offsets.rs"]
 mod offsets;
 #[path = "documented/outlines.rs"]
@@ -74,6 +76,7 @@ fn all_examples_run() {
         pages::scattering::ALL,
         pages::setback::ALL,
         pages::mesh_operations::ALL,
+        pages::normals::ALL,
         pages::tags::ALL,
     ];
     let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();

@@ -1,8 +1,27 @@
 //! *resetGeometry*, *deleteHoles* and the operations that change the mesh of a shape.
 
-use cga::Settings;
+use cga::{Model, Settings, Shape, cga};
 
 use crate::pages::mesh_operations as pages;
+
+cga! {
+    grammar Operations = r##"
+    # Parts that are cut are joined to their neighbours again.
+    @StartRule
+    Recomposed --> extrude(3) inline(recompose) comp(f) { all : convexify X. } Whole.
+    "##;
+}
+
+fn run(rule: &str, shape: &Shape) -> Model {
+    let model = Operations::default().generate_from(rule, shape).expect("a model");
+    assert!(model.faults().is_empty(), "{rule}: {:?}", model.faults());
+    model
+}
+
+fn l() -> Shape {
+    let outline = [[0.0, 10.0], [10.0, 10.0], [10.0, 5.0], [5.0, 5.0], [5.0, 0.0], [0.0, 0.0]];
+    Shape::footprint(&outline, &[]).expect("an outline")
+}
 
 /// The parts of the picture, with its colours: "one of the resulting polygons might still be concave".
 #[test]
@@ -18,6 +37,14 @@ fn lots_are_cut_as_in_the_picture() {
     // The comb keeps its wide notch, the others are convex.
     let corners = model.leaves().map(|leaf| leaf.mesh().0.face(0).outer().len()).max();
     assert_eq!(corners, Some(14));
+}
+
+#[test]
+fn faces_that_are_cut_one_by_one_are_connected_again() {
+    let model = run("Recomposed", &l());
+    let (mesh, _) = model.leaves_of("Whole").next().expect("a leaf").mesh();
+    assert_eq!((mesh.face_count(), mesh.is_closed()), (10, true));
+    assert_eq!(mesh.check(), []);
 }
 
 /// "Each setback shall be applied wrt. the initial shape." "Note how shape attributes (here the color) are not changed."

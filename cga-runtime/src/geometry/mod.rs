@@ -2,6 +2,7 @@
 
 pub(crate) mod boolean;
 pub(crate) mod buckets;
+pub(crate) mod conform;
 pub(crate) mod convexify;
 pub mod cut;
 pub(crate) mod disjoint;

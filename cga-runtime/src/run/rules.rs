@@ -6,6 +6,7 @@ use crate::run::env::Env;
 use crate::run::sink::Flow;
 use crate::run::start_rule::StartRule;
 use crate::shape::{Shape, ShapeRef};
+use crate::value::Value;
 
 /// The interface of generated code. Not meant for implementation by hand.
 pub trait Rules {
@@ -37,6 +38,8 @@ pub trait Rules {
     fn check(&self) -> Result<(), Error>;
     /// Evaluates attributes and constants under a style.
     fn values(&self, env: &mut Env, shape: &Shape, style: u32) -> Self::Values;
+    /// Hands out the values of the attributes, in their order; `None` for attributes that the style does not have.
+    fn used(values: &Self::Values, style: u32, each: &mut dyn FnMut(Option<Value>));
     /// Runs a start rule.
     fn start(values: &Self::Values, cx: &mut Cx<'_, Self::Call>, rule: u32, shape: &ShapeRef<'_>) -> Flow;
     /// Runs a call that waited.

@@ -48,6 +48,20 @@ pub enum ValueType {
     Texts,
 }
 
+impl ValueType {
+    /// The name of the type for machines, in CGA's words: `float`, `bool`, `string`, `float[]`, `bool[]` or `string[]`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            ValueType::Float => "float",
+            ValueType::Bool => "bool",
+            ValueType::Text => "string",
+            ValueType::Floats => "float[]",
+            ValueType::Bools => "bool[]",
+            ValueType::Texts => "string[]",
+        }
+    }
+}
+
 impl Value {
     /// The type of the value.
     pub fn ty(&self) -> ValueType {

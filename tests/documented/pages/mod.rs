@@ -9,6 +9,7 @@ pub(crate) mod example;
 pub(crate) mod mass;
 pub(crate) mod mesh_operations;
 pub(crate) mod meshes;
+pub(crate) mod normals;
 pub(crate) mod primitives;
 pub(crate) mod recompose;
 pub(crate) mod roofs;

@@ -20,7 +20,10 @@ const TOLERANCE: Param = within(float("tolerance"), &TOLERANCES);
 
 const CLEANUP: Param = words("components", &["vertices", "edges", "faces", "all"]);
 
-const NORMALS: Param = words("normalsMode", &["hard", "conform", "soft", "auto"]);
+/// *softenNormals operation*.
+static SMOOTH_ANGLES: ParamBounds = bounds(Allowed::Between(0.0, 180.0), "it is from 0 to 180 degrees");
+
+const NORMALS: Param = word("normalsMode", "NormalsMode", &["hard", "conform", "soft", "auto"]);
 
 const TAGGED: Param =
     or(word("components", "TagTarget", &["auto", "faces", "edges", "vertices"]), Default::Word("auto"));
@@ -85,8 +88,16 @@ pub(super) static ROWS: &[Operation] = &[
     ),
     with(Effect::KeepsSize, op("deleteHoles", "delete_holes", &[], "fills the holes of faces")),
     with(Effect::KeepsSize, op("reverseNormals", "reverse_normals", &[], "turns every face over")),
-    later("setNormals", &[NORMALS], "sets the normals of vertices"),
-    later("softenNormals", &[float("angle")], "smooths edges flatter than an angle"),
+    with(Effect::KeepsSize, op("setNormals", "set_normals", &[NORMALS], "sets the normals of vertices")),
+    with(
+        Effect::KeepsSize,
+        op(
+            "softenNormals",
+            "soften_normals",
+            &[within(float("angle"), &SMOOTH_ANGLES)],
+            "smooths edges flatter than an angle",
+        ),
+    ),
     with(
         Effect::KeepsSize,
         op(

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::geometry::mesh::{Mesh, unit};
+use crate::geometry::trace::PartPoint;
 
 /// The corners of a mesh, linked to loops. The half-edge that starts at a corner has the number of the corner.
 pub(super) struct Net {
@@ -14,6 +15,9 @@ pub(super) struct Net {
     mates: Vec<u32>,
     /// True for the sides of cuts.
     cuts: Vec<bool>,
+    /// The number of points of the mesh, and the origins of the others.
+    old_points: usize,
+    origins: Vec<PartPoint>,
     /// The divisions of edges of the mesh since the last mark: for each half-edge the corner behind it.
     divisions: Vec<Vec<[u32; 2]>>,
 }
@@ -32,6 +36,8 @@ impl Net {
             before: (0..corners).map(|corner| adjacency.before(corner)).collect(),
             mates,
             cuts: vec![false; corners as usize],
+            old_points: mesh.points().len(),
+            origins: Vec::new(),
             divisions: Vec::new(),
         }
     }
@@ -77,9 +83,36 @@ impl Net {
         self.position(half).lerp(self.position(self.next(half)), share)
     }
 
+    /// The origin of a point in the mesh.
+    pub(super) fn origin(&self, point: u32) -> PartPoint {
+        match (point as usize).checked_sub(self.old_points) {
+            None => PartPoint::old(point),
+            Some(new) => self.origins[new],
+        }
+    }
+
+    /// The origin of a new point on a half-edge.
+    fn origin_along(&self, half: u32, share: f64) -> PartPoint {
+        if self.is_cut(half) {
+            return PartPoint::NEW;
+        }
+        let [from, to] = [half, self.next(half)].map(|corner| self.origin(self.point(corner)));
+        // The whole edge on which this part is.
+        let all = [from.ends, to.ends].concat();
+        let (Some(&low), Some(&high)) = (all.iter().min(), all.iter().max()) else { return PartPoint::NEW };
+        let place = |point: PartPoint| match point.ends {
+            [a, b] if a == b => f64::from(u8::from(a == high)),
+            [a, _] if a == low => point.share,
+            _ => 1.0 - point.share,
+        };
+        let (from, to) = (place(from), place(to));
+        PartPoint { ends: [low, high], share: from + (to - from) * share }
+    }
+
     /// Divides an edge in all loops that have it. Returns the new corner in the loop of `half`.
     pub(super) fn divide(&mut self, half: u32, share: f64) -> u32 {
         let start = self.point(half);
+        self.origins.push(self.origin_along(half, share));
         let point = self.pool.add_point(self.along(half, share));
         let after = |&other: &u32| Some(self.mate(other)).filter(|&next| next != half);
         let all: Vec<u32> = std::iter::successors(Some(half), after).collect();
