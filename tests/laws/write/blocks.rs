@@ -64,6 +64,8 @@ impl Writer {
             18 if 0 < here.depth => self.points(here, &mut Self::body),
             19 if 0 < here.depth => {
                 self.inlined(here, &mut Self::body);
+                // A rule that divides the sum where the parts were divided cuts through points, up to rounding.
+                self.line(here, "rotateScope(0, 17.31, 7.31)");
                 self.steps(here);
                 self.call(here);
             }
