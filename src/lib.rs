@@ -20,7 +20,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub use cga_macros::cga;
-pub use cga_runtime::asset::{AssetError, Assets};
+pub use cga_runtime::asset::{AssetError, AssetSource, Assets};
 pub use cga_runtime::fault::{Error, Fault, FaultKind, LimitKind};
 pub use cga_runtime::geometry::mesh::{Mesh, MeshBuilder, MeshError};
 pub use cga_runtime::geometry::{Axis, Frame};
