@@ -20,7 +20,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub use cga_macros::cga;
-pub use cga_runtime::asset::{AssetError, Assets};
+pub use cga_runtime::asset::{AssetError, AssetSource, Assets};
 pub use cga_runtime::fault::{Error, Fault, FaultKind, LimitKind};
 pub use cga_runtime::geometry::mesh::{Mesh, MeshBuilder, MeshError};
 pub use cga_runtime::geometry::{Axis, Frame};
@@ -61,8 +61,9 @@ pub use cga_runtime::grammar::session::DynSession;
 /// # Ok::<(), Error>(())
 /// ```
 pub use cga_runtime::grammar::session::Session;
-pub use cga_runtime::material::{Channel, Color, Layer, LayerPart, Material, MaterialNumber, MaterialText};
+pub use cga_runtime::material::{Channel, Color, ColorOf, Layer, LayerPart, Material, MaterialNumber, MaterialText};
 pub use cga_runtime::output::batches::{Batch, Batches, ShapeError};
+pub use cga_runtime::output::error::WriteError;
 pub use cga_runtime::output::model::{Geometry, LeafView, Leaves, Model};
 pub use cga_runtime::run::report::Report;
 pub use cga_runtime::run::report::{Collection, Print, Reports, Summary};
@@ -87,7 +88,9 @@ pub mod mesh {
     #[cfg(feature = "obj")]
     pub use cga_runtime::asset::obj::{ObjError, ObjFile, read_obj};
     pub use cga_runtime::geometry::mesh::check::Flaw;
-    pub use cga_runtime::geometry::mesh::{Bounds, FaceRef, FaceTag, Mesh, MeshBuilder, MeshError, TagSet};
+    pub use cga_runtime::geometry::mesh::{
+        Bounds, FaceRef, FaceTag, Mesh, MeshBuilder, MeshError, TagSet, UvAxis, UvExtent,
+    };
 }
 
 /// Texture coordinates of leaves that are rectangles or boxes: maps from points of the world.
@@ -100,7 +103,7 @@ pub mod sink {
     #[cfg(feature = "gltf")]
     pub use cga_runtime::output::gltf;
     pub use cga_runtime::output::{buffers, error, meshes, obj, picture, sink_table, stats, svg};
-    pub use cga_runtime::run::sink::{Cuboid, Filled, Flow, Leaf, PartId, Quad, Replay, Sink};
+    pub use cga_runtime::run::sink::{Axes, Cuboid, Filled, Flow, Leaf, PartId, Quad, Replay, Sink};
 }
 
 /// Runs on many initial shapes, on several threads with the feature `rayon`. The results equal those of a loop, to

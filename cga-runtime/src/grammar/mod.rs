@@ -2,6 +2,8 @@
 
 pub mod attribute;
 mod field;
+#[cfg(feature = "serde")]
+mod json;
 pub(crate) mod lazy;
 pub mod parallel;
 pub mod session;
@@ -123,6 +125,31 @@ pub trait Grammar {
         let (index, _) = attribute::find(self.attributes(), name)?;
         self.attribute_reset(index);
         Ok(())
+    }
+
+    /// The values of all attributes as a JSON object, by name; null where the default is computed for each initial shape.
+    /// [`Value`] describes how arrays and NaN are written.
+    #[cfg(feature = "serde")]
+    fn values_json(&self) -> String {
+        json::values(self)
+    }
+
+    /// Sets attributes from a JSON object with values by name; null sets the default. Other attributes stay as they are.
+    /// After an error, all stay as they are.
+    ///
+    /// # Errors
+    /// The text is not a JSON object, or one of the errors of [`set`](Grammar::set). A list of choices may be in the same
+    /// object as the choice.
+    #[cfg(feature = "serde")]
+    fn set_values_json(&mut self, json: &str) -> Result<(), AttributeError> {
+        json::set_values(self, json)
+    }
+
+    /// The attributes as a JSON list, for user interfaces in other languages: the fields of [`Attribute`] with `type`,
+    /// `value`, and with `allowed`, the values to choose from.
+    #[cfg(feature = "serde")]
+    fn attributes_json(&self) -> String {
+        json::attributes(self)
     }
 
     /// Runs the default start rule with default settings.

@@ -4,6 +4,8 @@ pub mod array;
 pub(crate) mod compare;
 pub(crate) mod number;
 pub(crate) mod pattern;
+#[cfg(feature = "serde")]
+mod serde;
 pub mod text;
 
 use std::fmt;

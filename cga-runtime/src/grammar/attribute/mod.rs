@@ -2,6 +2,8 @@
 
 mod error;
 mod limits;
+#[cfg(feature = "serde")]
+mod serde;
 
 pub use error::AttributeError;
 pub use limits::{ChoiceValues, Choices, Range, check};
@@ -82,7 +84,7 @@ pub enum AttributeKind {
 
 impl AttributeKind {
     /// The name of the kind for machines, which never changes: `plain`, `angle`, `percent`, `distance`, `color`, `file`,
-    /// `directory` or `materialFile`.
+    /// `directory` or `material_file`.
     pub const fn name(self) -> &'static str {
         match self {
             AttributeKind::Plain => "plain",
@@ -92,7 +94,7 @@ impl AttributeKind {
             AttributeKind::Color => "color",
             AttributeKind::File(_) => "file",
             AttributeKind::Directory => "directory",
-            AttributeKind::MaterialFile => "materialFile",
+            AttributeKind::MaterialFile => "material_file",
         }
     }
 }
