@@ -162,8 +162,7 @@ impl Stack {
         let corners: Vec<usize> = fronts.iter().flatten().map(|edge| edge.1).collect();
         let moves = |corner: usize| !ground.sides[corner].is_upright() && ground.sides[corner].base <= low;
         let ways: Vec<f64> = corners.iter().map(|&c| if moves(c) { plan.ways[c] } else { 0.0 }).collect();
-        let part =
-            |corner: usize| if moves(corner) { Part::Slope(corner as u32) } else { Part::Base(corner as u32) };
+        let part = |corner: usize| if moves(corner) { Part::Slope(corner as u32) } else { Part::Base(corner as u32) };
         let most = ways.iter().copied().fold(0.0, f64::max);
         if most == 0.0 {
             return Ok(self.upright(fronts, part, high));
