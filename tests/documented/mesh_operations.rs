@@ -76,3 +76,34 @@ fn floors_are_set_back_from_the_initial_shape() {
     assert_eq!(floors.iter().filter(|floor| floor.material().opacity == Some(1.0)).count(), 2, "{sum}");
     assert_eq!(floors.len(), 7);
 }
+
+/// "Aligns edges to the scope such that they are parallel or perpendicular to each other."
+#[test]
+fn a_lot_gets_right_angles() {
+    let model = pages::rectify::EXAMPLE.model(&Settings::default());
+    assert!(model.faults().is_empty());
+    let (mesh, _) = model.leaves_of("ShowRect").next().expect("a lot").mesh();
+    assert_eq!((mesh.points().len(), mesh.check()), (10, Vec::new()));
+    for face in mesh.faces() {
+        let ring = face.outer();
+        for (k, &point) in ring.iter().enumerate() {
+            let step = mesh.points()[ring[(k + 1) % ring.len()] as usize] - mesh.points()[point as usize];
+            assert!(step.abs().min_element() < 1e-9 && [step.x, step.z].iter().any(|along| along.abs() < 1e-9));
+        }
+    }
+    // "As big as" the middles of its outer edges.
+    let size = model.leaves_of("ShowRect").next().expect("a lot").scope().size;
+    assert!((size.x - (23.75 - 2.65)).abs() < 1e-9 && (size.z - (20.55 - 3.75)).abs() < 1e-9, "{size}");
+}
+
+/// "A value of 0.2 will reduce the vertex count of the geometry by 20%."
+#[test]
+fn a_terrain_has_a_fifth_of_its_vertices() {
+    let [before, after] = [pages::terrain::EXAMPLE, pages::terrain_reduced::EXAMPLE].map(|example| {
+        let model = example.model(&Settings::default());
+        assert!(model.faults().is_empty());
+        model
+    });
+    let count = |model: &Model| model.leaves().next().expect("a leaf").mesh().0.points().len();
+    assert_eq!([count(&before), count(&after)], [4096, 819]);
+}

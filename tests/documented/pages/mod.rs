@@ -2,6 +2,7 @@
 
 pub(crate) mod boolean;
 pub(crate) mod boolean_table;
+pub(crate) mod cleanup;
 pub(crate) mod comp;
 pub(crate) mod components;
 pub(crate) mod cutting;

@@ -4,7 +4,7 @@ use glam::{DAffine3, DVec3};
 
 use super::origins::Origins;
 use crate::geometry::mesh::join::join;
-use crate::geometry::mesh::{Derived, Mesh, SubcomponentTagger};
+use crate::geometry::mesh::{Derived, Mesh, SubcomponentTagger, TagSet};
 use crate::geometry::trace::{PartPoint, Trace, UNTRACED};
 use crate::geometry::wire::Wire;
 
@@ -89,10 +89,26 @@ impl Weld {
 
     /// Adds the tags of the edge between two corners, all along the edge.
     fn tag_edge(&mut self, origins: &Origins, mesh: &Mesh, corners: [usize; 2], ends: [u32; 2]) {
-        let Some(set) = mesh.edge_tags(corners.map(|corner| mesh.corners[corner])) else { return };
+        if let Some(set) = mesh.edge_tags(corners.map(|corner| mesh.corners[corner])) {
+            self.tag_along(origins, ends, set);
+        }
+    }
+
+    fn tag_along(&mut self, origins: &Origins, ends: [u32; 2], set: &TagSet) {
         let mut last = ends[0];
         origins.between(ends, |point, _| self.tagger.edge([std::mem::replace(&mut last, point), point], set));
         self.tagger.edge([last, ends[1]], set);
+    }
+
+    /// Adds the tags of a part without faces, whose edges and points faces have, too. `points` are the numbers of its points.
+    pub(crate) fn add_tags(&mut self, origins: &Origins, part: &Wire, points: &[u32]) {
+        let number = |point: u32| points.get(point as usize).copied().unwrap_or(UNTRACED);
+        for (ends, set) in part.tags.edges().map(|(ends, set)| (ends.map(number), set)) {
+            if !ends.contains(&UNTRACED) {
+                self.tag_along(origins, ends, set);
+            }
+        }
+        part.tags.vertices().for_each(|(point, set)| self.tagger.vertex(number(point), set));
     }
 
     /// The number of corners so far.
