@@ -199,19 +199,31 @@ fn ring(ring: &Value) -> Option<Vec<[f64; 2]>> {
     Some(points)
 }
 
+/// The metres to the east in a degree of longitude and to the north in a degree of latitude, at a latitude on the
+/// ellipsoid WGS 84. Its two radii of curvature differ by up to 0.7 %.
+pub(crate) fn metres_a_degree(latitude: f64) -> [f64; 2] {
+    const EQUATOR: f64 = 6_378_137.0;
+    const FLATTENING: f64 = 1.0 / 298.257_223_563;
+    const ECCENTRICITY_SQUARED: f64 = FLATTENING * (2.0 - FLATTENING);
+    let (sin, cos) = (libm::sin(latitude.to_radians()), libm::cos(latitude.to_radians()));
+    let squared = 1.0 - ECCENTRICITY_SQUARED * sin * sin;
+    let east = EQUATOR / squared.sqrt() * cos;
+    let north = EQUATOR * (1.0 - ECCENTRICITY_SQUARED) / (squared * squared.sqrt());
+    [east.to_radians(), north.to_radians()]
+}
+
 /// Converts longitude and latitude to metres east and south of the middle. At the size of a district the earth is
 /// flat.
 fn project(footprints: &mut [Footprint]) {
-    const METRES_A_DEGREE: f64 = 111_319.490_8;
     let all = || footprints.iter().flat_map(|footprint| &footprint.outer);
     let (low, high) = all().fold(([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]), |(low, high), p| {
         ([low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])])
     });
     let middle = [(low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0];
-    let shrink = libm::cos(middle[1].to_radians());
+    let [east, north] = metres_a_degree(middle[1]);
     for footprint in footprints {
         for point in footprint.outer.iter_mut().chain(footprint.holes.iter_mut().flatten()) {
-            *point = [(point[0] - middle[0]) * shrink * METRES_A_DEGREE, (middle[1] - point[1]) * METRES_A_DEGREE];
+            *point = [(point[0] - middle[0]) * east, (middle[1] - point[1]) * north];
         }
     }
 }

@@ -159,6 +159,10 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let cells: Vec<Cell> = pages::mesh_operations::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
     save("mesh-operations", sheet::draw(&cells, 2))?;
+    let cells: Vec<Cell> = pages::normals::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
+    save("normals", sheet::draw(&cells, 4))?;
+    let cells: Vec<Cell> = pages::cleanup::ALL.iter().map(|example| comp_cell(example, &plain)).collect();
+    save("cleanup", sheet::draw(&cells, 3))?;
 
     save("texturing", sheet::draw(&textured::texturing(&plain), 4))?;
     save("primitives", sheet::draw(&textured::primitives(&plain), 4))?;

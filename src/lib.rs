@@ -1,9 +1,26 @@
+// The first definition of a link counts: these replace those at the end of the README, which are right in the repository.
+#![doc = "[reference]: crate::reference"]
+#![cfg_attr(docsrs, doc = concat!("[picture]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/readme.png"))]
+#![cfg_attr(docsrs, doc = concat!("[tutorial]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/tutorial.md"))]
+#![cfg_attr(docsrs, doc = concat!("[recipes]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/recipes.md"))]
+#![cfg_attr(docsrs, doc = concat!("[diagnostics]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/diagnostics.md"))]
+#![cfg_attr(docsrs, doc = concat!("[performance]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/performance.md"))]
+#![cfg_attr(docsrs, doc = concat!("[tags]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/tags.md"))]
+#![cfg_attr(docsrs, doc = concat!("[boolean]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/boolean.md"))]
+#![cfg_attr(not(docsrs), doc = "[picture]: ../../../docs/readme.png")]
+#![cfg_attr(not(docsrs), doc = "[tutorial]: ../../../docs/guide/tutorial.md")]
+#![cfg_attr(not(docsrs), doc = "[recipes]: ../../../docs/guide/recipes.md")]
+#![cfg_attr(not(docsrs), doc = "[diagnostics]: ../../../docs/diagnostics.md")]
+#![cfg_attr(not(docsrs), doc = "[performance]: ../../../docs/performance.md")]
+#![cfg_attr(not(docsrs), doc = "[tags]: ../../../docs/tags.md")]
+#![cfg_attr(not(docsrs), doc = "[boolean]: ../../../docs/boolean.md")]
+#![doc = ""]
 #![doc = include_str!("../README.md")]
 #![forbid(unsafe_code)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub use cga_macros::cga;
-pub use cga_runtime::asset::{AssetError, Assets};
+pub use cga_runtime::asset::{AssetError, AssetSource, Assets};
 pub use cga_runtime::fault::{Error, Fault, FaultKind, LimitKind};
 pub use cga_runtime::geometry::mesh::{Mesh, MeshBuilder, MeshError};
 pub use cga_runtime::geometry::{Axis, Frame};
@@ -44,8 +61,9 @@ pub use cga_runtime::grammar::session::DynSession;
 /// # Ok::<(), Error>(())
 /// ```
 pub use cga_runtime::grammar::session::Session;
-pub use cga_runtime::material::{Channel, Color, Layer, LayerPart, Material, MaterialNumber, MaterialText};
+pub use cga_runtime::material::{Channel, Color, ColorOf, Layer, LayerPart, Material, MaterialNumber, MaterialText};
 pub use cga_runtime::output::batches::{Batch, Batches, ShapeError};
+pub use cga_runtime::output::error::WriteError;
 pub use cga_runtime::output::model::{Geometry, LeafView, Leaves, Model};
 pub use cga_runtime::run::report::Report;
 pub use cga_runtime::run::report::{Collection, Print, Reports, Summary};
@@ -70,7 +88,9 @@ pub mod mesh {
     #[cfg(feature = "obj")]
     pub use cga_runtime::asset::obj::{ObjError, ObjFile, read_obj};
     pub use cga_runtime::geometry::mesh::check::Flaw;
-    pub use cga_runtime::geometry::mesh::{Bounds, FaceRef, FaceTag, Mesh, MeshBuilder, MeshError, TagSet};
+    pub use cga_runtime::geometry::mesh::{
+        Bounds, FaceRef, FaceTag, Mesh, MeshBuilder, MeshError, TagSet, UvAxis, UvExtent,
+    };
 }
 
 /// Texture coordinates of leaves that are rectangles or boxes: maps from points of the world.
@@ -83,7 +103,7 @@ pub mod sink {
     #[cfg(feature = "gltf")]
     pub use cga_runtime::output::gltf;
     pub use cga_runtime::output::{buffers, error, meshes, obj, picture, sink_table, stats, svg};
-    pub use cga_runtime::run::sink::{Cuboid, Filled, Flow, Leaf, PartId, Quad, Replay, Sink};
+    pub use cga_runtime::run::sink::{Axes, Cuboid, Filled, Flow, Leaf, PartId, Quad, Replay, Sink};
 }
 
 /// Runs on many initial shapes, on several threads with the feature `rayon`. The results equal those of a loop, to
@@ -182,6 +202,11 @@ pub mod street {
 pub mod split {
     pub use cga_runtime::split::{Item, Piece, Prefix, Size, Solution, solve};
 }
+
+/// The reference of the language: operations, selectors, functions, attributes and annotations.
+///
+#[doc = include_str!("../docs/reference.md")]
+pub mod reference {}
 
 /// The interface of generated code, without a promise of stability.
 #[doc(hidden)]

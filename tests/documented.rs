@@ -12,6 +12,8 @@ mod aligning;
 mod areas;
 #[path = "documented/attributes.rs"]
 mod attributes;
+#[path = "documented/cleanup.rs"]
+mod cleanup;
 #[path = "texture/collect.rs"]
 #[allow(dead_code, unused_imports, unused_macros, reason = "the examples need the sink alone")]
 mod collect;
@@ -25,6 +27,8 @@ mod faces;
 mod mass;
 #[path = "documented/mesh_operations.rs"]
 mod mesh_operations;
+#[path = "documented/normals.rs"]
+mod normals;
 #[path = "documented/offsets.rs"]
 mod offsets;
 #[path = "documented/outlines.rs"]
@@ -74,6 +78,8 @@ fn all_examples_run() {
         pages::scattering::ALL,
         pages::setback::ALL,
         pages::mesh_operations::ALL,
+        pages::normals::ALL,
+        pages::cleanup::ALL,
         pages::tags::ALL,
     ];
     let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();

@@ -211,3 +211,19 @@ fn a_bent_face_gives_axes_at_right_angles() {
         assert_eq!(run("Lot", &shape).len(), 1, "{slant}");
     }
 }
+
+#[test]
+fn corners_are_arrays_pairs_or_vectors() {
+    use cga::glam::DVec2;
+    let arrays = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [1.0, 5.0]];
+    let pairs = arrays.map(|[x, z]| (x, z));
+    let vectors = arrays.map(DVec2::from);
+    let hole = [[1.0, 1.0], [2.0, 1.0], [2.0, 2.0]];
+    let mesh = |shape: Result<Shape, cga::Error>| shape.expect("a footprint").to_mesh();
+    let first = mesh(Shape::footprint(&arrays, &[hole.to_vec()]));
+    let points = |mesh: &cga::Mesh| format!("{mesh:?}");
+    assert_eq!(points(&first), points(&mesh(Shape::footprint(&pairs, &[hole.map(|[x, z]| (x, z)).to_vec()]))));
+    assert_eq!(points(&first), points(&mesh(Shape::footprint(&vectors, &[hole.map(DVec2::from).to_vec()]))));
+    assert_eq!(first.area(), mesh(Shape::footprint(&vectors, &[])).area() - 0.5);
+    assert!(Shape::footprint::<(f64, f64)>(&[], &[]).is_err());
+}

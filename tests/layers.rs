@@ -22,6 +22,7 @@ const CRATES: &[Layers] = &[
             "diag",
             "ops",
             "syntax",
+            "reference",
             "ir",
             "link",
             "resolve",

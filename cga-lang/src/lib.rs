@@ -39,6 +39,7 @@ pub mod ir;
 pub mod link;
 mod lower;
 pub mod ops;
+pub mod reference;
 mod resolve;
 pub mod snippet;
 pub mod span;

@@ -4,6 +4,8 @@ use std::fmt;
 
 /// The kinds of faults.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum FaultKind {
     /// A number, colour or other value that cannot be used. The message names the value used instead.
@@ -22,6 +24,7 @@ pub enum FaultKind {
 
 /// A problem with one shape. The run goes on; the model lists its faults.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Fault {
     /// The kind.

@@ -3,6 +3,7 @@
 
 pub use std::boxed::Box;
 pub use std::string::String;
+pub use std::vec::Vec;
 
 pub use crate::asset::File;
 pub use crate::comp::select::Word;
@@ -16,9 +17,9 @@ pub use crate::geometry::mesh::{TextureSpace, UvAxis};
 pub use crate::grammar::attribute::{Attribute, AttributeDefault, AttributeKind, ChoiceValues, Choices, Range, check};
 pub use crate::grammar::lazy::{Lazy, Origin, computed};
 pub use crate::grammar::parallel::{Stretch, generate_all, run_all};
-pub use crate::grammar::session::{DynSession, Session, generate, run};
+pub use crate::grammar::session::{DynSession, Session, generate, run, used_values};
 pub use crate::grammar::support::{array, bake, branch, global, image, renew, string, text};
-pub use crate::grammar::{Field, Grammar, Unrunnable};
+pub use crate::grammar::{Evaluated, Field, Grammar, Unrunnable};
 pub use crate::op::{Length, set, slim};
 pub use crate::output::batches::{Batches, ShapeError};
 pub use crate::output::model::Model;

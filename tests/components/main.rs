@@ -5,6 +5,7 @@
 mod conditions;
 mod facts;
 mod order;
+mod propagated;
 mod tags;
 mod values;
 

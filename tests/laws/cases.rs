@@ -23,7 +23,7 @@ cga! {
     @Allow(not_implemented)
     grammar Unready;
     Lot  --> split(x) { { 1 : Tile }* }
-    Tile --> reduceGeometry(0.5) Wall.
+    Tile --> s(1, 1 + getGeoCoord(lat), 1) Wall.
 }
 
 #[test]
@@ -188,4 +188,22 @@ fn the_last_bit_of_a_size_does_not_turn_a_section_inside_out() {
         mesh.faces().map(|face| face.loops().map(<[u32]>::to_vec).collect()).collect::<Vec<Vec<_>>>()
     };
     assert_eq!(loops(0.579_035_589_999_999_9), loops(0.579_035_59));
+}
+
+cga! {
+    grammar Mitred;
+    Lot   --> comp(f) { front : scatter(volume, 1, uniform) { Board } }
+    Board --> primitiveQuad(0.672, 2.7585) comp(f) { 0 : Wall. }
+}
+
+#[test]
+fn geometry_at_points_ends_at_the_planes_of_the_face_below() {
+    let size = |shape: &Shape| {
+        let run = outcome(&Mitred::default(), &Settings::default(), shape);
+        run.model.leaves().map(|leaf| leaf.scope().size).collect::<Vec<_>>()
+    };
+    let shape = Shape::cuboid(10.0, 10.0, 10.0).seed(3);
+    let [own, mesh] = [size(&shape), size(&shape.clone().held_as_meshes())];
+    assert_eq!(own.len(), 1);
+    assert!((own[0] - mesh[0]).length() < 1e-9, "{own:?} {mesh:?}");
 }

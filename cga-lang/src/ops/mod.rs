@@ -248,7 +248,7 @@ impl Operation {
 
     /// Returns true if its result is for the run and the shape stays unchanged: `report`, `print`, `label`.
     pub fn is_for_run(&self) -> bool {
-        self.uses.has(Uses::SAYS) && self.scope == Effect::Keeps
+        self.changes == Changes::Nothing
     }
 
     /// Returns true if it takes `count` arguments.

@@ -6,6 +6,7 @@ use cga_lang::ir::{AttrInfo, Global, Grammar, Type, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::names::{Taken, ident};
+use super::types;
 use crate::source::Source;
 
 /// A public field.
@@ -54,6 +55,20 @@ impl AttrField<'_> {
             _ => code!(::core::clone::Clone::clone(&self.#name)),
         }
     }
+}
+
+/// Setting to the default by number, for `dyn Grammar`.
+pub(super) fn reset_arms(fields: &[AttrField<'_>]) -> Vec<TokenStream> {
+    let arm = |(number, field): (usize, &AttrField<'_>)| {
+        let (number, name) = (Literal::usize_unsuffixed(number), &field.name);
+        let default = match field.known {
+            Some(known @ Value::Text(_)) => types::field(known, &code!(cga_rt)),
+            Some(known) => types::value(known),
+            None => code!(::core::option::Option::None),
+        };
+        code!(#number => self.#name = #default,)
+    };
+    fields.iter().enumerate().map(arm).collect()
 }
 
 /// Reading and writing by number, for `dyn Grammar`.

@@ -122,6 +122,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     let (held, globals) = (cx.hold_fields(&by_name), initial_values(cx, &by_name));
     let origin = cx.has_lazy().then(|| code!(g.origin = cga_rt::Origin::initial(initial);));
     let (get_arms, set_arms) = fields::arms(&fields);
+    let (reset_arms, used) = (fields::reset_arms(&fields), fields.iter().map(|field| used_value(cx, field)));
     let captured = (0..cx.grammar.hosts.len()).filter(|_| cx.captured).map(captured);
     let captured = captured.map(|name| code!(g.#name = ::core::clone::Clone::clone(&self.#name);));
     let table = fields.iter().map(|field| attribute_table::attribute(field, cx.grammar));
@@ -162,6 +163,14 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
                 #held
                 #globals
                 g
+            }
+
+            fn used(
+                g: &CgaValues,
+                style: ::core::primitive::u32,
+                each: &mut dyn ::core::ops::FnMut(::core::option::Option<cga_rt::Value>),
+            ) {
+                #(each(#used);)*
             }
 
             fn start(
@@ -212,6 +221,25 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
                 }
             }
 
+            fn attribute_reset(&mut self, index: ::core::primitive::usize) {
+                match index {
+                    #(#reset_arms)*
+                    _ => {}
+                }
+            }
+
+            fn boxed(&self) -> cga_rt::Box<dyn cga_rt::Grammar + ::core::marker::Send + ::core::marker::Sync> {
+                cga_rt::Box::new(::core::clone::Clone::clone(self))
+            }
+
+            fn used_values(
+                &self,
+                shape: &cga_rt::Shape,
+                settings: &cga_rt::Settings,
+            ) -> ::core::result::Result<cga_rt::Vec<(&'static ::core::primitive::str, cga_rt::Value)>, cga_rt::Error> {
+                cga_rt::used_values(self, shape, settings)
+            }
+
             fn start_rules(&self) -> &'static [cga_rt::StartRule] {
                 <Self as cga_rt::Rules>::STARTS
             }
@@ -233,6 +261,27 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
             }
         }
     }
+}
+
+/// The value of an attribute in a run; `None` if the style does not have it.
+fn used_value(cx: &Generator<'_>, field: &AttrField<'_>) -> TokenStream {
+    let mut value = code!(::core::option::Option::None);
+    let own = |id: GlobalId| {
+        let global = cx.grammar.global(id);
+        global.public && global.attr.is_some() && global.name == field.global.name
+    };
+    for init in cx.grammar.init.iter().filter(|init| own(init.global)) {
+        let name = cx.global_name(init.global);
+        let found = code!(cga_rt::Evaluated::value(&g.#name));
+        value = match &init.styles {
+            None => found,
+            Some(styles) => {
+                let is_style = is_one_of(styles, &code!(style));
+                code!(if #is_style { #found } else { #value })
+            }
+        };
+    }
+    value
 }
 
 /// Evaluates the attributes and constants of the style in force.

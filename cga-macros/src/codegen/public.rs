@@ -80,6 +80,12 @@ pub(crate) fn public(public: &Public, header: &Header) -> TokenStream {
     let captured_types = public.captures.iter().map(|ty| types::inner(ty.inside(), runtime));
     let about = format!("The grammar `{}`.", header.label());
     let doc = (!header.has_doc).then(|| code!(#[doc = #about]));
+    let methods_doc = code! {
+        #[doc = ""]
+        #[doc = "[`generate`](Self::generate) runs it on a shape, [`generate_from`](Self::generate_from) from another rule, and"]
+        #[doc = "[`generate_with`](Self::generate_with) with settings. [`generate_into`](Self::generate_into) fills a sink,"]
+        #[doc = "[`generate_all`](Self::generate_all) takes many shapes, and [`session`](Self::session) runs one after another."]
+    };
     let methods = methods();
     let expression = header.name.is_none();
     let default_impl = (!expression).then(|| {
@@ -103,6 +109,7 @@ pub(crate) fn public(public: &Public, header: &Header) -> TokenStream {
     code! {
         #attributes
         #doc
+        #methods_doc
         #other_taste
         #[derive(::core::clone::Clone, ::core::fmt::Debug)]
         #visibility struct #name {
@@ -143,6 +150,20 @@ fn unrunnable(name: &Ident, label: &str) -> TokenStream {
             }
 
             fn attribute_set(&mut self, _: ::core::primitive::usize, _: cga_rt::Value) {}
+
+            fn attribute_reset(&mut self, _: ::core::primitive::usize) {}
+
+            fn boxed(&self) -> cga_rt::Box<dyn cga_rt::Grammar + ::core::marker::Send + ::core::marker::Sync> {
+                cga_rt::Box::new(::core::clone::Clone::clone(self))
+            }
+
+            fn used_values(
+                &self,
+                _: &cga_rt::Shape,
+                _: &cga_rt::Settings,
+            ) -> ::core::result::Result<cga_rt::Vec<(&'static ::core::primitive::str, cga_rt::Value)>, cga_rt::Error> {
+                ::core::unreachable!("the rules have errors")
+            }
 
             fn start_rules(&self) -> &'static [cga_rt::StartRule] {
                 &[]

@@ -6,7 +6,7 @@ use std::fmt;
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum AssetError {
-    /// No mesh is registered under the name, and no asset folder is set.
+    /// No mesh is registered under the name, and neither an asset folder nor a source is set.
     NoFolder,
     /// Its name leads out of the asset folder.
     Outside,

@@ -47,11 +47,16 @@ impl Listing {
         if let Some(root) = root.and_then(|root| root.canonicalize().ok()) {
             walk.folder(&root, &root, "", 0);
         }
-        let mut listing = walk.listing;
-        listing.names.extend(given.cloned());
-        listing.names.sort_unstable();
-        listing.names.dedup();
-        listing
+        let Listing { names, cut_short } = walk.listing;
+        Listing { cut_short, ..Listing::of(names, given) }
+    }
+
+    /// These names, and the additional names `given`.
+    pub(super) fn of<'a>(mut names: Vec<String>, given: impl Iterator<Item = &'a String>) -> Self {
+        names.extend(given.cloned());
+        names.sort_unstable();
+        names.dedup();
+        Listing { names, cut_short: false }
     }
 }
 

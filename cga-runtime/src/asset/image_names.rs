@@ -1,8 +1,6 @@
 //! The image names of materials in files, which are relative to the file.
 
-use std::path::Path;
-
-use crate::asset::folder;
+use super::store::{Store, StoredFile};
 use crate::geometry::mesh::Mesh;
 use crate::material::layer;
 use crate::material::{Layer, Material, MaterialText};
@@ -11,15 +9,11 @@ use crate::value::text::Text;
 /// The mesh of a file with image names relative to the asset folder. The file's materials name images relative to the
 /// file; an image inside the file, whose name begins with `#`, gets the name of the file in front. Names without an
 /// image stay as they are.
-pub(super) fn with_names_from_root(mut mesh: Mesh, root: &Path, file: &Path) -> Mesh {
-    let below_root = |path: &Path| {
-        let found = folder::inside(root, path).ok()?;
-        Some(found.strip_prefix(root.canonicalize().ok()?).ok()?.to_str()?.replace('\\', "/"))
-    };
+pub(super) fn with_names_from_root(mut mesh: Mesh, store: &Store, file: &StoredFile) -> Mesh {
     let from_root = |name: &Text| {
-        let found = below_root(&file.parent()?.join(name.replace('\\', "/"))).map(|found| format!("/{found}"));
-        let inside = || name.starts_with('#').then(|| Some(format!("/{}{name}", below_root(file)?)))?;
-        found.or_else(inside).map(Text::from)
+        let found = store.beside(file, &name.replace('\\', "/")).and_then(|image| store.place(&image));
+        let inside = || name.starts_with('#').then(|| Some(format!("{}{name}", store.place(file)?)))?;
+        found.or_else(inside).map(|place| Text::from(format!("/{place}")))
     };
     let named = |material: &Material| {
         let mut named = material.clone();

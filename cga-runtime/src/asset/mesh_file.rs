@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::AssetError;
+use super::store::{Store, StoredFile};
 use crate::geometry::mesh::Mesh;
 
 /// A mesh, and the images inside its file.
@@ -45,22 +46,18 @@ pub(super) fn readable(name: &str) -> Result<(), AssetError> {
     }))
 }
 
-/// Reads a file below the root. Image names in its materials become relative to the root.
+/// Reads a file. Image names in its materials become relative to the top of the store.
 #[cfg(any(feature = "obj", feature = "gltf"))]
-pub(super) fn read(root: Option<&Path>, path: &Path) -> Result<MeshFile, AssetError> {
-    let root = root.ok_or(AssetError::NoFolder)?;
-    let bytes = std::fs::read(path)?;
-    let mut beside = |name: &str| {
-        let file = super::folder::inside(root, &path.parent()?.join(name)).ok().filter(|file| file.is_file())?;
-        std::fs::read(file).ok()
-    };
-    let (mesh, images) = parsed(path, &bytes, &mut beside)?;
-    let mesh = super::image_names::with_names_from_root(mesh, root, path);
+pub(super) fn read(store: &Store, found: &StoredFile) -> Result<MeshFile, AssetError> {
+    let bytes = store.read(found, u64::MAX)?;
+    let mut beside = |name: &str| store.read(&store.beside(found, name)?, u64::MAX).ok();
+    let (mesh, images) = parsed(found.path(), &bytes, &mut beside)?;
+    let mesh = super::image_names::with_names_from_root(mesh, store, found);
     Ok(MeshFile { mesh: Arc::new(mesh), images: images.into() })
 }
 
 #[cfg(not(any(feature = "obj", feature = "gltf")))]
-pub(super) fn read(_: Option<&Path>, _: &Path) -> Result<MeshFile, AssetError> {
+pub(super) fn read(_: &Store, _: &StoredFile) -> Result<MeshFile, AssetError> {
     Err(AssetError::NoFolder)
 }
 

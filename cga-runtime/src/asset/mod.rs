@@ -1,4 +1,4 @@
-//! Assets: meshes that the program registers, and files below a folder that it sets.
+//! Assets: meshes that the program registers, and files of a folder or a source that it sets.
 
 mod error;
 mod file;
@@ -10,6 +10,8 @@ mod mesh_file;
 #[cfg(any(feature = "obj", feature = "gltf"))]
 mod names;
 mod search;
+mod source;
+mod store;
 #[cfg(any(feature = "obj", feature = "gltf"))]
 mod warnings;
 
@@ -20,7 +22,6 @@ pub mod obj;
 
 use std::collections::{BTreeMap, HashMap};
 use std::fmt;
-use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
@@ -28,6 +29,7 @@ pub use error::AssetError;
 pub use file::File;
 pub use mesh_file::EmbeddedImage;
 pub(crate) use search::Query;
+pub use source::AssetSource;
 
 use cga_split::files::places;
 
@@ -37,6 +39,7 @@ use crate::geometry::mesh::Mesh;
 use crate::value::text::Text;
 use folder::Listing;
 use mesh_file::MeshFile;
+use store::{Store, StoredFile};
 
 /// The limit on cached names of meshes and images. Other names are looked up each time, so that memory stays bounded.
 const NAMES_KEPT: usize = 10_000;
@@ -61,16 +64,16 @@ const USABLE: [&str; 10] = ["bmp", "gif", "jpg", "jpeg", "png", "tif", "tiff", "
 /// if it exists, and then in the folder itself (*Asset search*; [`cga_split::files::places`]).
 #[derive(Default)]
 pub struct Assets {
-    root: Option<PathBuf>,
+    store: Store,
     given: BTreeMap<String, Arc<Mesh>>,
     read: Mutex<Read>,
     listing: OnceLock<Listing>,
 }
 
 impl fmt::Debug for Assets {
-    /// Writes the folder alone: the files read so far are irrelevant for a model.
+    /// Writes the place of files alone: the files read so far are irrelevant for a model.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Assets").field("root", &self.root).finish_non_exhaustive()
+        f.debug_struct("Assets").field("store", &self.store).finish_non_exhaustive()
     }
 }
 
@@ -82,18 +85,18 @@ struct Read {
     images: HashMap<File, Text>,
     /// By name as written in the material.
     headers: HashMap<String, Result<ImageHeader, AssetError>>,
-    /// By path: a file with several names is one mesh.
-    files: HashMap<PathBuf, Result<MeshFile, AssetError>>,
+    /// A file with several names is one mesh.
+    files: HashMap<StoredFile, Result<MeshFile, AssetError>>,
 }
 
 impl Read {
-    /// The mesh file at a path.
-    fn mesh_file(&mut self, root: Option<&Path>, path: PathBuf) -> Result<MeshFile, AssetError> {
-        if let Some(known) = self.files.get(&path) {
+    /// The contents of a mesh file.
+    fn mesh_file(&mut self, store: &Store, found: StoredFile) -> Result<MeshFile, AssetError> {
+        if let Some(known) = self.files.get(&found) {
             return known.clone();
         }
-        let file = mesh_file::read(root, &path);
-        self.files.insert(path, file.clone());
+        let file = mesh_file::read(store, &found);
+        self.files.insert(found, file.clone());
         file
     }
 
@@ -107,8 +110,8 @@ impl Read {
 enum FoundAsset<'a> {
     /// A mesh that the program registered.
     Given(&'a Arc<Mesh>),
-    /// A file, by its path with links resolved.
-    File(PathBuf),
+    /// A file.
+    File(StoredFile),
     /// An image inside a mesh file.
     Embedded(MeshFile, usize),
 }
@@ -121,7 +124,12 @@ impl Assets {
 
     /// Files below a folder, by their path relative to it. Files outside the folder are never read.
     pub fn below(folder: impl Into<PathBuf>) -> Self {
-        Assets { root: Some(folder.into()), ..Assets::default() }
+        Assets { store: Store::Folder(folder.into()), ..Assets::default() }
+    }
+
+    /// The files of a source, for programs without a folder of assets.
+    pub fn from_source(source: impl AssetSource + 'static) -> Self {
+        Assets { store: Store::Source(Box::new(source)), ..Assets::default() }
     }
 
     /// Adds a mesh under a name. It takes precedence over a file of that name.
@@ -154,8 +162,8 @@ impl Assets {
         let mut read = self.read();
         let found = match target {
             Ok((_, FoundAsset::Given(mesh))) => Ok(mesh.clone()),
-            Ok((_, FoundAsset::File(path))) => {
-                let file = mesh_file::readable(name).and_then(|()| read.mesh_file(self.root.as_deref(), path));
+            Ok((_, FoundAsset::File(found))) => {
+                let file = mesh_file::readable(name).and_then(|()| read.mesh_file(&self.store, found));
                 file.map(|file| file.mesh)
             }
             Ok((_, FoundAsset::Embedded(..))) => Err(AssetError::Format("it is an image")),
@@ -186,18 +194,13 @@ impl Assets {
 
     /// The beginning of a file, at most `most` bytes, and whether that is the whole file.
     pub(crate) fn bytes(&self, file: &File, most: u64) -> Result<(Vec<u8>, bool), AssetError> {
-        let mut bytes = Vec::new();
-        match self.look_up(file)?.1 {
+        let mut bytes = match self.look_up(file)?.1 {
             FoundAsset::Given(_) => {
                 return Err(AssetError::Format("it is a mesh that the program registered, not a file"));
             }
-            FoundAsset::File(path) => {
-                std::fs::File::open(path)?.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
-            }
-            FoundAsset::Embedded(file, image) => {
-                file.images[image].bytes.as_slice().take(most.saturating_add(1)).read_to_end(&mut bytes)?;
-            }
-        }
+            FoundAsset::File(found) => self.store.read(&found, most.saturating_add(1))?,
+            FoundAsset::Embedded(file, image) => file.images[image].bytes.clone(),
+        };
         let all = bytes.len() as u64 <= most;
         bytes.truncate(usize::try_from(most).unwrap_or(usize::MAX));
         Ok((bytes, all))
@@ -246,12 +249,14 @@ impl Assets {
             if let Some(mesh) = self.given.get(&place) {
                 return Ok((place, FoundAsset::Given(mesh)));
             }
-            let Some(root) = &self.root else { continue };
-            match folder::file(root, &place) {
-                Ok(path) => return Ok((place, FoundAsset::File(path))),
+            if !self.store.is_set() {
+                continue;
+            }
+            match self.store.find(&place) {
+                Ok(found) => return Ok((place, FoundAsset::File(found))),
                 Err(error)
                     if is_missing(&error)
-                        && let Some(image) = self.embedded(root, &place) =>
+                        && let Some(image) = self.embedded(&place) =>
                 {
                     return Ok((place, image));
                 }
@@ -264,11 +269,11 @@ impl Assets {
     }
 
     /// An image inside a mesh file: its place ends with `#` and the name of the image.
-    fn embedded(&self, root: &Path, place: &str) -> Option<FoundAsset<'_>> {
+    fn embedded(&self, place: &str) -> Option<FoundAsset<'_>> {
         let (file, _) = place.rsplit_once('#').filter(|(file, _)| mesh_file::readable(file).is_ok())?;
         let name = &place[file.len()..];
-        let path = folder::file(root, file).ok()?;
-        let file = self.read().mesh_file(Some(root), path).ok()?;
+        let found = self.store.find(file).ok()?;
+        let file = self.read().mesh_file(&self.store, found).ok()?;
         let image = file.images.iter().position(|EmbeddedImage { name: known, .. }| known == name)?;
         Some(FoundAsset::Embedded(file, image))
     }
@@ -276,9 +281,8 @@ impl Assets {
     /// The names of the files that match a query in a rule file in `folder`, sorted by path, and whether files were
     /// skipped because of a limit.
     pub(crate) fn search(&self, query: &Query, folder: &str) -> (Vec<Text>, bool) {
-        let listing = self.listing.get_or_init(|| Listing::new(self.root.as_deref(), self.given.keys()));
-        let project = self.root.as_deref().and_then(Path::file_name).and_then(|name| name.to_str()).unwrap_or_default();
-        let found = listing.names.iter().filter(|name| query.finds(project, name));
+        let listing = self.listing.get_or_init(|| self.store.listing(self.given.keys()));
+        let found = listing.names.iter().filter(|name| query.finds(self.store.project(), name));
         (found.map(|name| listing.as_written(name, folder)).collect(), listing.cut_short)
     }
 }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::Components;
-use super::found_tags::FoundTags;
+use super::found_tags::TagQueries;
 use super::roof::Roof;
 use super::select::{RoofEdge, Sense, Subcomponent, Word};
 use super::uv_edges::UvEdges;
@@ -40,8 +40,7 @@ pub(super) struct MeshParts {
     /// The set of texture coordinates that selectors mean.
     pub(super) uv_set: usize,
     uvs: OnceCell<UvEdges>,
-    /// The last query for tags, with its matches.
-    found: RefCell<FoundTags>,
+    queries: RefCell<TagQueries>,
 }
 
 impl MeshParts {
@@ -69,7 +68,7 @@ impl MeshParts {
             roof: OnceCell::new(),
             uv_set: 0,
             uvs: OnceCell::new(),
-            found: RefCell::default(),
+            queries: RefCell::default(),
         }
     }
 
@@ -213,8 +212,8 @@ impl MeshParts {
         if mesh.tag_sets().is_empty() && tags.is_empty() {
             return false;
         }
-        let mut found = self.found.borrow_mut();
-        found.search(query, mesh.tag_sets(), tags, mesh.points().len());
+        let mut queries = self.queries.borrow_mut();
+        let found = queries.found(query, mesh.tag_sets(), tags);
         if found.is_empty() {
             return false;
         }
@@ -224,7 +223,8 @@ impl MeshParts {
             let ends = [corner, adjacency.next(corner)].map(point_of);
             found.edge(tags, ends) || adjacency.faces_at(adjacency.edge(corner)).any(face)
         };
-        let point = |point: u32| found.point(point) || adjacency.faces_around(point as usize).any(face);
+        let own = |point: u32| found.point(tags, mesh.points().len(), point);
+        let point = |point: u32| own(point) || adjacency.faces_around(point as usize).any(face);
         let by_face = |number: u32| {
             let mut corners = mesh.face(number as usize).corner_range().map(|corner| corner as u32);
             match of {

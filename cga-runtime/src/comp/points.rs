@@ -59,7 +59,7 @@ pub fn each<C>(
     let first = point.seed.value();
     for frame in points {
         point.scope = Scope { origin: frame.origin, axes: frame.axes, size: DVec3::ZERO };
-        point.pivot = frame;
+        point.set_pivot(frame);
         point.seed = Seed::new(seed::part(first, made as u32, 0));
         let base = cx.env.base(point.clone());
         visit(cx, &base.shape())?;

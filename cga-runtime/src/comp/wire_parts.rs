@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use glam::DVec3;
 
 use super::Components;
-use super::found_tags::FoundTags;
+use super::found_tags::TagQueries;
 use super::select::{Sense, Subcomponent, Word};
 use crate::comp::orientation::Orientation;
 use crate::geometry::Frame;
@@ -19,8 +19,7 @@ pub(super) struct WireParts {
     wire: Wire,
     kind: Components,
     parts: Vec<WirePart>,
-    /// The last query for tags, with its matches.
-    found: RefCell<FoundTags>,
+    queries: RefCell<TagQueries>,
 }
 
 /// A component of a wire.
@@ -58,7 +57,7 @@ impl WireParts {
             }
             _ => Vec::new(),
         };
-        WireParts { wire, kind, parts, found: RefCell::default() }
+        WireParts { wire, kind, parts, queries: RefCell::default() }
     }
 
     pub(super) fn len(&self) -> usize {
@@ -86,15 +85,16 @@ impl WireParts {
         if tags.is_empty() {
             return false;
         }
-        let mut found = self.found.borrow_mut();
-        found.search(query, &[], tags, points.len());
+        let mut queries = self.queries.borrow_mut();
+        let found = queries.found(query, &[], tags);
+        let point = |point: u32| found.point(tags, points.len(), point);
         match self.kind {
             Components::Edges | Components::FaceEdges if of == Some(Subcomponent::Vertices) => {
-                edges[index].into_iter().any(|end| found.point(end))
+                edges[index].into_iter().any(point)
             }
             Components::Edges | Components::FaceEdges => found.edge(tags, edges[index]),
-            Components::FaceVertices => found.point(edges[index / 2][index % 2]),
-            _ => found.point(index as u32),
+            Components::FaceVertices => point(edges[index / 2][index % 2]),
+            _ => point(index as u32),
         }
     }
 

@@ -2,6 +2,8 @@
 
 pub(crate) mod boolean;
 pub(crate) mod buckets;
+pub(crate) mod cleanup;
+pub(crate) mod conform;
 pub(crate) mod convexify;
 pub mod cut;
 pub(crate) mod disjoint;
@@ -18,6 +20,8 @@ pub(crate) mod provenance;
 #[cfg(test)]
 pub(crate) mod random;
 pub(crate) mod recompose;
+pub(crate) mod rectify;
+pub(crate) mod reduce;
 pub(crate) mod roof;
 pub(crate) mod rotation;
 pub(crate) mod sampled_outline;

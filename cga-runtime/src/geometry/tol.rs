@@ -83,3 +83,16 @@ pub(crate) const BOOLEAN_EPSILONS: [f64; 4] = [1e-9, 1e-8, 1e-10, 1e-7];
 
 /// A closed mesh that is thinner than this, relative to the extent of both operands of a boolean operation, is a flat area.
 pub(crate) const THINNEST_SOLID: f64 = 1e-14;
+
+/// Points closer than this, relative to the extent of the mesh, are merged by a cleanup without a tolerance.
+pub(crate) const MERGE_EPSILON: f64 = 1e-9;
+
+/// The largest distance from a line or a plane, relative to the extent of the mesh, of points that are on it for a cleanup
+/// without a tolerance. Files have numbers of 32 bits.
+pub(crate) const FLAT_EPSILON: f64 = 1e-6;
+
+/// The angle below which directions are equal for a cleanup without a tolerance, for the same reason.
+pub(crate) const FLAT_ANGLE_EPSILON: f64 = 1e-4;
+
+/// Texture coordinates that differ by at most this, relative to their size and to 1, are equal for a cleanup.
+pub(crate) const TEXTURE_EPSILON: f64 = 1e-6;

@@ -1,5 +1,6 @@
-//! Attributes as fields of the generated struct.
+//! Attributes as fields of the generated struct, and their values in a run.
 
+use super::lazy::Lazy;
 use crate::value::Value;
 use crate::value::array::Array;
 use crate::value::text::Text;
@@ -19,6 +20,30 @@ pub trait Field: Sized {
         }
     }
 }
+
+/// An attribute that a run has evaluated. Used by generated code.
+pub trait Evaluated {
+    /// The value; `None` if the run has no use for it.
+    fn value(&self) -> Option<Value>;
+}
+
+impl<T: Evaluated> Evaluated for Lazy<T> {
+    fn value(&self) -> Option<Value> {
+        self.found()?.value()
+    }
+}
+
+macro_rules! evaluated {
+    ($($ty:ty)*) => {$(
+        impl Evaluated for $ty {
+            fn value(&self) -> Option<Value> {
+                Some(self.clone().into())
+            }
+        }
+    )*};
+}
+
+evaluated! { f64 bool Text Array<f64> Array<bool> Array<Text> }
 
 macro_rules! fields {
     ($($field:ty => $variant:ident,)*) => {$(

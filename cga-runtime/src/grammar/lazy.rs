@@ -28,6 +28,11 @@ impl<T> Lazy<T> {
         Lazy { value: OnceCell::from(value), ..Lazy::default() }
     }
 
+    /// The value, if it is known.
+    pub(super) fn found(&self) -> Option<&T> {
+        self.value.get()
+    }
+
     /// The value from the host program, if it gave one.
     pub fn given(value: Option<T>) -> Self {
         value.map_or_else(Lazy::default, Lazy::known)

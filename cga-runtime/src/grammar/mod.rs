@@ -2,13 +2,15 @@
 
 pub mod attribute;
 mod field;
+#[cfg(feature = "serde")]
+mod json;
 pub(crate) mod lazy;
 pub mod parallel;
 pub mod session;
 pub(crate) mod support;
 mod unrunnable;
 
-pub use field::Field;
+pub use field::{Evaluated, Field};
 pub use unrunnable::Unrunnable;
 
 use self::attribute::{Attribute, AttributeError};
@@ -49,6 +51,22 @@ pub trait Grammar {
     /// Sets an attribute by its index, unchecked. A value of another type changes nothing. [`set`](Grammar::set) sets
     /// by name.
     fn attribute_set(&mut self, index: usize, value: Value);
+
+    /// Sets the attribute with an index to its default. A default that is computed is computed for each initial shape
+    /// again. An index out of range changes nothing. [`reset`](Grammar::reset) resets by name.
+    fn attribute_reset(&mut self, index: usize);
+
+    /// A copy with the same values.
+    fn boxed(&self) -> Box<dyn Grammar + Send + Sync>;
+
+    /// The names and values of the attributes that a run on a shape uses, in the order of
+    /// [`attributes`](Grammar::attributes): those that were set, and defaults that are computed for this shape from its
+    /// geometry and its seed. Attributes that the style of the start rule does not have are left out. No rule runs.
+    ///
+    /// # Errors
+    /// The errors of a run before its first rule: [`Error::Attribute`], [`Error::StartRule`], [`Error::Shape`],
+    /// [`Error::Cycle`], and limits of functions.
+    fn used_values(&self, shape: &Shape, settings: &Settings) -> Result<Vec<(&'static str, Value)>, Error>;
 
     /// Runs the grammar and hands the leaves to a sink.
     ///
@@ -99,6 +117,41 @@ pub trait Grammar {
         self.set(name, value)
     }
 
+    /// Sets an attribute by its name to its default.
+    ///
+    /// # Errors
+    /// The attribute does not exist.
+    fn reset(&mut self, name: &str) -> Result<(), AttributeError> {
+        let (index, _) = attribute::find(self.attributes(), name)?;
+        self.attribute_reset(index);
+        Ok(())
+    }
+
+    /// The values of all attributes as a JSON object, by name; null where the default is computed for each initial shape.
+    /// [`Value`] describes how arrays and NaN are written.
+    #[cfg(feature = "serde")]
+    fn values_json(&self) -> String {
+        json::values(self)
+    }
+
+    /// Sets attributes from a JSON object with values by name; null sets the default. Other attributes stay as they are.
+    /// After an error, all stay as they are.
+    ///
+    /// # Errors
+    /// The text is not a JSON object, or one of the errors of [`set`](Grammar::set). A list of choices may be in the same
+    /// object as the choice.
+    #[cfg(feature = "serde")]
+    fn set_values_json(&mut self, json: &str) -> Result<(), AttributeError> {
+        json::set_values(self, json)
+    }
+
+    /// The attributes as a JSON list, for user interfaces in other languages: the fields of [`Attribute`] with `type`,
+    /// `value`, and with `allowed`, the values to choose from.
+    #[cfg(feature = "serde")]
+    fn attributes_json(&self) -> String {
+        json::attributes(self)
+    }
+
     /// Runs the default start rule with default settings.
     ///
     /// # Errors
@@ -117,6 +170,18 @@ pub trait Grammar {
         Ok(model.with_report(report).with_assets(settings.assets.clone()))
     }
 }
+
+macro_rules! clones {
+    ($($grammar:ty),*) => {$(
+        impl Clone for Box<$grammar> {
+            fn clone(&self) -> Self {
+                (**self).boxed()
+            }
+        }
+    )*};
+}
+
+clones! { dyn Grammar, dyn Grammar + Send, dyn Grammar + Sync, dyn Grammar + Send + Sync }
 
 #[cfg(test)]
 mod tests;

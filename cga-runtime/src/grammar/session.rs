@@ -16,6 +16,7 @@ use crate::run::rules::Rules;
 use crate::run::settings::Settings;
 use crate::run::sink::Sink;
 use crate::shape::Shape;
+use crate::value::Value;
 
 /// Several runs of one grammar with the same settings. Made by `grammar.session(&settings)`.
 pub struct Session<'g, G: Rules> {
@@ -148,6 +149,22 @@ pub fn run<G: Rules, S: Sink + ?Sized>(
 /// See [`Error`].
 pub fn generate<G: Rules>(grammar: &G, shape: &Shape, settings: &Settings) -> Result<Model, Error> {
     once(grammar, settings)?.generate(shape)
+}
+
+/// The names and values of the attributes of a run on a shape, without running rules. Used by generated code.
+///
+/// # Errors
+/// See [`Grammar::used_values`].
+pub fn used_values<G: Rules + Grammar>(
+    grammar: &G,
+    shape: &Shape,
+    settings: &Settings,
+) -> Result<Vec<(&'static str, Value)>, Error> {
+    let setup = Setup::new(grammar, Cow::Borrowed(settings))?;
+    shape.check_initial()?;
+    let values = derive::used_values(grammar, setup.start, shape, settings)?;
+    let pairs = grammar.attributes().iter().zip(values);
+    Ok(pairs.filter_map(|(attribute, value)| Some((attribute.name, value?))).collect())
 }
 
 /// A session for one run.

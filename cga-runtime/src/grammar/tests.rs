@@ -6,6 +6,7 @@ use crate::value::array::Array;
 use crate::value::text::Text;
 
 /// A hand-written equivalent of the code that `cga!` generates.
+#[derive(Clone)]
 struct Tower {
     height: f64,
     lit: bool,
@@ -90,6 +91,21 @@ impl Grammar for Tower {
             8 => Field::set(&mut self.its_use, value),
             _ => {}
         }
+    }
+
+    fn attribute_reset(&mut self, index: usize) {
+        if let Some(value) = Tower::new().attribute_get(index) {
+            self.attribute_set(index, value);
+        }
+    }
+
+    fn boxed(&self) -> Box<dyn Grammar + Send + Sync> {
+        Box::new(self.clone())
+    }
+
+    fn used_values(&self, _: &Shape, _: &Settings) -> Result<Vec<(&'static str, Value)>, Error> {
+        let values = self.attributes().iter().enumerate();
+        Ok(values.filter_map(|(index, attribute)| Some((attribute.name, self.attribute_get(index)?))).collect())
     }
 
     fn derive(&self, _: &Shape, _: &Settings, _: &mut dyn Sink) -> Result<Report, Error> {

@@ -7,6 +7,7 @@ use crate::run::rules::Rules;
 use crate::run::sink::Flow;
 use crate::run::start_rule::StartRule;
 use crate::shape::{Shape, ShapeRef};
+use crate::value::Value;
 
 /// Marks a grammar whose rules have errors. Its sessions and parallel runs compile, so rustc reports the errors in
 /// the rules only. It never runs, as its program never builds.
@@ -28,6 +29,8 @@ impl<T: Unrunnable> Rules for T {
     }
 
     fn values(&self, _: &mut Env, _: &Shape, _: u32) -> Self::Values {}
+
+    fn used((): &Self::Values, _: u32, _: &mut dyn FnMut(Option<Value>)) {}
 
     fn start(_: &Self::Values, _: &mut Cx<'_, Self::Call>, _: u32, _: &ShapeRef<'_>) -> Flow {
         Flow::Break(())

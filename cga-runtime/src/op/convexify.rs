@@ -31,13 +31,17 @@ fn cut(env: &mut Env, shape: &mut Shape, longest: f64) {
     if !matches!(shape.geometry, Geometry::Mesh(_)) {
         return;
     }
-    let made = convexify_mesh(&shape.to_mesh(), longest);
+    let mesh = shape.to_mesh();
+    let made = convexify_mesh(&mesh, longest);
     let refused: Vec<(usize, ())> = made.refused.iter().map(|face| (*face, ())).collect();
     report_refused(env, "convexify", &refused, &[((), "touches or crosses itself")]);
-    if let Some(mesh) = made.mesh
-        && env.count_vertices(&mesh).is_continue()
+    if let Some((mut made, origins)) = made.made
+        && env.count_vertices(&made).is_continue()
     {
-        shape.put_mesh(mesh);
+        if !mesh.trace.is_empty() {
+            made.trace = env.cut_trace(&mesh.trace, &origins);
+        }
+        shape.put_mesh(made);
     }
 }
 

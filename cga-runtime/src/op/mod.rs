@@ -8,6 +8,7 @@ mod align_box;
 mod align_geometry;
 mod along_uv;
 mod boolean;
+mod cleanup;
 mod convexify;
 mod coordinates;
 mod delete_holes;
@@ -23,15 +24,19 @@ mod insert;
 mod joined;
 mod material;
 mod mirror;
+mod normals;
 mod offset;
 mod perimeter;
 mod pivot;
 mod primitive;
 mod recompose;
+mod rectify;
+mod reduce;
 mod refit;
 mod refused;
 mod report;
 mod reset_geometry;
+mod reshaped;
 mod roof;
 mod scatter;
 #[cfg(test)]
@@ -60,6 +65,7 @@ pub use align_geometry::{
 };
 pub use along_uv::{insert_along_uv, insert_along_uv_with};
 pub use boolean::{SwapMode, intersect, intersect_current, subtract, subtract_current, union, union_current};
+pub use cleanup::{CleanupComponents, cleanup_geometry};
 pub use convexify::{convexify, convexify_within};
 pub use coordinates::{System, TransformMode, rotate_in, translate_in};
 pub use delete_holes::delete_holes;
@@ -77,6 +83,7 @@ pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
 pub(crate) use material::image;
 pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, opacity, reset_material, set_material, texture};
 pub use mirror::{mirror, reverse_normals};
+pub use normals::{NormalsMode, set_normals, soften_normals};
 pub use offset::offset;
 pub use perimeter::{perimeter, perimeter_of};
 pub use pivot::{AxisMap, mirror_scope, set_pivot};
@@ -85,6 +92,8 @@ pub use primitive::{
     sphere, sphere_sides, sphere_sized,
 };
 pub use recompose::modify;
+pub use rectify::rectify;
+pub use reduce::reduce_geometry;
 pub use report::{label, print, report};
 pub use reset_geometry::reset_geometry;
 pub use roof::{

@@ -23,10 +23,12 @@ pub(super) fn recompose(env: &mut Env, shape: &mut Shape, mut leaves: Vec<Shape>
     let places = origins.settle();
     let outer = OuterTrace::of(env.recomposed_depth(), &origins, &leaves, &points);
     let mut parts: Vec<(Shape, Vec<u32>)> = leaves.into_iter().zip(points).collect();
-    let mut weld = Weld::default();
-    for (wire, points) in parts.iter().filter_map(|(leaf, points)| Some((tagged_wire(leaf)?, points))) {
-        weld.add_tags(&origins, &wire, points);
-    }
+    // Edges and vertices beside faces only have tags for them.
+    let tags: Vec<(Wire, Vec<u32>)> = parts
+        .iter()
+        .filter(|(leaf, _)| !leaf.trace().is_some_and(Trace::is_gone))
+        .filter_map(|(leaf, points)| Some((leaf.to_wire().filter(|wire| !wire.tags.is_empty())?, points.clone())))
+        .collect();
     retain_parts(&mut parts, |(leaf, _)| leaf);
     let (leaves, points): (Vec<Shape>, Vec<Vec<u32>>) = parts.into_iter().unzip();
     let Some((first, others)) = leaves.split_first() else {
@@ -43,6 +45,8 @@ pub(super) fn recompose(env: &mut Env, shape: &mut Shape, mut leaves: Vec<Shape>
         shape.set_wire(wire);
         return;
     }
+    let mut weld = Weld::default();
+    tags.iter().for_each(|(wire, points)| weld.add_tags(&origins, wire, points));
     for (mesh, points) in part_meshes(shape, &leaves).zip(points) {
         let before = weld.corner_count();
         weld.add(&origins, mesh, &points);
@@ -57,12 +61,6 @@ pub(super) fn recompose(env: &mut Env, shape: &mut Shape, mut leaves: Vec<Shape>
     } else {
         shape.set_mesh(mesh);
     }
-}
-
-/// The wire of a leaf without faces that has tags. Its edges and vertices are parts of the whole, as in `modify(e)`.
-fn tagged_wire(leaf: &Shape) -> Option<Wire> {
-    let is_left = !leaf.trace().is_some_and(Trace::is_gone) && !leaf.geometry.has_surface();
-    leaf.to_wire().filter(|wire| is_left && !wire.tags.is_empty())
 }
 
 /// The wire of a leaf, with normals in the coordinates of a shape.

@@ -13,6 +13,7 @@ use crate::run::sink::{Flow, Sink};
 use crate::run::template::Templates;
 use crate::shape::Shape;
 use crate::shape::look_id::LookIds;
+use crate::value::Value;
 
 /// The start rule of a run: its number, its style and its name.
 #[derive(Clone, Copy, Debug)]
@@ -100,6 +101,23 @@ pub(crate) fn run<R: Rules>(
         prints: prints.in_order(),
     };
     RunOutcome { report, error: env.error.take() }
+}
+
+/// The values of the attributes of a run on a shape that was checked, without running rules.
+pub(crate) fn used_values<R: Rules>(
+    rules: &R,
+    Start { style, name, .. }: Start,
+    shape: &Shape,
+    settings: &Settings,
+) -> Result<Vec<Option<Value>>, Error> {
+    let mut env = Env::new(settings, R::NAMES, shape, name);
+    let values = rules.values(&mut env, shape, style);
+    if let Some(error) = env.error.take() {
+        return Err(error);
+    }
+    let mut list = Vec::new();
+    R::used(&values, style, &mut |value| list.push(value));
+    Ok(list)
 }
 
 /// Writes lines to standard output. A closed output does not end the run.

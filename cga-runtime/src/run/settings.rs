@@ -8,6 +8,8 @@ use crate::run::watch::Watch;
 /// Limits of one run. A run that reaches a limit ends with [`Error::Limit`](crate::fault::Error::Limit), unless
 /// the limit's description differs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Limits {
     /// Derived shapes, leaves included.
     pub shapes: u64,
@@ -46,22 +48,28 @@ impl Default for Limits {
     }
 }
 
-/// The settings of a run.
+/// The settings of a run. With the feature `serde`, start rule, limits and echo are data; assets and the watch belong to
+/// the program.
 #[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Settings {
     /// The rule to start with; `None` for the grammar's own start rule.
     pub start: Option<String>,
     /// The limits of the run.
     pub limits: Limits,
     /// The assets that `i(…)` may insert.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub assets: Arc<Assets>,
     /// True to also write printed lines to standard output when the run ends, with or without an error. They have the
     /// order of [`Report::prints`](crate::run::report::Report::prints).
     pub echo: bool,
     /// Follows the progress of runs and can end them early.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub watch: Option<Watch>,
     /// The derivation of parts that repeat; tests compare the variants.
     #[doc(hidden)]
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub repeats: Repeats,
 }
 

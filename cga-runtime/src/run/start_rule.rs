@@ -2,6 +2,7 @@
 
 /// A rule that a run can start with. Generated code makes these rules; programs read them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct StartRule {
     /// The name, `Style$Rule` in a style other than `Default`, as

@@ -61,12 +61,21 @@ impl Shape {
         Shape::with(scope, Geometry::Vertex)
     }
 
-    /// A footprint on the ground, with holes. Corners are (x, z) in metres, and the first edge is the front. Outlines
-    /// may have either winding; the footprint faces up.
+    /// A footprint on the ground, with holes. Corners are (x, z) in metres, as arrays, pairs or
+    /// [`DVec2`](glam::DVec2), and the first edge is the front. Outlines may have either winding; the footprint faces up.
     ///
     /// # Errors
     /// [`Error::Shape`] if the outline is not a polygon: too few corners, no area, numbers that are not finite.
-    pub fn footprint(outline: &[[f64; 2]], holes: &[Vec<[f64; 2]>]) -> Result<Self, Error> {
+    pub fn footprint<P: Copy + Into<[f64; 2]>>(outline: &[P], holes: &[Vec<P>]) -> Result<Self, Error> {
+        fn corners<P: Copy + Into<[f64; 2]>>(ring: &[P]) -> Vec<[f64; 2]> {
+            ring.iter().map(|&corner| corner.into()).collect()
+        }
+        let holes: Vec<Vec<[f64; 2]>> = holes.iter().map(|hole| corners(hole)).collect();
+        Shape::footprint_of(&corners(outline), &holes)
+    }
+
+    /// [`Shape::footprint`], compiled once.
+    fn footprint_of(outline: &[[f64; 2]], holes: &[Vec<[f64; 2]>]) -> Result<Self, Error> {
         let on_ground = |ring: &[[f64; 2]]| ring.iter().map(|p| DVec3::new(p[0], 0.0, p[1])).collect::<Vec<_>>();
         let mut outer = on_ground(outline);
         // Seen from above, with x to the right and z towards the viewer, the area of a counter-clockwise outline is

@@ -8,6 +8,8 @@ pub(crate) mod base;
 pub(crate) mod bases;
 pub(crate) mod direction;
 pub(crate) mod edge_attributes;
+#[cfg(feature = "geo-types")]
+mod geo;
 mod initial;
 pub(crate) mod look;
 pub(crate) mod look_id;

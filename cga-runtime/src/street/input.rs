@@ -14,14 +14,19 @@ pub struct Centerline {
 }
 
 impl Centerline {
-    /// A line on the ground: points as (x, z) in metres. The roadway is 8 m wide, the sidewalks 2 m each.
-    pub fn new(points: &[[f64; 2]]) -> Self {
-        Centerline::with_heights(&points.iter().map(|&[x, z]| [x, 0.0, z]).collect::<Vec<_>>())
+    /// A line on the ground: points as (x, z) in metres, as arrays, pairs or [`DVec2`](glam::DVec2). The roadway is 8 m
+    /// wide, the sidewalks 2 m each.
+    pub fn new<P: Copy + Into<[f64; 2]>>(points: &[P]) -> Self {
+        let on_ground = |&point: &P| {
+            let [x, z] = point.into();
+            [x, 0.0, z]
+        };
+        Centerline::with_heights(&points.iter().map(on_ground).collect::<Vec<_>>())
     }
 
     /// A line in space: points as (x, y, z) in metres, y up. The widths are those of [`Centerline::new`].
-    pub fn with_heights(points: &[[f64; 3]]) -> Self {
-        Centerline { points: points.to_vec(), roadway: 8.0, sidewalks: [2.0; 2] }
+    pub fn with_heights<P: Copy + Into<[f64; 3]>>(points: &[P]) -> Self {
+        Centerline { points: points.iter().map(|&point| point.into()).collect(), roadway: 8.0, sidewalks: [2.0; 2] }
     }
 
     /// The same line with a roadway of another width in metres.

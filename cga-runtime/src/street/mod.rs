@@ -35,6 +35,8 @@ mod cell;
 mod chain;
 mod conflict;
 mod error;
+#[cfg(feature = "geo-types")]
+mod geo;
 mod graph;
 mod grid;
 mod input;

@@ -4,6 +4,8 @@ pub mod array;
 pub(crate) mod compare;
 pub(crate) mod number;
 pub(crate) mod pattern;
+#[cfg(feature = "serde")]
+mod serde;
 pub mod text;
 
 use std::fmt;
@@ -46,6 +48,20 @@ pub enum ValueType {
     Bools,
     /// An array of texts.
     Texts,
+}
+
+impl ValueType {
+    /// The name of the type for machines, in CGA's words: `float`, `bool`, `string`, `float[]`, `bool[]` or `string[]`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            ValueType::Float => "float",
+            ValueType::Bool => "bool",
+            ValueType::Text => "string",
+            ValueType::Floats => "float[]",
+            ValueType::Bools => "bool[]",
+            ValueType::Texts => "string[]",
+        }
+    }
 }
 
 impl Value {

@@ -1,12 +1,14 @@
 //! *resetGeometry operation* and the operations that change the mesh of a shape, on shapes like those of the pictures.
 
-use cga::Shape;
+use cga::mesh::FaceTag;
+use cga::{MeshBuilder, Shape};
 
 use super::example::{Example, example};
 use super::setback;
 
 /// In the order of the pages.
-pub(crate) const ALL: &[Example] = &[convexify::EXAMPLE, reset_setbacks::EXAMPLE];
+pub(crate) const ALL: &[Example] =
+    &[convexify::EXAMPLE, reset_setbacks::EXAMPLE, rectify::EXAMPLE, terrain::EXAMPLE, terrain_reduced::EXAMPLE];
 
 /// The lots of the picture of *convexify operation*, as read from it. A metre is 28 of its pixels.
 fn concave_lots() -> Shape {
@@ -86,5 +88,73 @@ CreateFloor(sumGFA, iFloor) -->
         case sumGFA > maxGFA : 0.1 else : 1) 
     t(0, iFloor*floorHeight, 0)
     extrude(floorHeight)
+"##
+}
+
+/// The lot of the picture of *rectify operation*, as read from it.
+fn slanted_lot() -> Shape {
+    let outline = [
+        [7.0, 8.1],
+        [2.9, 8.5],
+        [2.4, 16.3],
+        [10.5, 15.9],
+        [11.0, 20.4],
+        [19.3, 20.7],
+        [19.7, 12.8],
+        [23.5, 12.4],
+        [24.0, 3.4],
+        [7.0, 4.1],
+    ];
+    let mut builder = MeshBuilder::new();
+    let points = outline.map(|[x, z]| builder.point([x, 0.0, z]));
+    builder.face(&points, &[], FaceTag::PLAIN);
+    Shape::mesh_axis_aligned(builder.build().expect("a lot"))
+}
+
+/// Hills of squares; the picture of *reduceGeometry operation* has four times as many.
+fn hills() -> Shape {
+    const COUNT: u32 = 64;
+    let mut builder = MeshBuilder::new();
+    // Triangle waves of several lengths.
+    let wave = |x: f64, length: f64| 2.0 * (2.0 * (x / length - (x / length + 0.5).floor())).abs() - 1.0;
+    let height = |x: f64, z: f64| 9.0 * wave(x + 0.3 * z, 57.0) * wave(z, 43.0) + wave(x - z, 23.0);
+    let places = (0..COUNT).flat_map(|x| (0..COUNT).map(move |z| [f64::from(x), f64::from(z)]));
+    let points: Vec<u32> = places.map(|[x, z]| builder.point([x, height(x, z), -z])).collect();
+    let at = |x: u32, z: u32| points[(x * COUNT + z) as usize];
+    for (x, z) in (0..COUNT - 1).flat_map(|x| (0..COUNT - 1).map(move |z| (x, z))) {
+        builder.face(&[at(x, z), at(x + 1, z), at(x + 1, z + 1), at(x, z + 1)], &[], FaceTag::PLAIN);
+    }
+    Shape::mesh_axis_aligned(builder.build().expect("hills"))
+}
+
+example! {
+    /// The initial and the rectified shape.
+    rectify, "rectify operation, Examples", slanted_lot(),
+    r##"@Range(min=0,max=45)
+attr angle = 15
+@StartRule
+Lot -->
+	ShowOrig
+	ShowRect
+ShowOrig -->
+	color(1, 0, 0)
+ShowRect -->
+	t(0, 0, '-1.1)
+	rectify(angle)
+	color(0, 1, 0)
+"##; marks &[Mark::FromAbove]
+}
+
+example! {
+    /// "Left: the original."
+    terrain, "reduceGeometry operation, the original", hills(),
+    r##"Terrain --> Terrain.
+"##
+}
+
+example! {
+    /// "Right: after reduceGeometry(0.8)."
+    terrain_reduced, "reduceGeometry operation, reduced", hills(),
+    r##"Terrain --> reduceGeometry(0.8) Terrain.
 "##
 }

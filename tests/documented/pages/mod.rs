@@ -2,6 +2,7 @@
 
 pub(crate) mod boolean;
 pub(crate) mod boolean_table;
+pub(crate) mod cleanup;
 pub(crate) mod comp;
 pub(crate) mod components;
 pub(crate) mod cutting;
@@ -9,6 +10,7 @@ pub(crate) mod example;
 pub(crate) mod mass;
 pub(crate) mod mesh_operations;
 pub(crate) mod meshes;
+pub(crate) mod normals;
 pub(crate) mod primitives;
 pub(crate) mod recompose;
 pub(crate) mod roofs;

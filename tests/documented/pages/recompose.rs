@@ -33,7 +33,7 @@ fn plank() -> Shape {
 }
 
 example! {
-    /// The edges between the parts stay, because `cleanupGeometry` does not run yet.
+    /// The edges between the parts stay until a cleanup, as in `cleanup::f_shape`.
     parts, "Shape recomposition, Connectivity tracking", Shape::rectangle(20.0, 40.0),
     r#"Init -->
  inline(recompose) split(x) { 10: X.

@@ -212,6 +212,8 @@ macro_rules! propagation {
     };
 }
 
+pub(crate) use propagation;
+
 propagation! {
     /// Two quads, one subtracted from the other.
     corner, "Geometry tagging, the set-up of propagation", quarter_cut_out(), []

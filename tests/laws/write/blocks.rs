@@ -47,10 +47,11 @@ impl Writer {
         if self.chance(30) {
             self.watch(here);
         }
-        match self.random.below(20) {
+        match self.random.below(24) {
             0..6 if 0 < here.depth => self.split(here),
             6..12 if 0 < here.depth => self.comp(here),
             12 if 0 < here.depth => self.areas(here),
+            17 if 0 < here.depth => self.setback(here),
             13 | 14 if 0 < here.depth => {
                 self.line(here, "[");
                 self.body(here.deeper());
@@ -59,6 +60,15 @@ impl Writer {
                 self.call(here);
             }
             15 => self.line(here, "NIL"),
+            17 if 0 < here.depth => self.division(here, &mut Self::body),
+            18 if 0 < here.depth => self.points(here, &mut Self::body),
+            19 if 0 < here.depth => {
+                self.inlined(here, &mut Self::body);
+                // A rule that divides the sum where the parts were divided cuts through points, up to rounding.
+                self.line(here, "rotateScope(0, 17.31, 7.31)");
+                self.steps(here);
+                self.call(here);
+            }
             16 => {
                 self.call(here);
                 self.steps(here);
@@ -132,6 +142,26 @@ impl Writer {
         }
         let star = if self.chance(40) { "}*" } else { "}" };
         self.line(here, star);
+    }
+
+    fn setback(&mut self, here: Here) {
+        let head = self.fill(&["setback($N)", "setback(0.2317)", "setback(c * 0.5)", "shapeL(0.1731, 0.4117)"]);
+        self.line(here, &format!("{head} {{"));
+        let arms: &[&str] = match head.starts_with("shape") {
+            true => &["shape", "remainder"],
+            false => &["$W", "isTagged(\"$J\")", "remainder"],
+        };
+        for (number, selector) in arms.iter().enumerate() {
+            let bar = if number == 0 { " " } else { "|" };
+            let selector = self.fill(&[*selector]);
+            let joined = *self.random.pick(&[":", "="]);
+            self.line(here, &format!("{bar} {selector} {joined}"));
+            if self.chance(40) {
+                self.watch(here.deeper());
+            }
+            self.body(here.deeper());
+        }
+        self.line(here, "}");
     }
 
     fn comp(&mut self, here: Here) {

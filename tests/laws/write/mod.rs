@@ -4,6 +4,7 @@
 //! Text is written from templates: `$` and a letter is a value of that kind, drawn by [`Writer::value`].
 
 mod blocks;
+mod masses;
 mod prologue;
 mod repeats;
 mod steps;

@@ -18,7 +18,8 @@ form(n) = "form " + n + ";area;" + geometry.area + ";volume;" + geometry.volume 
     ";azimuth;" + turn(geometry.angle(azimuth)) + ";zenith;" + geometry.angle(zenith) +
     ";concave;" + geometry.isConcave + ";closed;" + geometry.isClosedSurface +
     ";rectangular;" + geometry.isRectangular(1) + ";planar;" + geometry.isPlanar(1) +
-    ";groups;" + str(geometry.groups) + ";materials;" + str(geometry.materials)
+    ";groups;" + str(geometry.groups) + ";materials;" + str(geometry.materials) +
+    ";tags;" + str(geometry.tags("*", faces)) + str(geometry.tags("*", edges)) + str(geometry.tags("*", vertices))
 sides(n) = "sides " + n + ";areas;" + geometry.area(front) + ";" + geometry.area(side) + ";" + geometry.area(top) +
     ";" + geometry.area(object.front) + ";" + geometry.area(object.side) + ";" + geometry.area(world.up) +
     ";" + geometry.area(world.south) + ";" + geometry.area(street.front) +
@@ -34,7 +35,9 @@ parts(n) = "parts " + n + ";faces;" + list(comp(f) { all : scope.sx }) + list(co
     ";face vertices;" + list(comp(fv) { all : convert(z, scope, world, pos, 0, 0, 0) }) +
     ";words;" + str(comp(f) { front = comp.sel + comp.index | left = "l" + comp.total | top = "t" | side = "s" }) +
     str(comp(fe) { front : "f" | back = "b" + comp.index | border : "r" | inside = "i" + comp.total }) +
-    str(comp(f) { isTagged("extrude.top") : "t" | isTagged("extrude.side") : "s" | isTagged("extrude") : "b" })
+    str(comp(f) { isTagged("extrude.top") : "t" | isTagged("extrude.side") : "s" | isTagged("extrude") : "b" }) +
+    str(comp(fe) { isTagged("mark.x") : "x" | isTagged("setback") : "k" | isTagged("mark", v) : "m" }) +
+    str(comp(v) { isTagged("mark.x") : "x" | isTagged("mark") : "m" })
 list(values) = numbers(values, 0)
 numbers(values, i) = case i < size(values) : ";" + values[i] + numbers(values, i + 1) else : ";"
 places(n) = "places " + n + ";world;" + at(convert(scope, world, pos, [1, 2, 3])) +

@@ -2,6 +2,7 @@
 //!
 //! Rules print and report little, so that most parts are derived from templates.
 
+use super::masses::MASSES;
 use super::{Here, Writer};
 
 /// The rules, from a façade down to its smallest parts.
@@ -86,7 +87,6 @@ const OPEN: &[&str] = &[
     "s('1, crate::host::wave(scope.sx), '1)",
     "t(0, 0, crate::host::wave(seedian) * 0.1)",
     "offset(-0.05)",
-    "roofHip(30)",
     "projectUV(0)",
     "label(\"here\")",
     "color(1 / (split.index - split.index), 0, 0)",
@@ -164,7 +164,8 @@ impl Writer {
     }
 
     fn open(&mut self, here: Here) {
-        let step = self.fill(OPEN).replace("MARK", &self.mark.to_string());
+        let list = if self.chance(20) { MASSES } else { OPEN };
+        let step = self.fill(list).replace("MARK", &self.mark.to_string());
         self.mark += 1;
         self.line(here, &step);
     }
@@ -186,7 +187,7 @@ impl Writer {
             }
         }
         let is_high = here.rule < 4;
-        let drawn = self.random.below(24);
+        let drawn = self.random.below(28);
         match if here.rule < 3 && here.depth == 2 && self.chance(60) { 0 } else { drawn } {
             0..11 if 0 < here.depth && is_high => {
                 let axis = match (here.rule, self.random.below(10)) {
@@ -229,6 +230,13 @@ impl Writer {
             16 => {
                 let arm = self.target(here);
                 self.line(here, &format!("[ t(0, 0, '0.1) {arm} ]"));
+                let arm = self.target(here);
+                self.line(here, &arm);
+            }
+            18 | 19 if 0 < here.depth => self.division(here, &mut |writer, here| writer.part(here, is_open)),
+            20 if 0 < here.depth => self.points(here, &mut |writer, here| writer.part(here, is_open)),
+            21 if 0 < here.depth => {
+                self.inlined(here, &mut |writer, here| writer.part(here, is_open));
                 let arm = self.target(here);
                 self.line(here, &arm);
             }

@@ -1,5 +1,6 @@
 //! Steps that change the current shape, and the values in them.
 
+use super::masses::MASSES;
 use super::{Here, Writer};
 
 /// Operations. Those that make boxes and rectangles, or ask much of them, come more often.
@@ -61,6 +62,10 @@ const STEPS: &[&str] = &[
     "color(\"#ff8000\")",
     "color(0.2, c, 0.7)",
     "set(material.name, \"m\" + split.index)",
+    "tag(\"mark.$X\", $m)",
+    "tag(\"mark.$X\", $m)",
+    "deleteTags(\"$J\")",
+    "deleteTags(\"$J\", $z)",
 ];
 
 /// Reports.
@@ -83,7 +88,7 @@ impl Writer {
                 self.texture(here);
                 continue;
             }
-            let step = self.fill(STEPS);
+            let step = if self.chance(12) { self.fill(MASSES) } else { self.fill(STEPS) };
             self.line(here, &step);
         }
     }
@@ -141,6 +146,10 @@ impl Writer {
             "P" => &["xy", "yx", "xz", "zx", "yz", "zy"],
             "H" => &["all", "inside", "border"],
             "O" => &["-0.1731", "0.2317", "-c", "-0.0417", "1.119", "0"],
+            // Distances of setbacks and overhangs.
+            "M" => &["0.0713", "0.2317", "0.5171", "c", "1.237"],
+            // Angles of roofs and slopes.
+            "Z" => &["30", "45", "17.31", "61.7", "80"],
             // Directions of components.
             "F" => &[
                 "front",
@@ -181,7 +190,22 @@ impl Writer {
             // Directions that `geometry.isOriented` knows.
             "W" => &["front", "back", "left", "right", "top", "side", "object.front", "world.up", "street.front"],
             // Tags.
-            "J" => &["extrude.*", "extrude.top", "extrude.bottom", "extrude.side", "extrude", "*.outer"],
+            "J" if self.chance(40) => &["mark", "mark.x", "mark.?", "*.z", "setback.front", "setback"],
+            "J" => &[
+                "extrude.*",
+                "extrude.top",
+                "extrude.bottom",
+                "extrude.side",
+                "extrude",
+                "*.outer",
+                "roof.top",
+                "roof.side",
+                "envelope.side",
+                "taper.*",
+            ],
+            // Components with tags.
+            "m" => &["auto", "faces", "edges", "vertices"],
+            "z" => &["all", "faces", "edges", "vertices"],
             other => unreachable!("no values of kind {other}"),
         };
         (*self.random.pick(list)).to_owned()

@@ -4,12 +4,12 @@ use cga::cga;
 
 cga! {
     pub grammar Later;
-    Lot --> extrude(12) cleanupGeometry(all, 0.1) Tower.
+    Lot --> extrude(12) print(getGeoCoord(lat)) Tower.
 }
 
 cga! {
     pub grammar LaterText = "
-        Lot --> extrude(12) cleanupGeometry(all, 0.1) Tower.";
+        Lot --> extrude(12) print(getGeoCoord(lat)) Tower.";
 }
 
 cga! {

@@ -1,10 +1,10 @@
 //! Geometry manipulation, tags, inlined rules and boolean operations.
 
 use super::super::{
-    Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Str, TAG_QUERY, Uses, boolean, bounds, float, or,
-    text, within, word, words,
+    Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Str, TAG_QUERY, Uses, UvEffect, boolean, bounds,
+    float, or, text, within, word,
 };
-use super::{block, joins, keeps, later, old, op, reads_tags, recomposes, tagging, using, with};
+use super::{block, joins, keeps, old, op, reads_tags, recomposes, tagging, using, uvs, with};
 
 /// *cleanupGeometry* and *reduceGeometry operation*.
 static TOLERANCES: ParamBounds = bounds(Allowed::Between(0.0, 1.0), "it is from 0 to 1");
@@ -18,9 +18,12 @@ static CUT_LENGTHS: ParamBounds =
 
 const TOLERANCE: Param = within(float("tolerance"), &TOLERANCES);
 
-const CLEANUP: Param = words("components", &["vertices", "edges", "faces", "all"]);
+const CLEANUP: Param = word("components", "CleanupComponents", &["vertices", "edges", "faces", "all"]);
 
-const NORMALS: Param = words("normalsMode", &["hard", "conform", "soft", "auto"]);
+/// *softenNormals operation*.
+static SMOOTH_ANGLES: ParamBounds = bounds(Allowed::Between(0.0, 180.0), "it is from 0 to 180 degrees");
+
+const NORMALS: Param = word("normalsMode", "NormalsMode", &["hard", "conform", "soft", "auto"]);
 
 const TAGGED: Param =
     or(word("components", "TagTarget", &["auto", "faces", "edges", "vertices"]), Default::Word("auto"));
@@ -72,7 +75,10 @@ const fn tags(row: Operation) -> Operation {
 }
 
 pub(super) static ROWS: &[Operation] = &[
-    reads_tags(later("cleanupGeometry", &[CLEANUP, TOLERANCE], "merges parts that are nearly the same")),
+    reads_tags(uvs(
+        UvEffect::Keeps,
+        op("cleanupGeometry", "cleanup_geometry", &[CLEANUP, TOLERANCE], "merges parts that are nearly the same"),
+    )),
     with(Effect::KeepsSize, op("convexify", "convexify", &[], "cuts concave faces into convex ones")),
     with(
         Effect::KeepsSize,
@@ -85,8 +91,16 @@ pub(super) static ROWS: &[Operation] = &[
     ),
     with(Effect::KeepsSize, op("deleteHoles", "delete_holes", &[], "fills the holes of faces")),
     with(Effect::KeepsSize, op("reverseNormals", "reverse_normals", &[], "turns every face over")),
-    later("setNormals", &[NORMALS], "sets the normals of vertices"),
-    later("softenNormals", &[float("angle")], "smooths edges flatter than an angle"),
+    with(Effect::KeepsSize, op("setNormals", "set_normals", &[NORMALS], "sets the normals of vertices")),
+    with(
+        Effect::KeepsSize,
+        op(
+            "softenNormals",
+            "soften_normals",
+            &[within(float("angle"), &SMOOTH_ANGLES)],
+            "smooths edges flatter than an angle",
+        ),
+    ),
     with(
         Effect::KeepsSize,
         op(
@@ -96,8 +110,24 @@ pub(super) static ROWS: &[Operation] = &[
             "mirrors the geometry inside its scope",
         ),
     ),
-    later("rectify", &[within(float("angle"), &DEVIATIONS)], "turns edges that nearly follow the scope's axes to them"),
-    later("reduceGeometry", &[TOLERANCE], "removes vertices and changes the form as little as it can"),
+    uvs(
+        UvEffect::Keeps,
+        op(
+            "rectify",
+            "rectify",
+            &[within(float("angle"), &DEVIATIONS)],
+            "turns edges that nearly follow the scope's axes to them",
+        ),
+    ),
+    uvs(
+        UvEffect::Keeps,
+        op(
+            "reduceGeometry",
+            "reduce_geometry",
+            &[TOLERANCE],
+            "removes vertices and changes the form as little as it can",
+        ),
+    ),
     using(INITIAL, op("resetGeometry", "reset_geometry", &[], "takes the geometry of the initial shape again")),
     with(Effect::KeepsSize, op("trim", "trim", &[], "cuts the geometry at the trim planes")),
     tags(op("tag", "tag", &[TAG_NAME, TAGGED], "gives components a tag")),

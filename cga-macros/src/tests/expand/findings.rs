@@ -40,6 +40,24 @@ const _: () = {
             ::core::option::Option::None
         }
         fn attribute_set(&mut self, _: ::core::primitive::usize, _: cga_rt::Value) {}
+        fn attribute_reset(&mut self, _: ::core::primitive::usize) {}
+        fn boxed(
+            &self,
+        ) -> cga_rt::Box<
+            dyn cga_rt::Grammar + ::core::marker::Send + ::core::marker::Sync,
+        > {
+            cga_rt::Box::new(::core::clone::Clone::clone(self))
+        }
+        fn used_values(
+            &self,
+            _: &cga_rt::Shape,
+            _: &cga_rt::Settings,
+        ) -> ::core::result::Result<
+            cga_rt::Vec<(&'static ::core::primitive::str, cga_rt::Value)>,
+            cga_rt::Error,
+        > {
+            ::core::unreachable!("the rules have errors")
+        }
         fn start_rules(&self) -> &'static [cga_rt::StartRule] {
             &[]
         }

@@ -36,6 +36,15 @@ impl cga_rt::Rules for Tower {
         };
         g
     }
+    fn used(
+        g: &CgaValues,
+        style: ::core::primitive::u32,
+        each: &mut dyn ::core::ops::FnMut(::core::option::Option<cga_rt::Value>),
+    ) {
+        each(cga_rt::Evaluated::value(&g.attr_0));
+        each(cga_rt::Evaluated::value(&g.attr_1));
+        each(cga_rt::Evaluated::value(&g.attr_2));
+    }
     fn start(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,

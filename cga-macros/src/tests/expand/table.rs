@@ -74,6 +74,30 @@ impl cga_rt::Grammar for Tower {
             _ => {}
         }
     }
+    fn attribute_reset(&mut self, index: ::core::primitive::usize) {
+        match index {
+            0 => self.share = 0.5f64,
+            1 => self.drawn = ::core::option::Option::None,
+            2 => self.wall = cga_rt::string("brick"),
+            3 => self.image = ::core::option::Option::None,
+            _ => {}
+        }
+    }
+    fn boxed(
+        &self,
+    ) -> cga_rt::Box<dyn cga_rt::Grammar + ::core::marker::Send + ::core::marker::Sync> {
+        cga_rt::Box::new(::core::clone::Clone::clone(self))
+    }
+    fn used_values(
+        &self,
+        shape: &cga_rt::Shape,
+        settings: &cga_rt::Settings,
+    ) -> ::core::result::Result<
+        cga_rt::Vec<(&'static ::core::primitive::str, cga_rt::Value)>,
+        cga_rt::Error,
+    > {
+        cga_rt::used_values(self, shape, settings)
+    }
     fn start_rules(&self) -> &'static [cga_rt::StartRule] {
         <Self as cga_rt::Rules>::STARTS
     }

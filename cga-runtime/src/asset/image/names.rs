@@ -5,12 +5,12 @@ use crate::asset::image::header::{self, ImageHeader, ImageKind, MOST_BYTES};
 use crate::asset::{AssetError, Assets, BUILTINS, File};
 
 impl Assets {
-    /// Returns true if an asset folder is set.
+    /// Returns true if an asset folder or source is set.
     pub(crate) fn has_folder(&self) -> bool {
-        self.root.is_some()
+        self.store.is_set()
     }
 
-    /// The header of the image that a material names. An error if no asset folder is set.
+    /// The header of the image that a material names. An error if no asset folder or source is set.
     pub(crate) fn image_header(&self, name: &str) -> Result<ImageHeader, AssetError> {
         if BUILTINS.contains(&name) {
             let side = builtin::SIDE as u32;
@@ -19,7 +19,7 @@ impl Assets {
         if name.starts_with("builtin:") {
             return Err(AssetError::Format("no built-in texture has this name"));
         }
-        if self.root.is_none() {
+        if !self.store.is_set() {
             return Err(AssetError::NoFolder);
         }
         if let Some(known) = self.read().headers.get(name) {

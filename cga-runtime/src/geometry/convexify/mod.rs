@@ -20,6 +20,7 @@ mod tests;
 use glam::DVec3;
 
 use crate::geometry::mesh::{FaceRef, Mesh};
+use crate::geometry::trace::PartPoint;
 use cutter::Cutter;
 use net::Net;
 use plane::Plane;
@@ -28,8 +29,8 @@ use touching::Relinked;
 
 /// The result of cutting all faces.
 pub(crate) struct Convexified {
-    /// `None` if no face was cut.
-    pub(crate) mesh: Option<Mesh>,
+    /// The mesh and the origins of its points; `None` if no face was cut.
+    pub(crate) made: Option<(Mesh, Vec<PartPoint>)>,
     /// The faces that stay concave because they cross or touch themselves.
     pub(crate) refused: Vec<usize>,
 }
@@ -40,7 +41,7 @@ pub(crate) struct Convexified {
 pub(crate) fn convexify(mesh: &Mesh, longest: f64) -> Convexified {
     let concave: Vec<usize> = (0..mesh.face_count()).filter(|&face| is_concave(&mesh.face(face))).collect();
     if concave.is_empty() || longest <= 0.0 {
-        return Convexified { mesh: None, refused: Vec::new() };
+        return Convexified { made: None, refused: Vec::new() };
     }
     let mut net = Net::of(mesh);
     let mut refused = Vec::new();
@@ -55,11 +56,16 @@ pub(crate) fn convexify(mesh: &Mesh, longest: f64) -> Convexified {
         }));
     }
     let is_cut = parts.iter().any(|parts| 1 < parts.len());
-    Convexified { mesh: is_cut.then(|| assembled(mesh, &net, &concave, &parts)), refused }
+    let made = is_cut.then(|| {
+        let (mut made, origins) = assembled(mesh, &net, &concave, &parts);
+        made.carry_tags(mesh, |point| origins[point as usize]);
+        (made, origins)
+    });
+    Convexified { made, refused }
 }
 
-/// The mesh with the parts of its concave faces.
-fn assembled(mesh: &Mesh, net: &Net, concave: &[usize], parts: &[Vec<Part>]) -> Mesh {
+/// The mesh with the parts of its concave faces, and the origins of its points.
+fn assembled(mesh: &Mesh, net: &Net, concave: &[usize], parts: &[Vec<Part>]) -> (Mesh, Vec<PartPoint>) {
     let mut made = mesh.alike(net.corner_count());
     let mut add = |heads: &[u32], tag| {
         for &head in heads {
@@ -78,15 +84,13 @@ fn assembled(mesh: &Mesh, net: &Net, concave: &[usize], parts: &[Vec<Part>]) -> 
             None => add(&face.loop_ranges().map(|ring| ring.start as u32).collect::<Vec<_>>(), face.tag()),
         }
     }
-    let mut used = Vec::new();
-    if !mesh.subcomponent_tags.is_empty() {
-        used.clone_from(&made.corners);
-        used.sort_unstable();
-        used.dedup();
-    }
-    made.take_points(&net.pool);
-    made.carry_tags(mesh, |point| net.origin(used[point as usize]));
-    made
+    made.points = net.pool.points.clone();
+    let mut used = made.corners.clone();
+    made.drop_unused();
+    used.sort_unstable();
+    used.dedup();
+    let origins = used.iter().map(|&point| net.origin(point)).collect();
+    (made, origins)
 }
 
 /// Returns true for a face with an area that has holes or is not convex, where corners that are straight except for rounding

@@ -15,7 +15,8 @@ pub(super) struct Net {
     mates: Vec<u32>,
     /// True for the sides of cuts.
     cuts: Vec<bool>,
-    /// The origins of the points that divisions have added, on edges of the mesh.
+    /// The number of points of the mesh, and the origins of the others.
+    old_points: usize,
     origins: Vec<PartPoint>,
     /// The divisions of edges of the mesh since the last mark: for each half-edge the corner behind it.
     divisions: Vec<Vec<[u32; 2]>>,
@@ -35,6 +36,7 @@ impl Net {
             before: (0..corners).map(|corner| adjacency.before(corner)).collect(),
             mates,
             cuts: vec![false; corners as usize],
+            old_points: mesh.points().len(),
             origins: Vec::new(),
             divisions: Vec::new(),
         }
@@ -81,13 +83,36 @@ impl Net {
         self.position(half).lerp(self.position(self.next(half)), share)
     }
 
+    /// The origin of a point in the mesh.
+    pub(super) fn origin(&self, point: u32) -> PartPoint {
+        match (point as usize).checked_sub(self.old_points) {
+            None => PartPoint::old(point),
+            Some(new) => self.origins[new],
+        }
+    }
+
+    /// The origin of a new point on a half-edge.
+    fn origin_along(&self, half: u32, share: f64) -> PartPoint {
+        if self.is_cut(half) {
+            return PartPoint::NEW;
+        }
+        let [from, to] = [half, self.next(half)].map(|corner| self.origin(self.point(corner)));
+        // The whole edge on which this part is.
+        let all = [from.ends, to.ends].concat();
+        let (Some(&low), Some(&high)) = (all.iter().min(), all.iter().max()) else { return PartPoint::NEW };
+        let place = |point: PartPoint| match point.ends {
+            [a, b] if a == b => f64::from(u8::from(a == high)),
+            [a, _] if a == low => point.share,
+            _ => 1.0 - point.share,
+        };
+        let (from, to) = (place(from), place(to));
+        PartPoint { ends: [low, high], share: from + (to - from) * share }
+    }
+
     /// Divides an edge in all loops that have it. Returns the new corner in the loop of `half`.
     pub(super) fn divide(&mut self, half: u32, share: f64) -> u32 {
         let start = self.point(half);
-        self.origins.push(match self.is_cut(half) {
-            true => PartPoint::NEW,
-            false => between([half, self.next(half)].map(|corner| self.origin(self.point(corner))), share),
-        });
+        self.origins.push(self.origin_along(half, share));
         let point = self.pool.add_point(self.along(half, share));
         let after = |&other: &u32| Some(self.mate(other)).filter(|&next| next != half);
         let all: Vec<u32> = std::iter::successors(Some(half), after).collect();
@@ -111,12 +136,6 @@ impl Net {
             self.divisions.push(division);
         }
         own
-    }
-
-    /// The origin of a point in the mesh.
-    pub(super) fn origin(&self, point: u32) -> PartPoint {
-        let old = self.pool.points.len() - self.origins.len();
-        (point as usize).checked_sub(old).map_or(PartPoint::old(point), |new| self.origins[new])
     }
 
     /// Forgets the divisions of edges, so that they stay.
@@ -232,17 +251,4 @@ fn link(mates: &mut [u32], circle: &[u32]) {
     for (k, &half) in circle.iter().enumerate() {
         mates[half as usize] = circle[(k + 1) % circle.len()];
     }
-}
-
-/// The origin of a point between two points of an edge of the mesh.
-fn between(ends: [PartPoint; 2], share: f64) -> PartPoint {
-    let is_inside = |point: &&PartPoint| point.ends[0] != point.ends[1];
-    let Some(known) = ends.iter().find(is_inside) else {
-        return PartPoint { ends: ends.map(|point| point.ends[0]), share };
-    };
-    let shares = ends.map(|point| match is_inside(&&point) {
-        true => point.share,
-        false => f64::from(u8::from(point.ends[0] == known.ends[1])),
-    });
-    PartPoint { ends: known.ends, share: shares[0] + (shares[1] - shares[0]) * share }
 }

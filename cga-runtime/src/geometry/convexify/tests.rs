@@ -1,8 +1,9 @@
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 
 use super::*;
-use crate::geometry::mesh::{Extrude, FaceTag, MeshBuilder, extrude};
+use crate::geometry::mesh::{Extrude, FaceTag, MeshBuilder, SubcomponentTagger, TagSet, extrude};
 use crate::geometry::random::Rng;
+use crate::value::text::Text;
 
 const ALL: f64 = f64::INFINITY;
 
@@ -18,7 +19,7 @@ fn polygon(outline: &[(f64, f64)], holes: &[&[(f64, f64)]]) -> Mesh {
 fn cut(mesh: &Mesh) -> Mesh {
     let made = convexify(mesh, ALL);
     assert!(made.refused.is_empty(), "{:?}", made.refused);
-    let made = made.mesh.unwrap_or_else(|| mesh.clone());
+    let made = made.made.map_or_else(|| mesh.clone(), |made| made.0);
     assert_eq!(made.check(), []);
     for face in made.faces() {
         assert!(
@@ -32,7 +33,7 @@ fn cut(mesh: &Mesh) -> Mesh {
     assert_eq!(made.is_closed(), mesh.is_closed());
     assert!((made.volume() - mesh.volume()).abs() <= 1e-12 * mesh.bounds().size().element_product().max(1.0));
     assert_eq!(&made.points()[..mesh.points().len()], mesh.points());
-    assert!(convexify(&made, ALL).mesh.is_none(), "convex faces stay as they are");
+    assert!(convexify(&made, ALL).made.is_none(), "convex faces stay as they are");
     made
 }
 
@@ -57,8 +58,8 @@ fn an_l_becomes_two_parts_by_its_shorter_cut() {
 #[test]
 fn only_cuts_shorter_than_the_limit_are_made() {
     let l = polygon(&L, &[]);
-    assert!(convexify(&l, 4.0).mesh.is_none() && convexify(&l, 5.0).mesh.is_none());
-    assert_eq!(areas(&convexify(&l, 6.0).mesh.unwrap()), [50.0, 25.0]);
+    assert!(convexify(&l, 4.0).made.is_none() && convexify(&l, 5.0).made.is_none());
+    assert_eq!(areas(&convexify(&l, 6.0).made.unwrap().0), [50.0, 25.0]);
     // A comb: its narrow prong is cut off, and the wide one stays.
     let comb = [
         (0.0, 0.0),
@@ -72,7 +73,7 @@ fn only_cuts_shorter_than_the_limit_are_made() {
         (1.0, 2.0),
         (0.0, 2.0),
     ];
-    let made = convexify(&polygon(&comb, &[]), 1.5).mesh.unwrap();
+    let made = convexify(&polygon(&comb, &[]), 1.5).made.unwrap().0;
     assert_eq!(areas(&made), [30.0, 3.0]);
     assert_eq!((made.check(), is_concave(&made.face(0))), (Vec::new(), true));
 }
@@ -100,8 +101,8 @@ fn holes_are_cut_through() {
     // Holes stay where the cuts through them would be too long. A cut that is short but divides nothing is not made.
     let holes = polygon(&square(0.0, 10.0), &[&square(3.0, 6.0)]);
     let near_the_rim = polygon(&square(0.0, 10.0), &[&square(1.0, 6.0)]);
-    assert!(convexify(&holes, 2.0).mesh.is_none());
-    let made = convexify(&near_the_rim, 1.5).mesh.unwrap();
+    assert!(convexify(&holes, 2.0).made.is_none());
+    let made = convexify(&near_the_rim, 1.5).made.unwrap().0;
     assert_eq!((made.check(), made.area()), (Vec::new(), 75.0));
     assert!(1 < made.face_count() && made.faces().any(|face| is_concave(&face)));
 }
@@ -137,12 +138,38 @@ fn values_at_new_corners_are_between_those_of_their_edges() {
 }
 
 #[test]
+fn parts_of_edges_keep_the_tags_of_the_edge() {
+    let tag = |name: &str| TagSet::new([Text::from(name)]);
+    let mut block = extrude(&polygon(&L, &[]), Extrude::FaceNormal, 3.0);
+    let mut tagger = SubcomponentTagger::default();
+    block.face_edges().for_each(|[a, b]| tagger.edge([a, b], &tag(&format!("edge.{}.{}", a.min(b), a.max(b)))));
+    (0..block.points().len() as u32).for_each(|point| tagger.vertex(point, &tag("vertex")));
+    block.subcomponent_tags = tagger.finish();
+    let made = cut(&block);
+    let old = block.points().len() as u32;
+    let on_line = |[a, b]: [u32; 2], p: u32| {
+        let [a, b, p] = [a, b, p].map(|point| made.points()[point as usize]);
+        (p - a).cross(b - a).length() < 1e-9 && 0.0 < (p - a).dot(b - p)
+    };
+    let mut parts = 0;
+    for [a, b] in made.face_edges() {
+        let whole = block
+            .face_edges()
+            .find(|&ends| [a, b].iter().all(|p| ends.contains(p) || (old <= *p && on_line(ends, *p))));
+        assert_eq!(made.edge_tags([a, b]), whole.and_then(|whole| block.edge_tags(whole)));
+        parts += usize::from(whole.is_some() && old <= a.max(b));
+    }
+    assert!(4 <= parts && (0..old).all(|point| made.vertex_tags(point).is_some()));
+    assert!((old..made.points().len() as u32).all(|point| made.vertex_tags(point).is_none()));
+}
+
+#[test]
 fn a_bent_face_keeps_its_bend() {
     let mut builder = MeshBuilder::new();
     let outline = L.map(|(x, y)| builder.point([x, y, 0.01 * x * y]));
     builder.face(&outline, &[], FaceTag::PLAIN);
     let bent = builder.build().unwrap();
-    let made = convexify(&bent, ALL).mesh.unwrap();
+    let made = convexify(&bent, ALL).made.unwrap().0;
     assert_eq!((made.face_count(), &made.points()[..6]), (2, bent.points()));
     // The new point is on its edge.
     let new = made.points()[6];
@@ -192,7 +219,7 @@ fn loops_that_touch_are_divided() {
     let face = builder.build().unwrap();
     let made = convexify(&face, ALL);
     assert!(made.refused.is_empty());
-    let made = made.mesh.unwrap();
+    let made = made.made.unwrap().0;
     assert!((made.area() - face.area()).abs() < 1e-12 && made.faces().all(|face| !is_concave(&face)));
 }
 
@@ -207,8 +234,8 @@ fn faces_that_cross_themselves_stay() {
         builder.face(&corners, &[], FaceTag::PLAIN);
         let mesh = builder.build().unwrap();
         let made = convexify(&mesh, ALL);
-        assert!(made.mesh.is_none() && made.refused == [0]);
-        assert!(convexify(&mesh, 0.1).mesh.is_none());
+        assert!(made.made.is_none() && made.refused == [0]);
+        assert!(convexify(&mesh, 0.1).made.is_none());
     }
 }
 
@@ -218,7 +245,7 @@ fn sizes_may_be_huge_or_tiny() {
         let mut builder = MeshBuilder::new();
         let l = L.map(|(x, y)| builder.point([x * size, y * size, 0.0]));
         builder.face(&l, &[], FaceTag::PLAIN);
-        let made = convexify(&builder.build().unwrap(), ALL).mesh.unwrap();
+        let made = convexify(&builder.build().unwrap(), ALL).made.unwrap().0;
         assert_eq!((made.face_count(), made.check().len()), (2, 0), "{size}");
     }
 }
@@ -240,7 +267,7 @@ fn a_face_that_is_refused_leaves_no_corners_in_its_neighbours() {
     let mesh = builder.build().unwrap();
     let made = convexify(&mesh, ALL);
     assert_eq!(made.refused, [0]);
-    let made = made.mesh.unwrap();
+    let made = made.made.unwrap().0;
     assert_eq!((made.face_count(), made.points().len()), (mesh.face_count() + 1, mesh.points().len() + 1));
     for face in 0..9 {
         assert_eq!(made.face(face).outer(), mesh.face(face).outer());
@@ -269,7 +296,7 @@ fn diagonals_divide_what_cuts_do_not() {
         let heads: Vec<u32> = face.face(0).loop_ranges().map(|ring| ring.start as u32).collect();
         let plane = Plane::of(DVec3::Z, face.points().iter().copied());
         let parts = triangles::divide(&mut net, &heads, &plane).unwrap();
-        let made = assembled(&face, &net, &[0], &[parts]);
+        let (made, _) = assembled(&face, &net, &[0], &[parts]);
         assert_eq!((made.check(), made.points()), (Vec::new(), face.points()));
         assert!((made.area() - face.area()).abs() < 1e-12 && made.faces().all(|face| !is_concave(&face)));
         // Every diagonal is needed: an end of it would be concave.
@@ -316,7 +343,7 @@ fn parts_keep_tags_groups_materials_and_values() {
     builder.edge_tags([points[0], points[5]], &set("e"));
     builder.vertex_tags(points[3], &set("v"));
     let mesh = builder.build().expect("a mesh");
-    let made = convexify(&mesh, ALL).mesh.expect("the L is cut");
+    let made = convexify(&mesh, ALL).made.expect("the L is cut").0;
     assert_eq!(made.face_count(), 3);
     // The parts of a bent face have other areas.
     assert!((made.area() - mesh.area()).abs() < 1.0 && made.points()[..8] == *mesh.points());

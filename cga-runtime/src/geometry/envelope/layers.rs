@@ -39,12 +39,9 @@ type Front = Vec<(u32, usize)>;
 /// The volume over a face. The faces have marks of their parts in place of tags.
 pub(super) fn stack(ground: &Ground<'_>) -> Result<Mesh, EnvelopeRefusal> {
     let plan = Plan::of(ground)?;
-    let (_, rings) = ground.flat.edges(false);
     let mut stack = Stack { points: plan.points.iter().map(|&p| (p, 0.0)).collect(), sides: BTreeMap::new() };
-    let mut corner = 0..;
-    let mut fronts: Vec<Front> = rings.iter().map(|ring| ring.iter().copied().zip(corner.by_ref()).collect()).collect();
-    let sloped = || (0..ground.outer).filter(|&corner| ground.slopes(corner));
-    let mut levels: Vec<f64> = sloped().map(|corner| ground.sides[corner].base).chain([0.0]).collect();
+    let mut fronts: Vec<Front> = vec![ground.flat.corners.iter().copied().zip(0..).collect()];
+    let mut levels: Vec<f64> = ground.slopes().map(|corner| ground.sides[corner].base).chain([0.0]).collect();
     levels.retain(|level| *level < plan.top);
     levels.sort_unstable_by(f64::total_cmp);
     levels.dedup();
@@ -60,12 +57,10 @@ pub(super) fn stack(ground: &Ground<'_>) -> Result<Mesh, EnvelopeRefusal> {
     for (point, &own) in mesh.points.iter_mut().zip(&ground.flat.points) {
         *point = ground.flat.face.mesh.points()[own as usize];
     }
-    for ring in &rings {
-        let mut ring = ring.clone();
-        flip(&mut ring);
-        mesh.corners.extend(ring);
-        mesh.end_loop();
-    }
+    let mut ring = ground.flat.corners.clone();
+    flip(&mut ring);
+    mesh.corners.extend(ring);
+    mesh.end_loop();
     mesh.end_face(FaceTag { tags: Part::Bottom.to_mark(), ..FaceTag::PLAIN });
     let tops: Vec<[u32; 2]> = fronts.iter().flat_map(sides_of).collect();
     let plain: Vec<DVec2> = stack.points.iter().map(|point| point.0).collect();
@@ -73,13 +68,13 @@ pub(super) fn stack(ground: &Ground<'_>) -> Result<Mesh, EnvelopeRefusal> {
     for (&part, sides) in &stack.sides {
         match part {
             Part::Slope(_) => add_faces(&mut mesh, sides, &plain, part)?,
-            Part::Base(corner) | Part::Inner(corner) => {
+            Part::Base(corner) => {
                 let ends = plan.ends[corner as usize].map(|end| plan.points[end as usize]);
                 let along = (ends[1] - ends[0]).normalize_or_zero();
                 let upright = |&(p, height): &(DVec2, f64)| DVec2::new(along.dot(p - ends[0]), height);
                 add_faces(&mut mesh, sides, &stack.points.iter().map(upright).collect::<Vec<_>>(), part)?;
             }
-            Part::Bottom | Part::Top => {}
+            Part::Bottom | Part::Top | Part::Inner(_) => {}
         }
     }
     mesh.drop_unused();
@@ -125,13 +120,10 @@ impl Plan {
         let rise = DVec2::from_array(axes.map(|axis| -axis.dot(flat.normal) / up.dot(flat.normal)));
         let is_level = rise.length() <= PLANAR_EPSILON;
         let rise = if is_level { DVec2::ZERO } else { rise };
-        let (_, rings) = flat.edges(false);
-        let ends = |ring: &Vec<u32>| -> Vec<[u32; 2]> {
-            (0..ring.len()).map(|k| [ring[k], ring[(k + 1) % ring.len()]]).collect()
-        };
-        let ends: Vec<[u32; 2]> = rings.iter().flat_map(ends).collect();
+        let ends: Vec<[u32; 2]> =
+            ground.corners().map(|corner| [corner, ground.next(corner)].map(|end| flat.corners[end])).collect();
         let mut ways = vec![0.0; ends.len()];
-        for corner in (0..ground.outer).filter(|&corner| ground.slopes(corner)) {
+        for corner in ground.slopes() {
             let [a, b] = ends[corner].map(|end| points[end as usize]);
             let inwards = (b - a).normalize_or_zero().perp();
             let slope = libm::tan(ground.sides[corner].angle.to_radians()) - rise.dot(inwards);
@@ -168,13 +160,9 @@ impl Stack {
         let rings: Vec<Vec<u32>> =
             fronts.iter().map(|front| front.iter().map(|edge| local(edge.0)).collect()).collect();
         let corners: Vec<usize> = fronts.iter().flatten().map(|edge| edge.1).collect();
-        let moves = |corner: usize| ground.slopes(corner) && ground.sides[corner].base <= low;
+        let moves = |corner: usize| !ground.sides[corner].is_upright() && ground.sides[corner].base <= low;
         let ways: Vec<f64> = corners.iter().map(|&c| if moves(c) { plan.ways[c] } else { 0.0 }).collect();
-        let part = |corner: usize| match corner {
-            _ if ground.outer <= corner => Part::Inner(corner as u32),
-            _ if moves(corner) => Part::Slope(corner as u32),
-            _ => Part::Base(corner as u32),
-        };
+        let part = |corner: usize| if moves(corner) { Part::Slope(corner as u32) } else { Part::Base(corner as u32) };
         let most = ways.iter().copied().fold(0.0, f64::max);
         if most == 0.0 {
             return Ok(self.upright(fronts, part, high));

@@ -4,17 +4,19 @@
 //! have upright sides. The volume is cut off level at its maximum height.
 //!
 //! If the whole outline is in front of each edge that has a slope, as in every convex outline, the volume is the prism over
-//! the face, cut by the planes of all slopes ([`planes`]). Otherwise slopes end at each other as the planes of a roof do: a
-//! wavefront from the outline has one speed for each edge, and starts again at each base height ([`layers`]). There a hole ends
-//! the slopes behind it, at the lines of its edges.
+//! the outline, cut by the planes of all slopes ([`planes`]). Otherwise slopes end at each other as the planes of a roof do: a
+//! wavefront from the outline has one speed for each edge, and starts again at each base height ([`layers`]). Holes are then
+//! taken away as upright shafts ([`shafts`]), so slopes go on behind them.
 //!
 //! Both ways work along the direction in which the volume is erected. The slope of an edge rises at its angle to the level
 //! plane across that direction, from a line that is parallel to the edge.
 
 mod layers;
 mod planes;
+mod shafts;
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
@@ -101,7 +103,7 @@ impl Part {
     }
 }
 
-/// A face, and the sides over its edges by corner, counted from the first one of the face.
+/// A face without holes, and the sides over its edges by corner, counted from the first one of the face.
 struct Ground<'a> {
     flat: FlatFace<'a>,
     sides: Vec<EnvelopeSide>,
@@ -109,8 +111,6 @@ struct Ground<'a> {
     up: DVec3,
     /// The height along `up` at which the volume ends.
     top: f64,
-    /// The number of corners of the outline.
-    outer: usize,
 }
 
 impl Ground<'_> {
@@ -118,17 +118,21 @@ impl Ground<'_> {
         self.flat.face.position(self.flat.face.corner_range().start + corner)
     }
 
-    /// The corner after a corner of the outline.
+    /// All corners.
+    fn corners(&self) -> Range<usize> {
+        0..self.flat.corners.len()
+    }
+
     fn next(&self, corner: usize) -> usize {
-        (corner + 1) % self.outer
+        (corner + 1) % self.flat.corners.len()
     }
 
-    /// True for sides with a slope that may cut the volume.
-    fn slopes(&self, corner: usize) -> bool {
-        corner < self.outer && !self.sides[corner].is_upright()
+    /// The corners whose sides have a slope that may cut the volume.
+    fn slopes(&self) -> impl Iterator<Item = usize> + Clone {
+        self.corners().filter(|&corner| !self.sides[corner].is_upright())
     }
 
-    /// The level direction from an edge of the outline inwards.
+    /// The level direction from an edge inwards.
     fn inwards(&self, corner: usize) -> DVec3 {
         unit(self.up.cross(self.at(self.next(corner)) - self.at(corner)))
     }
@@ -139,20 +143,20 @@ impl Ground<'_> {
         let (from, along) = (flat(corner), (flat(self.next(corner)) - flat(corner)).normalize_or_zero());
         let Extent { low, high } = Extent::of(self.flat.flat.iter().copied());
         let slack = PLANAR_EPSILON * (high - low).max_element();
-        (0..self.outer).all(|other| -slack <= along.perp_dot(flat(other) - from))
+        self.corners().all(|other| -slack <= along.perp_dot(flat(other) - from))
     }
+}
 
-    /// Returns true if loops cross.
-    fn is_tangled(&self) -> bool {
-        let flat = &self.flat.flat;
-        let (_, rings) = self.flat.edges(false);
-        let sides = |ring: &Vec<u32>| -> Vec<[DVec2; 2]> {
-            (0..ring.len()).map(|k| [flat[ring[k] as usize], flat[ring[(k + 1) % ring.len()] as usize]]).collect()
-        };
-        let Extent { low, high } = Extent::of(flat.iter().copied());
-        let slack = TOUCH_EPSILON * (high - low).max_element();
-        crate::geometry::skeleton::any_cross(rings.iter().flat_map(sides).collect(), slack)
-    }
+/// Returns true if loops of a face cross.
+fn is_tangled(face: &FlatFace<'_>) -> bool {
+    let flat = &face.flat;
+    let (_, rings) = face.edges(false);
+    let sides = |ring: &Vec<u32>| -> Vec<[DVec2; 2]> {
+        (0..ring.len()).map(|k| [flat[ring[k] as usize], flat[ring[(k + 1) % ring.len()] as usize]]).collect()
+    };
+    let Extent { low, high } = Extent::of(flat.iter().copied());
+    let slack = TOUCH_EPSILON * (high - low).max_element();
+    crate::geometry::skeleton::any_cross(rings.iter().flat_map(sides).collect(), slack)
 }
 
 /// Builds the envelope of each face. `sides` has a side for each corner of the mesh, for the edge that begins there. Without
@@ -187,7 +191,9 @@ pub(crate) fn envelopes(
             }),
             Err(why) => {
                 refused.push((face.index(), why));
-                add(&mut made, &face, &plain(&face), &mut tagger, |own| tags.same(own));
+                let rings: Vec<Vec<usize>> = face.loop_ranges().map(Iterator::collect).collect();
+                let kept = plain(&face, rings.iter().map(Vec::as_slice));
+                add(&mut made, &face, &kept, &mut tagger, |own| tags.same(own));
             }
         }
     }
@@ -212,18 +218,22 @@ fn envelope(
     }
     let heights = || face.corner_range().map(|corner| face.position(corner).dot(up));
     let (low, high) = heights().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), at| (l.min(at), h.max(at)));
-    let ground = Ground { flat, sides: sides.to_vec(), up, top: low + height, outer: face.outer().len() };
-    if !(ground.top > high && ground.top.is_finite()) {
+    let top = low + height;
+    if !(top > high && top.is_finite()) {
         return Err(EnvelopeRefusal::Empty);
     }
-    if ground.is_tangled() {
+    if is_tangled(&flat) {
         return Err(EnvelopeRefusal::Tangled);
     }
-    let slopes = (0..ground.outer).filter(|&corner| ground.slopes(corner));
-    let volume = match slopes.clone().all(|corner| ground.is_outermost(corner)) {
+    let rings: Vec<Vec<usize>> = face.loop_ranges().map(Iterator::collect).collect();
+    let filled = plain(face, [&rings[0][..]]);
+    let flat = FlatFace::of(&filled.face(0)).ok_or(EnvelopeRefusal::NoNormal)?;
+    let ground = Ground { flat, sides: sides[..rings[0].len()].to_vec(), up, top };
+    let volume = match ground.slopes().all(|corner| ground.is_outermost(corner)) {
         true => planes::cut(&ground)?,
         false => layers::stack(&ground)?,
     };
+    let volume = if rings.len() == 1 { volume } else { shafts::drilled(volume, &ground, face)? };
     Ok(begun_at_outline(&ground, &volume))
 }
 
@@ -243,21 +253,25 @@ fn begun_at_outline(ground: &Ground<'_>, volume: &Mesh) -> Mesh {
     made
 }
 
-/// The mesh with its caps marked as a part.
-fn capped(mesh: &Mesh, part: Part) -> Mesh {
+/// The mesh with other tags.
+fn marked(mesh: &Mesh, mark: impl Fn(FaceTag) -> FaceTag) -> Mesh {
     let mut made = mesh.clone();
-    let mark = |tag: FaceTag| if tag.cap { FaceTag { tags: part.to_mark(), ..FaceTag::PLAIN } } else { tag };
     made.tags = Tags::default();
     mesh.faces().for_each(|face| made.tags.push(mark(face.tag())));
     made
 }
 
-/// A mesh of one face without texture coordinates and normals.
-fn plain(face: &FaceRef<'_>) -> Mesh {
+/// The mesh with its caps marked as a part.
+fn capped(mesh: &Mesh, part: Part) -> Mesh {
+    marked(mesh, |tag| if tag.cap { FaceTag { tags: part.to_mark(), ..FaceTag::PLAIN } } else { tag })
+}
+
+/// A mesh of one face with loops of corners of a face, without texture coordinates and normals.
+fn plain<'c>(face: &FaceRef<'_>, rings: impl IntoIterator<Item = &'c [usize]>) -> Mesh {
     let mut mesh = Mesh::default();
-    let mut numbers = std::collections::BTreeMap::new();
-    for ring in face.loop_ranges() {
-        for corner in ring {
+    let mut numbers = BTreeMap::new();
+    for ring in rings {
+        for &corner in ring {
             let at = face.position(corner);
             let number = *numbers.entry(at.to_array().map(f64::to_bits)).or_insert_with(|| mesh.add_point(at));
             mesh.corners.push(number);

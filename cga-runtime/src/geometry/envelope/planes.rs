@@ -1,4 +1,4 @@
-//! The prism over a face, cut by the planes of slopes.
+//! The prism over an outline, cut by the planes of slopes.
 
 use std::sync::Arc;
 
@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::{EnvelopeRefusal, Ground, Part, capped};
 use crate::geometry::cut::{Plane, halves};
-use crate::geometry::mesh::{FaceTag, Mesh, flip};
+use crate::geometry::mesh::{FaceTag, FlatFace, Mesh, flip};
 
 /// Points closer to a plane, relative to the extent of the prism, are in it: planes meet in corners that earlier cuts have
 /// rounded.
@@ -14,9 +14,9 @@ const IN_PLANE: f64 = 1e-11;
 
 /// The volume below all planes. The faces have marks of their parts in place of tags.
 pub(super) fn cut(ground: &Ground<'_>) -> Result<Mesh, EnvelopeRefusal> {
-    let mut volume = Arc::new(prism(ground).known_closed(true));
+    let mut volume = Arc::new(prism(&ground.flat, ground.up, ground.top).known_closed(true));
     let tolerance = IN_PLANE * volume.bounds().size().max_element();
-    for corner in (0..ground.outer).filter(|&corner| ground.slopes(corner)) {
+    for corner in ground.slopes() {
         let side = ground.sides[corner];
         let (sin, cos) = libm::sincos(side.angle.to_radians());
         let inwards = ground.inwards(corner);
@@ -37,44 +37,34 @@ pub(super) fn cut(ground: &Ground<'_>) -> Result<Mesh, EnvelopeRefusal> {
 }
 
 impl Ground<'_> {
-    /// The normal of the slope at an edge of the outline, which looks up and outwards.
+    /// The normal of the slope at an edge, which looks up and outwards.
     fn slope_normal(&self, corner: usize, sin: f64, cos: f64) -> DVec3 {
         let along = self.at(self.next(corner)) - self.at(corner);
         along.cross(self.inwards(corner) * cos + self.up * sin).normalize_or_zero()
     }
 }
 
-/// The prism from the face to the top.
-fn prism(ground: &Ground<'_>) -> Mesh {
-    let flat = &ground.flat;
+/// The prism from a face without holes to a height along a direction.
+pub(super) fn prism(flat: &FlatFace<'_>, up: DVec3, top: f64) -> Mesh {
     let mut mesh = Mesh::default();
     let low: Vec<DVec3> = flat.points.iter().map(|&point| flat.face.mesh.points()[point as usize]).collect();
-    let high = low.iter().map(|p| *p + ground.up * (ground.top - p.dot(ground.up)));
+    let high = low.iter().map(|p| *p + up * (top - p.dot(up)));
     mesh.points = low.iter().copied().chain(high).collect();
     let count = low.len() as u32;
-    let (_, rings) = flat.edges(false);
-    let end_face = |mesh: &mut Mesh, part: Part| mesh.end_face(FaceTag { tags: part.to_mark(), ..FaceTag::PLAIN });
-    for part in [Part::Bottom, Part::Top] {
-        for ring in &rings {
-            let mut ring = ring.clone();
-            match part {
-                Part::Bottom => flip(&mut ring),
-                _ => ring.iter_mut().for_each(|point| *point += count),
-            }
-            mesh.corners.extend(ring);
-            mesh.end_loop();
-        }
-        end_face(&mut mesh, part);
-    }
-    let mut corner = 0;
-    for (number, ring) in rings.iter().enumerate() {
-        for k in 0..ring.len() {
-            let (a, b) = (ring[k], ring[(k + 1) % ring.len()]);
-            mesh.corners.extend([a, b, b + count, a + count]);
-            mesh.end_loop();
-            end_face(&mut mesh, if number == 0 { Part::Base(corner) } else { Part::Inner(corner) });
-            corner += 1;
-        }
+    let ring = &flat.corners;
+    let end_face = |mesh: &mut Mesh, part: Part| {
+        mesh.end_loop();
+        mesh.end_face(FaceTag { tags: part.to_mark(), ..FaceTag::PLAIN });
+    };
+    let mut bottom = ring.clone();
+    flip(&mut bottom);
+    mesh.corners.extend(bottom);
+    end_face(&mut mesh, Part::Bottom);
+    mesh.corners.extend(ring.iter().map(|point| point + count));
+    end_face(&mut mesh, Part::Top);
+    for (corner, (&a, &b)) in (0..).zip(ring.iter().zip(ring.iter().cycle().skip(1))) {
+        mesh.corners.extend([a, b, b + count, a + count]);
+        end_face(&mut mesh, Part::Base(corner));
     }
     mesh
 }

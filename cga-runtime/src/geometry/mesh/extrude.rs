@@ -10,7 +10,7 @@
 
 use glam::DVec3;
 
-use super::face::unit;
+use super::average_normal::AverageNormal;
 use super::map::flip;
 use super::pair_table::PairTable;
 use super::{Bounds, FaceTag, Mesh, PartTags, SubcomponentTagger};
@@ -104,23 +104,13 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
 /// For each point the average of the normals of the faces around it. Faces with the same normal count once, so that the
 /// result does not depend on how a plane is divided. Zero if the normals cancel.
 pub(crate) fn vertex_normals(mesh: &Mesh) -> Vec<DVec3> {
-    /// The number of directions at a point up to which equal directions are recognised.
-    const MOST_DIRECTIONS: usize = 64;
     let adjacency = mesh.adjacency();
     let face_normals: Vec<DVec3> = mesh.faces().map(|face| face.normal()).collect();
-    let mut directions: Vec<DVec3> = Vec::new();
+    let mut average = AverageNormal::default();
     let at_point = |point: usize| {
-        directions.clear();
-        for face in adjacency.faces_around(point) {
-            let normal = face_normals[face as usize];
-            let known = |other: &DVec3| (*other - normal).length() <= COPLANAR_EPSILON;
-            if MOST_DIRECTIONS <= directions.len() || !directions.iter().any(known) {
-                directions.push(normal);
-            }
-        }
-        let sum: DVec3 = directions.iter().sum();
-        // The sum of normals that cancel is a rounding error.
-        if sum.length() <= COPLANAR_EPSILON { DVec3::ZERO } else { unit(sum) }
+        average.clear();
+        adjacency.faces_around(point).for_each(|face| average.add(face_normals[face as usize]));
+        average.unit()
     };
     (0..mesh.points.len()).map(at_point).collect()
 }

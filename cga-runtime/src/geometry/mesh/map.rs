@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::face::unit;
-use super::{FaceTag, Mesh};
+use super::{Derived, FaceTag, Mesh};
 
 /// The map of normals that matches the winding: it maps `a × b` to `(m·a) × (m·b)`, also if `m` mirrors. Unlike the
 /// inverse it exists for flat maps too.
@@ -39,12 +39,15 @@ impl Mesh {
 
     /// The mesh with every face reversed. The first edge stays: its two corners are swapped and come first again.
     pub fn reversed(&self) -> Mesh {
-        let mut mesh = self.clone();
-        mesh.derived.adjacency = OnceLock::new();
-        let mut start = 0;
-        for &end in &self.loop_ends {
-            let ring = start..end as usize;
-            start = end as usize;
+        Mesh { derived: Derived { adjacency: OnceLock::new(), ..self.derived.clone() }, ..self.turned(|_| true) }
+    }
+
+    /// The mesh with some faces reversed in that way.
+    pub(crate) fn turned(&self, is_turned: impl Fn(usize) -> bool) -> Mesh {
+        let bounds = self.derived.bounds.clone();
+        let mut mesh = Mesh { derived: Derived { bounds, ..Derived::default() }, ..self.clone() };
+        let rings = self.faces().filter(|face| is_turned(face.index())).flat_map(|face| face.loop_ranges());
+        for ring in rings {
             flip(&mut mesh.corners[ring.clone()]);
             mesh.uvs.change(ring.clone(), flip);
             if !mesh.normals.is_empty() {

@@ -13,6 +13,7 @@
 mod adjacency;
 mod along_uv;
 mod assemble;
+mod average_normal;
 mod build;
 pub mod check;
 mod convex;
@@ -35,6 +36,7 @@ pub(crate) mod pair_table;
 mod part_tags;
 mod polygon;
 pub mod primitive;
+mod soften;
 pub(crate) mod solid;
 mod spread;
 mod subcomponent_tags;

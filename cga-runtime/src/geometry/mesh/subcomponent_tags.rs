@@ -68,16 +68,24 @@ impl SubcomponentTags {
         self.vertex_set(point).map(|set| &self.sets()[set as usize])
     }
 
+    /// The tagged edges with the numbers of their sets, in the order of their points.
+    pub(crate) fn edge_sets(&self) -> impl ExactSizeIterator<Item = ([u32; 2], u32)> + Clone {
+        self.0.as_ref().map_or(&[][..], |lists| &lists.edges).iter().copied()
+    }
+
+    /// The tagged vertices with the numbers of their sets, in the order of their points.
+    pub(crate) fn vertex_sets(&self) -> impl ExactSizeIterator<Item = (u32, u32)> + Clone {
+        self.0.as_ref().map_or(&[][..], |lists| &lists.vertices).iter().copied()
+    }
+
     /// The tagged edges, in the order of their points.
     pub(crate) fn edges(&self) -> impl ExactSizeIterator<Item = ([u32; 2], &TagSet)> + Clone {
-        let list = self.0.as_ref().map_or(&[][..], |lists| &lists.edges);
-        list.iter().map(|(ends, set)| (*ends, &self.sets()[*set as usize]))
+        self.edge_sets().map(|(ends, set)| (ends, &self.sets()[set as usize]))
     }
 
     /// The tagged vertices, in the order of their points.
     pub(crate) fn vertices(&self) -> impl ExactSizeIterator<Item = (u32, &TagSet)> + Clone {
-        let list = self.0.as_ref().map_or(&[][..], |lists| &lists.vertices);
-        list.iter().map(|(point, set)| (*point, &self.sets()[*set as usize]))
+        self.vertex_sets().map(|(point, set)| (point, &self.sets()[set as usize]))
     }
 
     /// The tags of a part whose points have origins in the mesh with these tags. The part has the given edges, each at

@@ -87,25 +87,28 @@ impl Weld {
         self.meshes.push(refined);
     }
 
-    /// Adds the tags of a part without faces. `points` are the numbers of its points.
-    pub(crate) fn add_tags(&mut self, origins: &Origins, wire: &Wire, points: &[u32]) {
-        for (ends, set) in wire.tags.edges() {
-            self.tag_all_along(origins, ends.map(|end| points[end as usize]), set);
-        }
-        wire.tags.vertices().for_each(|(point, set)| self.tagger.vertex(points[point as usize], set));
-    }
-
-    /// Adds the tags of the edge between two corners.
+    /// Adds the tags of the edge between two corners, all along the edge.
     fn tag_edge(&mut self, origins: &Origins, mesh: &Mesh, corners: [usize; 2], ends: [u32; 2]) {
-        let Some(set) = mesh.edge_tags(corners.map(|corner| mesh.corners[corner])) else { return };
-        self.tag_all_along(origins, ends, set);
+        if let Some(set) = mesh.edge_tags(corners.map(|corner| mesh.corners[corner])) {
+            self.tag_along(origins, ends, set);
+        }
     }
 
-    /// Adds tags to all parts of an edge.
-    fn tag_all_along(&mut self, origins: &Origins, ends: [u32; 2], set: &TagSet) {
+    fn tag_along(&mut self, origins: &Origins, ends: [u32; 2], set: &TagSet) {
         let mut last = ends[0];
         origins.between(ends, |point, _| self.tagger.edge([std::mem::replace(&mut last, point), point], set));
         self.tagger.edge([last, ends[1]], set);
+    }
+
+    /// Adds the tags of a part without faces, whose edges and points faces have, too. `points` are the numbers of its points.
+    pub(crate) fn add_tags(&mut self, origins: &Origins, part: &Wire, points: &[u32]) {
+        let number = |point: u32| points.get(point as usize).copied().unwrap_or(UNTRACED);
+        for (ends, set) in part.tags.edges().map(|(ends, set)| (ends.map(number), set)) {
+            if !ends.contains(&UNTRACED) {
+                self.tag_along(origins, ends, set);
+            }
+        }
+        part.tags.vertices().for_each(|(point, set)| self.tagger.vertex(number(point), set));
     }
 
     /// The number of corners so far.

@@ -40,6 +40,12 @@ pub enum AttributeError {
         /// The text.
         text: String,
     },
+    /// The values of all attributes are not a JSON object.
+    #[cfg(feature = "serde")]
+    Json {
+        /// The problem, with its line and column.
+        message: String,
+    },
     /// The value, or an element of it, is outside of its restricted range.
     Range {
         /// The name of the attribute.
@@ -89,6 +95,8 @@ impl fmt::Display for AttributeError {
             AttributeError::Text { name, wanted, text } => {
                 write!(f, "attribute `{name}` is {wanted}, and `{text}` is not")
             }
+            #[cfg(feature = "serde")]
+            AttributeError::Json { message } => write!(f, "the values are not a JSON object: {message}"),
             AttributeError::Range { name, .. } | AttributeError::Choice { name, .. } => {
                 write!(f, "attribute `{name}`: {}", self.reason())
             }

@@ -1,10 +1,9 @@
 //! The values that an attribute may have.
 
-use super::{Attribute, AttributeDefault, AttributeError};
+use super::{Attribute, AttributeError};
 use crate::fault::Error;
 use crate::grammar::Grammar;
 use crate::value::Value;
-use crate::value::array::{Array, Element};
 use crate::value::text::Text;
 
 /// The range of `@Range(min, max)`, for the slider of a user interface (*annotations*).
@@ -90,19 +89,7 @@ impl Attribute {
     /// Returns true if the value is the attribute's default. Old files have defaults that their annotations refuse.
     /// Setting such a default is not an error.
     fn is_default(&self, value: &Value) -> bool {
-        fn array<T, U: Element>(rows: &[&[T]], element: impl Fn(&T) -> U) -> Array<U> {
-            let elements: Vec<U> = rows.iter().copied().flatten().map(element).collect();
-            Array::new(elements, rows.len(), rows.first().map_or(0, |row| row.len()))
-        }
-        let default = match self.default {
-            AttributeDefault::Float(number) => number.map(Value::Float),
-            AttributeDefault::Bool(truth) => truth.map(Value::Bool),
-            AttributeDefault::Text(text) => text.map(|text| Value::Text(Text::fixed(text))),
-            AttributeDefault::Floats(rows) => rows.map(|rows| Value::Floats(array(rows, f64::clone))),
-            AttributeDefault::Bools(rows) => rows.map(|rows| Value::Bools(array(rows, bool::clone))),
-            AttributeDefault::Texts(rows) => rows.map(|rows| Value::Texts(array(rows, |text| Text::fixed(text)))),
-        };
-        default.as_ref() == Some(value)
+        self.default.value().as_ref() == Some(value)
     }
 
     /// Checks whether the host program may set the attribute to a value. Choices may depend on other attributes of

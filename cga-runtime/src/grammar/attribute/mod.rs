@@ -2,12 +2,15 @@
 
 mod error;
 mod limits;
+#[cfg(feature = "serde")]
+mod serde;
 
 pub use error::AttributeError;
 pub use limits::{ChoiceValues, Choices, Range, check};
 
-use crate::value::ValueType;
-use crate::value::text::shortened;
+use crate::value::array::{Array, Element};
+use crate::value::text::{Text, shortened};
+use crate::value::{Value, ValueType};
 use cga_split::suggest::nearest;
 
 /// An attribute of a grammar. Generated code makes attributes; programs read them.
@@ -77,6 +80,41 @@ pub enum AttributeKind {
     Directory,
     /// `@MaterialFile`.
     MaterialFile,
+}
+
+impl AttributeKind {
+    /// The name of the kind for machines, which never changes: `plain`, `angle`, `percent`, `distance`, `color`, `file`,
+    /// `directory` or `material_file`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            AttributeKind::Plain => "plain",
+            AttributeKind::Angle => "angle",
+            AttributeKind::Percent => "percent",
+            AttributeKind::Distance => "distance",
+            AttributeKind::Color => "color",
+            AttributeKind::File(_) => "file",
+            AttributeKind::Directory => "directory",
+            AttributeKind::MaterialFile => "material_file",
+        }
+    }
+}
+
+impl AttributeDefault {
+    /// The default as a value; `None` if it is computed for each initial shape.
+    pub fn value(&self) -> Option<Value> {
+        fn array<T, U: Element>(rows: &[&[T]], element: impl Fn(&T) -> U) -> Array<U> {
+            let elements: Vec<U> = rows.iter().copied().flatten().map(element).collect();
+            Array::new(elements, rows.len(), rows.first().map_or(0, |row| row.len()))
+        }
+        match *self {
+            AttributeDefault::Float(number) => number.map(Value::Float),
+            AttributeDefault::Bool(truth) => truth.map(Value::Bool),
+            AttributeDefault::Text(text) => text.map(|text| Value::Text(Text::fixed(text))),
+            AttributeDefault::Floats(rows) => rows.map(|rows| Value::Floats(array(rows, f64::clone))),
+            AttributeDefault::Bools(rows) => rows.map(|rows| Value::Bools(array(rows, bool::clone))),
+            AttributeDefault::Texts(rows) => rows.map(|rows| Value::Texts(array(rows, |text| Text::fixed(text)))),
+        }
+    }
 }
 
 impl Attribute {

@@ -6,6 +6,8 @@ mod print;
 mod quota;
 mod report_table;
 mod run;
+#[cfg(feature = "serde")]
+mod serde;
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;

@@ -7,6 +7,7 @@ use crate::value::Value;
 
 /// One printed value. `to_string` is the line as the language prints it.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Print {
     /// The rule that printed it; empty for attributes and constants, which are evaluated before any rule runs.

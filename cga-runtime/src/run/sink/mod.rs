@@ -16,7 +16,6 @@ use self::corners::PlacedBox;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::uv_map::{self, SetMap, UvMap};
 use crate::material::Material;
-use crate::shape::axes::Axes;
 use crate::shape::base::Form;
 use crate::shape::look_id::LookId;
 use crate::shape::place;
@@ -24,6 +23,7 @@ use crate::shape::scope::Scope;
 use crate::shape::{Shape, ShapeRef};
 
 pub use crate::run::template::{PartId, Replay};
+pub use crate::shape::axes::Axes;
 pub use crate::shape::place::{Cuboid, Quad};
 pub(crate) use leaf_tables::LeafTables;
 

@@ -1,0 +1,168 @@
+//! Cleaned meshes (*cleanupGeometry operation*).
+//!
+//! Each step takes a mesh and returns one whose corners have points of the original mesh; unused points are dropped at the end.
+//! All steps but the removal of small faces keep the sum of all directed edges: an edge vanishes together with its counterpart.
+//! So a closed mesh stays closed, and small faces are removed from open parts alone.
+
+mod components;
+mod doubles;
+mod flat_edges;
+mod merge;
+mod regions;
+mod slits;
+mod slivers;
+mod small_faces;
+mod straight;
+mod values;
+
+#[cfg(test)]
+mod tests;
+
+use doubles::FlatParts;
+use glam::DVec3;
+
+use crate::geometry::mesh::Mesh;
+use crate::geometry::tol::{FLAT_ANGLE_EPSILON, FLAT_EPSILON, MERGE_EPSILON};
+
+/// The parts of a mesh to clean up. Near points are merged in any case.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Parts {
+    /// Remove points between edges that form a straight line.
+    pub(crate) vertices: bool,
+    /// Remove edges between faces in one plane.
+    pub(crate) edges: bool,
+    /// Remove doubled and small faces.
+    pub(crate) faces: bool,
+}
+
+/// The limits for a tolerance, in a mesh that is scaled to a size of about 1.
+struct Limits {
+    /// The distance of points that are merged.
+    merge: f64,
+    /// The distance of points from a line or a plane.
+    flat: f64,
+    /// The difference between two unit vectors with the largest angle that counts as straight or flat.
+    turn: f64,
+    /// The area of faces that are removed.
+    area: f64,
+}
+
+impl Limits {
+    /// The limits of a tolerance from 0 to 1: metres, 10 degrees, and square metres (*cleanupGeometry operation*).
+    fn of(tolerance: f64, scale: f64) -> Self {
+        const MOST_DEGREES: f64 = 10.0;
+        /// Larger than the distance of any two points.
+        const ALL: f64 = 4.0;
+        let distance = (tolerance * scale).min(ALL);
+        let angle = (tolerance * MOST_DEGREES).to_radians().max(FLAT_ANGLE_EPSILON);
+        Limits {
+            merge: distance.max(MERGE_EPSILON),
+            flat: distance.max(FLAT_EPSILON),
+            turn: 2.0 * libm::sin(angle * 0.5),
+            area: (tolerance * scale * scale).max(FLAT_EPSILON * FLAT_EPSILON),
+        }
+    }
+
+    /// Returns true if two unit vectors have about the same direction.
+    fn are_parallel(&self, a: DVec3, b: DVec3) -> bool {
+        (a - b).length() <= self.turn
+    }
+}
+
+/// Cleans up a mesh with a tolerance from 0 to 1. `None` if nothing changes. The mesh may be empty.
+pub(crate) fn cleanup(mesh: &Mesh, parts: Parts, tolerance: f64) -> Option<Mesh> {
+    if mesh.is_empty() {
+        return None;
+    }
+    let bounds = mesh.bounds();
+    let scale = bounds.scale_to_one();
+    let limits = Limits::of(tolerance, scale);
+    let from = bounds.low * scale;
+    let mut draft =
+        Draft { mesh: mesh.with_points(mesh.points().iter().map(|&p| p * scale - from).collect()), steps: 0 };
+    // Flat parts that are closed lose one of their sides, but not those that only the tolerance makes flat.
+    draft.merge(MERGE_EPSILON, parts.faces.then_some(FlatParts::Open));
+    if MERGE_EPSILON < limits.merge {
+        draft.merge(limits.merge, parts.faces.then_some(FlatParts::StayClosed));
+    }
+    if parts.faces {
+        draft.step(|mesh| slivers::without_slivers(mesh, &limits));
+    }
+    if parts.edges {
+        draft.step(|mesh| flat_edges::without_flat_edges(mesh, &limits));
+    }
+    if parts.vertices {
+        draft.step(|mesh| straight::without_straight_points(mesh, &limits));
+    }
+    if parts.faces {
+        draft.step(|mesh| small_faces::without_small_faces(mesh, &limits));
+    }
+    if draft.steps == 0 {
+        return None;
+    }
+    let mut made = draft.mesh;
+    let source = Mesh { subcomponent_tags: std::mem::take(&mut made.subcomponent_tags), ..Mesh::clone(mesh) };
+    made.take_points(&source);
+    Some(made)
+}
+
+/// A mesh between two steps.
+struct Draft {
+    mesh: Mesh,
+    /// The number of steps that changed the mesh.
+    steps: u32,
+}
+
+impl Draft {
+    fn step(&mut self, step: impl FnOnce(&Mesh) -> Option<Mesh>) {
+        if let Some(made) = step(&self.mesh) {
+            self.mesh = made;
+            self.steps += 1;
+        }
+    }
+
+    /// Merges points, and removes doubled faces on request.
+    fn merge(&mut self, distance: f64, doubles: Option<FlatParts>) {
+        self.step(|mesh| merge::merged(mesh, distance));
+        self.step(slits::without_slits);
+        if let Some(flat) = doubles {
+            self.step(|mesh| doubles::without_doubles(mesh, flat));
+        }
+    }
+}
+
+/// A mesh without faces that has the points of a mesh, and the tags of its edges and vertices.
+fn without_faces(mesh: &Mesh) -> Mesh {
+    Mesh {
+        points: mesh.points.clone(),
+        subcomponent_tags: mesh.subcomponent_tags.clone(),
+        ..mesh.alike(mesh.corners.len())
+    }
+}
+
+/// Adds a corner of a mesh with its values.
+fn add_corner(made: &mut Mesh, mesh: &Mesh, corner: u32) {
+    made.corners.push(mesh.corners[corner as usize]);
+    made.copy_values(mesh, corner as usize..corner as usize + 1);
+}
+
+/// Adds a face of a mesh as it is.
+fn add_face(made: &mut Mesh, mesh: &Mesh, face: usize) {
+    made.corners.extend_from_slice(&mesh.corners[mesh.face_corners(face)]);
+    made.end_copy(mesh, mesh.face_loops(face), mesh.tags[face]);
+}
+
+/// Adds a face with some corners of a mesh as its loops. Loops with fewer than three corners are left out: they go along an edge
+/// and back. If that leaves out the outline, the holes are kept only on request.
+fn add_loops(made: &mut Mesh, mesh: &Mesh, face: usize, loops: &[Vec<u32>], keeps_holes: bool) {
+    let is_kept = loops.first().is_some_and(|outline| 3 <= outline.len()) || keeps_holes;
+    let mut is_face = false;
+    for ring in loops.iter().filter(|ring| is_kept && 3 <= ring.len()) {
+        ring.iter().for_each(|&corner| add_corner(made, mesh, corner));
+        made.end_loop();
+        is_face = true;
+    }
+    if is_face {
+        made.end_face(mesh.tags[face]);
+    }
+}

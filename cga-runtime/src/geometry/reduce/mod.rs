@@ -1,0 +1,119 @@
+//! Meshes with fewer vertices (*reduceGeometry operation*).
+//!
+//! Faces are divided into triangles, and edges collapse one after the other, the one with the least quadric error first (Garland and
+//! Heckbert). A vertex becomes one of its neighbours, so no point is new, and the values of corners are those of the mesh. A
+//! collapse removes an edge together with its counterpart, so a closed mesh stays closed. Faces without a change stay polygons.
+
+mod quadric;
+mod surface;
+
+#[cfg(test)]
+mod tests;
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use crate::geometry::mesh::{FaceTag, Mesh, SubcomponentTags};
+use surface::Surface;
+
+/// A vertex that can become one of its neighbours.
+#[derive(Clone, Copy, Debug)]
+struct Candidate {
+    cost: f64,
+    vertex: u32,
+    /// The number of the last search for the vertex. Older candidates do not count.
+    search: u32,
+}
+
+impl Ord for Candidate {
+    /// The largest candidate has the least cost.
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.cost.total_cmp(&self.cost).then_with(|| other.vertex.cmp(&self.vertex))
+    }
+}
+
+impl PartialOrd for Candidate {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Candidate {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Candidate {}
+
+/// The mesh without tags and without a share of its vertices, from 0 to 1: fewer if no further edge can collapse. `None` if no
+/// vertex goes.
+pub(crate) fn reduce(mesh: &Mesh, share: f64) -> Option<Mesh> {
+    // Counts such as 0.1 * 10 are rounded.
+    const ROUNDING: f64 = 1e-9;
+    let count = mesh.points.len();
+    let wanted = (count as f64 * (1.0 - share) + ROUNDING).floor() as usize;
+    let mut surplus = count.saturating_sub(wanted);
+    if surplus == 0 {
+        return None;
+    }
+    let mut surface = Surface::of(mesh);
+    let mut newest = vec![0u32; count];
+    let mut heap = BinaryHeap::with_capacity(count);
+    let push = |heap: &mut BinaryHeap<Candidate>, newest: &mut [u32], vertex: u32, best: Option<(f64, u32)>| {
+        let search = newest[vertex as usize] + 1;
+        newest[vertex as usize] = search;
+        if let Some((cost, _)) = best {
+            heap.push(Candidate { cost, vertex, search });
+        }
+    };
+    for vertex in 0..count as u32 {
+        push(&mut heap, &mut newest, vertex, surface.best_target(vertex));
+    }
+    let mut is_changed = false;
+    while let Some(Candidate { cost, vertex, search }) = heap.pop() {
+        if search != newest[vertex as usize] {
+            continue;
+        }
+        // Quadrics of neighbours may have grown since the search, and other edges may be in the way.
+        let best = surface.best_target(vertex);
+        let Some((now, target)) = best else { continue };
+        if cost < now {
+            push(&mut heap, &mut newest, vertex, best);
+            continue;
+        }
+        let around = surface.neighbours(vertex);
+        surface.collapse(vertex, target);
+        is_changed = true;
+        surplus -= 1;
+        if surplus == 0 {
+            break;
+        }
+        for other in around {
+            push(&mut heap, &mut newest, other, surface.best_target(other));
+        }
+    }
+    is_changed.then(|| assembled(mesh, &surface))
+}
+
+fn assembled(mesh: &Mesh, surface: &Surface<'_>) -> Mesh {
+    let mut made = Mesh { tag_sets: Default::default(), ..mesh.alike(mesh.corners.len()) };
+    let without_tags = |face: usize| FaceTag { tags: FaceTag::NONE, ..mesh.tags[face] };
+    for face in 0..mesh.face_count() {
+        if !surface.is_changed(face) {
+            made.corners.extend_from_slice(&mesh.corners[mesh.face_corners(face)]);
+            made.end_copy(mesh, mesh.face_loops(face), without_tags(face));
+            continue;
+        }
+        for (points, values) in surface.triangles_of(face) {
+            for (point, corner) in points.into_iter().zip(values) {
+                made.corners.push(point);
+                made.copy_values(mesh, corner as usize..corner as usize + 1);
+            }
+            made.end_loop();
+            made.end_face(without_tags(face));
+        }
+    }
+    made.take_points(&Mesh { subcomponent_tags: SubcomponentTags::default(), ..mesh.clone() });
+    made
+}
