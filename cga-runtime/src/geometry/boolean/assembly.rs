@@ -39,12 +39,11 @@ impl Assembly<'_> {
         let mut sets = TagSetTable::default();
         let mut triangulator = Triangulator::new();
         let mut values: Option<FaceValues> = None;
-        // The corners of the facet of the last polygon by their points.
-        let (mut last_facet, mut corner_at) = (NO_CORNER, Vec::new());
+        // The facet of the last polygon, and its corners of the mesh by their points.
+        let (mut last_facet, mut corner_at) = (None, Vec::new());
         for polygon in polygons {
             let facet = &self.facets[polygon.sources[0] as usize];
-            if last_facet != polygon.sources[0] {
-                last_facet = polygon.sources[0];
+            if last_facet.replace(polygon.sources[0]) != Some(polygon.sources[0]) {
                 corner_at = facet.corners.iter().copied().zip(facet.sources.iter().copied()).collect();
                 corner_at.sort_unstable();
             }
