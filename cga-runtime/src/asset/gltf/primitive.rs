@@ -29,6 +29,10 @@ const MOST_COORDINATES: usize = 10;
 /// accessors share bytes.
 const MOST_ELEMENTS: usize = 1 << 25;
 
+/// The number of elements that a file of any size may have. Each byte of its buffers allows some more.
+const FREE_ELEMENTS: usize = 1 << 21;
+const ELEMENTS_PER_BYTE: usize = 4;
+
 /// The number for a vertex that the triangles of a primitive do not use.
 const UNUSED: u32 = u32::MAX;
 
@@ -37,7 +41,8 @@ pub(super) struct PrimitiveReader<'a, 'b> {
     document: &'a Document<'b>,
     vectors: HashMap<usize, Rc<Vec<[f64; 3]>>>,
     pairs: HashMap<usize, Rc<Vec<[f64; 2]>>>,
-    elements: usize,
+    /// The number of elements that may still be read.
+    elements_left: usize,
     /// The new numbers of vertices, for [`renumber`](Self::renumber). All are `UNUSED` between primitives.
     new_numbers: Vec<u32>,
     /// The number of primitives with lines or points.
@@ -47,7 +52,8 @@ pub(super) struct PrimitiveReader<'a, 'b> {
 impl<'a, 'b> PrimitiveReader<'a, 'b> {
     pub(super) fn new(document: &'a Document<'b>) -> Self {
         let (vectors, pairs) = (HashMap::new(), HashMap::new());
-        PrimitiveReader { document, vectors, pairs, elements: 0, new_numbers: Vec::new(), others: 0 }
+        let elements_left = (FREE_ELEMENTS + ELEMENTS_PER_BYTE * document.byte_count()).min(MOST_ELEMENTS);
+        PrimitiveReader { document, vectors, pairs, elements_left, new_numbers: Vec::new(), others: 0 }
     }
 
     /// The primitives of a mesh that have triangles.
@@ -162,8 +168,8 @@ impl<'a, 'b> PrimitiveReader<'a, 'b> {
     }
 
     fn count(&mut self, elements: usize) -> Result<(), GltfError> {
-        self.elements = self.elements.saturating_add(elements);
-        if MOST_ELEMENTS < self.elements { Err(GltfError::TooLarge) } else { Ok(()) }
+        self.elements_left = self.elements_left.checked_sub(elements).ok_or(GltfError::TooLarge)?;
+        Ok(())
     }
 }
 

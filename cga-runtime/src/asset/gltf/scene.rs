@@ -10,8 +10,12 @@ use super::item::{Item, item, items};
 /// The extension that places a mesh several times at one node.
 pub(super) const INSTANCING: &str = "EXT_mesh_gpu_instancing";
 
-/// The greatest number of places of all meshes. Instances may be in accessors without data, so they need no bytes of the file.
+/// The greatest number of places of all meshes.
 const MOST_PLACES: usize = 1 << 20;
+
+/// The number of places that a file of any size may have. Each byte of its buffers allows one more: instances may be in accessors
+/// without data.
+const FREE_PLACES: usize = 1 << 16;
 
 /// A mesh of the file at its places.
 pub(super) struct Placed<'a> {
@@ -31,7 +35,7 @@ pub(super) fn placed<'a>(document: &'a Document<'_>) -> Result<Vec<Placed<'a>>, 
     let json = &document.json;
     let mut is_visited = vec![false; items(json, "nodes").count()];
     let mut meshes = Vec::new();
-    let mut places_left = MOST_PLACES;
+    let mut places_left = (FREE_PLACES + document.byte_count()).min(MOST_PLACES);
     let mut waiting: Vec<(usize, DAffine3)> =
         roots(document)?.into_iter().rev().map(|root| (root, DAffine3::IDENTITY)).collect();
     while let Some((index, above)) = waiting.pop() {
