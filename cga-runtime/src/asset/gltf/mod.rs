@@ -70,7 +70,8 @@ const KNOWN: [&str; 9] = [
 ///
 /// # Errors
 /// The file is not glTF 2.0, requires an unknown extension, names an item that does not exist, has data that end early
-/// or a number that is not finite, or has more than 16,777,216 triangles.
+/// or a number that is not finite, or has more than 16,777,216 triangles, 33,554,432
+/// vertices or 1,048,576 places of meshes.
 ///
 /// ```
 /// use cga_runtime::asset::gltf::read_gltf;
