@@ -134,14 +134,14 @@ fn strew(
     let scale = if size == DVec3::ZERO { 1.0 } else { size.abs().max_element().recip() };
     let bell = bell(scale);
     let found = match domain {
-        ScatterDomain::Scope => Domain::cuboid(size.min(DVec3::ZERO) * scale, size.max(DVec3::ZERO) * scale, bell),
+        ScatterDomain::Scope => Domain::cuboid(size.min(DVec3::ZERO) * scale, size.max(DVec3::ZERO) * scale, bell, count),
         ScatterDomain::Surface | ScatterDomain::Volume => {
             let mesh = shape.to_mesh();
             let points = mesh.points().iter().map(|point| *point * scale).collect();
             let mesh = mesh.with_points(points);
             match domain == ScatterDomain::Volume && mesh.is_closed() {
-                true => Domain::volume(&mesh, bell),
-                false => Domain::surface(&mesh, bell),
+                true => Domain::volume(&mesh, bell, count),
+                false => Domain::surface(&mesh, bell, count),
             }
         }
     };
@@ -151,7 +151,7 @@ fn strew(
         axes: scope.axes * axes_on(point.normal * inwards),
     };
     let mut seed = shape.seed.child(Tag::Candidate, 0);
-    let points = found.draw(count, move || seed.draw());
+    let points = found.draw(move || seed.draw());
     ControlFlow::Continue(Points::new(points.map(frame), count))
 }
 

@@ -19,8 +19,11 @@ use solid::Solid;
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::triangulate::Triangulator;
 
-/// The most cells that halving makes.
-const MOST_CELLS: usize = 4096;
+/// The most cells that halving makes for each point that is asked for. Few points are not worth many cells.
+const CELLS_PER_POINT: u64 = 8;
+
+/// The least and the most of these. Halving down to a millionth of the extent along each axis takes 120.
+const CELL_LIMITS: [u64; 2] = [256, 4096];
 
 /// Cells are halved until the logarithms of their densities differ by less.
 const EVEN_ENOUGH: f64 = 1.4;
@@ -85,9 +88,10 @@ pub(crate) struct ScatteredPoint {
     pub(crate) normal: DVec3,
 }
 
-/// A domain with a density.
+/// A domain with a density, divided for a number of points.
 #[derive(Debug)]
 pub(crate) struct Domain {
+    count: u64,
     cells: Vec<Cell>,
     /// The sum of the weights up to each cell.
     sums: Vec<f64>,
@@ -97,29 +101,30 @@ pub(crate) struct Domain {
 
 impl Domain {
     /// The faces of a mesh.
-    pub(crate) fn surface(mesh: &Mesh, bell: Bell) -> Self {
+    pub(crate) fn surface(mesh: &Mesh, bell: Bell, count: u64) -> Self {
         let cells = triangles(mesh).into_iter().filter_map(|(corners, normal)| triangle(corners, normal, &bell));
-        Domain::of(cells.collect(), bell, None)
+        Domain::of(cells.collect(), bell, None, count)
     }
 
     /// The inside of a closed mesh.
-    pub(crate) fn volume(mesh: &Mesh, bell: Bell) -> Self {
+    pub(crate) fn volume(mesh: &Mesh, bell: Bell, count: u64) -> Self {
         let solid = Solid::new(triangles(mesh).into_iter().map(|(corners, _)| corners).collect());
         let bounds = solid.bounds();
         let all = solid.all();
         let cells = cuboid(bounds.low, bounds.high, &all, &bell, Some(&solid)).into_iter().collect();
-        Domain::of(cells, bell, Some(solid))
+        Domain::of(cells, bell, Some(solid), count)
     }
 
     /// A box. Extents of 0 make it a rectangle, a line or a point.
-    pub(crate) fn cuboid(low: DVec3, high: DVec3, bell: Bell) -> Self {
-        Domain::of(cuboid(low, high, &[], &bell, None).into_iter().collect(), bell, None)
+    pub(crate) fn cuboid(low: DVec3, high: DVec3, bell: Bell, count: u64) -> Self {
+        Domain::of(cuboid(low, high, &[], &bell, None).into_iter().collect(), bell, None, count)
     }
 
-    fn of(cells: Vec<Cell>, bell: Bell, solid: Option<Solid>) -> Self {
+    fn of(cells: Vec<Cell>, bell: Bell, solid: Option<Solid>, count: u64) -> Self {
         let mut heap = BinaryHeap::from(cells);
         let mut cells = Vec::new();
-        let most = heap.len() + MOST_CELLS;
+        let [least, most] = CELL_LIMITS;
+        let most = heap.len() + count.saturating_mul(CELLS_PER_POINT).clamp(least, most) as usize;
         let mut heaviest = f64::NEG_INFINITY;
         while let Some(cell) = heap.pop() {
             let matters = heaviest - MATTERS < cell.log_weight;
@@ -137,15 +142,15 @@ impl Domain {
             sum
         };
         let sums = cells.iter().map(add).collect();
-        Domain { cells, sums, bell, solid }
+        Domain { count, cells, sums, bell, solid }
     }
 
-    /// Draws up to `count` points, one by one. There are fewer if the domain has no extent, or is too small a part of its
+    /// Draws the points, one by one. There are fewer if the domain has no extent, or is too small a part of its
     /// cells.
-    pub(crate) fn draw(self, count: u64, mut random: impl FnMut() -> f64) -> impl Iterator<Item = ScatteredPoint> {
+    pub(crate) fn draw(self, mut random: impl FnMut() -> f64) -> impl Iterator<Item = ScatteredPoint> {
         let [each, more] = MOST_MISSES;
-        let mut misses = count.saturating_mul(each).saturating_add(more);
-        let count = if self.cells.is_empty() { 0 } else { count };
+        let mut misses = self.count.saturating_mul(each).saturating_add(more);
+        let count = if self.cells.is_empty() { 0 } else { self.count };
         (0..count).map_while(move |_| {
             loop {
                 if let Some(point) = self.try_draw(&mut random) {

@@ -5,9 +5,9 @@ use crate::geometry::mesh::primitive::PrimitiveKind;
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use crate::shape::seed::Seed;
 
-fn draw(domain: Domain, count: u64) -> Vec<ScatteredPoint> {
+fn draw(domain: Domain) -> Vec<ScatteredPoint> {
     let mut seed = Seed::new(7);
-    domain.draw(count, move || seed.draw()).collect()
+    domain.draw(move || seed.draw()).collect()
 }
 
 /// The sum of the squared deviations of counts from what is expected, each relative to that.
@@ -43,7 +43,7 @@ fn floor_and_wall() -> Mesh {
 
 #[test]
 fn points_on_a_surface_are_even_by_area() {
-    let points = draw(Domain::surface(&floor_and_wall(), Bell::EVEN), 18_000);
+    let points = draw(Domain::surface(&floor_and_wall(), Bell::EVEN, 18_000));
     // Squares of 1 by 1: 12 on the floor without 2 in the hole, and 8 on the wall.
     let square = |at: DVec3| match at.y == 0.0 {
         true => (at.x as usize).min(3) + 4 * (at.z as usize).min(2),
@@ -62,15 +62,26 @@ fn points_on_a_surface_are_even_by_area() {
 fn points_in_a_volume_are_even() {
     // A cone in the unit box: the share below a height h is 1 − (1 − h)³.
     let cone = PrimitiveKind::Cone { sides: 32 }.mesh();
-    let points = draw(Domain::volume(&cone, Bell::EVEN), 20_000);
-    assert_eq!(points.len(), 20_000);
+    let many = draw(Domain::volume(&cone, Bell::EVEN, 20_000));
+    // Few points have fewer cells.
+    let few = (0..400).flat_map(|number| {
+        let mut seed = Seed::new(number);
+        Domain::volume(&cone, Bell::EVEN, 20).draw(move || seed.draw()).collect::<Vec<_>>()
+    });
+    for points in [many, few.collect()] {
+        is_even_in_the_cone(&points);
+    }
+}
+
+fn is_even_in_the_cone(points: &[ScatteredPoint]) {
+    assert!(points.len() == 20_000 || points.len() == 8000);
     let below = |step: usize| 1.0 - (1.0 - step as f64 / 8.0).powi(3);
-    let sum = chi_square(&points, 8, |at| (at.y * 8.0) as usize, |cell| below(cell + 1) - below(cell));
+    let sum = chi_square(points, 8, |at| (at.y * 8.0) as usize, |cell| below(cell + 1) - below(cell));
     assert!(sum < bound(7), "{sum}");
     // Even around the axis.
     let sector =
         |at: DVec3| (libm::atan2(at.z - 0.5, at.x - 0.5) / std::f64::consts::TAU * 16.0).rem_euclid(16.0) as usize;
-    let sum = chi_square(&points, 16, |at| sector(at).min(15), |_| 1.0 / 16.0);
+    let sum = chi_square(points, 16, |at| sector(at).min(15), |_| 1.0 / 16.0);
     assert!(sum < bound(15), "{sum}");
 }
 
@@ -79,8 +90,8 @@ fn points_of_a_bell_are_normal() {
     // The shares of a standard normal distribution between −∞, −1.5, −1, −0.5, 0, … .
     let shares = [0.066_807, 0.091_848, 0.149_882, 0.191_462, 0.191_462, 0.149_882, 0.091_848, 0.066_807];
     let bell = Bell { mean: DVec3::new(3.0, -1.0, 2.0), deviation: DVec3::new(0.5, 2.0, 0.01) };
-    let domain = Domain::cuboid(DVec3::splat(-30.0), DVec3::splat(30.0), bell);
-    let points = draw(domain, 20_000);
+    let domain = Domain::cuboid(DVec3::splat(-30.0), DVec3::splat(30.0), bell, 20_000);
+    let points = draw(domain);
     for axis in 0..3 {
         let cell = |at: DVec3| {
             let place = (at[axis] - bell.mean[axis]) / bell.deviation[axis];
@@ -94,14 +105,14 @@ fn points_of_a_bell_are_normal() {
 #[test]
 fn a_bell_beside_a_surface_is_cut_off() {
     let bell = Bell { mean: DVec3::new(0.0, 0.0, 1.5), deviation: DVec3::splat(0.4) };
-    let points = draw(Domain::surface(&floor_and_wall(), bell), 4000);
+    let points = draw(Domain::surface(&floor_and_wall(), bell, 4000));
     assert_eq!(points.len(), 4000);
     // Half of the bell is left of the floor. The mean of the other half is 0.8 deviations away.
     let mean = points.iter().map(|point| point.position.x).sum::<f64>() / 4000.0;
     assert!((mean - 0.32).abs() < 0.02, "{mean}");
     // Far away, points gather at the nearest place.
     let bell = Bell { mean: DVec3::new(500.0, 0.0, 500.0), deviation: DVec3::splat(0.1) };
-    let points = draw(Domain::surface(&floor_and_wall(), bell), 100);
+    let points = draw(Domain::surface(&floor_and_wall(), bell, 100));
     assert!(points.len() == 100 && points.iter().all(|point| 3.9 < point.position.x && 2.9 < point.position.z));
 }
 
@@ -118,15 +129,15 @@ fn thin_and_slanted_solids_are_filled() {
     }
     let plate = builder.build().expect("a plate");
     assert!(plate.is_closed());
-    let points = draw(Domain::volume(&plate, Bell::EVEN), 2000);
+    let points = draw(Domain::volume(&plate, Bell::EVEN, 2000));
     assert_eq!(points.len(), 2000);
     assert!(points.iter().all(|point| (0.0..=0.001).contains(&(point.position - DVec3::ZERO).dot(across.normalize()))));
 }
 
 #[test]
 fn a_domain_without_extent_has_one_place_or_none() {
-    assert!(draw(Domain::surface(&Mesh::default(), Bell::EVEN), 10).is_empty());
-    assert!(draw(Domain::volume(&Mesh::default(), Bell::EVEN), 10).is_empty());
-    let points = draw(Domain::cuboid(DVec3::ONE, DVec3::ONE, Bell::EVEN), 10);
+    assert!(draw(Domain::surface(&Mesh::default(), Bell::EVEN, 10)).is_empty());
+    assert!(draw(Domain::volume(&Mesh::default(), Bell::EVEN, 10)).is_empty());
+    let points = draw(Domain::cuboid(DVec3::ONE, DVec3::ONE, Bell::EVEN, 10));
     assert!(points.len() == 10 && points.iter().all(|point| point.position == DVec3::ONE));
 }
