@@ -7,9 +7,9 @@ use cga::mesh::Bounds;
 use cga::sink::picture::Camera;
 use cga::{Color, Leaf, Material, Model, Quad, Scope, Settings, Shape, Sink};
 
+use super::cell::Cell;
 use crate::pages::example::Example;
 use crate::pages::{primitives, texturing};
-use crate::sheet::Cell;
 
 cga::cga! {
     /// The initial shape, in grey.
@@ -29,7 +29,8 @@ pub(crate) fn primitives(settings: &Settings) -> Vec<Cell> {
         let mut model = example.model(settings);
         put_below(&mut model, (example.start)(), settings);
         let view = |bounds: Bounds| from(bounds, 33.0, 30.0);
-        Cell { camera: view(model.bounds()), caption: caption(example), model, borders: false }
+        let camera = view(model.bounds());
+        Cell::new(example, model, camera)
     });
     cells.collect()
 }
@@ -55,7 +56,7 @@ fn cell(example: &Example, settings: &Settings) -> Cell {
         title if title.contains("Scope vs.") => from(bounds, 0.0, 0.0),
         _ => from(bounds, 30.0, 20.0),
     };
-    Cell { model, camera, borders: false, caption: caption(example) }
+    Cell::new(example, model, camera)
 }
 
 /// The other shapes in the page's picture: a smaller façade, the second segment of the street.
@@ -104,9 +105,4 @@ fn outlined(model: &Model, width: f64) -> Model {
 
 fn from(bounds: Bounds, azimuth: f64, elevation: f64) -> Camera {
     Camera { margin: 0.04, ..Camera::auto(bounds) }.looking_from(azimuth, elevation).field_of_view(20.0)
-}
-
-fn caption(example: &Example) -> String {
-    let rules = example.rules.split("\n\n").next().unwrap_or_default().trim_end();
-    format!("{}\n\n{rules}", example.title)
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use cga::{Color, Geometry, Leaf, Material, Model, Quad, Scope, Sink};
 
-use crate::captions::SCOPE;
+use super::captions::SCOPE;
 
 /// The height in metres above the drawn scopes.
 const LIFT: f64 = 0.02;
