@@ -80,3 +80,24 @@ fn the_files_that_docs_name_exist() {
         }
     }
 }
+
+#[test]
+fn figures_of_the_readme_are_measured() {
+    let read = |file: &str| fs::read_to_string(root().join(file)).expect("a page");
+    let (readme, performance) = (read("README.md"), read("docs/performance.md"));
+    let cells = |row: &str| row.split('|').map(|cell| cell.trim().to_owned()).collect::<Vec<_>>();
+    let mut count = 0;
+    for row in readme.lines().filter(|row| row.starts_with("| ") && row.contains(" ns |")) {
+        let own = cells(row);
+        let scene = own[1].split('`').nth(1).expect("a scene");
+        let found = performance.lines().find(|row| row.starts_with(&format!("| {scene} "))).expect("its row");
+        let measured = cells(found);
+        let (parts, each): (f64, f64) = (measured[4].parse().expect("parts"), measured[6].parse().expect("time"));
+        assert_eq!(own[2].replace(',', ""), measured[4], "{scene}: parts");
+        assert_eq!(own[3], format!("{:.1} ms", parts * each / 1e6), "{scene}: time");
+        assert_eq!(own[4], format!("{each:.0} ns"), "{scene}: a part");
+        assert_eq!(own[5], measured[2], "{scene}: relative to by hand");
+        count += 1;
+    }
+    assert_eq!(count, 3);
+}

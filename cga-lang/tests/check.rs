@@ -1,6 +1,7 @@
-//! `tests/data/check`: what is found, and where.
+//! `tests/data/check`: what is found, and where. With them the reference, which changes with the same tables.
 
 mod common;
+mod reference;
 
 use cga_lang::diag::Diags;
 use cga_lang::diag::code::Code;

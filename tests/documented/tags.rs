@@ -210,6 +210,29 @@ cga! {
     Roofs --> roofGable(30) tag("mine", edges) roofHip(30) print(geometry.tags("roof", faces)) print(geometry.tags("*", edges)) NIL
     Setbacks --> setback(1) { front : NIL | remainder : Inner }
     Inner --> print(geometry.tags("setback", edges)) setback(1) { all : NIL | remainder : print(geometry.tags) NIL }
+    // The roofs' base is the same, and so is the setbacks'.
+    attr kind = 0
+    RoofAgain -->
+        roofShed(30)
+        print(geometry.tags("*", faces))
+        [ case kind == 0 : roofGable(30) Faces
+          case kind == 1 : roofHip(30) Faces
+          case kind == 2 : roofPyramid(30) Faces
+          else : roofRidge(byAngle, 30) Faces ]
+    Faces --> print(geometry.tags("*", faces)) NIL
+    SetbackAgain -->
+        case kind == 0 : setback(1) { front : NIL | remainder : Around }
+        case kind == 1 : shapeL(1, 1) { shape : NIL | remainder : Around }
+        case kind == 2 : shapeU(1, 1, 1) { shape : NIL | remainder : Around }
+        else : setbackToArea(30) { front : NIL | remainder : Around }
+    Around --> print(geometry.tags("*", edges)) setback(0.2) { all : NIL | remainder : print(geometry.tags("*", edges)) NIL }
+    // Tags that edges and vertices get in `modify` stay.
+    Modified --> modify(fe) { 0 : split(x) { ^0.25 : tag("side") X. | ~1 : tag("outset") X. } | 1 : tag("whole") X. | 2 : tag("gone") NIL }
+        print(geometry.tags("*", edges)) extrude(1)
+        comp(f) { isTagged("side") : Side. | isTagged("outset") : Outset. | isTagged("whole") : Whole. }
+    ModifiedVertices --> modify(v) { 0 : tag("corner") X. | 1 : t(1, 0, 0) tag("moved") X. }
+        print(geometry.tags("*", vertices)) extrude(1)
+        comp(e) { geometry.hasTags("corner", edges) : primitiveCube Upright. | geometry.hasTags("moved", edges) : primitiveCube Leaning. }
     Cleared --> tag("f") tag("e", edges) tag("v", vertices) [ Counted ] [ primitiveCube Counted ] [ footprint Counted ]
         [ resetGeometry Counted ] [ splitArea(x) { ^1 : Counted } ] [ extrude(1) splitArea(y) { ^1 : Counted } ] NIL
     Counted --> print(geometry.tags) NIL
@@ -219,6 +242,13 @@ cga! {
     FromBelow --> extrude(2) tag("e", edges) comp(f) { isTagged("e") : Own. | isTagged("e", e) : Edges. | all : Plain. }
     Ends --> tag("v", vertices) comp(e) { isTagged("v") : primitiveCube Own. | isTagged("v", v) : primitiveCube Ends. }
     Deleted --> tag("a.b", edges) tag("a.c", faces) deleteTags("a.b") comp(e) { isTagged("a.b") : primitiveCube Left. | isTagged("a") : primitiveCube Face. }
+}
+
+/// The prints of a rule with a value for `kind`.
+fn own_with(start: &str, kind: usize) -> Vec<String> {
+    let model = Own { kind: kind as f64 }.generate_from(start, &Shape::rectangle(8.0, 6.0)).expect("a model");
+    assert!(model.faults().is_empty(), "{kind}: {:?}", model.faults());
+    model.prints().iter().map(ToString::to_string).collect()
 }
 
 fn own(start: &str) -> (Vec<String>, Vec<(&'static str, usize)>) {
@@ -236,6 +266,32 @@ fn operations_replace_their_own_tags_alone() {
     assert_eq!(lines, ["(2)[roof.bottom,roof.top]", "(1)[mine]"]);
     let first = "(3)[setback.back,setback.remainder]".replace('3', "2");
     assert_eq!(own("Setbacks").0, [first, "(1)[setback.back]".into()]);
+}
+
+/// "All roof operations apply the same base tag"; setbacks do too.
+#[test]
+fn operations_of_a_family_replace_the_tags_of_each_other() {
+    let shed = "(3)[roof.bottom,roof.side.outer,roof.top]";
+    let plain = "(2)[roof.bottom,roof.top]";
+    let second = ["(3)[roof.bottom,roof.side,roof.top]", plain, plain, shed];
+    for (kind, second) in second.into_iter().enumerate() {
+        assert_eq!(own_with("RoofAgain", kind), [shed, second], "{kind}");
+    }
+    for kind in 0..4 {
+        let [first, second] = <[String; 2]>::try_from(own_with("SetbackAgain", kind)).expect("two lines");
+        assert!(first.contains("setback.back"), "{kind}: {first}");
+        assert_eq!(second, "(1)[setback.back]", "{kind}: {first}");
+    }
+}
+
+#[test]
+fn edges_and_vertices_keep_the_tags_that_they_get_in_modify() {
+    let (lines, counts) = own("Modified");
+    assert_eq!(lines, ["(3)[outset,side,whole]"]);
+    assert_eq!(counts, [("Side", 1), ("Outset", 1), ("Whole", 1)]);
+    let (lines, counts) = own("ModifiedVertices");
+    assert_eq!(lines, ["(2)[corner,moved]"]);
+    assert_eq!(counts, [("Upright", 1), ("Leaning", 1)]);
 }
 
 #[test]

@@ -103,6 +103,7 @@ codes! {
     SelectorHidden "selector_hidden" Warning "A selector that never matches: earlier selectors take all components, none has that index, or none faces that way.",
     NoEffect "no_effect" Warning "Operations whose result is never used.",
     NoFaces "no_faces" Warning "An operation on faces or edges of a point.",
+    EmptyOperand "empty_operand" Warning "An operand of a boolean operation that never makes a shape.",
     // Declarations without a use.
     UnusedAttribute "unused_attribute" Warning "An attribute that is never read.",
     UnusedConstant "unused_constant" Warning "A constant that is never read.",

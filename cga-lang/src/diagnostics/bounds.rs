@@ -17,7 +17,7 @@ pub(crate) fn check(params: &[Param], args: &[&Expr], facts: &AbstractState, flo
         let found = match (bounds.values, flow.value(arg, facts)) {
             (Allowed::NotEmpty, _) => is_empty_text(arg).then(|| "this text".to_owned()),
             (Allowed::TagName, _) => match &arg.kind {
-                ExprKind::Text(text) => tags::name(text).is_empty().then(|| "this text".to_owned()),
+                ExprKind::Text(text) => Some(tags::name(text)).filter(|name| name.is_empty() || name != text),
                 _ => None,
             },
             (values, Value::Number(number)) => {
@@ -35,13 +35,18 @@ fn report(param: &Param, bounds: &ParamBounds, arg: &Expr, found: &str, diags: &
     let message = match bounds.code {
         Code::UnknownUvSet => format!("{found} is not the number of a uv set"),
         _ if bounds.values == Allowed::NotEmpty => format!("`{}` is empty", param.name),
-        _ if bounds.values == Allowed::TagName => format!("`{}` has no characters except wildcards", param.name),
+        _ if bounds.values == Allowed::TagName && found.is_empty() => {
+            format!("`{}` has no characters except wildcards", param.name)
+        }
+        _ if bounds.values == Allowed::TagName => format!("`{}` has wildcards", param.name),
         _ => format!("{found} is outside the values of `{}`", param.name),
     };
     let level = bounds.result.map_or(bounds.code.level(), |_| Level::Warning);
     let diag = diags.report_as(bounds.code, level, arg.span, message);
     diag.note(bounds.about);
-    if let Some(result) = bounds.result {
+    if bounds.values == Allowed::TagName && !found.is_empty() {
+        diag.note(format!("the tag is `{found}`"));
+    } else if let Some(result) = bounds.result {
         diag.note(result);
     }
 }

@@ -12,6 +12,7 @@ mod faces;
 mod hidden;
 pub(crate) mod levels;
 mod numbers;
+mod operands;
 mod reach;
 mod repeat;
 mod size;
@@ -95,7 +96,7 @@ pub(crate) fn check(cx: &mut Context) {
         });
     }
     let certain = agreed.finish();
-    let mut found = vec![hidden::check(cx), trailing::check(cx)];
+    let mut found = vec![hidden::check(cx), trailing::check(cx), operands::check(cx)];
     if let Some(calls) = &calls {
         found.push(defaults::check(cx, calls, &certain));
         found.extend([reach::check(cx, calls), ends::check(cx, calls), unused::check(cx)]);

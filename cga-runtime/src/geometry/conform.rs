@@ -3,7 +3,8 @@
 //! Faces are connected by edges that exactly two faces have. Such an edge should be used once in each direction. Connected
 //! faces are turned until all agree, and then all or none of them, by these rules: closed faces enclose a positive volume, or a
 //! negative one if they are a cavity, which means inside an odd number of others. Open faces look up rather than down. Where
-//! that decides nothing, most of their area stays as it is.
+//! that decides nothing, most of their area stays as it is. So it does where faces end at edges of more than two faces: they may be
+//! parts of solids that touch, and a closed mesh must stay closed.
 
 use glam::{DVec2, DVec3};
 
@@ -30,6 +31,8 @@ pub(crate) struct Conforming {
 struct Patch {
     faces: Vec<u32>,
     is_closed: bool,
+    /// True if an edge has more than two faces.
+    branches: bool,
     bounds: Bounds,
 }
 
@@ -114,8 +117,10 @@ impl Patch {
         }
         let is_closed = net.pairs().all(|(_, count)| count == 0);
         let corners = faces.iter().flat_map(|&face| mesh.face(face as usize).corner_range());
+        let uses = |corner: usize| mesh.adjacency().uses(mesh.adjacency().edge(corner as u32)).len();
+        let branches = corners.clone().any(|corner| 2 < uses(corner));
         let bounds = Bounds::of(corners.map(|corner| mesh.points[mesh.corners[corner] as usize]));
-        Patch { faces, is_closed, bounds }
+        Patch { faces, is_closed, branches, bounds }
     }
 
     fn faces<'m>(&self, mesh: &'m Mesh) -> impl Iterator<Item = FaceRef<'m>> + Clone {
@@ -143,7 +148,7 @@ impl Patch {
             all += area.length();
             turned_area += if is_turned { area.length() } else { 0.0 };
         }
-        if UPRIGHT * all <= rise.abs() { rise < 0.0 } else { all < 2.0 * turned_area }
+        if !self.branches && UPRIGHT * all <= rise.abs() { rise < 0.0 } else { all < 2.0 * turned_area }
     }
 
     /// Returns true if these faces are inside an odd number of others.

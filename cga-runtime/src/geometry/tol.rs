@@ -81,6 +81,9 @@ pub(crate) const CONSTANT_EPSILON: f64 = 1e-14;
 /// through points. If one value leads to a tangle, the next one is tried.
 pub(crate) const BOOLEAN_EPSILONS: [f64; 4] = [1e-9, 1e-8, 1e-10, 1e-7];
 
+/// A closed mesh that is thinner than this, relative to the extent of both operands of a boolean operation, is a flat area.
+pub(crate) const THINNEST_SOLID: f64 = 1e-14;
+
 /// Points closer than this, relative to the extent of the mesh, are merged by a cleanup without a tolerance.
 pub(crate) const MERGE_EPSILON: f64 = 1e-9;
 

@@ -141,6 +141,7 @@ fn combined(env: &mut Env, op: BooleanOp, word: &str, meshes: [&[Mesh]; 2], leav
         Ok(made) => return env.count_corners(count(&made).saturating_sub(given)).is_continue().then_some(made),
         Err(BooleanError::TooMany) => "too many faces cross",
         Err(BooleanError::Tangled) => "faces are too near to each other",
+        Err(BooleanError::NotFinite) => "a coordinate is not finite",
     };
     env.fault(FaultKind::Geometry, format!("`{word}`: {why}; the shape stays as it is"));
     None

@@ -5,7 +5,7 @@ use super::document::{Document, View};
 use super::item::{Item, item};
 
 /// The greatest number of elements of an accessor whose elements are not in the file.
-const MOST_ABSENT: usize = 1 << 24;
+const MOST_ABSENT: usize = 1 << 20;
 
 /// The type of one number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -142,6 +142,11 @@ fn numbers<const N: usize>(
     let bytes = bytes.ok_or_else(|| item.error("its view ends early"))?;
     let element = |bytes: &[u8]| std::array::from_fn(|at| component.number(&bytes[at * component.bytes()..]));
     Ok(bytes.chunks(stride).map(element).collect())
+}
+
+/// The number of elements that an accessor claims to have.
+pub(super) fn count(document: &Document<'_>, index: usize) -> Result<usize, GltfError> {
+    item(&document.json, "accessors", index)?.required("count")
 }
 
 /// The elements of an accessor with `N` numbers each. Normalised numbers are divided by their greatest value.

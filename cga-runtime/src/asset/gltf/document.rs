@@ -65,6 +65,11 @@ impl<'a> Document<'a> {
         self.blobs.len() - 1
     }
 
+    /// The number of bytes of all buffers.
+    pub(super) fn byte_count(&self) -> usize {
+        self.blobs.iter().map(|blob| blob.len()).sum()
+    }
+
     /// A view by its index.
     pub(super) fn view(&self, index: usize) -> Result<View<'_>, GltfError> {
         let view = item(&self.json, "bufferViews", index)?;

@@ -23,7 +23,7 @@ pub enum GltfError {
         /// A description of the problem.
         what: String,
     },
-    /// The scene has more triangles than the reader accepts.
+    /// The scene has more triangles, vertices or places of meshes than the reader accepts.
     TooLarge,
     /// The faces do not form a mesh.
     Mesh(MeshError),
@@ -43,7 +43,7 @@ impl fmt::Display for GltfError {
             GltfError::Json(what) => write!(f, "its JSON text is invalid: {what}"),
             GltfError::Extension(name) => write!(f, "it requires the extension `{name}`, which cannot be read"),
             GltfError::Item { list, index, what } => write!(f, "{list}[{index}]: {what}"),
-            GltfError::TooLarge => write!(f, "its scene has more than {} triangles", super::MOST_TRIANGLES),
+            GltfError::TooLarge => f.write_str("its scene has too many triangles, vertices or places of meshes"),
             GltfError::Mesh(error) => error.fmt(f),
         }
     }

@@ -119,11 +119,15 @@ impl LookReader<'_, '_> {
             (Some(uri), _) => match resource(&image, uri)? {
                 Resource::Data(bytes) => self.images.embed(index, &bytes),
                 Resource::File(name) => {
-                    let header = (self.file)(&name).and_then(|bytes| header::header(&bytes).ok());
-                    self.images.refer(index, &name, header.is_some_and(|header| header.has_alpha))
+                    let file = &mut *self.file;
+                    let has_alpha = || {
+                        let header = file(&name).and_then(|bytes| header::header(&bytes).ok());
+                        header.is_some_and(|header| header.has_alpha)
+                    };
+                    self.images.refer(index, &name, has_alpha)
                 }
             },
-            (None, Some(view)) => self.images.embed(index, self.document.view(view)?.bytes),
+            (None, Some(view)) => self.images.embed_view(index, view, self.document)?,
             (None, None) => None,
         };
         Ok(found)

@@ -49,8 +49,8 @@ pub struct GltfFile {
     pub warnings: Vec<String>,
 }
 
-/// The greatest number of triangles of a scene, with all places of its meshes.
-const MOST_TRIANGLES: usize = 1 << 24;
+/// The greatest number of triangles of a scene, with all places of its meshes. They take about 250 bytes each.
+const MOST_TRIANGLES: usize = 1 << 22;
 
 /// The extensions that a file may require. Those of materials and lights change only the look.
 const KNOWN: [&str; 9] = [
@@ -70,7 +70,8 @@ const KNOWN: [&str; 9] = [
 ///
 /// # Errors
 /// The file is not glTF 2.0, requires an unknown extension, names an item that does not exist, has data that end early
-/// or a number that is not finite, or has more than 16,777,216 triangles.
+/// or a number that is not finite, or has more than 4,194,304 triangles, 33,554,432
+/// vertices or 1,048,576 places of meshes.
 ///
 /// ```
 /// use cga_runtime::asset::gltf::read_gltf;

@@ -29,19 +29,31 @@ const MOST_COORDINATES: usize = 10;
 /// accessors share bytes.
 const MOST_ELEMENTS: usize = 1 << 25;
 
+/// The number of elements that a file of any size may have. Each byte of its buffers allows some more.
+const FREE_ELEMENTS: usize = 1 << 21;
+const ELEMENTS_PER_BYTE: usize = 4;
+
+/// The number for a vertex that the triangles of a primitive do not use.
+const UNUSED: u32 = u32::MAX;
+
 /// Reads primitives. Accessors that several primitives share are read once.
 pub(super) struct PrimitiveReader<'a, 'b> {
     document: &'a Document<'b>,
     vectors: HashMap<usize, Rc<Vec<[f64; 3]>>>,
     pairs: HashMap<usize, Rc<Vec<[f64; 2]>>>,
-    elements: usize,
+    /// The number of elements that may still be read.
+    elements_left: usize,
+    /// The new numbers of vertices, for [`renumber`](Self::renumber). All are `UNUSED` between primitives.
+    new_numbers: Vec<u32>,
     /// The number of primitives with lines or points.
     pub(super) others: usize,
 }
 
 impl<'a, 'b> PrimitiveReader<'a, 'b> {
     pub(super) fn new(document: &'a Document<'b>) -> Self {
-        PrimitiveReader { document, vectors: HashMap::new(), pairs: HashMap::new(), elements: 0, others: 0 }
+        let (vectors, pairs) = (HashMap::new(), HashMap::new());
+        let elements_left = (FREE_ELEMENTS + ELEMENTS_PER_BYTE * document.byte_count()).min(MOST_ELEMENTS);
+        PrimitiveReader { document, vectors, pairs, elements_left, new_numbers: Vec::new(), others: 0 }
     }
 
     /// The primitives of a mesh that have triangles.
@@ -69,7 +81,11 @@ impl<'a, 'b> PrimitiveReader<'a, 'b> {
                 self.count(indices.len())?;
                 indices
             }
-            None => (0..positions.len() as u32).collect(),
+            None => {
+                // Every primitive without indices is another copy of the positions.
+                self.count(positions.len())?;
+                (0..positions.len() as u32).collect()
+            }
         };
         if order.iter().any(|&index| positions.len() <= index as usize) {
             return Err(primitive.error("an index of a primitive is out of range"));
@@ -83,7 +99,7 @@ impl<'a, 'b> PrimitiveReader<'a, 'b> {
         if MOST_TRIANGLES < triangles.len() {
             return Err(GltfError::TooLarge);
         }
-        let used = renumber(&mut triangles, positions.len());
+        let used = self.renumber(&mut triangles, positions.len());
         let fits = |count: usize| match count == positions.len() {
             true => Ok(()),
             false => Err(primitive.error("the attributes of a primitive differ in length")),
@@ -132,9 +148,28 @@ impl<'a, 'b> PrimitiveReader<'a, 'b> {
         Ok(list)
     }
 
+    /// Numbers the used vertices in the order of their first use. Returns their old numbers.
+    fn renumber(&mut self, triangles: &mut [[u32; 3]], count: usize) -> Vec<u32> {
+        // Many primitives may each use a few of very many vertices.
+        if self.new_numbers.len() < count {
+            self.new_numbers.resize(count, UNUSED);
+        }
+        let mut used = Vec::new();
+        for corner in triangles.as_flattened_mut() {
+            let number = &mut self.new_numbers[*corner as usize];
+            if *number == UNUSED {
+                *number = used.len() as u32;
+                used.push(*corner);
+            }
+            *corner = *number;
+        }
+        used.iter().for_each(|old| self.new_numbers[*old as usize] = UNUSED);
+        used
+    }
+
     fn count(&mut self, elements: usize) -> Result<(), GltfError> {
-        self.elements = self.elements.saturating_add(elements);
-        if MOST_ELEMENTS < self.elements { Err(GltfError::TooLarge) } else { Ok(()) }
+        self.elements_left = self.elements_left.checked_sub(elements).ok_or(GltfError::TooLarge)?;
+        Ok(())
     }
 }
 
@@ -142,19 +177,4 @@ impl<'a, 'b> PrimitiveReader<'a, 'b> {
 fn strip((at, corners): (usize, &[u32])) -> [u32; 3] {
     let turned = at % 2;
     [corners[0], corners[1 + turned], corners[2 - turned]]
-}
-
-/// Numbers the used vertices in the order of their first use. Returns their old numbers.
-fn renumber(triangles: &mut [[u32; 3]], count: usize) -> Vec<u32> {
-    let mut new = vec![u32::MAX; count];
-    let mut used = Vec::new();
-    for corner in triangles.as_flattened_mut() {
-        let number = &mut new[*corner as usize];
-        if *number == u32::MAX {
-            *number = used.len() as u32;
-            used.push(*corner);
-        }
-        *corner = *number;
-    }
-    used
 }

@@ -10,6 +10,13 @@ use super::item::{Item, item, items};
 /// The extension that places a mesh several times at one node.
 pub(super) const INSTANCING: &str = "EXT_mesh_gpu_instancing";
 
+/// The greatest number of places of all meshes.
+const MOST_PLACES: usize = 1 << 20;
+
+/// The number of places that a file of any size may have. Each byte of its buffers allows one more: instances may be in accessors
+/// without data.
+const FREE_PLACES: usize = 1 << 16;
+
 /// A mesh of the file at its places.
 pub(super) struct Placed<'a> {
     pub(super) mesh: usize,
@@ -22,11 +29,13 @@ pub(super) struct Placed<'a> {
 /// as a child.
 ///
 /// # Errors
-/// A node or mesh does not exist, a node has two parents or is its own ancestor, or a number is invalid.
+/// A node or mesh does not exist, a node has two parents or is its own ancestor, a number is invalid, or there are too many
+/// places.
 pub(super) fn placed<'a>(document: &'a Document<'_>) -> Result<Vec<Placed<'a>>, GltfError> {
     let json = &document.json;
     let mut is_visited = vec![false; items(json, "nodes").count()];
     let mut meshes = Vec::new();
+    let mut places_left = (FREE_PLACES + document.byte_count()).min(MOST_PLACES);
     let mut waiting: Vec<(usize, DAffine3)> =
         roots(document)?.into_iter().rev().map(|root| (root, DAffine3::IDENTITY)).collect();
     while let Some((index, above)) = waiting.pop() {
@@ -42,7 +51,9 @@ pub(super) fn placed<'a>(document: &'a Document<'_>) -> Result<Vec<Placed<'a>>, 
         if let Some(mesh) = node.whole("mesh")? {
             let named = |item: &Item<'a>| Ok(item.text("name")?.filter(|name| !name.is_empty()));
             let name = named(&node)?.or(named(&item(json, "meshes", mesh)?)?);
-            meshes.push(Placed { mesh, name, places: places(document, &node, placement)? });
+            let places = places(document, &node, placement, places_left)?;
+            places_left = places_left.checked_sub(places.len()).ok_or(GltfError::TooLarge)?;
+            meshes.push(Placed { mesh, name, places });
         }
     }
     Ok(meshes)
@@ -88,10 +99,21 @@ fn affine(translation: [f64; 3], rotation: [f64; 4], scale: [f64; 3]) -> DAffine
     DAffine3::from_scale_rotation_translation(DVec3::from(scale), rotation, DVec3::from(translation))
 }
 
-/// The places of the mesh of a node: one, or those of its instances.
-fn places(document: &Document<'_>, node: &Item<'_>, placement: DAffine3) -> Result<Vec<DAffine3>, GltfError> {
+/// The places of the mesh of a node: one, or those of its instances, which are at most `most`.
+fn places(
+    document: &Document<'_>,
+    node: &Item<'_>,
+    placement: DAffine3,
+    most: usize,
+) -> Result<Vec<DAffine3>, GltfError> {
     let Some(instancing) = node.extension(INSTANCING)? else { return Ok(vec![placement]) };
     let Some(attributes) = instancing.object("attributes")? else { return Ok(vec![placement]) };
+    for member in ["TRANSLATION", "SCALE", "ROTATION"] {
+        let count = attributes.whole(member)?.map_or(Ok(0), |accessor| accessor::count(document, accessor))?;
+        if most < count {
+            return Err(GltfError::TooLarge);
+        }
+    }
     let vectors = |member| match attributes.whole(member)? {
         Some(accessor) => accessor::vectors::<3>(document, accessor).map(Some),
         None => Ok(None),

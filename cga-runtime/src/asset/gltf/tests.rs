@@ -392,3 +392,5 @@ fn a_container_that_ends_early_is_refused() {
     // Deep JSON is refused before the stack ends.
     assert!(matches!(read_gltf(&vec![b'['; 1_000_000], &mut |_| None), Err(GltfError::Json(_))));
 }
+
+mod hostile;

@@ -1,14 +1,15 @@
 //! The mesh of a result.
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 use super::component_tags::EdgeTags;
 use super::edge_table::NO_CORNER;
+use super::face_values::{FaceValues, Shares, only};
 use super::facet::Facet;
 use super::operation::BooleanOp;
 use super::polygon::{PolygonCorner, ResultPolygon};
 use crate::geometry::mesh::{FaceTag, Mesh, SubcomponentTagger, SubcomponentTags, TagSet, TagSetTable, flip, unit};
-use crate::geometry::triangulate::{PlaneProjection, Triangulator};
+use crate::geometry::triangulate::Triangulator;
 use crate::value::text::Text;
 
 /// Makes the mesh of polygons.
@@ -25,13 +26,6 @@ pub(super) struct Assembly<'a> {
     pub(super) op: BooleanOp,
 }
 
-/// The values of a corner, as shares of corners of the mesh.
-type Shares = [(u32, f64); 3];
-
-fn only(corner: u32) -> Shares {
-    [(corner, 1.0), (corner, 0.0), (corner, 0.0)]
-}
-
 impl Assembly<'_> {
     /// The mesh of the result.
     pub(super) fn mesh_of(&self, polygons: &[ResultPolygon]) -> Mesh {
@@ -44,25 +38,28 @@ impl Assembly<'_> {
         made.points.extend(used.iter().map(|point| self.places[*point as usize] + 0.0));
         let mut sets = TagSetTable::default();
         let mut triangulator = Triangulator::new();
-        let mut triangles: Option<(u32, Vec<[u32; 3]>)> = None;
+        let mut values: Option<FaceValues> = None;
+        // The facet of the last polygon, and its corners of the mesh by their points.
+        let (mut last_facet, mut corner_at) = (None, Vec::new());
         for polygon in polygons {
             let facet = &self.facets[polygon.sources[0] as usize];
+            if last_facet.replace(polygon.sources[0]) != Some(polygon.sources[0]) {
+                corner_at = facet.corners.iter().copied().zip(facet.sources.iter().copied()).collect();
+                corner_at.sort_unstable();
+            }
             for ring in &polygon.rings {
                 let shares = |place: usize| -> Shares {
                     let last = &ring[if place == 0 { ring.len() - 1 } else { place - 1 }];
-                    self.on_outline(facet, last, &ring[place]).unwrap_or([(NO_CORNER, 0.0); 3])
+                    self.on_outline(facet, &corner_at, last, &ring[place]).unwrap_or(only(NO_CORNER))
                 };
                 let mut corners: Vec<(u32, Shares)> =
                     (0..ring.len()).map(|place| (ring[place].point, shares(place))).collect();
                 if !made.uvs.is_empty() || !self.mesh.normals().is_empty() {
                     for (point, shares) in corners.iter_mut().filter(|(_, shares)| shares[0].0 == NO_CORNER) {
-                        if triangles.as_ref().is_none_or(|known| known.0 != facet.face) {
-                            let mut list = Vec::new();
-                            triangulator.face(self.mesh, facet.face as usize, &mut list);
-                            triangles = Some((facet.face, list));
-                        }
-                        let list = triangles.as_ref().map_or(&[][..], |known| &known.1);
-                        *shares = self.inside_face(facet, list, self.places[*point as usize]);
+                        let known = values.take().filter(|known| known.face == facet.face);
+                        let known = values
+                            .insert(known.unwrap_or_else(|| FaceValues::of(self.mesh, facet.face, &mut triangulator)));
+                        *shares = known.shares(facet, self.places[*point as usize]);
                     }
                 }
                 if polygon.is_turned {
@@ -122,11 +119,15 @@ impl Assembly<'_> {
     }
 
     /// The shares of a corner on the outline of its face: a corner or two of the face. `None` for a corner inside.
-    fn on_outline(&self, facet: &Facet, last: &PolygonCorner, corner: &PolygonCorner) -> Option<Shares> {
-        let is_here = |source: &u32| {
-            let at = facet.sources.iter().position(|known| known == source);
-            at.is_some_and(|at| facet.corners[at] == corner.point)
-        };
+    /// `corner_at` has the facet's corners of the mesh by their points.
+    fn on_outline(
+        &self,
+        facet: &Facet,
+        corner_at: &[(u32, u32)],
+        last: &PolygonCorner,
+        corner: &PolygonCorner,
+    ) -> Option<Shares> {
+        let is_here = |source: &u32| facet.point_at(*source) == Some(corner.point);
         for along in [corner.along, last.along] {
             if along[0] == NO_CORNER {
                 continue;
@@ -139,30 +140,8 @@ impl Assembly<'_> {
             let share = ((place - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
             return Some([(along[0], 1.0 - share), (along[1], share), (along[1], 0.0)]);
         }
-        let at = facet.corners.iter().position(|point| *point == corner.point)?;
-        Some(only(facet.sources[at]))
-    }
-
-    /// The shares of a place inside a face: the corners of its triangle.
-    fn inside_face(&self, facet: &Facet, triangles: &[[u32; 3]], place: DVec3) -> Shares {
-        let flat = PlaneProjection::along(self.mesh.face(facet.face as usize).normal());
-        let at = |corner: u32| flat.apply(self.mesh.points()[self.mesh.corners()[corner as usize] as usize]);
-        let place = flat.apply(place);
-        let shares = |triangle: &[u32; 3]| -> [f64; 3] {
-            let [a, b, c] = triangle.map(at);
-            let whole = (b - a).perp_dot(c - a);
-            let part = |a: DVec2, b: DVec2| (a - place).perp_dot(b - place) / whole;
-            [part(b, c), part(c, a), part(a, b)]
-        };
-        let least = |shares: &[f64; 3]| shares.iter().copied().fold(f64::INFINITY, f64::min);
-        let all = triangles.iter().map(|triangle| (triangle, shares(triangle)));
-        let best = all
-            .filter(|(_, shares)| shares.iter().all(|share| share.is_finite()))
-            .max_by(|a, b| least(&a.1).total_cmp(&least(&b.1)));
-        best.map_or_else(
-            || only(facet.sources[0]),
-            |(triangle, shares)| [0, 1, 2].map(|end| (triangle[end], shares[end])),
-        )
+        let at = corner_at.partition_point(|known| known.0 < corner.point);
+        corner_at.get(at).filter(|known| known.0 == corner.point).map(|known| only(known.1))
     }
 
     /// The tags of a face: those of all its sources, with new ones for the operands (*Boolean operations*, component tags).

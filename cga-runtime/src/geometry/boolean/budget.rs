@@ -10,11 +10,14 @@ pub(super) struct Budget {
     pub(super) comparisons: usize,
     /// The number of edges, divided ones included.
     pub(super) edges: usize,
+    /// The number of pairs of an edge and a facet that has it. Facets in one plane share edges, so there may be many more than
+    /// edges.
+    pub(super) owners: usize,
 }
 
 impl Budget {
-    /// A few seconds, and about 400 MB.
-    pub(super) const DEFAULT: Budget = Budget { comparisons: 200_000_000, edges: 2_000_000 };
+    /// A few seconds, and less than 1 GB.
+    pub(super) const DEFAULT: Budget = Budget { comparisons: 200_000_000, edges: 2_000_000, owners: 8_000_000 };
 
     /// Takes some comparisons; an error if none are left.
     pub(super) fn spend(&mut self, count: usize) -> Result<(), BooleanError> {
@@ -22,8 +25,9 @@ impl Budget {
         Ok(())
     }
 
-    /// An error if there are too many edges.
+    /// An error if there are too many edges, or too many facets that have them.
     pub(super) fn check(&self, edges: &EdgeTable) -> Result<(), BooleanError> {
-        if self.edges < edges.list.len() { Err(BooleanError::TooMany) } else { Ok(()) }
+        let is_within = edges.list.len() <= self.edges && edges.owner_count <= self.owners;
+        if is_within { Ok(()) } else { Err(BooleanError::TooMany) }
     }
 }

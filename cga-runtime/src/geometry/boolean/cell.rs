@@ -5,6 +5,7 @@
 
 use glam::DVec2;
 
+use super::bounds_tree::{BoundsTree, overlap};
 use super::budget::Budget;
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
@@ -12,6 +13,7 @@ use super::operation::BooleanError;
 use super::point_set::PointSet;
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::exact::orient;
+use crate::geometry::mesh::Bounds;
 
 /// A region of a facet without edges that divide it.
 #[derive(Debug)]
@@ -82,8 +84,7 @@ pub(super) struct LineGraph<'l> {
 /// A cycle of half-edges with a face on its left.
 struct Cycle {
     area: f64,
-    low: DVec2,
-    high: DVec2,
+    bounds: Bounds,
     ring: Vec<u32>,
 }
 
@@ -146,9 +147,8 @@ impl<'l> LineGraph<'l> {
             let from = at(ring[0]);
             let ends = ring.iter().zip(ring.iter().cycle().skip(1));
             let area = ends.map(|(a, b)| (at(*a) - from).perp_dot(at(*b) - from)).sum();
-            let low = ring.iter().fold(from, |low, point| low.min(at(*point)));
-            let high = ring.iter().fold(from, |high, point| high.max(at(*point)));
-            cycles.push(Cycle { area, low, high, ring });
+            let bounds = Bounds::of(ring.iter().map(|point| at(*point).extend(0.0)));
+            cycles.push(Cycle { area, bounds, ring });
         }
         (cycles, of_half)
     }
@@ -161,9 +161,11 @@ impl<'l> LineGraph<'l> {
         let mut cell: Vec<u32> = (0..cycles.len() as u32).collect();
         let mut winding = vec![0; cycles.len()];
         let mut open: Vec<u32> = Vec::new();
-        let mut done: Vec<u32> = Vec::new();
+        let boxes: Vec<Bounds> = cycles.iter().map(|cycle| cycle.bounds).collect();
+        let tree = BoundsTree::of(&boxes);
+        let mut is_done = vec![false; cycles.len()];
         for (outer, halves) in parts.iter().map(|part| (part.outer, &part.halves)) {
-            let around = self.smallest_around(&cycles, &done, cycles[outer as usize].ring[0], budget)?;
+            let around = self.smallest_around(&cycles, &tree, &is_done, cycles[outer as usize].ring[0], budget)?;
             cell[outer as usize] = around;
             winding[outer as usize] = if around == NONE { 0 } else { winding[around as usize] };
             let mut seen = vec![outer];
@@ -187,7 +189,7 @@ impl<'l> LineGraph<'l> {
                     }
                 }
             }
-            done.extend(seen.into_iter().filter(|cycle| *cycle != outer));
+            seen.into_iter().filter(|cycle| *cycle != outer).for_each(|cycle| is_done[cycle as usize] = true);
         }
         self.collect(&cell, &winding, &of_half)
     }
@@ -293,18 +295,29 @@ impl<'l> LineGraph<'l> {
     fn smallest_around(
         &self,
         cycles: &[Cycle],
-        among: &[u32],
+        tree: &BoundsTree,
+        counts: &[bool],
         point: u32,
         budget: &mut Budget,
     ) -> Result<u32, BooleanError> {
         let place = self.flat[point as usize];
-        let mut found = (f64::INFINITY, NONE);
-        budget.spend(among.len())?;
-        for &number in among {
-            let Cycle { area, low, high, ref ring } = cycles[number as usize];
-            if found.0 <= area || low.cmpgt(place).any() || place.cmpgt(high).any() {
-                continue;
-            }
+        let here = Bounds::of([place.extend(0.0)]);
+        let mut near: Vec<u32> = Vec::new();
+        let mut visited = 0;
+        tree.visit(
+            |around| overlap(around, &here),
+            |number| {
+                visited += 1;
+                let is_near = counts[number as usize] && overlap(&cycles[number as usize].bounds, &here);
+                near.extend(is_near.then_some(number));
+                true
+            },
+        );
+        budget.spend(visited)?;
+        let area = |number: u32| cycles[number as usize].area;
+        near.sort_unstable_by(|&a, &b| area(a).total_cmp(&area(b)).then(a.cmp(&b)));
+        for number in near {
+            let ring = &cycles[number as usize].ring;
             budget.spend(ring.len())?;
             let mut turns = 0;
             for (a, b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
@@ -316,10 +329,10 @@ impl<'l> LineGraph<'l> {
                 }
             }
             if turns != 0 {
-                found = (area, number);
+                return Ok(number);
             }
         }
-        Ok(found.1)
+        Ok(NONE)
     }
 }
 

@@ -37,6 +37,8 @@ pub(super) struct ArrangedEdge {
 #[derive(Default)]
 pub(super) struct EdgeTable {
     pub(super) list: Vec<ArrangedEdge>,
+    /// The number of owners of all edges.
+    pub(super) owner_count: usize,
     at: HashMap<[u32; 2], u32>,
 }
 
@@ -74,12 +76,14 @@ impl EdgeTable {
             }
             Err(at) => {
                 edge.owners.insert(at, EdgeOwner { count, ..owner });
+                self.owner_count += 1;
                 facets[owner.facet as usize].lines.push(number);
             }
         }
     }
 
-    /// Divides an edge at points on it. The facets that own it are added to `changed`.
+    /// Divides an edge at points on it. The facets that own it are added to `changed`; they still list the edge, which has no
+    /// owners any more.
     pub(super) fn divide(
         &mut self,
         facets: &mut [Facet],
@@ -90,13 +94,13 @@ impl EdgeTable {
     ) {
         let ArrangedEdge { ends, direction, length, ref mut owners } = self.list[edge as usize];
         let owners = std::mem::take(owners);
+        self.owner_count -= owners.len();
         self.at.remove(&ends);
         let place = |point: u32| points.at[point as usize];
         let along = |point: u32| (place(point) - place(ends[0])).dot(place(ends[1]) - place(ends[0]));
         cuts.sort_unstable_by(|&a, &b| along(a).total_cmp(&along(b)).then(a.cmp(&b)));
         for owner in owners {
             changed.push(owner.facet);
-            facets[owner.facet as usize].lines.retain(|line| *line != edge);
             let mut from = ends[0];
             for &to in cuts.iter().chain([&ends[1]]) {
                 if from != to {

@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::point_set::PointSet;
+use super::rim::{MOST_WITHOUT_TREE, RimTree};
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::{Bounds, FaceRef, Mesh, unit};
 use crate::geometry::triangulate::{PlaneProjection, Triangulator};
@@ -18,7 +19,7 @@ pub(super) struct Facet {
     pub(super) projection: PlaneProjection,
     /// The points of the outline and the holes.
     pub(super) corners: Vec<u32>,
-    /// For each corner the corner of the mesh.
+    /// For each corner the corner of the mesh. In increasing order, except in a part of a face.
     pub(super) sources: Vec<u32>,
     /// The end of each loop in `corners`.
     pub(super) ends: Vec<u32>,
@@ -27,12 +28,19 @@ pub(super) struct Facet {
     pub(super) is_convex: bool,
     /// The edges in its plane.
     pub(super) lines: Vec<u32>,
+    /// A tree of the loops' edges, if there are many.
+    pub(super) rim_tree: Option<RimTree>,
 }
 
 impl Facet {
     /// The place of a point in the facet's plane.
     pub(super) fn flat(&self, place: DVec3) -> DVec2 {
         self.projection.apply(place)
+    }
+
+    /// Two opposite corners of a box, in the facet's plane.
+    pub(super) fn flat_box(&self, bounds: &Bounds) -> [DVec2; 2] {
+        [bounds.low, bounds.high].map(|place| self.flat(place))
     }
 
     /// The signed distance from the facet's plane.
@@ -56,9 +64,20 @@ impl Facet {
 
     /// The corners of the mesh at both ends of the edge of the loops that starts at a corner.
     pub(super) fn edge_sources(&self, corner: u32) -> [u32; 2] {
-        let ring = self.loops().find(|ring| ring.contains(&(corner as usize))).unwrap_or(0..1);
-        let next = if corner as usize + 1 == ring.end { ring.start } else { corner as usize + 1 };
-        [self.sources[corner as usize], self.sources[next]]
+        let ring = self.ends.partition_point(|end| *end <= corner);
+        let start = if ring == 0 { 0 } else { self.ends[ring - 1] };
+        let next = if corner + 1 == self.ends[ring] { start } else { corner + 1 };
+        [corner, next].map(|corner| self.sources[corner as usize])
+    }
+
+    /// The point at a corner of the mesh, if that is a corner of the facet.
+    pub(super) fn point_at(&self, source: u32) -> Option<u32> {
+        // Only triangles of bent faces have their corners in another order.
+        let place = match self.is_part {
+            true => self.sources.iter().position(|known| *known == source),
+            false => self.sources.binary_search(&source).ok(),
+        };
+        place.map(|place| self.corners[place])
     }
 
     /// The places of an edge of the loops in the facet's plane.
@@ -66,18 +85,26 @@ impl Facet {
         edge.map(|corner| self.flat(points.at[self.corners[corner] as usize]))
     }
 
-    /// The number of times that the loops wind around a place.
-    pub(super) fn winding(&self, points: &PointSet, place: DVec2) -> i32 {
+    /// The number of times that the loops wind around a place, and the number of edges that were compared.
+    pub(super) fn winding(&self, points: &PointSet, place: DVec2) -> (i32, usize) {
         let mut turns = 0;
-        for edge in self.rim() {
+        let mut pass = |edge: [usize; 2]| {
             let [a, b] = self.flat_edge(points, edge);
             if a.y <= place.y && place.y < b.y {
                 turns += i32::from(0 < orient(a, b, place));
             } else if b.y <= place.y && place.y < a.y {
                 turns -= i32::from(orient(a, b, place) < 0);
             }
-        }
-        turns
+        };
+        let compared = match &self.rim_tree {
+            // Edges that are on the left of the place do not count.
+            Some(tree) => tree.visit(place, DVec2::new(f64::INFINITY, place.y), pass),
+            None => {
+                self.rim().for_each(&mut pass);
+                self.corners.len()
+            }
+        };
+        (turns, compared)
     }
 
     /// The signed distance of a place from the line of an edge, positive on the left.
@@ -133,10 +160,18 @@ impl Facet {
             bounds,
             is_convex: false,
             lines: Vec::new(),
+            rim_tree: None,
         };
         facet.is_convex = facet.find_convex(points);
         let around: f64 = facet.rim().map(|edge| points.length(edge.map(|corner| facet.corners[corner]))).sum();
-        (points.epsilon * around < facet.double_area(points).abs()).then_some(facet)
+        if facet.double_area(points).abs() <= points.epsilon * around {
+            return None;
+        }
+        if MOST_WITHOUT_TREE < facet.corners.len() {
+            let at = |corner: usize| facet.flat(points.at[facet.corners[corner] as usize]);
+            facet.rim_tree = Some(RimTree::new(facet.rim().collect(), at, points.epsilon));
+        }
+        Some(facet)
     }
 
     /// Twice the area in projection.

@@ -5,17 +5,29 @@
 
 use glam::DVec3;
 
+use super::budget::Budget;
 use super::edge_table::{EdgeOwner, EdgeTable, NO_CORNER};
 use super::facet::Facet;
+use super::operation::BooleanError;
 use super::point_set::PointSet;
 
 /// Facets whose planes form a smaller angle than this are nearly parallel: the product of their normals is no good
 /// direction for the line in which they meet.
 const PARALLEL: f64 = 1e-7;
 
+/// The cost of the line in which two facets meet, and of a piece of it.
+const PAIR_COST: usize = 16;
+
 /// The part of a facet's outline on the plane of another facet.
 #[derive(Default)]
 struct PlaneSection {
+    /// True if the facet has many edges, so that only those near the other facet are looked at.
+    is_local: bool,
+    /// True if all corners are on the plane.
+    is_flat: bool,
+    /// The edges that are looked at, as the numbers of their corners.
+    rim: Vec<[usize; 2]>,
+    /// The heights of the ends of these edges over the plane, or of all corners if the section is not local.
     heights: Vec<f64>,
     /// The points on the plane.
     points: Vec<u32>,
@@ -24,54 +36,96 @@ struct PlaneSection {
 }
 
 impl PlaneSection {
-    /// Compares the corners of a facet with a plane. Returns true if some are on it, or on both sides.
-    fn measure(&mut self, points: &PointSet, facet: &Facet, plane: &Facet) -> bool {
-        self.heights.clear();
-        self.heights.extend(facet.corners.iter().map(|point| {
-            let height = plane.height(points.at[*point as usize]);
+    /// Compares the corners of a facet with a plane. Returns false if all are on one side.
+    fn measure(
+        &mut self,
+        points: &PointSet,
+        facet: &Facet,
+        plane: &Facet,
+        budget: &mut Budget,
+    ) -> Result<bool, BooleanError> {
+        let height = |point: u32| {
+            let height = plane.height(points.at[point as usize]);
             if height.abs() <= points.epsilon { 0.0 } else { height }
-        }));
+        };
+        self.heights.clear();
+        self.is_local = facet.rim_tree.is_some();
+        if let Some(tree) = &facet.rim_tree {
+            let compared = tree.near(facet.flat_box(&plane.bounds), &mut self.rim);
+            self.heights.extend(self.rim.as_flattened().iter().map(|corner| height(facet.corners[*corner])));
+            budget.spend(compared + 2 * self.rim.len())?;
+            self.is_flat = self.heights.iter().all(|height| *height == 0.0)
+                && facet.corners.iter().all(|point| height(*point) == 0.0);
+            return Ok(true);
+        }
+        self.heights.extend(facet.corners.iter().map(|point| height(*point)));
+        budget.spend(facet.corners.len())?;
         let above = self.heights.iter().all(|height| 0.0 < *height);
-        !above && !self.heights.iter().all(|height| *height < 0.0)
-    }
-
-    fn is_flat(&self) -> bool {
-        self.heights.iter().all(|height| *height == 0.0)
+        self.is_flat = self.heights.iter().all(|height| *height == 0.0);
+        Ok(!above && !self.heights.iter().all(|height| *height < 0.0))
     }
 
     /// Finds the points and edges of the outline on the plane.
     fn cross(&mut self, points: &mut PointSet, facet: &Facet) {
         self.points.clear();
         self.runs.clear();
-        for [from, to] in facet.rim() {
-            let ends = [facet.corners[from], facet.corners[to]];
-            let heights = [self.heights[from], self.heights[to]];
-            if heights[0] == 0.0 {
-                self.points.push(ends[0]);
-                if heights[1] == 0.0 {
-                    self.runs.push(ends);
-                }
-            } else if heights[0] * heights[1] < 0.0 {
-                // Both facets at an edge cross it in the same order.
-                let turned = ends[1] < ends[0];
-                let [a, b] = if turned { [1, 0] } else { [0, 1] };
-                let [start, end] = [ends[a], ends[b]].map(|point| points.at[point as usize]);
-                let share = heights[a] / (heights[a] - heights[b]);
-                self.points.push(points.number(start + (end - start) * share));
+        if self.is_local {
+            for number in 0..self.rim.len() {
+                let [from, to] = self.rim[number];
+                self.pass(points, facet, [from, to], [self.heights[2 * number], self.heights[2 * number + 1]]);
+            }
+        } else {
+            for [from, to] in facet.rim() {
+                self.pass(points, facet, [from, to], [self.heights[from], self.heights[to]]);
             }
         }
         self.points.sort_unstable();
         self.points.dedup();
     }
 
+    /// Adds the point or the edge that an edge has on the plane.
+    fn pass(&mut self, points: &mut PointSet, facet: &Facet, edge: [usize; 2], heights: [f64; 2]) {
+        let ends = edge.map(|corner| facet.corners[corner]);
+        if heights[0] == 0.0 {
+            self.points.push(ends[0]);
+            if heights[1] == 0.0 {
+                self.runs.push(ends);
+            }
+        } else if heights[0] * heights[1] < 0.0 {
+            // Both facets at an edge cross it in the same order.
+            let turned = ends[1] < ends[0];
+            let [a, b] = if turned { [1, 0] } else { [0, 1] };
+            let [start, end] = [ends[a], ends[b]].map(|point| points.at[point as usize]);
+            let share = heights[a] / (heights[a] - heights[b]);
+            self.points.push(points.number(start + (end - start) * share));
+        }
+    }
+
+    /// Returns true if the outline has no point on the plane, so that the facets do not meet.
+    fn is_apart(&self) -> bool {
+        !self.is_local && self.points.is_empty()
+    }
+
     /// Returns true if the facet contains a place on its plane section.
-    fn contains(&self, points: &PointSet, facet: &Facet, along: DVec3, place: DVec3) -> bool {
+    fn contains(
+        &self,
+        points: &PointSet,
+        facet: &Facet,
+        along: DVec3,
+        place: DVec3,
+        budget: &mut Budget,
+    ) -> Result<bool, BooleanError> {
         let at = place.dot(along);
         let runs_there = |run: &[u32; 2]| {
             let [a, b] = run.map(|point| points.at[point as usize].dot(along));
             a.min(b) < at && at < a.max(b)
         };
-        self.runs.iter().any(runs_there) || facet.winding(points, facet.flat(place)) != 0
+        if self.runs.iter().any(runs_there) {
+            return Ok(true);
+        }
+        let (turns, compared) = facet.winding(points, facet.flat(place));
+        budget.spend(1 + compared / 2)?;
+        Ok(turns != 0)
     }
 }
 
@@ -85,19 +139,27 @@ pub(super) struct FacetMeeting {
 
 impl FacetMeeting {
     /// Adds the lines in which two facets meet to both.
-    pub(super) fn meet(&mut self, points: &mut PointSet, edges: &mut EdgeTable, facets: &mut [Facet], pair: [u32; 2]) {
+    pub(super) fn meet(
+        &mut self,
+        points: &mut PointSet,
+        edges: &mut EdgeTable,
+        facets: &mut [Facet],
+        pair: [u32; 2],
+        budget: &mut Budget,
+    ) -> Result<(), BooleanError> {
         let [first, second] = pair.map(|facet| &facets[facet as usize]);
         let [a, b] = &mut self.sections;
-        if !a.measure(points, first, second) || !b.measure(points, second, first) {
-            return;
+        if !a.measure(points, first, second, budget)? || !b.measure(points, second, first, budget)? {
+            return Ok(());
         }
-        if a.is_flat() || b.is_flat() {
-            return share_edges(points, edges, facets, pair);
+        budget.spend(PAIR_COST)?;
+        if a.is_flat || b.is_flat {
+            return share_edges(points, edges, facets, pair, budget);
         }
         a.cross(points, first);
         b.cross(points, second);
-        if a.points.is_empty() || b.points.is_empty() {
-            return;
+        if a.is_apart() || b.is_apart() || (a.points.is_empty() && b.points.is_empty()) {
+            return Ok(());
         }
         let along = line_direction(points, first, second, [&a.points, &b.points]);
         let numbers = a.points.iter().chain(&b.points);
@@ -110,7 +172,7 @@ impl FacetMeeting {
             let ends = [between[0].1, between[1].1];
             let [from, to] = ends.map(|point| points.at[point as usize]);
             let middle = (from + to) * 0.5;
-            if a.contains(points, first, along, middle) && b.contains(points, second, along, middle) {
+            if a.contains(points, first, along, middle, budget)? && b.contains(points, second, along, middle, budget)? {
                 self.found.push(ends);
             }
         }
@@ -120,6 +182,7 @@ impl FacetMeeting {
                 edges.add(facets, ends, along, EdgeOwner { facet, count: 0, corner: NO_CORNER });
             }
         }
+        Ok(())
     }
 }
 
@@ -145,11 +208,24 @@ fn line_direction(points: &PointSet, first: &Facet, second: &Facet, found: [&[u3
 }
 
 /// Adds the edges of two facets in the same plane to each other.
-fn share_edges(points: &PointSet, edges: &mut EdgeTable, facets: &mut [Facet], pair: [u32; 2]) {
+fn share_edges(
+    points: &PointSet,
+    edges: &mut EdgeTable,
+    facets: &mut [Facet],
+    pair: [u32; 2],
+    budget: &mut Budget,
+) -> Result<(), BooleanError> {
+    let mut near = Vec::new();
     for [from, to] in [pair, [pair[1], pair[0]]] {
         let (giver, taker) = (&facets[from as usize], &facets[to as usize]);
-        let shared: Vec<[u32; 2]> = giver
-            .rim()
+        near.clear();
+        match &giver.rim_tree {
+            Some(tree) => budget.spend(tree.near(giver.flat_box(&taker.bounds), &mut near))?,
+            None => near.extend(giver.rim()),
+        }
+        budget.spend(near.len())?;
+        let shared: Vec<[u32; 2]> = near
+            .iter()
             .map(|edge| edge.map(|corner| giver.corners[corner]))
             .filter(|ends| may_meet(points, taker, *ends))
             .collect();
@@ -158,6 +234,7 @@ fn share_edges(points: &PointSet, edges: &mut EdgeTable, facets: &mut [Facet], p
             edges.add(facets, ends, direction, EdgeOwner { facet: to, count: 0, corner: NO_CORNER });
         }
     }
+    Ok(())
 }
 
 /// Returns false if an edge in the plane of a facet certainly has no point in it except for corners of the facet.
@@ -166,6 +243,9 @@ fn may_meet(points: &PointSet, facet: &Facet, ends: [u32; 2]) -> bool {
     let is_apart = facet.bounds.high.cmplt(a.min(b)).any() || a.max(b).cmplt(facet.bounds.low).any();
     if is_apart {
         return false;
+    }
+    if facet.rim_tree.is_some() {
+        return true;
     }
     let flat = [a, b].map(|place| facet.flat(place));
     let is_beyond = |edge: [usize; 2]| {

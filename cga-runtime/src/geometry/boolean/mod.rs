@@ -11,18 +11,20 @@
 //! fails, the operation is repeated with another epsilon.
 
 mod assembly;
+mod bounds_tree;
 mod budget;
 mod cell;
 mod component_tags;
 mod edge_table;
+mod face_values;
 mod facet;
-mod facet_tree;
 mod meeting;
 mod noding;
 mod operation;
 mod point_set;
 mod polygon;
 mod ray;
+mod rim;
 mod selection;
 mod sheet;
 mod shell;
@@ -30,17 +32,17 @@ mod straight;
 mod surface;
 mod winding;
 
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
-use super::mesh::Mesh;
 use super::mesh::join::join;
-use super::tol::BOOLEAN_EPSILONS;
+use super::mesh::{Bounds, Mesh};
+use super::tol::{BOOLEAN_EPSILONS, THINNEST_SOLID};
 use assembly::Assembly;
+use bounds_tree::{BoundsTree, overlap};
 use budget::Budget;
 use component_tags::{EdgeTags, vertex_tags};
 use edge_table::{EdgeOwner, EdgeTable};
 use facet::{Facet, facets_of};
-use facet_tree::{FacetTree, overlap};
 use meeting::FacetMeeting;
 pub(crate) use operation::{BooleanError, BooleanOp};
 use point_set::PointSet;
@@ -71,17 +73,31 @@ fn combine_within(
     for (number, part) in (0..).zip(operands.into_iter().flatten()) {
         mesh_of_face.resize(mesh_of_face.len() + part.face_count(), number);
     }
+    if mesh.is_empty() {
+        return Ok(Mesh::default());
+    }
+    if !rounding.is_finite() || !mesh.points().iter().all(|point| point.is_finite()) {
+        return Err(BooleanError::NotFinite);
+    }
+    let is_closed: Vec<bool> = operands.into_iter().flatten().map(Mesh::is_closed).collect();
     let firsts = operands[0].len() as u32;
     let bounds = mesh.bounds();
     let scale = bounds.scale_to_one();
     let size = (bounds.high * scale - bounds.low * scale).max_element();
-    if !size.is_finite() || mesh.is_empty() {
-        return Ok(Mesh::default());
-    }
+    let thinnest = THINNEST_SOLID * size + 16.0 * rounding * scale;
     let mut error = BooleanError::Tangled;
     for epsilon in BOOLEAN_EPSILONS {
         let epsilon = (epsilon * size).max(16.0 * rounding * scale);
-        let input = Input { mesh: &mesh, mesh_of_face: &mesh_of_face, firsts, scale, epsilon };
+        let input = Input {
+            mesh: &mesh,
+            mesh_of_face: &mesh_of_face,
+            is_closed: &is_closed,
+            operands,
+            thinnest,
+            firsts,
+            scale,
+            epsilon,
+        };
         match input.result(op, &mut budget) {
             Err(BooleanError::Tangled) => {}
             Err(BooleanError::TooMany) => {
@@ -99,6 +115,11 @@ struct Input<'m> {
     mesh: &'m Mesh,
     /// The number of the mesh to which each face belongs.
     mesh_of_face: &'m [u32],
+    /// True for each mesh without border edges.
+    is_closed: &'m [bool],
+    operands: [&'m [Mesh]; 2],
+    /// Closed meshes that are thinner are flat areas.
+    thinnest: f64,
     /// The number of meshes of the first operand.
     firsts: u32,
     /// Coordinates are scaled to about 1.
@@ -107,6 +128,15 @@ struct Input<'m> {
 }
 
 impl Input<'_> {
+    /// Returns true if a mesh without border edges is thicker than rounding errors.
+    fn has_solid(&self) -> bool {
+        let is_thick = |mesh: &Mesh| {
+            let scaled = mesh.map(&DAffine3::from_scale(DVec3::splat(self.scale)));
+            mesh.is_closed() && self.thinnest * scaled.area() < scaled.volume().abs()
+        };
+        self.operands.into_iter().flatten().any(is_thick)
+    }
+
     fn result(&self, op: BooleanOp, budget: &mut Budget) -> Result<Mesh, BooleanError> {
         let bounds = self.mesh.bounds();
         let middle = bounds.low * 0.5 + bounds.high * 0.5;
@@ -117,10 +147,15 @@ impl Input<'_> {
         let operands: Vec<u8> = mesh_of.iter().map(|mesh| u8::from(self.firsts <= *mesh)).collect();
         let mut edges = outlines(&points, &mut facets);
         let mut shells = shells(&points, &edges, &facets, &mesh_of);
-        let tree = FacetTree::of(&facets);
+        let boxes: Vec<Bounds> = facets.iter().map(|facet| facet.bounds).collect();
+        let tree = BoundsTree::of(&boxes);
         meet_all(&mut points, &mut edges, &mut facets, &tree, budget)?;
         noding::divide_edges(&mut points, &mut edges, &mut facets, budget)?;
         close_shells(&edges, &facets, &mesh_of, &mut shells);
+        if shells.iter().any(|shell| !shell.is_closed && self.is_closed[mesh_of[shell.facets[0] as usize] as usize]) {
+            // Faces that are thinner than epsilon were left out.
+            return Err(BooleanError::Tangled);
+        }
         let cells = (0..)
             .zip(&facets)
             .map(|(number, facet)| cell::cells_of(&points, &edges, number, facet, budget))
@@ -132,11 +167,16 @@ impl Input<'_> {
         let inverted = inverted_shells(&points, &facets, &tree, &kinds, &sheets, &mesh_of, &shells, budget)?;
         inverted.into_iter().for_each(|facet| kinds[facet as usize] = ShellKind::Inverted);
         let rays = RayCaster { points: &points, facets: &facets, tree: &tree, kinds: &kinds, operands: &operands };
-        let chosen = if is_flat(&points, &facets) {
+        let is_flat = is_flat(&points, &facets);
+        if is_flat && self.has_solid() {
+            // A solid that is thinner than epsilon.
+            return Err(BooleanError::Tangled);
+        }
+        let chosen = if is_flat {
             selection::choose_in_plane(op, &sheets, &rays)
         } else {
             let windings = Windings::of(&sheets, &rays, budget)?;
-            selection::choose(op, &sheets, &edges, &rays, &windings)
+            selection::choose(op, &sheets, &rays, &windings, budget)?
         };
         let tags = EdgeTags::new(op, self.mesh, &edges, &facets, &sheets, &operands);
         let maker = PolygonMaker { points: &points, edges: &edges, facets: &facets, sheets: &sheets, tags: &tags };
@@ -158,7 +198,7 @@ impl Input<'_> {
             op,
         };
         let made = assembly.mesh_of(&polygons);
-        let must_close = !kinds.contains(&ShellKind::Open) && !is_flat(&points, &facets);
+        let must_close = !kinds.contains(&ShellKind::Open) && !is_flat;
         if must_close && !made.is_empty() && !made.is_closed() {
             return Err(BooleanError::Tangled);
         }
@@ -186,7 +226,7 @@ fn meet_all(
     points: &mut PointSet,
     edges: &mut EdgeTable,
     facets: &mut [Facet],
-    tree: &FacetTree,
+    tree: &BoundsTree,
     budget: &mut Budget,
 ) -> Result<(), BooleanError> {
     let mut meeting = FacetMeeting::default();
@@ -205,8 +245,7 @@ fn meet_all(
         );
         near.sort_unstable();
         for &other in &near {
-            budget.spend(facets[number as usize].corners.len() + facets[other as usize].corners.len())?;
-            meeting.meet(points, edges, facets, [number, other]);
+            meeting.meet(points, edges, facets, [number, other], budget)?;
             budget.check(edges)?;
         }
     }
@@ -225,21 +264,34 @@ fn is_flat(points: &PointSet, facets: &[Facet]) -> bool {
 fn inverted_shells(
     points: &PointSet,
     facets: &[Facet],
-    tree: &FacetTree,
+    tree: &BoundsTree,
     kinds: &[ShellKind],
     sheets: &Sheets,
     mesh_of: &[u32],
     shells: &[Shell],
     budget: &mut Budget,
 ) -> Result<Vec<u32>, BooleanError> {
-    let mut found = Vec::new();
+    let looks_inwards = |shell: &&Shell| shell.is_closed && shell.volume < -points.epsilon;
+    if !shells.iter().any(|shell| looks_inwards(&shell)) {
+        return Ok(Vec::new());
+    }
+    // A sheet of each facet. Facets of several shells may have it.
+    let mut sheet_of = vec![None; facets.len()];
+    for sheet in &sheets.list {
+        sheet.sources.iter().for_each(|source| sheet_of[source.facet as usize] = Some(sheet));
+    }
+    let mut shell_of = vec![0; facets.len()];
+    for (number, shell) in shells.iter().enumerate() {
+        shell.facets.iter().for_each(|facet| shell_of[*facet as usize] = number);
+    }
     let none = vec![0; facets.len()];
     let rays = RayCaster { points, facets, tree, kinds, operands: &none };
-    for shell in shells.iter().filter(|shell| shell.is_closed && shell.volume < -points.epsilon) {
-        let mesh = mesh_of[shell.facets[0] as usize];
-        let sheet = sheets.list.iter().find(|sheet| sheet.facet() == shell.facets[0]);
-        let is_other = |facet: u32| mesh_of[facet as usize] == mesh && !shell.facets.contains(&facet);
-        let around = sheet.map_or(Ok([0; 2]), |sheet| rays.around_front(sheet, is_other, budget))?;
+    let mut found = Vec::new();
+    for shell in shells.iter().filter(looks_inwards) {
+        let first = shell.facets[0] as usize;
+        let is_other =
+            |facet: u32| mesh_of[facet as usize] == mesh_of[first] && shell_of[facet as usize] != shell_of[first];
+        let around = sheet_of[first].map_or(Ok([0; 2]), |sheet| rays.around_front(sheet, is_other, budget))?;
         if around[0] <= 0 {
             found.extend(&shell.facets);
         }

@@ -3,15 +3,23 @@
 //! An edge that passes a point within epsilon is led through it, and edges that cross are led through a new point. So an edge
 //! moves by up to epsilon, and may then pass other points: the facets of divided edges are compared again.
 
+use super::bounds_tree::{BoundsTree, overlap};
 use super::budget::Budget;
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
 use super::operation::BooleanError;
 use super::point_set::PointSet;
 use crate::geometry::exact::orient;
+use crate::geometry::mesh::Bounds;
 
 /// The limit on rounds. Two suffice for most arrangements.
 const MOST_ROUNDS: usize = 32;
+
+/// The number of edges of a facet that are compared all with all.
+const MOST_WITHOUT_TREE: usize = 24;
+
+/// The cost of comparing two edges whose boxes overlap.
+const PAIR_COST: usize = 8;
 
 /// The points at which edges are to be divided: pairs of an edge and a point.
 type Cuts = Vec<[u32; 2]>;
@@ -24,11 +32,16 @@ pub(super) fn divide_edges(
     budget: &mut Budget,
 ) -> Result<(), BooleanError> {
     let mut open: Vec<u32> = (0..facets.len() as u32).filter(|facet| has_company(edges, facets, *facet)).collect();
+    let mut is_open = vec![false; facets.len()];
     for _ in 0..MOST_ROUNDS {
         let mut cuts = Cuts::new();
+        open.iter().for_each(|facet| is_open[*facet as usize] = true);
         for &facet in &open {
-            compare_edges(points, edges, &facets[facet as usize], &mut cuts, budget)?;
+            let number = facet;
+            let facet = &facets[facet as usize];
+            compare_edges(points, edges, facet, |pair| is_first(edges, &is_open, number, pair), &mut cuts, budget)?;
         }
+        open.iter().for_each(|facet| is_open[*facet as usize] = false);
         if cuts.is_empty() {
             return Ok(());
         }
@@ -44,6 +57,9 @@ pub(super) fn divide_edges(
         }
         open.sort_unstable();
         open.dedup();
+        for &facet in &open {
+            facets[facet as usize].lines.retain(|line| !edges.list[*line as usize].owners.is_empty());
+        }
     }
     Err(BooleanError::Tangled)
 }
@@ -55,32 +71,71 @@ fn has_company(edges: &EdgeTable, facets: &[Facet], number: u32) -> bool {
     !facet.is_convex || facet.lines.iter().any(is_foreign)
 }
 
-/// Finds where the edges in the plane of a facet meet, by a sweep over their boxes.
+/// Returns true if a facet is the first one, of those that are compared, that has both edges. Facets in one plane share edges,
+/// which meet at the same points in all of them.
+fn is_first(edges: &EdgeTable, is_open: &[bool], facet: u32, pair: [u32; 2]) -> bool {
+    let [mut a, mut b] = pair.map(|edge| edges.list[edge as usize].owners.iter().map(|owner| owner.facet).peekable());
+    while let (Some(&first), Some(&second)) = (a.peek(), b.peek()) {
+        if facet <= first.max(second) {
+            return true;
+        }
+        if first == second && is_open[first as usize] {
+            return false;
+        }
+        if first <= second {
+            a.next();
+        }
+        if second <= first {
+            b.next();
+        }
+    }
+    true
+}
+
+/// Finds where the edges in the plane of a facet meet.
 fn compare_edges(
     points: &mut PointSet,
     edges: &EdgeTable,
     facet: &Facet,
+    counts: impl Fn([u32; 2]) -> bool,
     cuts: &mut Cuts,
     budget: &mut Budget,
 ) -> Result<(), BooleanError> {
     let reach = points.epsilon;
     let extent = |line: u32| {
         let [a, b] = edges.list[line as usize].ends.map(|end| facet.flat(points.at[end as usize]));
-        (a.min(b) - reach, a.max(b) + reach, line)
+        (Bounds { low: (a.min(b) - reach).extend(0.0), high: (a.max(b) + reach).extend(0.0) }, line)
     };
-    let mut boxes: Vec<_> = facet.lines.iter().map(|line| extent(*line)).collect();
-    boxes.sort_unstable_by(|a, b| a.0.x.total_cmp(&b.0.x).then(a.2.cmp(&b.2)));
-    let mut active: Vec<usize> = Vec::new();
-    for (number, &(low, high, line)) in boxes.iter().enumerate() {
-        budget.spend(active.len())?;
-        active.retain(|&other| low.x <= boxes[other].1.x);
-        for &other in &active {
-            let (its_low, its_high, its_line) = boxes[other];
-            if its_low.y <= high.y && low.y <= its_high.y {
-                compare_pair(points, edges, facet, [line, its_line], cuts);
+    let mut boxes: Vec<(Bounds, u32)> = facet.lines.iter().map(|line| extent(*line)).collect();
+    boxes.sort_unstable_by(|a, b| a.0.low.x.total_cmp(&b.0.low.x).then(a.1.cmp(&b.1)));
+    let lines: Vec<u32> = boxes.iter().map(|entry| entry.1).collect();
+    let boxes: Vec<Bounds> = boxes.into_iter().map(|entry| entry.0).collect();
+    // A tree costs more than it saves for few edges.
+    let tree = (MOST_WITHOUT_TREE < boxes.len()).then(|| BoundsTree::of(&boxes));
+    let mut near: Vec<u32> = Vec::new();
+    for (number, bounds) in (0..).zip(&boxes) {
+        near.clear();
+        let mut visited = 0;
+        let mut look = |other: u32| {
+            visited += 1;
+            if other < number && overlap(&boxes[other as usize], bounds) {
+                near.push(other);
+            }
+            true
+        };
+        match &tree {
+            Some(tree) => tree.visit(|around| overlap(around, bounds), look),
+            None => (0..number).for_each(|other| _ = look(other)),
+        }
+        budget.spend(visited + near.len())?;
+        near.sort_unstable();
+        for &other in &near {
+            let pair = [lines[number as usize], lines[other as usize]];
+            if counts(pair) {
+                budget.spend(PAIR_COST)?;
+                compare_pair(points, edges, facet, pair, cuts);
             }
         }
-        active.push(number);
     }
     Ok(())
 }

@@ -31,4 +31,6 @@ pub(crate) enum BooleanError {
     TooMany,
     /// Faces that are nearly at one place cannot be told apart.
     Tangled,
+    /// A coordinate is NaN or infinite.
+    NotFinite,
 }

@@ -16,6 +16,10 @@ pub(super) struct PointSet {
 
 const NONE: u32 = u32::MAX;
 
+/// The size of a cell of the grid in epsilons. In larger cells, a place is rarely near several cells, but more points may be in
+/// one.
+const CELL_SIZE: f64 = 16.0;
+
 impl PointSet {
     pub(super) fn new(epsilon: f64) -> Self {
         PointSet { at: Vec::new(), epsilon, cells: HashMap::new(), before: Vec::new() }
@@ -23,7 +27,7 @@ impl PointSet {
 
     /// The nearest point within epsilon of a place; a new point if there is none.
     pub(super) fn number(&mut self, place: DVec3) -> u32 {
-        let size = 4.0 * self.epsilon;
+        let size = CELL_SIZE * self.epsilon;
         let cell = |place: DVec3| (place / size).floor().to_array().map(|steps| steps as i64);
         let [low, high] = [cell(place - self.epsilon), cell(place + self.epsilon)];
         let mut nearest = (self.epsilon * self.epsilon, NONE);

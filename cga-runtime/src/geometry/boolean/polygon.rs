@@ -176,8 +176,7 @@ impl PolygonMaker<'_> {
     fn polygon(&self, one: &ChosenSheet, mut rings: Vec<Vec<PolygonCorner>>) -> (u32, ResultPolygon) {
         let facet = &self.facets[one.sources[0] as usize];
         let rank = |corner: &PolygonCorner| {
-            let from = facet.sources.iter().position(|source| *source == corner.along[0]);
-            let start = from.map_or(corner.point, |from| facet.corners[from]);
+            let start = facet.point_at(corner.along[0]).unwrap_or(corner.point);
             (corner.along[0], self.points.length([start, corner.point]), corner.point)
         };
         let earlier = |a: &PolygonCorner, b: &PolygonCorner| {

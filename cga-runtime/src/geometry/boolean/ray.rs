@@ -2,9 +2,9 @@
 
 use glam::{DVec2, DVec3};
 
+use super::bounds_tree::{BoundsTree, meets_ray};
 use super::budget::Budget;
 use super::facet::Facet;
-use super::facet_tree::{FacetTree, meets_ray};
 use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::sheet::Sheet;
@@ -27,7 +27,7 @@ pub(super) type Around = [i32; 2];
 pub(super) struct RayCaster<'a> {
     pub(super) points: &'a PointSet,
     pub(super) facets: &'a [Facet],
-    pub(super) tree: &'a FacetTree,
+    pub(super) tree: &'a BoundsTree,
     pub(super) kinds: &'a [ShellKind],
     /// The operand of each facet.
     pub(super) operands: &'a [u8],
@@ -114,7 +114,7 @@ impl RayCaster<'_> {
         if facet.distance_from_rim(self.points, place) <= near {
             return Crossing::Unclear;
         }
-        match facet.winding(self.points, place) {
+        match facet.winding(self.points, place).0 {
             0 => Crossing::Winding(0),
             _ if distance <= near => Crossing::Unclear,
             winding => Crossing::Winding(if 0.0 < fall { winding } else { -winding }),

@@ -1,7 +1,7 @@
 //! The sheets that are the result of an operation.
 
-use super::edge_table::EdgeTable;
-use super::operation::BooleanOp;
+use super::budget::Budget;
+use super::operation::{BooleanError, BooleanOp};
 use super::ray::RayCaster;
 use super::sheet::{Sheet, SheetSide, SheetSource, Sheets};
 use super::surface::{inside_surface, surface_winding};
@@ -20,14 +20,15 @@ pub(super) struct ChosenSheet {
 pub(super) fn choose(
     op: BooleanOp,
     sheets: &Sheets,
-    edges: &EdgeTable,
     rays: &RayCaster<'_>,
     windings: &Windings,
-) -> Vec<ChosenSheet> {
-    let surfaces = [0, 1].map(|operand| match op {
-        BooleanOp::Unify => vec![false; sheets.list.len()],
-        _ => inside_surface(sheets, edges, rays, operand),
-    });
+    budget: &mut Budget,
+) -> Result<Vec<ChosenSheet>, BooleanError> {
+    let mut surface = |operand: u8| match op {
+        BooleanOp::Unify => Ok(vec![false; sheets.list.len()]),
+        _ => inside_surface(sheets, rays, operand, budget),
+    };
+    let surfaces = [surface(0)?, surface(1)?];
     let mut chosen = Vec::new();
     for (number, sheet) in (0..).zip(&sheets.list) {
         let inside = |operand: usize, side: SheetSide| {
@@ -47,7 +48,7 @@ pub(super) fn choose(
             chosen.push(ChosenSheet { sheet: number, is_reversed, sources });
         }
     }
-    chosen
+    Ok(chosen)
 }
 
 /// The facets that the result has at a sheet. A solid that only touches the one from which it is subtracted has none.

@@ -9,7 +9,8 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 
-use super::edge_table::EdgeTable;
+use super::budget::Budget;
+use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::ray::{RayCaster, place_in};
 use super::sheet::{EdgeUse, SheetSide, Sheets};
@@ -17,8 +18,16 @@ use super::shell::ShellKind;
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::triangulate::Triangulator;
 
+/// The cost of the solid angle of a triangle, in comparisons.
+const ANGLE_COST: usize = 4;
+
 /// For each sheet whether it is inside the open surface of an operand. Sheets of that operand are not.
-pub(super) fn inside_surface(sheets: &Sheets, edges: &EdgeTable, rays: &RayCaster<'_>, operand: u8) -> Vec<bool> {
+pub(super) fn inside_surface(
+    sheets: &Sheets,
+    rays: &RayCaster<'_>,
+    operand: u8,
+    budget: &mut Budget,
+) -> Result<Vec<bool>, BooleanError> {
     let count = sheets.list.len();
     let surface: Vec<i32> = (0..count as u32).map(|sheet| surface_winding(sheets, rays, sheet, operand)).collect();
     let is_other = |sheet: u32| {
@@ -27,9 +36,8 @@ pub(super) fn inside_surface(sheets: &Sheets, edges: &EdgeTable, rays: &RayCaste
     };
     let others: Vec<bool> = (0..count as u32).map(is_other).collect();
     if surface.iter().all(|winding| *winding == 0) || !others.contains(&true) {
-        return vec![false; count];
+        return Ok(vec![false; count]);
     }
-    let _ = edges;
     let mut regions = DisjointSets::new(count);
     for (_, uses) in sheets.fans() {
         if uses.iter().any(|used| surface[used.sheet as usize] != 0) {
@@ -51,16 +59,21 @@ pub(super) fn inside_surface(sheets: &Sheets, edges: &EdgeTable, rays: &RayCaste
             }
         }
     }
-    let mut hidden: BTreeMap<u32, bool> = BTreeMap::new();
-    let is_inside = |sheet: u32| {
+    let mut triangles: Option<SurfaceTriangles> = None;
+    let mut inside = vec![false; count];
+    for sheet in (0..count as u32).filter(|sheet| others[*sheet as usize]) {
+        // The first sheet of a region decides for all.
         let region = regions.find(sheet);
-        match votes.get(&region) {
+        inside[sheet as usize] = match votes.get(&region) {
             Some(votes) => *votes == [false, true],
-            None => *hidden.entry(region).or_insert_with(|| is_hidden(sheets, rays, region, &surface)),
-        }
-    };
-    let mut is_inside = is_inside;
-    (0..count as u32).map(|sheet| others[sheet as usize] && is_inside(sheet)).collect()
+            None if region != sheet => inside[region as usize],
+            None => {
+                let triangles = triangles.get_or_insert_with(|| SurfaceTriangles::of(sheets, rays, &surface));
+                triangles.hide(sheets, rays, sheet, budget)?
+            }
+        };
+    }
+    Ok(inside)
 }
 
 /// The winding of an operand's open surface at a sheet.
@@ -81,33 +94,47 @@ fn votes_at(uses: &[EdgeUse], place: usize, surface: &[i32]) -> Option<[bool; 2]
     Some([found.contains(&false), found.contains(&true)])
 }
 
-/// Returns true if the open surface fills more than half of the view from a sheet, seen from its back.
-fn is_hidden(sheets: &Sheets, rays: &RayCaster<'_>, sheet: u32, surface: &[i32]) -> bool {
-    let sheet = &sheets.list[sheet as usize];
-    let Some(triangle) = rays.largest_triangle(sheet, &rays.facets[sheet.facet() as usize]) else { return false };
-    let eye = place_in(triangle, 0);
-    let mut triangulator = Triangulator::new();
-    let mut sum = 0.0;
-    for (sheet, winding) in sheets.list.iter().zip(surface).filter(|(_, winding)| **winding != 0) {
-        let facet = &rays.facets[sheet.facet() as usize];
-        let corners: Vec<u32> = sheet.rings.iter().flatten().copied().collect();
-        let flat: Vec<_> = corners.iter().map(|point| facet.flat(rays.points.at[*point as usize])).collect();
-        let mut end = 0;
-        let ends: Vec<u32> = sheet
-            .rings
-            .iter()
-            .map(|ring| {
-                end += ring.len() as u32;
-                end
-            })
-            .collect();
-        let mut triangles = Vec::new();
-        triangulator.polygon(&flat, &ends, &mut triangles);
-        for triangle in triangles {
-            sum += f64::from(*winding) * solid_angle(rays.points, eye, triangle.map(|corner| corners[corner as usize]));
+/// The triangles of an open surface, each with the winding of the surface there.
+struct SurfaceTriangles(Vec<(i32, [u32; 3])>);
+
+impl SurfaceTriangles {
+    fn of(sheets: &Sheets, rays: &RayCaster<'_>, surface: &[i32]) -> Self {
+        let (mut triangulator, mut found) = (Triangulator::new(), Vec::new());
+        let (mut ends, mut triangles) = (Vec::new(), Vec::new());
+        for (sheet, winding) in sheets.list.iter().zip(surface).filter(|(_, winding)| **winding != 0) {
+            let facet = &rays.facets[sheet.facet() as usize];
+            let corners: Vec<u32> = sheet.rings.iter().flatten().copied().collect();
+            let flat: Vec<_> = corners.iter().map(|point| facet.flat(rays.points.at[*point as usize])).collect();
+            ends.clear();
+            ends.extend(sheet.rings.iter().scan(0, |end, ring| {
+                *end += ring.len() as u32;
+                Some(*end)
+            }));
+            triangles.clear();
+            triangulator.polygon(&flat, &ends, &mut triangles);
+            found.extend(triangles.iter().map(|triangle| (*winding, triangle.map(|corner| corners[corner as usize]))));
         }
+        SurfaceTriangles(found)
     }
-    2.0 * std::f64::consts::PI < sum
+
+    /// Returns true if the surface fills more than half of the view from a sheet, seen from its back.
+    fn hide(
+        &self,
+        sheets: &Sheets,
+        rays: &RayCaster<'_>,
+        sheet: u32,
+        budget: &mut Budget,
+    ) -> Result<bool, BooleanError> {
+        let sheet = &sheets.list[sheet as usize];
+        let Some(triangle) = rays.largest_triangle(sheet, &rays.facets[sheet.facet() as usize]) else {
+            return Ok(false);
+        };
+        budget.spend(ANGLE_COST * self.0.len())?;
+        let eye = place_in(triangle, 0);
+        let angle =
+            |(winding, corners): &(i32, [u32; 3])| f64::from(*winding) * solid_angle(rays.points, eye, *corners);
+        Ok(2.0 * std::f64::consts::PI < self.0.iter().map(angle).sum())
+    }
 }
 
 /// The solid angle of a triangle as seen from a place, positive from behind.

@@ -118,3 +118,17 @@ fn bodies_that_share_an_edge_are_turned_separately() {
     let made = conformed(&joined(&[cube(0.0, 1.0), other], |face| face % 3 == 0));
     assert!(made.is_closed() && made.volume() == 2.0);
 }
+
+#[test]
+fn solids_that_touch_stay_closed() {
+    // Cubes that share the points of a wall, and the same cube twice.
+    for parts in [
+        [cube(0.0, 1.0), cube(0.0, 1.0).map(&glam::DAffine3::from_translation(DVec3::X))],
+        [cube(0.0, 1.0), cube(0.0, 1.0)],
+    ] {
+        let touching = joined(&parts, |_| false);
+        assert!(touching.is_closed());
+        let made = conformed(&touching);
+        assert!(made.is_closed() && made.volume() == 2.0);
+    }
+}

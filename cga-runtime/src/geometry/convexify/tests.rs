@@ -320,3 +320,48 @@ fn has_border_of(mesh: &Mesh, other: &Mesh) -> bool {
     }
     builder.build().unwrap().is_closed()
 }
+
+/// "Tags stay", "not flattened", groups and materials of faces (*convexify operation*, *CGA changelog 2014.1, 2021.0, 2024.0*).
+#[test]
+fn parts_keep_tags_groups_materials_and_values() {
+    // A bent L with a square beside it, whose common edge is divided.
+    let height = |x: f64, y: f64| if x == 10.0 && y == 0.0 { 1.0 } else { 0.0 };
+    let mut builder = MeshBuilder::new();
+    let points: Vec<u32> = L.iter().map(|&(x, y)| builder.point([x, y, height(x, y)])).collect();
+    let beside = [(-5.0, 10.0), (-5.0, 0.0)].map(|(x, y)| builder.point([x, y, 0.0]));
+    let material = |name: &str| crate::material::Material { name: Some(name.into()), ..Default::default() };
+    builder.groups(["g".to_owned(), "h".to_owned()]).materials([material("m"), material("n")]);
+    let set = |name: &str| crate::geometry::mesh::TagSet::new([name.into()]);
+    builder.tag_sets([set("l"), set("square")]);
+    let value = |x: f64, y: f64| DVec2::new(x / 10.0, y / 10.0);
+    let tilt = |x: f64| DVec3::new(x / 40.0, 0.0, 1.0).normalize();
+    builder.face(&points, &[], FaceTag { group: 0, material: 0, tags: 0, ..FaceTag::PLAIN });
+    builder.uvs(&L.map(|(x, y)| value(x, y))).normals(&L.map(|(x, _)| tilt(x)));
+    let square = [points[0], points[5], beside[0], beside[1]];
+    builder.face(&square, &[], FaceTag { group: 1, material: 1, tags: 1, ..FaceTag::PLAIN });
+    builder.uvs(&[DVec2::ZERO; 4]).normals(&[DVec3::Z; 4]);
+    builder.edge_tags([points[0], points[5]], &set("e"));
+    builder.vertex_tags(points[3], &set("v"));
+    let mesh = builder.build().expect("a mesh");
+    let made = convexify(&mesh, ALL).made.expect("the L is cut").0;
+    assert_eq!(made.face_count(), 3);
+    // The parts of a bent face have other areas.
+    assert!((made.area() - mesh.area()).abs() < 1.0 && made.points()[..8] == *mesh.points());
+    assert_eq!(made.bounds(), mesh.bounds());
+    for face in made.faces() {
+        let is_square = face.index() == 2;
+        let tag = face.tag();
+        assert_eq!([tag.group, tag.material, tag.tags], [u32::from(is_square); 3], "{}", face.index());
+        for corner in face.corner_range().filter(|_| !is_square) {
+            let place = made.points()[made.corners()[corner] as usize];
+            assert!(made.uvs()[corner].distance(value(place.x, place.y)) < 1e-12);
+            // Between normals of length 1, the tilt does not grow evenly.
+            assert!(made.normals()[corner].distance(tilt(place.x)) < 1e-3);
+        }
+    }
+    assert_eq!(made.groups(), mesh.groups());
+    // The cut divides the tagged edge: both halves keep its tag, and the cut has none.
+    let edges: Vec<_> = made.subcomponent_tags.edges().collect();
+    assert!(edges.len() == 2 && edges.iter().all(|(_, tags)| **tags == set("e")), "{edges:?}");
+    assert_eq!(made.subcomponent_tags.vertices().collect::<Vec<_>>(), [(3, &set("v"))]);
+}

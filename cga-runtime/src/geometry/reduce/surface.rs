@@ -13,6 +13,9 @@ const MOST_AROUND: u32 = 64;
 /// The cosine of the largest angle by which a collapse may turn a triangle.
 const LEAST_COSINE: f64 = 0.2;
 
+/// The cosine of the largest angle between two sides of a fold.
+const FOLD_COSINE: f64 = 0.99;
+
 /// The weight of the planes that keep borders and seams, relative to those of triangles.
 const BORDER_WEIGHT: f64 = 8.0;
 
@@ -257,6 +260,31 @@ impl<'m> Surface<'m> {
             (self.is_plain || gone.iter().any(|&other| self.continues(triangle, other, point)))
                 && !self.turns_over([point, next, last], target)
                 && !(is_common(next) && is_common(last) && self.has_triangle([target, next, last], triangle))
+        }) && !kept.iter().any(|&triangle| self.folds(triangle, point, target, &gone))
+    }
+
+    /// Returns true if a triangle is back to back with a neighbour when a point becomes another one, and was not before.
+    fn folds(&self, triangle: u32, point: u32, target: u32, gone: &[u32]) -> bool {
+        let normal = |triangle: u32, target: u32| {
+            let place = |own: u32| self.places[if own == point { target } else { own } as usize];
+            let [a, b, c] = self.points[triangle as usize].map(place);
+            unit((b - a).cross(c - a))
+        };
+        let [before, after] = [point, target].map(|target| normal(triangle, target));
+        let place = self.place_in(triangle, point);
+        let [next, last] = [1, 2].map(|step| self.points[triangle as usize][(place + step) % 3]);
+        // The neighbours at all three edges have one of the two other points.
+        let near = [next, last].into_iter().filter(|&near| self.counts[near as usize] <= MOST_AROUND);
+        near.flat_map(|near| self.around[near as usize].iter().map(move |&other| (near, other))).any(|(near, other)| {
+            let points = &self.points[other as usize];
+            let is_neighbour = other != triangle
+                && self.is_alive[other as usize]
+                && points.contains(&near)
+                && !gone.contains(&other)
+                && [point, target, next, last].iter().any(|end| *end != near && points.contains(end));
+            is_neighbour
+                && after.dot(normal(other, target)) < -FOLD_COSINE
+                && -FOLD_COSINE <= before.dot(normal(other, point))
         })
     }
 

@@ -80,6 +80,22 @@ fn sizes_from_the_smallest_to_the_largest_are_the_same_to_an_operation() {
 }
 
 #[test]
+fn coordinates_that_are_not_finite_are_refused() {
+    let a = block([0.0; 3], [2.0; 3]);
+    for bad in [f64::NAN, f64::INFINITY] {
+        let mut points = a.points().to_vec();
+        points[3].y = bad;
+        let broken = Mesh { points, ..a.clone() };
+        for op in OPS {
+            for operands in [[from_ref(&a), from_ref(&broken)], [from_ref(&broken), from_ref(&a)]] {
+                assert_eq!(combine(op, operands, 0.0).err(), Some(BooleanError::NotFinite), "{op:?} {bad}");
+            }
+        }
+        assert_eq!(combine(BooleanOp::Union, [from_ref(&a), from_ref(&a)], bad).err(), Some(BooleanError::NotFinite));
+    }
+}
+
+#[test]
 fn an_operand_without_faces_is_nothing() {
     let (a, none) = (block([0.0; 3], [1.0; 3]), Mesh::default());
     let faces = |op, a: &[Mesh], b: &[Mesh]| combine(op, [a, b], 0.0).unwrap().face_count();
@@ -141,4 +157,22 @@ fn the_same_solid_many_times_is_that_solid() {
     let made = combine(BooleanOp::Unify, [&all, &[]], 0.0).unwrap();
     assert!(made.corners() == ball.corners() && made.points() == ball.points());
     assert!(combine(BooleanOp::Subtract, [&all, &all], 0.0).unwrap().is_empty());
+}
+
+#[test]
+fn a_solid_thinner_than_epsilon_is_refused_and_no_surface() {
+    // 1e-11 of its length.
+    let thin = block([0.0; 3], [1.0, 1.0, 1e-11]);
+    let other = block([0.25, 0.25, -1.0], [0.75, 0.75, 1.0]);
+    for op in OPS {
+        assert_eq!(combined(op, &thin, &thin.reversed()).err(), Some(BooleanError::Tangled), "{op:?}");
+    }
+    // With a larger operand its faces coincide.
+    for op in [BooleanOp::Subtract, BooleanOp::Intersect] {
+        let made = combined(op, &thin, &other);
+        assert!(made.is_err() || made.is_ok_and(|mesh| mesh.is_empty() || mesh.is_closed()), "{op:?}");
+    }
+    // Without any volume, it is an area.
+    let flat = block([0.0; 3], [1.0, 1.0, 0.0]);
+    assert!((combined(BooleanOp::Union, &flat, &flat).unwrap().area() - 1.0).abs() < 1e-12);
 }

@@ -2,6 +2,7 @@
 
 mod boxes;
 mod hostile;
+mod large;
 mod solids;
 mod surfaces;
 mod tags;

@@ -186,3 +186,17 @@ fn a_cavity_stays_and_a_solid_inside_out_is_turned() {
     assert_eq!(combined(Intersect, &hollow, &outer).unwrap().volume(), 56.0);
     assert_eq!(combined(Subtract, &outer, &inner.reversed()).unwrap().volume(), 56.0);
 }
+
+#[test]
+fn hollow_solids_that_coincide_keep_their_cavity() {
+    let hollow = combined(Subtract, &block([0.0; 3], [4.0; 3]), &block([1.0; 3], [3.0; 3])).unwrap();
+    for op in [Union, Intersect] {
+        assert_eq!(combined(op, &hollow, &hollow).unwrap().volume(), 56.0, "{op:?}");
+    }
+    assert!(combined(Subtract, &hollow, &hollow).unwrap().is_empty());
+    // A cavity that coincides with the outside of the other operand.
+    let inner = block([1.0; 3], [3.0; 3]);
+    assert_eq!(combined(Union, &inner, &hollow).unwrap().volume(), 64.0);
+    assert_eq!(combined(Union, &hollow, &inner).unwrap().volume(), 64.0);
+    assert!(combined(Intersect, &inner, &hollow).unwrap().is_empty());
+}

@@ -1,21 +1,20 @@
-//! A tree of the bounding boxes of facets.
+//! A tree of bounding boxes.
 
 use glam::DVec3;
 
-use super::facet::Facet;
 use crate::geometry::mesh::Bounds;
 
-/// The number of facets in a leaf of the tree.
+/// The number of boxes in a leaf of the tree.
 const LEAF: usize = 6;
 
-/// A binary tree. A node is followed by all nodes of its first half, then by all nodes of its second half.
-pub(super) struct FacetTree {
-    nodes: Vec<FacetNode>,
-    /// The facets, leaf by leaf.
+/// A binary tree of numbered boxes. A node is followed by all nodes of its first half, then by all nodes of its second half.
+pub(super) struct BoundsTree {
+    nodes: Vec<BoundsNode>,
+    /// The numbers of boxes, leaf by leaf.
     order: Vec<u32>,
 }
 
-struct FacetNode {
+struct BoundsNode {
     bounds: Bounds,
     /// The node of the second half; 0 for a leaf.
     second: u32,
@@ -24,40 +23,41 @@ struct FacetNode {
     end: u32,
 }
 
-impl FacetTree {
-    pub(super) fn of(facets: &[Facet]) -> Self {
-        let mut tree = FacetTree { nodes: Vec::new(), order: (0..facets.len() as u32).collect() };
-        if !facets.is_empty() {
-            tree.add(facets, 0, facets.len());
+impl BoundsTree {
+    /// The tree of boxes, which are numbered in order.
+    pub(super) fn of(boxes: &[Bounds]) -> Self {
+        let mut tree = BoundsTree { nodes: Vec::new(), order: (0..boxes.len() as u32).collect() };
+        if !boxes.is_empty() {
+            tree.add(boxes, 0, boxes.len());
         }
         tree
     }
 
-    fn add(&mut self, facets: &[Facet], start: usize, end: usize) {
+    fn add(&mut self, boxes: &[Bounds], start: usize, end: usize) {
         let number = self.nodes.len();
-        let boxes = self.order[start..end].iter().map(|facet| &facets[*facet as usize].bounds);
-        let bounds = Bounds::of(boxes.flat_map(|bounds| [bounds.low, bounds.high]));
-        self.nodes.push(FacetNode { bounds, second: 0, start: start as u32, end: end as u32 });
+        let here = self.order[start..end].iter().map(|number| &boxes[*number as usize]);
+        let bounds = Bounds::of(here.flat_map(|bounds| [bounds.low, bounds.high]));
+        self.nodes.push(BoundsNode { bounds, second: 0, start: start as u32, end: end as u32 });
         if end - start <= LEAF {
             return;
         }
         let size = bounds.size().to_array();
         let axis = (1..3).fold(0, |longest, axis| if size[longest] < size[axis] { axis } else { longest });
-        let middle = |facet: u32| facets[facet as usize].bounds.low[axis] + facets[facet as usize].bounds.high[axis];
+        let middle = |number: u32| boxes[number as usize].low[axis] + boxes[number as usize].high[axis];
         let half = (end - start) / 2;
         self.order[start..end].select_nth_unstable_by(half, |&a, &b| middle(a).total_cmp(&middle(b)).then(a.cmp(&b)));
-        self.add(facets, start, start + half);
+        self.add(boxes, start, start + half);
         self.nodes[number].second = self.nodes.len() as u32;
-        self.add(facets, start + half, end);
+        self.add(boxes, start + half, end);
     }
 
-    /// Calls `found` with the facets in the nodes that `enters` accepts, until `found` returns false.
+    /// Calls `found` with the numbers of the boxes in the nodes that `enters` accepts, until `found` returns false.
     pub(super) fn visit(&self, enters: impl Fn(&Bounds) -> bool, mut found: impl FnMut(u32) -> bool) {
         let mut open = vec![0usize];
         while let Some(number) = open.pop() {
             let Some(node) = self.nodes.get(number).filter(|node| enters(&node.bounds)) else { continue };
             if node.second == 0 {
-                if !self.order[node.start as usize..node.end as usize].iter().all(|facet| found(*facet)) {
+                if !self.order[node.start as usize..node.end as usize].iter().all(|number| found(*number)) {
                     return;
                 }
             } else {
