@@ -8,7 +8,7 @@ mod cutting;
 mod offset;
 #[path = "figures/pen.rs"]
 mod pen;
-#[path = "documented/sheet.rs"]
+#[path = "figures/sheet.rs"]
 mod sheet;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

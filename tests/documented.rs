@@ -2,7 +2,7 @@
 //!
 //! The pages: *split operation*, *split attribute*, *splitArea operation*, *Subdivision split*, *comp operation*, and those
 //! of the operations they use. What a page shows only in a picture is taken from the picture. The program
-//! `examples/documented.rs` draws the same examples.
+//! `examples/gallery.rs` draws the same examples.
 
 #[path = "documented/adjusting.rs"]
 mod adjusting;
@@ -23,6 +23,8 @@ mod components;
 mod cutting;
 #[path = "documented/faces.rs"]
 mod faces;
+#[path = "../examples/gallery/mod.rs"]
+mod gallery;
 #[path = "documented/mass.rs"]
 mod mass;
 #[path = "documented/mesh_operations.rs"]
@@ -56,10 +58,37 @@ mod thirty;
 #[path = "documented/wings.rs"]
 mod wings;
 
-/// Every example runs, leaves something and has nothing to complain about, and they can be told apart.
+/// The pages of the gallery show the rules and measures of today, and have their pictures. `CGA_BLESS=1` writes the text.
 #[test]
-fn all_examples_run() {
-    let pages = [
+fn the_gallery_shows_these_examples() {
+    use gallery::chapter::{chapters, contents};
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/gallery");
+    let chapters = chapters();
+    let mut pages: Vec<(std::path::PathBuf, String)> =
+        chapters.iter().map(|chapter| (folder.join(chapter.name).with_extension("md"), chapter.markdown())).collect();
+    pages.push((folder.join("README.md"), contents(&chapters)));
+    for (path, text) in pages {
+        if std::env::var_os("CGA_BLESS").is_some() {
+            std::fs::write(&path, &text).expect("the page");
+        }
+        let now = std::fs::read_to_string(&path).unwrap_or_default();
+        assert!(now == text, "{}: `cargo run --release --example gallery` writes it again", path.display());
+    }
+    for chapter in &chapters {
+        for cell in 0..chapter.cells.len() {
+            assert!(folder.join(chapter.picture(cell)).is_file(), "{}", chapter.picture(cell));
+        }
+        let files = std::fs::read_dir(folder.join(chapter.name)).expect("the pictures").count();
+        assert_eq!(files, chapter.cells.len(), "{} has pictures of other examples", chapter.name);
+    }
+    let shown: usize = chapters.iter().map(|chapter| chapter.cells.len()).sum();
+    // The hollow cylinder is an example of ours.
+    assert_eq!(shown, all().len() + 1, "the gallery shows every example");
+}
+
+/// All examples.
+fn all() -> Vec<pages::example::Example> {
+    [
         pages::split_operation::ALL,
         pages::split_attribute::ALL,
         pages::split_area::ALL,
@@ -81,9 +110,15 @@ fn all_examples_run() {
         pages::normals::ALL,
         pages::cleanup::ALL,
         pages::tags::ALL,
-    ];
-    let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();
-    for example in pages.concat() {
+    ]
+    .concat()
+}
+
+/// Every example runs, leaves something and has nothing to complain about, and they can be told apart.
+#[test]
+fn all_examples_run() {
+    let mut titles: Vec<_> = all().iter().map(|example| example.title).collect();
+    for example in all() {
         let model = example.model(&pages::cutting::settings());
         assert!(!model.is_empty() && model.faults().is_empty(), "{}: {:?}", example.title, model.faults());
         assert!(example.rules.contains("-->"));

@@ -1,4 +1,4 @@
-//! The pages' examples: what the tests check and `examples/documented.rs` draws.
+//! The pages' examples: what the tests check and `examples/gallery.rs` draws.
 
 pub(crate) mod boolean;
 pub(crate) mod boolean_table;

@@ -123,18 +123,23 @@ impl Plan {
         let ends: Vec<[u32; 2]> =
             ground.corners().map(|corner| [corner, ground.next(corner)].map(|end| flat.corners[end])).collect();
         let mut ways = vec![0.0; ends.len()];
+        let heights = points.iter().map(|p| ground.top - origin.dot(up) - rise.dot(*p));
+        let mut top = heights.fold(0.0, f64::max);
         for corner in ground.slopes() {
             let [a, b] = ends[corner].map(|end| points[end as usize]);
             let inwards = (b - a).normalize_or_zero().perp();
             let slope = libm::tan(ground.sides[corner].angle.to_radians()) - rise.dot(inwards);
             if slope <= PLANAR_EPSILON {
-                // A level slope would reach everywhere at once, or lead below the face.
-                return Err(EnvelopeRefusal::Empty);
+                // A slope parallel to the face reaches everywhere at once. Over a level face it is the top, and the side is
+                // upright below it. Over a slanted face it leads below the face.
+                if !is_level || ground.sides[corner].base <= 0.0 {
+                    return Err(EnvelopeRefusal::Empty);
+                }
+                top = top.min(ground.sides[corner].base);
+                continue;
             }
             ways[corner] = 1.0 / slope;
         }
-        let heights = points.iter().map(|p| ground.top - origin.dot(up) - rise.dot(*p));
-        let top = heights.fold(0.0, f64::max);
         Ok(Plan { axes, origin, points, rise, ends, ways, top, is_level })
     }
 

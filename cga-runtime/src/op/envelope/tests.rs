@@ -187,6 +187,25 @@ fn concave_outlines_have_valleys() {
 }
 
 #[test]
+fn a_level_slope_is_the_top_of_a_concave_lot() {
+    // An L: its inner corner makes slopes end at each other. Level slopes at 3 and 5 leave an upright block of 3.
+    let lot = polygon(&[(0.0, 0.0), (10.0, 0.0), (10.0, 4.0), (4.0, 4.0), (4.0, 10.0), (0.0, 10.0)], &[]);
+    let mut sides = [[0.0, 90.0]; 6];
+    (sides[2], sides[3]) = ([3.0, 0.0], [5.0, 0.0]);
+    let made = built(&lot, NORMAL, 12.0, &sides);
+    assert!((volume(&made) - 64.0 * 3.0).abs() < 1e-9);
+    assert_eq!(counts(&made), [1, 6, 0, 0, 1]);
+    // Just above level, the slopes leave almost the same.
+    (sides[2], sides[3]) = ([3.0, 0.001], [5.0, 0.001]);
+    assert!((volume(&built(&lot, NORMAL, 3.0, &sides)) - volume(&made)).abs() < 1e-9);
+    // Other slopes below the level one stay; those that begin above it are cut away.
+    (sides[0], sides[1], sides[2], sides[3]) = ([1.0, 45.0], [4.0, 45.0], [3.0, 0.0], [0.0, 90.0]);
+    let mixed = built(&lot, NORMAL, 12.0, &sides);
+    sides[2] = [0.0, 90.0];
+    assert!((volume(&mixed) - volume(&built(&lot, NORMAL, 3.0, &sides))).abs() < 1e-9);
+}
+
+#[test]
 fn a_slope_at_a_long_edge_of_a_concave_lot_covers_all_of_it() {
     // Only the front has a slope; the whole lot is behind it.
     let shape = built(&polygon(&L, &[]), NORMAL, 30.0, &[[2.0, 45.0]]);
