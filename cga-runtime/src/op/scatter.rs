@@ -134,7 +134,9 @@ fn strew(
     let scale = if size == DVec3::ZERO { 1.0 } else { size.abs().max_element().recip() };
     let bell = bell(scale);
     let found = match domain {
-        ScatterDomain::Scope => Domain::cuboid(size.min(DVec3::ZERO) * scale, size.max(DVec3::ZERO) * scale, bell, count),
+        ScatterDomain::Scope => {
+            Domain::cuboid(size.min(DVec3::ZERO) * scale, size.max(DVec3::ZERO) * scale, bell, count)
+        }
         ScatterDomain::Surface | ScatterDomain::Volume => {
             let mesh = shape.to_mesh();
             let points = mesh.points().iter().map(|point| *point * scale).collect();
