@@ -1,4 +1,4 @@
-//! What may be built on a lot, and what is: `massing.glb` and `massing.png`.
+//! The largest volumes that lots allow, and the buildings in them: `massing.glb` and `massing.png`.
 //!
 //! `cargo run --release --example massing`: ten lots of the same size, each with other operations that make masses.
 

@@ -48,7 +48,7 @@ fn a_recursion_of_100000_levels_ends_where_the_limit_allows_it() {
 }
 
 cga! {
-    /// What takes most of the stack: splits, comps and brackets side by side, in rules that call each other.
+    /// The constructs that take most of the stack: splits, comps and brackets side by side, in rules that call each other.
     grammar Heavy;
     attr levels = 1000
     Lot --> A(0)
@@ -193,7 +193,7 @@ fn wide(start: &'static str, depth: f64) -> Result<Model, Error> {
     })
 }
 
-/// How deep functions nest there: told by the error.
+/// The depth at which functions stop nesting there, as the error reports it.
 fn deepest(start: &'static str) -> f64 {
     match wide(start, 1e9) {
         Err(Error::Limit { what: LimitKind::Nesting, limit, .. }) => limit as f64,

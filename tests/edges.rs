@@ -1,4 +1,4 @@
-//! What happens at the edges of numbers, depths and limits.
+//! Extreme numbers, depths and limits.
 
 use cga::{Error, LimitKind, Limits, Model, Settings, Shape, cga};
 
@@ -27,7 +27,7 @@ cga! {
 
 #[test]
 fn selectors_see_a_mirrored_shape_as_if_it_were_not() {
-    // Fact 61: on an upright façade the face at its lower edge is the front of a negative extrusion.
+    // *extrude operation*: on an upright façade the face at its lower edge is the front of a negative extrusion.
     let facade = Shape::mesh(
         cga::Mesh::from_polygon(&[[0.0; 3], [4.0, 0.0, 0.0], [4.0, 3.0, 0.0], [0.0, 3.0, 0.0]].map(Into::into), &[])
             .unwrap(),

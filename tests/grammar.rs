@@ -91,7 +91,7 @@ fn a_computed_attribute_is_drawn_from_the_seed_unless_it_is_given() {
     assert!((2..=5).all(|count| drawn.contains(&count)) && drawn.iter().all(|count| (2..=5).contains(count)));
     let house = House { storeys: Some(7.0), ..House::default() };
     let model = house.generate(&lot()).expect("no limit");
-    // What is computed from a given value follows it.
+    // Values that are computed from a given value follow it.
     assert_eq!(model.leaves().next().expect("a leaf").material().name.as_deref(), Some("house 7"));
     assert_eq!(model.len(), 7);
 }

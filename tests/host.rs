@@ -237,7 +237,7 @@ mod arrays {
     const WIDTHS: [f64; 3] = [1.0, 2.0, 3.0];
     static NAMES: &[&str] = &["brick", "glass"];
 
-    /// What a rule hands over: `&Array`, of text `&Array<Text>`.
+    /// Arguments that rules pass are `&Array`, or `&Array<Text>` for text.
     fn halves(list: &Array<f64>, by: f64) -> Vec<f64> {
         list.as_slice().iter().map(|number| number / by).collect()
     }

@@ -78,7 +78,7 @@ fn panel(grammar: &dyn Grammar) -> String {
     out
 }
 
-/// What is in a group: its own attributes, then the groups in it.
+/// Writes a group: its own attributes, then the groups in it.
 fn group(grammar: &dyn Grammar, out: &mut String, list: &[&Attribute], depth: usize) {
     let (own, inner): (Vec<&Attribute>, Vec<&Attribute>) = list.iter().partition(|it| it.group.len() == depth);
     for attribute in by_order(own) {
@@ -107,7 +107,7 @@ fn group(grammar: &dyn Grammar, out: &mut String, list: &[&Attribute], depth: us
     }
 }
 
-/// How it is shown and changed.
+/// The control that shows and changes an attribute.
 fn control(grammar: &dyn Grammar, attribute: &Attribute) -> String {
     let mut out = match attribute.kind {
         AttributeKind::Plain => String::new(),
@@ -235,7 +235,7 @@ fn a_run_checks_what_the_fields_hold() {
     for (change, name, message) in refused {
         assert_eq!(run(change), Err(Error::Attribute { name, message: message.into() }));
     }
-    // What rules compute or set is not checked.
+    // Values that rules compute or set are not checked.
     cga! { grammar Sets = "@Range(min = 0, max = 1) attr a = scope.sx  @Enum(1, 2) attr b = 1  Lot --> set(b, 7) print(a + b) X."; }
     assert_eq!(Sets::default().generate(&lot).expect("a model").prints()[0].to_string(), "12");
 }

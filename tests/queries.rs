@@ -1,10 +1,10 @@
-//! What rules ask and say: geometry, files, attributes of shapes, reports, prints.
+//! Queries and outputs of rules: geometry, files, attributes of shapes, reports, prints.
 
 use std::sync::Arc;
 
 use cga::{Assets, FaultKind, Grammar, Limits, Mesh, Model, Settings, Shape, ValueType, cga};
 
-/// What a rule prints on a lot of 10 by 20 m, line by line.
+/// The lines that a rule prints on a lot of 10 by 20 m.
 fn printed(model: &Model) -> Vec<String> {
     assert_eq!(model.faults(), []);
     model.prints().iter().map(ToString::to_string).collect()
@@ -76,7 +76,7 @@ fn the_report_of_the_reference_is_a_table() {
     assert_eq!((row("facades")[0], all[0], all[0]), (4.0, 100.0, open[0] + closed[0]));
     assert_eq!((all[1], area[1]), (100.0, 0.0));
     assert!((open[1] - 100.0 * open[0] / all[0]).abs() < 0.1 && open[1] + closed[1] <= 100.0);
-    // Fact 33: five floors of 5.4545 m, windows of 2 m.
+    // Five floors of 5.4545 m, windows of 2 m.
     assert!((area[4] - 2.0 * 60.0 / 11.0).abs() < 1e-9);
 }
 

@@ -60,7 +60,7 @@ impl Package {
         fs::write(self.folder.join(file), text).expect("a writable target folder");
     }
 
-    /// Whether it builds, and what cargo says.
+    /// Builds the package. Returns true for success, and cargo's output.
     fn check(&self) -> (bool, String) {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let output = Command::new(cargo)

@@ -1,4 +1,4 @@
-//! What people see when they make a mistake: one case for each kind, in `ui/`. `TRYBUILD=overwrite` accepts new wording.
+//! The compiler's messages for mistakes: one case for each kind, in `ui/`. `TRYBUILD=overwrite` accepts new wording.
 
 use std::fs;
 use std::path::Path;

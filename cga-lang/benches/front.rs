@@ -10,7 +10,7 @@ use cga_lang::syntax::parse::parse;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// What 1,000 rules may take. Whoever builds must not notice.
+/// The limit on the time for 1,000 rules, too short to be noticed in a build.
 const MOST: Duration = Duration::from_millis(100);
 
 /// A building: ten rules with the attributes and functions they need, numbered so that many make one grammar.

@@ -33,12 +33,12 @@ impl Type {
         }
     }
 
-    /// Whether it is an array.
+    /// Returns true for an array.
     pub const fn is_array(self) -> bool {
         matches!(self, Type::Floats | Type::Bools | Type::Texts)
     }
 
-    /// What an array of it has in it; itself when it is none.
+    /// The type of an array's elements; a type that is not an array is its own element.
     pub const fn element(self) -> Type {
         match self {
             Type::Float | Type::Floats => Type::Float,

@@ -9,7 +9,7 @@ use common::parts::Parts;
 use std::fs;
 use std::path::Path;
 
-/// What stands under a heading.
+/// The text and the examples under a heading.
 struct Entry {
     name: String,
     text: String,

@@ -29,7 +29,7 @@ impl Disk {
         compile(unit, self, &[])
     }
 
-    /// Whether what came out holds together.
+    /// Checks that the result of linking is consistent.
     fn check(&self, compiled: &Compiled) {
         let mut end = 0;
         for (at, file) in compiled.files.iter().enumerate() {

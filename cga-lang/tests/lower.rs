@@ -72,7 +72,7 @@ fn targets(steps: &[Step], visit: &mut dyn FnMut(&Target)) {
     }
 }
 
-/// How many slots a pattern has. Groups end in it, and inner ones end in outer ones.
+/// The number of slots of a pattern. Groups end inside it, and inner groups inside outer ones.
 fn slots(pattern: &[Item]) -> usize {
     let mut ends = vec![pattern.len()];
     for (at, item) in pattern.iter().enumerate() {

@@ -71,7 +71,7 @@ fn a_function_uses_the_shape_if_it_gets_one() {
         Needs::Nothing => uses.is_none(),
         Needs::Env => of_shape(uses).is_none(),
         Needs::Shape => !of_shape(uses).is_none(),
-        // What is known of the initial shape gets the current one too.
+        // Functions of the initial shape get the current shape too.
         Needs::Both => !uses.is_none(),
         Needs::Component => uses.has(Uses::WHOLE),
     };
@@ -129,7 +129,7 @@ fn old_rows_say_what_to_do_instead() {
     }
 }
 
-/// Whether some arguments fit both lists.
+/// Returns true if some arguments fit both lists.
 fn overlap(a: &[Param], b: &[Param]) -> bool {
     let least = required(a).max(required(b));
     // More arguments only tell more kinds apart.
@@ -238,7 +238,7 @@ fn behind(tokens: &[Tok], at: usize) -> usize {
     panic!("a bracket of the fixture is not closed");
 }
 
-/// What stands between a pair of brackets, cut at a sign that stands in no further brackets.
+/// The tokens between a pair of brackets, cut at a sign outside inner brackets.
 fn parts(tokens: &[Tok], at: usize, end: usize, cut: Sym) -> Vec<&[Tok]> {
     let (mut list, mut start, mut next) = (Vec::new(), at + 1, at + 1);
     while next < end - 1 {

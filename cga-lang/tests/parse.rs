@@ -30,7 +30,7 @@ fn a_printed_tree_reads_as_the_same_tree_in_either_spelling() {
             diags.append(lexed.diags);
             let first = parse(&lexed.tokens, &mut diags);
             if diags.finish().iter().any(|diag| diag.level == Level::Error) {
-                // What could not be read is not printed as it was written.
+                // Text with a syntax error is not printed as it was written.
                 continue;
             }
             for spelling in [Spelling::Text, Spelling::Inline] {

@@ -172,7 +172,7 @@ fn mutated_fixtures_never_panic() {
     }
 }
 
-/// What could be read is printed as what reads the same.
+/// Checks that a tree without syntax errors is printed as text that parses to the same tree.
 fn try_printed(tokens: &Tokens) {
     let mut diags = Diags::new();
     let ast = parse(tokens, &mut diags);
@@ -359,7 +359,7 @@ fn long_grammars_take_time_in_proportion() {
     assert_eq!(compile_text(&format!("const t0 = \"ab\"\n{double}")).compiled.diags, []);
 }
 
-/// How many findings there are, which all say the same kind of thing.
+/// The number of diagnostics, which must all be of one kind.
 fn misfits(text: &str) -> usize {
     let source = compile_text(text);
     let found = &source.compiled.diags;

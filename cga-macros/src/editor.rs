@@ -1,4 +1,4 @@
-//! What editors need to find names: declarations and uses at the user's own tokens, behind `cfg(rust_analyzer)`, which only
+//! Items by which editors find names: declarations and uses at the user's own tokens, behind `cfg(rust_analyzer)`, which only
 //! rust-analyzer sets. Compilers see nothing of it.
 //!
 //! Rules and functions are there anyway, as long as there are no errors. Values are not: parameters have numbers in the

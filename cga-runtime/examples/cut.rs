@@ -55,7 +55,7 @@ fn main() -> Result<(), Failure> {
         };
         (slabs, triangles)
     };
-    // What takes less than this is done several times over in each repeat: no clock sees it alone.
+    // A cut that takes less than this is repeated for each measurement, because clocks are too coarse for it.
     const SHORT: Duration = Duration::from_millis(5);
     let start = Instant::now();
     let mut last = cut();
@@ -111,7 +111,7 @@ fn options() -> Result<Options, Failure> {
     Ok(Options { mesh: get("--mesh")?.into(), axis, offsets, out: get("--out")?.into(), repeat, triangles })
 }
 
-/// How long this thread has run, where the system tells.
+/// The processor time of this thread, where the system reports it.
 fn processor_time() -> Option<Duration> {
     #[cfg(unix)]
     {

@@ -1,4 +1,5 @@
-//! Facts 47 to 57, but for 49 and 52, which `tests/documented/faces.rs` has.
+//! *comp operation* and *comp function*: the numbers of components, in pictures and examples. `tests/documented/faces.rs` has the
+//! angles of directions and the frames.
 
 use cga::{Shape, cga};
 
@@ -80,7 +81,7 @@ fn six_front_faces_are_six_shapes_or_one_or_two() {
 }
 
 #[test]
-fn a_steep_roof_goes_to_whoever_stands_first() {
+fn a_steep_roof_goes_to_the_first_arm() {
     let (sin, cos) = (libm::sin(60f64.to_radians()), libm::cos(60f64.to_radians()));
     let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(|[x, up]| [x, up * cos, -up * sin]);
     let roof = Shape::mesh_axis_aligned(mesh(&corners, &[&[0, 1, 2, 3]]));

@@ -1,6 +1,5 @@
-//! The component split from rules to shapes and values: selectors as conditions, operators, `comp` in expressions. Numbers
-//! of facts are those of the digest that the project keeps of the reference. Which component a word takes, and where its
-//! shape stands, is the runtime's business: see `cga-runtime/src/comp`.
+//! The component split from rules to shapes and values: selectors as conditions, operators, `comp` in expressions. The
+//! tests of `cga-runtime/src/comp` check which components a word selects, and the scopes of their shapes.
 
 mod conditions;
 mod facts;
@@ -36,7 +35,7 @@ fn run(grammar: &dyn Grammar, start: &str, shape: &Shape) -> Model {
     model
 }
 
-/// What was printed, as it is printed.
+/// The texts of all prints.
 fn lines(model: &Model) -> Vec<String> {
     model.prints().iter().map(ToString::to_string).collect()
 }

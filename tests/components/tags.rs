@@ -25,7 +25,7 @@ cga! {
     Vertices --> extrude(4) comp(v) { isTagged("extrude.bottom") : primitiveCube() Bottom. | all : primitiveCube() Other. }
     // Faces by those beside them.
     Beside --> extrude(4) comp(f) { isTagged("extrude.bottom", e) && !isTagged("extrude.bottom") : Beside. | all : Other. }
-    // What a primitive makes has no tags.
+    // Primitives have no tags.
     Primitive --> extrude(4) primitiveCube() comp(f) { isTagged("extrude") : Tagged. | all : Plain. }
     // A second extrusion gives new ones.
     Again --> extrude(4) comp(f) { isTagged("extrude.top") : Roof }

@@ -116,7 +116,7 @@ fn round_primitives_of_a_radius_have_their_corners_on_the_circle() {
     assert!((run("Cone", &lot).volume() - volume).abs() < 1e-9);
 }
 
-/// Fact 72, and along the axes of a lot that is turned.
+/// *translate operation*: copies along the axes of the world, and along those of a lot that is turned.
 #[test]
 fn copies_go_along_the_axes_of_the_world_or_of_the_object() {
     let lot = Shape::footprint(&[[0.0, 0.0], [0.0, 10.0], [-5.0, 10.0], [-5.0, 0.0]], &[]).unwrap();
@@ -184,7 +184,7 @@ fn a_face_turned_over_moves_the_same_way() {
     }
 }
 
-/// Fact 69, and the other distances of *extrude operation*.
+/// *extrude operation*: `world.up.flatTop` with the distance 0 and with others.
 #[test]
 fn a_flat_top_on_a_slope() {
     let corners = [[0.0, 0.0, 5.0], [4.0, 0.0, 5.0], [4.0, 3.0, 0.0], [0.0, 3.0, 0.0]].map(DVec3::from_array);

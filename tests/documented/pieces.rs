@@ -17,7 +17,7 @@ pub(crate) fn joined(lists: &[&[Piece]]) -> Vec<Piece> {
     lists.concat()
 }
 
-/// Whether two lengths are the same but for rounding.
+/// Returns true if two lengths are equal except for rounding.
 pub(crate) fn near(a: f64, b: f64) -> bool {
     (a - b).abs() < 1e-9
 }

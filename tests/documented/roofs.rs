@@ -87,7 +87,7 @@ fn counts(model: &Model) -> [usize; 4] {
     ["Eave", "Hip_", "Valley", "Ridge_"].map(|rule| model.count(rule))
 }
 
-/// RH2, RH4, RH11: a ridge 2 m long and 4 m high.
+/// *roofHip operation*: a ridge 2 m long and 4 m high.
 #[test]
 fn a_hip_roof_over_a_rectangle() {
     let model = run(Roofs::default(), "Hip", &rectangle());
@@ -101,7 +101,7 @@ fn a_hip_roof_over_a_rectangle() {
     assert_eq!((areas(&same, "Face"), size(&same)), (areas(&model, "Face"), size(&model)));
 }
 
-/// RH3: an exact square has one apex, also with collinear corners (R20).
+/// *roofHip operation*: an exact square has one apex, also with collinear corners.
 #[test]
 fn a_hip_roof_over_a_square() {
     let model = run(Roofs::default(), "Hip", &outline(&[[0.0, 0.0], [8.0, 0.0], [8.0, -8.0], [0.0, -8.0]]));
@@ -112,7 +112,7 @@ fn a_hip_roof_over_a_square() {
     assert_eq!((size(&model), volume(&model), model.count("Top")), ([8.0, 4.0, 8.0], rounded(256.0 / 3.0), 6));
 }
 
-/// RH5 to RH7: the overhang is measured on the planes, and is part of the faces.
+/// *roofHip operation*: the overhang is measured on the planes, and is part of the faces.
 #[test]
 fn a_hip_roof_with_an_overhang() {
     let model = run(Roofs { a: 30.0, x: 2.0, ..Roofs::default() }, "Hip", &rectangle());
@@ -123,7 +123,7 @@ fn a_hip_roof_with_an_overhang() {
     assert_eq!([first.scope().size.x, first.scope().size.y].map(rounded), [13.464, rounded(2.0 + 8.0 / 3f64.sqrt())]);
 }
 
-/// RH8 to RH10.
+/// *roofHip operation*, *roofGable operation*: `even` makes the ridge of a trapezoid level, at the mean of its heights.
 #[test]
 fn even_makes_ridges_level() {
     let trapezoid = outline(&[[0.0, 0.0], [24.0, 0.0], [24.0, -10.0], [0.0, -18.0]]);
@@ -141,7 +141,7 @@ fn even_makes_ridges_level() {
     }
 }
 
-/// RH13, RG4: the L of the pictures.
+/// *roofHip operation*, *roofGable operation*: the L of the pictures.
 #[test]
 fn roofs_over_an_l() {
     let model = run(Roofs::default(), "Hip", &l_lot());
@@ -150,7 +150,7 @@ fn roofs_over_an_l() {
     assert_eq!((model.count("Top"), areas(&model, "Side"), counts(&model)), (4, vec![4.0, 4.0], [4, 1, 1, 2]));
 }
 
-/// RG2, RG3, RG10, RG12, R17.
+/// *roofGable operation*: two slopes and two upright sides at the short edges, also where an edge is divided.
 #[test]
 fn a_gable_roof_over_a_rectangle() {
     let model = run(Roofs::default(), "Gable", &rectangle());
@@ -167,7 +167,7 @@ fn a_gable_roof_over_a_rectangle() {
     assert_eq!((model.count("Top"), volume(&model)), (2, 160.0));
 }
 
-/// RG5 to RG7.
+/// *roofGable operation*: `overhangX` and `overhangY`, together and alone.
 #[test]
 fn a_gable_roof_with_overhangs() {
     let model = run(Roofs { a: 30.0, x: 2.0, y: 1.0, ..Roofs::default() }, "Gable", &rectangle());
@@ -184,7 +184,7 @@ fn a_gable_roof_with_overhangs() {
     assert_eq!((model.count("Top"), model.count("Side"), counts(&model)), (4, 2, [4, 1, 1, 2]));
 }
 
-/// RG11, and a square: the ridge runs along the first edge.
+/// *roofGable operation*: an edge index gives the direction of the ridge; on a square it runs along the first edge.
 #[test]
 fn the_ridge_of_a_gable_follows_an_edge() {
     let square = outline(&[[0.0, 0.0], [8.0, 0.0], [8.0, -8.0], [0.0, -8.0]]);
@@ -200,7 +200,7 @@ fn the_ridge_of_a_gable_follows_an_edge() {
     assert_eq!(sides(Roofs { n: 3.0, ..Roofs::default() }, "GableAlong", &rectangle()), across);
 }
 
-/// RP1 to RP6, RP8, RP10.
+/// *roofPyramid operation*: the apex, by angle at the first edge and by height.
 #[test]
 fn a_pyramid_over_the_mean_of_the_corners() {
     let model = run(Roofs::default(), "Pyramid", &rectangle());
@@ -217,7 +217,7 @@ fn a_pyramid_over_the_mean_of_the_corners() {
     assert_eq!(areas(&model, "Face")[0], rounded(2.5 * (3.2f64 * 3.2 + 16.0).sqrt()));
 }
 
-/// RS1 to RS7, RS9, RS10.
+/// *roofShed operation*: the edge index, the angle, also a negative one, and the height.
 #[test]
 fn a_shed_rises_from_an_edge() {
     let model = run(Roofs::default(), "Shed", &rectangle());
@@ -235,7 +235,7 @@ fn a_shed_rises_from_an_edge() {
     assert_eq!((volume(&model), size(&model), rounded(model.bounds().low.y)), (320.0, [10.0, 8.0, 8.0], -8.0));
 }
 
-/// RS6, RR7, RR8: a courtyard.
+/// *roofShed operation*, *roofRidge operation*: the inner sides of a courtyard.
 #[test]
 fn holes_have_inner_sides() {
     let hole = vec![[3.0, -2.0], [7.0, -2.0], [7.0, -6.0], [3.0, -6.0]];
@@ -258,7 +258,7 @@ fn holes_have_inner_sides() {
     assert_eq!(size(&model), [10.0, 1.5, 8.0]);
 }
 
-/// RR1 to RR6.
+/// *roofRidge operation*: the ridge along the scope's x axis, turned by an angle, and by height.
 #[test]
 fn a_ridge_along_the_x_axis() {
     let model = run(Roofs::default(), "Ridge", &rectangle());
@@ -275,7 +275,7 @@ fn a_ridge_along_the_x_axis() {
     assert_eq!(size(&model)[1], rounded(9.0 / 2f64.sqrt()));
 }
 
-/// R16: the U of the picture.
+/// *Component tags: roof edges*: the U of the picture.
 #[test]
 fn roof_edges_of_a_u() {
     let u =

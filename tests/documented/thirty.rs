@@ -7,7 +7,7 @@ use crate::pieces::near;
 /// A start rule for each case with the length of its box and the lengths that come out.
 macro_rules! cases {
     ($rules:tt $($case:ident in $extent:literal => $lengths:expr;)*) => {
-        // What the pages show on purpose is found by the checks: see `cga-lang/tests/data/lower/seed_*.cga`.
+        // The checks report mistakes that the pages show on purpose: see `cga-lang/tests/data/lower/seed_*.cga`.
         cga! { @Allow(size_not_positive, slot_never_made) grammar Cases = $rules; }
 
         #[test]

@@ -119,7 +119,7 @@ fn given_values_count_in_any_case() {
     cga! { grammar Given = r#"import imp : "tests/rules/import/inner.cga"  Lot --> imp(h = 3).Say imp.Say"#; }
     let rules = Given { imp_h: 8.0, ..Given::default() };
     assert_eq!(lines(&model(&rules)), ["inner3 (2)[3,30]", "inner8 (2)[8,80]"]);
-    // What the host program gives is where the others start from.
+    // The other values start from those that the host program gives.
     let rules = Given { imp_k: Some(7.0), imp_name: "host".into(), ..Given::default() };
     assert_eq!(lines(&model(&rules)), ["host3 (2)[3,7]", "host5 (2)[5,7]"]);
     cga! { grammar Own = r#"

@@ -16,7 +16,7 @@ fn attributes_flow_into_an_import() {
         let made = model(rules);
         assert_eq!((sum(&made, "height"), sum(&made, "double")), (Some(height), Some(2.0 * height)));
     }
-    // What the host program gives flows in turn, and what it gives the import itself counts more.
+    // Values of the host program are passed on to the import. A value that it gives the import itself has precedence.
     assert_eq!(sum(&model(&Flows { height: 7.0, ..Flows::default() }), "double"), Some(14.0));
     assert_eq!(sum(&model(&Flows { imp_height: Some(3.0), ..Flows::default() }), "double"), Some(6.0));
     assert_eq!(sum(&model(&Keeps { imp_double: Some(3.0), ..Keeps::default() }), "double"), Some(3.0));

@@ -1,9 +1,8 @@
-//! The language beyond splits and comps, fact by fact: numbers of facts are those of the digest that the project keeps of
-//! the reference. Rules come as text unless a test says otherwise; `tests/doors.rs` holds the doors against each other.
+//! The language beyond splits and comps. Rules are text unless a test says otherwise; `tests/doors.rs` compares inline rules,
+//! text and files.
 //!
-//! Facts 73 to 100 are here, except for two that need what does not run yet: 73 (`getTreeKey`, of which only the order of lines
-//! is tested) and 98 (`label` and context queries). The table of reports that 99 shows is tested where it is made, in the
-//! runtime.
+//! `getTreeKey` and context queries do not run yet, so of the former only the order of lines is tested. The runtime tests the
+//! table of reports.
 #![allow(deprecated, reason = "rules at the edges of what makes sense: findings are warnings of this kind")]
 
 mod arrays;
@@ -48,7 +47,7 @@ fn clean(model: Model) -> Model {
     model
 }
 
-/// What is reported under a key, added up.
+/// The sum of the reports under a key.
 fn sum(model: &Model, key: &str) -> Option<f64> {
     model.reported(key).map(|it| it.summary().sum)
 }
@@ -58,12 +57,12 @@ fn leaves(model: &Model) -> Vec<&str> {
     model.leaves().map(|leaf| leaf.rule()).collect()
 }
 
-/// What was printed, as it is printed.
+/// The texts of all prints.
 fn lines(model: &Model) -> Vec<String> {
     model.prints().iter().map(|line| line.to_string()).collect()
 }
 
-/// What was printed, as rules would write it: `[1,2;3,4]`, `"text"`.
+/// The printed values, as rules would write them: `[1,2;3,4]`, `"text"`.
 fn written(model: &Model) -> Vec<String> {
     model.prints().iter().map(|line| write(&line.value)).collect()
 }

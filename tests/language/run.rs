@@ -1,4 +1,4 @@
-//! What a rule leaves behind: leaves, reports, prints.
+//! The results of a rule: leaves, reports, prints.
 
 use cga::{FaultKind, Value, cga};
 

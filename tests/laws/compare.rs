@@ -13,7 +13,7 @@ pub(crate) struct Outcome {
     pub(crate) replayed: usize,
 }
 
-/// How much may differ.
+/// The differences that are allowed.
 #[derive(Clone, Copy)]
 pub(crate) struct Tolerance {
     /// The tolerance of positions, in metres.
@@ -60,8 +60,8 @@ fn same<T: PartialEq + std::fmt::Debug + ?Sized>(what: &str, a: &T, b: &T) -> Di
     (a != b).then(|| format!("{what}: {a:?} and {b:?}"))
 }
 
-/// How far sines and cosines of the angles of a frame may be apart. Where the middle angle is upright, the last bit of an axis
-/// changes it by the root of that.
+/// The largest difference between sines and cosines of the angles of two frames. Where the middle angle is upright, a change of
+/// the last bit of an axis changes the angle by its root.
 const TURN: f64 = 1e-7;
 
 impl Tolerance {

@@ -103,7 +103,7 @@ fn again(case: &Case<'_>) -> (Option<String>, Option<Outcome>) {
     (found, Some(left))
 }
 
-/// Templates, and every repetition derived at its place: the same but for rounding.
+/// Templates, and every repetition derived at its place: the same except for rounding.
 fn direct(case: &Case<'_>) -> (Option<String>, Option<Outcome>) {
     let [left, right] =
         [Repeats::Kept, Repeats::Direct].map(|repeats| case.model(&case.with(repeats), &case.shapes[0]));

@@ -15,7 +15,7 @@ pub(crate) type Make = fn() -> Box<dyn Grammar + Sync>;
 /// The runs of each grammar. Without optimisation each takes ten times as long.
 pub(crate) const RUNS: u64 = if cfg!(debug_assertions) { 6 } else { 48 };
 
-/// Whether the grammar of a seed prints all that it can observe. Others have many parts that repeat.
+/// Returns true if the grammar of a seed prints all that it can observe. Others have many parts that repeat.
 pub(crate) fn prints_much(seed: u64) -> bool {
     seed.is_multiple_of(4)
 }

@@ -39,7 +39,7 @@ const SEEDS: Range<u64> = 100..118;
 /// Runs of each grammar.
 const RUNS: u64 = 40;
 
-/// How many findings of a kind must be put to the proof: fewer say nothing.
+/// The least number of findings of each kind that runs must judge. Fewer would prove nothing.
 const LEAST: [(Code, usize); 18] = [
     (Code::SizeNotPositive, 10),
     (Code::SlotNeverMade, 10),
@@ -118,7 +118,7 @@ fn what_the_checks_call_never_or_always_is_so_in_every_run() {
 /// Counts what was put to the proof, and says what is not so.
 fn play(seed: u64, make: Make, counts: &mut BTreeMap<Code, usize>, broken: &mut String) {
     let text = write::write(seed);
-    // What is an error of this kind runs all the same.
+    // Rules with an error of these kinds can run, so the errors become warnings.
     let levels = [(Code::RepeatNoProgress, Level::Warning), (Code::EndlessRules, Level::Warning)];
     let lexed = lex(&text);
     let compiled = compile(Unit::new(lexed.tokens.clone(), Dialect::Text), &mut NoFiles, &levels);

@@ -19,9 +19,9 @@ pub(crate) struct Places {
 /// A condition.
 pub(crate) struct Branch {
     pub(crate) condition: Span,
-    /// What is printed where it is true.
+    /// The marks that are printed where it is true.
     pub(crate) then: Vec<u32>,
-    /// What is printed where it is false.
+    /// The marks that are printed where it is false.
     pub(crate) otherwise: Vec<u32>,
 }
 
@@ -47,7 +47,7 @@ pub(crate) struct Slot {
 pub(crate) struct Arm {
     pub(crate) selector: Span,
     pub(crate) own: Vec<u32>,
-    /// What is printed in all arms of the comp.
+    /// The marks that are printed in all arms of the comp.
     pub(crate) all: Vec<u32>,
 }
 
@@ -165,7 +165,7 @@ impl Divided {
     }
 }
 
-/// What is printed somewhere in steps.
+/// The marks that steps print.
 fn marks(list: &[Op]) -> Vec<u32> {
     let mut found = Vec::new();
     for op in ops(list) {

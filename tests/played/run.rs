@@ -14,7 +14,7 @@ const MOST_LEAVES: usize = 300;
 /// The rules that runs begin with, some more often.
 const STARTS: [&str; 10] = ["Lot", "Lot", "Lot", "Lot", "Lot", "Lot", "Side", "Side", "Round", "Many"];
 
-/// What attributes without a range are set to, often to what is no number: comparisons with it are all false.
+/// Values for attributes without a range. Many are NaN, for which all comparisons are false.
 const WILD: [f64; 22] = [
     0.0,
     1.0,
@@ -40,20 +40,20 @@ const WILD: [f64; 22] = [
     f64::NAN,
 ];
 
-/// What initial shapes measure, most of them.
+/// The sizes of most initial shapes.
 const LENGTHS: [f64; 8] = [1.0, 2.0, 5.0, 10.0, 20.0, 0.5, 3.0, 7.3];
 
-/// What some measure.
+/// Rare sizes of initial shapes.
 const EXTREMES: [f64; 7] = [0.0, 0.1, 100.0, 1e-4, 1e5, 1e-9, 1e12];
 
-/// What was so in a run.
+/// The observations of a run.
 #[derive(Default)]
 pub(crate) struct Run {
-    /// What it was given.
+    /// The shape and the attributes of the run, as text.
     pub(crate) given: String,
-    /// Whether attributes had their defaults.
+    /// True if all attributes had their defaults.
     pub(crate) usual: bool,
-    /// Whether it went on to its end, and everything that was printed is here.
+    /// True if the run reached its end, so that all its prints are here.
     pub(crate) whole: bool,
     /// The rules on the way to the limit that ended it. Then nothing that was printed is known.
     pub(crate) limit: Option<Vec<&'static str>>,

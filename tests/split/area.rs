@@ -59,7 +59,7 @@ fn tilted(x: f64, y: f64) -> DMat3 {
     DMat3::from_cols(DVec3::new(d, 0.0, -t), DVec3::Y, DVec3::new(t, 0.0, d)) * about_x
 }
 
-/// Fact 44 (*splitArea operation*), on anything planar: with holes, concave, tilted.
+/// *splitArea operation*: shares of the area, on planar faces of any form: with holes, concave, tilted.
 #[test]
 fn parts_have_the_areas_that_were_asked_for() {
     let mut random = Random(1);
@@ -105,7 +105,7 @@ fn turning_a_lot_changes_no_area() {
     }
 }
 
-/// Fact 46: without adjusting, the last part ends with the scope and not with the geometry.
+/// *splitArea operation*, noAdjust: without adjusting, the last part ends with the scope and not with the geometry.
 #[test]
 fn scopes_without_adjusting_fill_the_scope() {
     let triangle = Mesh::from_polygon(&[[0.0; 3], [0.0, 0.0, 10.0], [10.0, 0.0, 0.0]].map(DVec3::from), &[]).unwrap();

@@ -75,7 +75,7 @@ fn slices_turn_by_their_share_of_a_full_turn() {
     }
 }
 
-/// Fact 4 and its kin: what gets no room has no number.
+/// *split operation*: slots without room are not made and not counted.
 #[test]
 fn slots_that_make_nothing_are_not_counted() {
     let model = run("Dropped", &Shape::cuboid(9.0, 1.0, 1.0));

@@ -78,7 +78,7 @@ fn a_part_has_its_slot_as_scope_and_the_pivot_of_the_whole() {
     assert!(near(b.axes.x_axis, [0.0, 0.0, -1.0]) && a.size == DVec3::new(5.0, 3.0, 1.0), "{a:?} {b:?}");
 }
 
-/// Fact 46 (*splitArea operation*, the pictures of adjust and noAdjust).
+/// *splitArea operation*: the pictures of adjust and noAdjust.
 #[test]
 fn adjusted_scopes_are_bounding_boxes_and_others_tile_the_parent() {
     let model = run("Adj", &u());

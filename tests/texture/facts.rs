@@ -72,17 +72,17 @@ cga! {
 type Expected = Box<dyn Fn(DVec3) -> [f64; 2]>;
 
 #[test]
-fn facts_u3_u8_u9_u10_u13_u15_to_u17_and_u32_of_projections() {
+fn projected_coordinates_are_functions_of_the_place() {
     let (sin, cos) = libm::sincos(10.0_f64.to_radians());
     let expected: [(&str, Expected); 8] = [
-        ("U8: three tiles of 3.333, and one", Box::new(|p| [p.x / (10.0 / 3.0), p.y / 8.0])),
-        ("U9: negative sizes mirror", Box::new(|p| [p.x / 2.0, -p.y / 3.0])),
-        ("U3: shapes change, projections stay", Box::new(|p| [p.x, p.y])),
-        ("U13: coordinates are replaced", Box::new(|p| [p.x, p.y])),
-        ("U10: offsets are metres, also with `su` set and for scope.zx", Box::new(|p| [p.z - 3.0 + 3.0, p.x + 4.0])),
-        ("U15: moved by half a texture", Box::new(|p| [p.x + 0.5, p.y])),
-        ("U16, U17: turned anticlockwise", Box::new(move |p| [cos * p.x - sin * p.y, sin * p.x + cos * p.y])),
-        ("U32: copied there and back", Box::new(|p| [p.x, p.y])),
+        ("~ and ^: three tiles of 3.333, and one", Box::new(|p| [p.x / (10.0 / 3.0), p.y / 8.0])),
+        ("negative sizes mirror", Box::new(|p| [p.x / 2.0, -p.y / 3.0])),
+        ("shapes change, projections stay", Box::new(|p| [p.x, p.y])),
+        ("coordinates are replaced", Box::new(|p| [p.x, p.y])),
+        ("offsets are metres, also with `su` set and for scope.zx", Box::new(|p| [p.z - 3.0 + 3.0, p.x + 4.0])),
+        ("moved by half a texture", Box::new(|p| [p.x + 0.5, p.y])),
+        ("turned anticlockwise", Box::new(move |p| [cos * p.x - sin * p.y, sin * p.x + cos * p.y])),
+        ("copied there and back", Box::new(|p| [p.x, p.y])),
     ];
     for (kind, (fact, expected)) in expected.iter().enumerate() {
         let leaves = leaves!(&Kept { kind: kind as f64 }, &Shape::cuboid(10.0, 8.0, 3.0));
@@ -102,7 +102,7 @@ cga! {
 }
 
 #[test]
-fn facts_u18_and_u22_each_face_or_all_and_faces_without_an_area() {
+fn normalizing_takes_each_face_or_all_and_faces_without_an_area_stay_finite() {
     let run = |kind: u32| leaves!(&Faces { kind: f64::from(kind) }, &Shape::cuboid(10.0, 5.0, 3.0));
     for face in &run(0).0[0].1 {
         let high = face.iter().map(uv).reduce(DVec2::max).unwrap();
@@ -125,15 +125,15 @@ cga! {
 }
 
 #[test]
-fn facts_u24_u28_and_u29_of_splits_in_texture_space() {
+fn splits_in_texture_space_start_at_the_smallest_coordinate_and_close_nothing() {
     let run = |kind: u32| leaves!(&Borders { kind: f64::from(kind) }, &Shape::cuboid(9.0, 4.0, 3.0));
-    // U24: from the smallest coordinate found, here 3.
+    // From the smallest coordinate found, here 3.
     assert_eq!(run(0).range("X", 0), [DVec2::new(3.0, 0.0), DVec2::new(3.5, 4.0)]);
     assert_eq!(run(0).range("Y", 0), [DVec2::new(3.5, 0.0), DVec2::new(5.25, 4.0)]);
-    // U29: each side of the cube is cut, and nothing is closed.
+    // Each side of the cube is cut, and nothing is closed.
     let halves = run(1);
     assert_eq!(halves.0.iter().map(|(_, faces)| faces.len()).collect::<Vec<_>>(), [6, 6]);
-    // U28: numbers of pieces.
+    // Numbers of pieces.
     let model = Borders { kind: 2.0 }.generate(&Shape::cuboid(9.0, 4.0, 3.0)).expect("no error");
     let sum = |key: &str| model.reported(key).expect(key).summary().sum;
     assert_eq!((sum("index"), sum("total"), model.count("X"), model.count("Y")), (15.0, 36.0, 3, 3));

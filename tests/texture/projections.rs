@@ -93,7 +93,7 @@ fn sizes_are_absolute_relative_floating_and_negative() {
 }
 
 cga! {
-    /// What happens to geometry after its coordinates were made.
+    /// Operations on geometry that has coordinates.
     grammar After;
     attr kind = 0
     Lot --> comp(f) { front : Facade }

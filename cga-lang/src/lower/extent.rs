@@ -1,6 +1,6 @@
 //! Splits whose extent and sizes are known are solved here, so that nothing is left to compute while rules run.
 //!
-//! What is known of the scope's size follows the shape through the steps of a rule and on to the rules it is handed to. A
+//! The known bounds of the scope's size follow the shape through the steps of a rule and on to the rules it is handed to. A
 //! rule that is reached in several ways knows what all of them agree on, and one that the host program may start with knows
 //! nothing.
 

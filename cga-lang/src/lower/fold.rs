@@ -153,7 +153,7 @@ fn to_text(value: Value) -> Option<Value> {
     match value {
         Value::Text(text) => Some(Value::Text(text)),
         Value::Bool(value) => Some(Value::Text(value.to_string())),
-        // How fractions look is the runtime's business; whole numbers can look only one way.
+        // The runtime formats fractions. Whole numbers have one format only.
         Value::Float(value) if value.fract() == 0.0 && value.abs() < 1e9 => {
             Some(Value::Text(format!("{}", value as i64)))
         }

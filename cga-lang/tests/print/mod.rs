@@ -1,6 +1,6 @@
 //! A tree as CGA text, in either spelling. Brackets show how operators were grouped.
 //!
-//! What is printed reads as the same tree, unless something in it could not be read.
+//! The printed text parses to the same tree, unless the tree has a syntax error.
 
 mod decl;
 mod expr;
@@ -10,7 +10,7 @@ use cga_lang::span::Span;
 use cga_lang::syntax::ast::Ast;
 use cga_lang::syntax::token::{Tok, Tokens};
 
-/// How relative sizes are written.
+/// The spelling of relative sizes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Spelling {
     /// `'0.5`, as in CGA text.

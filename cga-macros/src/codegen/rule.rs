@@ -422,7 +422,7 @@ impl Generator<'_> {
     }
 }
 
-/// How many numbers of children a step takes.
+/// The number of child numbers that a step takes.
 fn children(step: &Step) -> u32 {
     match step {
         Step::Block(Block { parts: BlockParts::Operands(targets), .. }) => targets.len() as u32,

@@ -88,7 +88,7 @@ mod tests {
         Content::of(&written.parse().unwrap()).unwrap()
     }
 
-    /// How the last character of the first `part` in the text is written.
+    /// The spelling of the last character of the first `part` in the text.
     fn last_written(content: &Content, part: &str) -> String {
         let end = content.text.find(part).unwrap() + part.len();
         content.literal[content.origin[end - 1].clone()].to_owned()

@@ -1,4 +1,4 @@
-//! Snapshots of generated code, in `expand/`: `NAME.cga` is what stands in the macro, `NAME.rs` what becomes of it.
+//! Snapshots of generated code, in `expand/`: `NAME.cga` is the input of the macro, `NAME.rs` its output.
 //!
 //! The first line of the input says which part is shown. `CGA_BLESS=1` rewrites what is expected.
 
@@ -44,7 +44,7 @@ fn without_methods(item: &mut Item) {
     }
 }
 
-/// What only editors see stands in a const of its own.
+/// Code for editors is in a const of its own.
 fn is_for_editors(item: &Item) -> bool {
     let Item::Const(item) = item else { return false };
     item.attrs.iter().any(|attr| match &attr.meta {

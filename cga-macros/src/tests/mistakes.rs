@@ -23,7 +23,7 @@ use proc_macro2::{Span, TokenStream};
 
 use crate::source::tokens::read;
 
-/// How many of the mistakes must be told well.
+/// The number of mistakes that must have a good diagnostic.
 const LEAST: usize = 40;
 
 /// One mistake as one source spells it.
@@ -33,7 +33,7 @@ struct Spelling {
     rules: String,
     /// The bytes of the guilty token.
     guilty: Range<usize>,
-    /// What the diagnostic must name.
+    /// The words that the diagnostic must contain.
     words: Vec<String>,
 }
 
@@ -110,7 +110,7 @@ fn first_in_text(rules: &str) -> Option<(Diag, Range<usize>)> {
     Some((diag, range))
 }
 
-/// Whether a diagnostic is told well; otherwise why not goes to `out`.
+/// Returns true if a diagnostic is good; otherwise writes the reason to `out`.
 fn is_good(spelling: &Spelling, first: Option<(Diag, Range<usize>)>, is_inline: bool, out: &mut String) -> bool {
     let Some((diag, range)) = first else {
         let _ = writeln!(out, "  nothing is reported");

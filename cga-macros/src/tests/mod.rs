@@ -1,4 +1,4 @@
-//! What the macro makes of its input, without a compiler around it.
+//! The macro's output for its input, without a compiler around it.
 
 mod errors;
 mod expand;

@@ -70,7 +70,7 @@ fn both_sources_mean_the_same_over_a_corpus() {
         let mut diags = Diags::new();
         let ast = parse(&lex(&text).tokens, &mut diags);
         if diags.finish().iter().any(|diag| diag.code.level() == cga_lang::diag::Level::Error) {
-            // What could not be parsed is not printed as it was written.
+            // Text with a syntax error is not printed as it was written.
             continue;
         }
         let (verbatim, inline) = (print(&ast, Spelling::Text), print(&ast, Spelling::Inline));

@@ -13,13 +13,13 @@ use proc_macro2::{TokenStream, TokenTree};
 use super::sources::{Below, root};
 use crate::header::{self, RulesText};
 
-/// What Rust cannot read, and no macro gets to see.
+/// Mistakes that Rust's lexer rejects before a macro runs.
 const NO_RUST: [&str; 3] = ["missing_brace", "quote_before_bracket", "quote_before_digits"];
 
-/// What is about files of a package, and cases have none: fixtures and the test of `source/import.rs` show it.
+/// Diagnostics about files of a package, which the cases do not have: fixtures and the test of `source/import.rs` show it.
 const ABOUT_FILES: [Code; 2] = [Code::MissingAsset, Code::UnknownGroup];
 
-/// A case: its path, and what stands in each of its `cga!`.
+/// A case: its path, and the contents of each of its `cga!`.
 struct Case {
     path: PathBuf,
     grammars: Vec<TokenStream>,
@@ -46,7 +46,7 @@ fn cases() -> Vec<Case> {
     list
 }
 
-/// What stands in each `cga!{…}`.
+/// The contents of each `cga!{…}`.
 fn grammars(stream: TokenStream) -> Vec<TokenStream> {
     let mut found = Vec::new();
     let list: Vec<TokenTree> = stream.into_iter().collect();

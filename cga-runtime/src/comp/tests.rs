@@ -314,7 +314,7 @@ fn border_and_inside_of_a_grid() {
 }
 
 #[test]
-fn facts_53_and_57_values_by_number() {
+fn values_are_in_the_order_of_components() {
     let env = &mut Env::for_tests();
     let mut lot = Shape::rectangle(6.0, 4.0);
     let each = [arm(Word::All, Mode::Each)];

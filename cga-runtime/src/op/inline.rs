@@ -9,7 +9,7 @@ use crate::geometry::wire::Wire;
 use crate::run::env::Env;
 use crate::shape::{Geometry, Shape};
 
-/// How the geometry of leaves is combined.
+/// The way in which the geometry of leaves is combined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MergeStrategy {
     /// The faces of all leaves, as they are.

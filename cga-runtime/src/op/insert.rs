@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn facts_64_to_66_sizes_of_zero_follow_from_the_asset() {
+    fn sizes_of_zero_follow_from_the_asset() {
         use InsertMode::AlignSizeAndPosition as Align;
         stands(&inserted([9.0, 0.0, 0.0], UpAxis::YUp, Align), [0.0, 4.5 * 4.3, 4.5 * 7.2], [9.0, 18.0, 27.0]);
         stands(&inserted([9.0, 9.0, 0.0], UpAxis::YUp, Align), [0.0; 3], [9.0, 9.0, 20.25]);

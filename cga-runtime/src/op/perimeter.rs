@@ -19,8 +19,8 @@ const NAME: &str = "splitAndSetbackPerimeter";
 /// (*splitAndSetbackPerimeter operation*). The pattern begins at the offset, goes along all edges and ends where it began. An
 /// offset with `'` is a share of their total length.
 ///
-/// What a section sweeps is one shape, the rest of each face a `remainder`. A depth that is not positive makes no shape. Where
-/// sections overlap, the deeper one keeps the place, or else the first one. A section ends at right angles to its edge; at a
+/// The area that a section sweeps is one shape, the rest of each face a `remainder`. A depth that is not positive makes no
+/// shape. Where sections overlap, the deeper one keeps the place, or else the first one. A section ends at right angles to its edge; at a
 /// corner it ends as a setback does (see [`shape_l`](fn@super::shape_l)). A pattern of more than 500 sections makes none and
 /// leaves a fault.
 pub fn perimeter(env: &mut Env, sections: &mut Sections<'_>, offset: Length) -> ControlFlow<(), Faces> {

@@ -24,7 +24,7 @@ pub enum ScatterDomain {
     Scope,
 }
 
-/// How points are distributed.
+/// The distribution of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Distribution {
     /// With the same density everywhere.

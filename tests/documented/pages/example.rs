@@ -9,7 +9,7 @@ pub(crate) struct Example {
     pub(crate) title: &'static str,
     /// Verbatim CGA. What follows the first empty line are rules that the page gives once for all its examples.
     pub(crate) rules: &'static str,
-    /// What the first rule starts with.
+    /// The shape that the first rule starts with.
     pub(crate) start: fn() -> Shape,
     /// Runs the rules.
     pub(crate) run: fn(&Shape, &Settings) -> Result<Model, Error>,
@@ -72,7 +72,7 @@ macro_rules! example {
             #[allow(unused_imports, reason = "each example needs some of it")]
             use super::*;
 
-            // What pages show on purpose is found by the checks: see cga-lang/tests/data/lower/seed_*.cga.
+            // The checks report mistakes that pages show on purpose: see cga-lang/tests/data/lower/seed_*.cga.
             cga::cga! {
                 @Allow(undefined_rule, size_not_positive, slot_never_made, float_without_space, sizes_beyond_extent, missing_asset, old_spelling)
                 pub(crate) grammar Page = $rules;

@@ -1,4 +1,4 @@
-//! Whether what a finding calls *never* or *always* is so in a run.
+//! Checks claims of *never* and *always* against runs.
 
 mod splits;
 
@@ -8,7 +8,7 @@ use Verdict::{Broken, Silent, So};
 use cga_lang::diag::code::Code;
 use cga_lang::diag::{Basis, Detail, Diag};
 
-/// What a run says of a finding.
+/// The verdict of a run on a finding.
 #[derive(PartialEq)]
 pub(crate) enum Verdict {
     /// It never came there.

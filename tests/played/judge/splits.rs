@@ -1,4 +1,4 @@
-//! What is said of splits.
+//! Judges findings about splits.
 
 use super::Verdict::{self, Broken, Silent, So};
 use crate::places::{Divided, Places};
@@ -10,7 +10,7 @@ use cga_lang::syntax::ast::Prefix;
 /// Pieces that a repeat is warned of beyond that.
 const MANY: f64 = 1e7;
 
-/// What printing rounds off, and more.
+/// More than the rounding error of printed numbers.
 const ROUNDED: f64 = 1e-10;
 
 /// Shapes that extend further are divided for certain, however large the initial shape is.

@@ -1,6 +1,6 @@
 //! Random grammars.
 //!
-//! What rules print says where a run came by. A number from [`FIRST_MARK`] on stands for itself: a place. Splits note in an
+//! Prints show which places a run passes. A number from [`FIRST_MARK`] on stands for itself: a place. Splits note in an
 //! attribute, which their pieces inherit, how large the shape is and what the sizes are; pieces print that and their own
 //! length; quotients are printed as they are.
 
@@ -14,7 +14,7 @@ use crate::random::Random;
 /// Places are numbered from there on; rules have no numbers that large but these.
 pub(crate) const FIRST_MARK: u32 = 1001;
 
-/// What rules print with.
+/// The attributes and functions with which rules print.
 const TOOLS: &str = r#"attr at = ""
 seen(n, extent) = "split;" + n + ";" + rand + ";" + extent
 piece(n, length) = "piece;" + n + ";" + length + ";" + split.index + ";" + split.total + ";" + at
@@ -31,7 +31,7 @@ struct Writer {
     marks: u32,
     /// The ends of what the attributes `a`, `b` and `c` may be; nothing where that is anything.
     ends: [Option<[f64; 2]>; 3],
-    /// How many parameters each of [`RULES`] has beside its depth.
+    /// The number of parameters of each of [`RULES`], its depth not counted.
     params: [usize; RULES.len()],
 }
 
@@ -42,7 +42,7 @@ struct Here {
     params: &'static [&'static str],
     /// Which of [`RULES`] may be called freely: those from here on.
     rule: usize,
-    /// How deep what is written may still nest.
+    /// The number of levels that may still be nested.
     depth: usize,
     indent: usize,
 }
@@ -65,7 +65,7 @@ pub(crate) fn write(seed: u64) -> String {
 }
 
 impl Writer {
-    /// Whether something is so that is so that many times in a hundred.
+    /// Returns true with a probability in percent.
     fn chance(&mut self, percent: usize) -> bool {
         self.random.below(100) < percent
     }

@@ -5,7 +5,7 @@ use super::{Here, Writer};
 const SHARES: [&str; 12] = ["0.5", "0.6", "0.3", "0.33", "1", "0.2", "0.45", "0", "0.9", "0.49", "0.25", "1.2"];
 const METRES: [&str; 14] = ["1", "2", "3", "5", "0.5", "4.9", "10", "0", "(-1)", "20", "7", "4", "a", "b"];
 
-/// What stands in braces.
+/// An item in braces.
 enum Item {
     /// A prefix and a number.
     Slot(&'static str, String),
@@ -39,7 +39,7 @@ impl Writer {
         self.line(here, if star { "}*" } else { "}" });
     }
 
-    /// What a split has in braces, and whether a `*` follows.
+    /// The items in the braces of a split; true if a `*` follows.
     fn items(&mut self, here: Here) -> (Vec<Item>, bool) {
         let slot = |prefix: &'static str, text: &str| Item::Slot(prefix, text.into());
         match self.random.below(18) {
@@ -108,7 +108,7 @@ impl Writer {
     }
 }
 
-/// Adds what sizes are; where chance has a say nobody knows.
+/// Adds the sizes, if they do not depend on chance.
 fn values(items: &[Item], text: &mut String) {
     for item in items {
         match item {

@@ -28,7 +28,7 @@ const SELECTORS: [&str; 22] = [
 ];
 
 impl Writer {
-    /// What a rule does.
+    /// Writes the body of a rule.
     pub(super) fn body(&mut self, here: Here) {
         if 0 < here.depth && self.chance(35) {
             return self.branches(here, None);

@@ -2,7 +2,7 @@
 
 use super::{Here, Writer};
 
-/// What both do; `#` is where one of them has more.
+/// Bodies of both rules; one of the two has more in place of `#`.
 const BODIES: [&str; 14] = [
     "Wall. #",
     "Wall. # Roof.",

@@ -112,7 +112,7 @@ impl Writer {
         }
     }
 
-    /// What conditions ask about, the same one often several times.
+    /// The value that a condition tests. Conditions of a rule often share it.
     pub(super) fn subject(&mut self, here: Here) -> String {
         match self.random.below(13) {
             0 => "on".into(),

@@ -3,7 +3,7 @@
 use super::edge_table::EdgeTable;
 use super::operation::BooleanError;
 
-/// What an operation may still spend.
+/// The work that an operation may still do.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Budget {
     /// The number of comparisons.

@@ -1,7 +1,7 @@
 //! Extrudes faces to closed volumes (*extrude operation*).
 //!
 //! Each face gives sides in the order of its edges (outline, then holes), a top, and a bottom, which is the reversed
-//! face itself. The first edge of a side is its bottom edge, in the direction of the face. There is no wall between
+//! face itself. The first edge of a side is its bottom edge, in the direction of the face. No wall is made between
 //! faces that move alike: coplanar neighbours along their normals, all neighbours in other modes. Points that do not
 //! move give no wall either. A negative distance mirrors: the faces look inwards.
 //!

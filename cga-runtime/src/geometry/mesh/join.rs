@@ -7,7 +7,7 @@ use glam::DVec2;
 use super::{FaceTag, Mesh, SubcomponentTagger, UvSets};
 use crate::material::Material;
 
-/// How far back a list is searched for an equal element.
+/// The number of last elements of a list that are searched for an equal one.
 const FAR: usize = 64;
 
 /// A list in which most equal elements are one.

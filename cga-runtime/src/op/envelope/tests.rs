@@ -64,7 +64,7 @@ const L: [(f64, f64); 6] = [(0.0, 0.0), (10.0, 0.0), (10.0, 5.0), (5.0, 5.0), (5
 
 #[test]
 fn a_slope_from_the_front_rises_to_the_back() {
-    // E10: 15 metres at the front, 15 + 30 tan 30 at the back.
+    // 15 metres at the front, 15 + 30 tan 30 at the back.
     let lot = polygon(&[(0.0, 0.0), (20.0, 0.0), (20.0, 30.0), (0.0, 30.0)], &[]);
     let shape = checked(&lot, |env, shape| envelope_front(env, shape, NORMAL, 50.0, 15.0, 30.0));
     assert_eq!(counts(&shape), [1, 4, 1, 0, 0]);
@@ -75,7 +75,7 @@ fn a_slope_from_the_front_rises_to_the_back() {
 
 #[test]
 fn four_equal_sides_leave_a_top() {
-    // E11.
+    // All four sides have a base of 2 and 45 degrees, which moves the edges of the top inwards by 2.
     let lot = polygon(&SQUARE, &[]);
     let shape = checked(&lot, |env, shape| {
         envelope_all(env, shape, NORMAL, 4.0, 2.0, 45.0, 2.0, 45.0, 2.0, 45.0, 2.0, 45.0);
@@ -102,7 +102,7 @@ fn four_equal_sides_leave_a_top() {
 
 #[test]
 fn sides_without_numbers_are_upright() {
-    // E6, E8: missing elements are 0 and 90.
+    // The *envelope* page: missing elements are 0 and 90.
     let shape = built(&polygon(&SQUARE, &[]), NORMAL, 6.0, &[]);
     assert_eq!(counts(&shape), [1, 4, 0, 0, 1]);
     assert!((volume(&shape) - 600.0).abs() < 1e-9);
@@ -113,7 +113,7 @@ fn sides_without_numbers_are_upright() {
 
 #[test]
 fn a_lower_slope_cuts_into_a_higher_base() {
-    // E12: the front begins at 1, the right side at 4: its base has a slanted corner and five edges.
+    // The front begins at 1, the right side at 4: its base has a slanted corner and five edges.
     let shape = built(&polygon(&SQUARE, &[]), NORMAL, 8.0, &[[1.0, 45.0], [4.0, 45.0]]);
     let mesh = shape.to_mesh();
     let bases = tagged(&shape, "envelope.side.base");
@@ -123,7 +123,7 @@ fn a_lower_slope_cuts_into_a_higher_base() {
 
 #[test]
 fn without_a_base_the_slope_begins_at_the_ground() {
-    // E14: the other three sides stay.
+    // The other three sides keep their bases.
     let shape = built(&polygon(&SQUARE, &[]), NORMAL, 4.0, &[[0.0, 45.0], [2.0, 45.0], [2.0, 45.0], [2.0, 45.0]]);
     assert_eq!(counts(&shape), [1, 3, 4, 0, 1]);
     let mesh = shape.to_mesh();
@@ -133,7 +133,7 @@ fn without_a_base_the_slope_begins_at_the_ground() {
 
 #[test]
 fn holes_have_upright_walls_and_notch_the_slopes() {
-    // E13, E15.
+    // The walls of the hole go up to the top.
     let lot = polygon(&SQUARE, &[&HOLE]);
     let shape = built(&lot, NORMAL, 4.0, &[[2.0, 45.0]; 8]);
     assert_eq!(counts(&shape), [1, 4, 4, 4, 1]);
@@ -149,7 +149,7 @@ fn holes_have_upright_walls_and_notch_the_slopes() {
 
 #[test]
 fn base_heights_at_the_top_leave_the_top() {
-    // E17.
+    // A base that reaches the height leaves no room for the slope.
     for base in [4.0, 5.0] {
         let shape = built(&polygon(&SQUARE, &[]), NORMAL, 4.0, &[[base, 45.0], [2.0, 45.0], [base, 45.0], [2.0, 45.0]]);
         assert_eq!(counts(&shape), [1, 4, 2, 0, 1]);
@@ -216,7 +216,7 @@ fn a_slope_at_a_long_edge_of_a_concave_lot_covers_all_of_it() {
 
 #[test]
 fn collinear_corners_do_no_harm() {
-    // E19.
+    // Corners on the straight front and back, with equal numbers for the parts of an edge.
     let outline = [(0.0, 0.0), (4.0, 0.0), (10.0, 0.0), (10.0, 10.0), (5.0, 10.0), (0.0, 10.0)];
     let shape = built(&polygon(&outline, &[]), NORMAL, 4.0, &[[2.0, 45.0]; 6]);
     let plain = built(&polygon(&SQUARE, &[]), NORMAL, 4.0, &[[2.0, 45.0]; 4]);
@@ -236,7 +236,7 @@ fn every_face_has_a_volume_of_its_own() {
         builder.face(&ring, &[], Default::default());
     }
     let shape = Shape::mesh_axis_aligned(builder.build().unwrap());
-    // A15: element 4 is the first edge of the second face.
+    // Element 4 is the first edge of the second face.
     let mut sides = [[0.0, 90.0]; 8];
     sides[4] = [1.0, 45.0];
     let shape = built(&shape, NORMAL, 3.0, &sides);
