@@ -71,7 +71,7 @@ cga! {
     Pane   --> color(light) Glass.
     DormerRoof --> color(roof) roofGable(35, 0.2, 0.2) comp(f) { isTagged("roof.bottom") : NIL | all : DormerTiles. }
 
-    // A flat roof has a parapet, and what stands on such roofs.
+    // A flat roof has a parapet and machines.
     Flat   --> offset(-0.4) comp(f) { inside : Terrace | border : Parapet }
     Terrace --> color("#8d8f8c") [ Gravel. ] scatter(surface, 1 + geometry.area / 150, uniform) { Plant }
     Plant  --> s(rand(0.8, 2.6), rand(0.7, 1.8), rand(0.8, 2.6)) primitiveCube center(xz) color("#b9bcbd") Plant.

@@ -1,4 +1,4 @@
-//! The same rules through three doors give the same model.
+//! The same rules from three sources (Rust tokens, a string, a file) give the same model.
 
 use cga::{Grammar, Model, Shape, cga};
 

@@ -123,7 +123,7 @@ fn places(file: &File, node: &Value) -> Vec<DMat4> {
     each.map(|(&at, turned)| DMat4::from_rotation_translation(DQuat::from_slice(turned), at)).collect()
 }
 
-/// Each triangle has one of the others that is equal but for rounding.
+/// Each triangle has an equal one among the others, except for rounding.
 fn assert_same(mut some: Vec<Triangle>, others: Vec<Triangle>) {
     assert_eq!(some.len(), others.len());
     let near = |a: [DVec3; 3], b: [DVec3; 3]| (0..3).all(|i| (a[i] - b[i]).length() < 2e-5);

@@ -1,4 +1,4 @@
-//! `docs/diagnostics.md`: there is a heading for each code, the bad example has that finding and no other, the good one has
+//! `docs/diagnostics.md`: each code has a heading, the bad example has that finding and no other, the good one has
 //! none.
 
 mod common;

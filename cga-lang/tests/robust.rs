@@ -350,7 +350,7 @@ fn long_grammars_take_time_in_proportion() {
     assert_eq!(source.compiled.diags, []);
     let grammar = source.compiled.grammar.expect("no findings");
     assert_eq!(grammar.globals.iter().filter(|global| global.attr.is_some()).count(), 2000);
-    // The same in the order that is worst for whoever resolves names or types from the front.
+    // The same in the worst order for a resolver that goes from the first declaration to the last.
     let chain: String = (0..3000).map(|number| format!("f{number}(x) = f{}(x) + x\n", number + 1)).collect();
     let source = compile_text(&format!("{chain}f3000(x) = x"));
     assert_eq!(source.compiled.diags, []);

@@ -28,7 +28,7 @@ pub(crate) struct Branch {
 /// A split.
 pub(crate) struct Divided {
     pub(crate) number: u32,
-    /// The rule it stands in.
+    /// The rule that contains the split.
     pub(crate) rule: String,
     pub(crate) axis: Span,
     pub(crate) slots: Vec<Slot>,

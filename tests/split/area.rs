@@ -80,7 +80,7 @@ fn parts_have_the_areas_that_were_asked_for() {
     }
 }
 
-/// Sides that lie across the axis only but for rounding, as turned lots have: a steep edge must not drown the others.
+/// Sides that are across the axis except for rounding, as turned lots have: a steep edge must not hide the others.
 #[test]
 fn turning_a_lot_changes_no_area() {
     let lots: [&[[f64; 2]]; 3] = [

@@ -35,7 +35,7 @@ fn recursion_ends_when_a_piece_is_too_small_to_be_split() {
     }
     let model = run("Golden", &Shape::cuboid(5.0, 1.0, 1.0));
     // Both A and B are split fourteen times before they are shorter than 5e-6. What each split cuts off is split into a
-    // green and a yellow piece, but for the last C, which is too short itself.
+    // green and a yellow piece, except for the last C, which is too short itself.
     let (green, yellow) = (model.count("Green"), model.count("Yellow"));
     assert_eq!((green, yellow, model.len()), (27, 27, 57), "{:?}", model.counts());
     assert!((model.volume() - 5.0).abs() < 1e-9, "nothing is lost");

@@ -29,7 +29,7 @@ const fn op(name: Str, call: Str, params: Params, about: Str) -> Operation {
     Operation { run: Run::Now(call), ..later(name, params, about) }
 }
 
-/// A row that is not implemented yet.
+/// A row without a function in the runtime, which is not implemented yet. `op` and `block` begin with it.
 const fn later(name: Str, params: Params, about: Str) -> Operation {
     Operation {
         name,

@@ -11,8 +11,8 @@ use super::facet::Facet;
 use super::operation::BooleanError;
 use super::point_set::PointSet;
 
-/// Facets whose planes form a smaller angle than this are nearly parallel: the product of their normals is no good
-/// direction for the line in which they meet.
+/// Facets whose planes form a smaller angle than this are nearly parallel: the product of their normals is too
+/// inaccurate as the direction of the line in which they meet.
 const PARALLEL: f64 = 1e-7;
 
 /// The cost of the line in which two facets meet, and of a piece of it.

@@ -24,7 +24,7 @@ impl BooleanOp {
     }
 }
 
-/// The reason why there is no result.
+/// The reason why an operation has no result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BooleanError {
     /// Too many faces meet.

@@ -238,7 +238,7 @@ pub trait Sink {
         None
     }
 
-    /// Takes a shape that `NIL` has removed from an operand. It is no leaf.
+    /// Takes a shape that `NIL` has removed from an operand. It is not a leaf.
     #[doc(hidden)]
     fn gone(&mut self, _shape: &Shape) -> Flow {
         Flow::Continue(())

@@ -68,7 +68,7 @@ fn sizes_from_the_smallest_to_the_largest_are_the_same_to_an_operation() {
         assert_eq!(made.corners(), plain.corners(), "{scale}");
         assert!(made.is_closed());
     }
-    // Sizes whose squares are no numbers any more.
+    // Sizes whose squares overflow or vanish.
     for scale in [1e-300, 1e300] {
         let place = DAffine3::from_scale(DVec3::splat(scale));
         for op in OPS {

@@ -72,7 +72,7 @@ fn an_open_box_counts_as_closed_unless_its_border_is_crossed() {
     let other = block([2.0; 3], [12.0; 3]);
     let front_open = without(&other, &[2]);
     let left_open = without(&other, &[5]);
-    // As with the closed box, but for its front.
+    // As with the closed box, except at its front.
     let closed = combined(Union, &solid, &other).unwrap().area();
     assert_eq!(measured(Union, &solid, &front_open), (closed - 100.0, false));
     // The border crosses the solid, which stays whole; the bottom and the back are partly in it.
