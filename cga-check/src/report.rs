@@ -15,8 +15,8 @@ use std::time::Duration;
 /// The limit on findings of a file that are reported: finding the place of each takes the time of reading the text.
 const MOST_SHOWN: usize = 1000;
 
-/// A finding: file, first and last token there, code, message.
-type Place = (String, u32, u32, Code, Line);
+/// The identity of a finding: file, first and last token there, code, message.
+type FindingKey = (String, u32, u32, Code, Line);
 
 /// Prints findings and summaries, and counts them.
 pub(crate) struct Report<'o> {
@@ -24,7 +24,7 @@ pub(crate) struct Report<'o> {
     /// Files that other files import: no run starts in them.
     imported: HashSet<String>,
     /// The findings so far. A file that many import has the same findings each time.
-    seen: HashSet<Place>,
+    seen: HashSet<FindingKey>,
     files: usize,
     failed: usize,
     lines: usize,

@@ -9,7 +9,7 @@ const MOST_ABSENT: usize = 1 << 20;
 
 /// The type of one number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Component {
+enum ComponentType {
     I8,
     U8,
     I16,
@@ -18,24 +18,24 @@ enum Component {
     F32,
 }
 
-impl Component {
+impl ComponentType {
     fn of(item: &Item<'_>) -> Result<Self, GltfError> {
         Ok(match item.required("componentType")? {
-            5120 => Component::I8,
-            5121 => Component::U8,
-            5122 => Component::I16,
-            5123 => Component::U16,
-            5125 => Component::U32,
-            5126 => Component::F32,
+            5120 => ComponentType::I8,
+            5121 => ComponentType::U8,
+            5122 => ComponentType::I16,
+            5123 => ComponentType::U16,
+            5125 => ComponentType::U32,
+            5126 => ComponentType::F32,
             other => return Err(item.error(format!("`componentType` {other} is unknown"))),
         })
     }
 
     fn bytes(self) -> usize {
         match self {
-            Component::I8 | Component::U8 => 1,
-            Component::I16 | Component::U16 => 2,
-            Component::U32 | Component::F32 => 4,
+            ComponentType::I8 | ComponentType::U8 => 1,
+            ComponentType::I16 | ComponentType::U16 => 2,
+            ComponentType::U32 | ComponentType::F32 => 4,
         }
     }
 
@@ -44,24 +44,24 @@ impl Component {
         let two = || bytes.first_chunk().copied().unwrap_or_default();
         let four = || bytes.first_chunk().copied().unwrap_or_default();
         match self {
-            Component::I8 => f64::from(i8::from_le_bytes([bytes[0]])),
-            Component::U8 => f64::from(bytes[0]),
-            Component::I16 => f64::from(i16::from_le_bytes(two())),
-            Component::U16 => f64::from(u16::from_le_bytes(two())),
-            Component::U32 => f64::from(u32::from_le_bytes(four())),
-            Component::F32 => f64::from(f32::from_le_bytes(four())),
+            ComponentType::I8 => f64::from(i8::from_le_bytes([bytes[0]])),
+            ComponentType::U8 => f64::from(bytes[0]),
+            ComponentType::I16 => f64::from(i16::from_le_bytes(two())),
+            ComponentType::U16 => f64::from(u16::from_le_bytes(two())),
+            ComponentType::U32 => f64::from(u32::from_le_bytes(four())),
+            ComponentType::F32 => f64::from(f32::from_le_bytes(four())),
         }
     }
 
     /// The number that stands for 1 in a normalised accessor.
     fn one(self) -> f64 {
         match self {
-            Component::I8 => f64::from(i8::MAX),
-            Component::U8 => f64::from(u8::MAX),
-            Component::I16 => f64::from(i16::MAX),
-            Component::U16 => f64::from(u16::MAX),
-            Component::U32 => f64::from(u32::MAX),
-            Component::F32 => 1.0,
+            ComponentType::I8 => f64::from(i8::MAX),
+            ComponentType::U8 => f64::from(u8::MAX),
+            ComponentType::I16 => f64::from(i16::MAX),
+            ComponentType::U16 => f64::from(u16::MAX),
+            ComponentType::U32 => f64::from(u32::MAX),
+            ComponentType::F32 => 1.0,
         }
     }
 }
@@ -74,7 +74,7 @@ fn kind(width: usize) -> &'static str {
 /// An accessor with elements of `N` numbers.
 struct Accessor<'a, const N: usize> {
     item: Item<'a>,
-    component: Component,
+    component: ComponentType,
     count: usize,
 }
 
@@ -84,7 +84,7 @@ impl<'a, const N: usize> Accessor<'a, N> {
         if item.text("type")? != Some(kind(N)) {
             return Err(item.error(format!("its `type` must be `{}` here", kind(N))));
         }
-        Ok(Accessor { item, component: Component::of(&item)?, count: item.required("count")? })
+        Ok(Accessor { item, component: ComponentType::of(&item)?, count: item.required("count")? })
     }
 
     /// The elements, each as the numbers of the file.
@@ -110,7 +110,7 @@ impl<'a, const N: usize> Accessor<'a, N> {
         let (indices, values) = (part("indices")?, part("values")?);
         let start = |part: &Item<'_>| Ok(part.whole("byteOffset")?.unwrap_or(0));
         let view = document.view(indices.required("bufferView")?)?;
-        let places: Vec<[f64; 1]> = numbers(&indices, view, start(&indices)?, Component::of(&indices)?, count)?;
+        let places: Vec<[f64; 1]> = numbers(&indices, view, start(&indices)?, ComponentType::of(&indices)?, count)?;
         let view = document.view(values.required("bufferView")?)?;
         let values: Vec<[f64; N]> = numbers(&values, view, start(&values)?, self.component, count)?;
         for ([place], value) in places.into_iter().zip(values) {
@@ -126,7 +126,7 @@ fn numbers<const N: usize>(
     item: &Item<'_>,
     view: View<'_>,
     start: usize,
-    component: Component,
+    component: ComponentType,
     count: usize,
 ) -> Result<Vec<[f64; N]>, GltfError> {
     let size = N * component.bytes();
@@ -173,7 +173,7 @@ pub(super) fn vectors<const N: usize>(document: &Document<'_>, index: usize) -> 
 /// The accessor is of another type or ends early.
 pub(super) fn indices(document: &Document<'_>, index: usize) -> Result<Vec<u32>, GltfError> {
     let accessor = Accessor::<1>::new(document, index)?;
-    if matches!(accessor.component, Component::F32 | Component::I8 | Component::I16) {
+    if matches!(accessor.component, ComponentType::F32 | ComponentType::I8 | ComponentType::I16) {
         return Err(accessor.item.error("indices must be unsigned integers"));
     }
     Ok(accessor.elements(document)?.into_iter().map(|[index]| index as u32).collect())

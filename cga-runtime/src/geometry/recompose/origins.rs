@@ -68,7 +68,7 @@ pub(super) struct Movement {
 
 /// A stretch of an edge.
 #[derive(Clone, Copy)]
-struct Stretch {
+struct EdgeStretch {
     edge: u32,
     /// The shares of its start and its end.
     shares: [f64; 2],
@@ -106,7 +106,7 @@ impl Origins {
             self.edges.push(DividedEdge { ends: key, inner: BTreeMap::new() });
             let edge = self.edges.len() as u32 - 1;
             self.edge_numbers.insert(key, edge);
-            Stretch { edge, shares: if a < b { [0.0, 1.0] } else { [1.0, 0.0] } }
+            EdgeStretch { edge, shares: if a < b { [0.0, 1.0] } else { [1.0, 0.0] } }
         });
         let [from, to] = stretch.shares;
         let at = from + (to - from) * share;
@@ -139,23 +139,23 @@ impl Origins {
     }
 
     /// The stretch between two points, if it is on an edge that is divided.
-    fn stretch(&self, [a, b]: [u32; 2]) -> Option<Stretch> {
+    fn stretch(&self, [a, b]: [u32; 2]) -> Option<EdgeStretch> {
         let [p, q] = [a, b].map(|point| self.points[point as usize]);
         let end = |edge: u32, point: u32| {
             let ends = self.edges.get(edge as usize)?.ends;
             ends.iter().position(|end| *end == point).map(|end| end as f64)
         };
         if p.edge != NO_EDGE && p.edge == q.edge {
-            return Some(Stretch { edge: p.edge, shares: [p.share, q.share] });
+            return Some(EdgeStretch { edge: p.edge, shares: [p.share, q.share] });
         }
         if let Some(share) = end(q.edge, a) {
-            return Some(Stretch { edge: q.edge, shares: [share, q.share] });
+            return Some(EdgeStretch { edge: q.edge, shares: [share, q.share] });
         }
         if let Some(share) = end(p.edge, b) {
-            return Some(Stretch { edge: p.edge, shares: [p.share, share] });
+            return Some(EdgeStretch { edge: p.edge, shares: [p.share, share] });
         }
         let edge = *self.edge_numbers.get(&[a.min(b), a.max(b)])?;
-        Some(Stretch { edge, shares: if a < b { [0.0, 1.0] } else { [1.0, 0.0] } })
+        Some(EdgeStretch { edge, shares: if a < b { [0.0, 1.0] } else { [1.0, 0.0] } })
     }
 
     /// Calls `visit` with the used points between two points that are neighbours in a face, from the first to the second,
@@ -164,7 +164,7 @@ impl Origins {
         if self.edges.is_empty() || ends[0] == ends[1] {
             return;
         }
-        let Some(Stretch { edge, shares: [from, to] }) = self.stretch(ends) else { return };
+        let Some(EdgeStretch { edge, shares: [from, to] }) = self.stretch(ends) else { return };
         let (low, high) = (from.min(to), from.max(to));
         if high <= low {
             return;
