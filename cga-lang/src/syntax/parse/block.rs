@@ -110,8 +110,8 @@ impl Parser<'_> {
         })?;
         if list.len() != count {
             let message = match count {
-                1 => format!("`{}` has one sequence of operations, got {}", name.text, list.len()),
-                _ => format!("`{}` has operations on both sides of one `|`, got {}", name.text, list.len()),
+                1 => format!("`{}` takes one sequence of operations, got {}", name.text, list.len()),
+                _ => format!("`{}` takes two sequences of operations, `{{ A | B }}`, got {}", name.text, list.len()),
             };
             self.syntax_over(close, name.span, message);
         }
