@@ -136,6 +136,26 @@ mod tests {
         assert!(env.take_faults().0.is_empty());
     }
 
+    /// Opposite faces may be divided differently. Then they go when the edges between their parts are gone.
+    #[test]
+    fn solids_that_touch_are_joined() {
+        let env = &mut Env::for_tests();
+        let parts = [[0.0, 0.0, 2.0, 4.0], [2.0, 0.0, 2.0, 2.0], [2.0, 2.0, 2.0, 2.0]].map(|[x, y, width, height]| {
+            let at = |p: DVec3| DVec3::new(x + width * p.x, y + height * p.y, 4.0 * p.z);
+            let cube = crate::geometry::mesh::primitive::cube();
+            cube.with_points(cube.points().iter().copied().map(at).collect())
+        });
+        let whole = Shape::mesh_axis_aligned(crate::geometry::mesh::join::join(parts.iter()));
+        for tolerance in [0.0, 0.01, 0.1] {
+            let mut shape = whole.clone();
+            cleanup_geometry(env, &mut shape, CleanupComponents::All, tolerance);
+            assert_eq!((counts(&shape), shape.to_mesh().is_closed()), ([6, 8], true), "{tolerance}");
+            let before = shape.to_mesh();
+            cleanup_geometry(env, &mut shape, CleanupComponents::All, tolerance);
+            assert_eq!(shape.to_mesh().points(), before.points());
+        }
+    }
+
     #[test]
     fn boxes_stay_boxes_unless_they_are_small() {
         let env = &mut Env::for_tests();

@@ -24,6 +24,9 @@ use glam::DVec3;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::tol::{FLAT_ANGLE_EPSILON, FLAT_EPSILON, MERGE_EPSILON};
 
+/// The most rounds after the first one.
+const MOST_ROUNDS: usize = 8;
+
 /// The parts of a mesh to clean up. Near points are merged in any case.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Parts {
@@ -80,22 +83,16 @@ pub(crate) fn cleanup(mesh: &Mesh, parts: Parts, tolerance: f64) -> Option<Mesh>
     let from = bounds.low * scale;
     let mut draft =
         Draft { mesh: mesh.with_points(mesh.points().iter().map(|&p| p * scale - from).collect()), steps: 0 };
-    // Flat parts that are closed lose one of their sides, but not those that only the tolerance makes flat.
-    draft.merge(MERGE_EPSILON, parts.faces.then_some(FlatParts::Open));
-    if MERGE_EPSILON < limits.merge {
-        draft.merge(limits.merge, parts.faces.then_some(FlatParts::StayClosed));
-    }
-    if parts.faces {
-        draft.step(|mesh| slivers::without_slivers(mesh, &limits));
-    }
-    if parts.edges {
-        draft.step(|mesh| flat_edges::without_flat_edges(mesh, &limits));
-    }
-    if parts.vertices {
-        draft.step(|mesh| straight::without_straight_points(mesh, &limits));
-    }
-    if parts.faces {
-        draft.step(|mesh| small_faces::without_small_faces(mesh, &limits));
+    draft.round(parts, &limits);
+    // Joined faces may be opposite to others, and joined edges may go along an edge and back. Only rounding counts from here
+    // on, so that tolerances do not add up.
+    let exact = Limits::of(0.0, scale);
+    for _ in 0..MOST_ROUNDS {
+        let steps = draft.steps;
+        draft.round(parts, &exact);
+        if draft.steps == steps {
+            break;
+        }
     }
     if draft.steps == 0 {
         return None;
@@ -114,6 +111,27 @@ struct Draft {
 }
 
 impl Draft {
+    /// All steps once.
+    fn round(&mut self, parts: Parts, limits: &Limits) {
+        // Flat parts that are closed lose one of their sides, but not those that only the tolerance makes flat.
+        self.merge(MERGE_EPSILON, parts.faces.then_some(FlatParts::Open));
+        if MERGE_EPSILON < limits.merge {
+            self.merge(limits.merge, parts.faces.then_some(FlatParts::StayClosed));
+        }
+        if parts.faces {
+            self.step(|mesh| slivers::without_slivers(mesh, limits));
+        }
+        if parts.edges {
+            self.step(|mesh| flat_edges::without_flat_edges(mesh, limits));
+        }
+        if parts.vertices {
+            self.step(|mesh| straight::without_straight_points(mesh, limits));
+        }
+        if parts.faces {
+            self.step(|mesh| small_faces::without_small_faces(mesh, limits));
+        }
+    }
+
     fn step(&mut self, step: impl FnOnce(&Mesh) -> Option<Mesh>) {
         if let Some(made) = step(&self.mesh) {
             self.mesh = made;
