@@ -20,11 +20,12 @@ pub(super) fn is_reflex([a, b, c]: [DVec2; 3]) -> bool {
     }
 }
 
-/// Returns true if a loop runs around a convex area once, anticlockwise. Corners may be straight.
+/// Returns true if a loop runs around a convex area once, anticlockwise. Corners may be straight. An edge without a length, as
+/// between an outline and a hole that touches it along an edge, has no direction; a loop with one is not convex.
 pub(super) fn is_convex(ring: &[DVec2]) -> bool {
     let at = |k: usize| ring[k % ring.len()];
     let count = ring.len();
-    (0..count).all(|k| !is_reflex([at(k), at(k + 1), at(k + 2)])) && turns(ring) == 1
+    (0..count).all(|k| at(k) != at(k + 1) && !is_reflex([at(k), at(k + 1), at(k + 2)])) && turns(ring) == 1
 }
 
 /// The number of turns that the direction of a loop makes, anticlockwise.
@@ -66,6 +67,8 @@ mod tests {
             .map(|(sin, cos)| DVec2::new(cos, sin))
             .collect();
         assert_eq!((turns(&star), is_convex(&star)), (2, false));
+        assert!(!is_convex(&[square[0], square[0], square[1], square[2]]));
+        assert!(!is_convex(&[square[0], square[1], square[1], square[0]]));
     }
 
     #[test]
