@@ -1,28 +1,16 @@
 //! Links of the README and of all pages lead to files, and to headings in them.
 
+mod tree;
+
 use std::collections::{BTreeMap, HashSet};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
+use tree::{files, root};
 
 /// All Markdown files of the workspace.
 fn pages() -> Vec<PathBuf> {
-    fn walk(folder: &Path, list: &mut Vec<PathBuf>) {
-        for entry in fs::read_dir(folder).expect("a folder of the workspace") {
-            let path = entry.expect("an entry").path();
-            let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-            if path.is_dir() && !name.starts_with('.') && !matches!(name, "target" | "out") {
-                walk(&path, list);
-            } else if name.ends_with(".md") {
-                list.push(path);
-            }
-        }
-    }
-    let mut list = Vec::new();
-    walk(root(), &mut list);
+    let list = files(".md");
     assert!(list.iter().any(|path| path.ends_with("docs/guide/tutorial.md")), "the walk found the guide");
     list
 }

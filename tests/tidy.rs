@@ -1,27 +1,15 @@
 //! Promises of the tree about itself.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+mod tree;
 
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
+use std::fs;
+use std::path::PathBuf;
+
+use tree::{files, root};
 
 /// All Rust files of the workspace.
 fn sources() -> Vec<PathBuf> {
-    fn walk(folder: &Path, list: &mut Vec<PathBuf>) {
-        for entry in fs::read_dir(folder).expect("a folder of the workspace") {
-            let path = entry.expect("an entry").path();
-            let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-            if path.is_dir() && !name.starts_with('.') && !matches!(name, "target" | "out") {
-                walk(&path, list);
-            } else if name.ends_with(".rs") {
-                list.push(path);
-            }
-        }
-    }
-    let mut list = Vec::new();
-    walk(root(), &mut list);
+    let list = files(".rs");
     assert!(100 < list.len(), "the walk found the workspace");
     list
 }

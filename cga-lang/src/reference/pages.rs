@@ -3,7 +3,7 @@
 /// The folder of the pages on the web.
 const FOLDER: &str = "https://esri.github.io/cityengine-sdk/html/cgaref/cgareference";
 
-/// The title of a page; `None` if there is no such page.
+/// The title of a page; `None` for an unknown one.
 pub fn page_title(name: &str) -> Option<&'static str> {
     PAGES.iter().find(|(page, _)| *page == name).map(|(_, title)| *title)
 }

@@ -22,7 +22,7 @@ use std::collections::BTreeMap;
 /// # Ok::<(), cga_runtime::asset::AssetError>(())
 /// ```
 pub trait AssetSource: Send + Sync {
-    /// The bytes of the file with a name; `None` if there is no such file.
+    /// The bytes of the file with a name; `None` for an unknown name.
     fn bytes(&self, name: &str) -> Option<Cow<'_, [u8]>>;
 
     /// The names of all files, in any order, for functions such as `fileSearch`.

@@ -11,9 +11,9 @@ use crate::shape::Shape;
 /// The normals of `setNormals`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NormalsMode {
-    /// Those of faces.
+    /// The normals of faces.
     Hard,
-    /// Those of faces, which look to the same side as their neighbours.
+    /// The normals of faces, which are turned to the same side as their neighbours.
     Conform,
     /// The average of all faces at a vertex.
     Soft,

@@ -12,7 +12,7 @@ use crate::value::text::Text;
 /// The components that get a tag.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TagTarget {
-    /// The components of the highest dimension: faces, or edges if there are no faces, or else vertices.
+    /// The components of the highest dimension: faces; without faces edges; without edges vertices.
     Auto,
     /// Faces.
     Faces,
@@ -62,7 +62,7 @@ fn tag_mesh(env: &mut Env, shape: &mut Shape, name: &Text, target: TagTarget) {
         TagTarget::Edges => placed.mesh.with_tagged_edges(name),
         TagTarget::Vertices => placed.mesh.with_tagged_vertices(name),
     });
-    // The geometry is no longer that of an asset.
+    // The geometry is not that of an asset any more.
     shape.geometry = Geometry::Mesh(Arc::new(Placed { mesh, inserted: Inserted::No, ..Placed::clone(placed) }));
 }
 

@@ -20,7 +20,7 @@ impl Mesh {
         Mesh { subcomponent_tags: self.subcomponent_tags.with_vertices(self.points.len(), name), ..self.clone() }
     }
 
-    /// The mesh without the tags of some components that a query matches, or without all of them if there is no query.
+    /// The mesh without the tags of some components that a query matches; without a query, all of these go.
     pub(crate) fn without_tags(&self, query: Option<&str>, components: TaggedComponents) -> Mesh {
         let subcomponent_tags = self.subcomponent_tags.without(query, components);
         let mesh = if components.faces() { self.with_face_tags(|set| set.without(query)) } else { self.clone() };
