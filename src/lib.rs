@@ -4,6 +4,7 @@
 #![cfg_attr(docsrs, doc = concat!("[tutorial]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/tutorial.md"))]
 #![cfg_attr(docsrs, doc = concat!("[recipes]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/recipes.md"))]
 #![cfg_attr(docsrs, doc = concat!("[diagnostics]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/diagnostics.md"))]
+#![cfg_attr(docsrs, doc = concat!("[editor]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/editor.md"))]
 #![cfg_attr(docsrs, doc = concat!("[performance]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/performance.md"))]
 #![cfg_attr(docsrs, doc = concat!("[tags]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/tags.md"))]
 #![cfg_attr(docsrs, doc = concat!("[boolean]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/boolean.md"))]
@@ -12,6 +13,7 @@
 #![cfg_attr(not(docsrs), doc = "[tutorial]: ../../../docs/guide/tutorial.md")]
 #![cfg_attr(not(docsrs), doc = "[recipes]: ../../../docs/guide/recipes.md")]
 #![cfg_attr(not(docsrs), doc = "[diagnostics]: ../../../docs/diagnostics.md")]
+#![cfg_attr(not(docsrs), doc = "[editor]: ../../../docs/editor.md")]
 #![cfg_attr(not(docsrs), doc = "[performance]: ../../../docs/performance.md")]
 #![cfg_attr(not(docsrs), doc = "[tags]: ../../../docs/tags.md")]
 #![cfg_attr(not(docsrs), doc = "[boolean]: ../../../docs/boolean.md")]
@@ -21,7 +23,10 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
+#[cfg(not(rust_analyzer))]
 pub use cga_macros::cga;
+#[cfg(rust_analyzer)]
+pub use cga_macros::cga_for_editors as cga;
 pub use cga_runtime::asset::{AssetError, AssetSource, Assets};
 pub use cga_runtime::fault::{Error, Fault, FaultKind, LimitKind};
 pub use cga_runtime::geometry::mesh::{Mesh, MeshBuilder, MeshError};
@@ -214,7 +219,14 @@ pub mod reference {}
 #[doc(hidden)]
 pub mod __rt {
     pub use cga_runtime::rt::*;
+
+    #[cfg(rust_analyzer)]
+    pub use super::words;
 }
+
+#[cfg(rust_analyzer)]
+#[doc(hidden)]
+pub mod words;
 
 /// The code of the guide, which runs as tests.
 #[cfg(doctest)]

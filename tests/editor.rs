@@ -1,5 +1,6 @@
-//! rust-analyzer finds names inside the macro: hover, definition, references and rename of rules, attributes, constants and
-//! parameters, also with an error elsewhere. Runs where it is installed (`rustup component add rust-analyzer`).
+//! rust-analyzer inside the macro: completion, hover, definition, references, rename, errors while typing, and
+//! semantic tokens of a large grammar. Runs where it is installed (`rustup component add rust-analyzer rust-src`). `docs/editor.md` tells users the
+//! same.
 #![forbid(unsafe_code)]
 
 use serde_json::{Value, json};
@@ -7,19 +8,25 @@ use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::sync::{Arc, Mutex};
+use std::thread;
+use std::time::{Duration, Instant};
 
 const RULES: &str = r##"cga::cga! {
     /// A tower.
     pub grammar Tower;
+    /// Up to the roof.
     @Range(min = 3, max = 60)
     attr height = 24
-    const floor = height / 8
+    const floor = 12 / 4
+    half(n) = n / 2
 
     @StartRule
     Lot --> extrude(height) comp(f) { side : Facade(height) | top : Roof }
-    Facade(width) --> split(y) { ~floor : Tile(width, height) | 1 : Roof }
-    Tile(w, h) --> case w > h : Roof else : split(x) { w : Glass. | ~1 : NIL }
-    Roof --> color("#ff0000")
+    /// One wall.
+    Facade(width) --> split(y) { ~floor : Tile(width, half(height)) | 1 : Roof }
+    Tile(w, h) --> case w > h && scope.sx > 2 : Roof else : split(x) { w : Glass. | ~1 : NIL }
+    Roof --> color("#ff0000") [ Leaf. ] Leaf.
 }
 
 /// Uses it.
@@ -35,18 +42,51 @@ struct Case {
     ask: usize,
     declared: usize,
     all: &'static [usize],
-    said: &'static str,
+    said: &'static [&'static str],
 }
 
 const CASES: &[Case] = &[
-    Case { name: "height", ask: 0, declared: 0, all: &[0, 1, 2, 3, 4, 5], said: "f64" },
-    Case { name: "height", ask: 2, declared: 0, all: &[0, 1, 2, 3, 4, 5], said: "height" },
-    Case { name: "height", ask: 5, declared: 0, all: &[0, 1, 2, 3, 4, 5], said: "height" },
-    Case { name: "floor", ask: 1, declared: 0, all: &[0, 1], said: "floor" },
-    Case { name: "Facade", ask: 0, declared: 1, all: &[0, 1], said: "Facade" },
-    Case { name: "Roof", ask: 1, declared: 3, all: &[0, 1, 2, 3], said: "Roof" },
-    Case { name: "width", ask: 1, declared: 0, all: &[0, 1], said: "width: f64" },
-    Case { name: "Tower", ask: 1, declared: 0, all: &[0, 1, 2, 3], said: "A tower" },
+    Case { name: "height", ask: 0, declared: 0, all: &[0, 1, 2, 3, 4], said: &["height: f64"] },
+    Case { name: "height", ask: 2, declared: 0, all: &[0, 1, 2, 3, 4], said: &["height"] },
+    Case { name: "height", ask: 4, declared: 0, all: &[0, 1, 2, 3, 4], said: &["height"] },
+    Case { name: "floor", ask: 1, declared: 0, all: &[0, 1], said: &["const floor: f64"] },
+    Case { name: "half", ask: 1, declared: 0, all: &[0, 1], said: &["fn half(n: f64) -> f64", "half(n) = n / 2"] },
+    Case { name: "Facade", ask: 0, declared: 1, all: &[0, 1], said: &["fn Facade(width: f64)\\n", "One wall."] },
+    Case { name: "Roof", ask: 1, declared: 3, all: &[0, 1, 2, 3], said: &["fn Roof()\\n"] },
+    Case { name: "Leaf", ask: 1, declared: 0, all: &[0, 1], said: &["A leaf."] },
+    Case { name: "width", ask: 1, declared: 0, all: &[0, 1], said: &["width: f64"] },
+    Case { name: "Tower", ask: 1, declared: 0, all: &[0, 1, 2, 3], said: &["A tower"] },
+];
+
+/// Words of the language with a part of their documentation, and values that are known without errors alone.
+const WORDS: &[(&str, &str)] = &[
+    ("extrude", "Raises each face by a distance"),
+    ("comp", "comp(component: word"),
+    ("side", "Selects components that face neither"),
+    ("sx", "The size of the scope"),
+    ("Range", "Limits the values of a number"),
+    ("NIL", "Removes the shape"),
+    ("height", "default 24, range 3 to 60.\\n\\nUp to the roof."),
+    ("floor", "floor: f64 = 3.0"),
+];
+
+/// A change of the text, where `|` is the cursor; names that are offered there, and a name that is not.
+const COMPLETIONS: &[(&str, &str, &[&str], &str)] = &[
+    ("extrude(height)", "ext|(height)", &["extrude", "comp", "Roof", "Facade"], "sin"),
+    ("top : Roof", "top : Ro|", &["Roof", "roofHip", "NIL"], "front"),
+    ("Roof --> color", "Roof --> | color", &["Roof", "texture"], "String"),
+    ("{ side :", "{ | side :", &["front", "side", "all"], "extrude"),
+    ("side :", "si| :", &["side"], "sin"),
+    ("~floor", "~fl|", &["floor", "half", "height", "rand"], "extrude"),
+    ("Tile(width,", "Tile(wi|,", &["width", "height", "scope"], "w"),
+    ("scope.sx", "scope.|", &["sx", "tx"], "height"),
+    ("split(y)", "split(|)", &["x", "y", "z", "u"], "height"),
+    ("@StartRule", "@St|", &["StartRule", "Range"], "Roof"),
+    // Rules that cannot be read yet.
+    ("color(\"#ff0000\")", "comp(f) { | }", &["front", "top"], "extrude"),
+    ("color(\"#ff0000\")", "split(x) { ~1 : Ti| }", &["Tile", "t"], "x"),
+    ("Tile(w, h) --> case w >", "Tile(w, h) --> case * 5 5 | >", &["w", "h", "height"], "width"),
+    ("Lot --> extrude", "Lot --> : 5 = fa| extrude", &["Facade", "Lot"], "sin"),
 ];
 
 #[test]
@@ -61,12 +101,26 @@ fn an_editor_finds_names_inside_the_macro() {
     for case in CASES {
         editor.check(RULES, case);
     }
+    for (word, said) in WORDS {
+        let hover = editor.hover(RULES, word, 0);
+        assert!(hover.contains(said), "{word}: {hover}");
+    }
+    for (from, to, offered, other) in COMPLETIONS {
+        let text = RULES.replacen(from, to, 1);
+        let cursor = text.find(to).expect("the text has it") + to.find('|').expect("a cursor");
+        let names = editor.complete(&format!("{}{}", &text[..cursor], &text[cursor + 1..]), cursor);
+        let has = |name: &str| names.iter().any(|own| own.trim_end_matches("(…)").trim_end_matches("()") == name);
+        assert!(offered.iter().all(|name| has(name)) && !has(other), "{to}: {names:?}");
+    }
     // An error far from them.
     let wrong = RULES.replace("Glass.", "Glas");
     editor.change(&wrong);
     for case in CASES {
         editor.check(&wrong, case);
     }
+    let errors = editor.errors("Glas");
+    assert_eq!(starts(&errors), [place(&wrong, "Glas", 0)], "{errors}");
+    editor.check_large_grammar();
 }
 
 fn package() -> PathBuf {
@@ -85,18 +139,27 @@ fn package() -> PathBuf {
 
 /// Where an occurrence of a word begins.
 fn place(text: &str, word: &str, number: usize) -> Value {
-    let (at, _) = text.match_indices(word).nth(number).expect("so many");
+    position(text, text.match_indices(word).nth(number).expect("the text has it").0)
+}
+
+fn position(text: &str, at: usize) -> Value {
     let line = text[..at].matches('\n').count();
     json!({ "line": line, "character": at - text[..at].rfind('\n').map_or(0, |end| end + 1) })
 }
 
+/// The time after which rust-analyzer is ended.
+const LONGEST: Duration = Duration::from_secs(300);
+
 /// rust-analyzer, spoken to over its protocol.
 struct Editor {
-    process: Child,
+    process: Arc<Mutex<Child>>,
     input: ChildStdin,
     output: BufReader<ChildStdout>,
     file: String,
     asked: u64,
+    version: u64,
+    /// The errors that it shows.
+    shown: Value,
 }
 
 impl Editor {
@@ -113,7 +176,24 @@ impl Editor {
         let input = process.stdin.take().expect("it is piped");
         let output = BufReader::new(process.stdout.take().expect("it is piped"));
         let root = format!("file://{}", package.display());
-        let mut editor = Editor { process, input, output, file: format!("{root}/src/lib.rs"), asked: 0 };
+        let process = Arc::new(Mutex::new(process));
+        let watched = Arc::downgrade(&process);
+        // It must not wait for an answer for ever.
+        thread::spawn(move || {
+            thread::sleep(LONGEST);
+            if let Some(process) = watched.upgrade() {
+                process.lock().expect("a process").kill().expect("it runs");
+            }
+        });
+        let mut editor = Editor {
+            process,
+            input,
+            output,
+            file: format!("{root}/src/lib.rs"),
+            asked: 0,
+            version: 1,
+            shown: Value::Null,
+        };
         let hover = json!({ "contentFormat": ["plaintext"] });
         editor.ask(
             "initialize",
@@ -164,6 +244,9 @@ impl Editor {
             let id = message["id"].clone();
             self.send(&json!({ "jsonrpc": "2.0", "id": id, "result": null }));
         }
+        if message["method"] == "textDocument/publishDiagnostics" && message["params"]["uri"] == self.file {
+            self.shown = message["params"]["diagnostics"].clone();
+        }
         message
     }
 
@@ -180,9 +263,53 @@ impl Editor {
     }
 
     fn change(&mut self, text: &str) {
-        let document = json!({ "uri": self.file, "version": 2 });
+        self.version += 1;
+        let document = json!({ "uri": self.file, "version": self.version });
         let changes = json!([{ "text": text }]);
         self.tell("textDocument/didChange", json!({ "textDocument": document, "contentChanges": changes }));
+    }
+
+    /// What is shown about an occurrence of a name.
+    fn hover(&mut self, text: &str, name: &str, number: usize) -> String {
+        let at = json!({ "textDocument": { "uri": self.file }, "position": place(text, name, number) });
+        self.ask("textDocument/hover", at)["contents"]["value"].to_string()
+    }
+
+    /// The names that are offered in a text.
+    fn complete(&mut self, text: &str, cursor: usize) -> Vec<String> {
+        self.change(text);
+        let at = json!({ "textDocument": { "uri": self.file }, "position": position(text, cursor) });
+        let answer = self.ask("textDocument/completion", at);
+        let items = if answer.is_array() { &answer } else { &answer["items"] };
+        let labels = items.as_array().into_iter().flatten().filter_map(|item| item["label"].as_str());
+        labels.map(str::to_owned).collect()
+    }
+
+    /// The errors that it shows by itself, once they name something.
+    fn errors(&mut self, name: &str) -> Value {
+        while !self.shown.to_string().contains(name) {
+            thread::sleep(Duration::from_millis(50));
+            // An answer comes after the messages before it.
+            self.hover(RULES, "Tower", 0);
+        }
+        self.shown.take()
+    }
+
+    /// All semantic tokens of 400 rules come. The time is printed; docs/editor.md has a figure.
+    fn check_large_grammar(&mut self) {
+        let mut text = "cga::cga! {\n    grammar Town;\n    attr height = 24\n    Roof --> roofHip(30)\n".to_owned();
+        for number in 0..200 {
+            let next = (number + 1) % 200;
+            text += &format!(
+                "    Wall{number}(w) --> split(y) {{ ~3 : Tile{number}(w, height) | 1 : s(1, scope.sy, 2) Roof }}
+                 Tile{number}(w, h) --> case w > h : color(\"#ff0000\") Wall{next}(w) else : comp(f) {{ front : Roof }}\n"
+            );
+        }
+        self.change(&(text + "}\n"));
+        let from = Instant::now();
+        let tokens = self.ask("textDocument/semanticTokens/full", json!({ "textDocument": { "uri": self.file } }));
+        assert!(2000 * 5 < tokens["data"].as_array().map_or(0, Vec::len), "{tokens}");
+        println!("semantic tokens of 400 rules: {:?}", from.elapsed());
     }
 
     fn check(&mut self, text: &str, case: &Case) {
@@ -193,8 +320,8 @@ impl Editor {
             at[key] = value;
             at
         };
-        let hover = self.ask("textDocument/hover", at.clone())["contents"]["value"].to_string();
-        assert!(hover.contains(said), "{name} {ask}: {hover}");
+        let hover = self.hover(text, name, ask);
+        assert!(said.iter().all(|said| hover.contains(said)), "{name} {ask}: {hover}");
         let definition = self.ask("textDocument/definition", at.clone());
         assert_eq!(starts(&definition), [place(text, name, declared)], "{name} {ask}: definition");
         let mut wanted: Vec<Value> = all.iter().map(|number| place(text, name, *number)).collect();
@@ -212,8 +339,9 @@ impl Editor {
 
 impl Drop for Editor {
     fn drop(&mut self) {
-        self.process.kill().expect("it runs");
-        self.process.wait().expect("it has ended");
+        let mut process = self.process.lock().expect("a process");
+        process.kill().expect("it runs");
+        process.wait().expect("it has ended");
     }
 }
 

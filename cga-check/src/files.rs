@@ -50,7 +50,7 @@ fn walk(top: &Path, list: &mut Vec<PathBuf>, unread: &mut Vec<String>) {
 }
 
 /// A file that was read.
-struct Entry {
+struct LoadedFile {
     /// As it is shown.
     name: String,
     text: String,
@@ -59,13 +59,13 @@ struct Entry {
 
 /// Every file so far.
 #[derive(Default)]
-pub(crate) struct Library {
-    entries: Vec<Entry>,
+pub(crate) struct LoadedFiles {
+    entries: Vec<LoadedFile>,
     /// By name.
     known: HashMap<String, usize>,
 }
 
-impl Library {
+impl LoadedFiles {
     /// Reads a file, unless that was done.
     pub(crate) fn load(&mut self, path: &Path) -> Result<usize, String> {
         let name = written(path);
@@ -79,7 +79,7 @@ impl Library {
         let bytes = fs::read(path).map_err(|why| why.to_string())?;
         let text = decode(&bytes).into_owned();
         let lexed = lex(&text);
-        self.entries.push(Entry { name: name.clone(), text, lexed });
+        self.entries.push(LoadedFile { name: name.clone(), text, lexed });
         self.known.insert(name, self.entries.len() - 1);
         Ok(self.entries.len() - 1)
     }
@@ -122,7 +122,7 @@ impl Library {
     }
 }
 
-impl Files for Library {
+impl Files for LoadedFiles {
     fn open(&mut self, path: &str, from: &str) -> Result<Unit, String> {
         // From the root, because the folders above the current one count too.
         let from = std::path::absolute(from).map_err(|why| why.to_string())?;

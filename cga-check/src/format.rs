@@ -70,15 +70,15 @@ pub(crate) fn write<'t>(
 }
 
 /// The place of a finding. Lines and columns count from 1, columns in characters; the end is behind the last character.
-struct Place {
+struct SourceRange {
     file: String,
     start: Position,
     end: Position,
 }
 
-impl Place {
+impl SourceRange {
     fn json(&self) -> serde_json::Value {
-        let Place { file, start, end } = self;
+        let SourceRange { file, start, end } = self;
         json!({
             "file": file,
             "line": start.line,
@@ -89,14 +89,14 @@ impl Place {
     }
 }
 
-fn place<'t>(compiled: &Compiled, quote: &dyn Fn(usize) -> Option<Quote<'t>>, span: Span) -> Place {
+fn place<'t>(compiled: &Compiled, quote: &dyn Fn(usize) -> Option<Quote<'t>>, span: Span) -> SourceRange {
     let (file, first) = compiled.locate(span.first);
     let Some(Quote { name, text, ranges }) = quote(file) else {
         let file = compiled.files.get(file).map_or_else(String::new, |file| file.name.clone());
         let start = Position { line: 1, column: 1 };
-        return Place { file, start, end: start };
+        return SourceRange { file, start, end: start };
     };
     let last = compiled.locate(span.last).1.max(first);
     let bytes = bytes(text, ranges, Span { first, last });
-    Place { file: name.to_owned(), start: position(text, bytes.start), end: position(text, bytes.end) }
+    SourceRange { file: name.to_owned(), start: position(text, bytes.start), end: position(text, bytes.end) }
 }

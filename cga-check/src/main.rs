@@ -11,11 +11,11 @@ mod count;
 mod files;
 mod format;
 mod options;
-mod report;
+mod printer;
 
-use files::Library;
+use files::LoadedFiles;
 use options::{Command, Options};
-use report::Report;
+use printer::Printer;
 use std::io::{BufWriter, Write};
 use std::process::ExitCode;
 use std::time::Instant;
@@ -39,24 +39,24 @@ fn main() -> ExitCode {
 fn check(options: &Options, out: &mut dyn Write) -> std::io::Result<ExitCode> {
     let start = Instant::now();
     let (list, mut unread) = files::find(&options.paths);
-    let mut library = Library::default();
+    let mut files = LoadedFiles::default();
     let mut numbers = Vec::new();
     for path in &list {
-        match library.load(path) {
+        match files.load(path) {
             Ok(number) => numbers.push(number),
             Err(why) => unread.push(format!("{}: {why}", path.display())),
         }
     }
-    let mut report = Report::new(options, library.imported(&numbers));
+    let mut printer = Printer::new(options, files.imported(&numbers));
     for number in numbers {
-        report.file(&mut library, number, out)?;
+        printer.file(&mut files, number, out)?;
     }
-    report.totals(start.elapsed(), out)?;
+    printer.totals(start.elapsed(), out)?;
     out.flush()?;
     for why in &unread {
         eprintln!("cannot read {why}");
     }
-    Ok(match (unread.is_empty(), report.has_failed()) {
+    Ok(match (unread.is_empty(), printer.has_failed()) {
         (false, _) => ExitCode::from(2),
         (true, true) => ExitCode::FAILURE,
         (true, false) => ExitCode::SUCCESS,

@@ -4,8 +4,8 @@ use cga_lang::compile::compile_text;
 use cga_lang::diag::Level;
 use cga_lang::ir::Type;
 use cga_lang::ops::{
-    self, Braces, COMPONENTS, Default, Needs, Operation, Param, ParamKind, Places, Run, SYNTAX, Uses, component,
-    required, selector, syntax,
+    self, Braces, COMPONENTS, Default, Needs, Operation, Param, ParamKind, Run, SYNTAX, SelectorPlaces, Uses,
+    component, required, selector, syntax,
 };
 use cga_lang::syntax::lex::lex;
 use cga_lang::syntax::token::{Sym, Tok};
@@ -156,20 +156,24 @@ fn no_call_fits_two_rows() {
 fn selectors_and_components_are_found_by_name() {
     for row in ops::selectors() {
         assert_eq!(selector(row.name), Some(row), "{} stands once", row.name);
-        assert!(row.on != Places::NONE, "{}", row.name);
+        assert!(row.on != SelectorPlaces::NONE, "{}", row.name);
     }
     assert_eq!(selector("fornt"), None);
-    let mut places = Places::NONE;
+    let mut places = SelectorPlaces::NONE;
     for row in COMPONENTS {
         assert_eq!(component(row.name), Some(row));
         assert!(!places.has(row.place), "{}", row.name);
         places = places.and(row.place);
         assert!(ops::selectors().any(|word| word.name == "all" && word.on.has(row.place)), "{}", row.name);
     }
-    assert_eq!(places, Places::COMP);
+    assert_eq!(places, SelectorPlaces::COMP);
     let on = |word, place| selector(word).is_some_and(|row| row.on.has(place));
-    assert!(on("nutant", Places::FACES) && on("ridge", Places::EDGES) && !on("ridge", Places::FACE_EDGES));
-    assert!(on("border", Places::GROUPS) && !on("border", Places::HOLES));
+    assert!(
+        on("nutant", SelectorPlaces::FACES)
+            && on("ridge", SelectorPlaces::EDGES)
+            && !on("ridge", SelectorPlaces::FACE_EDGES)
+    );
+    assert!(on("border", SelectorPlaces::GROUPS) && !on("border", SelectorPlaces::HOLES));
     assert_eq!(component("faces"), None);
 }
 

@@ -74,6 +74,28 @@ pub fn cga(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     expand(input.into()).into()
 }
 
+/// Checks CGA rules and turns them into Rust.
+///
+/// - inline: `cga! { pub grammar Tower; Lot --> extrude(24) … }`;
+/// - as text: `cga! { pub grammar Tower = r#"Lot --> s('1, 24, '1) …"#; }`;
+/// - in a file: `cga! { pub grammar Tower in "rules/tower.cga"; }`;
+/// - without a name, as an expression: `let rules = cga! { Lot --> extrude(#height) … };`.
+///
+/// Inline, relative sizes are written `^0.5`, comments begin with `//`, and a leaf is written `Name.`. The documentation of the macro
+/// `cga::cga` has the rest.
+#[doc(hidden)]
+#[proc_macro]
+pub fn cga_for_editors(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    editor::expand(input.into()).into()
+}
+
+/// The words of the language as items, for rust-analyzer.
+#[doc(hidden)]
+#[proc_macro]
+pub fn words_for_editors(_: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    editor::words().into()
+}
+
 fn expand(input: TokenStream) -> TokenStream {
     let (header, body) = header::read(input);
     let mut source = match body.and_then(|body| source::open(&header, body)) {
@@ -86,11 +108,9 @@ fn expand(input: TokenStream) -> TokenStream {
     let findings = report::findings(&compiled.diags, &source);
     let output = match &compiled.grammar {
         Some(grammar) if !findings.has_errors => codegen::grammar(grammar, &header, &source),
-        _ => stub::grammar(&compiled, &header, &source),
+        _ => stub::grammar(stub::fields(&compiled, &source), &header, &source),
     };
-    let names = editor::names(&compiled, &header, &source, findings.has_errors);
-    let aside: TokenStream = [findings.tokens, names].into_iter().collect();
-    output::wrap(&header, &source, &aside, &output)
+    output::wrap(&header, &source, &findings.tokens, &output)
 }
 
 #[cfg(test)]

@@ -47,6 +47,12 @@ pub(crate) fn findings(list: &[Diag], source: &Source) -> Findings {
     Findings { tokens, has_errors: 0 < errors }
 }
 
+/// Errors alone, for editors: they show warnings when the package is checked.
+pub(crate) fn errors(list: &[Diag], source: &Source) -> TokenStream {
+    let errors: Vec<Diag> = list.iter().filter(|diag| diag.level == Level::Error).cloned().collect();
+    findings(&errors, source).tokens
+}
+
 /// The lines of a diagnostic. Rules in text are quoted.
 fn message(diag: &Diag, source: &Source) -> String {
     // Warnings show their code anyway.

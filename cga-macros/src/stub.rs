@@ -4,17 +4,24 @@ use cga_lang::compile::Compiled;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::codegen::{Public, PublicAttr, Taken, public};
+use crate::codegen::{Public, PublicAttr, Taken, public, public_attrs};
 use crate::header::Header;
 use crate::output::Output;
 use crate::problem::Problem;
 use crate::report;
 use crate::source::Source;
 
-/// The struct with its fields and methods; nothing in it runs. The `#` values count as used.
-pub(crate) fn grammar(compiled: &Compiled, header: &Header, source: &Source) -> Output {
+/// The fields of the struct, errors or not.
+pub(crate) fn fields(compiled: &Compiled, source: &Source) -> Vec<PublicAttr> {
+    if let Some(grammar) = &compiled.grammar {
+        return public_attrs(grammar, source);
+    }
     let mut taken = Taken::default();
-    let attrs = compiled.names.iter().map(|attr| PublicAttr::known_so_far(attr, source, &mut taken)).collect();
+    compiled.names.iter().map(|attr| PublicAttr::known_so_far(attr, source, &mut taken)).collect()
+}
+
+/// The struct with its fields and methods; nothing in it runs. The `#` values count as used.
+pub(crate) fn grammar(attrs: Vec<PublicAttr>, header: &Header, source: &Source) -> Output {
     let captures = (0..source.hosts().len() as u32).map(|handle| (handle, None)).collect();
     Output { code: public(&Public { attrs, captures: Vec::new(), hidden: None }, header), captures }
 }

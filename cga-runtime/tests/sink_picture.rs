@@ -80,6 +80,66 @@ fn the_ground_is_darker_where_the_sun_does_not_reach() {
 }
 
 #[test]
+fn a_centred_camera_has_equal_space_above_and_below() {
+    // A wide plate seen from above its front edge: the near side is larger in the picture.
+    let mut fill = Fill(Model::new());
+    fill.cuboid("Box", &color(0.9, 0.1, 0.1), upright(DVec3::ZERO, dvec3(40.0, 1.0, 12.0)));
+    let rows = |centred: bool| {
+        let camera = Camera { centred, ..Camera::auto(fill.0.bounds()) }.looking_from(10.0, 25.0).field_of_view(50.0);
+        let mut picture = Picture::new(240, 200).camera(camera);
+        picture.ground = false;
+        picture.lines = Lines::None;
+        let image = picture.render(&fill.0);
+        let red = |y: usize| (0..240).any(|x| is_red(image.pixel(x, y).expect("inside")));
+        let first = (0..200).find(|&y| red(y)).expect("a red row");
+        let last = (0..200).rfind(|&y| red(y)).expect("a red row");
+        (first, 199 - last)
+    };
+    let (above, below) = rows(true);
+    assert!(above.abs_diff(below) <= 1 && 20 < above, "{above} {below}");
+    let (above, below) = rows(false);
+    assert!(above + 8 < below, "the default is as it was: {above} {below}");
+}
+
+#[test]
+fn the_ground_has_no_horizon() {
+    // From this low, the horizon is in the picture.
+    let camera = Camera::auto(red_box().bounds()).looking_from(0.0, 2.0).field_of_view(60.0);
+    let with = |lines| {
+        let mut picture = Picture::new(120, 90).camera(camera);
+        picture.lines = lines;
+        picture.render(&red_box())
+    };
+    let (plain, lined) = (with(Lines::None), with(Lines::Edges));
+    // The box is in the middle; the columns at the sides show ground and backdrop alone.
+    for x in [2, 8, 111, 117] {
+        for y in 0..90 {
+            assert_eq!(plain.pixel(x, y), lined.pixel(x, y), "{x} {y}");
+        }
+    }
+    assert_ne!(plain, lined, "the box has lines");
+}
+
+#[cfg(feature = "png")]
+#[test]
+fn indexed_files_are_smaller_and_almost_the_same() {
+    let image = Picture::new(320, 240).render(&tower(2));
+    let (full, indexed) = (image.to_png().expect("a file"), image.to_indexed_png().expect("a file"));
+    assert!(indexed.len() * 3 < full.len() * 2, "{} {}", indexed.len(), full.len());
+    let mut reader = png::Decoder::new(std::io::Cursor::new(indexed)).read_info().expect("a PNG file");
+    let palette = reader.info().palette.clone().expect("a palette");
+    let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
+    reader.next_frame(&mut pixels).expect("the pixels");
+    assert_eq!(pixels.len(), 320 * 240);
+    for (index, pixel) in pixels.iter().zip(image.rgba.chunks_exact(4)) {
+        let color = &palette[3 * usize::from(*index)..][..3];
+        let off = color.iter().zip(pixel).map(|(a, b)| a.abs_diff(*b)).max();
+        assert!(off <= Some(40), "{color:?} {pixel:?}");
+    }
+    assert!(Image::filled(0, 0, [0; 4]).to_indexed_png().is_ok() == Image::filled(0, 0, [0; 4]).to_png().is_ok());
+}
+
+#[test]
 fn holes_can_be_seen_through() {
     let mut fill = Fill(Model::new());
     fill.mesh("Plate", &color(0.9, 0.1, 0.1), &plate(), DAffine3::IDENTITY);

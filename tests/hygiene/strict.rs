@@ -56,6 +56,20 @@ cga! {
     Early --> A(1, true) NIL B
 }
 
+cga! {
+    /// Has much of the same, and equal floats.
+    pub(crate) grammar Repeated;
+    attr wall_a = true
+    attr wall_b = false
+    attr wall_c = true
+    attr wall_d = false
+    Lot --> split(x) { { ~1 : Part }* }
+    Part --> case split.index == split.total - 1 && wall_a : Any(1, 2, 3, 4, 5, 6, 7, 8, 9)
+             case wall_b || wall_c == wall_d : X. else : comp(f) { side : Side | all : X. }
+    Side --> case comp.index == comp.total - 1 : X. else : NIL
+    Any(a, b, c, d, e, f, g, h, i) --> case a == b || c == d || e == f || g == h : X. else : print(i) X.
+}
+
 cga! { pub(crate) grammar StrictText = "Lot --> split(x) { '0.5 : A | ~1 : B(0.2) } A --> s('1, 2, 3) B(_n) --> X."; }
 
 #[test]
@@ -73,5 +87,6 @@ fn generated_code_gives_no_reason_to_complain() {
     let result = strict.generate(&Shape::rectangle(1.0, 1.0));
     assert!(result.is_ok(), "{result:?}");
     assert!(StrictText::default().generate(&Shape::rectangle(1.0, 1.0)).is_ok());
+    assert!(Repeated::default().generate(&Shape::rectangle(3.0, 1.0)).is_ok());
     drop(name);
 }

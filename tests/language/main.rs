@@ -1,4 +1,4 @@
-//! The language beyond splits and comps. Rules are text unless a test says otherwise; `tests/doors.rs` compares inline rules,
+//! The language beyond splits and comps. Rules are text unless a test says otherwise; `tests/sources.rs` compares inline rules,
 //! text and files.
 //!
 //! `getTreeKey` and context queries do not run yet, so of the former only the order of lines is tested. The runtime tests the

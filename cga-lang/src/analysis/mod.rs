@@ -27,7 +27,7 @@ pub(crate) use shape::{Face, Filling};
 pub(crate) use slots::{MARGIN, Once, SizeSum, Slot, Slots};
 pub(crate) use uvs::UvSets;
 pub(crate) use value::Value;
-pub(crate) use walk::{Site, Turn, called};
+pub(crate) use walk::{CaseBranch, Site, called};
 
 use std::cell::RefCell;
 use waiting::Worklist;

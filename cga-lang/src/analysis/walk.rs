@@ -6,7 +6,7 @@ use super::shape::{Filling, Shape};
 use super::slots::Slots;
 use super::uvs::UvSets;
 use super::value::Value;
-use crate::ops::{self, Braces, Effect, FileUse, MOST_SIZE, Measure, Operation, ParamKind, Places, ShapeAttr};
+use crate::ops::{self, Braces, Effect, FileUse, MOST_SIZE, Measure, Operation, ParamKind, SelectorPlaces, ShapeAttr};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::syntax::ast::{Arg, Arm, ArmMode, Block, BlockPart, Expr, ExprKind, Name, Op, OpKind, SplitItem};
@@ -22,7 +22,7 @@ pub(crate) enum Site<'s, 'a> {
     /// A split along an axis of a uv set, with the number of the set if it is known and valid.
     TextureSplit(&'a Block, Option<u32>),
     /// A condition of a `case`, after the earlier conditions have failed.
-    Condition(&'s Turn<'s, 'a>),
+    Condition(&'s CaseBranch<'s, 'a>),
     /// An evaluated expression.
     Value(&'a Expr),
     /// A `set` of an attribute of the shape.
@@ -32,7 +32,7 @@ pub(crate) enum Site<'s, 'a> {
 }
 
 /// A condition of a `case`, with its neighbours.
-pub(crate) struct Turn<'t, 'e> {
+pub(crate) struct CaseBranch<'t, 'e> {
     pub(crate) condition: &'e Expr,
     /// The earlier conditions, which have failed: also those of an enclosing `case` whose `else` contains this one.
     pub(crate) before: &'t [&'e Expr],
@@ -161,7 +161,7 @@ impl<'w> Walk<'w> {
         for (at, (condition, ops)) in arms.iter().enumerate() {
             let Some(here) = left else { break };
             visit.meet(&Site::Value(condition), &here);
-            let turn = Turn { condition, before, is_last: at + 1 == arms.len(), first };
+            let turn = CaseBranch { condition, before, is_last: at + 1 == arms.len(), first };
             visit.meet(&Site::Condition(&turn), &here);
             before.push(condition);
             if let Some(inside) = self.known.past(condition, true, here.clone()) {
@@ -324,7 +324,7 @@ impl<'w> Walk<'w> {
         let comp = row.filter(|row| row.braces == Braces::Components);
         let is_comp = comp.is_some();
         let kind = block.args.first().and_then(|arg| arg.value.word()).and_then(ops::component);
-        let is_face = kind.is_some_and(|kind| kind.place == Places::FACES) && arm.mode == ArmMode::Each;
+        let is_face = kind.is_some_and(|kind| kind.place == SelectorPlaces::FACES) && arm.mode == ArmMode::Each;
         // Faces have their own axes, unless a word keeps those of the shape.
         let faces = is_face && comp.is_some_and(|row| block.is_plain(row));
         let shape = match (faces, facts.shape.filling) {

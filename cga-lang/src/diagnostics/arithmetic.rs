@@ -1,7 +1,7 @@
 //! Checks of expressions: division by zero, arguments out of bounds, constant conditions.
 
 use super::{bounds, branches, colour, tags, texture};
-use crate::analysis::{AbstractState, DataFlow, Turn};
+use crate::analysis::{AbstractState, CaseBranch, DataFlow};
 use crate::diag::Diags;
 use crate::diag::code::Code;
 use crate::resolve::context::Context;
@@ -53,7 +53,7 @@ fn case<'e>(
     for (at, (condition, value)) in arms.iter().enumerate() {
         let Some(here) = left else { return };
         let is_last = at + 1 == arms.len();
-        branches::check(&Turn { condition, before, is_last, first }, &here, flow, cx, diags);
+        branches::check(&CaseBranch { condition, before, is_last, first }, &here, flow, cx, diags);
         before.push(condition);
         check(condition, &here, flow, cx, diags);
         if let Some(inside) = flow.known.past(condition, true, here.clone()) {

@@ -2,7 +2,7 @@
 
 use super::numbers::range;
 use super::switch::is_switch;
-use crate::analysis::{AbstractState, DataFlow, Turn, Value};
+use crate::analysis::{AbstractState, CaseBranch, DataFlow, Value};
 use crate::diag::code::Code;
 use crate::diag::{Detail, Diag, Diags};
 use crate::hash::FastMap;
@@ -16,7 +16,7 @@ use crate::syntax::token::{Sym, Tok};
 use std::collections::HashSet;
 
 /// Checks a condition of a `case`.
-pub(crate) fn check(turn: &Turn, facts: &AbstractState, flow: &DataFlow, cx: &Context, diags: &mut Diags) {
+pub(crate) fn check(turn: &CaseBranch, facts: &AbstractState, flow: &DataFlow, cx: &Context, diags: &mut Diags) {
     let condition = turn.condition;
     let Some(truth) = flow.value(condition, facts).truth() else {
         // A part of the condition may still be wrong.
@@ -103,7 +103,7 @@ fn unlisted<'e>(condition: &'e Expr, own: InstanceId, cx: &'e Context) -> Option
 }
 
 /// Reports a condition that has already failed, word for word.
-fn again(turn: &Turn, own: InstanceId, cx: &Context, diags: &mut Diags) {
+fn again(turn: &CaseBranch, own: InstanceId, cx: &Context, diags: &mut Diags) {
     let (condition, tokens) = (turn.condition, cx.globals.program.tokens.as_slice());
     let written = |expr: &Expr| tokens.get(expr.span.first as usize..=expr.span.last as usize);
     let Some(first) = turn.before.iter().find(|first| written(first) == written(condition)) else { return };

@@ -3,7 +3,7 @@
 use crate::analysis::{AbstractState, Filling};
 use crate::diag::Diags;
 use crate::diag::code::Code;
-use crate::ops::{self, Braces, Directions, Operation, Places};
+use crate::ops::{self, Braces, Directions, Operation, SelectorPlaces};
 use crate::resolve::tables::{Tables, Use};
 use crate::syntax::ast::{Block, BlockPart, ExprKind};
 
@@ -26,9 +26,9 @@ fn of_point(row: &Operation, block: &Block, facts: &AbstractState, diags: &mut D
         Braces::Components | Braces::Modified => {
             let Some(kind) = first(block).and_then(ops::component) else { return };
             let what = match kind.place {
-                Places::FACES => "faces",
-                Places::EDGES | Places::FACE_EDGES => "edges",
-                Places::HOLES => "holes",
+                SelectorPlaces::FACES => "faces",
+                SelectorPlaces::EDGES | SelectorPlaces::FACE_EDGES => "edges",
+                SelectorPlaces::HOLES => "holes",
                 _ => return,
             };
             (format!("{name}({})", kind.name), what)
@@ -45,7 +45,7 @@ fn of_point(row: &Operation, block: &Block, facts: &AbstractState, diags: &mut D
 
 /// Reports selectors for faces that do not look up. A shape that is not a footprint has kept its geometry, with a fault.
 fn of_footprint(row: &Operation, block: &Block, facts: &AbstractState, tables: &Tables, diags: &mut Diags) {
-    if row.places(first(block)) != Places::FACES {
+    if row.places(first(block)) != SelectorPlaces::FACES {
         return;
     }
     let (names, mut taken) = (tables.at(facts.own), Directions::NONE);

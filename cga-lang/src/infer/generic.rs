@@ -4,7 +4,7 @@
 //! its arguments, and requests an instance of the declaration with these types if there is none yet;
 //! `link/instantiate.rs` makes it.
 
-use super::open::{Constraint, Overload, Place};
+use super::open::{Constraint, Overload, TypeUse};
 use super::{Infer, Use, Var, VarState};
 use crate::link::{Types, Wanted};
 use crate::syntax::ast::{Name, Role};
@@ -58,7 +58,7 @@ impl Infer<'_, '_, '_> {
         &mut self,
         name: &Name,
         candidates: &[Overload],
-        args: &[Place],
+        args: &[TypeUse],
         result: Var,
         force: bool,
     ) -> bool {
@@ -108,7 +108,7 @@ impl Infer<'_, '_, '_> {
     }
 
     /// Binds the types of arguments on which all fitting candidates agree, if no other types are possible.
-    fn learn(&mut self, fitting: &[&(&Overload, Vec<bool>)], args: &[Place]) {
+    fn learn(&mut self, fitting: &[&(&Overload, Vec<bool>)], args: &[TypeUse]) {
         for (index, &(var, span)) in args.iter().enumerate() {
             if !self.is_free(var) {
                 continue;
@@ -130,7 +130,7 @@ impl Infer<'_, '_, '_> {
     }
 
     /// The types that a declaration would need for a call.
-    fn wish(&mut self, candidate: &Overload, loose: &[bool], args: &[Place]) -> Option<Wish> {
+    fn wish(&mut self, candidate: &Overload, loose: &[bool], args: &[TypeUse]) -> Option<Wish> {
         let item = self.cx.globals.item(candidate.found).filter(|_| loose.contains(&true))?;
         let decl = (item.instance, item.decl.name.id());
         let (mut types, mut poison) = (Types::new(), false);
@@ -149,7 +149,7 @@ impl Infer<'_, '_, '_> {
     }
 
     /// Reports a call without a fitting candidate. With only one candidate, the argument is blamed.
-    fn none_fits(&mut self, name: &Name, candidates: &[Overload], args: &[Place], result: Var) {
+    fn none_fits(&mut self, name: &Name, candidates: &[Overload], args: &[TypeUse], result: Var) {
         let found = candidates[0].found;
         let Some(item) = self.cx.globals.item(found).filter(|_| candidates.len() == 1).cloned() else {
             self.fits_none(name, candidates, args);

@@ -27,7 +27,7 @@ use crate::syntax::lex::without_unit;
 use crate::syntax::token::Tok;
 use crate::types::Type;
 use generic::Stage;
-use open::{Open, Place};
+use open::{Open, TypeUse};
 use std::collections::HashSet;
 use unify::{Var, VarState, Vars};
 
@@ -110,7 +110,7 @@ struct Infer<'p, 'a, 'd> {
     /// Selectors, which are checked once their types are known.
     selectors: Vec<(InstanceId, Var, &'a Expr)>,
     /// Values of components, which cannot be arrays.
-    components: Vec<(InstanceId, Place)>,
+    components: Vec<(InstanceId, TypeUse)>,
     /// The parameters and locals of the current declaration.
     inner: Vec<&'a Name>,
     /// The instance that has the entries of its names.
@@ -262,7 +262,7 @@ impl<'a> Infer<'_, 'a, '_> {
     }
 
     /// Adds the arguments of a call of a declaration.
-    fn arguments(&mut self, item: &Declared, args: Vec<Place>, rule: Option<Span>) {
+    fn arguments(&mut self, item: &Declared, args: Vec<TypeUse>, rule: Option<Span>) {
         let params = self.params(item);
         for (((arg, span), var), param) in args.into_iter().zip(params).zip(&item.decl.params) {
             self.argument(arg, span, var, (item.decl.name.text.clone(), param.text.clone()), rule);

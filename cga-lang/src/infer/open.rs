@@ -11,7 +11,7 @@ use crate::syntax::ast::{Binary, Name};
 const MOST_ROUNDS: usize = 64;
 
 /// A type and the place where it is needed.
-pub(super) type Place = (Var, Span);
+pub(super) type TypeUse = (Var, Span);
 
 /// An open expression.
 pub(super) struct Open {
@@ -26,15 +26,15 @@ pub(super) struct Open {
 /// The kinds of open expressions.
 pub(super) enum OpenKind {
     /// `a + b`: a sum, or text.
-    Plus(Place, Place),
+    Plus(TypeUse, TypeUse),
     /// `a .+ b` and other operators that work element by element.
-    Each(Binary, Place, Place),
+    Each(Binary, TypeUse, TypeUse),
     /// `[a, b]`: entries are elements or arrays.
-    Array(Vec<Place>),
+    Array(Vec<TypeUse>),
     /// `a[i]` or `a[i, j]`: an element, or an array if an index is one.
-    Index(Place, Vec<Place>),
+    Index(TypeUse, Vec<TypeUse>),
     /// A call with several candidates, and its arguments.
-    Call(Name, Vec<Overload>, Vec<Place>),
+    Call(Name, Vec<Overload>, Vec<TypeUse>),
 }
 
 /// A candidate of a call.
@@ -105,7 +105,7 @@ impl Infer<'_, '_, '_> {
         done
     }
 
-    fn plus(&mut self, left: Place, right: Place, result: Var, at: Span, force: bool) -> bool {
+    fn plus(&mut self, left: TypeUse, right: TypeUse, result: Var, at: Span, force: bool) -> bool {
         let (l, r) = (self.vars.state(left.0), self.vars.state(right.0));
         let text = VarState::Is(Type::Text);
         if l == text || r == text {
@@ -144,7 +144,7 @@ impl Infer<'_, '_, '_> {
         }
     }
 
-    fn each(&mut self, op: Binary, at: Span, left: Place, right: Place, result: Var, force: bool) -> bool {
+    fn each(&mut self, op: Binary, at: Span, left: TypeUse, right: TypeUse, result: Var, force: bool) -> bool {
         let states = [left, right].map(|(var, _)| self.vars.state(var));
         if states.contains(&VarState::Poison) {
             return true;
@@ -214,7 +214,7 @@ impl Infer<'_, '_, '_> {
         }
     }
 
-    fn array(&mut self, entries: &[Place], result: Var, span: Span, force: bool) -> bool {
+    fn array(&mut self, entries: &[TypeUse], result: Var, span: Span, force: bool) -> bool {
         let mut element = self.vars.known(result).filter(|ty| ty.is_array()).map(Type::element);
         let mut all_known = true;
         for &(var, place) in entries {
@@ -245,7 +245,7 @@ impl Infer<'_, '_, '_> {
         all_known || force
     }
 
-    fn index(&mut self, array: Place, indices: &[Place], result: Var, span: Span, force: bool) -> bool {
+    fn index(&mut self, array: TypeUse, indices: &[TypeUse], result: Var, span: Span, force: bool) -> bool {
         let mut many = Some(false);
         for &(var, place) in indices {
             match self.vars.known(var) {
@@ -281,7 +281,7 @@ impl Infer<'_, '_, '_> {
         &mut self,
         name: &Name,
         candidates: &mut Vec<Overload>,
-        args: &[Place],
+        args: &[TypeUse],
         result: Var,
         force: bool,
     ) -> bool {
@@ -309,7 +309,7 @@ impl Infer<'_, '_, '_> {
         true
     }
 
-    pub(super) fn choose_this(&mut self, name: &Name, chosen: &Overload, args: &[Place], result: Var) {
+    pub(super) fn choose_this(&mut self, name: &Name, chosen: &Overload, args: &[TypeUse], result: Var) {
         self.cx.tables.uses.insert((self.own, name.id()), chosen.found);
         for (takes, &(var, span)) in chosen.takes.iter().zip(args) {
             match takes {
@@ -338,7 +338,7 @@ impl Infer<'_, '_, '_> {
         }
     }
 
-    pub(super) fn fits(&mut self, candidate: &Overload, args: &[Place]) -> bool {
+    pub(super) fn fits(&mut self, candidate: &Overload, args: &[TypeUse]) -> bool {
         candidate.takes.iter().zip(args).all(|(takes, &(var, _))| {
             let Some(got) = self.vars.known(var) else { return true };
             self.taken(*takes).is_none_or(|ty| ty == got)
@@ -357,7 +357,7 @@ impl Infer<'_, '_, '_> {
         types.all(|ty| ty == Some(first)).then_some(first)
     }
 
-    pub(super) fn fits_none(&mut self, name: &Name, candidates: &[Overload], args: &[Place]) {
+    pub(super) fn fits_none(&mut self, name: &Name, candidates: &[Overload], args: &[TypeUse]) {
         let shown = |ty: Option<Type>| ty.map_or("…", Type::word);
         let got: Vec<&str> = args.iter().map(|&(var, _)| shown(self.vars.known(var))).collect();
         let span = args.first().map_or(name.span, |first| first.1.to(args[args.len() - 1].1));

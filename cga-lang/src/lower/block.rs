@@ -5,7 +5,7 @@ use crate::ir::{
     Arg as IrArg, Arm, Block, BlockParts, Comp, Expr, ExprKind, Item, Sections, Selector, Slots, Step, Target, Type,
 };
 use crate::lower::fold::fold;
-use crate::ops::{self, Braces, Directions, Operation, Places, Run, SameAs};
+use crate::ops::{self, Braces, Directions, Operation, Run, SameAs, SelectorPlaces};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::syntax::ast::{self, ArmMode, BlockPart, Section, SplitItem};
@@ -108,7 +108,7 @@ impl<'c> Lower<'c> {
     pub(super) fn per_edge(&mut self, value: &ast::Expr) -> Expr {
         let then = self.folded(value);
         let row = ops::all_operations().find(|row| row.braces == Braces::Components);
-        let edges = ops::COMPONENTS.iter().find(|row| row.place == Places::FACE_EDGES);
+        let edges = ops::COMPONENTS.iter().find(|row| row.place == SelectorPlaces::FACE_EDGES);
         let all = ops::selectors().find(|row| row.directions == Directions::ALL);
         let (Some(row), Some(edges), Some(all)) = (row, edges, all) else { return then };
         let mut args = vec![IrArg::Word(edges.name)];

@@ -34,7 +34,7 @@ pub use functions::FUNCTIONS;
 pub use meaning::{AttrValues, Meaning};
 pub use operations::OPERATIONS;
 pub use params::{Default, FileUse, Param, ParamKind, Words, required, variant};
-pub use selectors::{COMPONENTS, Component, Places, SameAs, Selector, component, selector, selectors};
+pub use selectors::{COMPONENTS, Component, SameAs, Selector, SelectorPlaces, component, selector, selectors};
 pub use syntax::{SYNTAX, Syntax, syntax};
 pub use uses::Uses;
 
@@ -97,7 +97,7 @@ pub enum Braces {
     /// `length : depth : operations`, repeatable, then a second pair of braces with `remainder : operations`.
     Sections,
     /// `selector : operations`, as in a comp, with the selectors of these places.
-    Arms(Places),
+    Arms(SelectorPlaces),
     /// `selector : operations`, with the selectors of the components named by the first argument.
     Components,
     /// `selector : operations`, where the results of the components are joined again.
@@ -231,12 +231,14 @@ impl Braces {
 
 impl Operation {
     /// The selectors of its arms. `first` is its first argument if that is a word.
-    pub fn places(&self, first: Option<&str>) -> Places {
+    pub fn places(&self, first: Option<&str>) -> SelectorPlaces {
         match self.braces {
             Braces::Arms(places) => places,
-            Braces::Sections => Places::PERIMETER,
-            Braces::Components | Braces::Modified => first.and_then(component).map_or(Places::NONE, |row| row.place),
-            Braces::None | Braces::Slots(_) | Braces::Ops | Braces::Operands | Braces::Inline => Places::NONE,
+            Braces::Sections => SelectorPlaces::PERIMETER,
+            Braces::Components | Braces::Modified => {
+                first.and_then(component).map_or(SelectorPlaces::NONE, |row| row.place)
+            }
+            Braces::None | Braces::Slots(_) | Braces::Ops | Braces::Operands | Braces::Inline => SelectorPlaces::NONE,
         }
     }
 

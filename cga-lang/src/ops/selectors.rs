@@ -10,21 +10,21 @@ pub struct Component {
     /// The name in rules.
     pub name: &'static str,
     /// Its place of selectors.
-    pub place: Places,
+    pub place: SelectorPlaces,
     /// The description, in one line.
     pub about: &'static str,
 }
 
 /// All kinds of components.
 pub static COMPONENTS: &[Component] = &[
-    Component { name: "f", place: Places::FACES, about: "faces" },
-    Component { name: "e", place: Places::EDGES, about: "edges, shared ones once" },
-    Component { name: "fe", place: Places::FACE_EDGES, about: "edges of each face" },
-    Component { name: "v", place: Places::VERTICES, about: "vertices, shared ones once" },
-    Component { name: "fv", place: Places::FACE_VERTICES, about: "vertices of each face" },
-    Component { name: "g", place: Places::GROUPS, about: "groups of an asset" },
-    Component { name: "m", place: Places::MATERIALS, about: "parts of one material" },
-    Component { name: "h", place: Places::HOLES, about: "holes of faces" },
+    Component { name: "f", place: SelectorPlaces::FACES, about: "faces" },
+    Component { name: "e", place: SelectorPlaces::EDGES, about: "edges, shared ones once" },
+    Component { name: "fe", place: SelectorPlaces::FACE_EDGES, about: "edges of each face" },
+    Component { name: "v", place: SelectorPlaces::VERTICES, about: "vertices, shared ones once" },
+    Component { name: "fv", place: SelectorPlaces::FACE_VERTICES, about: "vertices of each face" },
+    Component { name: "g", place: SelectorPlaces::GROUPS, about: "groups of an asset" },
+    Component { name: "m", place: SelectorPlaces::MATERIALS, about: "parts of one material" },
+    Component { name: "h", place: SelectorPlaces::HOLES, about: "holes of faces" },
 ];
 
 /// The kind of component with a name.
@@ -34,64 +34,64 @@ pub fn component(name: &str) -> Option<&'static Component> {
 
 /// A set of places where a selector is allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Places(u16);
+pub struct SelectorPlaces(u16);
 
-impl Places {
+impl SelectorPlaces {
     /// No place.
-    pub const NONE: Places = Places(0);
+    pub const NONE: SelectorPlaces = SelectorPlaces(0);
     /// `comp(f)`.
-    pub const FACES: Places = Places(1);
+    pub const FACES: SelectorPlaces = SelectorPlaces(1);
     /// `comp(e)`.
-    pub const EDGES: Places = Places(1 << 1);
+    pub const EDGES: SelectorPlaces = SelectorPlaces(1 << 1);
     /// `comp(fe)`.
-    pub const FACE_EDGES: Places = Places(1 << 2);
+    pub const FACE_EDGES: SelectorPlaces = SelectorPlaces(1 << 2);
     /// `comp(v)`.
-    pub const VERTICES: Places = Places(1 << 3);
+    pub const VERTICES: SelectorPlaces = SelectorPlaces(1 << 3);
     /// `comp(fv)`.
-    pub const FACE_VERTICES: Places = Places(1 << 4);
+    pub const FACE_VERTICES: SelectorPlaces = SelectorPlaces(1 << 4);
     /// `comp(g)`.
-    pub const GROUPS: Places = Places(1 << 5);
+    pub const GROUPS: SelectorPlaces = SelectorPlaces(1 << 5);
     /// `comp(m)`.
-    pub const MATERIALS: Places = Places(1 << 6);
+    pub const MATERIALS: SelectorPlaces = SelectorPlaces(1 << 6);
     /// `comp(h)`.
-    pub const HOLES: Places = Places(1 << 7);
+    pub const HOLES: SelectorPlaces = SelectorPlaces(1 << 7);
     /// `setback`, `setbackPerEdge` and `setbackToArea`.
-    pub const SETBACK: Places = Places(1 << 8);
+    pub const SETBACK: SelectorPlaces = SelectorPlaces(1 << 8);
     /// `shapeL`, `shapeU`, `shapeO` and `innerRectangle`, which only have two words.
-    pub const SHAPE: Places = Places(1 << 9);
+    pub const SHAPE: SelectorPlaces = SelectorPlaces(1 << 9);
     /// The second braces of `splitAndSetbackPerimeter`.
-    pub const PERIMETER: Places = Places(1 << 10);
+    pub const PERIMETER: SelectorPlaces = SelectorPlaces(1 << 10);
     /// All kinds of `comp`.
-    pub const COMP: Places = Places((1 << 8) - 1);
+    pub const COMP: SelectorPlaces = SelectorPlaces((1 << 8) - 1);
 
     /// The union.
-    pub const fn and(self, other: Places) -> Places {
-        Places(self.0 | other.0)
+    pub const fn and(self, other: SelectorPlaces) -> SelectorPlaces {
+        SelectorPlaces(self.0 | other.0)
     }
 
     /// The places that are not in `other`.
-    pub const fn but(self, other: Places) -> Places {
-        Places(self.0 & !other.0)
+    pub const fn but(self, other: SelectorPlaces) -> SelectorPlaces {
+        SelectorPlaces(self.0 & !other.0)
     }
 
     /// Returns true if only words are allowed there, no indices and no conditions (*innerRectangle*, *shapeL, shapeU,
     /// shapeO operations*; *CGA changelog 2019.0*).
     pub const fn has_words_only(self) -> bool {
-        self.0 != 0 && Places::SHAPE.and(Places::PERIMETER).has(self)
+        self.0 != 0 && SelectorPlaces::SHAPE.and(SelectorPlaces::PERIMETER).has(self)
     }
 
     /// Returns true if a selector takes `=:`. Only components are connected (*comp* and *modify operation*).
     pub const fn connects(self) -> bool {
-        self.meets(Places::COMP)
+        self.meets(SelectorPlaces::COMP)
     }
 
     /// Returns true if there are common places.
-    pub const fn meets(self, other: Places) -> bool {
+    pub const fn meets(self, other: SelectorPlaces) -> bool {
         self.0 & other.0 != 0
     }
 
     /// Returns true if all places of `other` are in this set.
-    pub const fn has(self, other: Places) -> bool {
+    pub const fn has(self, other: SelectorPlaces) -> bool {
         self.0 & other.0 == other.0
     }
 }
@@ -102,7 +102,7 @@ pub struct Selector {
     /// The name in rules.
     pub name: &'static str,
     /// The places where it is allowed.
-    pub on: Places,
+    pub on: SelectorPlaces,
     /// The directions, in the axes of the scope, of the components that it takes. Words of other axes have none.
     pub directions: Directions,
     /// True if it takes the same components of a shape in every position and orientation of the shape.
@@ -128,10 +128,10 @@ pub enum SameAs {
 
 /// A word for all kinds of `comp` and for setbacks.
 const fn facing(name: &'static str, about: &'static str) -> Selector {
-    only(name, Places::COMP.and(Places::SETBACK), about)
+    only(name, SelectorPlaces::COMP.and(SelectorPlaces::SETBACK), about)
 }
 
-const fn only(name: &'static str, on: Places, about: &'static str) -> Selector {
+const fn only(name: &'static str, on: SelectorPlaces, about: &'static str) -> Selector {
     Selector { name, on, directions: Directions::NONE, rigid: false, is_rest: false, old: None, same_as: None, about }
 }
 
@@ -163,10 +163,10 @@ static ROWS: &[Selector] = &[
     towards(Directions::TOP, facing("top", "what faces the scope's top, its y axis")),
     towards(Directions::BOTTOM, facing("bottom", "what faces the scope's bottom")),
     towards(Directions::SIDE, facing("side", "what is not horizontal")),
-    towards(Directions::VERTICAL, only("vertical", Places::COMP, "what is upright")),
-    towards(Directions::HORIZONTAL, only("horizontal", Places::COMP, "what is flat")),
-    towards(Directions::ASLANT, only("aslant", Places::COMP, "what leans back, as a roof does")),
-    towards(Directions::NUTANT, only("nutant", Places::COMP, "what leans forward")),
+    towards(Directions::VERTICAL, only("vertical", SelectorPlaces::COMP, "what is upright")),
+    towards(Directions::HORIZONTAL, only("horizontal", SelectorPlaces::COMP, "what is flat")),
+    towards(Directions::ASLANT, only("aslant", SelectorPlaces::COMP, "what leans back, as a roof does")),
+    towards(Directions::NUTANT, only("nutant", SelectorPlaces::COMP, "what leans forward")),
     towards(Directions::ALL, facing("all", "everything that is left")),
     facing("object.front", "what faces the object's front"),
     facing("object.back", "what faces the object's back"),
@@ -187,22 +187,26 @@ static ROWS: &[Selector] = &[
     facing("street.left", "what is left between front and back"),
     facing("street.right", "what is right between front and back"),
     facing("street.side", "what is between front and back"),
-    rigid(only("border", Places::COMP.but(Places::HOLES), "what has an edge that only one face has")),
-    rigid(only("inside", Places::COMP.but(Places::HOLES), "what is not at the border")),
-    only("eave", Places::EDGES, "edges at the foot of a roof"),
-    only("hip", Places::EDGES, "edges that rise from an eave"),
-    only("valley", Places::EDGES, "edges between roofs that slope towards each other"),
-    only("ridge", Places::EDGES, "edges at the top of a roof"),
-    only("uv.left", Places::SETBACK, "edges towards smaller u"),
-    only("uv.right", Places::SETBACK, "edges towards larger u"),
-    only("uv.bottom", Places::SETBACK, "edges towards smaller v"),
-    only("uv.top", Places::SETBACK, "edges towards larger v"),
-    only("uv.uMin", Places::SETBACK, "edges at the smallest u"),
-    only("uv.uMax", Places::SETBACK, "edges at the largest u"),
-    only("uv.vMin", Places::SETBACK, "edges at the smallest v"),
-    only("uv.vMax", Places::SETBACK, "edges at the largest v"),
-    only("shape", Places::SHAPE, "the rectangle or the strip"),
-    rest(only("remainder", Places::SETBACK.and(Places::SHAPE).and(Places::PERIMETER), "what is left of the face")),
+    rigid(only("border", SelectorPlaces::COMP.but(SelectorPlaces::HOLES), "what has an edge that only one face has")),
+    rigid(only("inside", SelectorPlaces::COMP.but(SelectorPlaces::HOLES), "what is not at the border")),
+    only("eave", SelectorPlaces::EDGES, "edges at the foot of a roof"),
+    only("hip", SelectorPlaces::EDGES, "edges that rise from an eave"),
+    only("valley", SelectorPlaces::EDGES, "edges between roofs that slope towards each other"),
+    only("ridge", SelectorPlaces::EDGES, "edges at the top of a roof"),
+    only("uv.left", SelectorPlaces::SETBACK, "edges towards smaller u"),
+    only("uv.right", SelectorPlaces::SETBACK, "edges towards larger u"),
+    only("uv.bottom", SelectorPlaces::SETBACK, "edges towards smaller v"),
+    only("uv.top", SelectorPlaces::SETBACK, "edges towards larger v"),
+    only("uv.uMin", SelectorPlaces::SETBACK, "edges at the smallest u"),
+    only("uv.uMax", SelectorPlaces::SETBACK, "edges at the largest u"),
+    only("uv.vMin", SelectorPlaces::SETBACK, "edges at the smallest v"),
+    only("uv.vMax", SelectorPlaces::SETBACK, "edges at the largest v"),
+    only("shape", SelectorPlaces::SHAPE, "the rectangle or the strip"),
+    rest(only(
+        "remainder",
+        SelectorPlaces::SETBACK.and(SelectorPlaces::SHAPE).and(SelectorPlaces::PERIMETER),
+        "what is left of the face",
+    )),
     old(facing("streetSide", "what borders a street"), SameAs::Word("street.front"), "write `street.front`"),
     old(facing("noStreetSide", "what borders no street"), SameAs::Not("street.front"), "write `!street.front`"),
 ];

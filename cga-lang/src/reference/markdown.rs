@@ -101,10 +101,16 @@ fn entry(page: &mut String, doc: &Doc, entries: &[&Entry]) {
         let at = if doc.section == Section::Annotation { "@" } else { "" };
         let _ = write!(page, " <a id=\"{}\"></a>`{at}{name}`", anchor(doc.section, name));
     }
-    let _ = write!(page, "\n\n{}\n\n", doc.text);
+    page.push_str("\n\n");
+    page.push_str(&about(doc, entries));
+}
+
+/// The text about words, without their heading.
+pub(super) fn about(doc: &Doc, entries: &[&Entry]) -> String {
+    let mut page = format!("{}\n\n", doc.text);
     let forms: Vec<&Form> = entries.iter().flat_map(|entry| &entry.forms).collect();
     match doc.section {
-        Section::Operation | Section::Function => signatures(page, &forms),
+        Section::Operation | Section::Function => signatures(&mut page, &forms),
         Section::Annotation => {
             let _ = write!(page, "```text\n{}\n```\n\n", doc.signature.unwrap_or_default());
         }
@@ -125,6 +131,7 @@ fn entry(page: &mut String, doc: &Doc, entries: &[&Entry]) {
     notes.push(state(&forms));
     let title = page_title(doc.page).unwrap_or_default();
     let _ = write!(page, "{} Esri: [{title}]({})\n\n", notes.join(" "), page_address(doc.page));
+    page
 }
 
 fn capitalized(text: &str) -> String {

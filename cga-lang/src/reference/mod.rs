@@ -8,9 +8,11 @@ mod markdown;
 mod pages;
 mod signature;
 mod text;
+mod word;
 
 pub use entry::{Entry, Form, Section, Support, entries};
 pub use markdown::page;
 pub use pages::{page_address, page_title};
 pub use signature::Signature;
 pub use text::{Doc, docs};
+pub use word::{Word, words};

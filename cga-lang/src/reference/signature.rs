@@ -1,6 +1,6 @@
 //! Rows as text: `roofHip(angle: float, overhang: float = 0)`.
 
-use crate::ops::{Braces, Default, Function, Operation, Param, ParamKind, Places};
+use crate::ops::{Braces, Default, Function, Operation, Param, ParamKind, SelectorPlaces};
 use std::fmt::{Display, Formatter, Result};
 
 /// The signature of a row, or of several rows that differ in types alone.
@@ -44,6 +44,17 @@ impl Signature {
     /// A function with its parameters and its result.
     pub(super) fn function(row: &Function) -> Self {
         Signature { params: Some(params(row.params)), results: vec![row.ty.word()], ..Signature::word(row.name) }
+    }
+
+    /// The names and first kinds of the parameters without a default. `None` without parentheses.
+    pub(super) fn required(&self) -> Option<Vec<(&'static str, &'static str)>> {
+        let params = self.params.as_ref()?.iter().filter(|param| param.default.is_empty());
+        Some(params.map(|param| (param.name, param.kinds.first().copied().unwrap_or("any"))).collect())
+    }
+
+    /// The first type of its value.
+    pub(super) fn result(&self) -> Option<&'static str> {
+        self.results.first().copied()
     }
 
     /// Adds the types of another row. Returns false if the rows differ in more than types.
@@ -127,22 +138,22 @@ pub(super) fn bounds(list: &'static [Param]) -> Vec<(&'static str, &'static str)
 }
 
 /// The operations that take a selector.
-pub(super) fn places(on: Places) -> String {
-    const NAMES: [(Places, &str); 11] = [
-        (Places::FACES, "`comp(f)`"),
-        (Places::EDGES, "`comp(e)`"),
-        (Places::FACE_EDGES, "`comp(fe)`"),
-        (Places::VERTICES, "`comp(v)`"),
-        (Places::FACE_VERTICES, "`comp(fv)`"),
-        (Places::GROUPS, "`comp(g)`"),
-        (Places::MATERIALS, "`comp(m)`"),
-        (Places::HOLES, "`comp(h)`"),
-        (Places::SETBACK, "setbacks"),
-        (Places::SHAPE, "`shapeL`, `shapeU`, `shapeO`, `innerRectangle`"),
-        (Places::PERIMETER, "`splitAndSetbackPerimeter`"),
+pub(super) fn places(on: SelectorPlaces) -> String {
+    const NAMES: [(SelectorPlaces, &str); 11] = [
+        (SelectorPlaces::FACES, "`comp(f)`"),
+        (SelectorPlaces::EDGES, "`comp(e)`"),
+        (SelectorPlaces::FACE_EDGES, "`comp(fe)`"),
+        (SelectorPlaces::VERTICES, "`comp(v)`"),
+        (SelectorPlaces::FACE_VERTICES, "`comp(fv)`"),
+        (SelectorPlaces::GROUPS, "`comp(g)`"),
+        (SelectorPlaces::MATERIALS, "`comp(m)`"),
+        (SelectorPlaces::HOLES, "`comp(h)`"),
+        (SelectorPlaces::SETBACK, "setbacks"),
+        (SelectorPlaces::SHAPE, "`shapeL`, `shapeU`, `shapeO`, `innerRectangle`"),
+        (SelectorPlaces::PERIMETER, "`splitAndSetbackPerimeter`"),
     ];
-    let in_every = on.has(Places::COMP);
-    let rest = if in_every { on.but(Places::COMP) } else { on };
+    let in_every = on.has(SelectorPlaces::COMP);
+    let rest = if in_every { on.but(SelectorPlaces::COMP) } else { on };
     let names = NAMES.iter().filter(|(place, _)| rest.has(*place)).map(|(_, name)| *name);
     in_every.then_some("every `comp`").into_iter().chain(names).collect::<Vec<_>>().join(", ")
 }

@@ -78,12 +78,12 @@ fn hides(row: &Operation, types: &[Option<Type>]) -> bool {
 }
 
 /// The instance, style, name and parameter types of a declaration.
-type Signature<'a> = (InstanceId, u32, &'a str, Vec<Option<Type>>);
+type DeclarationKey<'a> = (InstanceId, u32, &'a str, Vec<Option<Type>>);
 
 /// Reports rules or functions of one name that do not differ in the number or types of parameters.
 pub(crate) fn overloads(cx: &mut Context) {
     for items in [&cx.globals.rules, &cx.globals.functions] {
-        let mut first: HashMap<Signature<'_>, &Decl> = HashMap::new();
+        let mut first: HashMap<DeclarationKey<'_>, &Decl> = HashMap::new();
         for item in items.iter().filter(|item| item.home == item.instance) {
             let types = item.types_of_params(&cx.tables);
             match first.entry((item.instance, item.decl.style, &item.decl.name.text, types)) {

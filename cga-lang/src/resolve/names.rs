@@ -10,7 +10,7 @@ use super::tables::Use;
 use crate::diag::code::Code;
 use crate::diag::{Detail, quoted};
 use crate::dialect::Dialect;
-use crate::ops::{self, Function, Needs, ParamKind, Places, Run, Words};
+use crate::ops::{self, Function, Needs, ParamKind, Run, SelectorPlaces, Words};
 use crate::span::Span;
 use crate::syntax::ast::{Expr, ExprKind, Name};
 use crate::syntax::token::Tok;
@@ -147,7 +147,7 @@ impl<'a> Resolver<'_, 'a, '_> {
             }
             // *setback operation*: what is selected there are edges.
             Use::Builtin(Function { needs: Needs::Component, params: [_, _, ..], .. })
-                if self.place == Some(Places::SETBACK) =>
+                if self.place == Some(SelectorPlaces::SETBACK) =>
             {
                 let message = format!("`{}` takes 1 argument in a setback", name.text);
                 let diag = self.cx.diags.report(Code::ArgumentCount, name.span, message);
@@ -277,7 +277,7 @@ impl<'a> Resolver<'_, 'a, '_> {
                     continue;
                 }
                 if fitting.iter().any(|row| row.params[index].kind == ParamKind::Selector) {
-                    self.selector(arg, Places::FACES);
+                    self.selector(arg, SelectorPlaces::FACES);
                 } else {
                     self.word_expr(text, &words, arg);
                 }
@@ -307,7 +307,7 @@ impl<'a> Resolver<'_, 'a, '_> {
         for (param, arg) in row.params.iter().zip(args) {
             match &param.kind {
                 ParamKind::Word(words) => self.word_expr(row.name, &[*words], arg),
-                ParamKind::Selector => self.selector(arg, Places::FACES),
+                ParamKind::Selector => self.selector(arg, SelectorPlaces::FACES),
                 _ => self.expr(arg),
             }
         }

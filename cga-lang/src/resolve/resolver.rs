@@ -2,7 +2,7 @@
 
 use super::context::Context;
 use crate::link::InstanceId;
-use crate::ops::Places;
+use crate::ops::SelectorPlaces;
 use crate::syntax::ast::Name;
 
 /// Resolves the names of a declaration: to its parameters and locals, then to the declarations of an instance.
@@ -15,5 +15,5 @@ pub(crate) struct Resolver<'s, 'a, 'd> {
     /// The attribute that the value belongs to.
     pub(crate) owner: Option<u32>,
     /// In a selector, the components that its words can read.
-    pub(crate) place: Option<Places>,
+    pub(crate) place: Option<SelectorPlaces>,
 }

@@ -5,18 +5,18 @@ use super::resolver::Resolver;
 use super::tables::Use;
 use crate::diag::code::Code;
 use crate::diag::{Diag, quoted};
-use crate::ops::{self, Places, Selector};
+use crate::ops::{self, Selector, SelectorPlaces};
 use crate::suggest::nearest;
 use crate::syntax::ast::{Arm, ArmMode, Binary, CompValue, Expr, ExprKind, Name, Unary};
 
 impl<'a> Resolver<'_, 'a, '_> {
     /// Resolves the selector of an arm.
-    pub(crate) fn arm(&mut self, arm: &'a Arm, place: Places) {
+    pub(crate) fn arm(&mut self, arm: &'a Arm, place: SelectorPlaces) {
         if place.connects() {
             self.index(&arm.selector);
         }
         self.selector(&arm.selector, place);
-        if arm.mode == ArmMode::Connected && place != Places::NONE && !place.connects() {
+        if arm.mode == ArmMode::Connected && place != SelectorPlaces::NONE && !place.connects() {
             let message = "only `comp` and `modify` take `=:`";
             self.cx.diags.report(Code::Syntax, arm.selector.span, message).help("write `:` or `=`");
         }
@@ -36,8 +36,8 @@ impl<'a> Resolver<'_, 'a, '_> {
     }
 
     /// Resolves the arguments of `comp` as a value, like those of the operation. Returns the selectors.
-    fn comp_args(&mut self, comp: &CompValue) -> Places {
-        let Some(row) = ops::operations(&comp.name.text).next() else { return Places::NONE };
+    fn comp_args(&mut self, comp: &CompValue) -> SelectorPlaces {
+        let Some(row) = ops::operations(&comp.name.text).next() else { return SelectorPlaces::NONE };
         if comp.args.is_empty() {
             self.missing_word(&comp.name, row);
         } else if !row.takes(comp.args.len()) {
@@ -53,7 +53,7 @@ impl<'a> Resolver<'_, 'a, '_> {
     }
 
     /// Resolves a selector: a word, an index or a condition made of words and values.
-    pub(crate) fn selector(&mut self, selector: &'a Expr, place: Places) {
+    pub(crate) fn selector(&mut self, selector: &'a Expr, place: SelectorPlaces) {
         if place.has_words_only() {
             return self.only_word(selector, place);
         }
@@ -63,7 +63,7 @@ impl<'a> Resolver<'_, 'a, '_> {
     }
 
     /// Resolves a selector where only words are allowed.
-    fn only_word(&mut self, selector: &Expr, place: Places) {
+    fn only_word(&mut self, selector: &Expr, place: SelectorPlaces) {
         match &selector.kind {
             ExprKind::Error => {}
             ExprKind::Name(name) => match ops::selector(&name.text) {
@@ -92,7 +92,7 @@ impl<'a> Resolver<'_, 'a, '_> {
 
     /// Resolves a part of a selector that must be a bool: the whole selector, or an operand of `!`, `&&` and `||`. A
     /// selector takes precedence over declared names. Parentheses make the name an expression, as arithmetic does.
-    fn condition(&mut self, part: &'a Expr, place: Places) {
+    fn condition(&mut self, part: &'a Expr, place: SelectorPlaces) {
         match &part.kind {
             ExprKind::Name(name) => self.selector_name(name, part.span == name.span, place),
             ExprKind::Unary(Unary::Not, part) => self.condition(part, place),
@@ -104,7 +104,7 @@ impl<'a> Resolver<'_, 'a, '_> {
         }
     }
 
-    fn selector_name(&mut self, name: &'a Name, is_bare: bool, place: Places) {
+    fn selector_name(&mut self, name: &'a Name, is_bare: bool, place: SelectorPlaces) {
         let text = name.text.as_str();
         match ops::selector(text) {
             Some(row) if is_bare => self.known_selector(name, row, place),
@@ -118,7 +118,7 @@ impl<'a> Resolver<'_, 'a, '_> {
     }
 
     /// Resolves the word of a selector. Reports it if it does not select this kind of component.
-    pub(crate) fn known_selector(&mut self, name: &Name, row: &'static Selector, place: Places) {
+    pub(crate) fn known_selector(&mut self, name: &Name, row: &'static Selector, place: SelectorPlaces) {
         self.note(name, Use::Selector(row.name));
         self.deprecated(name, row.old);
         if row.on.has(place) {
@@ -132,13 +132,14 @@ impl<'a> Resolver<'_, 'a, '_> {
         }
     }
 
-    fn wrong_selector(&mut self, name: &Name, place: Places, message: &str) -> &mut Diag {
+    fn wrong_selector(&mut self, name: &Name, place: SelectorPlaces, message: &str) -> &mut Diag {
         let here = || ops::selectors().filter(|row| row.on.has(place) && row.old.is_none()).map(|row| row.name);
         let all = quoted(here().filter(|name| !name.contains('.')));
         let longer = here().find(|row| row.rsplit_once('.').is_some_and(|(_, last)| last == name.text));
         let near = longer.or_else(|| nearest(&name.text, here()).filter(|near| *near != name.text));
-        let by_name =
-            [(Places::GROUPS, "groups"), (Places::MATERIALS, "materials")].into_iter().find(|(kind, _)| *kind == place);
+        let by_name = [(SelectorPlaces::GROUPS, "groups"), (SelectorPlaces::MATERIALS, "materials")]
+            .into_iter()
+            .find(|(kind, _)| *kind == place);
         let diag = self.cx.diags.report(Code::UnknownSelector, name.span, message);
         if let Some((_, list)) = by_name.filter(|_| near.is_none()) {
             return diag

@@ -10,7 +10,7 @@ use super::{habits, overrides};
 use crate::diag::code::Code;
 use crate::diag::{Level, RELATIVE};
 use crate::dialect::Dialect;
-use crate::ops::{self, Braces, Operation, Param, ParamKind, Places, Run};
+use crate::ops::{self, Braces, Operation, Param, ParamKind, Run, SelectorPlaces};
 use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
@@ -88,7 +88,7 @@ impl<'a> Resolver<'_, 'a, '_> {
 
     fn op(&mut self, op: &'a Op) {
         // The selectors of its arms.
-        let mut place = Places::NONE;
+        let mut place = SelectorPlaces::NONE;
         match &op.kind {
             // The unreadable text may be an argument, so the number of arguments is unknown.
             OpKind::Call(_, args) if self.has_unread(op.span) => args.iter().for_each(|arg| self.expr(&arg.value)),
@@ -285,7 +285,7 @@ impl<'a> Resolver<'_, 'a, '_> {
                         self.old_word(old, new, arg.span);
                     }
                 }
-                ParamKind::Selector => self.selector(&arg.value, Places::FACES.and(Places::SETBACK)),
+                ParamKind::Selector => self.selector(&arg.value, SelectorPlaces::FACES.and(SelectorPlaces::SETBACK)),
                 _ if kinds().all(|kind| kind.ty() == Some(Type::Text))
                     && self.unquoted(&rows[0].params[index], arg) => {}
                 _ => self.expr(&arg.value),
@@ -309,14 +309,14 @@ impl<'a> Resolver<'_, 'a, '_> {
     }
 
     /// Resolves the name and arguments of an operation with braces. Returns the selectors of its arms.
-    fn block(&mut self, block: &'a Block) -> Places {
+    fn block(&mut self, block: &'a Block) -> SelectorPlaces {
         let all = likely(block);
         let rows: Vec<_> = all.iter().copied().filter(|row| row.takes(block.args.len())).collect();
         if !has_error(&block.args) {
             self.block_args(block, &all, &rows);
         }
         let first = block.args.first().and_then(|arg| arg.value.word());
-        rows.first().or(all.first()).map_or(Places::NONE, |row| row.places(first))
+        rows.first().or(all.first()).map_or(SelectorPlaces::NONE, |row| row.places(first))
     }
 
     /// Resolves the arguments of an operation with braces. `all` are its rows, `rows` those with the right number of

@@ -102,7 +102,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
     let of_values = [&renewals, &lazy, &material_changes]
         .iter()
         .any(|code| !code.is_empty())
-        .then(|| code!(#[allow(dead_code, clippy::all)] impl CgaValues { #lazy #renewals #material_changes }));
+        .then(|| code!(#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)] impl CgaValues { #lazy #renewals #material_changes }));
     let implementation = items::rules_impl(&cx, header);
     let hidden = code! {
         #values
@@ -111,7 +111,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         /// The rules and functions, one function each.
         struct CgaRules;
         // Named and used by the rules, at the user's own tokens.
-        #[allow(non_snake_case, dead_code, clippy::all)]
+        #[allow(non_snake_case, dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
         impl CgaRules {
             #rules
             #functions
@@ -120,12 +120,17 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         #implementation
     };
     let public = Public {
-        attrs: fields::of(grammar, source).iter().map(PublicAttr::of).collect(),
+        attrs: public_attrs(grammar, source),
         captures: if cx.captured { cx.hosts.clone() } else { Vec::new() },
         hidden: Some(hidden),
     };
     let captures = grammar.hosts.iter().zip(&cx.hosts).map(|(host, ty)| (host.handle, Some(*ty))).collect();
     Output { code: public::public(&public, header), captures }
+}
+
+/// The public fields of a grammar, for code that cannot run.
+pub(crate) fn public_attrs(grammar: &Grammar, source: &Source) -> Vec<PublicAttr> {
+    fields::of(grammar, source).iter().map(PublicAttr::of).collect()
 }
 
 /// The required type of a `#` value: the type that the rules infer, or any type if it is only converted to text.

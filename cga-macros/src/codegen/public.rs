@@ -1,8 +1,8 @@
 //! The public struct: its fields, defaults and methods.
 
 use cga_lang::editor::public_names::PublicName;
-use cga_lang::ir::{Type, Value};
-use proc_macro2::{Ident, TokenStream};
+use cga_lang::ir::{AttrInfo, Global, Range, Type, Value};
+use proc_macro2::{Ident, Span, TokenStream};
 
 use super::fields::AttrField;
 use super::names::{Taken, ident};
@@ -30,19 +30,29 @@ pub(crate) struct PublicAttr {
 
 impl PublicAttr {
     pub(super) fn of(field: &AttrField<'_>) -> Self {
-        let (global, attr) = (field.global, field.attr);
-        let about = if attr.doc.is_empty() { String::new() } else { format!("\n\n{}", attr.doc) };
-        let default = match field.known {
-            Some(known) => format!("default `{}`", types::show(known)),
-            None => "`None` computes the default for each initial shape".into(),
-        };
         PublicAttr {
             name: field.name.clone(),
-            ty: global.ty,
+            ty: field.global.ty,
             known: field.known.cloned(),
-            doc: format!("The attribute `{}`, {default}.{about}", global.name),
+            doc: attr_doc(field.global, field.attr, field.known),
         }
     }
+}
+
+/// The documentation of an attribute: its default and range, then its doc comment.
+pub(super) fn attr_doc(global: &Global, attr: &AttrInfo, known: Option<&Value>) -> String {
+    let about = if attr.doc.is_empty() { String::new() } else { format!("\n\n{}", attr.doc) };
+    let default = match known {
+        Some(known) => format!("default `{}`", types::show(known)),
+        None => "`None` computes the default for each initial shape".into(),
+    };
+    let limits = |range: Range| match (range.min.is_finite(), range.max.is_finite()) {
+        (true, true) => format!(", range {} to {}", range.min, range.max),
+        (true, false) => format!(", from {}", range.min),
+        (false, true) => format!(", up to {}", range.max),
+        (false, false) => String::new(),
+    };
+    format!("The attribute `{}`, {default}{}.{about}", global.name, attr.range.map(limits).unwrap_or_default())
 }
 
 impl PublicAttr {
@@ -193,7 +203,9 @@ fn is_snake_case(name: &str) -> bool {
 
 /// `name: default`.
 fn default_field(attr: &PublicAttr, runtime: &TokenStream) -> TokenStream {
-    let name = &attr.name;
+    // Editors would show the place of the declaration twice.
+    let mut name = attr.name.clone();
+    name.set_span(Span::mixed_site());
     match &attr.known {
         None => code!(#name: ::core::option::Option::None),
         Some(known) => {

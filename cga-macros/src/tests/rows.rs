@@ -6,8 +6,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use cga_lang::ops::{
-    Braces, COMPONENTS, Changes, Operation, Places, Run, all_functions, all_operations, all_shape_attrs, operations,
-    selectors, variant,
+    Braces, COMPONENTS, Changes, Operation, Run, SelectorPlaces, all_functions, all_operations, all_shape_attrs,
+    operations, selectors, variant,
 };
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::ToTokens;
@@ -258,7 +258,7 @@ fn words_are_variants_of_enums_of_the_runtime() {
 #[test]
 fn selectors_and_components_are_variants_of_enums_of_the_runtime() {
     let enums = Runtime::read().enums;
-    for row in selectors().filter(|row| row.old.is_none() && row.on.meets(Places::COMP)) {
+    for row in selectors().filter(|row| row.old.is_none() && row.on.meets(SelectorPlaces::COMP)) {
         assert!(enums["Word"].contains(&variant(row.name)), "{}", row.name);
     }
     let row = operations("comp").next().expect("a row");

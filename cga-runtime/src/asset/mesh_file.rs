@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::AssetError;
+use super::embedded_image::EmbeddedImage;
 use super::store::{Store, StoredFile};
 use crate::geometry::mesh::Mesh;
 
@@ -12,15 +13,6 @@ use crate::geometry::mesh::Mesh;
 pub(super) struct MeshFile {
     pub(super) mesh: Arc<Mesh>,
     pub(super) images: Arc<[EmbeddedImage]>,
-}
-
-/// An image inside a mesh file.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct EmbeddedImage {
-    /// Its name in the materials of the mesh: `#`, its number in the file, and `.png` or `.jpg`.
-    pub name: String,
-    /// The bytes of the PNG or JPEG file.
-    pub bytes: Vec<u8>,
 }
 
 /// The extensions of files that can be read.
@@ -52,7 +44,7 @@ pub(super) fn read(store: &Store, found: &StoredFile) -> Result<MeshFile, AssetE
     let bytes = store.read(found, u64::MAX)?;
     let mut beside = |name: &str| store.read(&store.beside(found, name)?, u64::MAX).ok();
     let (mesh, images) = parsed(found.path(), &bytes, &mut beside)?;
-    let mesh = super::image_names::with_names_from_root(mesh, store, found);
+    let mesh = super::image_paths::with_names_from_root(mesh, store, found);
     Ok(MeshFile { mesh: Arc::new(mesh), images: images.into() })
 }
 

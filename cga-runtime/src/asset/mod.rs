@@ -1,11 +1,12 @@
 //! Assets: meshes that the program registers, and files of a folder or a source that it sets.
 
+mod embedded_image;
 mod error;
 mod file;
 mod folder;
 pub(crate) mod image;
 #[cfg(any(feature = "obj", feature = "gltf"))]
-mod image_names;
+mod image_paths;
 mod mesh_file;
 #[cfg(any(feature = "obj", feature = "gltf"))]
 mod names;
@@ -25,9 +26,9 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
+pub use embedded_image::EmbeddedImage;
 pub use error::AssetError;
 pub use file::File;
-pub use mesh_file::EmbeddedImage;
 pub(crate) use search::Query;
 pub use source::AssetSource;
 

@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::Components;
 use super::found_tags::TagQueries;
-use super::roof::Roof;
+use super::roof::RoofMesh;
 use super::select::{RoofEdge, Sense, Subcomponent, Word};
 use super::uv_edges::UvEdges;
 use crate::comp::orientation::Orientation;
@@ -36,7 +36,7 @@ pub(super) struct MeshParts {
     holes: Vec<[u32; 2]>,
     /// True for each point at the end of a border edge.
     border: OnceCell<Vec<bool>>,
-    roof: OnceCell<Roof>,
+    roof: OnceCell<RoofMesh>,
     /// The set of texture coordinates that selectors mean.
     pub(super) uv_set: usize,
     uvs: OnceCell<UvEdges>,
@@ -198,7 +198,7 @@ impl MeshParts {
                 }
                 Sense::Border(border) => self.at_border(kind, index) == border,
                 Sense::Roof(edge) => {
-                    let roof = || Roof::new(&self.mesh, &self.normals, looks.inwards);
+                    let roof = || RoofMesh::new(&self.mesh, &self.normals, looks.inwards);
                     kind == Components::Edges && self.roof.get_or_init(roof).edge(index) == Some(edge)
                 }
             }

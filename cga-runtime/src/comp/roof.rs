@@ -14,7 +14,7 @@ use crate::geometry::tol::UP_EPSILON;
 
 /// A mesh as a roof.
 #[derive(Debug)]
-pub(super) struct Roof {
+pub(super) struct RoofMesh {
     mesh: Arc<Mesh>,
     /// The outward normals of the faces.
     normals: Vec<DVec3>,
@@ -24,12 +24,12 @@ pub(super) struct Roof {
     eaves: Vec<bool>,
 }
 
-impl Roof {
+impl RoofMesh {
     /// A roof with the normals of the faces, and true if these look inwards.
     pub(super) fn new(mesh: &Arc<Mesh>, normals: &[DVec3], inwards: bool) -> Self {
         let sense = if inwards { -1.0 } else { 1.0 };
         let normals = normals.iter().map(|normal| normal * sense).collect();
-        let mut roof = Roof { mesh: mesh.clone(), normals, sense, eaves: vec![false; mesh.points().len()] };
+        let mut roof = RoofMesh { mesh: mesh.clone(), normals, sense, eaves: vec![false; mesh.points().len()] };
         for edge in 0..mesh.adjacency().edge_count() {
             if matches!(roof.faces(edge), (Some(_), None)) && roof.is_level(edge) {
                 roof.ends(edge).into_iter().for_each(|point| roof.eaves[point] = true);

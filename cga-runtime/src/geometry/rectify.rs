@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::cleanup::{Parts, cleanup};
 use super::disjoint::DisjointSets;
-use super::mesh::Mesh;
+use super::mesh::{Mesh, unit};
 use super::tol::{COPLANAR_EPSILON, EDGE_EPSILON, UP_EPSILON};
 
 /// The order in which axes are compared. Of equal ones the first counts.
@@ -47,8 +47,14 @@ pub(crate) fn rectify(mesh: &Mesh, limit: f64) -> Result<Option<Mesh>, Collapsed
         }
     }
     let rectified = Mesh { points: moved, ..mesh.with_points(points) };
+    if let Some(face) = lost_crossing(mesh, &rectified, &normals) {
+        return Err(Collapsed { face });
+    }
     let rectified = without_lost_holes(mesh, rectified, &normals, up)?;
-    let cleaned = cleanup(&rectified, Parts::default(), 0.0).unwrap_or(rectified);
+    let cleaned = cleanup(&rectified, Parts::default(), 0.0).unwrap_or_else(|| rectified.clone());
+    if cleaned.is_empty() {
+        return Err(Collapsed { face: 0 });
+    }
     let places = cleaned.points.iter().map(|&point| (point + low) / scale).collect();
     Ok(Some(cleaned.with_points(places)))
 }
@@ -83,6 +89,29 @@ fn align(mesh: &Mesh, points: &[DVec3], moved: &mut [DVec3], axis: usize, across
             point[across] = sum / length;
         }
     }
+}
+
+/// The first face that crosses itself, so that its parts cancel and it has no direction, and whose corners are on a line now.
+fn lost_crossing(before: &Mesh, moved: &Mesh, normals: &[DVec3]) -> Option<usize> {
+    let is_flat = |points: &[DVec3], corners: &[u32]| {
+        let at = |corner: &u32| points[*corner as usize];
+        let from = at(&corners[0]);
+        let far = |from: DVec3| {
+            let farther =
+                |best: DVec3, next: DVec3| if from.distance(best) < from.distance(next) { next } else { best };
+            corners.iter().map(at).fold(from, farther)
+        };
+        let start = far(from);
+        let along = unit(far(start) - start);
+        corners.iter().all(|corner| (at(corner) - start).cross(along).length() <= COPLANAR_EPSILON)
+    };
+    let scale = before.bounds().scale_to_one();
+    let places: Vec<DVec3> = before.points.iter().map(|&point| point * scale).collect();
+    let is_lost = |face: &usize| {
+        let corners = &before.corners[before.face_corners(*face)];
+        normals[*face] == DVec3::ZERO && !is_flat(&places, corners) && is_flat(&moved.points, corners)
+    };
+    (0..before.face_count()).find(is_lost)
 }
 
 /// The mesh without holes that have vanished or turned over.

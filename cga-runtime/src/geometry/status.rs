@@ -17,7 +17,7 @@ pub(super) fn is_below(a: DVec2, b: DVec2) -> bool {
 
 /// An entry in the tree. Links are indices, or [`NONE`].
 #[derive(Clone, Copy)]
-struct TreeNode {
+struct StatusNode {
     parent: u32,
     /// The subtrees of entries to the left and to the right.
     children: [u32; 2],
@@ -32,7 +32,7 @@ pub(super) const RIGHT: usize = 1;
 
 /// Entries in order, by number.
 pub(super) struct Status {
-    nodes: Vec<TreeNode>,
+    nodes: Vec<StatusNode>,
     root: u32,
 }
 
@@ -75,7 +75,7 @@ impl Status {
             None if self.root == NONE => (NONE, LEFT),
             None => (self.outermost(self.root, LEFT), LEFT),
         };
-        self.nodes.push(TreeNode { parent, children: [NONE; 2], height: 1, edge });
+        self.nodes.push(StatusNode { parent, children: [NONE; 2], height: 1, edge });
         if parent == NONE {
             self.root = new;
         } else {
@@ -93,7 +93,7 @@ impl Status {
 
     /// The next entry on one side of an entry.
     pub(super) fn beside(&self, entry: u32, side: usize) -> Option<u32> {
-        let TreeNode { mut parent, children, .. } = self.nodes[entry as usize];
+        let StatusNode { mut parent, children, .. } = self.nodes[entry as usize];
         if children[side] != NONE {
             return Some(self.outermost(children[side], 1 - side));
         }
@@ -106,7 +106,7 @@ impl Status {
 
     /// Removes an entry.
     pub(super) fn remove(&mut self, entry: u32) {
-        let TreeNode { parent, children, height, .. } = self.nodes[entry as usize];
+        let StatusNode { parent, children, height, .. } = self.nodes[entry as usize];
         let [left, right] = children;
         if left == NONE || right == NONE {
             let child = if left == NONE { right } else { left };
@@ -119,7 +119,7 @@ impl Status {
         let lowest = if next == right {
             next
         } else {
-            let TreeNode { parent: above, children: [_, below], .. } = self.nodes[next as usize];
+            let StatusNode { parent: above, children: [_, below], .. } = self.nodes[next as usize];
             self.adopt(above, LEFT, below);
             self.adopt(next, RIGHT, right);
             above
@@ -185,7 +185,7 @@ impl Status {
             } else {
                 self.nodes[at as usize].height = 1 + left.max(right);
             }
-            let TreeNode { parent, height, .. } = self.nodes[at as usize];
+            let StatusNode { parent, height, .. } = self.nodes[at as usize];
             if height == old {
                 return;
             }
@@ -195,7 +195,7 @@ impl Status {
 
     /// Lifts the child on one side above its parent. Returns the child.
     fn rotate(&mut self, at: u32, side: usize) -> u32 {
-        let TreeNode { parent, children, .. } = self.nodes[at as usize];
+        let StatusNode { parent, children, .. } = self.nodes[at as usize];
         let child = children[side];
         self.replace(parent, at, child);
         self.adopt(at, side, self.nodes[child as usize].children[1 - side]);

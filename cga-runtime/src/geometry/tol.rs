@@ -94,5 +94,8 @@ pub(crate) const FLAT_EPSILON: f64 = 1e-6;
 /// The angle below which directions are equal for a cleanup without a tolerance, for the same reason.
 pub(crate) const FLAT_ANGLE_EPSILON: f64 = 1e-4;
 
+/// Lengths and angles within this share of the tolerance of a cleanup are equal to it.
+pub(crate) const AT_LIMIT_EPSILON: f64 = 1e-9;
+
 /// Texture coordinates that differ by at most this, relative to their size and to 1, are equal for a cleanup.
 pub(crate) const TEXTURE_EPSILON: f64 = 1e-6;

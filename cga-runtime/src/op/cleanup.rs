@@ -1,6 +1,7 @@
 //! `cleanupGeometry`: merges parts that are nearly the same.
 
 use super::reshaped::put_reshaped;
+use crate::fault::FaultKind;
 use crate::geometry::cleanup::{Parts, cleanup};
 use crate::run::env::Env;
 use crate::shape::{Geometry, Shape};
@@ -19,8 +20,8 @@ pub enum CleanupComponents {
 }
 
 /// `cleanupGeometry(components, tolerance)` (*cleanupGeometry operation*). With the tolerance 0 only parts go that change nothing
-/// except for rounding. With the tolerance `t` vertices within `t` metres are one, edges and normals within `10 t` degrees are
-/// collinear and coplanar if nothing moves by more than `t` metres, and faces of up to `t` square metres go. Values outside 0 to 1
+/// except for rounding. With the tolerance `t` vertices less than `t` metres apart are one, edges and normals less than `10 t` degrees
+/// apart are collinear and coplanar if nothing moves by `t` metres, and faces below `t` square metres go. Values outside 0 to 1
 /// count as the nearest of them.
 ///
 /// A vertex becomes the first one near it, except where that would turn a face over. Edges stay if they have tags, if their faces
@@ -29,7 +30,7 @@ pub enum CleanupComponents {
 ///
 /// A closed mesh stays closed: a face that closes it stays however small it is, and of two opposite faces inside a solid both go.
 /// Otherwise one of doubled or opposite faces stays. The scope is fitted to the geometry. If nothing is left, the shape has no
-/// geometry.
+/// geometry. A closed mesh with an area that is not small stays instead, with a fault.
 pub fn cleanup_geometry(env: &mut Env, shape: &mut Shape, components: CleanupComponents, tolerance: f64) {
     let tolerance = env.finite(tolerance, "the tolerance of `cleanupGeometry`").clamp(0.0, 1.0);
     let parts = |one: CleanupComponents| components == one || components == CleanupComponents::All;
@@ -45,7 +46,14 @@ pub fn cleanup_geometry(env: &mut Env, shape: &mut Shape, components: CleanupCom
     if env.count_vertices(&mesh).is_continue()
         && let Some(made) = cleanup(&mesh, parts, tolerance)
     {
-        put_reshaped(shape, made);
+        if made.is_empty() && mesh.is_closed() && tolerance <= mesh.area() {
+            env.fault(
+                FaultKind::Geometry,
+                "`cleanupGeometry`: no face would be left; the shape stays as it is".to_owned(),
+            );
+        } else {
+            put_reshaped(shape, made);
+        }
     }
 }
 
@@ -102,7 +110,7 @@ mod tests {
             assert_eq!((counts(&shape), shape.scope), (expected, scope), "{components:?}");
         }
         // Values out of range are the nearest ones; NaN is 0, with a fault.
-        for (tolerance, faults) in [(-1.0, 0), (f64::NAN, 1), (f64::INFINITY, 1), (7.0, 0)] {
+        for (tolerance, faults) in [(-1.0, 0), (f64::NAN, 1), (f64::INFINITY, 1), (f64::NEG_INFINITY, 1), (7.0, 0)] {
             let mut shape = Shape::mesh_axis_aligned(block());
             cleanup_geometry(env, &mut shape, CleanupComponents::All, tolerance);
             assert_eq!((counts(&shape), env.take_faults().0.len()), ([6, 8], faults), "{tolerance}");
@@ -130,10 +138,52 @@ mod tests {
         assert_eq!(counts(&wide), [2, 8]);
         cleanup_geometry(env, &mut wide, CleanupComponents::Faces, 0.25);
         assert_eq!((counts(&wide), wide.scope.size.x), ([1, 4], 8.0));
-        // Nothing is left.
+        // Nothing is left. A strip as wide as the tolerance would stay.
+        cleanup_geometry(env, &mut wide, CleanupComponents::Vertices, 1.0);
+        assert_eq!(counts(&wide), [1, 4]);
+        wide.scope.size.z *= 0.999;
         cleanup_geometry(env, &mut wide, CleanupComponents::Vertices, 1.0);
         assert_eq!(counts(&wide), [0, 0]);
         assert!(env.take_faults().0.is_empty());
+    }
+
+    /// Merged points leave nothing of thin parts, and so do pairs of faces without an area.
+    #[test]
+    fn closed_geometry_with_an_area_is_not_lost() {
+        let env = &mut Env::for_tests();
+        let pair = |corners: &[[f64; 2]]| {
+            let mut builder = MeshBuilder::new();
+            let front: Vec<u32> = corners.iter().map(|[x, z]| builder.point([*x, 0.0, *z])).collect();
+            builder.face(&front, &[], FaceTag::PLAIN);
+            builder.face(&front.iter().rev().copied().collect::<Vec<_>>(), &[], FaceTag::PLAIN);
+            Shape::mesh_axis_aligned(builder.build().unwrap())
+        };
+        let strip = pair(&[[0.0, 0.0], [40.0, 0.0], [40.0, 0.05], [0.0, 0.05]]);
+        let line = pair(&[[0.0, 0.0], [4.0, 0.0], [1.0, 0.0]]);
+        let beam = Shape::cuboid(40.0, 0.05, 0.05);
+        let words =
+            [CleanupComponents::Vertices, CleanupComponents::Edges, CleanupComponents::Faces, CleanupComponents::All];
+        let mut faults = [0; 3];
+        for (count, shape) in faults.iter_mut().zip([strip, line, beam]) {
+            for (words, tolerance) in words.into_iter().flat_map(|words| [0.0, 0.1, 1.0].map(|t| (words, t))) {
+                let mut made = shape.clone();
+                cleanup_geometry(env, &mut made, words, tolerance);
+                let found = env.take_faults().0;
+                let is_small = shape.to_mesh().area() < tolerance;
+                assert!(made.geometry.has_surface() || is_small, "{words:?} {tolerance}");
+                if !found.is_empty() {
+                    let message = "`cleanupGeometry`: no face would be left; the shape stays as it is";
+                    assert!(found.len() == 1 && found[0].message == message && !is_small);
+                    assert_eq!((made.scope, made.to_mesh().corners()), (shape.scope, shape.to_mesh().corners()));
+                    *count += 1;
+                }
+            }
+        }
+        assert_eq!(faults, [8, 4, 8]);
+        // A tile below the tolerance is a small face, also if it has two sides.
+        let mut tile = pair(&[[0.0, 0.0], [0.3, 0.0], [0.3, 0.3]]);
+        cleanup_geometry(env, &mut tile, CleanupComponents::All, 0.5);
+        assert!(matches!(tile.geometry, Geometry::Empty) && env.take_faults().0.is_empty());
     }
 
     /// Opposite faces may be divided differently. Then they go when the edges between their parts are gone.

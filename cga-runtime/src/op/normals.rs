@@ -111,6 +111,24 @@ mod tests {
     }
 
     #[test]
+    fn angles_that_are_no_number_are_none() {
+        let env = &mut Env::for_tests();
+        for (angle, faults, is_soft) in [
+            (f64::NAN, 1, false),
+            (f64::INFINITY, 1, false),
+            (f64::NEG_INFINITY, 1, false),
+            (-30.0, 0, false),
+            (1e300, 0, true),
+        ] {
+            let mut shape = prism();
+            soften_normals(env, &mut shape, angle);
+            let found = (env.take_faults().0.len(), !shape.to_mesh().normals().is_empty());
+            assert_eq!(found, (faults, is_soft), "{angle}");
+            assert_eq!(shape.to_mesh().points(), prism().to_mesh().points());
+        }
+    }
+
+    #[test]
     fn angles_are_those_of_the_stretched_shape() {
         let env = &mut Env::for_tests();
         let mut shape = prism();

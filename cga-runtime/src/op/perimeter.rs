@@ -43,7 +43,7 @@ pub fn perimeter_of(
 
 /// An edge of the chain that is divided.
 #[derive(Clone, Copy, Debug)]
-struct Link {
+struct ChainEdge {
     corner: usize,
     /// Where it begins and ends along the chain, in metres.
     start: f64,
@@ -89,7 +89,7 @@ fn along(
 }
 
 /// The selected edges, from the one with an index on. Indices wrap.
-fn chain(mesh: &Mesh, first: f64, is_selected: impl Fn(usize) -> bool) -> Vec<Link> {
+fn chain(mesh: &Mesh, first: f64, is_selected: impl Fn(usize) -> bool) -> Vec<ChainEdge> {
     let edges: Vec<[usize; 2]> = mesh.faces().flat_map(|face| face.edges()).collect();
     let at = |corner: usize| mesh.points()[mesh.corners()[corner] as usize];
     let from = if edges.is_empty() { 0 } else { first.floor().rem_euclid(edges.len() as f64) as usize % edges.len() };
@@ -97,7 +97,7 @@ fn chain(mesh: &Mesh, first: f64, is_selected: impl Fn(usize) -> bool) -> Vec<Li
     let links = edges[from..].iter().chain(&edges[..from]).filter(|edge| is_selected(edge[0])).map(|&[a, b]| {
         let start = end;
         end += at(a).distance(at(b));
-        Link { corner: a, start, end }
+        ChainEdge { corner: a, start, end }
     });
     links.collect()
 }
@@ -110,7 +110,7 @@ struct Pieces {
 }
 
 /// The pieces of each edge, by corner. The sections begin at an offset along the chain and wrap at its end.
-fn pieces(mesh: &Mesh, links: &[Link], sections: &[Section], offset: f64, length: f64) -> Vec<Pieces> {
+fn pieces(mesh: &Mesh, links: &[ChainEdge], sections: &[Section], offset: f64, length: f64) -> Vec<Pieces> {
     let mut pieces = vec![Pieces { cuts: Vec::new(), sections: vec![None] }; mesh.corners().len()];
     let near = TIE_EPSILON * length;
     let mut ends: Vec<f64> = sections.iter().flat_map(|section| [section.start, section.end]).collect();

@@ -68,7 +68,10 @@ mod tests {
         let mut shape = Shape::rectangle(3.0, 2.0);
         rectify(env, &mut shape, 45.0);
         assert!(matches!(shape.geometry, Geometry::Rect(..)));
-        rectify(env, &mut flat, f64::NAN);
-        assert_eq!(env.take_faults().0.len(), 1);
+        for (angle, faults) in [(f64::NAN, 1), (f64::INFINITY, 1), (f64::NEG_INFINITY, 1), (-20.0, 0)] {
+            rectify(env, &mut flat, angle);
+            assert_eq!((flat.scope, flat.to_mesh().points()), (before.0, before.1.as_slice()));
+            assert_eq!(env.take_faults().0.len(), faults, "{angle}");
+        }
     }
 }

@@ -48,8 +48,12 @@ mod tests {
             assert!(shape.found_tags(None, op::TaggedComponents::All).next().is_none());
             assert!((mesh.bounds().size() - shape.scope.size).abs().max_element() < 1e-12);
         }
-        reduce_geometry(env, &mut ball, f64::NAN);
-        assert_eq!((ball.to_mesh().points().len(), env.take_faults().0.len()), (before, 1));
+        for share in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            reduce_geometry(env, &mut ball, share);
+            assert_eq!((ball.to_mesh().points().len(), env.take_faults().0.len()), (before, 1), "{share}");
+        }
+        reduce_geometry(env, &mut ball.clone(), 7.0);
+        assert!(env.take_faults().0.is_empty());
         let mut line = Shape::rectangle(1.0, 2.0);
         reduce_geometry(env, &mut line, 0.25);
         assert_eq!((line.to_mesh().points().len(), line.to_mesh().face_count()), (3, 1));

@@ -22,7 +22,7 @@ use self::replayed::{Marks, Replayed};
 use self::submesh::SubmeshStart;
 use self::uvs::UvLists;
 use super::error::WriteError;
-use super::flatten::{FlatFace, Flattener};
+use super::flatten::{Flattener, PlacedFace};
 use super::normals;
 use super::numbers::Numbers;
 use super::room::Room;
@@ -325,7 +325,7 @@ impl Buffers {
     /// Adds triangles of a face of a leaf with a rule and a material; see [`Triangles::face`].
     fn face(
         &mut self,
-        face: &FlatFace<'_>,
+        face: &PlacedFace<'_>,
         (rule, material): (u32, u32),
         corners: impl Iterator<Item = usize> + Clone,
         triangles: &[[u32; 3]],

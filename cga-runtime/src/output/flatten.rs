@@ -19,7 +19,7 @@ pub(crate) struct Flattener {
 }
 
 /// A face, placed in the world.
-pub(crate) struct FlatFace<'a> {
+pub(crate) struct PlacedFace<'a> {
     pub(crate) mesh: &'a Mesh,
     placement: &'a DAffine3,
     /// The map of normals to the world.
@@ -36,7 +36,7 @@ pub(crate) struct FlatFace<'a> {
 
 impl Flattener {
     /// Passes the faces of a mesh to `each` in order, until it returns false.
-    pub(crate) fn faces(&mut self, mesh: &Mesh, placement: &DAffine3, mut each: impl FnMut(FlatFace<'_>) -> bool) {
+    pub(crate) fn faces(&mut self, mesh: &Mesh, placement: &DAffine3, mut each: impl FnMut(PlacedFace<'_>) -> bool) {
         let turn = normal_map(&placement.matrix3);
         for face in mesh.faces() {
             let (index, corners) = (face.index(), face.corner_range());
@@ -46,14 +46,14 @@ impl Flattener {
                 *corner -= corners.start as u32;
             }
             let normal = unit(turn * face.area_vector());
-            if !each(FlatFace { mesh, placement, turn, index, corners, triangles: &self.triangles, normal }) {
+            if !each(PlacedFace { mesh, placement, turn, index, corners, triangles: &self.triangles, normal }) {
                 return;
             }
         }
     }
 }
 
-impl FlatFace<'_> {
+impl PlacedFace<'_> {
     /// The point of a corner, in the world.
     #[inline]
     pub(crate) fn point(&self, corner: usize) -> DVec3 {

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4, Vec4};
 
-use super::flatten::FlatFace;
+use super::flatten::PlacedFace;
 use super::room::Room;
 use crate::run::sink::corners::PlacedBox;
 use crate::shape::unit::UnitMesh;
@@ -49,7 +49,7 @@ impl Triangles {
     /// Adds triangles of a face, relative to an origin. `corners` become their vertices.
     pub(super) fn face(
         &mut self,
-        face: &FlatFace<'_>,
+        face: &PlacedFace<'_>,
         origin: DVec3,
         corners: impl Iterator<Item = usize>,
         triangles: &[[u32; 3]],

@@ -25,7 +25,7 @@ pub struct Cx<'r, C> {
     /// The part of the state that does not depend on the sink.
     pub env: &'r mut Env,
     pub(crate) sink: &'r mut dyn Sink,
-    pub(crate) waiting: VecDeque<Waiting<C>>,
+    pub(crate) waiting: VecDeque<WaitingCall<C>>,
     /// The part of [`STACK`] that direct calls use at present.
     pub(crate) stack: u32,
     /// The nesting of recursive rules.
@@ -50,7 +50,7 @@ pub struct MaterialCx<'r> {
 }
 
 #[derive(Debug)]
-pub(crate) struct Waiting<C> {
+pub(crate) struct WaitingCall<C> {
     pub(super) shape: Shape,
     pub(super) call: C,
     pub(super) depth: u32,
@@ -104,7 +104,7 @@ impl<C> Cx<'_, C> {
             return self.env.limit(LimitKind::Waiting, self.env.settings.limits.waiting);
         }
         let trail = self.env.keep_trail();
-        self.waiting.push_back(Waiting { shape: self.env.whole(shape), call, depth, stack, trail });
+        self.waiting.push_back(WaitingCall { shape: self.env.whole(shape), call, depth, stack, trail });
         Flow::Continue(())
     }
 

@@ -18,14 +18,14 @@ use crate::shape::{Geometry, Shape};
 const MORE_STACK: u32 = 128;
 
 /// A sink that keeps leaves as whole shapes.
-struct Leaves {
+struct OperandLeaves {
     list: Vec<Shape>,
     /// The number of leaves that may be kept.
     most: u64,
     is_full: bool,
 }
 
-impl Leaves {
+impl OperandLeaves {
     fn add(&mut self, shape: Shape) -> Flow {
         if matches!(shape.geometry, Geometry::Empty) {
             return Flow::Continue(());
@@ -39,7 +39,7 @@ impl Leaves {
     }
 }
 
-impl Sink for Leaves {
+impl Sink for OperandLeaves {
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
         self.add(leaf.whole())
     }
@@ -68,7 +68,7 @@ pub fn operand<G, C>(
     resume: ResumeFn<G, C>,
 ) -> ControlFlow<(), Vec<Shape>> {
     let most = cx.env.settings.limits.waiting;
-    let mut leaves = Leaves { list: Vec::new(), most, is_full: false };
+    let mut leaves = OperandLeaves { list: Vec::new(), most, is_full: false };
     let (filled, others) = (cx.env.filled, cx.env.leaves);
     let mut inner = Cx {
         env: cx.env,

@@ -94,7 +94,7 @@ impl Tile {
 
 /// A point of a poly-line that runs beside another one.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Trace {
+pub(super) struct SidePoint {
     pub(super) point: Point,
     pub(super) height: f64,
     /// The position along both poly-lines: points with equal keys are beside each other.
@@ -114,7 +114,7 @@ const SAME_KEY: f64 = 1e-6;
 /// The cells between two poly-lines side by side: `inner` and, on its right, `outer`. The distance along is counted
 /// backwards, so that the cells are not mirrored: it is 0 at the last point of `inner`. `None` if a cell would be turned
 /// over or not be convex.
-pub(super) fn strip(inner: &[Trace], outer: &[Trace], width: f64) -> Option<SideStrip> {
+pub(super) fn strip(inner: &[SidePoint], outer: &[SidePoint], width: f64) -> Option<SideStrip> {
     let mut length = 0.0;
     let mut left = vec![0.0; inner.len()];
     for at in (1..inner.len()).rev() {

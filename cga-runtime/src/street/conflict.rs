@@ -1,7 +1,7 @@
 //! Finds overlaps of roadways and assigns these parts to junctions.
 
 use super::grid::{Point, is_sliver};
-use super::pieces::{Draft, Plot, StreetPieces};
+use super::pieces::{JunctionDraft, Plot, StreetPieces};
 use super::subdivision::Subdivision;
 use super::{MOST_CROSSINGS, StreetError};
 
@@ -14,7 +14,7 @@ const MARGIN: f64 = 1e-5;
 /// The pieces of a plan after its overlaps between free roadways are resolved. Overlaps that are left after `attempts`
 /// belong to the first of their streets. So the parts of a network never overlap, but such a street may have texture
 /// coordinates that do not reach 0 or 1.
-pub(super) fn resolve(plan: &mut Draft, attempts: usize) -> Result<StreetPieces, StreetError> {
+pub(super) fn resolve(plan: &mut JunctionDraft, attempts: usize) -> Result<StreetPieces, StreetError> {
     for _ in 0..attempts {
         let pieces = plan.pieces();
         let roads: Vec<usize> =
@@ -55,7 +55,7 @@ pub(super) fn resolve(plan: &mut Draft, attempts: usize) -> Result<StreetPieces,
 }
 
 /// The distances along a chain that a ring in one of its segments covers.
-fn extent(plan: &Draft, chain: usize, segment: usize, ring: &[Point]) -> [f64; 2] {
+fn extent(plan: &JunctionDraft, chain: usize, segment: usize, ring: &[Point]) -> [f64; 2] {
     let chain = &plan.chains[chain];
     let (from, along) = (chain.place(segment), chain.direction(segment));
     let distances = ring.iter().map(|point| chain.along[segment] + (point.place() - from).dot(along));

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec2;
 
-use super::cell::{SideStrip, Trace, strip};
+use super::cell::{SidePoint, SideStrip, strip};
 use super::chain::{ChainNode, Polyline, turn};
 use super::grid::{Point, are_apart, orient, twice_area};
 use super::section::{CrossSection, Station};
@@ -141,7 +141,7 @@ pub(super) fn layout(node: &ChainNode, chains: &[Polyline], radius: f64) -> Opti
         let ends = [&sections[at], &sections[next]];
         let line = |meeting: &Meeting, border: usize| {
             let [from, to] = [(ends[0], a, border), (ends[1], b, 3 - border)];
-            let mut line: Vec<Trace> = trace(from, chains, meeting.along[0]).collect();
+            let mut line: Vec<SidePoint> = trace(from, chains, meeting.along[0]).collect();
             line.reverse();
             line.iter_mut().for_each(|trace| trace.key = (0, -trace.key.1));
             line.extend(arc(&meeting.points, node.point.z));
@@ -183,11 +183,11 @@ fn trace(
     (end, arm, border): (&CrossSection, &Leg, usize),
     chains: &[Polyline],
     from: f64,
-) -> impl Iterator<Item = Trace> {
+) -> impl Iterator<Item = SidePoint> {
     let to = end.along_arm(arm);
     let between = move |at: &usize| from + 1e-6 < arm.chain.along[*at] && arm.chain.along[*at] < to - 1e-6;
     let inner = (1..arm.chain.len()).filter(between).map(|at| arm.section(chains, Station::Vertex(at)));
-    inner.chain([*end]).map(move |section| Trace {
+    inner.chain([*end]).map(move |section| SidePoint {
         point: section.borders[border],
         height: section.height,
         key: (2, section.along_arm(arm)),
@@ -195,10 +195,10 @@ fn trace(
 }
 
 /// The points of an arc from its start to its end.
-fn arc(points: &[DVec2], height: f64) -> impl Iterator<Item = Trace> {
+fn arc(points: &[DVec2], height: f64) -> impl Iterator<Item = SidePoint> {
     let last = points.len().max(2) - 1;
     let key = move |at: usize| (1, at as f64 / last as f64);
-    points.iter().enumerate().map(move |(at, &place)| Trace { point: Point::near(place), height, key: key(at) })
+    points.iter().enumerate().map(move |(at, &place)| SidePoint { point: Point::near(place), height, key: key(at) })
 }
 
 /// Joins the left border of an arm with the right border of the next one.
@@ -327,7 +327,7 @@ pub(super) fn fans(node: &ChainNode, chains: &[Polyline]) -> JunctionLayout {
         let ends = [a.section(chains, Station::Vertex(0)), b.section(chains, Station::Vertex(0))];
         let line = |border: usize| {
             let [from, to] = [ends[0].borders[border], ends[1].borders[3 - border]];
-            let mut line: Vec<Trace> =
+            let mut line: Vec<SidePoint> =
                 arc(&fan(node.point.truncate(), from.place(), to.place()), node.point.z).collect();
             // The ends must be exactly those of the arms.
             let last = line.len() - 1;
@@ -336,7 +336,7 @@ pub(super) fn fans(node: &ChainNode, chains: &[Polyline]) -> JunctionLayout {
             line
         };
         let (kerb, width) = (line(1), a.chain.widths.left.max(b.chain.widths.right));
-        let triangle = |edge: &[Trace]| vec![centre, edge[0].point, edge[1].point];
+        let triangle = |edge: &[SidePoint]| vec![centre, edge[0].point, edge[1].point];
         layout.roadway.extend(kerb.windows(2).map(triangle).filter(|ring| 0 < twice_area(ring)));
         layout.corners.extend(strip(&kerb, &line(0), width).filter(|_| 0.0 < width));
     }

@@ -158,7 +158,7 @@ impl Network {
         input::check(lines, options)?;
         let graph = graph::Graph::new(lines, options)?;
         let (chains, nodes) = chain::chains(&graph, lines, options);
-        let mut plan = pieces::Draft::new(chains, nodes, options.corner_radius);
+        let mut plan = pieces::JunctionDraft::new(chains, nodes, options.corner_radius);
         let pieces = conflict::resolve(&mut plan, attempts)?;
         Ok(Network { parts: parts::parts(&plan, &pieces)? })
     }

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::grid::{GridMap, Point, is_sliver, twice_area, winding};
 use super::mesh::{StreetFace, mesh};
-use super::pieces::{Chart, Draft, Plot, StreetPieces};
+use super::pieces::{Chart, JunctionDraft, Plot, StreetPieces};
 use super::subdivision::{NONE, Subdivision};
 use super::{Kind, MOST_CROSSINGS, NetworkPart, Side, StreetError};
 use crate::geometry::disjoint::DisjointSets;
@@ -13,7 +13,7 @@ use crate::geometry::disjoint::DisjointSets;
 const STRAIGHT_ON: f64 = 30.0;
 
 /// The parts of a network.
-pub(super) fn parts(plan: &Draft, pieces: &StreetPieces) -> Result<Vec<NetworkPart>, StreetError> {
+pub(super) fn parts(plan: &JunctionDraft, pieces: &StreetPieces) -> Result<Vec<NetworkPart>, StreetError> {
     let rings: Vec<Vec<Point>> = pieces.list.iter().map(Plot::ring).collect();
     let faces = Subdivision::new(&rings, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
     let owners = owners(pieces, &faces);
@@ -91,7 +91,7 @@ fn is_junction(piece: &Plot) -> bool {
 }
 
 /// For each junction the directions of its streets, away from it.
-fn arms(owners: &[u32], plan: &Draft, pieces: &StreetPieces, faces: &Subdivision) -> GridMap<u32, Vec<DVec2>> {
+fn arms(owners: &[u32], plan: &JunctionDraft, pieces: &StreetPieces, faces: &Subdivision) -> GridMap<u32, Vec<DVec2>> {
     let mut found: Vec<(u32, u32, bool)> = Vec::new();
     for half in 0..faces.cycle.len() {
         let [here, there] = [half, half ^ 1].map(|half| owners[faces.cycle[half] as usize]);

@@ -51,7 +51,7 @@ pub(super) struct StreetPieces {
 }
 
 /// The extents of the junctions of a network: chains, nodes, and the results of earlier attempts.
-pub(super) struct Draft {
+pub(super) struct JunctionDraft {
     pub(super) chains: Vec<Polyline>,
     pub(super) nodes: Vec<ChainNode>,
     /// By node: 0 for rounded kerbs, 1 for sharp ones, 2 for arms that do not fit and overlap.
@@ -67,10 +67,16 @@ const OVERLAID: u8 = 2;
 /// A piece of roadway between two junctions belongs to them if it is shorter than this share of its width.
 const LEAST_STREET: f64 = 0.5;
 
-impl Draft {
+impl JunctionDraft {
     pub(super) fn new(chains: Vec<Polyline>, nodes: Vec<ChainNode>, radius: f64) -> Self {
         let level = |node: &ChainNode| if node.is_bend { OVERLAID } else { u8::from(radius == 0.0) };
-        Draft { levels: nodes.iter().map(level).collect(), cuts: vec![Vec::new(); chains.len()], chains, nodes, radius }
+        JunctionDraft {
+            levels: nodes.iter().map(level).collect(),
+            cuts: vec![Vec::new(); chains.len()],
+            chains,
+            nodes,
+            radius,
+        }
     }
 
     /// Reduces the room of a junction, if possible. Returns whether it was possible.

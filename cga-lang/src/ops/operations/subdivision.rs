@@ -2,8 +2,8 @@
 
 use super::super::queries::SPACE;
 use super::super::{
-    Allowed, BS, Braces, Default, FS, Measure, Operation, Param, ParamBounds, ParamKind, Places, Str, Uses, bounds,
-    float, length, of, or, param, renamed, unknown, uv_set, within, word,
+    Allowed, BS, Braces, Default, FS, Measure, Operation, Param, ParamBounds, ParamKind, SelectorPlaces, Str, Uses,
+    bounds, float, length, of, or, param, renamed, unknown, uv_set, within, word,
 };
 use super::{block, divides, joins, old, op, recomposes, tagging};
 use crate::diag::code::Code;
@@ -129,14 +129,14 @@ pub(super) static ROWS: &[Operation] = &[
     sets_back(
         "setback",
         Uses::WHOLE,
-        block("setback", Braces::Arms(Places::SETBACK), &[DISTANCE, UV_SET], "sets edges back by a distance"),
+        block("setback", Braces::Arms(SelectorPlaces::SETBACK), &[DISTANCE, UV_SET], "sets edges back by a distance"),
     ),
     sets_back(
         "setback_each",
         Uses::WHOLE,
         block(
             "setback",
-            Braces::Arms(Places::SETBACK),
+            Braces::Arms(SelectorPlaces::SETBACK),
             &[of("distances", FS), UV_SET],
             "sets edges back, each face edge by a distance of its own",
         ),
@@ -146,7 +146,7 @@ pub(super) static ROWS: &[Operation] = &[
         Uses::WHOLE,
         block(
             "setbackPerEdge",
-            Braces::Arms(Places::SETBACK),
+            Braces::Arms(SelectorPlaces::SETBACK),
             &[EDGE_DISTANCE, UV_SET],
             "sets edges back by a distance that is computed on each",
         ),
@@ -154,19 +154,19 @@ pub(super) static ROWS: &[Operation] = &[
     sets_back(
         "setback_to_area",
         Uses::WHOLE,
-        block("setbackToArea", Braces::Arms(Places::SETBACK), &[AREA, UV_SET], TO_AREA),
+        block("setbackToArea", Braces::Arms(SelectorPlaces::SETBACK), &[AREA, UV_SET], TO_AREA),
     ),
     sets_back(
         "setback_to_area_from",
         Uses::WHOLE,
-        block("setbackToArea", Braces::Arms(Places::SETBACK), &[AREA, of("minDistances", FS), UV_SET], TO_AREA),
+        block("setbackToArea", Braces::Arms(SelectorPlaces::SETBACK), &[AREA, of("minDistances", FS), UV_SET], TO_AREA),
     ),
     sets_back(
         "setback_to_area_between",
         Uses::WHOLE,
         block(
             "setbackToArea",
-            Braces::Arms(Places::SETBACK),
+            Braces::Arms(SelectorPlaces::SETBACK),
             &[AREA, of("minDistances", FS), of("maxDistances", FS), UV_SET],
             TO_AREA,
         ),
@@ -176,7 +176,7 @@ pub(super) static ROWS: &[Operation] = &[
         Uses::WHOLE,
         block(
             "shapeL",
-            Braces::Arms(Places::SHAPE),
+            Braces::Arms(SelectorPlaces::SHAPE),
             &[float("frontWidth"), float("leftWidth")],
             "sets the front and left edges back and keeps the strip",
         ),
@@ -186,7 +186,7 @@ pub(super) static ROWS: &[Operation] = &[
         Uses::WHOLE,
         block(
             "shapeU",
-            Braces::Arms(Places::SHAPE),
+            Braces::Arms(SelectorPlaces::SHAPE),
             &[float("frontWidth"), float("rightWidth"), float("leftWidth")],
             "sets all but the back edges back and keeps the strip",
         ),
@@ -196,7 +196,7 @@ pub(super) static ROWS: &[Operation] = &[
         Uses::WHOLE,
         block(
             "shapeO",
-            Braces::Arms(Places::SHAPE),
+            Braces::Arms(SelectorPlaces::SHAPE),
             &[float("frontWidth"), float("rightWidth"), float("backWidth"), float("leftWidth")],
             "sets all edges back and keeps the strip",
         ),
@@ -206,7 +206,7 @@ pub(super) static ROWS: &[Operation] = &[
         Uses::WHOLE,
         block(
             "innerRectangle",
-            Braces::Arms(Places::SHAPE),
+            Braces::Arms(SelectorPlaces::SHAPE),
             &[ALIGNMENT],
             "cuts the largest rectangle out of each face",
         ),

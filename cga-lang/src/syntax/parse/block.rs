@@ -98,10 +98,11 @@ impl Parser<'_> {
         })
     }
 
-    /// Parses `count` sequences of operations, separated by `|`. A sequence that cannot be read is an error step.
+    /// Parses `count` sequences of operations, separated by `|`. A sequence that cannot be read is an error step, and so is one that
+    /// is left out: one sequence alone is the old form of boolean operations.
     fn operands(&mut self, name: &Name, count: usize) -> Parsed<Vec<Vec<Op>>> {
         let close = self.closing()?;
-        let list = self.between_bars(None, |parser| {
+        let mut list = self.between_bars(None, |parser| {
             let start = parser.at;
             Ok(parser.ops(false).unwrap_or_else(|Reported| {
                 parser.skip_to_bar(close);
@@ -114,6 +115,7 @@ impl Parser<'_> {
                 _ => format!("`{}` takes two sequences of operations, `{{ A | B }}`, got {}", name.text, list.len()),
             };
             self.syntax_over(close, name.span, message);
+            list.resize_with(count.max(list.len()), || vec![Op { kind: OpKind::Error, span: name.span }]);
         }
         Ok(list)
     }

@@ -1,4 +1,4 @@
-#[allow(non_snake_case, dead_code, clippy::all)]
+#[allow(non_snake_case, dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
 impl CgaRules {
     ///Lot --> shapeL(depth, 3) { shape : Wing(depth) | remainder = Court. }
     #[inline(never)]

@@ -1,4 +1,4 @@
-#[allow(non_snake_case, dead_code, clippy::all)]
+#[allow(non_snake_case, dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
 impl CgaRules {
     ///Lot --> set(a, [ a, 3 ]) t(total(a .* 2), case a [ [ 0, 1 ] ] == [ 1, 2 ] : 1 else : geometry.du(0, uvSpace), 0) roofHip(30)
     #[inline(never)]

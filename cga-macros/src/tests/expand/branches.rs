@@ -1,4 +1,4 @@
-#[allow(non_snake_case, dead_code, clippy::all)]
+#[allow(non_snake_case, dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
 impl CgaRules {
     ///Lot --> case height > 2 && p(0.5) : [ s('1, '2, 3) center(xz) NIL ] A.case height == 1 : 30 % : A. else : NIL else : set(height, 2) set(material.opacity, 0.5)
     #[inline(never)]

@@ -1,4 +1,4 @@
-#[allow(non_snake_case, dead_code, clippy::all)]
+#[allow(non_snake_case, dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
 impl CgaRules {
     ///Lot --> comp(f) { side : Wall. | 4 = Roof(comp.index) | all : NIL }
     #[inline(never)]

@@ -1,4 +1,4 @@
-#[allow(non_snake_case, dead_code, clippy::all)]
+#[allow(non_snake_case, dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
 impl CgaRules {
     ///A(n) --> case n > 1 : B(n) B(n - 1) else : NIL
     #[inline(never)]

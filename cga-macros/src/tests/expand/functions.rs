@@ -1,4 +1,4 @@
-#[allow(non_snake_case, dead_code, clippy::all)]
+#[allow(non_snake_case, dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
 impl CgaRules {
     ///Lot --> t(fac(3, 4), #…, crate::noise("a" + scope.sx, true)) crate::ops::arch(1, "x")
     #[inline(never)]

@@ -1,4 +1,4 @@
-#[allow(dead_code, clippy::all)]
+#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
 impl CgaValues {
     ///`a`, which may need itself: computed when it is first read.
     fn attr_1(g: &CgaValues, env: &mut cga_rt::Env) -> ::core::primitive::f64 {

@@ -1,4 +1,4 @@
-#[allow(non_snake_case, dead_code, clippy::all)]
+#[allow(non_snake_case, dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
 impl CgaRules {
     ///Lot --> modify(f) { top : NIL | side : split(y) { 1 : NIL | ~1 : t(0, 1, 0) X. } } House.
     #[inline(never)]

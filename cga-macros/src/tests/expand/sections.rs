@@ -1,4 +1,4 @@
-#[allow(non_snake_case, dead_code, clippy::all)]
+#[allow(non_snake_case, dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
 impl CgaRules {
     ///Lot --> splitAndSetbackPerimeter(6) { ~10 : depth + split.index : Wing(depth) | 3 : 0 : NIL }* { remainder = Court. }
     #[inline(never)]

@@ -5,7 +5,7 @@
 ///[`generate_all`](Self::generate_all) takes many shapes, and [`session`](Self::session) runs one after another.
 #[derive(::core::clone::Clone, ::core::fmt::Debug)]
 pub struct Tower {
-    /**The attribute `height`, default `24`.
+    /**The attribute `height`, default `24`, range 3 to 60.
 
 Height in metres.*/
     pub height: ::core::primitive::f64,

@@ -1,7 +1,7 @@
 //! Accessors: lists of numbers in the binary data.
 
 use super::GltfError;
-use super::document::{Document, View};
+use super::document::{BufferView, Document};
 use super::item::{Item, item};
 
 /// The greatest number of elements of an accessor whose elements are not in the file.
@@ -124,7 +124,7 @@ impl<'a, const N: usize> Accessor<'a, N> {
 /// The numbers of `count` elements from a byte of a view on.
 fn numbers<const N: usize>(
     item: &Item<'_>,
-    view: View<'_>,
+    view: BufferView<'_>,
     start: usize,
     component: ComponentType,
     count: usize,

@@ -3,7 +3,7 @@
 use super::GltfError;
 
 /// The parts of a file.
-pub(super) struct Parts<'a> {
+pub(super) struct FileParts<'a> {
     pub(super) json: &'a [u8],
     /// The binary chunk of a GLB file.
     pub(super) binary: Option<&'a [u8]>,
@@ -13,10 +13,10 @@ const JSON: u32 = u32::from_le_bytes(*b"JSON");
 const BINARY: u32 = u32::from_le_bytes(*b"BIN\0");
 
 /// Divides a file. Chunks of unknown kinds are skipped.
-pub(super) fn parts(bytes: &[u8]) -> Result<Parts<'_>, GltfError> {
+pub(super) fn parts(bytes: &[u8]) -> Result<FileParts<'_>, GltfError> {
     let Some(rest) = bytes.strip_prefix(b"glTF") else {
         // Other programs write a byte order mark.
-        return Ok(Parts { json: bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes), binary: None });
+        return Ok(FileParts { json: bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes), binary: None });
     };
     let early = || GltfError::Container("the file ends early");
     let (version, rest) = word(rest).ok_or_else(early)?;
@@ -25,7 +25,7 @@ pub(super) fn parts(bytes: &[u8]) -> Result<Parts<'_>, GltfError> {
     }
     let (length, _) = word(rest).ok_or_else(early)?;
     let mut rest = bytes.get(12..length as usize).ok_or_else(early)?;
-    let mut parts = Parts { json: &[], binary: None };
+    let mut parts = FileParts { json: &[], binary: None };
     let mut is_first = true;
     while !rest.is_empty() {
         let (length, after) = word(rest).ok_or_else(early)?;

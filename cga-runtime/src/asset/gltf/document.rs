@@ -10,7 +10,7 @@ use base64::engine::general_purpose::{GeneralPurpose, GeneralPurposeConfig};
 use serde_json::Value;
 
 use super::GltfError;
-use super::container::{self, Parts};
+use super::container::{self, FileParts};
 use super::item::{Item, item, items};
 
 /// The JSON text of a file, and the data of its buffers.
@@ -23,7 +23,7 @@ pub(super) struct Document<'a> {
 
 /// A range of bytes of a buffer.
 #[derive(Clone, Copy)]
-pub(super) struct View<'a> {
+pub(super) struct BufferView<'a> {
     pub(super) bytes: &'a [u8],
     /// The distance of two elements, if it is given.
     pub(super) stride: Option<usize>,
@@ -35,7 +35,7 @@ impl<'a> Document<'a> {
         bytes: &'a [u8],
         file: &mut dyn FnMut(&str) -> Option<Vec<u8>>,
     ) -> Result<Document<'a>, GltfError> {
-        let Parts { json, binary } = container::parts(bytes)?;
+        let FileParts { json, binary } = container::parts(bytes)?;
         let json: Value = serde_json::from_slice(json).map_err(|error| GltfError::Json(error.to_string()))?;
         let mut document = Document { json: Value::Null, blobs: Vec::new(), buffers: Vec::new() };
         // Buffers with the same address are read once.
@@ -71,7 +71,7 @@ impl<'a> Document<'a> {
     }
 
     /// A view by its index.
-    pub(super) fn view(&self, index: usize) -> Result<View<'_>, GltfError> {
+    pub(super) fn view(&self, index: usize) -> Result<BufferView<'_>, GltfError> {
         let view = item(&self.json, "bufferViews", index)?;
         let buffer = view.required("buffer")?;
         item(&self.json, "buffers", buffer)?;
@@ -81,7 +81,7 @@ impl<'a> Document<'a> {
         let end = start.checked_add(view.required("byteLength")?);
         let bytes = end.and_then(|end| self.blobs[data].get(start..end));
         let bytes = bytes.ok_or_else(|| view.error("its buffer ends early"))?;
-        Ok(View { bytes, stride: view.whole("byteStride")? })
+        Ok(BufferView { bytes, stride: view.whole("byteStride")? })
     }
 }
 

@@ -4,13 +4,13 @@ use std::collections::{BTreeSet, HashMap};
 
 use super::GltfError;
 use super::document::Document;
+use crate::asset::embedded_image::EmbeddedImage;
 use crate::asset::image::header::{self, ImageKind};
-use crate::asset::mesh_file::EmbeddedImage;
 use crate::value::text::Text;
 
 /// The images that materials use.
 #[derive(Default)]
-pub(super) struct Images {
+pub(super) struct MaterialImages {
     /// By the number in the file. `None` for an image that cannot be shown.
     by_index: HashMap<usize, Option<Text>>,
     /// The names of images of views, by the view. Several images may have one view.
@@ -26,7 +26,7 @@ pub(super) struct Images {
     pub(super) unknown: Vec<usize>,
 }
 
-impl Images {
+impl MaterialImages {
     /// The name of an image that was added.
     pub(super) fn known(&self, index: usize) -> Option<Option<&Text>> {
         self.by_index.get(&index).map(Option::as_ref)

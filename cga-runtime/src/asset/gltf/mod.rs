@@ -16,7 +16,7 @@ mod document;
 mod error;
 mod images;
 mod item;
-mod look;
+mod material;
 mod primitive;
 mod scene;
 
@@ -26,10 +26,10 @@ use glam::{DAffine3, DMat3, DVec2, DVec3};
 use serde_json::Value;
 
 use self::document::Document;
-use self::images::Images;
-use self::look::{Look, LookReader};
-use self::primitive::{PrimitiveReader, Triangles};
-use self::scene::{INSTANCING, Placed};
+use self::images::MaterialImages;
+use self::material::{GltfMaterial, MaterialReader};
+use self::primitive::{PrimitiveReader, PrimitiveTriangles};
+use self::scene::{INSTANCING, NodeMesh};
 use super::EmbeddedImage;
 use super::names::Names;
 use super::warnings::{Warnings, short};
@@ -94,9 +94,9 @@ pub fn read_gltf(bytes: &[u8], file: &mut dyn FnMut(&str) -> Option<Vec<u8>>) ->
     check_extensions(&document.json)?;
     let placed = scene::placed(&document)?;
     let mut reader = PrimitiveReader::new(&document);
-    let mut meshes: HashMap<usize, Vec<Triangles>> = HashMap::new();
+    let mut meshes: HashMap<usize, Vec<PrimitiveTriangles>> = HashMap::new();
     let mut triangles: usize = 0;
-    for Placed { mesh, places, .. } in &placed {
+    for NodeMesh { mesh, places, .. } in &placed {
         if !meshes.contains_key(mesh) {
             meshes.insert(*mesh, reader.primitives(*mesh)?);
         }
@@ -113,39 +113,39 @@ pub fn read_gltf(bytes: &[u8], file: &mut dyn FnMut(&str) -> Option<Vec<u8>>) ->
     if triangles == 0 {
         warnings.add(|| "the scene has no triangles".to_owned());
     }
-    let mut images = Images::default();
-    let mut looks = LookReader { document: &document, images: &mut images, file };
-    let mut materials: Vec<Look> = Vec::new();
+    let mut images = MaterialImages::default();
+    let mut reader = MaterialReader { document: &document, images: &mut images, file };
+    let mut materials: Vec<GltfMaterial> = Vec::new();
     let mut numbers: HashMap<usize, u32> = HashMap::new();
     let used = placed.iter().flat_map(|placed| &meshes[&placed.mesh]).filter_map(|primitive| primitive.material);
     for material in used {
         if let std::collections::hash_map::Entry::Vacant(number) = numbers.entry(material) {
             number.insert(materials.len() as u32);
-            materials.push(looks.look(material)?);
+            materials.push(reader.read(material)?);
         }
     }
     for image in &images.unknown {
         warnings.add(|| format!("images[{image}] is not a complete PNG or JPEG file"));
     }
     let all = || placed.iter().flat_map(|placed| &meshes[&placed.mesh]);
-    let look = |primitive: &Triangles| Some(&materials[*numbers.get(&primitive.material?)? as usize]);
+    let material_of = |primitive: &PrimitiveTriangles| Some(&materials[*numbers.get(&primitive.material?)? as usize]);
     let sets: Vec<usize> = (0..Layer::ALL.len())
-        .filter(|&set| all().any(|primitive| is_needed(primitive, look(primitive), set)))
+        .filter(|&set| all().any(|primitive| is_needed(primitive, material_of(primitive), set)))
         .collect();
     let has_normals = all().any(|primitive| primitive.normals.is_some());
     let mut builder = MeshBuilder::new();
     let mut groups = Names::default();
-    for Placed { mesh, name, places } in &placed {
+    for NodeMesh { mesh, name, places } in &placed {
         let group = name.map_or(FaceTag::NONE, |name| groups.number(name));
         for (place, primitive) in places.iter().flat_map(|place| meshes[mesh].iter().map(move |own| (place, own))) {
             let material = primitive.material.map_or(FaceTag::NONE, |material| numbers[&material]);
             let tag = FaceTag { group, material, ..FaceTag::PLAIN };
             let coordinates: Vec<_> =
-                sets.iter().map(|&set| (set, coordinates(primitive, look(primitive), set))).collect();
+                sets.iter().map(|&set| (set, coordinates(primitive, material_of(primitive), set))).collect();
             add(&mut builder, primitive, place, tag, &coordinates, has_normals);
         }
     }
-    let materials: Vec<Material> = materials.into_iter().map(|look| look.material).collect();
+    let materials: Vec<Material> = materials.into_iter().map(|read| read.material).collect();
     builder.groups(groups.into_list()).materials(materials);
     let mesh = builder.build().map_err(GltfError::Mesh)?;
     let lost = triangles - mesh.face_count();
@@ -158,7 +158,7 @@ pub fn read_gltf(bytes: &[u8], file: &mut dyn FnMut(&str) -> Option<Vec<u8>>) ->
 /// Adds the triangles of a primitive at a place.
 fn add(
     builder: &mut MeshBuilder,
-    primitive: &Triangles,
+    primitive: &PrimitiveTriangles,
     place: &DAffine3,
     tag: FaceTag,
     coordinates: &[(usize, Option<&Vec<DVec2>>)],
@@ -194,22 +194,26 @@ fn normals_place(place: &DAffine3) -> DMat3 {
 }
 
 /// The number `n` of the coordinates `TEXCOORD_n` that a set has for a primitive.
-fn coordinate_number(primitive: &Triangles, look: Option<&Look>, set: usize) -> usize {
-    let of_layer = |set: usize| look.and_then(|look| look.coordinates[set]);
+fn coordinate_number(primitive: &PrimitiveTriangles, material: Option<&GltfMaterial>, set: usize) -> usize {
+    let of_layer = |set: usize| material.and_then(|material| material.coordinates[set]);
     let plain = || matches!(primitive.coordinates.get(set), Some(Some(_))).then_some(set);
     of_layer(set).or_else(plain).or_else(|| of_layer(0)).unwrap_or(0)
 }
 
 /// The coordinates of a set for a primitive.
-fn coordinates<'a>(primitive: &'a Triangles, look: Option<&Look>, set: usize) -> Option<&'a Vec<DVec2>> {
-    primitive.coordinates.get(coordinate_number(primitive, look, set))?.as_ref()
+fn coordinates<'a>(
+    primitive: &'a PrimitiveTriangles,
+    material: Option<&GltfMaterial>,
+    set: usize,
+) -> Option<&'a Vec<DVec2>> {
+    primitive.coordinates.get(coordinate_number(primitive, material, set))?.as_ref()
 }
 
 /// Returns true if a mesh needs a set for a primitive: set 0 if the primitive has coordinates, another set if it
 /// differs from set 0.
-fn is_needed(primitive: &Triangles, look: Option<&Look>, set: usize) -> bool {
-    let differs = set == 0 || coordinate_number(primitive, look, set) != coordinate_number(primitive, look, 0);
-    differs && coordinates(primitive, look, set).is_some()
+fn is_needed(primitive: &PrimitiveTriangles, material: Option<&GltfMaterial>, set: usize) -> bool {
+    let differs = set == 0 || coordinate_number(primitive, material, set) != coordinate_number(primitive, material, 0);
+    differs && coordinates(primitive, material, set).is_some()
 }
 
 fn check_version(json: &Value) -> Result<(), GltfError> {

@@ -11,7 +11,7 @@ use super::item::{Item, item};
 use super::{GltfError, MOST_TRIANGLES};
 
 /// The triangles of a primitive.
-pub(super) struct Triangles {
+pub(super) struct PrimitiveTriangles {
     /// The vertices that triangles use.
     pub(super) points: Vec<DVec3>,
     /// One normal per vertex, if the primitive has normals.
@@ -57,7 +57,7 @@ impl<'a, 'b> PrimitiveReader<'a, 'b> {
     }
 
     /// The primitives of a mesh that have triangles.
-    pub(super) fn primitives(&mut self, mesh: usize) -> Result<Vec<Triangles>, GltfError> {
+    pub(super) fn primitives(&mut self, mesh: usize) -> Result<Vec<PrimitiveTriangles>, GltfError> {
         let mesh = item(&self.document.json, "meshes", mesh)?;
         let mut all = Vec::new();
         for primitive in mesh.objects("primitives")? {
@@ -66,7 +66,7 @@ impl<'a, 'b> PrimitiveReader<'a, 'b> {
         Ok(all)
     }
 
-    fn primitive(&mut self, primitive: &Item<'a>) -> Result<Option<Triangles>, GltfError> {
+    fn primitive(&mut self, primitive: &Item<'a>) -> Result<Option<PrimitiveTriangles>, GltfError> {
         let mode = primitive.whole("mode")?.unwrap_or(4);
         if mode < 4 {
             self.others += 1;
@@ -125,7 +125,7 @@ impl<'a, 'b> PrimitiveReader<'a, 'b> {
             });
         }
         let material = primitive.whole("material")?;
-        Ok(Some(Triangles { points: vectors(&positions), normals, coordinates, triangles, material }))
+        Ok(Some(PrimitiveTriangles { points: vectors(&positions), normals, coordinates, triangles, material }))
     }
 
     fn vectors(&mut self, index: usize) -> Result<Rc<Vec<[f64; 3]>>, GltfError> {

@@ -18,7 +18,7 @@ const MOST_PLACES: usize = 1 << 20;
 const FREE_PLACES: usize = 1 << 16;
 
 /// A mesh of the file at its places.
-pub(super) struct Placed<'a> {
+pub(super) struct NodeMesh<'a> {
     pub(super) mesh: usize,
     /// The name of the node, else that of the mesh.
     pub(super) name: Option<&'a str>,
@@ -31,7 +31,7 @@ pub(super) struct Placed<'a> {
 /// # Errors
 /// A node or mesh does not exist, a node has two parents or is its own ancestor, a number is invalid, or there are too many
 /// places.
-pub(super) fn placed<'a>(document: &'a Document<'_>) -> Result<Vec<Placed<'a>>, GltfError> {
+pub(super) fn placed<'a>(document: &'a Document<'_>) -> Result<Vec<NodeMesh<'a>>, GltfError> {
     let json = &document.json;
     let mut is_visited = vec![false; items(json, "nodes").count()];
     let mut meshes = Vec::new();
@@ -53,7 +53,7 @@ pub(super) fn placed<'a>(document: &'a Document<'_>) -> Result<Vec<Placed<'a>>, 
             let name = named(&node)?.or(named(&item(json, "meshes", mesh)?)?);
             let places = places(document, &node, placement, places_left)?;
             places_left = places_left.checked_sub(places.len()).ok_or(GltfError::TooLarge)?;
-            meshes.push(Placed { mesh, name, places });
+            meshes.push(NodeMesh { mesh, name, places });
         }
     }
     Ok(meshes)

@@ -5,7 +5,7 @@ pub(crate) mod builtin;
 pub(crate) mod decode;
 mod font;
 pub(crate) mod header;
-mod names;
+mod lookup;
 
 /// A picture: four bytes a pixel (sRGB red, green, blue and opacity), row by row from the upper left.
 #[derive(Clone, Debug, PartialEq, Eq)]

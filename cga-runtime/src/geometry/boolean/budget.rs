@@ -2,22 +2,26 @@
 
 use super::edge_table::EdgeTable;
 use super::operation::BooleanError;
+use super::point_set::PointSet;
 
 /// The work that an operation may still do.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Budget {
     /// The number of comparisons.
     pub(super) comparisons: usize,
-    /// The number of edges, divided ones included.
+    /// The number of edges, divided ones included, and that of points.
     pub(super) edges: usize,
     /// The number of pairs of an edge and a facet that has it. Facets in one plane share edges, so there may be many more than
     /// edges.
     pub(super) owners: usize,
+    /// The number of windings around all cells of a plane: for each cell, of all facets that are there.
+    pub(super) windings: usize,
 }
 
 impl Budget {
-    /// A few seconds, and less than 1 GB.
-    pub(super) const DEFAULT: Budget = Budget { comparisons: 200_000_000, edges: 2_000_000, owners: 8_000_000 };
+    /// A few seconds, and less than 0.5 GB. Two balls of 125,000 faces have 500,000 edges.
+    pub(super) const DEFAULT: Budget =
+        Budget { comparisons: 200_000_000, edges: 700_000, owners: 2_500_000, windings: 6_000_000 };
 
     /// Takes some comparisons; an error if none are left.
     pub(super) fn spend(&mut self, count: usize) -> Result<(), BooleanError> {
@@ -25,9 +29,9 @@ impl Budget {
         Ok(())
     }
 
-    /// An error if there are too many edges, or too many facets that have them.
-    pub(super) fn check(&self, edges: &EdgeTable) -> Result<(), BooleanError> {
-        let is_within = edges.list.len() <= self.edges && edges.owner_count <= self.owners;
+    /// An error if there are too many edges, points, or facets that have edges.
+    pub(super) fn check(&self, edges: &EdgeTable, points: &PointSet) -> Result<(), BooleanError> {
+        let is_within = edges.list.len().max(points.at.len()) <= self.edges && edges.owner_count <= self.owners;
         if is_within { Ok(()) } else { Err(BooleanError::TooMany) }
     }
 }

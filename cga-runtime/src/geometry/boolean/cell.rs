@@ -1,7 +1,8 @@
 //! The cells into which lines divide a facet.
 //!
 //! The lines are a planar graph. Its cycles, each with an area on its left, are the outlines of cells. Connected parts of
-//! the graph that lie inside a cell are its holes, or lines that do not divide it.
+//! the graph that lie inside a cell are its holes, or lines that do not divide it. Across a line, the number of times that
+//! outlines wind around a place changes by the number of times that they follow the line.
 
 use glam::DVec2;
 
@@ -15,11 +16,37 @@ use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::Bounds;
 
-/// A region of a facet without edges that divide it.
+/// The number of times that outlines wind around a place.
+pub(super) trait Winding: Clone + Default + PartialEq {
+    /// The number beyond a line that outlines follow `count` times: on its left, or on its right with `to_right`.
+    fn across(&self, count: &Self, to_right: bool) -> Self;
+
+    /// Returns true outside of all outlines.
+    fn is_outside(&self) -> bool;
+
+    /// The number of values.
+    fn len(&self) -> usize;
+}
+
+impl Winding for i32 {
+    fn across(&self, count: &Self, to_right: bool) -> Self {
+        if to_right { self - count } else { self + count }
+    }
+
+    fn is_outside(&self) -> bool {
+        *self == 0
+    }
+
+    fn len(&self) -> usize {
+        1
+    }
+}
+
+/// A region of a plane without edges that divide it.
 #[derive(Debug)]
-pub(super) struct Cell {
-    /// The number of times that the outline of the facet winds around it. Not 0.
-    pub(super) winding: i32,
+pub(super) struct Cell<W> {
+    /// The number of times that outlines wind around it. Not 0.
+    pub(super) winding: W,
     /// The outline, counter-clockwise in the facet's plane, and the holes.
     pub(super) rings: Vec<Vec<u32>>,
     /// Edges inside that do not divide it.
@@ -27,9 +54,9 @@ pub(super) struct Cell {
 }
 
 /// A line of the graph, and the number of times that the outline follows it, less the number of times backwards.
-pub(super) struct GraphLine {
+pub(super) struct GraphLine<W> {
     pub(super) ends: [u32; 2],
-    pub(super) count: i32,
+    pub(super) count: W,
 }
 
 /// The cells of a facet.
@@ -39,13 +66,13 @@ pub(super) fn cells_of(
     number: u32,
     facet: &Facet,
     budget: &mut Budget,
-) -> Result<Vec<Cell>, BooleanError> {
+) -> Result<Vec<Cell<i32>>, BooleanError> {
     let count = |line: u32| edges.owner(line, number).map_or(0, |owner| owner.count);
     if facet.lines.len() == facet.corners.len() && facet.is_convex && facet.lines.iter().all(|line| count(*line) != 0) {
         return Ok(vec![Cell { winding: 1, rings: vec![facet.corners.clone()], inner: Vec::new() }]);
     }
     let line = |line: &u32| GraphLine { ends: edges.list[*line as usize].ends, count: count(*line) };
-    let lines: Vec<GraphLine> = facet.lines.iter().map(line).collect();
+    let lines: Vec<GraphLine<i32>> = facet.lines.iter().map(line).collect();
     let mut cells = LineGraph::new(&lines, |point| facet.flat(points.at[point as usize]))?.cells(budget)?;
     cells.iter_mut().flat_map(|cell| &mut cell.inner).for_each(|line| *line = facet.lines[*line as usize]);
     // Lines that were led through points move by up to epsilon. A lost cell is much larger.
@@ -55,7 +82,8 @@ pub(super) fn cells_of(
     if is_whole { Ok(cells) } else { Err(BooleanError::Tangled) }
 }
 
-fn double_area(points: &PointSet, facet: &Facet, rings: &[Vec<u32>]) -> f64 {
+/// Twice the area of rings in a facet's plane.
+pub(super) fn double_area(points: &PointSet, facet: &Facet, rings: &[Vec<u32>]) -> f64 {
     let flat = |point: u32| facet.flat(points.at[point as usize]);
     let from = flat(rings[0][0]);
     let ring_area = |ring: &Vec<u32>| -> f64 {
@@ -68,8 +96,8 @@ fn double_area(points: &PointSet, facet: &Facet, rings: &[Vec<u32>]) -> f64 {
 const NONE: u32 = u32::MAX;
 
 /// Lines as pairs of half-edges: half-edge `2 i` follows line `i`, half-edge `2 i + 1` runs back.
-pub(super) struct LineGraph<'l> {
-    lines: &'l [GraphLine],
+pub(super) struct LineGraph<'l, W> {
+    lines: &'l [GraphLine<W>],
     /// The points, by their numbers in the graph.
     points: Vec<u32>,
     flat: Vec<DVec2>,
@@ -88,8 +116,8 @@ struct Cycle {
     ring: Vec<u32>,
 }
 
-impl<'l> LineGraph<'l> {
-    pub(super) fn new(lines: &'l [GraphLine], at: impl Fn(u32) -> DVec2) -> Result<Self, BooleanError> {
+impl<'l, W: Winding> LineGraph<'l, W> {
+    pub(super) fn new(lines: &'l [GraphLine<W>], at: impl Fn(u32) -> DVec2) -> Result<Self, BooleanError> {
         let mut points: Vec<u32> = lines.iter().flat_map(|line| line.ends).collect();
         points.sort_unstable();
         points.dedup();
@@ -154,20 +182,20 @@ impl<'l> LineGraph<'l> {
     }
 
     /// The cells that the lines with a count enclose.
-    pub(super) fn cells(&self, budget: &mut Budget) -> Result<Vec<Cell>, BooleanError> {
+    pub(super) fn cells(&self, budget: &mut Budget) -> Result<Vec<Cell<W>>, BooleanError> {
         let (cycles, of_half) = self.cycles(|_| true);
         let parts = self.connected_parts(&of_half);
         // The cell of each cycle, as the number of its outline, or `NONE` outside of all.
         let mut cell: Vec<u32> = (0..cycles.len() as u32).collect();
-        let mut winding = vec![0; cycles.len()];
-        let mut open: Vec<u32> = Vec::new();
+        let mut winding = vec![W::default(); cycles.len()];
+        let (mut open, mut windings): (Vec<u32>, usize) = (Vec::new(), 0);
         let boxes: Vec<Bounds> = cycles.iter().map(|cycle| cycle.bounds).collect();
         let tree = BoundsTree::of(&boxes);
         let mut is_done = vec![false; cycles.len()];
         for (outer, halves) in parts.iter().map(|part| (part.outer, &part.halves)) {
             let around = self.smallest_around(&cycles, &tree, &is_done, cycles[outer as usize].ring[0], budget)?;
             cell[outer as usize] = around;
-            winding[outer as usize] = if around == NONE { 0 } else { winding[around as usize] };
+            winding[outer as usize] = if around == NONE { W::default() } else { winding[around as usize].clone() };
             let mut seen = vec![outer];
             open.push(outer);
             let mut by_cycle: Vec<(u32, u32)> = halves.iter().map(|half| (of_half[*half as usize], *half)).collect();
@@ -178,9 +206,13 @@ impl<'l> LineGraph<'l> {
                 for &(_, half) in by_cycle[from..].iter().take_while(|entry| entry.0 == cycle) {
                     let beyond = of_half[half as usize ^ 1];
                     // The left side of a line has `count` more than its right side.
-                    let count = self.lines[half as usize / 2].count;
-                    let value = winding[cycle as usize] + if half % 2 == 0 { -count } else { count };
+                    let value = winding[cycle as usize].across(&self.lines[half as usize / 2].count, half % 2 == 0);
+                    budget.spend(value.len())?;
                     if known.insert(beyond) {
+                        windings += value.len();
+                        if budget.windings < windings {
+                            return Err(BooleanError::TooMany);
+                        }
                         winding[beyond as usize] = value;
                         seen.push(beyond);
                         open.push(beyond);
@@ -195,20 +227,21 @@ impl<'l> LineGraph<'l> {
     }
 
     /// The cells with a winding number, with their rings.
-    fn collect(&self, cell: &[u32], winding: &[i32], of_half: &[u32]) -> Result<Vec<Cell>, BooleanError> {
+    fn collect(&self, cell: &[u32], winding: &[W], of_half: &[u32]) -> Result<Vec<Cell<W>>, BooleanError> {
         let cell_of = |half: u32| cell[of_half[half as usize] as usize];
         let (rings, ring_of) = self.cycles(|half| cell_of(half) != cell_of(half ^ 1));
-        let mut cells: Vec<Cell> = Vec::new();
+        let mut cells: Vec<Cell<W>> = Vec::new();
         let mut number_of = vec![NONE; cell.len()];
         let mut is_done = vec![false; rings.len()];
         for half in 0..self.starts.len() as u32 {
             let outline = cell_of(half);
-            if outline == NONE || winding[outline as usize] == 0 {
+            if outline == NONE || winding[outline as usize].is_outside() {
                 continue;
             }
             if number_of[outline as usize] == NONE {
                 number_of[outline as usize] = cells.len() as u32;
-                cells.push(Cell { winding: winding[outline as usize], rings: Vec::new(), inner: Vec::new() });
+                let winding = winding[outline as usize].clone();
+                cells.push(Cell { winding, rings: Vec::new(), inner: Vec::new() });
             }
             let made = &mut cells[number_of[outline as usize] as usize];
             let ring = ring_of[half as usize];

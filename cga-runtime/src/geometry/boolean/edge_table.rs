@@ -82,6 +82,15 @@ impl EdgeTable {
         }
     }
 
+    /// Removes an owner of an edge.
+    pub(super) fn disown(&mut self, edge: u32, facet: u32) {
+        let owners = &mut self.list[edge as usize].owners;
+        if let Ok(at) = owners.binary_search_by_key(&facet, |owner| owner.facet) {
+            owners.remove(at);
+            self.owner_count -= 1;
+        }
+    }
+
     /// Divides an edge at points on it. The facets that own it are added to `changed`; they still list the edge, which has no
     /// owners any more.
     pub(super) fn divide(

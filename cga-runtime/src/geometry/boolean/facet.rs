@@ -180,6 +180,25 @@ impl Facet {
         self.rim().map(|edge| self.flat_edge(points, edge)).map(|[a, b]| (a - from).perp_dot(b - from)).sum()
     }
 
+    /// A facet of the same plane without an outline and without lines.
+    pub(super) fn without_outline(&self) -> Self {
+        let Facet { face, is_part, origin, normal, projection, bounds, .. } = *self;
+        Facet {
+            face,
+            is_part,
+            origin,
+            normal,
+            projection,
+            corners: Vec::new(),
+            sources: Vec::new(),
+            ends: Vec::new(),
+            bounds,
+            is_convex: false,
+            lines: Vec::new(),
+            rim_tree: None,
+        }
+    }
+
     /// Returns true if the outline turns left at every corner and only once around.
     fn find_convex(&self, points: &PointSet) -> bool {
         let count = self.corners.len();

@@ -135,10 +135,12 @@ pub(super) struct FacetMeeting {
     sections: [PlaneSection; 2],
     on_line: Vec<(f64, u32)>,
     found: Vec<[u32; 2]>,
+    /// The pairs of facets in one plane of which one may divide the other.
+    pub(super) overlapping: Vec<[u32; 2]>,
 }
 
 impl FacetMeeting {
-    /// Adds the lines in which two facets meet to both.
+    /// Adds the lines in which two facets meet to both. Pairs of facets in one plane are collected.
     pub(super) fn meet(
         &mut self,
         points: &mut PointSet,
@@ -154,7 +156,11 @@ impl FacetMeeting {
         }
         budget.spend(PAIR_COST)?;
         if a.is_flat || b.is_flat {
-            return share_edges(points, edges, facets, pair, budget);
+            let mut divides = |pair| Ok(!dividing_edges(points, edges, facets, pair, budget)?.is_empty());
+            if divides(pair)? || divides([pair[1], pair[0]])? {
+                self.overlapping.push(pair);
+            }
+            return Ok(());
         }
         a.cross(points, first);
         b.cross(points, second);
@@ -207,34 +213,24 @@ fn line_direction(points: &PointSet, first: &Facet, second: &Facet, found: [&[u3
     (far(end) - end).try_normalize().unwrap_or(first.normal.any_orthonormal_vector())
 }
 
-/// Adds the edges of two facets in the same plane to each other.
-fn share_edges(
+/// The edges of a facet that may divide another one in the same plane.
+pub(super) fn dividing_edges(
     points: &PointSet,
-    edges: &mut EdgeTable,
-    facets: &mut [Facet],
-    pair: [u32; 2],
+    edges: &EdgeTable,
+    facets: &[Facet],
+    [giver, taker]: [u32; 2],
     budget: &mut Budget,
-) -> Result<(), BooleanError> {
+) -> Result<Vec<[u32; 2]>, BooleanError> {
+    let (from, to) = (&facets[giver as usize], &facets[taker as usize]);
     let mut near = Vec::new();
-    for [from, to] in [pair, [pair[1], pair[0]]] {
-        let (giver, taker) = (&facets[from as usize], &facets[to as usize]);
-        near.clear();
-        match &giver.rim_tree {
-            Some(tree) => budget.spend(tree.near(giver.flat_box(&taker.bounds), &mut near))?,
-            None => near.extend(giver.rim()),
-        }
-        budget.spend(near.len())?;
-        let shared: Vec<[u32; 2]> = near
-            .iter()
-            .map(|edge| edge.map(|corner| giver.corners[corner]))
-            .filter(|ends| may_meet(points, taker, *ends))
-            .collect();
-        for ends in shared {
-            let direction = points.at[ends[1] as usize] - points.at[ends[0] as usize];
-            edges.add(facets, ends, direction, EdgeOwner { facet: to, count: 0, corner: NO_CORNER });
-        }
+    match &from.rim_tree {
+        Some(tree) => budget.spend(tree.near(from.flat_box(&to.bounds), &mut near))?,
+        None => near.extend(from.rim()),
     }
-    Ok(())
+    budget.spend(near.len())?;
+    let is_own = |ends: [u32; 2]| edges.find(ends).is_some_and(|edge| edges.owner(edge, taker).is_some());
+    let ends = near.iter().map(|edge| edge.map(|corner| from.corners[corner]));
+    Ok(ends.filter(|ends| may_meet(points, to, *ends) && !is_own(*ends)).collect())
 }
 
 /// Returns false if an edge in the plane of a facet certainly has no point in it except for corners of the facet.

@@ -21,6 +21,7 @@ mod facet;
 mod meeting;
 mod noding;
 mod operation;
+mod plane_group;
 mod point_set;
 mod polygon;
 mod ray;
@@ -40,15 +41,17 @@ use super::tol::{BOOLEAN_EPSILONS, THINNEST_SOLID};
 use assembly::Assembly;
 use bounds_tree::{BoundsTree, overlap};
 use budget::Budget;
+use cell::Cell;
 use component_tags::{EdgeTags, vertex_tags};
 use edge_table::{EdgeOwner, EdgeTable};
 use facet::{Facet, facets_of};
 use meeting::FacetMeeting;
 pub(crate) use operation::{BooleanError, BooleanOp};
+use plane_group::PlaneGroups;
 use point_set::PointSet;
 use polygon::PolygonMaker;
 use ray::RayCaster;
-use sheet::Sheets;
+use sheet::{SheetSource, Sheets};
 use shell::{Shell, ShellKind, close_shells, shells};
 use winding::Windings;
 
@@ -85,8 +88,7 @@ fn combine_within(
     let scale = bounds.scale_to_one();
     let size = (bounds.high * scale - bounds.low * scale).max_element();
     let thinnest = THINNEST_SOLID * size + 16.0 * rounding * scale;
-    let mut error = BooleanError::Tangled;
-    for epsilon in BOOLEAN_EPSILONS {
+    for (epsilon, is_repeated) in BOOLEAN_EPSILONS.into_iter().zip([false, true, true, true]) {
         let epsilon = (epsilon * size).max(16.0 * rounding * scale);
         let input = Input {
             mesh: &mesh,
@@ -100,14 +102,12 @@ fn combine_within(
         };
         match input.result(op, &mut budget) {
             Err(BooleanError::Tangled) => {}
-            Err(BooleanError::TooMany) => {
-                error = BooleanError::TooMany;
-                break;
-            }
+            // The work that failed before is not the reason.
+            Err(BooleanError::TooMany) if is_repeated => break,
             made => return made,
         }
     }
-    Err(error)
+    Err(BooleanError::Tangled)
 }
 
 /// The faces of all operands as one mesh.
@@ -149,17 +149,25 @@ impl Input<'_> {
         let mut shells = shells(&points, &edges, &facets, &mesh_of);
         let boxes: Vec<Bounds> = facets.iter().map(|facet| facet.bounds).collect();
         let tree = BoundsTree::of(&boxes);
-        meet_all(&mut points, &mut edges, &mut facets, &tree, budget)?;
-        noding::divide_edges(&mut points, &mut edges, &mut facets, budget)?;
+        let overlapping = meet_all(&mut points, &mut edges, &mut facets, &tree, budget)?;
+        let groups = PlaneGroups::of(&points, &mut edges, &mut facets, &overlapping, budget)?;
+        noding::divide_edges(&mut points, &mut edges, &mut facets, &groups, budget)?;
+        let mut cells = groups.cells(&points, &edges, &facets, budget)?;
+        facets.truncate(mesh_of.len());
         close_shells(&edges, &facets, &mesh_of, &mut shells);
         if shells.iter().any(|shell| !shell.is_closed && self.is_closed[mesh_of[shell.facets[0] as usize] as usize]) {
             // Faces that are thinner than epsilon were left out.
             return Err(BooleanError::Tangled);
         }
-        let cells = (0..)
-            .zip(&facets)
-            .map(|(number, facet)| cell::cells_of(&points, &edges, number, facet, budget))
-            .collect::<Result<Vec<_>, _>>()?;
+        for facet in (0..facets.len() as u32).filter(|facet| !groups.is_member(*facet)) {
+            let own = cell::cells_of(&points, &edges, facet, &facets[facet as usize], budget)?;
+            let with_source = |Cell { winding, rings, inner }| {
+                let winding = vec![SheetSource { facet, winding }];
+                Cell { winding, rings, inner }
+            };
+            cells.extend(own.into_iter().map(with_source));
+        }
+        cells.sort_by_key(|cell| cell.winding[0].facet);
         let sheets = Sheets::of(&edges, &facets, cells)?;
         let mut kinds = vec![ShellKind::Open; facets.len()];
         let closed = shells.iter().filter(|shell| shell.is_closed).flat_map(|shell| &shell.facets);
@@ -221,14 +229,14 @@ fn outlines(points: &PointSet, facets: &mut [Facet]) -> EdgeTable {
     edges
 }
 
-/// Adds the lines in which facets meet.
+/// Adds the lines in which facets meet. Returns the pairs that overlap in one plane.
 fn meet_all(
     points: &mut PointSet,
     edges: &mut EdgeTable,
     facets: &mut [Facet],
     tree: &BoundsTree,
     budget: &mut Budget,
-) -> Result<(), BooleanError> {
+) -> Result<Vec<[u32; 2]>, BooleanError> {
     let mut meeting = FacetMeeting::default();
     let mut near = Vec::new();
     for number in 0..facets.len() as u32 {
@@ -246,10 +254,10 @@ fn meet_all(
         near.sort_unstable();
         for &other in &near {
             meeting.meet(points, edges, facets, [number, other], budget)?;
-            budget.check(edges)?;
+            budget.check(edges, points)?;
         }
     }
-    Ok(())
+    Ok(meeting.overlapping)
 }
 
 /// Returns true if all facets lie in one plane.

@@ -8,6 +8,7 @@ use super::budget::Budget;
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
 use super::operation::BooleanError;
+use super::plane_group::PlaneGroups;
 use super::point_set::PointSet;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::Bounds;
@@ -29,9 +30,11 @@ pub(super) fn divide_edges(
     points: &mut PointSet,
     edges: &mut EdgeTable,
     facets: &mut [Facet],
+    groups: &PlaneGroups,
     budget: &mut Budget,
 ) -> Result<(), BooleanError> {
-    let mut open: Vec<u32> = (0..facets.len() as u32).filter(|facet| has_company(edges, facets, *facet)).collect();
+    let has_lines = |facet: &u32| !groups.is_member(*facet) && has_company(edges, facets, *facet);
+    let mut open: Vec<u32> = (0..facets.len() as u32).filter(has_lines).collect();
     let mut is_open = vec![false; facets.len()];
     for _ in 0..MOST_ROUNDS {
         let mut cuts = Cuts::new();
@@ -53,13 +56,14 @@ pub(super) fn divide_edges(
             here.clear();
             here.extend(group.iter().map(|[_, point]| *point));
             edges.divide(facets, points, group[0][0], &mut here, &mut open);
-            budget.check(edges)?;
+            budget.check(edges, points)?;
         }
         open.sort_unstable();
         open.dedup();
         for &facet in &open {
             facets[facet as usize].lines.retain(|line| !edges.list[*line as usize].owners.is_empty());
         }
+        open.retain(|facet| !groups.is_member(*facet));
     }
     Err(BooleanError::Tangled)
 }
@@ -128,6 +132,9 @@ fn compare_edges(
             None => (0..number).for_each(|other| _ = look(other)),
         }
         budget.spend(visited + near.len())?;
+        if budget.edges < points.at.len() || 4 * budget.edges < cuts.len() {
+            return Err(BooleanError::TooMany);
+        }
         near.sort_unstable();
         for &other in &near {
             let pair = [lines[number as usize], lines[other as usize]];

@@ -148,7 +148,7 @@ impl PolygonMaker<'_> {
         } else if facet.is_part {
             follow(&net)?
         } else {
-            let lines: Vec<GraphLine> =
+            let lines: Vec<GraphLine<i32>> =
                 net.iter().map(|(ends, (count, _))| GraphLine { ends: *ends, count: *count }).collect();
             let graph = LineGraph::new(&lines, |point| facet.flat(self.points.at[point as usize])).ok()?;
             let mut cells = graph.cells(budget).ok()?;

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 
 use glam::DVec2;
 
-use super::cell::Cell;
+use super::cell::{Cell, Winding};
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
 use super::operation::BooleanError;
@@ -21,6 +21,34 @@ pub(super) struct SheetSource {
     pub(super) facet: u32,
     /// The number of times that the facet's outline winds around the sheet, seen from the sheet's front.
     pub(super) winding: i32,
+}
+
+/// The windings of several facets, in the order of the facets.
+impl Winding for Vec<SheetSource> {
+    fn across(&self, count: &Self, to_right: bool) -> Self {
+        let mut sum = self.clone();
+        for step in count {
+            let change = if to_right { -step.winding } else { step.winding };
+            match sum.binary_search_by_key(&step.facet, |known| known.facet) {
+                Ok(at) => {
+                    sum[at].winding += change;
+                    if sum[at].winding == 0 {
+                        sum.remove(at);
+                    }
+                }
+                Err(at) => sum.insert(at, SheetSource { facet: step.facet, winding: change }),
+            }
+        }
+        sum
+    }
+
+    fn is_outside(&self) -> bool {
+        self.is_empty()
+    }
+
+    fn len(&self) -> usize {
+        1 + self.as_slice().len()
+    }
 }
 
 /// A polygon with holes that no edge divides, with its front where the normal of its first facet points.
@@ -93,23 +121,27 @@ pub(super) struct Sheets {
 }
 
 impl Sheets {
-    /// Unites the cells that coincide. `cells` are those of each facet.
-    pub(super) fn of(edges: &EdgeTable, facets: &[Facet], cells: Vec<Vec<Cell>>) -> Result<Self, BooleanError> {
+    /// Unites the cells that coincide. The first facet of each gives its front.
+    pub(super) fn of(
+        edges: &EdgeTable,
+        facets: &[Facet],
+        cells: Vec<Cell<Vec<SheetSource>>>,
+    ) -> Result<Self, BooleanError> {
         let mut list: Vec<Sheet> = Vec::new();
         let mut known: HashMap<Vec<[u32; 2]>, u32> = HashMap::new();
-        for (facet, cell) in
-            (0..).zip(cells).flat_map(|(facet, cells)| cells.into_iter().map(move |cell| (facet, cell)))
-        {
-            let Cell { winding, rings, inner } = cell;
-            let new = Sheet { sources: vec![SheetSource { facet, winding }], rings, inner };
+        for Cell { winding, rings, inner } in cells {
+            let new = Sheet { sources: winding, rings, inner };
             let mut outline: Vec<[u32; 2]> = new.rim().map(|[a, b]| [a.min(b), a.max(b)]).collect();
             outline.sort_unstable();
             let number = *known.entry(outline).or_insert(list.len() as u32);
             match list.get_mut(number as usize) {
                 None => list.push(new),
                 Some(sheet) => {
-                    let faces_alike = 0.0 < facets[facet as usize].normal.dot(facets[sheet.facet() as usize].normal);
-                    sheet.sources.push(SheetSource { facet, winding: if faces_alike { winding } else { -winding } });
+                    let [own, front] = [new.facet(), sheet.facet()].map(|facet| facets[facet as usize].normal);
+                    let sign = if 0.0 < own.dot(front) { 1 } else { -1 };
+                    let turned = |one: SheetSource| SheetSource { winding: sign * one.winding, ..one };
+                    sheet.sources.extend(new.sources.into_iter().map(turned));
+                    sheet.sources.sort_unstable();
                     sheet.inner.extend(new.inner);
                 }
             }

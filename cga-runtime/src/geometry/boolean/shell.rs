@@ -1,7 +1,5 @@
 //! Shells: the connected parts of meshes, and whether they are closed.
 
-use std::collections::BTreeMap;
-
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
 use super::point_set::PointSet;
@@ -76,13 +74,13 @@ fn unite_at_edges(edges: &EdgeTable, mesh_of: &[u32], sets: &mut DisjointSets, c
 
 /// Returns true if the outlines of facets follow each edge equally often in both directions.
 fn is_closed(edges: &EdgeTable, facets: &[Facet], shell: &[u32]) -> bool {
-    let mut net: BTreeMap<u32, i32> = BTreeMap::new();
+    let mut uses: Vec<(u32, i32)> = Vec::new();
     for &facet in shell {
-        for &line in &facets[facet as usize].lines {
-            *net.entry(line).or_default() += edges.owner(line, facet).map_or(0, |owner| owner.count);
-        }
+        let lines = facets[facet as usize].lines.iter();
+        uses.extend(lines.map(|&line| (line, edges.owner(line, facet).map_or(0, |owner| owner.count))));
     }
-    net.values().all(|count| *count == 0)
+    uses.sort_unstable();
+    uses.chunk_by(|a, b| a.0 == b.0).all(|here| here.iter().map(|used| used.1).sum::<i32>() == 0)
 }
 
 /// Six times the signed volume of the pyramid from the origin to a facet.

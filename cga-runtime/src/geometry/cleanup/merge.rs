@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 
+use super::crossing::will_cross;
 use super::{add_loops, without_faces};
-use crate::geometry::mesh::{Mesh, SubcomponentTagger};
+use crate::geometry::mesh::{Mesh, SubcomponentTagger, unit};
 
-/// The limit on attempts to merge without turning faces over. After that only points at one place are merged.
+/// The limit on attempts to merge without turning faces over and without crossings. After that only points at one place are merged.
 const MOST_ROUNDS: usize = 16;
 
 /// The limit on points of a cell that are compared. Only points that stay can be that dense.
@@ -17,7 +18,7 @@ const MOST_IN_CELL: usize = 256;
 const CELL: f64 = 4.0;
 const LEAST_CELL: f64 = 1e-6;
 
-/// Merges each point with the nearest earlier one within a distance, except where that would turn a face over. Edges and loops that
+/// Merges each point with the nearest earlier one within a distance, except where a face would turn over or cross itself. Edges and loops that
 /// shrink to nothing vanish. `None` if nothing is merged.
 pub(super) fn merged(mesh: &Mesh, distance: f64) -> Option<Mesh> {
     let mut stays = vec![false; mesh.points.len()];
@@ -32,7 +33,7 @@ pub(super) fn merged(mesh: &Mesh, distance: f64) -> Option<Mesh> {
         let mut is_done = true;
         for face in mesh.faces() {
             let (before, after) = (face.area_vector(), area_after(mesh, face.index(), &targets));
-            if before.dot(after) < 0.0 {
+            if before.dot(after) < 0.0 || will_cross(mesh, face.index(), &targets, unit(after)) {
                 for &point in &mesh.corners[face.corner_range()] {
                     let is_moved = targets[point as usize] != point;
                     is_done &= !is_moved;

@@ -5,6 +5,7 @@
 //! So a closed mesh stays closed, and small faces are removed from open parts alone.
 
 mod components;
+mod crossing;
 mod doubles;
 mod flat_edges;
 mod merge;
@@ -16,13 +17,15 @@ mod straight;
 mod values;
 
 #[cfg(test)]
+mod shape_tests;
+#[cfg(test)]
 mod tests;
 
 use doubles::FlatParts;
 use glam::DVec3;
 
 use crate::geometry::mesh::Mesh;
-use crate::geometry::tol::{FLAT_ANGLE_EPSILON, FLAT_EPSILON, MERGE_EPSILON};
+use crate::geometry::tol::{AT_LIMIT_EPSILON, FLAT_ANGLE_EPSILON, FLAT_EPSILON, MERGE_EPSILON, ROUNDING_EPSILON};
 
 /// The most rounds after the first one.
 const MOST_ROUNDS: usize = 8;
@@ -56,13 +59,15 @@ impl Limits {
         const MOST_DEGREES: f64 = 10.0;
         /// Larger than the distance of any two points.
         const ALL: f64 = 4.0;
-        let distance = (tolerance * scale).min(ALL);
-        let angle = (tolerance * MOST_DEGREES).to_radians().max(FLAT_ANGLE_EPSILON);
+        // Lengths, angles and areas equal to the tolerance are beyond it, wherever the shape is and however that rounds them.
+        let below = |limit: f64| limit - AT_LIMIT_EPSILON * limit - 2.0 * ROUNDING_EPSILON;
+        let distance = below(tolerance * scale).min(ALL);
+        let angle = below((tolerance * MOST_DEGREES).to_radians()).max(FLAT_ANGLE_EPSILON);
         Limits {
             merge: distance.max(MERGE_EPSILON),
             flat: distance.max(FLAT_EPSILON),
             turn: 2.0 * libm::sin(angle * 0.5),
-            area: (tolerance * scale * scale).max(FLAT_EPSILON * FLAT_EPSILON),
+            area: below(tolerance * scale * scale).max(FLAT_EPSILON * FLAT_EPSILON),
         }
     }
 
@@ -81,15 +86,16 @@ pub(crate) fn cleanup(mesh: &Mesh, parts: Parts, tolerance: f64) -> Option<Mesh>
     let scale = bounds.scale_to_one();
     let limits = Limits::of(tolerance, scale);
     let from = bounds.low * scale;
-    let mut draft =
-        Draft { mesh: mesh.with_points(mesh.points().iter().map(|&p| p * scale - from).collect()), steps: 0 };
-    draft.round(parts, &limits);
+    let scaled = mesh.with_points(mesh.points().iter().map(|&p| p * scale - from).collect());
+    let mut draft = Draft { kept: slits::tagged_slits(&scaled), mesh: scaled, steps: 0 };
+    draft.round(parts, &limits, FlatParts::Open);
     // Joined faces may be opposite to others, and joined edges may go along an edge and back. Only rounding counts from here
-    // on, so that tolerances do not add up.
+    // on, so that tolerances do not add up. A closed part that the tolerance made flat stays closed.
     let exact = Limits::of(0.0, scale);
+    let flat = if exact.merge < limits.merge { FlatParts::StayClosed } else { FlatParts::Open };
     for _ in 0..MOST_ROUNDS {
         let steps = draft.steps;
-        draft.round(parts, &exact);
+        draft.round(parts, &exact, flat);
         if draft.steps == steps {
             break;
         }
@@ -106,15 +112,16 @@ pub(crate) fn cleanup(mesh: &Mesh, parts: Parts, tolerance: f64) -> Option<Mesh>
 /// A mesh between two steps.
 struct Draft {
     mesh: Mesh,
+    /// The edges with tags that one face had in both directions from the start. Such edges that merged points make go.
+    kept: Vec<[u32; 2]>,
     /// The number of steps that changed the mesh.
     steps: u32,
 }
 
 impl Draft {
-    /// All steps once.
-    fn round(&mut self, parts: Parts, limits: &Limits) {
-        // Flat parts that are closed lose one of their sides, but not those that only the tolerance makes flat.
-        self.merge(MERGE_EPSILON, parts.faces.then_some(FlatParts::Open));
+    /// All steps once. `flat` is the outcome for parts that are flat before points within the tolerance are merged.
+    fn round(&mut self, parts: Parts, limits: &Limits, flat: FlatParts) {
+        self.merge(MERGE_EPSILON, parts.faces.then_some(flat));
         if MERGE_EPSILON < limits.merge {
             self.merge(limits.merge, parts.faces.then_some(FlatParts::StayClosed));
         }
@@ -142,7 +149,9 @@ impl Draft {
     /// Merges points, and removes doubled faces on request.
     fn merge(&mut self, distance: f64, doubles: Option<FlatParts>) {
         self.step(|mesh| merge::merged(mesh, distance));
-        self.step(slits::without_slits);
+        let kept = std::mem::take(&mut self.kept);
+        self.step(|mesh| slits::without_slits(mesh, &kept));
+        self.kept = kept;
         if let Some(flat) = doubles {
             self.step(|mesh| doubles::without_doubles(mesh, flat));
         }

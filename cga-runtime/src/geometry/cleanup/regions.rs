@@ -30,8 +30,8 @@ impl Removal {
 }
 
 /// The mesh without these edges. Each region is one face at the place of its first face, with that face's attributes. Loops
-/// start with the first edge that is left. A region that does not become one outline with holes stays divided. `None` if nothing
-/// changes.
+/// start with the first edge that is left. A region that does not become one outline with holes stays divided, except that a face
+/// may fall apart into several. `None` if nothing changes.
 pub(super) fn joined(mesh: &Mesh, removal: &Removal) -> Option<Mesh> {
     let mut faces: Vec<Vec<u32>> = vec![Vec::new(); mesh.face_count()];
     for (face, &region) in (0..).zip(&removal.regions) {
@@ -55,12 +55,14 @@ pub(super) fn joined(mesh: &Mesh, removal: &Removal) -> Option<Mesh> {
             None => add_face(&mut made, mesh, face),
             Some(_) if region != face => {}
             Some(loops) => {
-                for ring in loops {
+                let is_apart = 1 < loops.len()
+                    && loops.iter().all(|ring| 0.0 < area_vector(mesh, ring).dot(loops_area(mesh, loops)));
+                for (number, ring) in (1..).zip(loops) {
                     ring.iter().for_each(|&corner| add_corner(&mut made, mesh, corner));
                     made.end_loop();
-                }
-                if !loops.is_empty() {
-                    made.end_face(mesh.tags[face]);
+                    if is_apart || number == loops.len() {
+                        made.end_face(mesh.tags[face]);
+                    }
                 }
             }
         }
@@ -109,8 +111,14 @@ fn loops(mesh: &Mesh, removal: &Removal, faces: &[u32], is_seen: &mut [bool]) ->
         }
         // A region without an area may vanish, or it is one loop.
         [] if loops.len() < 2 => Some(loops),
+        // A face whose parts only a slit connected.
+        _ if faces.len() == 1 && outlines.len() == loops.len() => Some(loops),
         _ => None,
     }
+}
+
+fn loops_area(mesh: &Mesh, loops: &[Vec<u32>]) -> DVec3 {
+    loops.iter().map(|ring| area_vector(mesh, ring)).sum()
 }
 
 fn area_vector(mesh: &Mesh, ring: &[u32]) -> DVec3 {

@@ -3,8 +3,24 @@
 use super::regions::{Removal, joined};
 use crate::geometry::mesh::Mesh;
 
-/// The mesh without the edges without tags that one face has in both directions. `None` if no face has one.
-pub(super) fn without_slits(mesh: &Mesh) -> Option<Mesh> {
+/// The edges with tags that one face has in both directions, as pairs of points in order.
+pub(super) fn tagged_slits(mesh: &Mesh) -> Vec<[u32; 2]> {
+    if mesh.subcomponent_tags.edges().len() == 0 {
+        return Vec::new();
+    }
+    let adjacency = mesh.adjacency();
+    let is_slit = |edge: &usize| {
+        let uses = adjacency.uses(*edge);
+        uses.windows(2).any(|pair| adjacency.face(pair[0]) == adjacency.face(pair[1]))
+    };
+    let slits = (0..adjacency.edge_count()).filter(is_slit).map(|edge| ends(mesh, adjacency.uses(edge)[0]));
+    let mut found: Vec<[u32; 2]> = slits.filter(|&ends| mesh.edge_tags(ends).is_some()).map(sorted).collect();
+    found.sort_unstable();
+    found
+}
+
+/// The mesh without the edges that one face has in both directions, except for some, which are sorted. `None` if no face has one.
+pub(super) fn without_slits(mesh: &Mesh, kept: &[[u32; 2]]) -> Option<Mesh> {
     let adjacency = mesh.adjacency();
     let mut removal = Removal::none(mesh);
     let mut is_any = false;
@@ -12,7 +28,7 @@ pub(super) fn without_slits(mesh: &Mesh) -> Option<Mesh> {
         let uses = adjacency.uses(edge);
         // The uses are in the order of faces.
         for here in uses.chunk_by(|&a, &b| adjacency.face(a) == adjacency.face(b)) {
-            if here.len() < 2 || mesh.edge_tags(ends(mesh, here[0])).is_some() {
+            if here.len() < 2 || kept.binary_search(&sorted(ends(mesh, here[0]))).is_ok() {
                 continue;
             }
             let start = mesh.corners[here[0] as usize];
@@ -25,6 +41,10 @@ pub(super) fn without_slits(mesh: &Mesh) -> Option<Mesh> {
         }
     }
     is_any.then(|| joined(mesh, &removal)).flatten()
+}
+
+fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
 }
 
 fn ends(mesh: &Mesh, corner: u32) -> [u32; 2] {

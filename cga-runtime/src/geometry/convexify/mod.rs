@@ -15,6 +15,8 @@ mod triangles;
 mod turn;
 
 #[cfg(test)]
+mod hostile_tests;
+#[cfg(test)]
 mod tests;
 
 use glam::DVec3;
@@ -109,6 +111,11 @@ fn is_concave(face: &FaceRef<'_>) -> bool {
 
 /// Divides a face. `None`, and the face is as it was, if that is not possible.
 fn divide(net: &mut Net, heads: &[u32], plane: Plane, longest: f64) -> Option<Vec<Part>> {
+    // Parts that may stay concave do not show that the face crosses itself; convex ones do.
+    let is_limited = longest != f64::INFINITY;
+    if is_limited && !triangles::fill(net, heads, &plane) {
+        return None;
+    }
     let own: Vec<u32> = heads.iter().flat_map(|&head| net.ring(head)).collect();
     let flat = |net: &Net, corner: u32| plane.flat(net, corner);
     net.mark();
@@ -118,7 +125,8 @@ fn divide(net: &mut Net, heads: &[u32], plane: Plane, longest: f64) -> Option<Ve
     let corners = std::mem::take(&mut cutter.corners);
     let parts = is_done
         .then(|| Rings::of(net, &corners, flat))
-        .and_then(|rings| if longest == f64::INFINITY { rings.convex_parts() } else { rings.parts() });
+        .and_then(|rings| if is_limited { rings.parts() } else { rings.convex_parts() })
+        .filter(|parts| parts.iter().all(|heads| heads.len() == 1 || triangles::fill(net, heads, &plane)));
     match parts {
         Some(parts) if 1 < parts.len() => return Some(parts),
         Some(_) => {}
@@ -132,7 +140,7 @@ fn divide(net: &mut Net, heads: &[u32], plane: Plane, longest: f64) -> Option<Ve
     relinked.undo(net);
     match parts {
         Some(_) => Some(vec![heads.to_vec()]),
-        None if longest == f64::INFINITY => triangles::divide(net, heads, &plane),
-        None => None,
+        None if is_limited => None,
+        None => triangles::divide(net, heads, &plane),
     }
 }

@@ -53,15 +53,24 @@ impl Rings {
         convex.then(|| self.in_order(self.rings.iter().map(|ring| vec![ring.as_slice()])))
     }
 
-    /// Outlines with their holes. `None` if a hole is in no outline.
+    /// Outlines with their holes. `None` if a hole is in no outline, or if a loop has fewer than three points.
     pub(super) fn parts(&self) -> Option<Vec<Part>> {
         let nested = NestedRings::of_anticlockwise(&self.flat, self.rings.iter().map(|ring| ring.iter().copied()));
         let polygons: Vec<Vec<&[u32]>> = nested.polygons().map(Iterator::collect).collect();
-        let is_outline = |ring: &[u32]| {
-            let at = |k: usize| self.flat[ring[k] as usize] - self.flat[ring[0] as usize];
-            0.0 <= (1..ring.len() - 1).map(|k| at(k).perp_dot(at(k + 1))).sum::<f64>()
+        let area = |ring: &[u32]| doubled_area(&ring.iter().map(|&k| self.flat[k as usize]).collect::<Vec<_>>());
+        let is_part = |rings: &Vec<&[u32]>| {
+            0.0 <= area(rings[0])
+                && rings[1..].iter().all(|hole| area(hole) <= 0.0)
+                && rings.iter().all(|ring| self.has_three_points(ring))
         };
-        polygons.iter().all(|rings| is_outline(rings[0])).then(|| self.in_order(polygons.into_iter()))
+        polygons.iter().all(is_part).then(|| self.in_order(polygons.into_iter()))
+    }
+
+    fn has_three_points(&self, ring: &[u32]) -> bool {
+        let at = |k: u32| self.flat[k as usize];
+        let Some((&first, others)) = ring.split_first() else { return false };
+        let mut others = others.iter().map(|&k| at(k)).filter(|&place| place != at(first));
+        others.next().is_some_and(|second| others.any(|place| place != second))
     }
 
     fn in_order<'r>(&'r self, parts: impl Iterator<Item = Vec<&'r [u32]>>) -> Vec<Part> {
@@ -76,6 +85,12 @@ pub(super) fn in_order(parts: Vec<Vec<Vec<u32>>>) -> Vec<Part> {
     let mut parts: Vec<Part> = parts.iter().map(|rings| rings.iter().map(first).collect()).collect();
     parts.sort_unstable();
     parts
+}
+
+/// Twice the area of a loop, positive if it is anticlockwise.
+pub(super) fn doubled_area(ring: &[DVec2]) -> f64 {
+    let at = |k: usize| ring[k] - ring[0];
+    (1..ring.len().saturating_sub(1)).map(|k| at(k).perp_dot(at(k + 1))).sum()
 }
 
 /// The loops of some corners, in the order of these.

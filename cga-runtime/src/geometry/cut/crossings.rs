@@ -3,12 +3,12 @@
 use std::ops::Range;
 
 use super::class::ClassRange;
-use super::points::{Location, PieceCorner, Points};
+use super::points::{CutPoints, Location, PieceCorner};
 use super::segment::{Segment, comes_first};
 use super::slab::Slab;
 use crate::geometry::mesh::Mesh;
 
-impl Points {
+impl CutPoints {
     /// The crossing of the edge between two corners with the only plane between them.
     #[inline]
     pub(super) fn crossing(&mut self, parts: &mut [Slab], mesh: &Mesh, plane: u32, from: u32, to: u32) -> PieceCorner {

@@ -80,7 +80,7 @@ impl PlanePoints {
 
 /// All points of a cut.
 #[derive(Default)]
-pub(super) struct Points {
+pub(super) struct CutPoints {
     pub(super) axis: usize,
     /// The planes that meet the mesh.
     pub(super) planes: Vec<f64>,
@@ -96,10 +96,10 @@ pub(super) struct Points {
     pub(super) crossings: Vec<u32>,
 }
 
-impl Points {
+impl CutPoints {
     /// Classifies the points of a mesh. They have no numbers yet.
     pub(super) fn start(&mut self, mesh: &Mesh) {
-        let Points { axis, planes, places, .. } = self;
+        let CutPoints { axis, planes, places, .. } = self;
         places.clear();
         places.extend(mesh.points.iter().map(|p| Location { class: Class::among(planes, p[*axis]), number: 0 }));
         // Drops the lists left by cuts with many more planes.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::points::{Location, NONE, PieceCorner, Points};
+use super::points::{CutPoints, Location, NONE, PieceCorner};
 use crate::geometry::mesh::{FaceTag, Mesh, keep_used};
 use crate::geometry::trace::PartPoint;
 
@@ -40,7 +40,7 @@ impl Slab {
 
     /// The number of a point in this slab. A point on a plane gets its number at the first request.
     #[inline]
-    pub(crate) fn number(&mut self, points: &mut Points, place: Location, slab: u32) -> u32 {
+    pub(crate) fn number(&mut self, points: &mut CutPoints, place: Location, slab: u32) -> u32 {
         if !place.class.is_on_plane() {
             return place.number;
         }
@@ -57,7 +57,7 @@ impl Slab {
 
     /// Adds corners of a piece with their values.
     #[inline(always)]
-    pub(crate) fn corners(&mut self, points: &mut Points, source: &Mesh, nodes: &[PieceCorner], slab: u32) {
+    pub(crate) fn corners(&mut self, points: &mut CutPoints, source: &Mesh, nodes: &[PieceCorner], slab: u32) {
         for node in nodes {
             let number = self.number(points, node.place, slab);
             self.mesh.corners.push(number);
@@ -67,7 +67,7 @@ impl Slab {
 
     /// Adds the values of corners of a piece.
     #[inline(always)]
-    pub(crate) fn carry(&mut self, points: &Points, source: &Mesh, nodes: &[PieceCorner]) {
+    pub(crate) fn carry(&mut self, points: &CutPoints, source: &Mesh, nodes: &[PieceCorner]) {
         if !source.uvs.is_empty() {
             for node in nodes {
                 let share = if node.is_corner() { 0.0 } else { points.share(node.place) };

@@ -1,7 +1,7 @@
 //! The state that all steps of a cut share, and the faces that are not cut.
 
 use super::class::ClassRange;
-use super::points::{Location, NONE, Points};
+use super::points::{CutPoints, Location, NONE};
 use crate::geometry::cut::caps::rim::{PlaneSide, Rim};
 use crate::geometry::cut::caps::sheets::Sheets;
 use crate::geometry::cut::slab::Slab;
@@ -11,7 +11,7 @@ use crate::geometry::mesh::{FaceTag, Mesh};
 /// A cut in progress.
 #[derive(Default)]
 pub(super) struct CutState {
-    pub(super) points: Points,
+    pub(super) points: CutPoints,
     pub(super) parts: Vec<Slab>,
     pub(super) rim: Rim,
     pub(super) sheets: Sheets,

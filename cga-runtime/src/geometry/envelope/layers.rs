@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3};
 
-use super::{EnvelopeRefusal, Ground, Part, capped};
+use super::{EnvelopePart, EnvelopeRefusal, Ground, capped};
 use crate::geometry::cut::{Plane, halves};
 use crate::geometry::mesh::{FaceTag, Mesh, flip};
 use crate::geometry::nesting::Nest;
@@ -30,7 +30,7 @@ struct Stack {
     /// Points: their places in the plan, and their heights over the face.
     points: Vec<(DVec2, f64)>,
     /// The sides of each part, in the direction in which it runs around them.
-    sides: BTreeMap<Part, Vec<[u32; 2]>>,
+    sides: BTreeMap<EnvelopePart, Vec<[u32; 2]>>,
 }
 
 /// A loop of edges: the points where they begin, and the corner of the face whose edge each is on.
@@ -38,7 +38,7 @@ type Front = Vec<(u32, usize)>;
 
 /// The volume over a face. The faces have marks of their parts in place of tags.
 pub(super) fn stack(ground: &Ground<'_>) -> Result<Mesh, EnvelopeRefusal> {
-    let plan = Plan::of(ground)?;
+    let plan = FaceProjection::of(ground)?;
     let mut stack = Stack { points: plan.points.iter().map(|&p| (p, 0.0)).collect(), sides: BTreeMap::new() };
     let mut fronts: Vec<Front> = vec![ground.flat.corners.iter().copied().zip(0..).collect()];
     let mut levels: Vec<f64> = ground.slopes().map(|corner| ground.sides[corner].base).chain([0.0]).collect();
@@ -61,20 +61,20 @@ pub(super) fn stack(ground: &Ground<'_>) -> Result<Mesh, EnvelopeRefusal> {
     flip(&mut ring);
     mesh.corners.extend(ring);
     mesh.end_loop();
-    mesh.end_face(FaceTag { tags: Part::Bottom.to_mark(), ..FaceTag::PLAIN });
+    mesh.end_face(FaceTag { tags: EnvelopePart::Bottom.to_mark(), ..FaceTag::PLAIN });
     let tops: Vec<[u32; 2]> = fronts.iter().flat_map(sides_of).collect();
     let plain: Vec<DVec2> = stack.points.iter().map(|point| point.0).collect();
-    add_faces(&mut mesh, &tops, &plain, Part::Top)?;
+    add_faces(&mut mesh, &tops, &plain, EnvelopePart::Top)?;
     for (&part, sides) in &stack.sides {
         match part {
-            Part::Slope(_) => add_faces(&mut mesh, sides, &plain, part)?,
-            Part::Base(corner) => {
+            EnvelopePart::Slope(_) => add_faces(&mut mesh, sides, &plain, part)?,
+            EnvelopePart::Base(corner) => {
                 let ends = plan.ends[corner as usize].map(|end| plan.points[end as usize]);
                 let along = (ends[1] - ends[0]).normalize_or_zero();
                 let upright = |&(p, height): &(DVec2, f64)| DVec2::new(along.dot(p - ends[0]), height);
                 add_faces(&mut mesh, sides, &stack.points.iter().map(upright).collect::<Vec<_>>(), part)?;
             }
-            Part::Bottom | Part::Top | Part::Inner(_) => {}
+            EnvelopePart::Bottom | EnvelopePart::Top | EnvelopePart::Inner(_) => {}
         }
     }
     mesh.drop_unused();
@@ -86,11 +86,11 @@ pub(super) fn stack(ground: &Ground<'_>) -> Result<Mesh, EnvelopeRefusal> {
     }
     let plane = Plane { point: ground.up * ground.top, normal: ground.up };
     let below = halves(&mesh.into(), &plane, 0.0).parts.swap_remove(0).ok_or(EnvelopeRefusal::Empty)?;
-    Ok(capped(&below, Part::Top))
+    Ok(capped(&below, EnvelopePart::Top))
 }
 
 /// The face as seen along the direction of the volume.
-struct Plan {
+struct FaceProjection {
     axes: [DVec3; 2],
     origin: DVec3,
     /// The points of the face.
@@ -107,7 +107,7 @@ struct Plan {
     is_level: bool,
 }
 
-impl Plan {
+impl FaceProjection {
     fn of(ground: &Ground<'_>) -> Result<Self, EnvelopeRefusal> {
         let (flat, up) = (&ground.flat, ground.up);
         let origin = flat.origin;
@@ -140,7 +140,7 @@ impl Plan {
             }
             ways[corner] = 1.0 / slope;
         }
-        Ok(Plan { axes, origin, points, rise, ends, ways, top, is_level })
+        Ok(FaceProjection { axes, origin, points, rise, ends, ways, top, is_level })
     }
 
     fn place(&self, ground: &Ground<'_>, p: DVec2, height: f64) -> DVec3 {
@@ -153,7 +153,7 @@ impl Stack {
     fn layer(
         &mut self,
         ground: &Ground<'_>,
-        plan: &Plan,
+        plan: &FaceProjection,
         fronts: &[Front],
         [low, high]: [f64; 2],
     ) -> Result<Vec<Front>, EnvelopeRefusal> {
@@ -167,7 +167,9 @@ impl Stack {
         let corners: Vec<usize> = fronts.iter().flatten().map(|edge| edge.1).collect();
         let moves = |corner: usize| !ground.sides[corner].is_upright() && ground.sides[corner].base <= low;
         let ways: Vec<f64> = corners.iter().map(|&c| if moves(c) { plan.ways[c] } else { 0.0 }).collect();
-        let part = |corner: usize| if moves(corner) { Part::Slope(corner as u32) } else { Part::Base(corner as u32) };
+        let part = |corner: usize| {
+            if moves(corner) { EnvelopePart::Slope(corner as u32) } else { EnvelopePart::Base(corner as u32) }
+        };
         let most = ways.iter().copied().fold(0.0, f64::max);
         if most == 0.0 {
             return Ok(self.upright(fronts, part, high));
@@ -197,7 +199,7 @@ impl Stack {
     }
 
     /// A layer in which no edge moves.
-    fn upright(&mut self, fronts: &[Front], part: impl Fn(usize) -> Part, high: f64) -> Vec<Front> {
+    fn upright(&mut self, fronts: &[Front], part: impl Fn(usize) -> EnvelopePart, high: f64) -> Vec<Front> {
         let mut above = BTreeMap::new();
         for &(point, _) in fronts.iter().flatten() {
             above.entry(point).or_insert_with(|| {
@@ -222,7 +224,7 @@ fn sides_of(front: &Front) -> impl Iterator<Item = [u32; 2]> + '_ {
 }
 
 /// Adds the faces within some sides, as seen in a plane. Sides back and forth cancel.
-fn add_faces(mesh: &mut Mesh, sides: &[[u32; 2]], flat: &[DVec2], part: Part) -> Result<(), EnvelopeRefusal> {
+fn add_faces(mesh: &mut Mesh, sides: &[[u32; 2]], flat: &[DVec2], part: EnvelopePart) -> Result<(), EnvelopeRefusal> {
     let mut count: BTreeMap<[u32; 2], i32> = BTreeMap::new();
     for &[a, b] in sides {
         *count.entry([a.min(b), a.max(b)]).or_default() += if a < b { 1 } else { -1 };

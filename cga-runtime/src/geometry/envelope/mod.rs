@@ -57,7 +57,7 @@ pub(crate) enum EnvelopeRefusal {
 
 /// A part of an envelope.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Part {
+enum EnvelopePart {
     Bottom,
     Top,
     /// The upright side at a hole.
@@ -67,37 +67,37 @@ enum Part {
     Slope(u32),
 }
 
-impl Part {
+impl EnvelopePart {
     /// The tag of the part (*component tags*).
     fn tag(self) -> &'static str {
         match self {
-            Part::Bottom => "envelope.bottom",
-            Part::Top => "envelope.top",
-            Part::Inner(_) => "envelope.side.inner",
-            Part::Base(_) => "envelope.side.base",
-            Part::Slope(_) => "envelope.side.slope",
+            EnvelopePart::Bottom => "envelope.bottom",
+            EnvelopePart::Top => "envelope.top",
+            EnvelopePart::Inner(_) => "envelope.side.inner",
+            EnvelopePart::Base(_) => "envelope.side.base",
+            EnvelopePart::Slope(_) => "envelope.side.slope",
         }
     }
 
     /// A number in place of the tags of a face, while faces are cut.
     fn to_mark(self) -> u32 {
         match self {
-            Part::Bottom => 0,
-            Part::Top => 1,
-            Part::Inner(edge) => 2 + 3 * edge,
-            Part::Base(edge) => 3 + 3 * edge,
-            Part::Slope(edge) => 4 + 3 * edge,
+            EnvelopePart::Bottom => 0,
+            EnvelopePart::Top => 1,
+            EnvelopePart::Inner(edge) => 2 + 3 * edge,
+            EnvelopePart::Base(edge) => 3 + 3 * edge,
+            EnvelopePart::Slope(edge) => 4 + 3 * edge,
         }
     }
 
-    fn of_mark(mark: u32) -> Part {
+    fn of_mark(mark: u32) -> EnvelopePart {
         match mark {
-            0 => Part::Bottom,
-            1 => Part::Top,
+            0 => EnvelopePart::Bottom,
+            1 => EnvelopePart::Top,
             _ => match ((mark - 2) % 3, (mark - 2) / 3) {
-                (0, edge) => Part::Inner(edge),
-                (1, edge) => Part::Base(edge),
-                (_, edge) => Part::Slope(edge),
+                (0, edge) => EnvelopePart::Inner(edge),
+                (1, edge) => EnvelopePart::Base(edge),
+                (_, edge) => EnvelopePart::Slope(edge),
             },
         }
     }
@@ -181,10 +181,10 @@ pub(crate) fn envelopes(
         let ends: Vec<[u32; 2]> = face.edges().map(|edge| edge.map(|corner| source.corners()[corner])).collect();
         match envelope(&face, &sides[face.corner_range()], height, up) {
             Ok(volume) => add(&mut made, &face, &volume, &mut tagger, |mark| {
-                let part = Part::of_mark(mark.tags);
+                let part = EnvelopePart::of_mark(mark.tags);
                 match part {
-                    Part::Bottom | Part::Top => tags.over(face.tag(), part.tag()),
-                    Part::Inner(corner) | Part::Base(corner) | Part::Slope(corner) => {
+                    EnvelopePart::Bottom | EnvelopePart::Top => tags.over(face.tag(), part.tag()),
+                    EnvelopePart::Inner(corner) | EnvelopePart::Base(corner) | EnvelopePart::Slope(corner) => {
                         tags.over_edge(face.tag(), part.tag(), ends[corner as usize])
                     }
                 }
@@ -241,7 +241,7 @@ fn envelope(
 fn begun_at_outline(ground: &Ground<'_>, volume: &Mesh) -> Mesh {
     let mut made = volume.clone();
     for face in volume.faces() {
-        let Part::Slope(corner) = Part::of_mark(face.tag().tags) else { continue };
+        let EnvelopePart::Slope(corner) = EnvelopePart::of_mark(face.tag().tags) else { continue };
         let (from, inwards) = (ground.at(corner as usize), ground.inwards(corner as usize));
         let ring = face.outer();
         let at = |k: usize| volume.points()[ring[k % ring.len()] as usize];
@@ -262,7 +262,7 @@ fn marked(mesh: &Mesh, mark: impl Fn(FaceTag) -> FaceTag) -> Mesh {
 }
 
 /// The mesh with its caps marked as a part.
-fn capped(mesh: &Mesh, part: Part) -> Mesh {
+fn capped(mesh: &Mesh, part: EnvelopePart) -> Mesh {
     marked(mesh, |tag| if tag.cap { FaceTag { tags: part.to_mark(), ..FaceTag::PLAIN } } else { tag })
 }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{EnvelopeRefusal, Ground, Part, capped};
+use super::{EnvelopePart, EnvelopeRefusal, Ground, capped};
 use crate::geometry::cut::{Plane, halves};
 use crate::geometry::mesh::{FaceTag, FlatFace, Mesh, flip};
 
@@ -26,11 +26,13 @@ pub(super) fn cut(ground: &Ground<'_>) -> Result<Mesh, EnvelopeRefusal> {
         let normal = ground.slope_normal(corner, sin, cos);
         let plane = Plane { point: ground.at(corner) + ground.up * side.base, normal };
         let below = halves(&volume, &plane, tolerance).parts.swap_remove(0).ok_or(EnvelopeRefusal::Empty)?;
-        volume = Arc::new(capped(&below, Part::Slope(corner as u32)));
+        volume = Arc::new(capped(&below, EnvelopePart::Slope(corner as u32)));
     }
     // Every cut keeps the sides that it does not remove, so a volume without a bottom or with less than a tetrahedron's
     // faces has no contents.
-    if volume.face_count() < 4 || !volume.faces().any(|face| Part::of_mark(face.tag().tags) == Part::Bottom) {
+    if volume.face_count() < 4
+        || !volume.faces().any(|face| EnvelopePart::of_mark(face.tag().tags) == EnvelopePart::Bottom)
+    {
         return Err(EnvelopeRefusal::Empty);
     }
     Ok(Arc::unwrap_or_clone(volume))
@@ -52,19 +54,19 @@ pub(super) fn prism(flat: &FlatFace<'_>, up: DVec3, top: f64) -> Mesh {
     mesh.points = low.iter().copied().chain(high).collect();
     let count = low.len() as u32;
     let ring = &flat.corners;
-    let end_face = |mesh: &mut Mesh, part: Part| {
+    let end_face = |mesh: &mut Mesh, part: EnvelopePart| {
         mesh.end_loop();
         mesh.end_face(FaceTag { tags: part.to_mark(), ..FaceTag::PLAIN });
     };
     let mut bottom = ring.clone();
     flip(&mut bottom);
     mesh.corners.extend(bottom);
-    end_face(&mut mesh, Part::Bottom);
+    end_face(&mut mesh, EnvelopePart::Bottom);
     mesh.corners.extend(ring.iter().map(|point| point + count));
-    end_face(&mut mesh, Part::Top);
+    end_face(&mut mesh, EnvelopePart::Top);
     for (corner, (&a, &b)) in (0..).zip(ring.iter().zip(ring.iter().cycle().skip(1))) {
         mesh.corners.extend([a, b, b + count, a + count]);
-        end_face(&mut mesh, Part::Base(corner));
+        end_face(&mut mesh, EnvelopePart::Base(corner));
     }
     mesh
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::planes::prism;
-use super::{EnvelopeRefusal, Ground, Part, marked};
+use super::{EnvelopePart, EnvelopeRefusal, Ground, marked};
 use crate::geometry::boolean::{BooleanOp, combine};
 use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh};
 use crate::geometry::nesting::extent::Extent;
@@ -35,7 +35,7 @@ pub(super) fn drilled(volume: Mesh, ground: &Ground<'_>, face: &FaceRef<'_>) -> 
 /// A mesh of the faces of another in the order of their parts.
 fn in_order(mesh: &Mesh) -> Mesh {
     let mut faces: Vec<_> = mesh.faces().collect();
-    faces.sort_by_key(|face| Part::of_mark(face.tag().tags));
+    faces.sort_by_key(|face| EnvelopePart::of_mark(face.tag().tags));
     let mut sorted = Mesh { points: mesh.points.clone(), ..Mesh::default() };
     for face in faces {
         for ring in face.loops() {
@@ -61,8 +61,8 @@ fn shaft(face: &FaceRef<'_>, ring: Range<usize>, up: DVec3, top: f64) -> Option<
     let prism = prism(&FlatFace::of(&mesh.face(0))?, up, top);
     // The edge of the hole that begins at each of these corners, or ends there.
     let edge = |k: usize| corners[if is_turned { (k + 1) % corners.len() } else { k }] - start;
-    Some(marked(&prism, |tag| match Part::of_mark(tag.tags) {
-        Part::Base(k) => FaceTag { tags: Part::Inner(edge(k as usize) as u32).to_mark(), ..tag },
+    Some(marked(&prism, |tag| match EnvelopePart::of_mark(tag.tags) {
+        EnvelopePart::Base(k) => FaceTag { tags: EnvelopePart::Inner(edge(k as usize) as u32).to_mark(), ..tag },
         _ => tag,
     }))
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{EnvelopeRefusal, EnvelopeSide, Ground, Part, begun_at_outline, envelope, layers, planes};
+use super::{EnvelopePart, EnvelopeRefusal, EnvelopeSide, Ground, begun_at_outline, envelope, layers, planes};
 use crate::geometry::mesh::{FlatFace, Mesh};
 use crate::geometry::random::Rng;
 
@@ -78,16 +78,16 @@ fn slopes_go_on_behind_holes() {
         let whole = envelope(&whole.face(0), &sides[..whole.corners().len()], 5.0, None).unwrap();
         let volume = envelope(&mesh.face(0), &sides, 5.0, None).unwrap();
         assert!(volume.is_closed() && volume.check().is_empty(), "{:?} {:?}", volume.check(), mesh.points());
-        let parts = |mesh: &Mesh, kind: fn(Part) -> bool| -> f64 {
-            mesh.faces().filter(|face| kind(Part::of_mark(face.tag().tags))).map(|face| face.area()).sum()
+        let parts = |mesh: &Mesh, kind: fn(EnvelopePart) -> bool| -> f64 {
+            mesh.faces().filter(|face| kind(EnvelopePart::of_mark(face.tag().tags))).map(|face| face.area()).sum()
         };
-        let areas = |kind: fn(Part) -> bool| [parts(&whole, kind), parts(&volume, kind)];
+        let areas = |kind: fn(EnvelopePart) -> bool| [parts(&whole, kind), parts(&volume, kind)];
         // Only the shaft is gone: bases stay, and what is level or sloped above the hole.
-        let [base, kept] = areas(|part| matches!(part, Part::Base(_)));
+        let [base, kept] = areas(|part| matches!(part, EnvelopePart::Base(_)));
         assert!((base - kept).abs() < 1e-7 * base, "{base} {kept} {:?} {sides:?}", mesh.points());
-        let [bottom, kept] = areas(|part| part == Part::Bottom);
+        let [bottom, kept] = areas(|part| part == EnvelopePart::Bottom);
         assert!((mesh.area() - kept).abs() < 1e-7 * bottom);
-        let [inner, drilled] = areas(|part| matches!(part, Part::Inner(_)));
+        let [inner, drilled] = areas(|part| matches!(part, EnvelopePart::Inner(_)));
         assert!(inner == 0.0 && 0.0 < drilled);
         // The shaft has at least the volume of the lowest place above the hole, and at most that of the top.
         let lost = whole.volume() - volume.volume();

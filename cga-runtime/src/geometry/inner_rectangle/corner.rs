@@ -42,7 +42,7 @@ impl Limit {
 /// The limits of a rectangle. Its sides are measured from the left line of their slabs, because edges in a narrow slab may be
 /// very steep.
 #[derive(Clone, Debug)]
-pub(super) struct Limits {
+pub(super) struct CornerLimits {
     /// The top is below all of these, the bottom above all of those.
     pub(super) tops: Vec<Limit>,
     pub(super) bottoms: Vec<Limit>,
@@ -51,7 +51,7 @@ pub(super) struct Limits {
     pub(super) widths: [f64; 2],
 }
 
-impl Limits {
+impl CornerLimits {
     /// The highest rectangle between two sides.
     fn between(&self, left: f64, right: f64) -> Found {
         let (left, right) = (left.clamp(0.0, self.widths[0]), right.clamp(0.0, self.widths[1]));
@@ -81,6 +81,9 @@ impl Limits {
             return None;
         }
         all.retain(|found| most * (1.0 - EQUAL) <= found.area);
+        // Most are found many times, and all pairs are looked at.
+        all.sort_unstable_by(|a, b| a.low.x.total_cmp(&b.low.x).then(a.high.x.total_cmp(&b.high.x)));
+        all.dedup_by(|a, b| a.low.abs_diff_eq(b.low, EQUAL) && a.high.abs_diff_eq(b.high, EQUAL));
         let off = |found: &Found| found.middle().distance_squared(centre);
         let mut nearest = all.iter().copied().min_by(|a, b| off(a).total_cmp(&off(b)))?;
         // Rectangles between two that are equally large are as large, because the area has no other maximum.

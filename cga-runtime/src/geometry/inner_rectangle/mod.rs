@@ -14,7 +14,7 @@ use glam::{DMat2, DVec2};
 
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::{STRAIGHT_EPSILON, TIE_EPSILON};
-use slabs::Slabs;
+use slabs::PolygonSlabs;
 
 /// A rectangle along two directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,7 +79,7 @@ pub(crate) fn largest(points: &[DVec2], rings: &[Vec<u32>], sides: RectangleSide
         let turn = DMat2::from_cols(along, along.perp());
         let back = turn.transpose();
         let turned: Vec<DVec2> = flat.iter().map(|p| back * *p).collect();
-        let slabs = Slabs::of(&turned, rings);
+        let slabs = PolygonSlabs::of(&turned, rings);
         budget = budget.saturating_sub(SETUP * slabs.edge_count());
         if budget == 0 && best.is_some() {
             break;

@@ -6,27 +6,27 @@ use std::collections::BinaryHeap;
 use glam::DVec2;
 
 use super::Found;
-use super::corner::{Limit, Limits};
-use super::slabs::{SlabEdge, Slabs};
+use super::corner::{CornerLimits, Limit};
+use super::slabs::{PolygonSlabs, SlabEdge};
 use crate::geometry::tol::TIE_EPSILON;
 
 /// Pairs of slabs: all left ones with all right ones. No rectangle with sides in them is larger than `most`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Pairs {
+struct SlabPairs {
     most: f64,
     left: [usize; 2],
     right: [usize; 2],
 }
 
-impl Eq for Pairs {}
+impl Eq for SlabPairs {}
 
-impl Ord for Pairs {
+impl Ord for SlabPairs {
     fn cmp(&self, other: &Self) -> Ordering {
         self.most.total_cmp(&other.most).then_with(|| (other.left, other.right).cmp(&(self.left, self.right)))
     }
 }
 
-impl PartialOrd for Pairs {
+impl PartialOrd for SlabPairs {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
@@ -34,17 +34,17 @@ impl PartialOrd for Pairs {
 
 /// The largest rectangle, if it is not smaller than `least`; of several, the one nearest to `centre`. Every visit of an edge is
 /// taken from the budget; the search ends when it is spent.
-pub(super) fn search(slabs: &Slabs, centre: DVec2, least: f64, budget: &mut usize) -> Option<Found> {
+pub(super) fn search(slabs: &PolygonSlabs, centre: DVec2, least: f64, budget: &mut usize) -> Option<Found> {
     let last = slabs.count().checked_sub(1)?;
     let mut queue = BinaryHeap::new();
     let mut best: Option<Found> = None;
     let mut least = least * (1.0 - TIE_EPSILON);
-    queue.push(Pairs { most: f64::INFINITY, left: [0, last], right: [0, last] });
+    queue.push(SlabPairs { most: f64::INFINITY, left: [0, last], right: [0, last] });
     while let Some(pairs) = queue.pop() {
         if pairs.most < least {
             break;
         }
-        let Pairs { left, right, .. } = pairs;
+        let SlabPairs { left, right, .. } = pairs;
         if left[0] == left[1] && right[0] == right[1] {
             *budget = budget.saturating_sub(8 * slabs.edge_count());
             for found in within(slabs, left[0], right[0], least, centre) {
@@ -66,9 +66,9 @@ pub(super) fn search(slabs: &Slabs, centre: DVec2, least: f64, budget: &mut usiz
             for part in [[first, middle], [middle + 1, last]] {
                 let [left, right] = if divides_left { [part, right] } else { [left, part] };
                 if left[0] <= right[1] {
-                    let most = bound(slabs, left, right, budget);
+                    let most = bound(slabs, left, right, least, budget);
                     if least <= most {
-                        queue.push(Pairs { most, left, right });
+                        queue.push(SlabPairs { most, left, right });
                     }
                 }
             }
@@ -80,11 +80,11 @@ pub(super) fn search(slabs: &Slabs, centre: DVec2, least: f64, budget: &mut usiz
     best
 }
 
-/// The area that no rectangle with its sides in these slabs exceeds.
-fn bound(slabs: &Slabs, left: [usize; 2], right: [usize; 2], budget: &mut usize) -> f64 {
+/// The area that no rectangle with its sides in these slabs exceeds, or an area below `least`.
+fn bound(slabs: &PolygonSlabs, left: [usize; 2], right: [usize; 2], least: f64, budget: &mut usize) -> f64 {
     let width = slabs.lines[right[1] + 1] - slabs.lines[left[0]];
     let mut height = slabs.highest(left[0], left[1]).min(slabs.highest(right[0], right[1]));
-    if left[1] + 1 < right[0] {
+    if left[1] + 1 < right[0] && least <= width * height {
         *budget = budget.saturating_sub(slabs.edge_count());
         let gaps = slabs.gaps(slabs.lines[left[1] + 1], slabs.lines[right[0]]);
         height = height.min(gaps.iter().map(|gap| gap[1] - gap[0]).fold(0.0, f64::max));
@@ -93,14 +93,14 @@ fn bound(slabs: &Slabs, left: [usize; 2], right: [usize; 2], budget: &mut usize)
 }
 
 /// The largest rectangles with the left side in one slab and the right side in another, for each way between them.
-fn within(slabs: &Slabs, left: usize, right: usize, least: f64, centre: DVec2) -> Vec<Found> {
+fn within(slabs: &PolygonSlabs, left: usize, right: usize, least: f64, centre: DVec2) -> Vec<Found> {
     let [from, to] = [slabs.span(left), slabs.span(right)];
     let most_width = to[1] - from[0];
     let by_left = |edge: &SlabEdge| Limit { constant: edge.at(from[0]), by_left: edge.slope(), by_right: 0.0 };
     let by_right = |edge: &SlabEdge| Limit { constant: edge.at(to[0]), by_left: 0.0, by_right: edge.slope() };
     let starts = slabs.trapezoids(left);
     if left == right {
-        let limits = starts.iter().map(|[bottom, top]| Limits {
+        let limits = starts.iter().map(|[bottom, top]| CornerLimits {
             tops: vec![by_left(top), by_right(top)],
             bottoms: vec![by_left(bottom), by_right(bottom)],
             lines: [from[0], to[0]],
@@ -119,7 +119,7 @@ fn within(slabs: &Slabs, left: usize, right: usize, least: f64, centre: DVec2) -
                 if top <= bottom || (top - bottom) * most_width < least {
                     continue;
                 }
-                let limits = Limits {
+                let limits = CornerLimits {
                     tops: vec![Limit::constant(top), by_left(start_top), by_right(end_top)],
                     bottoms: vec![Limit::constant(bottom), by_left(start_bottom), by_right(end_bottom)],
                     lines: [from[0], to[0]],

@@ -28,7 +28,7 @@ impl SlabEdge {
 }
 
 /// A polygon as edges, and the coordinates of its corners along x.
-pub(super) struct Slabs {
+pub(super) struct PolygonSlabs {
     /// Sorted by their left ends.
     edges: Vec<SlabEdge>,
     /// The lines between slabs.
@@ -37,7 +37,7 @@ pub(super) struct Slabs {
     highest: Vec<f64>,
 }
 
-impl Slabs {
+impl PolygonSlabs {
     pub(super) fn of(points: &[DVec2], rings: &[Vec<u32>]) -> Self {
         let mut lines: Vec<f64> = rings.iter().flatten().map(|&point| points[point as usize].x).collect();
         lines.sort_unstable_by(f64::total_cmp);
@@ -52,7 +52,7 @@ impl Slabs {
             }
         }
         edges.sort_by(|a, b| a.from.x.total_cmp(&b.from.x));
-        let mut slabs = Slabs { edges, lines, highest: Vec::new() };
+        let mut slabs = PolygonSlabs { edges, lines, highest: Vec::new() };
         let (mut active, mut next): (Vec<SlabEdge>, usize) = (Vec::new(), 0);
         for slab in 0..slabs.count() {
             let [low, high] = slabs.span(slab);

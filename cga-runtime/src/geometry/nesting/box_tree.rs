@@ -9,7 +9,7 @@ use std::collections::BinaryHeap;
 
 use super::extent::Extent;
 use super::ring::Loop;
-use super::winding::Budget;
+use super::winding::QueryBudget;
 
 /// A tree of some loops.
 #[derive(Default)]
@@ -84,9 +84,9 @@ impl BoxTree {
     /// or several loops: false if none of them can be accepted.
     pub(crate) fn smallest(
         &mut self,
-        budget: &mut Budget,
+        budget: &mut QueryBudget,
         may_be_in: impl Fn(&Extent) -> bool,
-        mut accept: impl FnMut(usize, &mut Budget) -> bool,
+        mut accept: impl FnMut(usize, &mut QueryBudget) -> bool,
     ) -> Option<usize> {
         self.open.clear();
         let may_be_in = |node: u32| may_be_in(&self.nodes[node as usize].extent);
@@ -147,7 +147,7 @@ mod tests {
                 }
                 let mut tree = BoxTree::default();
                 tree.fill(&loops, |_| true);
-                let mut budget = Budget(usize::MAX);
+                let mut budget = QueryBudget(usize::MAX);
                 for (number, ring) in loops.iter().enumerate() {
                     let at = ring.extent.low;
                     let found = tree.smallest(&mut budget, |extent| extent.holds(at), |_, _| true);

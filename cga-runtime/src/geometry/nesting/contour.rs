@@ -25,13 +25,13 @@ pub(crate) struct Contour {
 }
 
 /// Loops with their points.
-pub(crate) struct PlaneSection<'c> {
+pub(crate) struct FlatLoops<'c> {
     pub(crate) flat: &'c [DVec2],
     pub(crate) corners: &'c [u32],
     pub(crate) ends: &'c [usize],
 }
 
-impl PlaneSection<'_> {
+impl FlatLoops<'_> {
     /// The corners of a loop.
     pub(crate) fn ring(&self, range: &Range<usize>) -> &[u32] {
         &self.corners[range.clone()]
@@ -40,8 +40,8 @@ impl PlaneSection<'_> {
 
 impl Contour {
     /// The loops that were found. `flat` are the points on the plane.
-    pub(crate) fn section<'c>(&'c self, flat: &'c [DVec2]) -> PlaneSection<'c> {
-        PlaneSection { flat, corners: &self.corners, ends: &self.ends }
+    pub(crate) fn section<'c>(&'c self, flat: &'c [DVec2]) -> FlatLoops<'c> {
+        FlatLoops { flat, corners: &self.corners, ends: &self.ends }
     }
 
     /// Finds the loops of some edges between points on a plane. Chains that do not close are passed to `open`.

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::contour::PlaneSection;
+use super::contour::FlatLoops;
 use super::extent::Extent;
 
 /// Groups of loops through the same points in the same order.
@@ -22,7 +22,7 @@ impl Twins {
     /// Finds the groups among loops, which are given by their corners and bounding boxes.
     pub(crate) fn find(
         &mut self,
-        section: &PlaneSection<'_>,
+        section: &FlatLoops<'_>,
         loops: impl Iterator<Item = (Range<usize>, Extent)> + Clone,
     ) {
         self.groups.clear();
@@ -36,8 +36,8 @@ impl Twins {
         }
         let ranges: Vec<Range<usize>> = loops.map(|(range, _)| range).collect();
         for same_box in self.order.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).filter(|group| group.len() > 1) {
-            let mut rings: Vec<Ring> =
-                same_box.iter().map(|&(.., number)| Ring::of(section, &ranges[number], number)).collect();
+            let mut rings: Vec<CanonicalLoop> =
+                same_box.iter().map(|&(.., number)| CanonicalLoop::of(section, &ranges[number], number)).collect();
             rings.sort_unstable_by(|a, b| a.order(b).then(a.number.cmp(&b.number)));
             for kind in rings.chunk_by(|a, b| a.order(b).is_eq()).filter(|kind| kind.len() > 1) {
                 let places = kind.iter().enumerate().map(|(rank, ring)| (ring.number, (self.groups.len(), rank)));
@@ -65,20 +65,20 @@ impl Twins {
 }
 
 /// The points of a loop from its least start, which are equal for twins.
-struct Ring {
+struct CanonicalLoop {
     number: usize,
     places: Vec<DVec2>,
 }
 
-impl Ring {
-    fn of(section: &PlaneSection<'_>, range: &Range<usize>, number: usize) -> Self {
+impl CanonicalLoop {
+    fn of(section: &FlatLoops<'_>, range: &Range<usize>, number: usize) -> Self {
         let mut places: Vec<DVec2> = section.ring(range).iter().map(|&at| section.flat[at as usize]).collect();
         let start = least_start(&places);
         places.rotate_left(start);
-        Ring { number, places }
+        CanonicalLoop { number, places }
     }
 
-    fn order(&self, other: &Ring) -> Ordering {
+    fn order(&self, other: &CanonicalLoop) -> Ordering {
         let count = self.places.len().cmp(&other.places.len());
         let pairs = || self.places.iter().zip(&other.places);
         count
@@ -138,7 +138,7 @@ mod tests {
         let flat = [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0), at(1.0, 1.0)];
         let corners = [0, 1, 2, 3, 3, 2, 1, 0, 4, 3, 0, 1, 0, 2, 3, 2, 3, 0, 1];
         let ends = [4, 8, 12, 15, 19];
-        let section = PlaneSection { flat: &flat, corners: &corners, ends: &ends };
+        let section = FlatLoops { flat: &flat, corners: &corners, ends: &ends };
         let starts = [0].into_iter().chain(ends);
         let loops = starts.zip(ends).map(|(start, end)| (start..end, Extent { low: DVec2::ZERO, high: DVec2::ONE }));
         let mut twins = Twins::default();

@@ -30,13 +30,13 @@ use glam::DVec2;
 use crate::geometry::buckets::Buckets;
 use crate::geometry::tol::PLANAR_EPSILON;
 use box_tree::BoxTree;
-use contour::PlaneSection;
+use contour::FlatLoops;
 use duplicates::Twins;
 use extent::{Extent, about_one};
 use probe::Probe;
 use ring::Loop;
 use sweep::LoopSweep;
-use winding::{Budget, Runs};
+use winding::{QueryBudget, Runs};
 
 /// The limit on visited boxes and edges per corner of a section, and the minimum for any section. Sections with loops
 /// at random positions need about ten per corner, and the sweep takes about as long as this limit.
@@ -44,8 +44,8 @@ const LIMIT: usize = 64;
 const SMALL: usize = 1 << 16;
 
 /// The budget for the queries of a section.
-fn budget(section: &PlaneSection<'_>) -> Budget {
-    Budget(SMALL.max(LIMIT * section.corners.len()))
+fn budget(section: &FlatLoops<'_>) -> QueryBudget {
+    QueryBudget(SMALL.max(LIMIT * section.corners.len()))
 }
 
 /// The loops of a section in groups, each an outline with its holes, and buffers.
@@ -81,11 +81,11 @@ impl Nest {
         let count = ends.last().copied().unwrap_or(0);
         let flat: Vec<DVec2> = (0..count).map(at).collect();
         let corners: Vec<u32> = (0..count as u32).collect();
-        self.sort(&PlaneSection { flat: &flat, corners: &corners, ends });
+        self.sort(&FlatLoops { flat: &flat, corners: &corners, ends });
     }
 
     /// Sorts the loops of a section into groups.
-    pub(crate) fn sort(&mut self, section: &PlaneSection<'_>) {
+    pub(crate) fn sort(&mut self, section: &FlatLoops<'_>) {
         self.measure(section);
         // In a section that is inside out, outlines are clockwise. If outlines and holes cancel, the sum is rounding
         // noise.
@@ -95,7 +95,7 @@ impl Nest {
     }
 
     /// The same for a section that is known to be inside out or not.
-    pub(crate) fn sort_as(&mut self, section: &PlaneSection<'_>, inverted: bool) {
+    pub(crate) fn sort_as(&mut self, section: &FlatLoops<'_>, inverted: bool) {
         self.measure(section);
         self.nest(section, inverted);
     }
@@ -105,7 +105,7 @@ impl Nest {
         self.loops.iter().filter(|ring| !ring.is_outline() && ring.outline.is_none()).map(|ring| &ring.range)
     }
 
-    fn measure(&mut self, section: &PlaneSection<'_>) {
+    fn measure(&mut self, section: &FlatLoops<'_>) {
         self.loops.clear();
         let scale = about_one(section.corners.iter().map(|&corner| section.flat[corner as usize]));
         self.scale = scale;
@@ -116,7 +116,7 @@ impl Nest {
         }
     }
 
-    fn nest(&mut self, section: &PlaneSection<'_>, inverted: bool) {
+    fn nest(&mut self, section: &FlatLoops<'_>, inverted: bool) {
         self.inverted = inverted;
         if inverted {
             self.loops.iter_mut().for_each(|ring| ring.area = -ring.area);
@@ -151,7 +151,7 @@ impl Nest {
     }
 
     /// Finds an outline for each hole.
-    fn assign(&mut self, section: &PlaneSection<'_>) {
+    fn assign(&mut self, section: &FlatLoops<'_>) {
         let Nest { loops, inverted, twins, tree, runs, probes, .. } = self;
         twins.find(section, loops.iter().map(|ring| (ring.range.clone(), ring.extent)));
         // Rounding depends on where a loop starts, and for an area of about 0 it may decide the sign.
@@ -184,7 +184,7 @@ impl Nest {
 
     /// Finds for each hole the smallest outline that winds around the point beside it. If the budget is spent and loops
     /// cross, some holes stay without an outline.
-    fn ask_beside(&mut self, section: &PlaneSection<'_>) {
+    fn ask_beside(&mut self, section: &FlatLoops<'_>) {
         let Nest { loops, inverted, twins, tree, runs, sweep, probes, .. } = self;
         let mut budget = budget(section);
         for (hole, probe) in &*probes {
@@ -204,7 +204,7 @@ impl Nest {
 
     /// Repeats the test for holes without a possible outline, at a point inside the hole if there is one, with possible
     /// outlines only.
-    fn ask_inside(&mut self, section: &PlaneSection<'_>) {
+    fn ask_inside(&mut self, section: &FlatLoops<'_>) {
         let Nest { loops, scale, tree, runs, probes, .. } = self;
         let mut budget = budget(section);
         for (hole, beside) in &*probes {
@@ -228,7 +228,7 @@ impl Nest {
 }
 
 /// The area and the bounding box of a loop; the area is that of the section scaled by `scale`.
-fn measure(section: &PlaneSection<'_>, range: Range<usize>, scale: f64) -> Loop {
+fn measure(section: &FlatLoops<'_>, range: Range<usize>, scale: f64) -> Loop {
     let ring = &section.corners[range.clone()];
     let from = section.flat[ring[0] as usize];
     let (mut low, mut high, mut area) = (from, from, 0.0);
@@ -281,7 +281,7 @@ mod tests {
             let mut end = 0;
             let ends: Vec<usize> = loops.iter().map(|ring| (end += ring.len(), end).1).collect();
             let mut nest = Nest::default();
-            nest.sort(&PlaneSection { flat: &flat, corners: &corners, ends: &ends });
+            nest.sort(&FlatLoops { flat: &flat, corners: &corners, ends: &ends });
             let place = |corner: u32| flat[corner as usize];
             let around = |probe: &Probe, counts: &dyn Fn(&Loop) -> bool| {
                 let winds = |number: usize| {

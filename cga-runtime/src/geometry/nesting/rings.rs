@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::Nest;
-use super::contour::PlaneSection;
+use super::contour::FlatLoops;
 
 /// Rings grouped to polygons, each an outline with its holes.
 pub(crate) struct NestedRings {
@@ -25,7 +25,7 @@ impl NestedRings {
     fn sorted(
         flat: &[DVec2],
         rings: impl Iterator<Item: IntoIterator<Item = u32>>,
-        sort: impl FnOnce(&mut Nest, &PlaneSection<'_>),
+        sort: impl FnOnce(&mut Nest, &FlatLoops<'_>),
     ) -> Self {
         let (mut corners, mut ends) = (Vec::new(), Vec::new());
         for ring in rings {
@@ -33,7 +33,7 @@ impl NestedRings {
             ends.push(corners.len());
         }
         let mut nest = Nest::default();
-        sort(&mut nest, &PlaneSection { flat, corners: &corners, ends: &ends });
+        sort(&mut nest, &FlatLoops { flat, corners: &corners, ends: &ends });
         NestedRings { corners, nest }
     }
 

@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 
 use glam::DVec2;
 
-use super::contour::PlaneSection;
+use super::contour::FlatLoops;
 use super::merge_sort::merge_sort;
 use crate::geometry::exact::orient;
 use crate::geometry::status::{LEFT, RIGHT, Status, is_below};
@@ -64,7 +64,7 @@ impl LoopSweep {
     /// out, outlines are clockwise.
     pub(crate) fn find(
         &mut self,
-        section: &PlaneSection<'_>,
+        section: &FlatLoops<'_>,
         inverted: bool,
         counts: impl Fn(usize) -> bool,
         is_outline: impl Fn(usize) -> bool,
@@ -80,7 +80,7 @@ impl LoopSweep {
     }
 
     /// Sorts the corners. Returns `false` if a coordinate is not finite.
-    fn start(&mut self, section: &PlaneSection<'_>, inverted: bool, counts: impl Fn(usize) -> bool) -> bool {
+    fn start(&mut self, section: &FlatLoops<'_>, inverted: bool, counts: impl Fn(usize) -> bool) -> bool {
         let LoopSweep { around, places, edges, events, .. } = self;
         around.clear();
         around.resize(section.ends.len(), UNKNOWN);
@@ -294,7 +294,7 @@ mod tests {
         let area =
             |ring: &[DVec2]| (1..ring.len()).map(|i| (ring[i - 1] - ring[0]).perp_dot(ring[i] - ring[0])).sum::<f64>();
         let mut sweep = LoopSweep::default();
-        let section = PlaneSection { flat: &flat, corners: &corners, ends: &ends };
+        let section = FlatLoops { flat: &flat, corners: &corners, ends: &ends };
         let total: f64 = loops.iter().map(|ring| area(ring)).sum();
         let is_outline = |number: usize| (area(&loops[number]) > 0.0) == (total > 0.0);
         sweep.find(&section, total < 0.0, |_| true, is_outline).then_some(sweep.around)

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::contour::PlaneSection;
+use super::contour::FlatLoops;
 use super::extent::Extent;
 use super::probe::Probe;
 
@@ -16,9 +16,9 @@ use super::probe::Probe;
 const FAN: usize = 8;
 
 /// The number of boxes and edges that queries may still visit.
-pub(crate) struct Budget(pub(crate) usize);
+pub(crate) struct QueryBudget(pub(crate) usize);
 
-impl Budget {
+impl QueryBudget {
     #[inline]
     pub(crate) fn spend(&mut self, count: usize) {
         self.0 = self.0.saturating_sub(count);
@@ -41,11 +41,7 @@ pub(crate) struct Runs {
 
 impl Runs {
     /// Sorts the edges of loops into runs. `None` for a loop that is never queried.
-    pub(crate) fn fill<'r>(
-        &mut self,
-        section: &PlaneSection<'_>,
-        loops: impl Iterator<Item = Option<&'r Range<usize>>>,
-    ) {
+    pub(crate) fn fill<'r>(&mut self, section: &FlatLoops<'_>, loops: impl Iterator<Item = Option<&'r Range<usize>>>) {
         self.extents.clear();
         self.of_loop.clear();
         for range in loops {
@@ -57,7 +53,7 @@ impl Runs {
         }
     }
 
-    fn add(&mut self, section: &PlaneSection<'_>, ring: &[u32]) {
+    fn add(&mut self, section: &FlatLoops<'_>, ring: &[u32]) {
         let mut level = self.extents.len();
         for start in (0..ring.len()).step_by(FAN) {
             // The last edge of a run ends where the next run starts.
@@ -78,11 +74,11 @@ impl Runs {
     /// The winding number of a loop around a probe; an arbitrary number if the budget is spent.
     pub(crate) fn winding(
         &self,
-        section: &PlaneSection<'_>,
+        section: &FlatLoops<'_>,
         number: usize,
         range: &Range<usize>,
         probe: &Probe,
-        budget: &mut Budget,
+        budget: &mut QueryBudget,
     ) -> i32 {
         let extents = &self.of_loop[number];
         let ring = section.ring(range);
@@ -103,11 +99,11 @@ impl Runs {
 
 /// One loop and one probe.
 struct WindingQuery<'q> {
-    section: &'q PlaneSection<'q>,
+    section: &'q FlatLoops<'q>,
     ring: &'q [u32],
     extents: &'q [Extent],
     probe: &'q Probe,
-    budget: &'q mut Budget,
+    budget: &'q mut QueryBudget,
 }
 
 impl WindingQuery<'_> {
@@ -167,7 +163,7 @@ mod tests {
         };
         let flat: Vec<DVec2> = (0..count).map(place).collect();
         let corners: Vec<u32> = (0..count).collect();
-        let section = PlaneSection { flat: &flat, corners: &corners, ends: &[count as usize] };
+        let section = FlatLoops { flat: &flat, corners: &corners, ends: &[count as usize] };
         let range = 0..count as usize;
         let mut runs = Runs::default();
         runs.fill(&section, [Some(&range)].into_iter());
@@ -176,7 +172,7 @@ mod tests {
             let triangle: Vec<u32> = vec![i * 3, (i * 7 + 1) % count, (i * 13 + 5) % count];
             let probe = Probe::beside(&triangle, i % 2 == 0, |corner| flat[corner as usize] * 0.9);
             let all: i32 = (0..flat.len()).map(|i| probe.turn(flat[i], flat[(i + 1) % flat.len()])).sum();
-            let mut budget = Budget(usize::MAX);
+            let mut budget = QueryBudget(usize::MAX);
             assert_eq!(runs.winding(&section, 0, &range, &probe, &mut budget), all);
             assert!(usize::MAX - budget.0 < flat.len() / 2);
             seen.push(all);

@@ -6,12 +6,12 @@ use crate::geometry::nesting::extent::Extent;
 
 /// A place, in steps of the grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(crate) struct Place {
+pub(crate) struct GridPoint {
     pub(crate) x: i64,
     pub(crate) y: i64,
 }
 
-impl Place {
+impl GridPoint {
     /// The place as floating-point numbers, which are exact.
     pub(crate) fn flat(self) -> DVec2 {
         DVec2::new(self.x as f64, self.y as f64)
@@ -41,31 +41,31 @@ impl Grid {
     }
 
     /// The nearest place to a point.
-    pub(crate) fn place(&self, point: DVec2) -> Place {
+    pub(crate) fn place(&self, point: DVec2) -> GridPoint {
         let steps = ((point - self.middle) / self.step).round();
-        Place { x: steps.x as i64, y: steps.y as i64 }
+        GridPoint { x: steps.x as i64, y: steps.y as i64 }
     }
 
     /// The point at a place.
-    pub(crate) fn point(&self, place: Place) -> DVec2 {
+    pub(crate) fn point(&self, place: GridPoint) -> DVec2 {
         self.middle + place.flat() * self.step
     }
 }
 
 /// Twice the area of the triangle: positive if `c` is left of the line from `a` to `b`. Exact.
-pub(crate) fn side(a: Place, b: Place, c: Place) -> i128 {
+pub(crate) fn side(a: GridPoint, b: GridPoint, c: GridPoint) -> i128 {
     let [bx, by, cx, cy] = [b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y].map(i128::from);
     bx * cy - by * cx
 }
 
 /// Twice the area of a ring.
-pub(crate) fn double_area(ring: &[u32], places: &[Place]) -> i128 {
+pub(crate) fn double_area(ring: &[u32], places: &[GridPoint]) -> i128 {
     let at = |i: usize| places[ring[i] as usize];
     (1..ring.len().saturating_sub(1)).map(|i| side(at(0), at(i), at(i + 1))).sum()
 }
 
 /// Returns true if `p` is between `a` and `b`, and at most `most` steps from the edge.
-pub(crate) fn is_near(a: Place, b: Place, p: Place, most: f64) -> bool {
+pub(crate) fn is_near(a: GridPoint, b: GridPoint, p: GridPoint, most: f64) -> bool {
     let along = [b.x - a.x, b.y - a.y].map(i128::from);
     let to = [p.x - a.x, p.y - a.y].map(i128::from);
     let length = along[0] * along[0] + along[1] * along[1];
@@ -75,7 +75,7 @@ pub(crate) fn is_near(a: Place, b: Place, p: Place, most: f64) -> bool {
 }
 
 /// Drops corners at which a ring runs straight on, except for points with a number below `kept`.
-pub(crate) fn drop_straight(ring: &mut Vec<u32>, places: &[Place], kept: usize) {
+pub(crate) fn drop_straight(ring: &mut Vec<u32>, places: &[GridPoint], kept: usize) {
     /// The largest distance of a corner from the line of its neighbours, in steps: those of rounding, of a place and of an
     /// edge that was led through it.
     const STRAIGHT: f64 = 3.0;

@@ -21,7 +21,7 @@ use crate::geometry::nesting::contour::Contour;
 use crate::geometry::nesting::rings::NestedRings;
 use crate::geometry::tol::TOUCH_EPSILON;
 pub(crate) use grid::Grid;
-use grid::{Place, double_area};
+use grid::{GridPoint, double_area};
 
 /// The reason why an overlay fails.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,7 +50,7 @@ pub(crate) fn wound<'r>(
     kept: usize,
 ) -> Result<Region, OverlayError> {
     let Some(grid) = Grid::of(points) else { return Ok(Region { points: points.to_vec(), polygons: Vec::new() }) };
-    let mut places: Vec<Place> = points.iter().map(|point| grid.place(*point)).collect();
+    let mut places: Vec<GridPoint> = points.iter().map(|point| grid.place(*point)).collect();
     let mut at = HashMap::with_capacity(places.len());
     let first: Vec<u32> = (0..).zip(&places).map(|(number, place)| *at.entry(*place).or_insert(number)).collect();
     let mut edges = Vec::new();
@@ -83,14 +83,14 @@ pub(crate) fn wound<'r>(
 }
 
 /// Returns true if a loop is so narrow that it is a rounding error.
-fn is_sliver(ring: &[u32], places: &[Place]) -> bool {
+fn is_sliver(ring: &[u32], places: &[GridPoint]) -> bool {
     let at = |i: usize| places[ring[i % ring.len()] as usize].flat();
     let around: f64 = (0..ring.len()).map(|i| at(i).distance(at(i + 1))).sum();
     (double_area(ring, places) as f64).abs() < TOUCH_EPSILON * Grid::EXTENT * around
 }
 
 /// Loops grouped to outlines and holes. Each loop begins with its lowest point, and polygons are in the order of these.
-fn nested(mut loops: Vec<Vec<u32>>, flat: &[DVec2], places: &[Place]) -> Vec<Vec<Vec<u32>>> {
+fn nested(mut loops: Vec<Vec<u32>>, flat: &[DVec2], places: &[GridPoint]) -> Vec<Vec<Vec<u32>>> {
     for ring in &mut loops {
         let first = (0..ring.len()).min_by_key(|&i| ring[i]).unwrap_or(0);
         ring.rotate_left(first);

@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 
 use super::OverlayError;
-use super::grid::{Place, is_near, side};
+use super::grid::{GridPoint, is_near, side};
 
 /// An edge between two points, the first before the second in lexicographic order of places, and the number of times that
 /// it runs in that direction, less those back.
@@ -31,8 +31,8 @@ const MOST_ROUNDS: usize = 24;
 
 /// Divides edges. New points are added to `places`, and to `at` by place.
 pub(super) fn divide(
-    places: &mut Vec<Place>,
-    at: &mut HashMap<Place, u32>,
+    places: &mut Vec<GridPoint>,
+    at: &mut HashMap<GridPoint, u32>,
     edges: Vec<[u32; 2]>,
 ) -> Result<Vec<NodedEdge>, OverlayError> {
     let mut all: Vec<NodedEdge> = edges.into_iter().filter_map(|[a, b]| directed(places, a, b, 1)).collect();
@@ -72,7 +72,7 @@ pub(super) fn divide(
 }
 
 /// An edge in lexicographic order; `None` if it has no length.
-fn directed(places: &[Place], a: u32, b: u32, count: i32) -> Option<NodedEdge> {
+fn directed(places: &[GridPoint], a: u32, b: u32, count: i32) -> Option<NodedEdge> {
     match places[a as usize].cmp(&places[b as usize]) {
         std::cmp::Ordering::Less => Some(NodedEdge { ends: [a, b], count }),
         std::cmp::Ordering::Greater => Some(NodedEdge { ends: [b, a], count: -count }),
@@ -95,8 +95,8 @@ fn merge(edges: &mut Vec<NodedEdge>) {
 
 /// Finds the points in which edges must be divided, by a sweep over their boxes. Pairs of old edges are known.
 fn compare(
-    places: &mut Vec<Place>,
-    at: &mut HashMap<Place, u32>,
+    places: &mut Vec<GridPoint>,
+    at: &mut HashMap<GridPoint, u32>,
     edges: &[NodedEdge],
     is_new: &[bool],
     near: f64,
@@ -139,8 +139,8 @@ fn compare(
 
 /// Records where two edges divide each other.
 fn meet(
-    places: &mut Vec<Place>,
-    at: &mut HashMap<Place, u32>,
+    places: &mut Vec<GridPoint>,
+    at: &mut HashMap<GridPoint, u32>,
     edges: &[NodedEdge],
     pair: [usize; 2],
     near: f64,
@@ -170,7 +170,7 @@ fn meet(
     }
     let whole = sides[0] - sides[1];
     let share = |from: i64, to: i64| from + rounded(i128::from(to - from) * sides[0], whole) as i64;
-    let place = Place { x: share(c.x, d.x), y: share(c.y, d.y) };
+    let place = GridPoint { x: share(c.x, d.x), y: share(c.y, d.y) };
     let next = places.len() as u32;
     let number = *at.entry(place).or_insert(next);
     if number == next {

@@ -2,12 +2,12 @@
 
 use std::cmp::Ordering;
 
-use super::grid::{Place, side};
+use super::grid::{GridPoint, side};
 use super::noding::NodedEdge;
 use crate::geometry::buckets::Buckets;
 
 /// The edges with a positive winding number on one side only, with that side on their left.
-pub(super) fn outline(places: &[Place], edges: &[NodedEdge]) -> Vec<[u32; 2]> {
+pub(super) fn outline(places: &[GridPoint], edges: &[NodedEdge]) -> Vec<[u32; 2]> {
     let mut starts = Buckets::default();
     starts.fill(places.len(), edges.iter().map(|edge| edge.ends[0]));
     let mut stops = vec![0u32; places.len()];
@@ -62,7 +62,7 @@ fn used(starts: &Buckets, stops: &[u32], point: u32) -> bool {
 }
 
 /// The order of two edges that leave a point, from the lowest one up.
-fn steeper(places: &[Place], edges: &[NodedEdge], from: Place, a: u32, b: u32) -> Ordering {
+fn steeper(places: &[GridPoint], edges: &[NodedEdge], from: GridPoint, a: u32, b: u32) -> Ordering {
     let [a, b] = [a, b].map(|edge| places[edges[edge as usize].ends[1] as usize]);
     0.cmp(&side(from, a, b))
 }

@@ -123,3 +123,30 @@ fn a_face_that_would_vanish_is_reported() {
     assert_eq!(rectify(&flat, 45.0).err(), Some(Collapsed { face: 0 }));
     assert!(matches!(rectify(&Mesh::default(), 45.0), Ok(None)));
 }
+
+#[test]
+fn a_face_that_crosses_itself_does_not_vanish() {
+    let bow = |size: f64| polygon_of(&[[0.0, 0.0], [size, 0.75 * size], [size, 0.0], [0.0, 0.75 * size]]);
+    for size in [1.0, 4.0, 1e-6, 1e9] {
+        assert_eq!(rectify(&bow(size), 45.0).err(), Some(Collapsed { face: 0 }), "{size}");
+    }
+    // With a smaller limit no edge moves far.
+    assert!(rectify(&bow(4.0), 20.0).unwrap().is_none_or(|made| made.face_count() == 1));
+    // Beside a face that stays.
+    let mut builder = MeshBuilder::new();
+    let mut add = |corners: [[f64; 2]; 4]| {
+        let ring = corners.map(|[x, y]| builder.point([x, 0.0, -y]));
+        builder.face(&ring, &[], FaceTag::PLAIN);
+    };
+    add([[10.0, 0.0], [14.0, 0.2], [14.0, 4.0], [10.0, 4.0]]);
+    add([[0.0, 0.0], [4.0, 3.0], [4.0, 0.0], [0.0, 3.0]]);
+    assert_eq!(rectify(&builder.build().unwrap(), 45.0).err(), Some(Collapsed { face: 1 }));
+}
+
+/// A polygon that may cross itself.
+fn polygon_of(outline: &[[f64; 2]]) -> Mesh {
+    let mut builder = MeshBuilder::new();
+    let ring: Vec<u32> = outline.iter().map(|[x, y]| builder.point([*x, 0.0, -y])).collect();
+    builder.face(&ring, &[], FaceTag::PLAIN);
+    builder.build().unwrap()
+}

@@ -22,6 +22,12 @@ const BORDER_WEIGHT: f64 = 8.0;
 /// The weight of the length of an edge: of edges in a plane the shortest one collapses first.
 const LENGTH_WEIGHT: f64 = 1e-9;
 
+/// The mean of squared distances from planes, in a mesh with an extent of about 1, that is a rounding error.
+const FLAT_ERROR: f64 = 1e-14;
+
+/// The lowest bits of costs, which are rounded. They are a share of 1e-9.
+const COST_BITS: u32 = 22;
+
 /// Twice the area below which a triangle of a mesh with an extent of about 1 has no direction.
 const NO_AREA: f64 = 1e-14;
 
@@ -233,7 +239,7 @@ impl<'m> Surface<'m> {
                 let to = self.places[target as usize];
                 let mut sum = self.quadrics[point as usize];
                 sum += self.quadrics[target as usize];
-                (sum.at(to) + LENGTH_WEIGHT * sum.weight * from.distance_squared(to), target)
+                (cost(&sum, from, to), target)
             })
             .collect();
         sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -349,6 +355,14 @@ impl<'m> Surface<'m> {
         let all = start as usize..self.ends[face] as usize;
         all.filter(|&triangle| self.is_alive[triangle]).map(|triangle| (self.points[triangle], self.values[triangle]))
     }
+}
+
+/// The cost of moving a point to a place. Costs that differ by rounding are equal, so that ties of a turned shape are ties, too.
+fn cost(sum: &Quadric, from: DVec3, to: DVec3) -> f64 {
+    let error = sum.at(to);
+    let error = if error <= FLAT_ERROR * sum.weight { 0.0 } else { error };
+    let cost = error + LENGTH_WEIGHT * sum.weight * from.distance_squared(to);
+    f64::from_bits((cost.to_bits() + (1 << (COST_BITS - 1))) >> COST_BITS << COST_BITS)
 }
 
 /// The attributes of a face besides its tags.

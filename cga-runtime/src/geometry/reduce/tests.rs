@@ -177,3 +177,26 @@ fn surfaces_that_branch_stay_together() {
     assert!(made.is_closed() && shared.clone().count() == 2);
     assert!(shared.clone().all(|point| made.points().contains(point)));
 }
+
+#[test]
+fn turning_a_box_or_a_prism_turns_the_result() {
+    let bodies = [
+        primitive::cube(),
+        primitive::cylinder(5),
+        primitive::cube().map(&DAffine3::from_scale(DVec3::new(3.0, 2.0, 5.0))),
+    ];
+    for (number, body) in bodies.iter().enumerate() {
+        for step in 1..40 {
+            let matrix3 = glam::DMat3::from_axis_angle(DVec3::new(0.3, 0.9, 0.2).normalize(), f64::from(step) * 0.37);
+            let place = DAffine3 { matrix3, translation: DVec3::new(11.3, -7.1, 0.9) * f64::from(step) };
+            for share in [0.1, 0.25, 0.5, 0.75, 1.0] {
+                let [straight, turned] = [reduce(body, share), reduce(&body.map(&place), share)];
+                assert_eq!(straight.is_some(), turned.is_some());
+                let (Some(straight), Some(turned)) = (straight, turned) else { continue };
+                let is_near = |(a, b): (&DVec3, &DVec3)| place.transform_point3(*a).distance(*b) < 1e-9 * 500.0;
+                let are_near = straight.points().iter().zip(turned.points()).all(is_near);
+                assert!(straight.corners() == turned.corners() && are_near, "{number} {step} {share}");
+            }
+        }
+    }
+}

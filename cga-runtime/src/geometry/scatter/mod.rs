@@ -36,8 +36,8 @@ const MOST_MISSES: [u64; 2] = [200, 100_000];
 
 /// A part of the domain.
 #[derive(Debug)]
-struct Cell {
-    form: Form,
+struct DensityCell {
+    form: CellForm,
     /// The logarithm of the highest density in it.
     log_peak: f64,
     /// The logarithm of its measure times that density.
@@ -47,7 +47,7 @@ struct Cell {
 }
 
 #[derive(Debug)]
-enum Form {
+enum CellForm {
     Triangle {
         corners: [DVec3; 3],
         normal: DVec3,
@@ -61,25 +61,25 @@ enum Form {
 }
 
 /// Cells are ordered by weight.
-impl Ord for Cell {
+impl Ord for DensityCell {
     fn cmp(&self, other: &Self) -> Ordering {
         self.log_weight.total_cmp(&other.log_weight)
     }
 }
 
-impl PartialOrd for Cell {
+impl PartialOrd for DensityCell {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl PartialEq for Cell {
+impl PartialEq for DensityCell {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other).is_eq()
     }
 }
 
-impl Eq for Cell {}
+impl Eq for DensityCell {}
 
 /// A point, and the normal of the surface there; zero inside boxes.
 #[derive(Clone, Copy, Debug)]
@@ -92,7 +92,7 @@ pub(crate) struct ScatteredPoint {
 #[derive(Debug)]
 pub(crate) struct Domain {
     count: u64,
-    cells: Vec<Cell>,
+    cells: Vec<DensityCell>,
     /// The sum of the weights up to each cell.
     sums: Vec<f64>,
     bell: Bell,
@@ -120,7 +120,7 @@ impl Domain {
         Domain::of(cuboid(low, high, &[], &bell, None).into_iter().collect(), bell, None, count)
     }
 
-    fn of(cells: Vec<Cell>, bell: Bell, solid: Option<Solid>, count: u64) -> Self {
+    fn of(cells: Vec<DensityCell>, bell: Bell, solid: Option<Solid>, count: u64) -> Self {
         let mut heap = BinaryHeap::from(cells);
         let mut cells = Vec::new();
         let [least, most] = CELL_LIMITS;
@@ -137,7 +137,7 @@ impl Domain {
         }
         let top = cells.iter().map(|cell| cell.log_weight).fold(f64::NEG_INFINITY, f64::max);
         let mut sum = 0.0;
-        let add = |cell: &Cell| {
+        let add = |cell: &DensityCell| {
             sum += libm::exp(cell.log_weight - top);
             sum
         };
@@ -172,14 +172,14 @@ impl Domain {
     }
 
     /// A random point of a cell, and true if it is in the domain.
-    fn within(&self, cell: &Cell, random: &mut dyn FnMut() -> f64) -> (ScatteredPoint, bool) {
+    fn within(&self, cell: &DensityCell, random: &mut dyn FnMut() -> f64) -> (ScatteredPoint, bool) {
         match &cell.form {
-            Form::Triangle { corners: [a, b, c], normal } => {
+            CellForm::Triangle { corners: [a, b, c], normal } => {
                 let (along, across) = (random().sqrt(), random());
                 let position = *a + (*b - *a) * (along * (1.0 - across)) + (*c - *a) * (along * across);
                 (ScatteredPoint { position, normal: *normal }, true)
             }
-            Form::Box { low, high, crossing } => {
+            CellForm::Box { low, high, crossing } => {
                 let share = DVec3::new(random(), random(), random());
                 let position = *low + (*high - *low) * share;
                 let is_inside = crossing.is_empty() || self.solid.as_ref().is_none_or(|solid| solid.contains(position));
@@ -203,17 +203,22 @@ fn triangles(mesh: &Mesh) -> Vec<([DVec3; 3], DVec3)> {
 }
 
 /// The cell of a triangle, if it has an area.
-fn triangle(corners: [DVec3; 3], normal: DVec3, bell: &Bell) -> Option<Cell> {
+fn triangle(corners: [DVec3; 3], normal: DVec3, bell: &Bell) -> Option<DensityCell> {
     let [a, b, c] = corners;
     let area = (b - a).cross(c - a).length();
     let [least, log_peak] = bell.log_range(a.min(b).min(c), a.max(b).max(c));
     let log_weight = libm::log(area) + log_peak;
     let is_uneven = EVEN_ENOUGH < log_peak - least;
-    (0.0 < area).then_some(Cell { form: Form::Triangle { corners, normal }, log_peak, log_weight, is_uneven })
+    (0.0 < area).then_some(DensityCell {
+        form: CellForm::Triangle { corners, normal },
+        log_peak,
+        log_weight,
+        is_uneven,
+    })
 }
 
 /// The cell of a box. `near` are the triangles that may come into it. `None` outside the solid.
-fn cuboid(low: DVec3, high: DVec3, near: &[u32], bell: &Bell, solid: Option<&Solid>) -> Option<Cell> {
+fn cuboid(low: DVec3, high: DVec3, near: &[u32], bell: &Bell, solid: Option<&Solid>) -> Option<DensityCell> {
     let crossing = solid.map_or(Vec::new(), |solid| solid.crossing(near, low, high));
     if crossing.is_empty() && solid.is_some_and(|solid| !solid.contains((low + high) * 0.5)) {
         return None;
@@ -222,22 +227,27 @@ fn cuboid(low: DVec3, high: DVec3, near: &[u32], bell: &Bell, solid: Option<&Sol
     let extents = (high - low).to_array();
     let log_measure: f64 = extents.into_iter().filter(|extent| 0.0 < *extent).map(libm::log).sum();
     let is_uneven = !crossing.is_empty() || EVEN_ENOUGH < log_peak - least;
-    Some(Cell { form: Form::Box { low, high, crossing }, log_peak, log_weight: log_measure + log_peak, is_uneven })
+    Some(DensityCell {
+        form: CellForm::Box { low, high, crossing },
+        log_peak,
+        log_weight: log_measure + log_peak,
+        is_uneven,
+    })
 }
 
 /// Both halves of a cell, across its longest extent in units of the deviation.
-fn halves(form: &Form, bell: &Bell, solid: Option<&Solid>) -> [Option<Cell>; 2] {
+fn halves(form: &CellForm, bell: &Bell, solid: Option<&Solid>) -> [Option<DensityCell>; 2] {
     // Where the density is even, lengths count as they are.
     let units = DVec3::select(bell.deviation.cmplt(DVec3::INFINITY), bell.deviation, DVec3::ONE);
     match form {
-        Form::Triangle { corners, normal } => {
+        CellForm::Triangle { corners, normal } => {
             let length = |edge: usize| ((corners[(edge + 1) % 3] - corners[edge]) / units).length_squared();
             let longest = (0..3).max_by(|a, b| length(*a).total_cmp(&length(*b))).unwrap_or(0);
             let [from, to, apex] = [0, 1, 2].map(|step| corners[(longest + step) % 3]);
             let middle = (from + to) * 0.5;
             [[from, middle, apex], [middle, to, apex]].map(|corners| triangle(corners, *normal, bell))
         }
-        Form::Box { low, high, crossing } => {
+        CellForm::Box { low, high, crossing } => {
             let extent = ((*high - *low) / units).to_array();
             let longest = (0..3).max_by(|a, b| extent[*a].total_cmp(&extent[*b])).unwrap_or(0);
             let middle = (low[longest] + high[longest]) * 0.5;

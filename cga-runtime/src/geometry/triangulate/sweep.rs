@@ -25,7 +25,7 @@ const NONE: u32 = u32::MAX;
 
 /// An interior part of the sweep line.
 #[derive(Clone, Copy)]
-struct Region {
+struct SweepInterval {
     /// The left and the right edge. An edge is named by the corner where it begins: the left edge by its upper end, the
     /// right edge by its lower end.
     edges: [u32; 2],
@@ -58,7 +58,7 @@ pub(super) struct MonotoneSweep {
     order: Vec<SweepCorner>,
     /// For each corner the region that its edge bounds.
     region: Vec<u32>,
-    regions: Vec<Region>,
+    regions: Vec<SweepInterval>,
     /// The regions from left to right.
     status: Status,
     links: Vec<ChainPoint>,

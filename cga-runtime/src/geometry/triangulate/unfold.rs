@@ -38,7 +38,7 @@ pub(super) struct Unfold {
     patch: Vec<u32>,
     rim: Vec<RimEdge>,
     chain: Vec<u32>,
-    table: Vec<Cell>,
+    table: Vec<StretchPlan>,
     stretches: Vec<[usize; 2]>,
 }
 
@@ -52,7 +52,7 @@ struct RimEdge {
 
 /// The best triangulation of a stretch of a chain.
 #[derive(Clone, Copy)]
-struct Cell {
+struct StretchPlan {
     cost: Cost,
     /// The third corner of the triangle at the edge that closes the stretch.
     apex: u32,
@@ -229,18 +229,18 @@ impl Unfold {
     fn solve(&mut self, points: &[DVec2]) -> Cost {
         let count = self.chain.len();
         self.table.clear();
-        self.table.resize(count * count, Cell { cost: Cost::NOTHING, apex: 0 });
+        self.table.resize(count * count, StretchPlan { cost: Cost::NOTHING, apex: 0 });
         let (chain, table) = (&self.chain, &mut self.table);
         for length in 2..count {
             for from in 0..count - length {
                 let to = from + length;
-                let mut best = Cell { cost: Cost { turned: f64::INFINITY, flat: 0 }, apex: from as u32 + 1 };
+                let mut best = StretchPlan { cost: Cost { turned: f64::INFINITY, flat: 0 }, apex: from as u32 + 1 };
                 for apex in from + 1..to {
                     let parts = table[from * count + apex].cost.plus(table[apex * count + to].cost);
                     if parts < best.cost {
                         let cost = parts.plus(Cost::of(points, [chain[from], chain[apex], chain[to]]));
                         if cost < best.cost {
-                            best = Cell { cost, apex: apex as u32 };
+                            best = StretchPlan { cost, apex: apex as u32 };
                             if cost == Cost::NOTHING {
                                 break;
                             }

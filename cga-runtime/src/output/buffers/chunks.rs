@@ -9,7 +9,7 @@ use glam::{DAffine3, DVec3};
 use super::submesh::SubmeshStart;
 use super::{Buffers, Vertex};
 use crate::geometry::mesh::Mesh;
-use crate::output::flatten::FlatFace;
+use crate::output::flatten::PlacedFace;
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 
 /// The number of vertices of a box, which is never divided.
@@ -136,7 +136,7 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
     fn face(
         &mut self,
         leaf: &Leaf<'_>,
-        face: &FlatFace<'_>,
+        face: &PlacedFace<'_>,
         corners: impl ExactSizeIterator<Item = usize> + Clone,
         triangles: &[[u32; 3]],
     ) -> Flow {

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec4};
 
 use crate::geometry::uv_map::{SetMap, UvMap};
-use crate::output::flatten::FlatFace;
+use crate::output::flatten::PlacedFace;
 use crate::run::sink::Replay;
 use crate::run::sink::corners::PlacedBox;
 use crate::shape::base::Form;
@@ -61,7 +61,7 @@ impl UvLists {
     }
 
     /// Adds the coordinates of mesh corners that became vertices, beginning at `vertex`.
-    pub(super) fn face(&mut self, face: &FlatFace<'_>, corners: impl Iterator<Item = usize> + Clone, vertex: usize) {
+    pub(super) fn face(&mut self, face: &PlacedFace<'_>, corners: impl Iterator<Item = usize> + Clone, vertex: usize) {
         for set in face.mesh.uv_numbers() {
             if let Some(list) = self.list(set, vertex) {
                 list.extend(corners.clone().map(|corner| face.mesh.uv_set(set)[corner].as_vec2().to_array()));

@@ -13,7 +13,7 @@ use crate::output::number::{Short, hex, linear, share};
 
 /// The alpha modes of glTF. The cutoff is stored as bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Alpha {
+enum AlphaMode {
     Opaque,
     Blend,
     Mask(u32),
@@ -35,7 +35,7 @@ pub(super) struct Looks {
 struct MaterialKey {
     /// The bits of linear red, green, blue, opacity, metallic, roughness, emissive red, green, blue.
     numbers: [u32; 9],
-    alpha: Alpha,
+    alpha: AlphaMode,
     double_sided: bool,
     textures: Vec<LookTexture>,
 }
@@ -63,12 +63,12 @@ impl Looks {
         // Adding 0 removes the sign of −0, which would make another look.
         .map(|value| value as f32 + 0.0);
         let alpha = match material.text(MaterialText::OpacityMode).map(|mode| mode.as_str()) {
-            Some("opaque") => Alpha::Opaque,
-            Some("mask") => Alpha::Mask((share(material.number(MaterialNumber::Cutoff), 0.5) as f32).to_bits()),
-            _ if numbers[3] < 1.0 || opacity(material, sets).is_some() => Alpha::Blend,
-            _ => Alpha::Opaque,
+            Some("opaque") => AlphaMode::Opaque,
+            Some("mask") => AlphaMode::Mask((share(material.number(MaterialNumber::Cutoff), 0.5) as f32).to_bits()),
+            _ if numbers[3] < 1.0 || opacity(material, sets).is_some() => AlphaMode::Blend,
+            _ => AlphaMode::Opaque,
         };
-        let (textures, written) = textures(material, sets, alpha == Alpha::Opaque, numbers[4]);
+        let (textures, written) = textures(material, sets, alpha == AlphaMode::Opaque, numbers[4]);
         let double_sided = material.double_sided.unwrap_or(true);
         let look = self.looks.index(MaterialKey { numbers: numbers.map(f32::to_bits), alpha, double_sided, textures });
         if look == self.names.len() {
@@ -119,9 +119,9 @@ impl Looks {
                 let _ = write!(json, "\"emissiveFactor\":[{r},{g},{b}],");
             }
             match look.alpha {
-                Alpha::Opaque => {}
-                Alpha::Blend => json.push_str("\"alphaMode\":\"BLEND\","),
-                Alpha::Mask(bits) => {
+                AlphaMode::Opaque => {}
+                AlphaMode::Blend => json.push_str("\"alphaMode\":\"BLEND\","),
+                AlphaMode::Mask(bits) => {
                     let cutoff = Short(f32::from_bits(bits));
                     let _ = write!(json, "\"alphaMode\":\"MASK\",\"alphaCutoff\":{cutoff},");
                 }

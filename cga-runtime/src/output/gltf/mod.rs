@@ -37,7 +37,7 @@ use glam::{DAffine3, DVec3};
 use self::look::Looks;
 use self::parts::RepeatedParts;
 use self::primitive::{INDEX_BYTES, Primitive, Primitives, UV_BYTES, VERTEX_BYTES};
-use self::scene::{Places, SceneMesh};
+use self::scene::{MeshPlacement, SceneMesh};
 use super::error::WriteError;
 use super::flatten::Flattener;
 use super::near_origin::near_origin;
@@ -163,7 +163,7 @@ impl Glb {
         }
         check_size(self.bytes)?;
         let main = std::mem::take(&mut self.primitives).into_list();
-        let mut meshes = vec![SceneMesh { primitives: main, places: Places::Root }];
+        let mut meshes = vec![SceneMesh { primitives: main, places: MeshPlacement::Root }];
         meshes.extend(shared);
         if self.is_by_rule {
             meshes = meshes.into_iter().flat_map(SceneMesh::by_rule).collect();
@@ -185,7 +185,7 @@ impl Glb {
                 self.add_mesh(rule, material, mesh, &DAffine3::IDENTITY);
                 self.origin = origin;
                 let primitives = std::mem::replace(&mut self.primitives, main).into_list();
-                let places = Places::Nodes(own.into_iter().map(|(place, ())| place).collect());
+                let places = MeshPlacement::Nodes(own.into_iter().map(|(place, ())| place).collect());
                 shared.push(SceneMesh { primitives, places });
             }
             single.iter().for_each(|(place, ())| self.add_mesh(rule, material, mesh, place));

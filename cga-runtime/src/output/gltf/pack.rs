@@ -8,7 +8,7 @@ use super::binary::{BinaryChunk, FourBytes, container, text};
 use super::images::Images;
 use super::json::{joined, quoted};
 use super::primitive::Primitive;
-use super::scene::{MeshInstance, Places, SceneMesh};
+use super::scene::{MeshInstance, MeshPlacement, SceneMesh};
 use super::streams::write_floats;
 use super::textures::LookTexture;
 use super::{Glb, check_size};
@@ -98,7 +98,7 @@ pub(super) fn pack(glb: &Glb, meshes: &[SceneMesh]) -> Result<Vec<u8>, WriteErro
 fn name<'a>(glb: &'a Glb, mesh: &SceneMesh) -> &'a str {
     let of_file = glb.name.as_deref().unwrap_or("model");
     match (&mesh.places, mesh.rule()) {
-        (Places::Root, _) | (_, None) => of_file,
+        (MeshPlacement::Root, _) | (_, None) => of_file,
         (_, Some(rule)) => glb.numbers.table.rules()[rule as usize],
     }
 }
@@ -153,16 +153,16 @@ fn write_nodes(json: &mut String, glb: &Glb, meshes: &[SceneMesh], places: &[[us
         let name = quoted(name(glb, mesh));
         match &mesh.places {
             // It is the first mesh.
-            Places::Root => main = ",\"mesh\":0",
-            Places::Child => children.push(format!("{{\"name\":{name},\"mesh\":{number}}}")),
-            Places::Nodes(nodes) => children.extend(nodes.iter().map(|place| {
+            MeshPlacement::Root => main = ",\"mesh\":0",
+            MeshPlacement::Child => children.push(format!("{{\"name\":{name},\"mesh\":{number}}}")),
+            MeshPlacement::Nodes(nodes) => children.extend(nodes.iter().map(|place| {
                 let [x, y, z] = [place.matrix3.x_axis, place.matrix3.y_axis, place.matrix3.z_axis];
                 let translation = (place.translation - glb.origin).extend(1.0);
                 let columns = [x.extend(0.0), y.extend(0.0), z.extend(0.0), translation];
                 let matrix = list(columns.map(|column| column.to_array()).as_flattened());
                 format!("{{\"name\":{name},\"mesh\":{number},\"matrix\":[{matrix}]}}")
             })),
-            Places::Instances(_) => children.extend(places.next().map(|[translation, rotation]| {
+            MeshPlacement::Instances(_) => children.extend(places.next().map(|[translation, rotation]| {
                 format!(
                     "{{\"name\":{name},\"mesh\":{number},\"extensions\":{{\"{INSTANCING}\":{{\"attributes\":\
                      {{\"TRANSLATION\":{translation},\"ROTATION\":{rotation}}}}}}}}}"
@@ -256,8 +256,8 @@ impl<'a> BinaryChunk<'a> {
     /// The accessors of the translations and the rotations of instances, for each mesh with instances.
     fn places(&mut self, meshes: &'a [SceneMesh]) -> Vec<[usize; 2]> {
         let lists = meshes.iter().filter_map(|mesh| match &mesh.places {
-            Places::Instances(places) => Some(&places[..]),
-            Places::Root | Places::Child | Places::Nodes(_) => None,
+            MeshPlacement::Instances(places) => Some(&places[..]),
+            MeshPlacement::Root | MeshPlacement::Child | MeshPlacement::Nodes(_) => None,
         });
         let lists: Vec<&[MeshInstance]> = lists.collect();
         let count = lists.iter().map(|list| list.len()).sum::<usize>();

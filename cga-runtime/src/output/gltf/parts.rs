@@ -9,7 +9,7 @@ use glam::DAffine3;
 
 use super::Glb;
 use super::primitive::Primitive;
-use super::scene::{MeshInstance, Places, SceneMesh};
+use super::scene::{MeshInstance, MeshPlacement, SceneMesh};
 use crate::material::layer::SetMask;
 use crate::output::interner::Interner;
 use crate::run::sink::{Flow, PartId, Replay};
@@ -73,7 +73,7 @@ impl Glb {
         let mut shared = Vec::new();
         for (primitives, (first, places)) in parts.parts.list.into_iter().zip(parts.places) {
             if 2 <= places.len() {
-                shared.push(SceneMesh { primitives, places: Places::Instances(places) });
+                shared.push(SceneMesh { primitives, places: MeshPlacement::Instances(places) });
                 continue;
             }
             for primitive in &primitives {

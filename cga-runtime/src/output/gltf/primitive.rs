@@ -11,7 +11,7 @@ use crate::geometry::mesh::map::normal_map;
 use crate::geometry::uv_map::{self, SetMap};
 use crate::material::layer::SetMask;
 use crate::output::buffers::Vertex;
-use crate::output::flatten::FlatFace;
+use crate::output::flatten::PlacedFace;
 use crate::output::sink_table::SinkTable;
 use crate::output::triangles::{Triangles, marked, vertex, write_box, write_quad};
 use crate::run::sink::Replay;
@@ -223,7 +223,7 @@ impl Primitive {
     }
 
     /// Adds a face of a mesh.
-    pub(super) fn face(&mut self, face: &FlatFace<'_>, rule: u32, origin: DVec3) {
+    pub(super) fn face(&mut self, face: &PlacedFace<'_>, rule: u32, origin: DVec3) {
         self.begin(rule);
         self.triangles.face(face, origin, face.corners.clone(), face.triangles);
         for (set, list) in self.sets.sets().zip(&mut self.uvs) {

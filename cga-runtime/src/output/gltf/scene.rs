@@ -7,12 +7,12 @@ use super::primitive::{Primitive, Primitives};
 /// A mesh of the file.
 pub(super) struct SceneMesh {
     pub(super) primitives: Vec<Primitive>,
-    pub(super) places: Places,
+    pub(super) places: MeshPlacement,
 }
 
 /// The places of a mesh.
 #[derive(Clone)]
-pub(super) enum Places {
+pub(super) enum MeshPlacement {
     /// In the root node.
     Root,
     /// In a node of its own that does not move it.
@@ -37,7 +37,7 @@ impl SceneMesh {
             });
         }
         let places = match self.places {
-            Places::Root => Places::Child,
+            MeshPlacement::Root => MeshPlacement::Child,
             other => other,
         };
         let mesh = |(_, primitives): (u32, Primitives)| SceneMesh {

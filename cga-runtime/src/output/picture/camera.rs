@@ -17,6 +17,9 @@ pub struct Camera {
     pub bounds: Bounds,
     /// The free space around it, as a fraction of the picture's smaller side.
     pub margin: f64,
+    /// True to give the direction with more free space equal space on both sides. Perspective makes the near side larger,
+    /// so a wide model otherwise has more space below it than above.
+    pub centred: bool,
 }
 
 /// The viewpoint of a picture.
@@ -64,7 +67,14 @@ impl Camera {
         let size = bounds.size();
         let flat = size.y < 0.25 * size.x.min(size.z);
         let elevation = if flat { 34.0 } else { 17.0 };
-        Camera { azimuth: 34.0, elevation, projection: Projection::Perspective(28.0), bounds, margin: 0.06 }
+        Camera {
+            azimuth: 34.0,
+            elevation,
+            projection: Projection::Perspective(28.0),
+            bounds,
+            margin: 0.06,
+            centred: false,
+        }
     }
 
     /// The same camera from another direction, in degrees; see the fields.
@@ -105,6 +115,20 @@ pub(crate) struct Viewport {
 
 /// The nearest visible distance, as a fraction of the distance to the middle of the model.
 const NEAR: f64 = 1e-3;
+
+/// The place from which points have the same largest tangent on both sides. Each point has a position across the view and
+/// a distance along it. The place is at most `reach` away from `start`.
+fn middle(points: impl Iterator<Item = (f64, f64)> + Clone, start: f64, reach: f64) -> f64 {
+    let (mut low, mut high) = (start - reach, start + reach);
+    // Halving 60 times leaves less than a rounding error.
+    for _ in 0..60 {
+        let at = 0.5 * (low + high);
+        let tangents = points.clone().map(|(across, along)| (across - at) / along);
+        let (least, most) = tangents.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), t| (l.min(t), m.max(t)));
+        if 0.0 < least + most { low = at } else { high = at }
+    }
+    0.5 * (low + high)
+}
 
 impl Viewport {
     /// A view that shows all of the camera's bounds.
@@ -152,7 +176,12 @@ impl Viewport {
                 let (r, l) = (most(&|p| p.x - tx * p.z), most(&|p| -p.x - tx * p.z));
                 let (t, b) = (most(&|p| p.y - ty * p.z), most(&|p| -p.y - ty * p.z));
                 let depth = (-(r + l) / (2.0 * tx)).min(-(t + b) / (2.0 * ty));
-                (DVec3::new(0.5 * (r - l), 0.5 * (t - b), depth), scale)
+                let (mut x, mut y) = (0.5 * (r - l), 0.5 * (t - b));
+                if camera.centred {
+                    x = middle(local.iter().map(|p| (p.x, p.z - depth)), x, 2.0 * bounds.size().length());
+                    y = middle(local.iter().map(|p| (p.y, p.z - depth)), y, 2.0 * bounds.size().length());
+                }
+                (DVec3::new(x, y, depth), scale)
             }
             Projection::Orthographic => {
                 let (r, l) = (most(&|p| p.x), most(&|p| -p.x));

@@ -62,6 +62,10 @@ fn strength(
     before: Option<usize>,
     after: Option<usize>,
 ) -> f32 {
+    // The ground fades into the backdrop.
+    if matches!([layer.seen[a], layer.seen[b]], [SKY, GROUND] | [GROUND, SKY]) {
+        return 0.0;
+    }
     let (Some(na), Some(nb)) = (normal(scene, layer.seen[a]), normal(scene, layer.seen[b])) else { return 1.0 };
     // A step: neither surface, extended, meets the other.
     let (qa, qb) = (layer.near[a], layer.near[b]);

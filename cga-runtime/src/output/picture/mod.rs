@@ -22,6 +22,8 @@ mod gamma;
 mod light;
 mod lines;
 #[cfg(feature = "png")]
+mod palette;
+#[cfg(feature = "png")]
 mod png;
 mod raster;
 mod scene;

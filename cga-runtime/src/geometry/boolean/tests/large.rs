@@ -124,9 +124,8 @@ fn the_work_for_a_wall_with_many_windows_grows_with_their_number() {
     assert!((again.volume() + common.volume() - 0.15).abs() < 1e-12 && again.is_closed());
 }
 
-#[test]
-fn squares_that_all_overlap_in_a_plane_need_bounded_memory() {
-    // Each square has the edges of all others: the number of pairs of edges and squares grows with the third power.
+/// Squares of half a metre at random places in a square metre.
+fn random_squares(count: u32) -> Vec<Mesh> {
     let rng = &mut Rng(5);
     let square = |_: u32| {
         let at = DVec3::new(rng.unit() * 0.5, 0.0, rng.unit() * 0.5);
@@ -136,9 +135,64 @@ fn squares_that_all_overlap_in_a_plane_need_bounded_memory() {
         builder.face(&ring, &[], FaceTag::PLAIN);
         builder.build().unwrap()
     };
-    let squares: Vec<Mesh> = (0..60).map(square).collect();
-    let few = combine(Unify, [&squares[..20], &[]], 0.0).unwrap();
-    assert_eq!(few.check(), []);
-    let budget = Budget { owners: 50_000, ..Budget::DEFAULT };
-    assert_eq!(combine_within(budget, Unify, [&squares, &[]], 0.0).err(), Some(BooleanError::TooMany));
+    (0..count).map(square).collect()
+}
+
+#[test]
+fn squares_that_all_overlap_in_a_plane_have_one_arrangement() {
+    let squares = random_squares(60);
+    let within = |budget: Budget| combine_within(budget, Unify, [&squares, &[]], 0.0);
+    // The work for a pair of squares does not grow with the number of squares over them.
+    let made = within(Budget { comparisons: 1_500_000, owners: 25_000, ..Budget::DEFAULT }).unwrap();
+    assert_eq!(made.check(), []);
+    let area = |mesh: &Mesh| mesh.faces().map(|face| face.area()).sum::<f64>();
+    // All edges stay, so parts do not overlap: the area is that of a count of cells between the lines of all edges.
+    let mut lines: [Vec<f64>; 2] = [0, 2].map(|axis| {
+        squares
+            .iter()
+            .flat_map(|one| {
+                let bounds = one.bounds();
+                [bounds.low[axis], bounds.high[axis]]
+            })
+            .collect()
+    });
+    lines.iter_mut().for_each(|list| list.sort_by(f64::total_cmp));
+    let mut covered = 0.0;
+    for x in lines[0].windows(2) {
+        for z in lines[1].windows(2) {
+            let middle = DVec3::new(x[0] + x[1], 0.0, z[0] + z[1]) * 0.5;
+            let is_in = |one: &Mesh| one.bounds().low.cmple(middle).all() && middle.cmple(one.bounds().high).all();
+            covered += if squares.iter().any(is_in) { (x[1] - x[0]) * (z[1] - z[0]) } else { 0.0 };
+        }
+    }
+    assert!((area(&made) - covered).abs() < 1e-9, "{} {covered}", area(&made));
+    assert_eq!(within(Budget { windings: 5_000, ..Budget::DEFAULT }).err(), Some(BooleanError::TooMany));
+    assert_eq!(within(Budget { owners: 2_000, ..Budget::DEFAULT }).err(), Some(BooleanError::TooMany));
+}
+
+#[test]
+fn boxes_on_a_floor_are_joined_with_it() {
+    // Some overlap and some touch each other.
+    let floor = block([0.0, -1.0, 0.0], [12.0, 0.0, 12.0]);
+    let rng = &mut Rng(9);
+    let mut boxes = Vec::new();
+    let mut heights = vec![0.0f64; 48 * 48];
+    for number in 0..144 {
+        let size = [1, 2 + (number % 3)][number % 2];
+        let at = [0; 2].map(|_: i32| (rng.unit() * (48 - 4 * size) as f64) as usize);
+        let height = 1.0 + f64::from(number as u32 % 4);
+        let [x, z] = at.map(|place| place as f64 * 0.25);
+        boxes.push(block([x, 0.0, z], [x + size as f64, height, z + size as f64]));
+        for place in (0..4 * size).flat_map(|i| (0..4 * size).map(move |j| (at[0] + i) * 48 + at[1] + j)) {
+            heights[place] = heights[place].max(height);
+        }
+    }
+    let expected = 144.0 + heights.iter().sum::<f64>() / 16.0;
+    for turn_by in [0.0, 17.0] {
+        let place = DAffine3 { matrix3: turn(turn_by, turn_by, 0.0), translation: DVec3::ZERO };
+        let boxes: Vec<Mesh> = boxes.iter().map(|one| one.map(&place)).collect();
+        let made = combine(Union, [from_ref(&floor.map(&place)), &boxes], 16.0 * f64::EPSILON).unwrap();
+        assert!(made.is_closed() && made.check().is_empty());
+        assert!((made.volume() - expected).abs() < 1e-6, "{} {expected}", made.volume());
+    }
 }

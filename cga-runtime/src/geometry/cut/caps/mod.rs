@@ -11,7 +11,7 @@ pub(crate) mod sheets;
 
 use glam::{DVec2, DVec3};
 
-use super::points::{Location, Points};
+use super::points::{CutPoints, Location};
 use super::state::CutState;
 use crate::geometry::cut::caps::first_face::Lead;
 use crate::geometry::mesh::{FaceTag, Mesh};
@@ -48,7 +48,7 @@ impl Caps {
         state: &mut CutState,
         mesh: &Mesh,
         texture: CapTexture,
-        mut open: impl FnMut(&Points, usize, Vec<u32>),
+        mut open: impl FnMut(&CutPoints, usize, Vec<u32>),
     ) {
         let planes = state.points.planes.len();
         state.rim.sort(planes);

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::patch::{On, Patch};
+use super::patch::{On, UvPatch};
 use super::unit::{AssetPolygon, UnitAsset};
 use crate::geometry::exact::{comes_first, orient};
 use crate::geometry::mesh::face::area_vector;
@@ -25,11 +25,11 @@ pub(super) struct ClipVertex {
 
 impl ClipVertex {
     /// Its position on the surface.
-    pub(super) fn place(&self, patch: &Patch) -> DVec3 {
+    pub(super) fn place(&self, patch: &UvPatch) -> DVec3 {
         patch.place(self.uv, self.height, self.on(patch))
     }
 
-    fn on(&self, patch: &Patch) -> On {
+    fn on(&self, patch: &UvPatch) -> On {
         let mut edges = (0..patch.edge_count()).filter(|edge| self.above >> edge & 1 == 1);
         match (edges.next(), edges.next()) {
             (None, _) => On::Inside,
@@ -39,12 +39,12 @@ impl ClipVertex {
     }
 
     /// The edges of the patch that contain its position, as bits.
-    fn above_of(&self, patch: &Patch) -> u8 {
+    fn above_of(&self, patch: &UvPatch) -> u8 {
         (0..patch.edge_count()).map(|edge| u8::from(self.side(edge, patch) == 0) << edge).sum()
     }
 
     /// 1 left of an edge of the patch, which is inside, -1 right of it, 0 above it.
-    fn side(&self, edge: usize, patch: &Patch) -> i32 {
+    fn side(&self, edge: usize, patch: &UvPatch) -> i32 {
         let [a, b] = patch.edge(edge);
         if self.above >> edge & 1 == 1 { 0 } else { orient(a, b, self.uv) }
     }
@@ -89,7 +89,7 @@ impl<'a> Clip<'a> {
         asset: &UnitAsset,
         polygon: &AssetPolygon,
         cell: DVec2,
-        patch: &Patch,
+        patch: &UvPatch,
     ) -> Option<Option<usize>> {
         self.start(asset, polygon, cell, patch);
         let mut wall = None;
@@ -110,7 +110,7 @@ impl<'a> Clip<'a> {
         Some(wall)
     }
 
-    fn start(&mut self, asset: &UnitAsset, polygon: &AssetPolygon, cell: DVec2, patch: &Patch) {
+    fn start(&mut self, asset: &UnitAsset, polygon: &AssetPolygon, cell: DVec2, patch: &UvPatch) {
         self.carried.clear();
         self.own.clear();
         for (number, (corner, at)) in (0u32..).zip(asset.corners(polygon, cell)) {
@@ -125,7 +125,7 @@ impl<'a> Clip<'a> {
     }
 
     /// Removes the part right of an edge.
-    fn cut_at(&mut self, edge: usize, patch: &Patch) {
+    fn cut_at(&mut self, edge: usize, patch: &UvPatch) {
         let mut kept = std::mem::take(&mut self.spare);
         kept.clear();
         for at in 0..self.nodes.len() {
@@ -145,7 +145,7 @@ impl<'a> Clip<'a> {
     }
 
     /// The crossing of the edge between two nodes with an edge of the patch.
-    fn crossing(&mut self, here: &ClipVertex, next: &ClipVertex, edge: usize, patch: &Patch) -> ClipVertex {
+    fn crossing(&mut self, here: &ClipVertex, next: &ClipVertex, edge: usize, patch: &UvPatch) -> ClipVertex {
         if let EdgeSource::Cut(other) = here.edge
             && let Some(corner) = patch.corner_between(other, edge)
         {

@@ -20,7 +20,7 @@ use super::face::area_vector;
 use super::{FaceTag, Mesh, MeshBuilder, TooManyCorners};
 use crate::geometry::tol::PLANAR_EPSILON;
 use clip::{Clip, ClipVertex};
-use patch::{Patch, Patches};
+use patch::{Patches, UvPatch};
 use unit::UnitAsset;
 
 /// The direction of an asset's height on a surface.
@@ -113,7 +113,7 @@ struct MappedMesh<'a> {
 
 impl MappedMesh<'_> {
     /// Adds a piece of a face of the asset.
-    fn add(&mut self, clip: &Clip<'_>, patch: &Patch, face: usize, turns_over: bool) {
+    fn add(&mut self, clip: &Clip<'_>, patch: &UvPatch, face: usize, turns_over: bool) {
         let mut nodes: Vec<(DVec3, &ClipVertex)> = clip.nodes.iter().map(|node| (node.place(patch), node)).collect();
         nodes.dedup_by_key(|node| node.0);
         while nodes.len() > 1 && nodes[0].0 == nodes[nodes.len() - 1].0 {

@@ -14,7 +14,7 @@ use crate::geometry::tol::AFFINE_EPSILON;
 use crate::geometry::triangulate::Triangulator;
 
 /// A triangle, or a quad whose coordinates are a parallelogram. Corners are counter-clockwise in texture space.
-pub(super) struct Patch {
+pub(super) struct UvPatch {
     corners: Vec<PatchCorner>,
     /// True if u, v and height are left-handed on the surface.
     pub(super) is_mirrored: bool,
@@ -41,7 +41,7 @@ struct PatchCorner {
     number: u32,
 }
 
-impl Patch {
+impl UvPatch {
     /// A patch; `None` for corners without area in texture space.
     fn of(mut corners: Vec<PatchCorner>) -> Option<Self> {
         let turn = orient(corners[0].uv, corners[1].uv, corners[2].uv);
@@ -60,7 +60,7 @@ impl Patch {
         let area = a.perp_dot(b);
         let along = [DVec2::new(b.y, -b.x) / area, DVec2::new(-a.y, a.x) / area];
         let is_sound = turn != 0 && along.iter().all(|way| way.is_finite());
-        is_sound.then_some(Patch { corners, is_mirrored, along })
+        is_sound.then_some(UvPatch { corners, is_mirrored, along })
     }
 
     /// The ends of an edge in texture space.
@@ -187,7 +187,7 @@ type EdgeEnd = (u32, [u64; 2]);
 /// All patches of a carrier.
 #[derive(Default)]
 pub(super) struct Patches {
-    pub(super) list: Vec<Patch>,
+    pub(super) list: Vec<UvPatch>,
     /// For each edge the first patches that have it.
     neighbours: BTreeMap<[EdgeEnd; 2], Vec<u32>>,
 }
@@ -216,19 +216,19 @@ impl Patches {
         for face in carrier.faces().filter(|face| matches!(face.corner_count(), 3 | 4)) {
             let corners: Vec<PatchCorner> = face.corner_range().map(|at| corner(at as u32)).collect();
             if is_parallelogram(&corners) {
-                patches.add(Patch::of(corners));
+                patches.add(UvPatch::of(corners));
                 continue;
             }
             triangles.clear();
             triangulator.face(carrier, face.index(), &mut triangles);
             for triangle in &triangles {
-                patches.add(Patch::of(triangle.map(corner).to_vec()));
+                patches.add(UvPatch::of(triangle.map(corner).to_vec()));
             }
         }
         patches
     }
 
-    fn add(&mut self, patch: Option<Patch>) {
+    fn add(&mut self, patch: Option<UvPatch>) {
         /// The limit on patches per edge. An edge of a surface has fewer.
         const MOST: usize = 8;
         let Some(patch) = patch else { return };
@@ -251,7 +251,7 @@ impl Patches {
     }
 }
 
-fn key(patch: &Patch, edge: usize) -> [EdgeEnd; 2] {
+fn key(patch: &UvPatch, edge: usize) -> [EdgeEnd; 2] {
     let end = |corner: PatchCorner| (corner.number, corner.uv.to_array().map(f64::to_bits));
     let (a, b) = (end(patch.corners[edge]), end(patch.corners[patch.after(edge)]));
     [a.min(b), a.max(b)]

@@ -24,7 +24,7 @@ pub(crate) type EdgeCut = (usize, f64);
 /// A side of the region: its first point, and its piece. Pieces are the edges of the face, or the parts of divided
 /// ones, in order.
 #[derive(Clone, Copy, Debug)]
-struct Side {
+struct RegionSide {
     point: u32,
     piece: usize,
     /// True if the piece has moved.
@@ -38,16 +38,16 @@ pub(super) type Loops = Vec<Vec<(usize, u32)>>;
 pub(super) type SideOrigins = BTreeMap<[u32; 2], SideOrigin>;
 
 /// A region in the plane of a face.
-pub(crate) struct Region {
+pub(crate) struct FaceRegion {
     /// The points of the face, those that divide edges, and those of all turns.
     pub(super) points: Vec<DVec2>,
     pub(super) heights: Vec<f64>,
     /// The edge of each piece: the number of its first corner, counted from the first one of the face.
     edges: Vec<usize>,
-    rings: Vec<Vec<Side>>,
+    rings: Vec<Vec<RegionSide>>,
 }
 
-impl Region {
+impl FaceRegion {
     /// The whole face. The cuts are in the order of edges, and of shares along an edge.
     pub(crate) fn of(plane: &FlatFace<'_>, cuts: &[EdgeCut]) -> Self {
         let (mut points, mut heights) = (plane.flat.clone(), plane.heights.clone());
@@ -58,7 +58,7 @@ impl Region {
             let mut sides = Vec::with_capacity(ring.len());
             for edge in edges.by_ref().take(ring.len()) {
                 let mut add = |point: u32| {
-                    sides.push(Side { point, piece: pieces.len(), has_moved: false });
+                    sides.push(RegionSide { point, piece: pieces.len(), has_moved: false });
                     pieces.push(edge[0]);
                 };
                 let [a, b] = edge.map(|corner| plane.corners[corner]);
@@ -72,13 +72,13 @@ impl Region {
             }
             divided.push(sides);
         }
-        Region { points, heights, edges: pieces, rings: divided }
+        FaceRegion { points, heights, edges: pieces, rings: divided }
     }
 
     /// The area.
     pub(crate) fn area(&self) -> f64 {
-        let at = |side: &Side| self.points[side.point as usize];
-        let twice = |ring: &Vec<Side>| -> f64 {
+        let at = |side: &RegionSide| self.points[side.point as usize];
+        let twice = |ring: &Vec<RegionSide>| -> f64 {
             let first = at(&ring[0]);
             ring.windows(2).map(|pair| (at(&pair[0]) - first).perp_dot(at(&pair[1]) - first)).sum()
         };
@@ -87,7 +87,7 @@ impl Region {
 
     /// The total length of the sides on some pieces.
     pub(crate) fn length(&self, of: impl Fn(usize) -> bool) -> f64 {
-        let at = |side: &Side| self.points[side.point as usize];
+        let at = |side: &RegionSide| self.points[side.point as usize];
         let sides = self.rings.iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
         sides.filter(|(side, _)| side.piece != NONE && of(side.piece)).map(|(a, b)| at(a).distance(at(b))).sum()
     }
@@ -95,8 +95,8 @@ impl Region {
     /// Moves pieces by distances and takes from the region what they sweep. Distances that are not positive leave their
     /// pieces where they are. Returns the loops of the parts that were taken; they begin with the first piece that moved.
     pub(super) fn set_back(&mut self, distances: &[f64]) -> Result<(Loops, SideOrigins), OffsetError> {
-        let old: Vec<Side> = self.rings.iter().flatten().copied().collect();
-        let distance = |side: &Side| distances.get(side.piece).map_or(0.0, |distance| distance.max(0.0));
+        let old: Vec<RegionSide> = self.rings.iter().flatten().copied().collect();
+        let distance = |side: &RegionSide| distances.get(side.piece).map_or(0.0, |distance| distance.max(0.0));
         let distances: Vec<f64> = old.iter().map(distance).collect();
         if !distances.iter().any(|distance| 0.0 < *distance) {
             return Ok(Default::default());
@@ -116,8 +116,10 @@ impl Region {
         let taken = taken(&rings, &swept, &distances, rank, origin);
         let side = |left: &skeleton::Left| {
             let edge = left.edge as usize;
-            let Some(old) = old.get(edge) else { return Side { point: left.point, piece: NONE, has_moved: true } };
-            Side { point: left.point, piece: old.piece, has_moved: old.has_moved || 0.0 < distances[edge] }
+            let Some(old) = old.get(edge) else {
+                return RegionSide { point: left.point, piece: NONE, has_moved: true };
+            };
+            RegionSide { point: left.point, piece: old.piece, has_moved: old.has_moved || 0.0 < distances[edge] }
         };
         self.rings = swept.left.iter().map(|ring| ring.iter().map(side).collect()).collect();
         self.points = std::mem::take(&mut swept.points);
@@ -126,14 +128,15 @@ impl Region {
 
     /// The loops of the region. They begin with the first piece that has a side.
     pub(super) fn loops(&self) -> (Loops, SideOrigins) {
-        let ring = |ring: &Vec<Side>| super::from_first(ring.iter().map(|side| (side.piece, side.point)).collect());
+        let ring =
+            |ring: &Vec<RegionSide>| super::from_first(ring.iter().map(|side| (side.piece, side.point)).collect());
         let mut origins = SideOrigins::new();
         for ring in &self.rings {
             for (side, next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
                 let kind = match side {
-                    Side { piece: NONE, .. } => SideKind::End,
-                    Side { has_moved: true, .. } => SideKind::Back,
-                    Side { has_moved: false, .. } => SideKind::Remainder,
+                    RegionSide { piece: NONE, .. } => SideKind::End,
+                    RegionSide { has_moved: true, .. } => SideKind::Back,
+                    RegionSide { has_moved: false, .. } => SideKind::Remainder,
                 };
                 let edge = self.edges.get(side.piece).copied();
                 origins.insert([side.point, next.point], SideOrigin { kind, edge });

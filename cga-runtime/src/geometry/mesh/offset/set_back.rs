@@ -5,7 +5,7 @@
 //! up to the area of the face, and the parts that neighbouring edges sweep are one face. Edges that move in several
 //! turns have several setbacks ([`super::region`]).
 
-use super::region::{EdgeCut, Loops, Region, SideOrigins};
+use super::region::{EdgeCut, FaceRegion, Loops, SideOrigins};
 use super::side_tags::SideTags;
 use super::{FaceParts, OffsetError};
 use crate::geometry::mesh::flat_face::FlatFace;
@@ -30,7 +30,7 @@ pub(crate) fn set_back(
         return Ok(turns.iter().map(|_| 0).chain([1]).collect());
     }
     let plane = FlatFace::of(face).ok_or(OffsetError::NoNormal)?;
-    let mut region = Region::of(&plane, cuts);
+    let mut region = FaceRegion::of(&plane, cuts);
     let mut parts = turns.iter().map(|turn| region.set_back(turn)).collect::<Result<Vec<_>, _>>()?;
     parts.push(region.loops());
     let mut part = FaceParts::new(&plane, &region.points, &region.heights, false, made);

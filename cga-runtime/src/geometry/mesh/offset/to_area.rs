@@ -4,7 +4,7 @@
 //! between two events of the wavefront it is quadratic. Its derivative is the length of the edges that still move. So
 //! Newton's method finds the offset, and bisection replaces the steps that leave the interval or do not help.
 
-use super::region::Region;
+use super::region::FaceRegion;
 use crate::geometry::mesh::FaceRef;
 use crate::geometry::mesh::flat_face::FlatFace;
 
@@ -28,7 +28,7 @@ impl Rest {
     pub(crate) fn of(face: &FaceRef<'_>, turns: &[&[f64]], moves: impl Fn(usize) -> bool) -> Self {
         let whole = || Rest { area: face.area(), front: 0.0 };
         let Some(plane) = FlatFace::of(face) else { return whole() };
-        let mut region = Region::of(&plane, &[]);
+        let mut region = FaceRegion::of(&plane, &[]);
         if turns.iter().any(|turn| region.set_back(turn).is_err()) {
             return whole();
         }

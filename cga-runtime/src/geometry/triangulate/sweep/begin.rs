@@ -6,7 +6,7 @@ use std::cmp::Ordering;
 
 use glam::DVec2;
 
-use super::{ChainPoint, MonotoneSweep, NONE, Region};
+use super::{ChainPoint, MonotoneSweep, NONE, SweepInterval};
 use crate::geometry::exact::orient;
 use crate::geometry::status::{LEFT, RIGHT};
 
@@ -53,7 +53,7 @@ impl MonotoneSweep {
     fn add_region(&mut self, edges: [u32; 2], ends: [u32; 2], latest: u32) {
         let new = self.regions.len() as u32;
         edges.iter().for_each(|&edge| self.region[edge as usize] = new);
-        self.regions.push(Region { edges, ends, latest });
+        self.regions.push(SweepInterval { edges, ends, latest });
     }
 
     /// The region of a hole that begins outside it, because loops cross by rounding errors: the nearer one of the

@@ -1,7 +1,7 @@
 //! Findings and summaries of files.
 
 use crate::count::count;
-use crate::files::Library;
+use crate::files::LoadedFiles;
 use crate::format::{self, Format};
 use crate::options::Options;
 use cga_lang::compile::compile;
@@ -19,7 +19,7 @@ const MOST_SHOWN: usize = 1000;
 type FindingKey = (String, u32, u32, Code, Line);
 
 /// Prints findings and summaries, and counts them.
-pub(crate) struct Report<'o> {
+pub(crate) struct Printer<'o> {
     options: &'o Options,
     /// Files that other files import: no run starts in them.
     imported: HashSet<String>,
@@ -32,10 +32,10 @@ pub(crate) struct Report<'o> {
     later: BTreeMap<String, usize>,
 }
 
-impl<'o> Report<'o> {
+impl<'o> Printer<'o> {
     pub(crate) fn new(options: &'o Options, imported: HashSet<String>) -> Self {
         let (codes, later) = (BTreeMap::new(), BTreeMap::new());
-        Report { options, imported, seen: HashSet::new(), files: 0, failed: 0, lines: 0, codes, later }
+        Printer { options, imported, seen: HashSet::new(), files: 0, failed: 0, lines: 0, codes, later }
     }
 
     /// Returns true if a file has errors, or warnings that are denied.
@@ -45,13 +45,13 @@ impl<'o> Report<'o> {
     }
 
     /// Checks a file, and prints new findings and a summary.
-    pub(crate) fn file(&mut self, library: &mut Library, number: usize, out: &mut dyn Write) -> Result<()> {
-        let root = library.unit(number);
+    pub(crate) fn file(&mut self, files: &mut LoadedFiles, number: usize, out: &mut dyn Write) -> Result<()> {
+        let root = files.unit(number);
         let mut again = Diags::new();
         let counts = count(&parse(&root.tokens, &mut again));
         // The compiler reports the same.
         again.finish();
-        let compiled = compile(root, library, &[]);
+        let compiled = compile(root, files, &[]);
         let mut own = Own::default();
         let mut more = 0;
         let is_imported = self.imported.contains(&compiled.files[0].name);
@@ -74,7 +74,7 @@ impl<'o> Report<'o> {
                 continue;
             }
             own.shown += 1;
-            let quote = |file: usize| library.quote(&compiled.files.get(file)?.name);
+            let quote = |file: usize| files.quote(&compiled.files.get(file)?.name);
             format::write(self.options.format, &compiled, &quote, diag, out)?;
         }
         if 0 < more && self.options.format == Format::Full {
@@ -82,15 +82,15 @@ impl<'o> Report<'o> {
         }
         self.files += 1;
         self.failed += usize::from(0 < own.errors + own.imported);
-        self.lines += library.text(number).lines().count();
+        self.lines += files.text(number).lines().count();
         if self.options.format != Format::Full {
             return Ok(());
         }
         let name = &compiled.files[0].name;
-        write!(out, "{name}: {} rules, {} splits, {} comps; ", counts.rules, counts.splits, counts.comps)?;
-        write!(out, "{} errors, {} warnings", own.errors, own.warnings)?;
+        let parts = [(counts.rules, "rule"), (counts.splits, "split"), (counts.comps, "comp")].map(counted).join(", ");
+        write!(out, "{name}: {parts}; {}, {}", counted((own.errors, "error")), counted((own.warnings, "warning")))?;
         if 0 < own.imported {
-            write!(out, "; {} errors in imported files", own.imported)?;
+            write!(out, "; {} in imported files", counted((own.imported, "error")))?;
         }
         if !own.later.is_empty() {
             write!(out, "; not implemented: {}", list(&own.later))?;
@@ -103,14 +103,15 @@ impl<'o> Report<'o> {
         if self.options.format != Format::Full {
             return Ok(());
         }
-        writeln!(out, "\n{} files, {} lines, {} with errors, {time:.1?}", self.files, self.lines, self.failed)?;
-        for (level, word) in [(Level::Error, "errors"), (Level::Warning, "warnings")] {
+        let size = [(self.files, "file"), (self.lines, "line")].map(counted).join(", ");
+        writeln!(out, "\n{size}, {} with errors, {time:.1?}", self.failed)?;
+        for (level, word) in [(Level::Error, "error"), (Level::Warning, "warning")] {
             let codes = self.codes.iter().filter(|((own, _), _)| *own == level);
             let codes: BTreeMap<String, usize> =
                 codes.map(|((_, code), count)| (code.name().to_owned(), *count)).collect();
             let sum: usize = codes.values().sum();
             let colon = if sum == 0 { "" } else { ": " };
-            writeln!(out, "{sum} {word}{colon}{}", list(&codes))?;
+            writeln!(out, "{}{colon}{}", counted((sum, word)), list(&codes))?;
         }
         if !self.later.is_empty() {
             writeln!(out, "not implemented: {}", list(&self.later))?;
@@ -144,6 +145,11 @@ impl Own {
             *self.later.entry(name.clone()).or_default() += 1;
         }
     }
+}
+
+/// A number of things.
+fn counted((count, thing): (usize, &str)) -> String {
+    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
 }
 
 /// Names with numbers, the most frequent first.

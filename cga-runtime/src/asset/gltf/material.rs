@@ -2,7 +2,7 @@
 
 use super::GltfError;
 use super::document::{Document, Resource, resource};
-use super::images::Images;
+use super::images::MaterialImages;
 use super::item::{Item, item};
 use crate::asset::image::header;
 use crate::material::layer::Placement;
@@ -10,7 +10,7 @@ use crate::material::{Channel, Color, ColorOf, Layer, LayerPart, Material, Mater
 use crate::value::text::Text;
 
 /// A material, and the coordinates of its images.
-pub(super) struct Look {
+pub(super) struct GltfMaterial {
     pub(super) material: Material,
     /// For each layer, the number `n` of the coordinates `TEXCOORD_n` that its image uses. `None` without an image.
     pub(super) coordinates: [Option<usize>; Layer::ALL.len()],
@@ -20,19 +20,19 @@ pub(super) struct Look {
 const SHADER: &str = "CityEnginePBRShader";
 
 /// Reads materials one by one.
-pub(super) struct LookReader<'a, 'b> {
+pub(super) struct MaterialReader<'a, 'b> {
     pub(super) document: &'a Document<'b>,
-    pub(super) images: &'a mut Images,
+    pub(super) images: &'a mut MaterialImages,
     /// Returns the bytes of a file by its name.
     pub(super) file: &'a mut dyn FnMut(&str) -> Option<Vec<u8>>,
 }
 
-impl LookReader<'_, '_> {
+impl MaterialReader<'_, '_> {
     /// The material with an index.
-    pub(super) fn look(&mut self, index: usize) -> Result<Look, GltfError> {
+    pub(super) fn read(&mut self, index: usize) -> Result<GltfMaterial, GltfError> {
         let source = item(&self.document.json, "materials", index)?;
-        let mut look = Look { material: Material::UNSET, coordinates: [None; Layer::ALL.len()] };
-        let material = &mut look.material;
+        let mut found = GltfMaterial { material: Material::UNSET, coordinates: [None; Layer::ALL.len()] };
+        let material = &mut found.material;
         if let Some(name) = source.text("name")?.filter(|name| !name.is_empty()) {
             material.name = Some(Text::from(name));
         }
@@ -66,20 +66,26 @@ impl LookReader<'_, '_> {
             material.set_number(MaterialNumber::Cutoff, source.number("alphaCutoff")?.unwrap_or(0.5));
         }
         if let Some(pbr) = pbr {
-            self.layers(&mut look, &pbr, "baseColorTexture", &[Layer::Color])?;
-            if shows_alpha && self.images.has_alpha(look.material.texture.as_ref()) {
-                self.layers(&mut look, &pbr, "baseColorTexture", &[Layer::Opacity])?;
+            self.layers(&mut found, &pbr, "baseColorTexture", &[Layer::Color])?;
+            if shows_alpha && self.images.has_alpha(found.material.texture.as_ref()) {
+                self.layers(&mut found, &pbr, "baseColorTexture", &[Layer::Opacity])?;
             }
-            self.layers(&mut look, &pbr, "metallicRoughnessTexture", &[Layer::Roughness, Layer::Metallic])?;
+            self.layers(&mut found, &pbr, "metallicRoughnessTexture", &[Layer::Roughness, Layer::Metallic])?;
         }
-        self.layers(&mut look, &source, "normalTexture", &[Layer::Normal])?;
-        self.layers(&mut look, &source, "occlusionTexture", &[Layer::Occlusion])?;
-        self.layers(&mut look, &source, "emissiveTexture", &[Layer::Emissive])?;
-        Ok(look)
+        self.layers(&mut found, &source, "normalTexture", &[Layer::Normal])?;
+        self.layers(&mut found, &source, "occlusionTexture", &[Layer::Occlusion])?;
+        self.layers(&mut found, &source, "emissiveTexture", &[Layer::Emissive])?;
+        Ok(found)
     }
 
     /// Gives layers the image, the coordinates and the placement of a texture.
-    fn layers(&mut self, look: &mut Look, source: &Item<'_>, member: &str, layers: &[Layer]) -> Result<(), GltfError> {
+    fn layers(
+        &mut self,
+        found: &mut GltfMaterial,
+        source: &Item<'_>,
+        member: &str,
+        layers: &[Layer],
+    ) -> Result<(), GltfError> {
         let Some(texture) = source.object(member)? else { return Ok(()) };
         let Some(image) = self.image(texture.required("index")?)? else { return Ok(()) };
         let transform = texture.extension("KHR_texture_transform")?;
@@ -87,8 +93,8 @@ impl LookReader<'_, '_> {
         let coordinates = own.or(texture.whole("texCoord")?).unwrap_or(0);
         let placement = transform.map_or(Ok(Placement::PLAIN), |transform| placement(&transform))?;
         for &layer in layers {
-            look.coordinates[layer.uv_set()] = Some(coordinates);
-            look.material.set_text(MaterialText::Map(layer), image.clone());
+            found.coordinates[layer.uv_set()] = Some(coordinates);
+            found.material.set_text(MaterialText::Map(layer), image.clone());
             let parts = [
                 (LayerPart::Su, placement.scale.x),
                 (LayerPart::Sv, placement.scale.y),
@@ -99,7 +105,7 @@ impl LookReader<'_, '_> {
             for (part, value) in parts {
                 let which = MaterialNumber::Map(layer, part);
                 if value != which.default_value() {
-                    look.material.set_number(which, value);
+                    found.material.set_number(which, value);
                 }
             }
         }

@@ -70,21 +70,21 @@ fn print(model: &Model) -> String {
 }
 
 #[test]
-fn three_doors_give_one_model() {
+fn three_sources_give_one_model() {
     for seed in 0..20 {
         let inline = Inline::default().generate(&lot(seed)).expect("no limit");
         assert_eq!(inline.faults(), []);
         assert!(40 < inline.len(), "{}", inline.len());
-        let doors: [&dyn Grammar; 3] = [&Text::default(), &File::default(), &Escaped::default()];
-        for door in doors {
-            let other = door.generate(&lot(seed)).expect("no limit");
-            assert!(print(&inline) == print(&other), "seed {seed}, {}", door.name());
+        let sources: [&dyn Grammar; 3] = [&Text::default(), &File::default(), &Escaped::default()];
+        for source in sources {
+            let other = source.generate(&lot(seed)).expect("no limit");
+            assert!(print(&inline) == print(&other), "seed {seed}, {}", source.name());
         }
     }
 }
 
 #[test]
-fn three_doors_give_one_table_of_attributes() {
+fn three_sources_give_one_table_of_attributes() {
     assert_eq!(Inline::default().attributes(), Text::default().attributes());
     assert_eq!(Inline::default().attributes(), File::default().attributes());
     assert_eq!(Inline::default().start_rules(), File::default().start_rules());
@@ -205,21 +205,21 @@ mod values {
     cga! { grammar ValuesFile in "tests/rules/values.cga"; }
 
     #[test]
-    fn three_doors_agree_on_arrays_locals_styles_and_imports() {
-        let doors: [&dyn Grammar; 3] = [&ValuesInline::default(), &ValuesText::default(), &ValuesFile::default()];
-        assert_eq!(doors[0].attributes(), doors[1].attributes());
-        assert_eq!(doors[0].attributes(), doors[2].attributes());
-        assert!(doors[0].start_rules().iter().any(|start| start.name == "Odd$Lot"));
-        for start in doors[0].start_rules() {
+    fn three_sources_agree_on_arrays_locals_styles_and_imports() {
+        let sources: [&dyn Grammar; 3] = [&ValuesInline::default(), &ValuesText::default(), &ValuesFile::default()];
+        assert_eq!(sources[0].attributes(), sources[1].attributes());
+        assert_eq!(sources[0].attributes(), sources[2].attributes());
+        assert!(sources[0].start_rules().iter().any(|start| start.name == "Odd$Lot"));
+        for start in sources[0].start_rules() {
             let settings = cga::Settings { start: Some(start.name.into()), ..cga::Settings::default() };
-            let models = doors.map(|door| door.generate_with(&lot(3), &settings).expect("no limit"));
+            let models = sources.map(|source| source.generate_with(&lot(3), &settings).expect("no limit"));
             let [one, two, three] = models.each_ref().map(|model| {
                 assert_eq!(model.faults(), []);
                 format!("{}{:?}{:?}", print(model), model.prints(), model.reports())
             });
             assert!(one == two && two == three, "{}", start.name);
         }
-        let model = doors[0].generate(&lot(3)).expect("no limit");
+        let model = sources[0].generate(&lot(3)).expect("no limit");
         assert!(5 < model.len() && 5 < model.prints().len(), "{:?}", model.counts());
     }
 }
