@@ -1,10 +1,16 @@
-//! Writes the gallery, `docs/gallery/`: for each worked example of the reference a picture, its rules and the resulting
-//! pieces. `tests/documented.rs` checks the rules, and that the pages show them.
+//! Writes the gallery, `docs/gallery/`: scenes of our own, and for each worked example of the reference a picture, its rules
+//! and the resulting pieces. `tests/scenes.rs` and `tests/documented.rs` check the rules, and that the pages show them.
+//!
+//! `cargo run --release --example gallery -- scenes` writes the page of the scenes alone.
 
 #[path = "gallery/mod.rs"]
 mod gallery;
 #[path = "../tests/documented/pages/mod.rs"]
 mod pages;
+#[path = "gallery/scene_page.rs"]
+mod scene_page;
+#[path = "scenes/mod.rs"]
+mod scenes;
 
 use std::error::Error;
 use std::fs;
@@ -14,6 +20,10 @@ use gallery::chapter::{chapters, contents};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/gallery");
+    write_scenes(&folder)?;
+    if std::env::args().nth(1).as_deref() == Some("scenes") {
+        return Ok(());
+    }
     let chapters = chapters();
     for chapter in &chapters {
         fs::create_dir_all(folder.join(chapter.name))?;
@@ -24,5 +34,21 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("wrote docs/gallery/{}.md with {} pictures", chapter.name, chapter.cells.len());
     }
     fs::write(folder.join("README.md"), contents(&chapters))?;
+    Ok(())
+}
+
+/// Writes the page of the scenes and its pictures.
+fn write_scenes(folder: &Path) -> Result<(), Box<dyn Error>> {
+    fs::create_dir_all(folder.join("scenes"))?;
+    let mut list = Vec::new();
+    for scene in scenes::scenes() {
+        let model = scene.model()?;
+        model.faults().iter().for_each(|fault| eprintln!("{}: {fault}", scene.name));
+        let path = folder.join(scene_page::picture_path(&scene));
+        fs::write(path, scene_page::picture(&scene, &model).to_indexed_png()?)?;
+        list.push((scene, model));
+    }
+    fs::write(folder.join("scenes.md"), scene_page::markdown(&list))?;
+    println!("wrote docs/gallery/scenes.md with {} pictures", list.len());
     Ok(())
 }

@@ -153,7 +153,7 @@ impl Chapter {
 /// The list of all chapters.
 pub(crate) fn contents(chapters: &[Chapter]) -> String {
     let mut text = String::from(
-        "# Gallery\n\nThe worked examples of Esri's CGA reference, as this library draws them. `cargo run --release --example gallery` writes\nthese pages and pictures.\n\n",
+        "# Gallery\n\n[Buildings and scenes](scenes.md): twelve grammars of our own with large pictures, from a tower to a park.\n\n## The examples of the reference\n\nThe worked examples of Esri's CGA reference, as this library draws them. `cargo run --release --example gallery` writes\nthese pages and pictures.\n\n",
     );
     for chapter in chapters {
         let _ = writeln!(text, "- [{}]({}.md): {} examples", chapter.title, chapter.name, chapter.cells.len());

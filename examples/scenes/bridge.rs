@@ -1,0 +1,103 @@
+//! A stone bridge over a river.
+
+use cga::{Shape, cga};
+
+use super::scene::{Scene, Start, View, grammar_text};
+
+cga! {
+    /// A bridge of stone arches: each span is a block with a cylinder cut out of it.
+    pub grammar Bridge;
+
+    /// The desired width of an arch in metres. The length of the bridge determines the number of arches.
+    @Group("Arches", 1) @Order(1) @Distance @Range(min = 8, max = 30)
+    attr span = 15
+    /// The height of an arch as a share of half its width: 1 is a half circle.
+    @Order(2) @Percent @Range(min = 0.3, max = 1.2)
+    attr rise = 0.85
+    /// The width of a pier in metres.
+    @Order(3) @Distance @Range(min = 2, max = 6)
+    attr pier = 3.2
+    /// The height of the piers below the arches in metres.
+    @Order(4) @Distance @Range(min = 1, max = 12)
+    attr springing = 3
+    /// The width of the bridge in metres.
+    @Group("Deck", 2) @Order(1) @Distance @Range(min = 5, max = 16)
+    attr width = 9
+    /// The distance between two lamps in metres.
+    @Order(2) @Distance @Range(min = 6, max = 40)
+    attr lamps = 13
+    @Group("Colours", 3) @Color
+    attr stone = "#cbb894"
+    @Color
+    attr trim = "#e4d8bd"
+    @Color
+    attr water = "#5d8fa3"
+
+    leaves = 40% : "#6d8f4e" 35% : "#587d46" else : "#86a05a"
+
+    const ring = 0.9
+    const bed = 3
+    const bank = 13
+    // The crown of the arches, and the road on it.
+    arch = (span - pier) / 2 * rise
+    road = springing + arch + ring + 0.7
+
+    @StartRule
+    Lot     --> split(x) { bank : Bank | ~1 : Water | bank : Bank }
+                s(^1, 0, width) center(z) Bridge
+    Water   --> t(0, -bed, 0) extrude(bed - 0.4) color(water) set(material.roughness, 0.12) Water.
+    Bank    --> [ t(0, -bed, 0) extrude(bed + 1) color("#8ba567") Bank. ]
+                t(0, 1, 0) split(z) { ^0.3 : Grove | ~1 : NIL | ^0.3 : Grove }
+    Grove   --> scatter(surface, 7, uniform) { Tree(rand(3, 5.5)) }
+    Tree(size) --> [ s(0.4, size * 0.6, 0.4) center(xz) primitiveCylinder(8) color("#6b5138") Trunk. ]
+                t(0, size * 0.45, 0) s(size, size * 1.1, size) center(xz) primitiveSphere(12, 8) color(leaves) Crown.
+
+    Bridge  --> [ split(x) { bank : Abutment | pier / 2 : Half | { ~span - pier : Arch | pier : Pier }* | pier / 2 : Half | bank : Abutment } ]
+                t(0, road, 0) [ extrude(0.35) color(trim) Slab. ]
+                t(0, 0.35, 0) split(z) { 0.4 : Parapet | 1.4 : Walk | ~1 : Road | 1.4 : Walk | 0.4 : Parapet }
+    Abutment --> extrude(road) color(stone) Abutment.
+
+    // A span is a block minus a cylinder across it; a ring of cut stones marks the arch on both sides.
+    Arch    --> [ subtract { t(0, springing, 0) extrude(road - springing) | Tube(0) } color(stone) Spandrel. ]
+                s(^1, 0, scope.sz + 0.3) center(z) subtract { Tube(ring) | Tube(0) }
+                alignScopeToAxes(y) split(y) { ^0.5 : NIL | ~1 : color(trim) Voussoirs. }
+    // An elliptic cylinder across the bridge, wider than the arch by a margin.
+    Tube(margin) --> t(-margin, springing - arch - margin, 0)
+                s(scope.sx + 2 * margin, 2 * (arch + margin), scope.sz) primitiveCube rotateScope(90, 0, 0) primitiveCylinder(48) Tube.
+
+    Half    --> t(0, -bed, 0) extrude(road + bed) color(stone) Pier.
+    // A pier with round cutwaters, which divide the stream, below pilasters.
+    Pier    --> [ t(0, -bed, 0) extrude(road + bed) color(stone) Pier. ]
+                s(^1, 0, scope.sz + pier) center(z) split(z) { pier : Cutwater | ~1 : NIL | pier : Cutwater }
+    Cutwater --> color(trim) [ t(0, -bed, 0) s(^1, springing + bed, ^1) primitiveCylinder(20) Cutwater. ]
+                [ t(0, springing, 0) s(^1, 1.2, ^1) primitiveCone(20) Cap. ]
+                s(^0.44, 0, ^0.56) center(xz) extrude(road) Pilaster.
+
+    Parapet --> color(stone) [ extrude(0.2) Kerb. ] [ t(0, 0.95, 0) extrude(0.2) Rail. ]
+                t(0, 0.2, 0) split(x) { 0.8 : Post | { ~6 : split(x) { { ~0.55 : Baluster }* } | 0.8 : Post }* }
+    Post    --> extrude(0.85) Post.
+    Baluster --> s(0.22, 0.75, 0.22) center(xz) primitiveCylinder(8) Baluster.
+    Walk    --> extrude(0.15) color("#c3bcae") Walk.
+                t(0, 0.15, 0) split(x) { ~lamps / 2 : NIL | { 0.2 : Lamp | ~lamps : NIL }* | 0.2 : Lamp | ~lamps / 2 : NIL }
+    Lamp    --> color("#3b4245") [ s(0.16, 4, 0.16) center(xz) primitiveCylinder(8) Pole. ]
+                t(0, 4, 0) s(0.55, 0.6, 0.55) center(xz) primitiveSphere(10, 8) color("#fbeecb") Light.
+    Road    --> [ color("#6f7073") Asphalt. ]
+                t(0, 0.02, 0) s(^1, 0, 0.14) center(z) split(x) { { 2 : color("#f2efe6") Mark. | ~2.5 : NIL }* }
+}
+
+pub(crate) fn scene() -> Scene {
+    Scene {
+        name: "bridge",
+        title: "Bridge",
+        sentence: "A cylinder is cut out of each span, whatever its width; the length of the river decides how many there are.",
+        rules: grammar_text(include_str!("bridge.rs")),
+        grammar: Box::new(Bridge::default()),
+        shapes: vec![Start::new("Lot", Shape::rectangle(110.0, 46.0))],
+        view: View {
+            azimuth: 38.0,
+            elevation: 13.0,
+            region: Some([[22.0, 2.0, 6.0], [92.0, 13.0, 30.0]]),
+            ..View::default()
+        },
+    }
+}

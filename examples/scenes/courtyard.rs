@@ -1,0 +1,106 @@
+//! A block of houses around a courtyard.
+
+use cga::{Shape, cga};
+
+use super::scene::{Scene, Start, View, grammar_text};
+
+cga! {
+    /// A perimeter block: houses of different width and colour under one roof, shops at the street, a green courtyard.
+    pub grammar Courtyard;
+
+    /// The depth of the houses in metres.
+    @Group("Block", 1) @Order(1) @Distance @Range(min = 8, max = 16)
+    attr depth = 11
+    /// The storeys above the shops.
+    @Order(2) @Range(min = 2, max = 7, stepsize = 1)
+    attr storeys = 4
+    /// The slope of the roofs in degrees.
+    @Order(3) @Angle @Range(min = 15, max = 55)
+    attr slope = 36
+    /// The width of a house in metres.
+    @Order(4) @Distance @Range(min = 6, max = 24)
+    attr house = 13
+    /// The number of trees in the courtyard.
+    @Group("Courtyard", 2) @Range(min = 1, max = 60)
+    attr trees = 14
+    @Group("Colours", 3) @Color
+    attr tiles = "#a4604a"
+    @Color
+    attr grass = "#8fae63"
+
+    const storey = 3.2
+    const ground = 4
+    const eaves = ground + storeys * storey
+
+    plaster = 22% : "#e8d3a4" 20% : "#dcb48f" 18% : "#e9e2d2" 16% : "#c9cfc4" 12% : "#c98f6f" else : "#b9c3cd"
+    shutter = 50% : "#4d6b5a" 30% : "#5d7080" else : "#7d4a3a"
+    leaves = 40% : "#6d8f4e" 35% : "#587d46" else : "#86a05a"
+
+    @StartRule
+    Block   --> Pavement offset(-3, inside) Plot
+    Pavement --> extrude(0.15) color("#cbc4b6") Pavement.
+    Plot    --> t(0, 0.15, 0) shapeO(depth, depth, depth, depth) { shape : Ring | remainder : Court }
+
+    // One mass and one roof for the whole ring, with chimneys along the ridge.
+    Ring    --> [ extrude(eaves) comp(f) { side : Side | all : NIL } ]
+                t(0, eaves, 0) roofHip(slope, 0.5) Roof
+    Roof    --> [ comp(e) { ridge : alignScopeToAxes(y) Ridge } ] comp(f) { bottom : color("#efe6d4") Eaves. | all : Slope }
+    Slope   --> [ color(tiles) Tiles. ] Skylights
+    Skylights -->
+                split(x) { ~depth : NIL | { ~6 : split(x) { ~1 : NIL | 1.1 : split(y) { ^0.3 : NIL | 1.5 : Skylight | ~1 : NIL } | ~1 : NIL } }* | ~depth : NIL }
+    Ridge   --> split(x) { { ~house : Chimney }* }
+    Chimney --> s(rand(1, 2.2), 0, 0) center(x) t(0, -1, -0.4) s(^1, 2.4, 0.8) primitiveCube color("#8f5a48") Chimney.
+                t(0, 2.4, 0) s(^1, 0.15, ^1) primitiveCube color("#c9bda6") Chimney.
+    Skylight --> extrude(0.12) color("#5d7888") set(material.roughness, 0.1) Skylight.
+
+    // The sides at the street and at the court are rows of houses.
+    Side    --> split(x) { { ~house : House }* }
+    House   --> color(plaster) Front(shutter)
+    Front(tint) --> split(y) { ground : Ground | { ~storey : Floor(tint) }* | 0.5 : Cornice }
+    Cornice --> extrude(0.35) color("#f1e9da") Cornice.
+    Floor(tint) --> split(x) { ~0.7 : Wall. | { ~0.6 : Wall. | 1.1 : Opening(tint) | ~0.6 : Wall. }* | ~0.7 : Wall. }
+    Opening(tint) --> split(y) { 0.85 : Wall. | 1.75 : Window(tint) | ~1 : Wall. }
+    Window(tint) --> [ t(0, -0.12, 0) s(scope.sx + 0.3, 0.12, 0) center(x) extrude(0.18) color("#f1e9da") Sill. ]
+                [ Shutters(tint) ]
+                t(0, 0, -0.2) split(x) { 0.08 : Frame | ~1 : Pane | 0.06 : Frame | ~1 : Pane | 0.08 : Frame }
+    Shutters(tint) --> color(tint) s(scope.sx + 1, ^1, 0) center(x)
+                split(x) { 0.48 : extrude(0.06) Shutter. | ~1 : NIL | 0.48 : extrude(0.06) Shutter. }
+    Frame   --> color("#f6f1e6") extrude(0.08) Frame.
+    Pane    --> color("#5a7381") set(material.roughness, 0.1) Glass.
+
+    Ground  --> split(x) { { ~4.2 : Shop }* }
+    Shop    --> 62% : split(x) { 0.35 : Pier | ~1 : Display | 0.35 : Pier }
+                26% : split(x) { ~1 : Pier | 1.5 : Door | ~1 : Pier }
+                else : Floor(shutter)
+    Pier    --> color("#d8cdb9") extrude(0.1) Pier.
+    Display --> split(y) { 0.5 : Pier | ~1 : t(0, 0, -0.25) split(x) { { ~1.4 : Pane | 0.06 : Frame }* } | 0.25 : Awning | 0.65 : Pier }
+    Awning  --> color(awning) roofShed(20) Awning.
+    awning = 40% : "#a8473c" 30% : "#3f6b62" else : "#d8b15a"
+    Door    --> split(y) { 2.6 : t(0, 0, -0.25) color(shutter) Door. | ~1 : Pier }
+
+    // Gravel along the walls, grass in the middle.
+    Court   --> [ extrude(0.1) color("#d3c8b1") Gravel. ]
+                t(0, 0.1, 0) offset(-4, inside) [ extrude(0.15) color(grass) Lawn. ]
+                offset(-3, inside) scatter(surface, trees, uniform) { Tree }
+    Tree    --> [ s(0.4, 2.6, 0.4) center(xz) primitiveCylinder(8) color("#6b5138") Trunk. ]
+                t(0, 2, 0) Crown(rand(3.4, 5.4))
+    Crown(size) --> color(leaves) s(size, size, size) center(xz) primitiveSphere(12, 8) Crown.
+}
+
+pub(crate) fn scene() -> Scene {
+    let outline = [[0.0, 66.0], [68.0, 66.0], [82.0, 44.0], [82.0, 0.0], [0.0, 0.0]];
+    Scene {
+        name: "courtyard",
+        title: "Courtyard block",
+        sentence: "`shapeO` cuts a ring of any outline, and one hip roof covers it; its facades split into houses of their own colour.",
+        rules: grammar_text(include_str!("courtyard.rs")),
+        grammar: Box::new(Courtyard::default()),
+        shapes: vec![Start::new("Block", Shape::footprint(&outline, &[]).expect("a simple outline").seed(5))],
+        view: View {
+            azimuth: 28.0,
+            elevation: 38.0,
+            region: Some([[1.0, 2.0, 2.0], [81.0, 20.0, 60.0]]),
+            ..View::default()
+        },
+    }
+}

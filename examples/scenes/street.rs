@@ -1,0 +1,143 @@
+//! Streets with junctions.
+
+use cga::street::{Centerline, Network, NetworkOptions};
+use cga::{Shape, cga};
+
+use super::scene::{Scene, Start, View, grammar_text};
+
+cga! {
+    /// Streets with CityEngine's start rules, and the houses beside them.
+    pub grammar Streets;
+
+    /// The height of the kerb in metres.
+    @Group("Street", 1) @Order(1) @Distance @Range(min = 0.05, max = 0.3)
+    attr kerb = 0.16
+    /// The distance between two trees or lamps in metres.
+    @Order(2) @Distance @Range(min = 6, max = 40)
+    attr spacing = 11
+    /// The share of parking places that are taken.
+    @Order(3) @Percent @Range(min = 0, max = 1)
+    attr parked = 0.55
+    /// The storeys of the highest houses.
+    @Group("Houses", 2) @Range(min = 2, max = 10, stepsize = 1)
+    attr storeys = 5
+    @Group("Colours", 3) @Color
+    attr asphalt = "#62646a"
+    @Color
+    attr paving = "#c9c2b4"
+    @Color
+    attr paint = "#f1efe8"
+
+    // Markings lie a little above the asphalt.
+    const above = 0.03
+    leaves  = 40% : "#6d8f4e" 35% : "#587d46" else : "#86a05a"
+    enamel  = 25% : "#b3322c" 20% : "#2f5f8a" 20% : "#e9e6df" 15% : "#3c4043" else : "#b9bec2"
+    plaster = 25% : "#e2c79a" 20% : "#d5a98a" 20% : "#e8e0d0" 15% : "#b8c0b4" else : "#b76e55"
+    slate   = 50% : "#8c5a48" else : "#6f747b"
+
+    // Texture coordinates run along the street and across it, so markings follow every bend.
+    @StartRule
+    Street  --> [ color(asphalt) Roadway. ]
+                t(0, above, 0) split(u, unitSpace, 0) { 1.2 : NIL | 3 : Zebra | 1 : NIL | ~1 : Lanes | 1 : NIL | 3 : Zebra | 1.2 : NIL }
+    Zebra   --> color(paint) split(v, unitSpace, 0) { 0.4 : NIL | { ~0.55 : Marking. | ~0.55 : NIL }* | 0.4 : NIL }
+    Lanes   --> case scope.sz > 9 :
+                    split(v, unitSpace, 0) { 2.3 : Parking | 0.12 : Line | ~1 : Traffic | 0.14 : Dashes | ~1 : Traffic | 0.12 : Line | 2.3 : Parking }
+                else              : split(v, unitSpace, 0) { ~1 : Traffic | 0.14 : Dashes | ~1 : Traffic }
+    Line    --> color(paint) Marking.
+    Dashes  --> color(paint) split(u, unitSpace, 0) { { 2.5 : Marking. | ~3 : NIL }* }
+    Parking --> split(u, unitSpace, 0) { 3 : NIL | { ~5.6 : Place }* | 3 : NIL }
+    Traffic --> split(u, unitSpace, 0) { { ~19 : Gap }* }
+    Place   --> case p(parked) : Car else : NIL
+    Gap     --> case p(0.25) : Car else : NIL
+
+    // A car is a body, a cabin that is smaller above, and four wheels.
+    Car     --> color(enamel) set(trim.vertical, false) s(4.3, 0, 1.75) center(xz) primitiveQuad
+                [ t(0, 0.3, 0) extrude(0.55) Body. ]
+                [ t(^0.22, 0.85, 0.06) s(^0.55, 0.55, scope.sz - 0.12) primitiveCube
+                  modify(f) { top : s(^0.7, ^0.9, ^1) center(xy) } color("#2e3a42") set(material.roughness, 0.1) Cabin. ]
+                split(x) { 0.5 : NIL | 0.7 : Axle | ~1 : NIL | 0.7 : Axle | 0.5 : NIL }
+    Axle    --> s(^1, 0.7, scope.sz + 0.04) center(z) primitiveCube rotateScope(90, 0, 0) primitiveCylinder(14) color("#26282a") Wheels.
+
+    @StartRule
+    Joint   --> color(asphalt) Roadway.
+    @StartRule
+    Junction --> color(asphalt) Roadway.
+    @StartRule
+    Crossing --> color(asphalt) Roadway.
+
+    // Trees and lamps alternate along the kerb.
+    @StartRule
+    Sidewalk --> [ extrude(world.up, kerb) color(paving) Pavement. ]
+                t(0, kerb, 0) split(v, unitSpace, 0) { 0.4 : NIL | 1.2 : Furniture | ~1 : NIL }
+    Furniture --> split(u, unitSpace, 0) { ~spacing / 2 : NIL | { 1.2 : Tree | ~spacing : NIL | 0.2 : Lamp | ~spacing : NIL }* | ~1 : NIL }
+    Tree    --> [ color("#7b6a52") t(0, 0.02, 0) Pit. ] [ s(0.3, 3.2, 0.3) center(xz) primitiveCylinder(8) color("#6b5138") Trunk. ]
+                t(0, 2.4, 0) Crown(rand(2.8, 3.8))
+    Crown(size) --> color(leaves) s(size, size * 1.2, size) center(xz) primitiveSphere(12, 8) Crown.
+    Lamp    --> color("#3b4245") [ s(0.16, 5.5, 0.16) center(xz) primitiveCylinder(8) Pole. ]
+                t(0, 5.5, 0) s(0.6, 0.35, 0.6) center(xz) primitiveSphere(10, 6) color("#fbeecb") Light.
+
+    @StartRule
+    Row     --> split(x) { { ~13 : House }* }
+    House   --> color(plaster) Storeys(rint(rand(storeys / 2, storeys)), slate)
+    Storeys(n, roof) --> [ extrude(4 + 3.1 * n) comp(f) { bottom : NIL | top : Roof(roof) | object.front : Front | all : Wall. } ]
+    Roof(tint) --> color(tint) roofGable(38, 0, 0.5, true, 0) Roof.
+    Front   --> split(y) { 3.6 : Shops | 0.4 : Band | { ~3.1 : Floor }* | 0.3 : Band }
+    Band    --> color("#efe8d8") extrude(0.2) Band.
+    Shops   --> split(x) { 0.4 : Wall. | { ~3.6 : Shop | 0.4 : Wall. }* }
+    Shop    --> [ t(0, 0, -0.3) color("#54707d") set(material.roughness, 0.1) Glass. ]
+                t(0, scope.sy - 0.9, 0) color(enamel) s(^1, 0.9, 1.3) primitiveCube
+                split(z) { 0.15 : Sign. | ~1 : split(y) { 0.1 : Awning. | ~1 : NIL } }
+    Floor   --> split(x) { { ~0.8 : Wall. | 1.1 : split(y) { 0.8 : Wall. | ~1 : Window | 0.5 : Wall. } | ~0.8 : Wall. }* }
+    Window  --> offset(-0.09)
+                comp(f) { border : color("#f6f1e6") extrude(0.06) Frame. | inside : t(0, 0, -0.12) color("#5d7888") set(material.roughness, 0.1) Glass. }
+
+    /// A small park.
+    @StartRule
+    Green   --> [ extrude(kerb) color("#8dab66") Lawn. ]
+                t(0, kerb, 0) offset(-3, inside) scatter(surface, 16, uniform) { Tree }
+}
+
+/// A strip of land to the left of the line between two points.
+fn strip(from: [f64; 2], to: [f64; 2], depth: f64) -> Shape {
+    let [x, z] = [to[0] - from[0], to[1] - from[1]];
+    let back = depth / (x * x + z * z).sqrt();
+    let left = |[a, b]: [f64; 2]| [a + z * back, b - x * back];
+    Shape::footprint(&[from, to, left(to), left(from)], &[]).expect("a rectangle")
+}
+
+pub(crate) fn scene() -> Scene {
+    let lines = [
+        Centerline::new(&[[-70.0, 4.0], [0.0, 0.0], [75.0, -4.0]]).roadway(12.0).sidewalks(4.0, 4.0),
+        Centerline::new(&[[6.0, 60.0], [0.0, 0.0], [-10.0, -60.0]]).roadway(8.0).sidewalks(3.0, 3.0),
+        Centerline::new(&[[38.0, -2.0], [44.0, -60.0]]).roadway(7.0).sidewalks(3.0, 3.0),
+    ];
+    let network = Network::new(&lines, &NetworkOptions::default()).expect("a network");
+    let parts = network.parts().iter().zip(1..);
+    let streets = parts.map(|(part, seed)| Start::new(part.start_rule(), part.shape().seed(seed)));
+    let rows = [
+        strip([-68.0, -6.6], [-11.0, -9.9], 13.0),
+        strip([6.0, -10.6], [31.8, -12.0], 13.0),
+        strip([47.4, -12.8], [74.0, -14.3], 13.0),
+    ];
+    let rows = rows.into_iter().zip(11..).map(|(row, seed)| Start::new("Row", row.seed(seed)));
+    let greens = [
+        Shape::footprint(&[[-5.6, 10.5], [-66.0, 13.8], [-66.0, 42.0], [-3.0, 42.0]], &[]),
+        Shape::footprint(&[[70.0, 6.4], [8.2, 9.8], [11.6, 42.0], [70.0, 42.0]], &[]),
+    ];
+    let greens =
+        greens.into_iter().zip(21..).map(|(green, seed)| Start::new("Green", green.expect("a park").seed(seed)));
+    Scene {
+        name: "street",
+        title: "Street with junctions",
+        sentence: "The library lays out roadways, sidewalks and junctions from three centre lines; rules with CityEngine's names furnish them.",
+        rules: grammar_text(include_str!("street.rs")),
+        grammar: Box::new(Streets::default()),
+        shapes: streets.chain(rows).chain(greens).collect(),
+        view: View {
+            azimuth: 18.0,
+            elevation: 27.0,
+            region: Some([[-32.0, 0.0, -18.0], [46.0, 14.0, 19.0]]),
+            ..View::default()
+        },
+    }
+}
