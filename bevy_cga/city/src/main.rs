@@ -1,0 +1,44 @@
+//! A district: fly through it, pick a building, change its attributes.
+//!
+//! `cargo run -p city` opens a window, `cargo run -p city -- --screenshot city.png` writes a picture without one.
+
+#[allow(dead_code, reason = "only its grammar is used")]
+#[path = "../../../examples/district.rs"]
+mod district;
+mod lots;
+mod panel;
+mod pick;
+mod rules;
+mod scene;
+mod screenshot;
+
+use std::path::PathBuf;
+
+use bevy::camera_controller::free_camera::FreeCameraPlugin;
+use bevy::prelude::*;
+use bevy_cga::CgaPlugin;
+
+fn main() -> AppExit {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let mut app = App::new();
+    match arguments[..] {
+        [] => {
+            let window = Window { title: "city".into(), ..Window::default() };
+            app.add_plugins(
+                DefaultPlugins.set(WindowPlugin { primary_window: Some(window), ..WindowPlugin::default() }),
+            );
+            app.add_plugins(FreeCameraPlugin).add_systems(Update, pick::pick);
+        }
+        ["--screenshot", path] => screenshot::add(&mut app, PathBuf::from(path)),
+        _ => {
+            eprintln!("usage: city [--screenshot file.png]");
+            return AppExit::error();
+        }
+    }
+    app.add_plugins(CgaPlugin::default());
+    app.init_resource::<pick::Picked>();
+    app.add_systems(Startup, (scene::light, scene::camera, scene::district, panel::add).chain());
+    app.add_systems(Update, (panel::keys, panel::refresh, pick::mark).chain().after(pick::pick));
+    app.run()
+}

@@ -1,0 +1,108 @@
+//! A picture without a window.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use bevy::app::ScheduleRunnerPlugin;
+use bevy::camera::RenderTarget;
+use bevy::prelude::*;
+use bevy::render::RenderPlugin;
+use bevy::render::render_resource::TextureFormat;
+use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured, save_to_disk};
+use bevy::window::ExitCondition;
+use bevy::winit::WinitPlugin;
+use bevy_cga::{Cga, CgaRun};
+
+use crate::pick::Picked;
+use crate::scene::Building;
+
+const WIDTH: u32 = 960;
+const HEIGHT: u32 = 540;
+/// The building that is picked and changed.
+const CHANGED: usize = 104;
+
+/// The path of the picture, and the image that the camera fills.
+#[derive(Resource)]
+struct Order {
+    path: PathBuf,
+    target: Handle<Image>,
+    step: Step,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Step {
+    /// Runs have not begun.
+    Start,
+    /// The first models are on their way.
+    Models,
+    /// A building has been changed.
+    Change,
+    /// Frames until the renderer has everything.
+    Wait(u32),
+    Taken,
+}
+
+/// Adds Bevy's plugins without a window, and the systems that take the picture.
+pub(crate) fn add(app: &mut App, path: PathBuf) {
+    let plugins = DefaultPlugins
+        .set(WindowPlugin { primary_window: None, exit_condition: ExitCondition::DontExit, ..WindowPlugin::default() })
+        // Otherwise the first frames are empty: shaders are still being compiled.
+        .set(RenderPlugin { synchronous_pipeline_compilation: true, ..RenderPlugin::default() })
+        .disable::<WinitPlugin>();
+    app.add_plugins((plugins, ScheduleRunnerPlugin::run_loop(Duration::ZERO)));
+    let image = Image::new_target_texture(WIDTH, HEIGHT, TextureFormat::Rgba8UnormSrgb, None);
+    let target = app.world_mut().resource_mut::<Assets<Image>>().add(image);
+    app.insert_resource(Order { path, target, step: Step::Start });
+    app.add_systems(PostStartup, aim).add_systems(Update, take);
+}
+
+/// Points the camera at the image. It rests until the models are there.
+fn aim(order: Res<Order>, camera: Single<(Entity, &mut Camera)>, mut commands: Commands) {
+    let (entity, mut camera) = camera.into_inner();
+    camera.is_active = false;
+    commands.entity(entity).insert(RenderTarget::Image(order.target.clone().into()));
+}
+
+/// Waits for the models, changes a building, waits for its model, takes the picture and ends the program.
+fn take(
+    mut order: ResMut<Order>,
+    runs: Query<(), With<CgaRun>>,
+    mut buildings: Query<(Entity, &mut Cga, &Building)>,
+    mut picked: ResMut<Picked>,
+    mut camera: Single<&mut Camera>,
+    mut commands: Commands,
+) {
+    const FRAMES: u32 = 3;
+    order.step = match order.step {
+        Step::Start => Step::Models,
+        Step::Models | Step::Change if !runs.is_empty() => order.step,
+        Step::Models => {
+            let Some((entity, mut cga, _)) = buildings.iter_mut().find(|(.., number)| number.0 == CHANGED) else {
+                return;
+            };
+            for (name, value) in
+                [("storeys", 9.0.into()), ("wall", cga::Value::from("#b5533c")), ("shops", true.into())]
+            {
+                if let Err(error) = cga.grammar.set(name, value) {
+                    error!("{error}");
+                }
+            }
+            *picked = Picked { building: Some(entity), rule: None };
+            Step::Change
+        }
+        Step::Change => {
+            camera.is_active = true;
+            Step::Wait(FRAMES)
+        }
+        Step::Wait(0) => {
+            let shot = Screenshot::image(order.target.clone());
+            let end = |_: On<ScreenshotCaptured>, mut exit: MessageWriter<AppExit>| {
+                exit.write(AppExit::Success);
+            };
+            commands.spawn(shot).observe(save_to_disk(order.path.clone())).observe(end);
+            Step::Taken
+        }
+        Step::Wait(frames) => Step::Wait(frames - 1),
+        Step::Taken => Step::Taken,
+    };
+}
