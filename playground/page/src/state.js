@@ -1,0 +1,38 @@
+// The state of the page in its address: grammar, changed attributes, seed, camera.
+//
+// `#grammar=tower&seed=9&height=120&camera=…`: attributes have a dot in front, so they cannot be taken for the rest.
+
+/** Reads the part of an address after `#`. Values that cannot be read are left out. */
+export function decode(hash) {
+  const state = { grammar: null, seed: null, values: {}, camera: null };
+  for (const [name, text] of new URLSearchParams(hash.replace(/^#/, ''))) {
+    if (name === 'grammar') {
+      state.grammar = text;
+    } else if (name === 'seed') {
+      const seed = Number(text);
+      state.seed = /^\d+$/.test(text) && Number.isSafeInteger(seed) ? seed : null;
+    } else if (name === 'camera') {
+      const numbers = text.split(',').map(Number);
+      state.camera = numbers.length === 6 && numbers.every(Number.isFinite) ? numbers : null;
+    } else if (name.startsWith('.')) {
+      try {
+        state.values[name.slice(1)] = JSON.parse(text);
+      } catch {
+        // Not a value.
+      }
+    }
+  }
+  return state;
+}
+
+/** The part of an address after `#`, with the `#`. */
+export function encode({ grammar, seed, values, camera }) {
+  const list = new URLSearchParams({ grammar, seed });
+  for (const [name, value] of Object.entries(values)) {
+    list.set(`.${name}`, JSON.stringify(value));
+  }
+  if (camera) {
+    list.set('camera', camera.map((number) => Number(number.toFixed(3))).join(','));
+  }
+  return `#${list}`;
+}

@@ -1,0 +1,248 @@
+// The view: three.js, drawn only when something changes.
+
+import {
+  AgXToneMapping, BackSide, BufferAttribute, BufferGeometry, CircleGeometry, Color, DirectionalLight, DoubleSide, EdgesGeometry,
+  HemisphereLight, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, PCFShadowMap, PerspectiveCamera, PMREMGenerator,
+  Raycaster, Scene, ShadowMaterial, SphereGeometry, Spherical, Vector2, Vector3, WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
+
+const ACCENT = 0xff8a1f;
+const RADIANS = Math.PI / 180;
+
+export class View {
+  /** `onPick(origin, direction)` gets a ray, `onMove` is called when the camera stops. */
+  constructor(parent, { onPick, onMove, onCancel }) {
+    this.parent = parent;
+    this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.toneMapping = AgXToneMapping;
+    this.renderer.toneMappingExposure = 1.25;
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    parent.append(this.renderer.domElement);
+    this.scene = new Scene();
+    this.camera = new PerspectiveCamera(30, 1, 0.1, 5000);
+    this.loader = new GLTFLoader();
+    this.addLight();
+    this.controls = new OrbitControls(this.camera, this.renderer.domElement);
+    this.controls.maxPolarAngle = 0.52 * Math.PI;
+    this.controls.addEventListener('change', () => this.draw());
+    this.controls.addEventListener('end', onMove);
+    this.addPointer(onPick);
+    this.addKeys(onMove, onCancel);
+    new ResizeObserver(() => this.resize()).observe(parent);
+    this.resize();
+  }
+
+  addLight() {
+    this.scene.add(new HemisphereLight(0xdfeaf5, 0xb8ab97, 0.9));
+    this.sun = new DirectionalLight(0xfff1dc, 2.6);
+    this.sun.castShadow = true;
+    this.sun.shadow.mapSize.set(2048, 2048);
+    this.scene.add(this.sun, this.sun.target);
+    this.ground = new Mesh(new CircleGeometry(1, 64).rotateX(-Math.PI / 2), new ShadowMaterial({ opacity: 0.28 }));
+    this.ground.receiveShadow = true;
+    this.scene.add(this.ground);
+  }
+
+  /** Adds reflections of a sky. They take long to compute without a graphics processor, so the first model does not wait for them. */
+  addSky() {
+    this.scene.environment = sky(this.renderer);
+    this.scene.environmentIntensity = 0.55;
+    this.draw();
+  }
+
+  /** A click without a drag picks. */
+  addPointer(onPick) {
+    const canvas = this.renderer.domElement;
+    let start = null;
+    canvas.addEventListener('pointerdown', (event) => (start = event.button === 0 ? [event.clientX, event.clientY] : null));
+    canvas.addEventListener('pointerup', (event) => {
+      if (start && Math.hypot(event.clientX - start[0], event.clientY - start[1]) < 4) {
+        const box = canvas.getBoundingClientRect();
+        const x = ((event.clientX - box.left) / box.width) * 2 - 1;
+        const y = 1 - ((event.clientY - box.top) / box.height) * 2;
+        const { origin, direction } = this.ray(x, y);
+        onPick(origin.toArray(), direction.toArray());
+      }
+      start = null;
+    });
+  }
+
+  ray(x, y) {
+    const caster = new Raycaster();
+    this.camera.updateMatrixWorld();
+    caster.setFromCamera(new Vector2(x, y), this.camera);
+    return caster.ray;
+  }
+
+  addKeys(onMove, onCancel) {
+    const turns = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+    this.parent.addEventListener('keydown', (event) => {
+      const turn = turns[event.key];
+      const zoom = { '+': 1 / 1.15, '=': 1 / 1.15, '-': 1.15 }[event.key];
+      if (event.key === 'Escape') onCancel();
+      if (!turn && !zoom) return;
+      event.preventDefault();
+      const offset = new Spherical().setFromVector3(this.camera.position.clone().sub(this.controls.target));
+      offset.theta += 0.1 * (turn?.[0] ?? 0);
+      offset.phi = Math.min(Math.max(offset.phi + 0.07 * (turn?.[1] ?? 0), 0.05), this.controls.maxPolarAngle);
+      offset.radius *= zoom ?? 1;
+      this.camera.position.setFromSpherical(offset).add(this.controls.target);
+      this.controls.update();
+      onMove();
+    });
+  }
+
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.parent;
+    if (!width || !height) return;
+    this.renderer.setSize(width, height);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  /** Draws the next frame. */
+  draw() {
+    this.frame ??= requestAnimationFrame(() => {
+      this.frame = null;
+      this.renderer.render(this.scene, this.camera);
+    });
+  }
+
+  /** Shows the bytes of a GLB file. `bounds` are its lowest and highest corner. */
+  async show(glb, { low, high }) {
+    const { scene: model } = await this.loader.parseAsync(glb.buffer, '');
+    model.traverse((object) => {
+      if (object.isMesh) object.castShadow = object.receiveShadow = true;
+    });
+    if (this.model) remove(this.scene, this.model);
+    this.model = model;
+    this.scene.add(model);
+    this.highlight(null);
+    this.light(new Vector3(...low), new Vector3(...high));
+    this.draw();
+  }
+
+  /** Fits the shadows to the model. */
+  light(low, high) {
+    const middle = low.clone().add(high).multiplyScalar(0.5);
+    const radius = Math.max(low.distanceTo(high) / 2, 0.5);
+    const azimuth = this.sunAzimuth ?? 0;
+    const elevation = this.sunElevation ?? 45 * RADIANS;
+    const toSun = new Vector3(Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation), Math.cos(azimuth) * Math.cos(elevation));
+    this.sun.position.copy(middle).addScaledVector(toSun, 2 * radius);
+    this.sun.target.position.copy(middle);
+    const { camera, map } = this.sun.shadow;
+    [camera.left, camera.right, camera.bottom, camera.top] = [-radius, radius, -radius, radius];
+    [camera.near, camera.far] = [0.5 * radius, 3.5 * radius];
+    camera.updateProjectionMatrix();
+    this.sun.shadow.normalBias = map ? (2 * radius) / map.width : radius / 1024;
+    this.sun.shadow.bias = -0.0004;
+    this.ground.position.set(middle.x, low.y - 0.002 * radius, middle.z);
+    this.ground.scale.setScalar(6 * radius);
+    [this.camera.near, this.camera.far] = [radius / 200, radius * 60];
+    this.camera.updateProjectionMatrix();
+    this.controls.minDistance = radius / 20;
+    this.controls.maxDistance = radius * 20;
+  }
+
+  /** Sets the camera and the sun of a grammar: angles, and the region that must be seen. */
+  frameView(view, { low, high }) {
+    const [from, to] = (view.region ?? [low, high]).map((corner) => new Vector3(...corner));
+    const [azimuth, elevation] = [view.azimuth * RADIANS, view.elevation * RADIANS];
+    this.sunAzimuth = azimuth + view.sunAzimuth * RADIANS;
+    this.sunElevation = view.sunElevation * RADIANS;
+    this.camera.fov = view.fieldOfView;
+    this.camera.updateProjectionMatrix();
+    const back = new Vector3(Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation), Math.cos(azimuth) * Math.cos(elevation));
+    const middle = from.clone().add(to).multiplyScalar(0.5);
+    this.controls.target.copy(middle);
+    this.camera.position.copy(middle).add(back);
+    this.camera.lookAt(middle);
+    this.camera.updateMatrixWorld();
+    // Far enough for every corner.
+    const tall = Math.tan((this.camera.fov / 2) * RADIANS);
+    const wide = tall * this.camera.aspect;
+    let distance = 0;
+    for (let corner = 0; corner < 8; corner++) {
+      const at = new Vector3(...[0, 1, 2].map((axis) => (corner & (1 << axis) ? to : from).getComponent(axis)));
+      const seen = at.sub(middle).applyQuaternion(this.camera.quaternion.clone().invert());
+      distance = Math.max(distance, seen.z + Math.abs(seen.x) / wide, seen.z + Math.abs(seen.y) / tall);
+    }
+    this.light(new Vector3(...low), new Vector3(...high));
+    this.camera.position.copy(middle).addScaledVector(back, 1.05 * distance);
+    this.controls.update();
+    this.draw();
+  }
+
+  /** The camera as six numbers: its place, and the point that it looks at. */
+  get cameraNumbers() {
+    return [...this.camera.position.toArray(), ...this.controls.target.toArray()];
+  }
+
+  set cameraNumbers(numbers) {
+    this.camera.position.fromArray(numbers);
+    this.controls.target.fromArray(numbers, 3);
+    this.controls.update();
+    this.draw();
+  }
+
+  /** Marks triangles, nine numbers each; null marks none. */
+  highlight(triangles) {
+    if (this.marked) remove(this.scene, ...this.marked);
+    this.marked = null;
+    if (triangles?.length) {
+      const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(triangles, 3));
+      const fill = new MeshBasicMaterial({
+        color: ACCENT, transparent: true, opacity: 0.55, side: DoubleSide, depthWrite: false, toneMapped: false,
+        polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2,
+      });
+      const line = new LineBasicMaterial({ color: ACCENT, toneMapped: false, depthTest: false, transparent: true, opacity: 0.9 });
+      this.marked = [new Mesh(geometry, fill)];
+      // Outlines of thousands of leaves would cover everything.
+      if (triangles.length < 9 * 2000) this.marked.push(new LineSegments(new EdgesGeometry(geometry, 20), line));
+      this.scene.add(...this.marked);
+    }
+    this.draw();
+  }
+}
+
+/** Removes objects and frees what they hold on the graphics processor. */
+function remove(scene, ...objects) {
+  for (const object of objects) {
+    scene.remove(object);
+    object.traverse((part) => {
+      part.geometry?.dispose();
+      for (const material of [part.material ?? []].flat()) {
+        for (const value of Object.values(material)) if (value?.isTexture) value.dispose();
+        material.dispose();
+      }
+    });
+  }
+}
+
+/** What smooth surfaces reflect: a sky that is brighter at the horizon. */
+function sky(renderer) {
+  const geometry = new SphereGeometry(10, 32, 24);
+  const position = geometry.getAttribute('position');
+  const colors = new Float32Array(3 * position.count);
+  const [ground, horizon, zenith] = [new Color(0x8f8677), new Color(0xf2f0ea), new Color(0x6f9fc8)];
+  for (let at = 0; at < position.count; at++) {
+    const height = position.getY(at) / 10;
+    const color = height < -0.05 ? ground : horizon.clone().lerp(zenith, Math.sqrt(Math.max(height, 0)));
+    color.toArray(colors, 3 * at);
+  }
+  geometry.setAttribute('color', new BufferAttribute(colors, 3));
+  const material = new MeshBasicMaterial({ vertexColors: true, side: BackSide });
+  const scene = new Scene().add(new Mesh(geometry, material));
+  const generator = new PMREMGenerator(renderer);
+  const { texture } = generator.fromScene(scene);
+  generator.dispose();
+  geometry.dispose();
+  material.dispose();
+  return texture;
+}

@@ -1,0 +1,55 @@
+// A headless browser with an empty profile, and what a page said.
+
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import puppeteer from 'puppeteer-core';
+
+// Without these, the browser looks for its maker's hosts at every start.
+const QUIET = ['--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+
+export async function startBrowser() {
+  const profile = mkdtempSync(join(tmpdir(), 'cga-playground-'));
+  const browser = await puppeteer.launch({
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    headless: true,
+    userDataDir: profile,
+    args: ['--no-sandbox', '--enable-unsafe-swiftshader', ...QUIET],
+    protocolTimeout: 240_000,
+  });
+  return {
+    browser,
+    async close() {
+      await browser.close();
+      rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+    },
+  };
+}
+
+/** Opens a page that records errors and warnings in `said`. */
+export async function openPage(browser, address, { width = 1280, height = 800, scheme = 'light' } = {}) {
+  const page = await browser.newPage();
+  const said = [];
+  page.on('console', (message) => {
+    // Software rendering warns that it is slow to read pixels.
+    const isSlow = /GPU stall|GL Driver Message/.test(message.text());
+    if (['error', 'warn'].includes(message.type()) && !isSlow) said.push(message.text());
+  });
+  page.on('pageerror', (error) => said.push(String(error)));
+  page.on('requestfailed', (request) => said.push(`not loaded: ${request.url()}`));
+  await page.setViewport({ width, height });
+  await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: scheme }]);
+  await page.goto(address);
+  await page.waitForFunction(() => document.querySelector('#view').dataset.grammar, { timeout: 60_000 });
+  return { page, said };
+}
+
+/** Waits until two frames were drawn. */
+export const settle = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+
+/** Runs a function in the page and waits until a model made after it is shown. */
+export async function afterRun(page, change, ...values) {
+  const before = await page.$eval('#view', (view) => view.dataset.made);
+  await page.evaluate(change, ...values);
+  await page.waitForFunction((before) => document.querySelector('#view').dataset.made !== before, { timeout: 30_000 }, before);
+}

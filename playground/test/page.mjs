@@ -1,0 +1,393 @@
+// The page in a headless browser, compared with the same grammars compiled for this machine.
+
+import { execFileSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { serve } from '../serve.mjs';
+import { decode, encode } from '../page/src/state.js';
+import { asRust, isTypeName } from '../page/src/rust.js';
+import { afterRun, openPage, settle, startBrowser } from './browser.mjs';
+import { check, ensure, equal, finish } from './checks.mjs';
+
+const ROOT = fileURLToPath(new URL('..', import.meta.url));
+const OUT = join(ROOT, 'out');
+const TARGET = process.env.CARGO_TARGET_DIR ?? join(ROOT, 'target');
+mkdirSync(OUT, { recursive: true });
+
+/** The bytes that modules may have after compression. */
+const SIZES = { first: 330 * 1024, each: 50 * 1024, checker: 320 * 1024 };
+/** Times are bounds for a quiet machine; a busy one is allowed this factor. */
+const SLACK = 5;
+
+const hash = (bytes) => createHash('sha256').update(bytes).digest('hex').slice(0, 16);
+const brotli = (file) => execFileSync('brotli', ['-q', '11', '-c', join(ROOT, 'dist', file)], { maxBuffer: 1 << 28 }).length;
+const median = (list) => list.toSorted((a, b) => a - b)[Math.floor(list.length / 2)];
+
+/** The bytes of the file that the page has made. */
+async function glbOf(page) {
+  const folder = join(OUT, 'downloads');
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder);
+  const client = await page.createCDPSession();
+  await client.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: folder });
+  await page.click('#download');
+  const name = await page.evaluate(() => `${document.querySelector('#grammar').value}-${document.querySelector('#seed').value}.glb`);
+  const path = join(folder, name);
+  for (let tries = 0; tries < 100 && !existsSync(path); tries++) await new Promise((resolve) => setTimeout(resolve, 100));
+  ensure(existsSync(path), `${name} was not saved`);
+  return readFileSync(path);
+}
+
+/** The bytes of the same request without a browser. */
+function nativeGlb(request) {
+  execFileSync(join(TARGET, 'release', 'glb'), [OUT], { input: `native.glb ${JSON.stringify(request)}\n` });
+  return readFileSync(join(OUT, 'native.glb'));
+}
+
+/** Sets the value of a control as a person does. */
+const set = (name, value) => {
+  const row = document.querySelector(`[data-name="${name}"]`);
+  const input = row.querySelector('input[type=range]') ?? row.querySelector('input, select');
+  if (input.type === 'checkbox') input.click();
+  else {
+    input.value = value;
+    input.dispatchEvent(new Event('input', { bubbles: true }));
+    input.dispatchEvent(new Event('change', { bubbles: true }));
+  }
+};
+
+const server = await serve(0);
+const { browser, close } = await startBrowser();
+const { page, said } = await openPage(browser, server.address);
+const quiet = () => {
+  equal(said, [], 'messages of the page');
+};
+
+const grammars = await page.$$eval('#grammar option', (options) => options.map(({ value, text }) => ({ name: value, title: text })));
+await check('the page has grammars', () => {
+  ensure(grammars.length >= 3 && new Set(grammars.map(({ name }) => name)).size === grammars.length, 'too few');
+  return grammars.map(({ name }) => name).join(', ');
+});
+
+await check('the first model is shown soon', async () => {
+  const times = [];
+  const modules = [];
+  for (let again = 0; again < 3; again++) {
+    await page.reload();
+    await page.waitForFunction(() => document.querySelector('#view').dataset.grammar);
+    times.push(await page.evaluate(() => performance.getEntriesByName('first-model')[0].startTime));
+    modules.push(await page.evaluate(() => performance.getEntriesByName('loaded')[0].startTime));
+  }
+  const figure = `${times.map((time) => time.toFixed(0)).join(', ')} ms, of which until the module is ready ${modules.map((time) => time.toFixed(0)).join(', ')} ms`;
+  ensure(median(times) < 2000 * SLACK, figure);
+  return figure;
+});
+
+await check('modules are within their sizes', () => {
+  const wasm = brotli('grammars_bg.wasm');
+  const checker = brotli('checker_bg.wasm');
+  const allowed = SIZES.first + SIZES.each * (grammars.length - 3);
+  const figure = `grammars ${wasm} of ${allowed} bytes, checker ${checker} of ${SIZES.checker}, script ${brotli('main.js')}`;
+  ensure(wasm <= allowed && checker <= SIZES.checker, figure);
+  return figure;
+});
+
+for (const { name } of grammars) {
+  await check(`${name}: the file equals that of this machine`, async () => {
+    if (name !== (await page.$eval('#grammar', (menu) => menu.value))) await page.select('#grammar', name);
+    await page.waitForFunction((name) => document.querySelector('#view').dataset.grammar === name, {}, name);
+    await page.waitForFunction(() => document.querySelector('#view').dataset.sky);
+    await settle(page);
+    equal(await page.$eval('#error', (error) => error.textContent), '', 'error');
+    await page.screenshot({ path: join(OUT, `${name}.png`) });
+    const seed = await page.$eval('#seed', (input) => input.valueAsNumber);
+    const own = await glbOf(page);
+    const native = nativeGlb({ grammar: name, seed });
+    equal(hash(own), hash(native), 'hash');
+    equal(hash(nativeGlb({ grammar: name })), hash(native), 'hash without a seed');
+    const changed = nativeGlb({ grammar: name, seed: seed + 1 });
+    await afterRun(page, () => document.querySelector('#next-seed').click());
+    equal(hash(await glbOf(page)), hash(changed), 'hash of the next seed');
+    return `${own.length} bytes, ${hash(own)}, ${await page.$eval('#numbers', (numbers) => numbers.textContent)}`;
+  });
+}
+
+/** Opens a grammar and returns its first slider. */
+async function openSlider(name) {
+  await page.select('#grammar', name);
+  await page.waitForFunction((name) => document.querySelector('#view').dataset.grammar === name, {}, name);
+  return page.$eval('#attributes input[type=range]', (input) => ({
+    name: input.closest('[data-name]').dataset.name, min: Number(input.min), max: Number(input.max), value: Number(input.value),
+  }));
+}
+
+// The tower is the last: the checks below go on with it.
+let slider;
+for (const name of ['pavilion', 'town_house', 'skyline', 'tower']) {
+  slider = await openSlider(name);
+  await check(`${name}: a slider changes the model`, async () => {
+    const times = [];
+    for (let step = 0; step < 24; step++) {
+      const value = slider.min + ((slider.max - slider.min) * ((step * 7) % 24)) / 23;
+      await afterRun(page, set, slider.name, value);
+      times.push(Number(await page.$eval('#view', (view) => view.dataset.took)));
+    }
+    const late = times.slice(4);
+    const figure = `run and load ${Math.min(...late).toFixed(1)} ms at least, ${median(late).toFixed(1)} ms median, ${Math.max(...late).toFixed(1)} ms at most`;
+    // The figure is what counts: machines differ, and a busy one is slower.
+    ensure(median(late) < 1000, figure);
+    return figure;
+  });
+}
+
+await check('a changed attribute gives the file of this machine', async () => {
+  const value = Math.round(slider.min + (slider.max - slider.min) * 0.7);
+  await afterRun(page, set, slider.name, value);
+  const seed = await page.$eval('#seed', (input) => input.valueAsNumber);
+  const shown = await page.$eval(`[data-name="${slider.name}"] input[type=number]`, (input) => input.valueAsNumber);
+  const own = await glbOf(page);
+  equal(hash(own), hash(nativeGlb({ grammar: 'tower', seed, values: { [slider.name]: shown } })), 'hash');
+  ensure(hash(own) !== hash(nativeGlb({ grammar: 'tower', seed })), 'the tower did not change');
+});
+
+await check('one attribute is reset', async () => {
+  await afterRun(page, (name) => document.querySelector(`[data-name="${name}"] .undo`).click(), slider.name);
+  equal(await page.$eval(`[data-name="${slider.name}"] input[type=range]`, (input) => Number(input.value)), slider.value);
+  ensure(await page.$eval(`[data-name="${slider.name}"] .undo`, (button) => button.hidden), 'the button is still there');
+});
+
+await check('a click finds the leaf and the line of its rule', async () => {
+  const box = await page.$eval('#view', (view) => {
+    const { left, top, width, height } = view.getBoundingClientRect();
+    return { left, top, width, height };
+  });
+  await page.mouse.click(box.left + box.width * 0.5, box.top + box.height * 0.5);
+  await settle(page);
+  const text = await page.$eval('#picked', (picked) => picked.textContent);
+  const [, rule, line] = /^One leaf of (\w+): lines? (\d+)/.exec(text) ?? [];
+  ensure(rule, text);
+  const marked = await page.$$eval('#rules li.marked', (lines) => lines.map((line) => line.textContent));
+  ensure(marked.length && marked.every((line) => line.includes(rule)), marked.join('\n'));
+  const first = await page.$$eval('#rules li', (lines) => lines.findIndex((line) => line.classList.contains('marked')) + 1);
+  equal(first, Number(line), 'line');
+  await page.screenshot({ path: join(OUT, 'picked.png') });
+  return `${text} (${marked[0].trim().slice(0, 50)})`;
+});
+
+await check('Escape ends the selection', async () => {
+  await page.focus('#view');
+  await page.keyboard.press('Escape');
+  equal(await page.$$eval('#rules li.marked', (lines) => lines.length), 0);
+});
+
+await check('the table of parts selects all leaves of a rule by keyboard', async () => {
+  await page.focus('#tab-rules');
+  await page.keyboard.press('ArrowRight');
+  ensure(await page.$eval('#reports', (panel) => !panel.hidden), 'the tab did not open');
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Enter');
+  const text = await page.$eval('#picked', (picked) => picked.textContent);
+  ensure(/^All [\d,]+ leaves of \w+/.test(text), text);
+  ensure(await page.evaluate(() => document.activeElement.getAttribute('aria-pressed') === 'true'), 'the focus was lost');
+  await page.screenshot({ path: join(OUT, 'reports.png') });
+  await page.keyboard.press('Enter');
+  return text;
+});
+
+await check('arrow keys turn the view', async () => {
+  await page.focus('#view');
+  const before = await page.screenshot({ clip: { x: 320, y: 120, width: 400, height: 500 } });
+  for (let again = 0; again < 5; again++) await page.keyboard.press('ArrowLeft');
+  await settle(page);
+  const after = await page.screenshot({ clip: { x: 320, y: 120, width: 400, height: 500 } });
+  ensure(Buffer.compare(Buffer.from(before), Buffer.from(after)) !== 0, 'the picture did not change');
+});
+
+await check('every control changes its attribute', async () => {
+  const seen = {};
+  // Drawing without a graphics processor takes most of the time.
+  await page.setViewport({ width: 1100, height: 200 });
+  for (const { name } of grammars) {
+    await page.select('#grammar', name);
+    await page.waitForFunction((name) => document.querySelector('#view').dataset.grammar === name, {}, name);
+    const rows = await page.$$eval('#attributes [data-name]', (rows) => rows.map((row) => {
+      const input = row.querySelector('input[type=range]') ?? row.querySelector('input, select');
+      ensureLabel(row);
+      return { name: row.dataset.name, type: input.type, min: input.min, max: input.max, value: input.value, options: [...(input.options ?? [])].map(({ text }) => text) };
+      function ensureLabel(row) {
+        for (const input of row.querySelectorAll('input, select')) {
+          if (!input.labels.length && !input.getAttribute('aria-label')) throw new Error(`${row.dataset.name} has no label`);
+        }
+      }
+    }));
+    for (const row of rows) {
+      const value = {
+        range: String(Number(row.value) === Number(row.max) ? row.min : row.max), color: '#123456',
+        'select-one': row.options.find((text) => text !== row.value),
+      }[row.type];
+      if (row.type !== 'checkbox' && value === undefined) continue;
+      await afterRun(page, set, row.name, value);
+      equal(await page.$eval('#error', (error) => error.textContent), '', `error of ${name}, ${row.name}`);
+      ensure(await page.$eval(`[data-name="${row.name}"] .undo`, (undo) => !undo.hidden), `${name}: ${row.name} did not change`);
+      await afterRun(page, (name) => document.querySelector(`[data-name="${name}"] .undo`).click(), row.name);
+      seen[row.type] = (seen[row.type] ?? 0) + 1;
+    }
+  }
+  await page.setViewport({ width: 1280, height: 800 });
+  return JSON.stringify(seen);
+});
+
+await check('values are refused with a sentence', async () => {
+  await page.goto(`${server.address}#grammar=tower&.${slider.name}=1e9&.nothing=1&seed=3`);
+  await page.reload();
+  await page.waitForFunction(() => document.querySelector('#view').dataset.grammar === 'tower');
+  const text = await page.$eval('#error', (error) => error.textContent);
+  ensure(text.includes('outside of') && text.includes('no attribute `nothing`'), text);
+  equal(await page.$eval('#seed', (input) => input.value), '3', 'seed');
+  return text;
+});
+
+await check('a link restores grammar, attributes, seed and camera', async () => {
+  const other = grammars.find(({ name }) => name !== 'tower').name;
+  await page.goto(`${server.address}#grammar=${other}`);
+  await page.reload();
+  await page.waitForFunction((name) => document.querySelector('#view').dataset.grammar === name, {}, other);
+  await page.select('#grammar', 'tower');
+  await page.waitForFunction(() => document.querySelector('#view').dataset.grammar === 'tower');
+  await afterRun(page, set, slider.name, slider.max);
+  await afterRun(page, () => document.querySelector('#next-seed').click());
+  await page.focus('#view');
+  for (const key of ['ArrowLeft', 'ArrowLeft', '+']) await page.keyboard.press(key);
+  await new Promise((resolve) => setTimeout(resolve, 500));
+  const link = page.url();
+  const view = await page.$eval('#numbers', (numbers) => numbers.textContent.split(', made')[0]);
+  const second = await openPage(browser, link);
+  await settle(second.page);
+  const values = await second.page.evaluate((name) => [
+    document.querySelector('#grammar').value, document.querySelector('#seed').value,
+    document.querySelector(`[data-name="${name}"] input[type=range]`).value,
+    document.querySelector('#numbers').textContent.split(', made')[0],
+  ], slider.name);
+  const seed = await page.$eval('#seed', (input) => input.value);
+  equal(values, ['tower', seed, String(slider.max), view]);
+  await new Promise((resolve) => setTimeout(resolve, 500));
+  equal(decode(new URL(second.page.url()).hash), decode(new URL(link).hash), 'state');
+  equal(second.said, [], 'messages');
+  await second.page.close();
+  return link.slice(link.indexOf('#'));
+});
+
+await check('broken links open the page', async () => {
+  for (const hash of ['#grammar=nothing', '#seed=-1&camera=1,2', '#.height={', '#%', '#camera=NaN,1,2,3,4,5', '#grammar=tower&seed=99999999999999999999']) {
+    const other = await openPage(browser, server.address + hash);
+    equal(other.said, [], `messages with ${hash}`);
+    await other.page.close();
+  }
+  equal(decode(encode({ grammar: 'a', seed: 7, values: { b: [1, 'x&=#'], c: null }, camera: [1, 2, 3, 4, 5, 6] })), {
+    grammar: 'a', seed: 7, values: { b: [1, 'x&=#'], c: null }, camera: [1, 2, 3, 4, 5, 6],
+  });
+});
+
+const RULES = 'attr height = 12\nLot --> extrude(height) comp(f) { side : color("#a0b1c2") Wal | top : Roof. }\nWall --> color("#d9cdb8") Wall.\n';
+const type = (text) => {
+  const area = document.querySelector('#text');
+  area.value = text;
+  area.dispatchEvent(new Event('input', { bubbles: true }));
+};
+
+await check('the checker finds a mistake at its place', async () => {
+  const before = await page.evaluate(() => performance.getEntriesByType('resource').some(({ name }) => name.includes('checker_bg')));
+  equal(before, false, 'the checker was loaded before its tab was opened');
+  await page.click('#tab-check');
+  await page.waitForFunction(() => document.querySelector('#findings-title').textContent === 'No findings');
+  await page.evaluate(type, RULES);
+  const marks = await page.$$eval('#marks mark', (marks) => marks.map((mark) => [mark.className, mark.textContent]));
+  const found = await page.$$eval('#findings li', (items) => items.map((item) => item.innerText));
+  ensure(marks.some(([level, text]) => level === 'warning' && text === 'Wal'), JSON.stringify(marks));
+  ensure(found.some((text) => text.includes('2:59 warning there is no rule `Wal`') && text.includes('did you mean `Wall`?')), found.join(' | '));
+  await page.screenshot({ path: join(OUT, 'checker.png') });
+  await page.click('#findings button');
+  const chosen = await page.$eval('#text', (area) => area.value.slice(area.selectionStart, area.selectionEnd));
+  ensure(marks.some(([, text]) => text === chosen), `${chosen} is selected`);
+  await page.evaluate(type, RULES.replace('Wal |', 'Wall |'));
+  equal(await page.$eval('#findings-title', (title) => title.textContent), 'No findings');
+  return found[0].split('\n')[0];
+});
+
+await check('the checker survives hostile texts', async () => {
+  const took = [];
+  for (const text of ['(', 'A --> '.repeat(2000), `A --> ${'('.repeat(50_000)}`, `A --> ${'[ '.repeat(50_000)}`, '\0\u{1f3e0}"', 'A --> x(1 + '.repeat(3000), `A --> ${'case 1 : '.repeat(20_000)}`]) {
+    const begin = Date.now();
+    await page.evaluate(type, text);
+    const title = await page.$eval('#findings-title', (title) => title.textContent);
+    ensure(/error|warning|No findings/.test(title), `${text.slice(0, 20)}: ${title}`);
+    took.push(Date.now() - begin);
+  }
+  return `${took.join(', ')} ms`;
+});
+
+await check('a large text is checked while a person types', async () => {
+  const rules = Array.from({ length: 200 }, (_, at) => `R${at}(a) --> split(x) { ~1 : color("#a0b1c2") s(a, ^1, ^1) R${(at + 1) % 200}(a / 2) | { 0.4 : Wall. }* }\n`);
+  const times = [];
+  for (let again = 0; again < 5; again++) {
+    const begin = Date.now();
+    await page.evaluate(type, rules.join(''));
+    times.push(Date.now() - begin);
+  }
+  ensure(median(times) < 500 * SLACK, `${times}`);
+  return `${rules.join('').length} characters in ${median(times)} ms with the page`;
+});
+
+await check('the copied Rust compiles and runs', async () => {
+  await browser.defaultBrowserContext().overridePermissions(new URL(server.address).origin, ['clipboard-read', 'clipboard-write', 'clipboard-sanitized-write']);
+  await page.bringToFront();
+  await page.evaluate(type, RULES.replace('Wal |', 'Wall |').replaceAll('\n', '\r\n'));
+  await page.$eval('#rust-name', (input) => (input.value = 'Copied'));
+  await page.click('#copy-rust');
+  await page.waitForFunction(() => document.querySelector('#announce').textContent === 'Copied as Rust.');
+  const code = await page.evaluate(() => navigator.clipboard.readText());
+  ensure(code.startsWith('cga! {\n    pub grammar Copied = r##"\n'), code);
+  equal([isTypeName('house'), isTypeName('Self'), isTypeName('House2'), isTypeName('A B'), isTypeName('')], [false, false, true, false, false]);
+  ensure(asRust('A', 'x "### y').includes('= r####"\n'), 'the marks around the text are too short');
+  const folder = join(OUT, 'copied');
+  mkdirSync(join(folder, 'src'), { recursive: true });
+  writeFileSync(join(folder, 'Cargo.toml'), `[package]\nname = "copied"\nversion = "0.0.0"\nedition = "2024"\n\n[dependencies]\ncga = { path = "../../..", default-features = false, features = ["gltf", "serde"] }\n\n[workspace]\n`);
+  writeFileSync(join(folder, 'Cargo.lock'), readFileSync(join(ROOT, 'Cargo.lock')));
+  writeFileSync(join(folder, 'src', 'main.rs'), `use cga::{Shape, cga};\n\n${code}\nfn main() {\n    let model = Copied::default().generate(&Shape::rectangle(4.0, 5.0)).expect("a model");\n    println!("{} {} {}", model.count("Wall"), model.count("Roof"), model.faults().len());\n}\n`);
+  const made = execFileSync('cargo', ['run', '--quiet', '--manifest-path', join(folder, 'Cargo.toml'), '--target-dir', TARGET], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+  equal(made, '4 1 0\n', 'leaves');
+});
+
+await check('the page said nothing', quiet);
+
+await check('narrow and dark pages fit', async () => {
+  for (const [file, options] of [
+    ['narrow', { width: 390, height: 844 }],
+    ['dark', { scheme: 'dark' }],
+  ]) {
+    const other = await openPage(browser, `${server.address}#grammar=tower`, options);
+    await other.page.waitForFunction(() => document.querySelector('#view').dataset.sky);
+    await settle(other.page);
+    const wide = await other.page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+    await other.page.screenshot({ path: join(OUT, `${file}.png`), fullPage: file === 'narrow' });
+    equal(wide, 0, `pixels beyond the ${file} page`);
+    equal(other.said, [], 'messages');
+    await other.page.close();
+  }
+});
+
+await check('a part of the town houses is marked', async () => {
+  const other = await openPage(browser, `${server.address}#grammar=town_house`);
+  await other.page.waitForFunction(() => document.querySelector('#view').dataset.sky);
+  await other.page.mouse.click(652, 520);
+  await settle(other.page);
+  ensure(await other.page.$$eval('#rules li.marked', (lines) => lines.length), 'no line is marked');
+  await other.page.screenshot({ path: join(OUT, 'guide.png') });
+  await other.page.close();
+});
+
+await close();
+server.close();
+finish();
