@@ -25,8 +25,9 @@ const LENGTH_WEIGHT: f64 = 1e-9;
 /// The mean of squared distances from planes, in a mesh with an extent of about 1, that is a rounding error.
 const FLAT_ERROR: f64 = 1e-14;
 
-/// The lowest bits of costs, which are rounded. They are a share of 1e-9.
-const COST_BITS: u32 = 22;
+/// The lowest bits of costs, which are rounded. They are a share of 1e-6, some million times the rounding errors, so that equal
+/// costs are hardly ever rounded to different numbers.
+const COST_BITS: u32 = 32;
 
 /// Twice the area below which a triangle of a mesh with an extent of about 1 has no direction.
 const NO_AREA: f64 = 1e-14;
