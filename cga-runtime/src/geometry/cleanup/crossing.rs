@@ -3,8 +3,10 @@
 use glam::{DVec2, DVec3};
 
 use crate::geometry::exact::orient;
-use crate::geometry::mesh::Mesh;
-use crate::geometry::triangulate::PlaneProjection;
+use crate::geometry::mesh::{Mesh, unit};
+use crate::geometry::nesting::extent::Extent;
+use crate::geometry::tol::TOUCH_EPSILON;
+use crate::geometry::triangulate::{PlaneProjection, filling, is_filled};
 
 /// The limit on pairs of edges of a face that are compared. Further edges of larger faces count as apart.
 const MOST_PAIRS: usize = 1 << 22;
@@ -12,16 +14,31 @@ const MOST_PAIRS: usize = 1 << 22;
 /// Points to which more loops lead are not compared.
 const MOST_PASSAGES: usize = 16;
 
-/// Returns true if two edges of a face cross or touch each other elsewhere than at a common point when its points are at their
-/// targets, and do not yet. `after` is the direction of the face then, which may be bent.
-pub(super) fn will_cross(mesh: &Mesh, face: usize, targets: &[u32], after: DVec3) -> bool {
-    let face = mesh.face(face);
-    let target = |point: u32| targets[point as usize];
-    let corners = &mesh.corners[face.corner_range()];
-    if face.normal() == DVec3::ZERO || after == DVec3::ZERO || corners.iter().all(|&point| target(point) == point) {
+/// Returns true if a face turns over, crosses itself, or leaves a hole outside when its points are at their targets, and does not
+/// yet.
+pub(super) fn will_break(mesh: &Mesh, face: usize, targets: &[u32]) -> bool {
+    if mesh.corners[mesh.face_corners(face)].iter().all(|&point| targets[point as usize] == point) {
         return false;
     }
-    let planes = [face.normal(), after].map(PlaneProjection::along);
+    let (before, after) = (mesh.face(face).area_vector(), area_after(mesh, face, targets));
+    before.dot(after) < 0.0
+        || (before != DVec3::ZERO && after != DVec3::ZERO && will_cross(mesh, face, targets, [before, after].map(unit)))
+}
+
+/// The area vector of a face whose points are at the places of their targets.
+fn area_after(mesh: &Mesh, face: usize, targets: &[u32]) -> DVec3 {
+    let at = |corner: usize| mesh.points[targets[mesh.corners[corner] as usize] as usize];
+    let face = mesh.face(face);
+    let from = at(face.corner_range().start);
+    face.edges().map(|[a, b]| (at(a) - from).cross(at(b) - from)).sum()
+}
+
+/// Returns true if two edges of a face cross or touch each other elsewhere than at a common point when its points are at their
+/// targets, and do not yet, or if its holes are not inside of it then. The normals are those before and then: the face may be bent.
+fn will_cross(mesh: &Mesh, face: usize, targets: &[u32], normals: [DVec3; 2]) -> bool {
+    let face = mesh.face(face);
+    let target = |point: u32| targets[point as usize];
+    let planes = normals.map(PlaneProjection::along);
     let cross = |plane: &PlaneProjection, [a, b]: [u32; 2], [c, d]: [u32; 2]| {
         if a == c || a == d || b == c || b == d {
             return false;
@@ -40,6 +57,52 @@ pub(super) fn will_cross(mesh: &Mesh, face: usize, targets: &[u32], after: DVec3
     };
     moved.any(crosses)
         || will_cross_at_points(face.loops(), target, |point| planes[1].apply(mesh.points[point as usize]))
+        || (face.holes().len() != 0
+            && is_filled(&flat(mesh, face.loops(), planes[0]))
+            && !is_filled(&flat(
+                mesh,
+                face.loops().map(|ring| ring.iter().map(|&point| target(point)).collect::<Vec<_>>()),
+                planes[1],
+            )))
+}
+
+/// The loops of points in a plane.
+fn flat<R: AsRef<[u32]>>(mesh: &Mesh, loops: impl Iterator<Item = R>, plane: PlaneProjection) -> Vec<Vec<DVec2>> {
+    let flat = |ring: R| ring.as_ref().iter().map(|&point| plane.apply(mesh.points[point as usize])).collect();
+    loops.map(flat).collect()
+}
+
+/// Returns true if loops of points are a face with this normal that does not cross itself, is not above itself, and has its holes
+/// inside of it, except for rounding.
+pub(super) fn is_simple(mesh: &Mesh, loops: &[Vec<u32>], normal: DVec3) -> bool {
+    let loops = flat(mesh, loops.iter(), PlaneProjection::along(normal));
+    let edges: Vec<[DVec2; 2]> =
+        loops.iter().flat_map(|ring| (0..ring.len()).map(|k| [ring[k], ring[(k + 1) % ring.len()]])).collect();
+    let Extent { low, high } = Extent::of(edges.iter().map(|edge| edge[0]));
+    let near = TOUCH_EPSILON * (high - low).max_element();
+    // The ends of an edge are on both sides of a line, and not near it.
+    let is_across = |[a, b]: [DVec2; 2], ends: [DVec2; 2]| {
+        let [from, to] = ends.map(|end| (b - a).perp_dot(end - a) / (b - a).length());
+        from < -near && near < to || to < -near && near < from
+    };
+    let crosses = |one: [DVec2; 2], other: [DVec2; 2]| {
+        let [[a, b], [c, d]] = [one, other];
+        let overlap = a.min(b).cmple(c.max(d)).all() && c.min(d).cmple(a.max(b)).all();
+        overlap && is_across(one, other) && is_across(other, one)
+    };
+    // The number of times that the loops wind around a point.
+    let winding = |point: DVec2| -> i32 {
+        let steps = edges.iter().map(|&[a, b]| match (a.y <= point.y, b.y <= point.y) {
+            (true, false) => i32::from(0 < orient(a, b, point)),
+            (false, true) => -i32::from(orient(a, b, point) < 0),
+            _ => 0,
+        });
+        steps.sum()
+    };
+    let most = MOST_PAIRS / edges.len();
+    let is_single = |triangle: &[DVec2; 3]| winding(triangle.iter().sum::<DVec2>() / 3.0) <= 1;
+    !edges.iter().take(most).any(|&one| edges.iter().any(|&other| crosses(one, other)))
+        && filling(&loops).is_some_and(|triangles| triangles.iter().take(most).all(is_single))
 }
 
 /// A way of a loop through a point.

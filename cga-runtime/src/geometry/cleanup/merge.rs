@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 
-use super::crossing::will_cross;
+use super::crossing::will_break;
 use super::{add_loops, without_faces};
-use crate::geometry::mesh::{Mesh, SubcomponentTagger, unit};
+use crate::geometry::mesh::{Mesh, SubcomponentTagger};
 
 /// The limit on attempts to merge without turning faces over and without crossings. After that only points at one place are merged.
 const MOST_ROUNDS: usize = 16;
@@ -32,8 +32,7 @@ pub(super) fn merged(mesh: &Mesh, distance: f64) -> Option<Mesh> {
         }
         let mut is_done = true;
         for face in mesh.faces() {
-            let (before, after) = (face.area_vector(), area_after(mesh, face.index(), &targets));
-            if before.dot(after) < 0.0 || will_cross(mesh, face.index(), &targets, unit(after)) {
+            if will_break(mesh, face.index(), &targets) {
                 for &point in &mesh.corners[face.corner_range()] {
                     let is_moved = targets[point as usize] != point;
                     is_done &= !is_moved;
@@ -46,14 +45,6 @@ pub(super) fn merged(mesh: &Mesh, distance: f64) -> Option<Mesh> {
         }
     }
     None
-}
-
-/// The area vector of a face whose points are at the places of their targets.
-fn area_after(mesh: &Mesh, face: usize, targets: &[u32]) -> DVec3 {
-    let at = |corner: usize| mesh.points[targets[mesh.corners[corner] as usize] as usize];
-    let face = mesh.face(face);
-    let from = at(face.corner_range().start);
-    face.edges().map(|[a, b]| (at(a) - from).cross(at(b) - from)).sum()
 }
 
 /// For each point the point that it becomes.

@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 
+use super::crossing::is_simple;
 use super::{add_corner, add_face, without_faces};
-use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::{Mesh, unit};
 
 /// The half-edge of a corner without a counterpart that is removed with it.
 pub(super) const KEPT: u32 = u32::MAX;
@@ -42,7 +43,11 @@ pub(super) fn joined(mesh: &Mesh, removal: &Removal) -> Option<Mesh> {
     for (region, faces) in faces.iter().enumerate() {
         let is_cut = |face: &u32| mesh.face_corners(*face as usize).any(|corner| removal.mates[corner] != KEPT);
         if faces.iter().any(is_cut) {
-            found[region] = loops(mesh, removal, faces, &mut is_seen);
+            found[region] = loops(mesh, removal, faces, &mut is_seen).filter(|loops| {
+                faces.len() == 1
+                    || loops.is_empty()
+                    || is_simple(mesh, &points(mesh, loops), unit(loops_area(mesh, loops)))
+            });
         }
     }
     if found.iter().all(Option::is_none) {
@@ -115,6 +120,10 @@ fn loops(mesh: &Mesh, removal: &Removal, faces: &[u32], is_seen: &mut [bool]) ->
         _ if faces.len() == 1 && outlines.len() == loops.len() => Some(loops),
         _ => None,
     }
+}
+
+fn points(mesh: &Mesh, loops: &[Vec<u32>]) -> Vec<Vec<u32>> {
+    loops.iter().map(|ring| ring.iter().map(|&corner| mesh.corners[corner as usize]).collect()).collect()
 }
 
 fn loops_area(mesh: &Mesh, loops: &[Vec<u32>]) -> DVec3 {

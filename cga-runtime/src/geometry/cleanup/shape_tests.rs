@@ -11,6 +11,7 @@ use crate::value::text::Text;
 const ALL: Parts = Parts { vertices: true, edges: true, faces: true };
 const FACES: Parts = Parts { vertices: false, edges: false, faces: true };
 const VERTICES: Parts = Parts { vertices: true, edges: false, faces: false };
+const EDGES: Parts = Parts { vertices: false, edges: true, faces: false };
 
 fn polygon(corners: &[[f64; 2]]) -> Mesh {
     Mesh::from_polygon(&corners.iter().map(|[x, z]| DVec3::new(*x, 0.0, -z)).collect::<Vec<_>>(), &[]).unwrap()
@@ -119,4 +120,54 @@ fn parts_of_boolean_results_are_convex_after_a_cleanup() {
             }
         }
     }
+}
+
+/// A face whose points have these numbers, with a hole.
+fn plate(points: &[[f64; 2]], outline: &[usize], hole: &[[f64; 2]]) -> Mesh {
+    let mut builder = MeshBuilder::new();
+    let points: Vec<u32> = points.iter().map(|[x, y]| builder.point([*x, *y, 0.0])).collect();
+    let hole: Vec<u32> = hole.iter().map(|[x, y]| builder.point([*x, *y, 0.0])).collect();
+    let holes: &[&[u32]] = if hole.is_empty() { &[] } else { &[&hole] };
+    builder.face(&outline.iter().map(|&k| points[k]).collect::<Vec<_>>(), holes, FaceTag::PLAIN);
+    builder.build().unwrap()
+}
+
+#[test]
+fn holes_stay_inside_of_their_face() {
+    // The lower edge would move past the hole: its ends are near the first and the second point.
+    let points = [[0.0, 0.0], [20.0, 0.0], [20.0, 10.0], [0.0, 10.0], [0.0, -0.8], [20.0, -0.8]];
+    let merged = |hole: &[[f64; 2]]| {
+        let made = cleanup(&plate(&points, &[0, 4, 5, 1, 2, 3], hole), VERTICES, 1.0).unwrap();
+        (made.corners().len(), made.bounds().low.y)
+    };
+    assert_eq!(merged(&[]), (4, 0.0));
+    assert_eq!(merged(&[[5.0, -0.6], [10.0, -0.1], [15.0, -0.6]]), (7, -0.8));
+    assert_eq!(merged(&[[5.0, 4.0], [10.0, 6.0], [15.0, 4.0]]), (7, 0.0));
+    // A lower edge of four parts, which one edge above the hole would replace.
+    let points = [[0.0, 0.0], [20.0, -0.6], [40.0, -0.9], [60.0, -0.6], [80.0, 0.0], [80.0, 30.0], [0.0, 30.0]];
+    let straight = |hole: &[[f64; 2]]| cleanup(&plate(&points, &[0, 1, 2, 3, 4, 5, 6], hole), VERTICES, 1.0);
+    assert_eq!(straight(&[]).unwrap().corners().len(), 4);
+    assert!(straight(&[[37.0, -0.7], [40.0, -0.1], [43.0, -0.7]]).is_none());
+    assert_eq!(straight(&[[37.0, 5.0], [40.0, 9.0], [43.0, 5.0]]).unwrap().corners().len(), 7);
+}
+
+#[test]
+fn a_ramp_above_itself_stays_divided() {
+    let ramp = |count: u32| {
+        let mut builder = MeshBuilder::new();
+        let rungs: Vec<[u32; 2]> = (0..=count)
+            .map(|k| {
+                let (sin, cos) = libm::sincos(f64::from(k) * std::f64::consts::TAU / 16.0);
+                // The joined face grows from the largest one, in the middle.
+                let outer = if k == 10 { 20.5 } else { 20.0 };
+                [outer, 14.0].map(|radius| builder.point([radius * cos, 0.075 * f64::from(k), -radius * sin]))
+            })
+            .collect();
+        for pair in rungs.windows(2) {
+            builder.face(&[pair[0][1], pair[0][0], pair[1][0], pair[1][1]], &[], FaceTag::PLAIN);
+        }
+        builder.build().unwrap()
+    };
+    assert_eq!(cleanup(&ramp(12), EDGES, 1.0).unwrap().face_count(), 1);
+    assert!(cleanup(&ramp(20), EDGES, 1.0).is_none());
 }

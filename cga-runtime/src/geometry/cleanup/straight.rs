@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::crossing::will_break;
 use super::values::are_between;
 use super::{Limits, add_loops, without_faces};
 use crate::geometry::mesh::{Mesh, SubcomponentTagger, unit};
@@ -11,8 +12,13 @@ use crate::geometry::mesh::{Mesh, SubcomponentTagger, unit};
 /// between edges with different tags, and those at which the texture bends. `None` if no point is removed.
 pub(super) fn without_straight_points(mesh: &Mesh, limits: &Limits) -> Option<Mesh> {
     let links: Vec<Option<[u32; 2]>> = (0..mesh.points.len()).map(|point| link(mesh, point, limits)).collect();
-    let mut lines =
-        Lines { mesh, limits, links: &links, is_seen: vec![false; links.len()], is_gone: vec![false; links.len()] };
+    let mut lines = Lines {
+        mesh,
+        limits,
+        links: &links,
+        is_seen: vec![false; links.len()],
+        targets: (0..links.len() as u32).collect(),
+    };
     // Lines that end at other points, and then those that are loops, from the first corner of a face on.
     for point in 0..links.len() as u32 {
         if links[point as usize].is_none() {
@@ -29,9 +35,10 @@ pub(super) fn without_straight_points(mesh: &Mesh, limits: &Limits) -> Option<Me
             lines.follow(point, next);
         }
     }
-    let mut is_gone = lines.is_gone;
-    keep_large_loops(mesh, limits, &mut is_gone);
-    is_gone.contains(&true).then(|| without(mesh, &is_gone))
+    let mut targets = lines.targets;
+    keep_large_loops(mesh, limits, &mut targets);
+    keep_broken_faces(mesh, &mut targets);
+    (0..).zip(&targets).any(|(point, &target)| point != target).then(|| without(mesh, &targets))
 }
 
 /// The neighbours of a point that may be removed; `None` for other points.
@@ -57,7 +64,8 @@ struct Lines<'m> {
     links: &'m [Option<[u32; 2]>],
     /// True for points of lines that are done.
     is_seen: Vec<bool>,
-    is_gone: Vec<bool>,
+    /// For each point itself, or if it is removed, the point that stays before it in the line.
+    targets: Vec<u32>,
 }
 
 impl Lines<'_> {
@@ -77,7 +85,7 @@ impl Lines<'_> {
         let mut from = 0;
         while from + 1 < line.len() {
             let to = self.reach(&line, from);
-            line[from + 1..to].iter().for_each(|&point| self.is_gone[point as usize] = true);
+            line[from + 1..to].iter().for_each(|&point| self.targets[point as usize] = line[from]);
             from = to;
         }
     }
@@ -121,19 +129,37 @@ impl Lines<'_> {
 }
 
 /// Keeps all points of loops that would shrink to nothing although they have an area.
-fn keep_large_loops(mesh: &Mesh, limits: &Limits, is_gone: &mut [bool]) {
+fn keep_large_loops(mesh: &Mesh, limits: &Limits, targets: &mut [u32]) {
     for face in mesh.faces().filter(|face| limits.area < face.area()) {
         for ring in face.loops() {
-            if ring.iter().filter(|&&point| !is_gone[point as usize]).count() < 3 {
-                ring.iter().for_each(|&point| is_gone[point as usize] = false);
+            if ring.iter().filter(|&&point| targets[point as usize] == point).count() < 3 {
+                keep(ring, targets);
             }
         }
     }
 }
 
-fn without(mesh: &Mesh, is_gone: &[bool]) -> Mesh {
+/// Keeps all points of faces that would turn over, cross themselves, or leave a hole outside. Their neighbours keep them, too.
+fn keep_broken_faces(mesh: &Mesh, targets: &mut [u32]) {
+    loop {
+        let broken: Vec<usize> = (0..mesh.face_count()).filter(|&face| will_break(mesh, face, targets)).collect();
+        if broken.is_empty() {
+            return;
+        }
+        broken.into_iter().for_each(|face| keep(&mesh.corners[mesh.face_corners(face)], targets));
+    }
+}
+
+fn keep(points: &[u32], targets: &mut [u32]) {
+    points.iter().for_each(|&point| targets[point as usize] = point);
+}
+
+fn without(mesh: &Mesh, targets: &[u32]) -> Mesh {
     let mut made = without_faces(mesh);
-    let is_kept = |corner: &u32| !is_gone[mesh.corners[*corner as usize] as usize];
+    let is_kept = |corner: &u32| {
+        let point = mesh.corners[*corner as usize];
+        targets[point as usize] == point
+    };
     let keeps_holes = mesh.is_closed();
     let mut tagger = SubcomponentTagger::default();
     tagger.append(&mesh.subcomponent_tags, |point| point);

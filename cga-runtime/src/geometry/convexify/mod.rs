@@ -109,6 +109,10 @@ fn is_concave(face: &FaceRef<'_>) -> bool {
     !face.is_convex() && !turn::is_convex(&face.outline().map(|point| plane.place(point)).collect::<Vec<_>>())
 }
 
+fn is_convex_part(net: &Net, heads: &[u32], plane: &Plane) -> bool {
+    heads.iter().all(|&head| plane.is_convex_part(net, &net.ring(head).collect::<Vec<_>>()))
+}
+
 /// Divides a face. `None`, and the face is as it was, if that is not possible.
 fn divide(net: &mut Net, heads: &[u32], plane: Plane, longest: f64) -> Option<Vec<Part>> {
     // Parts that may stay concave do not show that the face crosses itself; convex ones do.
@@ -126,7 +130,8 @@ fn divide(net: &mut Net, heads: &[u32], plane: Plane, longest: f64) -> Option<Ve
     let parts = is_done
         .then(|| Rings::of(net, &corners, flat))
         .and_then(|rings| if is_limited { rings.parts() } else { rings.convex_parts() })
-        .filter(|parts| parts.iter().all(|heads| heads.len() == 1 || triangles::fill(net, heads, &plane)));
+        .filter(|parts| parts.iter().all(|heads| heads.len() == 1 || triangles::fill(net, heads, &plane)))
+        .filter(|parts| is_limited || parts.iter().all(|heads| is_convex_part(net, heads, &plane)));
     match parts {
         Some(parts) if 1 < parts.len() => return Some(parts),
         Some(_) => {}

@@ -7,6 +7,7 @@ use glam::DVec2;
 use super::net::Net;
 use super::turn::is_convex;
 use crate::geometry::nesting::rings::NestedRings;
+use crate::geometry::triangulate::doubled_area;
 
 /// A part of a face: the first corners of its loops, the outline first.
 pub(super) type Part = Vec<u32>;
@@ -85,12 +86,6 @@ pub(super) fn in_order(parts: Vec<Vec<Vec<u32>>>) -> Vec<Part> {
     let mut parts: Vec<Part> = parts.iter().map(|rings| rings.iter().map(first).collect()).collect();
     parts.sort_unstable();
     parts
-}
-
-/// Twice the area of a loop, positive if it is anticlockwise.
-pub(super) fn doubled_area(ring: &[DVec2]) -> f64 {
-    let at = |k: usize| ring[k] - ring[0];
-    (1..ring.len().saturating_sub(1)).map(|k| at(k).perp_dot(at(k + 1))).sum()
 }
 
 /// The loops of some corners, in the order of these.

@@ -177,6 +177,29 @@ fn a_bent_face_keeps_its_bend() {
 }
 
 #[test]
+fn parts_of_bent_faces_are_convex_in_their_own_planes() {
+    let mut random = Rng(5);
+    for round in 0..100 {
+        let mut builder = MeshBuilder::new();
+        let outline: Vec<u32> = (0..9)
+            .map(|k| {
+                let (sin, cos) = libm::sincos(f64::from(k) / 9.0 * std::f64::consts::TAU);
+                let far = 2.0 + 8.0 * random.unit();
+                builder.point([far * cos, far * sin, 5.0 * random.unit()])
+            })
+            .collect();
+        builder.face(&outline, &[], FaceTag::PLAIN);
+        let bent = builder.build().unwrap();
+        let made = convexify(&bent, ALL);
+        assert!(made.refused.is_empty(), "{round}");
+        let made = made.made.map_or_else(|| bent.clone(), |made| made.0);
+        assert!(made.faces().all(|face| !is_concave(&face)), "{round}");
+        let sum: DVec3 = made.faces().map(|face| face.area_vector()).sum();
+        assert!((sum - bent.face(0).area_vector()).length() < 1e-9, "{round}");
+    }
+}
+
+#[test]
 fn stars_combs_and_plates_of_any_place_are_cut() {
     let mut random = Rng(3);
     let mut noise = || random.unit();

@@ -2,15 +2,12 @@
 
 use std::collections::HashMap;
 
-use glam::DVec2;
-
 use super::net::Net;
 use super::plane::Plane;
-use super::rings::{Part, Rings, doubled_area};
+use super::rings::{Part, Rings};
 use super::turn::is_reflex;
 use crate::geometry::exact::orient;
-use crate::geometry::tol::TOUCH_EPSILON;
-use crate::geometry::triangulate::Triangulator;
+use crate::geometry::triangulate::{Triangulator, is_filled};
 
 /// Divides a face along diagonals between its corners. `None`, with an unchanged face, if the parts are not convex.
 pub(super) fn divide(net: &mut Net, heads: &[u32], plane: &Plane) -> Option<Vec<Part>> {
@@ -40,7 +37,10 @@ pub(super) fn divide(net: &mut Net, heads: &[u32], plane: &Plane) -> Option<Vec<
             let after = net.next(net.next(net.mate(half)));
             !is_reflex([net.before(half), half, after].map(|corner| plane.flat(net, corner)))
         };
-        if ends.into_iter().all(|half| opens(net, half)) {
+        // A half-edge is the last one of its loop from the next one on.
+        let rest = |half: u32| net.ring(half).skip(1).collect::<Vec<_>>();
+        let joined = || [rest(ends[0]), rest(ends[1])].concat();
+        if ends.into_iter().all(|half| opens(net, half)) && plane.is_convex_part(net, &joined()) {
             net.remove(half);
         }
     }
@@ -54,24 +54,10 @@ pub(super) fn divide(net: &mut Net, heads: &[u32], plane: &Plane) -> Option<Vec<
     parts
 }
 
-/// Returns true if holes look the other way than the outline and triangles fill the face: none of them is turned over, and their
-/// areas add up to that of the face, except for a share of it. Those of a face that crosses itself do not.
+/// Returns true if triangles fill a face. Those of a face that crosses itself do not.
 pub(super) fn fill(net: &Net, heads: &[u32], plane: &Plane) -> bool {
-    let loops: Vec<Vec<DVec2>> =
-        heads.iter().map(|&head| net.ring(head).map(|corner| plane.flat(net, corner)).collect()).collect();
-    let ends: Vec<u32> = loops.iter().scan(0, |end, ring| (*end += ring.len() as u32, Some(*end)).1).collect();
-    let places = loops.concat();
-    let mut triangles = Vec::new();
-    Triangulator::new().polygon(&places, &ends, &mut triangles);
-    let area = |[a, b, c]: [DVec2; 3]| (b - a).perp_dot(c - a);
-    let (mut front, mut back) = (0.0, 0.0);
-    for doubled in triangles.iter().map(|triangle| area(triangle.map(|k| places[k as usize]))) {
-        *(if 0.0 < doubled { &mut front } else { &mut back }) += doubled;
-    }
-    let rings: Vec<f64> = loops.iter().map(|ring| doubled_area(ring)).collect();
-    let whole: f64 = rings.iter().sum();
-    let rounding = TOUCH_EPSILON * rings[0];
-    rings[1..].iter().all(|&hole| hole <= 0.0) && -rounding <= back && (front - whole).abs() <= rounding
+    let flat = |&head: &u32| net.ring(head).map(|corner| plane.flat(net, corner)).collect();
+    is_filled(&heads.iter().map(flat).collect::<Vec<_>>())
 }
 
 /// Makes a loop of each triangle. Their edges are those of the loops, whose half-edges keep their numbers, and diagonals. Returns

@@ -67,7 +67,7 @@ impl<'a> FaceRef<'a> {
     }
 
     /// The positions of the outline.
-    pub(crate) fn outline(&self) -> impl Iterator<Item = DVec3> + 'a {
+    pub(crate) fn outline(&self) -> impl Iterator<Item = DVec3> + Clone + 'a {
         let mesh = self.mesh;
         self.outer().iter().map(|&point| mesh.points[point as usize])
     }

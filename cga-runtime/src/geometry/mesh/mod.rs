@@ -62,7 +62,7 @@ pub use extract::extract;
 pub use extrude::{Extrude, extrude};
 pub(crate) use extrude_wire::{extrude_wire, point_normals};
 pub use face::FaceRef;
-pub(crate) use face::unit;
+pub(crate) use face::{area_vector, unit};
 pub(crate) use flat_face::FlatFace;
 pub(crate) use footprint::footprint;
 pub(crate) use layout::{FaceEnds, Tags};

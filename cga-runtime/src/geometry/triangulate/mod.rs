@@ -11,6 +11,7 @@
 
 mod cap;
 mod convex;
+mod filled;
 mod sweep;
 mod unfold;
 
@@ -21,6 +22,7 @@ use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::TOUCH_EPSILON;
 use cap::Cap;
 pub(crate) use convex::apex;
+pub(crate) use filled::{doubled_area, filling, is_filled};
 use sweep::MonotoneSweep;
 use unfold::Unfold;
 
