@@ -46,7 +46,7 @@ cga! {
 
     @StartRule
     Lot     --> [ extrude(0.2) color("#cfcabf") Plaza. ]
-                t(0, 0.2, 0) s(scope.sx - 24, 0, scope.sz - 24) center(xz) primitiveDisk(sides) Oval
+                t(0, 0.2, 0) s(scope.sx - 24, 0, scope.sz - 24) center(xz) primitiveDisk(sides) deleteUV(0) Oval
     Oval    --> Row(0)
                 [ extrude(top + 1) comp(f) { side : Facade(comp.index) | all : NIL } ]
                 t(0, eaves + fall, 0) offset(-cover * depth, border) comp(f) { all : Roof(comp.index) }

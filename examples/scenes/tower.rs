@@ -39,7 +39,7 @@ cga! {
 
     @StartRule
     Lot    --> Plaza
-               t(0, 0.5, 0) s(^0.7, 0, ^0.4) center(xz) primitiveDisk(48) Mass
+               t(0, 0.5, 0) s(^0.7, 0, ^0.4) center(xz) primitiveDisk(48) deleteUV(0) Mass
     Mass   --> Lobby
                t(0, lobby, 0) extrude(storeys * storey) split(y) { { ~storey : Storey(split.index / split.total) }* | 0.01 : Crown }
 

@@ -138,11 +138,12 @@ fn play(seed: u64, make: Make, counts: &mut BTreeMap<Code, usize>, broken: &mut 
         }
     }
     for diag in &compiled.diags {
-        let defaults = matches!(diag.basis, Basis::Defaults(_));
+        let defaults = matches!(diag.basis, Basis::Defaults(_) | Basis::Lot(Some(_)));
+        let lots = matches!(diag.basis, Basis::Lot(_));
         let mut verdicts: Vec<(String, Verdict)> = match diag.code {
             Code::NoEffect => (0..RUNS).map(|number| tails::judge(make, &mut random(number), usual(number))).collect(),
             _ => {
-                let runs = runs.iter().filter(|run| run.usual || !defaults);
+                let runs = runs.iter().filter(|run| (run.usual || !defaults) && (run.is_lot || !lots));
                 runs.map(|run| (run.given.clone(), judge(diag, &places, run))).collect()
             }
         };

@@ -53,6 +53,8 @@ pub(crate) struct Run {
     pub(crate) given: String,
     /// True if all attributes had their defaults.
     pub(crate) usual: bool,
+    /// True if the run began with the start rule on a level footprint.
+    pub(crate) is_lot: bool,
     /// True if the run reached its end, so that all its prints are here.
     pub(crate) whole: bool,
     /// The rules on the way to the limit that ended it. Then nothing that was printed is known.
@@ -97,7 +99,8 @@ impl Sink for Count {
 pub(crate) fn run(grammar: &mut dyn Grammar, random: &mut Random, usual: bool) -> Run {
     let (given, shape) = prepare(grammar, random, usual);
     let start = random.pick(&STARTS);
-    let mut run = Run { given: format!("{start} {given}"), usual, ..Run::default() };
+    let is_lot = *start == "Lot" && (given.starts_with("on a rectangle") || given.starts_with("on an L"));
+    let mut run = Run { given: format!("{start} {given}"), usual, is_lot, ..Run::default() };
     match derive(grammar, start, &shape, &mut Count(0)) {
         Ok(report) => {
             run.whole = !report.stopped && report.prints_left_out() == 0;

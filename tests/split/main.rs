@@ -5,6 +5,7 @@
 
 mod area;
 mod known;
+mod lots;
 mod order;
 mod parts;
 mod repeated;

@@ -40,6 +40,11 @@ impl AbstractState {
         AbstractState { shape: Shape::INITIAL, ..AbstractState::any(item.own, item.decl.params.len()) }
     }
 
+    /// The state at the start of a run on a shape without height.
+    pub(super) fn lot(item: &Declared) -> AbstractState {
+        AbstractState { shape: Shape::LOT, ..AbstractState::initial(item) }
+    }
+
     /// The same values on another shape.
     pub(super) fn on(&self, shape: Shape) -> AbstractState {
         AbstractState { shape, ..self.clone() }

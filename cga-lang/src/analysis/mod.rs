@@ -113,6 +113,15 @@ impl<'f> DataFlow<'f> {
         DataFlow { known, entries: RefCell::new(entries), called, waiting, forgets: false }
     }
 
+    /// Considers runs that begin with a shape without height.
+    pub(crate) fn of_lots(globals: &Globals, known: &'f Evaluator<'f>, calls: &Calls) -> DataFlow<'f> {
+        let flow = DataFlow::new(globals, known, Some(calls));
+        for &rule in &calls.starts {
+            flow.entries.borrow_mut()[rule] = Some(AbstractState::lot(&globals.rules[rule]));
+        }
+        flow
+    }
+
     /// Considers values and conditions alone: sizes set by steps count as unknown.
     pub(crate) fn of_values(globals: &Globals, known: &'f Evaluator<'f>) -> DataFlow<'f> {
         DataFlow { forgets: true, ..DataFlow::new(globals, known, None) }

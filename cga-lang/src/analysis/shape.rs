@@ -15,6 +15,10 @@ pub(crate) enum Filling {
     Box,
     /// A rectangle normal to the z axis.
     Sheet,
+    /// Level faces, without extent along y.
+    Lot,
+    /// Upright walls, as of an extruded lot, that are as high as the scope.
+    Prism,
     /// Faces that look along the y axis, unless the geometry has no footprint.
     Footprint,
     /// A point.
@@ -58,6 +62,10 @@ impl Shape {
     /// An initial shape: without trim planes.
     pub(super) const INITIAL: Shape = Shape { trimmed: false, ..Shape::ANY };
 
+    /// An initial shape without height.
+    pub(super) const LOT: Shape =
+        Shape { size: [Interval::EXTENT, Interval::ZERO, Interval::EXTENT], filling: Filling::Lot, ..Shape::INITIAL };
+
     /// The shape with an unknown scope.
     pub(super) fn moved_on(&self) -> Shape {
         Shape { trimmed: self.trimmed, ..Shape::ANY }
@@ -93,6 +101,16 @@ impl Shape {
         };
         let (size, since) = ([width.0, height.0, Interval::ZERO], [width.1, height.1, Some(from)]);
         Shape { size, since, filling: Filling::Sheet, trimmed: true, is_face: true }
+    }
+
+    /// A face of a prism from a comp, by its selector. The sides are rectangles.
+    pub(super) fn face_of_prism(&self, selector: Option<&Selector>, from: Span) -> Shape {
+        let is_level = Directions::TOP_FACE.and(Directions::BOTTOM_FACE);
+        if selector.is_none_or(|row| row.directions == Directions::NONE || row.directions.meet(is_level)) {
+            return Shape::face(from);
+        }
+        let size = [Interval::EXTENT, self.extent(1), Interval::ZERO];
+        Shape { size, since: [None, self.since[1], Some(from)], filling: Filling::Sheet, trimmed: true, is_face: true }
     }
 
     /// The extent along an axis, never negative.
@@ -149,9 +167,13 @@ impl Shape {
         Shape { filling, is_face: false, ..*self }
     }
 
-    /// The shape after `extrude`: a rectangle without depth becomes a box with y along the extrusion.
+    /// The shape after `extrude`: a rectangle without depth becomes a box with y along the extrusion, and a lot a prism.
     pub(super) fn extruded(&self, distance: Interval, by: Span) -> Shape {
         let [x, y, z] = self.size;
+        if self.filling == Filling::Lot && 0.0 < distance.lo && distance.hi <= MOST_SIZE && !distance.is_odd() {
+            let since = [self.since[0], Some(by), self.since[2]];
+            return Shape { size: [x, distance, z], since, filling: Filling::Prism, ..*self };
+        }
         if self.filling != Filling::Sheet || z != Interval::ZERO || x.lo < 0.0 || y.lo < 0.0 {
             return self.moved_on();
         }
@@ -184,10 +206,17 @@ impl Shape {
         let fills = match self.filling {
             Filling::Box => true,
             Filling::Sheet => axis != 2,
-            Filling::Footprint | Filling::Point | Filling::Unknown => !adjust,
+            Filling::Prism => !adjust || axis == 1,
+            Filling::Footprint | Filling::Lot | Filling::Point | Filling::Unknown => !adjust,
         };
         if !fills {
-            return self.shrunk(axis, length, by);
+            let part = self.shrunk(axis, length, by);
+            return match self.filling {
+                Filling::Lot => {
+                    Shape { size: [part.size[0], self.size[1], part.size[2]], filling: Filling::Lot, ..part }
+                }
+                _ => part,
+            };
         }
         let mut part = *self;
         part.size[axis] = match self.size[axis] {

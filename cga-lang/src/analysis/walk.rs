@@ -329,6 +329,7 @@ impl<'w> Walk<'w> {
         let faces = is_face && comp.is_some_and(|row| block.is_plain(row));
         let shape = match (faces, facts.shape.filling) {
             (true, Filling::Box) => facts.shape.face_of_box(selector, block.name.span),
+            (true, Filling::Prism) => facts.shape.face_of_prism(selector, block.name.span),
             (true, _) => Shape::face(block.name.span),
             (false, _) => Shape::ANY,
         };

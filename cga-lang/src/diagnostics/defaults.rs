@@ -1,4 +1,5 @@
-//! Diagnostics that only hold for the defaults of attributes. A host program may set other values.
+//! Diagnostics that only hold for the defaults of attributes, or for initial shapes without height. A host program may
+//! set other values and run other shapes.
 
 use super::agreed::Agreed;
 use super::{repeat, size};
@@ -21,11 +22,31 @@ const TOLD: &[Code] = &[
     Code::TooManyPieces,
 ];
 
-/// Runs the checks with defaults; `certain` are the diagnostics that hold in any case.
+/// The diagnostics that are reported for a shape without height. Splits of the shape itself are not, because rules may be
+/// written for boxes.
+const TOLD_OF_LOTS: &[Code] =
+    &[Code::SlotNeverMade, Code::FloatWithoutSpace, Code::SlotAlwaysCut, Code::SizesBeyondExtent];
+
+/// Runs the checks with defaults and without height; `certain` are the diagnostics that hold in any case.
 pub(crate) fn check(cx: &Context, calls: &Calls, certain: &[Diag]) -> Vec<Diag> {
+    let known = |attrs| Evaluator::new(&cx.globals, &cx.tables, attrs);
+    let (accepted, defaults) = (known(Attrs::Accepted), known(Attrs::Defaults));
+    let mut list = Vec::new();
+    for (flow, told, basis) in [
+        (DataFlow::new(&cx.globals, &defaults, Some(calls)), TOLD, Basis::Defaults as fn(_) -> _),
+        (DataFlow::of_lots(&cx.globals, &accepted, calls), TOLD_OF_LOTS, |_| Basis::Lot(None)),
+        (DataFlow::of_lots(&cx.globals, &defaults, calls), TOLD_OF_LOTS, |names| Basis::Lot(Some(names))),
+    ] {
+        let found = divisions(&flow, told, basis, cx);
+        let known: HashSet<Span> = certain.iter().chain(&list).map(|diag| diag.span).collect();
+        list.extend(found.into_iter().filter(|diag| !known.contains(&diag.span)));
+    }
+    list
+}
+
+/// The diagnostics about splits with one of the codes.
+fn divisions(flow: &DataFlow, told: &[Code], basis: fn(Vec<(String, Span)>) -> Basis, cx: &Context) -> Vec<Diag> {
     let program = cx.globals.program;
-    let known = Evaluator::new(&cx.globals, &cx.tables, Attrs::Defaults);
-    let flow = DataFlow::new(&cx.globals, &known, Some(calls));
     let mut agreed = Agreed::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {
         if !program.roots.contains(&item.instance) {
@@ -37,23 +58,20 @@ pub(crate) fn check(cx: &Context, calls: &Calls, certain: &[Diag]) -> Vec<Diag> 
                 let mut found = Diags::new();
                 size::check(slots, facts, &cx.tables, &mut found);
                 repeat::check(slots, &mut found);
-                let told = found.finish().into_iter().filter(|diag| is_told(diag, slots)).map(|diag| {
-                    let basis = Basis::Defaults(defaults(diag.span, slots, cx.tables.at(item.own), cx));
+                let told = found.finish().into_iter().filter(|diag| is_told(told, diag, slots)).map(|diag| {
+                    let basis = basis(defaults(diag.span, slots, cx.tables.at(item.own), cx));
                     Diag { level: Level::Warning, basis, ..diag }
                 });
                 diags.append(told.collect());
             });
         });
     }
-    let mut list = agreed.finish();
-    let known: HashSet<Span> = certain.iter().map(|diag| diag.span).collect();
-    list.retain(|diag| !known.contains(&diag.span));
-    list
+    agreed.finish()
 }
 
-fn is_told(diag: &Diag, slots: &Slots) -> bool {
+fn is_told(told: &[Code], diag: &Diag, slots: &Slots) -> bool {
     let off = slots.list.iter().any(|slot| slot.size.span == diag.span && slot.value.known() == Some(0.0));
-    TOLD.contains(&diag.code) && !off
+    told.contains(&diag.code) && !off
 }
 
 /// The attributes whose defaults a diagnostic about a slot depends on.

@@ -11,7 +11,7 @@ pub(crate) fn check(row: &Operation, block: &Block, facts: &AbstractState, table
     match facts.shape.filling {
         Filling::Point => of_point(row, block, facts, diags),
         Filling::Footprint => of_footprint(row, block, facts, tables, diags),
-        Filling::Box | Filling::Sheet | Filling::Unknown => {}
+        Filling::Box | Filling::Sheet | Filling::Lot | Filling::Prism | Filling::Unknown => {}
     }
 }
 

@@ -3,7 +3,7 @@
 use super::context::Context;
 use crate::diag::code::Code;
 use crate::diag::count;
-use crate::ops::{self, Param};
+use crate::ops::{self, Braces, Operation, Param};
 use crate::syntax::ast::Name;
 
 /// Returns "2 arguments", "0 or 3 arguments" or "1, 3 or 4 arguments".
@@ -21,22 +21,32 @@ pub(crate) fn counts(counts: impl IntoIterator<Item = usize>) -> String {
     }
 }
 
-/// Reports a call with a wrong number of arguments. The help shows the calls of a function of the language.
+/// Reports a call with a wrong number of arguments. The help shows the calls of a word of the language.
 pub(crate) fn wrong_count(cx: &mut Context, what: &str, name: &Name, takes: Vec<usize>, got: usize) {
     let message = format!("{what} `{}` takes {}, got {got}", name.text, counts(takes));
-    let rows = ops::functions(&name.text).filter(|row| what == "function" && row.old.is_none());
-    let rows = usages(rows.map(|row| (row.name, row.params)));
+    let rows = match what {
+        "function" => {
+            let rows = ops::functions(&name.text).filter(|row| row.old.is_none());
+            usages(rows.map(|row| (row.name, row.params, "")))
+        }
+        "operation" => {
+            let rows = ops::operations(&name.text).filter(|row| row.old.is_none());
+            let tail = |row: &Operation| if row.braces == Braces::None { "" } else { " { … }" };
+            usages(rows.map(|row| (row.name, &row.params[..ops::required(row.params)], tail(row))))
+        }
+        _ => String::new(),
+    };
     let diag = cx.diags.report(Code::ArgumentCount, name.span, message);
     if !rows.is_empty() {
         diag.help(format!("write {rows}"));
     }
 }
 
-/// The calls of rows of a table: "`s(x, y, z)` or `s(xyz)`".
-pub(crate) fn usages(rows: impl Iterator<Item = (&'static str, &'static [Param])>) -> String {
-    let call = |(name, params): (&str, &[Param])| {
+/// The calls of rows of a table, each with the text after it: "`s(x, y, z)` or `s(xyz)`".
+pub(crate) fn usages(rows: impl Iterator<Item = (&'static str, &'static [Param], &'static str)>) -> String {
+    let call = |(name, params, tail): (&str, &[Param], &str)| {
         let params: Vec<&str> = params.iter().map(|param| param.name).collect();
-        format!("`{name}({})`", params.join(", "))
+        format!("`{name}({}){tail}`", params.join(", "))
     };
     let mut calls: Vec<String> = rows.map(call).collect();
     calls.dedup();

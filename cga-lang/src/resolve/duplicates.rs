@@ -61,7 +61,7 @@ pub(crate) fn operations(cx: &mut Context) {
         if let Some(row) = rows.into_iter().find(|row| hides(row, &types)) {
             let message = format!(
                 "{} is an operation, so this rule could never be called",
-                arity::usages([(row.name, row.params)].into_iter())
+                arity::usages([(row.name, row.params, "")].into_iter())
             );
             cx.diags.report(Code::DuplicateName, item.decl.name.span, message).help("give the rule another name");
         }

@@ -16,6 +16,9 @@ use crate::syntax::ast::{Expr, ExprKind, Name};
 use crate::syntax::token::Tok;
 use crate::types::Type;
 
+/// The effect of an operation that is not implemented yet, for a note.
+pub(super) const IGNORED: &str = "a run ignores it and reports a fault";
+
 /// Resolves all uses.
 pub(crate) fn uses(cx: &mut Context) {
     let values: Vec<_> = cx.globals.values().cloned().collect();
@@ -165,19 +168,25 @@ impl<'a> Resolver<'_, 'a, '_> {
             _ => return,
         };
         if run == Run::Later {
-            self.not_implemented(name.span, &format!("{name_of}`{}`", name.text), about);
+            let result = match found {
+                Use::Builtin(_) | Use::Shape(_) => {
+                    "in a run it is 0, false, empty text or an empty array, with a fault"
+                }
+                _ => IGNORED,
+            };
+            self.not_implemented(name.span, &format!("{name_of}`{}`", name.text), about, result);
         }
         self.deprecated(name, old);
     }
 
-    /// Reports a known feature that is not implemented yet. `about` is its effect.
-    pub(crate) fn not_implemented(&mut self, span: Span, what: &str, about: &str) {
+    /// Reports a known feature that is not implemented yet. `about` is its effect, `result` the effect of a run.
+    pub(crate) fn not_implemented(&mut self, span: Span, what: &str, about: &str, result: &'static str) {
         let diag = self.cx.diags.report(Code::NotImplemented, span, format!("{what} is not implemented yet"));
         diag.detail = Detail::Later(what.replace('`', ""));
         if !about.is_empty() {
             diag.note(format!("{what}: {about}"));
         }
-        diag.note("a run ignores it and reports a fault");
+        diag.note(result);
     }
 
     pub(crate) fn deprecated(&mut self, name: &Name, old: Option<&str>) {

@@ -3,6 +3,7 @@
 use super::arguments::{has_error, word};
 use super::arity::{counts, usages, wrong_count};
 use super::globals::Namespace;
+use super::names::IGNORED;
 use super::resolver::Resolver;
 use super::tables::Use;
 use super::words::fitting;
@@ -127,7 +128,10 @@ impl<'a> Resolver<'_, 'a, '_> {
             Prefix::Relative => diag.note("only lengths can be relative to the scope"),
             Prefix::Floating => diag.note("only the sizes of a split can float"),
         };
-        diag.help("leave it out");
+        diag.help(match prefix {
+            Prefix::Relative => "leave it out, or multiply: `0.5 * scope.sx` is half of the width",
+            Prefix::Floating => "leave it out",
+        });
     }
 
     /// Resolves a call of an operation or a rule.
@@ -147,8 +151,8 @@ impl<'a> Resolver<'_, 'a, '_> {
         match (fitting.as_slice(), rows.first()) {
             ([], None) => {
                 // With a wrong number of arguments, their meaning is unknown: words would look like unknown names and
-                // relative lengths misplaced.
-                if ops::operations(&name.text).next().is_none() {
+                // relative lengths misplaced. The same is true of the arguments of a function.
+                if ops::operations(&name.text).next().is_none() && ops::functions(&name.text).next().is_none() {
                     args.iter().for_each(|arg| self.expr(&arg.value));
                 }
                 self.undefined(name, args.len());
@@ -207,7 +211,7 @@ impl<'a> Resolver<'_, 'a, '_> {
             ops::operations(text).flat_map(|row| ops::required(row.params)..=row.params.len()).collect();
         if !takes.is_empty() {
             let new = ops::operations(text).filter(|row| row.old.is_none());
-            let rows = usages(new.map(|row| (row.name, row.params)));
+            let rows = usages(new.map(|row| (row.name, row.params, "")));
             let message = format!("operation `{text}` takes {}, got {count}", counts(takes));
             // The help of an operation that only exists for old files.
             let instead = ops::operations(text).find_map(|row| row.old);
@@ -337,7 +341,10 @@ impl<'a> Resolver<'_, 'a, '_> {
             let names = ops::all_operations().filter(|row| row.braces != Braces::None).map(|row| row.name);
             let near = nearest(&name.text, names).map(str::to_owned);
             let message = format!("`{}` does not take a `{{ … }}` block", name.text);
-            self.cx.diags.report(Code::NotAnOperation, name.span, message).suggest(near);
+            let diag = self.cx.diags.report(Code::NotAnOperation, name.span, message).suggest(near);
+            if let Some(help) = habits::step(&name.text) {
+                diag.help(help);
+            }
         }
     }
 
@@ -397,7 +404,7 @@ impl<'a> Resolver<'_, 'a, '_> {
                 [Expr { kind: ExprKind::Text(text), span, .. }] => self.set_name(name, text, *span),
                 _ => {
                     words.iter().for_each(|word| self.expr(word));
-                    self.not_implemented(name.span, "`set` of an attribute whose name is computed", "");
+                    self.not_implemented(name.span, "`set` of an attribute whose name is computed", "", IGNORED);
                     self.note_later(name);
                 }
             },

@@ -2,6 +2,7 @@
 
 use super::arguments::{plain, word};
 use super::arity::wrong_count;
+use super::names::IGNORED;
 use super::resolver::Resolver;
 use super::tables::Use;
 use crate::diag::code::Code;
@@ -121,7 +122,7 @@ impl<'a> Resolver<'_, 'a, '_> {
             }
             _ => self.expr(arg),
         }
-        self.not_implemented(arg.span, "a word that is computed", "");
+        self.not_implemented(arg.span, "a word that is computed", "", IGNORED);
     }
 
     /// Resolves an argument that must be a word of a parameter.

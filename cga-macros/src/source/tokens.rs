@@ -208,6 +208,10 @@ impl InlineReader {
             return self.comment(list);
         }
         let expr: TokenStream = match list.get(1) {
+            Some(TokenTree::Ident(name)) if is_colour_name(&name.to_string()) => {
+                let help = format!("write `\"#{name}\"`; the Rust value of this name is `#({name})`");
+                return self.colour(&list[..2], help);
+            }
             Some(TokenTree::Ident(name)) => TokenTree::from(name.clone()).into(),
             Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis => {
                 TokenTree::from(group.clone()).into()
@@ -229,10 +233,7 @@ impl InlineReader {
             }
             // `#00ff00` begins with a number.
             Some(TokenTree::Literal(digits)) if is_colour(&digits.to_string()) => {
-                let at = self.push(Tok::Str(format!("#{digits}")), span, digits.span());
-                let diag = self.diags.report(Code::Syntax, at, "a colour is text, and `#` begins a Rust value");
-                diag.help(format!("write `\"#{digits}\"`"));
-                return 2;
+                return self.colour(&list[..2], format!("write `\"#{digits}\"`"));
             }
             _ => {
                 let help = "a Rust value is `#name` or `#(expression)`; inline comments begin with `//`";
@@ -244,6 +245,14 @@ impl InlineReader {
         let place = list[1].span();
         self.hosts.push(Host { expr, span: place });
         self.push(Tok::Host(handle), span, place);
+        2
+    }
+
+    /// `#00ff00`, a colour without quotes.
+    fn colour(&mut self, list: &[TokenTree], help: String) -> usize {
+        let [sign, digits] = list else { return list.len() };
+        let at = self.push(Tok::Str(format!("#{digits}")), sign.span(), digits.span());
+        self.diags.report(Code::Syntax, at, "a colour is text, and `#` begins a Rust value").help(help);
         2
     }
 
@@ -342,6 +351,12 @@ fn number_and_unit(written: &str) -> Option<f64> {
 /// Returns true if the token makes a colour after `#`.
 fn is_colour(digits: &str) -> bool {
     matches!(digits.len(), 3 | 6 | 8) && digits.bytes().all(|byte| byte.is_ascii_hexdigit())
+}
+
+/// Returns true if a name is a colour: `ff0000` and `ffffff`, but not `facade`.
+fn is_colour_name(name: &str) -> bool {
+    let is_number = name.bytes().any(|byte| byte.is_ascii_digit());
+    is_colour(name) && 3 < name.len() && (is_number || name.bytes().all(|byte| name.starts_with(char::from(byte))))
 }
 
 /// The punctuation at a position up to the next space.

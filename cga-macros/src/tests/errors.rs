@@ -78,6 +78,12 @@ fn habits_of_other_languages_are_named_once() {
         ("Lot --> case 3 < 4 & 4 < 5 : X. else : Y.", "`&` has no meaning in CGA", "write `&&`"),
         ("Lot --> extrude(3 < 4 ? 5 : 6) X.", "`?` has no meaning in CGA", "write `case condition : a else : b`"),
         ("Lot --> color(#00ff00) X.", "a colour is text", "write `\"#00ff00\"`"),
+        (
+            "Lot --> color(#ff00aa) X.",
+            "a colour is text",
+            "write `\"#ff00aa\"`; the Rust value of this name is `#(ff00aa)`",
+        ),
+        ("Lot --> color(#ffffff) X.", "a colour is text", "write `\"#ffffff\"`"),
         ("attr h = 3 Lot --> if h > 3 : X. else : Y.", "a condition begins with `case`", "write `case h > 3 :`"),
         ("attr h = 3 Lot --> case h <> 3 : X. else : Y.", "`<>` is not an operator", "write `!=`"),
         ("attr a = 3 Lot --> case not a > 3 : X. else : Y.", "`not` is not an operator", "write `!(a > 3)`"),
@@ -85,6 +91,19 @@ fn habits_of_other_languages_are_named_once() {
         ("Lot --> comp(f) { side => X. }", "expected `:` after the selector, found `=>`", "write `:`"),
         ("Lot --> split(x) { 3 = X. | ~1 : Y. }", "expected `:` after the size, found `=`", "write `:`"),
         ("attr h: f32 = 3 Lot --> extrude(h) X.", "types cannot be declared", "write `attr h = …`"),
+        ("let h = 3 Lot --> extrude(h) X.", "`let` does not begin a declaration", "write `attr h = 3`"),
+        ("attr h Lot --> extrude(h) X.", "expected `=` after this", "write `attr h = …`"),
+        ("Lot --> minimumDistance(inter, \"a\") X.", "`minimumDistance` is a function", ""),
+        (
+            "Lot --> scatter(20) { X. }",
+            "operation `scatter` takes 3 or 5",
+            "write `scatter(domain, nPoints, distributionType) { … }`",
+        ),
+        (
+            "Lot --> repeat(x) { ~2 : X. }",
+            "`repeat` does not take a `{ … }` block",
+            "`split(x) { { ~size : … }* }` repeats a slot",
+        ),
         ("import lib \"lib.cga\" Lot --> lib.Wall", "expected `:`, found a string", "write `import lib : "),
     ] {
         let list = errors(&format!("grammar A; {rules}"));

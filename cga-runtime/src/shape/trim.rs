@@ -44,8 +44,8 @@ pub(crate) enum Trims {
     Side(DVec2),
     /// The planes of a face of a mesh.
     Face(Arc<Surface>, u32),
-    /// A list of planes.
-    Planes(Arc<[TrimPlane]>),
+    /// The planes of a shape and those of a part of it.
+    Joined(Arc<JoinedTrims>),
 }
 
 impl Trims {
@@ -55,7 +55,7 @@ impl Trims {
             Trims::None => Arc::default(),
             Trims::Side(size) => side(*size, pivot).into(),
             Trims::Face(surface, face) => surface.planes(*face),
-            Trims::Planes(planes) => planes.clone(),
+            Trims::Joined(joined) => joined.planes.get_or_init(|| joined.find()).clone(),
         }
     }
 
@@ -69,13 +69,47 @@ impl Trims {
     #[cold]
     #[inline(never)]
     fn joined(&self, pivot: &Frame, other: Trims, other_pivot: Frame) -> Trims {
-        match (self, other) {
+        if matches!(other, Trims::None) && (*pivot == other_pivot || !matches!(self, Trims::Side(_))) {
             // Only the planes of a side depend on the pivot.
-            (Trims::Side(_), Trims::None) if *pivot == other_pivot => self.clone(),
-            (Trims::None | Trims::Face(..) | Trims::Planes(_), Trims::None) => self.clone(),
-            (_, other) => {
-                Trims::Planes(self.planes(pivot).iter().chain(&*other.planes(&other_pivot)).copied().collect())
-            }
+            return self.clone();
+        }
+        let (whole, part) = ((self.clone(), *pivot), (other, other_pivot));
+        Trims::Joined(Arc::new(JoinedTrims { whole, part, planes: OnceLock::new() }))
+    }
+}
+
+/// The planes of a shape and those of a part of it. Parts of parts share the planes of the shape, so a recursive rule that divides
+/// what is left adds no more than its own planes.
+#[derive(Debug)]
+pub(crate) struct JoinedTrims {
+    /// The planes of the shape, with its pivot.
+    whole: (Trims, Frame),
+    /// The planes of the part, with its pivot.
+    part: (Trims, Frame),
+    /// All planes, made on first use.
+    planes: OnceLock<Arc<[TrimPlane]>>,
+}
+
+impl JoinedTrims {
+    /// The planes, those of the outermost shape first. Rules may be nested so deeply that recursion would overflow the stack.
+    fn find(&self) -> Arc<[TrimPlane]> {
+        let (mut parts, mut joined) = (vec![&self.part], self);
+        while let Trims::Joined(whole) = &joined.whole.0 {
+            joined = whole;
+            parts.push(&joined.part);
+        }
+        parts.push(&joined.whole);
+        parts.iter().rev().flat_map(|(trims, pivot)| trims.planes(pivot).to_vec()).collect()
+    }
+}
+
+impl Drop for JoinedTrims {
+    fn drop(&mut self) {
+        let mut next = std::mem::take(&mut self.whole.0);
+        // Without recursion, as in `find`.
+        while let Trims::Joined(joined) = next {
+            let Some(mut last) = Arc::into_inner(joined) else { break };
+            next = std::mem::take(&mut last.whole.0);
         }
     }
 }
@@ -196,4 +230,23 @@ impl Hull {
 fn angle(along: DVec2) -> f64 {
     let angle = libm::atan2(along.y, along.x);
     if angle <= -FRAC_PI_2 { angle + TAU } else { angle }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_planes_of_deeply_nested_parts_need_no_stack() {
+        let pivot = |depth: u32| Frame { origin: DVec3::X * f64::from(depth), ..Frame::WORLD };
+        let mut trims = Trims::Side(DVec2::ONE);
+        for depth in 1..100_000 {
+            trims = trims.with(&pivot(depth - 1), Trims::Side(DVec2::ONE), &pivot(depth));
+        }
+        let planes = trims.planes(&pivot(99_999));
+        assert_eq!(planes.len(), 400_000);
+        // The outermost shape comes first.
+        assert!(planes.chunks(4).zip(0..).all(|(side, depth)| side[0].point == pivot(depth).origin));
+        assert!(Arc::ptr_eq(&planes, &trims.clone().planes(&pivot(0))));
+    }
 }

@@ -60,10 +60,7 @@ impl<'a> Layout<'a> {
     /// The position after a name at `position` that is not an import. The name includes dots if such a rule is
     /// declared.
     fn dotted_end(&self, position: usize) -> usize {
-        let mut end = position + 1;
-        while self.at(end) == Some(&Tok::Joint) && self.word(end + 1).is_some() {
-            end += 2;
-        }
+        let end = self.joined_end(position, |end| self.at(end) == Some(&Tok::Joint));
         if position + 1 < end && self.head_behind(position, end) == Some(Head::Rule) {
             return end;
         }
@@ -81,11 +78,16 @@ impl<'a> Layout<'a> {
 
     /// The position after words joined by dots.
     pub(super) fn path_end(&self, position: usize) -> usize {
-        let mut next = position + 1;
-        while self.is(next, Sym::Dot) && self.word(next + 1).is_some() {
-            next += 2;
+        self.joined_end(position, |end| self.is(end, Sym::Dot))
+    }
+
+    /// The position after words between which `joins` holds.
+    fn joined_end(&self, position: usize, joins: impl Fn(usize) -> bool) -> usize {
+        let mut end = position + 1;
+        while end < position + LONGEST_HEAD && joins(end) && self.word(end + 1).is_some() {
+            end += 2;
         }
-        next
+        end
     }
 
     /// Returns true if the parentheses at `position` replace attributes and rules of an import.

@@ -130,7 +130,11 @@ impl Parser<'_> {
             None => {
                 let known = self.value_name(&name, if word == "attr" { "an attribute" } else { "a constant" }, &params);
                 self.type_behind_name(|| format!("{word} {} = …", name.text));
-                self.expect(Sym::Assign).inspect_err(|_| lose(self))?;
+                if !self.eat(Sym::Assign) {
+                    lose(self);
+                    let help = format!("write `{word} {} = …`: its type follows from the value", name.text);
+                    return Err(self.expected("`=`").help(help).into());
+                }
                 let value = self.body_expr();
                 if !known {
                     lose(self);

@@ -4,7 +4,7 @@
 //! name.
 
 use super::layout::Head;
-use super::type_words::is_type;
+use super::type_words::{is_binding, is_type};
 use super::{Parsed, Parser};
 use crate::diag::RELATIVE;
 use crate::diag::code::Code;
@@ -192,7 +192,7 @@ impl Parser<'_> {
         let declared = !self.layout.is_border(next) || self.layout.head(next) == Some(Head::Function);
         if self.peek().and_then(Tok::ident).is_some_and(is_type) && self.nth_is_name(1) && declared {
             let rest = self.written(next, self.layout.border(next + 1));
-            self.no_types(self.at, format!("{word} {rest}"));
+            self.no_types(self.at, format!("{word} {}", rest.trim_end_matches([' ', ';'])));
             self.bump();
         }
     }
@@ -217,6 +217,11 @@ impl Parser<'_> {
 
     fn no_types(&mut self, at: usize, so: String) {
         let span = self.span_at(at);
+        if self.layout.at(at).and_then(Tok::ident).is_some_and(is_binding) {
+            let message = format!("`{}` does not begin a declaration", self.written(at, at + 1));
+            self.diags.report(Code::Syntax, span, message).help(format!("write `{so}`"));
+            return;
+        }
         self.diags
             .report(Code::Syntax, span, "types cannot be declared")
             .note("the type of a value follows from its expression")

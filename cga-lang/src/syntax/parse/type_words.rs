@@ -10,3 +10,8 @@ const TYPES: &[&str] = &[
 pub(super) fn is_type(word: &str) -> bool {
     TYPES.contains(&word)
 }
+
+/// Returns true if a word declares a variable in other languages.
+pub(super) fn is_binding(word: &str) -> bool {
+    matches!(word, "let" | "var")
+}

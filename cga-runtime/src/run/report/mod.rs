@@ -141,6 +141,15 @@ impl Collection {
     }
 }
 
+impl<'a> IntoIterator for &'a Reports {
+    type Item = &'a Collection;
+    type IntoIter = std::collections::btree_map::Values<'a, (Text, ValueType), Collection>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.collections.values()
+    }
+}
+
 impl Reports {
     /// The collections, sorted by key. Under one key, numbers come before truth values and truth values before text.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &Collection> + Clone + '_ {
