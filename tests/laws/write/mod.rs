@@ -5,6 +5,7 @@
 
 mod blocks;
 mod masses;
+mod meshes;
 mod prologue;
 mod repeats;
 mod steps;

@@ -3,6 +3,7 @@
 //! Rules print and report little, so that most parts are derived from templates.
 
 use super::masses::MASSES;
+use super::meshes::MESHES;
 use super::{Here, Writer};
 
 /// The rules, from a façade down to its smallest parts.
@@ -178,6 +179,9 @@ impl Writer {
                 self.texture(here);
             } else if is_open && self.chance(60) {
                 self.open(here);
+            } else if self.chance(8) {
+                let step = self.fill(MESHES);
+                self.line(here, &step);
             } else if self.chance(85) {
                 let step = self.fill(&RIGID[..RIGID.len() - 8]);
                 self.line(here, &step);

@@ -1,6 +1,7 @@
 //! Steps that change the current shape, and the values in them.
 
 use super::masses::MASSES;
+use super::meshes::MESHES;
 use super::{Here, Writer};
 
 /// Operations. Those that make boxes and rectangles, or ask much of them, come more often.
@@ -88,7 +89,12 @@ impl Writer {
                 self.texture(here);
                 continue;
             }
-            let step = if self.chance(12) { self.fill(MASSES) } else { self.fill(STEPS) };
+            let list = match self.random.below(100) {
+                0..12 => MASSES,
+                12..20 => MESHES,
+                _ => STEPS,
+            };
+            let step = self.fill(list);
             self.line(here, &step);
         }
     }
