@@ -1,5 +1,6 @@
 //! Extreme numbers, depths and limits.
 
+use cga::glam::{DAffine3, DVec3};
 use cga::{Error, LimitKind, Limits, Model, Settings, Shape, cga};
 
 fn names(model: &Model) -> Vec<&'static str> {
@@ -160,6 +161,13 @@ fn an_initial_shape_without_meaning_is_refused_when_a_run_begins() {
             Shape::cuboid(1.0, 1.0, odd),
         ] {
             assert_eq!(run(shape), "a size or position of the initial shape is NaN, infinite or too large");
+        }
+    }
+    for odd in [f64::NAN, f64::INFINITY] {
+        for mesh in [Shape::mesh, Shape::mesh_axis_aligned] {
+            let cube = Shape::cuboid(1.0, 1.0, 1.0).to_mesh();
+            let mapped = cube.map(&DAffine3::from_translation(DVec3::new(odd, 0.0, 0.0)));
+            assert_eq!(run(mesh(mapped)), "a coordinate of the initial shape is NaN or infinite");
         }
     }
     let negative = |sizes| format!("the initial shape has a negative size: {sizes}");

@@ -247,11 +247,16 @@ impl Shape {
     }
 
     /// Checks that a run can start with the shape. A negative size mirrors a shape inside a run, but an initial shape
-    /// has none.
+    /// has none. A mapped mesh may have coordinates that are NaN, which no bounding box shows.
     pub(crate) fn check_initial(&self) -> Result<(), Error> {
         if self.scope.size.min_element() < 0.0 {
             let message = format!("the initial shape has a negative size: {}", self.scope.size);
             return Err(Error::Shape(message));
+        }
+        if let Geometry::Mesh(placed) = &self.geometry
+            && !placed.mesh.points().iter().all(|point| point.is_finite())
+        {
+            return Err(Error::Shape("a coordinate of the initial shape is NaN or infinite".into()));
         }
         self.check()
     }

@@ -151,7 +151,9 @@ impl Input<'_> {
         let tree = BoundsTree::of(&boxes);
         let overlapping = meet_all(&mut points, &mut edges, &mut facets, &tree, budget)?;
         let groups = PlaneGroups::of(&points, &mut edges, &mut facets, &overlapping, budget)?;
-        noding::divide_edges(&mut points, &mut edges, &mut facets, &groups, budget)?;
+        let divided = noding::divide_edges(&mut points, &mut edges, &mut facets, &groups, budget);
+        budget.spend_edges(&edges);
+        divided?;
         let mut cells = groups.cells(&points, &edges, &facets, budget)?;
         facets.truncate(mesh_of.len());
         close_shells(&edges, &facets, &mesh_of, &mut shells);

@@ -132,7 +132,7 @@ fn compare_edges(
             None => (0..number).for_each(|other| _ = look(other)),
         }
         budget.spend(visited + near.len())?;
-        if budget.edges < points.at.len() || 4 * budget.edges < cuts.len() {
+        if budget.points < points.at.len() || 4 * budget.edges < cuts.len() {
             return Err(BooleanError::TooMany);
         }
         near.sort_unstable();

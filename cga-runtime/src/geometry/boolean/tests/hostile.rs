@@ -151,6 +151,23 @@ fn too_many_crossings_are_refused() {
 }
 
 #[test]
+fn edges_of_all_attempts_count() {
+    // Moved by about an epsilon, so that the first attempt fails.
+    let ball = sphere(12, 8);
+    let moved = ball.map(&DAffine3::from_translation(DVec3::new(0.61e-8, 0.37e-8, -0.7e-8)));
+    let within = |edges: usize| {
+        let budget = Budget { edges, ..Budget::DEFAULT };
+        combine_within(budget, BooleanOp::Union, [from_ref(&ball), from_ref(&moved)], 0.0)
+    };
+    let made = within(Budget::DEFAULT.edges).unwrap();
+    assert!(made.is_closed() && (made.volume() - ball.volume()).abs() < 1e-6);
+    // Too few for the first attempt, for the one that succeeds, and enough for both.
+    let mut found: Vec<Option<BooleanError>> = (0..1_000).step_by(50).map(|edges| within(edges).err()).collect();
+    found.dedup();
+    assert_eq!(found, [Some(BooleanError::TooMany), Some(BooleanError::Tangled), None]);
+}
+
+#[test]
 fn the_same_solid_many_times_is_that_solid() {
     let ball = sphere(12, 8);
     let all = vec![ball.clone(); 8];
