@@ -19,7 +19,7 @@ fn walls_of_a_lot_are_as_high_as_its_extrusion() {
     let corners = [[0.0, 0.0], [14.0, 0.0], [14.0, 12.0], [8.0, 12.0], [8.0, 7.0], [0.0, 7.0]];
     for step in 0..60 {
         let number = f64::from(step);
-        let (sin, cos) = (0.37 * number).sin_cos();
+        let (sin, cos) = libm::sincos(0.37 * number);
         let turned = corners.map(|[x, z]: [f64; 2]| [x * cos - z * sin + 977.3 * number, x * sin + z * cos]);
         for lot in [Shape::footprint(&turned, &[]).expect("an outline"), Shape::rectangle(1.0 + number, 7.3)] {
             let mass = Mass { tilt: f64::from(step % 3) * 7.1, height: 1.0 + 0.31 * number };
