@@ -49,7 +49,7 @@ mod tests {
     fn a_polygon_is_filled_if_its_holes_are_inside() {
         let outline = ring(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]);
         let hole = |x: f64| ring(&[[x, 1.0], [x, 2.0], [x + 1.0, 2.0], [x + 1.0, 1.0]]);
-        assert!(is_filled(&[outline.clone()]) && is_filled(&[outline.clone(), hole(1.0)]));
+        assert!(is_filled(std::slice::from_ref(&outline)) && is_filled(&[outline.clone(), hole(1.0)]));
         assert!(!is_filled(&[outline.clone(), hole(3.5)]) && !is_filled(&[outline.clone(), hole(5.0)]));
         let back = hole(1.0).into_iter().rev().collect();
         assert!(!is_filled(&[outline, back]));
