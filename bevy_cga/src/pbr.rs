@@ -200,7 +200,7 @@ fn textures(part: &CgaMesh) -> Vec<TextureKey> {
     .collect()
 }
 
-/// Loads the image of a map, which repeats. Images that are no files, such as those inside a mesh file, are left out.
+/// Loads the image of a map, which repeats. Images inside a mesh file and built-in ones are left out.
 fn load(server: &AssetServer, folder: &std::path::Path, texture: &TextureKey) -> Option<Handle<Image>> {
     let name = texture.image.replace('\\', "/");
     if name.starts_with("builtin:") || name.contains('#') {

@@ -16,14 +16,16 @@ mod codegen;
 
 mod editor;
 mod header;
+mod input;
 mod output;
 mod problem;
 mod report;
 mod source;
 mod stub;
 
-use cga_lang::compile::compile;
 use proc_macro2::TokenStream;
+
+use input::Input;
 
 /// Checks CGA rules and turns them into Rust.
 ///
@@ -97,14 +99,10 @@ pub fn words_for_editors(_: proc_macro::TokenStream) -> proc_macro::TokenStream 
 }
 
 fn expand(input: TokenStream) -> TokenStream {
-    let (header, body) = header::read(input);
-    let mut source = match body.and_then(|body| source::open(&header, body)) {
-        Ok(source) => source,
-        Err(problem) => return stub::behind(&problem, &header),
+    let Input { header, source, compiled } = match Input::read(input) {
+        Ok(input) => input,
+        Err(problem) => return problem,
     };
-    let mut imports = source::Imports::new();
-    let compiled = compile(source.unit(), &mut imports, &header.levels);
-    source.import(&compiled, imports.opened());
     let findings = report::findings(&compiled.diags, &source);
     let output = match &compiled.grammar {
         Some(grammar) if !findings.has_errors => codegen::grammar(grammar, &header, &source),

@@ -40,7 +40,7 @@ pub(crate) fn crown() -> Result<Mesh, MeshError> {
         }
         let [x, y, z] = at.map(f64::from);
         let length = (x * x + y * y + z * z).sqrt();
-        // Lumps, so that crowns are no perfect balls.
+        // The crowns of trees are lumpy.
         let radius = 0.5 - 0.035 * f64::from((at[0] * 7 + at[1] * 5 + at[2] * 3).rem_euclid(4));
         let index = builder.point([x, y, z].map(|part| 0.5 + radius * part / length));
         known.push((at, index));

@@ -1,7 +1,7 @@
 //! A module for each context, with the names that fit it and the names that are used in it.
 //!
 //! rust-analyzer completes a name at its place in the expansion. It expands the rules with the name and without it, and looks in
-//! the second expansion for the module before the name, at the same byte. So the names that nobody knows come first, one list
+//! the second expansion for the module before the name, at the same byte. So unknown names come first, one list
 //! for each context, and each list ends with a long name that is always there. Nothing that a half-written name changes is
 //! before them.
 

@@ -12,26 +12,23 @@ mod names;
 mod scopes;
 mod words;
 
-use cga_lang::compile::{Compiled, compile};
+use cga_lang::compile::Compiled;
 use proc_macro2::TokenStream;
 
 use crate::codegen::PublicAttr;
-use crate::header::{self, Header};
-use crate::source::{self, Source};
+use crate::header::Header;
+use crate::input::Input;
+use crate::source::Source;
 use crate::{output, report, stub};
 
 pub(crate) use words::words;
 
 /// The expansion for editors.
 pub(crate) fn expand(input: TokenStream) -> TokenStream {
-    let (header, body) = header::read(input);
-    let mut source = match body.and_then(|body| source::open(&header, body)) {
-        Ok(source) => source,
-        Err(problem) => return stub::behind(&problem, &header),
+    let Input { header, source, compiled } = match Input::read(input) {
+        Ok(input) => input,
+        Err(problem) => return problem,
     };
-    let mut imports = source::Imports::new();
-    let compiled = compile(source.unit(), &mut imports, &header.levels);
-    source.import(&compiled, imports.opened());
     let fields = stub::fields(&compiled, &source);
     let names = inline(&compiled, &header, &source, &fields);
     let aside: TokenStream = [names, report::errors(&compiled.diags, &source)].into_iter().collect();
@@ -49,7 +46,7 @@ fn inline(compiled: &Compiled, header: &Header, source: &Source, fields: &[Publi
         const _: () = {
             #[allow(non_upper_case_globals, non_snake_case, dead_code)]
             mod names {
-                macro_rules! computed { () => { ::core::todo!() } }
+                macro_rules! computed { () => { ::core::unreachable!() } }
                 #modules
             }
             #outside

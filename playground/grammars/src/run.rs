@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 
 use crate::catalog::{CatalogEntry, entries, entry};
 
-/// What to run. A page sends it as JSON.
+/// A request for a run. A page sends it as JSON.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Request {
