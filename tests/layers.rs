@@ -39,7 +39,7 @@ const CRATES: &[Layers] = &[
     },
     Layers {
         package: "cga-macros",
-        layers: &["problem", "header", "source", "report", "output", "codegen", "stub", "editor"],
+        layers: &["problem", "header", "source", "report", "output", "codegen", "stub", "input", "editor"],
     },
     Layers {
         package: "cga-runtime",
