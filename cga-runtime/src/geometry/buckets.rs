@@ -5,7 +5,7 @@
 pub(crate) struct Buckets {
     /// The end of each key's items.
     ends: Vec<u32>,
-    pub(super) items: Vec<u32>,
+    pub(crate) items: Vec<u32>,
 }
 
 impl Buckets {

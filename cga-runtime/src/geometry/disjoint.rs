@@ -1,7 +1,7 @@
 //! Disjoint sets of numbers (union-find).
 
 /// Disjoint sets of the numbers below a count, each named by its smallest member.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct DisjointSets {
     /// A smaller member of the same set, or the number itself if it is the smallest.
     parent: Vec<u32>,
@@ -49,6 +49,25 @@ impl DisjointSets {
             // Smaller numbers are flat already.
             self.parent[number] = self.parent[self.parent[number] as usize];
         }
+    }
+
+    /// Makes every later [`find`](Self::find) of some numbers a single step. They are sorted, and for each of them all
+    /// members of its set are among them.
+    pub(crate) fn flatten_some(&mut self, numbers: &[u32]) {
+        for &number in numbers {
+            self.parent[number as usize] = self.parent[self.parent[number as usize] as usize];
+        }
+    }
+
+    /// Changes the count. New numbers are sets of their own.
+    pub(crate) fn resize(&mut self, count: usize) {
+        self.parent.truncate(count);
+        self.parent.extend(self.parent.len() as u32..count as u32);
+    }
+
+    /// Makes a number a set of its own. The other members of its set must follow before the next search.
+    pub(crate) fn isolate(&mut self, number: u32) {
+        self.parent[number as usize] = number;
     }
 
     /// The same as [`find`](Self::find), and shortens later searches.

@@ -31,6 +31,10 @@ pub(crate) fn comes_first(a: DVec2, b: DVec2) -> bool {
 
 #[cold]
 fn orient_exact(a: DVec2, b: DVec2, c: DVec2) -> i32 {
+    // Neighbouring edges of a polygon share points.
+    if a == b || b == c || c == a {
+        return 0;
+    }
     /// 2^-550 and 2^550. They make products of large coordinates finite, and products of small ones normal.
     const SMALLER: f64 = f64::from_bits((1023 - 550) << 52);
     const LARGER: f64 = f64::from_bits((1023 + 550) << 52);

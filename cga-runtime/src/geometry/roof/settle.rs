@@ -6,8 +6,9 @@
 use glam::{DMat3, DVec2, DVec3};
 
 use super::Outline;
+use crate::geometry::buckets::Buckets;
 use crate::geometry::nesting::extent::Extent;
-use crate::geometry::skeleton::{Speeds, Swept};
+use crate::geometry::skeleton::{Speeds, Strip, Swept};
 use crate::geometry::tol::{MEETING_EPSILONS, SETTLE_DAMPING};
 
 /// Repetitions, each of which reduces the effect of the damping.
@@ -18,26 +19,34 @@ pub(super) fn settle(swept: &mut Swept, outline: &Outline<'_>, speeds: Speeds<'_
     let given = outline.points.len();
     let Extent { low, high } = Extent::of(outline.points.iter().copied());
     let farthest = MEETING_EPSILONS.iter().copied().fold(0.0, f64::max) * (high - low).max_element();
-    // For each new point the planes: the normal and the speed, and the place of the edge.
-    let mut planes: Vec<Vec<(DVec3, DVec2)>> = vec![Vec::new(); swept.points.len() - given];
     let edges = outline.edges();
-    for strip in &swept.strips {
+    // The plane of each strip: the normal and the speed, and a place on the edge.
+    let plane = |strip: &Strip| {
         let edge = edges[strip.edge as usize];
         let speed = speeds.of(strip.edge as usize);
-        let plane = (outline.along(edge).perp().extend(-speed), outline.at(edge[0]));
-        for point in strip.ring.iter().filter(|&&point| given <= point as usize) {
-            planes[*point as usize - given].push(plane);
-        }
+        (outline.along(edge).perp().extend(-speed), outline.at(edge[0]))
+    };
+    let all: Vec<(DVec3, DVec2)> = swept.strips.iter().map(plane).collect();
+    // Each new point of each strip, with the number of the strip.
+    let mut corners: Vec<[u32; 2]> = Vec::new();
+    for (number, strip) in (0..).zip(&swept.strips) {
+        corners.extend(strip.ring.iter().filter_map(|&point| Some([point.checked_sub(given as u32)?, number])));
     }
-    for (point, planes) in (given..).zip(&planes).filter(|(_, planes)| 3 <= planes.len()) {
+    let around = Buckets::by(swept.points.len() - given, corners.iter().map(|corner| corner[0]));
+    for point in given..swept.points.len() {
+        let around = around.of(point - given);
+        if around.len() < 3 {
+            continue;
+        }
+        let planes = || around.iter().map(|&corner| &all[corners[corner as usize][1] as usize]);
         let from = swept.points[point].extend(swept.times[point]);
         let outer = |v: DVec3| DMat3::from_cols(v * v.x, v * v.y, v * v.z);
         let damped = DMat3::from_diagonal(DVec3::splat(SETTLE_DAMPING));
-        let inverse = planes.iter().fold(damped, |sum, plane| sum + outer(plane.0)).inverse();
+        let inverse = planes().fold(damped, |sum, plane| sum + outer(plane.0)).inverse();
         let mut at = from;
         for _ in 0..ROUNDS {
             let miss = |(normal, place): &(DVec3, DVec2)| normal * -normal.dot(at - place.extend(0.0));
-            at += inverse * planes.iter().map(miss).sum::<DVec3>();
+            at += inverse * planes().map(miss).sum::<DVec3>();
         }
         if (at - from).length() <= farthest {
             (swept.points[point], swept.times[point]) = (at.truncate(), at.z);

@@ -18,6 +18,10 @@ impl SegmentEnd {
         let (SegmentEnd::Vertex(vertex) | SegmentEnd::Cluster(vertex)) = self;
         vertex
     }
+
+    fn is_cluster(self) -> bool {
+        matches!(self, SegmentEnd::Cluster(_))
+    }
 }
 
 /// An edge of the wavefront, or the part of an edge between clusters.
@@ -30,38 +34,65 @@ pub(super) struct Segment {
     pub(super) line: u32,
 }
 
-/// The numbers of the segments that end and begin at a cluster.
-#[derive(Debug)]
-pub(super) struct Incidence {
-    pub(super) cluster: u32,
-    pub(super) incoming: Vec<usize>,
-    pub(super) outgoing: Vec<usize>,
+/// A segment that ends or begins at a cluster.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Incidence {
+    cluster: u32,
+    segment: usize,
 }
 
-/// All segments with a cluster at one end or both.
-#[derive(Debug)]
+/// The numbers of the segments that end and begin at a cluster.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Star<'a> {
+    incoming: &'a [Incidence],
+    outgoing: &'a [Incidence],
+}
+
+impl Star<'_> {
+    pub(super) fn incoming(&self) -> impl ExactSizeIterator<Item = usize> {
+        self.incoming.iter().map(|incidence| incidence.segment)
+    }
+
+    pub(super) fn outgoing(&self) -> impl ExactSizeIterator<Item = usize> {
+        self.outgoing.iter().map(|incidence| incidence.segment)
+    }
+}
+
+/// All segments with a cluster at one end or both. The lists keep their memory from event to event.
+#[derive(Debug, Default)]
 pub(super) struct Arrangement {
     /// The segments, in the order of edges, then along each edge.
     pub(super) segments: Vec<Segment>,
     /// Pairs of opposite segments between the same two clusters, which are removed from the segments.
     pub(super) cancelled: Vec<[Segment; 2]>,
-    /// One entry per cluster where the wavefront changes, in the order of their first vertices.
-    pub(super) incidences: Vec<Incidence>,
+    /// The clusters where the wavefront changes, sorted.
+    clusters: Vec<u32>,
+    /// Sorted.
+    incoming: Vec<Incidence>,
+    outgoing: Vec<Incidence>,
+    /// The segments that each continue with another one. [`rejoin`](super::rejoin) fills the list.
+    pub(super) pairs: Vec<[usize; 2]>,
+    /// For each vertex whether it names a cluster where the wavefront changes. All false between calls.
+    changes: Vec<bool>,
+    /// The places where clusters divide edges: the edge, the distance along its line, the cluster.
+    divisions: Vec<(u32, f64, u32)>,
+    edges: Vec<u32>,
 }
 
 impl Arrangement {
     /// Divides the edges that touch clusters.
-    pub(super) fn of(front: &Wavefront, contacts: &Contacts) -> Self {
+    pub(super) fn divide(&mut self, front: &Wavefront, contacts: &Contacts) {
         let cluster = |vertex: u32| contacts.cluster(vertex);
         let next = |edge: u32| front.vertices[edge as usize].next;
         let vertices = contacts.vertices();
+        let Arrangement { changes, divisions, edges, .. } = self;
+        changes.resize(front.vertices.len(), false);
         // Vertices without a contact do not change.
-        let mut changes = vec![false; front.vertices.len()];
         for &vertex in vertices.iter().filter(|&&vertex| cluster(vertex) != vertex) {
             changes[cluster(vertex) as usize] = true;
         }
         contacts.tips().for_each(|vertex| changes[cluster(vertex) as usize] = true);
-        let mut divisions: Vec<(u32, f64, u32)> = Vec::new();
+        divisions.clear();
         for [edge, vertex] in contacts.on_edges() {
             let here = cluster(vertex);
             if here != cluster(edge) && here != cluster(next(edge)) {
@@ -73,7 +104,8 @@ impl Arrangement {
         divisions.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
         divisions.dedup_by_key(|division| (division.0, division.2));
         let changing = vertices.iter().filter(|&&vertex| changes[cluster(vertex) as usize]);
-        let mut edges: Vec<u32> = changing.flat_map(|&v| [v, front.vertices[v as usize].last]).collect();
+        edges.clear();
+        edges.extend(changing.flat_map(|&v| [v, front.vertices[v as usize].last]));
         edges.extend(divisions.iter().map(|division| division.0));
         edges.sort_unstable();
         edges.dedup();
@@ -81,55 +113,74 @@ impl Arrangement {
             let cluster = cluster(vertex);
             if changes[cluster as usize] { SegmentEnd::Cluster(cluster) } else { SegmentEnd::Vertex(vertex) }
         };
-        let mut segments: Vec<Segment> = Vec::new();
-        for &edge in &edges {
+        self.segments.clear();
+        for &edge in &*edges {
             let first = divisions.partition_point(|division| division.0 < edge);
             let on = divisions[first..].iter().take_while(|division| division.0 == edge);
             let mut from = end(edge);
             for to in on.map(|division| SegmentEnd::Cluster(division.2)).chain([end(next(edge))]) {
                 if from != to {
-                    segments.push(Segment { from, to, edge, line: front.vertices[edge as usize].after });
+                    self.segments.push(Segment { from, to, edge, line: front.vertices[edge as usize].after });
                 }
                 from = to;
             }
         }
-        let cancelled = cancel(&mut segments);
-        let clusters = vertices.iter().copied().filter(|&vertex| changes[vertex as usize]);
-        let incidences = incidences(clusters, &segments);
-        Arrangement { segments, cancelled, incidences }
+        self.clusters.clear();
+        self.clusters.extend(vertices.iter().copied().filter(|&vertex| changes[vertex as usize]));
+        self.clusters.iter().for_each(|&cluster| changes[cluster as usize] = false);
+        cancel(&mut self.segments, &mut self.cancelled);
+        self.join_to_clusters();
+    }
+
+    fn join_to_clusters(&mut self) {
+        self.incoming.clear();
+        self.outgoing.clear();
+        for (segment, &Segment { from, to, .. }) in self.segments.iter().enumerate() {
+            if from.is_cluster() {
+                self.outgoing.push(Incidence { cluster: from.vertex(), segment });
+            }
+            if to.is_cluster() {
+                self.incoming.push(Incidence { cluster: to.vertex(), segment });
+            }
+        }
+        self.incoming.sort_unstable();
+        self.outgoing.sort_unstable();
+    }
+
+    /// The clusters where the wavefront changes, sorted.
+    pub(super) fn clusters(&self) -> &[u32] {
+        &self.clusters
     }
 
     /// The index of a cluster where the wavefront changes.
     pub(super) fn number(&self, cluster: u32) -> Option<usize> {
-        number(&self.incidences, cluster)
+        self.clusters.binary_search(&cluster).ok()
+    }
+
+    /// The segments at each cluster where the wavefront changes, in the order of clusters.
+    pub(super) fn stars(&self) -> impl Iterator<Item = Star<'_>> {
+        let (mut incoming, mut outgoing) = (&self.incoming[..], &self.outgoing[..]);
+        self.clusters.iter().map(move |&cluster| Star {
+            incoming: take(&mut incoming, cluster),
+            outgoing: take(&mut outgoing, cluster),
+        })
     }
 }
 
-fn number(incidences: &[Incidence], cluster: u32) -> Option<usize> {
-    incidences.binary_search_by_key(&cluster, |incidence| incidence.cluster).ok()
+/// Takes the incidences of a cluster from the beginning of a list.
+fn take<'a>(incidences: &mut &'a [Incidence], cluster: u32) -> &'a [Incidence] {
+    let count = incidences.iter().take_while(|incidence| incidence.cluster == cluster).count();
+    let (taken, rest) = incidences.split_at(count);
+    *incidences = rest;
+    taken
 }
 
-fn incidences(clusters: impl Iterator<Item = u32>, segments: &[Segment]) -> Vec<Incidence> {
-    let none = |cluster| Incidence { cluster, incoming: Vec::new(), outgoing: Vec::new() };
-    let mut incidences: Vec<Incidence> = clusters.map(none).collect();
-    for (segment, &Segment { from, to, .. }) in segments.iter().enumerate() {
-        let at = |end: SegmentEnd| match end {
-            SegmentEnd::Cluster(cluster) => number(&incidences, cluster),
-            SegmentEnd::Vertex(_) => None,
-        };
-        let ends = [at(from), at(to)];
-        if let Some(from) = ends[0] {
-            incidences[from].outgoing.push(segment);
-        }
-        if let Some(to) = ends[1] {
-            incidences[to].incoming.push(segment);
-        }
+/// Moves pairs of opposite segments between the same two clusters to another list.
+fn cancel(segments: &mut Vec<Segment>, cancelled: &mut Vec<[Segment; 2]>) {
+    cancelled.clear();
+    if !segments.iter().any(|segment| segment.from.is_cluster() && segment.to.is_cluster()) {
+        return;
     }
-    incidences
-}
-
-/// Removes pairs of opposite segments between the same two clusters.
-fn cancel(segments: &mut Vec<Segment>) -> Vec<[Segment; 2]> {
     // For each pair of clusters the segments from one to the other that are not cancelled, last first.
     let mut between: BTreeMap<[SegmentEnd; 2], Vec<usize>> = BTreeMap::new();
     for (number, segment) in segments.iter().enumerate().rev() {
@@ -138,7 +189,6 @@ fn cancel(segments: &mut Vec<Segment>) -> Vec<[Segment; 2]> {
         }
     }
     let mut gone = vec![false; segments.len()];
-    let mut cancelled = Vec::new();
     for number in 0..segments.len() {
         let segment = segments[number];
         if gone[number] {
@@ -154,5 +204,4 @@ fn cancel(segments: &mut Vec<Segment>) -> Vec<[Segment; 2]> {
     }
     let mut gone = gone.into_iter();
     segments.retain(|_| gone.next() == Some(false));
-    cancelled
 }

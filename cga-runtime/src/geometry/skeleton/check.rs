@@ -22,36 +22,51 @@ impl Wavefront {
         let slack = SLACK * self.epsilon;
         let rounding = MEETING_EPSILONS[0] * self.extent * self.extent;
         let uniform = self.lines.iter().all(|line| line.speed == 1.0);
+        let mut places = Vec::new();
         swept.points.iter().all(|p| p.is_finite())
-            && swept.strips.iter().all(|strip| self.is_possible(strip, &swept.points, slack, uniform))
+            && swept.strips.iter().all(|strip| self.is_possible(strip, &swept.points, slack, uniform, &mut places))
             && self.has_areas(&swept.strips, &swept.points, rounding, uniform || !self.flat)
             && !crosses(&swept.left, &swept.points, slack)
             && self.nests(swept)
     }
 
     /// Returns true if a strip is in front of its edge and, if all speeds are equal, goes along the edge once and returns
-    /// once.
-    fn is_possible(&self, strip: &Strip, points: &[DVec2], slack: f64, uniform: bool) -> bool {
+    /// once. `places` is a buffer.
+    fn is_possible(&self, strip: &Strip, points: &[DVec2], slack: f64, uniform: bool, places: &mut Vec<DVec2>) -> bool {
         let line = &self.lines[strip.edge as usize];
-        let count = strip.ring.len();
-        let at = |i: usize| points[strip.ring[i % count] as usize];
+        // Along the edge, and in front of it.
+        let place = |&point: &u32| {
+            let at = points[point as usize];
+            DVec2::new(line.along.dot(at), line.normal().dot(at) - line.at)
+        };
+        places.clear();
+        places.extend(strip.ring.iter().map(place));
+        let count = places.len();
         // The time can be infinite.
         let farthest = if line.speed == 0.0 { 0.0 } else { self.until * line.speed };
-        let along: Vec<f64> = (0..count).map(|i| line.along.dot(at(i))).collect();
-        let height: Vec<f64> = (0..count).map(|i| line.normal().dot(at(i)) - line.at).collect();
-        let by = |a: &usize, b: &usize| along[*a].total_cmp(&along[*b]);
+        if !places.iter().all(|place| (-slack..=farthest + slack).contains(&place.y)) {
+            return false;
+        }
+        if !uniform {
+            return true;
+        }
+        let by = |a: &usize, b: &usize| places[*a].x.total_cmp(&places[*b].x);
         let (Some(low), Some(high)) = ((0..count).min_by(by), (0..count).max_by(by)) else { return false };
         let runs = |from: usize, to: usize, sign: f64| {
-            let steps = (to + count - from) % count;
-            (from..from + steps).map(|i| (i % count, (i + 1) % count)).all(|(i, next)| {
-                let back = sign * (along[i] - along[next]);
+            let mut i = from;
+            while i != to {
+                let next = if i + 1 == count { 0 } else { i + 1 };
+                let back = sign * (places[i].x - places[next].x);
                 // A vertex that moves nearly along the edge touches it long before its exact contact.
-                let is_flat = (height[i] - height[next]).abs() <= self.epsilon;
-                back <= slack || (is_flat && back <= TOUCH_EPSILON * self.extent)
-            })
+                let is_flat = (places[i].y - places[next].y).abs() <= self.epsilon;
+                if slack < back && !(is_flat && back <= TOUCH_EPSILON * self.extent) {
+                    return false;
+                }
+                i = next;
+            }
+            true
         };
-        height.iter().all(|height| (-slack..=farthest + slack).contains(height))
-            && (!uniform || runs(low, high, 1.0) && runs(high, low, -1.0))
+        runs(low, high, 1.0) && runs(high, low, -1.0)
     }
 
     /// Returns true if no strip is reversed and, if strips are `plain`, each edge has at most one strip, except

@@ -16,14 +16,18 @@ use super::wavefront::Wavefront;
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::segment::nearest_share;
 
-/// The contacts at one time.
-#[derive(Debug)]
+/// The contacts at one time. The lists keep their memory from event to event.
+#[derive(Debug, Default)]
 pub(super) struct Contacts {
     clusters: DisjointSets,
     /// Vertices with possible contacts. The first `compared` of them have been compared with all others.
     reached: Vec<u32>,
     compared: usize,
     is_reached: Vec<bool>,
+    /// The same vertices, sorted, as of the last comparison.
+    sorted: Vec<u32>,
+    /// Edges, each with a vertex that may touch it. Used by comparisons.
+    candidates: Vec<[u32; 2]>,
     /// Edges, each with a vertex that touches it.
     on_edges: BTreeSet<[u32; 2]>,
     /// Vertices where the wavefront changes without another contact: the far ends of overlaps.
@@ -31,14 +35,21 @@ pub(super) struct Contacts {
 }
 
 impl Contacts {
-    pub(super) fn new(vertices: usize) -> Self {
-        Contacts {
-            clusters: DisjointSets::new(vertices),
-            reached: Vec::new(),
-            compared: 0,
-            is_reached: vec![false; vertices],
-            on_edges: BTreeSet::new(),
-            tips: BTreeSet::new(),
+    /// Forgets all contacts. `vertices` is the number of all vertices.
+    pub(super) fn clear(&mut self, vertices: usize) {
+        self.clusters.resize(vertices);
+        self.is_reached.resize(vertices, false);
+        for vertex in self.reached.drain(..) {
+            self.clusters.isolate(vertex);
+            self.is_reached[vertex as usize] = false;
+        }
+        self.compared = 0;
+        // Clearing an empty set costs more than the test.
+        if !self.on_edges.is_empty() {
+            self.on_edges.clear();
+        }
+        if !self.tips.is_empty() {
+            self.tips.clear();
         }
     }
 
@@ -72,11 +83,9 @@ impl Contacts {
         self.clusters.find(vertex)
     }
 
-    /// The vertices with possible contacts, sorted.
-    pub(super) fn vertices(&self) -> Vec<u32> {
-        let mut vertices = self.reached.clone();
-        vertices.sort_unstable();
-        vertices
+    /// The vertices with possible contacts, sorted, as of the last comparison.
+    pub(super) fn vertices(&self) -> &[u32] {
+        &self.sorted
     }
 
     /// Edges, each with a vertex that touches it, in the order of edges.
@@ -99,33 +108,35 @@ impl Wavefront {
     /// Finds the contacts of the reached vertices.
     pub(super) fn compare(&self, contacts: &mut Contacts) {
         let near = self.epsilon * self.epsilon;
-        let first = contacts.compared;
+        // Edges whose boxes have a vertex.
+        let mut candidates = std::mem::take(&mut contacts.candidates);
+        candidates.clear();
         while let Some(&vertex) = contacts.reached.get(contacts.compared) {
             contacts.compared += 1;
             let here = self.positions[vertex as usize];
-            for &other in &self.alive {
+            for (&other, extent) in self.alive.iter().zip(&self.extents) {
+                if !extent.holds(here) {
+                    continue;
+                }
+                candidates.push([other, vertex]);
                 if self.positions[other as usize].distance_squared(here) <= near && other != vertex {
                     contacts.coincide(vertex, other);
                 }
             }
         }
-        contacts.clusters.flatten();
-        for index in first..contacts.reached.len() {
-            let vertex = contacts.reached[index];
+        contacts.sorted.clone_from(&contacts.reached);
+        contacts.sorted.sort_unstable();
+        contacts.clusters.flatten_some(&contacts.sorted);
+        for &[edge, vertex] in &candidates {
+            let next = self.vertices[edge as usize].next;
+            let [start, end] = [edge, next].map(|vertex| self.positions[vertex as usize]);
             let (here, cluster) = (self.positions[vertex as usize], contacts.cluster(vertex));
-            for &edge in &self.alive {
-                let next = self.vertices[edge as usize].next;
-                let [start, end] = [edge, next].map(|vertex| self.positions[vertex as usize]);
-                let (low, high) = (start.min(end) - self.epsilon, start.max(end) + self.epsilon);
-                let is_near = here.cmpge(low).all() && here.cmple(high).all();
-                if is_near
-                    && ![edge, next].map(|end| contacts.cluster(end)).contains(&cluster)
-                    && to_segment(here, start, end) <= near
-                {
-                    contacts.touch(edge, vertex);
-                }
+            if ![edge, next].map(|end| contacts.cluster(end)).contains(&cluster) && to_segment(here, start, end) <= near
+            {
+                contacts.touch(edge, vertex);
             }
         }
+        contacts.candidates = candidates;
     }
 }
 

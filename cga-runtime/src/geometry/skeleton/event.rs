@@ -1,7 +1,7 @@
 //! The times of events: an edge shrinks to a point, or a reflex vertex reaches an edge.
 
 use super::Failure;
-use super::wavefront::{NONE, SplitEvent, Wavefront};
+use super::wavefront::{CollapseEvent, MovingLine, NONE, SplitEvent, Wavefront, WavefrontVertex};
 
 /// An event at the current time, up to rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,12 +18,17 @@ const SLOWEST: f64 = 1e-12;
 impl Wavefront {
     /// The time of the next event; infinity if there is none.
     pub(super) fn next_event(&mut self) -> f64 {
-        let time = |front: &Self, vertex: u32| {
-            let vertex = &front.vertices[vertex as usize];
-            vertex.collapse.min(vertex.split.time)
-        };
         loop {
-            let next = self.alive.iter().fold(f64::INFINITY, |next, &vertex| next.min(time(self, vertex)));
+            let (mut next, mut open) = (f64::INFINITY, false);
+            for &vertex in &self.alive {
+                let WavefrontVertex { collapse, split, .. } = &self.vertices[vertex as usize];
+                let time = if split.time < collapse.time { split.time } else { collapse.time };
+                next = if time < next { time } else { next };
+                open |= split.is_open();
+            }
+            if !open {
+                return next;
+            }
             let soon = next + self.epsilon;
             let is_due = |vertex: &u32| {
                 let split = &self.vertices[*vertex as usize].split;
@@ -43,14 +48,15 @@ impl Wavefront {
     pub(super) fn due(&self) -> Vec<Event> {
         let mut due = Vec::new();
         for &number in &self.alive {
-            let vertex = &self.vertices[number as usize];
-            if vertex.collapse <= self.now || (vertex.collapse.is_finite() && self.length(number) <= self.epsilon) {
+            let WavefrontVertex { collapse, split, .. } = &self.vertices[number as usize];
+            if collapse.near <= self.now && (collapse.time <= self.now || self.length(number) <= self.epsilon) {
                 due.push(Event::Edge(number));
             }
-            let split = vertex.split;
-            if split.edge != NONE
-                && (split.time <= self.now || self.height(number, split.edge, self.now) <= self.epsilon)
-            {
+            let is_reached = |edge: u32| {
+                let height = self.line(edge).height(self.positions[number as usize], self.now);
+                split.time <= self.now || height <= self.epsilon
+            };
+            if split.near <= self.now && split.edge != NONE && is_reached(split.edge) {
                 due.push(Event::Split(number, split.edge));
             }
         }
@@ -68,8 +74,6 @@ impl Wavefront {
         for &edge in &changed {
             self.vertices[edge as usize].collapse = self.collapse(edge);
         }
-        let mut is_changed = vec![false; self.vertices.len()];
-        changed.iter().for_each(|&edge| is_changed[edge as usize] = true);
         for index in 0..self.alive.len() {
             let number = self.alive[index];
             let vertex = &self.vertices[number as usize];
@@ -80,8 +84,8 @@ impl Wavefront {
             self.vertices[number as usize].split = if vertex.born == self.now {
                 self.first_split(number, SplitEvent::NEVER, &self.alive)
             } else {
-                let edge = split.edge as usize;
-                if split.edge != NONE && (!self.vertices[edge].alive || is_changed[edge]) {
+                let edge = split.edge;
+                if edge != NONE && (!self.vertices[edge as usize].alive || changed.binary_search(&edge).is_ok()) {
                     // Other edges are not reached before the time of that edge.
                     split.edge = NONE;
                 }
@@ -91,26 +95,33 @@ impl Wavefront {
         Ok(())
     }
 
-    /// The current length of an edge along its line.
+    /// The line of an edge.
+    fn line(&self, edge: u32) -> &MovingLine {
+        &self.lines[self.vertices[edge as usize].after as usize]
+    }
+
+    /// The length of an edge along its line, at the last positions.
     fn length(&self, edge: u32) -> f64 {
-        let start = &self.vertices[edge as usize];
-        let along = self.lines[start.after as usize].along;
-        along.dot(self.at(start.next, self.now) - self.at(edge, self.now))
+        let next = self.vertices[edge as usize].next;
+        self.line(edge).along.dot(self.positions[next as usize] - self.positions[edge as usize])
     }
 
-    fn collapse(&self, edge: u32) -> f64 {
+    fn collapse(&self, edge: u32) -> CollapseEvent {
         let start = &self.vertices[edge as usize];
-        let along = self.lines[start.after as usize].along;
-        let closing = along.dot(start.velocity - self.vertices[start.next as usize].velocity);
+        let end = &self.vertices[start.next as usize];
+        let along = self.line(edge).along;
+        let closing = along.dot(start.velocity - end.velocity);
         if closing <= SLOWEST {
-            return f64::INFINITY;
+            return CollapseEvent::NEVER;
         }
-        self.now + self.length(edge).max(0.0) / closing
+        let time = self.now + along.dot(end.at(self.now) - start.at(self.now)).max(0.0) / closing;
+        CollapseEvent { time, near: self.before(time, closing) }
     }
 
-    /// The distance of a vertex in front of the line of an edge.
-    fn height(&self, vertex: u32, edge: u32, time: f64) -> f64 {
-        self.lines[self.vertices[edge as usize].after as usize].height(self.at(vertex, time), time)
+    /// A time before a contact when the distance is twice the contact distance, if it becomes smaller by `closing` per
+    /// time.
+    fn before(&self, time: f64, closing: f64) -> f64 {
+        time - 2.0 * self.epsilon / closing
     }
 
     /// The first of some edges that a vertex reaches, if that is before the known split. If the known split is open,
@@ -118,15 +129,14 @@ impl Wavefront {
     fn first_split(&self, vertex: u32, known: SplitEvent, edges: &[u32]) -> SplitEvent {
         let mut split = known;
         for &edge in edges {
-            if let Some(time) = self.reach(vertex, edge, split) {
-                split = SplitEvent { time, edge };
-            }
+            split = self.reach(vertex, edge, split).unwrap_or(split);
         }
         split
     }
 
-    /// The time when a vertex reaches an edge, if that is before another split.
-    fn reach(&self, number: u32, edge: u32, other: SplitEvent) -> Option<f64> {
+    /// The split when a vertex reaches an edge, if that is before another split.
+    #[inline]
+    fn reach(&self, number: u32, edge: u32, other: SplitEvent) -> Option<SplitEvent> {
         let (vertex, start) = (&self.vertices[number as usize], &self.vertices[edge as usize]);
         if edge == number || start.next == number {
             return None;
@@ -136,15 +146,15 @@ impl Wavefront {
         if closing <= SLOWEST {
             return None;
         }
+        let height = line.height(vertex.at(self.now), self.now);
+        if height < -self.epsilon {
+            return None;
+        }
         // Computed from the birth of the vertex, so that parts of an edge are reached at the same time, bit for bit.
-        let time = (vertex.born + self.height(number, edge, vertex.born) / closing).max(self.now);
+        let time = (vertex.born + line.height(vertex.from, vertex.born) / closing).max(self.now);
         let sooner = time < other.time || (time == other.time && other.is_open());
         // Just after the end there may be contacts within the tolerance.
         if !sooner || self.until + self.epsilon < time {
-            return None;
-        }
-        let height = self.height(number, edge, self.now);
-        if height < -self.epsilon {
             return None;
         }
         let end = &self.vertices[start.next as usize];
@@ -152,9 +162,10 @@ impl Wavefront {
             // They have just separated there.
             return None;
         }
-        let at = self.at(number, time);
-        let behind = line.along.dot(at - self.at(edge, time));
-        let ahead = line.along.dot(self.at(start.next, time) - at);
-        (-self.epsilon <= behind && -self.epsilon <= ahead).then_some(time)
+        let at = vertex.at(time);
+        let behind = line.along.dot(at - start.at(time));
+        let ahead = line.along.dot(end.at(time) - at);
+        let meets = -self.epsilon <= behind && -self.epsilon <= ahead;
+        meets.then(|| SplitEvent { time, near: self.before(time, closing), edge })
     }
 }

@@ -7,23 +7,26 @@ use super::wavefront::{Wavefront, turn_back};
 
 impl Arrangement {
     /// Finds coincident segments of a cluster, so that the far end of the shorter one touches the other one. Returns
-    /// whether a contact is new. Pairs of segments that were there before are skipped.
+    /// whether a contact is new; if there is none, all pairs are known. Pairs of segments that were there before are
+    /// skipped.
     pub(super) fn find_overlaps(
-        &self,
+        &mut self,
         front: &Wavefront,
         contacts: &mut Contacts,
         before: &[Segment],
     ) -> Result<bool, Failure> {
-        let is_new = |segment: &Segment| {
+        let was_there = |segment: &Segment| {
             let first = before.partition_point(|old| old.edge < segment.edge);
-            !before[first..].iter().take_while(|old| old.edge == segment.edge).any(|old| old == segment)
+            before[first..].iter().take_while(|old| old.edge == segment.edge).any(|old| old == segment)
         };
-        let is_new: Vec<bool> = self.segments.iter().map(is_new).collect();
+        // Empty in the first round, when all segments are new.
+        let old: Vec<bool> = if before.is_empty() { Vec::new() } else { self.segments.iter().map(was_there).collect() };
+        let is_new = |segment: usize| old.get(segment) != Some(&true);
         let mut found = false;
-        for incidence in &self.incidences {
-            for &incoming in &incidence.incoming {
-                for &outgoing in &incidence.outgoing {
-                    if is_new[incoming] || is_new[outgoing] {
+        for star in self.stars() {
+            for incoming in star.incoming() {
+                for outgoing in star.outgoing() {
+                    if is_new(incoming) || is_new(outgoing) {
                         found |= self.overlap(front, contacts, [incoming, outgoing], front.epsilon);
                     }
                 }
@@ -33,7 +36,8 @@ impl Arrangement {
             return Ok(true);
         }
         // Without another segment in between they meet, at any computed distance.
-        for pair in self.pairs(front) {
+        self.pair_up(front);
+        for &pair in &self.pairs {
             let [a, b] = pair.map(|segment| front.lines[self.segments[segment].line as usize]);
             if turn_back(&a, &b) {
                 if !self.overlap(front, contacts, pair, f64::INFINITY) {

@@ -2,29 +2,30 @@
 
 use glam::DVec2;
 
-use super::arrangement::{Arrangement, Incidence, SegmentEnd};
+use super::arrangement::{Arrangement, SegmentEnd, Star};
 use super::contact::Contacts;
 use super::wavefront::{NONE, Wavefront};
 
 impl Arrangement {
-    /// The pairs of incoming and outgoing segments at each cluster. The region is on their left, so each incoming
+    /// Pairs the incoming with the outgoing segments at each cluster. The region is on their left, so each incoming
     /// segment continues with the next outgoing one clockwise.
-    pub(super) fn pairs(&self, front: &Wavefront) -> Vec<[usize; 2]> {
-        let mut pairs = Vec::new();
-        for incidence in &self.incidences {
-            match (&incidence.incoming[..], &incidence.outgoing[..]) {
-                ([incoming], [outgoing]) => pairs.push([*incoming, *outgoing]),
-                _ => self.pairs_by_angle(front, incidence, &mut pairs),
+    pub(super) fn pair_up(&mut self, front: &Wavefront) {
+        let mut pairs = std::mem::take(&mut self.pairs);
+        pairs.clear();
+        for star in self.stars() {
+            match (star.incoming().len(), star.outgoing().len()) {
+                (1, 1) => pairs.extend(star.incoming().zip(star.outgoing()).map(|(from, to)| [from, to])),
+                _ => self.pair_by_angle(front, star, &mut pairs),
             }
         }
-        pairs
+        self.pairs = pairs;
     }
 
-    fn pairs_by_angle(&self, front: &Wavefront, incidence: &Incidence, pairs: &mut Vec<[usize; 2]>) {
+    fn pair_by_angle(&self, front: &Wavefront, star: Star<'_>, pairs: &mut Vec<[usize; 2]>) {
         let along = |segment: usize| front.lines[self.segments[segment].line as usize].along;
         let angle = |d: DVec2| libm::atan2(d.y, d.x);
-        let incoming = incidence.incoming.iter().map(|&segment| (angle(-along(segment)), false, segment));
-        let outgoing = incidence.outgoing.iter().map(|&segment| (angle(along(segment)), true, segment));
+        let incoming = star.incoming().map(|segment| (angle(-along(segment)), false, segment));
+        let outgoing = star.outgoing().map(|segment| (angle(along(segment)), true, segment));
         let mut around: Vec<(f64, bool, usize)> = incoming.chain(outgoing).collect();
         let first = pairs.len();
         // Of two coincident segments the incoming one is first, so that the area between them is empty.
@@ -54,19 +55,17 @@ pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &A
     for [a, b] in &arrangement.cancelled {
         front.arcs.path(node(a.to.vertex()), node(a.from.vertex()), a.line, b.line);
     }
-    for vertex in contacts.vertices() {
+    for &vertex in contacts.vertices() {
         let node = node(contacts.cluster(vertex));
         if node != NONE {
-            let old = front.vertices[vertex as usize];
-            front.arcs.path(old.node, node, old.before, old.after);
-            front.vertices[vertex as usize].alive = false;
+            front.end(vertex, node);
         }
     }
     // The vertices at the ends of each segment.
     let mut ends: Vec<[u32; 2]> =
         arrangement.segments.iter().map(|segment| [segment.from, segment.to].map(SegmentEnd::vertex)).collect();
     let mut made = Vec::new();
-    for [incoming, outgoing] in arrangement.pairs(front) {
+    for &[incoming, outgoing] in &arrangement.pairs {
         let new = front.vertices.len() as u32;
         let [a, b] = [incoming, outgoing].map(|segment| arrangement.segments[segment]);
         let vertex = front.vertex(node(a.to.vertex()), a.line, b.line);
@@ -75,8 +74,7 @@ pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &A
         made.push(new);
     }
     for [from, to] in ends {
-        front.vertices[from as usize].next = to;
-        front.vertices[to as usize].last = from;
+        front.link(from, to);
     }
     let Wavefront { alive, vertices, .. } = front;
     alive.retain(|&vertex| vertices[vertex as usize].alive);
@@ -86,23 +84,56 @@ pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &A
 
 /// For each cluster where the wavefront changes, its node of the skeleton.
 fn nodes(front: &mut Wavefront, contacts: &Contacts, arrangement: &Arrangement) -> Vec<u32> {
-    let mut known = vec![None; arrangement.incidences.len()];
-    let mut sums = vec![(DVec2::ZERO, 0.0); arrangement.incidences.len()];
-    for vertex in contacts.vertices() {
-        let Some(number) = arrangement.number(contacts.cluster(vertex)) else { continue };
+    let mut meetings = vec![MeetingPoint::NONE; arrangement.clusters().len()];
+    for &vertex in contacts.vertices() {
+        if let Some(number) = arrangement.number(contacts.cluster(vertex)) {
+            meetings[number].add(front, vertex);
+        }
+    }
+    meetings.into_iter().map(|meeting| meeting.node(front)).collect()
+}
+
+/// The place where vertices meet: their mean. The faster a vertex, the less accurate its position.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct MeetingPoint {
+    /// A node that was made at the current time.
+    known: Option<u32>,
+    sum: DVec2,
+    weights: f64,
+}
+
+impl MeetingPoint {
+    /// Nothing has met yet.
+    pub(super) const NONE: Self = MeetingPoint { known: None, sum: DVec2::ZERO, weights: 0.0 };
+
+    pub(super) fn add(&mut self, front: &Wavefront, vertex: u32) {
         let position = front.positions[vertex as usize];
         let vertex = &front.vertices[vertex as usize];
         if vertex.born == front.now {
-            // A node made at this very time.
-            known[number] = known[number].or(Some(vertex.node));
+            self.known = self.known.or(Some(vertex.node));
         }
-        // The faster a vertex, the less accurate its position.
         let weight = 1.0 / vertex.velocity.length_squared().max(1.0);
-        let (sum, weights) = &mut sums[number];
-        *sum += position * weight;
-        *weights += weight;
+        self.sum += position * weight;
+        self.weights += weight;
     }
-    let node =
-        |(known, (sum, weights)): (Option<u32>, (DVec2, f64))| known.unwrap_or_else(|| front.node(sum / weights));
-    known.into_iter().zip(sums).map(node).collect()
+
+    /// The node of the skeleton at this place.
+    pub(super) fn node(self, front: &mut Wavefront) -> u32 {
+        self.known.unwrap_or_else(|| front.node(self.sum / self.weights))
+    }
+}
+
+impl Wavefront {
+    /// Ends a vertex at a node.
+    pub(super) fn end(&mut self, vertex: u32, node: u32) {
+        let old = &mut self.vertices[vertex as usize];
+        old.alive = false;
+        self.arcs.path(old.node, node, old.before, old.after);
+    }
+
+    /// Connects two vertices by an edge.
+    pub(super) fn link(&mut self, from: u32, to: u32) {
+        self.vertices[from as usize].next = to;
+        self.vertices[to as usize].last = from;
+    }
 }

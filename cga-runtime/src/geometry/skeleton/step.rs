@@ -1,20 +1,32 @@
 //! One step of a wavefront: simultaneous events are processed together.
 
 use super::Failure;
-use super::arrangement::Arrangement;
+use super::arrangement::{Arrangement, Segment};
 use super::contact::Contacts;
 use super::event::Event;
 use super::rejoin::rejoin;
 use super::wavefront::Wavefront;
 
+/// The lists of a step. They keep their memory, because a usual step has a single event.
+#[derive(Debug, Default)]
+pub(super) struct Workspace {
+    contacts: Contacts,
+    arrangement: Arrangement,
+    /// The segments of the round before.
+    before: Vec<Segment>,
+}
+
 impl Wavefront {
     /// Processes simultaneous events, with everything in contact with their participants or with the vertices `around`.
     /// Returns the new vertices.
-    pub(super) fn handle(&mut self, events: &[Event], around: &[u32]) -> Result<Vec<u32>, Failure> {
-        for &vertex in &self.alive {
-            self.positions[vertex as usize] = self.at(vertex, self.now);
-        }
-        let mut contacts = Contacts::new(self.vertices.len());
+    pub(super) fn handle(
+        &mut self,
+        events: &[Event],
+        around: &[u32],
+        workspace: &mut Workspace,
+    ) -> Result<Vec<u32>, Failure> {
+        let Workspace { contacts, arrangement, before } = workspace;
+        contacts.clear(self.vertices.len());
         around.iter().for_each(|&vertex| contacts.reach(vertex));
         for &event in events {
             match event {
@@ -24,16 +36,16 @@ impl Wavefront {
                 }
             }
         }
-        let mut before = Vec::new();
+        before.clear();
         // Every round finds at least one more contact.
         loop {
-            self.compare(&mut contacts);
+            self.compare(contacts);
             self.limits.round(self.alive.len(), contacts.touched())?;
-            let arrangement = Arrangement::of(self, &contacts);
-            if !arrangement.find_overlaps(self, &mut contacts, &before)? {
-                return Ok(rejoin(self, &contacts, &arrangement));
+            arrangement.divide(self, contacts);
+            if !arrangement.find_overlaps(self, contacts, before)? {
+                return Ok(rejoin(self, contacts, arrangement));
             }
-            before = arrangement.segments;
+            std::mem::swap(before, &mut arrangement.segments);
         }
     }
 }

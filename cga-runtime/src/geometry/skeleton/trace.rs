@@ -1,56 +1,67 @@
-//! The rims of strips: arcs are collected edge by edge, and joined to rings at the end.
+//! The rims of strips: arcs are collected in the order in which they are made, and joined to rings at the end.
 
 use glam::DVec2;
 
 use super::Strip;
+use crate::geometry::buckets::Buckets;
 use crate::geometry::disjoint::DisjointSets;
 
 /// A directed side of one strip, with the strip on its left.
 #[derive(Clone, Copy, Debug)]
 struct Arc {
+    strip: u32,
     from: u32,
     to: u32,
     /// True if it is an edge of the final wavefront.
     is_front: bool,
 }
 
-/// The sides of all strips. The sides of each strip begin with its edge.
+/// The sides of all strips. The first side of a strip is its edge.
 #[derive(Debug, Default)]
 pub(super) struct Arcs {
-    of: Vec<Vec<Arc>>,
+    all: Vec<Arc>,
+    /// The number of lines. Each has a strip, which is empty if no edge of the polygon is on the line.
+    lines: u32,
 }
 
 impl Arcs {
     /// Adds the next edge.
     pub(super) fn edge(&mut self, from: u32, to: u32) {
-        self.of.push(vec![Arc { from, to, is_front: false }]);
+        self.all.push(Arc { strip: self.lines, from, to, is_front: false });
+        self.lines += 1;
     }
 
     /// Adds a line that no edge of the polygon is on.
     pub(super) fn line(&mut self) {
-        self.of.push(Vec::new());
+        self.lines += 1;
     }
 
     /// Adds a path with one strip on its left and one on its right.
     pub(super) fn path(&mut self, from: u32, to: u32, left: u32, right: u32) {
         if from != to && left != right {
-            self.of[left as usize].push(Arc { from, to, is_front: false });
-            self.of[right as usize].push(Arc { from: to, to: from, is_front: false });
+            self.all.push(Arc { strip: left, from, to, is_front: false });
+            self.all.push(Arc { strip: right, from: to, to: from, is_front: false });
         }
     }
 
     /// Adds an edge of the final wavefront, with its strip on the right.
     pub(super) fn front(&mut self, from: u32, to: u32, edge: u32) {
         if from != to {
-            self.of[edge as usize].push(Arc { from: to, to: from, is_front: true });
+            self.all.push(Arc { strip: edge, from: to, to: from, is_front: true });
         }
     }
 
-    /// For each point the point that replaces it when very short arcs are contracted, in space and, with `times`, in time. The first `fixed` points, those
-    /// of the polygon, are not merged with each other.
+    /// Sorts the arcs by strips. The arcs of a strip keep their order.
+    pub(super) fn sort(&mut self) {
+        let buckets = Buckets::by(self.lines as usize, self.all.iter().map(|arc| arc.strip));
+        self.all = buckets.items.iter().map(|&arc| self.all[arc as usize]).collect();
+    }
+
+    /// For each point the point that replaces it when very short arcs are contracted, in space and, with `times`, in
+    /// time. The first `fixed` points, those of the polygon, are not merged with each other.
     pub(super) fn contracted(&self, points: &[DVec2], times: Option<&[f64]>, fixed: usize, epsilon: f64) -> Vec<u32> {
         let mut same = DisjointSets::new(points.len());
-        for arc in self.of.iter().flatten() {
+        for arc in &self.all {
             let [from, to] = [arc.from, arc.to].map(|point| point as usize);
             // Beside an edge that does not move, points at different times coincide.
             let is_now = times.is_none_or(|times| (times[from] - times[to]).abs() <= epsilon);
@@ -65,22 +76,24 @@ impl Arcs {
         (0..points.len() as u32).map(|point| same.find(point)).collect()
     }
 
-    /// Joins the arcs to rings, with points replaced by `same`.
+    /// Joins the sorted arcs to rings, with points replaced by `same`.
     pub(super) fn strips(&mut self, same: &[u32]) -> Vec<Strip> {
-        for arcs in &mut self.of {
-            arcs.iter_mut().for_each(|arc| (arc.from, arc.to) = (same[arc.from as usize], same[arc.to as usize]));
-            arcs.retain(|arc| arc.from != arc.to);
+        for arc in &mut self.all {
+            (arc.from, arc.to) = (same[arc.from as usize], same[arc.to as usize]);
         }
-        let mut strips = Vec::new();
-        for (edge, arcs) in (0..).zip(&self.of) {
-            follow(edge, arcs, &mut strips);
+        self.all.retain(|arc| arc.from != arc.to);
+        let (mut strips, mut used) = (Vec::with_capacity(self.lines as usize), Vec::new());
+        for arcs in self.all.chunk_by(|a, b| a.strip == b.strip) {
+            follow(arcs, &mut used, &mut strips);
         }
         strips
     }
 }
 
-fn follow(edge: u32, arcs: &[Arc], strips: &mut Vec<Strip>) {
-    let mut used = vec![false; arcs.len()];
+/// Joins the arcs of one strip. `used` is a buffer.
+fn follow(arcs: &[Arc], used: &mut Vec<bool>, strips: &mut Vec<Strip>) {
+    used.clear();
+    used.resize(arcs.len(), false);
     // Arcs back and forth are not sides.
     for i in 0..arcs.len() {
         let back = |k: &usize| !used[*k] && (arcs[*k].from, arcs[*k].to) == (arcs[i].to, arcs[i].from);
@@ -92,7 +105,8 @@ fn follow(edge: u32, arcs: &[Arc], strips: &mut Vec<Strip>) {
         if used[start] {
             continue;
         }
-        let mut strip = Strip { edge, ring: Vec::new(), front: Vec::new() };
+        let size = arcs.len() - start;
+        let mut strip = Strip { edge: arcs[0].strip, ring: Vec::with_capacity(size), front: Vec::with_capacity(size) };
         let mut at = Some(start);
         while let Some(arc) = at {
             used[arc] = true;

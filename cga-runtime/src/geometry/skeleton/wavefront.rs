@@ -6,6 +6,7 @@ use glam::DVec2;
 
 use super::limits::WorkLimits;
 use super::speeds::Speeds;
+use super::step::Workspace;
 use super::trace::Arcs;
 use super::{Failure, Left, Swept};
 use crate::geometry::nesting::extent::Extent;
@@ -59,21 +60,42 @@ pub(super) struct WavefrontVertex {
     pub(super) alive: bool,
     /// True if it is not convex, so that it can reach other edges.
     pub(super) reflex: bool,
-    /// The time when the edge after it shrinks to a point.
-    pub(super) collapse: f64,
+    pub(super) collapse: CollapseEvent,
     pub(super) split: SplitEvent,
+}
+
+impl WavefrontVertex {
+    /// The position at a time.
+    #[inline]
+    pub(super) fn at(&self, time: f64) -> DVec2 {
+        self.from + self.velocity * (time - self.born)
+    }
+}
+
+/// The time when the edge after a vertex shrinks to a point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CollapseEvent {
+    pub(super) time: f64,
+    /// A time before which its ends are not in contact.
+    pub(super) near: f64,
+}
+
+impl CollapseEvent {
+    pub(super) const NEVER: CollapseEvent = CollapseEvent { time: f64::INFINITY, near: f64::INFINITY };
 }
 
 /// The first edge that a reflex vertex reaches, and the time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SplitEvent {
     pub(super) time: f64,
+    /// A time before which they are not in contact.
+    pub(super) near: f64,
     /// [`NONE`] if the edge has changed; then no edge is reached before the time.
     pub(super) edge: u32,
 }
 
 impl SplitEvent {
-    pub(super) const NEVER: SplitEvent = SplitEvent { time: f64::INFINITY, edge: NONE };
+    pub(super) const NEVER: SplitEvent = SplitEvent { time: f64::INFINITY, near: f64::INFINITY, edge: NONE };
 
     /// Returns true if the split must be computed again.
     pub(super) fn is_open(&self) -> bool {
@@ -114,8 +136,11 @@ pub(super) struct Wavefront {
     pub(super) vertices: Vec<WavefrontVertex>,
     /// The vertices that are alive, in the order of their creation.
     pub(super) alive: Vec<u32>,
-    /// The positions of the vertices that are alive, at the last event.
+    /// The positions of the vertices that are alive, at the current time.
     pub(super) positions: Vec<DVec2>,
+    /// For each vertex that is alive, in the order of `alive`, a box around the edge after it and everything within the
+    /// contact distance.
+    pub(super) extents: Vec<Extent>,
     /// The nodes of the skeleton, beginning with the given points.
     pub(super) nodes: Vec<DVec2>,
     /// The times of the nodes.
@@ -153,11 +178,13 @@ impl Wavefront {
         if !(SIZES.contains(&extent) && area.is_finite()) {
             return Err(Failure::Tangled);
         }
+        let corners = rings.iter().map(Vec::len).sum();
         let mut front = Wavefront {
-            lines: Vec::new(),
-            vertices: Vec::new(),
-            alive: Vec::new(),
-            positions: Vec::new(),
+            lines: Vec::with_capacity(corners),
+            vertices: Vec::with_capacity(2 * corners),
+            alive: Vec::with_capacity(corners),
+            positions: Vec::with_capacity(2 * corners),
+            extents: Vec::new(),
             nodes: points.to_vec(),
             times: vec![0.0; points.len()],
             given: points.len(),
@@ -166,7 +193,7 @@ impl Wavefront {
             unbounded,
             extent,
             epsilon: epsilon * extent,
-            limits: WorkLimits::of(rings.iter().map(Vec::len).sum()),
+            limits: WorkLimits::of(corners),
             now: 0.0,
             until,
         };
@@ -194,19 +221,22 @@ impl Wavefront {
 
     /// Moves the wavefront until its final time.
     pub(super) fn run(mut self) -> Result<Swept, Failure> {
+        let mut workspace = Workspace::default();
         // Contacts at the start: pinches, bridges to holes.
         let everything: Vec<u32> = self.alive.clone();
-        self.handle(&[], &everything)?;
+        self.place();
+        self.handle(&[], &everything, &mut workspace)?;
         self.part_speeds(&self.alive.clone());
         self.foresee(&self.alive.clone())?;
         loop {
             let next = self.next_event();
             self.now = next.clamp(self.now, self.until);
+            self.place();
             let due = self.due();
             if due.is_empty() {
                 return if self.now == self.until { self.finish() } else { Err(Failure::Tangled) };
             }
-            let mut made = self.handle(&due, &[])?;
+            let mut made = self.handle(&due, &[], &mut workspace)?;
             made.extend(self.part_speeds(&made));
             self.limits.make(made.len())?;
             self.foresee(&made)?;
@@ -216,8 +246,22 @@ impl Wavefront {
     /// The position of a vertex at a time.
     #[inline]
     pub(super) fn at(&self, vertex: u32, time: f64) -> DVec2 {
-        let vertex = &self.vertices[vertex as usize];
-        vertex.from + vertex.velocity * (time - vertex.born)
+        self.vertices[vertex as usize].at(time)
+    }
+
+    /// Computes the current positions of vertices, and the boxes around edges.
+    pub(super) fn place(&mut self) {
+        let Wavefront { alive, vertices, positions, extents, .. } = self;
+        for &vertex in &*alive {
+            positions[vertex as usize] = vertices[vertex as usize].at(self.now);
+        }
+        let margin = DVec2::splat(2.0 * self.epsilon);
+        let extent = |&vertex: &u32| {
+            let [a, b] = [vertex, vertices[vertex as usize].next].map(|vertex| positions[vertex as usize]);
+            Extent { low: a.min(b) - margin, high: a.max(b) + margin }
+        };
+        extents.clear();
+        extents.extend(alive.iter().map(extent));
     }
 
     /// A vertex between the edges on two lines that starts now at a node, not connected to others yet.
@@ -236,7 +280,7 @@ impl Wavefront {
             next: NONE,
             alive: true,
             reflex: a.along.perp_dot(b.along) <= STRAIGHT_EPSILON,
-            collapse: f64::INFINITY,
+            collapse: CollapseEvent::NEVER,
             split: SplitEvent::NEVER,
         }
     }
@@ -272,6 +316,7 @@ impl Wavefront {
             let vertex = &self.vertices[number as usize];
             self.arcs.front(end[number as usize], end[vertex.next as usize], vertex.after);
         }
+        self.arcs.sort();
         let times = (!self.flat).then_some(&self.times[..]);
         let same = self.arcs.contracted(&self.nodes, times, self.given, self.epsilon);
         end.iter_mut().filter(|end| **end != NONE).for_each(|end| *end = same[*end as usize]);
