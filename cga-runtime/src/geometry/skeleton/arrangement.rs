@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::contact::Contacts;
+use super::rejoin::Meeting;
 use super::wavefront::Wavefront;
 
 /// An end of a segment: a vertex that does not change, or a cluster where the wavefront changes, named by its first
@@ -72,6 +73,9 @@ pub(super) struct Arrangement {
     outgoing: Vec<Incidence>,
     /// The segments that each continue with another one. [`rejoin`](super::rejoin) fills the list.
     pub(super) pairs: Vec<[usize; 2]>,
+    /// For each of `clusters`, in the same order.
+    pub(super) meetings: Vec<Meeting>,
+    pub(super) nodes: Vec<u32>,
     /// For each vertex whether it names a cluster where the wavefront changes. All false between calls.
     changes: Vec<bool>,
     /// The places where clusters divide edges: the edge, the distance along its line, the cluster.

@@ -14,6 +14,7 @@ use glam::DVec2;
 
 use super::wavefront::Wavefront;
 use crate::geometry::disjoint::DisjointSets;
+use crate::geometry::nesting::extent::Extent;
 use crate::geometry::segment::nearest_share;
 
 /// The contacts at one time. The lists keep their memory from event to event.
@@ -26,7 +27,9 @@ pub(super) struct Contacts {
     is_reached: Vec<bool>,
     /// The same vertices, sorted, as of the last comparison.
     sorted: Vec<u32>,
-    /// Edges, each with a vertex that may touch it. Used by comparisons.
+    /// For each vertex that is alive a box around the edge after it and everything in contact with it.
+    boxes: Vec<Extent>,
+    /// Edges, each with a vertex in its box.
     candidates: Vec<[u32; 2]>,
     /// Edges, each with a vertex that touches it.
     on_edges: BTreeSet<[u32; 2]>,
@@ -108,19 +111,22 @@ impl Wavefront {
     /// Finds the contacts of the reached vertices.
     pub(super) fn compare(&self, contacts: &mut Contacts) {
         let near = self.epsilon * self.epsilon;
-        // Edges whose boxes have a vertex.
-        let mut candidates = std::mem::take(&mut contacts.candidates);
+        let (mut boxes, mut candidates) =
+            (std::mem::take(&mut contacts.boxes), std::mem::take(&mut contacts.candidates));
+        if contacts.compared == 0 {
+            self.put_boxes(&mut boxes);
+        }
         candidates.clear();
         while let Some(&vertex) = contacts.reached.get(contacts.compared) {
             contacts.compared += 1;
             let here = self.positions[vertex as usize];
-            for (&other, extent) in self.alive.iter().zip(&self.extents) {
-                if !extent.holds(here) {
+            for (&edge, around) in self.alive.iter().zip(&boxes) {
+                if !around.holds(here) {
                     continue;
                 }
-                candidates.push([other, vertex]);
-                if self.positions[other as usize].distance_squared(here) <= near && other != vertex {
-                    contacts.coincide(vertex, other);
+                candidates.push([edge, vertex]);
+                if self.positions[edge as usize].distance_squared(here) <= near && edge != vertex {
+                    contacts.coincide(vertex, edge);
                 }
             }
         }
@@ -136,7 +142,18 @@ impl Wavefront {
                 contacts.touch(edge, vertex);
             }
         }
-        contacts.candidates = candidates;
+        (contacts.boxes, contacts.candidates) = (boxes, candidates);
+    }
+
+    /// The boxes around all edges.
+    fn put_boxes(&self, boxes: &mut Vec<Extent>) {
+        let margin = DVec2::splat(2.0 * self.epsilon);
+        let around = |&edge: &u32| {
+            let [a, b] = [edge, self.vertices[edge as usize].next].map(|vertex| self.positions[vertex as usize]);
+            Extent { low: a.min(b) - margin, high: a.max(b) + margin }
+        };
+        boxes.clear();
+        boxes.extend(self.alive.iter().map(around));
     }
 }
 

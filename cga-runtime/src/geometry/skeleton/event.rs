@@ -15,31 +15,46 @@ pub(super) enum Event {
 /// The speed below which two objects count as not approaching.
 const SLOWEST: f64 = 1e-12;
 
+/// The next event of a vertex that is alive: its edge shrinks to a point, or it reaches an edge.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct NextEvent {
+    time: f64,
+    /// A time before which it is not a contact.
+    near: f64,
+}
+
+impl NextEvent {
+    fn of(WavefrontVertex { collapse, split, .. }: &WavefrontVertex) -> Self {
+        NextEvent {
+            time: if split.time < collapse.time { split.time } else { collapse.time },
+            near: if split.near < collapse.near { split.near } else { collapse.near },
+        }
+    }
+}
+
 impl Wavefront {
     /// The time of the next event; infinity if there is none.
     pub(super) fn next_event(&mut self) -> f64 {
         loop {
-            let (mut next, mut open) = (f64::INFINITY, false);
-            for &vertex in &self.alive {
-                let WavefrontVertex { collapse, split, .. } = &self.vertices[vertex as usize];
-                let time = if split.time < collapse.time { split.time } else { collapse.time };
-                next = if time < next { time } else { next };
-                open |= split.is_open();
-            }
-            if !open {
-                return next;
-            }
+            let sooner = |next: f64, event: &NextEvent| if event.time < next { event.time } else { next };
+            let next = self.events.iter().fold(f64::INFINITY, sooner);
             let soon = next + self.epsilon;
-            let is_due = |vertex: &u32| {
-                let split = &self.vertices[*vertex as usize].split;
-                split.is_open() && split.time <= soon
-            };
-            let open: Vec<u32> = self.alive.iter().copied().filter(is_due).collect();
-            if open.is_empty() {
-                return next;
+            let mut is_final = true;
+            for index in 0..self.alive.len() {
+                if soon < self.events[index].time {
+                    continue;
+                }
+                let number = self.alive[index];
+                let split = self.vertices[number as usize].split;
+                if split.is_open() && split.time <= soon {
+                    let split = self.first_split(number, SplitEvent::NEVER, &self.alive);
+                    self.vertices[number as usize].split = split;
+                    self.events[index] = NextEvent::of(&self.vertices[number as usize]);
+                    is_final = false;
+                }
             }
-            for vertex in open {
-                self.vertices[vertex as usize].split = self.first_split(vertex, SplitEvent::NEVER, &self.alive);
+            if is_final {
+                return next;
             }
         }
     }
@@ -47,7 +62,7 @@ impl Wavefront {
     /// The events at the current time, including those so close that they count as contacts.
     pub(super) fn due(&self) -> Vec<Event> {
         let mut due = Vec::new();
-        for &number in &self.alive {
+        for (&number, _) in self.alive.iter().zip(&self.events).filter(|(_, event)| event.near <= self.now) {
             let WavefrontVertex { collapse, split, .. } = &self.vertices[number as usize];
             if collapse.near <= self.now && (collapse.time <= self.now || self.length(number) <= self.epsilon) {
                 due.push(Event::Edge(number));
@@ -74,23 +89,24 @@ impl Wavefront {
         for &edge in &changed {
             self.vertices[edge as usize].collapse = self.collapse(edge);
         }
+        self.events.clear();
         for index in 0..self.alive.len() {
             let number = self.alive[index];
             let vertex = &self.vertices[number as usize];
-            if !vertex.reflex {
-                continue;
+            if vertex.reflex {
+                let mut split = vertex.split;
+                self.vertices[number as usize].split = if vertex.born == self.now {
+                    self.first_split(number, SplitEvent::NEVER, &self.alive)
+                } else {
+                    let edge = split.edge;
+                    if edge != NONE && (!self.vertices[edge as usize].alive || changed.binary_search(&edge).is_ok()) {
+                        // Other edges are not reached before the time of that edge.
+                        split.edge = NONE;
+                    }
+                    self.first_split(number, split, &changed)
+                };
             }
-            let mut split = vertex.split;
-            self.vertices[number as usize].split = if vertex.born == self.now {
-                self.first_split(number, SplitEvent::NEVER, &self.alive)
-            } else {
-                let edge = split.edge;
-                if edge != NONE && (!self.vertices[edge as usize].alive || changed.binary_search(&edge).is_ok()) {
-                    // Other edges are not reached before the time of that edge.
-                    split.edge = NONE;
-                }
-                self.first_split(number, split, &changed)
-            };
+            self.events.push(NextEvent::of(&self.vertices[number as usize]));
         }
         Ok(())
     }
@@ -126,46 +142,41 @@ impl Wavefront {
 
     /// The first of some edges that a vertex reaches, if that is before the known split. If the known split is open,
     /// equal times count too, because the edge may be another part of the known one.
-    fn first_split(&self, vertex: u32, known: SplitEvent, edges: &[u32]) -> SplitEvent {
+    fn first_split(&self, number: u32, known: SplitEvent, edges: &[u32]) -> SplitEvent {
+        let vertex = &self.vertices[number as usize];
+        let here = vertex.at(self.now);
+        // Just after the end there may be contacts within the tolerance.
+        let last = self.until + self.epsilon;
         let mut split = known;
         for &edge in edges {
-            split = self.reach(vertex, edge, split).unwrap_or(split);
+            let start = &self.vertices[edge as usize];
+            if edge == number || start.next == number {
+                continue;
+            }
+            let line = &self.lines[start.after as usize];
+            let closing = line.speed - line.normal().dot(vertex.velocity);
+            let height = line.height(here, self.now);
+            if closing <= SLOWEST || height < -self.epsilon {
+                continue;
+            }
+            // Computed from the birth of the vertex, so that parts of an edge are reached at the same time, bit for bit.
+            let time = (vertex.born + line.height(vertex.from, vertex.born) / closing).max(self.now);
+            let is_sooner = time < split.time || (time == split.time && split.is_open());
+            if !is_sooner || last < time {
+                continue;
+            }
+            let end = &self.vertices[start.next as usize];
+            if height <= self.epsilon && (start.node == vertex.node || end.node == vertex.node) {
+                // They have just separated there.
+                continue;
+            }
+            let at = vertex.at(time);
+            let behind = line.along.dot(at - start.at(time));
+            let ahead = line.along.dot(end.at(time) - at);
+            if -self.epsilon <= behind && -self.epsilon <= ahead {
+                split = SplitEvent { time, near: self.before(time, closing), edge };
+            }
         }
         split
-    }
-
-    /// The split when a vertex reaches an edge, if that is before another split.
-    #[inline]
-    fn reach(&self, number: u32, edge: u32, other: SplitEvent) -> Option<SplitEvent> {
-        let (vertex, start) = (&self.vertices[number as usize], &self.vertices[edge as usize]);
-        if edge == number || start.next == number {
-            return None;
-        }
-        let line = &self.lines[start.after as usize];
-        let closing = line.speed - line.normal().dot(vertex.velocity);
-        if closing <= SLOWEST {
-            return None;
-        }
-        let height = line.height(vertex.at(self.now), self.now);
-        if height < -self.epsilon {
-            return None;
-        }
-        // Computed from the birth of the vertex, so that parts of an edge are reached at the same time, bit for bit.
-        let time = (vertex.born + line.height(vertex.from, vertex.born) / closing).max(self.now);
-        let sooner = time < other.time || (time == other.time && other.is_open());
-        // Just after the end there may be contacts within the tolerance.
-        if !sooner || self.until + self.epsilon < time {
-            return None;
-        }
-        let end = &self.vertices[start.next as usize];
-        if height <= self.epsilon && (start.node == vertex.node || end.node == vertex.node) {
-            // They have just separated there.
-            return None;
-        }
-        let at = vertex.at(time);
-        let behind = line.along.dot(at - start.at(time));
-        let ahead = line.along.dot(end.at(time) - at);
-        let meets = -self.epsilon <= behind && -self.epsilon <= ahead;
-        meets.then(|| SplitEvent { time, near: self.before(time, closing), edge })
     }
 }

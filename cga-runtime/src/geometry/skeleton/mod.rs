@@ -38,7 +38,6 @@ mod wavefront;
 
 use glam::DVec2;
 
-use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::{MEETING_EPSILONS, PLANAR_EPSILON};
 pub(crate) use check::any_cross;
 pub(crate) use speeds::Speeds;
@@ -78,6 +77,9 @@ pub(crate) struct Swept {
     pub(crate) strips: Vec<Strip>,
     /// The loops of the remaining interior, with the region on their left.
     pub(crate) left: Vec<Vec<Left>>,
+    /// The largest distance of a point, when the wavefront reaches it, from the line of an edge whose strip has the
+    /// point, relative to the extent.
+    pub(crate) deviation: f64,
 }
 
 /// The reason why a sweep fails.
@@ -119,7 +121,7 @@ pub(crate) fn sweep_at(points: &[DVec2], rings: &[Vec<u32>], speeds: Speeds<'_>,
         match Wavefront::new(points, rings, speeds, epsilon, until).and_then(Wavefront::run) {
             Ok(swept) if !matches!(speeds, Speeds::Heights(_)) => return Ok(swept),
             Ok(swept) => {
-                let flaws = (has_divided_strips(&swept), deviation(rings, speeds, &swept));
+                let flaws = (has_divided_strips(&swept), swept.deviation);
                 if !flaws.0 && flaws.1 <= PLANAR_EPSILON {
                     return Ok(swept);
                 }
@@ -136,23 +138,6 @@ pub(crate) fn sweep_at(points: &[DVec2], rings: &[Vec<u32>], speeds: Speeds<'_>,
 /// Returns true if an edge has several strips. All but one of them are rounding errors.
 fn has_divided_strips(swept: &Swept) -> bool {
     swept.strips.windows(2).any(|pair| pair[0].edge == pair[1].edge)
-}
-
-/// The largest distance of a point, when the wavefront reaches it, from the line of an edge whose strip has the point,
-/// relative to the extent.
-fn deviation(rings: &[Vec<u32>], speeds: Speeds<'_>, swept: &Swept) -> f64 {
-    let at = |point: u32| swept.points[point as usize];
-    let lines = rings.iter().flat_map(|ring| (0..ring.len()).map(|i| [at(ring[i]), at(ring[(i + 1) % ring.len()])]));
-    let lines: Vec<[DVec2; 2]> = lines.collect();
-    let off = |strip: &Strip, point: u32| {
-        let [from, to] = lines[strip.edge as usize];
-        let speed = speeds.of(strip.edge as usize);
-        let height = (to - from).normalize_or_zero().perp_dot(at(point) - from);
-        (height - speed * swept.times[point as usize]).abs()
-    };
-    let all = swept.strips.iter().flat_map(|strip| strip.ring.iter().map(|&point| off(strip, point)));
-    let Extent { low, high } = Extent::of(swept.points.iter().copied());
-    all.fold(0.0, f64::max) / (high - low).max_element()
 }
 
 #[cfg(test)]

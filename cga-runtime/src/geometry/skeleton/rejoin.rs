@@ -49,32 +49,36 @@ impl Arrangement {
 }
 
 /// Ends the vertices of clusters where the wavefront changes, and makes the new vertices. Returns the new ones.
-pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &Arrangement) -> Vec<u32> {
-    let nodes = nodes(front, contacts, arrangement);
-    let node = |cluster: u32| arrangement.number(cluster).map_or(NONE, |number| nodes[number]);
+pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &mut Arrangement) -> Vec<u32> {
+    arrangement.put_nodes(front, contacts);
     for [a, b] in &arrangement.cancelled {
-        front.arcs.path(node(a.to.vertex()), node(a.from.vertex()), a.line, b.line);
+        let [from, to] = [a.to, a.from].map(|end| arrangement.node(end.vertex()));
+        front.arcs.path(from, to, a.line, b.line);
     }
     for &vertex in contacts.vertices() {
-        let node = node(contacts.cluster(vertex));
+        let node = arrangement.node(contacts.cluster(vertex));
         if node != NONE {
-            front.end(vertex, node);
+            let old = &mut front.vertices[vertex as usize];
+            old.alive = false;
+            front.arcs.path(old.node, node, old.before, old.after);
         }
     }
-    // The vertices at the ends of each segment.
-    let mut ends: Vec<[u32; 2]> =
-        arrangement.segments.iter().map(|segment| [segment.from, segment.to].map(SegmentEnd::vertex)).collect();
-    let mut made = Vec::new();
-    for &[incoming, outgoing] in &arrangement.pairs {
+    let mut made = Vec::with_capacity(arrangement.pairs.len());
+    for index in 0..arrangement.pairs.len() {
+        let [incoming, outgoing] = arrangement.pairs[index];
         let new = front.vertices.len() as u32;
         let [a, b] = [incoming, outgoing].map(|segment| arrangement.segments[segment]);
-        let vertex = front.vertex(node(a.to.vertex()), a.line, b.line);
+        let vertex = front.vertex(arrangement.node(a.to.vertex()), a.line, b.line);
         front.push(vertex);
-        (ends[incoming][1], ends[outgoing][0]) = (new, new);
+        // From now on the segments end at vertices of the wavefront.
+        arrangement.segments[incoming].to = SegmentEnd::Vertex(new);
+        arrangement.segments[outgoing].from = SegmentEnd::Vertex(new);
         made.push(new);
     }
-    for [from, to] in ends {
-        front.link(from, to);
+    for segment in &arrangement.segments {
+        let [from, to] = [segment.from, segment.to].map(SegmentEnd::vertex);
+        front.vertices[from as usize].next = to;
+        front.vertices[to as usize].last = from;
     }
     let Wavefront { alive, vertices, .. } = front;
     alive.retain(|&vertex| vertices[vertex as usize].alive);
@@ -82,31 +86,39 @@ pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &A
     made
 }
 
-/// For each cluster where the wavefront changes, its node of the skeleton.
-fn nodes(front: &mut Wavefront, contacts: &Contacts, arrangement: &Arrangement) -> Vec<u32> {
-    let mut meetings = vec![MeetingPoint::NONE; arrangement.clusters().len()];
-    for &vertex in contacts.vertices() {
-        if let Some(number) = arrangement.number(contacts.cluster(vertex)) {
-            meetings[number].add(front, vertex);
+impl Arrangement {
+    /// Makes the node of the skeleton at each cluster where the wavefront changes.
+    fn put_nodes(&mut self, front: &mut Wavefront, contacts: &Contacts) {
+        let mut meetings = std::mem::take(&mut self.meetings);
+        meetings.clear();
+        meetings.resize(self.clusters().len(), Meeting::default());
+        for &vertex in contacts.vertices() {
+            if let Some(number) = self.number(contacts.cluster(vertex)) {
+                meetings[number].add(front, vertex);
+            }
         }
+        self.nodes.clear();
+        self.nodes.extend(meetings.iter().map(|meeting| meeting.node(front)));
+        self.meetings = meetings;
     }
-    meetings.into_iter().map(|meeting| meeting.node(front)).collect()
+
+    /// The node at a cluster; [`NONE`] where nothing changes.
+    fn node(&self, cluster: u32) -> u32 {
+        self.number(cluster).map_or(NONE, |number| self.nodes[number])
+    }
 }
 
 /// The place where vertices meet: their mean. The faster a vertex, the less accurate its position.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct MeetingPoint {
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Meeting {
     /// A node that was made at the current time.
     known: Option<u32>,
     sum: DVec2,
     weights: f64,
 }
 
-impl MeetingPoint {
-    /// Nothing has met yet.
-    pub(super) const NONE: Self = MeetingPoint { known: None, sum: DVec2::ZERO, weights: 0.0 };
-
-    pub(super) fn add(&mut self, front: &Wavefront, vertex: u32) {
+impl Meeting {
+    fn add(&mut self, front: &Wavefront, vertex: u32) {
         let position = front.positions[vertex as usize];
         let vertex = &front.vertices[vertex as usize];
         if vertex.born == front.now {
@@ -118,22 +130,7 @@ impl MeetingPoint {
     }
 
     /// The node of the skeleton at this place.
-    pub(super) fn node(self, front: &mut Wavefront) -> u32 {
+    fn node(self, front: &mut Wavefront) -> u32 {
         self.known.unwrap_or_else(|| front.node(self.sum / self.weights))
-    }
-}
-
-impl Wavefront {
-    /// Ends a vertex at a node.
-    pub(super) fn end(&mut self, vertex: u32, node: u32) {
-        let old = &mut self.vertices[vertex as usize];
-        old.alive = false;
-        self.arcs.path(old.node, node, old.before, old.after);
-    }
-
-    /// Connects two vertices by an edge.
-    pub(super) fn link(&mut self, from: u32, to: u32) {
-        self.vertices[from as usize].next = to;
-        self.vertices[to as usize].last = from;
     }
 }

@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use glam::DVec2;
 
+use super::event::NextEvent;
 use super::limits::WorkLimits;
 use super::speeds::Speeds;
 use super::step::Workspace;
@@ -138,9 +139,8 @@ pub(super) struct Wavefront {
     pub(super) alive: Vec<u32>,
     /// The positions of the vertices that are alive, at the current time.
     pub(super) positions: Vec<DVec2>,
-    /// For each vertex that is alive, in the order of `alive`, a box around the edge after it and everything within the
-    /// contact distance.
-    pub(super) extents: Vec<Extent>,
+    /// The next events of the vertices that are alive, in the same order.
+    pub(super) events: Vec<NextEvent>,
     /// The nodes of the skeleton, beginning with the given points.
     pub(super) nodes: Vec<DVec2>,
     /// The times of the nodes.
@@ -184,7 +184,7 @@ impl Wavefront {
             vertices: Vec::with_capacity(2 * corners),
             alive: Vec::with_capacity(corners),
             positions: Vec::with_capacity(2 * corners),
-            extents: Vec::new(),
+            events: Vec::with_capacity(corners),
             nodes: points.to_vec(),
             times: vec![0.0; points.len()],
             given: points.len(),
@@ -249,19 +249,11 @@ impl Wavefront {
         self.vertices[vertex as usize].at(time)
     }
 
-    /// Computes the current positions of vertices, and the boxes around edges.
+    /// Computes the current positions.
     pub(super) fn place(&mut self) {
-        let Wavefront { alive, vertices, positions, extents, .. } = self;
-        for &vertex in &*alive {
-            positions[vertex as usize] = vertices[vertex as usize].at(self.now);
+        for &vertex in &self.alive {
+            self.positions[vertex as usize] = self.vertices[vertex as usize].at(self.now);
         }
-        let margin = DVec2::splat(2.0 * self.epsilon);
-        let extent = |&vertex: &u32| {
-            let [a, b] = [vertex, vertices[vertex as usize].next].map(|vertex| positions[vertex as usize]);
-            Extent { low: a.min(b) - margin, high: a.max(b) + margin }
-        };
-        extents.clear();
-        extents.extend(alive.iter().map(extent));
     }
 
     /// A vertex between the edges on two lines that starts now at a node, not connected to others yet.
@@ -322,8 +314,26 @@ impl Wavefront {
         end.iter_mut().filter(|end| **end != NONE).for_each(|end| *end = same[*end as usize]);
         let left = self.loops(&end);
         let (points, times) = (std::mem::take(&mut self.nodes), std::mem::take(&mut self.times));
-        let swept = Swept { strips: self.arcs.strips(&same), left, points, times };
-        if self.allows(&swept) { Ok(swept) } else { Err(Failure::Tangled) }
+        let mut swept = Swept { strips: self.arcs.strips(&same), left, points, times, deviation: 0.0 };
+        if !self.allows(&swept) {
+            return Err(Failure::Tangled);
+        }
+        swept.deviation = self.deviation(&swept);
+        Ok(swept)
+    }
+
+    /// The [`Swept::deviation`] of a result.
+    fn deviation(&self, swept: &Swept) -> f64 {
+        let off = |line: &MovingLine, point: u32| {
+            line.height(swept.points[point as usize], swept.times[point as usize]).abs()
+        };
+        let mut most = 0.0;
+        for strip in &swept.strips {
+            let line = &self.lines[strip.edge as usize];
+            most = strip.ring.iter().fold(most, |most: f64, &point| most.max(off(line, point)));
+        }
+        let Extent { low, high } = Extent::of(swept.points.iter().copied());
+        most / (high - low).max_element()
     }
 
     fn loops(&self, end: &[u32]) -> Vec<Vec<Left>> {
