@@ -57,7 +57,8 @@ fn an_envelope_is_closed_and_has_a_level_top() {
 #[test]
 fn a_slope_faces_the_street() {
     let model = example(&mass::envelope_slope::EXAMPLE);
-    let leaf = model.leaves().next().unwrap();
+    assert_eq!((model.count("FrontYard"), areas(&model, "FrontYard")), (1, vec![200.0]));
+    let leaf = model.leaves_of("Building").next().unwrap();
     assert!((leaf.size().y - (15.0 + 30.0 / 3f64.sqrt())).abs() < 1e-9);
     assert_eq!(leaf.mesh().0.face_count(), 6);
 }

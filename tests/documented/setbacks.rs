@@ -206,6 +206,28 @@ fn distances_of_two_faces() {
     }
 }
 
+/// The picture of the first array: between distances of 1 and 6, the cut follows the bisector of the blunt corner at the back, and
+/// the inner lines meet at the corner on the right.
+#[test]
+fn distances_that_differ_meet_as_in_the_picture() {
+    let model = example(&setback::alternating::EXAMPLE);
+    let leaf = model.leaves_of("Building").nth(1).expect("the second building");
+    let (mesh, place) = leaf.mesh();
+    let corners: Vec<DVec3> =
+        mesh.corners().iter().map(|p| place.transform_point3(mesh.points()[*p as usize])).collect();
+    assert_eq!((mesh.face_count(), corners.len()), (1, 6));
+    let [right, side, back, left] =
+        [[27.8, 0.6], [29.1, 6.4], [22.0, 12.2], [16.2, 12.4]].map(|[x, z]| DVec3::new(x, 0.0, -z));
+    let toward = |from: DVec3, to: DVec3| (to - from).normalize();
+    let bisector = (toward(back, side) + toward(back, left)).normalize();
+    let on_bisector = |at: &&DVec3| (**at - back).cross(bisector).length() < 1e-9;
+    assert_eq!(corners.iter().filter(on_bisector).count(), 2, "{corners:?}");
+    // 6 from the right edge, and 1 from the slanted one.
+    let from = |at: DVec3, a: DVec3, b: DVec3| DVec3::Y.cross(toward(a, b)).dot(at - a);
+    let is_mitre = |at: &&DVec3| (from(**at, right, side) - 6.0).abs() + (from(**at, side, back) - 1.0).abs() < 1e-9;
+    assert_eq!(corners.iter().filter(is_mitre).count(), 1, "{corners:?}");
+}
+
 /// "A square shape with an area of 400 is setback to an area of 100." "All setback faces have an area of 300."
 #[test]
 fn areas_are_those_of_the_page() {
