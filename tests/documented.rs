@@ -39,6 +39,8 @@ mod outlines;
 mod pages;
 #[path = "documented/pieces.rs"]
 mod pieces;
+#[path = "documented/roof_forms.rs"]
+mod roof_forms;
 #[path = "documented/roofs.rs"]
 mod roofs;
 #[path = "documented/scattered.rs"]
@@ -110,6 +112,7 @@ fn all() -> Vec<pages::example::Example> {
         pages::normals::ALL,
         pages::cleanup::ALL,
         pages::tags::ALL,
+        pages::wings::ALL,
     ]
     .concat()
 }

@@ -80,9 +80,9 @@ pub(crate) fn chapters() -> Vec<Chapter> {
         ),
         chapter(
             "mass",
-            "Envelopes, footprints, inner rectangles",
-            &["op_envelope", "op_footprint", "op_innerRectangle"],
-            each(pages::mass::ALL),
+            "Envelopes, footprints, inner rectangles, wings",
+            &["op_envelope", "op_footprint", "op_innerRectangle", "op_shapeLUO", "op_taper"],
+            each(&[pages::mass::ALL, pages::wings::ALL].concat()),
         ),
         chapter("scatter", "Points", &["op_scatter"], each(pages::scattering::ALL)),
         chapter(

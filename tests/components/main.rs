@@ -3,6 +3,7 @@
 
 mod conditions;
 mod facts;
+mod groups;
 mod order;
 mod propagated;
 mod tags;

@@ -57,7 +57,8 @@ fn an_envelope_is_closed_and_has_a_level_top() {
 #[test]
 fn a_slope_faces_the_street() {
     let model = example(&mass::envelope_slope::EXAMPLE);
-    let leaf = model.leaves().next().unwrap();
+    assert_eq!((model.count("FrontYard"), areas(&model, "FrontYard")), (1, vec![200.0]));
+    let leaf = model.leaves_of("Building").next().unwrap();
     assert!((leaf.size().y - (15.0 + 30.0 / 3f64.sqrt())).abs() < 1e-9);
     assert_eq!(leaf.mesh().0.face_count(), 6);
 }
@@ -148,4 +149,81 @@ fn rectangles_place_volumes_in_lots() {
     let model = example(&mass::inner_rect::EXAMPLE);
     assert_eq!(model.count("Lot"), 1);
     assert_eq!(model.leaves().next().unwrap().mesh().0.face_count(), 4 * 6);
+}
+
+cga! {
+    grammar Slopes = r##"
+    @StartRule
+    Envelope --> envelope(normal, 30, 2, 45, 2, 45, 2, 45) X.
+    @StartRule
+    Roof --> roofHip(45) X.
+    @StartRule
+    Parts --> envelope(normal, 4, 2, 60, 2, 60, 2, 60) comp(f) { isTagged("envelope.side.slope") : Slope. | isTagged("envelope.side.base") : Base. }
+    @StartRule
+    Ground --> envelope(normal, 4, 0, 60, 0, 60, 0, 60) comp(f) { isTagged("envelope.side.slope") : Slope. | isTagged("envelope.side.base") : Base. }
+    "##;
+}
+
+fn sloped(rule: &str, shape: &Shape) -> Model {
+    let model = Slopes::default().generate_from(rule, shape).expect("a model");
+    assert!(model.faults().is_empty(), "{rule}: {:?}", model.faults());
+    model
+}
+
+/// An L, a U with a slanted wing, and a yard, with z towards the front.
+fn concave_lots() -> [Shape; 3] {
+    let lot = |ring: &[[f64; 2]], holes: &[Vec<[f64; 2]>]| Shape::footprint(ring, holes).expect("a lot");
+    [
+        lot(&[[0.0, 0.0], [12.0, 0.0], [12.0, -5.0], [6.0, -5.0], [6.0, -14.0], [0.0, -14.0]], &[]),
+        lot(
+            &[[0.0, 0.0], [6.0, 1.0], [7.0, -8.0], [14.0, -8.0], [15.0, 0.0], [22.0, 0.0], [24.0, -15.0], [0.0, -15.0]],
+            &[],
+        ),
+        lot(
+            &[[0.0, 0.0], [16.0, 0.0], [16.0, -12.0], [0.0, -12.0]],
+            &[vec![[6.0, -5.0], [10.0, -5.0], [10.0, -8.0], [6.0, -8.0]]],
+        ),
+    ]
+}
+
+/// Equal sides of a concave lot without a hole: an upright base, and the hip roof of the lot on it.
+#[test]
+fn equal_slopes_are_the_hip_roof_of_the_lot() {
+    for lot in &concave_lots()[..2] {
+        let volume = |rule: &str| sloped(rule, lot).leaves().map(|leaf| leaf.mesh().0.volume()).sum::<f64>();
+        let expected = 2.0 * lot.to_mesh().area() + volume("Roof");
+        assert!((volume("Envelope") - expected).abs() < 1e-6 * expected, "{} {expected}", volume("Envelope"));
+    }
+}
+
+/// Faces begin with the edge over, or on, the outline of the initial shape, also those of concave lots and of lots with holes.
+#[test]
+fn faces_of_envelopes_begin_at_the_outline() {
+    for (number, lot) in concave_lots().into_iter().enumerate() {
+        let source = lot.to_mesh();
+        let flat = |point: u32| {
+            let at = lot.scope().frame().to_world(source.points()[point as usize]);
+            [at.x, at.z]
+        };
+        let ring = |ring: &[u32]| -> Vec<[[f64; 2]; 2]> {
+            (0..ring.len()).map(|k| [ring[k], ring[(k + 1) % ring.len()]].map(flat)).collect()
+        };
+        let edges: Vec<[[f64; 2]; 2]> = source.face(0).loops().flat_map(ring).collect();
+        for (rule, part, height) in [("Parts", "Slope", 2.0), ("Parts", "Base", 0.0), ("Ground", "Slope", 0.0)] {
+            let model = sloped(rule, &lot);
+            assert!(0 < model.count(part));
+            for leaf in model.leaves_of(part) {
+                let (mesh, place) = leaf.mesh();
+                let ring = mesh.face(0).outer();
+                let [a, b] = [ring[0], ring[1]].map(|point| place.transform_point3(mesh.points()[point as usize]));
+                assert!((a.y - height).abs() < 1e-9 && (b.y - height).abs() < 1e-9, "{number} {rule} {part}: {a} {b}");
+                let is_on = |[from, to]: [[f64; 2]; 2]| {
+                    let (x, z) = (to[0] - from[0], to[1] - from[1]);
+                    let off = |at: cga::glam::DVec3| ((at.x - from[0]) * z - (at.z - from[1]) * x).abs() / x.hypot(z);
+                    off(a) < 1e-9 && off(b) < 1e-9
+                };
+                assert!(edges.iter().any(|edge| is_on(*edge)), "{number} {rule} {part}: {a} {b}");
+            }
+        }
+    }
 }

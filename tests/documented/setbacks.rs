@@ -206,6 +206,28 @@ fn distances_of_two_faces() {
     }
 }
 
+/// The picture of the first array: between distances of 1 and 6, the cut follows the bisector of the blunt corner at the back, and
+/// the inner lines meet at the corner on the right.
+#[test]
+fn distances_that_differ_meet_as_in_the_picture() {
+    let model = example(&setback::alternating::EXAMPLE);
+    let leaf = model.leaves_of("Building").nth(1).expect("the second building");
+    let (mesh, place) = leaf.mesh();
+    let corners: Vec<DVec3> =
+        mesh.corners().iter().map(|p| place.transform_point3(mesh.points()[*p as usize])).collect();
+    assert_eq!((mesh.face_count(), corners.len()), (1, 6));
+    let [right, side, back, left] =
+        [[27.8, 0.6], [29.1, 6.4], [22.0, 12.2], [16.2, 12.4]].map(|[x, z]| DVec3::new(x, 0.0, -z));
+    let toward = |from: DVec3, to: DVec3| (to - from).normalize();
+    let bisector = (toward(back, side) + toward(back, left)).normalize();
+    let on_bisector = |at: &&DVec3| (**at - back).cross(bisector).length() < 1e-9;
+    assert_eq!(corners.iter().filter(on_bisector).count(), 2, "{corners:?}");
+    // 6 from the right edge, and 1 from the slanted one.
+    let from = |at: DVec3, a: DVec3, b: DVec3| DVec3::Y.cross(toward(a, b)).dot(at - a);
+    let is_mitre = |at: &&DVec3| (from(**at, right, side) - 6.0).abs() + (from(**at, side, back) - 1.0).abs() < 1e-9;
+    assert_eq!(corners.iter().filter(is_mitre).count(), 1, "{corners:?}");
+}
+
 /// "A square shape with an area of 400 is setback to an area of 100." "All setback faces have an area of 300."
 #[test]
 fn areas_are_those_of_the_page() {
@@ -252,4 +274,137 @@ fn a_section_goes_on_from_face_to_face() {
     let model = run("TwoFaces", &two);
     assert_eq!((model.count("A"), model.count("Rest")), (1, 2));
     assert!((model.area() - 12.0).abs() < 1e-9);
+}
+
+cga! {
+    grammar Parts = r##"
+    attr by = 1
+
+    @StartRule
+    Front --> setback(by) { front : Strip. | remainder : Rest. }
+    @StartRule
+    Left --> setback(by) { left : Strip. | remainder : Rest. }
+    @StartRule
+    BackAndLeft --> setback(by) { back || left : Strip. | remainder : Rest. }
+    @StartRule
+    All --> setback(by) { all : Strip. | remainder : Rest. }
+    @StartRule
+    Arms --> setback(by) { left : Rest. | front : Strip. | remainder : NIL }
+    @StartRule
+    Mapped --> setupProjection(0, scope.xz, 10, 8) projectUV(0) setback(by) { front : Strip. | remainder : Rest. }
+
+    @StartRule
+    Section --> splitAndSetbackPerimeter(2) { 4 : 2 : Strip. } { remainder : Rest. }
+    @StartRule
+    Corner --> splitAndSetbackPerimeter(7) { 5 : 2 : Strip. } { remainder : Rest. }
+    @StartRule
+    SectionTags --> splitAndSetbackPerimeter(2) { 4 : 2 : Told("section") } { remainder : Told("rest") }
+    Told(name) --> comp(fe) { all : print(name + " " + geometry.tags("*", edges)) NIL }
+    "##;
+}
+
+fn part_of(rule: &str, shape: &Shape) -> Model {
+    let model = Parts::default().generate_from(rule, shape).expect("a model");
+    assert!(model.faults().is_empty(), "{rule}: {:?}", model.faults());
+    model
+}
+
+/// The first edges of the leaves of a rule, as x and z of their ends in the world.
+fn first_edges(model: &Model, rule: &str) -> Vec<[[f64; 2]; 2]> {
+    let edge = |leaf: cga::LeafView<'_>| {
+        let (mesh, place) = leaf.mesh();
+        let ring = mesh.face(0).outer();
+        [ring[0], ring[1]].map(|point| {
+            let at = place.transform_point3(mesh.points()[point as usize]);
+            [at.x, at.z].map(|x| (x * 1e6).round() / 1e6 + 0.0)
+        })
+    };
+    model.leaves_of(rule).map(edge).collect()
+}
+
+/// Setbacks begin at the outline with an edge that was set back, and the rest with what is nearest to the first edge of the face;
+/// holes do not change this.
+#[test]
+fn first_edges_are_at_the_outline() {
+    let corners = [[0.0, 0.0], [10.0, 0.0], [10.0, -8.0], [0.0, -8.0]];
+    let hole = vec![[4.0, -3.0], [6.0, -3.0], [6.0, -5.0], [4.0, -5.0]];
+    for holes in [&[][..], &[hole]] {
+        let lot = Shape::footprint(&corners, holes).expect("a lot");
+        // The edges of the hole have strips of their own, after that of the outline.
+        let first = |rule: &str| {
+            let model = part_of(rule, &lot);
+            assert!(model.count("Strip") <= 1 + holes.len());
+            (first_edges(&model, "Strip")[0], first_edges(&model, "Rest"))
+        };
+        let (front, moved) = ([[0.0, 0.0], [10.0, 0.0]], [[0.0, -1.0], [10.0, -1.0]]);
+        assert_eq!(first("Front"), (front, vec![moved]));
+        let left = [[0.0, -8.0], [0.0, 0.0]];
+        assert_eq!(first("Left"), (left, vec![[[1.0, 0.0], [10.0, 0.0]]]));
+        let back = [[10.0, -8.0], [0.0, -8.0]];
+        assert_eq!(first("BackAndLeft"), (back, vec![[[1.0, 0.0], [10.0, 0.0]]]));
+        assert_eq!(first("All"), (front, vec![[[1.0, -1.0], [9.0, -1.0]]]));
+        assert_eq!(first("Section"), ([[2.0, 0.0], [6.0, 0.0]], vec![[[0.0, 0.0], [2.0, 0.0]]]));
+        assert_eq!(first("Corner").0, [[7.0, 0.0], [10.0, 0.0]]);
+    }
+}
+
+/// "The operation automatically applies the tags of the setback operation."
+#[test]
+fn sections_have_the_tags_of_setbacks() {
+    let mut lines = printed(&part_of("SectionTags", &lot()));
+    lines.sort();
+    let line = |part: &str, kind: &str| format!("{part} (1)[setback.{kind}]");
+    let mut expected: Vec<String> =
+        ["front", "back", "side", "side"].iter().map(|kind| line("section", kind)).collect();
+    let kinds = [["back"; 1].as_slice(), &["side"; 2], &["remainder"; 5]].concat();
+    expected.extend(kinds.iter().map(|kind| line("rest", kind)));
+    expected.sort();
+    assert_eq!(lines, expected);
+}
+
+/// Parts of a face that is not planar, and of one with texture coordinates, which are interpolated at the new corners.
+#[test]
+fn bent_faces_are_set_back_and_texture_coordinates_interpolated() {
+    let ring = [[0.0, 0.0, 0.0], [10.0, 0.5, 0.0], [10.0, 0.0, -8.0], [0.0, 0.5, -8.0]].map(DVec3::from_array);
+    let bent = Shape::mesh(Mesh::from_polygon(&ring, &[]).expect("a face"));
+    for (rule, faces) in [("All", 2), ("Front", 2), ("BackAndLeft", 2), ("Section", 2)] {
+        let model = part_of(rule, &bent);
+        assert_eq!(model.leaves().len(), faces, "{rule}");
+        assert!((model.area() - bent.to_mesh().area()).abs() < 0.5, "{rule}: {}", model.area());
+    }
+    let model = part_of("Mapped", &lot());
+    for leaf in model.leaves() {
+        let (mesh, place) = leaf.mesh();
+        for (corner, uv) in mesh.corners().iter().zip(mesh.uv_set(0)) {
+            let at = place.transform_point3(mesh.points()[*corner as usize]);
+            assert!((uv.x - at.x / 10.0).abs() < 1e-9 && (uv.y - at.z / 8.0).abs() < 1e-9, "{at} {uv}");
+        }
+    }
+}
+
+/// At a right angle the end of a setback lies on the edge beside it, and the first arm keeps the corner.
+#[test]
+fn ends_lie_on_the_edges_beside_them() {
+    let model = part_of("Front", &lot());
+    let size = |rule: &str| model.leaves_of(rule).next().expect("a part").scope().size.to_array();
+    assert_eq!((size("Strip"), size("Rest")), ([10.0, 0.0, 1.0], [10.0, 0.0, 7.0]));
+    let model = part_of("Arms", &lot());
+    assert_eq!((areas(&model, "Rest"), areas(&model, "Strip")), (vec![8.0], vec![9.0]));
+}
+
+/// A corner that is rounded by edges of 5 cm: one strip, and the rest without slivers.
+#[test]
+fn rounded_corners_leave_no_slivers() {
+    let arc = (0..=8).map(|k| {
+        let angle = f64::from(k) * std::f64::consts::FRAC_PI_2 / 8.0;
+        [9.75 + 0.25 * libm::sin(angle), -0.25 + 0.25 * libm::cos(angle)]
+    });
+    let ring: Vec<[f64; 2]> = [[0.0, 0.0]].into_iter().chain(arc).chain([[10.0, -8.0], [0.0, -8.0]]).collect();
+    let lot = Shape::footprint(&ring, &[]).expect("a lot");
+    for (rule, rests) in [("All", 1), ("Front", 1), ("Left", 1)] {
+        let model = part_of(rule, &lot);
+        assert_eq!((model.count("Strip"), model.count("Rest")), (1, rests), "{rule}");
+        let least = model.leaves().map(|leaf| leaf.area()).fold(f64::INFINITY, f64::min);
+        assert!(5.0 < least && (model.area() - lot.to_mesh().area()).abs() < 1e-9, "{rule}: {least}");
+    }
 }

@@ -234,7 +234,9 @@ cga! {
         print(geometry.tags("*", vertices)) extrude(1)
         comp(e) { geometry.hasTags("corner", edges) : primitiveCube Upright. | geometry.hasTags("moved", edges) : primitiveCube Leaning. }
     Cleared --> tag("f") tag("e", edges) tag("v", vertices) [ Counted ] [ primitiveCube Counted ] [ footprint Counted ]
-        [ resetGeometry Counted ] [ splitArea(x) { ^1 : Counted } ] [ extrude(1) splitArea(y) { ^1 : Counted } ] NIL
+        [ resetGeometry Counted ] [ splitArea(x) { ^1 : Counted } ] [ extrude(1) splitArea(y) { ^1 : Counted } ]
+        [ i("builtin:cube") Counted ] [ reduceGeometry(0.5) Counted ]
+        [ setupProjection(0, scope.xz, ^1, ^1) projectUV(0) tag("f") insertAlongUV(0, "builtin:cube", 1) Counted ] NIL
     Counted --> print(geometry.tags) NIL
     // Inherited tags count for isTagged alone.
     Inherits --> tag("f") comp(e) { geometry.hasTags("f", edges) : primitiveCube Own. | isTagged("f") : primitiveCube Inherited. }
@@ -297,7 +299,7 @@ fn edges_and_vertices_keep_the_tags_that_they_get_in_modify() {
 #[test]
 fn operations_that_replace_geometry_clear_its_tags() {
     let none = "(0)[]";
-    assert_eq!(own("Cleared").0, ["(3)[e,f,v]", none, none, none, none, none]);
+    assert_eq!(own("Cleared").0, ["(3)[e,f,v]", none, none, none, none, none, none, none, none]);
 }
 
 #[test]

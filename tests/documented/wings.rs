@@ -1,7 +1,9 @@
 //! *shapeL, shapeU, shapeO operations* and *taper operation*.
 
 use cga::glam::DVec3;
-use cga::{Mesh, Model, Shape, cga};
+use cga::{Mesh, Model, Settings, Shape, cga};
+
+use crate::pages::wings;
 
 cga! {
     grammar Wings = r##"
@@ -142,4 +144,25 @@ fn strips_of_several_faces_are_put_together() {
 fn a_taper_is_a_pyramid() {
     let model = run("Tapered", &Shape::rectangle(10.0, 8.0));
     assert!((model.volume() - 800.0 / 3.0).abs() < 1e-6);
+}
+
+/// The height is drawn, and a court as large as the lot without its margin of 3 m and the wings is left: the heights of the volume
+/// and of the scope agree.
+#[test]
+fn the_examples_have_wings_along_slanted_edges() {
+    let lot = (wings::l::EXAMPLE.start)().to_mesh().area();
+    let mut last = 0.0;
+    for example in [wings::l::EXAMPLE, wings::u::EXAMPLE, wings::o::EXAMPLE] {
+        let model = example.model(&Settings::default());
+        assert!(model.faults().is_empty() && model.leaves().len() == 1, "{}", example.title);
+        let leaf = model.leaves().next().expect("a footprint");
+        let height = leaf.size().y;
+        assert!((10.0..=20.0).contains(&height) && leaf.mesh().0.is_closed());
+        let area = model.volume() / height;
+        assert!(last < area && area < 0.5 * lot, "{}: {area} of {lot}", example.title);
+        last = area;
+    }
+    let taper = wings::tapered::EXAMPLE.model(&Settings::default());
+    let face = (wings::tapered::EXAMPLE.start)().to_mesh().area();
+    assert!((taper.volume() - face * 10.0 / 3.0).abs() < 1e-9);
 }

@@ -131,6 +131,22 @@ cga! {
     @StartRule
     SetBack --> extrude(1) modify(f) { top : shapeL(1, 1) { shape : X. | remainder : X. } } print(geometry.nVertices) X.
 
+    # Their parts are not connected with each other, and not with the other faces.
+    @StartRule
+    SetBackAll --> extrude(1) modify(f) { top : setback(1) { all : X. | remainder : X. } } print(geometry.nVertices) X.
+    @StartRule
+    ToArea --> extrude(1) modify(f) { top : setbackToArea(9) { all : X. | remainder : X. } } print(geometry.nVertices) X.
+    @StartRule
+    Perimeter --> extrude(1) modify(f) { top : splitAndSetbackPerimeter(0) { 8 : 1 : X. } { remainder : X. } } print(geometry.nVertices) X.
+    @StartRule
+    Rectangle --> modify(f) { all : innerRectangle(scope) { shape : X. | remainder : X. } } print(geometry.nVertices) X.
+    @StartRule
+    Areas --> extrude(1) modify(f) { top : splitArea(x) { '0.5 : X. | ~1 : X. } } print(geometry.nVertices) X.
+    @StartRule
+    Subtracted --> extrude(1) modify(f) { top : subtract { X. | s('0.5, '0.5, '1) X. } } print(geometry.nVertices) X.
+    @StartRule
+    Envelope --> extrude(1) modify(f) { top : envelope(normal, 2, 1, 45) X. } print(geometry.nVertices) X.
+
     # Operations that keep points of a face.
     @StartRule
     Roofed --> extrude(5) modify(f) { top : roofPyramid(45) X. } print(geometry.nVertices) X.
@@ -357,6 +373,28 @@ fn only_vertices_of_one_origin_are_merged() {
     assert_eq!(lines(&on(4.0, 4.0, "Mapped")), ["6"]);
     // The parts of the top are appended to the five other faces.
     assert_eq!(lines(&on(8.0, 8.0, "SetBack")), ["16"]);
+}
+
+/// "The resulting shapes will not be automatically reconnected with the rest of the geometry; they are simply appended."
+#[test]
+fn operations_without_connectivity_append_their_parts() {
+    // The five other faces have 8 vertices.
+    let body = 8;
+    for (rule, parts) in [
+        // A ring and a square.
+        ("SetBackAll", 8 + 4),
+        ("ToArea", 8 + 4),
+        ("Perimeter", 4 + 4),
+        ("Areas", 4 + 4),
+        ("Subtracted", 6),
+        // The front has a slope.
+        ("Envelope", 10),
+    ] {
+        assert_eq!(lines(&on(8.0, 8.0, rule)), [(body + parts).to_string()], "{rule}");
+    }
+    // A rectangle in a triangle, and two triangles beside it.
+    let triangle = Shape::footprint(&[[0.0, 0.0], [9.0, 0.0], [0.0, -9.0]], &[]).expect("a triangle");
+    assert_eq!(lines(&run_on(&triangle, "Rectangle")), ["10"]);
 }
 
 #[test]

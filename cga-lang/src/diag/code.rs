@@ -101,7 +101,7 @@ codes! {
     EndlessRules "endless_rules" Error "Recursive rules without a path that ends.",
     OnlyChanceEnds "only_chance_ends" Warning "Recursive rules that only chance ends.",
     SelectorHidden "selector_hidden" Warning "A selector that never matches: earlier selectors take all components, none has that index, or none faces that way.",
-    NoEffect "no_effect" Warning "Operations whose result is never used.",
+    NoEffect "no_effect" Warning "Operations whose result is never used, or setbacks of no edge.",
     NoFaces "no_faces" Warning "An operation on faces or edges of a point.",
     EmptyOperand "empty_operand" Warning "An operand of a boolean operation that never makes a shape.",
     // Declarations without a use.

@@ -23,7 +23,7 @@ pub(crate) fn check(params: &[Param], args: &[&Expr], facts: &AbstractState, flo
             (values, Value::Number(number)) => {
                 is_outside(values, number).then(|| number.known().map_or_else(|| "this".to_owned(), shown))
             }
-            _ => None,
+            (values, _) => has_only_outside(values, arg, facts, flow).then(|| "every element".to_owned()),
         };
         if let Some(found) = found {
             report(param, bounds, arg, &found, diags);
@@ -64,7 +64,28 @@ fn is_outside(values: Allowed, number: Interval) -> bool {
         Allowed::AtLeast(least) => number.hi < least,
         Allowed::Above(least) => number.hi <= least,
         Allowed::Inside(least, most) => number.hi <= least || most <= number.lo,
+        Allowed::Sloped(most) => number.hi <= -most || most <= number.lo || number.known() == Some(0.0),
         Allowed::NotEmpty | Allowed::TagName | Allowed::TagQuery => false,
+    }
+}
+
+/// Returns true if no element of an array is allowed. Components without a value have the element 0.
+fn has_only_outside(values: Allowed, array: &Expr, facts: &AbstractState, flow: &DataFlow) -> bool {
+    let is_out = |value: &Expr, facts: &AbstractState| {
+        let is_single = !matches!(value.kind, ExprKind::Range(..));
+        matches!(flow.value(value, facts), Value::Number(number) if is_single && is_outside(values, number))
+    };
+    match &array.kind {
+        ExprKind::Array(rows) => {
+            let mut elements = rows.iter().flatten().peekable();
+            elements.peek().is_some() && elements.all(|element| is_out(element, facts))
+        }
+        ExprKind::Comp(comp) => {
+            // Values are computed on the components.
+            let component = facts.on_any_shape();
+            is_outside(values, Interval::point(0.0)) && comp.arms.iter().all(|arm| is_out(&arm.2, &component))
+        }
+        _ => false,
     }
 }
 

@@ -7,6 +7,7 @@ mod bounds;
 mod branches;
 mod colour;
 mod defaults;
+mod edges;
 mod ends;
 mod faces;
 mod hidden;
@@ -96,7 +97,7 @@ pub(crate) fn check(cx: &mut Context) {
         });
     }
     let certain = agreed.finish();
-    let mut found = vec![hidden::check(cx), trailing::check(cx), operands::check(cx)];
+    let mut found = vec![hidden::check(cx), edges::check(cx), trailing::check(cx), operands::check(cx)];
     if let Some(calls) = &calls {
         found.push(defaults::check(cx, calls, &certain));
         found.extend([reach::check(cx, calls), ends::check(cx, calls), unused::check(cx)]);

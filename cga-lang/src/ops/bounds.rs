@@ -28,6 +28,8 @@ pub enum Allowed {
     Above(f64),
     /// The numbers between two numbers, exclusive.
     Inside(f64, f64),
+    /// The numbers except 0 whose absolute value is below a number.
+    Sloped(f64),
     /// Text with at least one character.
     NotEmpty,
     /// Text with characters that are not wildcards of tag queries.

@@ -10,6 +10,7 @@ use crate::comp::face_edges;
 use crate::comp::select::Word;
 use crate::fault::FaultKind;
 use crate::geometry::envelope::{EnvelopeRefusal, EnvelopeSide, envelopes};
+use crate::geometry::trace::Trace;
 use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::value::array::Array;
@@ -254,6 +255,9 @@ fn build(env: &mut Env, shape: &mut Shape, along: EnvelopeAlong, height: f64, si
     if refused.len() < mesh.face_count()
         && let Some(up) = up.or_else(normal)
     {
+        // *Shape recomposition*: the volume is not connected again, but the movements of the face count.
+        env.divide_trace(shape);
+        shape.change_trace(|trace| *trace = Trace::default());
         stand(env, shape, made, up, 1.0, "`envelope`");
     }
 }

@@ -103,7 +103,7 @@ pub fn scatter_around(
     deviation: Length,
 ) -> ControlFlow<(), Points> {
     let size = shape.scope.size;
-    let deviation = size.abs().to_array().map(|extent| deviation.of(extent, env, "the deviation of scatter").abs());
+    let deviation = size.abs().to_array().map(|extent| deviation.of(extent, env, "the deviation of `scatter`").abs());
     strew(env, shape, domain, count, |scale| {
         let (extent, least) = (size.abs() * scale, LEAST_DEVIATION * size.abs().max_element() * scale);
         let deviation = (DVec3::from(deviation) * scale).max(DVec3::splat(least));
@@ -121,7 +121,7 @@ fn strew(
     count: f64,
     bell: impl FnOnce(f64) -> Bell,
 ) -> ControlFlow<(), Points> {
-    let count = env.finite(count, "the number of points").floor();
+    let count = env.finite(count, "the number of points of `scatter`").floor();
     if count < 1.0 {
         env.fault(FaultKind::Value, format!("`scatter`: {count} points are asked for; none is made"));
         return ControlFlow::Continue(Points::none());

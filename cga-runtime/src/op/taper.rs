@@ -151,6 +151,42 @@ mod tests {
     }
 
     #[test]
+    fn only_the_first_face_is_tapered() {
+        let mut builder = crate::geometry::mesh::MeshBuilder::new();
+        for x in [0.0, 20.0] {
+            let ring = [[x, 0.0, 0.0], [x + 10.0, 0.0, 0.0], [x + 10.0, 0.0, -8.0], [x, 0.0, -8.0]];
+            let points = ring.map(|at| builder.point(at));
+            builder.face(&points, &[], Default::default());
+        }
+        let shape = tapered(Shape::mesh_axis_aligned(builder.build().expect("two faces")), 10.0);
+        assert_eq!((shape.to_mesh().face_count(), shape.scope.size), (5, DVec3::new(10.0, 10.0, 8.0)));
+    }
+
+    #[test]
+    fn texture_coordinates_are_kept() {
+        let mut builder = crate::geometry::mesh::MeshBuilder::new();
+        let ring = [[0.0, 0.0, 0.0], [9.0, 0.0, 0.0], [5.0, 0.0, -6.0], [0.0, 0.0, -4.0]];
+        let points = ring.map(|at| builder.point(at));
+        builder.face(&points, &[], Default::default());
+        builder.uvs(&ring.map(|[x, _, z]| DVec2::new(0.5 * x, 2.0 * z + 1.0)));
+        let shape = tapered(Shape::mesh_axis_aligned(builder.build().expect("a face")), 1.0);
+        let mesh = shape.to_mesh();
+        for (corner, uv) in mesh.corners().iter().zip(mesh.uvs()) {
+            let at = shape.scope.origin + mesh.points()[*corner as usize];
+            let expected = DVec2::new(0.5 * at.x, 2.0 * at.z + 1.0);
+            assert!((*uv - expected).length() < 1e-9, "{at} {uv}");
+        }
+        assert_eq!(mesh.uvs().len(), mesh.corners().len());
+    }
+
+    #[test]
+    fn a_second_taper_replaces_the_tags_of_the_first() {
+        let mesh = tapered(tapered(Shape::rectangle(10.0, 8.0), 3.0), 2.0).to_mesh();
+        let names = |face: usize| mesh.tag_sets()[mesh.face(face).tag().tags as usize].names().len();
+        assert!((0..mesh.face_count()).all(|face| names(face) == 1));
+    }
+
+    #[test]
     fn nothing_to_taper_stays_as_it_is() {
         for (shape, height) in
             [(Shape::rectangle(1.0, 1.0), 0.0), (Shape::line([0.0; 3], [2.0, 0.0, 0.0]).unwrap(), 3.0)]

@@ -95,7 +95,16 @@ pub fn split_area<C>(
     let bare = bare.as_ref().map(Base::shape);
     let shape = bare.as_ref().unwrap_or(shape);
     let pieces = areas(cx.env, shape, split.axis, split.pattern, sizes, lengths);
-    let made = made(cx.env, shape, split, &pieces)?;
+    // *Shape recomposition*: the parts are not connected again.
+    let made = if cx.env.recomposed_depth() == 0 {
+        made(cx.env, shape, split, &pieces)
+    } else {
+        let whole = cx.env.whole(shape);
+        cx.env.without_origins(whole, |env, whole| {
+            let whole = env.base(whole);
+            made(env, &whole.shape(), split, &pieces)
+        })
+    }?;
     walk(cx, shape, split, &made, pieces.len() as u64, List::new(&pieces), visit)
 }
 

@@ -27,6 +27,11 @@ fn lot() -> Shape {
     Shape::footprint(&[[0.0, 30.0], [20.0, 30.0], [20.0, 0.0], [0.0, 0.0]], &[]).expect("an outline")
 }
 
+/// The same lot with a front yard of 10 metres before it.
+fn deep_lot() -> Shape {
+    Shape::footprint(&[[0.0, 40.0], [20.0, 40.0], [20.0, 0.0], [0.0, 0.0]], &[]).expect("an outline")
+}
+
 fn yard() -> Shape {
     let hole = vec![[6.0, 6.0], [14.0, 6.0], [14.0, 14.0], [6.0, 14.0]];
     Shape::footprint(&[[0.0, 20.0], [20.0, 20.0], [20.0, 0.0], [0.0, 0.0]], &[hole]).expect("an outline")
@@ -95,10 +100,12 @@ example! {
 }
 
 example! {
-    /// "The example code above creates a building envelope with a slope of 30 degrees facing the street-side." The page sets the
-    /// front back first, with `setback`, which does not run yet.
-    envelope_slope, "envelope operation, Street-facing Slope", lot(),
-    r#"Building -->
+    /// "The example code above creates a building envelope with a slope of 30 degrees facing the street-side."
+    envelope_slope, "envelope operation, Street-facing Slope", deep_lot(),
+    r#"Lot -->
+   setback(10) { street.front : color(0,1,0) FrontYard
+               | remainder    : Building }
+Building -->
    envelope(normal, 50, 15, 30)
 "#
 }

@@ -23,3 +23,4 @@ pub(crate) mod subdivision_once;
 pub(crate) mod subdivision_repeat;
 pub(crate) mod tags;
 pub(crate) mod texturing;
+pub(crate) mod wings;

@@ -7,9 +7,9 @@ use super::example::{Example, example};
 /// The three pictures of the page.
 pub(crate) const ALL: &[Example] = &[uniform::EXAMPLE, gaussian::EXAMPLE, left::EXAMPLE];
 
-/// A quadrilateral like that of the pictures.
+/// The quadrilateral of the pictures, with corners as read from them. Its left edge is nearly along the left side of its scope.
 fn initial() -> Shape {
-    let outline = [[0.0, 0.0], [7.0, 2.5], [11.0, -14.0], [-7.0, -18.0]];
+    let outline = [[0.0, 0.0], [3.75, -1.25], [6.075, -8.775], [-3.525, -10.775]];
     Shape::footprint(&outline, &[]).expect("an outline")
 }
 

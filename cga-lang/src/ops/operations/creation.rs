@@ -260,7 +260,7 @@ pub(super) static ROWS: &[Operation] = &[
     envelope("envelope_all", ENVELOPE, VOLUME),
     envelope(
         "envelope_edges",
-        &[DIRECTION, MAX_HEIGHT, of("baseHeights", FS), of("angles", FS)],
+        &[DIRECTION, MAX_HEIGHT, within(of("baseHeights", FS), &BASE_HEIGHTS), within(of("angles", FS), &SLOPE_ANGLES)],
         "makes the volume that may be built on, with heights and angles edge by edge",
     ),
     // Without a direction, as before 2013.1 (*CGA changelog*).

@@ -54,6 +54,18 @@ static COUNTS: ParamBounds = ParamBounds {
 static DISTANCES: ParamBounds =
     ParamBounds { result: Some("no edge is set back"), ..bounds(Allowed::Above(0.0), "a distance is above 0") };
 
+/// *shapeL, shapeU, shapeO operations*.
+static WIDTHS: ParamBounds = ParamBounds {
+    result: Some("these edges are not set back"),
+    ..bounds(Allowed::AtLeast(0.0), "a width is at least 0")
+};
+
+/// *scatter operation*.
+static DEVIATIONS: ParamBounds = ParamBounds {
+    result: Some("its sign has no meaning"),
+    ..bounds(Allowed::AtLeast(0.0), "a deviation is at least 0")
+};
+
 const DISTANCE: Param = within(float("distance"), &DISTANCES);
 const EDGE_DISTANCE: Param = within(param("distance", ParamKind::PerEdge), &DISTANCES);
 const AREA: Param = within(float("area"), &AREAS);
@@ -64,6 +76,11 @@ const TO_AREA: &str = "sets edges back until the remainder has that area";
 
 /// The tags of all operations that set edges back.
 const SETBACK_TAGS: &[&str] = &["setback.front", "setback.back", "setback.side", "setback.remainder"];
+
+/// The width of a wing.
+const fn width(name: Str) -> Param {
+    within(float(name), &WIDTHS)
+}
 
 /// The row of an operation that sets edges back.
 const fn sets_back(call: Str, uses: Uses, row: Operation) -> Operation {
@@ -137,7 +154,7 @@ pub(super) static ROWS: &[Operation] = &[
         block(
             "setback",
             Braces::Arms(SelectorPlaces::SETBACK),
-            &[of("distances", FS), UV_SET],
+            &[within(of("distances", FS), &DISTANCES), UV_SET],
             "sets edges back, each face edge by a distance of its own",
         ),
     ),
@@ -177,7 +194,7 @@ pub(super) static ROWS: &[Operation] = &[
         block(
             "shapeL",
             Braces::Arms(SelectorPlaces::SHAPE),
-            &[float("frontWidth"), float("leftWidth")],
+            &[width("frontWidth"), width("leftWidth")],
             "sets the front and left edges back and keeps the strip",
         ),
     ),
@@ -187,7 +204,7 @@ pub(super) static ROWS: &[Operation] = &[
         block(
             "shapeU",
             Braces::Arms(SelectorPlaces::SHAPE),
-            &[float("frontWidth"), float("rightWidth"), float("leftWidth")],
+            &[width("frontWidth"), width("rightWidth"), width("leftWidth")],
             "sets all but the back edges back and keeps the strip",
         ),
     ),
@@ -197,7 +214,7 @@ pub(super) static ROWS: &[Operation] = &[
         block(
             "shapeO",
             Braces::Arms(SelectorPlaces::SHAPE),
-            &[float("frontWidth"), float("rightWidth"), float("backWidth"), float("leftWidth")],
+            &[width("frontWidth"), width("rightWidth"), width("backWidth"), width("leftWidth")],
             "sets all edges back and keeps the strip",
         ),
     ),
@@ -231,7 +248,7 @@ pub(super) static ROWS: &[Operation] = &[
         block(
             "scatter",
             Braces::Ops,
-            &[DOMAIN, N_POINTS, GAUSSIAN, MEAN, length("scatterStddev")],
+            &[DOMAIN, N_POINTS, GAUSSIAN, MEAN, within(length("scatterStddev"), &DEVIATIONS)],
             "strews points around a place",
         ),
     ),

@@ -133,6 +133,13 @@ impl Parser<'_> {
 
     fn section(&mut self) -> Parsed<Section> {
         let usage = "a section is `length : depth : operations`";
+        if self.is(Sym::LBrace) {
+            // *splitAndSetbackPerimeter operation*: the forms have one level.
+            return Err(self
+                .expected("a length")
+                .help("sections have no groups: `*` after the braces repeats all")
+                .into());
+        }
         let length = self.arg()?;
         if !self.eat(Sym::Colon) {
             return Err(self.expected("`:` after the length").help(usage).into());

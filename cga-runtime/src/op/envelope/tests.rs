@@ -267,6 +267,33 @@ fn a_slanted_lot_has_upright_sides_along_the_world() {
     }
 }
 
+/// *CGA changelog 2021.1*: on bent shapes with a turned scope.
+#[test]
+fn the_bottom_stays_on_a_bent_lot_with_a_turned_scope() {
+    let ring = [[0.0, 0.0, 0.0], [10.0, 0.4, 0.0], [10.0, 0.0, -8.0], [0.0, 0.4, -8.0]].map(DVec3::from);
+    for turn in [0.0, 25.0, 90.0, -130.0] {
+        let mut lot = Shape::mesh_axis_aligned(Mesh::from_polygon(&ring, &[]).expect("a face"));
+        crate::op::rotate_scope(&mut Env::for_tests(), &mut lot, 10.0, turn, -5.0);
+        let world = |shape: &Shape| -> Vec<DVec3> {
+            let place = shape.scope.frame();
+            shape.to_mesh().points().iter().map(|point| place.to_world(*point)).collect()
+        };
+        let corners = world(&lot);
+        assert!(ring.iter().all(|at| corners.iter().any(|corner| corner.distance(*at) < 1e-9)));
+        for along in [NORMAL, EnvelopeAlong::WorldUp] {
+            let (env, mut made) = (&mut Env::for_tests(), lot.clone());
+            envelope_edges(env, &mut made, along, 6.0, array(&[2.0, 1.0]), array(&[60.0, 45.0]));
+            assert_eq!(env.take_faults().0, []);
+            assert!(made.to_mesh().is_closed());
+            let points = world(&made);
+            for at in ring {
+                let near = points.iter().map(|point| point.distance(at)).fold(f64::INFINITY, f64::min);
+                assert!(near < 1e-9, "{turn} {along:?}: {at} is {near} away");
+            }
+        }
+    }
+}
+
 #[test]
 fn planes_and_layers_agree() {
     // The same convex lot, with a notch that has upright sides and no influence but its own area.

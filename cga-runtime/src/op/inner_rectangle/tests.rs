@@ -74,9 +74,11 @@ fn a_right_triangle_leaves_two() {
 
 #[test]
 fn an_l_leaves_one_of_its_wings() {
-    let made = divided(&polygon(&L, &[]), Scope);
-    let [shape, rest] = [0, 1].map(|arm| areas(&made, arm));
-    assert!((shape[0] - 50.0).abs() < 1e-9 && rest.len() == 1 && (rest[0] - 25.0).abs() < 1e-8);
+    for alignment in [Scope, Edge] {
+        let made = divided(&polygon(&L, &[]), alignment);
+        let [shape, rest] = [0, 1].map(|arm| areas(&made, arm));
+        assert!((shape[0] - 50.0).abs() < 1e-9 && rest.len() == 1 && (rest[0] - 25.0).abs() < 1e-8);
+    }
 }
 
 #[test]

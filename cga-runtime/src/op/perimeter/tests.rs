@@ -103,7 +103,7 @@ fn relative_and_floating_lengths() {
     let sections = [
         (Size::relative(0.5), 1.0),
         (Size::floating(1.0), 0.0),
-        (Size::relative(0.4), 2.0),
+        (Size::relative(0.4), 1.0),
         (Size::floating(1.0), 0.0),
     ];
     // 18, 1.8, 14.4 and 1.8 metres.
@@ -112,6 +112,9 @@ fn relative_and_floating_lengths() {
     // From 3.6 along the front and the right to the back, and then the left to the front.
     let shallow = 6.4 + 8.0 + 3.6 - 1.0 - 1.0;
     assert!((areas[0] - shallow).abs() < 1e-6, "{areas:?}");
+    // From 23.4 along the back and the left to 1.8 along the front.
+    let last = 4.6 + 8.0 + 1.8 - 1.0 - 1.0;
+    assert!((areas[2] - last).abs() < 1e-6, "{areas:?}");
 }
 
 #[test]

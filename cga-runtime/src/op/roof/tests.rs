@@ -117,8 +117,12 @@ fn hostile_input_leaves_a_fault_and_the_shape() {
 /// Only `extrude` and `taper` are said to keep them (*roofHip operation*).
 #[test]
 fn texture_coordinates_go() {
+    use crate::geometry::Axis;
+    use crate::geometry::mesh::primitive::PrimitiveKind;
+    let quad = PrimitiveKind::Square { across: Axis::Y }.mesh();
+    assert!(!quad.uvs.is_empty());
     for op in ALL {
-        let (roof, _) = run(&Shape::mesh_axis_aligned(crate::geometry::mesh::primitive::quad()), op);
+        let (roof, _) = run(&Shape::mesh_axis_aligned(quad.clone()), op);
         assert!(roof.to_mesh().uvs.is_empty() && roof.to_mesh().normals.is_empty());
     }
 }

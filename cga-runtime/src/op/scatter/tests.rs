@@ -81,3 +81,63 @@ fn sizes_near_the_limits_of_numbers_are_handled() {
         }
     }
 }
+
+/// Points in a scope of 10 by 2 by 4 metres, around a place.
+fn around(mean: ScatterMean, deviation: Length) -> Vec<DVec3> {
+    let mut env = Env::for_tests();
+    let shape = Shape::cuboid(10.0, 2.0, 4.0);
+    let points =
+        scatter_around(&mut env, &shape, ScatterDomain::Scope, 4000.0, Distribution::Gaussian, mean, deviation);
+    points.continue_value().expect("no limit").map(|point| point.origin).collect()
+}
+
+#[test]
+fn a_relative_deviation_is_a_share_of_the_size_along_each_axis() {
+    for (deviation, expected) in
+        [(Length::Relative(0.1), DVec3::new(1.0, 0.2, 0.4)), (Length::Absolute(0.3), DVec3::splat(0.3))]
+    {
+        let points = around(ScatterMean::Center, deviation);
+        let middle = points.iter().sum::<DVec3>() / 4000.0;
+        assert!((middle - DVec3::new(5.0, 1.0, 2.0)).abs().cmplt(expected * 0.1).all(), "{middle}");
+        let off = points.iter().map(|at| (*at - middle) * (*at - middle)).sum::<DVec3>() / 4000.0;
+        let found = DVec3::new(off.x.sqrt(), off.y.sqrt(), off.z.sqrt());
+        assert!((found / expected - 1.0).abs().max_element() < 0.05, "{found}, not {expected}");
+    }
+}
+
+#[test]
+fn a_mean_is_the_middle_of_the_scope_or_of_one_of_its_sides() {
+    use ScatterMean::{Back, Bottom, Center, Front, Left, Right, Top};
+    let size = DVec3::new(10.0, 2.0, 4.0);
+    for (mean, to) in [
+        (Center, DVec3::ZERO),
+        (Front, DVec3::Z),
+        (Back, DVec3::NEG_Z),
+        (Left, DVec3::NEG_X),
+        (Right, DVec3::X),
+        (Top, DVec3::Y),
+        (Bottom, DVec3::NEG_Y),
+    ] {
+        let points = around(mean, Length::Relative(0.05));
+        assert!(points.iter().all(|at| at.cmpge(DVec3::ZERO).all() && at.cmple(size).all()), "{mean:?}");
+        // Half of the bell is outside. The mean of the other half is 0.8 deviations away.
+        let expected = size * (DVec3::splat(0.5) + to * (0.5 - 0.8 * 0.05));
+        let middle = points.iter().sum::<DVec3>() / 4000.0;
+        assert!(((middle - expected) / size).abs().max_element() < 0.005, "{mean:?}: {middle}, not {expected}");
+    }
+}
+
+#[test]
+fn a_polygon_that_crosses_itself_has_points_on_both_parts() {
+    use crate::geometry::mesh::{FaceTag, MeshBuilder};
+    let mut builder = MeshBuilder::new();
+    let bow = [[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 3.0]].map(|[x, z]| builder.point([x, 0.0, -z]));
+    builder.face(&bow, &[], FaceTag::PLAIN);
+    let shape = Shape::mesh_axis_aligned(builder.build().expect("a face"));
+    let (points, faults) = uniform(&shape, ScatterDomain::Surface, 400.0);
+    assert_eq!((points.len(), faults), (400, 0));
+    let crossing = 12.0 / 7.0;
+    let left = points.iter().filter(|point| point.origin.x < crossing).count();
+    assert!(0 < left && left < 400);
+    assert!(points.iter().all(|point| point.origin.is_finite() && point.origin.y == 0.0));
+}

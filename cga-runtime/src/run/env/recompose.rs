@@ -74,6 +74,17 @@ impl Env {
         });
     }
 
+    /// Runs a division whose parts have no origins: the movements of the shape so far count, and recomposition appends the
+    /// parts.
+    pub(crate) fn without_origins<T>(&mut self, mut whole: Shape, divide: impl FnOnce(&mut Env, Shape) -> T) -> T {
+        self.divide_trace(&mut whole);
+        whole.change_trace(|trace| *trace = Trace::default());
+        let origins = std::mem::take(&mut self.recompositions.list);
+        let made = divide(self, whole);
+        self.recompositions.list = origins;
+        made
+    }
+
     /// Begins a part of a division: it has not moved yet.
     pub(crate) fn begin_part(&mut self, part: &mut Shape) {
         if self.recompositions.is_empty() || part.trace().is_none_or(Trace::is_empty) {
