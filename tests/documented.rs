@@ -124,7 +124,7 @@ fn all_examples_run() {
     for example in all() {
         let model = example.model(&pages::cutting::settings());
         assert!(!model.is_empty() && model.faults().is_empty(), "{}: {:?}", example.title, model.faults());
-        assert!(example.rules.contains("-->"));
+        assert!(example.shown().contains("-->"), "{}: the gallery shows no rule", example.title);
         for rule in example.marks.iter().filter_map(|mark| mark.rule()) {
             assert!(0 < model.count(rule), "{}: no piece of {rule} to mark", example.title);
         }

@@ -28,10 +28,8 @@ const HEIGHT: usize = 270;
 const THINNEST: f64 = 1e-4;
 
 impl Cell {
-    /// The rules of an example, without those that the page gives once for all its examples.
     pub(crate) fn new(example: &Example, model: Model, camera: Camera) -> Self {
-        let rules = example.rules.split("\n\n").next().unwrap_or_default().trim_matches('\n').trim_end();
-        Cell { title: example.title, rules, measured: String::new(), model, camera, borders: false }
+        Cell { title: example.title, rules: example.shown(), measured: String::new(), model, camera, borders: false }
     }
 
     #[allow(dead_code, reason = "the test of the text draws nothing")]

@@ -54,6 +54,11 @@ impl Mark {
 }
 
 impl Example {
+    /// The rules of this example, without those that the page gives once for all its examples.
+    pub(crate) fn shown(&self) -> &'static str {
+        self.rules.split("\n\n").next().unwrap_or_default().trim_matches('\n').trim_end()
+    }
+
     /// The model it gives.
     ///
     /// # Panics

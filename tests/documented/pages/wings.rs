@@ -17,14 +17,11 @@ example! {
     l, "shapeL operation", lot(),
     r#"attr myFrontDepth = 5
 attr myLeftWidth = 11
-
 LotInner -->
     Lot
-
 Lot -->
     offset(-3, inside)
     shapeL(myFrontDepth,myLeftWidth) { shape : Footprint | remainder: NIL }
-
 Footprint -->
     extrude(rand(10,20)) color(1,0,0)
 "#
@@ -36,14 +33,11 @@ example! {
     r#"attr myFrontDepth = 5
 attr myRightWidth = 3
 attr myLeftWidth = 11
-
 LotInner -->
     Lot
-
 Lot -->
     offset(-3, inside)
     shapeU(myFrontDepth,myRightWidth,myLeftWidth) { shape : Footprint | remainder: NIL }
-
 Footprint -->
     extrude(rand(10,20)) color(1,0,0)
 "#
@@ -56,14 +50,11 @@ example! {
 attr myRightWidth = 3
 attr myBackDepth = 2
 attr myLeftWidth = 11
-
 LotInner -->
     Lot
-
 Lot -->
     offset(-3, inside)
     shapeO(myFrontDepth,myRightWidth,myBackDepth,myLeftWidth) { shape : Footprint | remainder: NIL }
-
 Footprint -->
     extrude(rand(10,20)) color(1,0,0)
 "#

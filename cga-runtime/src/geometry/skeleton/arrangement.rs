@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::contact::Contacts;
-use super::rejoin::Meeting;
-use super::wavefront::Wavefront;
+use super::meeting::Meeting;
+use super::wavefront::{NONE, Wavefront};
 
 /// An end of a segment: a vertex that does not change, or a cluster where the wavefront changes, named by its first
 /// vertex.
@@ -74,8 +74,8 @@ pub(super) struct Arrangement {
     /// The segments that each continue with another one. [`rejoin`](super::rejoin) fills the list.
     pub(super) pairs: Vec<[usize; 2]>,
     /// For each of `clusters`, in the same order.
-    pub(super) meetings: Vec<Meeting>,
-    pub(super) nodes: Vec<u32>,
+    meetings: Vec<Meeting>,
+    nodes: Vec<u32>,
     /// For each vertex whether it names a cluster where the wavefront changes. All false between calls.
     changes: Vec<bool>,
     /// The places where clusters divide edges: the edge, the distance along its line, the cluster.
@@ -151,14 +151,29 @@ impl Arrangement {
         self.outgoing.sort_unstable();
     }
 
-    /// The clusters where the wavefront changes, sorted.
-    pub(super) fn clusters(&self) -> &[u32] {
-        &self.clusters
+    /// The index of a cluster where the wavefront changes.
+    fn number(&self, cluster: u32) -> Option<usize> {
+        self.clusters.binary_search(&cluster).ok()
     }
 
-    /// The index of a cluster where the wavefront changes.
-    pub(super) fn number(&self, cluster: u32) -> Option<usize> {
-        self.clusters.binary_search(&cluster).ok()
+    /// Makes the node of the skeleton at each cluster where the wavefront changes.
+    pub(super) fn put_nodes(&mut self, front: &mut Wavefront, contacts: &Contacts) {
+        let mut meetings = std::mem::take(&mut self.meetings);
+        meetings.clear();
+        meetings.resize(self.clusters.len(), Meeting::default());
+        for &vertex in contacts.vertices() {
+            if let Some(number) = self.number(contacts.cluster(vertex)) {
+                meetings[number].add(front, vertex);
+            }
+        }
+        self.nodes.clear();
+        self.nodes.extend(meetings.iter().map(|meeting| meeting.node(front)));
+        self.meetings = meetings;
+    }
+
+    /// The node at a cluster; [`NONE`] where nothing changes.
+    pub(super) fn node(&self, cluster: u32) -> u32 {
+        self.number(cluster).map_or(NONE, |number| self.nodes[number])
     }
 
     /// The segments at each cluster where the wavefront changes, in the order of clusters.

@@ -1,7 +1,7 @@
 //! The times of events: an edge shrinks to a point, or a reflex vertex reaches an edge.
 
 use super::Failure;
-use super::wavefront::{CollapseEvent, MovingLine, NONE, SplitEvent, Wavefront, WavefrontVertex};
+use super::wavefront::{CollapseEvent, MovingLine, NONE, NextEvent, SplitEvent, Wavefront, WavefrontVertex};
 
 /// An event at the current time, up to rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,23 +14,6 @@ pub(super) enum Event {
 
 /// The speed below which two objects count as not approaching.
 const SLOWEST: f64 = 1e-12;
-
-/// The next event of a vertex that is alive: its edge shrinks to a point, or it reaches an edge.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct NextEvent {
-    time: f64,
-    /// A time before which it is not a contact.
-    near: f64,
-}
-
-impl NextEvent {
-    fn of(WavefrontVertex { collapse, split, .. }: &WavefrontVertex) -> Self {
-        NextEvent {
-            time: if split.time < collapse.time { split.time } else { collapse.time },
-            near: if split.near < collapse.near { split.near } else { collapse.near },
-        }
-    }
-}
 
 impl Wavefront {
     /// The time of the next event; infinity if there is none.

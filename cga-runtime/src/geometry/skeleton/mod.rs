@@ -29,6 +29,7 @@ mod check;
 mod contact;
 mod event;
 mod limits;
+mod meeting;
 mod overlap;
 mod rejoin;
 mod speeds;

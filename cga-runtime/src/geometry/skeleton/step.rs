@@ -1,11 +1,11 @@
-//! One step of a wavefront: simultaneous events are processed together.
+//! The steps of a wavefront: simultaneous events are processed together.
 
-use super::Failure;
 use super::arrangement::{Arrangement, Segment};
 use super::contact::Contacts;
 use super::event::Event;
 use super::rejoin::rejoin;
 use super::wavefront::Wavefront;
+use super::{Failure, Swept};
 
 /// The lists of a step. They keep their memory, because a usual step has a single event.
 #[derive(Debug, Default)]
@@ -17,14 +17,33 @@ pub(super) struct Workspace {
 }
 
 impl Wavefront {
+    /// Moves the wavefront until its final time.
+    pub(super) fn run(mut self) -> Result<Swept, Failure> {
+        let mut workspace = Workspace::default();
+        // Contacts at the start: pinches, bridges to holes.
+        let everything: Vec<u32> = self.alive.clone();
+        self.place();
+        self.handle(&[], &everything, &mut workspace)?;
+        self.part_speeds(&self.alive.clone());
+        self.foresee(&self.alive.clone())?;
+        loop {
+            let next = self.next_event();
+            self.now = next.clamp(self.now, self.until);
+            self.place();
+            let due = self.due();
+            if due.is_empty() {
+                return if self.now == self.until { self.finish() } else { Err(Failure::Tangled) };
+            }
+            let mut made = self.handle(&due, &[], &mut workspace)?;
+            made.extend(self.part_speeds(&made));
+            self.limits.make(made.len())?;
+            self.foresee(&made)?;
+        }
+    }
+
     /// Processes simultaneous events, with everything in contact with their participants or with the vertices `around`.
     /// Returns the new vertices.
-    pub(super) fn handle(
-        &mut self,
-        events: &[Event],
-        around: &[u32],
-        workspace: &mut Workspace,
-    ) -> Result<Vec<u32>, Failure> {
+    fn handle(&mut self, events: &[Event], around: &[u32], workspace: &mut Workspace) -> Result<Vec<u32>, Failure> {
         let Workspace { contacts, arrangement, before } = workspace;
         contacts.clear(self.vertices.len());
         around.iter().for_each(|&vertex| contacts.reach(vertex));

@@ -4,10 +4,8 @@ use std::ops::RangeInclusive;
 
 use glam::DVec2;
 
-use super::event::NextEvent;
 use super::limits::WorkLimits;
 use super::speeds::Speeds;
-use super::step::Workspace;
 use super::trace::Arcs;
 use super::{Failure, Left, Swept};
 use crate::geometry::nesting::extent::Extent;
@@ -101,6 +99,23 @@ impl SplitEvent {
     /// Returns true if the split must be computed again.
     pub(super) fn is_open(&self) -> bool {
         self.edge == NONE && self.time < f64::INFINITY
+    }
+}
+
+/// The next event of a vertex that is alive: its edge shrinks to a point, or it reaches an edge.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct NextEvent {
+    pub(super) time: f64,
+    /// A time before which it is not a contact.
+    pub(super) near: f64,
+}
+
+impl NextEvent {
+    pub(super) fn of(WavefrontVertex { collapse, split, .. }: &WavefrontVertex) -> Self {
+        NextEvent {
+            time: if split.time < collapse.time { split.time } else { collapse.time },
+            near: if split.near < collapse.near { split.near } else { collapse.near },
+        }
     }
 }
 
@@ -219,30 +234,6 @@ impl Wavefront {
         Ok(front)
     }
 
-    /// Moves the wavefront until its final time.
-    pub(super) fn run(mut self) -> Result<Swept, Failure> {
-        let mut workspace = Workspace::default();
-        // Contacts at the start: pinches, bridges to holes.
-        let everything: Vec<u32> = self.alive.clone();
-        self.place();
-        self.handle(&[], &everything, &mut workspace)?;
-        self.part_speeds(&self.alive.clone());
-        self.foresee(&self.alive.clone())?;
-        loop {
-            let next = self.next_event();
-            self.now = next.clamp(self.now, self.until);
-            self.place();
-            let due = self.due();
-            if due.is_empty() {
-                return if self.now == self.until { self.finish() } else { Err(Failure::Tangled) };
-            }
-            let mut made = self.handle(&due, &[], &mut workspace)?;
-            made.extend(self.part_speeds(&made));
-            self.limits.make(made.len())?;
-            self.foresee(&made)?;
-        }
-    }
-
     /// The position of a vertex at a time.
     #[inline]
     pub(super) fn at(&self, vertex: u32, time: f64) -> DVec2 {
@@ -290,7 +281,7 @@ impl Wavefront {
     }
 
     /// Records the final positions.
-    fn finish(mut self) -> Result<Swept, Failure> {
+    pub(super) fn finish(mut self) -> Result<Swept, Failure> {
         let mut end = vec![NONE; self.vertices.len()];
         for &number in &self.alive {
             let vertex = self.vertices[number as usize];
