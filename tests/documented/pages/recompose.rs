@@ -96,7 +96,6 @@ example! {
     plane, "Shape recomposition, Shifted plane", plank(),
     r#"Init -->
   inline(recompose) SplitAndTranslate
-
 SplitAndTranslate -->
   split(x) { ~1: X. | ~1: X. | ~1: t(0,2,0) X. }
 "#
@@ -107,7 +106,6 @@ example! {
     r#"Init -->
   extrude(5)
   modify(f,noAlign) { top: SplitAndTranslate }
-
 SplitAndTranslate -->
   split(x) { ~1: X. | ~1: X. | ~1: t(0,2,0) X. }
 "#
@@ -118,7 +116,6 @@ example! {
     r#"Init -->
   extrude(5)
   modify(f,noAlign) { top: SplitAndTranslateNIL }
-
 SplitAndTranslateNIL -->
   split(x) { ~1: NIL | ~1: NIL | ~1: t(0,2,0) NIL }
 "#
@@ -128,7 +125,6 @@ example! {
     random, "Shape recomposition, Random split and transform", square(),
     r#"Init -->
   inline(recompose) RandomSplitX
-
 RandomSplitX --> split(x) { rand(0.5,1): RandomSplitZ | ~1: RandomSplitX }
 RandomSplitZ --> split(z) { rand(0.5,1): Cell | ~1: RandomSplitZ }
 Cell --> t(0, rand(-0.2,0.2), 0)
@@ -140,7 +136,6 @@ example! {
     r#"Init -->
   extrude(5)
   comp(f) { top: ModifiedRoof | side: Facade. }
-
 ModifiedRoof -->
   roofHip(45)
   modify(e) { ridge: t(0,2,0) X. }
@@ -159,7 +154,6 @@ example! {
 example! {
     grid, "modify operation, Hyperbolic grid", square(),
     r#"attr Max_Height = scope.sx/2
-
 Paraboloid with(
    center := getPivotCoord(scope.sx/2, 0, scope.sz/2)
    cenX := center[0]
@@ -171,16 +165,13 @@ Paraboloid with(
    inline(recompose) Grid
    modify(v, noAlign) { all: Move(cenX, cenZ, a, b) }
    set(scope.ty, yPos)
-
 Grid -->
    split(x,noAdjust) { '0.1: split(z) { '0.1: Cell. }* }*
-
 Move(centerX, centerZ, a, b) with(
    x := scope.tx - centerX
    z := scope.tz - centerZ
 )-->
    t(0,hyperbolic(x,z,a,b),0)
-
 hyperbolic(x,z,a,b) = (z*z)/(b*b) - (x*x)/(a*a)
 getPivotCoord(x,y,z) = convert(scope,pivot,pos,[x,y,z])
 getDampingFac(l) = l / sqrt(Max_Height*0.5)
@@ -190,11 +181,9 @@ getDampingFac(l) = l / sqrt(Max_Height*0.5)
 example! {
     roof, "modify operation, Hyperbolic roof", square(),
     r#"attr Max_Height = scope.sx/2
-
 Init -->
   extrude(5)
   modify(f,noAlign) { top: Paraboloid }
-
 Paraboloid with(
    center := getPivotCoord(scope.sx/2, 0, scope.sz/2)
    cenX := center[0]
@@ -206,16 +195,13 @@ Paraboloid with(
    inline(recompose) Grid
    modify(v, noAlign) { all: Move(cenX, cenZ, a, b) }
    set(scope.ty, yPos)
-
 Grid -->
    split(x,noAdjust) { '0.1: split(z) { '0.1: Cell. }* }*
-
 Move(centerX, centerZ, a, b) with(
    x := scope.tx - centerX
    z := scope.tz - centerZ
 )-->
    t(0,hyperbolic(x,z,a,b),0)
-
 hyperbolic(x,z,a,b) = (z*z)/(b*b) - (x*x)/(a*a)
 getPivotCoord(x,y,z) = convert(scope,pivot,pos,[x,y,z])
 getDampingFac(l) = l / sqrt(Max_Height*0.5)
@@ -228,13 +214,10 @@ example! {
     r#"attr Twist_Angle = 180
 attr Taper_Factor = 0.5
 attr Resolution = 24
-
 Init -->
   extrude(100)
   inline(recompose) split(y) { '1/Resolution: Slice }*
-
 Slice --> modify(f,noAlign) { top: RotateRescale }
-
 RotateRescale with(
   a := split.index / (Resolution-1)
   f := (1-a) + a*Taper_Factor
