@@ -47,9 +47,18 @@ export async function openPage(browser, address, { width = 1280, height = 800, s
 /** Waits until two frames were drawn. */
 export const settle = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 
-/** Runs a function in the page and waits until a model made after it is shown. */
-export async function afterRun(page, change, ...values) {
-  const before = await page.$eval('#view', (view) => view.dataset.made);
-  await page.evaluate(change, ...values);
-  await page.waitForFunction((before) => document.querySelector('#view').dataset.made !== before, { timeout: 30_000 }, before);
+/** Runs a function in the page and waits for the model that it causes. The wait does not depend on pictures, which may take seconds. */
+export function afterRun(page, change, ...values) {
+  const run = async (change, values) => {
+    const made = new Promise((resolve, reject) => {
+      new MutationObserver((_, observer) => {
+        observer.disconnect();
+        resolve();
+      }).observe(document.querySelector('#view'), { attributeFilter: ['data-made'] });
+      setTimeout(() => reject(new Error('no model was made')), 30_000);
+    });
+    change(...values);
+    await made;
+  };
+  return page.evaluate(`(${run})(${change}, ${JSON.stringify(values)})`);
 }

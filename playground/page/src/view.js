@@ -21,6 +21,8 @@ export class View {
     this.renderer.toneMappingExposure = 1.25;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
+    // Shadows change with the model, not with the camera.
+    this.renderer.shadowMap.autoUpdate = false;
     parent.append(this.renderer.domElement);
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(30, 1, 0.1, 5000);
@@ -142,6 +144,7 @@ export class View {
     camera.updateProjectionMatrix();
     this.sun.shadow.normalBias = map ? (2 * radius) / map.width : radius / 1024;
     this.sun.shadow.bias = -0.0004;
+    this.renderer.shadowMap.needsUpdate = true;
     this.ground.position.set(middle.x, low.y - 0.002 * radius, middle.z);
     this.ground.scale.setScalar(6 * radius);
     [this.camera.near, this.camera.far] = [radius / 200, radius * 60];
