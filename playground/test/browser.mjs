@@ -47,18 +47,30 @@ export async function openPage(browser, address, { width = 1280, height = 800, s
 /** Waits until two frames were drawn. */
 export const settle = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 
-/** Runs a function in the page and waits for the model that it causes. The wait does not depend on pictures, which may take seconds. */
-export function afterRun(page, change, ...values) {
-  const run = async (change, values) => {
+/**
+ * Runs a function in the page. Its first argument is a function that makes a change and waits for the model of it. No picture is
+ * drawn between such changes, which would take seconds without a graphics processor.
+ */
+export function inPage(page, run, ...values) {
+  const afterRun = async (change) => {
+    let observer;
+    let timer;
     const made = new Promise((resolve, reject) => {
-      new MutationObserver((_, observer) => {
-        observer.disconnect();
-        resolve();
-      }).observe(document.querySelector('#view'), { attributeFilter: ['data-made'] });
-      setTimeout(() => reject(new Error('no model was made')), 30_000);
+      observer = new MutationObserver(resolve);
+      observer.observe(document.querySelector('#view'), { attributeFilter: ['data-made'] });
+      timer = setTimeout(() => reject(new Error('no model was made')), 30_000);
     });
-    change(...values);
-    await made;
+    change();
+    await made.finally(() => {
+      observer.disconnect();
+      clearTimeout(timer);
+    });
   };
-  return page.evaluate(`(${run})(${change}, ${JSON.stringify(values)})`);
+  const texts = values.map((value) => (typeof value === 'function' ? String(value) : JSON.stringify(value)));
+  return page.evaluate(`(${run})(${[afterRun, ...texts].join(', ')})`);
+}
+
+/** Runs a function in the page and waits until a model made after it is shown. */
+export function afterRun(page, change, ...values) {
+  return inPage(page, (afterRun, change, values) => afterRun(() => change(...values)), change, values);
 }

@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 import { serve } from '../serve.mjs';
 import { decode, encode } from '../page/src/state.js';
 import { asRust, isTypeName } from '../page/src/rust.js';
-import { afterRun, openPage, settle, startBrowser } from './browser.mjs';
+import { afterRun, inPage, openPage, settle, startBrowser } from './browser.mjs';
 import { check, ensure, equal, finish } from './checks.mjs';
 
 const ROOT = fileURLToPath(new URL('..', import.meta.url));
@@ -125,20 +125,16 @@ async function openSlider(name) {
   }));
 }
 
-/** Moves a slider in the page. No picture is drawn between the steps: that would take seconds without a graphics processor. */
-async function moveSlider(name, values) {
+/** Moves a slider in the page and returns the times. */
+async function moveSlider(afterRun, name, values) {
   const input = document.querySelector(`[data-name="${name}"] input[type=range]`);
-  const view = document.querySelector('#view');
   const times = [];
   for (const value of values) {
-    const made = new Promise((resolve) => new MutationObserver((_, observer) => {
-      observer.disconnect();
-      resolve();
-    }).observe(view, { attributeFilter: ['data-took'] }));
-    input.value = value;
-    input.dispatchEvent(new Event('input', { bubbles: true }));
-    await made;
-    times.push(Number(view.dataset.took));
+    await afterRun(() => {
+      input.value = value;
+      input.dispatchEvent(new Event('input', { bubbles: true }));
+    });
+    times.push(Number(document.querySelector('#view').dataset.took));
   }
   return times;
 }
@@ -150,7 +146,7 @@ for (const name of ['pavilion', 'town_house', 'skyline', 'tower']) {
   await check(`${name}: a slider changes the model`, async () => {
     // Around the default: at the lower end, a model has fewer parts.
     const values = Array.from({ length: 24 }, (_, at) => slider.value + slider.step * ((at % 5) - 2));
-    const times = await page.evaluate(moveSlider, slider.name, values);
+    const times = await inPage(page, moveSlider, slider.name, values);
     const late = times.slice(4);
     const figure = `run and load ${Math.min(...late).toFixed(1)} ms at least, ${median(late).toFixed(1)} ms median, ${Math.max(...late).toFixed(1)} ms at most`;
     // The quickest step: other programs on the machine slow down the rest.
@@ -224,8 +220,6 @@ await check('arrow keys turn the view', async () => {
 
 await check('every control changes its attribute', async () => {
   const seen = {};
-  // Drawing without a graphics processor takes most of the time.
-  await page.setViewport({ width: 1100, height: 200 });
   for (const { name } of grammars) {
     await page.select('#grammar', name);
     await page.waitForFunction((name) => document.querySelector('#view').dataset.grammar === name, {}, name);
@@ -239,20 +233,25 @@ await check('every control changes its attribute', async () => {
         }
       }
     }));
-    for (const row of rows) {
-      const value = {
-        range: String(Number(row.value) === Number(row.max) ? row.min : row.max), color: '#123456',
-        'select-one': row.options.find((text) => text !== row.value),
-      }[row.type];
-      if (row.type !== 'checkbox' && value === undefined) continue;
-      await afterRun(page, set, row.name, value);
-      equal(await page.$eval('#error', (error) => error.textContent), '', `error of ${name}, ${row.name}`);
-      ensure(await page.$eval(`[data-name="${row.name}"] .undo`, (undo) => !undo.hidden), `${name}: ${row.name} did not change`);
-      await afterRun(page, (name) => document.querySelector(`[data-name="${name}"] .undo`).click(), row.name);
-      seen[row.type] = (seen[row.type] ?? 0) + 1;
-    }
+    const changes = rows.map((row) => ({ ...row, value: {
+      range: String(Number(row.value) === Number(row.max) ? row.min : row.max), color: '#123456',
+      'select-one': row.options.find((text) => text !== row.value),
+    }[row.type] })).filter(({ type, value }) => type === 'checkbox' || value !== undefined);
+    const wrong = await inPage(page, async (afterRun, set, changes) => {
+      const wrong = [];
+      const error = document.querySelector('#error');
+      for (const { name, value } of changes) {
+        await afterRun(() => set(name, value));
+        const undo = document.querySelector(`[data-name="${name}"] .undo`);
+        if (error.textContent || undo.hidden) wrong.push(`${name} did not change: ${error.textContent}`);
+        await afterRun(() => undo.click());
+        if (error.textContent || !undo.hidden) wrong.push(`${name} was not reset: ${error.textContent}`);
+      }
+      return wrong;
+    }, set, changes);
+    equal(wrong, [], name);
+    for (const { type } of changes) seen[type] = (seen[type] ?? 0) + 1;
   }
-  await page.setViewport({ width: 1280, height: 800 });
   return JSON.stringify(seen);
 });
 
