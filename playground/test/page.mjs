@@ -313,6 +313,11 @@ const type = (text) => {
   area.dispatchEvent(new Event('input', { bubbles: true }));
 };
 
+async function openChecker() {
+  await page.click('#tab-check');
+  await page.waitForFunction(() => /error|warning|No findings/.test(document.querySelector('#findings-title').textContent));
+}
+
 await check('the checker finds a mistake at its place', async () => {
   const before = await page.evaluate(() => performance.getEntriesByType('resource').some(({ name }) => name.includes('checker_bg')));
   equal(before, false, 'the checker was loaded before its tab was opened');
@@ -333,6 +338,7 @@ await check('the checker finds a mistake at its place', async () => {
 });
 
 await check('the checker survives hostile texts', async () => {
+  await openChecker();
   const took = [];
   for (const text of ['(', 'A --> '.repeat(2000), `A --> ${'('.repeat(50_000)}`, `A --> ${'[ '.repeat(50_000)}`, '\0\u{1f3e0}"', 'A --> x(1 + '.repeat(3000), `A --> ${'case 1 : '.repeat(20_000)}`]) {
     const begin = Date.now();
@@ -345,6 +351,7 @@ await check('the checker survives hostile texts', async () => {
 });
 
 await check('a large text is checked while a person types', async () => {
+  await openChecker();
   const rules = Array.from({ length: 200 }, (_, at) => `R${at}(a) --> split(x) { ~1 : color("#a0b1c2") s(a, ^1, ^1) R${(at + 1) % 200}(a / 2) | { 0.4 : Wall. }* }\n`);
   const times = [];
   for (let again = 0; again < 5; again++) {
@@ -357,6 +364,7 @@ await check('a large text is checked while a person types', async () => {
 });
 
 await check('the copied Rust compiles and runs', async () => {
+  await openChecker();
   await browser.defaultBrowserContext().overridePermissions(new URL(server.address).origin, ['clipboard-read', 'clipboard-write', 'clipboard-sanitized-write']);
   await page.bringToFront();
   await page.evaluate(type, RULES.replace('Wal |', 'Wall |').replaceAll('\n', '\r\n'));

@@ -168,8 +168,10 @@ export class View {
     this.camera.lookAt(middle);
     this.camera.updateMatrixWorld();
     // Far enough for every corner.
-    const tall = Math.tan((this.camera.fov / 2) * RADIANS);
-    const wide = tall * this.camera.aspect;
+    const half = Math.tan((this.camera.fov / 2) * RADIANS);
+    const wide = half * this.camera.aspect;
+    // The notes above and below take 48 pixels each.
+    const tall = half * Math.max(1 - 96 / this.parent.clientHeight, 0.5);
     let distance = 0;
     for (let corner = 0; corner < 8; corner++) {
       const at = new Vector3(...[0, 1, 2].map((axis) => (corner & (1 << axis) ? to : from).getComponent(axis)));
