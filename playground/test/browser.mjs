@@ -47,9 +47,30 @@ export async function openPage(browser, address, { width = 1280, height = 800, s
 /** Waits until two frames were drawn. */
 export const settle = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 
+/**
+ * Runs a function in the page. Its first argument is a function that makes a change and waits for the model of it. No picture is
+ * drawn between such changes, which would take seconds without a graphics processor.
+ */
+export function inPage(page, run, ...values) {
+  const afterRun = async (change) => {
+    let observer;
+    let timer;
+    const made = new Promise((resolve, reject) => {
+      observer = new MutationObserver(resolve);
+      observer.observe(document.querySelector('#view'), { attributeFilter: ['data-made'] });
+      timer = setTimeout(() => reject(new Error('no model was made')), 30_000);
+    });
+    change();
+    await made.finally(() => {
+      observer.disconnect();
+      clearTimeout(timer);
+    });
+  };
+  const texts = values.map((value) => (typeof value === 'function' ? String(value) : JSON.stringify(value)));
+  return page.evaluate(`(${run})(${[afterRun, ...texts].join(', ')})`);
+}
+
 /** Runs a function in the page and waits until a model made after it is shown. */
-export async function afterRun(page, change, ...values) {
-  const before = await page.$eval('#view', (view) => view.dataset.made);
-  await page.evaluate(change, ...values);
-  await page.waitForFunction((before) => document.querySelector('#view').dataset.made !== before, { timeout: 30_000 }, before);
+export function afterRun(page, change, ...values) {
+  return inPage(page, (afterRun, change, values) => afterRun(() => change(...values)), change, values);
 }

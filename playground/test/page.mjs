@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 import { serve } from '../serve.mjs';
 import { decode, encode } from '../page/src/state.js';
 import { asRust, isTypeName } from '../page/src/rust.js';
-import { afterRun, openPage, settle, startBrowser } from './browser.mjs';
+import { afterRun, inPage, openPage, settle, startBrowser } from './browser.mjs';
 import { check, ensure, equal, finish } from './checks.mjs';
 
 const ROOT = fileURLToPath(new URL('..', import.meta.url));
@@ -18,6 +18,8 @@ mkdirSync(OUT, { recursive: true });
 
 /** The bytes that modules may have after compression. */
 const SIZES = { first: 330 * 1024, each: 50 * 1024, checker: 320 * 1024 };
+/** Milliseconds until the first model is shown, and from the move of a slider until its model is. */
+const TIMES = { first: 2000, slider: 50 };
 /** Times are bounds for a quiet machine; a busy one is allowed this factor. */
 const SLACK = 5;
 
@@ -81,7 +83,7 @@ await check('the first model is shown soon', async () => {
     modules.push(await page.evaluate(() => performance.getEntriesByName('loaded')[0].startTime));
   }
   const figure = `${times.map((time) => time.toFixed(0)).join(', ')} ms, of which until the module is ready ${modules.map((time) => time.toFixed(0)).join(', ')} ms`;
-  ensure(median(times) < 2000 * SLACK, figure);
+  ensure(median(times) < TIMES.first * SLACK, figure);
   return figure;
 });
 
@@ -119,8 +121,22 @@ async function openSlider(name) {
   await page.select('#grammar', name);
   await page.waitForFunction((name) => document.querySelector('#view').dataset.grammar === name, {}, name);
   return page.$eval('#attributes input[type=range]', (input) => ({
-    name: input.closest('[data-name]').dataset.name, min: Number(input.min), max: Number(input.max), value: Number(input.value),
+    name: input.closest('[data-name]').dataset.name, min: Number(input.min), max: Number(input.max), step: Number(input.step), value: Number(input.value),
   }));
+}
+
+/** Moves a slider in the page and returns the times. */
+async function moveSlider(afterRun, name, values) {
+  const input = document.querySelector(`[data-name="${name}"] input[type=range]`);
+  const times = [];
+  for (const value of values) {
+    await afterRun(() => {
+      input.value = value;
+      input.dispatchEvent(new Event('input', { bubbles: true }));
+    });
+    times.push(Number(document.querySelector('#view').dataset.took));
+  }
+  return times;
 }
 
 // The tower is the last: the checks below go on with it.
@@ -128,16 +144,13 @@ let slider;
 for (const name of ['pavilion', 'town_house', 'skyline', 'tower']) {
   slider = await openSlider(name);
   await check(`${name}: a slider changes the model`, async () => {
-    const times = [];
-    for (let step = 0; step < 24; step++) {
-      const value = slider.min + ((slider.max - slider.min) * ((step * 7) % 24)) / 23;
-      await afterRun(page, set, slider.name, value);
-      times.push(Number(await page.$eval('#view', (view) => view.dataset.took)));
-    }
+    // Around the default: at the lower end, a model has fewer parts.
+    const values = Array.from({ length: 24 }, (_, at) => slider.value + slider.step * ((at % 5) - 2));
+    const times = await inPage(page, moveSlider, slider.name, values);
     const late = times.slice(4);
     const figure = `run and load ${Math.min(...late).toFixed(1)} ms at least, ${median(late).toFixed(1)} ms median, ${Math.max(...late).toFixed(1)} ms at most`;
-    // The figure is what counts: machines differ, and a busy one is slower.
-    ensure(median(late) < 1000, figure);
+    // The quickest step: other programs on the machine slow down the rest.
+    ensure(Math.min(...late) < TIMES.slider * SLACK, figure);
     return figure;
   });
 }
@@ -207,8 +220,6 @@ await check('arrow keys turn the view', async () => {
 
 await check('every control changes its attribute', async () => {
   const seen = {};
-  // Drawing without a graphics processor takes most of the time.
-  await page.setViewport({ width: 1100, height: 200 });
   for (const { name } of grammars) {
     await page.select('#grammar', name);
     await page.waitForFunction((name) => document.querySelector('#view').dataset.grammar === name, {}, name);
@@ -222,20 +233,25 @@ await check('every control changes its attribute', async () => {
         }
       }
     }));
-    for (const row of rows) {
-      const value = {
-        range: String(Number(row.value) === Number(row.max) ? row.min : row.max), color: '#123456',
-        'select-one': row.options.find((text) => text !== row.value),
-      }[row.type];
-      if (row.type !== 'checkbox' && value === undefined) continue;
-      await afterRun(page, set, row.name, value);
-      equal(await page.$eval('#error', (error) => error.textContent), '', `error of ${name}, ${row.name}`);
-      ensure(await page.$eval(`[data-name="${row.name}"] .undo`, (undo) => !undo.hidden), `${name}: ${row.name} did not change`);
-      await afterRun(page, (name) => document.querySelector(`[data-name="${name}"] .undo`).click(), row.name);
-      seen[row.type] = (seen[row.type] ?? 0) + 1;
-    }
+    const changes = rows.map((row) => ({ ...row, value: {
+      range: String(Number(row.value) === Number(row.max) ? row.min : row.max), color: '#123456',
+      'select-one': row.options.find((text) => text !== row.value),
+    }[row.type] })).filter(({ type, value }) => type === 'checkbox' || value !== undefined);
+    const wrong = await inPage(page, async (afterRun, set, changes) => {
+      const wrong = [];
+      const error = document.querySelector('#error');
+      for (const { name, value } of changes) {
+        await afterRun(() => set(name, value));
+        const undo = document.querySelector(`[data-name="${name}"] .undo`);
+        if (error.textContent || undo.hidden) wrong.push(`${name} did not change: ${error.textContent}`);
+        await afterRun(() => undo.click());
+        if (error.textContent || !undo.hidden) wrong.push(`${name} was not reset: ${error.textContent}`);
+      }
+      return wrong;
+    }, set, changes);
+    equal(wrong, [], name);
+    for (const { type } of changes) seen[type] = (seen[type] ?? 0) + 1;
   }
-  await page.setViewport({ width: 1280, height: 800 });
   return JSON.stringify(seen);
 });
 
@@ -297,6 +313,11 @@ const type = (text) => {
   area.dispatchEvent(new Event('input', { bubbles: true }));
 };
 
+async function openChecker() {
+  await page.click('#tab-check');
+  await page.waitForFunction(() => /error|warning|No findings/.test(document.querySelector('#findings-title').textContent));
+}
+
 await check('the checker finds a mistake at its place', async () => {
   const before = await page.evaluate(() => performance.getEntriesByType('resource').some(({ name }) => name.includes('checker_bg')));
   equal(before, false, 'the checker was loaded before its tab was opened');
@@ -317,6 +338,7 @@ await check('the checker finds a mistake at its place', async () => {
 });
 
 await check('the checker survives hostile texts', async () => {
+  await openChecker();
   const took = [];
   for (const text of ['(', 'A --> '.repeat(2000), `A --> ${'('.repeat(50_000)}`, `A --> ${'[ '.repeat(50_000)}`, '\0\u{1f3e0}"', 'A --> x(1 + '.repeat(3000), `A --> ${'case 1 : '.repeat(20_000)}`]) {
     const begin = Date.now();
@@ -329,6 +351,7 @@ await check('the checker survives hostile texts', async () => {
 });
 
 await check('a large text is checked while a person types', async () => {
+  await openChecker();
   const rules = Array.from({ length: 200 }, (_, at) => `R${at}(a) --> split(x) { ~1 : color("#a0b1c2") s(a, ^1, ^1) R${(at + 1) % 200}(a / 2) | { 0.4 : Wall. }* }\n`);
   const times = [];
   for (let again = 0; again < 5; again++) {
@@ -341,6 +364,7 @@ await check('a large text is checked while a person types', async () => {
 });
 
 await check('the copied Rust compiles and runs', async () => {
+  await openChecker();
   await browser.defaultBrowserContext().overridePermissions(new URL(server.address).origin, ['clipboard-read', 'clipboard-write', 'clipboard-sanitized-write']);
   await page.bringToFront();
   await page.evaluate(type, RULES.replace('Wal |', 'Wall |').replaceAll('\n', '\r\n'));

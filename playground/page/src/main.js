@@ -1,7 +1,7 @@
 // The playground: a grammar, its attributes, a view, its rules.
 
 import { copy } from './clipboard.js';
-import { Controls } from './controls.js';
+import { Controls, element } from './controls.js';
 import { Editor } from './editor.js';
 import { load, run } from './engine.js';
 import { short, showReports } from './reports.js';
@@ -83,7 +83,8 @@ async function open({ grammar, seed = null, values = {}, camera = null }) {
   if (grammar && grammar !== found.name) notes.push(`this page has no grammar “${grammar}”`);
   Object.assign(state, { grammar: found.name, seed: seed ?? found.seed, values: {} });
   get('grammar').value = found.name;
-  get('sentence').textContent = found.sentence;
+  const pieces = found.sentence.split('`');
+  get('sentence').replaceChildren(...pieces.map((piece, at) => (at % 2 ? element('code', {}, piece) : piece)));
   rules.build(found.rules);
   picked = null;
   let made = make();
@@ -113,22 +114,31 @@ function make() {
   return { ...made, took: performance.now() - begin };
 }
 
-/** Runs the grammar again, once for each frame. */
-let isWaiting = false;
+/** Runs the grammar again. Changes during a run are in the next one. */
+let isRunning = false;
+let isChanged = false;
 function update() {
-  if (isWaiting) return;
-  isWaiting = true;
+  isChanged = true;
+  if (isRunning) return;
+  isRunning = true;
   queueMicrotask(async () => {
     try {
-      await put(make());
-      fail('');
-    } catch (error) {
-      fail(error.message);
-      if (current) controls.show(current.facts.attributes, current.facts.used);
+      while (isChanged) await again();
     } finally {
-      isWaiting = false;
+      isRunning = false;
     }
   });
+}
+
+async function again() {
+  isChanged = false;
+  try {
+    await put(make());
+    fail('');
+  } catch (error) {
+    fail(error.message);
+    if (current) controls.show(current.facts.attributes, current.facts.used);
+  }
 }
 
 /** Shows a run. */

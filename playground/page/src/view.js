@@ -21,6 +21,8 @@ export class View {
     this.renderer.toneMappingExposure = 1.25;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
+    // Shadows change with the model, not with the camera.
+    this.renderer.shadowMap.autoUpdate = false;
     parent.append(this.renderer.domElement);
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(30, 1, 0.1, 5000);
@@ -142,6 +144,7 @@ export class View {
     camera.updateProjectionMatrix();
     this.sun.shadow.normalBias = map ? (2 * radius) / map.width : radius / 1024;
     this.sun.shadow.bias = -0.0004;
+    this.renderer.shadowMap.needsUpdate = true;
     this.ground.position.set(middle.x, low.y - 0.002 * radius, middle.z);
     this.ground.scale.setScalar(6 * radius);
     [this.camera.near, this.camera.far] = [radius / 200, radius * 60];
@@ -165,8 +168,10 @@ export class View {
     this.camera.lookAt(middle);
     this.camera.updateMatrixWorld();
     // Far enough for every corner.
-    const tall = Math.tan((this.camera.fov / 2) * RADIANS);
-    const wide = tall * this.camera.aspect;
+    const half = Math.tan((this.camera.fov / 2) * RADIANS);
+    const wide = half * this.camera.aspect;
+    // The notes above and below take 48 pixels each.
+    const tall = half * Math.max(1 - 96 / this.parent.clientHeight, 0.5);
     let distance = 0;
     for (let corner = 0; corner < 8; corner++) {
       const at = new Vector3(...[0, 1, 2].map((axis) => (corner & (1 << axis) ? to : from).getComponent(axis)));
