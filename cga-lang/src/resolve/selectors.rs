@@ -145,6 +145,10 @@ impl<'a> Resolver<'_, 'a, '_> {
             return diag
                 .help(format!("to find a component by name, write `findFirst(geometry.{list}, \"{}\")`", name.text));
         }
-        diag.suggest(near).note(format!("there are {all}"))
+        diag.suggest(near).note(format!("there are {all}"));
+        if !place.has_words_only() && ops::all_operations().any(|row| row.tags.contains(&name.text.as_str())) {
+            diag.help(format!("`{0}` is a tag: write `isTagged(\"{0}\")`", name.text));
+        }
+        diag
     }
 }
