@@ -59,17 +59,10 @@ pub(super) fn search(slabs: &PolygonSlabs, centre: DVec2, least: f64, budget: &m
                 }
             }
         } else {
-            let width = |[first, last]: [usize; 2]| slabs.lines[last + 1] - slabs.lines[first];
-            let divides_left = right[0] == right[1] || (left[0] < left[1] && width(right) <= width(left));
-            let [first, last] = if divides_left { left } else { right };
-            let middle = first + (last - first) / 2;
-            for part in [[first, middle], [middle + 1, last]] {
-                let [left, right] = if divides_left { [part, right] } else { [left, part] };
-                if left[0] <= right[1] {
-                    let most = bound(slabs, left, right, least, budget);
-                    if least <= most {
-                        queue.push(SlabPairs { most, left, right });
-                    }
+            for [left, right] in halves(slabs, left, right) {
+                let most = bound(slabs, left, right, least, budget);
+                if least <= most {
+                    queue.push(SlabPairs { most, left, right });
                 }
             }
         }
@@ -77,7 +70,35 @@ pub(super) fn search(slabs: &PolygonSlabs, centre: DVec2, least: f64, budget: &m
             break;
         }
     }
-    best
+    // The sets of a large polygon can spend the budget before a single pair is reached.
+    if best.is_none() && least == 0.0 { descend(slabs, centre) } else { best }
+}
+
+/// A large rectangle, which need not be the largest one: the half with the larger bound is taken each time.
+fn descend(slabs: &PolygonSlabs, centre: DVec2) -> Option<Found> {
+    let last = slabs.count().checked_sub(1)?;
+    let [mut left, mut right] = [[0, last]; 2];
+    let mut unlimited = usize::MAX;
+    while left[0] < left[1] || right[0] < right[1] {
+        let parts = halves(slabs, left, right).map(|[left, right]| {
+            let most = bound(slabs, left, right, 0.0, &mut unlimited);
+            SlabPairs { most, left, right }
+        });
+        SlabPairs { left, right, .. } = parts.max()?;
+    }
+    let all = within(slabs, left[0], right[0], 0.0, centre).into_iter();
+    all.max_by(|a, b| a.area.total_cmp(&b.area)).filter(|found| 0.0 < found.area)
+}
+
+/// The halves of a set of pairs. The wider side is divided.
+fn halves(slabs: &PolygonSlabs, left: [usize; 2], right: [usize; 2]) -> impl Iterator<Item = [[usize; 2]; 2]> {
+    let width = |[first, last]: [usize; 2]| slabs.lines[last + 1] - slabs.lines[first];
+    let divides_left = right[0] == right[1] || (left[0] < left[1] && width(right) <= width(left));
+    let [first, last] = if divides_left { left } else { right };
+    let middle = first + (last - first) / 2;
+    let parts = [[first, middle], [middle + 1, last]];
+    let sets = parts.map(|part| if divides_left { [part, right] } else { [left, part] });
+    sets.into_iter().filter(|[left, right]| left[0] <= right[1])
 }
 
 /// The area that no rectangle with its sides in these slabs exceeds, or an area below `least`.

@@ -260,3 +260,19 @@ fn nothing_is_inside_of_nothing() {
     let point = Polygon::of(&[&[(1.0, 1.0), (1.0, 1.0), (1.0, 1.0)]]);
     assert_eq!(largest(&point.points, &point.rings, EDGES), None);
 }
+
+/// The limit on work is reached before the sides of a rectangle are known.
+#[test]
+fn polygons_with_thousands_of_corners_have_rectangles() {
+    let count = 1250;
+    let wall = |far: bool| {
+        (0..count).map(move |i| {
+            let tooth = f64::from(i % 2);
+            if far { (f64::from(count - 1 - i), 8.0 + tooth) } else { (f64::from(i), tooth) }
+        })
+    };
+    let saw: Vec<(f64, f64)> = wall(false).chain(wall(true)).collect();
+    let polygon = Polygon::of(&[&saw]);
+    let rectangle = found(&polygon, AXES);
+    assert!(polygon.holds(rectangle.corners, 1e-6) && 100.0 < area(&rectangle), "{rectangle:?}");
+}
