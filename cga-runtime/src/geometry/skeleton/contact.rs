@@ -29,7 +29,7 @@ pub(super) struct Contacts {
     sorted: Vec<u32>,
     /// For each vertex that is alive a box around the edge after it and everything in contact with it.
     boxes: Vec<Extent>,
-    /// Edges, each with a vertex in its box.
+    /// Edges, each with a vertex that touches it between its ends.
     candidates: Vec<[u32; 2]>,
     /// Edges, each with a vertex that touches it.
     on_edges: BTreeSet<[u32; 2]>,
@@ -124,9 +124,15 @@ impl Wavefront {
                 if !around.holds(here) {
                     continue;
                 }
-                candidates.push([edge, vertex]);
-                if self.positions[edge as usize].distance_squared(here) <= near && edge != vertex {
-                    contacts.coincide(vertex, edge);
+                let next = self.vertices[edge as usize].next;
+                let [start, end] = [edge, next].map(|vertex| self.positions[vertex as usize]);
+                if start.distance_squared(here) <= near {
+                    if edge != vertex {
+                        contacts.coincide(vertex, edge);
+                    }
+                } else if near < end.distance_squared(here) && to_segment(here, start, end) <= near {
+                    // Only these are listed: a list of all vertices in boxes is quadratic where a disk ends in a point.
+                    candidates.push([edge, vertex]);
                 }
             }
         }
@@ -134,11 +140,8 @@ impl Wavefront {
         contacts.sorted.sort_unstable();
         contacts.clusters.flatten_some(&contacts.sorted);
         for &[edge, vertex] in &candidates {
-            let next = self.vertices[edge as usize].next;
-            let [start, end] = [edge, next].map(|vertex| self.positions[vertex as usize]);
-            let (here, cluster) = (self.positions[vertex as usize], contacts.cluster(vertex));
-            if ![edge, next].map(|end| contacts.cluster(end)).contains(&cluster) && to_segment(here, start, end) <= near
-            {
+            let cluster = contacts.cluster(vertex);
+            if ![edge, self.vertices[edge as usize].next].map(|end| contacts.cluster(end)).contains(&cluster) {
                 contacts.touch(edge, vertex);
             }
         }
@@ -160,4 +163,28 @@ impl Wavefront {
 /// The square of the distance from a point to a segment.
 pub(super) fn to_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     (p - a - (b - a) * nearest_share(p, [a, b])).length_squared()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Speeds;
+    use super::*;
+
+    /// The vertices of a disk meet at its centre, so each of them is in the boxes of all edges there.
+    #[test]
+    fn vertices_that_coincide_are_no_candidates() {
+        let count = 500;
+        let angle = |i: u32| std::f64::consts::TAU * f64::from(i) / f64::from(count);
+        let points: Vec<DVec2> = (0..count).map(|i| DVec2::new(libm::cos(angle(i)), libm::sin(angle(i)))).collect();
+        let ring: Vec<u32> = (0..count).collect();
+        let mut front = Wavefront::new(&points, &[ring], Speeds::Equal, 1e-10, 2.0).expect("a polygon");
+        front.now = libm::cos(0.5 * angle(1));
+        front.place();
+        let mut contacts = Contacts::default();
+        contacts.clear(count as usize);
+        (0..count).for_each(|vertex| contacts.reach(vertex));
+        front.compare(&mut contacts);
+        assert!((0..count).all(|vertex| contacts.cluster(vertex) == 0));
+        assert!(contacts.candidates.is_empty() && contacts.touched() == 0);
+    }
 }
