@@ -333,3 +333,30 @@ fn the_rest_depends_on_the_distances_alone() {
         assert!((once[1] - turns[5]).abs() <= 1e-9 * shape.to_mesh().area(), "{number}: {once:?} {turns:?}");
     }
 }
+
+/// Edges with corners that are 1e-9 off meet nearly all along in the second turn, and two lines have the same side.
+#[test]
+fn nearly_parallel_edges_that_meet_lose_no_area() {
+    let outline: [[f64; 2]; 14] = [
+        [-1.1198229557221258e-9, -6.597301058655537e-10],
+        [4.078982097617392, -1.076238464817031e-9],
+        [8.023132155613796, -5.452395069635452e-10],
+        [12.950446781663352, -6.611791221668379e-10],
+        [17.847092071288998, 4.644557936521082e-10],
+        [17.84709207226343, 3.0000000001682507],
+        [17.847092072330298, 6.000000001020592],
+        [17.847092070366514, 8.999999999135696],
+        [12.950446781219608, 8.999999998872212],
+        [8.023132157176187, 9.000000000619012],
+        [4.07898209601488, 9.000000000334024],
+        [4.07898209746833, 6.000000000771388],
+        [-1.2250052450297724e-10, 6.0000000002094405],
+        [3.1481998746270006e-11, 3.0000000005423364],
+    ];
+    let shape = Shape::footprint(&outline, &[]).expect("an outline");
+    let whole = shape.to_mesh().area();
+    let side = word(Word::Side, "side");
+    let made = made(&shape, &[FRONT, BACK, side, REST], 17.84709207345012 * 0.2);
+    let sum: f64 = made.mesh.faces().map(|face| face.area()).sum();
+    assert!((sum - whole).abs() < 1e-9 * whole, "{sum} of {whole}");
+}

@@ -164,7 +164,7 @@ fn taken(
             lines.entry(left.edge as usize).or_default().push(side);
         }
     }
-    let mut ranks = BTreeMap::new();
+    let (mut ranks, mut all) = (BTreeMap::new(), Vec::new());
     for (&edge, sides) in &lines {
         let is_moved = distances.get(edge).is_some_and(|distance| 0.0 < *distance);
         match &sides[..] {
@@ -173,19 +173,22 @@ fn taken(
                 origin(*side, edge, SideKind::Front);
                 ranks.extend(moved.iter().map(|side| (*side, NONE)));
                 moved.iter().for_each(|side| origin(*side, edge, SideKind::Back));
+                all.extend_from_slice(sides);
             }
             _ => {
                 let rank = if edge < distances.len() { rank(edge) } else { NONE };
                 for side in apart(sides, swept) {
                     ranks.insert(side, rank);
                     origin(side, edge, SideKind::End);
+                    all.push(side);
                 }
             }
         }
     }
-    let sides: Vec<[u32; 2]> = ranks.keys().copied().collect();
+    // Nearly parallel lines may have the same side, or opposite ones. Each side counts, so that all loops close.
+    all.sort_unstable();
     let mut contour = Contour::default();
-    contour.follow(&sides, &swept.points, |_| ());
+    contour.follow(&all, &swept.points, |_| ());
     let mut loops = Vec::new();
     let mut from = 0;
     for &end in &contour.ends {
@@ -197,7 +200,8 @@ fn taken(
     loops
 }
 
-/// The sides of one line, without the parts where two sides of opposite directions cover each other.
+/// The sides of one line, without the parts where two sides of opposite directions cover each other. Parts that several sides
+/// cover are returned once for each.
 fn apart(sides: &[[u32; 2]], swept: &Swept) -> Vec<[u32; 2]> {
     let at = |point: u32| swept.points[point as usize];
     let Some(&[from, to]) = sides.first() else { return Vec::new() };
@@ -214,7 +218,6 @@ fn apart(sides: &[[u32; 2]], swept: &Swept) -> Vec<[u32; 2]> {
         cover[from.min(to)..from.max(to)].iter_mut().for_each(|count| *count += if from < to { 1 } else { -1 });
     }
     let gaps = points.windows(2).zip(cover);
-    gaps.filter(|(_, count)| *count != 0)
-        .map(|(gap, count)| if 0 < count { [gap[0], gap[1]] } else { [gap[1], gap[0]] })
-        .collect()
+    let side = |gap: &[u32], count: i32| if 0 < count { [gap[0], gap[1]] } else { [gap[1], gap[0]] };
+    gaps.flat_map(|(gap, count)| std::iter::repeat_n(side(gap, count), count.unsigned_abs() as usize)).collect()
 }
