@@ -215,6 +215,10 @@ fn a_pyramid_over_the_mean_of_the_corners() {
     assert_eq!((volume(&model), model.count("Top")), (rounded(320.0 / 3.0), 5));
     // The apex is 3.2 m from the divided edge.
     assert_eq!(areas(&model, "Face")[0], rounded(2.5 * (3.2f64 * 3.2 + 16.0).sqrt()));
+    // The apex is in line with the first edge and 4 m from the second: with 45 degrees it is as high.
+    let hooked = outline(&[[0.0, -3.0], [3.0, -3.0], [3.0, 0.0], [18.0, 0.0], [18.0, -6.0], [0.0, -6.0]]);
+    let model = run(Roofs::default(), "Pyramid", &hooked);
+    assert_eq!((rounded(size(&model)[1]), model.count("Top")), (4.0, 6));
 }
 
 /// *roofShed operation*: the edge index, the angle, also a negative one, and the height.

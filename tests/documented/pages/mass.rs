@@ -27,7 +27,7 @@ fn lot() -> Shape {
     Shape::footprint(&[[0.0, 30.0], [20.0, 30.0], [20.0, 0.0], [0.0, 0.0]], &[]).expect("an outline")
 }
 
-/// The same lot with a front yard of 10 metres before it.
+/// The same lot with a front yard 10 metres deep.
 fn deep_lot() -> Shape {
     Shape::footprint(&[[0.0, 40.0], [20.0, 40.0], [20.0, 0.0], [0.0, 0.0]], &[]).expect("an outline")
 }

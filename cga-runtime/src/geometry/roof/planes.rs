@@ -10,17 +10,23 @@ use crate::geometry::nesting::extent::Extent;
 use crate::geometry::nesting::rings::NestedRings;
 use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
 
-/// A triangle for each edge, to an apex over the mean of all corners. An angle is that of the first triangle.
+/// A triangle for each edge, to an apex over the mean of all corners. An angle is that of the first triangle. If the apex is
+/// over the line of the first edge, no height gives this triangle an angle, so the next edge decides.
 pub(super) fn pyramid(outline: &Outline<'_>, rise: Rise) -> Roof {
     let edges = outline.edges();
     let mean = edges.iter().map(|edge| outline.at(edge[0])).sum::<DVec2>() / edges.len() as f64;
     let height = match rise {
-        Rise::Slope(slope) => slope * outline.along(edges[0]).perp_dot(mean - outline.at(edges[0][0])).abs(),
+        Rise::Slope(slope) => {
+            let Extent { low, high } = Extent::of(edges.iter().map(|edge| outline.at(edge[0])));
+            let least = TIE_EPSILON * (high - low).max_element();
+            let distance = |edge: &[u32; 2]| outline.along(*edge).perp_dot(mean - outline.at(edge[0])).abs();
+            slope * edges.iter().map(distance).find(|distance| least < *distance).unwrap_or(0.0)
+        }
         Rise::Height(height) => height,
     };
     let mut roof = Roof::over(outline);
     let apex = roof.point(mean.extend(height));
-    // A height of 0, over the line of the first edge, has no roof.
+    // An outline whose edges are all on one line has no roof.
     for (number, [a, b]) in (0..).zip(edges).filter(|_| height != 0.0) {
         roof.face(RoofPart::Top, number, vec![a, b, apex]);
     }

@@ -172,7 +172,7 @@ mod tests {
 
     /// The vertices of a disk meet at its centre, so each of them is in the boxes of all edges there.
     #[test]
-    fn vertices_that_coincide_are_no_candidates() {
+    fn the_candidates_are_not_the_vertices_that_coincide() {
         let count = 500;
         let angle = |i: u32| std::f64::consts::TAU * f64::from(i) / f64::from(count);
         let points: Vec<DVec2> = (0..count).map(|i| DVec2::new(libm::cos(angle(i)), libm::sin(angle(i)))).collect();

@@ -12,7 +12,7 @@ use super::side_tags::{SideKind, SideOrigin};
 use super::{OffsetError, relief};
 use crate::geometry::mesh::flat_face::FlatFace;
 use crate::geometry::nesting::contour::Contour;
-use crate::geometry::skeleton::{self, Swept};
+use crate::geometry::skeleton::{self, Failure, Swept};
 
 /// The piece of a side that is on no edge of the face.
 const NONE: usize = usize::MAX;
@@ -103,7 +103,6 @@ impl FaceRegion {
         }
         let rings: Vec<Vec<u32>> = self.rings.iter().map(|ring| ring.iter().map(|side| side.point).collect()).collect();
         let mut swept = skeleton::sweep_each(&self.points, &rings, &distances)?;
-        self.heights = relief::heights(&self.heights, &rings, &swept);
         let rank = |side: usize| {
             let piece = old[side].piece;
             if 0.0 < distances[side] { piece } else { piece.saturating_add(self.edges.len()) }
@@ -113,7 +112,8 @@ impl FaceRegion {
             let edge = old.get(edge).and_then(|side| self.edges.get(side.piece)).copied();
             origins.insert(side, SideOrigin { kind, edge });
         };
-        let taken = taken(&rings, &swept, &distances, rank, origin);
+        let taken = taken(&rings, &swept, &distances, rank, origin)?;
+        self.heights = relief::heights(&self.heights, &rings, &swept);
         let side = |left: &skeleton::Left| {
             let edge = left.edge as usize;
             let Some(old) = old.get(edge) else {
@@ -147,14 +147,14 @@ impl FaceRegion {
 }
 
 /// The loops of what the sides swept. Calls `origin` with each side of them, the number of the edge from which it comes, and
-/// its kind.
+/// its kind. An error if a loop does not close.
 fn taken(
     rings: &[Vec<u32>],
     swept: &Swept,
     distances: &[f64],
     rank: impl Fn(usize) -> usize,
     mut origin: impl FnMut([u32; 2], usize, SideKind),
-) -> Loops {
+) -> Result<Loops, Failure> {
     let mut lines: BTreeMap<usize, Vec<[u32; 2]>> = BTreeMap::new();
     let sides = rings.iter().flat_map(|ring| (0..ring.len()).map(|k| [ring[k], ring[(k + 1) % ring.len()]]));
     sides.enumerate().for_each(|(edge, side)| lines.entry(edge).or_default().push(side));
@@ -187,8 +187,11 @@ fn taken(
     }
     // Nearly parallel lines may have the same side, or opposite ones. Each side counts, so that all loops close.
     all.sort_unstable();
-    let mut contour = Contour::default();
-    contour.follow(&all, &swept.points, |_| ());
+    let (mut contour, mut closes) = (Contour::default(), true);
+    contour.follow(&all, &swept.points, |_| closes = false);
+    if !closes {
+        return Err(Failure::Tangled);
+    }
     let mut loops = Vec::new();
     let mut from = 0;
     for &end in &contour.ends {
@@ -197,7 +200,7 @@ fn taken(
         loops.push(super::from_first((0..ring.len()).map(|k| (rank(k), ring[k])).collect()));
         from = end;
     }
-    loops
+    Ok(loops)
 }
 
 /// The sides of one line, without the parts where two sides of opposite directions cover each other. Parts that several sides
