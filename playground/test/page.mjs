@@ -44,7 +44,7 @@ async function glbOf(page) {
 
 /** The bytes of the same request without a browser. */
 function nativeGlb(request) {
-  execFileSync(join(TARGET, 'release', 'glb'), [OUT], { input: `native.glb ${JSON.stringify(request)}\n` });
+  execFileSync(join(TARGET, 'debug', 'glb'), [OUT], { input: `native.glb ${JSON.stringify(request)}\n` });
   return readFileSync(join(OUT, 'native.glb'));
 }
 
