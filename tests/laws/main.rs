@@ -43,13 +43,25 @@ fn the_grammars_are_those_of_their_seeds() {
     }
 }
 
+/// Two tests, so that two cores share the work. One in four grammars prints much, so both have some of each kind.
 #[test]
 fn runs_give_the_same() {
-    let counts = play::play(grammars::ALL);
+    give_the_same(0);
+}
+
+#[test]
+fn runs_of_the_other_grammars_give_the_same() {
+    give_the_same(1);
+}
+
+/// Plays one half of the grammars: every second group of four.
+fn give_the_same(half: usize) {
+    let grammars: Vec<_> = grammars::ALL.chunks(4).skip(half).step_by(2).flatten().copied().collect();
+    let counts = play::play(&grammars);
     println!("{}", counts.summary());
     assert!(counts.broken == 0, "{}{}", counts.differences(), counts.summary());
     assert!(
-        100 * play::RUNS < counts.leaves as u64 && 100 * play::RUNS < counts.prints as u64,
+        50 * play::RUNS < counts.leaves as u64 && 50 * play::RUNS < counts.prints as u64,
         "too little to say anything: {}",
         counts.summary()
     );
