@@ -1,6 +1,6 @@
 //! The feature `serde`: attributes, values, settings and reports as JSON.
 
-use cga::{Grammar, Limits, Settings, Shape, Value, cga};
+use cga::{Array, Grammar, Limits, Settings, Shape, Text, Value, cga};
 use serde_json::json;
 
 cga! {
@@ -24,6 +24,17 @@ cga! {
         extrude(height) set(material.name, wall) i("missing.obj") House.
 }
 
+cga! {
+    grammar Values;
+    attr number = 0
+    attr truth = false
+    attr word = ""
+    attr numbers = [0]
+    attr truths = [false]
+    attr words = [""]
+    Lot --> print(number) print(truth) print(word) print(size(numbers) + size(truths) + size(words))
+}
+
 fn house() -> Box<dyn Grammar + Send + Sync> {
     Box::new(House::default())
 }
@@ -43,13 +54,57 @@ fn values_go_out_and_in() {
     assert!(house.values_json().starts_with(r#"{"height":12.0,"wall":"brick""#), "in the order of the attributes");
 
     house.set_values_json(r#"{ "height": 20, "grid": [5], "storeys": 3, "open": [] }"#).expect("it is allowed");
-    assert_eq!(house.get("grid"), Ok(Value::from(cga::Array::from([5.0]))));
+    assert_eq!(house.get("grid"), Ok(Value::from(Array::from([5.0]))));
     assert_eq!(house.get("storeys"), Ok(3.0.into()));
     let changed = house.values_json();
     house.set_values_json(&defaults.to_string()).expect("it is allowed");
     assert_eq!(values(&*house), defaults);
     house.set_values_json(&changed).expect("it is allowed");
     assert_eq!(house.values_json(), changed);
+}
+
+#[test]
+fn values_are_read_as_they_were_written() {
+    let back = |name: &str, value: &Value| {
+        let [mut from, mut to] = [Values::default(), Values::default()];
+        from.set(name, value.clone()).expect("the type of the attribute");
+        to.set_values_json(&from.values_json()).unwrap_or_else(|error| panic!("{error}: {}", from.values_json()));
+        to.get(name).expect("an attribute")
+    };
+    let rows = |rows: Vec<Vec<f64>>| Value::from(Array::from(rows));
+    for (name, value) in [
+        ("number", Value::from(0.1 + 0.2)),
+        ("number", (-1e300).into()),
+        ("number", f64::INFINITY.into()),
+        ("number", f64::NEG_INFINITY.into()),
+        ("truth", true.into()),
+        ("word", "é\n\"".into()),
+        ("numbers", rows(vec![vec![1.0, 2.0], vec![3.0, f64::INFINITY]])),
+        ("numbers", rows(vec![vec![1.0], vec![2.0]])),
+        ("numbers", rows(vec![vec![1.0, 2.0]])),
+        ("numbers", rows(Vec::new())),
+        ("truths", Array::from([true, false]).into()),
+        ("truths", Array::<bool>::default().into()),
+        ("words", Array::from([Text::from("a"), Text::from("")]).into()),
+        ("words", Array::<Text>::default().into()),
+    ] {
+        assert_eq!(back(name, &value), value);
+    }
+    assert!(matches!(back("number", &f64::NAN.into()), Value::Float(number) if number.is_nan()));
+}
+
+#[test]
+fn a_value_without_a_type_is_what_it_looks_like() {
+    let read = |json| serde_json::from_str::<Value>(json).map_err(|error| error.to_string());
+    assert_eq!(read("[[1, 2], [3, 4.5]]"), Ok(Array::from(vec![vec![1.0, 2.0], vec![3.0, 4.5]]).into()));
+    assert_eq!((read("12"), read("true")), (Ok(12.0.into()), Ok(true.into())));
+    assert_eq!(
+        (read("[]"), read("[\"a\"]")),
+        (Ok(Array::<f64>::default().into()), Ok(Array::from([Text::from("a")]).into()))
+    );
+    for wrong in ["[[1], [2, 3]]", "[1, \"a\"]", "{}", "null"] {
+        assert!(read(wrong).is_err(), "{wrong}");
+    }
 }
 
 #[test]

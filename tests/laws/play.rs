@@ -13,7 +13,7 @@ use std::sync::Arc;
 pub(crate) type Make = fn() -> Box<dyn Grammar + Sync>;
 
 /// The runs of each grammar. Without optimisation each takes ten times as long.
-pub(crate) const RUNS: u64 = if cfg!(debug_assertions) { 6 } else { 48 };
+pub(crate) const RUNS: u64 = if cfg!(debug_assertions) { 4 } else { 48 };
 
 /// Returns true if the grammar of a seed prints all that it can observe. Others have many parts that repeat.
 pub(crate) fn prints_much(seed: u64) -> bool {

@@ -10,14 +10,3 @@ impl From<&LineString<f64>> for Centerline {
         Centerline::new(&line.coords().map(|point| [point.x, -point.y]).collect::<Vec<_>>())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_north_is_behind() {
-        let line = LineString::from(vec![(0.0, 0.0), (3.0, 4.0)]);
-        assert_eq!(Centerline::from(&line), Centerline::new(&[[0.0, 0.0], [3.0, -4.0]]));
-    }
-}

@@ -236,7 +236,7 @@ const BENT: f64 = 2e-7;
 fn overhangs_continue_the_roof() {
     for (across, along) in [(0.1, 0.1), (0.3, 0.0), (0.0, 0.2), (2.0, 1.5)] {
         let (mut failures, mut count, mut bent) = (Vec::new(), 0, 0);
-        for (name, polygon) in outlines(seeds() / 2) {
+        for (name, polygon) in outlines(seeds() / 4) {
             let hip = RoofForm::Hip { overhang: across, even: false };
             let gable = RoofForm::Gable { across, along, even: false, edge: None };
             for form in [hip, gable] {

@@ -40,7 +40,7 @@ fn lines(random: &mut Random) -> Vec<Centerline> {
 
 #[test]
 fn random_networks_are_divided_without_overlaps_and_gaps() {
-    let seeds = std::env::var("CGA_STREETS").ok().and_then(|count| count.parse().ok()).unwrap_or(60);
+    let seeds = std::env::var("CGA_STREETS").ok().and_then(|count| count.parse().ok()).unwrap_or(30);
     for seed in 0..seeds {
         let lines = lines(&mut Random(seed * 7919 + 1));
         let network = Network::new(&lines, &NetworkOptions::default()).unwrap();

@@ -40,7 +40,7 @@ fn new_flaws(mesh: &Mesh) -> Vec<Flaw> {
 #[test]
 fn soups_give_a_mesh_or_an_error() {
     let (mut done, mut refused) = (0, 0);
-    for seed in 0..90 {
+    for seed in 0..45 {
         let rng = &mut Rng(seed);
         let grid = [1e12, 5.0, 3.0][seed as usize % 3];
         let a = soup(rng, 1 + seed as u32 % 12, grid);
