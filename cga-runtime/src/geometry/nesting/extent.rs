@@ -12,7 +12,8 @@ pub(crate) struct Extent {
 }
 
 impl Extent {
-    const EMPTY: Extent = Extent { low: DVec2::INFINITY, high: DVec2::NEG_INFINITY };
+    /// The box around nothing.
+    pub(crate) const EMPTY: Extent = Extent { low: DVec2::INFINITY, high: DVec2::NEG_INFINITY };
 
     /// The box around some points.
     pub(crate) fn of(points: impl Iterator<Item = DVec2>) -> Self {
@@ -34,6 +35,15 @@ impl Extent {
     pub(crate) fn is_in(&self, other: &Extent) -> bool {
         let slack = other.slack();
         other.low.cmple(self.low + slack).all() && self.high.cmple(other.high + slack).all()
+    }
+
+    /// Returns true if two boxes have a point in common.
+    #[inline]
+    pub(crate) fn meets(&self, other: &Extent) -> bool {
+        self.low.x <= other.high.x
+            && other.low.x <= self.high.x
+            && self.low.y <= other.high.y
+            && other.low.y <= self.high.y
     }
 
     /// Returns true if a point is inside the box or on its rim.

@@ -27,8 +27,8 @@ pub(super) struct Contacts {
     is_reached: Vec<bool>,
     /// The same vertices, sorted, as of the last comparison.
     sorted: Vec<u32>,
-    /// For each vertex that is alive a box around the edge after it and everything in contact with it.
-    boxes: Vec<Extent>,
+    /// The edges near a box around reached vertices, each with a box around it and everything in contact with it.
+    near: Vec<(u32, Extent)>,
     /// Edges, each with a vertex that touches it between its ends.
     candidates: Vec<[u32; 2]>,
     /// Edges, each with a vertex that touches it.
@@ -110,27 +110,25 @@ impl Contacts {
 impl Wavefront {
     /// Finds the contacts of the reached vertices.
     pub(super) fn compare(&self, contacts: &mut Contacts) {
-        let near = self.epsilon * self.epsilon;
-        let (mut boxes, mut candidates) =
-            (std::mem::take(&mut contacts.boxes), std::mem::take(&mut contacts.candidates));
-        if contacts.compared == 0 {
-            self.put_boxes(&mut boxes);
-        }
+        let squared = self.epsilon * self.epsilon;
+        let (mut near, mut candidates) = (std::mem::take(&mut contacts.near), std::mem::take(&mut contacts.candidates));
+        let mut around = Extent::EMPTY;
         candidates.clear();
         while let Some(&vertex) = contacts.reached.get(contacts.compared) {
             contacts.compared += 1;
             let here = self.positions[vertex as usize];
-            for (&edge, around) in self.alive.iter().zip(&boxes) {
-                if !around.holds(here) {
-                    continue;
-                }
+            if !around.holds(here) {
+                around = Extent::of(contacts.reached.iter().map(|&vertex| self.positions[vertex as usize]));
+                self.put_edges_near(&around, &mut near);
+            }
+            for &(edge, _) in near.iter().filter(|(_, around)| around.holds(here)) {
                 let next = self.vertices[edge as usize].next;
                 let [start, end] = [edge, next].map(|vertex| self.positions[vertex as usize]);
-                if start.distance_squared(here) <= near {
+                if start.distance_squared(here) <= squared {
                     if edge != vertex {
                         contacts.coincide(vertex, edge);
                     }
-                } else if near < end.distance_squared(here) && to_segment(here, start, end) <= near {
+                } else if squared < end.distance_squared(here) && to_segment(here, start, end) <= squared {
                     // Only these are listed: a list of all vertices in boxes is quadratic where a disk ends in a point.
                     candidates.push([edge, vertex]);
                 }
@@ -145,18 +143,18 @@ impl Wavefront {
                 contacts.touch(edge, vertex);
             }
         }
-        (contacts.boxes, contacts.candidates) = (boxes, candidates);
+        (contacts.near, contacts.candidates) = (near, candidates);
     }
 
-    /// The boxes around all edges.
-    fn put_boxes(&self, boxes: &mut Vec<Extent>) {
+    /// Lists the edges near a box.
+    fn put_edges_near(&self, place: &Extent, near: &mut Vec<(u32, Extent)>) {
         let margin = DVec2::splat(2.0 * self.epsilon);
         let around = |&edge: &u32| {
             let [a, b] = [edge, self.vertices[edge as usize].next].map(|vertex| self.positions[vertex as usize]);
-            Extent { low: a.min(b) - margin, high: a.max(b) + margin }
+            (edge, Extent { low: a.min(b) - margin, high: a.max(b) + margin })
         };
-        boxes.clear();
-        boxes.extend(self.alive.iter().map(around));
+        near.clear();
+        near.extend(self.alive.iter().map(around).filter(|(_, around)| around.meets(place)));
     }
 }
 

@@ -19,20 +19,16 @@ impl Wavefront {
     /// The time of the next event; infinity if there is none.
     pub(super) fn next_event(&mut self) -> f64 {
         loop {
-            let sooner = |next: f64, event: &NextEvent| if event.time < next { event.time } else { next };
-            let next = self.events.iter().fold(f64::INFINITY, sooner);
+            let times = self.alive.iter().map(|&number| self.events[number as usize].time);
+            let next = times.fold(f64::INFINITY, |next, time| if time < next { time } else { next });
             let soon = next + self.epsilon;
             let mut is_final = true;
-            for index in 0..self.alive.len() {
-                if soon < self.events[index].time {
-                    continue;
-                }
-                let number = self.alive[index];
+            for index in 0..self.reflex.len() {
+                let number = self.reflex[index];
                 let split = self.vertices[number as usize].split;
                 if split.is_open() && split.time <= soon {
                     let split = self.first_split(number, SplitEvent::NEVER, &self.alive);
-                    self.vertices[number as usize].split = split;
-                    self.events[index] = NextEvent::of(&self.vertices[number as usize]);
+                    self.set_split(number, split);
                     is_final = false;
                 }
             }
@@ -45,7 +41,7 @@ impl Wavefront {
     /// The events at the current time, including those so close that they count as contacts.
     pub(super) fn due(&self) -> Vec<Event> {
         let mut due = Vec::new();
-        for (&number, _) in self.alive.iter().zip(&self.events).filter(|(_, event)| event.near <= self.now) {
+        for &number in self.alive.iter().filter(|&&number| self.events[number as usize].near <= self.now) {
             let WavefrontVertex { collapse, split, .. } = &self.vertices[number as usize];
             if collapse.near <= self.now && (collapse.time <= self.now || self.length(number) <= self.epsilon) {
                 due.push(Event::Edge(number));
@@ -71,27 +67,32 @@ impl Wavefront {
         changed.dedup();
         for &edge in &changed {
             self.vertices[edge as usize].collapse = self.collapse(edge);
+            self.events[edge as usize] = NextEvent::of(&self.vertices[edge as usize]);
         }
-        self.events.clear();
-        for index in 0..self.alive.len() {
-            let number = self.alive[index];
-            let vertex = &self.vertices[number as usize];
-            if vertex.reflex {
-                let mut split = vertex.split;
-                self.vertices[number as usize].split = if vertex.born == self.now {
-                    self.first_split(number, SplitEvent::NEVER, &self.alive)
-                } else {
-                    let edge = split.edge;
-                    if edge != NONE && (!self.vertices[edge as usize].alive || changed.binary_search(&edge).is_ok()) {
-                        // Other edges are not reached before the time of that edge.
-                        split.edge = NONE;
-                    }
-                    self.first_split(number, split, &changed)
-                };
-            }
-            self.events.push(NextEvent::of(&self.vertices[number as usize]));
+        let Wavefront { reflex, vertices, .. } = self;
+        reflex.retain(|&vertex| vertices[vertex as usize].alive);
+        reflex.extend(made.iter().filter(|&&vertex| vertices[vertex as usize].reflex));
+        for index in 0..self.reflex.len() {
+            let number = self.reflex[index];
+            let WavefrontVertex { born, mut split, .. } = self.vertices[number as usize];
+            let split = if born == self.now {
+                self.first_split(number, SplitEvent::NEVER, &self.alive)
+            } else {
+                let edge = split.edge;
+                if edge != NONE && (!self.vertices[edge as usize].alive || changed.binary_search(&edge).is_ok()) {
+                    // Other edges are not reached before the time of that edge.
+                    split.edge = NONE;
+                }
+                self.first_split(number, split, &changed)
+            };
+            self.set_split(number, split);
         }
         Ok(())
+    }
+
+    fn set_split(&mut self, vertex: u32, split: SplitEvent) {
+        self.vertices[vertex as usize].split = split;
+        self.events[vertex as usize] = NextEvent::of(&self.vertices[vertex as usize]);
     }
 
     /// The line of an edge.

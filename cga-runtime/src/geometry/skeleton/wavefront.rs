@@ -154,8 +154,10 @@ pub(super) struct Wavefront {
     pub(super) alive: Vec<u32>,
     /// The positions of the vertices that are alive, at the current time.
     pub(super) positions: Vec<DVec2>,
-    /// The next events of the vertices that are alive, in the same order.
+    /// The next events of the vertices that are alive.
     pub(super) events: Vec<NextEvent>,
+    /// The reflex vertices that are alive, as of the last prediction.
+    pub(super) reflex: Vec<u32>,
     /// The nodes of the skeleton, beginning with the given points.
     pub(super) nodes: Vec<DVec2>,
     /// The times of the nodes.
@@ -199,7 +201,8 @@ impl Wavefront {
             vertices: Vec::with_capacity(2 * corners),
             alive: Vec::with_capacity(corners),
             positions: Vec::with_capacity(2 * corners),
-            events: Vec::with_capacity(corners),
+            events: Vec::with_capacity(2 * corners),
+            reflex: Vec::new(),
             nodes: points.to_vec(),
             times: vec![0.0; points.len()],
             given: points.len(),
@@ -270,6 +273,7 @@ impl Wavefront {
 
     pub(super) fn push(&mut self, vertex: WavefrontVertex) {
         self.positions.push(vertex.from);
+        self.events.push(NextEvent::of(&vertex));
         self.vertices.push(vertex);
     }
 
