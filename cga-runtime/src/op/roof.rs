@@ -3,9 +3,9 @@
 use glam::DVec3;
 
 use super::extrude::stand;
-use super::refused::report_refused;
+use super::refused::{report_faces, report_refused};
 use crate::fault::FaultKind;
-use crate::geometry::roof::{Rise, RoofForm, RoofRefusal, roof_over};
+use crate::geometry::roof::{Rise, RoofForm, RoofRefusal, Roofs, roof_over};
 use crate::run::env::Env;
 use crate::shape::Shape;
 
@@ -29,7 +29,8 @@ pub fn roof_hip(env: &mut Env, shape: &mut Shape, angle: f64, overhang: f64, eve
 /// the pivot stays.
 ///
 /// The overhang is measured on the planes, in metres. It continues the roof faces below the edges, so the roof is not
-/// closed. With `even` the points of each ridge get their mean height, and faces that are bent become triangles. A ridge
+/// closed. It leads too far at edges that are nearly opposite, as of a thin spike: then the roof has none, and a fault
+/// names the face. With `even` the points of each ridge get their mean height, and faces that are bent become triangles. A ridge
 /// is between edges that run against each other; hips and valleys keep their slope.
 ///
 /// The new geometry has no texture coordinates and no vertex normals.
@@ -150,8 +151,11 @@ fn build(env: &mut Env, shape: &mut Shape, name: &str, form: RoofForm, by: RoofV
     if env.count_corners(6 * mesh.corners().len() as u64).is_break() {
         return;
     }
-    let (made, refused) = roof_over(&mesh, form, rise);
+    let Roofs { mesh: made, refused, without_overhangs } = roof_over(&mesh, form, rise);
     report_refused(env, name, &refused, &REFUSALS);
+    report_faces(env, name, without_overhangs.into_iter(), |face, more| {
+        format!("the overhang of face {face} leads too far{more}; the roof has none")
+    });
     if refused.len() < mesh.face_count() {
         stand(env, shape, made, up, 1.0, &format!("`{name}`"));
     }

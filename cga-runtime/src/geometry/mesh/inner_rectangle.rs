@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::{FaceRef, Mesh, Spread, SubcomponentTagger, unit};
 use crate::geometry::inner_rectangle::{RectangleSides, largest};
-use crate::geometry::overlay::wound;
+use crate::geometry::overlay::{OverlayError, wound};
 use crate::geometry::segment::nearest_share;
 use crate::geometry::skeleton::{MOST_CORNERS, any_cross};
 use crate::geometry::tol::{TIE_EPSILON, TOUCH_EPSILON};
@@ -67,7 +67,10 @@ pub(crate) fn cut_rectangle(
     let polygons = if rest {
         let hole: Vec<u32> = (own..own + 4).rev().collect();
         let rings = seen.rings.iter().chain([&hole]).map(Vec::as_slice);
-        let region = wound(&all, rings, seen.flat.len()).map_err(|_| RectangleRefusal::Tangled)?;
+        let region = wound(&all, rings, seen.flat.len()).map_err(|error| match error {
+            OverlayError::TooMany => RectangleRefusal::TooMany,
+            OverlayError::Tangled => RectangleRefusal::Tangled,
+        })?;
         all = region.points;
         region.polygons
     } else {

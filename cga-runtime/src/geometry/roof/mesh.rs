@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Outline, Rise, Roof, RoofFace, RoofForm, RoofPart, roof};
+use super::{Outline, Rise, Roof, RoofFace, RoofForm, RoofPart, roof_with_or_without_overhangs};
 use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh, PartTags, SubcomponentTagger, flip};
 use crate::geometry::skeleton::{Failure, any_cross};
 use crate::geometry::tol::TOUCH_EPSILON;
@@ -15,22 +15,34 @@ pub(crate) enum RoofRefusal {
     Tangled,
 }
 
-/// Builds a roof over each face: the faces of the roof in the order of edges, then the face itself as the bottom. Faces
-/// without a roof are copied unchanged, and are also listed with the reason.
-pub(crate) fn roof_over(source: &Mesh, form: RoofForm, rise: Rise) -> (Mesh, Vec<(usize, RoofRefusal)>) {
+/// The roofs over the faces of a mesh.
+pub(crate) struct Roofs {
+    pub(crate) mesh: Mesh,
+    /// The faces without a roof, and why. They are copied unchanged.
+    pub(crate) refused: Vec<(usize, RoofRefusal)>,
+    /// The faces whose roofs have no overhangs, although the form has some.
+    pub(crate) without_overhangs: Vec<usize>,
+}
+
+/// Builds a roof over each face: the faces of the roof in the order of edges, then the face itself as the bottom.
+pub(crate) fn roof_over(source: &Mesh, form: RoofForm, rise: Rise) -> Roofs {
     let mut made = Mesh { groups: source.groups.clone(), materials: source.materials.clone(), ..Mesh::default() };
     let mut tags = RoofTags { parts: PartTags::new(source, "roof"), tagger: SubcomponentTagger::default() };
-    let mut refused = Vec::new();
+    let (mut refused, mut without_overhangs) = (Vec::new(), Vec::new());
     for face in source.faces() {
-        if let Err(why) = add_roof(&face, form, rise, &mut made, &mut tags) {
-            refused.push((face.index(), why));
-            add_plain(&face, &mut made, &mut tags);
+        match add_roof(&face, form, rise, &mut made, &mut tags) {
+            Ok(true) => {}
+            Ok(false) => without_overhangs.push(face.index()),
+            Err(why) => {
+                refused.push((face.index(), why));
+                add_plain(&face, &mut made, &mut tags);
+            }
         }
     }
     made.tag_sets = tags.parts.finish();
     made.put_tags(tags.tagger);
     made.number_by_use();
-    (made, refused)
+    Roofs { mesh: made, refused, without_overhangs }
 }
 
 /// The tags of all roofs. A face over an edge has the tags of the edge, an edge at a corner of the face those of the corner
@@ -40,13 +52,14 @@ struct RoofTags<'s> {
     tagger: SubcomponentTagger,
 }
 
+/// Adds the roof over a face. Returns true if it has the overhangs of its form.
 fn add_roof(
     face: &FaceRef<'_>,
     form: RoofForm,
     rise: Rise,
     made: &mut Mesh,
     tags: &mut RoofTags<'_>,
-) -> Result<(), RoofRefusal> {
+) -> Result<bool, RoofRefusal> {
     let flat = FlatFace::of(face).ok_or(RoofRefusal::NoNormal)?;
     let (_, rings) = flat.edges(false);
     // Across the face: along its first edge.
@@ -57,7 +70,8 @@ fn add_roof(
     if any_cross(outline.edges().into_iter().map(ends).collect(), TOUCH_EPSILON * extent) {
         return Err(RoofRefusal::Tangled);
     }
-    let Roof { points, faces, below } = roof(&outline, form, rise).map_err(|failure| match failure {
+    let built = roof_with_or_without_overhangs(&outline, form, rise);
+    let (Roof { points, faces, below }, is_complete) = built.map_err(|failure| match failure {
         Failure::TooMany => RoofRefusal::TooMany,
         Failure::Tangled => RoofRefusal::Tangled,
     })?;
@@ -88,7 +102,7 @@ fn add_roof(
             None => tags.parts.over(face.tag(), part.tag()),
         });
     }
-    Ok(())
+    Ok(is_complete)
 }
 
 /// Adds a face without its texture coordinates and normals.

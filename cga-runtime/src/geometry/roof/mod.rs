@@ -17,9 +17,10 @@ mod settle;
 
 use glam::{DVec2, DVec3};
 
-use crate::geometry::skeleton::Failure;
+use crate::geometry::skeleton::{Failure, twice_area};
+use crate::geometry::tol::TOUCH_EPSILON;
 
-pub(crate) use mesh::{RoofRefusal, roof_over};
+pub(crate) use mesh::{RoofRefusal, Roofs, roof_over};
 
 /// The rise of roof planes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,6 +71,19 @@ pub(crate) enum RoofForm {
     },
     /// Two planes whose ridge is parallel to the x axis, projected into the face.
     Ridge,
+}
+
+impl RoofForm {
+    /// The same roof without overhangs; `None` if it has none.
+    fn without_overhangs(self) -> Option<Self> {
+        match self {
+            RoofForm::Hip { overhang, even } if 0.0 < overhang => Some(RoofForm::Hip { overhang: 0.0, even }),
+            RoofForm::Gable { across, along, even, edge } if 0.0 < across.max(along) => {
+                Some(RoofForm::Gable { across: 0.0, along: 0.0, even, edge })
+            }
+            _ => None,
+        }
+    }
 }
 
 /// A part of a roof, for its tag.
@@ -162,6 +176,26 @@ impl Roof {
 
     fn face(&mut self, part: RoofPart, edge: u32, ring: Vec<u32>) {
         self.faces.push(RoofFace { part, edge: Some(edge), rings: vec![ring] });
+    }
+
+    /// Returns true if no roof plane is turned over, except for rounding, as seen from above.
+    fn faces_up(&self) -> bool {
+        let flat: Vec<DVec2> = self.points.iter().map(|point| point.truncate()).collect();
+        let rounding = TOUCH_EPSILON * flat.iter().fold(0.0, |most: f64, p| most.max(p.length_squared()));
+        let tops = self.faces.iter().filter(|face| face.part == RoofPart::Top);
+        tops.flat_map(|face| &face.rings).all(|ring| -rounding <= twice_area(&flat, ring))
+    }
+}
+
+/// Makes a roof over a polygon, and returns true if it has the overhangs of its form. Overhangs are left out if they lead too
+/// far, as at edges that are nearly opposite, or if they would turn over.
+fn roof_with_or_without_overhangs(outline: &Outline<'_>, form: RoofForm, rise: Rise) -> Result<(Roof, bool), Failure> {
+    let without = form.without_overhangs();
+    match (roof(outline, form, rise), without) {
+        (Ok(made), None) => Ok((made, true)),
+        (Ok(made), Some(_)) if made.faces_up() => Ok((made, true)),
+        (Ok(_) | Err(Failure::Tangled), Some(without)) => Ok((roof(outline, without, rise)?, false)),
+        (Err(failure), _) => Err(failure),
     }
 }
 

@@ -43,6 +43,7 @@ use crate::geometry::tol::{MEETING_EPSILONS, PLANAR_EPSILON};
 pub(crate) use check::any_cross;
 pub(crate) use speeds::Speeds;
 use wavefront::Wavefront;
+pub(crate) use wavefront::twice_area;
 
 /// The limit on the total number of corners, because the time is quadratic.
 pub(crate) const MOST_CORNERS: usize = 5_000;

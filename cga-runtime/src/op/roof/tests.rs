@@ -1,6 +1,6 @@
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use super::*;
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
@@ -111,6 +111,52 @@ fn hostile_input_leaves_a_fault_and_the_shape() {
         roof_shed(env, &mut made, 30.0, index);
         roof_gable_along(env, &mut lot.clone(), 30.0, 1.0, 1.0, true, index);
         assert!(made.to_mesh().is_closed() && made.to_mesh().check().is_empty());
+    }
+}
+
+#[test]
+fn a_roof_whose_overhang_leads_too_far_has_none() {
+    // A turned lot with a spike on each side. The planes at its sides meet far away.
+    let lot = |width: f64, turn: f64| {
+        let corners = [DVec3::ZERO, DVec3::X * 10.0, DVec3::new(10.0, 0.0, -8.0), DVec3::Z * -8.0];
+        let mut outline: Vec<[f64; 3]> = Vec::new();
+        for i in 0..4 {
+            let (from, to) = (corners[i], corners[(i + 1) % 4]);
+            let along = (to - from).normalize();
+            let foot = from + 3.0 * along;
+            let tip = foot + 0.5 * width * along + 0.2 * along.cross(DVec3::Y);
+            outline.extend(
+                [from, foot, tip, foot + width * along].map(|p| DQuat::from_rotation_y(turn).mul_vec3(p).to_array()),
+            );
+        }
+        Shape::mesh_axis_aligned(mesh_of(&[&outline]))
+    };
+    let overhanging: [Op; 2] = [
+        |env, shape| roof_hip(env, shape, 30.0, 0.5, false),
+        |env, shape| roof_gable(env, shape, 30.0, 0.5, 0.4, true),
+    ];
+    for op in overhanging {
+        let mut without = Vec::new();
+        for (width, turn) in
+            [1.0, 1e-3, 1e-5, 1e-6].into_iter().flat_map(|width| [0.0, 0.3, 0.7, 1.1].map(|turn| (width, turn)))
+        {
+            let (env, mut made) = (&mut Env::for_tests(), lot(width, turn));
+            op(env, &mut made);
+            let mesh = made.to_mesh();
+            assert!(16 <= mesh.face_count() && mesh.check().is_empty(), "{width} {turn}: {:?}", mesh.check());
+            let faults = env.take_faults().0;
+            if let Some(fault) = faults.first() {
+                assert!(faults.len() == 1 && mesh.is_closed(), "{width} {turn}: {fault}");
+                assert!(
+                    fault.to_string().contains("the overhang of face 0 leads too far; the roof has none"),
+                    "{fault}"
+                );
+                without.push(width);
+            } else {
+                assert!(!mesh.is_closed(), "{width} {turn}");
+            }
+        }
+        assert!(without.contains(&1e-6) && !without.contains(&1.0), "{without:?}");
     }
 }
 
