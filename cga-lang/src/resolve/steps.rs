@@ -130,7 +130,12 @@ impl<'a> Resolver<'_, 'a, '_> {
     /// Resolves a call of an operation or a rule.
     fn shape_call(&mut self, name: &'a Name, args: &'a [Arg]) {
         if has_error(args) {
-            args.iter().for_each(|arg| self.expr(&arg.value));
+            // A word of the operation is not an unknown name.
+            let is_word = |arg: &&Arg| {
+                let params = || ops::operations(&name.text).flat_map(|row| row.params);
+                word(arg).is_some_and(|word| params().any(|param| param.kind.has_word(word)))
+            };
+            args.iter().filter(|arg| !is_word(arg)).for_each(|arg| self.expr(&arg.value));
             return;
         }
         let rows: Vec<_> = ops::operations(&name.text).filter(|row| row.takes(args.len())).collect();

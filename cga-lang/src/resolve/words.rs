@@ -16,6 +16,9 @@ use crate::syntax::ast::{Arg, Expr, ExprKind, Name};
 /// The maximum length of a quoted argument in a message.
 const LONGEST: usize = 40;
 
+/// The length of names that are too short to be misspelt words.
+const SHORT: usize = 2;
+
 /// The rows whose words are among the arguments: of those that fit, the rows with the most words. Bare words take
 /// precedence over text, because an operation may take the text as a value.
 pub(crate) fn fitting(rows: &[&'static Operation], args: &[Arg], dialect: Dialect) -> Vec<&'static Operation> {
@@ -130,33 +133,35 @@ impl<'a> Resolver<'_, 'a, '_> {
         for (index, arg) in args.iter().enumerate() {
             let Some(found) = word(arg) else { continue };
             let is_value = |row: &&Operation| matches!(row.params[index].kind, ParamKind::Value(_) | ParamKind::Length);
-            if !fitting.iter().all(is_value) || self.lookup(found).is_some() {
+            // Some words are functions, too.
+            let is_declared = !matches!(self.lookup(found), None | Some(Use::Builtin(_)));
+            if is_declared || !fitting.iter().all(is_value) {
                 continue;
             }
             let words_at = |row: &Operation, place: usize| row.params.get(place).and_then(|param| param.kind.words());
-            let is_near = |row: &&&Operation| {
-                let near = words_at(row, index).and_then(|words| nearest(found, words.current()));
-                near.is_some() && row.takes(args.len())
-            };
-            if let Some(row) = forms.iter().find(is_near) {
+            let is_near =
+                |row: &&&Operation| words_at(row, index).and_then(|words| nearest(found, words.current())).is_some();
+            if let Some(row) = forms.iter().filter(is_near).find(|row| row.takes(args.len())) {
                 self.operation(std::slice::from_ref(row), args);
                 return true;
             }
-            let has_word = |row: &Operation, place: usize| words_at(row, place).is_some_and(|words| words.has(found));
-            if forms.iter().any(|row| has_word(row, index)) {
+            if SHORT < found.len() && forms.iter().any(|row| is_near(&row)) {
                 wrong_form(self.cx, name, &forms, args);
                 return true;
             }
-            let place = forms.iter().find_map(|row| (0..row.params.len()).find(|&place| has_word(row, place)));
-            if let Some(place) = place {
+            let has_word = |row: &Operation, place: usize| words_at(row, place).is_some_and(|words| words.has(found));
+            let place_in = |row: &'static Operation| (0..row.params.len()).find(|&place| has_word(row, place));
+            if let Some((row, place)) = forms.iter().find_map(|row| Some((*row, place_in(row)?))) {
                 let rows: Vec<_> = forms.iter().copied().filter(|row| row.takes(args.len())).collect();
                 if self.swapped(name, &rows, args) {
                     return true;
                 }
-                let before = "…, ".repeat(place);
+                let names = row.params.iter().map(|param| param.name).enumerate();
+                let names = names.map(|(at, name)| if at == place { found } else { name });
+                let shown: Vec<&str> = names.take(ops::required(row.params).max(place + 1)).collect();
                 let message = format!("`{found}` is at the wrong place among the arguments of `{}`", name.text);
                 let diag = self.cx.diags.report(Code::UnknownWord, arg.span, message);
-                diag.help(format!("write `{}({before}{found}, …)`", name.text));
+                diag.help(format!("write `{}({})`", name.text, shown.join(", ")));
                 return true;
             }
         }

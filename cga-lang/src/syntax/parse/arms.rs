@@ -65,6 +65,11 @@ impl Parser<'_> {
         if self.eat(Sym::Assign) {
             return Ok(if self.eat(Sym::Colon) { ArmMode::Connected } else { ArmMode::Together });
         }
-        if self.eat(Sym::Colon) { Ok(ArmMode::Each) } else { self.fail("`:` or `=` after the selector") }
+        if self.eat(Sym::Colon) {
+            return Ok(ArmMode::Each);
+        }
+        let is_list = self.is(Sym::Comma);
+        let diag = self.expected("`:` or `=` after the selector");
+        Err(if is_list { diag.help("write `||` between selectors") } else { diag }.into())
     }
 }
