@@ -22,6 +22,11 @@ impl Span {
         Span { first: self.first + tokens, last: self.last + tokens }
     }
 
+    /// Returns true if all its tokens are in `other`.
+    pub(crate) fn is_in(self, other: Span) -> bool {
+        other.first <= self.first && self.last <= other.last
+    }
+
     /// The smallest span that contains both.
     pub fn to(self, other: Span) -> Span {
         Span { first: self.first.min(other.first), last: self.last.max(other.last) }

@@ -100,7 +100,7 @@ codes! {
     RuleNotReached "rule_not_reached" Warning "A rule that no run can reach.",
     EndlessRules "endless_rules" Error "Recursive rules without a path that ends.",
     OnlyChanceEnds "only_chance_ends" Warning "Recursive rules that only chance ends.",
-    SelectorHidden "selector_hidden" Warning "A selector that never matches: earlier selectors take all components, none has that index, or none faces that way.",
+    SelectorHidden "selector_hidden" Warning "A selector that never matches: earlier selectors take all components, none has that index, none faces that way, or its directions exclude each other.",
     NoEffect "no_effect" Warning "Operations whose result is never used, or setbacks of no edge.",
     NoFaces "no_faces" Warning "An operation on faces or edges of a point.",
     EmptyOperand "empty_operand" Warning "An operand of a boolean operation that never makes a shape.",

@@ -1,6 +1,6 @@
 //! Checks of expressions: division by zero, arguments out of bounds, constant conditions.
 
-use super::{bounds, branches, colour, tags, texture};
+use super::{bounds, branches, colour, hidden, tags, texture};
 use crate::analysis::{AbstractState, CaseBranch, DataFlow};
 use crate::diag::Diags;
 use crate::diag::code::Code;
@@ -24,11 +24,12 @@ pub(crate) fn check(expr: &Expr, facts: &AbstractState, flow: &DataFlow, cx: &Co
             if let Some(Use::Builtin(row)) = cx.tables.at(facts.own).of(name) {
                 texture::asked(row, name, args, (facts, flow), diags);
                 let args: Vec<&Expr> = args.iter().collect();
-                bounds::check(row.params, &args, facts, flow, diags);
+                bounds::check(row.params, &args, facts, flow, cx, diags);
                 tags::check(row.params, &args, &cx.tables.given_tags, diags);
                 colour::check(cx.globals.program, row.params, &args, facts, flow, diags);
             }
         }
+        ExprKind::Comp(comp) => hidden::values(comp, facts, cx, diags),
         _ => {}
     }
     // The values of a comp are computed on each component.

@@ -116,7 +116,7 @@ fn again(turn: &CaseBranch, own: InstanceId, cx: &Context, diags: &mut Diags) {
 }
 
 /// Returns true if an expression always has the same value on one shape: it uses no chance and no Rust code.
-fn is_settled(expr: &Expr, names: Entries) -> bool {
+pub(super) fn is_settled(expr: &Expr, names: Entries) -> bool {
     let own = match &expr.kind {
         ExprKind::Name(name) | ExprKind::Call(name, _) => match names.of(name) {
             Some(Use::Builtin(row)) => row.is_settled(),

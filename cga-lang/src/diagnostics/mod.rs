@@ -3,11 +3,13 @@
 mod agreed;
 mod arithmetic;
 mod assets;
+mod blocks;
 mod bounds;
 mod branches;
 mod colour;
 mod defaults;
 mod edges;
+mod elements;
 mod ends;
 mod faces;
 mod hidden;
@@ -58,8 +60,9 @@ pub(crate) fn check(cx: &mut Context) {
                             texture::carried(&image.value, param.kind, projected, facts, diags);
                         }
                         texture::changed(row, args, projected, (facts, &values), diags);
+                        edges::widths(row, args, facts, &values, cx, diags);
                         let args: Vec<&Expr> = args.iter().map(|arg| &arg.value).collect();
-                        bounds::check(row.params, &args, facts, &values, diags);
+                        bounds::check(row.params, &args, facts, &values, cx, diags);
                         tags::check(row.params, &args, &cx.tables.given_tags, diags);
                         colour::check(program, row.params, &args, facts, &values, diags);
                     }
@@ -97,7 +100,7 @@ pub(crate) fn check(cx: &mut Context) {
         });
     }
     let certain = agreed.finish();
-    let mut found = vec![hidden::check(cx), edges::check(cx), trailing::check(cx), operands::check(cx)];
+    let mut found = vec![blocks::check(cx), trailing::check(cx)];
     if let Some(calls) = &calls {
         found.push(defaults::check(cx, calls, &certain));
         found.extend([reach::check(cx, calls), ends::check(cx, calls), unused::check(cx)]);

@@ -1,36 +1,25 @@
 //! Operands of boolean operations that never make a shape.
 
-use super::agreed::Agreed;
 use crate::analysis::body;
+use crate::diag::Diags;
 use crate::diag::code::Code;
-use crate::diag::{Diag, Diags};
-use crate::ops::{Braces, Run};
+use crate::ops::{Braces, Operation, Run};
 use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
 use crate::syntax::ast::{Block, BlockPart, Op, OpKind, Role};
-use crate::syntax::walk::ops;
 
 /// The deepest nesting of calls that is followed.
 const DEEPEST: usize = 64;
 
-pub(crate) fn check(cx: &Context) -> Vec<Diag> {
-    let mut agreed = Agreed::default();
-    let mut known = vec![None; cx.globals.rules.len()];
-    for item in &cx.globals.rules {
-        agreed.check(item, |diags| {
-            let names = cx.tables.at(item.own);
-            for op in ops(body(item)) {
-                if let OpKind::Block(block) = &op.kind {
-                    check_block(block, names, cx, &mut known, diags);
-                }
-            }
-        });
-    }
-    agreed.finish()
-}
-
-fn check_block(block: &Block, names: Entries, cx: &Context, known: &mut [Option<bool>], diags: &mut Diags) {
-    let Some(Use::Operation(row)) = names.of(&block.name) else { return };
+/// Checks the operands of an operation. `known` are the answers of [`vanishes`] for rules.
+pub(crate) fn check(
+    row: &Operation,
+    block: &Block,
+    names: Entries,
+    cx: &Context,
+    known: &mut [Option<bool>],
+    diags: &mut Diags,
+) {
     if row.braces != Braces::Operands || row.run == Run::Later {
         return;
     }

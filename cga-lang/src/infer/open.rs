@@ -357,7 +357,27 @@ impl Infer<'_, '_, '_> {
         types.all(|ty| ty == Some(first)).then_some(first)
     }
 
+    /// Reports the argument of an operation or function that has the wrong type in every form, if all forms need the same.
+    fn wrong_in_all_forms(&mut self, name: &Name, candidates: &[Overload], args: &[TypeUse]) -> bool {
+        if candidates.iter().any(|candidate| matches!(candidate.found, Use::Rule(_))) {
+            return false;
+        }
+        for (index, &(var, span)) in args.iter().enumerate() {
+            let mut types = candidates.iter().map(|candidate| candidate.takes.get(index).copied());
+            let Some(Some(Constraint::Type(needs))) = types.next() else { continue };
+            let is_same = types.all(|takes| matches!(takes, Some(Constraint::Type(ty)) if ty == needs));
+            if is_same && self.vars.known(var).is_some_and(|got| got != needs) {
+                self.need_var(var, span, needs, &format!("`{}`", name.text));
+                return true;
+            }
+        }
+        false
+    }
+
     pub(super) fn fits_none(&mut self, name: &Name, candidates: &[Overload], args: &[TypeUse]) {
+        if self.wrong_in_all_forms(name, candidates, args) {
+            return;
+        }
         let shown = |ty: Option<Type>| ty.map_or("…", Type::word);
         let got: Vec<&str> = args.iter().map(|&(var, _)| shown(self.vars.known(var))).collect();
         let span = args.first().map_or(name.span, |first| first.1.to(args[args.len() - 1].1));

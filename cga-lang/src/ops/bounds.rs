@@ -13,6 +13,22 @@ pub struct ParamBounds {
     pub code: Code,
     /// The documented result of other values. `None` if other values have no meaning.
     pub result: Option<&'static str>,
+    /// The bounds in calls with one of these words.
+    pub with_word: &'static [(&'static str, &'static ParamBounds)],
+    /// The bounds of one element of an array, if they differ from those that at least one element has to meet.
+    pub element: Option<&'static ParamBounds>,
+}
+
+impl ParamBounds {
+    /// The bounds in a call. `word` returns true for the words of the call.
+    pub fn in_call(&self, word: impl Fn(&str) -> bool) -> &ParamBounds {
+        self.with_word.iter().find(|(own, _)| word(own)).map_or(self, |(_, bounds)| bounds)
+    }
+
+    /// The bounds of one element of an array.
+    pub fn of_element(&self) -> &ParamBounds {
+        self.element.unwrap_or(self)
+    }
 }
 
 /// A set of values.

@@ -55,6 +55,11 @@ impl Directions {
         Directions(self.0 & !other.0)
     }
 
+    /// The intersection.
+    pub const fn common(self, other: Directions) -> Directions {
+        Directions(self.0 & other.0)
+    }
+
     /// Returns true if there are common directions.
     pub const fn meet(self, other: Directions) -> bool {
         self.0 & other.0 != 0

@@ -231,7 +231,7 @@ pub(super) const fn within(param: Param, bounds: &'static ParamBounds) -> Param 
 
 /// Bounds without a documented result for other values.
 pub(super) const fn bounds(values: Allowed, about: &'static str) -> ParamBounds {
-    ParamBounds { values, about, code: Code::OutOfRange, result: None }
+    ParamBounds { values, about, code: Code::OutOfRange, result: None, with_word: &[], element: None }
 }
 
 /// The numbers of uv sets (*texturing*).

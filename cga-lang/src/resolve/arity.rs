@@ -1,10 +1,11 @@
 //! Numbers of arguments in messages.
 
+use super::arguments::word;
 use super::context::Context;
 use crate::diag::code::Code;
-use crate::diag::count;
+use crate::diag::{Diag, count, quoted};
 use crate::ops::{self, Braces, Operation, Param};
-use crate::syntax::ast::Name;
+use crate::syntax::ast::{Arg, Name};
 
 /// Returns "2 arguments", "0 or 3 arguments" or "1, 3 or 4 arguments".
 pub(crate) fn counts(counts: impl IntoIterator<Item = usize>) -> String {
@@ -26,13 +27,7 @@ pub(crate) fn wrong_count(cx: &mut Context, what: &str, name: &Name, takes: Vec<
     let message = format!("{what} `{}` takes {}, got {got}", name.text, counts(takes));
     let rows = match what {
         "function" => {
-            let rows = ops::functions(&name.text).filter(|row| row.old.is_none());
-            usages(rows.map(|row| (row.name, row.params, "")))
-        }
-        "operation" => {
-            let rows = ops::operations(&name.text).filter(|row| row.old.is_none());
-            let tail = |row: &Operation| if row.braces == Braces::None { "" } else { " { … }" };
-            usages(rows.map(|row| (row.name, &row.params[..ops::required(row.params)], tail(row))))
+            usages(ops::functions(&name.text).filter(|row| row.old.is_none()).map(|row| call(row.name, row.params)))
         }
         _ => String::new(),
     };
@@ -42,13 +37,68 @@ pub(crate) fn wrong_count(cx: &mut Context, what: &str, name: &Name, takes: Vec<
     }
 }
 
-/// The calls of rows of a table, each with the text after it: "`s(x, y, z)` or `s(xyz)`".
-pub(crate) fn usages(rows: impl Iterator<Item = (&'static str, &'static [Param], &'static str)>) -> String {
-    let call = |(name, params, tail): (&str, &[Param], &str)| {
-        let params: Vec<&str> = params.iter().map(|param| param.name).collect();
-        format!("`{name}({}){tail}`", params.join(", "))
+/// Reports an operation without a row that takes the number of its arguments. The rows with the words of the arguments
+/// count, otherwise all, and the help shows those whose number of arguments is nearest.
+pub(crate) fn wrong_form<'c>(
+    cx: &'c mut Context,
+    name: &Name,
+    rows: &[&'static Operation],
+    args: &[Arg],
+) -> &'c mut Diag {
+    let words: Vec<Option<&str>> = args.iter().map(word).collect();
+    let is_word = |param: &Param, word: Option<&str>| word.is_some_and(|word| param.kind.has_word(word));
+    let known = |row: &Operation| row.params.iter().zip(&words).filter(|(param, word)| is_word(param, **word)).count();
+    let is_old = rows.iter().all(|row| row.old.is_some());
+    let current: Vec<&Operation> = rows.iter().copied().filter(|row| is_old || row.old.is_none()).collect();
+    let most = current.iter().map(|row| known(row)).max().unwrap_or(0);
+    let mut rows: Vec<&Operation> = current.iter().copied().filter(|row| known(row) == most).collect();
+    rows.sort_by_key(|row| row.params.len());
+    let takes = counts(rows.iter().flat_map(|row| ops::required(row.params)..=row.params.len()));
+    // The words that other rows do not have at this place.
+    let chooses = |(index, word): &(usize, &str)| {
+        let has = |row: &&Operation| row.params.get(*index).is_some_and(|param| is_word(param, Some(word)));
+        rows.iter().all(has) && !current.iter().all(has)
     };
-    let mut calls: Vec<String> = rows.map(call).collect();
+    let chosen = words.iter().enumerate().filter_map(|(index, word)| Some((index, (*word)?))).filter(chooses);
+    let chosen = quoted(chosen.map(|(_, word)| word));
+    let with = if chosen.is_empty() { chosen } else { format!(" with {chosen}") };
+    let message = format!("operation `{}` takes {takes}{with}, got {}", name.text, args.len());
+    let diag = cx.diags.report(Code::ArgumentCount, name.span, message);
+    let form = |row: &&Operation| {
+        // Parameters after the required ones of an operation with braces are rarely written.
+        let shown = if row.braces == Braces::None { row.params.len() } else { ops::required(row.params) };
+        let param = |(index, param): (usize, &Param)| {
+            let word = words.get(index).copied().flatten().filter(|word| is_word(param, Some(word)));
+            let only = match param.kind.words().map(|words| words.list) {
+                Some([only]) => Some(*only),
+                _ => None,
+            };
+            word.or(only).unwrap_or(param.name).to_owned()
+        };
+        let params: Vec<String> = row.params[..shown].iter().enumerate().map(param).collect();
+        let tail = if row.braces == Braces::None { "" } else { " { … }" };
+        format!("`{}({}){tail}`", row.name, params.join(", "))
+    };
+    let far = |row: &&Operation| {
+        let (least, most) = (ops::required(row.params), row.params.len());
+        least.saturating_sub(args.len()).max(args.len().saturating_sub(most))
+    };
+    let near = rows.iter().map(far).min();
+    match rows.iter().find_map(|row| row.old) {
+        Some(instead) => diag.help(instead),
+        None => diag.help(format!("write {}", usages(rows.iter().filter(|row| Some(far(row)) == near).map(form)))),
+    }
+}
+
+/// A call with the names of the parameters: "`s(xSize, ySize, zSize)`".
+pub(crate) fn call(name: &str, params: &[Param]) -> String {
+    let params: Vec<&str> = params.iter().map(|param| param.name).collect();
+    format!("`{name}({})`", params.join(", "))
+}
+
+/// Calls as alternatives: "`s(x, y, z)` or `s(xyz)`".
+fn usages(calls: impl Iterator<Item = String>) -> String {
+    let mut calls: Vec<String> = calls.collect();
     calls.dedup();
     calls.join(" or ")
 }

@@ -59,10 +59,8 @@ pub(crate) fn operations(cx: &mut Context) {
         let types = item.types_of_params(&cx.tables);
         let rows = ops::operations(&item.decl.name.text).filter(|row| row.run != Run::Later);
         if let Some(row) = rows.into_iter().find(|row| hides(row, &types)) {
-            let message = format!(
-                "{} is an operation, so this rule could never be called",
-                arity::usages([(row.name, row.params, "")].into_iter())
-            );
+            let message =
+                format!("{} is an operation, so this rule could never be called", arity::call(row.name, row.params));
             cx.diags.report(Code::DuplicateName, item.decl.name.span, message).help("give the rule another name");
         }
     }

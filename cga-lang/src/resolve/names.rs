@@ -211,7 +211,7 @@ impl<'a> Resolver<'_, 'a, '_> {
         let near = globals.meant(at, text, Namespace::Values, inner.chain(ops::all_shape_attrs().map(|row| row.name)));
         let truth = ["true", "false"].into_iter().find(|word| text.eq_ignore_ascii_case(word)).map(str::to_owned);
         let help = help.or_else(|| habits::value(text).map(|value| format!("write `{value}`")));
-        let near = truth.or(near).or_else(|| word_in_other_case(text)).filter(|_| help.is_none());
+        let near = truth.or(near).filter(|_| help.is_none());
         let (inline, dotted) = (self.dialect() == Dialect::Inline, text.contains('.'));
         let diag = self.cx.diags.report(Code::UnknownName, name.span, format!("unknown name `{text}`"));
         if is_rule {
@@ -391,15 +391,6 @@ fn words_fit(row: &Function, args: &[Expr], word: fn(&Expr) -> Option<&str>) -> 
         ParamKind::Word(words) => word(arg).is_some_and(|word| words.has(word)),
         _ => true,
     })
-}
-
-/// The word of an operation that differs from a name in case alone: `byHeight` for `byheight`.
-fn word_in_other_case(name: &str) -> Option<String> {
-    if is_known_elsewhere(name) || name.len() < 3 {
-        return None;
-    }
-    let words = ops::all_operations().flat_map(|row| row.params).filter_map(|param| param.kind.words());
-    words.flat_map(|words| words.list).find(|word| word.eq_ignore_ascii_case(name)).map(|word| (*word).to_owned())
 }
 
 /// Returns true if a name is a word of an operation, or a selector.

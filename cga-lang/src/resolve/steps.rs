@@ -1,7 +1,7 @@
 //! Operations of a rule: resolves each call to an operation, rule or leaf, and checks its words.
 
 use super::arguments::{has_error, word};
-use super::arity::{counts, usages, wrong_count};
+use super::arity::{counts, wrong_count, wrong_form};
 use super::globals::Namespace;
 use super::names::IGNORED;
 use super::resolver::Resolver;
@@ -124,20 +124,18 @@ impl<'a> Resolver<'_, 'a, '_> {
     fn no_prefix(&mut self, prefix: Prefix, span: Span) {
         let sign = if prefix == Prefix::Relative { RELATIVE } else { '~' };
         let diag = self.cx.diags.report(Code::MisplacedPrefix, span, format!("`{sign}` is not allowed here"));
-        match prefix {
-            Prefix::Relative => diag.note("only lengths can be relative to the scope"),
-            Prefix::Floating => diag.note("only the sizes of a split can float"),
-        };
-        diag.help(match prefix {
-            Prefix::Relative => "leave it out, or multiply: `0.5 * scope.sx` is half of the width",
-            Prefix::Floating => "leave it out",
-        });
+        diag.note(prefix.place()).help(prefix.instead());
     }
 
     /// Resolves a call of an operation or a rule.
     fn shape_call(&mut self, name: &'a Name, args: &'a [Arg]) {
         if has_error(args) {
-            args.iter().for_each(|arg| self.expr(&arg.value));
+            // A word of the operation is not an unknown name.
+            let is_word = |arg: &&Arg| {
+                let params = || ops::operations(&name.text).flat_map(|row| row.params);
+                word(arg).is_some_and(|word| params().any(|param| param.kind.has_word(word)))
+            };
+            args.iter().filter(|arg| !is_word(arg)).for_each(|arg| self.expr(&arg.value));
             return;
         }
         let rows: Vec<_> = ops::operations(&name.text).filter(|row| row.takes(args.len())).collect();
@@ -155,9 +153,10 @@ impl<'a> Resolver<'_, 'a, '_> {
                 if ops::operations(&name.text).next().is_none() && ops::functions(&name.text).next().is_none() {
                     args.iter().for_each(|arg| self.expr(&arg.value));
                 }
-                self.undefined(name, args.len());
+                self.undefined(name, args);
             }
             ([], Some(_)) => self.wrong_words(name, &rows, args),
+            _ if rules.is_empty() && self.stray_word(name, &fitting, args) => {}
             ([row, ..], _) => {
                 self.operation(&fitting, args);
                 self.about_later(name, Use::Operation(row));
@@ -202,25 +201,15 @@ impl<'a> Resolver<'_, 'a, '_> {
     }
 
     /// Reports a call that is neither an operation nor a rule.
-    fn undefined(&mut self, name: &'a Name, count: usize) {
-        let (text, globals, at) = (name.text.as_str(), &self.cx.globals, self.at);
+    fn undefined(&mut self, name: &'a Name, args: &[Arg]) {
+        let (text, globals, at, count) = (name.text.as_str(), &self.cx.globals, self.at, args.len());
         if globals.is_lost(at, text) {
             return;
         }
-        let takes: Vec<usize> =
-            ops::operations(text).flat_map(|row| ops::required(row.params)..=row.params.len()).collect();
-        if !takes.is_empty() {
-            let new = ops::operations(text).filter(|row| row.old.is_none());
-            let rows = usages(new.map(|row| (row.name, row.params, "")));
-            let message = format!("operation `{text}` takes {}, got {count}", counts(takes));
-            // The help of an operation that only exists for old files.
-            let instead = ops::operations(text).find_map(|row| row.old);
-            let diag = self.cx.diags.report(Code::ArgumentCount, name.span, message);
-            match instead.filter(|_| rows.is_empty()) {
-                Some(instead) => diag.help(instead),
-                None => diag.help(format!("write {rows}")),
-            };
-            if let Some(help) = habits::step(text).filter(|_| count == 3) {
+        if ops::operations(text).next().is_some() {
+            let help = habits::step(text).filter(|_| count == 3);
+            let diag = wrong_form(self.cx, name, &ops::operations(text).collect::<Vec<_>>(), args);
+            if let Some(help) = help {
                 diag.help(help);
             }
             return;
@@ -269,7 +258,7 @@ impl<'a> Resolver<'_, 'a, '_> {
     }
 
     /// Resolves the arguments of an operation. If there are several rows, the types decide later.
-    fn operation(&mut self, rows: &[&'static Operation], args: &'a [Arg]) {
+    pub(super) fn operation(&mut self, rows: &[&'static Operation], args: &'a [Arg]) {
         for (index, arg) in args.iter().enumerate() {
             let kinds = || rows.iter().map(|row| &row.params[index].kind);
             let takes = |prefix| {
@@ -328,14 +317,17 @@ impl<'a> Resolver<'_, 'a, '_> {
     fn block_args(&mut self, block: &'a Block, all: &[&'static Operation], rows: &[&'static Operation]) {
         let (name, args) = (&block.name, &block.args);
         let fitting = fitting(rows, args, self.dialect());
+        if fitting.is_empty() && self.swapped(name, rows, args) {
+            return;
+        }
         if let Some(row) = fitting.first().or(rows.first()).copied() {
             self.operation(if fitting.is_empty() { std::slice::from_ref(&row) } else { &fitting }, args);
             self.about_later(name, Use::Operation(row));
             self.note_open(name, fitting.into_iter().map(Use::Operation).collect());
         } else if let Some(row) = all.first() {
             if !(args.is_empty() && self.missing_word(name, row)) {
-                let takes = all.iter().flat_map(|row| ops::required(row.params)..=row.params.len()).collect();
-                wrong_count(self.cx, "operation", name, takes, args.len());
+                let forms: Vec<_> = ops::operations(&name.text).filter(|row| has_braces(row, block)).collect();
+                wrong_form(self.cx, name, &forms, args);
             }
         } else if !self.cx.globals.is_lost(self.at, &name.text) {
             let names = ops::all_operations().filter(|row| row.braces != Braces::None).map(|row| row.name);
@@ -383,7 +375,7 @@ impl<'a> Resolver<'_, 'a, '_> {
         let here = std::mem::replace(&mut self.at, target);
         let rules = self.rules(rule, args.len());
         if rules.is_empty() {
-            self.undefined(rule, args.len());
+            self.undefined(rule, args);
         }
         self.note_open(rule, rules);
         self.at = here;

@@ -1,20 +1,23 @@
 //! Words among arguments: bare, as `sel("word")`, as text in old files, or computed.
 
 use super::arguments::{plain, word};
-use super::arity::wrong_count;
+use super::arity::{wrong_count, wrong_form};
 use super::names::IGNORED;
 use super::resolver::Resolver;
 use super::tables::Use;
 use crate::diag::code::Code;
 use crate::diag::{RELATIVE, quoted};
 use crate::dialect::Dialect;
-use crate::ops::{self, Operation, Param, ParamKind, Words};
+use crate::ops::{self, Braces, Operation, Param, ParamKind, Words};
 use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Arg, Expr, ExprKind, Name};
 
 /// The maximum length of a quoted argument in a message.
 const LONGEST: usize = 40;
+
+/// The length of names that are too short to be misspelt words.
+const SHORT: usize = 2;
 
 /// The rows whose words are among the arguments: of those that fit, the rows with the most words. Bare words take
 /// precedence over text, because an operation may take the text as a value.
@@ -36,6 +39,19 @@ pub(crate) fn fitting(rows: &[&'static Operation], args: &[Arg], dialect: Dialec
 fn best(rows: &[&'static Operation], words: &[Option<&str>]) -> Vec<&'static Operation> {
     let most = rows.iter().filter_map(|row| row.words(words)).max();
     rows.iter().copied().filter(|row| most.is_some() && row.words(words) == most).collect()
+}
+
+/// The order in which arguments fit a row, as indices; `None` if a word is missing, or if they are in this order.
+fn in_order(row: &Operation, args: &[Arg]) -> Option<Vec<usize>> {
+    let mut left: Vec<usize> = (0..args.len()).collect();
+    let mut order = vec![None; args.len()];
+    for (place, param) in order.iter_mut().zip(row.params).filter(|(_, param)| param.kind.words().is_some()) {
+        let at = left.iter().position(|&index| word(&args[index]).is_some_and(|word| param.kind.has_word(word)))?;
+        *place = Some(left.remove(at));
+    }
+    let mut left = left.into_iter();
+    let order: Vec<usize> = order.into_iter().map(|place| place.or_else(|| left.next())).collect::<Option<_>>()?;
+    (!order.is_sorted()).then_some(order)
 }
 
 impl<'a> Resolver<'_, 'a, '_> {
@@ -87,24 +103,69 @@ impl<'a> Resolver<'_, 'a, '_> {
         }
     }
 
-    /// Reports two arguments that fit in the other order.
+    /// Reports arguments that fit in another order: the words of a row are among them.
     pub(super) fn swapped(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) -> bool {
-        let [first, second] = args else { return false };
-        let words = [word(second), word(first)];
-        let Some(row) = rows.iter().find(|row| row.words(&words).is_some()) else { return false };
+        let found = rows.iter().find_map(|row| Some((*row, in_order(row, args)?)));
+        let Some((row, order)) = found else { return false };
         let text = |arg: &Arg| {
             let text = self.cx.globals.program.tokens.text(arg.span, LONGEST, RELATIVE);
             text.strip_prefix("- ").map_or(text.clone(), |rest| format!("-{rest}"))
         };
-        let meant = format!("{}({}, {})", name.text, text(second), text(first));
+        let written: Vec<String> = order.iter().map(|&index| text(&args[index])).collect();
+        let braces = if row.braces == Braces::None { "" } else { " { … }" };
+        let meant = format!("{}({}){braces}", name.text, written.join(", "));
+        let first = order.iter().enumerate().find(|(place, index)| place != *index).map_or(0, |(place, _)| place);
         let message = format!("the arguments of `{}` are in the wrong order", name.text);
-        self.cx.diags.report(Code::UnknownWord, first.span, message).help(format!("write `{meant}`"));
-        for (param, arg) in row.params.iter().zip([second, first]) {
+        self.cx.diags.report(Code::UnknownWord, args[first].span, message).help(format!("write `{meant}`"));
+        for (param, index) in row.params.iter().zip(order) {
             if !matches!(param.kind, ParamKind::Word(_)) {
-                self.expr(&arg.value);
+                self.expr(&args[index].value);
             }
         }
         true
+    }
+
+    /// Reports an undeclared name among the arguments that is a word of another form of the operation, perhaps misspelt
+    /// or at another place. `fitting` are the rows that take it as a value.
+    pub(super) fn stray_word(&mut self, name: &Name, fitting: &[&'static Operation], args: &'a [Arg]) -> bool {
+        let forms: Vec<&'static Operation> =
+            ops::operations(&name.text).filter(|row| row.old.is_none() && row.braces == Braces::None).collect();
+        for (index, arg) in args.iter().enumerate() {
+            let Some(found) = word(arg) else { continue };
+            let is_value = |row: &&Operation| matches!(row.params[index].kind, ParamKind::Value(_) | ParamKind::Length);
+            // Some words are functions, too.
+            let is_declared = !matches!(self.lookup(found), None | Some(Use::Builtin(_)));
+            if is_declared || !fitting.iter().all(is_value) {
+                continue;
+            }
+            let words_at = |row: &Operation, place: usize| row.params.get(place).and_then(|param| param.kind.words());
+            let is_near =
+                |row: &&&Operation| words_at(row, index).and_then(|words| nearest(found, words.current())).is_some();
+            if let Some(row) = forms.iter().filter(is_near).find(|row| row.takes(args.len())) {
+                self.operation(std::slice::from_ref(row), args);
+                return true;
+            }
+            if SHORT < found.len() && forms.iter().any(|row| is_near(&row)) {
+                wrong_form(self.cx, name, &forms, args);
+                return true;
+            }
+            let has_word = |row: &Operation, place: usize| words_at(row, place).is_some_and(|words| words.has(found));
+            let place_in = |row: &'static Operation| (0..row.params.len()).find(|&place| has_word(row, place));
+            if let Some((row, place)) = forms.iter().find_map(|row| Some((*row, place_in(row)?))) {
+                let rows: Vec<_> = forms.iter().copied().filter(|row| row.takes(args.len())).collect();
+                if self.swapped(name, &rows, args) {
+                    return true;
+                }
+                let names = row.params.iter().map(|param| param.name).enumerate();
+                let names = names.map(|(at, name)| if at == place { found } else { name });
+                let shown: Vec<&str> = names.take(ops::required(row.params).max(place + 1)).collect();
+                let message = format!("`{found}` is at the wrong place among the arguments of `{}`", name.text);
+                let diag = self.cx.diags.report(Code::UnknownWord, arg.span, message);
+                diag.help(format!("write `{}({})`", name.text, shown.join(", ")));
+                return true;
+            }
+        }
+        false
     }
 
     /// Resolves the parts of computed words, and reports that they are not implemented yet.

@@ -222,6 +222,24 @@ pub enum Prefix {
     Floating,
 }
 
+impl Prefix {
+    /// The places where it is allowed, for a note.
+    pub(crate) fn place(self) -> &'static str {
+        match self {
+            Prefix::Relative => "only lengths can be relative to the scope",
+            Prefix::Floating => "only the sizes of a split can float",
+        }
+    }
+
+    /// The help where it is not allowed.
+    pub(crate) fn instead(self) -> &'static str {
+        match self {
+            Prefix::Relative => "leave it out, or multiply: `0.5 * scope.sx` is half of the width",
+            Prefix::Floating => "leave it out",
+        }
+    }
+}
+
 /// The contents between two `|` of slots.
 #[derive(Clone, Debug)]
 pub enum SplitItem {

@@ -68,6 +68,16 @@ static BASE_HEIGHTS: ParamBounds = envelope_bounds(Allowed::AtLeast(0.0), "base 
 static SLOPE_ANGLES: ParamBounds =
     envelope_bounds(Allowed::Between(0.0, 90.0), "slope angles are from 0 to 90 degrees");
 
+/// *envelope operation*: surplus elements have no edge.
+static EACH_BASE_HEIGHT: ParamBounds = ParamBounds {
+    element: Some(&ParamBounds { result: Some("a shape with this edge stays as it is"), ..BASE_HEIGHTS }),
+    ..BASE_HEIGHTS
+};
+static EACH_SLOPE_ANGLE: ParamBounds = ParamBounds {
+    element: Some(&ParamBounds { result: Some("a shape with this edge stays as it is"), ..SLOPE_ANGLES }),
+    ..SLOPE_ANGLES
+};
+
 const MAX_HEIGHT: Param = within(float("maxHeight"), &MAX_HEIGHTS);
 
 const fn base(name: Str) -> Param {
@@ -260,7 +270,12 @@ pub(super) static ROWS: &[Operation] = &[
     envelope("envelope_all", ENVELOPE, VOLUME),
     envelope(
         "envelope_edges",
-        &[DIRECTION, MAX_HEIGHT, within(of("baseHeights", FS), &BASE_HEIGHTS), within(of("angles", FS), &SLOPE_ANGLES)],
+        &[
+            DIRECTION,
+            MAX_HEIGHT,
+            within(of("baseHeights", FS), &EACH_BASE_HEIGHT),
+            within(of("angles", FS), &EACH_SLOPE_ANGLE),
+        ],
         "makes the volume that may be built on, with heights and angles edge by edge",
     ),
     // Without a direction, as before 2013.1 (*CGA changelog*).

@@ -24,10 +24,18 @@ const fn form_bounds(values: Allowed, about: Str) -> ParamBounds {
 }
 
 static ANGLES: ParamBounds = form_bounds(Allowed::Inside(0.0, 90.0), "an angle is between 0 and 90 degrees");
-static VALUES: ParamBounds = form_bounds(Allowed::Above(0.0), "an angle or height is above 0");
+static HEIGHTS: ParamBounds = form_bounds(Allowed::Above(0.0), "a height is above 0");
+static VALUES: ParamBounds = ParamBounds {
+    with_word: &[("byAngle", &ANGLES), ("byHeight", &HEIGHTS)],
+    ..form_bounds(Allowed::Above(0.0), "a height is above 0, an angle between 0 and 90 degrees")
+};
 static SHED_ANGLES: ParamBounds =
     form_bounds(Allowed::Sloped(90.0), "an angle is between -90 and 90 degrees, but not 0");
-static SHED_VALUES: ParamBounds = form_bounds(Allowed::Sloped(f64::INFINITY), "an angle or height is not 0");
+static SHED_HEIGHTS: ParamBounds = form_bounds(Allowed::Sloped(f64::INFINITY), "a height is not 0");
+static SHED_VALUES: ParamBounds = ParamBounds {
+    with_word: &[("byAngle", &SHED_ANGLES), ("byHeight", &SHED_HEIGHTS)],
+    ..form_bounds(Allowed::Sloped(f64::INFINITY), "a height is not 0, an angle between -90 and 90 degrees, but not 0")
+};
 static OVERHANGS: ParamBounds = ParamBounds {
     result: Some("the roof has no overhang"),
     ..bounds(Allowed::AtLeast(0.0), "an overhang is at least 0")

@@ -47,12 +47,30 @@ static AREAS: ParamBounds = bounds(Allowed::Above(0.0), "an area is above 0");
 /// *CGA changelog 2017.0*.
 static COUNTS: ParamBounds = ParamBounds {
     result: Some("no points are made"),
-    ..bounds(Allowed::Above(0.0), "the number of points is above 0")
+    ..bounds(Allowed::AtLeast(1.0), "the number of points is at least 1; a fraction is rounded down")
 };
 
 /// *setback operation*.
 static DISTANCES: ParamBounds =
     ParamBounds { result: Some("no edge is set back"), ..bounds(Allowed::Above(0.0), "a distance is above 0") };
+
+/// *setback operation*: in an array, 0 is the distance of an edge that stays.
+static EACH_DISTANCES: ParamBounds = ParamBounds { element: Some(&ELEMENTS), ..DISTANCES };
+static ELEMENTS: ParamBounds = ParamBounds {
+    result: Some("an edge with this distance is not set back"),
+    ..bounds(Allowed::AtLeast(0.0), "a distance is at least 0")
+};
+
+/// *setbackToArea operation*.
+static MIN_DISTANCES: ParamBounds = ParamBounds {
+    result: Some("the distance begins at 0"),
+    ..bounds(Allowed::AtLeast(0.0), "a minimum distance is at least 0")
+};
+static MAX_DISTANCES: ParamBounds = ParamBounds {
+    element: Some(&ELEMENTS),
+    result: Some("no edge is set back"),
+    ..bounds(Allowed::Above(0.0), "a maximum distance is above 0")
+};
 
 /// *shapeL, shapeU, shapeO operations*.
 static WIDTHS: ParamBounds = ParamBounds {
@@ -68,6 +86,7 @@ static DEVIATIONS: ParamBounds = ParamBounds {
 
 const DISTANCE: Param = within(float("distance"), &DISTANCES);
 const EDGE_DISTANCE: Param = within(param("distance", ParamKind::PerEdge), &DISTANCES);
+const MIN_DISTANCE: Param = within(of("minDistances", FS), &MIN_DISTANCES);
 const AREA: Param = within(float("area"), &AREAS);
 const N_POINTS: Param = within(float("nPoints"), &COUNTS);
 const UV_SET: Param = or(uv_set("uvSet"), Default::Float(0.0));
@@ -154,7 +173,7 @@ pub(super) static ROWS: &[Operation] = &[
         block(
             "setback",
             Braces::Arms(SelectorPlaces::SETBACK),
-            &[within(of("distances", FS), &DISTANCES), UV_SET],
+            &[within(of("distances", FS), &EACH_DISTANCES), UV_SET],
             "sets edges back, each face edge by a distance of its own",
         ),
     ),
@@ -176,7 +195,7 @@ pub(super) static ROWS: &[Operation] = &[
     sets_back(
         "setback_to_area_from",
         Uses::WHOLE,
-        block("setbackToArea", Braces::Arms(SelectorPlaces::SETBACK), &[AREA, of("minDistances", FS), UV_SET], TO_AREA),
+        block("setbackToArea", Braces::Arms(SelectorPlaces::SETBACK), &[AREA, MIN_DISTANCE, UV_SET], TO_AREA),
     ),
     sets_back(
         "setback_to_area_between",
@@ -184,7 +203,7 @@ pub(super) static ROWS: &[Operation] = &[
         block(
             "setbackToArea",
             Braces::Arms(SelectorPlaces::SETBACK),
-            &[AREA, of("minDistances", FS), of("maxDistances", FS), UV_SET],
+            &[AREA, MIN_DISTANCE, within(of("maxDistances", FS), &MAX_DISTANCES), UV_SET],
             TO_AREA,
         ),
     ),

@@ -1,12 +1,12 @@
 //! Arms: `{ selector : operations | selector = operations }`, and `comp` with values instead of operations.
 
-use super::{Parsed, Parser};
+use super::{Parsed, Parser, Reported};
 use crate::ops::{self, Braces};
-use crate::syntax::ast::{Arm, ArmMode, CompValue, Expr, ExprKind, Name};
+use crate::syntax::ast::{Arm, ArmMode, CompValue, Expr, ExprKind, Name, Op, OpKind};
 use crate::syntax::token::Sym;
 
 /// The form of an arm in messages.
-pub(super) const ARM: &str = "selector : operations";
+const ARM: &str = "selector : operations";
 
 /// Returns true for the operation that may have values instead of operations in its arms.
 pub(super) fn has_values(name: &str) -> bool {
@@ -38,8 +38,22 @@ impl Parser<'_> {
         }
     }
 
+    /// Parses `{ selector : operations | … }`. An arm that cannot be read has an error as its selector.
+    pub(super) fn arms_of_block(&mut self) -> Parsed<Vec<Arm>> {
+        let close = self.closing()?;
+        self.between_bars(Some(ARM), |parser| {
+            let start = parser.at;
+            Ok(parser.arm().unwrap_or_else(|Reported| {
+                parser.skip_to_bar(close);
+                let span = parser.span_from(start);
+                let ops = vec![Op { kind: OpKind::Error, span }];
+                Arm { selector: Expr::error(span), mode: ArmMode::Each, ops }
+            }))
+        })
+    }
+
     /// Parses `selector : operations`.
-    pub(super) fn arm(&mut self) -> Parsed<Arm> {
+    fn arm(&mut self) -> Parsed<Arm> {
         Ok(Arm { selector: self.expr()?, mode: self.arm_mode()?, ops: self.ops(false)? })
     }
 
@@ -51,6 +65,11 @@ impl Parser<'_> {
         if self.eat(Sym::Assign) {
             return Ok(if self.eat(Sym::Colon) { ArmMode::Connected } else { ArmMode::Together });
         }
-        if self.eat(Sym::Colon) { Ok(ArmMode::Each) } else { self.fail("`:` or `=` after the selector") }
+        if self.eat(Sym::Colon) {
+            return Ok(ArmMode::Each);
+        }
+        let is_list = self.is(Sym::Comma);
+        let diag = self.expected("`:` or `=` after the selector");
+        Err(if is_list { diag.help("write `||` between selectors") } else { diag }.into())
     }
 }

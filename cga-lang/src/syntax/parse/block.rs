@@ -3,7 +3,6 @@
 //! The operation's row in the table defines the contents of the braces. Without a row the parser guesses, so that it
 //! can read the rest of the rule; the check of names reports the unknown operation.
 
-use super::arms::ARM;
 use super::{Parsed, Parser, Reported};
 use crate::diag::code::Code;
 use crate::ops::{self, Braces, Measure};
@@ -35,9 +34,7 @@ impl Parser<'_> {
                 BlockPart::Slots(items, repeat)
             }
             Braces::Sections => return self.perimeter(name, args),
-            Braces::Arms(_) | Braces::Components | Braces::Modified => {
-                BlockPart::Arms(self.between_bars(Some(ARM), Self::arm)?)
-            }
+            Braces::Arms(_) | Braces::Components | Braces::Modified => BlockPart::Arms(self.arms_of_block()?),
             Braces::Ops | Braces::Inline | Braces::None => BlockPart::Ops(self.operands(&name, 1)?),
             Braces::Operands => BlockPart::Ops(self.operands(&name, 2)?),
         };
@@ -124,7 +121,7 @@ impl Parser<'_> {
         let sections = self.between_bars(Some("length : depth : operations"), Self::section)?;
         let mut parts = vec![BlockPart::Sections(sections, self.eat(Sym::Star))];
         if self.is(Sym::LBrace) {
-            parts.push(BlockPart::Arms(self.between_bars(Some(ARM), Self::arm)?));
+            parts.push(BlockPart::Arms(self.arms_of_block()?));
         } else {
             self.expected("`{`").help("write `{ remainder : operations }` after the sections");
         }
@@ -140,7 +137,7 @@ impl Parser<'_> {
                 .help("sections have no groups: `*` after the braces repeats all")
                 .into());
         }
-        let length = self.arg()?;
+        let length = self.sized(true)?;
         if !self.eat(Sym::Colon) {
             return Err(self.expected("`:` after the length").help(usage).into());
         }
@@ -179,7 +176,7 @@ impl Parser<'_> {
 
     /// Parses `inline(mode) Rule`, `inline comp(f) { … }` or `subtract(swap) Rule`, after the name.
     pub(super) fn inlined(&mut self, name: Name) -> Parsed<OpKind> {
-        let args = if self.is(Sym::LParen) { self.args()? } else { Vec::new() };
+        let args = if self.is(Sym::LParen) { self.args(&name.text)? } else { Vec::new() };
         if self.is(Sym::LBrace) {
             return self.block(name, args);
         }

@@ -40,8 +40,16 @@ impl Parser<'_> {
         if MAX_DEPTH < expr.depth { self.too_deep() } else { Ok(expr) }
     }
 
+    /// Parses an argument or a size, which may be relative or not.
+    pub(super) fn sized(&mut self, relative: bool) -> Parsed<Arg> {
+        let outside = std::mem::replace(&mut self.relative, relative);
+        let result = self.arg();
+        self.relative = outside;
+        result
+    }
+
     /// Parses a value that may have a size prefix.
-    pub(super) fn arg(&mut self) -> Parsed<Arg> {
+    fn arg(&mut self) -> Parsed<Arg> {
         let start = self.at;
         let prefix = match self.peek() {
             Some(Tok::Sym(Sym::Quote)) => Some((Prefix::Relative, self.span())),
@@ -134,12 +142,28 @@ impl Parser<'_> {
     fn misplaced_prefix(&mut self) {
         let (span, sign) = (self.span(), self.peek().map_or("it".into(), Tok::describe));
         let second = matches!(self.before(1), Some(Tok::Sym(Sym::Quote | Sym::Tilde)));
+        let prefix = if self.is(Sym::Quote) { Prefix::Relative } else { Prefix::Floating };
+        let negative = self.negative().filter(|_| self.relative && prefix == Prefix::Relative);
+        let relative = self.relative;
         let diag = self.diags.report(Code::MisplacedPrefix, span, format!("{sign} is not allowed here"));
         if second {
             diag.note("a size is relative or floating, never both").help(format!("write `{RELATIVE}0.5` or `~0.5`"));
-            return;
+        } else if let Some(negative) = negative {
+            diag.note("it comes before the whole size, and before its sign").help(format!("write `{negative}`"));
+        } else if relative {
+            let forms = format!("`{RELATIVE}0.5 * a`, `{RELATIVE}-a`, `~(a + b)`");
+            diag.help(format!("it begins the size of a slot or a length: {forms}"));
+        } else {
+            diag.note(prefix.place()).help(prefix.instead());
         }
-        diag.help(format!("it begins the size of a slot or a length: `{RELATIVE}0.5 * a`, `{RELATIVE}-a`, `~(a + b)`"));
+    }
+
+    /// The relative size that is meant by a sign before it: `'-0.5` for `-'0.5`.
+    fn negative(&self) -> Option<String> {
+        let begins = matches!(self.before(2), Some(Tok::Sym(Sym::LParen | Sym::LBrace | Sym::Comma | Sym::Bar)));
+        let is_minus = self.before(1).is_some_and(|token| token.is(Sym::Minus));
+        let is_value = matches!(self.nth(1), Some(Tok::Number(_) | Tok::Ident(_)));
+        (begins && is_minus && is_value).then(|| format!("{RELATIVE}-{}", self.written(self.at + 1, self.at + 2)))
     }
 
     fn primary(&mut self) -> Parsed<Expr> {
@@ -220,7 +244,10 @@ impl Parser<'_> {
     }
 
     pub(super) fn call_args(&mut self, name: &str) -> Parsed<Vec<Expr>> {
-        let args = self.between_commas(|parser| parser.bracketed(false, Self::expr))?;
+        let relative = std::mem::take(&mut self.relative);
+        let args = self.between_commas(|parser| parser.bracketed(false, Self::expr));
+        self.relative = relative;
+        let args = args?;
         if self.layout.is(self.at - 2, Sym::Comma) {
             self.at -= 1;
             return self.fail(&format!("another argument of `{name}`"));

@@ -113,7 +113,7 @@ impl Parser<'_> {
             return self.fail("`.`");
         }
         let Some(rule) = self.take_joined() else { return self.fail("a rule of the import") };
-        let args = if self.is(Sym::LParen) { self.args()? } else { Vec::new() };
+        let args = if self.is(Sym::LParen) { self.args("")? } else { Vec::new() };
         Ok(OpKind::Dynamic { import, overrides, rule, args })
     }
 }

@@ -31,7 +31,15 @@ impl Parser<'_> {
             let start = self.at;
             self.depth = 0;
             self.deep = false;
-            if self.item(&mut ast, &mut style).is_ok() && !self.at_border() {
+            // After a missing `{`, an arm looks like a function: `| all = Wall`.
+            let is_arm = self.lacks_brace && self.before(1).is_some_and(|token| token.is(Sym::Bar));
+            if is_arm {
+                self.bump();
+                self.skip_to_border();
+                continue;
+            }
+            self.lacks_brace = false;
+            if self.item(&mut ast, &mut style).is_ok() && !self.at_border() && !self.lacks_brace {
                 self.leftover(&ast);
             }
             if self.at == start {

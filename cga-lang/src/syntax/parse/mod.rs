@@ -69,6 +69,10 @@ struct Parser<'a> {
     depth: u32,
     /// True if `TooDeep` was reported in this declaration.
     deep: bool,
+    /// True if a `{` was missing in this declaration. Its `}` is then left over.
+    lacks_brace: bool,
+    /// True while a size or an argument is parsed that can be relative.
+    relative: bool,
     /// True if a comma ends the operations of a rule, as between overrides.
     comma_ends: bool,
     /// The remaining loop steps. The limit guards against a loop without progress.
@@ -103,6 +107,8 @@ impl<'a> Parser<'a> {
             at: 0,
             depth: 0,
             deep: false,
+            lacks_brace: false,
+            relative: false,
             comma_ends: false,
             fuel: tokens.len() * 32 + 1000,
             styles: HashMap::new(),

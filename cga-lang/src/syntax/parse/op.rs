@@ -7,7 +7,7 @@ use super::item::is_keyword;
 use super::report::STEP;
 use super::{Parsed, Parser, Reported};
 use crate::diag::code::Code;
-use crate::ops;
+use crate::ops::{self, ParamKind};
 use crate::syntax::ast::{Arg, Expr, Name, Op, OpKind};
 use crate::syntax::token::{Sym, Tok};
 
@@ -119,12 +119,19 @@ impl Parser<'_> {
         if self.eat(Sym::Dot) {
             return self.leaf(name);
         }
-        let args = if self.is(Sym::LParen) { Some(self.args()?) } else { None };
+        let args = if self.is(Sym::LParen) { Some(self.args(&name.text)?) } else { None };
         if args.is_some() && self.is(Sym::Dot) {
-            self.syntax(self.at, "a leaf has no arguments")
-                .help(format!("write `{}.`, or leave out the dot", name.text));
+            let is_operation = ops::operations(&name.text).next().is_some();
+            if is_operation {
+                self.syntax(self.at, "operations are not joined by a dot").help("leave out the dot");
+            } else {
+                self.syntax(self.at, "a leaf has no arguments")
+                    .help(format!("write `{}.`, or leave out the dot", name.text));
+            }
             self.bump();
-            return Ok(OpKind::Error);
+            if !is_operation {
+                return Ok(OpKind::Error);
+            }
         }
         let has_args = args.is_some();
         let args = args.unwrap_or_default();
@@ -134,7 +141,8 @@ impl Parser<'_> {
         if !own && let Some(usage) = self.missing_braces(&name.text) {
             let lacks_args = !has_args && needs_arguments(&name.text);
             let is_step = !lacks_args && !matches!(self.peek(), Some(Tok::Number(_) | Tok::Str(_) | Tok::Host(_)));
-            let goes_on = self.at_border() || is_step;
+            let goes_on = self.at_border() || is_step && !self.at_part();
+            self.lacks_brace = true;
             self.expected(if lacks_args { "`(`" } else { "`{`" }).help(usage);
             return if goes_on { Ok(OpKind::Error) } else { Err(Reported) };
         }
@@ -149,7 +157,7 @@ impl Parser<'_> {
         // Arguments of a leaf, as in old files, have no effect.
         if self.is(Sym::LParen) {
             let start = self.at;
-            self.args()?;
+            self.args("")?;
             let span = self.span_from(start);
             self.diags
                 .report(Code::OldSpelling, span, "a leaf has no arguments; these have no effect")
@@ -163,7 +171,7 @@ impl Parser<'_> {
         if !self.is(Sym::LParen) {
             return self.no_call(&path);
         }
-        Ok(OpKind::Path(path, self.args()?))
+        Ok(OpKind::Path(path, self.args("")?))
     }
 
     fn brackets(&mut self) -> Parsed<OpKind> {
@@ -182,15 +190,34 @@ impl Parser<'_> {
         Ok(OpKind::Push(ops))
     }
 
-    /// Parses `( … )`. An argument that cannot be read becomes an error value, which silences further diagnostics
+    /// Returns true if a slot or an arm begins here, as in `front : Wall. | …`.
+    fn at_part(&self) -> bool {
+        let mut at = self.at;
+        while !self.layout.is_border(at) && !self.at_branch() {
+            match self.layout.at(at) {
+                Some(Tok::Sym(Sym::Colon | Sym::Assign)) => return true,
+                Some(Tok::Sym(Sym::LParen | Sym::LBracket | Sym::LBrace)) => match self.layout.close(at) {
+                    Some(close) => at = close,
+                    None => return false,
+                },
+                Some(Tok::Sym(Sym::Bar | Sym::RParen | Sym::RBracket | Sym::RBrace)) => return false,
+                _ => {}
+            }
+            at += 1;
+        }
+        false
+    }
+
+    /// Parses the `( … )` of an operation, or of something without parameters that can be relative. An argument that cannot be read becomes an error value, which silences further diagnostics
     /// about the call.
-    pub(super) fn args(&mut self) -> Parsed<Vec<Arg>> {
+    pub(super) fn args(&mut self, name: &str) -> Parsed<Vec<Arg>> {
         let close = self.closing()?;
         self.bump();
         let mut args = Vec::new();
         while self.at < close && self.tick() {
             let start = self.at;
-            let result = self.bracketed(false, Self::arg).and_then(|arg| {
+            let relative = takes_relative(name, args.len());
+            let result = self.bracketed(false, |parser| parser.sized(relative)).and_then(|arg| {
                 let more = self.at < close;
                 if more && !self.is(Sym::Comma) {
                     return self.fail("`,` or `)`");
@@ -216,4 +243,10 @@ impl Parser<'_> {
         self.at = close + 1;
         Ok(args)
     }
+}
+
+/// Returns true if an argument of an operation can be relative to the scope.
+fn takes_relative(name: &str, index: usize) -> bool {
+    let mut params = ops::operations(name).filter_map(|row| row.params.get(index));
+    params.any(|param| matches!(param.kind, ParamKind::Length | ParamKind::Size))
 }

@@ -55,7 +55,7 @@ impl Parser<'_> {
     /// Returns true if a `:` follows a selector that was read as a rule.
     fn at_selector_without_bar(&self) -> bool {
         let before = self.before(1).and_then(Tok::ident);
-        let begins = self.before(2).is_none_or(|token| token.is(Sym::Arrow));
+        let begins = self.before(2).is_none_or(|token| token.is(Sym::Arrow) || token.is(Sym::LBrace));
         !begins
             && matches!(self.peek(), Some(Tok::Sym(Sym::Colon | Sym::Assign)))
             && !self.at_border()
@@ -97,6 +97,19 @@ impl Parser<'_> {
                 format!("put `|` between the slots of a split; a percentage is `{value}% :`")
             }
             Tok::Sym(Sym::Tilde | Sym::Quote) | Tok::Number(_) if step => "put `|` between the slots of a split".into(),
+            Tok::Sym(Sym::Colon)
+                if step && selector(word).is_some() && self.before(2).is_some_and(|token| token.is(Sym::LBrace)) =>
+            {
+                format!("these braces have no selectors: leave out `{word} :`")
+            }
+            Tok::Sym(Sym::RParen | Sym::Comma | Sym::RBrace)
+                if what == "a value" && before.is_some_and(|token| token.is(Sym::Percent)) =>
+            {
+                return self.percentage();
+            }
+            Tok::Ident(word) if word == "else" && what == "a value" && self.nth_is(1, Sym::Colon) => {
+                "the rest is `all` in a `comp` and `remainder` in a setback".into()
+            }
             Tok::Sym(Sym::Colon) if step && nearest(word, ELSE).is_some() => "did you mean `else`?".into(),
             Tok::Sym(Sym::Colon) if step && !word.is_empty() && !is_operation => {
                 format!("put `|` between the parts of a split or comp; a rule begins with `{word} -->`")
@@ -115,6 +128,16 @@ impl Parser<'_> {
             }
             Tok::Sym(Sym::Star) if step => "`*` comes after the `}` of the repeated slots".into(),
             _ => return None,
+        })
+    }
+
+    /// Returns the help for a percentage as a value.
+    fn percentage(&self) -> Option<String> {
+        let Some(Tok::Number(percent)) = self.before(2) else { return None };
+        let share = (percent * 1e6).round() / 1e8;
+        Some(match self.relative {
+            true => format!("write `{RELATIVE}{share}` for {percent} % of the scope"),
+            false => format!("`%` is the remainder of a division: write `{percent}`, or `{share}` for a share"),
         })
     }
 

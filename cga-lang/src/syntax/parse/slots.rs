@@ -32,7 +32,7 @@ impl Parser<'_> {
             let diag = self.diags.report(Code::Syntax, span, "the size of a slot cannot be a percentage");
             return Err(diag.help(format!("write `{RELATIVE}{share}`")).into());
         }
-        let size = self.arg()?;
+        let size = self.sized(true)?;
         if !self.eat(Sym::Colon) && !self.slipped_colon("the size") {
             return self.fail("`:` after the size");
         }
