@@ -5,8 +5,9 @@
 //! end of the shorter one, so its far end is a contact too ([`overlap`](super::overlap)), and so on. In this way
 //! parallel walls meet all at once.
 //!
-//! A vertex is compared with the whole wavefront once per event that it takes part in, and it usually ends there. Over
-//! all events this is quadratic. Each further round of an event costs only its contacts, not the wavefront.
+//! The vertices of an event are compared with the edges near a box around them. Finding these edges takes a walk along the
+//! wavefront, and another one if a contact is outside of the box. A vertex usually ends at its event, so over all events
+//! this is quadratic. Each further round of an event costs only its new contacts.
 
 use std::collections::BTreeSet;
 
