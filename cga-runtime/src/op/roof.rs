@@ -50,7 +50,8 @@ pub fn roof_gable(env: &mut Env, shape: &mut Shape, angle: f64, across: f64, alo
 /// `roofGable(byAngle | byHeight, value, overhangX, overhangY, even)`: a roof as of [`roof_hip_by`], but with upright
 /// pediments at its ends (*roofGable operation*). An end is a side whose hip would be a triangle, between convex corners
 /// and neighbours that run against each other. `overhangX` is the overhang at the eaves, on the planes; `overhangY` is the
-/// overhang in front of the pediments, across their edges. Both are in metres.
+/// overhang in front of the pediments, across their edges. Both are in metres. A pediment that goes around a corner, or whose
+/// overhang would meet another part of the roof, has none in front.
 pub fn roof_gable_by(env: &mut Env, shape: &mut Shape, by: RoofValue, value: f64, across: f64, along: f64, even: bool) {
     gable(env, shape, by, value, [across, along], even, None);
 }
@@ -154,7 +155,7 @@ fn build(env: &mut Env, shape: &mut Shape, name: &str, form: RoofForm, by: RoofV
     let Roofs { mesh: made, refused, without_overhangs } = roof_over(&mesh, form, rise);
     report_refused(env, name, &refused, &REFUSALS);
     report_faces(env, name, without_overhangs.into_iter(), |face, more| {
-        format!("the overhang of face {face} leads too far{more}; the roof has none")
+        format!("face {face} has no room for its overhang{more}; the roof has none")
     });
     if refused.len() < mesh.face_count() {
         stand(env, shape, made, up, 1.0, &format!("`{name}`"));

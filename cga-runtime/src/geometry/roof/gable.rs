@@ -12,6 +12,10 @@ use super::plan::{Outside, Plan, arcs, joined};
 use super::{Outline, Rise, Roof};
 use crate::geometry::skeleton::Failure;
 
+/// The distance of a corner of a pediment from the outer edge of its overhang, as a share of the overhang, at which there is
+/// an overhang. It is 1 in straight pediments.
+const NEAREST: f64 = 0.5;
+
 /// A gable roof with one face for each edge; `ends` are the edges with pediments. `[across, along]` are the overhangs at
 /// the eaves and beyond the pediments.
 ///
@@ -95,7 +99,7 @@ fn overhang(
     let mut regions: Vec<(u32, Vec<u32>)> = Vec::new();
     let mut without = Vec::new();
     for (number, gable) in gables.iter().enumerate().filter(|(number, _)| 0.0 < beyond[*number]) {
-        match in_front(plan, outline, gable, &outside, &lefts) {
+        match in_front(plan, outline, gable, beyond[number], &outside, &lefts) {
             Some(found) => regions.extend(found),
             None => without.push(number),
         }
@@ -115,12 +119,14 @@ fn overhang(
     Ok(())
 }
 
-/// The regions in front of a pediment, each with the edge whose plane continues there. `None` if the strip of the gable
-/// outside is not a quadrilateral, or the ridge does not reach its outer edge.
+/// The regions in front of a pediment, each with the edge whose plane continues there. Their outer edge is straight. `None`
+/// if the pediment has a corner that is not far behind that edge, if the strip of the gable outside has more than two sides
+/// beside its outer edge, or if the ridge does not reach the outer edge.
 fn in_front(
     plan: &mut Plan,
     outline: &Outline<'_>,
     gable: &[u32],
+    along: f64,
     outside: &Outside,
     lefts: &BTreeMap<[u32; 2], usize>,
 ) -> Option<Vec<(u32, Vec<u32>)>> {
@@ -141,6 +147,12 @@ fn in_front(
         [q, p] if p[0] == a && q[1] == b => [p[1], q[0]],
         _ => return None,
     };
+    let [p, q] = outer.map(|point| plan.points[point as usize]);
+    let behind = (q - p).normalize_or_zero().perp();
+    let mut corners = gable[1..].iter().map(|&edge| outline.at(edges[edge as usize][0]));
+    if corners.any(|corner| behind.dot(corner - p) < NEAREST * along) {
+        return None;
+    }
     // The upper rim of the pediment, from `b` to `a`.
     let pediment: Vec<Vec<u32>> =
         plan.faces.iter().filter(|face| gable.contains(&face.edge)).map(|face| face.ring.clone()).collect();
@@ -176,7 +188,6 @@ fn in_front(
             None => outer[0],
             Some(&other) => {
                 // Both planes are equally high there.
-                let [p, q] = outer.map(|point| plan.points[point as usize]);
                 let lead = |p: DVec2| plane(edge, p) - plane(other, p);
                 let share = lead(p) / (lead(p) - lead(q));
                 if !(0.0 < share && share < 1.0) {

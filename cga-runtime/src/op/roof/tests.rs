@@ -148,7 +148,7 @@ fn a_roof_whose_overhang_leads_too_far_has_none() {
             if let Some(fault) = faults.first() {
                 assert!(faults.len() == 1 && mesh.is_closed(), "{width} {turn}: {fault}");
                 assert!(
-                    fault.to_string().contains("the overhang of face 0 leads too far; the roof has none"),
+                    fault.to_string().contains("face 0 has no room for its overhang; the roof has none"),
                     "{fault}"
                 );
                 without.push(width);
@@ -180,4 +180,32 @@ fn tags_of_the_face_stay_and_old_roof_tags_go() {
     let mesh = again.to_mesh();
     let tags = |face: usize| mesh.tag_sets()[mesh.face(face).tag().tags as usize].names().len();
     assert!((0..mesh.face_count()).all(|face| tags(face) == 1));
+}
+/// An end that goes around a corner has no overhang: its outer edge would cut off the corner.
+#[test]
+fn overhangs_along_an_edge_cover_the_face() {
+    let triangle = [[9.77, 0.0], [-4.6, 7.96], [-4.56, -7.9]];
+    let hexagon = [[9.6, 0.0], [4.75, 8.23], [-4.76, 8.24], [-9.42, 0.0], [-4.5, -7.8], [4.97, -8.6]];
+    let dense = [[0.0, 0.0], [12.0, 0.0], [12.0, 3.0], [12.001, 5.0], [12.0, 8.0], [0.0, 8.0]];
+    for lot in [&triangle[..], &hexagon, &dense] {
+        let shape = Shape::footprint(lot, &[]).expect("a lot");
+        let area = shape.to_mesh().area();
+        for index in 0..lot.len() {
+            for [across, along] in [[0.0, 0.3], [0.5, 0.3], [3.0, 2.0]] {
+                let (env, mut made) = (&mut Env::for_tests(), shape.clone());
+                roof_gable_along(env, &mut made, 35.0, across, along, false, index as f64);
+                let mesh = made.to_mesh();
+                let areas = || mesh.faces().map(|face| 0.5 * face.area_vector().y);
+                let [up, down] = [areas().map(|y| y.max(0.0)).sum::<f64>(), areas().map(|y| y.min(0.0)).sum::<f64>()];
+                let case = format!("{} corners, edge {index}, {across} {along}: {up} {down}", lot.len());
+                assert!(env.take_faults().0.is_empty() && mesh.check().is_empty(), "{case}");
+                assert!((down + area).abs() < 1e-9 && area * (1.0 - 1e-9) <= up, "{case}");
+                assert_eq!(mesh.face_count(), lot.len() + 1, "{case}");
+                // Both straight ends have an overhang, also the one with a point that is a little outside.
+                if lot == dense && index == 0 && across == 0.0 {
+                    assert!((up - area - 2.0 * 8.0 * along).abs() < 0.01, "{case}");
+                }
+            }
+        }
+    }
 }
