@@ -87,7 +87,7 @@ fn marked_streets() -> CatalogEntry {
     let (_, rules) = include_str!("../../../examples/textured.rs").rsplit_once("cga! {\n").unwrap_or_default();
     let scene = Scene {
         name: "marked_streets",
-        title: "Streets with markings",
+        title: "Marked streets",
         sentence: "From `examples/textured.rs`: lines and zebra crossings are splits along the texture coordinates of a street.",
         rules: grammar_text(rules),
         grammar: Box::new(textured::Streets::default()),
