@@ -92,10 +92,17 @@ cga! {
 }
 
 /// An outline with its holes, in metres: x to the east, z to the south.
-struct Footprint {
+pub(crate) struct Footprint {
     label: String,
     outer: Vec<[f64; 2]>,
     holes: Vec<Vec<[f64; 2]>>,
+}
+
+impl Footprint {
+    /// The initial shape of a building. Its number is its seed.
+    pub(crate) fn lot(&self, number: usize) -> Result<Shape, cga::Error> {
+        Ok(Shape::footprint(&self.outer, &self.holes)?.seed(number as u64))
+    }
 }
 
 fn main() -> ExitCode {
@@ -121,9 +128,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     for (number, footprint) in footprints.iter().enumerate() {
         progress(number, footprints.len());
         let house = House::default();
-        let result = Shape::footprint(&footprint.outer, &footprint.holes)
-            .and_then(|lot| house.generate_with(&lot.seed(number as u64), &Settings::default()));
-        match result {
+        match footprint.lot(number).and_then(|lot| house.generate_with(&lot, &Settings::default())) {
             Ok(model) => {
                 built += 1;
                 shapes += model.report().shapes;
@@ -158,7 +163,7 @@ fn progress(done: usize, all: usize) {
 }
 
 /// The polygons of a GeoJSON file in metres relative to their middle, and a line for each feature without polygons.
-fn read(text: &str) -> Result<(Vec<Footprint>, Vec<String>), Box<dyn Error>> {
+pub(crate) fn read(text: &str) -> Result<(Vec<Footprint>, Vec<String>), Box<dyn Error>> {
     let file: Value = serde_json::from_str(text).map_err(|error| format!("the outlines are not JSON: {error}"))?;
     let features = file["features"].as_array().ok_or("no `features`: is it a GeoJSON feature collection?")?;
     let (mut footprints, mut problems) = (Vec::new(), Vec::new());
@@ -229,7 +234,7 @@ fn project(footprints: &mut [Footprint]) {
 }
 
 /// Four made-up buildings, one with a courtyard, and two features that cannot be built.
-const SAMPLE: &str = r#"{ "type": "FeatureCollection", "features": [
+pub(crate) const SAMPLE: &str = r#"{ "type": "FeatureCollection", "features": [
     { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
         [[10.0000, 50.0000], [10.0006, 50.0000], [10.0006, 50.0004], [10.0000, 50.0004], [10.0000, 50.0000]],
         [[10.0002, 50.00013], [10.0002, 50.00027], [10.0004, 50.00027], [10.0004, 50.00013], [10.0002, 50.00013]] ] } },

@@ -101,13 +101,19 @@ cga! {
 const LOT: f64 = 44.0;
 const STREET: f64 = 14.0;
 
-fn main() -> Result<(), Box<dyn Error>> {
+/// The start rules and their lots, in two rows.
+pub(crate) fn lots() -> impl Iterator<Item = (&'static str, Shape)> {
     let starts = ["Envelope", "Steps", "Twist", "Block", "Hall", "Corner", "Park", "Court", "Row", "Market"];
+    starts.into_iter().enumerate().map(|(number, start)| {
+        let [column, row] = [number % 5, number / 5].map(|at| at as f64 * (LOT + STREET));
+        (start, Shape::rectangle(LOT, LOT).at([column, 0.0, row]).seed(number as u64))
+    })
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
     let grammar = Massing::default();
     let mut model = Model::new();
-    for (number, start) in starts.into_iter().enumerate() {
-        let [column, row] = [number % 5, number / 5].map(|at| at as f64 * (LOT + STREET));
-        let lot = Shape::rectangle(LOT, LOT).at([column, 0.0, row]).seed(number as u64);
+    for (start, lot) in lots() {
         let settings = Settings { start: Some(start.to_owned()), ..Settings::default() };
         let made = grammar.generate_with(&lot, &settings)?;
         for fault in made.faults() {

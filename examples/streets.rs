@@ -67,7 +67,7 @@ fn run() -> Result<(), Box<dyn Error>> {
 }
 
 /// The lines of a GeoJSON file in metres relative to their middle, and a note for each feature without lines.
-fn read(text: &str) -> Result<(Vec<Centerline>, Vec<String>), Box<dyn Error>> {
+pub(crate) fn read(text: &str) -> Result<(Vec<Centerline>, Vec<String>), Box<dyn Error>> {
     let file: Value = serde_json::from_str(text).map_err(|error| format!("the lines are not JSON: {error}"))?;
     let features = file["features"].as_array().ok_or("no `features`: is it a GeoJSON feature collection?")?;
     let (mut lines, mut problems) = (Vec::new(), Vec::new());
@@ -116,7 +116,7 @@ fn point(point: &Value) -> Option<[f64; 2]> {
 
 /// A main street with an X-junction, two T-junctions, a side street with bends, a lane and a dead end; and a feature
 /// that is not a line.
-const SAMPLE: &str = r#"{ "type": "FeatureCollection", "features": [
+pub(crate) const SAMPLE: &str = r#"{ "type": "FeatureCollection", "features": [
     { "type": "Feature", "properties": { "roadway": 11, "sidewalk": 3 }, "geometry": { "type": "LineString", "coordinates": [
         [10.0000, 50.0000], [10.0012, 50.0001], [10.0030, 50.0001]] } },
     { "type": "Feature", "properties": {}, "geometry": { "type": "LineString", "coordinates": [

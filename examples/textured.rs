@@ -11,7 +11,7 @@ use std::error::Error;
 use std::path::Path;
 
 use cga::sink::picture::{Image, Picture};
-use cga::street::{Centerline, Network, NetworkOptions};
+use cga::street::{Centerline, Network, NetworkOptions, StreetError};
 use cga::{Assets, Model, Settings, Shape, Sink, cga};
 
 use images::{bricks, grain, shop, slabs, tiles, window};
@@ -62,6 +62,20 @@ cga! {
     Sidewalk --> tileUV(0, 1.5, 1.5) texture("slabs.png") extrude(world.up, 0.15) Pavement.
 }
 
+/// A lot with a cut corner.
+pub(crate) fn lot() -> Result<Shape, cga::Error> {
+    Shape::footprint(&[[9.0, 34.0], [33.0, 34.0], [36.0, 31.0], [36.0, 9.0], [9.0, 9.0]], &[])
+}
+
+/// Two streets that cross at the corner.
+pub(crate) fn network() -> Result<Network, StreetError> {
+    let lines = [
+        Centerline::new(&[[-20.0, 42.0], [43.0, 42.0], [80.0, 50.0]]),
+        Centerline::new(&[[43.0, -20.0], [43.0, 42.0], [43.0, 80.0]]),
+    ];
+    Network::new(&lines, &NetworkOptions::default())
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = Path::new("out/textured");
     std::fs::create_dir_all(folder)?;
@@ -75,13 +89,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         let _ = model.replay(&mut scene as &mut dyn Sink);
     };
 
-    let lot = [[9.0, 34.0], [33.0, 34.0], [36.0, 31.0], [36.0, 9.0], [9.0, 9.0]];
-    add(Tower::default().generate_with(&Shape::footprint(&lot, &[])?, &settings)?);
-    let lines = [
-        Centerline::new(&[[-20.0, 42.0], [43.0, 42.0], [80.0, 50.0]]),
-        Centerline::new(&[[43.0, -20.0], [43.0, 42.0], [43.0, 80.0]]),
-    ];
-    for part in Network::new(&lines, &NetworkOptions::default())?.parts() {
+    add(Tower::default().generate_with(&lot()?, &settings)?);
+    for part in network()?.parts() {
         settings.start = Some(part.start_rule().to_owned());
         add(Streets::default().generate_with(&part.shape(), &settings)?);
     }
@@ -93,7 +102,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// The images by name.
-fn images() -> Vec<(&'static str, Image)> {
+pub(crate) fn images() -> Vec<(&'static str, Image)> {
     vec![
         ("bricks.png", bricks()),
         ("window.png", window()),

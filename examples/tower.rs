@@ -65,13 +65,15 @@ cga! {
     Slat    --> extrude(0.25) color(stone) Slat.
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
-    // A block with cut corners. Its first edge is at the street.
+/// A block with cut corners. Its first edge is at the street.
+pub(crate) fn lot() -> Result<Shape, cga::Error> {
     let outline =
         [[4.0, 24.0], [28.0, 24.0], [32.0, 20.0], [32.0, 4.0], [28.0, 0.0], [4.0, 0.0], [0.0, 4.0], [0.0, 20.0]];
-    let lot = Shape::footprint(&outline, &[])?.seed(7);
+    Ok(Shape::footprint(&outline, &[])?.seed(7))
+}
 
-    let tower = Tower::default();
+fn main() -> Result<(), Box<dyn Error>> {
+    let (tower, lot) = (Tower::default(), lot()?);
     let begin = Instant::now();
     let model = tower.generate_with(&lot, &Settings::default())?;
     let took = begin.elapsed();

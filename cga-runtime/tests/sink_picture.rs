@@ -209,13 +209,18 @@ fn images_can_be_put_together_and_labelled() {
 #[cfg(feature = "png")]
 #[test]
 fn png_files_hold_the_pixels() {
-    let image = Picture::new(20, 10).render(&red_box());
-    let bytes = image.to_png().expect("a file");
-    let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a PNG");
-    let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
-    let info = reader.next_frame(&mut pixels).expect("a picture");
-    assert_eq!((info.width, info.height), (20, 10));
-    assert_eq!(pixels, image.rgba);
+    let opaque = Picture::new(20, 10).render(&red_box());
+    let glass = Image::filled(20, 10, [9, 8, 7, 100]);
+    for (image, kind) in [(&opaque, png::ColorType::Rgb), (&glass, png::ColorType::Rgba)] {
+        let bytes = image.to_png().expect("a file");
+        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a PNG");
+        let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
+        let info = reader.next_frame(&mut pixels).expect("a picture");
+        assert_eq!((info.width, info.height, info.color_type), (20, 10, kind));
+        let colors = image.rgba.as_chunks::<4>().0.iter();
+        let wanted: Vec<u8> = colors.flat_map(|color| &color[..kind.samples()]).copied().collect();
+        assert_eq!(pixels, wanted);
+    }
 }
 
 #[test]

@@ -7,7 +7,7 @@ mod fence;
 mod interior;
 mod park;
 mod pavilion;
-mod scene;
+pub(crate) mod scene;
 mod skyline;
 mod stadium;
 mod street;

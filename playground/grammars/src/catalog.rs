@@ -1,10 +1,12 @@
-//! The grammars of the playground: the scenes of the examples.
+//! The grammars of the playground: the scenes of the gallery, and the grammars of the other examples.
 
 use std::collections::BTreeMap;
-use std::sync::OnceLock;
+use std::sync::{Arc, LazyLock, OnceLock};
 
+use cga::Assets;
 use serde_json::{Value, json};
 
+use crate::examples;
 use crate::rule_lines::{NameLines, rule_lines};
 use crate::scenes::{Scene, scenes};
 
@@ -12,13 +14,21 @@ use crate::scenes::{Scene, scenes};
 pub struct CatalogEntry {
     /// The grammar, the shapes that it runs on, and the camera.
     pub(crate) scene: Scene,
+    /// The files that the rules name. They are made when the grammar runs for the first time.
+    pub(crate) assets: LazyLock<Arc<Assets>>,
     lines: BTreeMap<String, NameLines>,
 }
 
 impl CatalogEntry {
-    fn new(scene: Scene) -> Self {
+    /// A grammar without files.
+    pub(crate) fn new(scene: Scene) -> Self {
+        CatalogEntry::with_assets(scene, Arc::default)
+    }
+
+    /// A grammar with files.
+    pub(crate) fn with_assets(scene: Scene, assets: fn() -> Arc<Assets>) -> Self {
         let lines = rule_lines(&scene.rules).into_iter().map(|(name, lines)| (name.to_owned(), lines)).collect();
-        CatalogEntry { scene, lines }
+        CatalogEntry { scene, assets: LazyLock::new(assets), lines }
     }
 
     /// The name in addresses and file names.
@@ -40,7 +50,7 @@ impl CatalogEntry {
 /// All grammars, in the order of the menu.
 pub fn entries() -> &'static [CatalogEntry] {
     static ENTRIES: OnceLock<Vec<CatalogEntry>> = OnceLock::new();
-    ENTRIES.get_or_init(|| scenes().into_iter().map(CatalogEntry::new).collect())
+    ENTRIES.get_or_init(|| scenes().into_iter().map(CatalogEntry::new).chain(examples::entries()).collect())
 }
 
 /// The grammar with a name.

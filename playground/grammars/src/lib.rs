@@ -3,7 +3,9 @@
 //! The same code runs natively, so that tests compare the files of both.
 
 pub mod catalog;
+mod examples;
 pub mod pick;
+mod programs;
 mod rule_lines;
 pub mod run;
 #[allow(dead_code, missing_docs, unreachable_pub, reason = "an example, which is not a library")]

@@ -68,7 +68,12 @@ impl Run {
         let mut model: Option<Model> = None;
         for start in &entry.scene.shapes {
             let shape = start.shape.clone().seed(start.shape.seed_value().wrapping_add(change));
-            let settings = Settings { start: Some(start.rule.to_owned()), limits: limits(), ..Settings::default() };
+            let settings = Settings {
+                start: Some(start.rule.to_owned()),
+                limits: limits(),
+                assets: entry.assets.clone(),
+                ..Settings::default()
+            };
             for (name, value) in grammar.used_values(&shape, &settings).map_err(|error| error.to_string())? {
                 let list: &mut Vec<Value> = used.entry(name).or_default();
                 let value = serde_json::to_value(&value).unwrap_or_default();

@@ -8,12 +8,18 @@ use crate::asset::image::Image;
 use crate::output::error::WriteError;
 
 impl Image {
-    /// The image as the bytes of a PNG file.
+    /// The image as the bytes of a PNG file. It has an alpha channel only if a pixel is not opaque: surfaces whose image
+    /// has one are blended with what is behind them.
     ///
     /// # Errors
     /// [`WriteError::TooLarge`] for more pixels along a side than the format allows.
     pub fn to_png(&self) -> Result<Vec<u8>, WriteError> {
-        self.encoded(png::ColorType::Rgba, None, &self.rgba)
+        let pixels = self.rgba.as_chunks::<4>().0;
+        if pixels.iter().any(|&[.., alpha]| alpha != 255) {
+            return self.encoded(png::ColorType::Rgba, None, &self.rgba);
+        }
+        let opaque: Vec<u8> = pixels.iter().flat_map(|&[r, g, b, _]| [r, g, b]).collect();
+        self.encoded(png::ColorType::Rgb, None, &opaque)
     }
 
     /// The image as the bytes of a PNG file with a palette of at most 256 colours, without opacity: a third to two thirds
