@@ -11,9 +11,9 @@ const TYPES = { '.html': 'text/html; charset=utf-8', '.css': 'text/css', '.js': 
 /** Starts the server and returns its address. */
 export async function serve(port) {
   const server = createServer(async ({ url }, response) => {
-    const path = normalize(decodeURIComponent(new URL(url, 'http://localhost').pathname));
-    const name = join(FOLDER, path === '/' ? 'index.html' : path);
     try {
+      const path = normalize(decodeURIComponent(new URL(url, 'http://localhost').pathname));
+      const name = join(FOLDER, path === '/' ? 'index.html' : path);
       if (!name.startsWith(FOLDER)) throw new Error('outside of the folder');
       const bytes = await readFile(name);
       response.writeHead(200, { 'content-type': TYPES[extname(name)] ?? 'application/octet-stream' }).end(bytes);

@@ -10,8 +10,9 @@ use cga::glam::DVec3;
 use cga::sink::meshes::MeshLeaf;
 use cga::{Layer, Material, Model};
 
-/// The model that is shown, on the entity with [`Cga`](crate::Cga).
+/// The model that is shown, on the entity with [`Cga`](crate::Cga). A clone of the entity has none until its own run has ended.
 #[derive(Component, Clone, Debug)]
+#[component(clone_behavior = Ignore)]
 pub struct CgaModel {
     /// The model: leaves, reports, faults.
     pub model: Arc<Model>,

@@ -67,7 +67,9 @@ fn show(world: &mut World, entity: Entity, generated: Generated, is_newest: bool
             }
         }
     }
-    world.entity_mut(entity).insert(CgaModel { model: model.clone(), root });
+    // An observer of the meshes may have despawned the entity, and with it the root.
+    let Ok(mut owner) = world.get_entity_mut(entity) else { return };
+    owner.insert(CgaModel { model: model.clone(), root });
     for leaf in leaves {
         // An observer may have despawned the entity.
         if world.get_entity(root).is_err() {

@@ -114,6 +114,21 @@ fn despawning_during_a_run_is_harmless() {
 }
 
 #[test]
+fn a_clone_gets_a_model_of_its_own() {
+    let mut app = app();
+    let entity = shown(&mut app, yard());
+    let before = positions(&app, entity);
+    let copy = app.world_mut().entity_mut(entity).clone_and_spawn();
+    assert!(app.world().get::<CgaModel>(copy).is_none());
+    settle(&mut app);
+    app.update();
+    assert_eq!(positions(&app, copy), before);
+    app.world_mut().despawn(copy);
+    app.update();
+    assert_eq!(positions(&app, entity), before);
+}
+
+#[test]
 fn an_entity_that_loses_its_grammar_loses_its_model() {
     let mut app = app();
     app.update();

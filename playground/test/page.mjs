@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { serve } from '../serve.mjs';
 import { decode, encode } from '../page/src/state.js';
-import { asRust, isTypeName } from '../page/src/rust.js';
+import { asRust, isTypeName, withoutHead } from '../page/src/rust.js';
 import { afterRun, inPage, openPage, settle, startBrowser } from './browser.mjs';
 import { check, ensure, equal, finish } from './checks.mjs';
 
@@ -265,6 +265,30 @@ await check('values are refused with a sentence', async () => {
   return text;
 });
 
+await check('a refused value does not refuse the next change', async () => {
+  await page.select('#grammar', 'brick_tower');
+  await page.waitForFunction(() => document.querySelector('#view').dataset.grammar === 'brick_tower');
+  await page.evaluate(set, 'height', 100000);
+  await page.waitForFunction(() => document.querySelector('#error').textContent);
+  await afterRun(page, set, 'storey', 4);
+  equal(await page.$eval('#error', (error) => error.textContent), '', 'error');
+});
+
+await check('of grammars that are chosen at once the last is shown', async () => {
+  const file = nativeGlb({ grammar: 'massing' });
+  await page.evaluate(() => {
+    const menu = document.querySelector('#grammar');
+    for (const name of ['marked_streets', 'brick_tower', 'massing']) {
+      menu.value = name;
+      menu.dispatchEvent(new Event('change', { bubbles: true }));
+    }
+  });
+  await page.waitForFunction(() => document.querySelector('#view').dataset.grammar === 'massing');
+  await new Promise((resolve) => setTimeout(resolve, 2000));
+  equal(await page.$eval('#view', (view) => view.dataset.grammar), 'massing');
+  equal(hash(await glbOf(page)), hash(file), 'hash');
+});
+
 await check('a link restores grammar, attributes, seed and camera', async () => {
   const other = grammars.find(({ name }) => name !== 'tower').name;
   await page.goto(`${server.address}#grammar=${other}`);
@@ -375,6 +399,8 @@ await check('the copied Rust compiles and runs', async () => {
   ensure(code.startsWith('cga! {\n    pub grammar Copied = r##"\n'), code);
   equal([isTypeName('house'), isTypeName('Self'), isTypeName('House2'), isTypeName('A B'), isTypeName('')], [false, false, true, false, false]);
   ensure(asRust('A', 'x "### y').includes('= r####"\n'), 'the marks around the text are too short');
+  equal(withoutHead('// A.\n@Allow(missing_asset)\npub grammar A;\nLot --> NIL'), `// A.\n${' '.repeat(21)}\n${' '.repeat(14)}\nLot --> NIL`);
+  equal(withoutHead('Lot --> NIL // grammar A;'), 'Lot --> NIL // grammar A;');
   const folder = join(OUT, 'copied');
   mkdirSync(join(folder, 'src'), { recursive: true });
   writeFileSync(join(folder, 'Cargo.toml'), `[package]\nname = "copied"\nversion = "0.0.0"\nedition = "2024"\n\n[dependencies]\ncga = { path = "../../..", default-features = false, features = ["gltf", "serde"] }\n\n[workspace]\n`);

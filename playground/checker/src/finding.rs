@@ -27,11 +27,14 @@ pub struct Finding {
     pub help: Vec<String>,
 }
 
-/// The findings of a text, in the order of the text.
+/// The limit on findings, because each place is counted from the start of the text. Nobody reads more.
+const MOST_FINDINGS: usize = 1000;
+
+/// The first findings of a text, in the order of the text.
 pub fn findings(text: &str) -> Vec<Finding> {
     let source = compile_text(text);
     let units = Units::new(text);
-    let diags = source.compiled.diags.iter().filter(|diag| diag.level != Level::Allow);
+    let diags = source.compiled.diags.iter().filter(|diag| diag.level != Level::Allow).take(MOST_FINDINGS);
     let list = diags.map(|diag| {
         let range = bytes(text, &source.ranges, diag.span);
         let start = position(text, range.start);

@@ -2,7 +2,10 @@
 
 import { copy as copyText } from './clipboard.js';
 import { element } from './controls.js';
-import { asRust, isTypeName } from './rust.js';
+import { asRust, isTypeName, withoutHead } from './rust.js';
+
+/** The checker returns no more findings. */
+const MOST_FINDINGS = 1000;
 
 const EXAMPLE = `# A house: misspell a rule to see a finding.
 @Range(min = 3, max = 30)
@@ -34,7 +37,11 @@ export class Editor {
 
   /** Loads the checker. */
   async open() {
-    this.loading ??= this.start();
+    this.loading ??= this.start().catch((error) => {
+      this.loading = null;
+      this.title.textContent = 'The checker is not loaded';
+      throw error;
+    });
     await this.loading;
     this.update();
   }
@@ -51,7 +58,7 @@ export class Editor {
     let list;
     try {
       const start = performance.now();
-      list = JSON.parse(this.check(this.text.value));
+      list = JSON.parse(this.check(withoutHead(this.text.value)));
       this.took = performance.now() - start;
     } catch (error) {
       // The module cannot be used after it stopped.
@@ -62,7 +69,8 @@ export class Editor {
     }
     const errors = list.filter(({ level }) => level === 'error').length;
     const count = (number, word) => `${number} ${word}${number === 1 ? '' : 's'}`;
-    this.title.textContent = list.length ? `${count(errors, 'error')}, ${count(list.length - errors, 'warning')}` : 'No findings';
+    const more = list.length < MOST_FINDINGS ? '' : 'At least ';
+    this.title.textContent = list.length ? `${more}${count(errors, 'error')}, ${count(list.length - errors, 'warning')}` : 'No findings';
     this.underline(list);
     this.findings.replaceChildren(...list.slice(0, 200).map((finding) => this.item(finding)));
   }

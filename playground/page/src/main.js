@@ -12,8 +12,9 @@ import { View } from './view.js';
 
 const get = (id) => document.getElementById(id);
 const state = { grammar: null, seed: 0, values: {} };
-/** The run on screen. */
+/** The run on screen, and the seed and the values that it has. */
 let current = null;
+let shown = null;
 let catalog = [];
 /** What is selected: `{ rule, leaf }`. */
 let picked = null;
@@ -25,7 +26,7 @@ const announce = (text) => {
   clearTimeout(silence);
   silence = setTimeout(() => (get('announce').textContent = ''), 4000);
 };
-const view = new View(get('view'), { onPick: pick, onMove: () => later(), onCancel: () => choose(null) });
+let view = null;
 const controls = new Controls(get('attributes'), (name, value) => {
   if (value === null) delete state.values[name];
   else state.values[name] = value;
@@ -44,10 +45,11 @@ makeTabs(document.querySelector('[role=tablist]'), (panel) => {
 start().catch((error) => fail(`The page could not be loaded: ${error.message}`));
 
 async function start() {
+  view = new View(get('view'), { onPick: pick, onMove: () => later(), onCancel: () => choose(null) });
   catalog = await load();
   performance.mark('loaded');
   get('grammar').replaceChildren(...catalog.map(({ name, title }) => new Option(title, name)));
-  get('grammar').addEventListener('change', () => open({ grammar: get('grammar').value }));
+  get('grammar').addEventListener('change', () => change({ grammar: get('grammar').value }));
   get('seed').addEventListener('change', () => get('seed').validity.valid && setSeed(get('seed').valueAsNumber));
   get('next-seed').addEventListener('click', () => setSeed((state.seed + 1) % Number.MAX_SAFE_INTEGER));
   get('reset-all').addEventListener('click', () => {
@@ -63,8 +65,8 @@ async function start() {
     write();
     await copy(location.href).then(() => announce('The link is copied.'), (error) => announce(error.message));
   });
-  window.addEventListener('hashchange', () => location.hash !== written && open(decode(location.hash)));
-  await open(decode(location.hash));
+  window.addEventListener('hashchange', () => location.hash !== written && change(decode(location.hash)));
+  await inOrder(() => open(decode(location.hash)));
   performance.mark('first-model');
   requestAnimationFrame(() => setTimeout(() => {
     view.addSky();
@@ -74,6 +76,21 @@ async function start() {
 
 function entry() {
   return catalog.find(({ name }) => name === state.grammar);
+}
+
+/** Work on the model, one piece after the other: a model that takes longer to load must not replace a later one. */
+let queue = Promise.resolve();
+function inOrder(work) {
+  const done = queue.then(work);
+  queue = done.catch(() => {});
+  return done;
+}
+
+/** Opens a grammar, unless another one is chosen before its turn. */
+let choices = 0;
+function change(link) {
+  const choice = ++choices;
+  inOrder(() => choice === choices && open(link)).catch((error) => fail(error.message));
 }
 
 /** Shows a grammar with the values of a link, or with its own. */
@@ -115,19 +132,11 @@ function make() {
 }
 
 /** Runs the grammar again. Changes during a run are in the next one. */
-let isRunning = false;
 let isChanged = false;
 function update() {
+  if (isChanged) return;
   isChanged = true;
-  if (isRunning) return;
-  isRunning = true;
-  queueMicrotask(async () => {
-    try {
-      while (isChanged) await again();
-    } finally {
-      isRunning = false;
-    }
-  });
+  inOrder(again);
 }
 
 async function again() {
@@ -137,7 +146,11 @@ async function again() {
     fail('');
   } catch (error) {
     fail(error.message);
-    if (current) controls.show(current.facts.attributes, current.facts.used);
+    if (!shown) return;
+    // A refused value must not refuse the next change too.
+    Object.assign(state, { seed: shown.seed, values: { ...shown.values } });
+    get('seed').value = state.seed;
+    controls.show(current.facts.attributes, current.facts.used);
   }
 }
 
@@ -146,6 +159,7 @@ async function put(made) {
   const begin = performance.now();
   current?.free();
   current = made;
+  shown = { seed: state.seed, values: { ...state.values } };
   const { facts, glb } = made;
   get('seed').value = state.seed;
   controls.show(facts.attributes, facts.used);
