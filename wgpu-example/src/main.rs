@@ -167,6 +167,8 @@ async fn draw(meshes: &Meshes) -> Result<Vec<u8>, Box<dyn Error>> {
         usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
         mapped_at_creation: false,
     });
+    // Rows must be multiples of 256 bytes.
+    const { assert!(WIDTH.is_multiple_of(64)) };
     let layout = TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(WIDTH * 4), rows_per_image: None };
     encoder.copy_texture_to_buffer(image.as_image_copy(), TexelCopyBufferInfo { buffer: &pixels, layout }, size);
     queue.submit([encoder.finish()]);
