@@ -37,8 +37,10 @@ async function glbOf(page) {
   await page.click('#download');
   const name = await page.evaluate(() => `${document.querySelector('#grammar').value}-${document.querySelector('#seed').value}.glb`);
   const path = join(folder, name);
-  for (let tries = 0; tries < 100 && !existsSync(path); tries++) await new Promise((resolve) => setTimeout(resolve, 100));
-  ensure(existsSync(path), `${name} was not saved`);
+  // The browser makes an empty file first.
+  const isSaved = () => existsSync(path) && 0 < statSync(path).size;
+  for (let tries = 0; tries < 100 && !isSaved(); tries++) await new Promise((resolve) => setTimeout(resolve, 100));
+  ensure(isSaved(), `${name} was not saved`);
   return readFileSync(path);
 }
 
