@@ -88,7 +88,7 @@ fn report(selector: &Expr, why: &Why, meanings: &Meanings, diags: &mut Diags) {
 
 const EARLIER: &str = "move it before the others, or leave it out";
 
-/// The components of a selector, as far as its text determines them.
+/// The components that a selector takes, where its text says so.
 #[derive(Clone, Copy)]
 struct Extent {
     /// The directions of which it takes all components.
