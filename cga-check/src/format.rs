@@ -4,7 +4,7 @@ use std::io::{Result, Write};
 
 use cga_lang::compile::Compiled;
 use cga_lang::diag::{Diag, Level};
-use cga_lang::snippet::{Position, Quote, bytes, position, render_in};
+use cga_lang::snippet::{Lines, Position, Quote, bytes, render_in};
 use cga_lang::span::Span;
 use serde_json::json;
 
@@ -97,6 +97,6 @@ fn place<'t>(compiled: &Compiled, quote: &dyn Fn(usize) -> Option<Quote<'t>>, sp
         return SourceRange { file, start, end: start };
     };
     let last = compiled.locate(span.last).1.max(first);
-    let bytes = bytes(text, ranges, Span { first, last });
-    SourceRange { file: name.to_owned(), start: position(text, bytes.start), end: position(text, bytes.end) }
+    let (bytes, lines) = (bytes(text, ranges, Span { first, last }), Lines::new(text));
+    SourceRange { file: name.to_owned(), start: lines.position(bytes.start), end: lines.position(bytes.end) }
 }

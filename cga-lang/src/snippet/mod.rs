@@ -14,13 +14,15 @@ use crate::span::Span;
 use std::borrow::Cow;
 use std::ops::Range;
 
+mod lines;
 mod program;
 
+pub use lines::{Lines, Position};
 pub use program::{Quote, render_in};
 
 /// A diagnostic as text, without a newline at the end. `ranges` are the byte ranges of the tokens in `text`.
 pub fn render(text: &str, ranges: &[Range<usize>], file: &str, diag: &Diag) -> String {
-    let related = |span| Some(format!("line {}", position(text, bytes(text, ranges, span).start).line));
+    let related = |span| Some(format!("line {}", Lines::new(text).position(bytes(text, ranges, span).start).line));
     let place = place(text, ranges, file, diag.span, diag, &related);
     format!("{}\n{place}", headline(diag))
 }
@@ -45,7 +47,7 @@ pub fn place(
     related: &dyn Fn(Span) -> Option<String>,
 ) -> String {
     let bytes = bytes(text, ranges, span);
-    let at = position(text, bytes.start);
+    let at = Lines::new(text).position(bytes.start);
     let line = line_at(text, bytes.start);
     let margin = " ".repeat(at.line.to_string().len());
     let (before, marked, after) = split_line(text, &line, &bytes);
@@ -65,29 +67,6 @@ pub fn place(
         out.push_str(&format!("\n{margin} = help: {help}"));
     }
     out
-}
-
-/// A place in a text for people: lines and columns count from 1, columns in characters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Position {
-    /// The line.
-    pub line: usize,
-    /// The column.
-    pub column: usize,
-}
-
-/// The place of a byte of a text.
-pub fn position(text: &str, byte: usize) -> Position {
-    let byte = border(text, byte);
-    let start = line_start(text, byte);
-    // Old files end their lines with `\r`, or mix the endings. Bytes are counted many at a time, characters are not;
-    // no other character contains these bytes.
-    let before = &text.as_bytes()[..start];
-    let count = |end: u8| before.iter().filter(|&&byte| byte == end).count();
-    let both = before.windows(2).filter(|pair| pair == b"\r\n").count();
-    let line = 1 + count(b'\n') + count(b'\r') - both;
-    let column = text[start..byte].trim_start_matches('\u{feff}').chars().count() + 1;
-    Position { line, column }
 }
 
 /// The bytes of a span, or the end of the text without tokens.
@@ -177,10 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_end_in_every_way() {
-        let text = "a\rb\r\nc\nd\n\re";
-        let places = ["a", "b", "c", "d", "e"].map(|name| super::position(text, text.find(name).unwrap()));
-        assert_eq!(places.map(|place| (place.line, place.column)), [(1, 1), (2, 1), (3, 1), (4, 1), (6, 1)]);
+    fn lines_may_end_in_old_ways() {
         assert_eq!(
             shown("A --> NIL\r\rA --> NIL\rB --> NIL"),
             "error[duplicate_name]: rule `A` is declared twice\n --> a.cga:3:1\n  |\n3 | A --> NIL\n  | ^\n  = note: \
@@ -190,7 +166,6 @@ mod tests {
 
     #[test]
     fn a_text_without_tokens_has_a_place() {
-        assert_eq!(super::position("", 3), super::Position { line: 1, column: 1 });
         assert!(super::bytes("# x", &[], crate::span::Span::default()).is_empty());
     }
 }

@@ -1,6 +1,6 @@
 //! Diagnostics of a program of several files, each quoted from its own file.
 
-use super::{bytes, headline, place, position};
+use super::{Lines, bytes, headline, place};
 use crate::compile::Compiled;
 use crate::diag::Diag;
 use crate::span::Span;
@@ -29,7 +29,7 @@ pub fn render_in<'t>(compiled: &Compiled, quote: &dyn Fn(usize) -> Option<Quote<
     let related = |span: Span| {
         let (other, token) = compiled.locate(span.first);
         let quote = quote(other)?;
-        let line = position(quote.text, bytes(quote.text, quote.ranges, Span::one(token)).start).line;
+        let line = Lines::new(quote.text).position(bytes(quote.text, quote.ranges, Span::one(token)).start).line;
         Some(if other == file { format!("line {line}") } else { format!("line {line} of {}", quote.name) })
     };
     format!("{}\n{}", headline(diag), place(own.text, own.ranges, own.name, span, diag, &related))

@@ -17,7 +17,7 @@ pub(crate) mod random;
 use cga_lang::compile::{Compiled, Dialect, compile};
 use cga_lang::diag::{Diag, Level};
 use cga_lang::link::{NoFiles, Unit};
-use cga_lang::snippet::{bytes, position};
+use cga_lang::snippet::{Lines, bytes};
 use cga_lang::span::Span;
 use cga_lang::syntax::ast::Ast;
 use cga_lang::syntax::lex::{Lexed, lex};
@@ -112,11 +112,12 @@ pub(crate) fn compiled(text: &str) -> (Compiled, Lexed) {
 
 /// The text with its findings. `range` says which bytes belong to a span.
 fn annotate(text: &str, range: &dyn Fn(Span) -> Range<usize>, diags: &[Diag]) -> String {
+    let lines = Lines::new(text);
     let mut list: Vec<(usize, usize, &Diag)> = diags
         .iter()
         .map(|diag| {
             let start = range(diag.span).start;
-            (position(text, start).line, start, diag)
+            (lines.position(start).line, start, diag)
         })
         .collect();
     list.sort_by_key(|(line, start, _)| (*line, *start));
@@ -130,13 +131,13 @@ fn annotate(text: &str, range: &dyn Fn(Span) -> Range<usize>, diags: &[Diag]) ->
                 out.push('\n');
             }
             let marked = text[range(diag.span)].lines().next().unwrap_or_default().chars().count().max(1);
-            let column = position(text, start).column - 1;
+            let column = lines.position(start).column - 1;
             let level = if diag.level == Level::Error { "error" } else { "warning" };
             let margin = if column < 2 { format!("//{column}") } else { format!("//{}", " ".repeat(column - 2)) };
             let _ = writeln!(out, "{margin}{} {level}[{}]: {}", "^".repeat(marked), diag.code.name(), diag.message);
             let margin = format!("//{}", " ".repeat(column.max(3) - 2));
             for note in diag.reasons() {
-                let place = note.related.map(|span| position(text, range(span).start).line);
+                let place = note.related.map(|span| lines.position(range(span).start).line);
                 let place = place.map(|line| format!(" in line {line}")).unwrap_or_default();
                 let _ = writeln!(out, "{margin}note: {}{place}", note.text);
             }
