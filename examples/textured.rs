@@ -32,14 +32,16 @@ cga! {
     Storey   --> split(x) { ~0.8 : Wall | { ~3 : Bay }* | ~0.8 : Wall }
     Bay      --> split(x) { ~1 : Wall | 1.3 : Column | ~1 : Wall }
     Column   --> split(y) { ~0.9 : Wall | 1.9 : Opening | ~0.5 : Wall }
-    Opening  --> t(0, 0, -0.18) Window
+    Opening  --> t(0, 0, -0.18) [ s(^1, ^1, 0.18) Recess ] Window
+    Recess   --> primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Reveal }
+    Reveal   --> deleteUV(0) color(stone) Reveal.
     Window   --> setupProjection(0, scope.xy, ^1, ^1) texture("window.png") projectUV(0)
                  set(material.roughness, 0.3) Window.
     Wall     --> texture("bricks.png") projectUV(0) Wall.
     Ledge    --> extrude(0.25) color(stone) Ledge.
     Shops    --> split(x) { 0.7 : Pier | { ~4 : Shop | 0.7 : Pier }* }
     Pier     --> extrude(0.12) color(stone) Pier.
-    Shop     --> t(0, 0, -0.3) split(y) { ~1 : Front | 0.8 : Sign }
+    Shop     --> t(0, 0, -0.3) [ s(^1, ^1, 0.3) Recess ] split(y) { ~1 : Front | 0.8 : Sign }
     Front    --> setupProjection(0, scope.xy, ~1.6, ^1) texture("shop.png") projectUV(0) Front.
     Sign     --> extrude(0.35) color("#5b3b2e") Sign.
     Roof     --> setupProjection(0, scope.xy, 2.4, 2.4) texture("tiles.png") projectUV(0) Roof.
