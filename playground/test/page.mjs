@@ -268,6 +268,28 @@ await check('values are refused with a sentence', async () => {
   return text;
 });
 
+await check('a number outside its range is refused with a sentence', async () => {
+  const row = `[data-name="${slider.name}"]`;
+  await page.select('#grammar', 'tower');
+  await page.waitForFunction(() => document.querySelector('#view').dataset.grammar === 'tower');
+  const before = await page.$eval(`${row} input[type=number]`, (input) => input.value);
+  await page.click(`${row} input[type=number]`, { clickCount: 3 });
+  await page.keyboard.type('1e7');
+  await page.keyboard.press('Enter');
+  const text = await page.$eval('#announce', (announce) => announce.textContent);
+  ensure(/: takes \S+ to \S+\.$/.test(text), text);
+  equal(await page.$eval(`${row} input[type=number]`, (input) => input.value), before, 'value');
+  return text;
+});
+
+await check('a reset by keyboard keeps the focus at its attribute', async () => {
+  const row = `[data-name="${slider.name}"]`;
+  await afterRun(page, set, slider.name, slider.max);
+  await page.focus(`${row} .undo`);
+  await afterRun(page, (row) => document.querySelector(`${row} .undo`).click(), row);
+  equal(await page.evaluate((row) => document.activeElement.closest(row) !== null, row), true, 'the focus');
+});
+
 await check('a refused value does not refuse the next change', async () => {
   await page.select('#grammar', 'brick_tower');
   await page.waitForFunction(() => document.querySelector('#view').dataset.grammar === 'brick_tower');
@@ -323,13 +345,13 @@ await check('a link restores grammar, attributes, seed and camera', async () => 
 });
 
 await check('broken links open the page', async () => {
-  for (const hash of ['#grammar=nothing', '#seed=-1&camera=1,2', '#.height={', '#%', '#camera=NaN,1,2,3,4,5', '#grammar=tower&seed=99999999999999999999']) {
+  for (const hash of ['#grammar=nothing', '#seed=-1&camera=1,2', '#.height={', '#%', '#camera=NaN,1,2,3,4,5', '#camera=1e308,1e308,1,2,3,4', '#rules=(', '#grammar=tower&seed=99999999999999999999']) {
     const other = await openPage(browser, server.address + hash);
     equal(other.said, [], `messages with ${hash}`);
     await other.page.close();
   }
-  equal(decode(encode({ grammar: 'a', seed: 7, values: { b: [1, 'x&=#'], c: null }, camera: [1, 2, 3, 4, 5, 6] })), {
-    grammar: 'a', seed: 7, values: { b: [1, 'x&=#'], c: null }, camera: [1, 2, 3, 4, 5, 6],
+  equal(decode(encode({ grammar: 'a', seed: 7, values: { b: [1, 'x&=#'], c: null }, camera: [1, 2, 3, 4, 5, 6], rules: 'A -->\n%#&"' })), {
+    grammar: 'a', seed: 7, values: { b: [1, 'x&=#'], c: null }, camera: [1, 2, 3, 4, 5, 6], rules: 'A -->\n%#&"',
   });
 });
 
@@ -339,6 +361,13 @@ const type = (text) => {
   area.value = text;
   area.dispatchEvent(new Event('input', { bubbles: true }));
 };
+
+/** Types a text and waits for its findings. Returns the sentence above them. */
+async function typeRules(text, onto = page) {
+  await onto.evaluate(type, text);
+  await onto.waitForFunction(() => document.querySelector('#findings-title').textContent !== 'Checking …');
+  return onto.$eval('#findings-title', (title) => title.textContent);
+}
 
 async function openChecker() {
   await page.click('#tab-check');
@@ -350,7 +379,7 @@ await check('the checker finds a mistake at its place', async () => {
   equal(before, false, 'the checker was loaded before its tab was opened');
   await page.click('#tab-check');
   await page.waitForFunction(() => document.querySelector('#findings-title').textContent === 'No findings');
-  await page.evaluate(type, RULES);
+  await typeRules(RULES);
   const marks = await page.$$eval('#marks mark', (marks) => marks.map((mark) => [mark.className, mark.textContent]));
   const found = await page.$$eval('#findings li', (items) => items.map((item) => item.innerText));
   ensure(marks.some(([level, text]) => level === 'warning' && text === 'Wal'), JSON.stringify(marks));
@@ -359,18 +388,16 @@ await check('the checker finds a mistake at its place', async () => {
   await page.click('#findings button');
   const chosen = await page.$eval('#text', (area) => area.value.slice(area.selectionStart, area.selectionEnd));
   ensure(marks.some(([, text]) => text === chosen), `${chosen} is selected`);
-  await page.evaluate(type, RULES.replace('Wal |', 'Wall |'));
-  equal(await page.$eval('#findings-title', (title) => title.textContent), 'No findings');
+  equal(await typeRules(RULES.replace('Wal |', 'Wall |')), 'No findings');
   return found[0].split('\n')[0];
 });
 
 await check('the checker survives hostile texts', async () => {
   await openChecker();
   const took = [];
-  for (const text of ['(', 'A --> '.repeat(2000), `A --> ${'('.repeat(50_000)}`, `A --> ${'[ '.repeat(50_000)}`, '\0\u{1f3e0}"', 'A --> x(1 + '.repeat(3000), `A --> ${'case 1 : '.repeat(20_000)}`]) {
+  for (const text of ['(', 'A --> '.repeat(2000), `A --> ${'('.repeat(50_000)}`, `A --> ${'[ '.repeat(50_000)}`, '\0\u{1f3e0}"', 'A --> x(1 + '.repeat(3000), `A --> ${'case 1 : '.repeat(20_000)}`, `A --> ${'case 1 == 1: B '.repeat(4000)} else: C`]) {
     const begin = Date.now();
-    await page.evaluate(type, text);
-    const title = await page.$eval('#findings-title', (title) => title.textContent);
+    const title = await typeRules(text);
     ensure(/error|warning|No findings/.test(title), `${text.slice(0, 20)}: ${title}`);
     took.push(Date.now() - begin);
   }
@@ -383,18 +410,33 @@ await check('a large text is checked while a person types', async () => {
   const times = [];
   for (let again = 0; again < 5; again++) {
     const begin = Date.now();
-    await page.evaluate(type, rules.join(''));
+    await typeRules(rules.join(''));
     times.push(Date.now() - begin);
   }
   ensure(median(times) < 500 * SLACK, `${times}`);
   return `${rules.join('').length} characters in ${median(times)} ms with the page`;
 });
 
+await check('a link holds the rules of the checker', async () => {
+  await openChecker();
+  await typeRules(RULES);
+  await new Promise((resolve) => setTimeout(resolve, 500));
+  const second = await openPage(browser, page.url());
+  await second.page.waitForFunction(() => document.querySelector('#findings-title').textContent === '0 errors, 2 warnings');
+  equal(await second.page.$eval('#text', (area) => area.value), RULES, 'rules');
+  equal(await second.page.$eval('#check', (panel) => panel.hidden), false, 'the tab did not open');
+  await typeRules('# '.repeat(20_000), second.page);
+  await new Promise((resolve) => setTimeout(resolve, 500));
+  ensure(second.page.url().length < 1000, `an address of ${second.page.url().length} characters`);
+  equal(second.said, [], 'messages');
+  await second.page.close();
+});
+
 await check('the copied Rust compiles and runs', async () => {
   await openChecker();
   await browser.defaultBrowserContext().overridePermissions(new URL(server.address).origin, ['clipboard-read', 'clipboard-write', 'clipboard-sanitized-write']);
   await page.bringToFront();
-  await page.evaluate(type, RULES.replace('Wal |', 'Wall |').replaceAll('\n', '\r\n'));
+  await typeRules(RULES.replace('Wal |', 'Wall |').replaceAll('\n', '\r\n'));
   await page.$eval('#rust-name', (input) => (input.value = 'Copied'));
   await page.click('#copy-rust');
   await page.waitForFunction(() => document.querySelector('#announce').textContent === 'Copied as Rust.');

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use cga_lang::compile::compile_text;
 use cga_lang::diag::Level;
-use cga_lang::snippet::{bytes, position};
+use cga_lang::snippet::{Lines, bytes};
 
 /// A diagnostic of a rule text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,20 +27,17 @@ pub struct Finding {
     pub help: Vec<String>,
 }
 
-/// The limit on findings, because each place is counted from the start of the text. Nobody reads more.
-const MOST_FINDINGS: usize = 1000;
-
-/// The first findings of a text, in the order of the text.
+/// The findings of a text, in its order.
 pub fn findings(text: &str) -> Vec<Finding> {
     let source = compile_text(text);
-    let units = Units::new(text);
-    let diags = source.compiled.diags.iter().filter(|diag| diag.level != Level::Allow).take(MOST_FINDINGS);
+    let (units, lines) = (Units::new(text), Lines::new(text));
+    let diags = source.compiled.diags.iter().filter(|diag| diag.level != Level::Allow);
     let list = diags.map(|diag| {
         let range = bytes(text, &source.ranges, diag.span);
-        let start = position(text, range.start);
+        let start = lines.position(range.start);
         let note = |note: cga_lang::diag::Note| match note.related {
             Some(span) => {
-                let line = position(text, bytes(text, &source.ranges, span).start).line;
+                let line = lines.position(bytes(text, &source.ranges, span).start).line;
                 format!("{} in line {line}", note.text)
             }
             None => note.text.to_string(),

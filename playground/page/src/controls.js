@@ -14,11 +14,15 @@ export function element(tag, properties = {}, ...children) {
   return made;
 }
 
-/** Fills `panel` with a control for each attribute. `change(name, value)` gets a new value; null is the default. */
+/**
+ * Fills `panel` with a control for each attribute. `change(name, value)` gets a new value; null is the default.
+ * `refuse(sentence)` gets the reason why a value is not taken; the control shows its old value again.
+ */
 export class Controls {
-  constructor(panel, change) {
+  constructor(panel, change, refuse) {
     this.panel = panel;
     this.change = change;
+    this.refuse = refuse;
     this.rows = new Map();
   }
 
@@ -51,10 +55,11 @@ export class Controls {
 
   row(attribute) {
     const id = `attribute-${numbered++}`;
-    const label = element('label', { for: id }, attribute.display_name || attribute.name);
-    const control = makeControl(attribute, id, (value) => this.change(attribute.name, value));
+    const name = attribute.display_name || attribute.name;
+    const control = makeControl(attribute, id, (value) => this.change(attribute.name, value), (reason) => this.refuse(`${name}: ${reason}`));
+    const label = element('label', { for: id }, name);
     const undo = element('button', { type: 'button', className: 'undo', title: 'Back to the default' }, '↺');
-    undo.setAttribute('aria-label', `Reset ${attribute.display_name || attribute.name}`);
+    undo.setAttribute('aria-label', `Reset ${name}`);
     undo.addEventListener('click', () => this.change(attribute.name, null));
     const value = element('span', { className: 'value' }, ...control.parts, undo);
     const note = element('span', { className: 'note', id: `${id}-note` });
@@ -87,7 +92,10 @@ export class Controls {
       row.note.textContent = isComputed ? computed(values) : '';
       row.note.hidden = !isComputed;
       // A computed default is null.
-      row.undo.hidden = JSON.stringify(attribute.value) === JSON.stringify(attribute.default);
+      const isDefault = JSON.stringify(attribute.value) === JSON.stringify(attribute.default);
+      // A hidden button loses the focus, and keys would start again at the top of the page.
+      if (isDefault && document.activeElement === row.undo) row.control.parts[0].focus();
+      row.undo.hidden = isDefault;
     }
   }
 }
@@ -104,17 +112,17 @@ function computed(values) {
 }
 
 /** The control of an attribute: its parts, a wide part below them, and a function that shows a value. */
-function makeControl(attribute, id, change) {
+function makeControl(attribute, id, change, refuse) {
   if (attribute.choices && !attribute.type.endsWith('[]')) return makeMenu(attribute, id, change);
   switch (attribute.type) {
     case 'bool':
       return makeCheckbox(id, change);
     case 'float':
-      return makeNumber(attribute, id, change);
+      return makeNumber(attribute, id, change, refuse);
     case 'string':
-      return isColor(attribute) ? makeColor(id, change) : makeText(id, change, (text) => text, (value) => value ?? '');
+      return isColor(attribute) ? makeColor(id, change) : makeText(id, change, refuse, (text) => text, (value) => value ?? '');
     default:
-      return makeText(id, change, JSON.parse, (value) => (value === null ? '' : JSON.stringify(value)));
+      return makeText(id, change, refuse, JSON.parse, (value) => (value === null ? '' : JSON.stringify(value)));
   }
 }
 
@@ -157,32 +165,40 @@ function makeColor(id, change) {
   return { parts: [input], show: (value) => (input.value = /^#[0-9a-f]{6}/i.exec(value ?? '')?.[0].toLowerCase() ?? '#ffffff') };
 }
 
-function makeText(id, change, read, write) {
+function makeText(id, change, refuse, read, write) {
   const input = element('input', { id, type: 'text', autocomplete: 'off', spellcheck: false });
+  let before = '';
   input.addEventListener('change', () => {
+    let value;
     try {
-      change(read(input.value));
-      input.setCustomValidity('');
+      value = read(input.value);
     } catch {
-      input.setCustomValidity('Write an array as in [1, 2, 3].');
-      input.reportValidity();
+      input.value = before;
+      refuse('write an array as in [1, 2, 3].');
+      return;
     }
+    change(value);
   });
-  return { parts: [input], show: (value) => (input.value = write(value)) };
+  return { parts: [input], show: (value) => (input.value = before = write(value)) };
 }
 
-function makeNumber(attribute, id, change) {
+function makeNumber(attribute, id, change, refuse) {
   const isPercent = attribute.kind === 'percent';
   const scale = isPercent ? 100 : 1;
   const number = element('input', { id, type: 'number', step: 'any' });
   const unit = element('span', { className: 'unit' }, UNITS[attribute.kind] ?? '');
   const { range } = attribute;
   const isClosed = range && Number.isFinite(range.min) && Number.isFinite(range.max);
-  const send = (input) => {
-    if (input.value !== '' && input.validity.valid) change(Number((Number(input.value) / scale).toPrecision(12)));
-  };
-  number.addEventListener('change', () => send(number));
-  if (!isClosed) return { parts: [number, unit], show: (value) => (number.value = shown(value)) };
+  let before = '';
+  const send = (input) => change(Number((Number(input.value) / scale).toPrecision(12)));
+  number.addEventListener('change', () => {
+    if (number.value !== '' && number.validity.valid) return send(number);
+    const { badInput, rangeUnderflow, rangeOverflow } = number.validity;
+    const isOutside = !badInput && (rangeUnderflow || rangeOverflow);
+    number.value = before;
+    refuse(isOutside ? `takes ${number.min} to ${number.max}.` : 'write a number.');
+  });
+  if (!isClosed) return { parts: [number, unit], show: (value) => (number.value = before = shown(value)) };
 
   const slider = element('input', { type: 'range' });
   slider.setAttribute('aria-label', `${attribute.display_name || attribute.name}, slider`);
@@ -200,7 +216,7 @@ function makeNumber(attribute, id, change) {
     parts: [number, unit],
     wide: slider,
     show(value) {
-      const text = shown(value);
+      const text = before = shown(value);
       if (document.activeElement !== number) number.value = text;
       if (document.activeElement !== slider || Number(slider.value) !== Number(text)) slider.value = text;
     },

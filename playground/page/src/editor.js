@@ -4,8 +4,12 @@ import { copy as copyText } from './clipboard.js';
 import { element } from './controls.js';
 import { asRust, isTypeName, withoutHead } from './rust.js';
 
-/** The checker returns no more findings. */
-const MOST_FINDINGS = 1000;
+/** The findings that are listed, and those that are underlined: nobody reads more, and each costs the browser time. */
+const LISTED = 200;
+const UNDERLINED = 1000;
+
+/** Milliseconds. A text that takes longer is checked when nobody has typed for as long again. */
+const QUICK = 30;
 
 const EXAMPLE = `# A house: misspell a rule to see a finding.
 @Range(min = 3, max = 30)
@@ -19,10 +23,13 @@ Roof   --> color("#8c4a3a") roofHip(30, 0.5) Roof.
 `;
 
 export class Editor {
-  constructor({ text, marks, findings, title, name, copy, announce }) {
+  constructor({ text, marks, findings, title, name, copy, announce, onType }) {
     Object.assign(this, { text, marks, findings, title, name });
     text.value = EXAMPLE;
-    text.addEventListener('input', () => this.update());
+    text.addEventListener('input', () => {
+      this.typed();
+      onType();
+    });
     text.addEventListener('scroll', () => this.follow());
     new ResizeObserver(() => this.follow()).observe(text);
     copy.addEventListener('click', async () => {
@@ -53,6 +60,26 @@ export class Editor {
     this.check = checker.check;
   }
 
+  /** Another text: `value` null is the example. */
+  set value(value) {
+    this.text.value = value ?? EXAMPLE;
+    this.update();
+  }
+
+  /** The text, or null for the example. */
+  get value() {
+    return this.text.value === EXAMPLE ? null : this.text.value;
+  }
+
+  typed() {
+    clearTimeout(this.timer);
+    if (!(this.took > QUICK)) return this.update();
+    // The old marks would stand beside other words.
+    this.underline([]);
+    this.title.textContent = 'Checking …';
+    this.timer = setTimeout(() => this.update(), this.took);
+  }
+
   update() {
     if (!this.check) return;
     let list;
@@ -69,10 +96,9 @@ export class Editor {
     }
     const errors = list.filter(({ level }) => level === 'error').length;
     const count = (number, word) => `${number} ${word}${number === 1 ? '' : 's'}`;
-    const more = list.length < MOST_FINDINGS ? '' : 'At least ';
-    this.title.textContent = list.length ? `${more}${count(errors, 'error')}, ${count(list.length - errors, 'warning')}` : 'No findings';
-    this.underline(list);
-    this.findings.replaceChildren(...list.slice(0, 200).map((finding) => this.item(finding)));
+    this.title.textContent = list.length ? `${count(errors, 'error')}, ${count(list.length - errors, 'warning')}` : 'No findings';
+    this.underline(list.slice(0, UNDERLINED));
+    this.findings.replaceChildren(...list.slice(0, LISTED).map((finding) => this.item(finding)));
   }
 
   underline(list) {

@@ -31,13 +31,13 @@ const controls = new Controls(get('attributes'), (name, value) => {
   if (value === null) delete state.values[name];
   else state.values[name] = value;
   update();
-});
+}, announce);
 const rules = new RuleText(get('rules'), (rule) => choose(rule));
 const editor = new Editor({
   text: get('text'), marks: get('marks'), findings: get('findings'), title: get('findings-title'),
-  name: get('rust-name'), copy: get('copy-rust'), announce,
+  name: get('rust-name'), copy: get('copy-rust'), announce, onType: () => later(),
 });
-makeTabs(document.querySelector('[role=tablist]'), (panel) => {
+const openTab = makeTabs(document.querySelector('[role=tablist]'), (panel) => {
   if (panel === 'check') editor.open().catch((error) => fail(`The checker could not be loaded: ${error.message}`));
   if (panel === 'rules') mark();
 });
@@ -50,7 +50,11 @@ async function start() {
   performance.mark('loaded');
   get('grammar').replaceChildren(...catalog.map(({ name, title }) => new Option(title, name)));
   get('grammar').addEventListener('change', () => change({ grammar: get('grammar').value }));
-  get('seed').addEventListener('change', () => get('seed').validity.valid && setSeed(get('seed').valueAsNumber));
+  get('seed').addEventListener('change', () => {
+    if (get('seed').validity.valid) return setSeed(get('seed').valueAsNumber);
+    get('seed').value = state.seed;
+    announce('The seed is a whole number from 0.');
+  });
   get('next-seed').addEventListener('click', () => setSeed((state.seed + 1) % Number.MAX_SAFE_INTEGER));
   get('reset-all').addEventListener('click', () => {
     state.values = {};
@@ -62,8 +66,9 @@ async function start() {
   });
   get('download').addEventListener('click', download);
   get('copy-link').addEventListener('click', async () => {
-    write();
-    await copy(location.href).then(() => announce('The link is copied.'), (error) => announce(error.message));
+    const isWhole = write();
+    const done = isWhole ? 'The link is copied.' : 'The link is copied without the rules: they are too long for a link.';
+    await copy(location.href).then(() => announce(done), (error) => announce(error.message));
   });
   window.addEventListener('hashchange', () => location.hash !== written && change(decode(location.hash)));
   await inOrder(() => open(decode(location.hash)));
@@ -94,7 +99,7 @@ function change(link) {
 }
 
 /** Shows a grammar with the values of a link, or with its own. */
-async function open({ grammar, seed = null, values = {}, camera = null }) {
+async function open({ grammar, seed = null, values = {}, camera = null, rules: text = null }) {
   const found = catalog.find(({ name }) => name === grammar) ?? catalog[0];
   const notes = [];
   if (grammar && grammar !== found.name) notes.push(`this page has no grammar “${grammar}”`);
@@ -120,6 +125,11 @@ async function open({ grammar, seed = null, values = {}, camera = null }) {
   await put(made);
   view.frameView(found.view, current.facts);
   if (camera) view.cameraNumbers = camera;
+  // A link without rules leaves a text that a person has typed.
+  if (text !== null) {
+    editor.value = text;
+    openTab('check');
+  }
   view.parent.dataset.grammar = found.name;
   fail(notes.join('; '));
 }
@@ -222,16 +232,23 @@ function download() {
   announce(`Saved ${link.download}.`);
 }
 
-/** Puts the state into the address. */
+/** Longer links are cut by some programs. In characters of the rules. */
+const LONGEST = 8000;
+
+/** Puts the state into the address. False if the rules of the checker are too long for it. */
 let written = '';
 function write() {
-  written = encode({ ...state, camera: view.cameraNumbers });
+  const text = editor.value;
+  const isWhole = (text ?? '').length <= LONGEST;
+  written = encode({ ...state, camera: view.cameraNumbers, rules: isWhole ? text : null });
   history.replaceState(null, '', written);
+  return isWhole;
 }
 
 /** Browsers limit changes of the address, and a drag makes many. */
 let timer = 0;
 function later() {
+  if (!current) return;
   clearTimeout(timer);
   timer = setTimeout(write, 250);
 }

@@ -1,10 +1,13 @@
-// The state of the page in its address: grammar, changed attributes, seed, camera.
+// The state of the page in its address: grammar, changed attributes, seed, camera, rule text of the checker.
 //
-// `#grammar=tower&seed=9&height=120&camera=…`: attributes have a dot in front, so they cannot be taken for the rest.
+// `#grammar=tower&seed=9&.height=120&camera=…&rules=…`: attributes have a dot in front, so they cannot be taken for the rest.
+
+/** Metres. A camera that is farther away has no accuracy left. */
+const FARTHEST = 1e7;
 
 /** Reads the part of an address after `#`. Values that cannot be read are left out. */
 export function decode(hash) {
-  const state = { grammar: null, seed: null, values: {}, camera: null };
+  const state = { grammar: null, seed: null, values: {}, camera: null, rules: null };
   for (const [name, text] of new URLSearchParams(hash.replace(/^#/, ''))) {
     if (name === 'grammar') {
       state.grammar = text;
@@ -13,7 +16,9 @@ export function decode(hash) {
       state.seed = /^\d+$/.test(text) && Number.isSafeInteger(seed) ? seed : null;
     } else if (name === 'camera') {
       const numbers = text.split(',').map(Number);
-      state.camera = numbers.length === 6 && numbers.every(Number.isFinite) ? numbers : null;
+      state.camera = numbers.length === 6 && numbers.every((number) => Math.abs(number) <= FARTHEST) ? numbers : null;
+    } else if (name === 'rules') {
+      state.rules = text;
     } else if (name.startsWith('.')) {
       try {
         state.values[name.slice(1)] = JSON.parse(text);
@@ -26,7 +31,7 @@ export function decode(hash) {
 }
 
 /** The part of an address after `#`, with the `#`. */
-export function encode({ grammar, seed, values, camera }) {
+export function encode({ grammar, seed, values, camera, rules = null }) {
   const list = new URLSearchParams({ grammar, seed });
   for (const [name, value] of Object.entries(values)) {
     list.set(`.${name}`, JSON.stringify(value));
@@ -34,5 +39,6 @@ export function encode({ grammar, seed, values, camera }) {
   if (camera) {
     list.set('camera', camera.map((number) => Number(number.toFixed(3))).join(','));
   }
+  if (rules !== null) list.set('rules', rules);
   return `#${list}`;
 }

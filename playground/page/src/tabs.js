@@ -1,6 +1,6 @@
 // Tabs with arrow keys.
 
-/** `onOpen(id)` gets the id of the panel that a person opens. */
+/** `onOpen(id)` gets the id of the panel that opens. Returns a function that opens a panel by its id. */
 export function makeTabs(list, onOpen) {
   const tabs = [...list.querySelectorAll('[role=tab]')];
   const open = (tab, focus) => {
@@ -22,4 +22,5 @@ export function makeTabs(list, onOpen) {
       open(tabs.at(to % tabs.length), true);
     });
   }
+  return (id) => open(tabs.find((tab) => tab.getAttribute('aria-controls') === id), false);
 }
