@@ -172,7 +172,14 @@ async fn draw(meshes: &Meshes) -> Result<Vec<u8>, Box<dyn Error>> {
     let layout = TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(WIDTH * 4), rows_per_image: None };
     encoder.copy_texture_to_buffer(image.as_image_copy(), TexelCopyBufferInfo { buffer: &pixels, layout }, size);
     queue.submit([encoder.finish()]);
-    pixels.map_async(MapMode::Read, .., |_| {});
+    read(&device, &pixels)
+}
+
+/// Waits for the submitted work and copies the bytes of a buffer.
+fn read(device: &Device, buffer: &Buffer) -> Result<Vec<u8>, Box<dyn Error>> {
+    let (send, receive) = std::sync::mpsc::channel();
+    buffer.map_async(MapMode::Read, .., move |result| drop(send.send(result)));
     device.poll(PollType::wait_indefinitely())?;
-    Ok(pixels.get_mapped_range(..)?.to_vec())
+    receive.try_recv()?.map_err(|error| format!("the picture cannot be read: {error}"))?;
+    Ok(buffer.get_mapped_range(..)?.to_vec())
 }

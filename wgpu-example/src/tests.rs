@@ -1,8 +1,9 @@
-//! The picture, on machines with a graphics card or a software renderer.
+//! The picture and its errors, on machines with a graphics card or a software renderer.
 
 use cga::sink::meshes::Granularity;
+use wgpu::{Buffer, BufferDescriptor, BufferUsages, Device, Instance};
 
-use super::{HEIGHT, WIDTH, draw, garden};
+use super::{HEIGHT, WIDTH, draw, garden, read};
 
 #[test]
 fn the_picture_shows_the_garden() {
@@ -12,8 +13,7 @@ fn the_picture_shows_the_garden() {
     let trees = model.count("Tree");
     assert!(0 < trees);
     assert!(meshes.list.iter().any(|mesh| mesh.places.len() == trees), "the trees are one mesh");
-    if pollster::block_on(wgpu::Instance::default().request_adapter(&Default::default())).is_err() {
-        println!("left out: wgpu finds no graphics card and no software renderer");
+    if device().is_none() {
         return;
     }
     let pixels = pollster::block_on(draw(&meshes)).expect("a picture");
@@ -27,4 +27,38 @@ fn the_picture_shows_the_garden() {
     let roof = share(|[r, g, b]| g + 30 < r && b < g);
     let wall = share(|[r, g, b]| 120 < b && b < g && g < r);
     assert!(0.2 < sky && 0.15 < green && 0.04 < roof && 0.02 < wall, "{sky} {green} {roof} {wall}");
+}
+
+#[test]
+fn a_buffer_that_cannot_be_mapped_is_an_error() {
+    let Some(device) = device() else { return };
+    let buffer = readable(&device);
+    assert_eq!(read(&device, &buffer).expect("zeros"), [0; 16]);
+    // It is still mapped.
+    let error = read(&device, &buffer).expect_err("a second mapping fails");
+    assert!(error.to_string().starts_with("the picture cannot be read: "), "{error}");
+}
+
+#[test]
+fn a_lost_device_is_an_error() {
+    let Some(device) = device() else { return };
+    let buffer = readable(&device);
+    device.destroy();
+    let error = read(&device, &buffer).expect_err("the device is lost");
+    assert!(error.to_string().starts_with("the picture cannot be read: "), "{error}");
+}
+
+fn readable(device: &Device) -> Buffer {
+    let usage = BufferUsages::COPY_DST | BufferUsages::MAP_READ;
+    device.create_buffer(&BufferDescriptor { label: None, size: 16, usage, mapped_at_creation: false })
+}
+
+/// A device, or a message that the rest of the test is left out.
+fn device() -> Option<Device> {
+    let Ok(adapter) = pollster::block_on(Instance::default().request_adapter(&Default::default())) else {
+        println!("left out: wgpu finds no graphics card and no software renderer");
+        return None;
+    };
+    let (device, _queue) = pollster::block_on(adapter.request_device(&Default::default())).expect("a device");
+    Some(device)
 }
