@@ -30,6 +30,11 @@ fn the_picture_shows_the_garden() {
 }
 
 #[test]
+fn the_drawing_has_at_most_150_lines() {
+    assert!(include_str!("main.rs").lines().count() <= 150);
+}
+
+#[test]
 fn a_buffer_that_cannot_be_mapped_is_an_error() {
     let Some(device) = device() else { return };
     let buffer = readable(&device);
