@@ -422,7 +422,7 @@ await check('a link holds the rules of the checker', async () => {
   await typeRules(RULES);
   await new Promise((resolve) => setTimeout(resolve, 500));
   const second = await openPage(browser, page.url());
-  await second.page.waitForFunction(() => document.querySelector('#findings-title').textContent === '0 errors, 2 warnings');
+  await second.page.waitForFunction(() => /^0 errors, [1-9]/.test(document.querySelector('#findings-title').textContent));
   equal(await second.page.$eval('#text', (area) => area.value), RULES, 'rules');
   equal(await second.page.$eval('#check', (panel) => panel.hidden), false, 'the tab did not open');
   await typeRules('# '.repeat(20_000), second.page);

@@ -6,7 +6,7 @@ use cga::Assets;
 use cga::sink::picture::Image;
 use cga::street::{Network, NetworkOptions};
 
-use crate::catalog::CatalogEntry;
+use crate::entry::CatalogEntry;
 use crate::programs::{district, massing, streets, textured, tower};
 use crate::scenes::scene::{Scene, Start, View, grammar_text};
 

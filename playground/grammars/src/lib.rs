@@ -3,6 +3,7 @@
 //! The same code runs natively, so that tests compare the files of both.
 
 pub mod catalog;
+pub mod entry;
 mod examples;
 pub mod pick;
 mod programs;

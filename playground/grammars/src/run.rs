@@ -6,7 +6,8 @@ use cga::{Limits, Model, Settings};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
-use crate::catalog::{CatalogEntry, entries, entry};
+use crate::catalog::{entries, entry};
+use crate::entry::CatalogEntry;
 
 /// A request for a run. A page sends it as JSON.
 #[derive(Clone, Debug, Default, Deserialize)]

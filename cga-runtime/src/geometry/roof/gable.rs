@@ -3,12 +3,11 @@
 //! An end does not move while the wavefront runs. So its strip has no area, and its points are the pediment when they get
 //! heights. Other planes end at the pediment, and continue in front of it as overhangs.
 
-use std::collections::BTreeMap;
-
 use glam::DVec2;
 
+use super::arcs::{Lefts, arcs, joined};
 use super::hip::overhang_in_plan;
-use super::plan::{Outside, Plan, arcs, joined};
+use super::plan::{Outside, OutsideStrip, Plan};
 use super::{Outline, Rise, Roof};
 use crate::geometry::skeleton::Failure;
 
@@ -108,9 +107,9 @@ fn overhang(
         return Err(NoOverhang::Without(without));
     }
     let is_end = |edge: u32| gables.iter().any(|gable| gable.contains(&edge));
-    let eaves = || outside.strips.iter().filter(|strip| !is_end(strip.edge) && 0.0 < distances[strip.edge as usize]);
-    let fronts: BTreeMap<_, _> = eaves().map(|strip| (strip.edge, strip.fronts())).collect();
-    regions.extend(eaves().map(|strip| (strip.edge, strip.ring.clone())));
+    let is_eave = |strip: &OutsideStrip| !is_end(strip.edge) && 0.0 < distances[strip.edge as usize];
+    let fronts = outside.fronts(is_eave);
+    regions.extend(outside.strips.into_iter().filter(is_eave).map(|strip| (strip.edge, strip.ring)));
     plan.join(regions, &fronts);
     plan.drop_straight(|edge| !is_end(edge));
     if eave == 0.0 {
@@ -128,16 +127,14 @@ fn in_front(
     gable: &[u32],
     along: f64,
     outside: &Outside,
-    lefts: &BTreeMap<[u32; 2], usize>,
+    lefts: &Lefts,
 ) -> Option<Vec<(u32, Vec<u32>)>> {
     let edges = outline.edges();
     let (a, b) = (edges[*gable.first()? as usize][0], edges[*gable.last()? as usize][1]);
     // The outer ends of the strip: `a` to `outer[0]`, and `outer[1]` to `b`.
-    let strips: Vec<Vec<u32>> =
-        outside.strips.iter().filter(|strip| gable.contains(&strip.edge)).map(|strip| strip.ring.clone()).collect();
-    let fronts: Vec<[u32; 2]> =
-        outside.strips.iter().filter(|strip| gable.contains(&strip.edge)).flat_map(|strip| strip.fronts()).collect();
-    let rings = joined(&strips);
+    let strips = || outside.strips.iter().filter(|strip| gable.contains(&strip.edge));
+    let fronts: Vec<[u32; 2]> = strips().flat_map(OutsideStrip::fronts).collect();
+    let rings = joined(strips().map(|strip| &strip.ring[..]));
     let [ring] = &rings[..] else { return None };
     let own: Vec<[u32; 2]> = gable.iter().map(|&edge| edges[edge as usize]).collect();
     let sides: Vec<[u32; 2]> =
@@ -154,9 +151,8 @@ fn in_front(
         return None;
     }
     // The upper rim of the pediment, from `b` to `a`.
-    let pediment: Vec<Vec<u32>> =
-        plan.faces.iter().filter(|face| gable.contains(&face.edge)).map(|face| face.ring.clone()).collect();
-    let rings = joined(&pediment);
+    let pediment = plan.faces.iter().filter(|face| gable.contains(&face.edge));
+    let rings = joined(pediment.map(|face| &face.ring[..]));
     let [ring] = &rings[..] else { return None };
     let rim: Vec<[u32; 2]> = {
         let mut rim: Vec<[u32; 2]> = arcs(ring).filter(|arc| !own.contains(arc)).collect();
@@ -167,7 +163,7 @@ fn in_front(
     if rim.last()?[1] != a || rim.windows(2).any(|pair| pair[0][1] != pair[1][0]) {
         return None;
     }
-    let face_of = |arc: &[u32; 2]| lefts.get(&[arc[1], arc[0]]).map(|&face| plan.faces[face].edge);
+    let face_of = |arc: &[u32; 2]| lefts.face([arc[1], arc[0]]).map(|face| plan.faces[face].edge);
     let faces: Vec<u32> = rim.iter().map(face_of).collect::<Option<_>>()?;
     // The planes beside the pediment must be those that the strip borders on, not those of another gable at a corner.
     let borders = |arc: [u32; 2], edge: u32| {

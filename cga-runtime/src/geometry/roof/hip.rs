@@ -1,7 +1,5 @@
 //! Hip roofs: a plane rises at each edge.
 
-use std::collections::BTreeMap;
-
 use super::plan::Plan;
 use super::{Outline, Rise, Roof};
 use crate::geometry::skeleton::Failure;
@@ -17,7 +15,7 @@ pub(super) fn hip(outline: &Outline<'_>, rise: Rise, overhang: f64, even: bool) 
     if 0.0 < overhang {
         let distance = overhang_in_plan(overhang, slope);
         let outside = plan.outside(outline, &vec![distance; count], distance)?;
-        let fronts: BTreeMap<_, _> = outside.strips.iter().map(|strip| (strip.edge, strip.fronts())).collect();
+        let fronts = outside.fronts(|_| true);
         let regions = outside.strips.into_iter().map(|strip| (strip.edge, strip.ring)).collect();
         plan.join(regions, &fronts);
         plan.drop_straight(|_| true);

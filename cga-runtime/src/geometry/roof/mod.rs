@@ -7,6 +7,7 @@
 //!
 //! A roof without overhang and its bottom are a closed volume, because the arcs of the wavefront are shared.
 
+mod arcs;
 mod ends;
 mod gable;
 mod hip;

@@ -1,10 +1,9 @@
 //! A hip or gable roof as seen from above: the faces of the straight skeleton, with the distance from the eaves as the
 //! height of each point.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use glam::DVec2;
 
+use super::arcs::{Lefts, arcs, joined};
 use super::settle::settle;
 use super::{Outline, Roof, RoofFace, RoofPart};
 use crate::geometry::disjoint::DisjointSets;
@@ -88,11 +87,9 @@ impl Plan {
         point
     }
 
-    /// For each arc of a face, the face on its left.
-    pub(super) fn lefts(&self) -> BTreeMap<[u32; 2], usize> {
-        let arcs =
-            |(face, found): (usize, &PlanFace)| arcs(&found.ring).map(move |arc| (arc, face)).collect::<Vec<_>>();
-        self.faces.iter().enumerate().flat_map(arcs).collect()
+    /// The arcs of the faces.
+    pub(super) fn lefts(&self) -> Lefts {
+        Lefts::of(self.faces.iter().map(|face| &face.ring[..]))
     }
 
     /// Makes ridges level: the points of each connected ridge get their mean height. A ridge is between two edges that
@@ -102,8 +99,8 @@ impl Plan {
         let is_new = |point: u32| outline.points.len() <= point as usize;
         let along = |face: usize| outline.along(edges[self.faces[face].edge as usize]);
         let mut ridges = DisjointSets::new(self.points.len());
-        for (&[a, b], &face) in &lefts {
-            let Some(&other) = lefts.get(&[b, a]) else { continue };
+        for ([a, b], face) in lefts.iter() {
+            let Some(other) = lefts.face([b, a]) else { continue };
             if a < b && is_new(a) && is_new(b) && along(face).dot(along(other)) < RIDGE {
                 ridges.unite(a, b);
             }
@@ -119,19 +116,23 @@ impl Plan {
         }
     }
 
-    /// Joins regions to the faces, each of an edge and a ring. A ring `fronts` has the arcs where the faces now begin.
-    pub(super) fn join(&mut self, regions: Vec<(u32, Vec<u32>)>, fronts: &BTreeMap<u32, Vec<[u32; 2]>>) {
-        let mut of: BTreeMap<u32, Vec<Vec<u32>>> = BTreeMap::new();
-        for face in std::mem::take(&mut self.faces) {
-            of.entry(face.edge).or_default().push(face.ring);
-        }
-        for (edge, ring) in regions {
-            of.entry(edge).or_default().push(ring);
-        }
-        for (edge, rings) in of {
-            let fronts = fronts.get(&edge).map(Vec::as_slice).unwrap_or_default();
-            for mut ring in if rings.len() == 1 { rings } else { joined(&rings) } {
-                let first = fronts.iter().find_map(|front| arcs(&ring).position(|arc| arc == *front));
+    /// Joins regions to the faces, each of an edge and a ring. `fronts` are the arcs where the faces now begin, each with its
+    /// edge, in the order of edges.
+    pub(super) fn join(&mut self, regions: Vec<(u32, Vec<u32>)>, fronts: &[(u32, [u32; 2])]) {
+        let own = std::mem::take(&mut self.faces).into_iter().map(|face| (face.edge, face.ring));
+        let mut parts: Vec<(u32, Vec<u32>)> = own.chain(regions).collect();
+        // The parts of an edge keep their order.
+        parts.sort_by_key(|part| part.0);
+        for parts in parts.chunk_by_mut(|a, b| a.0 == b.0) {
+            let edge = parts[0].0;
+            let first = fronts.partition_point(|front| front.0 < edge);
+            let fronts = || fronts[first..].iter().take_while(|front| front.0 == edge).map(|front| front.1);
+            let rings = match parts {
+                [(_, ring)] => vec![std::mem::take(ring)],
+                _ => joined(parts.iter().map(|part| &part.1[..])),
+            };
+            for mut ring in rings {
+                let first = fronts().find_map(|front| arcs(&ring).position(|arc| arc == front));
                 ring.rotate_left(first.unwrap_or(0));
                 self.faces.push(PlanFace { edge, ring });
             }
@@ -154,28 +155,24 @@ impl Plan {
 
     /// Removes points between two collinear arcs of the faces over edges that `counts` selects, if no other face has them.
     pub(super) fn drop_straight(&mut self, counts: impl Fn(u32) -> bool) {
-        let mut around: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
         let lefts = self.lefts();
-        for (&[a, b], &face) in &lefts {
-            if counts(self.faces[face].edge) {
-                around.entry(a).or_default().insert(b);
-                around.entry(b).or_default().insert(a);
-            }
-        }
+        let counted = lefts.iter().filter(|&(_, face)| counts(self.faces[face].edge));
+        // Each point with the points beside it.
+        let mut beside: Vec<[u32; 2]> = counted.flat_map(|([a, b], _)| [[a, b], [b, a]]).collect();
+        beside.sort_unstable();
+        beside.dedup();
         // An upright face needs the points of the arcs that it shares.
-        let shared = |a: u32, b: u32| {
-            [[a, b], [b, a]].iter().any(|arc| lefts.get(arc).is_some_and(|&face| !counts(self.faces[face].edge)))
+        let shared = |[a, b]: [u32; 2]| {
+            [[a, b], [b, a]].into_iter().any(|arc| lefts.face(arc).is_some_and(|face| !counts(self.faces[face].edge)))
         };
-        let is_straight = |point: u32, ends: &BTreeSet<u32>| {
-            let mut ends = ends.iter().copied();
-            let (Some(a), Some(b), None) = (ends.next(), ends.next(), ends.next()) else { return false };
-            let to = |end: u32| (self.points[end as usize] - self.points[point as usize]).normalize_or_zero();
-            to(a).dot(to(b)) < 0.0
-                && to(a).perp_dot(to(b)).abs() < TIE_EPSILON.sqrt()
-                && !shared(a, point)
-                && !shared(b, point)
+        let is_straight = |beside: &[[u32; 2]]| {
+            let &[a, b] = beside else { return false };
+            let to =
+                |[point, end]: [u32; 2]| (self.points[end as usize] - self.points[point as usize]).normalize_or_zero();
+            to(a).dot(to(b)) < 0.0 && to(a).perp_dot(to(b)).abs() < TIE_EPSILON.sqrt() && !shared(a) && !shared(b)
         };
-        let gone: Vec<u32> = around.iter().filter(|(point, ends)| is_straight(**point, ends)).map(|it| *it.0).collect();
+        let points = beside.chunk_by(|a, b| a[0] == b[0]);
+        let gone: Vec<u32> = points.filter(|beside| is_straight(beside)).map(|beside| beside[0][0]).collect();
         for face in &mut self.faces {
             if counts(face.edge) {
                 let kept: Vec<u32> =
@@ -212,41 +209,6 @@ impl Plan {
         let points = self.points.iter().zip(&self.rises).map(|(p, rise)| p.extend(rise * slope)).collect();
         Roof { points, faces, below: false }
     }
-}
-
-/// The arcs of a ring.
-pub(super) fn arcs(ring: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
-    (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]])
-}
-
-/// The union of regions that share arcs, as rings.
-pub(super) fn joined(rings: &[Vec<u32>]) -> Vec<Vec<u32>> {
-    rings_of(rings.iter().flat_map(|ring| arcs(ring)))
-}
-
-/// Joins arcs to rings. Arcs back and forth are not sides.
-pub(super) fn rings_of(arcs: impl Iterator<Item = [u32; 2]>) -> Vec<Vec<u32>> {
-    let mut all: Vec<[u32; 2]> = Vec::new();
-    for arc in arcs {
-        match all.iter().position(|other| *other == [arc[1], arc[0]]) {
-            Some(against) => _ = all.remove(against),
-            None => all.push(arc),
-        }
-    }
-    let mut found = Vec::new();
-    while !all.is_empty() {
-        let start = all.remove(0);
-        let (mut ring, mut end) = (vec![start[0]], start[1]);
-        while end != start[0] {
-            let Some(next) = all.iter().position(|arc| arc[0] == end) else { break };
-            ring.push(end);
-            end = all.remove(next)[1];
-        }
-        if 3 <= ring.len() {
-            found.push(ring);
-        }
-    }
-    found
 }
 
 /// The region outside that edges sweep when each moves outwards by its distance: the strip of each edge.
@@ -289,9 +251,19 @@ impl Plan {
     }
 }
 
+impl Outside {
+    /// The outer edges of the strips that `counts` selects, each with the edge of its strip, in the order of edges.
+    pub(super) fn fronts(&self, counts: impl Fn(&OutsideStrip) -> bool) -> Vec<(u32, [u32; 2])> {
+        let counted = self.strips.iter().filter(|strip| counts(strip));
+        let mut fronts: Vec<_> = counted.flat_map(|strip| strip.fronts().map(|front| (strip.edge, front))).collect();
+        fronts.sort_by_key(|front| front.0);
+        fronts
+    }
+}
+
 impl OutsideStrip {
     /// The outer edges, in the direction of the edge of the outline, in their order along it.
-    pub(super) fn fronts(&self) -> Vec<[u32; 2]> {
-        arcs(&self.ring).zip(&self.front).filter(|(_, front)| **front).map(|(arc, _)| arc).collect()
+    pub(super) fn fronts(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        arcs(&self.ring).zip(&self.front).filter(|(_, front)| **front).map(|(arc, _)| arc)
     }
 }

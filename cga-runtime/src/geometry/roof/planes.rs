@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3};
 
-use super::plan::rings_of;
+use super::arcs::rings_of;
 use super::{Outline, Rise, Roof, RoofFace, RoofPart};
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::nesting::rings::NestedRings;

@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use super::NONE;
 use super::contact::Contacts;
 use super::meeting::Meeting;
-use super::wavefront::{NONE, Wavefront};
+use super::wavefront::Wavefront;
 
 /// An end of a segment: a vertex that does not change, or a cluster where the wavefront changes, named by its first
 /// vertex.

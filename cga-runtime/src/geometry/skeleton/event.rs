@@ -1,7 +1,7 @@
 //! The times of events: an edge shrinks to a point, or a reflex vertex reaches an edge.
 
-use super::Failure;
-use super::wavefront::{CollapseEvent, MovingLine, NONE, NextEvent, SplitEvent, Wavefront, WavefrontVertex};
+use super::wavefront::{CollapseEvent, MovingLine, NextEvent, SplitEvent, Wavefront, WavefrontVertex};
+use super::{Failure, NONE};
 
 /// An event at the current time, up to rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,7 +96,7 @@ impl Wavefront {
     }
 
     /// The line of an edge.
-    fn line(&self, edge: u32) -> &MovingLine {
+    pub(super) fn line(&self, edge: u32) -> &MovingLine {
         &self.lines[self.vertices[edge as usize].after as usize]
     }
 

@@ -29,6 +29,7 @@ mod check;
 mod contact;
 mod event;
 mod limits;
+mod lone;
 mod meeting;
 mod overlap;
 mod rejoin;
@@ -44,6 +45,9 @@ pub(crate) use check::any_cross;
 pub(crate) use speeds::Speeds;
 use wavefront::Wavefront;
 pub(crate) use wavefront::twice_area;
+
+/// The number for "no vertex" and "no point".
+const NONE: u32 = u32::MAX;
 
 /// The limit on the total number of corners, because the time is quadratic.
 pub(crate) const MOST_CORNERS: usize = 5_000;

@@ -1,5 +1,7 @@
 //! Coincident segments with opposite directions: they touch up to the end of the shorter one.
 
+use glam::DVec2;
+
 use super::Failure;
 use super::arrangement::{Arrangement, Segment, SegmentEnd};
 use super::contact::{Contacts, to_segment};
@@ -53,23 +55,40 @@ impl Arrangement {
     fn overlap(&self, front: &Wavefront, contacts: &mut Contacts, pair: [usize; 2], near: f64) -> bool {
         let [incoming, outgoing] = pair.map(|segment| &self.segments[segment]);
         let position = |end: SegmentEnd| front.positions[end.vertex() as usize];
-        let (far, here, end) = (position(incoming.from), position(incoming.to), position(outgoing.to));
-        let (a, b) = (far - here, end - here);
-        if a.dot(b) <= 0.0 {
+        let Some(ShortEnd { leaves, squared }) =
+            short_end(position(incoming.from), position(incoming.to), position(outgoing.to))
+        else {
             return false;
-        }
-        let (vertex, edge, distance) = if b.length_squared() <= a.length_squared() {
-            (outgoing.to.vertex(), incoming.edge, to_segment(end, here, far))
-        } else {
-            (incoming.from.vertex(), outgoing.edge, to_segment(far, here, end))
         };
-        if distance > near * near {
+        if squared > near * near {
             return false;
         }
+        let (vertex, edge) =
+            if leaves { (outgoing.to.vertex(), incoming.edge) } else { (incoming.from.vertex(), outgoing.edge) };
         if vertex == edge || vertex == front.vertices[edge as usize].next {
             contacts.tip(vertex)
         } else {
             contacts.touch(edge, vertex)
         }
     }
+}
+
+/// The far end of the shorter of two segments that meet.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ShortEnd {
+    /// True if it is the end of the segment that leaves.
+    pub(super) leaves: bool,
+    /// The square of its distance from the other segment.
+    pub(super) squared: f64,
+}
+
+/// The far end of the shorter segment of one `from` a place to `here` and one from here `to` a place; `None` if they lead to opposite
+/// sides.
+pub(super) fn short_end(from: DVec2, here: DVec2, to: DVec2) -> Option<ShortEnd> {
+    let (a, b) = (from - here, to - here);
+    if a.dot(b) <= 0.0 {
+        return None;
+    }
+    let leaves = b.length_squared() <= a.length_squared();
+    Some(ShortEnd { leaves, squared: if leaves { to_segment(to, here, from) } else { to_segment(from, here, to) } })
 }

@@ -2,9 +2,10 @@
 
 use glam::DVec2;
 
+use super::NONE;
 use super::arrangement::{Arrangement, SegmentEnd, Star};
 use super::contact::Contacts;
-use super::wavefront::{NONE, Wavefront};
+use super::wavefront::Wavefront;
 
 impl Arrangement {
     /// Pairs the incoming with the outgoing segments at each cluster. The region is on their left, so each incoming
@@ -58,9 +59,7 @@ pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &m
     for &vertex in contacts.vertices() {
         let node = arrangement.node(contacts.cluster(vertex));
         if node != NONE {
-            let old = &mut front.vertices[vertex as usize];
-            old.alive = false;
-            front.arcs.path(old.node, node, old.before, old.after);
+            front.end_at(vertex, node);
         }
     }
     let mut made = Vec::with_capacity(arrangement.pairs.len());
@@ -80,8 +79,6 @@ pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &m
         front.vertices[from as usize].next = to;
         front.vertices[to as usize].last = from;
     }
-    let Wavefront { alive, vertices, .. } = front;
-    alive.retain(|&vertex| vertices[vertex as usize].alive);
-    alive.extend(&made);
+    front.renew(&made);
     made
 }

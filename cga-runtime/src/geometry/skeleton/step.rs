@@ -34,7 +34,10 @@ impl Wavefront {
             if due.is_empty() {
                 return if self.now == self.until { self.finish() } else { Err(Failure::Tangled) };
             }
-            let mut made = self.handle(&due, &[], &mut workspace)?;
+            let mut made = match self.handle_lone(&due) {
+                Some(made) => made,
+                None => self.handle(&due, &[], &mut workspace)?,
+            };
             made.extend(self.part_speeds(&made));
             self.limits.make(made.len())?;
             self.foresee(&made)?;

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::Strip;
+use super::{NONE, Strip};
 use crate::geometry::buckets::Buckets;
 use crate::geometry::disjoint::DisjointSets;
 
@@ -82,39 +82,37 @@ impl Arcs {
             (arc.from, arc.to) = (same[arc.from as usize], same[arc.to as usize]);
         }
         self.all.retain(|arc| arc.from != arc.to);
-        let (mut strips, mut used) = (Vec::with_capacity(self.lines as usize), Vec::new());
-        for arcs in self.all.chunk_by(|a, b| a.strip == b.strip) {
-            follow(arcs, &mut used, &mut strips);
+        let mut strips = Vec::with_capacity(self.lines as usize);
+        for arcs in self.all.chunk_by_mut(|a, b| a.strip == b.strip) {
+            follow(arcs, &mut strips);
         }
         strips
     }
 }
 
-/// Joins the arcs of one strip. `used` is a buffer.
-fn follow(arcs: &[Arc], used: &mut Vec<bool>, strips: &mut Vec<Strip>) {
-    used.clear();
-    used.resize(arcs.len(), false);
+/// Joins the arcs of one strip. Those that are done begin at [`NONE`].
+fn follow(arcs: &mut [Arc], strips: &mut Vec<Strip>) {
     // Arcs back and forth are not sides.
     for i in 0..arcs.len() {
-        let back = |k: &usize| !used[*k] && (arcs[*k].from, arcs[*k].to) == (arcs[i].to, arcs[i].from);
-        if let Some(k) = (i + 1..arcs.len()).find(back).filter(|_| !used[i]) {
-            (used[i], used[k]) = (true, true);
+        let Arc { from, to, .. } = arcs[i];
+        if let Some(back) = arcs[i + 1..].iter().position(|arc| from != NONE && (arc.from, arc.to) == (to, from)) {
+            (arcs[i].from, arcs[i + 1 + back].from) = (NONE, NONE);
         }
     }
     for start in 0..arcs.len() {
-        if used[start] {
+        let first = arcs[start].from;
+        if first == NONE {
             continue;
         }
         let size = arcs.len() - start;
-        let mut strip = Strip { edge: arcs[0].strip, ring: Vec::with_capacity(size), front: Vec::with_capacity(size) };
+        let mut strip =
+            Strip { edge: arcs[start].strip, ring: Vec::with_capacity(size), front: Vec::with_capacity(size) };
         let mut at = Some(start);
-        while let Some(arc) = at {
-            used[arc] = true;
-            strip.ring.push(arcs[arc].from);
-            strip.front.push(arcs[arc].is_front);
-            let end = arcs[arc].to;
-            at =
-                if end == arcs[start].from { None } else { (0..arcs.len()).find(|&k| !used[k] && arcs[k].from == end) };
+        while let Some(arc) = at.map(|at| &mut arcs[at]) {
+            let Arc { to, is_front, .. } = *arc;
+            strip.ring.push(std::mem::replace(&mut arc.from, NONE));
+            strip.front.push(is_front);
+            at = if to == first { None } else { arcs.iter().position(|arc| arc.from == to) };
         }
         if 3 <= strip.ring.len() {
             strips.push(strip);

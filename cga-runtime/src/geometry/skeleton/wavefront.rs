@@ -7,12 +7,9 @@ use glam::DVec2;
 use super::limits::WorkLimits;
 use super::speeds::Speeds;
 use super::trace::Arcs;
-use super::{Failure, Left, Swept};
+use super::{Failure, Left, NONE, Swept};
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::STRAIGHT_EPSILON;
-
-/// The number for "no vertex".
-pub(super) const NONE: u32 = u32::MAX;
 
 /// The range of lengths whose squares are safe.
 const SIZES: RangeInclusive<f64> = 1e-100..=1e100;
@@ -275,6 +272,20 @@ impl Wavefront {
         self.positions.push(vertex.from);
         self.events.push(NextEvent::of(&vertex));
         self.vertices.push(vertex);
+    }
+
+    /// Ends a vertex at a node.
+    pub(super) fn end_at(&mut self, vertex: u32, node: u32) {
+        let old = &mut self.vertices[vertex as usize];
+        old.alive = false;
+        self.arcs.path(old.node, node, old.before, old.after);
+    }
+
+    /// Removes vertices that have ended from the list of those alive, and adds new ones.
+    pub(super) fn renew(&mut self, made: &[u32]) {
+        let Wavefront { alive, vertices, .. } = self;
+        alive.retain(|&vertex| vertices[vertex as usize].alive);
+        alive.extend(made);
     }
 
     /// Adds a node of the skeleton at the current time.
