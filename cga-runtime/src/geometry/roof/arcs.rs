@@ -1,5 +1,7 @@
 //! The arcs of rings: their sides, each from a point to the next one.
 
+use crate::geometry::buckets::Buckets;
+
 /// The arcs of a ring.
 pub(super) fn arcs(ring: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
     (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]])
@@ -35,34 +37,38 @@ pub(super) fn rings_of(arcs: impl Iterator<Item = [u32; 2]>) -> Vec<Vec<u32>> {
     found
 }
 
-/// The arcs of some faces, sorted, each with the number of the face on its left.
+/// The arcs of some faces by their ends, each with the number of the face on its left.
 #[derive(Debug)]
-pub(super) struct Lefts(Vec<([u32; 2], usize)>);
+pub(super) struct FaceArcs {
+    all: Vec<([u32; 2], usize)>,
+    from: Buckets,
+    to: Buckets,
+}
 
-impl Lefts {
-    /// The arcs of faces with some rings.
-    pub(super) fn of<'r>(rings: impl Iterator<Item = &'r [u32]>) -> Self {
-        let mut all: Vec<_> =
-            rings.enumerate().flat_map(|(face, ring)| arcs(ring).map(move |arc| (arc, face))).collect();
-        all.sort_unstable();
-        // Of two faces with one arc, the later one counts.
-        all.dedup_by(|next, kept| {
-            let is_same = next.0 == kept.0;
-            if is_same {
-                kept.1 = next.1;
-            }
-            is_same
-        });
-        Lefts(all)
+impl FaceArcs {
+    /// The arcs of faces with some rings. Points are below `count`.
+    pub(super) fn of<'r>(rings: impl Iterator<Item = &'r [u32]>, count: usize) -> Self {
+        let all: Vec<_> = rings.enumerate().flat_map(|(face, ring)| arcs(ring).map(move |arc| (arc, face))).collect();
+        let by = |end: usize| Buckets::by(count, all.iter().map(|(arc, _)| arc[end]));
+        let (from, to) = (by(0), by(1));
+        FaceArcs { all, from, to }
     }
 
-    /// The face on the left of an arc.
-    pub(super) fn face(&self, arc: [u32; 2]) -> Option<usize> {
-        self.0.binary_search_by_key(&arc, |found| found.0).ok().map(|index| self.0[index].1)
+    /// The face on the left of an arc. Of two faces with one arc it is the later one.
+    pub(super) fn left_of(&self, arc: [u32; 2]) -> Option<usize> {
+        let found = self.from.of(arc[0] as usize).iter().rev().map(|&index| self.all[index as usize]);
+        found.filter(|found| found.0 == arc).map(|found| found.1).next()
     }
 
-    /// All arcs in their order, each with its face.
+    /// All arcs, each with its face.
     pub(super) fn iter(&self) -> impl Iterator<Item = ([u32; 2], usize)> + '_ {
-        self.0.iter().copied()
+        self.all.iter().copied()
+    }
+
+    /// The arcs from a point and to it, each with the point at its other end and its face.
+    pub(super) fn around(&self, point: u32) -> impl Iterator<Item = (u32, usize)> + '_ {
+        let found = |&index: &u32| self.all[index as usize];
+        let from = self.from.of(point as usize).iter().map(found).map(|([_, end], face)| (end, face));
+        from.chain(self.to.of(point as usize).iter().map(found).map(|([end, _], face)| (end, face)))
     }
 }

@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-use super::arcs::{Lefts, arcs, joined};
+use super::arcs::{FaceArcs, arcs, joined};
 use super::hip::overhang_in_plan;
 use super::plan::{Outside, OutsideStrip, Plan};
 use super::{Outline, Rise, Roof};
@@ -94,11 +94,11 @@ fn overhang(
     eave: f64,
 ) -> Result<(), NoOverhang> {
     let outside = plan.outside(outline, distances, eave).map_err(|_| NoOverhang::Tangled)?;
-    let lefts = plan.lefts();
+    let face_arcs = plan.face_arcs();
     let mut regions: Vec<(u32, Vec<u32>)> = Vec::new();
     let mut without = Vec::new();
     for (number, gable) in gables.iter().enumerate().filter(|(number, _)| 0.0 < beyond[*number]) {
-        match in_front(plan, outline, gable, beyond[number], &outside, &lefts) {
+        match in_front(plan, outline, gable, beyond[number], &outside, &face_arcs) {
             Some(found) => regions.extend(found),
             None => without.push(number),
         }
@@ -127,7 +127,7 @@ fn in_front(
     gable: &[u32],
     along: f64,
     outside: &Outside,
-    lefts: &Lefts,
+    face_arcs: &FaceArcs,
 ) -> Option<Vec<(u32, Vec<u32>)>> {
     let edges = outline.edges();
     let (a, b) = (edges[*gable.first()? as usize][0], edges[*gable.last()? as usize][1]);
@@ -163,7 +163,7 @@ fn in_front(
     if rim.last()?[1] != a || rim.windows(2).any(|pair| pair[0][1] != pair[1][0]) {
         return None;
     }
-    let face_of = |arc: &[u32; 2]| lefts.face([arc[1], arc[0]]).map(|face| plan.faces[face].edge);
+    let face_of = |arc: &[u32; 2]| face_arcs.left_of([arc[1], arc[0]]).map(|face| plan.faces[face].edge);
     let faces: Vec<u32> = rim.iter().map(face_of).collect::<Option<_>>()?;
     // The planes beside the pediment must be those that the strip borders on, not those of another gable at a corner.
     let borders = |arc: [u32; 2], edge: u32| {

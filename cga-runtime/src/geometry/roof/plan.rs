@@ -3,7 +3,7 @@
 
 use glam::DVec2;
 
-use super::arcs::{Lefts, arcs, joined};
+use super::arcs::{FaceArcs, arcs, joined};
 use super::settle::settle;
 use super::{Outline, Roof, RoofFace, RoofPart};
 use crate::geometry::disjoint::DisjointSets;
@@ -88,19 +88,19 @@ impl Plan {
     }
 
     /// The arcs of the faces.
-    pub(super) fn lefts(&self) -> Lefts {
-        Lefts::of(self.faces.iter().map(|face| &face.ring[..]))
+    pub(super) fn face_arcs(&self) -> FaceArcs {
+        FaceArcs::of(self.faces.iter().map(|face| &face.ring[..]), self.points.len())
     }
 
     /// Makes ridges level: the points of each connected ridge get their mean height. A ridge is between two edges that
     /// run against each other, so hips and valleys do not count.
     pub(super) fn level_ridges(&mut self, outline: &Outline<'_>) {
-        let (edges, lefts) = (outline.edges(), self.lefts());
+        let (edges, face_arcs) = (outline.edges(), self.face_arcs());
         let is_new = |point: u32| outline.points.len() <= point as usize;
         let along = |face: usize| outline.along(edges[self.faces[face].edge as usize]);
         let mut ridges = DisjointSets::new(self.points.len());
-        for ([a, b], face) in lefts.iter() {
-            let Some(other) = lefts.face([b, a]) else { continue };
+        for ([a, b], face) in face_arcs.iter() {
+            let Some(other) = face_arcs.left_of([b, a]) else { continue };
             if a < b && is_new(a) && is_new(b) && along(face).dot(along(other)) < RIDGE {
                 ridges.unite(a, b);
             }
@@ -155,29 +155,26 @@ impl Plan {
 
     /// Removes points between two collinear arcs of the faces over edges that `counts` selects, if no other face has them.
     pub(super) fn drop_straight(&mut self, counts: impl Fn(u32) -> bool) {
-        let lefts = self.lefts();
-        let counted = lefts.iter().filter(|&(_, face)| counts(self.faces[face].edge));
-        // Each point with the points beside it.
-        let mut beside: Vec<[u32; 2]> = counted.flat_map(|([a, b], _)| [[a, b], [b, a]]).collect();
-        beside.sort_unstable();
-        beside.dedup();
-        // An upright face needs the points of the arcs that it shares.
-        let shared = |[a, b]: [u32; 2]| {
-            [[a, b], [b, a]].into_iter().any(|arc| lefts.face(arc).is_some_and(|face| !counts(self.faces[face].edge)))
+        let face_arcs = self.face_arcs();
+        let is_straight = |point: u32| {
+            let around = || face_arcs.around(point).map(|(end, face)| (end, counts(self.faces[face].edge)));
+            let ends = || around().filter(|end| end.1).map(|end| end.0);
+            let Some(a) = ends().next() else { return false };
+            let Some(b) = ends().find(|&end| end != a) else { return false };
+            // An upright face needs the points of the arcs that it shares.
+            let is_free = |end: u32| around().all(|(other, counts)| other != end || counts);
+            let to = |end: u32| (self.points[end as usize] - self.points[point as usize]).normalize_or_zero();
+            ends().all(|end| end == a || end == b)
+                && is_free(a)
+                && is_free(b)
+                && to(a).dot(to(b)) < 0.0
+                && to(a).perp_dot(to(b)).abs() < TIE_EPSILON.sqrt()
         };
-        let is_straight = |beside: &[[u32; 2]]| {
-            let &[a, b] = beside else { return false };
-            let to =
-                |[point, end]: [u32; 2]| (self.points[end as usize] - self.points[point as usize]).normalize_or_zero();
-            to(a).dot(to(b)) < 0.0 && to(a).perp_dot(to(b)).abs() < TIE_EPSILON.sqrt() && !shared(a) && !shared(b)
-        };
-        let points = beside.chunk_by(|a, b| a[0] == b[0]);
-        let gone: Vec<u32> = points.filter(|beside| is_straight(beside)).map(|beside| beside[0][0]).collect();
-        for face in &mut self.faces {
-            if counts(face.edge) {
-                let kept: Vec<u32> =
-                    face.ring.iter().copied().filter(|point| gone.binary_search(point).is_err()).collect();
-                face.ring = if kept.len() < 3 { continue } else { kept };
+        let is_gone: Vec<bool> = (0..self.points.len() as u32).map(is_straight).collect();
+        for face in self.faces.iter_mut().filter(|face| counts(face.edge)) {
+            let kept = |point: &u32| !is_gone[*point as usize];
+            if 3 <= face.ring.iter().filter(|point| kept(point)).count() {
+                face.ring.retain(kept);
             }
         }
     }

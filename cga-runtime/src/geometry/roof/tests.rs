@@ -25,7 +25,7 @@ fn flat_area(roof: &Roof, ring: &[u32]) -> f64 {
 fn normal(roof: &Roof, face: &RoofFace) -> DVec3 {
     let from = roof.points[face.rings[0][0] as usize];
     let at = |point: u32| roof.points[point as usize] - from;
-    let arcs = face.rings.iter().flat_map(|ring| plan::arcs(ring));
+    let arcs = face.rings.iter().flat_map(|ring| arcs::arcs(ring));
     arcs.map(|[a, b]| at(a).cross(at(b)) * 0.5).sum()
 }
 
@@ -38,7 +38,7 @@ const PLANAR: f64 = 4e-9;
 /// The largest distance of a point from the plane over its edge, relative to the extent. Planes rise by [`SLOPE`] from
 /// edges that have no pediment. There is one face for each edge, in their order.
 fn off_planes(polygon: &Polygon, roof: &Roof) -> Result<f64, String> {
-    let edges: Vec<[u32; 2]> = polygon.rings.iter().flat_map(|ring| plan::arcs(ring)).collect();
+    let edges: Vec<[u32; 2]> = polygon.rings.iter().flat_map(|ring| arcs::arcs(ring)).collect();
     if roof.faces.len() != edges.len() {
         return Err(format!("{} faces over {} edges", roof.faces.len(), edges.len()));
     }
@@ -66,7 +66,7 @@ fn extent(polygon: &Polygon) -> f64 {
 /// Roof faces do not cross each other by more than `slack`, relative to the extent, as seen from above.
 fn is_flat_map(polygon: &Polygon, roof: &Roof, slack: f64) -> bool {
     let tops = roof.faces.iter().filter(|face| face.part == RoofPart::Top);
-    let arcs = tops.flat_map(|face| &face.rings).flat_map(|ring| plan::arcs(ring));
+    let arcs = tops.flat_map(|face| &face.rings).flat_map(|ring| arcs::arcs(ring));
     let mut edges: Vec<[u32; 2]> = arcs.map(|[a, b]| [a.min(b), a.max(b)]).collect();
     edges.sort_unstable();
     edges.dedup();
@@ -80,8 +80,8 @@ fn checked(polygon: &Polygon, roof: &Roof, rng: &mut Rng) -> Result<(), String> 
     let mut add =
         |a: u32, b: u32, sign: i32| *net.entry([a.min(b), a.max(b)]).or_default() += if a < b { sign } else { -sign };
     let rings = roof.faces.iter().flat_map(|face| &face.rings);
-    rings.flat_map(|ring| plan::arcs(ring)).for_each(|[a, b]| add(a, b, 1));
-    polygon.rings.iter().flat_map(|ring| plan::arcs(ring)).for_each(|[a, b]| add(a, b, -1));
+    rings.flat_map(|ring| arcs::arcs(ring)).for_each(|[a, b]| add(a, b, 1));
+    polygon.rings.iter().flat_map(|ring| arcs::arcs(ring)).for_each(|[a, b]| add(a, b, -1));
     if let Some((arc, _)) = net.iter().find(|(_, count)| **count != 0) {
         return Err(format!("open at {arc:?}"));
     }
@@ -193,7 +193,7 @@ fn law(form: RoofForm, off: impl Fn(&Polygon, &Roof) -> Result<f64, String>) {
 fn hip_roofs_are_closed_planar_and_equally_steep() {
     law(HIP, |polygon, roof| {
         // Each face begins with its edge.
-        let edges = polygon.rings.iter().flat_map(|ring| plan::arcs(ring));
+        let edges = polygon.rings.iter().flat_map(|ring| arcs::arcs(ring));
         let mut begins = roof.faces.iter().zip(edges).map(|(face, edge)| face.rings[0][..2] == edge);
         if begins.all(|begins| begins) { off_planes(polygon, roof) } else { Err("a face begins elsewhere".into()) }
     });
@@ -257,7 +257,7 @@ fn overhangs_continue_the_roof() {
 fn overhanging(polygon: &Polygon, roof: &Roof, across: f64) -> Result<f64, String> {
     let flat: Vec<DVec2> = roof.points.iter().map(|point| point.truncate()).collect();
     let tops: Vec<&RoofFace> = roof.faces.iter().filter(|face| face.part == RoofPart::Top).collect();
-    let edges = polygon.rings.iter().flat_map(|ring| plan::arcs(ring));
+    let edges = polygon.rings.iter().flat_map(|ring| arcs::arcs(ring));
     for (number, (face, [a, b])) in roof.faces.iter().zip(edges).enumerate() {
         let along = (polygon.points[b as usize] - polygon.points[a as usize]).normalize();
         let is_eave = |[a, b]: [u32; 2]| {
@@ -266,7 +266,7 @@ fn overhanging(polygon: &Polygon, roof: &Roof, across: f64) -> Result<f64, Strin
             (to - along * to.length()).length() < 1e-7 && (depth + across / 1.64f64.sqrt() * SLOPE).abs() < 1e-7
         };
         // In a narrow yard an overhang may end before its eave.
-        let eave = plan::arcs(&face.rings[0]).position(is_eave);
+        let eave = arcs::arcs(&face.rings[0]).position(is_eave);
         if face.part == RoofPart::Top && eave.is_some_and(|first| 0 < first) {
             return Err(format!("face {number} begins elsewhere"));
         }
