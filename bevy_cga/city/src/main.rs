@@ -11,6 +11,8 @@ mod pick;
 mod rules;
 mod scene;
 mod screenshot;
+#[cfg(test)]
+mod tests;
 
 use std::path::PathBuf;
 
@@ -37,8 +39,14 @@ fn main() -> AppExit {
         }
     }
     app.add_plugins(CgaPlugin::default());
-    app.init_resource::<pick::Picked>();
-    app.add_systems(Startup, (scene::light, scene::camera, scene::district, panel::add).chain());
-    app.add_systems(Update, (panel::keys, panel::refresh, pick::mark).chain().after(pick::pick));
+    app.add_systems(Startup, (scene::light, scene::camera, scene::district).chain());
+    add_panel(&mut app);
     app.run()
+}
+
+/// Adds the panel and the pin of the picked building.
+fn add_panel(app: &mut App) {
+    app.init_resource::<pick::Picked>();
+    app.add_systems(Startup, (panel::add, pick::add_pin));
+    app.add_systems(Update, (panel::keys, panel::compute_values, panel::refresh, pick::mark).chain().after(pick::pick));
 }

@@ -11,11 +11,17 @@ use crate::scene::Building;
 
 /// The text of the panel.
 #[derive(Component)]
+#[require(Chosen, Values)]
 pub(crate) struct PanelText;
 
 /// The number of the chosen attribute.
 #[derive(Component, Default)]
 pub(crate) struct Chosen(usize);
+
+/// The values that a run of the picked building uses, computed ones included. They are kept because default values of
+/// attributes can be long computations.
+#[derive(Component, Default)]
+pub(crate) struct Values(Vec<(&'static str, Value)>);
 
 pub(crate) fn add(mut commands: Commands) {
     let panel = Node {
@@ -30,7 +36,7 @@ pub(crate) fn add(mut commands: Commands) {
     commands.spawn((
         panel,
         BackgroundColor(Color::srgba(0.06, 0.08, 0.11, 0.82)),
-        children![(PanelText, Chosen::default(), Text::new(""), font, TextColor(Color::srgb(0.93, 0.94, 0.95)))],
+        children![(PanelText, Text::new(""), font, TextColor(Color::srgb(0.93, 0.94, 0.95)))],
     ));
 }
 
@@ -110,16 +116,27 @@ fn next(attribute: &Attribute, grammar: &dyn Grammar, value: Value, is_up: bool)
     }
 }
 
+/// Computes the values after a click on a building or a change of the picked one.
+pub(crate) fn compute_values(picked: Res<Picked>, mut values: Single<&mut Values>, buildings: Query<Ref<Cga>>) {
+    if let Some(cga) = picked.building.and_then(|building| buildings.get(building).ok())
+        && (picked.is_changed() || cga.is_changed())
+    {
+        values.0 = used(&cga);
+    }
+}
+
 /// Writes the panel.
 pub(crate) fn refresh(
     picked: Res<Picked>,
-    panel: Single<(&mut Text, &Chosen), With<PanelText>>,
+    panel: Single<(&mut Text, &Chosen, &Values), With<PanelText>>,
     buildings: Query<(&Cga, &Building, Option<&CgaModel>, Has<CgaRun>)>,
 ) {
-    let (mut text, chosen) = panel.into_inner();
+    let (mut text, chosen, values) = panel.into_inner();
     let wanted = match picked.building.and_then(|building| buildings.get(building).ok()) {
         None => "Click a building.\nW A S D E Q fly, the right button turns.".to_owned(),
-        Some((cga, building, shown, is_running)) => describe(cga, building, shown, is_running, chosen.0, picked.rule),
+        Some((cga, building, shown, is_running)) => {
+            describe(cga, building, &values.0, shown, is_running, chosen.0, picked.rule)
+        }
     };
     if text.0 != wanted {
         text.0 = wanted;
@@ -129,6 +146,7 @@ pub(crate) fn refresh(
 fn describe(
     cga: &Cga,
     building: &Building,
+    values: &[(&str, Value)],
     shown: Option<&CgaModel>,
     is_running: bool,
     chosen: usize,
@@ -139,14 +157,12 @@ fn describe(
         let _ = write!(text, ", rule {rule}");
     }
     text.push_str("\n\n");
-    let (used, list) = (used(cga), attributes(cga));
+    let list = attributes(cga);
     let last = list.len().saturating_sub(1);
     for (number, attribute) in list.iter().enumerate() {
         let name = if attribute.display_name.is_empty() { attribute.name } else { attribute.display_name };
-        let value = used
-            .iter()
-            .find(|(known, _)| *known == attribute.name)
-            .map_or(String::new(), |(_, value)| shown_value(value));
+        let value = values.iter().find(|(known, _)| *known == attribute.name);
+        let value = value.map_or(String::new(), |(_, value)| shown_value(value));
         let mark = if number == chosen.min(last) { ">" } else { "  " };
         let is_set = cga.grammar.get(attribute.name).is_ok_and(|value| Some(value) != attribute.default.value());
         let _ = writeln!(text, "{mark} {name}: {value}{}", if is_set { " *" } else { "" });

@@ -46,35 +46,41 @@ pub(crate) fn pick(
     picked.rule = leaf.and_then(|leaf| Some(model?.leaves().nth(leaf)?.rule()));
 }
 
-/// Puts the pin above the picked building.
-pub(crate) fn mark(
-    picked: Res<Picked>,
-    buildings: Query<&CgaModel>,
-    mut pins: Query<(&mut Transform, &mut Visibility), With<Pin>>,
+/// Adds the pin, hidden.
+pub(crate) fn add_pin(
     mut meshes: ResMut<Assets<Mesh>>,
     mut materials: ResMut<Assets<StandardMaterial>>,
     mut commands: Commands,
 ) {
-    let top = picked.building.and_then(|building| buildings.get(building).ok()).map(|shown| shown.model.bounds());
-    let Ok((mut place, mut visibility)) = pins.single_mut() else {
-        commands.spawn((
-            Pin,
-            Mesh3d(meshes.add(Cone::new(2.2, 6.0))),
-            MeshMaterial3d(materials.add(StandardMaterial {
-                base_color: Color::srgb(0.95, 0.35, 0.12),
-                emissive: LinearRgba::rgb(0.5, 0.1, 0.02),
-                ..StandardMaterial::default()
-            })),
-            Visibility::Hidden,
-        ));
-        return;
-    };
-    let Some(bounds) = top else {
+    commands.spawn((
+        Pin,
+        Mesh3d(meshes.add(Cone::new(2.2, 6.0))),
+        MeshMaterial3d(materials.add(StandardMaterial {
+            base_color: Color::srgb(0.95, 0.35, 0.12),
+            emissive: LinearRgba::rgb(0.5, 0.1, 0.02),
+            ..StandardMaterial::default()
+        })),
+        Visibility::Hidden,
+    ));
+}
+
+/// Puts the pin above the picked building, after a click or a new model of the building: bounds go through all leaves.
+pub(crate) fn mark(
+    picked: Res<Picked>,
+    models: Query<Ref<CgaModel>>,
+    pin: Single<(&mut Transform, &mut Visibility), With<Pin>>,
+) {
+    let (mut place, mut visibility) = pin.into_inner();
+    let Some(shown) = picked.building.and_then(|building| models.get(building).ok()) else {
         visibility.set_if_neq(Visibility::Hidden);
         return;
     };
+    if !picked.is_changed() && !shown.is_changed() {
+        return;
+    }
+    let bounds = shown.model.bounds();
     let middle = ((bounds.low + bounds.high) * 0.5).as_vec3();
     let above = Vec3::new(middle.x, bounds.high.y as f32 + 5.0, middle.z);
-    place.set_if_neq(Transform::from_translation(above).with_rotation(Quat::from_rotation_x(std::f32::consts::PI)));
-    visibility.set_if_neq(Visibility::Inherited);
+    *place = Transform::from_translation(above).with_rotation(Quat::from_rotation_x(std::f32::consts::PI));
+    *visibility = Visibility::Inherited;
 }
