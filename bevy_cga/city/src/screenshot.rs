@@ -1,5 +1,8 @@
 //! A picture without a window.
 
+#[cfg(test)]
+mod tests;
+
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -18,7 +21,7 @@ use crate::scene::Building;
 
 const WIDTH: u32 = 960;
 const HEIGHT: u32 = 540;
-/// The building that is picked and changed.
+/// The building that is picked and changed; in other districts, the one with the nearest number.
 const CHANGED: usize = 104;
 
 /// The path of the picture, and the image that the camera fills.
@@ -39,7 +42,8 @@ enum Step {
     Change,
     /// Frames until the renderer has everything.
     Wait(u32),
-    Taken,
+    /// The picture is on its way, or the program ends without one.
+    End,
 }
 
 /// Adds Bevy's plugins without a window, and the systems that take the picture.
@@ -70,6 +74,7 @@ fn take(
     mut buildings: Query<(Entity, &mut Cga, &Building)>,
     mut picked: ResMut<Picked>,
     mut camera: Single<&mut Camera>,
+    mut exit: MessageWriter<AppExit>,
     mut commands: Commands,
 ) {
     const FRAMES: u32 = 3;
@@ -77,7 +82,11 @@ fn take(
         Step::Start => Step::Models,
         Step::Models | Step::Change if !runs.is_empty() => order.step,
         Step::Models => {
-            let Some((entity, mut cga, _)) = buildings.iter_mut().find(|(.., number)| number.0 == CHANGED) else {
+            let nearest = buildings.iter_mut().min_by_key(|(.., number)| (number.0.abs_diff(CHANGED), number.0));
+            let Some((entity, mut cga, _)) = nearest else {
+                error!("no picture: the district has no buildings");
+                exit.write(AppExit::error());
+                order.step = Step::End;
                 return;
             };
             for (name, value) in
@@ -100,9 +109,9 @@ fn take(
                 exit.write(AppExit::Success);
             };
             commands.spawn(shot).observe(save_to_disk(order.path.clone())).observe(end);
-            Step::Taken
+            Step::End
         }
         Step::Wait(frames) => Step::Wait(frames - 1),
-        Step::Taken => Step::Taken,
+        Step::End => Step::End,
     };
 }
