@@ -19,6 +19,8 @@ pub(crate) struct Picked {
 #[derive(Component)]
 pub(crate) struct Pin;
 
+/// Picks the building below the cursor after a click.
+#[expect(clippy::too_many_arguments, reason = "each parameter of a system is one access to the world")]
 pub(crate) fn pick(
     buttons: Res<ButtonInput<MouseButton>>,
     window: Single<&Window, With<PrimaryWindow>>,
