@@ -86,7 +86,7 @@ pub fn envelope_sides(
 ///
 /// The edges belong to sides as `street.front` and its like select them. Edges of holes have upright sides. If the whole
 /// outline is in front of every edge with a slope, each slope goes on over the whole face; otherwise slopes end at each
-/// other as the planes of a roof do.
+/// other as the planes of a roof do. Where edges of different slopes come into one line, the flatter slope goes on over both.
 ///
 /// The new scope's y axis is the normal of the first face, or the world's y axis; its x axis stays as near to the old one as
 /// it can, and the pivot stays. The faces are the bottom, the top, the upright sides in the order of edges and the slopes, with

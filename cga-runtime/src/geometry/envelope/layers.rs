@@ -176,7 +176,7 @@ impl Stack {
         }
         let flat: Vec<DVec2> = numbers.iter().map(|&point| self.points[point as usize].0).collect();
         let speeds: Vec<f64> = ways.iter().map(|way| way / most).collect();
-        let swept = skeleton::sweep_at(&flat, &rings, Speeds::Heights(&speeds), (high - low) * most)?;
+        let swept = skeleton::sweep_at(&flat, &rings, Speeds::Slopes(&speeds), (high - low) * most)?;
         let first = self.points.len();
         let height = |time: f64| if time == (high - low) * most { high } else { low + time / most };
         let new = swept.points.iter().zip(&swept.times).skip(flat.len());

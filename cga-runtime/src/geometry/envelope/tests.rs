@@ -65,6 +65,66 @@ fn planes_and_layers_give_nearly_the_same_volumes_over_convex_lots() {
     assert!(120 <= same, "{same} of 200");
 }
 
+/// Lots with edges that face the same way: an L, a step, a T, a U and a comb.
+fn lots_of_wings() -> Vec<Ring> {
+    let lots: [&[(f64, f64)]; 5] = [
+        &[(0.0, 0.0), (10.0, 0.0), (10.0, 5.0), (5.0, 5.0), (5.0, 10.0), (0.0, 10.0)],
+        &[(0.0, 0.0), (20.0, 0.0), (20.0, 8.0), (12.0, 8.0), (12.0, 10.0), (0.0, 10.0)],
+        &[(0.0, 0.0), (9.0, 0.0), (9.0, 4.0), (6.0, 4.0), (6.0, 10.0), (3.0, 10.0), (3.0, 4.0), (0.0, 4.0)],
+        &[(0.0, 0.0), (12.0, 0.0), (12.0, 9.0), (8.0, 9.0), (8.0, 4.0), (4.0, 4.0), (4.0, 7.0), (0.0, 7.0)],
+        &[
+            (0.0, 0.0),
+            (18.0, 0.0),
+            (18.0, 9.0),
+            (15.0, 9.0),
+            (15.0, 5.0),
+            (12.0, 5.0),
+            (12.0, 8.0),
+            (9.0, 8.0),
+            (9.0, 5.0),
+            (5.0, 5.0),
+            (5.0, 10.0),
+            (0.0, 10.0),
+        ],
+    ];
+    lots.map(<[_]>::to_vec).into()
+}
+
+/// Where a wing ends, its slope and that of the edge beside it are in one line.
+#[test]
+fn parallel_edges_of_different_slopes_are_not_refused() {
+    let rng = &mut Rng(5);
+    for round in 0..1500 {
+        let lots = lots_of_wings();
+        let mut lot = lots[round % lots.len()].clone();
+        if round % 2 == 1 {
+            // Turned, so that no edge is along an axis.
+            lot.iter_mut().for_each(|p| *p = (0.8 * p.0 - 0.6 * p.1, 0.6 * p.0 + 0.8 * p.1));
+        }
+        let mesh = face_of(&[lot]);
+        let sides = sides(rng, mesh.corners().len());
+        let volume =
+            envelope(&mesh.face(0), &sides, 6.0, None).unwrap_or_else(|why| panic!("{why:?} {mesh:?} {sides:?}"));
+        assert!(volume.is_closed() && volume.check().is_empty(), "{:?} {mesh:?} {sides:?}", volume.check());
+        assert!(0.0 < volume.volume() && volume.volume() < 6.0 * mesh.area() * (1.0 + 1e-9));
+    }
+}
+
+/// The flatter slope goes on over the edge in its line, as if that had been upright.
+#[test]
+fn a_flatter_slope_goes_on_over_its_neighbour() {
+    let mesh = face_of(&lots_of_wings()[..1]);
+    let volume = |angle: f64| {
+        let sides = [90.0, 90.0, 90.0, angle, 30.0, 90.0].map(|angle| EnvelopeSide { base: 0.0, angle });
+        envelope(&mesh.face(0), &sides, 3.0, None).expect("a volume").volume()
+    };
+    // The slope reaches the end of the wing at a height of 5 tan 30, and goes on over the other wing.
+    let (tan, end) = (libm::tan(30f64.to_radians()), 5.0 * libm::tan(30f64.to_radians()));
+    let wedge = |height: f64| 5.0 * 0.5 * height * height / tan;
+    assert!((volume(90.0) - (225.0 - wedge(3.0) - wedge(3.0 - end))).abs() < 1e-9, "{}", volume(90.0));
+    assert!((volume(89.999) - volume(90.0)).abs() < 1e-2, "{}", volume(89.999));
+}
+
 /// The part of the ground that a slope covers, less the hole, is the ground of the volume with the hole.
 #[test]
 fn slopes_go_on_behind_holes() {

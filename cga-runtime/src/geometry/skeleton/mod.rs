@@ -32,6 +32,7 @@ mod limits;
 mod lone;
 mod meeting;
 mod overlap;
+mod overtake;
 mod rejoin;
 mod speeds;
 mod step;
@@ -115,8 +116,8 @@ pub(crate) fn sweep_each(points: &[DVec2], rings: &[Vec<u32>], distances: &[f64]
 /// Moves edges until a time; an infinite time gives the whole straight skeleton. If heights count, several distances for
 /// contacts are tried until all points are in the planes that meet in them, and the best result is taken.
 ///
-/// Parallel neighbours with different speeds do not determine the path of the vertex between them. They are refused where
-/// heights count.
+/// Neighbours in one line with different speeds do not determine the path of the vertex between them. The kind of
+/// [`Speeds`] decides about them.
 pub(crate) fn sweep_at(points: &[DVec2], rings: &[Vec<u32>], speeds: Speeds<'_>, until: f64) -> Result<Swept, Failure> {
     if MOST_CORNERS < rings.iter().map(Vec::len).sum() {
         return Err(Failure::TooMany);
@@ -125,7 +126,7 @@ pub(crate) fn sweep_at(points: &[DVec2], rings: &[Vec<u32>], speeds: Speeds<'_>,
     let mut best: Option<((bool, f64), Swept)> = None;
     for epsilon in MEETING_EPSILONS {
         match Wavefront::new(points, rings, speeds, epsilon, until).and_then(Wavefront::run) {
-            Ok(swept) if !matches!(speeds, Speeds::Heights(_)) => return Ok(swept),
+            Ok(swept) if !speeds.has_heights() => return Ok(swept),
             Ok(swept) => {
                 let flaws = (has_divided_strips(&swept), swept.deviation);
                 if !flaws.0 && flaws.1 <= PLANAR_EPSILON {

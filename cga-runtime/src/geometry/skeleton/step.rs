@@ -25,6 +25,7 @@ impl Wavefront {
         self.place();
         self.handle(&[], &everything, &mut workspace)?;
         self.part_speeds(&self.alive.clone());
+        self.overtake(&mut self.alive.clone());
         self.foresee(&self.alive.clone())?;
         loop {
             let next = self.next_event();
@@ -39,6 +40,7 @@ impl Wavefront {
                 None => self.handle(&due, &[], &mut workspace)?,
             };
             made.extend(self.part_speeds(&made));
+            self.overtake(&mut made);
             self.limits.make(made.len())?;
             self.foresee(&made)?;
         }

@@ -163,6 +163,8 @@ pub(super) struct Wavefront {
     pub(super) arcs: Arcs,
     /// True if only the places of points count, so that edges of different speeds may divide corners.
     pub(super) flat: bool,
+    /// True if of neighbours in one line the faster edge takes the place of the slower one.
+    pub(super) overtakes: bool,
     /// True if the region is outside the loops.
     pub(super) unbounded: bool,
     /// The size of the polygon.
@@ -205,6 +207,7 @@ impl Wavefront {
             given: points.len(),
             arcs: Arcs::default(),
             flat: matches!(speeds, Speeds::Places(_)),
+            overtakes: matches!(speeds, Speeds::Slopes(_)),
             unbounded,
             extent,
             epsilon: epsilon * extent,
