@@ -19,11 +19,11 @@ cga! {
     @StartRule
     Hip --> roofHip(a, x, even) Roof
     @StartRule
-    HipHeight --> roofHip(byHeight, h, x) Roof
+    HipHeight --> roofHip(byHeight, h, x, even) Roof
     @StartRule
     Gable --> roofGable(a, x, y, even) Roof
     @StartRule
-    GableHeight --> roofGable(byHeight, h) Roof
+    GableHeight --> roofGable(byHeight, h, 0, 0, even) Roof
     @StartRule
     GableAlong --> roofGable(a, x, y, even, n) Roof
     @StartRule
@@ -138,6 +138,28 @@ fn even_makes_ridges_level() {
         let even = ridge(true, rule, &trapezoid);
         assert!((even[0] - even[1]).abs() < 1e-3 && (even[0] - (uneven[0] + uneven[1]) / 2.0).abs() < 2e-3, "{even:?}");
         assert_eq!(ridge(true, rule, &rectangle()), ridge(false, rule, &rectangle()));
+    }
+}
+
+/// *roofHip operation*, *roofGable operation*: a height is that of the highest point, also of a level ridge.
+#[test]
+fn level_ridges_have_the_height() {
+    let trapezoid = outline(&[[0.0, 0.0], [24.0, 0.0], [24.0, -10.0], [0.0, -18.0]]);
+    for rule in ["HipHeight", "GableHeight"] {
+        for even in [false, true] {
+            let model = run(Roofs { h: 4.0, even, ..Roofs::default() }, rule, &trapezoid);
+            assert_eq!(size(&model)[1], 4.0, "{rule} {even}");
+        }
+    }
+}
+
+/// *comp operation*: the planes at a corner in a straight side are one slope, so the edge between them is no hip.
+#[test]
+fn a_corner_in_a_side_has_no_hip() {
+    let divided = outline(&[[0.0, 0.0], [5.0, 0.0], [10.0, 0.0], [10.0, -8.0], [0.0, -8.0]]);
+    for (rule, edges) in [("Hip", [5, 4, 0, 2]), ("Gable", [3, 0, 0, 2])] {
+        let model = run(Roofs::default(), rule, &divided);
+        assert_eq!(counts(&model), edges, "{rule}");
     }
 }
 

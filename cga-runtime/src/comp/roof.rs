@@ -1,8 +1,9 @@
 //! The edges of roofs: eaves, hips, valleys and ridges.
 //!
 //! A roof consists of the faces that look up. A level edge of one such face is an eave. An edge of two such faces is
-//! a valley if they slope towards each other, a hip if it touches an eave, otherwise a ridge. Faces that look down or
-//! sideways do not count, so the result is the same for a roof that is a closed volume.
+//! a valley if they slope towards each other, a hip if it touches an eave, otherwise a ridge. An edge between two faces in one
+//! plane, as at a corner in a straight side, is none of these. Faces that look down or sideways do not count, so the result
+//! is the same for a roof that is a closed volume.
 
 use std::sync::Arc;
 
@@ -42,11 +43,12 @@ impl RoofMesh {
     pub(super) fn edge(&self, edge: usize) -> Option<RoofEdge> {
         match self.faces(edge) {
             (Some(_), None) => self.is_level(edge).then_some(RoofEdge::Eave),
-            (Some(one), Some(other)) => Some(match () {
-                () if self.is_concave(edge, one, other) => RoofEdge::Valley,
-                () if self.ends(edge).into_iter().any(|point| self.eaves[point]) => RoofEdge::Hip,
-                () => RoofEdge::Ridge,
-            }),
+            (Some(one), Some(other)) => match self.rise(edge, one, other) {
+                rise if UP_EPSILON < rise => Some(RoofEdge::Valley),
+                rise if -UP_EPSILON <= rise && self.look_alike(one, other) => None,
+                _ if self.ends(edge).into_iter().any(|point| self.eaves[point]) => Some(RoofEdge::Hip),
+                _ => Some(RoofEdge::Ridge),
+            },
             _ => None,
         }
     }
@@ -75,13 +77,18 @@ impl RoofMesh {
         a != b && unit(b - a).y.abs() <= UP_EPSILON
     }
 
-    /// Returns true if two faces slope towards each other: the inside of one is in front of the other.
-    fn is_concave(&self, edge: usize, one: u32, other: u32) -> bool {
+    /// Returns true if two faces look in about the same direction.
+    fn look_alike(&self, one: u32, other: u32) -> bool {
+        0.0 < self.normals[one as usize].dot(self.normals[other as usize])
+    }
+
+    /// The rise of one face over another one: the sine of the angle between them, positive if they slope towards each other.
+    fn rise(&self, edge: usize, one: u32, other: u32) -> f64 {
         let adjacency = self.mesh.adjacency();
-        let Some(corner) = self.corner(edge) else { return false };
+        let Some(corner) = self.corner(edge) else { return 0.0 };
         let at = |corner: u32| self.mesh.points()[self.mesh.corners()[corner as usize] as usize];
         let along = unit(at(adjacency.next(corner)) - at(corner)) * self.sense;
         let inwards = self.normals[one as usize].cross(along);
-        UP_EPSILON < inwards.dot(self.normals[other as usize])
+        inwards.dot(self.normals[other as usize])
     }
 }

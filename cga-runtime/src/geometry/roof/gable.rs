@@ -33,26 +33,26 @@ pub(super) fn gable(
         Err(Failure::TooMany) => return Err(Failure::TooMany),
         Err(Failure::Tangled) => (Plan::of(outline, &vec![1.0; ends.len()])?, vec![false; ends.len()]),
     };
-    let slope = rise.slope(plan.top());
     if even {
         plan.level_ridges(outline);
     }
+    let slope = rise.slope(plan.top());
     let eave = if 0.0 < across { overhang_in_plan(across, slope) } else { 0.0 };
     let gables = gables(outline, &ends);
     let mut beyond: Vec<f64> = gables.iter().map(|_| along.max(0.0)).collect();
     while 0.0 < eave || beyond.iter().any(|&along| 0.0 < along) {
-        let mut distances = vec![eave; ends.len()];
+        let mut distances: Vec<f64> = ends.iter().map(|&end| if end { 0.0 } else { eave }).collect();
         for (gable, &along) in gables.iter().zip(&beyond) {
             gable.iter().for_each(|&edge| distances[edge as usize] = along);
         }
-        match overhang(&mut plan, outline, &gables, &beyond, &distances, eave) {
+        match overhang(&mut plan, outline, &ends, &gables, &beyond, &distances, eave) {
             Ok(()) => break,
             Err(NoOverhang::Without(gables)) => gables.into_iter().for_each(|gable| beyond[gable] = 0.0),
             Err(NoOverhang::Tangled) if beyond.iter().any(|&along| 0.0 < along) => beyond.fill(0.0),
             // With one speed the wavefront is always determined. Eaves then reach around the corners of pediments.
             Err(NoOverhang::Tangled) => {
                 let distances = vec![eave; ends.len()];
-                let found = overhang(&mut plan, outline, &gables, &beyond, &distances, eave);
+                let found = overhang(&mut plan, outline, &ends, &gables, &beyond, &distances, eave);
                 found.map_err(|_| Failure::Tangled)?;
                 break;
             }
@@ -61,7 +61,8 @@ pub(super) fn gable(
     Ok(plan.roof(slope, |edge| ends[edge as usize]))
 }
 
-/// The gables: neighbouring edges that are ends, in their order.
+/// The gables: neighbouring edges that are ends, in their order. A ring of ends has none, because its pediments have no
+/// room for overhangs in front.
 fn gables(outline: &Outline<'_>, ends: &[bool]) -> Vec<Vec<u32>> {
     let (mut gables, mut first): (Vec<Vec<u32>>, _) = (Vec::new(), 0);
     for ring in outline.rings {
@@ -88,6 +89,7 @@ enum NoOverhang {
 fn overhang(
     plan: &mut Plan,
     outline: &Outline<'_>,
+    ends: &[bool],
     gables: &[Vec<u32>],
     beyond: &[f64],
     distances: &[f64],
@@ -106,7 +108,7 @@ fn overhang(
     if !without.is_empty() {
         return Err(NoOverhang::Without(without));
     }
-    let is_end = |edge: u32| gables.iter().any(|gable| gable.contains(&edge));
+    let is_end = |edge: u32| ends[edge as usize];
     let is_eave = |strip: &OutsideStrip| !is_end(strip.edge) && 0.0 < distances[strip.edge as usize];
     let fronts = outside.fronts(is_eave);
     regions.extend(outside.strips.into_iter().filter(is_eave).map(|strip| (strip.edge, strip.ring)));

@@ -8,10 +8,10 @@ use crate::geometry::skeleton::Failure;
 pub(super) fn hip(outline: &Outline<'_>, rise: Rise, overhang: f64, even: bool) -> Result<Roof, Failure> {
     let count = outline.edges().len();
     let mut plan = Plan::of(outline, &vec![1.0; count])?;
-    let slope = rise.slope(plan.top());
     if even {
         plan.level_ridges(outline);
     }
+    let slope = rise.slope(plan.top());
     if 0.0 < overhang {
         let distance = overhang_in_plan(overhang, slope);
         let outside = plan.outside(outline, &vec![distance; count], distance)?;

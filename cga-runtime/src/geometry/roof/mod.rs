@@ -18,10 +18,14 @@ mod settle;
 
 use glam::{DVec2, DVec3};
 
-use crate::geometry::skeleton::{Failure, twice_area};
+use crate::geometry::mesh::unit;
+use crate::geometry::skeleton::Failure;
 use crate::geometry::tol::TOUCH_EPSILON;
 
 pub(crate) use mesh::{RoofRefusal, Roofs, roof_over};
+
+/// The largest distance of an overhang, relative to the extent of the outline.
+const FARTHEST: f64 = 1e6;
 
 /// The rise of roof planes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -179,22 +183,34 @@ impl Roof {
         self.faces.push(RoofFace { part, edge: Some(edge), rings: vec![ring] });
     }
 
-    /// Returns true if no roof plane is turned over, except for rounding, as seen from above.
-    fn faces_up(&self) -> bool {
+    /// Returns true if overhangs are not too far away, every face is flat, and no roof plane is turned over as seen from
+    /// above, except for rounding.
+    fn is_sound(&self, outline: &Outline<'_>) -> bool {
+        let size = |points: &[DVec2]| points.iter().fold(0.0, |most: f64, p| most.max(p.abs().max_element()));
         let flat: Vec<DVec2> = self.points.iter().map(|point| point.truncate()).collect();
-        let rounding = TOUCH_EPSILON * flat.iter().fold(0.0, |most: f64, p| most.max(p.length_squared()));
-        let tops = self.faces.iter().filter(|face| face.part == RoofPart::Top);
-        tops.flat_map(|face| &face.rings).all(|ring| -rounding <= twice_area(&flat, ring))
+        if FARTHEST * size(outline.points) < size(&flat) {
+            return false;
+        }
+        self.faces.iter().all(|face| {
+            face.rings.iter().all(|ring| {
+                let at = |point: u32| self.points[point as usize] - self.points[ring[0] as usize];
+                let size = ring.iter().fold(0.0, |most: f64, &point| most.max(at(point).abs().max_element()));
+                let normal = (1..ring.len()).fold(DVec3::ZERO, |sum, i| sum + at(ring[i - 1]).cross(at(ring[i])));
+                let above = unit(normal);
+                (face.part != RoofPart::Top || -TOUCH_EPSILON * size * size <= normal.z)
+                    && ring.iter().all(|&point| above.dot(at(point)).abs() <= TOUCH_EPSILON * size)
+            })
+        })
     }
 }
 
 /// Makes a roof over a polygon, and returns true if it has the overhangs of its form. Overhangs are left out if they lead too
-/// far, as at edges that are nearly opposite, or if they would turn over.
+/// far, as at edges that are nearly opposite, or if they would turn faces over or bend them.
 fn roof_with_or_without_overhangs(outline: &Outline<'_>, form: RoofForm, rise: Rise) -> Result<(Roof, bool), Failure> {
     let without = form.without_overhangs();
     match (roof(outline, form, rise), without) {
         (Ok(made), None) => Ok((made, true)),
-        (Ok(made), Some(_)) if made.faces_up() => Ok((made, true)),
+        (Ok(made), Some(_)) if made.is_sound(outline) => Ok((made, true)),
         (Ok(_) | Err(Failure::Tangled), Some(without)) => Ok((roof(outline, without, rise)?, false)),
         (Err(failure), _) => Err(failure),
     }

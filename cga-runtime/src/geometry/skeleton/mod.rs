@@ -45,7 +45,6 @@ use crate::geometry::tol::{MEETING_EPSILONS, PLANAR_EPSILON};
 pub(crate) use check::any_cross;
 pub(crate) use speeds::Speeds;
 use wavefront::Wavefront;
-pub(crate) use wavefront::twice_area;
 
 /// The number for "no vertex" and "no point".
 const NONE: u32 = u32::MAX;

@@ -117,7 +117,7 @@ impl NextEvent {
 }
 
 /// Twice the signed area of a loop, negative if it is clockwise.
-pub(crate) fn twice_area(points: &[DVec2], ring: &[u32]) -> f64 {
+pub(super) fn twice_area(points: &[DVec2], ring: &[u32]) -> f64 {
     let at = |i: usize| points[ring[i] as usize] - points[ring[0] as usize];
     (1..ring.len().saturating_sub(1)).map(|i| at(i).perp_dot(at(i + 1))).sum()
 }
