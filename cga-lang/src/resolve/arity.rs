@@ -50,8 +50,14 @@ pub(crate) fn wrong_form<'c>(
     let known = |row: &Operation| row.params.iter().zip(&words).filter(|(param, word)| is_word(param, **word)).count();
     let is_old = rows.iter().all(|row| row.old.is_some());
     let current: Vec<&Operation> = rows.iter().copied().filter(|row| is_old || row.old.is_none()).collect();
-    let most = current.iter().map(|row| known(row)).max().unwrap_or(0);
-    let mut rows: Vec<&Operation> = current.iter().copied().filter(|row| known(row) == most).collect();
+    // Another word than those of the row is worse than a missing one.
+    let strange = |param: &Param, word: Option<&str>| {
+        param.kind.words().is_some_and(|words| word.is_some_and(|word| !words.has(word)))
+    };
+    let is_strange = |row: &Operation| row.params.iter().zip(&words).any(|(param, word)| strange(param, *word));
+    let rank = |row: &Operation| (!is_strange(row), known(row));
+    let most = current.iter().map(|row| rank(row)).max().unwrap_or_default();
+    let mut rows: Vec<&Operation> = current.iter().copied().filter(|row| rank(row) == most).collect();
     rows.sort_by_key(|row| row.params.len());
     let takes = counts(rows.iter().flat_map(|row| ops::required(row.params)..=row.params.len()));
     // The words that other rows do not have at this place.

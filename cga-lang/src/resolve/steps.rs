@@ -11,7 +11,7 @@ use super::{habits, overrides};
 use crate::diag::code::Code;
 use crate::diag::{Level, RELATIVE};
 use crate::dialect::Dialect;
-use crate::ops::{self, Braces, Operation, Param, ParamKind, Run, SelectorPlaces};
+use crate::ops::{self, Braces, Operation, Param, ParamKind, Run, SelectorPlaces, Words};
 use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
@@ -35,16 +35,24 @@ fn has_braces(row: &Operation, block: &Block) -> bool {
 /// likeliest first.
 fn likely(block: &Block) -> Vec<&'static Operation> {
     let words: Vec<Option<&str>> = block.args.iter().map(word).collect();
-    let is_word = |(param, word): &(&Param, &Option<&str>)| match param.kind {
-        ParamKind::Word(words) => word.is_some_and(|word| words.has(word)),
+    let has_words = |row: &Operation| row.words(&words).is_some();
+    let takes = |row: &Operation| row.takes(words.len());
+    let mut rows: Vec<_> = ops::operations(&block.name.text).filter(|row| has_braces(row, block)).collect();
+    let decides = |row: &&Operation| has_words(row) && (takes(row) || !rows.iter().any(|row| takes(row)));
+    if rows.iter().any(decides) {
+        rows.retain(|row| has_words(row));
+    }
+    rows.sort_by_key(|row| std::cmp::Reverse(reach(row, &block.args)));
+    rows
+}
+
+/// The number of arguments before the first one that is not the word that a row needs there.
+fn reach(row: &Operation, args: &[Arg]) -> usize {
+    let fits = |(param, arg): &(&Param, &Arg)| match param.kind {
+        ParamKind::Word(words) => word(arg).is_some_and(|word| words.has(word)),
         _ => true,
     };
-    let mut rows: Vec<_> = ops::operations(&block.name.text).filter(|row| has_braces(row, block)).collect();
-    if rows.iter().any(|row| row.words(&words).is_some()) {
-        rows.retain(|row| row.words(&words).is_some());
-    }
-    rows.sort_by_key(|row| std::cmp::Reverse(row.params.iter().zip(&words).take_while(is_word).count()));
-    rows
+    row.params.iter().zip(args).take_while(fits).count()
 }
 
 /// The calls of the declared rules: "`Floor(n)` or `Floor(n, height)`".
@@ -176,13 +184,22 @@ impl<'a> Resolver<'_, 'a, '_> {
             return;
         }
         let before = self.cx.diags.so_far().len();
-        self.operation(&rows[..1], args);
+        // A number in place of a first word belongs to a form without words, which takes fewer arguments.
+        let plain: Vec<_> = ops::operations(&name.text)
+            .filter(|row| row.params.iter().all(|param| param.kind.words().is_none()))
+            .collect();
+        let is_number = args.first().is_some_and(|arg| matches!(arg.value.kind, ExprKind::Number(_)));
+        if !plain.is_empty() && is_number && rows.iter().all(|row| reach(row, args) == 0) {
+            wrong_form(self.cx, name, &plain, args);
+        } else {
+            self.operation(&rows[..1], args);
+        }
         if let [first, second] = args
             && let Some(number) = decimal(first, second)
             && ops::operations(&name.text).any(|row| row.takes(1))
         {
             let first = self.cx.diags.so_far().get_mut(before);
-            first.map(|diag| diag.help(format!("write `{number}`: a number has a decimal point")));
+            first.map(|diag| diag.help(format!("if it is one number, write `{number}` with a decimal point")));
         }
     }
 
@@ -273,7 +290,11 @@ impl<'a> Resolver<'_, 'a, '_> {
             }
             match &rows[0].params[index].kind {
                 ParamKind::Word(words) => {
-                    self.word(rows[0].name, *words, arg);
+                    let alike = |row: &&Operation| row.braces == rows[0].braces && row.takes(args.len());
+                    let forms = ops::operations(rows[0].name).filter(|row| alike(row) && index <= reach(row, args));
+                    let others = forms.filter_map(|row| row.params[index].kind.words()).filter(|other| other != words);
+                    let all: Vec<Words> = [*words].into_iter().chain(others).collect();
+                    self.word(rows[0].name, &all, arg);
                     if let Some((old, new)) = word(arg).and_then(|word| words.old(word)) {
                         self.old_word(old, new, arg.span);
                     }
@@ -320,6 +341,9 @@ impl<'a> Resolver<'_, 'a, '_> {
         if fitting.is_empty() && self.swapped(name, rows, args) {
             return;
         }
+        // A word of another form needs another number of arguments.
+        let farthest = |rows: &[&Operation]| rows.iter().map(|row| reach(row, args)).max();
+        let rows = if fitting.is_empty() && farthest(rows) < farthest(all) { &[] } else { rows };
         if let Some(row) = fitting.first().or(rows.first()).copied() {
             self.operation(if fitting.is_empty() { std::slice::from_ref(&row) } else { &fitting }, args);
             self.about_later(name, Use::Operation(row));

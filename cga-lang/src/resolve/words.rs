@@ -186,11 +186,11 @@ impl<'a> Resolver<'_, 'a, '_> {
         self.not_implemented(arg.span, "a word that is computed", "", IGNORED);
     }
 
-    /// Resolves an argument that must be a word of a parameter.
-    pub(crate) fn word(&mut self, name: &str, words: Words, arg: &Arg) {
+    /// Resolves an argument that must be a word of one of several parameters.
+    pub(crate) fn word(&mut self, name: &str, words: &[Words], arg: &Arg) {
         match plain(arg) {
-            Some(value) => self.word_expr(name, &[words], value),
-            None => self.unknown_word(name, &[words], "", arg.span),
+            Some(value) => self.word_expr(name, words, value),
+            None => self.unknown_word(name, words, "", arg.span),
         }
     }
 
@@ -236,7 +236,13 @@ impl<'a> Resolver<'_, 'a, '_> {
 
     fn unknown_word(&mut self, name: &str, words: &[Words], found: &str, span: Span) {
         let Some(first) = words.first() else { return };
-        let list = words.iter().copied().flat_map(Words::current);
+        let mut list: Vec<&str> = Vec::new();
+        for word in words.iter().copied().flat_map(Words::current) {
+            if !list.contains(&word) {
+                list.push(word);
+            }
+        }
+        let list = list.into_iter();
         let shown = if found.is_empty() { "this".into() } else { format!("`{found}`") };
         let all = quoted(list.clone());
         let is_word = list.clone().any(|word| word == found);

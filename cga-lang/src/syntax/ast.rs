@@ -227,7 +227,7 @@ impl Prefix {
     pub(crate) fn place(self) -> &'static str {
         match self {
             Prefix::Relative => "only lengths can be relative to the scope",
-            Prefix::Floating => "only the sizes of a split can float",
+            Prefix::Floating => "only sizes that share a length can float, as those of a split",
         }
     }
 
