@@ -8,7 +8,7 @@
 //! Vertices that coincide form a *cluster*. Clusters divide the edges that they touch into segments ([`arrangement`]).
 //! Coincident opposite segments touch ([`overlap`]) and cancel. The remaining ones are joined again by angle
 //! ([`rejoin`]). So simultaneous events at one place (squares, stars, corridors with parallel walls) need no special
-//! case.
+//! case. Most events have nothing else near, and take a short way to the same result ([`lone`]).
 //!
 //! Paths of vertices are stored as directed arcs between shared nodes, each for the edges on both its sides
 //! ([`trace`]). So the areas of all strips and of the remaining interior add up to that of the polygon, whatever the

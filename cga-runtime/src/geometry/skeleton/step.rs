@@ -18,7 +18,15 @@ pub(super) struct Workspace {
 
 impl Wavefront {
     /// Moves the wavefront until its final time.
-    pub(super) fn run(mut self) -> Result<Swept, Failure> {
+    pub(super) fn run(self) -> Result<Swept, Failure> {
+        self.run_by(Wavefront::handle_lone)
+    }
+
+    /// The same, with a way to process usual events.
+    pub(super) fn run_by(
+        mut self,
+        usual: impl Fn(&mut Wavefront, &[Event]) -> Option<Vec<u32>>,
+    ) -> Result<Swept, Failure> {
         let mut workspace = Workspace::default();
         // Contacts at the start: pinches, bridges to holes.
         let everything: Vec<u32> = self.alive.clone();
@@ -35,7 +43,7 @@ impl Wavefront {
             if due.is_empty() {
                 return if self.now == self.until { self.finish() } else { Err(Failure::Tangled) };
             }
-            let mut made = match self.handle_lone(&due) {
+            let mut made = match usual(&mut self, &due) {
                 Some(made) => made,
                 None => self.handle(&due, &[], &mut workspace)?,
             };

@@ -104,6 +104,36 @@ fn unions_of_cells_shrink_and_grow_as_a_raster_says() {
     complain(&failures, count);
 }
 
+/// Events with nothing else near take a short way. The general way gives the same, to the bit.
+#[test]
+fn the_short_way_is_the_general_way() {
+    use super::wavefront::Wavefront;
+    let (usual, lone) = (std::cell::Cell::new(0), std::cell::Cell::new(0));
+    for seed in 0..240 {
+        let rng = &mut Rng(seed);
+        let polygon = match seed % 4 {
+            0 => Cells::random(rng, 3 + (seed % 5) as i32).polygon().turned(0.3, 10.0),
+            1 => Cells::random(rng, 4).polygon().jittered(0.02, rng),
+            2 => Polygon::star(rng, 5 + (seed % 30) as usize, seed % 8 == 2),
+            _ => Polygon::convex(rng, 3 + (seed % 20) as usize),
+        };
+        let count = polygon.rings.iter().map(Vec::len).sum();
+        let speeds: Vec<f64> = (0..count).map(|edge| if edge % 4 == 1 { 0.5 } else { 1.0 }).collect();
+        for (speeds, until) in [(Speeds::Equal, 1.0), (Speeds::Equal, f64::INFINITY), (Speeds::Heights(&speeds), 2.0)] {
+            let front = || Wavefront::new(&polygon.points, &polygon.rings, speeds, MEETING_EPSILONS[0], until);
+            let counted = |front: &mut Wavefront, events: &[_]| {
+                let made = front.handle_lone(events);
+                usual.set(usual.get() + 1);
+                lone.set(lone.get() + usize::from(made.is_some()));
+                made
+            };
+            let short = front().and_then(|front| front.run_by(counted));
+            assert_eq!(short, front().and_then(|front| front.run_by(|_, _| None)), "seed {seed}, until {until}");
+        }
+    }
+    assert!(usual.get() / 2 < lone.get(), "{lone:?} of {usual:?} steps");
+}
+
 /// A failure found with random polygons: with one contact distance, an edge continued in two pieces.
 #[test]
 fn a_strip_is_in_one_piece() {
