@@ -197,9 +197,10 @@ impl<'a> Resolver<'_, 'a, '_> {
         if let [first, second] = args
             && let Some(number) = decimal(first, second)
             && ops::operations(&name.text).any(|row| row.takes(1))
+            && let Some(diag) = self.cx.diags.so_far().get_mut(before)
         {
-            let first = self.cx.diags.so_far().get_mut(before);
-            first.map(|diag| diag.help(format!("if it is one number, write `{number}` with a decimal point")));
+            diag.span = first.span;
+            diag.help(format!("if it is one number, write `{number}` with a decimal point"));
         }
     }
 
