@@ -158,17 +158,22 @@ impl Plan {
         let face_arcs = self.face_arcs();
         let is_straight = |point: u32| {
             let around = || face_arcs.around(point).map(|(end, face)| (end, counts(self.faces[face].edge)));
-            let ends = || around().filter(|end| end.1).map(|end| end.0);
-            let Some(a) = ends().next() else { return false };
-            let Some(b) = ends().find(|&end| end != a) else { return false };
+            let (mut first, mut second) = (None, None);
+            for (end, _) in around().filter(|end| end.1) {
+                match (first, second) {
+                    (None, _) => first = Some(end),
+                    (Some(a), _) if a == end => {}
+                    (_, None) => second = Some(end),
+                    (_, Some(b)) if b == end => {}
+                    _ => return false,
+                }
+            }
+            let (Some(a), Some(b)) = (first, second) else { return false };
             // An upright face needs the points of the arcs that it shares.
             let is_free = |end: u32| around().all(|(other, counts)| other != end || counts);
             let to = |end: u32| (self.points[end as usize] - self.points[point as usize]).normalize_or_zero();
-            ends().all(|end| end == a || end == b)
-                && is_free(a)
-                && is_free(b)
-                && to(a).dot(to(b)) < 0.0
-                && to(a).perp_dot(to(b)).abs() < TIE_EPSILON.sqrt()
+            let (to_a, to_b) = (to(a), to(b));
+            to_a.dot(to_b) < 0.0 && to_a.perp_dot(to_b).abs() < TIE_EPSILON.sqrt() && is_free(a) && is_free(b)
         };
         let is_gone: Vec<bool> = (0..self.points.len() as u32).map(is_straight).collect();
         for face in self.faces.iter_mut().filter(|face| counts(face.edge)) {
