@@ -153,7 +153,7 @@ fn level_ridges_have_the_height() {
     }
 }
 
-/// *comp operation*: the planes at a corner in a straight side are one slope, so the edge between them is no hip.
+/// *comp operation*: the planes at a collinear corner are coplanar, so their common edge does not count as a hip.
 #[test]
 fn a_corner_in_a_side_has_no_hip() {
     let divided = outline(&[[0.0, 0.0], [5.0, 0.0], [10.0, 0.0], [10.0, -8.0], [0.0, -8.0]]);

@@ -11,7 +11,7 @@ pub struct Position {
     pub column: usize,
 }
 
-/// The lines of a text. They are found once, so many places cost no more than one.
+/// The starts of the lines of a text, computed once for all places.
 ///
 /// ```
 /// use cga_lang::snippet::{Lines, Position};
@@ -39,7 +39,7 @@ impl<'t> Lines<'t> {
         Lines { text, starts: (0..bytes.len()).filter(|&at| is_end(at)).map(|at| at + 1).collect() }
     }
 
-    /// The place of a byte of the text. The end of the text stands for all bytes after it.
+    /// Returns the line and column of a byte. A byte after the end of the text has the place of the end.
     pub fn position(&self, byte: usize) -> Position {
         let byte = border(self.text, byte);
         let before = self.starts.partition_point(|&start| start <= byte);

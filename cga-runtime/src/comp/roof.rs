@@ -1,8 +1,8 @@
 //! The edges of roofs: eaves, hips, valleys and ridges.
 //!
 //! A roof consists of the faces that look up. A level edge of one such face is an eave. An edge of two such faces is
-//! a valley if they slope towards each other, a hip if it touches an eave, otherwise a ridge. An edge between two faces in one
-//! plane, as at a corner in a straight side, is none of these. Faces that look down or sideways do not count, so the result
+//! a valley if they slope towards each other, a hip if it touches an eave, otherwise a ridge. An edge between two
+//! coplanar faces, as at a collinear corner, has no class. Faces that look down or sideways do not count, so the result
 //! is the same for a roof that is a closed volume.
 
 use std::sync::Arc;

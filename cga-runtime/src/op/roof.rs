@@ -58,7 +58,7 @@ pub fn roof_gable_by(env: &mut Env, shape: &mut Shape, by: RoofValue, value: f64
 
 /// `roofGable(angle, overhangX, overhangY, even, index)`: a gable roof whose ridge is parallel to an edge (*roofGable
 /// operation*). Sides across the edge get pediments. The index is a whole number; negative ones count from the end. It is
-/// meant for convex faces: over others there are no overhangs, with a fault, where they would bend a plane. `even` is ignored.
+/// meant for convex faces. Over other faces, overhangs that would bend a plane are left out, with a fault. `even` is ignored.
 pub fn roof_gable_along(
     env: &mut Env,
     shape: &mut Shape,

@@ -4,11 +4,11 @@ import { copy as copyText } from './clipboard.js';
 import { element } from './controls.js';
 import { asRust, isTypeName, withoutHead } from './rust.js';
 
-/** The findings that are listed, and those that are underlined: nobody reads more, and each costs the browser time. */
+/** The limits on listed and on underlined findings, because each takes the browser time. */
 const LISTED = 200;
 const UNDERLINED = 1000;
 
-/** Milliseconds. A text that takes longer is checked when nobody has typed for as long again. */
+/** Milliseconds. A text that takes longer is checked after a pause of the same length. */
 const QUICK = 30;
 
 const EXAMPLE = `# A house: misspell a rule to see a finding.

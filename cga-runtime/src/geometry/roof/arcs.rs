@@ -54,7 +54,7 @@ impl FaceArcs {
         FaceArcs { all, from, to }
     }
 
-    /// The face on the left of an arc. Of two faces with one arc it is the later one.
+    /// Returns the face on the left of an arc. If two faces have the arc, it is the later face.
     pub(super) fn left_of(&self, arc: [u32; 2]) -> Option<usize> {
         let found = self.from.of(arc[0] as usize).iter().rev().map(|&index| self.all[index as usize]);
         found.filter(|found| found.0 == arc).map(|found| found.1).next()

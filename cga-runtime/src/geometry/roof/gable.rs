@@ -61,8 +61,8 @@ pub(super) fn gable(
     Ok(plan.roof(slope, |edge| ends[edge as usize]))
 }
 
-/// The gables: neighbouring edges that are ends, in their order. A ring of ends has none, because its pediments have no
-/// room for overhangs in front.
+/// The gables: neighbouring edges that are ends, in their order. A ring whose edges are all ends has no gable: its
+/// pediments have no room for overhangs.
 fn gables(outline: &Outline<'_>, ends: &[bool]) -> Vec<Vec<u32>> {
     let (mut gables, mut first): (Vec<Vec<u32>>, _) = (Vec::new(), 0);
     for ring in outline.rings {

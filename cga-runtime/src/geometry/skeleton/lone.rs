@@ -6,7 +6,7 @@ use glam::DVec2;
 use super::event::Event;
 use super::meeting::Meeting;
 use super::overlap::short_end;
-use super::wavefront::{Wavefront, WavefrontVertex, turn_back};
+use super::wavefront::{Wavefront, turn_back};
 use crate::geometry::nesting::extent::Extent;
 
 /// The least sine of an angle between edges at a lone event.
@@ -106,7 +106,7 @@ impl Wavefront {
         Extent { low: low - margin, high: high + margin }
     }
 
-    /// Returns true if no edge but some is in a place, and none of some vertices.
+    /// Returns true if a place contains no edges except `own`, and none of the vertices `away`.
     fn is_alone(&self, place: &Extent, own: &[u32], away: &[u32]) -> bool {
         let is_off = |edge: u32| {
             let [a, b] = [edge, self.next(edge)].map(|vertex| self.positions[vertex as usize]);
@@ -131,17 +131,5 @@ impl Wavefront {
         let node = meeting.node(self);
         vertices.iter().for_each(|&vertex| self.end_at(vertex, node));
         node
-    }
-
-    /// Makes a vertex at a node, between the edge after one vertex and the line of another edge, which leads to a third
-    /// vertex.
-    fn join(&mut self, last: u32, node: u32, edge: u32, next: u32) -> u32 {
-        let made = self.vertices.len() as u32;
-        let [before, after] = [last, edge].map(|edge| self.vertices[edge as usize].after);
-        let vertex = self.vertex(node, before, after);
-        self.push(WavefrontVertex { last, next, ..vertex });
-        self.vertices[last as usize].next = made;
-        self.vertices[next as usize].last = made;
-        made
     }
 }

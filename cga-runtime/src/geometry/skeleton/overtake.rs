@@ -23,31 +23,21 @@ impl Wavefront {
                 continue;
             }
             self.vertices[vertex as usize].alive = false;
-            let new = self.vertices.len() as u32;
-            made.push(new);
-            self.alive.push(new);
             // The other end of the slower edge goes on between the faster one and the edge beyond.
-            if a.speed < b.speed {
+            let new = if a.speed < b.speed {
                 let corner = self.end_now(last);
                 self.arcs.path(corner, node, after, before);
-                let old = self.vertices[last as usize];
-                let vertex = self.vertex(corner, old.before, after);
-                self.push(WavefrontVertex { last: old.last, next, ..vertex });
-                self.vertices[old.last as usize].next = new;
-                self.vertices[next as usize].last = new;
+                self.join(self.vertices[last as usize].last, corner, vertex, next)
             } else {
                 let corner = self.end_now(next);
                 self.arcs.path(node, corner, before, after);
-                let old = self.vertices[next as usize];
-                let vertex = self.vertex(corner, before, old.after);
-                self.push(WavefrontVertex { last, next: old.next, ..vertex });
-                self.vertices[last as usize].next = new;
-                self.vertices[old.next as usize].last = new;
-            }
+                self.join(last, corner, next, self.vertices[next as usize].next)
+            };
+            made.push(new);
+            self.alive.push(new);
         }
         made.retain(|&vertex| self.vertices[vertex as usize].alive);
-        let Wavefront { alive, vertices, .. } = self;
-        alive.retain(|&vertex| vertices[vertex as usize].alive);
+        self.renew(&[]);
     }
 
     /// Ends a vertex where it is. Returns its node.

@@ -284,6 +284,18 @@ impl Wavefront {
         self.arcs.path(old.node, node, old.before, old.after);
     }
 
+    /// Makes a vertex at a node, between the edge after one vertex and the line of another edge, which leads to a third
+    /// vertex.
+    pub(super) fn join(&mut self, last: u32, node: u32, edge: u32, next: u32) -> u32 {
+        let made = self.vertices.len() as u32;
+        let [before, after] = [last, edge].map(|edge| self.vertices[edge as usize].after);
+        let vertex = self.vertex(node, before, after);
+        self.push(WavefrontVertex { last, next, ..vertex });
+        self.vertices[last as usize].next = made;
+        self.vertices[next as usize].last = made;
+        made
+    }
+
     /// Removes vertices that have ended from the list of those alive, and adds new ones.
     pub(super) fn renew(&mut self, made: &[u32]) {
         let Wavefront { alive, vertices, .. } = self;
