@@ -85,7 +85,7 @@ cga! {
                 t(0, 0.02, 0) s(^1, 0, 0.14) center(z) split(x) { { 2 : color("#f2efe6") Mark. | ~2.5 : NIL }* }
 }
 
-pub(crate) fn scene() -> Scene {
+pub fn scene() -> Scene {
     Scene {
         name: "bridge",
         title: "Bridge",

@@ -87,7 +87,7 @@ cga! {
     Crown(size) --> color(leaves) s(size, size, size) center(xz) primitiveSphere(12, 8) Crown.
 }
 
-pub(crate) fn scene() -> Scene {
+pub fn scene() -> Scene {
     let outline = [[0.0, 66.0], [68.0, 66.0], [82.0, 44.0], [82.0, 0.0], [0.0, 0.0]];
     Scene {
         name: "courtyard",

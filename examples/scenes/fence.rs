@@ -99,7 +99,7 @@ cga! {
     Flower  --> alignScopeToAxes(y) s(0.16, rand(0.15, 0.4), 0.16) [ primitiveCone(6) color("#5f8a48") Stalk. ] t(0, ^0.8, 0) s(0.15, 0.1, 0.15) primitiveSphere(7, 5) color(petals) Flower.
 }
 
-pub(crate) fn scene() -> Scene {
+pub fn scene() -> Scene {
     Scene {
         name: "fence",
         title: "Fences",

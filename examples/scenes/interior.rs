@@ -104,7 +104,7 @@ cga! {
     Leaf    --> s(0.42, 0.03, 0.13) r(rand(-20, 20), rand(360), rand(10, 50)) primitiveSphere(8, 4) color(leaf) Leaf.
 }
 
-pub(crate) fn scene() -> Scene {
+pub fn scene() -> Scene {
     Scene {
         name: "interior",
         title: "Interior",

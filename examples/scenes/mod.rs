@@ -7,7 +7,7 @@ mod fence;
 mod interior;
 mod park;
 mod pavilion;
-pub(crate) mod scene;
+pub mod scene;
 mod skyline;
 mod stadium;
 mod street;
@@ -15,10 +15,10 @@ mod temple;
 mod tower;
 mod town_house;
 
-pub(crate) use scene::Scene;
+pub use scene::Scene;
 
 /// All scenes, in the order of the page.
-pub(crate) fn scenes() -> Vec<Scene> {
+pub fn scenes() -> Vec<Scene> {
     vec![
         tower::scene(),
         town_house::scene(),

@@ -82,7 +82,7 @@ cga! {
     Flower  --> s(0.3, rand(0.2, 0.4), 0.3) center(xz) primitiveSphere(6, 4) color(petals) Flower.
 }
 
-pub(crate) fn scene() -> Scene {
+pub fn scene() -> Scene {
     let outline = [[0.0, 62.0], [52.0, 74.0], [92.0, 54.0], [86.0, 6.0], [38.0, -4.0], [4.0, 12.0]];
     Scene {
         name: "park",

@@ -78,7 +78,7 @@ cga! {
     Crown(size) --> s(size, size * 1.1, size) center(xz) primitiveSphere(12, 8) color(leaves) Crown.
 }
 
-pub(crate) fn scene() -> Scene {
+pub fn scene() -> Scene {
     Scene {
         name: "pavilion",
         title: "Pavilion",

@@ -3,40 +3,40 @@
 use cga::{Error, Grammar, Model, Settings, Shape};
 
 /// Rules and what they are run on. Nothing is read from disk.
-pub(crate) struct Scene {
+pub struct Scene {
     /// The name of its picture and of its file.
-    pub(crate) name: &'static str,
-    pub(crate) title: &'static str,
+    pub name: &'static str,
+    pub title: &'static str,
     /// A sentence about the scene and its rules.
-    pub(crate) sentence: &'static str,
+    pub sentence: &'static str,
     /// The text of the grammar.
-    pub(crate) rules: String,
-    pub(crate) grammar: Box<dyn Grammar + Send + Sync>,
-    pub(crate) shapes: Vec<Start>,
-    pub(crate) view: View,
+    pub rules: String,
+    pub grammar: Box<dyn Grammar + Send + Sync>,
+    pub shapes: Vec<Start>,
+    pub view: View,
 }
 
 /// An initial shape and the rule that it starts with.
-pub(crate) struct Start {
-    pub(crate) rule: &'static str,
-    pub(crate) shape: Shape,
+pub struct Start {
+    pub rule: &'static str,
+    pub shape: Shape,
 }
 
 /// The camera and the sun of a scene, in degrees and metres.
 #[derive(Clone, Copy)]
-pub(crate) struct View {
+pub struct View {
     /// The azimuth of the camera around the scene: 0 in front (+z), 90 to the right (+x).
-    pub(crate) azimuth: f64,
-    pub(crate) elevation: f64,
+    pub azimuth: f64,
+    pub elevation: f64,
     /// The vertical field of view.
-    pub(crate) field_of_view: f64,
+    pub field_of_view: f64,
     /// The azimuth of the sun relative to the camera: negative to the left of the viewer.
-    pub(crate) sun_azimuth: f64,
-    pub(crate) sun_elevation: f64,
+    pub sun_azimuth: f64,
+    pub sun_elevation: f64,
     /// The lowest and the highest corner of the region that must be in the picture. `None` is the whole scene.
-    pub(crate) region: Option<[[f64; 3]; 2]>,
+    pub region: Option<[[f64; 3]; 2]>,
     /// The width and height of the picture in pixels.
-    pub(crate) size: [usize; 2],
+    pub size: [usize; 2],
 }
 
 impl Default for View {
@@ -58,7 +58,7 @@ impl Scene {
     ///
     /// # Errors
     /// The first error of a run.
-    pub(crate) fn model(&self) -> Result<Model, Error> {
+    pub fn model(&self) -> Result<Model, Error> {
         let mut model = Model::new();
         for Start { rule, shape } in &self.shapes {
             let settings = Settings { start: Some((*rule).to_owned()), ..Settings::default() };
@@ -69,13 +69,13 @@ impl Scene {
 }
 
 impl Start {
-    pub(crate) fn new(rule: &'static str, shape: Shape) -> Self {
+    pub fn new(rule: &'static str, shape: Shape) -> Self {
         Start { rule, shape }
     }
 }
 
 /// The text of the grammar in a source file, without the indentation inside `cga!`.
-pub(crate) fn grammar_text(source: &str) -> String {
+pub fn grammar_text(source: &str) -> String {
     let (_, rest) = source.split_once("cga! {\n").unwrap_or(("", source));
     let (rules, _) = rest.split_once("\n}\n").unwrap_or((rest, ""));
     let lines = rules.lines().map(|line| line.strip_prefix("    ").unwrap_or(line));

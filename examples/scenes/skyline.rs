@@ -87,7 +87,7 @@ cga! {
     Tree    --> s(5, rand(6, 9), 5) center(xz) primitiveSphere(8, 6) color("#5f8a48") Crown.
 }
 
-pub(crate) fn scene() -> Scene {
+pub fn scene() -> Scene {
     Scene {
         name: "skyline",
         title: "Skyline",

@@ -80,7 +80,7 @@ cga! {
     Column  --> set(trim.vertical, false) alignScopeToAxes(y) t(0, -eaves - fall, 0) s(0.9, eaves, 0.9) primitiveCylinder(12) color("#f4f3ef") Column.
 }
 
-pub(crate) fn scene() -> Scene {
+pub fn scene() -> Scene {
     Scene {
         name: "stadium",
         title: "Stadium",

@@ -105,7 +105,7 @@ fn strip(from: [f64; 2], to: [f64; 2], depth: f64) -> Shape {
     Shape::footprint(&[from, to, left(to), left(from)], &[]).expect("a rectangle")
 }
 
-pub(crate) fn scene() -> Scene {
+pub fn scene() -> Scene {
     let lines = [
         Centerline::new(&[[-70.0, 4.0], [0.0, 0.0], [75.0, -4.0]]).roadway(12.0).sidewalks(4.0, 4.0),
         Centerline::new(&[[6.0, 60.0], [0.0, 0.0], [-10.0, -60.0]]).roadway(8.0).sidewalks(3.0, 3.0),

@@ -75,7 +75,7 @@ cga! {
                 comp(f) { border : extrude(foot * 0.12) Frame. | inside : t(0, 0, -0.4) color("#6d4a2e") split(x) { ~1 : Leaf. | 0.06 : NIL | ~1 : Leaf. } }
 }
 
-pub(crate) fn scene() -> Scene {
+pub fn scene() -> Scene {
     Scene {
         name: "temple",
         title: "Temple",

@@ -71,7 +71,7 @@ cga! {
                t(0, 0.3, 0) s(^0.8, 0, ^0.6) center(xz) primitiveDisk(48) extrude(0.2) color("#c4bcae") Paving.
 }
 
-pub(crate) fn scene() -> Scene {
+pub fn scene() -> Scene {
     Scene {
         name: "tower",
         title: "Tower",

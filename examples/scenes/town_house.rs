@@ -111,7 +111,7 @@ cga! {
                 split(x) { { 0.04 : Bar. | ~0.13 : split(y) { ~1 : NIL | 0.04 : Rail. | 0.12 : NIL } }* | 0.04 : Bar. }
 }
 
-pub(crate) fn scene() -> Scene {
+pub fn scene() -> Scene {
     let mut x = 0.0;
     let mut shapes = Vec::new();
     for (seed, width) in [(5, 7.2), (11, 6.6), (4, 7.6), (23, 6.8)] {

@@ -3,7 +3,7 @@
 use cga::{Axis, LeafView, Model, Scope, Settings, Shape, cga};
 
 use crate::outlines::{fits, turned};
-use crate::pages::split_area::{adjusted, not_adjusted, scope_of_shapes};
+use cga_tests::pages::split_area::{adjusted, not_adjusted, scope_of_shapes};
 
 cga! {
     grammar Scopes = r#"

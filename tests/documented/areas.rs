@@ -2,8 +2,8 @@
 
 use cga::{Color, Model, Settings, Shape, cga};
 
-use crate::pages::example::Example;
-use crate::pages::split_area::{
+use cga_tests::pages::example::Example;
+use cga_tests::pages::split_area::{
     block_by_area, block_by_length, floating_and_absolute, frame, nested, relative, repeating, repeating_with_a_rest,
 };
 

@@ -2,8 +2,8 @@
 
 use cga::{Model, Settings, Shape, cga};
 
-use crate::pages::split_attribute::{interleaved, slices};
 use crate::pieces::near;
+use cga_tests::pages::split_attribute::{interleaved, slices};
 
 cga! {
     @Allow(undefined_rule)

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use cga::{Mesh, Model, Settings};
 
-use crate::pages::cleanup as pages;
-use crate::pages::example::Example;
+use cga_tests::pages::cleanup as pages;
+use cga_tests::pages::example::Example;
 
 fn model(example: &Example) -> Model {
     let model = example.model(&Settings::default());

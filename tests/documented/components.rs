@@ -2,11 +2,11 @@
 
 use cga::{Model, Settings};
 
-use crate::pages::components::{
+use cga_tests::pages::components::{
     aligned, border_edges, border_faces, border_vertices, condition, edges, face_edges, face_vertices, kept,
     large_or_border, materials, numbers, own_function, trim_both, trim_vertical, vertices,
 };
-use crate::pages::example::Example;
+use cga_tests::pages::example::Example;
 
 fn model(example: &Example) -> Model {
     example.model(&Settings::default())

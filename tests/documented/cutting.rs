@@ -2,8 +2,8 @@
 
 use cga::{Model, Shape};
 
-use crate::pages::cutting::{SIDES, cylinder, cylinder_cut, settings, settings_with};
-use crate::pages::meshes;
+use cga_tests::pages::cutting::{SIDES, cylinder, cylinder_cut, settings, settings_with};
+use cga_tests::pages::meshes;
 
 /// Area of the regular polygon with that many corners.
 fn section(sides: u32, radius: f64) -> f64 {

@@ -3,7 +3,7 @@
 use cga::mesh::FaceTag;
 use cga::{Mesh, MeshBuilder, Model, Shape, cga};
 
-use crate::pages::meshes;
+use cga_tests::pages::meshes;
 
 cga! {
     @Allow(undefined_rule)

@@ -2,8 +2,8 @@
 
 use cga::{Model, Settings, Shape, cga};
 
-use crate::pages::example::Example;
-use crate::pages::{cutting, mass};
+use cga_tests::pages::example::Example;
+use cga_tests::pages::{cutting, mass};
 
 cga! {
     grammar Mass = r##"

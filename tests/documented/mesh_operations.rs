@@ -2,7 +2,7 @@
 
 use cga::{Model, Settings, Shape, cga};
 
-use crate::pages::mesh_operations as pages;
+use cga_tests::pages::mesh_operations as pages;
 
 cga! {
     grammar Operations = r##"

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use cga::{Mesh, Settings, Shape, cga};
 
-use crate::pages::example::Example;
-use crate::pages::normals as pages;
+use cga_tests::pages::example::Example;
+use cga_tests::pages::normals as pages;
 
 /// The mesh of the first leaf.
 fn mesh(example: &Example) -> Arc<Mesh> {

@@ -5,7 +5,7 @@ use cga::glam::{DMat3, DVec3};
 use cga::mesh::FaceTag;
 use cga::{Axis, LeafView, MeshBuilder, Model, Shape, cga};
 
-use crate::pages::split_area::{block, corner, frame, shapes, triangle};
+use cga_tests::pages::split_area::{block, corner, frame, shapes, triangle};
 
 cga! {
     grammar Areas = r#"

@@ -2,20 +2,7 @@
 
 use cga::{Model, Settings};
 
-use crate::pages::example::Example;
-
-/// Rule, length along x, height. `NIL` is a gap.
-pub(crate) type Piece = (&'static str, f64, f64);
-
-/// A pattern some times over.
-pub(crate) fn times(count: usize, pattern: &[Piece]) -> Vec<Piece> {
-    pattern.repeat(count)
-}
-
-/// Lists one after the other.
-pub(crate) fn joined(lists: &[&[Piece]]) -> Vec<Piece> {
-    lists.concat()
-}
+use cga_tests::pages::example::{Example, Piece};
 
 /// Returns true if two lengths are equal except for rounding.
 pub(crate) fn near(a: f64, b: f64) -> bool {
@@ -24,7 +11,8 @@ pub(crate) fn near(a: f64, b: f64) -> bool {
 
 /// Runs an example on a shape one metre deep and compares names, lengths, heights, positions and colours.
 #[track_caller]
-pub(crate) fn check(example: &Example, pieces: &[Piece]) {
+pub(crate) fn check(example: &Example) {
+    let pieces = &example.pieces.expect("an example with pieces")();
     let model = example.model(&Settings::default());
     assert!(model.faults().is_empty(), "{}: {:?}", example.title, model.faults());
     check_row(&model, example.title, pieces);

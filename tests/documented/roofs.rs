@@ -2,8 +2,8 @@
 
 use cga::{Model, Settings, Shape, cga};
 
-use crate::pages::example::Example;
-use crate::pages::roofs as pages;
+use cga_tests::pages::example::Example;
+use cga_tests::pages::roofs as pages;
 
 cga! {
     @Allow(undefined_rule)

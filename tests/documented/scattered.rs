@@ -3,7 +3,7 @@
 use cga::glam::DVec3;
 use cga::{Model, Settings, Shape, cga};
 
-use crate::pages::scattering;
+use cga_tests::pages::scattering;
 
 /// The positions of the points of an example, relative to the initial scope: shares of its size.
 fn shares(number: usize) -> Vec<DVec3> {

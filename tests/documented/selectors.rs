@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use cga::{Model, Settings};
 
-use crate::pages::comp::{angles, operator_connected, operator_each, operator_together, quadrants};
-use crate::pages::example::Example;
+use cga_tests::pages::comp::{angles, operator_connected, operator_each, operator_together, quadrants};
+use cga_tests::pages::example::Example;
 
 /// Faces by colour: how many, and the sum of their normals' direction as a check of which they are.
 fn by_color(example: &Example) -> BTreeMap<String, (usize, [f64; 3])> {

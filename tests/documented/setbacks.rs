@@ -3,8 +3,8 @@
 use cga::glam::DVec3;
 use cga::{Mesh, Model, Settings, Shape, cga};
 
-use crate::pages::example::Example;
-use crate::pages::setback;
+use cga_tests::pages::example::Example;
+use cga_tests::pages::setback;
 
 cga! {
     grammar Setbacks = r##"

@@ -2,8 +2,8 @@
 
 use cga::{Model, Settings, Shape, cga};
 
-use crate::pages::example::Example;
-use crate::pages::tags as pages;
+use cga_tests::pages::example::Example;
+use cga_tests::pages::tags as pages;
 
 const BLUE: &str = "0399F5";
 const GREEN: &str = "09DE1F";

@@ -5,8 +5,8 @@ use cga::glam::{DVec2, DVec3};
 use cga::{Settings, Shape};
 
 use crate::collect::{Corner, Leaves};
-use crate::pages::example::Example;
-use crate::pages::{primitives, texturing};
+use cga_tests::pages::example::Example;
+use cga_tests::pages::{primitives, texturing};
 
 fn on(example: &Example, shape: &Shape) -> Leaves {
     let model = (example.run)(shape, &Settings::default()).expect("a model");

@@ -3,7 +3,7 @@
 use cga::glam::DVec3;
 use cga::{Mesh, Model, Settings, Shape, cga};
 
-use crate::pages::wings;
+use cga_tests::pages::wings;
 
 cga! {
     grammar Wings = r##"

@@ -7,14 +7,14 @@ use crate::{leaves, lines, model, sum};
 #[test]
 fn a_dynamic_import_begins_with_what_the_static_one_says() {
     cga! { grammar Anew = r#"
-        import imp : "tests/rules/import/height.cga" (height = 20, Roof --> Mine.)
+        import imp : "rules/import/height.cga" (height = 20, Roof --> Mine.)
         Lot --> imp(height = 30).Lot imp( ).Lot"#; }
     let made = model(&Anew::default());
     assert_eq!((sum(&made, "height"), sum(&made, "double")), (Some(50.0), Some(100.0)));
     assert_eq!(leaves(&made), ["Mine", "Mine"]);
-    cga! { grammar Lost = r#"import imp : "tests/rules/import/height.cga"  Lot --> set(imp.height, 20) imp( ).Lot"#; }
+    cga! { grammar Lost = r#"import imp : "rules/import/height.cga"  Lot --> set(imp.height, 20) imp( ).Lot"#; }
     assert_eq!(sum(&model(&Lost::default()), "height"), Some(10.0));
-    cga! { grammar Flows = r#"import imp : "tests/rules/import/height.cga"  attr height = 4  Lot --> imp( ).Lot"#; }
+    cga! { grammar Flows = r#"import imp : "rules/import/height.cga"  attr height = 4  Lot --> imp( ).Lot"#; }
     assert_eq!(sum(&model(&Flows::default()), "height"), Some(4.0));
 }
 
@@ -22,7 +22,7 @@ fn a_dynamic_import_begins_with_what_the_static_one_says() {
 fn values_are_computed_where_the_call_stands() {
     cga! {
         grammar Called = r#"
-            import imp : "tests/rules/import/inner.cga"
+            import imp : "rules/import/inner.cga"
             Lot --> split(x) { ~1 : Part(split.index + 5) | ~1 : Part(6) }
             Part(n) --> s(n, 1, 1) imp(h = n + scope.sx, name = "p" + split.index).Say
         "#;
@@ -34,7 +34,7 @@ fn values_are_computed_where_the_call_stands() {
 fn everything_that_depends_on_it_is_computed_again() {
     cga! {
         grammar Depends = r#"
-            import imp : "tests/rules/import/inner.cga"
+            import imp : "rules/import/inner.cga"
             Lot --> imp(h = 7).Lot imp(k = 1).Say imp.Say print(imp.c)
         "#;
     }
@@ -49,7 +49,7 @@ fn everything_that_depends_on_it_is_computed_again() {
 fn what_it_is_given_may_depend_on_the_value_so_far() {
     cga! {
         grammar Sofar = r#"
-            import imp : "tests/rules/import/inner.cga"
+            import imp : "rules/import/inner.cga"
             Lot --> set(imp.h, 1) imp(h = imp.h + 1).Say imp(h = imp.h * 3, k = imp.h).Say imp(h = 8).Lot(imp.h)
         "#;
     }
@@ -63,7 +63,7 @@ fn what_it_is_given_may_depend_on_the_value_so_far() {
 fn rules_that_call_themselves_keep_the_values() {
     cga! {
         grammar Recursive = r#"
-            import imp : "tests/rules/import/inner.cga"
+            import imp : "rules/import/inner.cga"
             Lot --> imp(h = 9).Deep(2) imp.Deep(0)
         "#;
     }
@@ -76,7 +76,7 @@ fn rules_that_call_themselves_keep_the_values() {
 fn extensions_are_replaced_for_one_call() {
     cga! {
         grammar Once = r#"
-            import imp : "tests/rules/import/inner.cga" (h = 1, Roof(n) --> First.)
+            import imp : "rules/import/inner.cga" (h = 1, Roof(n) --> First.)
             Lot --> imp(Roof(n) --> print(n + mine) Second.).Lot imp.Lot imp(h = 3, Roof(x) --> Other(x)).Lot(2)
             attr mine = 40
             Other(x) --> print(x) Third.
@@ -94,7 +94,7 @@ fn extensions_are_replaced_for_one_call() {
 fn imports_of_the_import_start_again_too() {
     cga! {
         grammar Nested = r#"
-            import a : "tests/rules/import/outer.cga"
+            import a : "rules/import/outer.cga"
             Lot --> set(a.b.h, 50) a(h = 3).Lot a.b.Say
         "#;
     }
@@ -107,7 +107,7 @@ fn imports_of_the_import_start_again_too() {
 fn the_shape_goes_on_as_it_was() {
     cga! {
         grammar After = r#"
-            import imp : "tests/rules/import/inner.cga"
+            import imp : "rules/import/inner.cga"
             Lot --> imp(h = 9).Say print(imp.h) t(1, 0, 0) imp.Say
         "#;
     }
@@ -116,14 +116,14 @@ fn the_shape_goes_on_as_it_was() {
 
 #[test]
 fn given_values_count_in_any_case() {
-    cga! { grammar Given = r#"import imp : "tests/rules/import/inner.cga"  Lot --> imp(h = 3).Say imp.Say"#; }
+    cga! { grammar Given = r#"import imp : "rules/import/inner.cga"  Lot --> imp(h = 3).Say imp.Say"#; }
     let rules = Given { imp_h: 8.0, ..Given::default() };
     assert_eq!(lines(&model(&rules)), ["inner3 (2)[3,30]", "inner8 (2)[8,80]"]);
     // The other values start from those that the host program gives.
     let rules = Given { imp_k: Some(7.0), imp_name: "host".into(), ..Given::default() };
     assert_eq!(lines(&model(&rules)), ["host3 (2)[3,7]", "host5 (2)[5,7]"]);
     cga! { grammar Own = r#"
-        import imp : "tests/rules/import/inner.cga"
+        import imp : "rules/import/inner.cga"
         attr name = "outer"
         Lot --> set(imp.k, 1) imp(h = 3, Roof(n) --> X.).Say imp( ).Say"#; }
     assert_eq!(lines(&model(&Own::default())), ["outer3 (2)[3,30]", "outer5 (2)[5,50]"]);
@@ -136,7 +136,7 @@ fn dynamic_imports_stand_wherever_rules_do() {
     cga! {
         @Allow(undefined_rule)
         grammar Anywhere = r#"
-            import imp : "tests/rules/import/inner.cga"
+            import imp : "rules/import/inner.cga"
             Lot --> Part(2) Chosen Leaf
             Part(n) --> extrude(1) split(x) { ~1 : imp(h = n + split.index).Say | ~1 : comp(f) { top : imp(h = comp.total * 10 + n).Say } }
             Chosen --> case imp.h == 5 : imp(name = "case").Say else : imp(name = "else").Say
@@ -151,9 +151,9 @@ fn dynamic_imports_stand_wherever_rules_do() {
 
 #[test]
 fn values_are_drawn_again_for_each_call_and_from_their_own_streams() {
-    cga! { grammar Few = r#"import imp : "tests/rules/import/drawn.cga"
+    cga! { grammar Few = r#"import imp : "rules/import/drawn.cga"
     Lot --> imp( ).Show imp( ).Show imp(b = 1).Show print(rand())"#; }
-    cga! { grammar More = r#"import imp : "tests/rules/import/drawn.cga" (c = 1)
+    cga! { grammar More = r#"import imp : "rules/import/drawn.cga" (c = 1)
     Lot --> imp( ).Show imp( ).Show imp(b = 1).Show print(rand())"#; }
     // The line of `Lot` comes first.
     let (few, more) = (lines(&model(&Few::default())), lines(&model(&More::default())));
@@ -172,8 +172,8 @@ fn values_are_drawn_again_for_each_call_and_from_their_own_streams() {
 fn what_goes_on_with_a_leaf_goes_on_with_it_in_every_call() {
     cga! {
         grammar Continued = r#"
-            import imp : "tests/rules/import/height.cga" ( Roof --> imp2( Roof --> Inner. ).Lot )
-            import imp2 : "tests/rules/import/height.cga"
+            import imp : "rules/import/height.cga" ( Roof --> imp2( Roof --> Inner. ).Lot )
+            import imp2 : "rules/import/height.cga"
             Lot --> imp.Lot imp( Roof --> Other. ).Lot imp2( Roof --> Third. ).Tall(3)
             imp2.Missing --> Found.
         "#;
@@ -185,7 +185,7 @@ fn what_goes_on_with_a_leaf_goes_on_with_it_in_every_call() {
 #[test]
 fn each_style_starts_its_own_values_again() {
     cga! { grammar Styled = r#"
-        import imp : "tests/rules/import/inner.cga"
+        import imp : "rules/import/inner.cga"
         attr n = 7
         Lot --> imp(h = n).Say imp( ).Say imp(k = 1, h = 2).Say
         style Same

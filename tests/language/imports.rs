@@ -6,10 +6,10 @@ use crate::{leaves, lines, lot, model, model_of, sum};
 
 #[test]
 fn attributes_flow_into_an_import() {
-    cga! { grammar Flows = r#"import imp : "tests/rules/import/height.cga" attr height = 20  Lot --> imp.Lot"#; }
-    cga! { grammar Keeps = r#"import imp : "tests/rules/import/height.cga" (height) attr height = 20  Lot --> imp.Lot"#; }
-    cga! { grammar KeepsAll = r#"import imp : "tests/rules/import/height.cga" () attr height = 20  Lot --> imp.start"#; }
-    cga! { grammar Gives = r#"import imp : "tests/rules/import/height.cga" (height = 20)  Lot --> imp.Lot"#; }
+    cga! { grammar Flows = r#"import imp : "rules/import/height.cga" attr height = 20  Lot --> imp.Lot"#; }
+    cga! { grammar Keeps = r#"import imp : "rules/import/height.cga" (height) attr height = 20  Lot --> imp.Lot"#; }
+    cga! { grammar KeepsAll = r#"import imp : "rules/import/height.cga" () attr height = 20  Lot --> imp.start"#; }
+    cga! { grammar Gives = r#"import imp : "rules/import/height.cga" (height = 20)  Lot --> imp.Lot"#; }
     let doubled: [(&dyn Grammar, f64); 4] =
         [(&Flows::default(), 20.0), (&Keeps::default(), 10.0), (&KeepsAll::default(), 10.0), (&Gives::default(), 20.0)];
     for (rules, height) in doubled {
@@ -26,7 +26,7 @@ fn attributes_flow_into_an_import() {
 fn an_override_is_evaluated_where_it_is_written() {
     cga! {
         grammar Written = r#"
-            import imp : "tests/rules/import/inner.cga" (h = base + drawn * 0, name = "mine" + imp.h)
+            import imp : "rules/import/inner.cga" (h = base + drawn * 0, name = "mine" + imp.h)
             attr base = 30
             attr drawn = rand()
             const h = 1000
@@ -41,7 +41,7 @@ fn an_override_is_evaluated_where_it_is_written() {
 #[test]
 fn an_override_may_refer_to_what_it_overrides() {
     cga! { grammar Itself = r#"
-        import imp : "tests/rules/import/inner.cga" (h = imp.h + 1, k = imp.k + imp.h)
+        import imp : "rules/import/inner.cga" (h = imp.h + 1, k = imp.k + imp.h)
         Lot --> imp.Lot"#; }
     let made = model(&Itself::default());
     // `h` is 5 + 1; `k` would have been 6 * 10, and 6 more.
@@ -51,7 +51,7 @@ fn an_override_may_refer_to_what_it_overrides() {
 #[test]
 fn an_override_reaches_attributes_further_down() {
     cga! { @Allow(old_spelling) grammar Deep = r#"
-        import imp : "tests/rules/import/outer.cga" (b.h = base + imp.b.h)
+        import imp : "rules/import/outer.cga" (b.h = base + imp.b.h)
         attr base = 30
         Lot --> imp.Lot imp(b.h = 8).Lot"#; }
     let made = model(&Deep::default());
@@ -64,7 +64,7 @@ fn an_override_reaches_attributes_further_down() {
 fn functions_constants_and_rules_of_an_import_are_at_hand() {
     cga! {
         grammar Uses = r#"
-            import imp : "tests/rules/import/inner.cga"
+            import imp : "rules/import/inner.cga"
             attr h = 7
             own = imp.twice(imp.h) + imp.c
             Lot --> print(own) print(imp.twice("a")) print(imp.tall) print(imp.list[1]) s(1, 1, 1) print(imp.width) imp.Lot(4)
@@ -78,7 +78,7 @@ fn functions_constants_and_rules_of_an_import_are_at_hand() {
 
 #[test]
 fn start_stands_for_the_rules_that_are_marked_so() {
-    cga! { grammar Starts = r#"import imp : "tests/rules/import/inner.cga"
+    cga! { grammar Starts = r#"import imp : "rules/import/inner.cga"
         start Begin --> imp.start start(9)
         start Begin(n) --> imp.start(n)"#; }
     let made = model(&Starts::default());
@@ -90,8 +90,8 @@ fn start_stands_for_the_rules_that_are_marked_so() {
 fn one_file_imported_twice_has_attributes_of_its_own() {
     cga! {
         grammar Twice = r#"
-            import one : "tests/rules/import/inner.cga" (h = 1)
-            import two : "tests/rules/import/inner.cga" (h = 2, Roof(n) --> report("two", n) Two.)
+            import one : "rules/import/inner.cga" (h = 1)
+            import two : "rules/import/inner.cga" (h = 2, Roof(n) --> report("two", n) Two.)
             Lot --> set(one.name, "changed") one.Say two.Say one.Lot two.Lot
         "#;
     }
@@ -107,9 +107,9 @@ fn one_file_imported_twice_has_attributes_of_its_own() {
 fn sites_of_a_file_share_rules_and_keep_their_values() {
     cga! {
         grammar Sites = r#"
-            import x : "tests/rules/import/wing.cga"
-            import y : "tests/rules/import/wing.cga" (own = 5)
-            import own : "tests/rules/import/site.cga" (width = 4)
+            import x : "rules/import/wing.cga"
+            import y : "rules/import/wing.cga" (own = 5)
+            import own : "rules/import/site.cga" (width = 4)
             Lot --> s(20, 0, 6) [ x.Wing ] [ y.Wing ] own.Row
             Fails --> x.Fails y.Fails own.Fails
         "#;
@@ -159,7 +159,7 @@ fn sites_of_a_file_share_rules_and_keep_their_values() {
 #[test]
 fn imports_of_imports() {
     cga! { grammar Flows = r#"
-        import a : "tests/rules/import/outer.cga"
+        import a : "rules/import/outer.cga"
         attr h = 7
         Lot --> print(a.b.h) print(a.b.twice(a.h)) a.Lot a.b.Say"#; }
     let made = model(&Flows::default());
@@ -170,14 +170,14 @@ fn imports_of_imports() {
     assert_eq!((sum(&made, "outer"), sum(&made, "h"), sum(&made, "own")), (Some(7.0), Some(1.0), Some(11.0)));
 
     cga! { grammar Keeps = r#"
-        import a : "tests/rules/import/outer.cga" ()
+        import a : "rules/import/outer.cga" ()
         attr h = 7
         Lot --> a.Lot"#; }
     let made = model(&Keeps::default());
     assert_eq!((sum(&made, "outer"), sum(&made, "h")), (Some(2.0), Some(2.0)));
 
     cga! { grammar Gives = r#"
-        import a : "tests/rules/import/outer.cga" (h = 30, own = 4)
+        import a : "rules/import/outer.cga" (h = 30, own = 4)
         Lot --> a.Lot"#; }
     let made = model(&Gives::default());
     assert_eq!((sum(&made, "outer"), sum(&made, "h"), sum(&made, "own")), (Some(30.0), Some(30.0), Some(4.0)));
@@ -187,7 +187,7 @@ fn imports_of_imports() {
 fn an_extension_is_replaced_by_what_the_importing_file_says() {
     cga! {
         grammar Replaced = r##"
-            import imp : "tests/rules/import/inner.cga" (Roof(x) --> color(tint) report("mine", x + h) Mine(x))
+            import imp : "rules/import/inner.cga" (Roof(x) --> color(tint) report("mine", x + h) Mine(x))
             attr h = 100
             attr tint = "#ff0000"
             Mine(x) --> print(x) Top.
@@ -209,7 +209,7 @@ fn an_extension_is_replaced_by_what_the_importing_file_says() {
 fn an_extension_may_forward_to_the_one_it_replaces() {
     cga! {
         grammar Forwards = r#"
-            import imp : "tests/rules/import/inner.cga" (Roof(n) --> MyRoof(n + 1))
+            import imp : "rules/import/inner.cga" (Roof(n) --> MyRoof(n + 1))
             extension MyRoof(n) --> imp.Roof(n)
             Lot --> imp.Lot
         "#;
@@ -218,8 +218,8 @@ fn an_extension_may_forward_to_the_one_it_replaces() {
     assert_eq!((sum(&made, "roof"), leaves(&made)), (Some(6.0), vec!["Flat"]));
     cga! {
         grammar Through = r#"
-            import a : "tests/rules/import/outer.cga" (Cover(n) --> report("cover", n) Mine.)
-            import c : "tests/rules/import/outer.cga"
+            import a : "rules/import/outer.cga" (Cover(n) --> report("cover", n) Mine.)
+            import c : "rules/import/outer.cga"
             Lot --> a.Over c.Over
         "#;
     }
@@ -231,8 +231,8 @@ fn an_extension_may_forward_to_the_one_it_replaces() {
 fn a_rule_marked_as_start_can_replace_an_extension() {
     cga! {
         grammar Started = r#"
-            import roof : "tests/rules/import/height.cga"
-            import imp : "tests/rules/import/inner.cga" (h = 8, Roof(n) --> s(n, 1, n) roof.start)
+            import roof : "rules/import/height.cga"
+            import imp : "rules/import/inner.cga" (h = 8, Roof(n) --> s(n, 1, n) roof.start)
             Lot --> imp.start
         "#;
     }
@@ -245,7 +245,7 @@ fn a_rule_marked_as_start_can_replace_an_extension() {
 fn leaves_of_an_import_are_continued() {
     cga! {
         grammar Continued = r#"
-            import imp : "tests/rules/import/inner.cga"
+            import imp : "rules/import/inner.cga"
             attr mine = 2
             Lot --> imp.Open(4)
             imp.Missing --> print("none") None.
@@ -254,7 +254,7 @@ fn leaves_of_an_import_are_continued() {
     }
     let made = model(&Continued::default());
     assert_eq!((lines(&made), leaves(&made)), (vec!["8".to_owned(), "none".to_owned()], vec!["One", "None"]));
-    cga! { @Allow(undefined_rule) grammar Left = r#"import imp : "tests/rules/import/inner.cga"  Lot --> imp.Open(4) imp.Nowhere"#; }
+    cga! { @Allow(undefined_rule) grammar Left = r#"import imp : "rules/import/inner.cga"  Lot --> imp.Open(4) imp.Nowhere"#; }
     assert_eq!(leaves(&model(&Left::default())), ["Missing", "Missing", "imp.Nowhere"]);
 }
 
@@ -262,7 +262,7 @@ fn leaves_of_an_import_are_continued() {
 fn set_changes_an_attribute_of_an_import_for_what_follows() {
     cga! {
         grammar Sets = r#"
-            import imp : "tests/rules/import/inner.cga"
+            import imp : "rules/import/inner.cga"
             Lot --> [ set(imp.h, 1) imp.Set imp.Say ] set(imp.list, [imp.h]) imp.Say imp.Set
         "#;
     }
@@ -274,7 +274,7 @@ fn set_changes_an_attribute_of_an_import_for_what_follows() {
 fn inline_rules_import_too() {
     cga! {
         grammar Inline;
-        import imp : "tests/rules/import/inner.cga" (h = 4, Roof(n) --> Mine(n))
+        import imp : "rules/import/inner.cga" (h = 4, Roof(n) --> Mine(n))
         Lot --> imp.Lot imp(h = 6).Say
         Mine(n) --> print(n) Top.
     }
@@ -282,7 +282,7 @@ fn inline_rules_import_too() {
     assert_eq!((lines(&made), leaves(&made)), (vec!["inner6 (2)[6,60]".to_owned(), "4".to_owned()], vec!["Top", "X"]));
     let height = 9;
     let rules = cga! {
-        import imp : "tests/rules/import/inner.cga" (h = #height)
+        import imp : "rules/import/inner.cga" (h = #height)
         Lot --> imp.Lot
     };
     assert_eq!(sum(&model(&rules), "k"), Some(90.0));

@@ -95,7 +95,7 @@ fn rules_and_styles_set_them_as_others() {
 fn an_import_that_starts_again_computes_them_again() {
     cga! {
         grammar Anew = r#"
-            import imp : "tests/rules/import/lazy.cga"
+            import imp : "rules/import/lazy.cga"
             Lot --> imp.Say imp(mode = 2).Say imp(b = 7).Say imp(mode = 2, b = 8).Say set(imp.a, 1) imp().Say imp(a = 3).Say
         "#;
     }
@@ -112,7 +112,7 @@ fn an_import_that_starts_again_computes_them_again() {
 #[test]
 fn long_cycles_need_no_more_than_the_stack() {
     // 400 attributes, each of which needs the next one unless it is the one in which the cycle is open.
-    cga! { grammar Long in "tests/rules/import/long.cga"; }
+    cga! { grammar Long in "rules/import/long.cga"; }
     let run = |on: f64| {
         let run =
             move || Long { on, ..Long::default() }.generate(&Shape::rectangle(1.0, 1.0)).map(|model| lines(&model));

@@ -1,4 +1,4 @@
-//! The language beyond splits and comps. Rules are text unless a test says otherwise; `tests/sources.rs` compares inline rules,
+//! The language beyond splits and comps. Rules are text unless a test says otherwise; `sources.rs` compares inline rules,
 //! text and files.
 //!
 //! `getTreeKey` and context queries do not run yet, so of the former only the order of lines is tested. The runtime tests the
@@ -8,18 +8,32 @@
 mod arrays;
 mod attributes;
 mod chance;
+mod deep;
+mod defaults;
+mod district;
 mod dynamic;
+mod facts;
+mod functions;
+mod grammar;
+mod host;
+mod hygiene;
 mod imports;
 mod inline;
+#[cfg(feature = "serde")]
+mod json;
 mod lazy;
 mod locals;
 mod old_spellings;
 mod operators;
 mod overloads;
+mod panel;
 mod prints;
+mod queries;
 mod recompose;
 mod reconnected;
 mod run;
+mod shared;
+mod sources;
 mod styles;
 mod text;
 mod values;

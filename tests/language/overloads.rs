@@ -159,8 +159,8 @@ fn styles_call_with_types_of_their_own() {
 fn functions_and_rules_of_an_import_have_types_of_each_call() {
     cga! {
         grammar Imports = r#"
-            import imp : "tests/rules/import/generic.cga"
-            import two : "tests/rules/import/generic.cga" (own = 5)
+            import imp : "rules/import/generic.cga"
+            import two : "rules/import/generic.cga" (own = 5)
             Lot --> print(imp.f("a")) print(imp.f(true)) imp.R("r") two.R(2) two.R([1])
                     imp(own = 7).R("anew") imp(own = 8).R(1)
         "#;

@@ -69,7 +69,7 @@ fn expressions_print_at_the_depth_of_the_rule_that_evaluates_them() {
 fn an_import_that_starts_again_prints_at_the_depth_of_the_call() {
     cga! {
         grammar Dynamic = r#"
-            import imp : "tests/rules/import/printing.cga"
+            import imp : "rules/import/printing.cga"
             Lot --> A imp(height = 3).Lot
             A --> print("A") X.
         "#;

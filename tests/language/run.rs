@@ -6,7 +6,7 @@ use crate::{leaves, lines, lot, model, sum};
 
 #[test]
 fn reports_count_and_add_up() {
-    cga! { grammar Reported = r#"import imp : "tests/rules/import/height.cga" (height = 10)  Lot --> imp.Lot"#; }
+    cga! { grammar Reported = r#"import imp : "rules/import/height.cga" (height = 10)  Lot --> imp.Lot"#; }
     let model = model(&Reported::default());
     let summary = model.reported("height").expect("reported").summary();
     assert_eq!((summary.count, summary.sum), (1, 10.0));

@@ -4,7 +4,7 @@ use cga::{Grammar, cga};
 
 use crate::{leaves, lines, model, model_of, sum};
 
-cga! { grammar Styled in "tests/rules/import/styles.cga"; }
+cga! { grammar Styled in "rules/import/styles.cga"; }
 
 #[test]
 fn a_style_takes_the_place_of_what_it_builds_on() {
@@ -42,7 +42,7 @@ fn one_field_sets_an_attribute_in_every_style() {
 fn styles_have_start_rules_and_imports() {
     cga! {
         grammar Own = r#"
-            import imp : "tests/rules/import/inner.cga"
+            import imp : "rules/import/inner.cga"
             attr h = 3
             draw = rand()
             @StartRule
@@ -68,12 +68,12 @@ fn styles_have_start_rules_and_imports() {
 
 #[test]
 fn an_import_may_ask_for_a_style() {
-    cga! { grammar Plain = r#"import imp : "tests/rules/import/styles.cga"  Lot --> imp.Lot"#; }
-    cga! { grammar Large = r#"import imp(Large) : "tests/rules/import/styles.cga"  Lot --> imp.Lot"#; }
-    cga! { grammar Huge = r#"import imp(Huge, Large) : "tests/rules/import/styles.cga"  Lot --> imp.Lot print(imp.grown(3))"#; }
+    cga! { grammar Plain = r#"import imp : "rules/import/styles.cga"  Lot --> imp.Lot"#; }
+    cga! { grammar Large = r#"import imp(Large) : "rules/import/styles.cga"  Lot --> imp.Lot"#; }
+    cga! { grammar Huge = r#"import imp(Huge, Large) : "rules/import/styles.cga"  Lot --> imp.Lot print(imp.grown(3))"#; }
     cga! { grammar Both = r#"
-        import one(Large) : "tests/rules/import/styles.cga"
-        import two : "tests/rules/import/styles.cga" (size = 3)
+        import one(Large) : "rules/import/styles.cga"
+        import two : "rules/import/styles.cga" (size = 3)
         Lot --> one.Lot two.Lot"#; }
     assert_eq!((sum(&model(&Plain::default()), "size"), leaves(&model(&Plain::default()))), (Some(1.0), vec!["Plain"]));
     assert_eq!(
@@ -88,7 +88,7 @@ fn an_import_may_ask_for_a_style() {
 #[test]
 fn only_the_style_default_is_overridden_by_an_import() {
     cga! { grammar Over = r#"
-        import imp(Large) : "tests/rules/import/styles.cga" (kind = "given")
+        import imp(Large) : "rules/import/styles.cga" (kind = "given")
         attr size = 5
         Lot --> imp.Lot"#; }
     let made = model(&Over::default());

@@ -186,7 +186,7 @@ fn chunks(case: &Case<'_>) -> (Option<String>, Option<Outcome>) {
 }
 
 /// Runs it with that many threads; without the feature `rayon` always with one.
-fn with_threads<T: Send>(threads: usize, run: impl FnOnce() -> T + Send) -> T {
+pub(crate) fn with_threads<T: Send>(threads: usize, run: impl FnOnce() -> T + Send) -> T {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
     pool.install(run)
 }

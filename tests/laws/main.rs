@@ -15,10 +15,13 @@ mod files;
 mod grammars;
 mod host;
 mod laws;
+mod parallel;
 mod play;
-#[path = "../../cga-lang/tests/common/random.rs"]
+mod played;
+#[path = "../../cga-lang/tests/front/common/random.rs"]
 mod random;
 mod start;
+mod workloads;
 mod write;
 
 use std::fs;
@@ -33,9 +36,9 @@ const SEEDS: Range<u64> = 100..132;
 fn the_grammars_are_those_of_their_seeds() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let seeds: Vec<u64> = SEEDS.collect();
-    let files = files::all(&seeds, root, "tests/laws/grammars.rs", "tests/laws/rules");
+    let files = files::all(&seeds, root, "laws/grammars.rs", "laws/rules");
     if std::env::var_os("CGA_BLESS").is_some() {
-        files::put(&files, &root.join("tests/laws/rules"));
+        files::put(&files, &root.join("laws/rules"));
     }
     for (path, text) in files {
         let now = fs::read_to_string(&path).unwrap_or_default();
@@ -79,16 +82,16 @@ fn further_grammars_give_the_same() {
         (None, false) => (1000..1000 + number(&text)).collect(),
     };
     let source = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let root = source.join("target/laws");
+    let root = source.join("../target/laws");
     fs::create_dir_all(root.join("src")).expect("a folder for the crate");
     files::put(&files::all(&seeds, &root, "src/grammars.rs", "rules"), &root.join("rules"));
     fs::write(root.join("Cargo.toml"), manifest(source)).expect("the crate's manifest");
     fs::write(root.join("src/main.rs"), program(source)).expect("the crate's program");
     // With the versions and the folder of this crate, what it depends on is there already.
-    fs::copy(source.join("Cargo.lock"), root.join("Cargo.lock")).expect("the lock file");
+    fs::copy(source.join("../Cargo.lock"), root.join("Cargo.lock")).expect("the lock file");
     let cargo = std::env::var_os("CARGO").unwrap_or("cargo".into());
     let mut command = Command::new(cargo);
-    command.args(["run", "--release", "--quiet", "--target-dir"]).arg(source.join("target")).current_dir(&root);
+    command.args(["run", "--release", "--quiet", "--target-dir"]).arg(source.join("../target")).current_dir(&root);
     let run = command.status().expect("cargo");
     assert!(run.success(), "the runs above differ");
 }
@@ -99,7 +102,7 @@ fn manifest(source: &Path) -> String {
     let package = "[package]\nname = \"laws\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n";
     format!(
         "{package}[dependencies]\nrayon = \"1\"\ncga = {{ path = {:?}, features = [\"rayon\"] }}\n{profile}",
-        source
+        source.parent().expect("the workspace")
     )
 }
 
@@ -107,14 +110,14 @@ fn manifest(source: &Path) -> String {
 fn program(source: &Path) -> String {
     let mut text = String::from("#![allow(deprecated, dead_code, unused)]\nmod grammars;\n");
     for (name, path) in [
-        ("compare", "tests/laws/compare.rs"),
-        ("exact", "tests/laws/exact.rs"),
-        ("few", "tests/laws/few.rs"),
-        ("host", "tests/laws/host.rs"),
-        ("laws", "tests/laws/laws.rs"),
-        ("play", "tests/laws/play.rs"),
-        ("random", "cga-lang/tests/common/random.rs"),
-        ("start", "tests/laws/start.rs"),
+        ("compare", "laws/compare.rs"),
+        ("exact", "laws/exact.rs"),
+        ("few", "laws/few.rs"),
+        ("host", "laws/host.rs"),
+        ("laws", "laws/laws.rs"),
+        ("play", "laws/play.rs"),
+        ("random", "../cga-lang/tests/front/common/random.rs"),
+        ("start", "laws/start.rs"),
     ] {
         text += &format!("#[path = {:?}]\nmod {name};\n", source.join(path));
     }

@@ -8,7 +8,7 @@ use std::path::Path;
 use proc_macro2::TokenStream;
 use syn::{File, Item};
 
-#[path = "../../../benches/build/facade.rs"]
+#[path = "../../../tests/benches/build/facade.rs"]
 mod facade;
 
 /// The part of an expansion that a test shows.

@@ -2,10 +2,10 @@
 
 mod errors;
 mod expand;
-#[path = "../../../cga-lang/tests/ir_print/mod.rs"]
+#[path = "../../../cga-lang/tests/front/ir_print/mod.rs"]
 mod ir_print;
 mod mistakes;
-#[path = "../../../cga-lang/tests/print/mod.rs"]
+#[path = "../../../cga-lang/tests/front/print/mod.rs"]
 mod print;
 mod rows;
 mod rt;

@@ -17,7 +17,7 @@ cga! {
 
 cga! {
     @Allow(slot_never_made)
-    pub grammar QuietFile in "tests/ui/door/lints.cga";
+    pub grammar QuietFile in "ui/door/lints.cga";
 }
 
 // Each is an error.
@@ -37,7 +37,7 @@ cga! {
 
 cga! {
     @Deny(slot_never_made)
-    pub grammar LoudFile in "tests/ui/door/lints.cga";
+    pub grammar LoudFile in "ui/door/lints.cga";
 }
 
 // A warning only, and the last one counts.

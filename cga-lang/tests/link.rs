@@ -1,8 +1,0 @@
-//! `tests/data/link`: what is found in programs of several files, and where.
-
-mod common;
-
-#[test]
-fn findings_stand_in_the_files_they_are_about() {
-    common::parts::walk("link");
-}

@@ -1,0 +1,5 @@
+//! Packages that are built as a user builds them: messages of mistakes, changes of rule files, what editors see.
+
+mod editor;
+mod rebuild;
+mod ui;

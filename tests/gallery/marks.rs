@@ -1,0 +1,163 @@
+//! The marks in the pages' pictures: axes of scopes, pivots, boxes, the initial shape. x is red, y green, z blue.
+
+use std::sync::Arc;
+
+use cga::glam::{DAffine3, DMat3, DVec3};
+use cga::mesh::{Bounds, FaceTag};
+use cga::{Color, Cuboid, Frame, Leaf, LeafView, Material, Mesh, MeshBuilder, Model, Scope, Shape, Sink};
+
+use crate::pages::example::{Example, Mark};
+
+const AXES: [[f64; 3]; 3] = [[0.9, 0.05, 0.05], [0.05, 0.75, 0.05], [0.1, 0.2, 0.95]];
+const BOX: [f64; 3] = [0.85, 0.75, 0.1];
+const INITIAL: [f64; 3] = [0.35; 3];
+
+/// The lengths of marks, as shares of the diagonal of the marked model.
+const LINE: f64 = 0.005;
+const ARROW: f64 = 0.008;
+const HEAD: f64 = 0.03;
+const PIVOT: [f64; 2] = [0.07, 0.013];
+
+/// The model with the marks of an example.
+pub fn marked(model: &Model, example: &Example) -> Model {
+    let start = (example.start)();
+    let mut pen = Pen { unit: reach(model, &start).size().length(), out: Model::new() };
+    let _ = model.replay(&mut pen.out);
+    for mark in example.marks {
+        match *mark {
+            Mark::Initial => pen.initial(&start),
+            Mark::InitialBox => pen.edges(start.scope()),
+            Mark::InitialScope => pen.scope(start.scope()),
+            Mark::AlongX => pen.along_x(start.scope()),
+            Mark::InitialPivot => pen.pivot(start.pivot()),
+            Mark::Scopes(rule) => model.leaves_of(rule).for_each(|leaf| pen.scope(leaf.scope())),
+            Mark::Scope(rule, at) => model.leaves_of(rule).skip(at).take(1).for_each(|leaf| pen.scope(leaf.scope())),
+            Mark::Boxes(rule) => model.leaves_of(rule).for_each(|leaf| pen.edges(leaf.scope())),
+            Mark::Pivots(rule) => model.leaves_of(rule).for_each(|leaf| pen.pivot(&first_corner(&leaf))),
+            Mark::FromAbove => {}
+        }
+    }
+    pen.out
+}
+
+/// The box around the model and the initial scope.
+fn reach(model: &Model, start: &Shape) -> Bounds {
+    let scope = start.scope();
+    let far = scope.origin + scope.axes * scope.size;
+    let bounds = model.bounds();
+    Bounds::of([bounds.low, bounds.high, scope.origin, far].into_iter().filter(|corner| corner.is_finite()))
+}
+
+/// The pivot that `comp` gives a face: the start of its first edge, with the axes of its scope.
+fn first_corner(leaf: &LeafView<'_>) -> Frame {
+    let (mesh, placement) = leaf.mesh();
+    let first = mesh.corners().first().map_or(DVec3::ZERO, |&corner| mesh.points()[corner as usize]);
+    Frame { origin: placement.transform_point3(first), axes: leaf.scope().axes }
+}
+
+/// Draws into a model.
+struct Pen {
+    /// The diagonal of the marked model.
+    unit: f64,
+    out: Model,
+}
+
+impl Pen {
+    /// Draws the initial shape, a little below the model.
+    fn initial(&mut self, shape: &Shape) {
+        let scope = Scope { origin: shape.scope().origin - DVec3::Y * (LINE * self.unit * 0.1), ..*shape.scope() };
+        let place = DAffine3 { matrix3: scope.axes, translation: scope.origin };
+        self.mesh(shape.to_mesh(), INITIAL, &place);
+    }
+
+    /// Draws a short arrow along the x axis of a scope on the ground, in front of it.
+    fn along_x(&mut self, scope: &Scope) {
+        let front = scope.origin + scope.axes.z_axis * (scope.size.z + HEAD * self.unit);
+        let size = DVec3::new(0.12 * self.unit, 0.0, 0.0);
+        self.scope(&Scope { origin: front, size, ..*scope });
+    }
+
+    /// Draws arrows along the axes of a scope, longer than the scope by an arrowhead. An axis without a size has no
+    /// arrow.
+    fn scope(&mut self, scope: &Scope) {
+        // Arrows on a flat shape are on top of it.
+        let lift = if scope.size.y == 0.0 { scope.axes.y_axis * (0.3 * HEAD * self.unit) } else { DVec3::ZERO };
+        for (axis, color) in AXES.into_iter().enumerate() {
+            let length = scope.size[axis].abs();
+            if 0.0 < length {
+                let along = scope.axes.col(axis) * scope.size[axis].signum();
+                let (u, v) = along.any_orthonormal_pair();
+                let place = DAffine3 { matrix3: DMat3::from_cols(along, u, v), translation: scope.origin + lift };
+                let arrow = arrow(length + HEAD * self.unit, ARROW * self.unit, HEAD * self.unit);
+                self.mesh(Arc::new(arrow), color, &place);
+            }
+        }
+    }
+
+    /// Draws short bars along the axes of a pivot.
+    fn pivot(&mut self, pivot: &Frame) {
+        let [length, width] = PIVOT.map(|share| share * self.unit);
+        for (axis, color) in AXES.into_iter().enumerate() {
+            let mut size = DVec3::splat(width);
+            size[axis] = length;
+            let mut low = DVec3::splat(-0.5 * width);
+            low[axis] = 0.0;
+            self.bar(pivot, low, size, color);
+        }
+    }
+
+    /// Draws the edges of a scope, thinner than arrows.
+    fn edges(&mut self, scope: &Scope) {
+        let (frame, width) = (scope.frame(), LINE * self.unit);
+        for axis in 0..3 {
+            let [across, up] = [(axis + 1) % 3, (axis + 2) % 3];
+            for (a, b) in [(0.0, 1.0), (1.0, 0.0), (1.0, 1.0), (0.0, 0.0)] {
+                let mut low = DVec3::splat(-0.5 * width);
+                low[across] += a * scope.size[across];
+                low[up] += b * scope.size[up];
+                let mut size = DVec3::splat(width);
+                size[axis] += scope.size[axis];
+                self.bar(&frame, low, size, BOX);
+            }
+        }
+    }
+
+    fn bar(&mut self, frame: &Frame, low: DVec3, size: DVec3, color: [f64; 3]) {
+        let scope = Scope { origin: frame.to_world(low), axes: frame.axes, size };
+        let cuboid = Cuboid::new(scope.origin, scope.axes * DMat3::from_diagonal(size));
+        let material = paint(color);
+        let _ = self.out.cuboid(&Leaf::new("Mark", &material, &scope), &cuboid);
+    }
+
+    fn mesh(&mut self, mesh: Arc<Mesh>, color: [f64; 3], place: &DAffine3) {
+        let material = paint(color);
+        let scope = Scope { origin: place.translation, axes: place.matrix3, size: mesh.bounds().size() };
+        let _ = self.out.mesh(&Leaf::new("Mark", &material, &scope), &mesh, place);
+    }
+}
+
+fn paint([r, g, b]: [f64; 3]) -> Arc<Material> {
+    let mut material = Material::default();
+    material.color = Some(Color::new(r, g, b));
+    Arc::new(material)
+}
+
+/// An arrow along x: a bar with four sides and a pyramid.
+fn arrow(length: f64, width: f64, head: f64) -> Mesh {
+    let mut builder = MeshBuilder::new();
+    let mut ring = |x: f64, half: f64| {
+        [[-half, -half], [half, -half], [half, half], [-half, half]].map(|[y, z]| builder.point([x, y, z]))
+    };
+    let neck = length - head;
+    let (start, end, base) = (ring(0.0, 0.5 * width), ring(neck, 0.5 * width), ring(neck, 0.3 * head));
+    let tip = builder.point([length, 0.0, 0.0]);
+    for at in 0..4 {
+        let next = (at + 1) % 4;
+        builder.face(&[start[at], start[next], end[next], end[at]], &[], FaceTag::PLAIN);
+        builder.face(&[base[at], base[next], tip], &[], FaceTag::PLAIN);
+    }
+    for [a, b, c, d] in [start, base] {
+        builder.face(&[d, c, b, a], &[], FaceTag::PLAIN);
+    }
+    builder.build().expect("an arrow")
+}

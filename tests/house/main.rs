@@ -1,0 +1,8 @@
+//! Promises of the repository about itself: its layers, packages, links and pages.
+
+mod guide;
+mod layers;
+mod links;
+mod packages;
+mod tidy;
+mod tree;

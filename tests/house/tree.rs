@@ -1,0 +1,27 @@
+//! The files of the workspace.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The folder of the workspace.
+pub(crate) fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace")
+}
+
+/// All files of the workspace with that end of their names, without what builds, runs and package managers write.
+pub(crate) fn files(ending: &str) -> Vec<PathBuf> {
+    fn walk(folder: &Path, ending: &str, list: &mut Vec<PathBuf>) {
+        for entry in fs::read_dir(folder).expect("a folder of the workspace") {
+            let path = entry.expect("an entry").path();
+            let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+            if path.is_dir() && !name.starts_with('.') && !matches!(name, "target" | "out" | "node_modules") {
+                walk(&path, ending, list);
+            } else if name.ends_with(ending) {
+                list.push(path);
+            }
+        }
+    }
+    let mut list = Vec::new();
+    walk(root(), ending, &mut list);
+    list
+}

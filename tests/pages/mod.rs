@@ -1,0 +1,26 @@
+//! The pages' examples: what the tests check and `examples/gallery.rs` draws.
+
+pub mod boolean;
+pub mod boolean_table;
+pub mod cleanup;
+pub mod comp;
+pub mod components;
+pub mod cutting;
+pub mod example;
+pub mod mass;
+pub mod mesh_operations;
+pub mod meshes;
+pub mod normals;
+pub mod primitives;
+pub mod recompose;
+pub mod roofs;
+pub mod scattering;
+pub mod setback;
+pub mod split_area;
+pub mod split_attribute;
+pub mod split_operation;
+pub mod subdivision_once;
+pub mod subdivision_repeat;
+pub mod tags;
+pub mod texturing;
+pub mod wings;

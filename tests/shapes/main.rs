@@ -1,0 +1,17 @@
+//! Shapes from rules: components, splits, textures, meshes, assets, extreme numbers, and what sinks get of them.
+
+mod asset_sources;
+mod assets;
+mod collect;
+mod components;
+mod edges;
+#[cfg(feature = "geo-types")]
+mod geo;
+#[allow(deprecated, reason = "rules at the edges of what makes sense: findings are warnings of this kind")]
+mod initial_meshes;
+mod instances;
+mod mesh_operations;
+mod normals;
+#[allow(deprecated, reason = "rules at the edges of what makes sense: findings are warnings of this kind")]
+mod split;
+mod texture;

@@ -1,0 +1,61 @@
+//! *insertAlongUV operation*.
+
+use std::sync::Arc;
+
+use cga::{Assets, Settings, Shape, cga};
+use cga_runtime::geometry::mesh::primitive;
+
+use crate::collect::Leaves;
+
+cga! {
+    /// Copies of a block along a wall.
+    @Allow(missing_asset)
+    grammar Rail;
+    attr kind = 0
+    Lot --> comp(f) { front : Wall }
+    Wall -->
+        setupProjection(0, scope.xy, 2, ^1) projectUV(0)
+        Insert
+    Insert -->
+        case kind == 0 : insertAlongUV(0, "block", 0.5, vertex.normal, alignPosition) X.
+        case kind == 1 : alignScopeToAxes(y) insertAlongUV(0, "builtin:cube", 0.5, vertex.normal, keepPosition) X.
+        case kind == 2 : insertAlongUV(0, "missing", 0.5) X.
+        else : insertAlongUV(3, "block", 0.5) X.
+}
+
+fn run(kind: u32) -> (Leaves, Vec<String>) {
+    let assets = Arc::new(Assets::new().with("block", primitive::cube()));
+    let settings = Settings { assets, ..Settings::default() };
+    let (grammar, mut leaves) = (Rail { kind: f64::from(kind) }, Leaves::default());
+    let report = grammar.generate_into(&Shape::cuboid(10.0, 3.0, 1.0), &settings, &mut leaves).expect("no error");
+    (leaves, report.faults.iter().map(|fault| fault.message.clone()).collect())
+}
+
+#[test]
+fn an_asset_is_repeated_along_u_and_stands_on_the_surface() {
+    for kind in [0, 1] {
+        let (leaves, faults) = run(kind);
+        assert!(faults.is_empty(), "{faults:?}");
+        let corners = leaves.corners("X");
+        let range = |axis: usize| {
+            let values = corners.iter().map(|corner| corner.point[axis]);
+            values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
+        };
+        for (axis, expected) in [[0.0, 10.0], [0.0, 3.0], [1.0, 1.5]].into_iter().enumerate() {
+            let found = range(axis);
+            assert!((found[0] - expected[0]).abs() < 1e-9 && (found[1] - expected[1]).abs() < 1e-9, "{axis} {found:?}");
+        }
+        // Five copies of two metres meet at every other metre.
+        let borders = [0.0, 2.0, 4.0, 6.0, 8.0, 10.0];
+        assert!(corners.iter().all(|corner| borders.iter().any(|x| (corner.point.x - x).abs() < 1e-9)), "{kind}");
+    }
+}
+
+#[test]
+fn what_cannot_be_inserted_leaves_a_fault_and_the_shape() {
+    for (kind, words) in [(2, "`missing` cannot be inserted"), (3, "no texture coordinates in set 3")] {
+        let (leaves, faults) = run(kind);
+        assert!(faults.len() == 1 && faults[0].contains(words), "{faults:?}");
+        assert_eq!(leaves.corners("X").len(), 4);
+    }
+}
