@@ -12,14 +12,14 @@ use std::process::{Command, Stdio};
 const BENCHES: [(&str, &str, &[&str]); 10] = [
     ("cga", "scenes", &[]),
     ("cga", "scenes", &["--instructions"]),
-    ("cga", "memory", &[]),
+    ("cga-tests", "memory", &[]),
     ("cga", "cutting", &[]),
     ("cga", "offset", &[]),
     ("cga", "comp", &[]),
     ("cga", "triangles", &[]),
     ("cga", "textures", &[]),
     ("cga-split", "solve", &[]),
-    ("cga", "build", &[]),
+    ("cga-tests", "build", &[]),
 ];
 
 const HEAD: &str = "# Performance

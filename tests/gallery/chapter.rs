@@ -132,7 +132,7 @@ impl Chapter {
         let links = self.sources.iter().map(|source| format!("[{source}]({REFERENCE}/{source}.html)"));
         let _ = writeln!(
             text,
-            "Examples of {} in Esri's reference. `cargo run --release --example gallery` writes this page and its pictures,\nand `tests/documented.rs` checks the rules.",
+            "Examples of {} in Esri's reference. `cargo run --release -p cga-tests --example gallery` writes this page and its pictures,\nand `tests/documented` checks the rules.",
             links.collect::<Vec<_>>().join(", "),
         );
         for (number, cell) in self.cells.iter().enumerate() {
@@ -153,7 +153,7 @@ impl Chapter {
 /// The list of all chapters.
 pub fn contents(chapters: &[Chapter]) -> String {
     let mut text = String::from(
-        "# Gallery\n\n[Buildings and scenes](scenes.md): twelve grammars of our own with large pictures, from a tower to a park.\n\n## The examples of the reference\n\nThe worked examples of Esri's CGA reference, as this library draws them. `cargo run --release --example gallery` writes\nthese pages and pictures.\n\n",
+        "# Gallery\n\n[Buildings and scenes](scenes.md): twelve grammars of our own with large pictures, from a tower to a park.\n\n## The examples of the reference\n\nThe worked examples of Esri's CGA reference, as this library draws them. `cargo run --release -p cga-tests --example gallery` writes\nthese pages and pictures.\n\n",
     );
     for chapter in chapters {
         let _ = writeln!(text, "- [{}]({}.md): {} examples", chapter.title, chapter.name, chapter.cells.len());

@@ -38,14 +38,19 @@ pub(super) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// Imported files, below the repository's folder.
+/// The package of the tests: paths in its rules start in its folder.
+fn package() -> PathBuf {
+    root().join("tests")
+}
+
+/// Imported files, below the folder of the tests' package.
 pub(super) struct Below;
 
 impl Files for Below {
     fn open(&mut self, path: &str, from: &str) -> Result<Unit, String> {
-        let found = candidates(path, from).into_iter().find(|name| root().join(name).is_file());
+        let found = candidates(path, from).into_iter().find(|name| package().join(name).is_file());
         let name = found.ok_or("there is no such file in the package")?;
-        let text = fs::read_to_string(root().join(&name)).map_err(|error| error.to_string())?;
+        let text = fs::read_to_string(package().join(&name)).map_err(|error| error.to_string())?;
         let lexed = lex(&text);
         Ok(Unit { name, tokens: lexed.tokens, dialect: Dialect::Text, found: lexed.diags })
     }
@@ -53,7 +58,8 @@ impl Files for Below {
 
 /// Both readings of some tokens: the grammar, or else the findings.
 fn meaning(tokens: &Tokens, path: &Path) -> String {
-    let name = path.strip_prefix(root()).expect("below the root").to_string_lossy().replace('\\', "/");
+    let name = path.strip_prefix(package()).or(path.strip_prefix(root())).expect("below the root");
+    let name = name.to_string_lossy().replace('\\', "/");
     let unit = Unit { name, tokens: tokens.clone(), dialect: Dialect::Text, found: Vec::new() };
     let compiled = compile(unit, &mut Below, &[]);
     match &compiled.grammar {

@@ -85,7 +85,7 @@ fn the_page_is_made_of_the_tables() {
     }
     let written = fs::read_to_string(&path).unwrap_or_default();
     let first = written.lines().zip(page.lines()).position(|(a, b)| a != b);
-    assert!(written == page, "line {first:?} differs: run `CGA_BLESS=1 cargo test -p cga-lang --test check`");
+    assert!(written == page, "line {first:?} differs: run `CGA_BLESS=1 cargo test -p cga-lang --test front`");
 }
 
 #[test]
