@@ -1,16 +1,16 @@
 //! rust-analyzer inside the macro: completion, hover, definition, references, rename, errors while typing, and
 //! semantic tokens of a large grammar. Runs where it is installed (`rustup component add rust-analyzer rust-src`). `docs/editor.md` tells users the
 //! same.
-#![forbid(unsafe_code)]
 
 use serde_json::{Value, json};
-use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
+
+use super::package::{Package, target};
 
 const RULES: &str = r##"cga::cga! {
     /// A tower.
@@ -96,8 +96,9 @@ fn an_editor_finds_names_inside_the_macro() {
         println!("left out: rust-analyzer is not installed");
         return;
     }
-    let package = package();
-    let mut editor = Editor::new(&package);
+    let package = Package::new("editor", "cga", "");
+    package.write("src/lib.rs", RULES);
+    let mut editor = Editor::new(&package.folder);
     for case in CASES {
         editor.check(RULES, case);
     }
@@ -121,20 +122,6 @@ fn an_editor_finds_names_inside_the_macro() {
     let errors = editor.errors("Glas");
     assert_eq!(starts(&errors), [place(&wrong, "Glas", 0)], "{errors}");
     editor.check_large_grammar();
-}
-
-fn package() -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("editor");
-    fs::create_dir_all(folder.join("src")).expect("a writable target folder");
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace");
-    let manifest = format!(
-        "[package]\nname = \"editor\"\nversion = \"0.0.0\"\nedition = \"2021\"\npublish = false\n\n[dependencies]\n\
-         cga = {{ path = {root:?}, default-features = false }}\n\n[workspace]\n"
-    );
-    fs::write(folder.join("Cargo.toml"), manifest).expect("a writable target folder");
-    fs::write(folder.join("src/lib.rs"), RULES).expect("a writable target folder");
-    fs::copy(root.join("Cargo.lock"), folder.join("Cargo.lock")).expect("a lock file");
-    folder
 }
 
 /// Where an occurrence of a word begins.
@@ -167,7 +154,7 @@ impl Editor {
         let mut process = Command::new("rust-analyzer")
             .current_dir(package)
             .env("CARGO_NET_OFFLINE", "true")
-            .env("CARGO_TARGET_DIR", package.join("target"))
+            .env("CARGO_TARGET_DIR", target())
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::null())

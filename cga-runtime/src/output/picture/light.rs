@@ -9,6 +9,7 @@ use glam::{DVec3, Vec3};
 use super::camera::{Viewport, direction};
 use super::raster;
 use super::scene::Scene;
+use super::threads::on_all_cores;
 use super::visible::{GROUND, SKY, VisibilityBuffer};
 
 /// The samples along a side of a block, and the number of them with tests of their own.
@@ -115,9 +116,20 @@ fn sky_weight(up: f32) -> f32 {
     0.5 + 0.5 * up
 }
 
+/// The column and the row of a class in each block.
+fn class_offset(class: usize) -> [usize; 2] {
+    [class % 2 * 2 + class / 2 % 2, class / 2]
+}
+
+/// The samples of a class.
+fn class_samples(layer: &VisibilityBuffer, class: usize) -> impl Iterator<Item = usize> {
+    let [column, row] = class_offset(class);
+    let (width, height) = (layer.width, layer.height);
+    (row..height).step_by(BLOCK).flat_map(move |y| (column..width).step_by(BLOCK).map(move |x| y * width + x))
+}
+
 /// The light on the surfaces visible in `layer`; `half` is half the size of the scene.
 pub(super) fn light(scene: &Scene, layer: &VisibilityBuffer, view: &Viewport, half: DVec3, sun: DVec3) -> Light {
-    let mut raw = vec![Raw::default(); layer.seen.len()];
     // Thin glass casts no visible shadow.
     let casters: Vec<[Vec3; 3]> = scene
         .triangles
@@ -128,38 +140,40 @@ pub(super) fn light(scene: &Scene, layer: &VisibilityBuffer, view: &Viewport, ha
     let count = lamps(casters.len());
     let (sun_map, sky_map) = map_sizes(layer);
     let bright = Lamp::new(&casters, half, sun, sun_map, [0.0; 2], Vec::new());
-    let mut spare = Vec::new();
-    for class in 0..CLASSES {
+    let classes = on_all_cores(CLASSES, Vec::new, |spare: &mut Vec<Vec<f32>>, class| {
         // The grids of the maps differ, so that their steps do not add up.
-        let (column, row) = (class % 2 * 2 + class / 2 % 2, class / 2);
-        let shift = [column as f64, row as f64].map(|s| s / BLOCK as f64);
+        let [column, row] = class_offset(class);
+        let shift = [column, row].map(|s| s as f64 / BLOCK as f64);
         let sky: Vec<Lamp> = (0..count)
             .map(|i| {
                 let to = sky_lamp(i * CLASSES + class, count * CLASSES);
                 Lamp::new(&casters, half, to, sky_map, shift, spare.pop().unwrap_or_default())
             })
             .collect();
-        for y in (row..layer.height).step_by(BLOCK) {
-            for x in (column..layer.width).step_by(BLOCK) {
-                let sample = y * layer.width + x;
-                let Some((point, normal)) = surface(scene, layer, view, sample) else { continue };
-                let lit = 0.0 < normal.dot(sun);
-                let (point, normal) = (point.as_vec3(), normal.as_vec3());
-                let sun = if lit { bright.soft(point, normal) } else { 1.0 };
-                let (mut given, mut possible) = (0.0, 0.0);
-                for lamp in &sky {
-                    let share = normal.dot(lamp.to) * sky_weight(lamp.to.y);
-                    if 0.0 < share {
-                        possible += share;
-                        given += share * lamp.hard(point, normal);
-                    }
+        let test = |sample| {
+            let Some((point, normal)) = surface(scene, layer, view, sample) else { return Raw::default() };
+            let lit = 0.0 < normal.dot(sun);
+            let (point, normal) = (point.as_vec3(), normal.as_vec3());
+            let sun = if lit { bright.soft(point, normal) } else { 1.0 };
+            let (mut given, mut possible) = (0.0, 0.0);
+            for lamp in &sky {
+                let share = normal.dot(lamp.to) * sky_weight(lamp.to.y);
+                if 0.0 < share {
+                    possible += share;
+                    given += share * lamp.hard(point, normal);
                 }
-                let byte = |share: f32| (share * 255.0 + 0.5) as u8;
-                let part = 1.0 / count as f32;
-                raw[sample] = Raw { sun: byte(sun), given: byte(given * part), possible: byte(possible * part) };
             }
-        }
+            let byte = |share: f32| (share * 255.0 + 0.5) as u8;
+            let part = 1.0 / count as f32;
+            Raw { sun: byte(sun), given: byte(given * part), possible: byte(possible * part) }
+        };
+        let tests: Vec<Raw> = class_samples(layer, class).map(test).collect();
         spare.extend(sky.into_iter().map(|lamp| lamp.near));
+        tests
+    });
+    let mut raw = vec![Raw::default(); layer.seen.len()];
+    for (class, tests) in classes.into_iter().enumerate() {
+        class_samples(layer, class).zip(tests).for_each(|(sample, test)| raw[sample] = test);
     }
     let planes = layer.planes(scene);
     let mut light = average(scene, layer, &planes, &raw);

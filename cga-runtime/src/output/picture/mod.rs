@@ -30,6 +30,7 @@ mod scene;
 mod shade;
 mod texel;
 mod texture;
+mod threads;
 mod visible;
 
 pub use crate::asset::image::Image;
