@@ -1,6 +1,6 @@
 //! Runs all benches and writes their tables to `docs/performance.md`, with a description of the machine.
 //!
-//! `cargo run --example performance`. Leave the machine idle meanwhile: times are the best of many runs, but on a
+//! `cargo run --example performance`. The part of the page from `BY_HAND` on is kept as it is. Leave the machine idle meanwhile: times are the best of many runs, but on a
 //! busy machine all runs are slow.
 
 use std::error::Error;
@@ -24,7 +24,7 @@ const BENCHES: [(&str, &str, &[&str]); 10] = [
 
 const HEAD: &str = "# Performance
 
-Written by `cargo run --example performance`, which runs all benches on one machine; do not edit. Times differ from machine to
+Written by `cargo run --example performance`, which runs all benches on one machine; do not edit, except *Builds of the repository*. Times differ from machine to
 machine, so look at the ratios. A ratio compares two ways that run in turn in one process; each time is the best of many.
 
 *By hand* is a loop without a grammar. It knows all sizes and fills the same buffers: vertices, indices, and where rule or
@@ -36,8 +36,14 @@ A is a façade with windows, A-color the same with a colour in every bay, A-chan
 Menger sponge, B2 a box that is divided in the golden ratio, D a city of façades.
 ";
 
+/// The heading of the part of the page that is written by hand.
+const BY_HAND: &str = "\n## Builds of the repository\n";
+
 fn main() -> Result<(), Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let path = root.join("docs/performance.md");
+    let old = fs::read_to_string(&path)?;
+    let by_hand = old.find(BY_HAND).map_or("", |start| &old[start..]);
     let mut page = format!("{HEAD}\nThe machine: {}.\n", machine());
     for (package, bench, arguments) in BENCHES {
         let output = Command::new(env!("CARGO"))
@@ -53,7 +59,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         print!("{tables}");
         page.push_str(&tables);
     }
-    fs::write(root.join("docs/performance.md"), page)?;
+    page.push_str(by_hand);
+    fs::write(path, page)?;
     Ok(())
 }
 
