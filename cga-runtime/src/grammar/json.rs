@@ -1,4 +1,5 @@
-//! All attributes of a grammar as JSON.
+//! All attributes of a grammar as JSON. What a grammar does is passed as functions, so this code is compiled once, not for
+//! each grammar.
 
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
@@ -7,15 +8,20 @@ use super::Grammar;
 use super::attribute::{self, Attribute, AttributeError};
 use crate::value::Value;
 
-/// The values of a grammar, by name.
-struct Values<'g, G: ?Sized>(&'g G);
+/// The value of an attribute by its index.
+type Own<'a> = &'a dyn Fn(usize) -> Option<Value>;
 
-impl<G: Grammar + ?Sized> Serialize for Values<'_, G> {
+/// The values of attributes, by name.
+struct Values<'a> {
+    attributes: &'static [Attribute],
+    own: Own<'a>,
+}
+
+impl Serialize for Values<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let attributes = self.0.attributes();
-        let mut map = serializer.serialize_map(Some(attributes.len()))?;
-        for (index, attribute) in attributes.iter().enumerate() {
-            map.serialize_entry(attribute.name, &self.0.attribute_get(index))?;
+        let mut map = serializer.serialize_map(Some(self.attributes.len()))?;
+        for (index, attribute) in self.attributes.iter().enumerate() {
+            map.serialize_entry(attribute.name, &(self.own)(index))?;
         }
         map.end()
     }
@@ -32,27 +38,47 @@ struct Described {
 }
 
 /// See [`Grammar::values_json`].
-pub(super) fn values<G: Grammar + ?Sized>(grammar: &G) -> String {
-    serde_json::to_string(&Values(grammar)).unwrap_or_default()
+pub(super) fn values(attributes: &'static [Attribute], own: Own<'_>) -> String {
+    serde_json::to_string(&Values { attributes, own }).unwrap_or_default()
 }
 
 /// See [`Grammar::attributes_json`].
-pub(super) fn attributes<G: Grammar + ?Sized>(grammar: &G) -> String {
-    let rows = grammar.attributes().iter().enumerate().map(|(index, attribute)| Described {
+pub(super) fn attributes(
+    attributes: &'static [Attribute],
+    own: Own<'_>,
+    get: &dyn Fn(&str) -> Option<Value>,
+) -> String {
+    let rows = attributes.iter().enumerate().map(|(index, attribute)| Described {
         attribute,
-        value: grammar.attribute_get(index),
-        allowed: attribute.choices.and_then(|choices| choices.of(grammar)),
+        value: own(index),
+        allowed: attribute.choices.and_then(|choices| choices.of_values(get)),
     });
     serde_json::to_string(&rows.collect::<Vec<_>>()).unwrap_or_default()
 }
 
+/// An attribute by its index, and the value that it gets; `None` is the default.
+type Change = (usize, Option<Value>);
+
 /// See [`Grammar::set_values_json`].
 pub(super) fn set_values<G: Grammar + ?Sized>(grammar: &mut G, json: &str) -> Result<(), AttributeError> {
+    let attributes = grammar.attributes();
+    let changes = read(attributes, json)?;
+    // Choices may be values of other attributes, so all are set before they are checked.
+    let before: Vec<Change> = changes.iter().map(|&(index, _)| (index, grammar.attribute_get(index))).collect();
+    put(grammar, &changes);
+    let checked = allowed(attributes, &changes, &|name| grammar.get(name).ok());
+    if checked.is_err() {
+        put(grammar, &before);
+    }
+    checked
+}
+
+/// The values of a JSON object.
+fn read(attributes: &'static [Attribute], json: &str) -> Result<Vec<Change>, AttributeError> {
     let refused = |error: serde_json::Error| AttributeError::Json { message: error.to_string() };
     let object: serde_json::Map<String, serde_json::Value> = serde_json::from_str(json).map_err(refused)?;
-    let mut values = Vec::with_capacity(object.len());
-    for (name, value) in object {
-        let (index, attribute) = attribute::find(grammar.attributes(), &name)?;
+    let change = |(name, value): (String, serde_json::Value)| {
+        let (index, attribute) = attribute::find(attributes, &name)?;
         let value = match value {
             serde_json::Value::Null => None,
             value => {
@@ -60,28 +86,29 @@ pub(super) fn set_values<G: Grammar + ?Sized>(grammar: &mut G, json: &str) -> Re
                 Some(Value::of_type(attribute.ty(), value).map_err(|_| attribute.no_value(&text))?)
             }
         };
-        values.push((index, attribute, value));
-    }
-    // Choices may be values of other attributes, so all are set before they are checked.
-    let before: Vec<(usize, Option<Value>)> =
-        values.iter().map(|&(index, ..)| (index, grammar.attribute_get(index))).collect();
-    for (index, _, value) in &values {
-        put(grammar, *index, value.clone());
-    }
-    let checked = values.iter().try_for_each(|(_, attribute, value)| match value {
-        Some(value) => attribute.allows(value, grammar),
-        None => Ok(()),
-    });
-    if checked.is_err() {
-        before.into_iter().for_each(|(index, value)| put(grammar, index, value));
-    }
-    checked
+        Ok((index, value))
+    };
+    object.into_iter().map(change).collect()
 }
 
-/// Sets an attribute, or gives it its default if that is computed.
-fn put<G: Grammar + ?Sized>(grammar: &mut G, index: usize, value: Option<Value>) {
-    match value {
-        Some(value) => grammar.attribute_set(index, value),
-        None => grammar.attribute_reset(index),
+/// Checks the values of changes that were made.
+fn allowed(
+    attributes: &'static [Attribute],
+    changes: &[Change],
+    get: &dyn Fn(&str) -> Option<Value>,
+) -> Result<(), AttributeError> {
+    changes.iter().try_for_each(|(index, value)| match value {
+        Some(value) => attributes[*index].allows(value, get),
+        None => Ok(()),
+    })
+}
+
+/// Makes changes. An attribute without a value gets its default.
+fn put<G: Grammar + ?Sized>(grammar: &mut G, changes: &[Change]) {
+    for (index, value) in changes {
+        match value {
+            Some(value) => grammar.attribute_set(*index, value.clone()),
+            None => grammar.attribute_reset(*index),
+        }
     }
 }

@@ -102,7 +102,7 @@ pub trait Grammar {
     /// restricted choices. A default is never refused.
     fn set(&mut self, name: &str, value: Value) -> Result<(), AttributeError> {
         let (index, attribute) = attribute::find(self.attributes(), name)?;
-        attribute.allows(&value, self)?;
+        attribute.allows(&value, &|name| self.get(name).ok())?;
         self.attribute_set(index, value);
         Ok(())
     }
@@ -131,7 +131,7 @@ pub trait Grammar {
     /// [`Value`] describes how arrays and NaN are written.
     #[cfg(feature = "serde")]
     fn values_json(&self) -> String {
-        json::values(self)
+        json::values(self.attributes(), &|index| self.attribute_get(index))
     }
 
     /// Sets attributes from a JSON object with values by name; null sets the default. Other attributes stay as they are.
@@ -149,7 +149,7 @@ pub trait Grammar {
     /// `value`, and with `allowed`, the values to choose from.
     #[cfg(feature = "serde")]
     fn attributes_json(&self) -> String {
-        json::attributes(self)
+        json::attributes(self.attributes(), &|index| self.attribute_get(index), &|name| self.get(name).ok())
     }
 
     /// Runs the default start rule with default settings.

@@ -10,6 +10,7 @@ use crate::run::report::{Print, Report};
 use crate::run::rules::Rules;
 use crate::run::settings::Settings;
 use crate::run::sink::{Flow, Sink};
+use crate::run::start_rule::StartRule;
 use crate::run::template::Templates;
 use crate::shape::Shape;
 use crate::shape::look_id::LookIds;
@@ -87,6 +88,11 @@ pub(crate) fn run<R: Rules>(
     }
     std::mem::swap(&mut env.leaf_tables.looks, &mut kept.materials);
     kept.templates = templates;
+    outcome(&mut env, flow)
+}
+
+/// The result of a run that has ended: `Break` if the sink, the watch or an error ended it.
+fn outcome(env: &mut Env, flow: Flow) -> RunOutcome {
     env.tell_watch(flow.is_continue());
     let (faults, faults_left_out) = env.take_faults();
     let prints = std::mem::take(&mut env.prints);
@@ -128,19 +134,24 @@ pub(crate) fn echo(prints: &[Print]) {
 
 /// The start rule with a name, or the default one. `Default$Lot` means `Lot`.
 pub(crate) fn start_rule<R: Rules>(name: Option<&str>) -> Result<Start, Error> {
+    find_start(name, R::STARTS, R::START_RULES, R::START_STYLES)
+}
+
+/// The start rule with a name among `starts`, or the first one. Rules and styles are in the order of `starts`.
+fn find_start(name: Option<&str>, starts: &[StartRule], rules: &[u32], styles: &[u32]) -> Result<Start, Error> {
     let at = match name {
         None => Some(0),
         Some(name) => {
             let plain = name.strip_prefix("Default$").unwrap_or(name);
-            R::STARTS.iter().position(|start| start.name == name || start.name == plain)
+            starts.iter().position(|start| start.name == name || start.name == plain)
         }
     };
     let start = at.and_then(|at| {
-        let (rule, style) = (*R::START_RULES.get(at)?, *R::START_STYLES.get(at)?);
-        Some(Start { rule, style, name: R::STARTS.get(at)?.name })
+        let (rule, style) = (*rules.get(at)?, *styles.get(at)?);
+        Some(Start { rule, style, name: starts.get(at)?.name })
     });
     start.ok_or_else(|| {
-        let known = R::STARTS.iter().filter(|start| !start.hidden).map(|start| start.name).collect();
+        let known = starts.iter().filter(|start| !start.hidden).map(|start| start.name).collect();
         Error::StartRule { name: name.unwrap_or_default().to_owned(), known }
     })
 }

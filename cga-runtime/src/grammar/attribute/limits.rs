@@ -72,10 +72,15 @@ impl Choices {
 
     /// The values. For the values of another attribute, `None` while the grammar has no value of it.
     pub fn of<G: Grammar + ?Sized>(&self, grammar: &G) -> Option<Vec<Value>> {
+        self.of_values(&|name| grammar.get(name).ok())
+    }
+
+    /// The values, with a function that has the values of attributes by name.
+    pub(crate) fn of_values(&self, get: &dyn Fn(&str) -> Option<Value>) -> Option<Vec<Value>> {
         match self.values {
             ChoiceValues::Floats(list) => Some(list.iter().map(|&number| Value::Float(number)).collect()),
             ChoiceValues::Texts(list) => Some(list.iter().map(|&text| Value::Text(Text::fixed(text))).collect()),
-            ChoiceValues::Attribute(name) => grammar.get(name).ok().map(|value| elements(&value)),
+            ChoiceValues::Attribute(name) => get(name).map(|value| elements(&value)),
         }
     }
 }
@@ -92,9 +97,9 @@ impl Attribute {
         self.default.value().as_ref() == Some(value)
     }
 
-    /// Checks whether the host program may set the attribute to a value. Choices may depend on other attributes of
-    /// `grammar`.
-    pub(crate) fn allows<G: Grammar + ?Sized>(&self, value: &Value, grammar: &G) -> Result<(), AttributeError> {
+    /// Checks whether the host program may set the attribute to a value. Choices may depend on other attributes, whose
+    /// values `get` has by name.
+    pub(crate) fn allows(&self, value: &Value, get: &dyn Fn(&str) -> Option<Value>) -> Result<(), AttributeError> {
         let name = self.name;
         if value.ty() != self.ty() {
             return Err(AttributeError::Type { name, wanted: self.ty(), got: value.ty() });
@@ -114,7 +119,7 @@ impl Attribute {
             }
         }
         let choices = self.choices.filter(|choices| choices.restricted);
-        if let Some(choices) = choices.and_then(|choices| choices.of(grammar)) {
+        if let Some(choices) = choices.and_then(|choices| choices.of_values(get)) {
             for value in elements {
                 if !choices.contains(&value) {
                     return Err(AttributeError::Choice { name, value, choices });
@@ -141,12 +146,22 @@ fn elements(value: &Value) -> Vec<Value> {
 /// # Errors
 /// [`Error::Attribute`] for the first value that is refused.
 pub fn check<G: Grammar + ?Sized>(grammar: &G) -> Result<(), Error> {
-    for (index, attribute) in grammar.attributes().iter().enumerate() {
+    let own = |index| grammar.attribute_get(index);
+    check_all(grammar.attributes(), &own, &|name| grammar.get(name).ok())
+}
+
+/// Checks attributes with functions that have their values by index and by name.
+fn check_all(
+    attributes: &[Attribute],
+    own: &dyn Fn(usize) -> Option<Value>,
+    get: &dyn Fn(&str) -> Option<Value>,
+) -> Result<(), Error> {
+    for (index, attribute) in attributes.iter().enumerate() {
         if attribute.is_restricted()
-            && let Some(value) = grammar.attribute_get(index)
+            && let Some(value) = own(index)
         {
             let refused = |error: AttributeError| Error::Attribute { name: attribute.name, message: error.reason() };
-            attribute.allows(&value, grammar).map_err(refused)?;
+            attribute.allows(&value, get).map_err(refused)?;
         }
     }
     Ok(())
