@@ -228,30 +228,3 @@ Green(height) --> s('1, 'height, '1) color("#9BD770")
 Yellow(height) --> s('1, 'height, '1) color("#FCE070")
 "##
 }
-
-/// Every piece follows from the ratio, until nothing is left that could be split.
-#[test]
-fn the_recursion_of_the_golden_ratio() {
-    let model = golden_ratio_recursive::EXAMPLE.model(&cga::Settings::default());
-    let pieces: Vec<_> = model.leaves().map(|leaf| (leaf.rule(), leaf.scope().origin.x, leaf.size().x)).collect();
-    // `A` fills the low part and `B` the rest; both end at their low end.
-    for (low, high, rule) in [(0.0, 5.0 * 0.382, "A"), (5.0 * 0.382, 5.0, "B")] {
-        let mut mine: Vec<_> = pieces.iter().filter(|piece| low <= piece.1 && piece.1 < high).collect();
-        mine.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let (mut extent, mut rest) = (high - low, mine.as_slice());
-        while let [yellow, green, smaller @ ..] = rest
-            && 1e-3 < extent
-        {
-            assert_eq!((yellow.0, green.0), ("Yellow", "Green"));
-            assert!((yellow.2 - extent * 0.618 * 0.618).abs() < 1e-9);
-            assert!((green.2 - extent * 0.618 * 0.382).abs() < 1e-9);
-            extent *= 0.382;
-            assert!((green.1 - low - extent).abs() < 1e-9);
-            rest = smaller;
-        }
-        // The shape that is too small to be split is a leaf.
-        assert_eq!(rest.last().map(|piece| (piece.0, piece.1)), Some((rule, low)));
-        assert!((rest.iter().map(|piece| piece.2).sum::<f64>() - extent).abs() < 1e-9);
-    }
-    assert!((pieces.iter().map(|piece| piece.2).sum::<f64>() - 5.0).abs() < 1e-9);
-}
