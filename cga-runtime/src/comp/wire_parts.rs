@@ -12,6 +12,7 @@ use crate::geometry::Frame;
 use crate::geometry::face_frame::{along, beside, upright};
 use crate::geometry::mesh::{point_normals, unit};
 use crate::geometry::wire::Wire;
+use crate::value::each::Each;
 
 /// A wire in scope coordinates, with its components of one kind.
 #[derive(Debug)]
@@ -48,7 +49,7 @@ impl WireParts {
             }
             Components::FaceVertices => {
                 let ends =
-                    |([a, b], normal): ([DVec3; 2], DVec3)| [a, b].map(|end| part([end; 2], unit(b - a), normal));
+                    |([a, b], normal): ([DVec3; 2], DVec3)| [a, b].each(|end| part([end; 2], unit(b - a), normal));
                 edges().flat_map(ends).collect()
             }
             Components::Vertices => {

@@ -12,6 +12,7 @@ use glam::{DVec2, DVec3};
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::segment::nearest_share;
 use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
+use crate::value::each::Each;
 
 /// The limit on edges of an outline, because each sample compares all of them.
 const MOST_EDGES: usize = 5_000;
@@ -57,11 +58,11 @@ impl SampledOutline {
         let mut edges = Vec::new();
         for face in mesh.faces() {
             for [from, to] in face.edges() {
-                let [a, b] = [from, to].map(at);
+                let [a, b] = [from, to].each(at);
                 let out = flat(unit((b - a).cross(normals[face.index()]))).normalize_or_zero();
                 let is_outline = is_closed || adjacency.is_border(adjacency.edge(from as u32));
                 if is_outline && out != DVec2::ZERO && flat(a) != flat(b) {
-                    edges.push(OutlineEdge { ends: [a, b].map(flat), out, number: from });
+                    edges.push(OutlineEdge { ends: [a, b].each(flat), out, number: from });
                 }
             }
         }
@@ -127,14 +128,14 @@ struct Rays<'e> {
 impl Rays<'_> {
     /// The places across the rays where an edge begins and ends.
     fn span(&self, edge: &OutlineEdge) -> [f64; 2] {
-        let [a, b] = edge.ends.map(|end| end.dot(self.across));
+        let [a, b] = edge.ends.each(|end| end.dot(self.across));
         [a.min(b), a.max(b)]
     }
 
     /// The distance at which the ray at a place meets an edge; negative behind its start.
     fn distance(&self, edge: &OutlineEdge, at: f64) -> f64 {
         let [a, b] = edge.ends;
-        let [s, t] = [a, b].map(|end| end.dot(self.across));
+        let [s, t] = [a, b].each(|end| end.dot(self.across));
         let share = if s == t { 0.5 } else { ((at - s) / (t - s)).clamp(0.0, 1.0) };
         a.lerp(b, share).dot(self.ahead) - self.start
     }

@@ -3,6 +3,7 @@
 //! While an operation that recomposes derives its operand, the points of all shapes have numbers. Points with the same number
 //! are one point of the result, wherever rules have moved them. A point without a number has no origin.
 
+use crate::value::each::Each;
 use std::collections::HashMap;
 
 use glam::DVec3;
@@ -103,7 +104,7 @@ impl Trace {
         if self.is_empty() {
             return Trace::default();
         }
-        let key = |place: &DVec3| (*place + 0.0).to_array().map(f64::to_bits);
+        let key = |place: &DVec3| (*place + 0.0).to_array().each(f64::to_bits);
         let mut first = HashMap::new();
         for (number, point) in (0..).zip(points) {
             first.entry(key(point)).or_insert(number);

@@ -7,6 +7,7 @@ use glam::DVec3;
 use crate::geometry::Frame;
 use crate::geometry::mesh::{SubcomponentTags, unit};
 use crate::geometry::trace::{PartPoint, Trace};
+use crate::value::each::Each;
 
 /// Edges between points, or points without edges.
 #[derive(Clone, Debug, Default)]
@@ -52,7 +53,7 @@ impl Wire {
                 used.len() as u32 - 1
             })
         };
-        let edges: Vec<[u32; 2]> = edges.map(|edge| edge.map(&mut number)).collect();
+        let edges: Vec<[u32; 2]> = edges.map(|edge| edge.each(&mut number)).collect();
         let trace = trace.pick(used.iter().map(|point| Some(*point)));
         let tags = tags.carried(edges.iter().copied(), used.len(), |point| PartPoint::old(used[point as usize]));
         Wire { points: used.iter().map(|point| points[*point as usize]).collect(), edges, normals, tags, trace }
@@ -109,7 +110,7 @@ impl Wire {
             let [first, last] = self.edges[edge];
             // Edges between the same points are cut at one point, in both directions.
             let (min, max) = (first.min(last), first.max(last));
-            let [start, end] = [min, max].map(|point| self.points[point as usize]);
+            let [start, end] = [min, max].each(|point| self.points[point as usize]);
             let own = start.dot(along);
             let mut number = |point: u32, place: f64| {
                 let inside = place.clamp(low, high);
@@ -146,7 +147,7 @@ impl Wire {
 
     /// The start and the end of an edge.
     pub(crate) fn ends(&self, edge: usize) -> [DVec3; 2] {
-        self.edges[edge].map(|point| self.points[point as usize])
+        self.edges[edge].each(|point| self.points[point as usize])
     }
 }
 

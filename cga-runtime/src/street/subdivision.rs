@@ -3,6 +3,7 @@
 use super::grid::{Point, cross, sides, twice_area, winding};
 use super::rounding::divide;
 use crate::geometry::disjoint::DisjointSets;
+use crate::value::each::Each;
 
 /// The number for "no owner".
 pub(super) const NONE: u32 = u32::MAX;
@@ -87,7 +88,7 @@ impl Subdivision {
 
     /// The ends of a half-edge.
     pub(super) fn ends(&self, half: usize) -> [Point; 2] {
-        [half, half ^ 1].map(|half| self.points[self.origin[half] as usize])
+        [half, half ^ 1].each(|half| self.points[self.origin[half] as usize])
     }
 
     /// Finds the covering polygons of all faces, from the outer border of each connected part inwards.

@@ -2,6 +2,7 @@
 
 pub mod array;
 pub(crate) mod compare;
+pub(crate) mod each;
 pub(crate) mod number;
 pub(crate) mod pattern;
 #[cfg(feature = "serde")]

@@ -10,6 +10,7 @@ use super::operation::BooleanOp;
 use super::polygon::{PolygonCorner, ResultPolygon};
 use crate::geometry::mesh::{FaceTag, Mesh, SubcomponentTagger, SubcomponentTags, TagSet, TagSetTable, flip, unit};
 use crate::geometry::triangulate::Triangulator;
+use crate::value::each::Each;
 use crate::value::text::Text;
 
 /// Makes the mesh of polygons.
@@ -135,7 +136,7 @@ impl Assembly<'_> {
             if let Some(source) = along.iter().find(|source| is_here(source)) {
                 return Some(only(*source));
             }
-            let [a, b] = along.map(|source| self.mesh.points()[self.mesh.corners()[source as usize] as usize]);
+            let [a, b] = along.each(|source| self.mesh.points()[self.mesh.corners()[source as usize] as usize]);
             let place = self.places[corner.point as usize];
             let share = ((place - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
             return Some([(along[0], 1.0 - share), (along[1], share), (along[1], 0.0)]);

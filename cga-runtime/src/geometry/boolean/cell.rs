@@ -15,6 +15,7 @@ use super::point_set::PointSet;
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::Bounds;
+use crate::value::each::Each;
 
 /// The number of times that outlines wind around a place.
 pub(super) trait Winding: Clone + Default + PartialEq {
@@ -123,7 +124,7 @@ impl<'l, W: Winding> LineGraph<'l, W> {
         points.dedup();
         let flat: Vec<DVec2> = points.iter().map(|point| at(*point)).collect();
         let number = |point: u32| points.binary_search(&point).unwrap_or_default() as u32;
-        let starts: Vec<u32> = lines.iter().flat_map(|line| line.ends.map(number)).collect();
+        let starts: Vec<u32> = lines.iter().flat_map(|line| line.ends.each(number)).collect();
         let mut leaving = vec![Vec::new(); points.len()];
         starts.iter().enumerate().for_each(|(half, start)| leaving[*start as usize].push(half as u32));
         let mut places = vec![0; starts.len()];
@@ -354,7 +355,7 @@ impl<'l, W: Winding> LineGraph<'l, W> {
             budget.spend(ring.len())?;
             let mut turns = 0;
             for (a, b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-                let [a, b] = [a, b].map(|point| self.flat[*point as usize]);
+                let [a, b] = [a, b].each(|point| self.flat[*point as usize]);
                 if a.y <= place.y && place.y < b.y {
                     turns += i32::from(0 < orient(a, b, place));
                 } else if b.y <= place.y && place.y < a.y {

@@ -6,6 +6,7 @@ use super::bounds_tree::{BoundsTree, overlap};
 use super::facet::Facet;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::triangulate::{PlaneProjection, Triangulator};
+use crate::value::each::Each;
 
 /// The values of a corner, as shares of corners of the mesh.
 pub(super) type Shares = [(u32, f64); 3];
@@ -31,9 +32,9 @@ impl FaceValues {
         triangulator.face(mesh, face as usize, &mut corners);
         let projection = PlaneProjection::along(mesh.face(face as usize).normal());
         let at = |corner: u32| projection.apply(mesh.points()[mesh.corners()[corner as usize] as usize]);
-        let triangles: Vec<_> = corners.iter().map(|triangle| (*triangle, triangle.map(at))).collect();
+        let triangles: Vec<_> = corners.iter().map(|triangle| (*triangle, triangle.each(at))).collect();
         let boxes: Vec<Bounds> =
-            triangles.iter().map(|(_, places)| Bounds::of(places.map(|place| place.extend(0.0)))).collect();
+            triangles.iter().map(|(_, places)| Bounds::of(places.each(|place| place.extend(0.0)))).collect();
         let tree = BoundsTree::of(&boxes);
         FaceValues { face, projection, triangles, boxes, tree }
     }
@@ -56,7 +57,7 @@ impl FaceValues {
         let found = found.or_else(|| self.best(0..self.triangles.len() as u32, place));
         found.map_or_else(
             || only(facet.sources[0]),
-            |(triangle, shares)| [0, 1, 2].map(|end| (triangle[end], shares[end])),
+            |(triangle, shares)| [0, 1, 2].each(|end| (triangle[end], shares[end])),
         )
     }
 

@@ -11,6 +11,7 @@ use super::point_set::PointSet;
 use super::selection::ChosenSheet;
 use super::sheet::Sheets;
 use crate::geometry::disjoint::DisjointSets;
+use crate::value::each::Each;
 
 /// A corner of a polygon, and the edge that starts there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,7 +86,7 @@ impl PolygonMaker<'_> {
         for (_, uses) in self.sheets.fans() {
             let mut here = uses.iter().map(|used| number_of[used.sheet as usize]).filter(|number| *number != NO_CORNER);
             let (Some(a), Some(b), None) = (here.next(), here.next(), here.next()) else { continue };
-            let [first, second] = [a, b].map(|number| &chosen[number as usize]);
+            let [first, second] = [a, b].each(|number| &chosen[number as usize]);
             if a != b && are_alike(first, second) && self.is_turned(first) == self.is_turned(second) {
                 sets.unite(a, b);
             }

@@ -3,6 +3,7 @@
 //! Around an edge, the sheets that have it are in the order of their angles. So the space at the edge is divided into wedges,
 //! each between a side of a sheet and a side of the next one.
 
+use crate::value::each::Each;
 use std::collections::HashMap;
 
 use glam::DVec2;
@@ -137,7 +138,7 @@ impl Sheets {
             match list.get_mut(number as usize) {
                 None => list.push(new),
                 Some(sheet) => {
-                    let [own, front] = [new.facet(), sheet.facet()].map(|facet| facets[facet as usize].normal);
+                    let [own, front] = [new.facet(), sheet.facet()].each(|facet| facets[facet as usize].normal);
                     let sign = if 0.0 < own.dot(front) { 1 } else { -1 };
                     let turned = |one: SheetSource| SheetSource { winding: sign * one.winding, ..one };
                     sheet.sources.extend(new.sources.into_iter().map(turned));
@@ -152,7 +153,7 @@ impl Sheets {
                 let edge = edges.find(ends).ok_or(BooleanError::Tangled)?;
                 all.push((edge, EdgeUse { sheet: number, is_left: ends[0] < ends[1] }));
             }
-            let both = |edge: u32| [true, false].map(|is_left| (edge, EdgeUse { sheet: number, is_left }));
+            let both = |edge: u32| [true, false].each(|is_left| (edge, EdgeUse { sheet: number, is_left }));
             let mut inner = sheet.inner.clone();
             inner.sort_unstable();
             inner.dedup();

@@ -7,6 +7,7 @@ use super::values::{have_same_attributes, have_same_texture};
 use super::{add_face, without_faces};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::tol::VOLUME_EPSILON;
+use crate::value::each::Each;
 
 /// A face that has the same corners as others.
 #[derive(Clone, Copy)]
@@ -123,7 +124,7 @@ fn canonical(mesh: &Mesh, face: u32) -> (Vec<u32>, Vec<u32>, bool) {
     for (number, ring) in face.loop_ranges().enumerate() {
         let ahead: Vec<u32> = (ring.start as u32..ring.end as u32).collect();
         let back: Vec<u32> = ahead.iter().rev().copied().collect();
-        let [ahead, back] = [ahead, back].map(|ring| least_turn(mesh, ring));
+        let [ahead, back] = [ahead, back].each(|ring| least_turn(mesh, ring));
         if number == 0 {
             is_along = ahead.0 <= back.0;
         }

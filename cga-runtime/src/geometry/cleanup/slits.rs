@@ -2,6 +2,7 @@
 
 use super::regions::{Removal, joined};
 use crate::geometry::mesh::Mesh;
+use crate::value::each::Each;
 
 /// The edges with tags that one face has in both directions, as pairs of points in order.
 pub(super) fn tagged_slits(mesh: &Mesh) -> Vec<[u32; 2]> {
@@ -48,5 +49,5 @@ fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
 }
 
 fn ends(mesh: &Mesh, corner: u32) -> [u32; 2] {
-    [corner, mesh.adjacency().next(corner)].map(|corner| mesh.corners[corner as usize])
+    [corner, mesh.adjacency().next(corner)].each(|corner| mesh.corners[corner as usize])
 }

@@ -15,6 +15,7 @@ use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::Contour;
 use crate::geometry::skeleton::{self, Failure, Speeds, Strip};
 use crate::geometry::tol::PLANAR_EPSILON;
+use crate::value::each::Each;
 
 impl From<Failure> for EnvelopeRefusal {
     fn from(failure: Failure) -> Self {
@@ -69,7 +70,7 @@ pub(super) fn stack(ground: &Ground<'_>) -> Result<Mesh, EnvelopeRefusal> {
         match part {
             EnvelopePart::Slope(_) => add_faces(&mut mesh, sides, &plain, part)?,
             EnvelopePart::Base(corner) => {
-                let ends = plan.ends[corner as usize].map(|end| plan.points[end as usize]);
+                let ends = plan.ends[corner as usize].each(|end| plan.points[end as usize]);
                 let along = (ends[1] - ends[0]).normalize_or_zero();
                 let upright = |&(p, height): &(DVec2, f64)| DVec2::new(along.dot(p - ends[0]), height);
                 add_faces(&mut mesh, sides, &stack.points.iter().map(upright).collect::<Vec<_>>(), part)?;
@@ -117,16 +118,16 @@ impl FaceProjection {
         let points: Vec<DVec2> =
             flat.points.iter().map(|&point| in_plan(flat.face.mesh.points()[point as usize])).collect();
         // On the face a step along an axis rises so that it stays across the normal.
-        let rise = DVec2::from_array(axes.map(|axis| -axis.dot(flat.normal) / up.dot(flat.normal)));
+        let rise = DVec2::from_array(axes.each(|axis| -axis.dot(flat.normal) / up.dot(flat.normal)));
         let is_level = rise.length() <= PLANAR_EPSILON;
         let rise = if is_level { DVec2::ZERO } else { rise };
         let ends: Vec<[u32; 2]> =
-            ground.corners().map(|corner| [corner, ground.next(corner)].map(|end| flat.corners[end])).collect();
+            ground.corners().map(|corner| [corner, ground.next(corner)].each(|end| flat.corners[end])).collect();
         let mut ways = vec![0.0; ends.len()];
         let heights = points.iter().map(|p| ground.top - origin.dot(up) - rise.dot(*p));
         let mut top = heights.fold(0.0, f64::max);
         for corner in ground.slopes() {
-            let [a, b] = ends[corner].map(|end| points[end as usize]);
+            let [a, b] = ends[corner].each(|end| points[end as usize]);
             let inwards = (b - a).normalize_or_zero().perp();
             let slope = libm::tan(ground.sides[corner].angle.to_radians()) - rise.dot(inwards);
             if slope <= PLANAR_EPSILON {

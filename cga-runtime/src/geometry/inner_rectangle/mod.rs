@@ -14,6 +14,7 @@ use glam::{DMat2, DVec2};
 
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::{STRAIGHT_EPSILON, TIE_EPSILON};
+use crate::value::each::Each;
 use slabs::PolygonSlabs;
 
 /// A rectangle along two directions.
@@ -99,7 +100,7 @@ pub(crate) fn largest(points: &[DVec2], rings: &[Vec<u32>], sides: RectangleSide
     let (Found { low, high, .. }, along) = best?;
     let turn = DMat2::from_cols(along, along.perp());
     let corners = [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)];
-    Some(InnerRectangle { along, corners: corners.map(|corner| middle + turn * corner * extent) })
+    Some(InnerRectangle { along, corners: corners.each(|corner| middle + turn * corner * extent) })
 }
 
 /// The centre of gravity.
@@ -107,7 +108,7 @@ fn centre_of_gravity(flat: &[DVec2], rings: &[Vec<u32>]) -> DVec2 {
     let (mut area, mut moment) = (0.0, DVec2::ZERO);
     for ring in rings {
         for (k, &a) in ring.iter().enumerate() {
-            let [a, b] = [a, ring[(k + 1) % ring.len()]].map(|point| flat[point as usize]);
+            let [a, b] = [a, ring[(k + 1) % ring.len()]].each(|point| flat[point as usize]);
             let twice = a.perp_dot(b);
             area += twice;
             moment += (a + b) * twice;

@@ -1,5 +1,6 @@
 //! A polygon between lines through its corners.
 
+use crate::value::each::Each;
 use glam::DVec2;
 
 /// Coordinates that differ by less, for a polygon with an extent of 1, are the same: those of corners on one line, turned.
@@ -47,7 +48,7 @@ impl PolygonSlabs {
         let mut edges = Vec::new();
         for ring in rings {
             for (k, &a) in ring.iter().enumerate() {
-                let [a, b] = [a, ring[(k + 1) % ring.len()]].map(|point| snapped(points[point as usize]));
+                let [a, b] = [a, ring[(k + 1) % ring.len()]].each(|point| snapped(points[point as usize]));
                 edges.push(if b.x < a.x { SlabEdge { from: b, to: a } } else { SlabEdge { from: a, to: b } });
             }
         }

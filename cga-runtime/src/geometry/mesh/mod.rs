@@ -52,6 +52,7 @@ use glam::{DVec2, DVec3};
 
 use crate::geometry::trace::{PartPoint, Trace};
 use crate::material::Material;
+use crate::value::each::Each;
 
 pub(crate) use adjacency::Adjacency;
 pub use along_uv::{AlongUv, HeightAlignment, HeightDirection, insert_along_uv};
@@ -253,7 +254,7 @@ impl Mesh {
     /// The start and the end of an edge of the adjacency, in the direction of the first face that has it.
     pub(crate) fn edge_ends(&self, edge: usize) -> [DVec3; 2] {
         let from = self.adjacency().uses(edge)[0];
-        [from, self.adjacency().next(from)].map(|corner| self.points[self.corners[corner as usize] as usize])
+        [from, self.adjacency().next(from)].each(|corner| self.points[self.corners[corner as usize] as usize])
     }
 
     /// The sets of component tags, indexed by [`FaceTag::tags`].
@@ -279,7 +280,7 @@ impl Mesh {
 
     /// The two points of every edge, once for each face at the edge.
     pub(crate) fn face_edges(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.faces().flat_map(|face| face.edges()).map(|edge| edge.map(|corner| self.corners[corner]))
+        self.faces().flat_map(|face| face.edges()).map(|edge| edge.each(|corner| self.corners[corner]))
     }
 
     /// Takes over the tags of edges and vertices of a mesh in which the points have their origins.

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use super::Mesh;
 use super::tag::{TagSet, TagSetTable, TaggedComponents};
 use crate::geometry::trace::{PartPoint, UNTRACED};
+use crate::value::each::Each;
 use crate::value::text::Text;
 
 /// The tags of the edges and vertices of a mesh or a wire, by the numbers of its points.
@@ -98,7 +99,7 @@ impl SubcomponentTags {
         origin: impl Fn(u32) -> PartPoint,
     ) -> Self {
         let Some(lists) = &self.0 else { return SubcomponentTags::default() };
-        let of_edge = |ends: [u32; 2]| Some((in_order(ends), self.edge_set(whole_edge(ends.map(&origin))?)?));
+        let of_edge = |ends: [u32; 2]| Some((in_order(ends), self.edge_set(whole_edge(ends.each(&origin))?)?));
         let mut found: Vec<_> = if lists.edges.is_empty() { Vec::new() } else { edges.filter_map(of_edge).collect() };
         found.sort_unstable();
         found.dedup();
@@ -228,14 +229,14 @@ impl SubcomponentTagger {
             return;
         }
         for (&point, &next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-            let ends = [point, next].map(&old);
+            let ends = [point, next].each(&old);
             let set = match ends {
                 [Some(a), Some(b)] => source.edge_tags([a, b]),
                 [Some(vertex), None] | [None, Some(vertex)] => source.vertex_tags(vertex),
                 [None, None] => None,
             };
             if let Some(set) = set {
-                self.edge([point, next].map(&number), set);
+                self.edge([point, next].each(&number), set);
             }
             if let Some(set) = ends[0].and_then(|vertex| source.vertex_tags(vertex)) {
                 self.vertex(number(point), set);
@@ -253,7 +254,7 @@ impl SubcomponentTagger {
             let number = &mut numbers[set as usize];
             *number.get_or_insert_with(|| sets.number(&lists.sets[set as usize]))
         };
-        self.edges.extend(lists.edges.iter().map(|&(ends, set)| (in_order(ends.map(&new)), number(set))));
+        self.edges.extend(lists.edges.iter().map(|&(ends, set)| (in_order(ends.each(&new)), number(set))));
         self.vertices.extend(lists.vertices.iter().map(|&(point, set)| (new(point), number(set))));
     }
 

@@ -3,6 +3,7 @@
 //! Uses a hash table with a fixed hash function. An attacker could choose points with equal hashes, so if look-ups take
 //! much longer than expected, sorting is used instead, with the same result.
 
+use crate::value::each::Each;
 use glam::DVec3;
 
 /// For each point the first point at the same position.
@@ -11,7 +12,7 @@ pub(crate) fn weld(points: &[DVec3]) -> Vec<u32> {
 }
 
 fn bits(p: DVec3) -> [u64; 3] {
-    (p + 0.0).to_array().map(f64::to_bits)
+    (p + 0.0).to_array().each(f64::to_bits)
 }
 
 /// `None` if too many points have similar hashes.

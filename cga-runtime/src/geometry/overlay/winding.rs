@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use super::grid::{GridPoint, side};
 use super::noding::NodedEdge;
 use crate::geometry::buckets::Buckets;
+use crate::value::each::Each;
 
 /// The edges with a positive winding number on one side only, with that side on their left.
 pub(super) fn outline(places: &[GridPoint], edges: &[NodedEdge]) -> Vec<[u32; 2]> {
@@ -63,6 +64,6 @@ fn used(starts: &Buckets, stops: &[u32], point: u32) -> bool {
 
 /// The order of two edges that leave a point, from the lowest one up.
 fn steeper(places: &[GridPoint], edges: &[NodedEdge], from: GridPoint, a: u32, b: u32) -> Ordering {
-    let [a, b] = [a, b].map(|edge| places[edges[edge as usize].ends[1] as usize]);
+    let [a, b] = [a, b].each(|edge| places[edges[edge as usize].ends[1] as usize]);
     0.cmp(&side(from, a, b))
 }

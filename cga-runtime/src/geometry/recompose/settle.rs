@@ -1,5 +1,6 @@
 //! The places of points after all movements.
 
+use crate::value::each::Each;
 use glam::DVec3;
 
 use super::origins::{Movement, NO_EDGE, Origins};
@@ -110,7 +111,7 @@ impl Origins {
             let inherited = match self.edges.get(point.edge as usize).filter(|_| point.edge != NO_EDGE) {
                 None => DVec3::ZERO,
                 Some(edge) => {
-                    let [a, b] = edge.ends.map(|end| sums[end as usize] - movements.sum_at(end));
+                    let [a, b] = edge.ends.each(|end| sums[end as usize] - movements.sum_at(end));
                     a + (b - a) * point.share
                 }
             };

@@ -7,6 +7,7 @@ use crate::geometry::mesh::join::join;
 use crate::geometry::mesh::{Derived, Mesh, SubcomponentTagger, TagSet};
 use crate::geometry::trace::{PartPoint, Trace, UNTRACED};
 use crate::geometry::wire::Wire;
+use crate::value::each::Each;
 
 /// Parts that become one mesh.
 #[derive(Debug, Default)]
@@ -43,7 +44,7 @@ impl Weld {
                 ring.clear();
                 for from in range.clone() {
                     let to = if from + 1 == range.end { range.start } else { from + 1 };
-                    let ends = [from, to].map(|corner| points[mesh.corners[corner] as usize]);
+                    let ends = [from, to].each(|corner| points[mesh.corners[corner] as usize]);
                     let mut push = |corner: WeldCorner| {
                         if ring.last().is_none_or(|last: &WeldCorner| last.point != corner.point) {
                             ring.push(corner);
@@ -89,7 +90,7 @@ impl Weld {
 
     /// Adds the tags of the edge between two corners, all along the edge.
     fn tag_edge(&mut self, origins: &Origins, mesh: &Mesh, corners: [usize; 2], ends: [u32; 2]) {
-        if let Some(set) = mesh.edge_tags(corners.map(|corner| mesh.corners[corner])) {
+        if let Some(set) = mesh.edge_tags(corners.each(|corner| mesh.corners[corner])) {
             self.tag_along(origins, ends, set);
         }
     }
@@ -103,7 +104,7 @@ impl Weld {
     /// Adds the tags of a part without faces, whose edges and points faces have, too. `points` are the numbers of its points.
     pub(crate) fn add_tags(&mut self, origins: &Origins, part: &Wire, points: &[u32]) {
         let number = |point: u32| points.get(point as usize).copied().unwrap_or(UNTRACED);
-        for (ends, set) in part.tags.edges().map(|(ends, set)| (ends.map(number), set)) {
+        for (ends, set) in part.tags.edges().map(|(ends, set)| (ends.each(number), set)) {
             if !ends.contains(&UNTRACED) {
                 self.tag_along(origins, ends, set);
             }

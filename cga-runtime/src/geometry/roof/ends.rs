@@ -11,6 +11,7 @@ use glam::DVec2;
 use super::Outline;
 use super::plan::Plan;
 use crate::geometry::tol::TIE_EPSILON;
+use crate::value::each::Each;
 
 /// Edges belong to one side up to this angle, in radians (3 degrees).
 const ONE_SIDE: f64 = 0.052;
@@ -41,7 +42,7 @@ pub(super) fn ends(outline: &Outline<'_>) -> Vec<bool> {
     for face in plan.faces.iter().filter(|face| face.ring.len() == 3) {
         let side = face.edge as usize;
         let [last, next] = sides.neighbours(side);
-        let turns = [[last, side], [side, next]].map(|[a, b]| turn(&simple, [corners[a], corners[b]]));
+        let turns = [[last, side], [side, next]].each(|[a, b]| turn(&simple, [corners[a], corners[b]]));
         let blunt = SHARPEST..=std::f64::consts::PI - SHARPEST;
         if turns.iter().all(|turn| blunt.contains(turn)) && OPPOSITE <= turns[0] + turns[1] {
             let length = simple.at(corners[side][0]).distance(simple.at(corners[side][1]));
@@ -73,7 +74,7 @@ pub(super) fn ends_along(outline: &Outline<'_>, edge: usize) -> Vec<bool> {
 
 /// The angle from an edge to the next one, positive at a convex corner.
 fn turn(outline: &Outline<'_>, edges: [[u32; 2]; 2]) -> f64 {
-    let [a, b] = edges.map(|edge| outline.along(edge));
+    let [a, b] = edges.each(|edge| outline.along(edge));
     libm::atan2(a.perp_dot(b), a.dot(b))
 }
 

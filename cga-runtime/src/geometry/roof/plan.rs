@@ -11,6 +11,7 @@ use crate::geometry::nesting::extent::Extent;
 use crate::geometry::skeleton::{self, Failure, Speeds, Swept};
 use crate::geometry::tol::{NUDGE_EPSILONS, TIE_EPSILON};
 use crate::geometry::triangulate::Triangulator;
+use crate::value::each::Each;
 
 /// A ridge is between edges whose directions differ from opposite ones by less than 45 degrees: the cosine of 135 degrees.
 const RIDGE: f64 = -std::f64::consts::FRAC_1_SQRT_2;
@@ -201,7 +202,7 @@ impl Plan {
                 for mut triangle in triangles {
                     let first = (0..3).find(|&i| triangle[i] == 0 && triangle[(i + 1) % 3] == 1);
                     triangle.rotate_left(first.unwrap_or(0));
-                    let ring = triangle.map(|corner| ring[corner as usize]).to_vec();
+                    let ring = triangle.each(|corner| ring[corner as usize]).to_vec();
                     faces.push(RoofFace { part: RoofPart::Top, edge: Some(edge), rings: vec![ring] });
                 }
             } else {

@@ -9,6 +9,7 @@ use super::{Outline, Rise, Roof, RoofFace, RoofPart};
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::nesting::rings::NestedRings;
 use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
+use crate::value::each::Each;
 
 /// A triangle for each edge, to an apex over the mean of all corners. An angle is that of the first triangle. If the apex is
 /// over the line of the first edge, no height gives this triangle an angle, so the next edge decides.
@@ -78,9 +79,9 @@ pub(super) fn ridge(outline: &Outline<'_>, along: DVec2, rise: Rise) -> Roof {
     // The points where edges cross the ridge.
     let mut crossings: BTreeMap<usize, u32> = BTreeMap::new();
     for (number, edge) in outline.edges().into_iter().enumerate() {
-        let [a, b] = edge.map(|point| outline.at(point));
+        let [a, b] = edge.each(|point| outline.at(point));
         if side(a) * side(b) < 0 {
-            let [s, t] = [a, b].map(|p| across.dot(p) - middle);
+            let [s, t] = [a, b].each(|p| across.dot(p) - middle);
             let at = a.lerp(b, s / (s - t));
             crossings.insert(number, raised.roof.point(at.extend(slope * half)));
         }
@@ -146,7 +147,7 @@ fn half_of(
     let mut arcs: Vec<[u32; 2]> = Vec::new();
     let mut on_ridge: Vec<u32> = crossings.values().copied().collect();
     for (number, [a, b]) in outline.edges().into_iter().enumerate() {
-        let (sides, tops) = ([a, b].map(|p| side(outline.at(p))), [a, b].map(|p| raised.top[p as usize]));
+        let (sides, tops) = ([a, b].each(|p| side(outline.at(p))), [a, b].each(|p| raised.top[p as usize]));
         if sides[0] == 0 {
             on_ridge.push(tops[0]);
         }

@@ -1,5 +1,6 @@
 //! The end of an event: new vertices join the segments that end at a cluster with the segments that begin there.
 
+use crate::value::each::Each;
 use glam::DVec2;
 
 use super::NONE;
@@ -53,7 +54,7 @@ impl Arrangement {
 pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &mut Arrangement) -> Vec<u32> {
     arrangement.put_nodes(front, contacts);
     for [a, b] in &arrangement.cancelled {
-        let [from, to] = [a.to, a.from].map(|end| arrangement.node(end.vertex()));
+        let [from, to] = [a.to, a.from].each(|end| arrangement.node(end.vertex()));
         front.arcs.path(from, to, a.line, b.line);
     }
     for &vertex in contacts.vertices() {
@@ -66,7 +67,7 @@ pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &m
     for index in 0..arrangement.pairs.len() {
         let [incoming, outgoing] = arrangement.pairs[index];
         let new = front.vertices.len() as u32;
-        let [a, b] = [incoming, outgoing].map(|segment| arrangement.segments[segment]);
+        let [a, b] = [incoming, outgoing].each(|segment| arrangement.segments[segment]);
         let vertex = front.vertex(arrangement.node(a.to.vertex()), a.line, b.line);
         front.push(vertex);
         // From now on the segments end at vertices of the wavefront.
@@ -75,7 +76,7 @@ pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &m
         made.push(new);
     }
     for segment in &arrangement.segments {
-        let [from, to] = [segment.from, segment.to].map(SegmentEnd::vertex);
+        let [from, to] = [segment.from, segment.to].each(SegmentEnd::vertex);
         front.vertices[from as usize].next = to;
         front.vertices[to as usize].last = from;
     }

@@ -4,6 +4,7 @@
 //! lists of numbers are copied at the speed of memory.
 
 use crate::output::error::WriteError;
+use crate::value::each::Each;
 
 /// Views of bytes and accessors into them.
 #[derive(Default)]
@@ -82,7 +83,7 @@ pub(super) fn container(json: &str, binary: &BinaryChunk<'_>) -> Result<Vec<u8>,
     };
     let mut file: Vec<FourBytes> = Vec::with_capacity(total / 4);
     file.push(*b"glTF");
-    file.extend([2, length, json_length as u32].map(u32::to_le_bytes));
+    file.extend([2, length, json_length as u32].each(u32::to_le_bytes));
     file.push(*b"JSON");
     text(&mut file, json.as_bytes(), b' ');
     file.resize((20 + json_length) / 4, [b' '; 4]);

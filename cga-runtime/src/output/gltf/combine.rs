@@ -6,6 +6,7 @@ use crate::asset::Assets;
 use crate::asset::image::Image;
 use crate::asset::image::header::MOST_PIXELS;
 use crate::output::texture::source::{self, Pixels};
+use crate::value::each::Each;
 use crate::value::text::Text;
 
 /// The PNG file for a key with several sources. `None` if it is not needed or cannot be made; the unchanged file of the
@@ -60,7 +61,7 @@ fn joined(images: [Option<&Pixels>; 2], pixel: impl Fn([[u8; 4]; 2]) -> [u8; 4])
     for y in 0..height {
         for x in 0..width {
             let at =
-                images.map(|pixels| pixels.map_or([255; 4], |pixels| resized(&pixels.image, [x, y], [width, height])));
+                images.each(|pixels| pixels.map_or([255; 4], |pixels| resized(&pixels.image, [x, y], [width, height])));
             image.rgba.extend(pixel(at));
         }
     }

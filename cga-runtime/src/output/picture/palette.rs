@@ -3,6 +3,7 @@
 //! The colours of an image are a cloud of points. The box around the cloud is divided at the median of its longest side,
 //! and so are the boxes of the parts, until they are as many as the palette has colours.
 
+use crate::value::each::Each;
 use std::collections::BTreeMap;
 
 /// An RGB colour.
@@ -47,7 +48,7 @@ const STRENGTH: i32 = 7;
 /// A colour that is a little brighter or darker, by the place of its pixel.
 fn mixed(color: Rgb, x: usize, y: usize) -> Rgb {
     let shift = (2 * PATTERN[y % 4][x % 4] - 15) * STRENGTH / 32;
-    color.map(|channel| (i32::from(channel) + shift).clamp(0, 255) as u8)
+    color.each(|channel| (i32::from(channel) + shift).clamp(0, 255) as u8)
 }
 
 /// The index of the colour of the palette with the smallest distance; the first of equal ones.
@@ -111,7 +112,7 @@ fn error(members: &[Counted]) -> u128 {
 /// The mean colour of pixels.
 fn mean(members: &[Counted]) -> Rgb {
     let count = members.iter().map(|&(_, count)| count).sum::<usize>().max(1);
-    [0, 1, 2].map(|channel| {
+    [0, 1, 2].each(|channel| {
         let sum: usize = members.iter().map(|&(color, count)| usize::from(color[channel]) * count).sum();
         ((sum + count / 2) / count) as u8
     })

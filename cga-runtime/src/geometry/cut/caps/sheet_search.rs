@@ -20,6 +20,7 @@ use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::Contour;
+use crate::value::each::Each;
 use glam::DVec2;
 
 /// Finds the faces that go to the other side, after all faces were cut by the rule. Returns whether there are any.
@@ -84,7 +85,7 @@ impl<'f> SheetSearch<'f> {
         let mut uses = Vec::new();
         for (number, flat) in flat.iter().enumerate() {
             for edge in mesh.face(flat.face as usize).edges() {
-                let [a, b] = edge.map(|corner| places[mesh.corners[corner] as usize].number);
+                let [a, b] = edge.each(|corner| places[mesh.corners[corner] as usize].number);
                 uses.push(EdgeUse { edge: if flat.is_above { [a, b] } else { [b, a] }, flat: number });
             }
         }
@@ -106,7 +107,8 @@ impl<'f> SheetSearch<'f> {
             let edge = same[0].edge;
             if self.left(edge) == 0 && self.left([edge[1], edge[0]]) == 0 {
                 // One by one in the order of the mesh, so that coincident sheets stay separate.
-                let [forward, backward] = [true, false].map(|way| same.iter().filter(move |a| (a.edge == edge) == way));
+                let [forward, backward] =
+                    [true, false].each(|way| same.iter().filter(move |a| (a.edge == edge) == way));
                 forward.zip(backward).for_each(|(a, b)| leaders.unite(a.flat as u32, b.flat as u32));
             }
         }

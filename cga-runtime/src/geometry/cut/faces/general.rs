@@ -20,6 +20,7 @@ use crate::geometry::cut::points::PieceCorner;
 use crate::geometry::cut::state::CutState;
 use crate::geometry::mesh::{FaceRef, FaceTag, Mesh};
 use crate::geometry::triangulate::PlaneProjection;
+use crate::value::each::Each;
 
 /// A run of nodes within one slab: from plane to plane, or a whole loop that meets no plane.
 #[derive(Clone, Copy)]
@@ -145,7 +146,7 @@ impl General {
             self.nodes.push(self.nodes[start]);
             let mut last = start;
             for here in start + 1..self.nodes.len() {
-                let [a, b] = [last, here].map(|i| self.nodes[i]);
+                let [a, b] = [last, here].each(|i| self.nodes[i]);
                 if !b.class().is_on_plane() {
                     continue;
                 }
@@ -239,7 +240,7 @@ impl General {
         (fragment.next, fragment.way_start, fragment.way_end) = (to.fragment, way, self.ways.len());
         let mut last = a;
         for here in self.ways[way..].iter().copied().chain([b]) {
-            let [p, q] = [last, here].map(|node| self.nodes[node].place);
+            let [p, q] = [last, here].each(|node| self.nodes[node].place);
             if p != q {
                 state.rim.edge(plane, p.number, q.number, side);
                 self.plane_edges.push(FaceEdge { plane, nodes: [last, here], count: -1 });
@@ -271,7 +272,7 @@ impl General {
     fn close_flat(&mut self, state: &mut CutState, mesh: &Mesh) {
         let nodes = &self.nodes;
         let key = |edge: &FaceEdge| {
-            let [a, b] = edge.nodes.map(|node| nodes[node].place.number);
+            let [a, b] = edge.nodes.each(|node| nodes[node].place.number);
             (edge.plane, a.min(b), a.max(b))
         };
         self.plane_edges.sort_by_key(key);
@@ -302,7 +303,7 @@ impl General {
             }
             let ring = &self.rings.nodes;
             for i in 0..ring.len() {
-                let [a, b] = [i, (i + 1) % ring.len()].map(|at| ring[at].place.number);
+                let [a, b] = [i, (i + 1) % ring.len()].each(|at| ring[at].place.number);
                 state.rim.edge(plane, a, b, PlaneSide::Below);
             }
             self.rings.end_ring();

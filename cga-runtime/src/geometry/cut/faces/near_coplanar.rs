@@ -17,6 +17,7 @@ use crate::geometry::cut::state::CutState;
 use crate::geometry::mesh::{Bounds, FaceRef, FaceTag, Mesh};
 use crate::geometry::tol::{ACROSS_EPSILON, LINE_EPSILON};
 use crate::geometry::triangulate::{PlaneProjection, Triangulator};
+use crate::value::each::Each;
 
 /// Buffers.
 #[derive(Default)]
@@ -68,7 +69,7 @@ impl Rough {
         }
         self.rings.start(PlaneProjection::along(face.normal()), tag, outline);
         for at in 0..self.triangles.len() {
-            self.clip_triangle(state, mesh, self.triangles[at].map(|corner| corner as usize));
+            self.clip_triangle(state, mesh, self.triangles[at].each(|corner| corner as usize));
         }
         self.mark_unused(state, mesh, face);
     }
@@ -87,10 +88,10 @@ impl Rough {
     }
 
     fn clip_triangle(&mut self, state: &mut CutState, mesh: &Mesh, corners: [usize; 3]) {
-        let places = corners.map(|corner| state.points.places[mesh.corners[corner] as usize]);
+        let places = corners.each(|corner| state.points.places[mesh.corners[corner] as usize]);
         self.nodes.clear();
         for (at, next) in [(0, 1), (1, 2), (2, 0)] {
-            let [from, to] = [at, next].map(|i| PieceCorner::corner(corners[i], places[i]));
+            let [from, to] = [at, next].each(|i| PieceCorner::corner(corners[i], places[i]));
             self.nodes.push(from);
             state.points.cross(&mut state.parts, mesh, from, to, &mut self.nodes);
         }

@@ -13,6 +13,7 @@ use super::{OffsetError, relief};
 use crate::geometry::mesh::flat_face::FlatFace;
 use crate::geometry::nesting::contour::Contour;
 use crate::geometry::skeleton::{self, Failure, Swept};
+use crate::value::each::Each;
 
 /// The piece of a side that is on no edge of the face.
 const NONE: usize = usize::MAX;
@@ -61,10 +62,10 @@ impl FaceRegion {
                     sides.push(RegionSide { point, piece: pieces.len(), has_moved: false });
                     pieces.push(edge[0]);
                 };
-                let [a, b] = edge.map(|corner| plane.corners[corner]);
+                let [a, b] = edge.each(|corner| plane.corners[corner]);
                 add(a);
                 while let Some((_, share)) = cuts.next_if(|cut| cut.0 == edge[0]) {
-                    let [a, b] = [a, b].map(|end| end as usize);
+                    let [a, b] = [a, b].each(|end| end as usize);
                     points.push(points[a].lerp(points[b], *share));
                     heights.push(heights[a] + (heights[b] - heights[a]) * share);
                     add(points.len() as u32 - 1);
