@@ -21,6 +21,7 @@ use crate::geometry::tol::{COPLANAR_EPSILON, UP_EPSILON};
 use crate::geometry::trace::PartPoint;
 use crate::geometry::wire::Wire;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// A mesh in scope coordinates, with its components of one kind.
 #[derive(Debug)]
@@ -336,7 +337,7 @@ impl MeshParts {
             Components::Groups | Components::Materials => {
                 let mut faces: Vec<u32> =
                     indices.iter().flat_map(|&index| &self.sets[index as usize]).copied().collect();
-                faces.sort_unstable();
+                faces.small_sort();
                 Some(extract(&self.mesh, &faces, frame))
             }
             Components::Holes => {

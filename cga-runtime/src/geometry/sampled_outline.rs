@@ -13,6 +13,7 @@ use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::segment::nearest_share;
 use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The limit on edges of an outline, because each sample compares all of them.
 const MOST_EDGES: usize = 5_000;
@@ -176,10 +177,10 @@ impl Rays<'_> {
             .map(|edge| (edge, self.span(edge)))
             .filter(|(_, [from, to])| *from < high && low < *to)
             .collect();
-        met.sort_by(|a, b| a.1[0].total_cmp(&b.1[0]).then(a.0.number.cmp(&b.0.number)));
+        met.small_sort_by(|a, b| a.1[0].total_cmp(&b.1[0]).then(a.0.number.cmp(&b.0.number)));
         let inside = |at: &f64| low < *at && *at < high;
         let mut stops: Vec<f64> = met.iter().flat_map(|(_, span)| *span).filter(inside).chain([low, high]).collect();
-        stops.sort_by(f64::total_cmp);
+        stops.small_sort_by(f64::total_cmp);
         let mut covered: BTreeMap<usize, f64> = BTreeMap::new();
         let (mut next, mut active): (usize, Vec<(&OutlineEdge, [f64; 2])>) = (0, Vec::new());
         for pair in stops.windows(2) {

@@ -7,6 +7,7 @@ use crate::geometry::mesh::FaceRef;
 use crate::geometry::tol::{ACROSS_EPSILON, AREA_EPSILON, EDGE_EPSILON};
 use crate::shape::{Geometry, Placed, Shape};
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The area up to a distance from the scope's low end, as a function of the distance.
 #[derive(Debug)]
@@ -100,7 +101,7 @@ fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<WidthSection> {
     for face in placed.mesh.faces() {
         add_face(&face, stretch, (axis, base, across), &mut events);
     }
-    events.sort_by(|a, b| a.at.total_cmp(&b.at));
+    events.small_sort_by(|a, b| a.at.total_cmp(&b.at));
     let mut list: Vec<WidthSection> = Vec::new();
     let (mut width, mut growth, mut area) =
         (CompensatedSum::default(), CompensatedSum::default(), CompensatedSum::default());

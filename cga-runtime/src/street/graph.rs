@@ -1,6 +1,7 @@
 //! The graph of centre lines: lines are divided at meeting points, and ends near other lines are moved onto them.
 
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3};
@@ -113,7 +114,7 @@ impl Graph {
         };
         let length = |edge: &StreetEdge| distance(edge.ends);
         let mut short: Vec<&StreetEdge> = self.edges.iter().filter(|edge| length(edge) < snap).collect();
-        short.sort_by(|a, b| length(a).total_cmp(&length(b)));
+        short.small_sort_by(|a, b| length(a).total_cmp(&length(b)));
         for edge in short {
             let [a, b] = edge.ends.each(|end| find(&to, end));
             if a != b && distance([a, b]) < snap {
@@ -231,7 +232,7 @@ fn reach_segments(paths: &mut [Vec<LinePoint>], snap: f64) {
     // From the last segment to the first, so that the numbers of earlier segments stay valid.
     for ((line, at), mut new) in added.into_iter().rev() {
         let from = paths[line][at].0.place();
-        new.sort_by(|a, b| a.0.place().distance(from).total_cmp(&b.0.place().distance(from)));
+        new.small_sort_by(|a, b| a.0.place().distance(from).total_cmp(&b.0.place().distance(from)));
         paths[line].splice(at + 1..at + 1, new);
     }
     for path in paths {

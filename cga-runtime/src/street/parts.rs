@@ -9,6 +9,7 @@ use super::subdivision::{NONE, Subdivision};
 use super::{Kind, MOST_CROSSINGS, NetworkPart, Side, StreetError};
 use crate::geometry::disjoint::DisjointSets;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// Three arms make a `Junction` if two of them are straight within this many degrees; otherwise a `Crossing`.
 const STRAIGHT_ON: f64 = 30.0;
@@ -107,7 +108,7 @@ fn arms(owners: &[u32], plan: &JunctionDraft, pieces: &StreetPieces, faces: &Sub
             found.push((here, there, along < middle));
         }
     }
-    found.sort_unstable();
+    found.small_sort();
     found.dedup();
     let mut arms: GridMap<u32, Vec<DVec2>> = GridMap::default();
     for (junction, road, at_start) in found {

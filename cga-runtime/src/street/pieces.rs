@@ -7,6 +7,7 @@ use super::junction::{self, JunctionLayout};
 use super::section::{CrossSection, Station};
 use super::{Kind, Side};
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The run that a cell is a part of, by number in [`StreetPieces::runs`].
 pub(super) type RunId = u32;
@@ -118,7 +119,7 @@ impl JunctionDraft {
                     }
                 }
             }
-            waiting.sort_unstable();
+            waiting.small_sort();
             waiting.dedup();
         }
         let mut pieces = StreetPieces::default();
@@ -154,7 +155,7 @@ impl JunctionDraft {
                 parts.push([low, high]);
             }
         }
-        parts.sort_by(|a, b| chain.along(a[0]).total_cmp(&chain.along(b[0])));
+        parts.small_sort_by(|a, b| chain.along(a[0]).total_cmp(&chain.along(b[0])));
         let least = LEAST_STREET * 2.0 * chain.widths.half;
         let is_short = |from: Station, to: Station| chain.along(to) - chain.along(from) < least;
         let [from_node, to_node] = chain.ends.each(|end| end.is_some() && !chain.closed);
@@ -189,7 +190,7 @@ impl JunctionDraft {
         stations.extend((0..=chain.len()).map(Station::Vertex));
         stations.extend(swallowed.iter().flatten());
         stations.retain(|&station| start <= chain.along(station) && chain.along(station) <= end);
-        stations.sort_by(|&a, &b| chain.along(a).total_cmp(&chain.along(b)));
+        stations.small_sort_by(|&a, &b| chain.along(a).total_cmp(&chain.along(b)));
         stations.dedup_by(|a, b| chain.along(*a) == chain.along(*b));
         let sections: Vec<CrossSection> = stations.iter().map(|&station| chain.section(station)).collect();
         let mut before: Option<(bool, (u32, bool))> = None;

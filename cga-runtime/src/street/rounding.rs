@@ -4,6 +4,7 @@
 //! that point. So no two segments cross afterwards, and all segments that meet at a point share it.
 
 use super::grid::{Point, SegmentGrid, are_apart, dot, orient};
+use crate::value::small_sort::SmallSort;
 
 /// Divides segments at each other. Each becomes a chain of points from its first end to its second. `None` if there are
 /// more than `most` crossings.
@@ -13,7 +14,7 @@ pub(super) fn divide(segments: &[[Point; 2]], most: usize) -> Option<Vec<Vec<Poi
     // it.
     for _ in 0..MOST_ROUNDS {
         let mut edges: Vec<[Point; 2]> = chains.iter().flat_map(|chain| chain.windows(2).map(sorted)).collect();
-        edges.sort_unstable();
+        edges.small_sort();
         edges.dedup();
         let again = crossings(&edges, most)?;
         if again.is_empty() {
@@ -59,7 +60,7 @@ fn crossings(segments: &[[Point; 2]], most: usize) -> Option<Vec<(u32, Point)>> 
             }
         }
     }
-    found.sort_unstable();
+    found.small_sort();
     found.dedup();
     (found.len() <= 2 * most).then_some(found)
 }
@@ -67,7 +68,7 @@ fn crossings(segments: &[[Point; 2]], most: usize) -> Option<Vec<(u32, Point)>> 
 /// Routes segments through all hot points that they pass, and through their own crossings.
 fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)]) -> Vec<Vec<Point>> {
     let mut hot: Vec<Point> = segments.iter().flatten().copied().chain(crossings.iter().map(|one| one.1)).collect();
-    hot.sort_unstable();
+    hot.small_sort();
     hot.dedup();
     let mut pixels = SegmentGrid::for_segments(segments);
     for (number, &point) in hot.iter().enumerate() {
@@ -84,7 +85,7 @@ fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)]) -> Vec<Vec<Point>>
             }
         });
         let along = b.from(a);
-        chain.sort_unstable_by_key(|point| (dot(along, point.from(a)), *point));
+        chain.small_sort_by_key(|point| (dot(along, point.from(a)), *point));
         chain.dedup();
         // Points within a unit of an end may sort before it.
         chain.retain(|&point| point != a && point != b);

@@ -4,6 +4,7 @@ use super::grid::{Point, cross, sides, twice_area, winding};
 use super::rounding::divide;
 use crate::geometry::disjoint::DisjointSets;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The number for "no owner".
 pub(super) const NONE: u32 = u32::MAX;
@@ -31,11 +32,11 @@ impl Subdivision {
         let sorted = |[a, b]: [Point; 2]| if a < b { [a, b] } else { [b, a] };
         let mut segments: Vec<[Point; 2]> =
             polygons.iter().flat_map(|ring| sides(ring)).filter(|[a, b]| a != b).map(sorted).collect();
-        segments.sort_unstable();
+        segments.small_sort();
         segments.dedup();
         let chains = divide(&segments, most)?;
         let mut points: Vec<Point> = chains.iter().flatten().copied().collect();
-        points.sort_unstable();
+        points.small_sort();
         points.dedup();
         let number = |point: &Point| points.binary_search(point).unwrap_or_default() as u32;
         let chains: Vec<Vec<u32>> = chains.iter().map(|chain| chain.iter().map(number).collect()).collect();
@@ -53,7 +54,7 @@ impl Subdivision {
                 }
             }
         }
-        uses.sort_unstable();
+        uses.small_sort();
         let (mut edges, mut changes) = (Vec::<[u32; 2]>::new(), Vec::<Vec<Change>>::new());
         for group in uses.chunk_by(|a, b| a.0 == b.0) {
             let sums = group.chunk_by(|a, b| a.1 == b.1);
@@ -114,7 +115,7 @@ impl Subdivision {
                 inside[part[cycle as usize]].extend(polygons);
             }
             for list in &mut inside {
-                list.sort_unstable();
+                list.small_sort();
                 list.dedup();
             }
         }
@@ -129,7 +130,7 @@ impl Subdivision {
                 .map(|(polygon, ring)| (polygon, winding(ring, corner)))
                 .filter(|&(_, turns)| turns != 0)
                 .collect();
-            around.sort_unstable();
+            around.small_sort();
             windings[outer as usize] = Some(around);
             let mut waiting = vec![outer];
             while let Some(cycle) = waiting.pop() {
@@ -212,7 +213,7 @@ fn successors(points: &[Point], origin: &[u32]) -> Vec<u32> {
     let mut around: Vec<u32> = (0..origin.len() as u32).collect();
     let along = |half: u32| points[origin[(half ^ 1) as usize] as usize].from(points[origin[half as usize] as usize]);
     let upper = |(x, y): (i128, i128)| u8::from(!(0 < y || y == 0 && 0 < x));
-    around.sort_unstable_by(|&a, &b| {
+    around.small_sort_by(|&a, &b| {
         let by_angle = || {
             let (a, b) = (along(a), along(b));
             upper(a).cmp(&upper(b)).then_with(|| cross(b, a).cmp(&0))

@@ -7,6 +7,7 @@ pub(crate) mod number;
 pub(crate) mod pattern;
 #[cfg(feature = "serde")]
 mod serde;
+pub(crate) mod small_sort;
 pub mod text;
 
 use std::fmt;

@@ -11,6 +11,7 @@ use super::polygon::{PolygonCorner, ResultPolygon};
 use crate::geometry::mesh::{FaceTag, Mesh, SubcomponentTagger, SubcomponentTags, TagSet, TagSetTable, flip, unit};
 use crate::geometry::triangulate::Triangulator;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use crate::value::text::Text;
 
 /// Makes the mesh of polygons.
@@ -34,7 +35,7 @@ impl Assembly<'_> {
         let corners = || polygons.iter().flat_map(|polygon| polygon.rings.iter().flatten());
         let mut used: Vec<u32> = corners().map(|corner| corner.point).collect();
         let mut made = self.mesh.alike(used.len());
-        used.sort_unstable();
+        used.small_sort();
         used.dedup();
         made.points.extend(used.iter().map(|point| self.places[*point as usize] + 0.0));
         let mut sets = TagSetTable::default();
@@ -46,7 +47,7 @@ impl Assembly<'_> {
             let facet = &self.facets[polygon.sources[0] as usize];
             if last_facet.replace(polygon.sources[0]) != Some(polygon.sources[0]) {
                 corner_at = facet.corners.iter().copied().zip(facet.sources.iter().copied()).collect();
-                corner_at.sort_unstable();
+                corner_at.small_sort();
             }
             for ring in &polygon.rings {
                 let shares = |place: usize| -> Shares {

@@ -16,6 +16,7 @@ use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::Bounds;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The number of times that outlines wind around a place.
 pub(super) trait Winding: Clone + Default + PartialEq {
@@ -120,7 +121,7 @@ struct Cycle {
 impl<'l, W: Winding> LineGraph<'l, W> {
     pub(super) fn new(lines: &'l [GraphLine<W>], at: impl Fn(u32) -> DVec2) -> Result<Self, BooleanError> {
         let mut points: Vec<u32> = lines.iter().flat_map(|line| line.ends).collect();
-        points.sort_unstable();
+        points.small_sort();
         points.dedup();
         let flat: Vec<DVec2> = points.iter().map(|point| at(*point)).collect();
         let number = |point: u32| points.binary_search(&point).unwrap_or_default() as u32;
@@ -135,7 +136,7 @@ impl<'l, W: Winding> LineGraph<'l, W> {
                 step.y < 0.0 || (step.y == 0.0 && step.x < 0.0)
             };
             let turn = |a: u32, b: u32| orient(flat[point], end(a), end(b));
-            list.sort_unstable_by(|&a, &b| lower(a).cmp(&lower(b)).then_with(|| turn(b, a).cmp(&0)).then(a.cmp(&b)));
+            list.small_sort_by(|&a, &b| lower(a).cmp(&lower(b)).then_with(|| turn(b, a).cmp(&0)).then(a.cmp(&b)));
             if list.windows(2).any(|pair| lower(pair[0]) == lower(pair[1]) && turn(pair[0], pair[1]) <= 0) {
                 return Err(BooleanError::Tangled);
             }
@@ -200,7 +201,7 @@ impl<'l, W: Winding> LineGraph<'l, W> {
             let mut seen = vec![outer];
             open.push(outer);
             let mut by_cycle: Vec<(u32, u32)> = halves.iter().map(|half| (of_half[*half as usize], *half)).collect();
-            by_cycle.sort_unstable();
+            by_cycle.small_sort();
             let mut known: std::collections::BTreeSet<u32> = [outer].into();
             while let Some(cycle) = open.pop() {
                 let from = by_cycle.partition_point(|entry| entry.0 < cycle);
@@ -274,7 +275,7 @@ impl<'l, W: Winding> LineGraph<'l, W> {
     /// Divides a ring that meets itself into rings that have each point once.
     fn add_simple_rings(&self, ring: &[u32], rings: &mut Vec<Vec<u32>>) {
         let mut sorted = ring.to_vec();
-        sorted.sort_unstable();
+        sorted.small_sort();
         if sorted.windows(2).all(|pair| pair[0] != pair[1]) {
             return rings.push(ring.to_vec());
         }
@@ -349,7 +350,7 @@ impl<'l, W: Winding> LineGraph<'l, W> {
         );
         budget.spend(visited)?;
         let area = |number: u32| cycles[number as usize].area;
-        near.sort_unstable_by(|&a, &b| area(a).total_cmp(&area(b)).then(a.cmp(&b)));
+        near.small_sort_by(|&a, &b| area(a).total_cmp(&area(b)).then(a.cmp(&b)));
         for number in near {
             let ring = &cycles[number as usize].ring;
             budget.spend(ring.len())?;

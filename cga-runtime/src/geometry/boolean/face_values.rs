@@ -7,6 +7,7 @@ use super::facet::Facet;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::triangulate::{PlaneProjection, Triangulator};
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The values of a corner, as shares of corners of the mesh.
 pub(super) type Shares = [(u32, f64); 3];
@@ -51,7 +52,7 @@ impl FaceValues {
                 true
             },
         );
-        near.sort_unstable();
+        near.small_sort();
         // Rounding may have moved a place out of all triangles.
         let found = self.best(near.into_iter(), place).filter(|(_, shares)| -INSIDE <= least(shares));
         let found = found.or_else(|| self.best(0..self.triangles.len() as u32, place));

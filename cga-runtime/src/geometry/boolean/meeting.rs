@@ -4,6 +4,7 @@
 //! and edges. Where the outline of a facet crosses the plane of another, the crossing becomes a point.
 
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use glam::DVec3;
 
 use super::budget::Budget;
@@ -80,7 +81,7 @@ impl PlaneSection {
                 self.pass(points, facet, [from, to], [self.heights[from], self.heights[to]]);
             }
         }
-        self.points.sort_unstable();
+        self.points.small_sort();
         self.points.dedup();
     }
 
@@ -172,7 +173,7 @@ impl FacetMeeting {
         let numbers = a.points.iter().chain(&b.points);
         self.on_line.clear();
         self.on_line.extend(numbers.map(|point| (points.at[*point as usize].dot(along), *point)));
-        self.on_line.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        self.on_line.small_sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         self.on_line.dedup_by_key(|entry| entry.1);
         self.found.clear();
         for between in self.on_line.windows(2) {

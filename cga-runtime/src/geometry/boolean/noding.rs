@@ -13,6 +13,7 @@ use super::point_set::PointSet;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::Bounds;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The limit on rounds. Two suffice for most arrangements.
 const MOST_ROUNDS: usize = 32;
@@ -49,7 +50,7 @@ pub(super) fn divide_edges(
         if cuts.is_empty() {
             return Ok(());
         }
-        cuts.sort_unstable();
+        cuts.small_sort();
         cuts.dedup();
         open.clear();
         let mut here = Vec::new();
@@ -59,7 +60,7 @@ pub(super) fn divide_edges(
             edges.divide(facets, points, group[0][0], &mut here, &mut open);
             budget.check(edges, points)?;
         }
-        open.sort_unstable();
+        open.small_sort();
         open.dedup();
         for &facet in &open {
             facets[facet as usize].lines.retain(|line| !edges.list[*line as usize].owners.is_empty());
@@ -112,7 +113,7 @@ fn compare_edges(
         (Bounds { low: (a.min(b) - reach).extend(0.0), high: (a.max(b) + reach).extend(0.0) }, line)
     };
     let mut boxes: Vec<(Bounds, u32)> = facet.lines.iter().map(|line| extent(*line)).collect();
-    boxes.sort_unstable_by(|a, b| a.0.low.x.total_cmp(&b.0.low.x).then(a.1.cmp(&b.1)));
+    boxes.small_sort_by(|a, b| a.0.low.x.total_cmp(&b.0.low.x).then(a.1.cmp(&b.1)));
     let lines: Vec<u32> = boxes.iter().map(|entry| entry.1).collect();
     let boxes: Vec<Bounds> = boxes.into_iter().map(|entry| entry.0).collect();
     // A tree costs more than it saves for few edges.
@@ -136,7 +137,7 @@ fn compare_edges(
         if budget.points < points.at.len() || 4 * budget.edges < cuts.len() {
             return Err(BooleanError::TooMany);
         }
-        near.sort_unstable();
+        near.small_sort();
         for &other in &near {
             let pair = [lines[number as usize], lines[other as usize]];
             if counts(pair) {

@@ -12,6 +12,7 @@ use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::sheet::SheetSource;
 use crate::geometry::disjoint::DisjointSets;
+use crate::value::small_sort::SmallSort;
 
 /// The groups of overlapping facets. While lines are divided, each group is a facet behind the facets proper, which has the lines
 /// of all its members; members have those of their outlines alone.
@@ -75,7 +76,7 @@ impl PlaneGroups {
         budget: &mut Budget,
     ) -> Result<(), BooleanError> {
         let area = |facets: &[Facet], number: u32| facets[number as usize].double_area(points).abs();
-        set.sort_by(|&a, &b| area(facets, b).total_cmp(&area(facets, a)));
+        set.small_sort_by(|&a, &b| area(facets, b).total_cmp(&area(facets, a)));
         while 1 < set.len() {
             budget.spend(set.iter().map(|facet| facets[*facet as usize].corners.len()).sum())?;
             let plane = &facets[set[0] as usize];
@@ -83,7 +84,7 @@ impl PlaneGroups {
             let (mut members, others): (Vec<u32>, Vec<u32>) =
                 set.iter().partition(|facet| facets[**facet as usize].corners.iter().all(is_on));
             if 1 < members.len() {
-                members.sort_unstable();
+                members.small_sort();
                 let number = facets.len() as u32;
                 members.iter().for_each(|facet| self.group_of[*facet as usize] = Some(number));
                 facets.push(plane.without_outline());

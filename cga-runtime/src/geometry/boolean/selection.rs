@@ -7,6 +7,7 @@ use super::sheet::{Sheet, SheetSide, SheetSource, Sheets};
 use super::surface::{inside_surface, surface_winding};
 use super::winding::Windings;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// A sheet of the result.
 pub(super) struct ChosenSheet {
@@ -58,7 +59,7 @@ fn sources(op: BooleanOp, sheet: &Sheet, rays: &RayCaster<'_>, is_rim_of_first: 
         op != BooleanOp::Subtract || is_rim_of_first == (rays.operands[source.facet as usize] == 0)
     };
     let mut found: Vec<u32> = sheet.sources.iter().filter(counts).map(|source| source.facet).collect();
-    found.sort_unstable();
+    found.small_sort();
     found
 }
 

@@ -4,6 +4,7 @@
 //! each between a side of a sheet and a side of the next one.
 
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use std::collections::HashMap;
 
 use glam::DVec2;
@@ -133,7 +134,7 @@ impl Sheets {
         for Cell { winding, rings, inner } in cells {
             let new = Sheet { sources: winding, rings, inner };
             let mut outline: Vec<[u32; 2]> = new.rim().map(|[a, b]| [a.min(b), a.max(b)]).collect();
-            outline.sort_unstable();
+            outline.small_sort();
             let number = *known.entry(outline).or_insert(list.len() as u32);
             match list.get_mut(number as usize) {
                 None => list.push(new),
@@ -142,7 +143,7 @@ impl Sheets {
                     let sign = if 0.0 < own.dot(front) { 1 } else { -1 };
                     let turned = |one: SheetSource| SheetSource { winding: sign * one.winding, ..one };
                     sheet.sources.extend(new.sources.into_iter().map(turned));
-                    sheet.sources.sort_unstable();
+                    sheet.sources.small_sort();
                     sheet.inner.extend(new.inner);
                 }
             }
@@ -155,11 +156,11 @@ impl Sheets {
             }
             let both = |edge: u32| [true, false].each(|is_left| (edge, EdgeUse { sheet: number, is_left }));
             let mut inner = sheet.inner.clone();
-            inner.sort_unstable();
+            inner.small_sort();
             inner.dedup();
             all.extend(inner.into_iter().flat_map(both));
         }
-        all.sort_by_key(|(edge, _)| *edge);
+        all.small_sort_by_key(|(edge, _)| *edge);
         let mut sheets = Sheets { list, fans: Vec::new(), uses: Vec::with_capacity(all.len()) };
         for group in all.chunk_by(|a, b| a.0 == b.0) {
             sheets.add_fan(edges, facets, group)?;
@@ -179,7 +180,7 @@ impl Sheets {
         };
         let mut fan: Vec<(DVec2, EdgeUse)> = group.iter().map(direction).collect();
         let is_low = |at: DVec2| at.y < 0.0 || (at.y == 0.0 && at.x < 0.0);
-        fan.sort_by(|(a, _), (b, _)| {
+        fan.small_sort_by(|(a, _), (b, _)| {
             is_low(*a).cmp(&is_low(*b)).then_with(|| 0.0f64.total_cmp(&(a.perp_dot(*b) + 0.0)))
         });
         let next = fan.iter().cycle().skip(1);

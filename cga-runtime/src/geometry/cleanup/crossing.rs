@@ -8,6 +8,7 @@ use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::TOUCH_EPSILON;
 use crate::geometry::triangulate::{PlaneProjection, filling, is_filled};
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The limit on pairs of edges of a face that are compared. Further edges of larger faces count as apart.
 const MOST_PAIRS: usize = 1 << 22;
@@ -109,6 +110,7 @@ pub(super) fn is_simple(mesh: &Mesh, loops: &[Vec<u32>], normal: DVec3) -> bool 
 }
 
 /// A way of a loop through a point.
+#[derive(Clone, Copy)]
 struct Passage {
     /// The point, and the one that it was.
     at: u32,
@@ -139,7 +141,7 @@ fn will_cross_at_points<'m>(
             after: near(k + 1),
         }));
     }
-    passages.sort_by_key(|passage| passage.at);
+    passages.small_sort_by_key(|passage| passage.at);
     let cross = |one: &Passage, other: &Passage| {
         let [centre, a, b, c, d] = [one.at, one.before, one.after, other.before, other.after].map(&flat);
         one.was != other.was && do_cross(centre, [a, b], [c, d])

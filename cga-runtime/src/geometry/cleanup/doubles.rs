@@ -8,6 +8,7 @@ use super::{add_face, without_faces};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::tol::VOLUME_EPSILON;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// A face that has the same corners as others.
 #[derive(Clone, Copy)]
@@ -54,7 +55,7 @@ pub(super) fn without_doubles(mesh: &Mesh, flat: FlatParts) -> Option<Mesh> {
 /// The faces to remove from a part with these faces and sets of doubles.
 fn gone(mesh: &Mesh, faces: &[u32], sets: &[&Vec<Double>], flat: FlatParts) -> Vec<u32> {
     let mut gone: Vec<u32> = sets.iter().flat_map(|set| &set[1..]).map(|double| double.face).collect();
-    gone.sort_unstable();
+    gone.small_sort();
     if gone.is_empty() || !is_closed(mesh, faces, &[]) || is_closed(mesh, faces, &gone) {
         return gone;
     }

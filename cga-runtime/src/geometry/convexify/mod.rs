@@ -23,6 +23,7 @@ use glam::DVec3;
 
 use crate::geometry::mesh::{FaceRef, Mesh};
 use crate::geometry::trace::PartPoint;
+use crate::value::small_sort::SmallSort;
 use cutter::Cutter;
 use net::Net;
 use plane::Plane;
@@ -89,7 +90,7 @@ fn assembled(mesh: &Mesh, net: &Net, concave: &[usize], parts: &[Vec<Part>]) -> 
     made.points = net.pool.points.clone();
     let mut used = made.corners.clone();
     made.drop_unused();
-    used.sort_unstable();
+    used.small_sort();
     used.dedup();
     let origins = used.iter().map(|&point| net.origin(point)).collect();
     (made, origins)

@@ -9,6 +9,7 @@ use super::turn::is_reflex;
 use crate::geometry::exact::orient;
 use crate::geometry::triangulate::{Triangulator, is_filled};
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// Divides a face along diagonals between its corners. `None`, with an unchanged face, if the parts are not convex.
 pub(super) fn divide(net: &mut Net, heads: &[u32], plane: &Plane) -> Option<Vec<Part>> {
@@ -31,7 +32,7 @@ pub(super) fn divide(net: &mut Net, heads: &[u32], plane: &Plane) -> Option<Vec<
     let mut diagonals: Vec<u32> =
         all.iter().copied().filter(|&half| net.is_cut(half) && half < net.mate(half)).collect();
     let length = |net: &Net, half: u32| (net.position(half) - net.position(net.next(half))).length();
-    diagonals.sort_by(|&a, &b| length(net, b).total_cmp(&length(net, a)));
+    diagonals.small_sort_by(|&a, &b| length(net, b).total_cmp(&length(net, a)));
     for half in diagonals {
         let ends = [half, net.mate(half)];
         let opens = |net: &Net, half: u32| {

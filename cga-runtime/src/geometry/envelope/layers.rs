@@ -16,6 +16,7 @@ use crate::geometry::nesting::contour::Contour;
 use crate::geometry::skeleton::{self, Failure, Speeds, Strip};
 use crate::geometry::tol::PLANAR_EPSILON;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 impl From<Failure> for EnvelopeRefusal {
     fn from(failure: Failure) -> Self {
@@ -44,7 +45,7 @@ pub(super) fn stack(ground: &Ground<'_>) -> Result<Mesh, EnvelopeRefusal> {
     let mut fronts: Vec<Front> = vec![ground.flat.corners.iter().copied().zip(0..).collect()];
     let mut levels: Vec<f64> = ground.slopes().map(|corner| ground.sides[corner].base).chain([0.0]).collect();
     levels.retain(|level| *level < plan.top);
-    levels.sort_unstable_by(f64::total_cmp);
+    levels.small_sort_by(f64::total_cmp);
     levels.dedup();
     levels.push(plan.top);
     for pair in levels.windows(2) {
@@ -160,7 +161,7 @@ impl Stack {
     ) -> Result<Vec<Front>, EnvelopeRefusal> {
         // Local numbers of points and edges.
         let mut numbers: Vec<u32> = fronts.iter().flatten().map(|edge| edge.0).collect();
-        numbers.sort_unstable();
+        numbers.small_sort();
         numbers.dedup();
         let local = |point: u32| numbers.binary_search(&point).unwrap_or(0) as u32;
         let rings: Vec<Vec<u32>> =

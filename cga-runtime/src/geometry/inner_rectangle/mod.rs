@@ -15,6 +15,7 @@ use glam::{DMat2, DVec2};
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::{STRAIGHT_EPSILON, TIE_EPSILON};
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use slabs::PolygonSlabs;
 
 /// A rectangle along two directions.
@@ -126,7 +127,7 @@ fn directions(flat: &[DVec2], rings: &[Vec<u32>]) -> Vec<DVec2> {
         let longest = (0..ring.len()).map(|k| edge(k).length()).fold(0.0, f64::max);
         edges.extend((0..ring.len()).map(edge).filter(|edge| 0.25 * longest < edge.length()));
     }
-    edges.sort_by(|a, b| b.length().total_cmp(&a.length()));
+    edges.small_sort_by(|a, b| b.length().total_cmp(&a.length()));
     let mut kept: Vec<DVec2> = Vec::new();
     for edge in edges {
         let along = edge.normalize_or(DVec2::X);

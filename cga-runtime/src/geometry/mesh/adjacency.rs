@@ -3,6 +3,7 @@
 use super::Mesh;
 use crate::geometry::buckets::Buckets;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// Adjacency in a mesh. Edges are numbered in the order of the first corner that starts them; a shared edge has one
 /// number (*comp operation*, e).
@@ -110,7 +111,7 @@ fn number_edges(mesh: &Mesh, next: &[u32]) -> Vec<u32> {
         let range = around.range(point);
         let here = &mut around.items[range];
         // Usually few corners are at a point, but in a fan there are many, so they are sorted.
-        here.sort_unstable_by_key(|&corner| (ends(corner).1, corner));
+        here.small_sort_by_key(|&corner| (ends(corner).1, corner));
         for same in here.chunk_by(|&a, &b| ends(a).1 == ends(b).1) {
             same.iter().for_each(|&corner| first[corner as usize] = same[0]);
         }

@@ -12,6 +12,7 @@ use crate::geometry::mesh::check::winding;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::triangulate::PlaneProjection;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 impl Mesh {
     /// A mesh with one face from an outline, counter-clockwise as seen from the front, and holes with any winding.
@@ -67,6 +68,7 @@ fn ring_area(ring: &[DVec3]) -> DVec3 {
 }
 
 /// An edge of a loop, in the plane.
+#[derive(Clone, Copy)]
 struct LoopEdge {
     a: DVec2,
     b: DVec2,
@@ -116,13 +118,13 @@ fn check_crossings(points: &[DVec3], rings: &[Range<usize>], normal: DVec3) -> R
             edges.push(LoopEdge { a, b, ring, number });
         }
     }
-    edges.sort_by(|e, f| e.low().x.total_cmp(&f.low().x));
+    edges.small_sort_by(|e, f| e.low().x.total_cmp(&f.low().x));
     for (i, edge) in edges.iter().enumerate() {
         let reach = edge.high().x;
         for other in edges[i + 1..].iter().take_while(|other| other.low().x <= reach) {
             if edge.meets(other) {
                 let mut pair = [(edge.ring, edge.number), (other.ring, other.number)];
-                pair.sort_unstable();
+                pair.small_sort();
                 return Err(MeshError::SelfCrossing { first: pair[0], second: pair[1] });
             }
         }

@@ -9,6 +9,7 @@ use super::Mesh;
 use super::tag::{TagSet, TagSetTable, TaggedComponents};
 use crate::geometry::trace::{PartPoint, UNTRACED};
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use crate::value::text::Text;
 
 /// The tags of the edges and vertices of a mesh or a wire, by the numbers of its points.
@@ -101,7 +102,7 @@ impl SubcomponentTags {
         let Some(lists) = &self.0 else { return SubcomponentTags::default() };
         let of_edge = |ends: [u32; 2]| Some((in_order(ends), self.edge_set(whole_edge(ends.each(&origin))?)?));
         let mut found: Vec<_> = if lists.edges.is_empty() { Vec::new() } else { edges.filter_map(of_edge).collect() };
-        found.sort_unstable();
+        found.small_sort();
         found.dedup();
         let of_vertex = |point: u32| {
             let PartPoint { ends: [a, b], .. } = origin(point);
@@ -116,7 +117,7 @@ impl SubcomponentTags {
         let mut tagger = SubcomponentTagger::default();
         tagger.append(self, |point| point);
         let mut edges: Vec<[u32; 2]> = edges.map(in_order).collect();
-        edges.sort_unstable();
+        edges.small_sort();
         edges.dedup();
         let own = TagSet::new([name.clone()]);
         edges.into_iter().for_each(|edge| tagger.edge(edge, &own));
@@ -268,7 +269,7 @@ impl SubcomponentTagger {
 
 /// The list sorted, with one element for each key.
 fn united<K: Ord + Copy>(mut list: Vec<(K, u32)>, sets: &mut TagSetTable) -> Vec<(K, u32)> {
-    list.sort_unstable();
+    list.small_sort();
     list.dedup();
     list.dedup_by(|next, kept| {
         let same = next.0 == kept.0;

@@ -4,6 +4,7 @@
 //! may then cross or pass others: the new edges are compared again.
 
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use std::collections::HashMap;
 
 use super::OverlayError;
@@ -55,7 +56,7 @@ pub(super) fn divide(
                 let p = places[point as usize];
                 i128::from(b.x - a.x) * i128::from(p.x - a.x) + i128::from(b.y - a.y) * i128::from(p.y - a.y)
             };
-            cuts.sort_unstable_by_key(|point| (along(*point), *point));
+            cuts.small_sort_by_key(|point| (along(*point), *point));
             cuts.dedup_by_key(|point| along(*point));
             let mut from = edge.ends[0];
             for to in cuts.into_iter().chain([edge.ends[1]]) {
@@ -83,7 +84,7 @@ fn directed(places: &[GridPoint], a: u32, b: u32, count: i32) -> Option<NodedEdg
 
 /// Unites edges between the same points. Those that cancel are dropped.
 fn merge(edges: &mut Vec<NodedEdge>) {
-    edges.sort_unstable();
+    edges.small_sort();
     edges.dedup_by(|next, kept| {
         let is_same = next.ends == kept.ends;
         if is_same {
@@ -112,7 +113,7 @@ fn compare(
         })
         .collect();
     let mut order: Vec<u32> = (0..edges.len() as u32).collect();
-    order.sort_unstable_by_key(|&edge| (boxes[edge as usize][0], edge));
+    order.small_sort_by_key(|&edge| (boxes[edge as usize][0], edge));
     let mut active: Vec<u32> = Vec::new();
     for &edge in &order {
         let own = boxes[edge as usize];

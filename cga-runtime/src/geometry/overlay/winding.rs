@@ -6,6 +6,7 @@ use super::grid::{GridPoint, side};
 use super::noding::NodedEdge;
 use crate::geometry::buckets::Buckets;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The edges with a positive winding number on one side only, with that side on their left.
 pub(super) fn outline(places: &[GridPoint], edges: &[NodedEdge]) -> Vec<[u32; 2]> {
@@ -14,7 +15,7 @@ pub(super) fn outline(places: &[GridPoint], edges: &[NodedEdge]) -> Vec<[u32; 2]
     let mut stops = vec![0u32; places.len()];
     edges.iter().for_each(|edge| stops[edge.ends[1] as usize] += 1);
     let mut order: Vec<u32> = (0..places.len() as u32).filter(|&point| used(&starts, &stops, point)).collect();
-    order.sort_unstable_by_key(|&point| places[point as usize]);
+    order.small_sort_by_key(|&point| places[point as usize]);
     let mut sides = Vec::new();
     // The edges that the sweep line crosses, from the lowest one up, each with the winding number above it.
     let mut active: Vec<(u32, i32)> = Vec::new();
@@ -39,7 +40,7 @@ pub(super) fn outline(places: &[GridPoint], edges: &[NodedEdge]) -> Vec<[u32; 2]
         }
         leaving.clear();
         leaving.extend_from_slice(starts.of(point as usize));
-        leaving.sort_by(|&a, &b| steeper(places, edges, p, a, b));
+        leaving.small_sort_by(|&a, &b| steeper(places, edges, p, a, b));
         let mut winding = if low == 0 { 0 } else { active[low - 1].1 };
         let mut entries = Vec::with_capacity(leaving.len());
         for &edge in &leaving {

@@ -7,6 +7,7 @@ use crate::geometry::mesh::pair_table::PairTable;
 use crate::geometry::mesh::{FaceTag, Mesh, unit};
 use crate::geometry::triangulate::Triangulator;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// Vertices with more triangles are not removed.
 const MOST_AROUND: u32 = 64;
@@ -146,7 +147,7 @@ impl<'m> Surface<'m> {
             ends.extend(
                 (0..).zip(triangles).flat_map(|(place, &triangle)| others(triangle).map(move |end| (end, place))),
             );
-            ends.sort_unstable();
+            ends.small_sort();
             let mut fans = crate::geometry::disjoint::DisjointSets::new(triangles.len());
             ends.windows(2).filter(|pair| pair[0].0 == pair[1].0).for_each(|pair| fans.unite(pair[0].1, pair[1].1));
             self.is_locked[point] |= (0..triangles.len() as u32).any(|place| fans.find_and_shorten(place) != 0);
@@ -221,7 +222,7 @@ impl<'m> Surface<'m> {
         let triangles = self.triangles(point);
         let all = triangles.iter().flat_map(|&triangle| self.points[triangle as usize]);
         let mut near: Vec<u32> = all.filter(|&other| other != point).collect();
-        near.sort_unstable();
+        near.small_sort();
         near.dedup();
         near
     }
@@ -244,7 +245,7 @@ impl<'m> Surface<'m> {
                 (cost(&sum, from, to), target)
             })
             .collect();
-        sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        sorted.small_sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         sorted.into_iter().find(|&(_, target)| self.may_become(point, target, &triangles, &near))
     }
 

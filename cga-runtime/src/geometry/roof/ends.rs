@@ -12,6 +12,7 @@ use super::Outline;
 use super::plan::Plan;
 use crate::geometry::tol::TIE_EPSILON;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// Edges belong to one side up to this angle, in radians (3 degrees).
 const ONE_SIDE: f64 = 0.052;
@@ -53,7 +54,7 @@ pub(super) fn ends(outline: &Outline<'_>) -> Vec<bool> {
     // Equal lengths: from the second side on, so that the first one keeps its eave.
     let place = |side: usize| if side == 0 { usize::MAX } else { side };
     let steps = |length: f64| (length / (TIE_EPSILON * longest)).round();
-    candidates.sort_by(|a, b| steps(a.0).total_cmp(&steps(b.0)).then(place(a.1).cmp(&place(b.1))));
+    candidates.small_sort_by(|a, b| steps(a.0).total_cmp(&steps(b.0)).then(place(a.1).cmp(&place(b.1))));
     for (_, side) in candidates {
         found[side] = !sides.neighbours(side).into_iter().any(|other| found[other]);
     }
@@ -134,6 +135,6 @@ fn corners(outline: &Outline<'_>, ring: &[u32]) -> Vec<usize> {
             direction = along(i);
         }
     }
-    kept.sort_unstable();
+    kept.small_sort();
     if kept.len() < 3 { (0..count).collect() } else { kept }
 }

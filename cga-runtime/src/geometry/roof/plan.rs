@@ -12,6 +12,7 @@ use crate::geometry::skeleton::{self, Failure, Speeds, Swept};
 use crate::geometry::tol::{NUDGE_EPSILONS, TIE_EPSILON};
 use crate::geometry::triangulate::Triangulator;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// A ridge is between edges whose directions differ from opposite ones by less than 45 degrees: the cosine of 135 degrees.
 const RIDGE: f64 = -std::f64::consts::FRAC_1_SQRT_2;
@@ -198,7 +199,7 @@ impl Plan {
                 let mut triangles = Vec::new();
                 Triangulator::new().polygon(&flat, &[flat.len() as u32], &mut triangles);
                 // The first one has the eave.
-                triangles.sort_by_key(|triangle| !(triangle.contains(&0) && triangle.contains(&1)));
+                triangles.small_sort_by_key(|triangle| !(triangle.contains(&0) && triangle.contains(&1)));
                 for mut triangle in triangles {
                     let first = (0..3).find(|&i| triangle[i] == 0 && triangle[(i + 1) % 3] == 1);
                     triangle.rotate_left(first.unwrap_or(0));
@@ -259,7 +260,7 @@ impl Outside {
     pub(super) fn fronts(&self, counts: impl Fn(&OutsideStrip) -> bool) -> Vec<(u32, [u32; 2])> {
         let counted = self.strips.iter().filter(|strip| counts(strip));
         let mut fronts: Vec<_> = counted.flat_map(|strip| strip.fronts().map(|front| (strip.edge, front))).collect();
-        fronts.sort_by_key(|front| front.0);
+        fronts.small_sort_by_key(|front| front.0);
         fronts
     }
 }

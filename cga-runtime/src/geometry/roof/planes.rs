@@ -10,6 +10,7 @@ use crate::geometry::nesting::extent::Extent;
 use crate::geometry::nesting::rings::NestedRings;
 use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// A triangle for each edge, to an apex over the mean of all corners. An angle is that of the first triangle. If the apex is
 /// over the line of the first edge, no height gives this triangle an angle, so the next edge decides.
@@ -163,7 +164,7 @@ fn half_of(
     }
     // Along the ridge, arcs close the half where the polygon is beside it.
     let place = |point: u32| along.dot(flat(point));
-    on_ridge.sort_by(|&p, &q| place(p).total_cmp(&place(q)).then(p.cmp(&q)));
+    on_ridge.small_sort_by(|&p, &q| place(p).total_cmp(&place(q)).then(p.cmp(&q)));
     on_ridge.dedup();
     let balance =
         |point: u32| arcs.iter().map(|arc| i32::from(arc[1] == point) - i32::from(arc[0] == point)).sum::<i32>();

@@ -18,6 +18,7 @@ use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::segment::nearest_share;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The contacts at one time. The lists keep their memory from event to event.
 #[derive(Debug, Default)]
@@ -137,7 +138,7 @@ impl Wavefront {
             }
         }
         contacts.sorted.clone_from(&contacts.reached);
-        contacts.sorted.sort_unstable();
+        contacts.sorted.small_sort();
         contacts.clusters.flatten_some(&contacts.sorted);
         for &[edge, vertex] in &candidates {
             let cluster = contacts.cluster(vertex);

@@ -9,6 +9,7 @@ use super::overlap::short_end;
 use super::wavefront::{Wavefront, turn_back};
 use crate::geometry::nesting::extent::Extent;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The least sine of an angle between edges at a lone event.
 const CLEAR: f64 = 1e-6;
@@ -59,7 +60,7 @@ impl Wavefront {
             return None;
         }
         self.is_alone(&self.place_of(&corners), &corners, &[]).then_some(())?;
-        corners.sort_unstable();
+        corners.small_sort();
         self.end(&corners);
         self.renew(&[]);
         Some(Vec::new())

@@ -1,6 +1,7 @@
 //! The end of an event: new vertices join the segments that end at a cluster with the segments that begin there.
 
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use glam::DVec2;
 
 use super::NONE;
@@ -31,7 +32,7 @@ impl Arrangement {
         let mut around: Vec<(f64, bool, usize)> = incoming.chain(outgoing).collect();
         let first = pairs.len();
         // Of two coincident segments the incoming one is first, so that the area between them is empty.
-        around.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
+        around.small_sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
         let mut waiting: Vec<usize> = Vec::new();
         // Outgoing segments before any incoming one wait for the second round.
         let mut early: Vec<usize> = Vec::new();
@@ -46,7 +47,7 @@ impl Arrangement {
         }
         pairs.extend(early.into_iter().map_while(|segment| Some([waiting.pop()?, segment])));
         // A rotation of the input changes only the start of the circle; sorting removes this difference.
-        pairs[first..].sort_unstable();
+        pairs[first..].small_sort();
     }
 }
 

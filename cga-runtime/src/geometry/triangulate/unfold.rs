@@ -15,6 +15,7 @@ use glam::DVec2;
 
 use crate::geometry::exact::orient;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 const NONE: u32 = u32::MAX;
 
@@ -147,7 +148,7 @@ impl Unfold {
                 self.turned.push((Cost::of(points, corners).turned, number as u32));
             }
         }
-        self.turned.sort_by(|a, b| b.0.partial_cmp(&a.0).unwrap_or(Ordering::Equal).then(a.1.cmp(&b.1)));
+        self.turned.small_sort_by(|a, b| b.0.partial_cmp(&a.0).unwrap_or(Ordering::Equal).then(a.1.cmp(&b.1)));
     }
 
     /// Finds the twin of each side.
@@ -158,7 +159,7 @@ impl Unfold {
             let (a, b) = (sides[side], sides[if side % 3 == 2 { side - 2 } else { side + 1 }]);
             (u64::from(a.min(b)) << 32 | u64::from(a.max(b)), b < a, side as u32)
         }));
-        self.edges.sort_unstable();
+        self.edges.small_sort();
         self.twin.clear();
         self.twin.resize(sides.len(), NONE);
         // If loops cross, an edge may occur several times.

@@ -21,6 +21,7 @@ use crate::geometry::cut::state::CutState;
 use crate::geometry::mesh::{FaceRef, FaceTag, Mesh};
 use crate::geometry::triangulate::PlaneProjection;
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// A run of nodes within one slab: from plane to plane, or a whole loop that meets no plane.
 #[derive(Clone, Copy)]
@@ -36,6 +37,7 @@ struct Fragment {
 }
 
 /// A corner of the face on a plane, with its position along the line.
+#[derive(Clone, Copy)]
 struct OnPlane {
     plane: u32,
     along: f64,
@@ -43,6 +45,7 @@ struct OnPlane {
 }
 
 /// An edge along a plane, between two nodes.
+#[derive(Clone, Copy)]
 struct FaceEdge {
     plane: u32,
     nodes: [usize; 2],
@@ -105,7 +108,7 @@ impl General {
         self.take_apart(state, mesh, &view, line);
         // Whole loops come last in their slab. Each is its own successor.
         let is_whole = |fragment: &Fragment| !self.nodes[fragment.start].class().is_on_plane();
-        self.fragments.sort_by_key(|fragment| (fragment.slab, is_whole(fragment)));
+        self.fragments.small_sort_by_key(|fragment| (fragment.slab, is_whole(fragment)));
         for (number, fragment) in self.fragments.iter_mut().enumerate().filter(|(_, fragment)| is_whole(fragment)) {
             fragment.next = number;
         }
@@ -166,7 +169,7 @@ impl General {
                 last = here;
             }
         }
-        self.on_planes.sort_by(|a, b| a.plane.cmp(&b.plane).then(a.along.total_cmp(&b.along)));
+        self.on_planes.small_sort_by(|a, b| a.plane.cmp(&b.plane).then(a.along.total_cmp(&b.along)));
     }
 
     /// Pairs the ends that fragments of one slab have on one of its planes.
@@ -193,7 +196,7 @@ impl General {
                 }
             }
         }
-        self.ends.sort_by(|a, b| a.along.total_cmp(&b.along));
+        self.ends.small_sort_by(|a, b| a.along.total_cmp(&b.along));
         let ends = std::mem::take(&mut self.ends);
         for tied in ends.chunk_by(|a, b| a.along == b.along) {
             // Order of ends at one position: first open interiors close, then new ones begin, then those close.
@@ -275,7 +278,7 @@ impl General {
             let [a, b] = edge.nodes.each(|node| nodes[node].place.number);
             (edge.plane, a.min(b), a.max(b))
         };
-        self.plane_edges.sort_by_key(key);
+        self.plane_edges.small_sort_by_key(key);
         // By start point. Equally many edges end at each point.
         let mut left: BTreeMap<(u32, u32), Vec<[usize; 2]>> = BTreeMap::new();
         for same in self.plane_edges.chunk_by(|a, b| key(a) == key(b)) {

@@ -18,6 +18,7 @@ use crate::geometry::mesh::{Bounds, FaceRef, FaceTag, Mesh};
 use crate::geometry::tol::{ACROSS_EPSILON, LINE_EPSILON};
 use crate::geometry::triangulate::{PlaneProjection, Triangulator};
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// Buffers.
 #[derive(Default)]
@@ -78,7 +79,7 @@ impl Rough {
     /// may be unused.
     fn mark_unused(&self, state: &mut CutState, mesh: &Mesh, face: &FaceRef<'_>) {
         let mut used: Vec<u32> = self.triangles.iter().flatten().map(|&corner| mesh.corners[corner as usize]).collect();
-        used.sort_unstable();
+        used.small_sort();
         for point in &mesh.corners[face.corner_range()] {
             let place = state.points.places[*point as usize];
             if !place.class.is_on_plane() && used.binary_search(point).is_err() {

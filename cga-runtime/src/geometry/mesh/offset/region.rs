@@ -14,6 +14,7 @@ use crate::geometry::mesh::flat_face::FlatFace;
 use crate::geometry::nesting::contour::Contour;
 use crate::geometry::skeleton::{self, Failure, Swept};
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The piece of a side that is on no edge of the face.
 const NONE: usize = usize::MAX;
@@ -187,7 +188,7 @@ fn taken(
         }
     }
     // Nearly parallel lines may have the same side, or opposite ones. Each side counts, so that all loops close.
-    all.sort_unstable();
+    all.small_sort();
     let (mut contour, mut closes) = (Contour::default(), true);
     contour.follow(&all, &swept.points, |_| closes = false);
     if !closes {
@@ -211,9 +212,9 @@ fn apart(sides: &[[u32; 2]], swept: &Swept) -> Vec<[u32; 2]> {
     let Some(&[from, to]) = sides.first() else { return Vec::new() };
     let along = at(to) - at(from);
     let mut points: Vec<u32> = sides.iter().flatten().copied().collect();
-    points.sort_unstable();
+    points.small_sort();
     points.dedup();
-    points.sort_by(|&a, &b| along.dot(at(a)).total_cmp(&along.dot(at(b))));
+    points.small_sort_by(|&a, &b| along.dot(at(a)).total_cmp(&along.dot(at(b))));
     let place = |point: u32| points.iter().position(|&other| other == point).unwrap_or(0);
     // For each gap between neighbours the sides ahead less the sides back.
     let mut cover = vec![0i32; points.len()];
