@@ -2,7 +2,7 @@
 
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use glam::{DVec2, DVec3};
 
@@ -63,7 +63,7 @@ impl Graph {
         let chains = divide(&plain, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
         let mut graph = Graph::default();
         let mut numbers: GridMap<Point, u32> = GridMap::default();
-        let mut known: GridMap<[u32; 2], ()> = GridMap::default();
+        let mut known: BTreeSet<[u32; 2]> = BTreeSet::new();
         // Ends of segments keep their heights; a crossing gets the height of the first line.
         for segment in segments {
             for (point, height) in segment.ends {
@@ -79,7 +79,7 @@ impl Graph {
                 let here = graph.vertex(&mut numbers, point, height);
                 if let Some(before) = before.replace(here).filter(|&before| before != here) {
                     let key = [here.min(before), here.max(before)];
-                    if known.insert(key, ()).is_none() {
+                    if known.insert(key) {
                         let number = graph.edges.len() as u32;
                         graph.edges.push(StreetEdge { ends: [before, here], line: segment.line });
                         graph.around[before as usize].push(number);
@@ -175,7 +175,7 @@ fn join_ends(paths: &mut [Vec<LinePoint>], snap: f64) {
 
 /// Moves ends that are not shared onto the nearest segment of another line, if one is near.
 fn reach_segments(paths: &mut [Vec<LinePoint>], snap: f64) {
-    let mut ends: GridMap<Point, usize> = GridMap::default();
+    let mut ends: GridMap<Point, u32> = GridMap::default();
     let (mut segments, mut homes) = (Vec::new(), Vec::new());
     for (line, path) in paths.iter().enumerate() {
         for vertex in path.first().into_iter().chain(path.last()) {

@@ -284,11 +284,11 @@ impl<'l, W: Winding> LineGraph<'l, W> {
         let mut places = std::collections::BTreeMap::new();
         for &point in ring {
             if let Some(start) = places.get(&point).copied() {
-                let found = stack.split_off(start);
+                let found = stack.split_off(start as usize);
                 found.iter().for_each(|point| _ = places.remove(point));
                 rings.extend((3 <= found.len()).then_some(found));
             }
-            places.insert(point, stack.len());
+            places.insert(point, stack.len() as u32);
             stack.push(point);
         }
         rings.extend((3 <= stack.len()).then_some(stack));

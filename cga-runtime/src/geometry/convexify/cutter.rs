@@ -43,7 +43,7 @@ pub(super) struct Cutter<'n> {
     /// All corners of the face.
     pub(super) corners: Vec<u32>,
     /// The points of the face, each with its corners.
-    at: BTreeSet<(u32, u32)>,
+    at: BTreeSet<[u32; 2]>,
     obstacles: Obstacles,
     /// The number of boxes of obstacles that may still be tested.
     tests_left: Cell<usize>,
@@ -75,7 +75,7 @@ impl<'n> Cutter<'n> {
     /// Adds a corner and its half-edge to the face.
     fn know(&mut self, corner: u32) {
         self.corners.push(corner);
-        self.at.insert((self.net.point(corner), corner));
+        self.at.insert([self.net.point(corner), corner]);
         self.block(corner);
     }
 
@@ -163,7 +163,7 @@ impl<'n> Cutter<'n> {
         let others: Vec<u32> = (from..self.net.corner_count() as u32)
             .filter(|&corner| {
                 let before = self.net.before(corner);
-                corner == own || self.at.contains(&(self.net.point(before), before))
+                corner == own || self.at.contains(&[self.net.point(before), before])
             })
             .collect();
         others.into_iter().for_each(|corner| self.know(corner));
@@ -296,7 +296,7 @@ impl<'n> Cutter<'n> {
             };
             contains && !self.are_neighbours(candidate, corner)
         };
-        self.at.range((point, 0)..=(point, u32::MAX)).map(|&(_, corner)| corner).find(looks)
+        self.at.range([point, 0]..=[point, u32::MAX]).map(|&[_, corner]| corner).find(looks)
     }
 }
 

@@ -30,11 +30,11 @@ impl Indexed {
         colors().for_each(|color| *counts.entry(color).or_default() += 1);
         let few = counts.len() <= COLORS;
         let palette: Vec<Rgb> = divided(counts.into_iter().collect()).iter().map(|members| mean(members)).collect();
-        let mut known: BTreeMap<Rgb, u8> = BTreeMap::new();
+        let mut known: BTreeMap<Rgb, usize> = BTreeMap::new();
         let pixels = colors().enumerate().map(|(at, color)| {
             let (x, y) = (at % width.max(1), at / width.max(1));
             let wanted = if few { color } else { mixed(color, x, y) };
-            *known.entry(wanted).or_insert_with(|| nearest(&palette, wanted))
+            *known.entry(wanted).or_insert_with(|| nearest(&palette, wanted)) as u8
         });
         let pixels = pixels.collect();
         Indexed { palette, pixels }
@@ -53,13 +53,13 @@ fn mixed(color: Rgb, x: usize, y: usize) -> Rgb {
 }
 
 /// The index of the colour of the palette with the smallest distance; the first of equal ones.
-fn nearest(palette: &[Rgb], wanted: Rgb) -> u8 {
+fn nearest(palette: &[Rgb], wanted: Rgb) -> usize {
     let distance = |color: &Rgb| -> u32 {
         let channels = color.iter().zip(wanted);
         channels.map(|(a, b)| u32::from(a.abs_diff(b)).pow(2)).sum()
     };
-    let best = palette.iter().zip(0..=u8::MAX).min_by_key(|(color, _)| distance(color));
-    best.map_or(0, |(_, index)| index)
+    let best = palette.iter().enumerate().min_by_key(|(_, color)| distance(color));
+    best.map_or(0, |(index, _)| index)
 }
 
 /// A colour and the number of its pixels.

@@ -157,17 +157,19 @@ fn taken(
     rank: impl Fn(usize) -> usize,
     mut origin: impl FnMut([u32; 2], usize, SideKind),
 ) -> Result<Loops, Failure> {
-    let mut lines: BTreeMap<usize, Vec<[u32; 2]>> = BTreeMap::new();
     let sides = rings.iter().flat_map(|ring| (0..ring.len()).map(|k| [ring[k], ring[(k + 1) % ring.len()]]));
-    sides.enumerate().for_each(|(edge, side)| lines.entry(edge).or_default().push(side));
+    // The sides along the line of each edge.
+    let mut lines: Vec<Vec<[u32; 2]>> = sides.map(|side| vec![side]).collect();
     for ring in &swept.left {
         for (k, left) in ring.iter().enumerate() {
             let side = [ring[(k + 1) % ring.len()].point, left.point];
-            lines.entry(left.edge as usize).or_default().push(side);
+            let edge = left.edge as usize;
+            lines.resize(lines.len().max(edge + 1), Vec::new());
+            lines[edge].push(side);
         }
     }
     let (mut ranks, mut all) = (BTreeMap::new(), Vec::new());
-    for (&edge, sides) in &lines {
+    for (edge, sides) in lines.iter().enumerate() {
         let is_moved = distances.get(edge).is_some_and(|distance| 0.0 < *distance);
         match &sides[..] {
             [side, moved @ ..] if is_moved => {
