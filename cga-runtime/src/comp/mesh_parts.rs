@@ -368,7 +368,7 @@ impl MeshParts {
             filled.end_face(FaceTag::PLAIN);
         }
         filled.carry_tags(&self.mesh, |point| PartPoint::old(taken[point as usize]));
-        filled.trace = self.mesh.trace.pick(taken.iter().map(|point| Some(*point)));
+        filled.trace = self.mesh.trace.pick(&mut taken.iter().map(|point| Some(*point)));
         filled
     }
 
@@ -386,8 +386,8 @@ impl MeshParts {
             return Wire::of_points(points, &self.mesh.subcomponent_tags, &self.mesh.trace, &numbers, normals);
         }
         let point = |corner: u32| self.mesh.corners()[corner as usize];
-        let edges = indices.map(|index| self.directed(index, as_roof).each(point));
-        Wire::of_edges(self.mesh.points(), &self.mesh.subcomponent_tags, &self.mesh.trace, edges, normals)
+        let mut edges = indices.map(|index| self.directed(index, as_roof).each(point));
+        Wire::of_edges(self.mesh.points(), &self.mesh.subcomponent_tags, &self.mesh.trace, &mut edges, normals)
     }
 
     /// Calls `bond` with the number of each edge of a component with faces, or of each point of another component.

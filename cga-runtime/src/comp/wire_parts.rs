@@ -118,7 +118,7 @@ impl WireParts {
             return Wire::of_points(points, &self.wire.tags, &self.wire.trace, &numbers, normals);
         }
         let Wire { points, edges, tags, trace, .. } = &self.wire;
-        Wire::of_edges(points, tags, trace, indices.iter().map(|&index| edges[index as usize]), normals)
+        Wire::of_edges(points, tags, trace, &mut indices.iter().map(|&index| edges[index as usize]), normals)
     }
 
     /// Calls `bond` with the points of a component. Components with a common point are connected.

@@ -43,7 +43,7 @@ impl Wire {
         points: &[DVec3],
         tags: &SubcomponentTags,
         trace: &Trace,
-        edges: impl Iterator<Item = [u32; 2]>,
+        edges: &mut dyn Iterator<Item = [u32; 2]>,
         normals: Vec<DVec3>,
     ) -> Self {
         let (mut used, mut numbers) = (Vec::new(), HashMap::new());
@@ -54,8 +54,8 @@ impl Wire {
             })
         };
         let edges: Vec<[u32; 2]> = edges.map(|edge| edge.each(&mut number)).collect();
-        let trace = trace.pick(used.iter().map(|point| Some(*point)));
-        let tags = tags.carried(edges.iter().copied(), used.len(), |point| PartPoint::old(used[point as usize]));
+        let trace = trace.pick(&mut used.iter().map(|point| Some(*point)));
+        let tags = tags.carried(&mut edges.iter().copied(), used.len(), &|point| PartPoint::old(used[point as usize]));
         Wire { points: used.iter().map(|point| points[*point as usize]).collect(), edges, normals, tags, trace }
     }
 
@@ -67,8 +67,9 @@ impl Wire {
         numbers: &[u32],
         normals: Vec<DVec3>,
     ) -> Self {
-        let tags = tags.carried(std::iter::empty(), numbers.len(), |point| PartPoint::old(numbers[point as usize]));
-        let trace = trace.pick(numbers.iter().map(|point| Some(*point)));
+        let tags =
+            tags.carried(&mut std::iter::empty(), numbers.len(), &|point| PartPoint::old(numbers[point as usize]));
+        let trace = trace.pick(&mut numbers.iter().map(|point| Some(*point)));
         Wire { points, edges: Vec::new(), normals, tags, trace }
     }
 
@@ -141,7 +142,7 @@ impl Wire {
                 }
             }
         }
-        part.tags = self.tags.carried(part.edges.iter().copied(), origins.len(), |point| origins[point as usize]);
+        part.tags = self.tags.carried(&mut part.edges.iter().copied(), origins.len(), &|point| origins[point as usize]);
         (part, origins)
     }
 

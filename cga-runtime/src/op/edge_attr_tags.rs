@@ -65,7 +65,7 @@ fn cleared(
     for (name, _) in attributes {
         old = old.without(Some(&format!("edgeattr.{}", tag_name(name))), TaggedComponents::Edges);
     }
-    tagger.append(&old, |point| point);
+    tagger.append(&old, &|point| point);
     tagger
 }
 

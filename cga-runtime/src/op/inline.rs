@@ -72,7 +72,7 @@ fn join_wires(shape: &mut Shape, leaves: &[Shape]) {
     for (leaf, wire) in wires().filter(|(_, wire)| !has_edges || !wire.edges.is_empty()) {
         let first = sum.points.len() as u32;
         let frame = shape.scope.frame();
-        tagger.append(&wire.tags, |point| first + point);
+        tagger.append(&wire.tags, &|point| first + point);
         sum.points.extend(wire.points.iter().map(|point| frame.to_local(leaf.scope.frame().to_world(*point))));
         sum.edges.extend(wire.edges.iter().map(|edge| edge.each(|point| first + point)));
         sum.normals.extend(wire.normals.iter().map(|normal| frame.axes.transpose() * (leaf.scope.axes * *normal)));

@@ -86,7 +86,7 @@ fn along(
         };
         (cuts, order.iter().filter_map(turn).collect())
     };
-    ControlFlow::Continue(divided_at(env, &mesh, sections.rest(), &format!("`{NAME}`"), turns))
+    ControlFlow::Continue(divided_at(env, &mesh, sections.rest(), &format!("`{NAME}`"), &turns))
 }
 
 /// The selected edges, from the one with an index on. Indices wrap.

@@ -41,7 +41,7 @@ pub(super) fn set_back(
         let distances = edges.map(|word| word.map_or(0.0, |word| distances[word as usize])).collect();
         vec![Turn { arm: shape, distances }]
     };
-    ControlFlow::Continue(divided(env, &mesh, arms.of(Word::Remainder), what, turns))
+    ControlFlow::Continue(divided(env, &mesh, arms.of(Word::Remainder), what, &turns))
 }
 
 /// The edges of each face that arms select, in turns: those of the first arm move first. `distance` gives the distance in
@@ -70,9 +70,9 @@ pub(super) fn divided(
     mesh: &Mesh,
     remainder: Option<u32>,
     what: &str,
-    turns: impl Fn(&FaceRef<'_>) -> Vec<Turn>,
+    turns: &dyn Fn(&FaceRef<'_>) -> Vec<Turn>,
 ) -> Faces {
-    divided_at(env, mesh, remainder, what, |face| (Vec::new(), turns(face)))
+    divided_at(env, mesh, remainder, what, &|face| (Vec::new(), turns(face)))
 }
 
 /// Divides the faces of a mesh, whose edges are divided into pieces by cuts. In grammars that use tags, edges are tagged: those
@@ -83,7 +83,7 @@ pub(super) fn divided_at(
     mesh: &Mesh,
     remainder: Option<u32>,
     what: &str,
-    turns: impl Fn(&FaceRef<'_>) -> (Vec<EdgeCut>, Vec<Turn>),
+    turns: &dyn Fn(&FaceRef<'_>) -> (Vec<EdgeCut>, Vec<Turn>),
 ) -> Faces {
     let mut made = Faces { mesh: mesh.alike(0), arms: Vec::new() };
     let mut tags = SideTags::new(mesh, env.tags_edges);

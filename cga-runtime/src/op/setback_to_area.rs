@@ -94,7 +94,7 @@ fn to_area(
     };
     let offset = offset_for(area, farthest, left);
     let turns = |face: &FaceRef<'_>| turns(face, &edges, |corner| distance(offset, corner));
-    ControlFlow::Continue(divided(env, &mesh, arms.of(Word::Remainder), &format!("`{NAME}`"), turns))
+    ControlFlow::Continue(divided(env, &mesh, arms.of(Word::Remainder), &format!("`{NAME}`"), &turns))
 }
 
 #[cfg(test)]

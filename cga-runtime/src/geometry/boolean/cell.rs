@@ -61,6 +61,16 @@ pub(super) struct GraphLine<W> {
     pub(super) count: W,
 }
 
+/// The cells that the lines with a count enclose. `at` gives the place of a point in the plane.
+pub(super) fn cells<W: Winding>(
+    lines: &[GraphLine<W>],
+    at: &dyn Fn(u32) -> DVec2,
+    budget: &mut Budget,
+) -> Result<Vec<Cell<W>>, BooleanError> {
+    let ends: Vec<[u32; 2]> = lines.iter().map(|line| line.ends).collect();
+    LineGraph::new(&ends, at)?.cells(lines, budget)
+}
+
 /// The cells of a facet.
 pub(super) fn cells_of(
     points: &PointSet,
@@ -75,7 +85,7 @@ pub(super) fn cells_of(
     }
     let line = |line: &u32| GraphLine { ends: edges.list[*line as usize].ends, count: count(*line) };
     let lines: Vec<GraphLine<i32>> = facet.lines.iter().map(line).collect();
-    let mut cells = LineGraph::new(&lines, |point| facet.flat(points.at[point as usize]))?.cells(budget)?;
+    let mut cells = cells(&lines, &|point| facet.flat(points.at[point as usize]), budget)?;
     cells.iter_mut().flat_map(|cell| &mut cell.inner).for_each(|line| *line = facet.lines[*line as usize]);
     // Lines that were led through points move by up to epsilon. A lost cell is much larger.
     let area: f64 = cells.iter().map(|cell| f64::from(cell.winding) * double_area(points, facet, &cell.rings)).sum();
@@ -98,8 +108,7 @@ pub(super) fn double_area(points: &PointSet, facet: &Facet, rings: &[Vec<u32>]) 
 const NONE: u32 = u32::MAX;
 
 /// Lines as pairs of half-edges: half-edge `2 i` follows line `i`, half-edge `2 i + 1` runs back.
-pub(super) struct LineGraph<'l, W> {
-    lines: &'l [GraphLine<W>],
+struct LineGraph {
     /// The points, by their numbers in the graph.
     points: Vec<u32>,
     flat: Vec<DVec2>,
@@ -118,14 +127,14 @@ struct Cycle {
     ring: Vec<u32>,
 }
 
-impl<'l, W: Winding> LineGraph<'l, W> {
-    pub(super) fn new(lines: &'l [GraphLine<W>], at: impl Fn(u32) -> DVec2) -> Result<Self, BooleanError> {
-        let mut points: Vec<u32> = lines.iter().flat_map(|line| line.ends).collect();
+impl LineGraph {
+    fn new(lines: &[[u32; 2]], at: &dyn Fn(u32) -> DVec2) -> Result<Self, BooleanError> {
+        let mut points = lines.as_flattened().to_vec();
         points.small_sort();
         points.dedup();
         let flat: Vec<DVec2> = points.iter().map(|point| at(*point)).collect();
         let number = |point: u32| points.binary_search(&point).unwrap_or_default() as u32;
-        let starts: Vec<u32> = lines.iter().flat_map(|line| line.ends.each(number)).collect();
+        let starts: Vec<u32> = lines.as_flattened().iter().map(|point| number(*point)).collect();
         let mut leaving = vec![Vec::new(); points.len()];
         starts.iter().enumerate().for_each(|(half, start)| leaving[*start as usize].push(half as u32));
         let mut places = vec![0; starts.len()];
@@ -142,7 +151,7 @@ impl<'l, W: Winding> LineGraph<'l, W> {
             }
             list.iter().enumerate().for_each(|(place, half)| places[*half as usize] = place as u32);
         }
-        Ok(LineGraph { lines, points, flat, starts, leaving, places })
+        Ok(LineGraph { points, flat, starts, leaving, places })
     }
 
     /// The half-edge after another one in the cycle on its left, among those that are kept.
@@ -184,7 +193,7 @@ impl<'l, W: Winding> LineGraph<'l, W> {
     }
 
     /// The cells that the lines with a count enclose.
-    pub(super) fn cells(&self, budget: &mut Budget) -> Result<Vec<Cell<W>>, BooleanError> {
+    fn cells<W: Winding>(&self, lines: &[GraphLine<W>], budget: &mut Budget) -> Result<Vec<Cell<W>>, BooleanError> {
         let (cycles, of_half) = self.cycles(|_| true);
         let parts = self.connected_parts(&of_half);
         // The cell of each cycle, as the number of its outline, or `NONE` outside of all.
@@ -208,7 +217,7 @@ impl<'l, W: Winding> LineGraph<'l, W> {
                 for &(_, half) in by_cycle[from..].iter().take_while(|entry| entry.0 == cycle) {
                     let beyond = of_half[half as usize ^ 1];
                     // The left side of a line has `count` more than its right side.
-                    let value = winding[cycle as usize].across(&self.lines[half as usize / 2].count, half % 2 == 0);
+                    let value = winding[cycle as usize].across(&lines[half as usize / 2].count, half % 2 == 0);
                     budget.spend(value.len())?;
                     if known.insert(beyond) {
                         windings += value.len();
@@ -228,10 +237,16 @@ impl<'l, W: Winding> LineGraph<'l, W> {
         self.collect(&cell, &winding, &of_half)
     }
 
-    /// The cells with a winding number, with their rings.
-    fn collect(&self, cell: &[u32], winding: &[W], of_half: &[u32]) -> Result<Vec<Cell<W>>, BooleanError> {
+    /// The cycles of half-edges between different cells, and the cycle of each half-edge.
+    fn borders(&self, cell: &[u32], of_half: &[u32]) -> (Vec<Cycle>, Vec<u32>) {
         let cell_of = |half: u32| cell[of_half[half as usize] as usize];
-        let (rings, ring_of) = self.cycles(|half| cell_of(half) != cell_of(half ^ 1));
+        self.cycles(|half| cell_of(half) != cell_of(half ^ 1))
+    }
+
+    /// The cells with a winding number, with their rings.
+    fn collect<W: Winding>(&self, cell: &[u32], winding: &[W], of_half: &[u32]) -> Result<Vec<Cell<W>>, BooleanError> {
+        let cell_of = |half: u32| cell[of_half[half as usize] as usize];
+        let (rings, ring_of) = self.borders(cell, of_half);
         let mut cells: Vec<Cell<W>> = Vec::new();
         let mut number_of = vec![NONE; cell.len()];
         let mut is_done = vec![false; rings.len()];

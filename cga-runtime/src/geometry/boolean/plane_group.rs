@@ -4,7 +4,7 @@
 //! work for `n` facets over each other would grow with the third power of `n`.
 
 use super::budget::Budget;
-use super::cell::{Cell, GraphLine, LineGraph, double_area};
+use super::cell::{self, Cell, GraphLine, double_area};
 use super::edge_table::{EdgeOwner, EdgeTable, NO_CORNER};
 use super::facet::Facet;
 use super::meeting::dividing_edges;
@@ -140,7 +140,7 @@ impl PlaneGroups {
                 GraphLine { ends: edge.ends, count }
             };
             let lines: Vec<GraphLine<Vec<SheetSource>>> = plane.lines.iter().map(line).collect();
-            let mut cells = LineGraph::new(&lines, |point| plane.flat(points.at[point as usize]))?.cells(budget)?;
+            let mut cells = cell::cells(&lines, &|point| plane.flat(points.at[point as usize]), budget)?;
             for cell in &mut cells {
                 cell.inner.iter_mut().for_each(|line| *line = plane.lines[*line as usize]);
                 let area = double_area(points, plane, &cell.rings);

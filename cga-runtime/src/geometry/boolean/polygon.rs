@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::budget::Budget;
-use super::cell::{GraphLine, LineGraph};
+use super::cell::{self, GraphLine};
 use super::component_tags::EdgeTags;
 use super::edge_table::{EdgeTable, NO_CORNER};
 use super::facet::Facet;
@@ -151,8 +151,8 @@ impl PolygonMaker<'_> {
         } else {
             let lines: Vec<GraphLine<i32>> =
                 net.iter().map(|(ends, (count, _))| GraphLine { ends: *ends, count: *count }).collect();
-            let graph = LineGraph::new(&lines, |point| facet.flat(self.points.at[point as usize])).ok()?;
-            let mut cells = graph.cells(budget).ok()?;
+            let flat = |point: u32| facet.flat(self.points.at[point as usize]);
+            let mut cells = cell::cells(&lines, &flat, budget).ok()?;
             let cell = cells.pop().filter(|cell| cell.winding == 1 && cells.is_empty())?;
             cell.rings
         };

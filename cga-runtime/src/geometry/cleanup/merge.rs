@@ -105,7 +105,7 @@ fn with_targets(mesh: &Mesh, targets: &[u32]) -> Mesh {
     }
     made.corners.iter_mut().for_each(|point| *point = target(*point));
     let mut tagger = SubcomponentTagger::default();
-    tagger.append(&mesh.subcomponent_tags, target);
+    tagger.append(&mesh.subcomponent_tags, &target);
     made.subcomponent_tags = tagger.finish();
     made
 }

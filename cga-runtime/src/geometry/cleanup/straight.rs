@@ -163,7 +163,7 @@ fn without(mesh: &Mesh, targets: &[u32]) -> Mesh {
     };
     let keeps_holes = mesh.is_closed();
     let mut tagger = SubcomponentTagger::default();
-    tagger.append(&mesh.subcomponent_tags, |point| point);
+    tagger.append(&mesh.subcomponent_tags, &|point| point);
     for face in mesh.faces() {
         let mut loops = Vec::with_capacity(face.loops().len());
         for ring in face.loop_ranges() {

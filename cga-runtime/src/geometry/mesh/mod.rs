@@ -286,15 +286,16 @@ impl Mesh {
     /// Takes over the tags of edges and vertices of a mesh in which the points have their origins.
     pub(crate) fn carry_tags(&mut self, source: &Mesh, origin: impl Fn(u32) -> PartPoint) {
         if !source.subcomponent_tags.is_empty() {
-            self.subcomponent_tags = source.subcomponent_tags.carried(self.face_edges(), self.points.len(), origin);
+            let tags = source.subcomponent_tags.carried(&mut self.face_edges(), self.points.len(), &origin);
+            self.subcomponent_tags = tags;
         }
     }
 
     /// Sets the tags of edges and vertices. Those that no face has are dropped.
     pub(crate) fn put_tags(&mut self, tagger: SubcomponentTagger) {
         if !tagger.is_empty() {
-            let tags = tagger.finish();
-            self.subcomponent_tags = tags.carried(self.face_edges(), self.points.len(), PartPoint::old);
+            let tags = tagger.finish().carried(&mut self.face_edges(), self.points.len(), &PartPoint::old);
+            self.subcomponent_tags = tags;
         }
     }
 

@@ -95,12 +95,12 @@ impl SubcomponentTags {
     /// have none.
     pub(crate) fn carried(
         &self,
-        edges: impl Iterator<Item = [u32; 2]>,
+        edges: &mut dyn Iterator<Item = [u32; 2]>,
         points: usize,
-        origin: impl Fn(u32) -> PartPoint,
+        origin: &dyn Fn(u32) -> PartPoint,
     ) -> Self {
         let Some(lists) = &self.0 else { return SubcomponentTags::default() };
-        let of_edge = |ends: [u32; 2]| Some((in_order(ends), self.edge_set(whole_edge(ends.each(&origin))?)?));
+        let of_edge = |ends: [u32; 2]| Some((in_order(ends), self.edge_set(whole_edge(ends.each(origin))?)?));
         let mut found: Vec<_> = if lists.edges.is_empty() { Vec::new() } else { edges.filter_map(of_edge).collect() };
         found.small_sort();
         found.dedup();
@@ -115,7 +115,7 @@ impl SubcomponentTags {
     /// These tags, and one more on each of the edges.
     pub(crate) fn with_edges(&self, edges: impl Iterator<Item = [u32; 2]>, name: &Text) -> Self {
         let mut tagger = SubcomponentTagger::default();
-        tagger.append(self, |point| point);
+        tagger.append(self, &|point| point);
         let mut edges: Vec<[u32; 2]> = edges.map(in_order).collect();
         edges.small_sort();
         edges.dedup();
@@ -127,7 +127,7 @@ impl SubcomponentTags {
     /// These tags, and one more on each of the first `points` vertices.
     pub(crate) fn with_vertices(&self, points: usize, name: &Text) -> Self {
         let mut tagger = SubcomponentTagger::default();
-        tagger.append(self, |point| point);
+        tagger.append(self, &|point| point);
         let own = TagSet::new([name.clone()]);
         (0..points as u32).for_each(|point| tagger.vertex(point, &own));
         tagger.finish()
@@ -246,7 +246,7 @@ impl SubcomponentTagger {
     }
 
     /// Adds all tags of a mesh whose points have new numbers.
-    pub(crate) fn append(&mut self, tags: &SubcomponentTags, new: impl Fn(u32) -> u32) {
+    pub(crate) fn append(&mut self, tags: &SubcomponentTags, new: &dyn Fn(u32) -> u32) {
         let Some(lists) = &tags.0 else { return };
         // Unused sets get no number, so that they do not add up.
         let mut numbers: Vec<Option<u32>> = vec![None; lists.sets.len()];
@@ -255,7 +255,7 @@ impl SubcomponentTagger {
             let number = &mut numbers[set as usize];
             *number.get_or_insert_with(|| sets.number(&lists.sets[set as usize]))
         };
-        self.edges.extend(lists.edges.iter().map(|&(ends, set)| (in_order(ends.each(&new)), number(set))));
+        self.edges.extend(lists.edges.iter().map(|&(ends, set)| (in_order(ends.each(new)), number(set))));
         self.vertices.extend(lists.vertices.iter().map(|&(point, set)| (new(point), number(set))));
     }
 
@@ -313,8 +313,8 @@ mod tests {
         assert_eq!(tags.edges().len(), 2);
         // All of it twice, once with other numbers.
         let mut tagger = SubcomponentTagger::default();
-        tagger.append(&tags, |point| point);
-        tagger.append(&tags, |point| 3 - point);
+        tagger.append(&tags, &|point| point);
+        tagger.append(&tags, &|point| 3 - point);
         let tags = tagger.finish();
         assert_eq!(tags.edges().map(|edge| edge.0).collect::<Vec<_>>(), [[0, 1], [1, 2], [2, 3]]);
         assert!(tags.hold(4));
@@ -352,7 +352,7 @@ mod tests {
             PartPoint::NEW,
         ];
         let edges = [[0, 1], [1, 0], [1, 2], [2, 3], [3, 4], [4, 0]];
-        let part = tags.carried(edges.into_iter(), points.len(), |point| points[point as usize]);
+        let part = tags.carried(&mut edges.into_iter(), points.len(), &|point| points[point as usize]);
         assert_eq!(part.edges().map(|edge| edge.0).collect::<Vec<_>>(), [[0, 1], [1, 2]]);
         assert_eq!(part.vertices().collect::<Vec<_>>(), [(0, &set(&["v"]))]);
     }

@@ -122,9 +122,9 @@ impl Weld {
         let mut sum = join(self.meshes.iter());
         let (points, numbers) = renumbered(&self.points, places, map, &mut sum.corners);
         sum.points = points;
-        let tags = self.tagger.finish();
-        sum.subcomponent_tags =
-            tags.carried(sum.face_edges(), sum.points.len(), |point| PartPoint::old(numbers[point as usize]));
+        let origin = |point: u32| PartPoint::old(numbers[point as usize]);
+        let tags = self.tagger.finish().carried(&mut sum.face_edges(), sum.points.len(), &origin);
+        sum.subcomponent_tags = tags;
         sum.derived = Derived::default();
         (sum, numbers)
     }
@@ -167,8 +167,8 @@ pub(crate) fn welded_wire(parts: &[(Wire, Vec<u32>)], places: &[DVec3], map: &DA
     let edges: Vec<[u32; 2]> =
         if has_edges { ends.chunks_exact(2).map(|ends| [ends[0], ends[1]]).collect() } else { Vec::new() };
     let mut tagger = SubcomponentTagger::default();
-    parts.iter().for_each(|(wire, own)| tagger.append(&wire.tags, |point| own[point as usize]));
+    parts.iter().for_each(|(wire, own)| tagger.append(&wire.tags, &|point| own[point as usize]));
     let origin = |point: u32| PartPoint::old(numbers[point as usize]);
-    let tags = tagger.finish().carried(edges.iter().copied(), points.len(), origin);
+    let tags = tagger.finish().carried(&mut edges.iter().copied(), points.len(), &origin);
     (Wire { points, edges, normals, tags, trace: Trace::default() }, numbers)
 }

@@ -59,7 +59,7 @@ pub(super) fn gable(
             }
         }
     }
-    Ok(plan.roof(slope, |edge| ends[edge as usize]))
+    Ok(plan.roof(slope, &|edge| ends[edge as usize]))
 }
 
 /// The gables: neighbouring edges that are ends, in their order. A ring whose edges are all ends has no gable: its
@@ -114,7 +114,7 @@ fn overhang(
     let fronts = outside.fronts(is_eave);
     regions.extend(outside.strips.into_iter().filter(is_eave).map(|strip| (strip.edge, strip.ring)));
     plan.join(regions, &fronts);
-    plan.drop_straight(|edge| !is_end(edge));
+    plan.drop_straight(&|edge| !is_end(edge));
     if eave == 0.0 {
         plan.begin_at_eaves(outline, is_end);
     }

@@ -156,7 +156,7 @@ impl Plan {
     }
 
     /// Removes points between two collinear arcs of the faces over edges that `counts` selects, if no other face has them.
-    pub(super) fn drop_straight(&mut self, counts: impl Fn(u32) -> bool) {
+    pub(super) fn drop_straight(&mut self, counts: &dyn Fn(u32) -> bool) {
         let face_arcs = self.face_arcs();
         let is_straight = |point: u32| {
             let around = || face_arcs.around(point).map(|(end, face)| (end, counts(self.faces[face].edge)));
@@ -188,7 +188,7 @@ impl Plan {
 
     /// The roof whose planes rise by `slope` per metre. Faces over edges that `is_side` selects are upright. Faces that
     /// are bent become triangles.
-    pub(super) fn roof(mut self, slope: f64, is_side: impl Fn(u32) -> bool) -> Roof {
+    pub(super) fn roof(mut self, slope: f64, is_side: &dyn Fn(u32) -> bool) -> Roof {
         self.faces.sort_by_key(|face| face.edge);
         let mut faces = Vec::with_capacity(self.faces.len());
         for PlanFace { edge, ring } in self.faces {

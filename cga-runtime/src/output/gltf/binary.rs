@@ -35,12 +35,16 @@ impl<'a> BinaryChunk<'a> {
 
     /// Appends a view of `length` bytes, on an 8-byte boundary. Returns its number. `write` writes the bytes later.
     pub(super) fn view(&mut self, length: usize, more: &str, write: impl Fn(&mut Vec<FourBytes>) + 'a) -> usize {
+        self.add_view(length, more, Box::new(write))
+    }
+
+    fn add_view(&mut self, length: usize, more: &str, write: Write<'a>) -> usize {
         self.align();
         let start = self.length;
         self.length += length;
         let offset = if start == 0 { String::new() } else { format!(",\"byteOffset\":{start}") };
         self.views.push(format!("{{\"buffer\":0{offset},\"byteLength\":{length}{more}}}"));
-        self.bytes.push(BufferView { start, write: Box::new(write) });
+        self.bytes.push(BufferView { start, write });
         self.views.len() - 1
     }
 

@@ -19,14 +19,14 @@ pub(super) fn combined(assets: Option<&Assets>, key: &ImageKey) -> Option<Vec<u8
             // Decoding shows which files have an alpha channel; most have none and stay unchanged.
             let has_alpha = assets.is_some_and(|assets| assets.image_header(name).is_ok_and(|head| head.has_alpha));
             let image = if has_alpha { source::pixels(assets, name) } else { None };
-            image.map(|pixels| joined([Some(&pixels), None], |[[r, g, b, _], _]| [r, g, b, 255]))
+            image.map(|pixels| joined([Some(&pixels), None], &|[[r, g, b, _], _]| [r, g, b, 255]))
         }
         ImageKey::WithOpacity { color, opacity } => match (pixels(color), pixels(&Some(opacity.clone()))) {
             (Some(color), Some(opacity)) => {
-                Some(joined([Some(&color), Some(&opacity)], |[[r, g, b, _], other]| [r, g, b, opacity.opacity(other)]))
+                Some(joined([Some(&color), Some(&opacity)], &|[[r, g, b, _], other]| [r, g, b, opacity.opacity(other)]))
             }
             (None, Some(opacity)) if color.is_none() => {
-                Some(joined([Some(&opacity), None], |[pixel, _]| [255, 255, 255, opacity.opacity(pixel)]))
+                Some(joined([Some(&opacity), None], &|[pixel, _]| [255, 255, 255, opacity.opacity(pixel)]))
             }
             _ => None,
         },
@@ -34,7 +34,7 @@ pub(super) fn combined(assets: Option<&Assets>, key: &ImageKey) -> Option<Vec<u8
             let images = [pixels(roughness), pixels(metallic)];
             let is_whole = images[0].is_some() == roughness.is_some() && images[1].is_some() == metallic.is_some();
             let [rough, metal] = [images[0].as_ref(), images[1].as_ref()];
-            is_whole.then(|| joined([rough, metal], |[rough, metal]| [255, rough[1], metal[2], 255]))
+            is_whole.then(|| joined([rough, metal], &|[rough, metal]| [255, rough[1], metal[2], 255]))
         }
     };
     encoded(&made?)
@@ -52,7 +52,7 @@ pub(super) fn encoded(_: &Image) -> Option<Vec<u8>> {
 }
 
 /// Two images as one, with the larger width and the larger height. A missing image counts as white.
-fn joined(images: [Option<&Pixels>; 2], pixel: impl Fn([[u8; 4]; 2]) -> [u8; 4]) -> Image {
+fn joined(images: [Option<&Pixels>; 2], pixel: &dyn Fn([[u8; 4]; 2]) -> [u8; 4]) -> Image {
     let sizes = || images.iter().flatten().map(|pixels| (pixels.image.width, pixels.image.height));
     let largest = sizes().fold((1, 1), |(w, h), (width, height)| (width.max(w), height.max(h)));
     let fits = |(width, height): (usize, usize)| (width as u64).saturating_mul(height as u64) <= MOST_PIXELS;
