@@ -4,7 +4,6 @@
 //! order, and the farther one comes first. Cycles, which only cutting could resolve, are broken at the farthest face.
 
 use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 use glam::{DVec2, DVec3};
 
 /// A face in the picture. Depth grows towards the viewer.
@@ -86,7 +85,7 @@ fn clip(subject: &[DVec2], window: &[DVec2]) -> Vec<DVec2> {
 pub(crate) fn back_to_front(faces: Vec<&DepthFace>) -> Vec<usize> {
     // Farther middles first, as a start and wherever other rules do not decide; equal ones in their given order.
     let mut start: Vec<usize> = (0..faces.len()).collect();
-    start.small_sort_by(|&a, &b| faces[a].middle.z.total_cmp(&faces[b].middle.z).then(a.cmp(&b)));
+    start.sort_by(|&a, &b| faces[a].middle.z.total_cmp(&faces[b].middle.z).then(a.cmp(&b)));
     let behind = behind(&faces, &start);
     // Paints the faces behind a face before it: a depth-first walk, without recursion.
     let mut order = Vec::with_capacity(faces.len());

@@ -5,7 +5,6 @@ use crate::geometry::wire::Wire;
 use crate::run::env::Env;
 use crate::shape::{Placed, Shape};
 use crate::value::array::Array;
-use crate::value::small_sort::SmallSort;
 use crate::value::text::Text;
 
 /// `geometry.nVertices()` (*geometry.nVertices function*): a shared vertex counts once.
@@ -60,7 +59,7 @@ fn names(
 ) -> Array<Text> {
     let Some(Placed { mesh, .. }) = shape.geometry.placed() else { return Array::default() };
     let mut used: Vec<u32> = mesh.tags.runs().iter().map(|(_, tag)| id(tag)).collect();
-    used.small_sort();
+    used.sort_unstable();
     used.dedup();
     used.into_iter().map(|id| name(&mesh, id as usize).unwrap_or_else(|| nameless.clone())).collect()
 }

@@ -14,7 +14,7 @@ pub(super) fn divide(segments: &[[Point; 2]], most: usize) -> Option<Vec<Vec<Poi
     // it.
     for _ in 0..MOST_ROUNDS {
         let mut edges: Vec<[Point; 2]> = chains.iter().flat_map(|chain| chain.windows(2).map(sorted)).collect();
-        edges.small_sort();
+        edges.sort_unstable();
         edges.dedup();
         let again = crossings(&edges, most)?;
         if again.is_empty() {
@@ -60,7 +60,7 @@ fn crossings(segments: &[[Point; 2]], most: usize) -> Option<Vec<(u32, Point)>> 
             }
         }
     }
-    found.small_sort();
+    found.sort_unstable();
     found.dedup();
     (found.len() <= 2 * most).then_some(found)
 }

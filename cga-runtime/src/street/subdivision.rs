@@ -32,11 +32,11 @@ impl Subdivision {
         let sorted = |[a, b]: [Point; 2]| if a < b { [a, b] } else { [b, a] };
         let mut segments: Vec<[Point; 2]> =
             polygons.iter().flat_map(|ring| sides(ring)).filter(|[a, b]| a != b).map(sorted).collect();
-        segments.small_sort();
+        segments.sort_unstable();
         segments.dedup();
         let chains = divide(&segments, most)?;
         let mut points: Vec<Point> = chains.iter().flatten().copied().collect();
-        points.small_sort();
+        points.sort_unstable();
         points.dedup();
         let number = |point: &Point| points.binary_search(point).unwrap_or_default() as u32;
         let chains: Vec<Vec<u32>> = chains.iter().map(|chain| chain.iter().map(number).collect()).collect();
@@ -54,7 +54,7 @@ impl Subdivision {
                 }
             }
         }
-        uses.small_sort();
+        uses.sort_unstable();
         let (mut edges, mut changes) = (Vec::<[u32; 2]>::new(), Vec::<Vec<Change>>::new());
         for group in uses.chunk_by(|a, b| a.0 == b.0) {
             let sums = group.chunk_by(|a, b| a.1 == b.1);
@@ -213,7 +213,7 @@ fn successors(points: &[Point], origin: &[u32]) -> Vec<u32> {
     let mut around: Vec<u32> = (0..origin.len() as u32).collect();
     let along = |half: u32| points[origin[(half ^ 1) as usize] as usize].from(points[origin[half as usize] as usize]);
     let upper = |(x, y): (i128, i128)| u8::from(!(0 < y || y == 0 && 0 < x));
-    around.small_sort_by(|&a, &b| {
+    around.sort_unstable_by(|&a, &b| {
         let by_angle = || {
             let (a, b) = (along(a), along(b));
             upper(a).cmp(&upper(b)).then_with(|| cross(b, a).cmp(&0))

@@ -1,7 +1,7 @@
 //! Sorts with little code, for short lists.
 //!
-//! Each type and order that the sorts of the standard library are called with becomes 5 to 25 KB of machine code: they
-//! were a quarter of the code of this crate. Lists that may have thousands of elements are still sorted by them.
+//! The sorts of the standard library become 5 to 25 KB of machine code for each type and order. With them alone, a quarter
+//! of the code of this crate would be sorts. They still sort the lists that may have thousands of elements.
 
 use std::cmp::Ordering;
 

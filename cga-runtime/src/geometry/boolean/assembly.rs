@@ -35,7 +35,7 @@ impl Assembly<'_> {
         let corners = || polygons.iter().flat_map(|polygon| polygon.rings.iter().flatten());
         let mut used: Vec<u32> = corners().map(|corner| corner.point).collect();
         let mut made = self.mesh.alike(used.len());
-        used.small_sort();
+        used.sort_unstable();
         used.dedup();
         made.points.extend(used.iter().map(|point| self.places[*point as usize] + 0.0));
         let mut sets = TagSetTable::default();

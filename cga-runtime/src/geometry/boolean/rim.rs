@@ -5,7 +5,6 @@ use glam::DVec2;
 use super::bounds_tree::{BoundsTree, overlap};
 use crate::geometry::mesh::Bounds;
 use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// Facets with at most this many corners have no tree: a look at all their edges is as fast.
 pub(super) const MOST_WITHOUT_TREE: usize = 64;
@@ -53,7 +52,7 @@ impl RimTree {
     pub(super) fn near(&self, [a, b]: [DVec2; 2], edges: &mut Vec<[usize; 2]>) -> usize {
         edges.clear();
         let compared = self.visit(a.min(b), a.max(b), |edge| edges.push(edge));
-        edges.small_sort();
+        edges.sort_unstable();
         compared
     }
 }

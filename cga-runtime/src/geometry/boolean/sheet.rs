@@ -160,7 +160,7 @@ impl Sheets {
             inner.dedup();
             all.extend(inner.into_iter().flat_map(both));
         }
-        all.small_sort_by_key(|(edge, _)| *edge);
+        all.sort_by_key(|(edge, _)| *edge);
         let mut sheets = Sheets { list, fans: Vec::new(), uses: Vec::with_capacity(all.len()) };
         for group in all.chunk_by(|a, b| a.0 == b.0) {
             sheets.add_fan(edges, facets, group)?;

@@ -8,7 +8,6 @@ use super::slivers::neighbour;
 use super::values::{continue_over, have_same_attributes};
 use crate::geometry::mesh::Mesh;
 use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// The face of a region that is not found yet.
 const UNKNOWN: u32 = u32::MAX;
@@ -38,7 +37,7 @@ pub(super) fn without_flat_edges(mesh: &Mesh, limits: &Limits) -> Option<Mesh> {
     }
     let areas: Vec<f64> = mesh.faces().map(|face| face.area()).collect();
     let mut order: Vec<u32> = (0..mesh.face_count() as u32).collect();
-    order.small_sort_by(|&a, &b| areas[b as usize].total_cmp(&areas[a as usize]));
+    order.sort_by(|&a, &b| areas[b as usize].total_cmp(&areas[a as usize]));
     let mut growth = Growth { mesh, limits, normals: &normals, open: &open.mates, seeds: vec![UNKNOWN; order.len()] };
     let mut removal = Removal::none(mesh);
     let mut refused = vec![UNKNOWN; order.len()];

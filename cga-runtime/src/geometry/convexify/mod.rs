@@ -23,7 +23,6 @@ use glam::DVec3;
 
 use crate::geometry::mesh::{FaceRef, Mesh};
 use crate::geometry::trace::PartPoint;
-use crate::value::small_sort::SmallSort;
 use cutter::Cutter;
 use net::Net;
 use plane::Plane;
@@ -90,7 +89,7 @@ fn assembled(mesh: &Mesh, net: &Net, concave: &[usize], parts: &[Vec<Part>]) -> 
     made.points = net.pool.points.clone();
     let mut used = made.corners.clone();
     made.drop_unused();
-    used.small_sort();
+    used.sort_unstable();
     used.dedup();
     let origins = used.iter().map(|&point| net.origin(point)).collect();
     (made, origins)

@@ -4,7 +4,6 @@ use glam::DVec3;
 
 use super::Mesh;
 use crate::geometry::trace::PartPoint;
-use crate::value::small_sort::SmallSort;
 
 /// The points that corners use, in their old order. Renumbers the corners; -0 becomes 0.
 pub(crate) fn keep_used(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
@@ -46,7 +45,7 @@ impl Mesh {
         let mut used = Vec::new();
         if source.needs_origins() {
             used.clone_from(&self.corners);
-            used.small_sort();
+            used.sort_unstable();
             used.dedup();
         }
         self.points = keep_used(&source.points, &mut self.corners);

@@ -68,7 +68,6 @@ fn ring_area(ring: &[DVec3]) -> DVec3 {
 }
 
 /// An edge of a loop, in the plane.
-#[derive(Clone, Copy)]
 struct LoopEdge {
     a: DVec2,
     b: DVec2,
@@ -118,7 +117,7 @@ fn check_crossings(points: &[DVec3], rings: &[Range<usize>], normal: DVec3) -> R
             edges.push(LoopEdge { a, b, ring, number });
         }
     }
-    edges.small_sort_by(|e, f| e.low().x.total_cmp(&f.low().x));
+    edges.sort_by(|e, f| e.low().x.total_cmp(&f.low().x));
     for (i, edge) in edges.iter().enumerate() {
         let reach = edge.high().x;
         for other in edges[i + 1..].iter().take_while(|other| other.low().x <= reach) {

@@ -5,7 +5,6 @@
 //! increasing area, and ends at the first one that is accepted.
 
 use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -40,7 +39,7 @@ impl BoxTree {
         self.by_rank.clear();
         self.by_rank.extend((0..loops.len()).filter(|&number| counts(number)).map(|number| number as u32));
         let area = |number: u32| loops[number as usize].area;
-        self.by_rank.small_sort_by(|&a, &b| area(a).total_cmp(&area(b)).then(a.cmp(&b)));
+        self.by_rank.sort_unstable_by(|&a, &b| area(a).total_cmp(&area(b)).then(a.cmp(&b)));
         let leaf = |(rank, &number): (usize, &u32)| BoxNode {
             extent: loops[number as usize].extent,
             rank: rank as u32,

@@ -13,7 +13,6 @@ use super::merge_sort::merge_sort;
 use crate::geometry::exact::orient;
 use crate::geometry::status::{LEFT, RIGHT, Status, is_below};
 use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// No outline.
 const NONE: u32 = u32::MAX;
@@ -117,7 +116,7 @@ impl LoopSweep {
         for event in events.iter_mut() {
             event.begins = event.edges.iter().all(|&edge| edges[edge as usize].low == event.at);
         }
-        events.small_sort_by(|a, b| {
+        events.sort_unstable_by(|a, b| {
             let place = is_below(b.at, a.at).cmp(&is_below(a.at, b.at));
             place.then(a.begins.cmp(&b.begins)).then(a.edges.cmp(&b.edges))
         });

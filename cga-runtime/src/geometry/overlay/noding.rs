@@ -84,7 +84,7 @@ fn directed(places: &[GridPoint], a: u32, b: u32, count: i32) -> Option<NodedEdg
 
 /// Unites edges between the same points. Those that cancel are dropped.
 fn merge(edges: &mut Vec<NodedEdge>) {
-    edges.small_sort();
+    edges.sort_unstable();
     edges.dedup_by(|next, kept| {
         let is_same = next.ends == kept.ends;
         if is_same {
@@ -113,7 +113,7 @@ fn compare(
         })
         .collect();
     let mut order: Vec<u32> = (0..edges.len() as u32).collect();
-    order.small_sort_by_key(|&edge| (boxes[edge as usize][0], edge));
+    order.sort_unstable_by_key(|&edge| (boxes[edge as usize][0], edge));
     let mut active: Vec<u32> = Vec::new();
     for &edge in &order {
         let own = boxes[edge as usize];

@@ -15,7 +15,7 @@ pub(super) fn outline(places: &[GridPoint], edges: &[NodedEdge]) -> Vec<[u32; 2]
     let mut stops = vec![0u32; places.len()];
     edges.iter().for_each(|edge| stops[edge.ends[1] as usize] += 1);
     let mut order: Vec<u32> = (0..places.len() as u32).filter(|&point| used(&starts, &stops, point)).collect();
-    order.small_sort_by_key(|&point| places[point as usize]);
+    order.sort_unstable_by_key(|&point| places[point as usize]);
     let mut sides = Vec::new();
     // The edges that the sweep line crosses, from the lowest one up, each with the winding number above it.
     let mut active: Vec<(u32, i32)> = Vec::new();

@@ -13,7 +13,6 @@ use crate::geometry::exact::orient;
 use crate::geometry::mesh::check::winding;
 use crate::geometry::tol::{MEETING_EPSILONS, TOUCH_EPSILON};
 use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// The multiple of the contact distance that counts as rounding.
 const SLACK: f64 = 16.0;
@@ -125,7 +124,7 @@ fn crosses(left: &[Vec<Left>], points: &[DVec2], slack: f64) -> bool {
 
 /// Returns true if two of some edges cross by more than `slack`.
 pub(crate) fn any_cross(mut edges: Vec<[DVec2; 2]>, slack: f64) -> bool {
-    edges.small_sort_by(|e, f| e[0].x.min(e[1].x).total_cmp(&f[0].x.min(f[1].x)));
+    edges.sort_by(|e, f| e[0].x.min(e[1].x).total_cmp(&f[0].x.min(f[1].x)));
     edges.iter().enumerate().any(|(i, edge)| {
         let reach = edge[0].x.max(edge[1].x);
         let near = edges[i + 1..].iter().take_while(|other| other[0].x.min(other[1].x) <= reach);

@@ -21,7 +21,6 @@ use glam::DVec2;
 use crate::geometry::exact::orient;
 use crate::geometry::status::{LEFT, RIGHT, Status, is_below};
 use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 const NONE: u32 = u32::MAX;
 
@@ -109,7 +108,7 @@ impl MonotoneSweep {
             let (a, b) = (self.prev[corner as usize], self.next[corner as usize]);
             below(points, corner, a) && below(points, corner, b)
         };
-        self.order.small_sort_by(|a, b| {
+        self.order.sort_by(|a, b| {
             let order = if a.y != b.y { a.y < b.y } else { a.x < b.x };
             if a.y == b.y && a.x == b.x {
                 (late(a.corner), a.corner).cmp(&(late(b.corner), b.corner))

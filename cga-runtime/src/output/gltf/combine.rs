@@ -103,12 +103,12 @@ mod tests {
     #[test]
     fn images_of_two_sizes_become_one_of_the_larger() {
         let (a, b) = (pixels(4, 1, [10, 20, 30, 40]), pixels(2, 3, [50, 60, 70, 80]));
-        let image = joined([Some(&a), Some(&b)], |[a, b]| [a[0], b[1], a[2], b[3]]);
+        let image = joined([Some(&a), Some(&b)], &|[a, b]| [a[0], b[1], a[2], b[3]]);
         assert_eq!((image.width, image.height), (4, 3));
         assert!(image.rgba.as_chunks::<4>().0.iter().all(|pixel| *pixel == [10, 60, 30, 80]));
         // Two long images with a width of one pixel would make a huge one.
         let (a, b) = (pixels(1 << 16, 1, [1; 4]), pixels(1, 1 << 16, [2; 4]));
-        assert_eq!(joined([Some(&a), Some(&b)], |[a, _]| a).height, 1);
+        assert_eq!(joined([Some(&a), Some(&b)], &|[a, _]| a).height, 1);
     }
 
     #[test]

@@ -4,7 +4,6 @@
 //! and so are the boxes of the parts, until they are as many as the palette has colours.
 
 use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 use std::collections::BTreeMap;
 
 /// An RGB colour.
@@ -77,7 +76,7 @@ fn divided(all: Vec<Counted>) -> Vec<Vec<Counted>> {
         let Some(worst) = worst.filter(|&at| 1 < boxes[at].len()) else { break };
         let mut members = std::mem::take(&mut boxes[worst]);
         let (channel, _) = longest(&members);
-        members.small_sort_by_key(|&(color, _)| (color[channel], color));
+        members.sort_by_key(|&(color, _)| (color[channel], color));
         let half = members.iter().map(|&(_, count)| count).sum::<usize>() / 2;
         let mut before = 0;
         let below = members.iter().take_while(|&&(_, count)| {

@@ -6,7 +6,6 @@
 
 use crate::geometry::buckets::Buckets;
 use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// The side of a plane that a face is on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,7 +65,7 @@ impl Rim {
 
     /// Prepares calls of [`Rim::missing`].
     pub(crate) fn sort(&mut self, planes: usize) {
-        self.edges.small_sort_by_key(|(edge, _)| (edge.plane, edge.a, edge.b));
+        self.edges.sort_unstable_by_key(|(edge, _)| (edge.plane, edge.a, edge.b));
         self.by_plane.fill(planes, self.cuts.iter().map(|cut| cut.plane));
     }
 
