@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 
 use crate::geometry::mesh::{SubcomponentTags, TagSet};
+use crate::value::each::Each;
 
 /// The number of queries whose matches are kept: each arm of a comp has one for all components.
 const KEPT: usize = 16;
@@ -37,7 +38,7 @@ impl TagQueries {
             }
             let matches = |sets: &[TagSet]| sets.iter().map(|set| set.matches(query)).collect::<Vec<bool>>();
             let (faces, subcomponents) = (matches(faces), matches(tags.sets()));
-            let has = [&faces, &subcomponents].map(|list| list.contains(&true));
+            let has = [&faces, &subcomponents].each(|list| list.contains(&true));
             self.list.push(FoundTags { query: query.to_owned(), faces, subcomponents, has, points: OnceCell::new() });
             self.list.len() - 1
         });

@@ -20,6 +20,8 @@ use crate::geometry::provenance::Provenance;
 use crate::geometry::tol::{COPLANAR_EPSILON, UP_EPSILON};
 use crate::geometry::trace::PartPoint;
 use crate::geometry::wire::Wire;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// A mesh in scope coordinates, with its components of one kind.
 #[derive(Debug)]
@@ -94,7 +96,7 @@ impl MeshParts {
     }
 
     fn ends(&self, index: usize) -> [DVec3; 2] {
-        self.end_corners(index).map(|corner| self.at(corner))
+        self.end_corners(index).each(|corner| self.at(corner))
     }
 
     fn at(&self, corner: u32) -> DVec3 {
@@ -141,7 +143,7 @@ impl MeshParts {
     fn tangent(&self, corner: usize) -> DVec3 {
         let (adjacency, corner) = (self.adjacency(), corner as u32);
         let [before, here, after] =
-            [adjacency.before(corner), corner, adjacency.next(corner)].map(|corner| self.at(corner));
+            [adjacency.before(corner), corner, adjacency.next(corner)].each(|corner| self.at(corner));
         let (to, from) = (unit(here - before), unit(after - here));
         let both = unit(to + from);
         if both == DVec3::ZERO { from } else { both }
@@ -220,7 +222,7 @@ impl MeshParts {
         let (adjacency, point_of) = (self.adjacency(), |corner: u32| mesh.corners()[corner as usize]);
         let face = |face: u32| found.face(mesh.face(face as usize).tag().tags);
         let edge = |corner: u32| {
-            let ends = [corner, adjacency.next(corner)].map(point_of);
+            let ends = [corner, adjacency.next(corner)].each(point_of);
             found.edge(tags, ends) || adjacency.faces_at(adjacency.edge(corner)).any(face)
         };
         let own = |point: u32| found.point(tags, mesh.points().len(), point);
@@ -287,7 +289,7 @@ impl MeshParts {
     fn has_tagged_subcomponents(&self, face: usize) -> bool {
         let (mesh, tags) = (&self.mesh, &self.mesh.subcomponent_tags);
         mesh.face(face).edges().any(|edge| {
-            let ends = edge.map(|corner| mesh.corners()[corner]);
+            let ends = edge.each(|corner| mesh.corners()[corner]);
             tags.edge(ends).is_some() || tags.vertex(ends[0]).is_some()
         })
     }
@@ -300,7 +302,7 @@ impl MeshParts {
             Components::Groups | Components::Materials => return None,
             Components::Holes => return face_frame(&self.filled(&[index as u32]), 0).map(|found| found.frame),
             Components::Edges | Components::FaceEdges => {
-                let [a, b] = self.directed(index, as_roof).map(|corner| self.at(corner));
+                let [a, b] = self.directed(index, as_roof).each(|corner| self.at(corner));
                 (unit(b - a), a)
             }
             Components::Vertices => (beside(self.normal(self.kind, index)), self.mesh.points()[index]),
@@ -321,7 +323,7 @@ impl MeshParts {
                 [corner, self.adjacency().next(corner)]
             }
             Some(_) => {
-                let [from, to] = [a, b].map(|corner| self.at(corner));
+                let [from, to] = [a, b].each(|corner| self.at(corner));
                 if unit(to - from).y < -UP_EPSILON { [b, a] } else { [a, b] }
             }
             None => [a, b],
@@ -335,7 +337,7 @@ impl MeshParts {
             Components::Groups | Components::Materials => {
                 let mut faces: Vec<u32> =
                     indices.iter().flat_map(|&index| &self.sets[index as usize]).copied().collect();
-                faces.sort_unstable();
+                faces.small_sort();
                 Some(extract(&self.mesh, &faces, frame))
             }
             Components::Holes => {
@@ -366,7 +368,7 @@ impl MeshParts {
             filled.end_face(FaceTag::PLAIN);
         }
         filled.carry_tags(&self.mesh, |point| PartPoint::old(taken[point as usize]));
-        filled.trace = self.mesh.trace.pick(taken.iter().map(|point| Some(*point)));
+        filled.trace = self.mesh.trace.pick(&mut taken.iter().map(|point| Some(*point)));
         filled
     }
 
@@ -384,8 +386,8 @@ impl MeshParts {
             return Wire::of_points(points, &self.mesh.subcomponent_tags, &self.mesh.trace, &numbers, normals);
         }
         let point = |corner: u32| self.mesh.corners()[corner as usize];
-        let edges = indices.map(|index| self.directed(index, as_roof).map(point));
-        Wire::of_edges(self.mesh.points(), &self.mesh.subcomponent_tags, &self.mesh.trace, edges, normals)
+        let mut edges = indices.map(|index| self.directed(index, as_roof).each(point));
+        Wire::of_edges(self.mesh.points(), &self.mesh.subcomponent_tags, &self.mesh.trace, &mut edges, normals)
     }
 
     /// Calls `bond` with the number of each edge of a component with faces, or of each point of another component.

@@ -12,6 +12,7 @@ use glam::DVec3;
 use super::select::RoofEdge;
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::tol::UP_EPSILON;
+use crate::value::each::Each;
 
 /// A mesh as a roof.
 #[derive(Debug)]
@@ -69,7 +70,7 @@ impl RoofMesh {
     fn ends(&self, edge: usize) -> [usize; 2] {
         let adjacency = self.mesh.adjacency();
         let corner = adjacency.uses(edge)[0];
-        [corner, adjacency.next(corner)].map(|corner| self.mesh.corners()[corner as usize] as usize)
+        [corner, adjacency.next(corner)].each(|corner| self.mesh.corners()[corner as usize] as usize)
     }
 
     fn is_level(&self, edge: usize) -> bool {

@@ -5,6 +5,7 @@ use glam::DVec2;
 use super::select::UvSide;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::tol::{NEXT_EPSILON, TIE_EPSILON};
+use crate::value::each::Each;
 
 /// The texture coordinates of a mesh, for the selectors of edges (*setback operation*).
 #[derive(Debug)]
@@ -39,7 +40,7 @@ impl UvEdges {
     /// equal. Edges without length there have no direction.
     pub(super) fn takes(&self, mesh: &Mesh, face: usize, ends: [u32; 2], side: UvSide) -> bool {
         let Some([low, high]) = self.range else { return false };
-        let [a, b] = ends.map(|corner| mesh.uv_set(self.set)[corner as usize]);
+        let [a, b] = ends.each(|corner| mesh.uv_set(self.set)[corner as usize]);
         let is_at = |axis: usize, of: DVec2| {
             let far = low[axis].abs().max(high[axis].abs()).max(1.0);
             [a, b].iter().all(|uv| (uv[axis] - of[axis]).abs() <= far * NEXT_EPSILON)

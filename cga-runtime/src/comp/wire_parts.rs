@@ -12,6 +12,7 @@ use crate::geometry::Frame;
 use crate::geometry::face_frame::{along, beside, upright};
 use crate::geometry::mesh::{point_normals, unit};
 use crate::geometry::wire::Wire;
+use crate::value::each::Each;
 
 /// A wire in scope coordinates, with its components of one kind.
 #[derive(Debug)]
@@ -48,7 +49,7 @@ impl WireParts {
             }
             Components::FaceVertices => {
                 let ends =
-                    |([a, b], normal): ([DVec3; 2], DVec3)| [a, b].map(|end| part([end; 2], unit(b - a), normal));
+                    |([a, b], normal): ([DVec3; 2], DVec3)| [a, b].each(|end| part([end; 2], unit(b - a), normal));
                 edges().flat_map(ends).collect()
             }
             Components::Vertices => {
@@ -117,7 +118,7 @@ impl WireParts {
             return Wire::of_points(points, &self.wire.tags, &self.wire.trace, &numbers, normals);
         }
         let Wire { points, edges, tags, trace, .. } = &self.wire;
-        Wire::of_edges(points, tags, trace, indices.iter().map(|&index| edges[index as usize]), normals)
+        Wire::of_edges(points, tags, trace, &mut indices.iter().map(|&index| edges[index as usize]), normals)
     }
 
     /// Calls `bond` with the points of a component. Components with a common point are connected.

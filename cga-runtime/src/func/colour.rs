@@ -2,6 +2,7 @@
 
 use crate::fault::FaultKind;
 use crate::run::env::Env;
+use crate::value::each::Each;
 use crate::value::text::Text;
 
 /// Red, green and blue.
@@ -53,7 +54,7 @@ pub fn color_hex_to_o(env: &mut Env, hex: Text) -> f64 {
 
 /// Hue in degrees, from 0 to below 360; 0 for grey (*colorHexToH*).
 pub fn color_hex_to_h(env: &mut Env, hex: Text) -> f64 {
-    let [r, g, b] = read(env, &hex).map(f64::from);
+    let [r, g, b] = read(env, &hex).each(f64::from);
     let most = r.max(g).max(b);
     let range = most - r.min(g).min(b);
     if range == 0.0 {
@@ -69,7 +70,7 @@ pub fn color_hex_to_h(env: &mut Env, hex: Text) -> f64 {
 
 /// Saturation, in 0..=1 (*colorHexToS*).
 pub fn color_hex_to_s(env: &mut Env, hex: Text) -> f64 {
-    let channels = read(env, &hex).map(f64::from);
+    let channels = read(env, &hex).each(f64::from);
     let (least, most) = channels.iter().fold((255.0f64, 0.0f64), |(least, most), &c| (least.min(c), most.max(c)));
     if most == 0.0 { 0.0 } else { (most - least) / most }
 }

@@ -6,6 +6,7 @@
 use super::colour::print;
 use crate::fault::FaultKind;
 use crate::run::env::Env;
+use crate::value::each::Each;
 use crate::value::text::Text;
 
 /// The number of colours of a ramp.
@@ -53,8 +54,8 @@ pub fn color_ramp(env: &mut Env, name: Text, value: f64) -> Text {
         let next = SPECTRUM.partition_point(|(at, _)| *at <= step).min(SPECTRUM.len() - 1);
         let [(low, from), (high, to)] = [SPECTRUM[next - 1], SPECTRUM[next]];
         return print(between(
-            from.map(|c| f64::from(c) / 255.0),
-            to.map(|c| f64::from(c) / 255.0),
+            from.each(|c| f64::from(c) / 255.0),
+            to.each(|c| f64::from(c) / 255.0),
             (step - low) / (high - low),
         ));
     }
@@ -69,7 +70,7 @@ pub fn color_ramp(env: &mut Env, name: Text, value: f64) -> Text {
 }
 
 fn between(from: Rgb, to: Rgb, part: f64) -> Rgb {
-    [0, 1, 2].map(|channel| from[channel] + (to[channel] - from[channel]) * part)
+    [0, 1, 2].each(|channel| from[channel] + (to[channel] - from[channel]) * part)
 }
 
 #[cfg(test)]

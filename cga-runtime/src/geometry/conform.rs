@@ -11,6 +11,7 @@ use glam::{DVec2, DVec3};
 use super::mesh::{Bounds, FaceRef, Mesh};
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::pair_table::PairTable;
+use crate::value::each::Each;
 
 /// Open faces are turned up if the vertical part of their area vector is at least this share of their area.
 const UPRIGHT: f64 = 0.05;
@@ -110,7 +111,7 @@ impl Patch {
         let mut net = PairTable::default();
         for &face in &faces {
             for edge in mesh.face(face as usize).edges() {
-                let [a, b] = edge.map(|corner| mesh.corners[corner]);
+                let [a, b] = edge.each(|corner| mesh.corners[corner]);
                 let (count, _) = net.entry(a.min(b), a.max(b), 0);
                 *count = if (a < b) != turned[face as usize] { count.wrapping_add(1) } else { count.wrapping_sub(1) };
             }
@@ -171,7 +172,7 @@ impl Patch {
 /// The area vector of a face whose mesh is scaled to a size of about 1.
 fn scaled_area(face: &FaceRef<'_>, scale: f64) -> DVec3 {
     let from = face.position(face.corner_range().start) * scale;
-    face.edges().map(|edge| edge.map(|corner| face.position(corner) * scale - from)).map(|[a, b]| a.cross(b)).sum()
+    face.edges().map(|edge| edge.each(|corner| face.position(corner) * scale - from)).map(|[a, b]| a.cross(b)).sum()
 }
 
 /// Returns true if a ray from a point upwards passes a face. At an edge of two faces it passes one of them.
@@ -180,7 +181,7 @@ fn is_over(face: &FaceRef<'_>, at: DVec3) -> bool {
     let place = flat(at);
     let mut winding = 0;
     for edge in face.edges() {
-        let [a, b] = edge.map(|corner| flat(face.position(corner)));
+        let [a, b] = edge.each(|corner| flat(face.position(corner)));
         let is_after = |p: DVec2| place.y < p.y;
         if is_after(a) != is_after(b) {
             // The sides of an edge are the same for all its faces: from its lower end up.

@@ -1,5 +1,7 @@
 //! Disjoint sets of numbers (union-find).
 
+use crate::value::each::Each;
+
 /// Disjoint sets of the numbers below a count, each named by its smallest member.
 #[derive(Debug, Default)]
 pub(crate) struct DisjointSets {
@@ -24,7 +26,7 @@ impl DisjointSets {
 
     /// Unites the sets of two numbers.
     pub(crate) fn unite(&mut self, a: u32, b: u32) {
-        let [a, b] = [a, b].map(|number| self.find_and_shorten(number));
+        let [a, b] = [a, b].each(|number| self.find_and_shorten(number));
         self.parent[a.max(b) as usize] = a.min(b);
     }
 

@@ -2,6 +2,7 @@
 //!
 //! A floating-point filter decides nearly all cases; the others are summed without rounding.
 
+use crate::value::each::Each;
 use glam::DVec2;
 
 /// 1 if `c` is left of the line from `a` to `b`, -1 if right, 0 if the three points are collinear. Exact unless a
@@ -44,7 +45,7 @@ fn orient_exact(a: DVec2, b: DVec2, c: DVec2) -> i32 {
         _ if size < 1e-150 => LARGER,
         _ => 1.0,
     };
-    let [a, b, c] = [a, b, c].map(|p| p * scale);
+    let [a, b, c] = [a, b, c].each(|p| p * scale);
     let mut sum = Expansion { parts: [0.0; 12], len: 0 };
     for (x, y) in [(a.x, b.y), (b.x, c.y), (c.x, a.y)] {
         sum.add_product(x, y);

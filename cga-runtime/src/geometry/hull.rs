@@ -3,11 +3,12 @@
 use glam::DVec2;
 
 use crate::geometry::exact::orient;
+use crate::value::small_sort::SmallSort;
 
 /// Reduces a list of items with positions in a plane to the corners of their convex hull, counter-clockwise. Two or
 /// fewer positions are their own hull.
 pub(crate) fn hull<T: Copy>(points: &mut Vec<T>, at: impl Fn(&T) -> DVec2) {
-    points.sort_by(|a, b| at(a).x.total_cmp(&at(b).x).then(at(a).y.total_cmp(&at(b).y)));
+    points.small_sort_by(|a, b| at(a).x.total_cmp(&at(b).x).then(at(a).y.total_cmp(&at(b).y)));
     points.dedup_by(|a, b| at(a) == at(b));
     if points.len() < 3 {
         return;

@@ -1,5 +1,6 @@
 //! Edges that follow two axes (*rectify operation*).
 
+use crate::value::each::Each;
 use glam::DVec3;
 
 use super::cleanup::{Parts, cleanup};
@@ -66,7 +67,7 @@ fn align(mesh: &Mesh, points: &[DVec3], moved: &mut [DVec3], axis: usize, across
     let mut aligned = Vec::new();
     for edge in 0..adjacency.edge_count() {
         let from = adjacency.uses(edge)[0];
-        let [a, b] = [from, adjacency.next(from)].map(|corner| mesh.corners[corner as usize]);
+        let [a, b] = [from, adjacency.next(from)].each(|corner| mesh.corners[corner as usize]);
         let step = points[b as usize] - points[a as usize];
         let [ahead, aside] = [step[axis].abs(), step[across].abs()];
         let is_upright = ahead.max(aside) <= EDGE_EPSILON;

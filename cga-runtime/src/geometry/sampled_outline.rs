@@ -12,6 +12,8 @@ use glam::{DVec2, DVec3};
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::segment::nearest_share;
 use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The limit on edges of an outline, because each sample compares all of them.
 const MOST_EDGES: usize = 5_000;
@@ -57,11 +59,11 @@ impl SampledOutline {
         let mut edges = Vec::new();
         for face in mesh.faces() {
             for [from, to] in face.edges() {
-                let [a, b] = [from, to].map(at);
+                let [a, b] = [from, to].each(at);
                 let out = flat(unit((b - a).cross(normals[face.index()]))).normalize_or_zero();
                 let is_outline = is_closed || adjacency.is_border(adjacency.edge(from as u32));
                 if is_outline && out != DVec2::ZERO && flat(a) != flat(b) {
-                    edges.push(OutlineEdge { ends: [a, b].map(flat), out, number: from });
+                    edges.push(OutlineEdge { ends: [a, b].each(flat), out, number: from });
                 }
             }
         }
@@ -127,14 +129,14 @@ struct Rays<'e> {
 impl Rays<'_> {
     /// The places across the rays where an edge begins and ends.
     fn span(&self, edge: &OutlineEdge) -> [f64; 2] {
-        let [a, b] = edge.ends.map(|end| end.dot(self.across));
+        let [a, b] = edge.ends.each(|end| end.dot(self.across));
         [a.min(b), a.max(b)]
     }
 
     /// The distance at which the ray at a place meets an edge; negative behind its start.
     fn distance(&self, edge: &OutlineEdge, at: f64) -> f64 {
         let [a, b] = edge.ends;
-        let [s, t] = [a, b].map(|end| end.dot(self.across));
+        let [s, t] = [a, b].each(|end| end.dot(self.across));
         let share = if s == t { 0.5 } else { ((at - s) / (t - s)).clamp(0.0, 1.0) };
         a.lerp(b, share).dot(self.ahead) - self.start
     }
@@ -175,10 +177,10 @@ impl Rays<'_> {
             .map(|edge| (edge, self.span(edge)))
             .filter(|(_, [from, to])| *from < high && low < *to)
             .collect();
-        met.sort_by(|a, b| a.1[0].total_cmp(&b.1[0]).then(a.0.number.cmp(&b.0.number)));
+        met.small_sort_by(|a, b| a.1[0].total_cmp(&b.1[0]).then(a.0.number.cmp(&b.0.number)));
         let inside = |at: &f64| low < *at && *at < high;
         let mut stops: Vec<f64> = met.iter().flat_map(|(_, span)| *span).filter(inside).chain([low, high]).collect();
-        stops.sort_by(f64::total_cmp);
+        stops.small_sort_by(f64::total_cmp);
         let mut covered: BTreeMap<usize, f64> = BTreeMap::new();
         let (mut next, mut active): (usize, Vec<(&OutlineEdge, [f64; 2])>) = (0, Vec::new());
         for pair in stops.windows(2) {

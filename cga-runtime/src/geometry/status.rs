@@ -4,6 +4,7 @@
 //! without a search. All steps are loops, and each takes at most as many steps as the tree is high, for any results of
 //! the comparisons.
 
+use crate::value::each::Each;
 use glam::DVec2;
 
 /// No node.
@@ -166,7 +167,7 @@ impl Status {
     }
 
     fn heights(&self, at: u32) -> [u32; 2] {
-        self.nodes[at as usize].children.map(|child| self.height(child))
+        self.nodes[at as usize].children.each(|child| self.height(child))
     }
 
     /// Corrects heights from a node upwards, and rotates where they differ by two, until nothing changes.

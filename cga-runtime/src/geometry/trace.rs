@@ -3,6 +3,7 @@
 //! While an operation that recomposes derives its operand, the points of all shapes have numbers. Points with the same number
 //! are one point of the result, wherever rules have moved them. A point without a number has no origin.
 
+use crate::value::each::Each;
 use std::collections::HashMap;
 
 use glam::DVec3;
@@ -85,11 +86,15 @@ impl Trace {
     }
 
     /// The trace of points that are points of this one, or new ones.
-    pub(crate) fn pick(&self, points: impl Iterator<Item = Option<u32>> + Clone) -> Trace {
+    pub(crate) fn pick(&self, points: &mut dyn Iterator<Item = Option<u32>>) -> Trace {
+        if self.is_empty() {
+            return Trace::default();
+        }
+        let points: Vec<Option<u32>> = points.collect();
         let layer = |layer: &TraceLayer| TraceLayer {
             division: layer.division,
             points: points
-                .clone()
+                .iter()
                 .map(|point| {
                     point.and_then(|point| layer.points.get(point as usize)).copied().unwrap_or(TracedPoint::NONE)
                 })
@@ -103,13 +108,13 @@ impl Trace {
         if self.is_empty() {
             return Trace::default();
         }
-        let key = |place: &DVec3| (*place + 0.0).to_array().map(f64::to_bits);
+        let key = |place: &DVec3| (*place + 0.0).to_array().each(f64::to_bits);
         let mut first = HashMap::new();
         for (number, point) in (0..).zip(points) {
             first.entry(key(point)).or_insert(number);
         }
         let found: Vec<Option<u32>> = places.iter().map(|place| first.get(&key(place)).copied()).collect();
-        self.pick(found.into_iter())
+        self.pick(&mut found.into_iter())
     }
 
     /// The trace with exactly `depth` layers of `points` points each. Missing ones have no origin.

@@ -7,6 +7,7 @@ use glam::DVec3;
 use crate::geometry::Frame;
 use crate::geometry::mesh::{SubcomponentTags, unit};
 use crate::geometry::trace::{PartPoint, Trace};
+use crate::value::each::Each;
 
 /// Edges between points, or points without edges.
 #[derive(Clone, Debug, Default)]
@@ -42,7 +43,7 @@ impl Wire {
         points: &[DVec3],
         tags: &SubcomponentTags,
         trace: &Trace,
-        edges: impl Iterator<Item = [u32; 2]>,
+        edges: &mut dyn Iterator<Item = [u32; 2]>,
         normals: Vec<DVec3>,
     ) -> Self {
         let (mut used, mut numbers) = (Vec::new(), HashMap::new());
@@ -52,9 +53,9 @@ impl Wire {
                 used.len() as u32 - 1
             })
         };
-        let edges: Vec<[u32; 2]> = edges.map(|edge| edge.map(&mut number)).collect();
-        let trace = trace.pick(used.iter().map(|point| Some(*point)));
-        let tags = tags.carried(edges.iter().copied(), used.len(), |point| PartPoint::old(used[point as usize]));
+        let edges: Vec<[u32; 2]> = edges.map(|edge| edge.each(&mut number)).collect();
+        let trace = trace.pick(&mut used.iter().map(|point| Some(*point)));
+        let tags = tags.carried(&mut edges.iter().copied(), used.len(), &|point| PartPoint::old(used[point as usize]));
         Wire { points: used.iter().map(|point| points[*point as usize]).collect(), edges, normals, tags, trace }
     }
 
@@ -66,8 +67,9 @@ impl Wire {
         numbers: &[u32],
         normals: Vec<DVec3>,
     ) -> Self {
-        let tags = tags.carried(std::iter::empty(), numbers.len(), |point| PartPoint::old(numbers[point as usize]));
-        let trace = trace.pick(numbers.iter().map(|point| Some(*point)));
+        let tags =
+            tags.carried(&mut std::iter::empty(), numbers.len(), &|point| PartPoint::old(numbers[point as usize]));
+        let trace = trace.pick(&mut numbers.iter().map(|point| Some(*point)));
         Wire { points, edges: Vec::new(), normals, tags, trace }
     }
 
@@ -109,7 +111,7 @@ impl Wire {
             let [first, last] = self.edges[edge];
             // Edges between the same points are cut at one point, in both directions.
             let (min, max) = (first.min(last), first.max(last));
-            let [start, end] = [min, max].map(|point| self.points[point as usize]);
+            let [start, end] = [min, max].each(|point| self.points[point as usize]);
             let own = start.dot(along);
             let mut number = |point: u32, place: f64| {
                 let inside = place.clamp(low, high);
@@ -140,13 +142,13 @@ impl Wire {
                 }
             }
         }
-        part.tags = self.tags.carried(part.edges.iter().copied(), origins.len(), |point| origins[point as usize]);
+        part.tags = self.tags.carried(&mut part.edges.iter().copied(), origins.len(), &|point| origins[point as usize]);
         (part, origins)
     }
 
     /// The start and the end of an edge.
     pub(crate) fn ends(&self, edge: usize) -> [DVec3; 2] {
-        self.edges[edge].map(|point| self.points[point as usize])
+        self.edges[edge].each(|point| self.points[point as usize])
     }
 }
 

@@ -4,6 +4,7 @@ pub(crate) mod attribute;
 pub(crate) mod layer;
 pub(crate) mod list;
 
+use crate::value::each::Each;
 use std::sync::Arc;
 
 pub use attribute::{Channel, ColorOf, Layer, LayerPart, MaterialNumber, MaterialText};
@@ -152,7 +153,7 @@ impl Material {
 
     /// The colour of three channels, if one of them is set. Unset channels have their defaults.
     pub fn channels(&self, which: ColorOf) -> Option<Color> {
-        let set = [Channel::R, Channel::G, Channel::B].map(|channel| self.number(which(channel)));
+        let set = [Channel::R, Channel::G, Channel::B].each(|channel| self.number(which(channel)));
         let value = |at: usize, channel| set[at].unwrap_or(which(channel).default_value());
         set.iter().any(Option::is_some).then(|| Color {
             r: value(0, Channel::R),

@@ -10,6 +10,7 @@ use crate::geometry::wire::Wire;
 use crate::run::env::Env;
 use crate::shape::edge_attributes::SampledAttributes;
 use crate::shape::{EdgeAttribute, Geometry, Inserted, Placed, PlacedWire, Shape};
+use crate::value::each::Each;
 use crate::value::text::Text;
 
 /// `setTagsFromEdgeAttrs()`: each edge of each face gets the tag `edgeattr.NAME.VALUE` for each text attribute of the initial
@@ -64,7 +65,7 @@ fn cleared(
     for (name, _) in attributes {
         old = old.without(Some(&format!("edgeattr.{}", tag_name(name))), TaggedComponents::Edges);
     }
-    tagger.append(&old, |point| point);
+    tagger.append(&old, &|point| point);
     tagger
 }
 
@@ -79,7 +80,7 @@ impl Sampled<'_> {
     /// The tags of an edge that faces in a direction, in scope coordinates.
     fn tags(&self, ends: [DVec3; 2], facing: DVec3) -> TagSet {
         let frame = self.shape.scope.frame();
-        let ends = ends.map(|end| frame.to_world(end));
+        let ends = ends.each(|end| frame.to_world(end));
         let Some(edge) = self.known.edge(ends.into_iter(), frame.axes * facing) else { return TagSet::default() };
         let tag = |(name, values): &(Text, Arc<[Text]>)| {
             let value = values.get(edge).map(tag_name).filter(|value| !value.is_empty())?;
@@ -93,10 +94,10 @@ impl Sampled<'_> {
         for face in mesh.faces() {
             let normal = face.normal();
             for edge in face.edges() {
-                let [a, b] = edge.map(|corner| face.position(corner));
+                let [a, b] = edge.each(|corner| face.position(corner));
                 // Out of the face, as the z axis of `comp(fe)`.
                 let tags = self.tags([a, b], (b - a).cross(normal));
-                tagger.edge(edge.map(|corner| mesh.corners()[corner]), &tags);
+                tagger.edge(edge.each(|corner| mesh.corners()[corner]), &tags);
             }
         }
         tagger

@@ -8,6 +8,7 @@ use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
 use crate::run::env::Env;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
+use crate::value::each::Each;
 
 /// Sets the scope for geometry with that low corner and size (*i operation*, zero sizes). With three sizes the
 /// geometry is fitted to them; sizes that are zero follow from the others.
@@ -24,7 +25,7 @@ pub(super) fn fit(shape: &mut Shape, low: DVec3, size: DVec3) {
         2 => {
             let kept = zero.iter().position(|zero| !zero).unwrap_or(0);
             let scale = scale(kept);
-            let open = DVec3::from_array(zero.map(|zero| if zero { 1.0 } else { 0.0 }));
+            let open = DVec3::from_array(zero.each(|zero| if zero { 1.0 } else { 0.0 }));
             scope.size += open * size * scale;
             scope.origin += scope.axes * (open * low * scale);
         }

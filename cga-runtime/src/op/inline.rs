@@ -8,6 +8,7 @@ use crate::geometry::mesh::{Mesh, SubcomponentTagger};
 use crate::geometry::wire::Wire;
 use crate::run::env::Env;
 use crate::shape::{Geometry, Shape};
+use crate::value::each::Each;
 
 /// The way in which the geometry of leaves is combined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,9 +72,9 @@ fn join_wires(shape: &mut Shape, leaves: &[Shape]) {
     for (leaf, wire) in wires().filter(|(_, wire)| !has_edges || !wire.edges.is_empty()) {
         let first = sum.points.len() as u32;
         let frame = shape.scope.frame();
-        tagger.append(&wire.tags, |point| first + point);
+        tagger.append(&wire.tags, &|point| first + point);
         sum.points.extend(wire.points.iter().map(|point| frame.to_local(leaf.scope.frame().to_world(*point))));
-        sum.edges.extend(wire.edges.iter().map(|edge| edge.map(|point| first + point)));
+        sum.edges.extend(wire.edges.iter().map(|edge| edge.each(|point| first + point)));
         sum.normals.extend(wire.normals.iter().map(|normal| frame.axes.transpose() * (leaf.scope.axes * *normal)));
     }
     sum.tags = tagger.finish();

@@ -10,6 +10,7 @@ use crate::geometry::mesh::SubcomponentTagger;
 use crate::geometry::mesh::inner_rectangle::{RectangleRefusal, cut_rectangle, finish};
 use crate::run::env::Env;
 use crate::shape::Shape;
+use crate::value::each::Each;
 
 /// The directions of a rectangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,7 +47,7 @@ pub fn inner_rectangle(env: &mut Env, arms: &mut Arms<'_>, alignment: RectangleA
         return ControlFlow::Continue(Faces::default());
     }
     let mesh = arms.shape().to_mesh();
-    let labels = [Word::Shape, Word::Remainder].map(|word| arms.of(word));
+    let labels = [Word::Shape, Word::Remainder].each(|word| arms.of(word));
     let (mut made, mut tagger) = (Faces { mesh: mesh.alike(0), arms: Vec::new() }, SubcomponentTagger::default());
     for face in mesh.faces() {
         let count = match cut_rectangle(&face, alignment.sides(), labels[1].is_some(), &mut made.mesh, &mut tagger) {

@@ -8,6 +8,7 @@ use super::pivot::rearranged;
 use crate::run::env::Env;
 use crate::shape::PlacedWire;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
+use crate::value::each::Each;
 
 /// `mirror(x, y, z)`: mirrors the geometry about the middle of its scope, which stays (*mirror operation*). Faces
 /// still look outwards, and texture coordinates stay with their corners.
@@ -15,7 +16,7 @@ pub fn mirror(env: &mut Env, shape: &mut Shape, x: bool, y: bool, z: bool) {
     let flips = [x, y, z];
     if let Geometry::Wire(placed) = &shape.geometry {
         let size = shape.scope.size;
-        let far = DVec3::from_array(flips.map(f64::from));
+        let far = DVec3::from_array(flips.each(f64::from));
         let wire = placed.in_scope(size).stretched(DVec3::ONE - 2.0 * far, size * far);
         shape.geometry = Geometry::Wire(Arc::new(PlacedWire { wire, low: DVec3::ZERO, size }));
         return;

@@ -123,6 +123,7 @@ use crate::fault::FaultKind;
 use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::shape::scope::Scope;
+use crate::value::each::Each;
 
 /// Restores the scope before an operation if finite arguments have led to an overflow.
 pub(crate) fn settle(env: &mut Env, shape: &mut Shape, before: &Scope, what: &str) {
@@ -150,7 +151,7 @@ fn leads_beyond(env: &mut Env, what: &str) {
 /// Three numbers, one for each axis. Those that are not finite become 0, with a fault.
 fn finite(env: &mut Env, what: &str, numbers: [f64; 3]) -> DVec3 {
     let names = ["x", "y", "z"];
-    DVec3::from_array([0, 1, 2].map(|axis| env.finite(numbers[axis], format_args!("{what} {}", names[axis]))))
+    DVec3::from_array([0, 1, 2].each(|axis| env.finite(numbers[axis], format_args!("{what} {}", names[axis]))))
 }
 
 /// Three lengths in metres, one for each axis of a scope of that size.

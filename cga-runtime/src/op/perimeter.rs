@@ -10,6 +10,7 @@ use crate::geometry::mesh::{FaceRef, Mesh};
 use crate::geometry::tol::TIE_EPSILON;
 use crate::run::env::Env;
 use crate::value::array::Array;
+use crate::value::small_sort::SmallSort;
 
 /// The name in messages.
 const NAME: &str = "splitAndSetbackPerimeter";
@@ -69,7 +70,7 @@ fn along(
     let pieces = pieces(&mesh, &links, &list, offset, length);
     // The deepest sections move first.
     let mut order: Vec<usize> = (0..list.len()).filter(|&section| 0.0 < list[section].depth).collect();
-    order.sort_by(|&a, &b| list[b].depth.total_cmp(&list[a].depth));
+    order.small_sort_by(|&a, &b| list[b].depth.total_cmp(&list[a].depth));
     let turns = |face: &FaceRef<'_>| {
         let (mut cuts, mut owners) = (Vec::new(), Vec::new());
         for (number, corner) in face.corner_range().enumerate() {
@@ -85,7 +86,7 @@ fn along(
         };
         (cuts, order.iter().filter_map(turn).collect())
     };
-    ControlFlow::Continue(divided_at(env, &mesh, sections.rest(), &format!("`{NAME}`"), turns))
+    ControlFlow::Continue(divided_at(env, &mesh, sections.rest(), &format!("`{NAME}`"), &turns))
 }
 
 /// The selected edges, from the one with an index on. Indices wrap.
@@ -115,7 +116,7 @@ fn pieces(mesh: &Mesh, links: &[ChainEdge], sections: &[Section], offset: f64, l
     let near = TIE_EPSILON * length;
     let mut ends: Vec<f64> = sections.iter().flat_map(|section| [section.start, section.end]).collect();
     ends.iter_mut().for_each(|end| *end = (*end + offset).rem_euclid(length));
-    ends.sort_by(f64::total_cmp);
+    ends.small_sort_by(f64::total_cmp);
     ends.dedup_by(|a, b| *a - *b <= near);
     let section_at = |place: f64| {
         let place = (place - offset).rem_euclid(length);

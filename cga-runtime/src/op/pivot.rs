@@ -13,6 +13,7 @@ use crate::run::env::Env;
 use crate::shape::PlacedWire;
 use crate::shape::scope::Scope;
 use crate::shape::{Geometry, Placed, Shape};
+use crate::value::each::Each;
 
 /// The old axes that become the new ones, at corner 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,11 +39,11 @@ pub fn set_pivot(env: &mut Env, shape: &mut Shape, map: AxisMap, corner: f64) {
     let (far, from) = corner_axes(map, wanted as usize);
     let (before, old) = (shape.scope, shape.scope);
     let axis = |new: usize| if far[from[new]] { -old.axes.col(from[new]) } else { old.axes.col(from[new]) };
-    let share = DVec3::from_array(far.map(|far| if far { 1.0 } else { 0.0 }));
+    let share = DVec3::from_array(far.each(|far| if far { 1.0 } else { 0.0 }));
     let scope = Scope {
         origin: old.origin + old.axes * (old.size * share),
         axes: DMat3::from_cols(axis(0), axis(1), axis(2)),
-        size: DVec3::from_array(from.map(|axis| old.size[axis])),
+        size: DVec3::from_array(from.each(|axis| old.size[axis])),
     };
     if from != [0, 1, 2] || far != [false; 3] {
         match &shape.geometry {
@@ -54,12 +55,12 @@ pub fn set_pivot(env: &mut Env, shape: &mut Shape, map: AxisMap, corner: f64) {
             Geometry::Rect(axis, unit) if 0.0 <= old.size.min_element() && old.size[axis.index()] == 0.0 => {
                 match rectangle(&old, *axis, *unit, scope.axes) {
                     Some((_, geometry)) => shape.geometry = geometry,
-                    None if !rearrange(env, shape, from, from.map(|axis| far[axis])) => return,
+                    None if !rearrange(env, shape, from, from.each(|axis| far[axis])) => return,
                     None => {}
                 }
             }
             Geometry::Box(_) | Geometry::Rect(..) | Geometry::Mesh(_) => {
-                if !rearrange(env, shape, from, from.map(|axis| far[axis])) {
+                if !rearrange(env, shape, from, from.each(|axis| far[axis])) {
                     return;
                 }
             }

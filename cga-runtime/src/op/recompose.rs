@@ -93,6 +93,6 @@ impl OuterTrace {
     }
 
     fn pick(self, numbers: &[u32]) -> Trace {
-        Trace::of(self.0).pick(numbers.iter().map(|number| Some(*number)))
+        Trace::of(self.0).pick(&mut numbers.iter().map(|number| Some(*number)))
     }
 }

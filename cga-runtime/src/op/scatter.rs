@@ -12,6 +12,7 @@ use crate::op::Length;
 use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::shape::seed::Tag;
+use crate::value::each::Each;
 
 /// Where points are strewn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,7 +104,7 @@ pub fn scatter_around(
     deviation: Length,
 ) -> ControlFlow<(), Points> {
     let size = shape.scope.size;
-    let deviation = size.abs().to_array().map(|extent| deviation.of(extent, env, "the deviation of `scatter`").abs());
+    let deviation = size.abs().to_array().each(|extent| deviation.of(extent, env, "the deviation of `scatter`").abs());
     strew(env, shape, domain, count, |scale| {
         let (extent, least) = (size.abs() * scale, LEAST_DEVIATION * size.abs().max_element() * scale);
         let deviation = (DVec3::from(deviation) * scale).max(DVec3::splat(least));

@@ -1,6 +1,5 @@
 //! Setbacks of edges, for the operations that divide faces into what edges sweep and a remainder.
 
-use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 use crate::comp::select::Word;
@@ -42,23 +41,27 @@ pub(super) fn set_back(
         let distances = edges.map(|word| word.map_or(0.0, |word| distances[word as usize])).collect();
         vec![Turn { arm: shape, distances }]
     };
-    ControlFlow::Continue(divided(env, &mesh, arms.of(Word::Remainder), what, turns))
+    ControlFlow::Continue(divided(env, &mesh, arms.of(Word::Remainder), what, &turns))
 }
 
 /// The edges of each face that arms select, in turns: those of the first arm move first. `distance` gives the distance in
 /// metres of an edge by its corner in the mesh; those that are not positive do not move.
 pub(super) fn turns(face: &FaceRef<'_>, edges: &[Option<u32>], distance: impl Fn(usize) -> f64) -> Vec<Turn> {
     let range = face.corner_range();
-    let mut turns: BTreeMap<u32, Vec<f64>> = BTreeMap::new();
+    let mut turns: Vec<Turn> = Vec::new();
     for (piece, corner) in range.clone().enumerate() {
         let distance = distance(corner);
         if let Some(arm) = edges[corner]
             && 0.0 < distance
         {
-            turns.entry(arm).or_insert_with(|| vec![0.0; range.len()])[piece] = distance;
+            let at = turns.binary_search_by_key(&Some(arm), |turn| turn.arm).unwrap_or_else(|at| {
+                turns.insert(at, Turn { arm: Some(arm), distances: vec![0.0; range.len()] });
+                at
+            });
+            turns[at].distances[piece] = distance;
         }
     }
-    turns.into_iter().map(|(arm, distances)| Turn { arm: Some(arm), distances }).collect()
+    turns
 }
 
 /// Divides the faces of a mesh. A face that cannot be divided is a remainder, with a fault that begins with `what`.
@@ -67,9 +70,9 @@ pub(super) fn divided(
     mesh: &Mesh,
     remainder: Option<u32>,
     what: &str,
-    turns: impl Fn(&FaceRef<'_>) -> Vec<Turn>,
+    turns: &dyn Fn(&FaceRef<'_>) -> Vec<Turn>,
 ) -> Faces {
-    divided_at(env, mesh, remainder, what, |face| (Vec::new(), turns(face)))
+    divided_at(env, mesh, remainder, what, &|face| (Vec::new(), turns(face)))
 }
 
 /// Divides the faces of a mesh, whose edges are divided into pieces by cuts. In grammars that use tags, edges are tagged: those
@@ -80,7 +83,7 @@ pub(super) fn divided_at(
     mesh: &Mesh,
     remainder: Option<u32>,
     what: &str,
-    turns: impl Fn(&FaceRef<'_>) -> (Vec<EdgeCut>, Vec<Turn>),
+    turns: &dyn Fn(&FaceRef<'_>) -> (Vec<EdgeCut>, Vec<Turn>),
 ) -> Faces {
     let mut made = Faces { mesh: mesh.alike(0), arms: Vec::new() };
     let mut tags = SideTags::new(mesh, env.tags_edges);

@@ -73,7 +73,7 @@ fn edges_back(
     let edges = selected(env, arms, name, uv_set)?;
     let (mesh, remainder) = (arms.shape().to_mesh(), arms.of(Word::Remainder));
     let turns = |face: &FaceRef<'_>| turns(face, &edges, distance);
-    ControlFlow::Continue(divided(env, &mesh, remainder, &format!("`{name}`"), turns))
+    ControlFlow::Continue(divided(env, &mesh, remainder, &format!("`{name}`"), &turns))
 }
 
 /// The arm of each edge, by corner.

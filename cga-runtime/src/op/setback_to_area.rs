@@ -11,6 +11,7 @@ use crate::geometry::mesh::FaceRef;
 use crate::geometry::mesh::offset::to_area::{Rest, offset_for};
 use crate::run::env::Env;
 use crate::value::array::Array;
+use crate::value::each::Each;
 
 /// The name in messages.
 const NAME: &str = "setbackToArea";
@@ -50,7 +51,7 @@ pub fn setback_to_area_between(
     most: Array<f64>,
     uv_set: f64,
 ) -> ControlFlow<(), Faces> {
-    let [least, most] = [least, most].map(|distances| finite(env, &distances, NAME));
+    let [least, most] = [least, most].each(|distances| finite(env, &distances, NAME));
     to_area(env, arms, area, &least, Some(&most), uv_set)
 }
 
@@ -93,7 +94,7 @@ fn to_area(
     };
     let offset = offset_for(area, farthest, left);
     let turns = |face: &FaceRef<'_>| turns(face, &edges, |corner| distance(offset, corner));
-    ControlFlow::Continue(divided(env, &mesh, arms.of(Word::Remainder), &format!("`{NAME}`"), turns))
+    ControlFlow::Continue(divided(env, &mesh, arms.of(Word::Remainder), &format!("`{NAME}`"), &turns))
 }
 
 #[cfg(test)]

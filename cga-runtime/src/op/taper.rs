@@ -6,6 +6,7 @@ use super::extrude::stand;
 use crate::geometry::mesh::{FaceRef, Mesh, PartTags, Spread, SubcomponentTagger, flip, unit};
 use crate::run::env::Env;
 use crate::shape::Shape;
+use crate::value::each::Each;
 
 /// `taper(height)`: a closed pyramid over the first face that has an area, with its apex that far above the face's centre of
 /// gravity (*taper operation*). The new scope's y axis is the normal of the face, its x axis stays as near to the old one as it
@@ -59,7 +60,7 @@ fn pyramid(source: &Mesh, face: &FaceRef<'_>, height: f64) -> Mesh {
                 |list: &[DVec2]| list[range.clone()].iter().zip(&weights).map(|(&uv, &weight)| uv * weight).sum();
             mesh.uvs.push_from(&source.uvs, mixed);
             mesh.loop_ends.push(mesh.corners.len() as u32);
-            let ends = [corner, next].map(|corner| source.corners[corner]);
+            let ends = [corner, next].each(|corner| source.corners[corner]);
             mesh.end_face(tags.over_edge(own, "taper.side", ends));
             let triangle = [number(corner), number(next), apex];
             let old = |point: u32| (point != apex).then(|| source.corners[range.start + point as usize]);
@@ -78,7 +79,7 @@ fn centre_of_gravity(face: &FaceRef<'_>) -> DVec3 {
     for ring in face.loop_ranges() {
         for corner in ring.clone() {
             let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
-            let [a, b] = [corner, next].map(|corner| face.position(corner) - origin);
+            let [a, b] = [corner, next].each(|corner| face.position(corner) - origin);
             let twice = a.cross(b).dot(normal);
             area += twice;
             moment += (a + b) * twice;

@@ -16,6 +16,7 @@ use crate::geometry::uv_map::UvMap;
 use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::shape::texture::UvSource;
+use crate::value::each::Each;
 
 /// The coordinate system of a projection, and its axes for u and v.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,7 +68,7 @@ pub fn setup_projection_uw(
 
 /// `setupUV(uvSet, textureWidth, textureHeight, uwFactor)`, an old spelling of `setupProjection(uvSet, scope.xy, …)`.
 pub fn setup_uv(env: &mut Env, shape: &mut Shape, set: f64, width: f64, height: f64, uw_factor: f64) {
-    let [width, height] = [width, height].map(Size::absolute);
+    let [width, height] = [width, height].each(Size::absolute);
     setup_projection_uw(env, shape, set, ProjectionAxes::ScopeXy, width, height, uw_factor);
 }
 
@@ -98,9 +99,9 @@ pub fn setup_projection_at(
     let (size, least) = (shape.scope.size, PLANAR_EPSILON * shape.scope.size.abs().max_element());
     let size = DVec3::select(size.abs().cmple(DVec3::splat(least)), DVec3::ZERO, size);
     let sizes = [(width, a, "the texture width"), (height, b, "the texture height")];
-    let [width, height] = sizes.map(|(tile, axis, what)| tile_size(env, tile, size[axis], what));
+    let [width, height] = sizes.each(|(tile, axis, what)| tile_size(env, tile, size[axis], what));
     let offsets = [(width_offset, a, "the width offset"), (height_offset, b, "the height offset")];
-    let [width_offset, height_offset] = offsets.map(|(offset, axis, what)| offset.of(size[axis], env, what));
+    let [width_offset, height_offset] = offsets.each(|(offset, axis, what)| offset.of(size[axis], env, what));
     let uw_factor = env.finite(uw_factor, "the uwFactor");
     let frame = if of_world { Frame::WORLD } else { shape.scope.frame() };
     let (along, origin) = (|axis: usize| frame.axes.col(axis), frame.origin);

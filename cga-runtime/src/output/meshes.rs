@@ -20,6 +20,7 @@ use crate::material::layer::{self, Placement, SetMask};
 use crate::material::{Layer, Material};
 use crate::run::sink::corners::{PlacedBox, four};
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
+use crate::value::each::Each;
 
 /// The division of a model into meshes. A mesh always has one material.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -257,7 +258,7 @@ impl MeshBuild {
         let tangents = set.map_or_else(Vec::new, |set| {
             let (map, uvs) = (Placement::of(&material, Layer::Normal).map(), &self.uvs[set]);
             let uv = |at: usize| -> Vec2 {
-                let [u, v] = uvs[at].map(f64::from);
+                let [u, v] = uvs[at].each(f64::from);
                 map.at(DVec2::new(u, v)).as_vec2()
             };
             tangents(vertices, indices, uv)

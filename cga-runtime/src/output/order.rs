@@ -3,6 +3,7 @@
 //! If two faces overlap in the picture, their depth at a common point decides. Faces that do not overlap need no
 //! order, and the farther one comes first. Cycles, which only cutting could resolve, are broken at the farthest face.
 
+use crate::value::each::Each;
 use glam::{DVec2, DVec3};
 
 /// A face in the picture. Depth grows towards the viewer.
@@ -119,7 +120,7 @@ fn behind(faces: &[&DepthFace], start: &[usize]) -> Vec<Vec<usize>> {
     let high = faces.iter().fold(DVec2::NEG_INFINITY, |high, face| high.max(face.high));
     let cells = 1.max((faces.len() as f64).sqrt() as usize / 2).min(256);
     let size = (high - low).max(DVec2::splat(1e-9));
-    let cell = |at: DVec2| ((at - low) / size * cells as f64).to_array().map(|place| (place as usize).min(cells - 1));
+    let cell = |at: DVec2| ((at - low) / size * cells as f64).to_array().each(|place| (place as usize).min(cells - 1));
     let mut grid = vec![Vec::new(); cells * cells];
     for &face in start {
         let ([left, bottom], [right, top]) = (cell(faces[face].low), cell(faces[face].high));

@@ -10,6 +10,7 @@ use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
 use crate::material::{Material, MaterialNumber};
+use crate::value::each::Each;
 
 /// Interned rule names and materials. Equal leaves in equal order give equal numbers.
 #[derive(Clone, Default)]
@@ -149,7 +150,7 @@ impl ByBits {
     /// The numbers that are fields.
     fn fields(&self) -> [Option<u64>; 6] {
         let Material { color, opacity, metallic, roughness, .. } = &*self.0;
-        let [r, g, b] = color.as_ref().map_or([None; 3], |color| [color.r, color.g, color.b].map(Some));
+        let [r, g, b] = color.as_ref().map_or([None; 3], |color| [color.r, color.g, color.b].each(Some));
         [r, g, b, *opacity, *metallic, *roughness].map(|number| number.map(f64::to_bits))
     }
 

@@ -14,6 +14,7 @@ use crate::geometry::mesh::{Bounds, Mesh};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
 use crate::shape::place;
+use crate::value::each::Each;
 
 /// Sums over leaves. Triangles and vertices are counted as [`super::buffers::Buffers`] makes them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -165,7 +166,7 @@ impl Sink for Stats {
             let rule = self.numbers.rule(&filled);
             for (placed, record, _) in replay.leaves(leaf..leaf + mark.leaves) {
                 let (origin, unit) = ((replay.origin() + placed.origin).truncate(), record.unit);
-                let [u, v, w] = placed.sides.map(|side| side.truncate());
+                let [u, v, w] = placed.sides.each(|side| side.truncate());
                 match record.form {
                     Form::Box => self.block(rule, &Cuboid { origin, sides: DMat3::from_cols(u, v, w), unit }),
                     _ => self.rectangle(rule, &Quad { origin, u, v, unit }),
@@ -194,7 +195,7 @@ impl Sink for Stats {
             triangles += face.triangles.len() as u64;
             for triangle in face.triangles {
                 let [a, b, c] =
-                    triangle.map(|i| placement.transform_point3(corner_point(mesh, face.corners.start + i as usize)));
+                    triangle.each(|i| placement.transform_point3(corner_point(mesh, face.corners.start + i as usize)));
                 sum += tetrahedron(a, b, c);
             }
             true

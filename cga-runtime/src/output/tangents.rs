@@ -1,5 +1,6 @@
 //! Tangents of vertices, for materials with a normal map: without them every reader computes its own.
 
+use crate::value::each::Each;
 use glam::{Vec2, Vec3};
 
 use super::triangles::Vertex;
@@ -10,9 +11,9 @@ use super::triangles::Vertex;
 pub(super) fn tangents(vertices: &[Vertex], indices: &[u32], uv: impl Fn(usize) -> Vec2) -> Vec<[f32; 4]> {
     let mut sums = vec![[Vec3::ZERO; 2]; vertices.len()];
     for triangle in indices.as_chunks::<3>().0 {
-        let triangle = triangle.map(|at| at as usize);
-        let [a, b, c] = triangle.map(|at| Vec3::from_slice(&vertices[at]));
-        let [p, q, r] = triangle.map(&uv);
+        let triangle = triangle.each(|at| at as usize);
+        let [a, b, c] = triangle.each(|at| Vec3::from_slice(&vertices[at]));
+        let [p, q, r] = triangle.each(&uv);
         let ([e, f], [s, t]) = ([b - a, c - a], [q - p, r - p]);
         // Only directions matter. Their sign is the sign of the area in texture space.
         let turn = (s.x * t.y - t.x * s.y).signum();

@@ -6,6 +6,7 @@ use super::flatten::PlacedFace;
 use super::room::Room;
 use crate::run::sink::corners::PlacedBox;
 use crate::shape::unit::UnitMesh;
+use crate::value::each::Each;
 
 /// Position x, y, z and normal x, y, z.
 pub type Vertex = [f32; 6];
@@ -68,7 +69,7 @@ pub(super) fn write_box(to: &mut [[Vertex; 4]; 6], placed: &PlacedBox, unit: Uni
     let corners = placed.box_corners();
     for (face, to) in unit.sides().iter().zip(to) {
         let n = normals[face.side as usize];
-        let [a, b, c, d] = face.corners.map(|corner| corners[usize::from(corner & 7)]);
+        let [a, b, c, d] = face.corners.each(|corner| corners[usize::from(corner & 7)]);
         // Sums combine the numbers: the fourth coordinate of corners is 0, and so is the first of normals.
         let first = Vec4::new(n.x, n.x, n.x, n.y);
         let vectors = [

@@ -8,6 +8,7 @@ use crate::geometry::{Axis, Frame};
 use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::value::array::Array;
+use crate::value::each::Each;
 
 /// A coordinate system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,7 +73,7 @@ pub fn convert_array(
     if coordinates.len() != 3 {
         env.fault(FaultKind::Value, format!("`convert` needs 3 coordinates, but has {}", coordinates.len()));
     }
-    let given = [0, 1, 2].map(|at| coordinates.get(at).copied().unwrap_or_default());
+    let given = [0, 1, 2].each(|at| coordinates.get(at).copied().unwrap_or_default());
     Array::from(convert_all(env, shape, from, to, what, given))
 }
 
@@ -84,7 +85,7 @@ pub(super) fn convert_all(
     what: ConvertWhat,
     given: [f64; 3],
 ) -> [f64; 3] {
-    let given = DVec3::from_array(given.map(|number| env.finite(number, "a coordinate of `convert`")));
+    let given = DVec3::from_array(given.each(|number| env.finite(number, "a coordinate of `convert`")));
     if from == to {
         return given.to_array();
     }

@@ -4,6 +4,7 @@ use glam::{DMat3, DVec3, DVec4, Vec4};
 
 use crate::geometry::Axis;
 use crate::shape::unit::BoxSide;
+use crate::value::each::Each;
 
 /// The orthonormal axes of scopes, with the rounded normals of everything aligned to them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,8 +20,8 @@ pub struct Axes {
 impl Axes {
     #[inline]
     pub(crate) fn new(matrix: DMat3) -> Self {
-        let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(normal);
-        let [left, bottom, back] = [x, y, z].map(opposite);
+        let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis].each(normal);
+        let [left, bottom, back] = [x, y, z].each(opposite);
         Axes { matrix, columns: columns(&matrix), normals: [z, x, back, left, y, bottom] }
     }
 
@@ -69,7 +70,7 @@ impl Axes {
 
 #[inline]
 fn columns(matrix: &DMat3) -> [DVec4; 3] {
-    [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|axis| axis.extend(0.0))
+    [matrix.x_axis, matrix.y_axis, matrix.z_axis].each(|axis| axis.extend(0.0))
 }
 
 /// A normal rounded to f32, after a 0, in the form in which writers of vertices add it to a coordinate. A zero has no

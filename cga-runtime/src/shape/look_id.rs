@@ -52,7 +52,7 @@ const COMPARED: usize = 64;
 pub(crate) struct LookIds {
     list: Vec<Arc<Look>>,
     /// The numbers by the address of the look.
-    by_address: BTreeMap<usize, u32>,
+    by_address: BTreeMap<u64, u32>,
     /// By place in the rules: the look before the operation and the look after it, as found last.
     last_changes: Vec<Option<(LookId, LookId)>>,
     /// All such results: the look after an operation, by its place and the look before.
@@ -88,8 +88,7 @@ impl LookIds {
         if Arc::ptr_eq(&self.list[0], look) {
             return LookId(0);
         }
-        let address = Arc::as_ptr(look).addr();
-        self.by_address.get(&address).map_or(LookId::OF_BASE, |number| LookId(*number))
+        self.by_address.get(&address(look)).map_or(LookId::OF_BASE, |number| LookId(*number))
     }
 
     /// The number of a look, which gets one if there is room. A look whose coordinates belong to one place gets none.
@@ -104,7 +103,7 @@ impl LookIds {
         }
         let number = self.list.len() as u32 | bit;
         self.list.push(look.clone());
-        self.by_address.insert(Arc::as_ptr(look).addr(), number);
+        self.by_address.insert(address(look), number);
         LookId(number)
     }
 
@@ -136,6 +135,10 @@ impl LookIds {
         }
         has_numbers
     }
+}
+
+fn address(look: &Arc<Look>) -> u64 {
+    Arc::as_ptr(look).addr() as u64
 }
 
 #[cfg(test)]

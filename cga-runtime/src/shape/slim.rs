@@ -17,6 +17,7 @@ use crate::shape::look_id::LookId;
 use crate::shape::scope::Scope;
 use crate::shape::seed::{self, Seed, Tag};
 use crate::shape::unit::UnitMesh;
+use crate::value::each::Each;
 
 /// A shape while rules run: the fields that splits change, and a reference to the rest.
 ///
@@ -71,7 +72,7 @@ impl Extents {
 impl From<DVec3> for Extents {
     #[inline]
     fn from(size: DVec3) -> Self {
-        Extents(size.to_array().map(Cell::new))
+        Extents(size.to_array().each(Cell::new))
     }
 }
 

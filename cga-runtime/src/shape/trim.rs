@@ -19,6 +19,7 @@ use crate::geometry::hull::hull;
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::tol::{ANGLE_EPSILON, PLANAR_EPSILON};
 use crate::geometry::triangulate::PlaneProjection;
+use crate::value::each::Each;
 
 /// A trim plane in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -161,7 +162,7 @@ impl Surface {
         for corner in face.corner_range() {
             let edge = adjacency.edge(corner as u32);
             let Some(other) = adjacency.faces_at(edge).find(|&other| other as usize != index) else { continue };
-            let [part, other_part] = [index, other as usize].map(|face| roof_part(mesh, face));
+            let [part, other_part] = [index, other as usize].each(|face| roof_part(mesh, face));
             if part.is_some() && other_part.is_some() && part != other_part {
                 continue;
             }

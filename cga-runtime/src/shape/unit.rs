@@ -15,6 +15,7 @@ use crate::geometry::Axis;
 use crate::geometry::cut;
 use crate::geometry::mesh::{Extrude, Mesh, TaggedComponents, extrude, primitive, solid};
 use crate::geometry::provenance::Provenance;
+use crate::value::each::Each;
 
 /// The mesh of a box or a rectangle with a length of 1 along each of its axes. A rectangle is at 0 on the axis across
 /// it.
@@ -251,7 +252,7 @@ impl UnitMesh {
     /// The mesh mirrored about its middle, with its faces looking outwards as before.
     pub(crate) fn mirrored(self, flips: [bool; 3]) -> Self {
         let mesh = &self.0.mesh;
-        let far = DVec3::from_array(flips.map(f64::from));
+        let far = DVec3::from_array(flips.each(f64::from));
         let mirrored = mesh.with_points(mesh.points().iter().map(|&point| (far - point).abs()).collect());
         let is_odd = flips.iter().filter(|flip| **flip).count() % 2 == 1;
         UnitMesh::shared(if is_odd { mirrored.reversed() } else { mirrored })
@@ -299,7 +300,7 @@ impl UnitFace {
         for (corner, point) in corners.iter_mut().zip(face.outline()) {
             *corner = number_of(point);
         }
-        let [origin, next, _, last] = corners.map(solid::corner);
+        let [origin, next, _, last] = corners.each(solid::corner);
         let [x, y] = [next - origin, last - origin];
         let outwards = x.cross(y);
         let along = |direction: DVec3| {
@@ -308,14 +309,14 @@ impl UnitFace {
         };
         let side = BoxSide::ALL.into_iter().find(|side| side.normal() == outwards).unwrap_or(BoxSide::Front);
         let provenance = Provenance::of(mesh, face.tag()).unwrap_or_default();
-        UnitFace { side, corners, origin, along: [x, y, outwards].map(along), provenance }
+        UnitFace { side, corners, origin, along: [x, y, outwards].each(along), provenance }
     }
 
     /// The axes of the face in a scope with the axes `scope`: x along the first edge, z outwards.
     #[inline]
     pub(crate) fn axes(&self, scope: &DMat3) -> DMat3 {
         let columns = [scope.x_axis, scope.y_axis, scope.z_axis];
-        let [x, y, z] = self.along.map(|(axis, sign)| columns[axis.index()] * sign);
+        let [x, y, z] = self.along.each(|(axis, sign)| columns[axis.index()] * sign);
         DMat3::from_cols(x, y, z)
     }
 
@@ -323,7 +324,7 @@ impl UnitFace {
     #[inline]
     pub(crate) fn extent(&self, size: DVec3) -> [f64; 2] {
         let sizes = [size.x, size.y, size.z];
-        [self.along[0], self.along[1]].map(|(axis, _)| sizes[axis.index()])
+        [self.along[0], self.along[1]].each(|(axis, _)| sizes[axis.index()])
     }
 }
 

@@ -6,6 +6,8 @@ use crate::geometry::Axis;
 use crate::geometry::mesh::FaceRef;
 use crate::geometry::tol::{ACROSS_EPSILON, AREA_EPSILON, EDGE_EPSILON};
 use crate::shape::{Geometry, Placed, Shape};
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The area up to a distance from the scope's low end, as a function of the distance.
 #[derive(Debug)]
@@ -99,7 +101,7 @@ fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<WidthSection> {
     for face in placed.mesh.faces() {
         add_face(&face, stretch, (axis, base, across), &mut events);
     }
-    events.sort_by(|a, b| a.at.total_cmp(&b.at));
+    events.small_sort_by(|a, b| a.at.total_cmp(&b.at));
     let mut list: Vec<WidthSection> = Vec::new();
     let (mut width, mut growth, mut area) =
         (CompensatedSum::default(), CompensatedSum::default(), CompensatedSum::default());
@@ -165,7 +167,7 @@ fn add_face(face: &FaceRef<'_>, stretch: DVec3, (axis, base, least): (Axis, f64,
     for ring in face.loop_ranges() {
         let count = ring.len();
         for corner in 0..count {
-            let [a, b] = [corner, (corner + 1) % count].map(|corner| face.position(ring.start + corner) * stretch);
+            let [a, b] = [corner, (corner + 1) % count].each(|corner| face.position(ring.start + corner) * stretch);
             let (low, high, sign) = if a[at] < b[at] { (a, b, -1.0) } else { (b, a, 1.0) };
             let length = high[at] - low[at];
             if length <= least {

@@ -1,5 +1,6 @@
 //! Cells: triangles and quads of roadways and sidewalks, with values at their corners.
 
+use crate::value::each::Each;
 use glam::{DVec2, DVec3};
 
 use super::grid::{Point, twice_area};
@@ -125,7 +126,7 @@ pub(super) fn strip(inner: &[SidePoint], outer: &[SidePoint], width: f64) -> Opt
     let mut links = vec![(0, 0)];
     let (mut i, mut j) = (0, 0);
     while i + 1 < inner.len() || j + 1 < outer.len() {
-        let next = [inner.get(i + 1), outer.get(j + 1)].map(|trace| trace.map_or((u8::MAX, 0.0), |trace| trace.key));
+        let next = [inner.get(i + 1), outer.get(j + 1)].each(|trace| trace.map_or((u8::MAX, 0.0), |trace| trace.key));
         let (a, b) = (next[0], next[1]);
         let same = a.0 == b.0 && (a.1 - b.1).abs() < SAME_KEY;
         if same || a < b {
@@ -151,7 +152,7 @@ pub(super) fn strip(inner: &[SidePoint], outer: &[SidePoint], width: f64) -> Opt
         let corners = [near(to_i), near(i), far(j), far(to_j)];
         match Tile::new(&corners) {
             Some(cell) if is_convex(&cell.ring()) => cells.push(cell),
-            None if twice_area(&corners.map(|corner| corner.point)) == 0 => {}
+            None if twice_area(&corners.each(|corner| corner.point)) == 0 => {}
             _ => return None,
         }
     }
@@ -162,7 +163,7 @@ pub(super) fn strip(inner: &[SidePoint], outer: &[SidePoint], width: f64) -> Opt
 pub(super) fn is_convex(ring: &[Point]) -> bool {
     let count = ring.len();
     (0..count).all(|at| {
-        let [a, b, c] = [0, 1, 2].map(|step| ring[(at + step) % count].place());
+        let [a, b, c] = [0, 1, 2].each(|step| ring[(at + step) % count].place());
         let area = (b - a).perp_dot(c - b);
         -4.0 * super::grid::UNIT * ((b - a).length() + (c - b).length()) <= area
     })

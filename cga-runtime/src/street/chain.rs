@@ -1,5 +1,6 @@
 //! Centre lines between junctions: chains of edges with the same widths, with bends as arcs, mitres or breaks.
 
+use crate::value::each::Each;
 use glam::{DVec2, DVec3};
 
 use super::graph::Graph;
@@ -201,7 +202,7 @@ impl Polyline {
 
     /// The angle by which the chain bends at a place: 0 at its ends.
     pub(super) fn bend(&self, at: usize) -> f64 {
-        let [before, after] = self.segments_at(at).map(|segment| self.direction(segment));
+        let [before, after] = self.segments_at(at).each(|segment| self.direction(segment));
         turn(before, after)
     }
 

@@ -4,6 +4,7 @@ use super::grid::{Point, is_sliver};
 use super::pieces::{JunctionDraft, Plot, StreetPieces};
 use super::subdivision::Subdivision;
 use super::{MOST_CROSSINGS, StreetError};
+use crate::value::small_sort::SmallSort;
 
 /// The limit on attempts to find a plan without overlaps. Each attempt enlarges junctions; most networks need three.
 pub(super) const MOST_ATTEMPTS: usize = 16;
@@ -64,7 +65,7 @@ fn extent(plan: &JunctionDraft, chain: usize, segment: usize, ring: &[Point]) ->
 
 /// Sorts intervals and joins those that overlap.
 fn merge(cuts: &mut Vec<[f64; 2]>) {
-    cuts.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    cuts.small_sort_by(|a, b| a[0].total_cmp(&b[0]));
     let mut merged: Vec<[f64; 2]> = Vec::new();
     for &[low, high] in cuts.iter() {
         match merged.last_mut() {

@@ -1,6 +1,8 @@
 //! The graph of centre lines: lines are divided at meeting points, and ends near other lines are moved onto them.
 
-use std::collections::BTreeMap;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
+use std::collections::{BTreeMap, BTreeSet};
 
 use glam::{DVec2, DVec3};
 
@@ -57,11 +59,11 @@ impl Graph {
 
     /// The graph of segments, which may meet anywhere.
     fn divided(segments: &[LineSegment]) -> Result<Self, StreetError> {
-        let plain: Vec<[Point; 2]> = segments.iter().map(|segment| segment.ends.map(|end| end.0)).collect();
+        let plain: Vec<[Point; 2]> = segments.iter().map(|segment| segment.ends.each(|end| end.0)).collect();
         let chains = divide(&plain, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
         let mut graph = Graph::default();
         let mut numbers: GridMap<Point, u32> = GridMap::default();
-        let mut known: GridMap<[u32; 2], ()> = GridMap::default();
+        let mut known: BTreeSet<[u32; 2]> = BTreeSet::new();
         // Ends of segments keep their heights; a crossing gets the height of the first line.
         for segment in segments {
             for (point, height) in segment.ends {
@@ -77,7 +79,7 @@ impl Graph {
                 let here = graph.vertex(&mut numbers, point, height);
                 if let Some(before) = before.replace(here).filter(|&before| before != here) {
                     let key = [here.min(before), here.max(before)];
-                    if known.insert(key, ()).is_none() {
+                    if known.insert(key) {
                         let number = graph.edges.len() as u32;
                         graph.edges.push(StreetEdge { ends: [before, here], line: segment.line });
                         graph.around[before as usize].push(number);
@@ -107,14 +109,14 @@ impl Graph {
             at
         };
         let distance = |ends: [u32; 2]| {
-            let [a, b] = ends.map(|end| self.points[end as usize].truncate());
+            let [a, b] = ends.each(|end| self.points[end as usize].truncate());
             a.distance(b)
         };
         let length = |edge: &StreetEdge| distance(edge.ends);
         let mut short: Vec<&StreetEdge> = self.edges.iter().filter(|edge| length(edge) < snap).collect();
-        short.sort_by(|a, b| length(a).total_cmp(&length(b)));
+        short.small_sort_by(|a, b| length(a).total_cmp(&length(b)));
         for edge in short {
-            let [a, b] = edge.ends.map(|end| find(&to, end));
+            let [a, b] = edge.ends.each(|end| find(&to, end));
             if a != b && distance([a, b]) < snap {
                 // Junctions and ends stay in place; bends move.
                 let rank = |at: u32| match self.around[at as usize].len() {
@@ -130,7 +132,7 @@ impl Graph {
             let at = find(&to, at) as usize;
             (Point::near(self.points[at].truncate()), self.points[at].z)
         };
-        let moved = self.edges.iter().map(|edge| LineSegment { ends: edge.ends.map(end), line: edge.line });
+        let moved = self.edges.iter().map(|edge| LineSegment { ends: edge.ends.each(end), line: edge.line });
         moved.filter(|segment| segment.ends[0].0 != segment.ends[1].0).collect()
     }
 }
@@ -173,7 +175,7 @@ fn join_ends(paths: &mut [Vec<LinePoint>], snap: f64) {
 
 /// Moves ends that are not shared onto the nearest segment of another line, if one is near.
 fn reach_segments(paths: &mut [Vec<LinePoint>], snap: f64) {
-    let mut ends: GridMap<Point, usize> = GridMap::default();
+    let mut ends: GridMap<Point, u32> = GridMap::default();
     let (mut segments, mut homes) = (Vec::new(), Vec::new());
     for (line, path) in paths.iter().enumerate() {
         for vertex in path.first().into_iter().chain(path.last()) {
@@ -210,7 +212,7 @@ fn reach_segments(paths: &mut [Vec<LinePoint>], snap: f64) {
             let Some((_, number)) = best else { continue };
             let (segment, home) = (segments[number as usize], homes[number as usize]);
             let foot = nearest_on(segment, place);
-            let [low, high] = [0, 1].map(|end| paths[home.0][home.1 + end].1);
+            let [low, high] = [0, 1].each(|end| paths[home.0][home.1 + end].1);
             let near_end = |end: Point| {
                 end.place().distance(foot) < snap.min(0.25 * segment[0].place().distance(segment[1].place()))
             };
@@ -218,7 +220,7 @@ fn reach_segments(paths: &mut [Vec<LinePoint>], snap: f64) {
                 () if near_end(segment[0]) => (segment[0], low),
                 () if near_end(segment[1]) => (segment[1], high),
                 () => {
-                    let [a, b] = segment.map(Point::place);
+                    let [a, b] = segment.each(Point::place);
                     let new = (Point::near(foot), low + (high - low) * (a.distance(foot) / a.distance(b)));
                     added.entry(home).or_default().push(new);
                     new
@@ -230,7 +232,7 @@ fn reach_segments(paths: &mut [Vec<LinePoint>], snap: f64) {
     // From the last segment to the first, so that the numbers of earlier segments stay valid.
     for ((line, at), mut new) in added.into_iter().rev() {
         let from = paths[line][at].0.place();
-        new.sort_by(|a, b| a.0.place().distance(from).total_cmp(&b.0.place().distance(from)));
+        new.small_sort_by(|a, b| a.0.place().distance(from).total_cmp(&b.0.place().distance(from)));
         paths[line].splice(at + 1..at + 1, new);
     }
     for path in paths {
@@ -239,7 +241,7 @@ fn reach_segments(paths: &mut [Vec<LinePoint>], snap: f64) {
 }
 
 fn nearest_on(segment: [Point; 2], place: DVec2) -> DVec2 {
-    let [a, b] = segment.map(Point::place);
+    let [a, b] = segment.each(Point::place);
     let part = ((place - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
     a + (b - a) * part
 }

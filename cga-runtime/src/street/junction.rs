@@ -1,5 +1,6 @@
 //! The area of a junction: the ends of its arms, and the corners between them with rounded kerbs.
 
+use crate::value::each::Each;
 use std::f64::consts::{PI, TAU};
 
 use glam::DVec2;
@@ -210,10 +211,11 @@ fn meet(a: &Leg, b: &Leg, distances: [f64; 2], radius: f64, most_tangent: f64) -
     {
         let corner = Meeting {
             points: vec![place],
-            along: [0, 1].map(|which| [a, b][which].along(at[which], place)),
+            along: [0, 1].each(|which| [a, b][which].along(at[which], place)),
             radius: 0.0,
         };
-        let mut radii = [1.0, 0.5, 0.25, 0.125].map(|part| part * radius).into_iter().filter(|&one| LEAST_RADIUS < one);
+        let mut radii =
+            [1.0, 0.5, 0.25, 0.125].each(|part| part * radius).into_iter().filter(|&one| LEAST_RADIUS < one);
         let rounded = radii.find_map(|radius| rounded(&corner, [a, b], distances, radius, most_tangent));
         return rounded.or(Some(corner));
     }
@@ -279,7 +281,7 @@ fn crossing(lines: &[Vec<DVec2>; 2], arms: [&Leg; 2]) -> Option<([usize; 2], DVe
 fn rounded(corner: &Meeting, arms: [&Leg; 2], distances: [f64; 2], radius: f64, most_tangent: f64) -> Option<Meeting> {
     let lines = [arms[0].chain.border(distances[0] + radius), arms[1].chain.border(distances[1] - radius)];
     let (at, centre) = crossing(&lines, arms)?;
-    let along = [0, 1].map(|which| arms[which].along(at[which], centre));
+    let along = [0, 1].each(|which| arms[which].along(at[which], centre));
     let fits = |which: usize| {
         let tangent = along[which] - corner.along[which];
         (0.0..=most_tangent).contains(&tangent) && along[which] < arms[which].chain.length()
@@ -287,7 +289,7 @@ fn rounded(corner: &Meeting, arms: [&Leg; 2], distances: [f64; 2], radius: f64, 
     if !(fits(0) && fits(1)) {
         return None;
     }
-    let out = [0, 1].map(|which| arms[which].chain.direction(at[which]).perp() * radius);
+    let out = [0, 1].each(|which| arms[which].chain.direction(at[which]).perp() * radius);
     let (from, to) = (centre - out[0], centre + out[1]);
     let sweep = turn(from - centre, to - centre);
     // Clockwise as seen from the junction.

@@ -5,6 +5,7 @@ use glam::{DVec2, DVec3};
 use super::grid::{GridMap, Point};
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use crate::geometry::triangulate::Triangulator;
+use crate::value::each::Each;
 
 /// A face: its outline and holes, and three sets of coordinates at each of their points.
 pub(super) struct StreetFace {
@@ -49,10 +50,10 @@ pub(super) fn mesh(faces: &[StreetFace], heights: &GridMap<Point, f64>, sets: us
         let mut triangles = Vec::new();
         Triangulator::new().polygon(&flat, &ends.collect::<Vec<_>>(), &mut triangles);
         for triangle in triangles {
-            let triangle = triangle.map(|corner| corner as usize);
-            builder.face(&triangle.map(|corner| corners[corner]), &[], FaceTag::PLAIN);
+            let triangle = triangle.each(|corner| corner as usize);
+            builder.face(&triangle.each(|corner| corners[corner]), &[], FaceTag::PLAIN);
             for set in 0..sets {
-                builder.uv_set(set, &triangle.map(|corner| face.uvs[corner][set]));
+                builder.uv_set(set, &triangle.each(|corner| face.uvs[corner][set]));
             }
         }
     }

@@ -57,6 +57,8 @@ use std::collections::BTreeMap;
 
 use crate::geometry::mesh::Mesh;
 use crate::shape::Shape;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The limit on crossings of street borders, which bounds memory and time.
 const MOST_CROSSINGS: usize = 2_000_000;
@@ -179,10 +181,10 @@ fn outlines(mesh: &Mesh) -> Vec<Vec<[f64; 3]>> {
     let (adjacency, corners) = (mesh.adjacency(), mesh.corners());
     let mut next: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
     for corner in (0..corners.len() as u32).filter(|&corner| adjacency.is_border(adjacency.edge(corner))) {
-        let [a, b] = [corner, adjacency.next(corner)].map(|corner| corners[corner as usize]);
+        let [a, b] = [corner, adjacency.next(corner)].each(|corner| corners[corner as usize]);
         next.entry(a).or_default().push(b);
     }
-    next.values_mut().for_each(|ends| ends.sort_unstable());
+    next.values_mut().for_each(|ends| ends.small_sort());
     let mut loops = Vec::new();
     while let Some((&from, _)) = next.first_key_value() {
         let mut ring = Vec::new();

@@ -8,6 +8,8 @@ use super::pieces::{Chart, JunctionDraft, Plot, StreetPieces};
 use super::subdivision::{NONE, Subdivision};
 use super::{Kind, MOST_CROSSINGS, NetworkPart, Side, StreetError};
 use crate::geometry::disjoint::DisjointSets;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// Three arms make a `Junction` if two of them are straight within this many degrees; otherwise a `Crossing`.
 const STRAIGHT_ON: f64 = 30.0;
@@ -73,7 +75,7 @@ fn owners(pieces: &StreetPieces, faces: &Subdivision) -> Vec<u32> {
         covers.iter().filter(|&&other| is_part(other)).for_each(|&other| junctions.unite(of_cycle[cycle], other));
     }
     for half in (0..faces.cycle.len()).step_by(2) {
-        let [a, b] = [half, half + 1].map(|half| of_cycle[faces.cycle[half] as usize]);
+        let [a, b] = [half, half + 1].each(|half| of_cycle[faces.cycle[half] as usize]);
         if is_part(a) && is_part(b) {
             junctions.unite(a, b);
         }
@@ -94,7 +96,7 @@ fn is_junction(piece: &Plot) -> bool {
 fn arms(owners: &[u32], plan: &JunctionDraft, pieces: &StreetPieces, faces: &Subdivision) -> GridMap<u32, Vec<DVec2>> {
     let mut found: Vec<(u32, u32, bool)> = Vec::new();
     for half in 0..faces.cycle.len() {
-        let [here, there] = [half, half ^ 1].map(|half| owners[faces.cycle[half] as usize]);
+        let [here, there] = [half, half ^ 1].each(|half| owners[faces.cycle[half] as usize]);
         if here == NONE || there == NONE || here == there || !is_junction(&pieces.list[here as usize]) {
             continue;
         }
@@ -106,7 +108,7 @@ fn arms(owners: &[u32], plan: &JunctionDraft, pieces: &StreetPieces, faces: &Sub
             found.push((here, there, along < middle));
         }
     }
-    found.sort_unstable();
+    found.small_sort();
     found.dedup();
     let mut arms: GridMap<u32, Vec<DVec2>> = GridMap::default();
     for (junction, road, at_start) in found {

@@ -6,6 +6,8 @@ use super::grid::Point;
 use super::junction::{self, JunctionLayout};
 use super::section::{CrossSection, Station};
 use super::{Kind, Side};
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The run that a cell is a part of, by number in [`StreetPieces::runs`].
 pub(super) type RunId = u32;
@@ -117,7 +119,7 @@ impl JunctionDraft {
                     }
                 }
             }
-            waiting.sort_unstable();
+            waiting.small_sort();
             waiting.dedup();
         }
         let mut pieces = StreetPieces::default();
@@ -142,7 +144,7 @@ impl JunctionDraft {
     /// The parts of a chain that belong to junctions, between stations, sorted and disjoint.
     fn swallowed(&self, number: usize, ends: [Station; 2]) -> Vec<[Station; 2]> {
         let chain = &self.chains[number];
-        let [start, end] = ends.map(|station| chain.along(station));
+        let [start, end] = ends.each(|station| chain.along(station));
         let mut parts: Vec<[Station; 2]> = Vec::new();
         for &[low, high] in &self.cuts[number] {
             let low = if low <= start { ends[0] } else { chain.station_before(low) };
@@ -153,10 +155,10 @@ impl JunctionDraft {
                 parts.push([low, high]);
             }
         }
-        parts.sort_by(|a, b| chain.along(a[0]).total_cmp(&chain.along(b[0])));
+        parts.small_sort_by(|a, b| chain.along(a[0]).total_cmp(&chain.along(b[0])));
         let least = LEAST_STREET * 2.0 * chain.widths.half;
         let is_short = |from: Station, to: Station| chain.along(to) - chain.along(from) < least;
-        let [from_node, to_node] = chain.ends.map(|end| end.is_some() && !chain.closed);
+        let [from_node, to_node] = chain.ends.each(|end| end.is_some() && !chain.closed);
         let mut merged: Vec<[Station; 2]> = Vec::new();
         for part in parts {
             match merged.last_mut() {
@@ -179,7 +181,7 @@ impl JunctionDraft {
 
     fn add_chain(&self, number: usize, ends: [Station; 2], pieces: &mut StreetPieces) {
         let chain = &self.chains[number];
-        let [start, end] = ends.map(|station| chain.along(station));
+        let [start, end] = ends.each(|station| chain.along(station));
         if end <= start {
             return;
         }
@@ -188,7 +190,7 @@ impl JunctionDraft {
         stations.extend((0..=chain.len()).map(Station::Vertex));
         stations.extend(swallowed.iter().flatten());
         stations.retain(|&station| start <= chain.along(station) && chain.along(station) <= end);
-        stations.sort_by(|&a, &b| chain.along(a).total_cmp(&chain.along(b)));
+        stations.small_sort_by(|&a, &b| chain.along(a).total_cmp(&chain.along(b)));
         stations.dedup_by(|a, b| chain.along(*a) == chain.along(*b));
         let sections: Vec<CrossSection> = stations.iter().map(|&station| chain.section(station)).collect();
         let mut before: Option<(bool, (u32, bool))> = None;

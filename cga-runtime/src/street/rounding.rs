@@ -4,6 +4,7 @@
 //! that point. So no two segments cross afterwards, and all segments that meet at a point share it.
 
 use super::grid::{Point, SegmentGrid, are_apart, dot, orient};
+use crate::value::small_sort::SmallSort;
 
 /// Divides segments at each other. Each becomes a chain of points from its first end to its second. `None` if there are
 /// more than `most` crossings.
@@ -67,7 +68,7 @@ fn crossings(segments: &[[Point; 2]], most: usize) -> Option<Vec<(u32, Point)>> 
 /// Routes segments through all hot points that they pass, and through their own crossings.
 fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)]) -> Vec<Vec<Point>> {
     let mut hot: Vec<Point> = segments.iter().flatten().copied().chain(crossings.iter().map(|one| one.1)).collect();
-    hot.sort_unstable();
+    hot.small_sort();
     hot.dedup();
     let mut pixels = SegmentGrid::for_segments(segments);
     for (number, &point) in hot.iter().enumerate() {
@@ -84,7 +85,7 @@ fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)]) -> Vec<Vec<Point>>
             }
         });
         let along = b.from(a);
-        chain.sort_unstable_by_key(|point| (dot(along, point.from(a)), *point));
+        chain.small_sort_by_key(|point| (dot(along, point.from(a)), *point));
         chain.dedup();
         // Points within a unit of an end may sort before it.
         chain.retain(|&point| point != a && point != b);

@@ -1,5 +1,6 @@
 //! Cross-sections of a chain: the positions of its four borders.
 
+use crate::value::each::Each;
 use glam::DVec2;
 
 use super::chain::Polyline;
@@ -41,13 +42,13 @@ impl Polyline {
         CrossSection {
             along,
             height,
-            borders: self.widths.borders().map(|distance| Point::near(place + across * distance)),
+            borders: self.widths.borders().each(|distance| Point::near(place + across * distance)),
         }
     }
 
     /// The vector across the chain at a vertex. Times a border's distance it gives the border's offset.
     pub(super) fn mitre(&self, at: usize) -> DVec2 {
-        let [before, after] = self.segments_at(at).map(|segment| self.direction(segment).perp());
+        let [before, after] = self.segments_at(at).each(|segment| self.direction(segment).perp());
         (before + after) / (1.0 + before.dot(after))
     }
 

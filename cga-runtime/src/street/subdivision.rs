@@ -3,6 +3,8 @@
 use super::grid::{Point, cross, sides, twice_area, winding};
 use super::rounding::divide;
 use crate::geometry::disjoint::DisjointSets;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The number for "no owner".
 pub(super) const NONE: u32 = u32::MAX;
@@ -87,7 +89,7 @@ impl Subdivision {
 
     /// The ends of a half-edge.
     pub(super) fn ends(&self, half: usize) -> [Point; 2] {
-        [half, half ^ 1].map(|half| self.points[self.origin[half] as usize])
+        [half, half ^ 1].each(|half| self.points[self.origin[half] as usize])
     }
 
     /// Finds the covering polygons of all faces, from the outer border of each connected part inwards.
@@ -113,7 +115,7 @@ impl Subdivision {
                 inside[part[cycle as usize]].extend(polygons);
             }
             for list in &mut inside {
-                list.sort_unstable();
+                list.small_sort();
                 list.dedup();
             }
         }
@@ -128,7 +130,7 @@ impl Subdivision {
                 .map(|(polygon, ring)| (polygon, winding(ring, corner)))
                 .filter(|&(_, turns)| turns != 0)
                 .collect();
-            around.sort_unstable();
+            around.small_sort();
             windings[outer as usize] = Some(around);
             let mut waiting = vec![outer];
             while let Some(cycle) = waiting.pop() {

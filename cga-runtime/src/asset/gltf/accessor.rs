@@ -71,65 +71,67 @@ fn kind(width: usize) -> &'static str {
     ["SCALAR", "VEC2", "VEC3", "VEC4"][width - 1]
 }
 
-/// An accessor with elements of `N` numbers.
-struct Accessor<'a, const N: usize> {
+/// An accessor.
+struct Accessor<'a> {
     item: Item<'a>,
+    /// How many numbers an element has.
+    width: usize,
     component: ComponentType,
     count: usize,
 }
 
-impl<'a, const N: usize> Accessor<'a, N> {
-    fn new(document: &'a Document<'_>, index: usize) -> Result<Self, GltfError> {
+impl<'a> Accessor<'a> {
+    fn new(document: &'a Document<'_>, index: usize, width: usize) -> Result<Self, GltfError> {
         let item = item(&document.json, "accessors", index)?;
-        if item.text("type")? != Some(kind(N)) {
-            return Err(item.error(format!("its `type` must be `{}` here", kind(N))));
+        if item.text("type")? != Some(kind(width)) {
+            return Err(item.error(format!("its `type` must be `{}` here", kind(width))));
         }
-        Ok(Accessor { item, component: ComponentType::of(&item)?, count: item.required("count")? })
+        Ok(Accessor { item, width, component: ComponentType::of(&item)?, count: item.required("count")? })
     }
 
-    /// The elements, each as the numbers of the file.
-    fn elements(&self, document: &Document<'_>) -> Result<Vec<[f64; N]>, GltfError> {
-        let mut elements = match self.item.whole("bufferView")? {
+    /// The numbers of all elements, as in the file.
+    fn numbers(&self, document: &Document<'_>) -> Result<Vec<f64>, GltfError> {
+        let mut all = match self.item.whole("bufferView")? {
             Some(view) => {
                 let start = self.item.whole("byteOffset")?.unwrap_or(0);
-                numbers(&self.item, document.view(view)?, start, self.component, self.count)?
+                numbers(&self.item, document.view(view)?, start, self.component, [self.count, self.width])?
             }
             None if MOST_ABSENT < self.count => return Err(self.item.error("it has too many elements")),
-            None => vec![[0.0; N]; self.count],
+            None => vec![0.0; self.count * self.width],
         };
         if let Some(sparse) = self.item.object("sparse")? {
-            self.replace(&sparse, document, &mut elements)?;
+            self.replace(&sparse, document, &mut all)?;
         }
-        Ok(elements)
+        Ok(all)
     }
 
     /// Replaces the elements that a sparse accessor lists.
-    fn replace(&self, sparse: &Item<'_>, document: &Document<'_>, elements: &mut [[f64; N]]) -> Result<(), GltfError> {
+    fn replace(&self, sparse: &Item<'_>, document: &Document<'_>, all: &mut [f64]) -> Result<(), GltfError> {
         let count = sparse.required("count")?;
         let part = |member| sparse.object(member)?.ok_or_else(|| sparse.error(format!("`{member}` is missing")));
         let (indices, values) = (part("indices")?, part("values")?);
         let start = |part: &Item<'_>| Ok(part.whole("byteOffset")?.unwrap_or(0));
         let view = document.view(indices.required("bufferView")?)?;
-        let places: Vec<[f64; 1]> = numbers(&indices, view, start(&indices)?, ComponentType::of(&indices)?, count)?;
+        let places = numbers(&indices, view, start(&indices)?, ComponentType::of(&indices)?, [count, 1])?;
         let view = document.view(values.required("bufferView")?)?;
-        let values: Vec<[f64; N]> = numbers(&values, view, start(&values)?, self.component, count)?;
-        for ([place], value) in places.into_iter().zip(values) {
-            let element = elements.get_mut(place as usize);
-            *element.ok_or_else(|| sparse.error("a sparse index is out of range"))? = value;
+        let values = numbers(&values, view, start(&values)?, self.component, [count, self.width])?;
+        for (place, value) in places.into_iter().zip(values.chunks_exact(self.width)) {
+            let element = all.chunks_exact_mut(self.width).nth(place as usize);
+            element.ok_or_else(|| sparse.error("a sparse index is out of range"))?.copy_from_slice(value);
         }
         Ok(())
     }
 }
 
-/// The numbers of `count` elements from a byte of a view on.
-fn numbers<const N: usize>(
+/// The numbers of `count` elements of `width` numbers each, from a byte of a view on.
+fn numbers(
     item: &Item<'_>,
     view: BufferView<'_>,
     start: usize,
     component: ComponentType,
-    count: usize,
-) -> Result<Vec<[f64; N]>, GltfError> {
-    let size = N * component.bytes();
+    [count, width]: [usize; 2],
+) -> Result<Vec<f64>, GltfError> {
+    let size = width * component.bytes();
     let stride = view.stride.unwrap_or(size);
     if stride < size {
         return Err(item.error("the elements of its view overlap"));
@@ -140,8 +142,11 @@ fn numbers<const N: usize>(
     let length = (count - 1).checked_mul(stride).and_then(|length| length.checked_add(size));
     let bytes = length.and_then(|length| view.bytes.get(start..start.checked_add(length)?));
     let bytes = bytes.ok_or_else(|| item.error("its view ends early"))?;
-    let element = |bytes: &[u8]| std::array::from_fn(|at| component.number(&bytes[at * component.bytes()..]));
-    Ok(bytes.chunks(stride).map(element).collect())
+    let mut all = Vec::with_capacity(count * width);
+    for element in bytes.chunks(stride) {
+        all.extend((0..width).map(|at| component.number(&element[at * component.bytes()..])));
+    }
+    Ok(all)
 }
 
 /// The number of elements that an accessor claims to have.
@@ -154,14 +159,18 @@ pub(super) fn count(document: &Document<'_>, index: usize) -> Result<usize, Gltf
 /// # Errors
 /// The accessor is of another type, ends early, or has numbers that are not finite.
 pub(super) fn vectors<const N: usize>(document: &Document<'_>, index: usize) -> Result<Vec<[f64; N]>, GltfError> {
-    let accessor = Accessor::<N>::new(document, index)?;
-    let mut elements = accessor.elements(document)?;
+    Ok(finite_numbers(document, index, N)?.as_chunks().0.to_vec())
+}
+
+fn finite_numbers(document: &Document<'_>, index: usize, width: usize) -> Result<Vec<f64>, GltfError> {
+    let accessor = Accessor::new(document, index, width)?;
+    let mut all = accessor.numbers(document)?;
     if accessor.item.flag("normalized")? {
         let one = accessor.component.one();
-        elements.as_flattened_mut().iter_mut().for_each(|number| *number = (*number / one).max(-1.0));
+        all.iter_mut().for_each(|number| *number = (*number / one).max(-1.0));
     }
-    if elements.as_flattened().iter().all(|number| number.is_finite()) {
-        Ok(elements)
+    if all.iter().all(|number| number.is_finite()) {
+        Ok(all)
     } else {
         Err(accessor.item.error("a number is not finite"))
     }
@@ -172,9 +181,9 @@ pub(super) fn vectors<const N: usize>(document: &Document<'_>, index: usize) -> 
 /// # Errors
 /// The accessor is of another type or ends early.
 pub(super) fn indices(document: &Document<'_>, index: usize) -> Result<Vec<u32>, GltfError> {
-    let accessor = Accessor::<1>::new(document, index)?;
+    let accessor = Accessor::new(document, index, 1)?;
     if matches!(accessor.component, ComponentType::F32 | ComponentType::I8 | ComponentType::I16) {
         return Err(accessor.item.error("indices must be unsigned integers"));
     }
-    Ok(accessor.elements(document)?.into_iter().map(|[index]| index as u32).collect())
+    Ok(accessor.numbers(document)?.into_iter().map(|index| index as u32).collect())
 }

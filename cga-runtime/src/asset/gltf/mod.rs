@@ -35,6 +35,7 @@ use super::names::Names;
 use super::warnings::{Warnings, short};
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use crate::material::{Layer, Material};
+use crate::value::each::Each;
 
 pub use self::error::GltfError;
 
@@ -169,15 +170,15 @@ fn add(
     let points: Vec<DVec3> = primitive.points.iter().map(|&point| place.transform_point3(point)).collect();
     let numbers: Vec<u32> = points.iter().map(|&point| builder.point(point)).collect();
     for &[a, b, c] in &primitive.triangles {
-        let corners = if is_mirrored { [a, c, b] } else { [a, b, c] }.map(|corner| corner as usize);
-        builder.face(&corners.map(|corner| numbers[corner]), &[], tag);
+        let corners = if is_mirrored { [a, c, b] } else { [a, b, c] }.each(|corner| corner as usize);
+        builder.face(&corners.each(|corner| numbers[corner]), &[], tag);
         for &(set, values) in coordinates {
-            builder.uv_set(set, &corners.map(|corner| values.map_or(DVec2::ZERO, |values| values[corner])));
+            builder.uv_set(set, &corners.each(|corner| values.map_or(DVec2::ZERO, |values| values[corner])));
         }
         if has_normals {
-            let [p, q, r] = corners.map(|corner| points[corner]);
+            let [p, q, r] = corners.each(|corner| points[corner]);
             let flat = (q - p).cross(r - p).normalize_or(DVec3::Y);
-            builder.normals(&corners.map(|corner| match &primitive.normals {
+            builder.normals(&corners.each(|corner| match &primitive.normals {
                 Some(normals) => (normals_place * normals[corner]).normalize_or(flat),
                 None => flat,
             }));

@@ -1,5 +1,6 @@
 //! The nodes of the scene: the places of meshes.
 
+use crate::value::each::Each;
 use glam::{DAffine3, DMat4, DQuat, DVec3};
 
 use super::GltfError;
@@ -123,7 +124,7 @@ fn places(
         Some(accessor) => Some(accessor::vectors::<4>(document, accessor)?),
         None => None,
     };
-    let counts = [&translations, &scales].map(|list| list.as_ref().map(Vec::len));
+    let counts = [&translations, &scales].each(|list| list.as_ref().map(Vec::len));
     let mut counts = counts.into_iter().chain([rotations.as_ref().map(Vec::len)]).flatten();
     let Some(count) = counts.next() else { return Ok(vec![placement]) };
     if counts.any(|other| other != count) {

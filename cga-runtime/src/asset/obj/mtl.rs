@@ -7,6 +7,7 @@ use std::fmt;
 
 use super::lines::lines;
 use crate::material::{Channel, Color, ColorOf, Layer, Material, MaterialNumber, MaterialText};
+use crate::value::each::Each;
 use crate::value::text::Text;
 
 /// A material library.
@@ -80,9 +81,9 @@ fn look(material: &tobj::Material) -> Material {
         ..Material::UNSET
     };
     let colors: [(_, ColorOf); 3] = [
-        (material.ambient.map(|c| c.map(exact)), MaterialNumber::Ambient),
-        (material.specular.map(|c| c.map(exact)), MaterialNumber::Specular),
-        (material.emissive.map(|c| c.map(exact)), MaterialNumber::Emissive),
+        (material.ambient.map(|c| c.each(exact)), MaterialNumber::Ambient),
+        (material.specular.map(|c| c.each(exact)), MaterialNumber::Specular),
+        (material.emissive.map(|c| c.each(exact)), MaterialNumber::Emissive),
     ];
     for (color, which) in colors {
         let channels = [Channel::R, Channel::G, Channel::B];

@@ -10,6 +10,8 @@ use super::operation::BooleanOp;
 use super::polygon::{PolygonCorner, ResultPolygon};
 use crate::geometry::mesh::{FaceTag, Mesh, SubcomponentTagger, SubcomponentTags, TagSet, TagSetTable, flip, unit};
 use crate::geometry::triangulate::Triangulator;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use crate::value::text::Text;
 
 /// Makes the mesh of polygons.
@@ -45,7 +47,7 @@ impl Assembly<'_> {
             let facet = &self.facets[polygon.sources[0] as usize];
             if last_facet.replace(polygon.sources[0]) != Some(polygon.sources[0]) {
                 corner_at = facet.corners.iter().copied().zip(facet.sources.iter().copied()).collect();
-                corner_at.sort_unstable();
+                corner_at.small_sort();
             }
             for ring in &polygon.rings {
                 let shares = |place: usize| -> Shares {
@@ -135,7 +137,7 @@ impl Assembly<'_> {
             if let Some(source) = along.iter().find(|source| is_here(source)) {
                 return Some(only(*source));
             }
-            let [a, b] = along.map(|source| self.mesh.points()[self.mesh.corners()[source as usize] as usize]);
+            let [a, b] = along.each(|source| self.mesh.points()[self.mesh.corners()[source as usize] as usize]);
             let place = self.places[corner.point as usize];
             let share = ((place - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
             return Some([(along[0], 1.0 - share), (along[1], share), (along[1], 0.0)]);

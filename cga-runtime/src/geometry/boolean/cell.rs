@@ -15,6 +15,8 @@ use super::point_set::PointSet;
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::Bounds;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The number of times that outlines wind around a place.
 pub(super) trait Winding: Clone + Default + PartialEq {
@@ -59,6 +61,16 @@ pub(super) struct GraphLine<W> {
     pub(super) count: W,
 }
 
+/// The cells that the lines with a count enclose. `at` gives the place of a point in the plane.
+pub(super) fn cells<W: Winding>(
+    lines: &[GraphLine<W>],
+    at: &dyn Fn(u32) -> DVec2,
+    budget: &mut Budget,
+) -> Result<Vec<Cell<W>>, BooleanError> {
+    let ends: Vec<[u32; 2]> = lines.iter().map(|line| line.ends).collect();
+    LineGraph::new(&ends, at)?.cells(lines, budget)
+}
+
 /// The cells of a facet.
 pub(super) fn cells_of(
     points: &PointSet,
@@ -73,7 +85,7 @@ pub(super) fn cells_of(
     }
     let line = |line: &u32| GraphLine { ends: edges.list[*line as usize].ends, count: count(*line) };
     let lines: Vec<GraphLine<i32>> = facet.lines.iter().map(line).collect();
-    let mut cells = LineGraph::new(&lines, |point| facet.flat(points.at[point as usize]))?.cells(budget)?;
+    let mut cells = cells(&lines, &|point| facet.flat(points.at[point as usize]), budget)?;
     cells.iter_mut().flat_map(|cell| &mut cell.inner).for_each(|line| *line = facet.lines[*line as usize]);
     // Lines that were led through points move by up to epsilon. A lost cell is much larger.
     let area: f64 = cells.iter().map(|cell| f64::from(cell.winding) * double_area(points, facet, &cell.rings)).sum();
@@ -96,8 +108,7 @@ pub(super) fn double_area(points: &PointSet, facet: &Facet, rings: &[Vec<u32>]) 
 const NONE: u32 = u32::MAX;
 
 /// Lines as pairs of half-edges: half-edge `2 i` follows line `i`, half-edge `2 i + 1` runs back.
-pub(super) struct LineGraph<'l, W> {
-    lines: &'l [GraphLine<W>],
+struct LineGraph {
     /// The points, by their numbers in the graph.
     points: Vec<u32>,
     flat: Vec<DVec2>,
@@ -116,14 +127,14 @@ struct Cycle {
     ring: Vec<u32>,
 }
 
-impl<'l, W: Winding> LineGraph<'l, W> {
-    pub(super) fn new(lines: &'l [GraphLine<W>], at: impl Fn(u32) -> DVec2) -> Result<Self, BooleanError> {
-        let mut points: Vec<u32> = lines.iter().flat_map(|line| line.ends).collect();
-        points.sort_unstable();
+impl LineGraph {
+    fn new(lines: &[[u32; 2]], at: &dyn Fn(u32) -> DVec2) -> Result<Self, BooleanError> {
+        let mut points = lines.as_flattened().to_vec();
+        points.small_sort();
         points.dedup();
         let flat: Vec<DVec2> = points.iter().map(|point| at(*point)).collect();
         let number = |point: u32| points.binary_search(&point).unwrap_or_default() as u32;
-        let starts: Vec<u32> = lines.iter().flat_map(|line| line.ends.map(number)).collect();
+        let starts: Vec<u32> = lines.as_flattened().iter().map(|point| number(*point)).collect();
         let mut leaving = vec![Vec::new(); points.len()];
         starts.iter().enumerate().for_each(|(half, start)| leaving[*start as usize].push(half as u32));
         let mut places = vec![0; starts.len()];
@@ -134,13 +145,13 @@ impl<'l, W: Winding> LineGraph<'l, W> {
                 step.y < 0.0 || (step.y == 0.0 && step.x < 0.0)
             };
             let turn = |a: u32, b: u32| orient(flat[point], end(a), end(b));
-            list.sort_unstable_by(|&a, &b| lower(a).cmp(&lower(b)).then_with(|| turn(b, a).cmp(&0)).then(a.cmp(&b)));
+            list.small_sort_by(|&a, &b| lower(a).cmp(&lower(b)).then_with(|| turn(b, a).cmp(&0)).then(a.cmp(&b)));
             if list.windows(2).any(|pair| lower(pair[0]) == lower(pair[1]) && turn(pair[0], pair[1]) <= 0) {
                 return Err(BooleanError::Tangled);
             }
             list.iter().enumerate().for_each(|(place, half)| places[*half as usize] = place as u32);
         }
-        Ok(LineGraph { lines, points, flat, starts, leaving, places })
+        Ok(LineGraph { points, flat, starts, leaving, places })
     }
 
     /// The half-edge after another one in the cycle on its left, among those that are kept.
@@ -182,7 +193,7 @@ impl<'l, W: Winding> LineGraph<'l, W> {
     }
 
     /// The cells that the lines with a count enclose.
-    pub(super) fn cells(&self, budget: &mut Budget) -> Result<Vec<Cell<W>>, BooleanError> {
+    fn cells<W: Winding>(&self, lines: &[GraphLine<W>], budget: &mut Budget) -> Result<Vec<Cell<W>>, BooleanError> {
         let (cycles, of_half) = self.cycles(|_| true);
         let parts = self.connected_parts(&of_half);
         // The cell of each cycle, as the number of its outline, or `NONE` outside of all.
@@ -199,14 +210,14 @@ impl<'l, W: Winding> LineGraph<'l, W> {
             let mut seen = vec![outer];
             open.push(outer);
             let mut by_cycle: Vec<(u32, u32)> = halves.iter().map(|half| (of_half[*half as usize], *half)).collect();
-            by_cycle.sort_unstable();
+            by_cycle.small_sort();
             let mut known: std::collections::BTreeSet<u32> = [outer].into();
             while let Some(cycle) = open.pop() {
                 let from = by_cycle.partition_point(|entry| entry.0 < cycle);
                 for &(_, half) in by_cycle[from..].iter().take_while(|entry| entry.0 == cycle) {
                     let beyond = of_half[half as usize ^ 1];
                     // The left side of a line has `count` more than its right side.
-                    let value = winding[cycle as usize].across(&self.lines[half as usize / 2].count, half % 2 == 0);
+                    let value = winding[cycle as usize].across(&lines[half as usize / 2].count, half % 2 == 0);
                     budget.spend(value.len())?;
                     if known.insert(beyond) {
                         windings += value.len();
@@ -226,10 +237,16 @@ impl<'l, W: Winding> LineGraph<'l, W> {
         self.collect(&cell, &winding, &of_half)
     }
 
-    /// The cells with a winding number, with their rings.
-    fn collect(&self, cell: &[u32], winding: &[W], of_half: &[u32]) -> Result<Vec<Cell<W>>, BooleanError> {
+    /// The cycles of half-edges between different cells, and the cycle of each half-edge.
+    fn borders(&self, cell: &[u32], of_half: &[u32]) -> (Vec<Cycle>, Vec<u32>) {
         let cell_of = |half: u32| cell[of_half[half as usize] as usize];
-        let (rings, ring_of) = self.cycles(|half| cell_of(half) != cell_of(half ^ 1));
+        self.cycles(|half| cell_of(half) != cell_of(half ^ 1))
+    }
+
+    /// The cells with a winding number, with their rings.
+    fn collect<W: Winding>(&self, cell: &[u32], winding: &[W], of_half: &[u32]) -> Result<Vec<Cell<W>>, BooleanError> {
+        let cell_of = |half: u32| cell[of_half[half as usize] as usize];
+        let (rings, ring_of) = self.borders(cell, of_half);
         let mut cells: Vec<Cell<W>> = Vec::new();
         let mut number_of = vec![NONE; cell.len()];
         let mut is_done = vec![false; rings.len()];
@@ -273,7 +290,7 @@ impl<'l, W: Winding> LineGraph<'l, W> {
     /// Divides a ring that meets itself into rings that have each point once.
     fn add_simple_rings(&self, ring: &[u32], rings: &mut Vec<Vec<u32>>) {
         let mut sorted = ring.to_vec();
-        sorted.sort_unstable();
+        sorted.small_sort();
         if sorted.windows(2).all(|pair| pair[0] != pair[1]) {
             return rings.push(ring.to_vec());
         }
@@ -282,11 +299,11 @@ impl<'l, W: Winding> LineGraph<'l, W> {
         let mut places = std::collections::BTreeMap::new();
         for &point in ring {
             if let Some(start) = places.get(&point).copied() {
-                let found = stack.split_off(start);
+                let found = stack.split_off(start as usize);
                 found.iter().for_each(|point| _ = places.remove(point));
                 rings.extend((3 <= found.len()).then_some(found));
             }
-            places.insert(point, stack.len());
+            places.insert(point, stack.len() as u32);
             stack.push(point);
         }
         rings.extend((3 <= stack.len()).then_some(stack));
@@ -348,13 +365,13 @@ impl<'l, W: Winding> LineGraph<'l, W> {
         );
         budget.spend(visited)?;
         let area = |number: u32| cycles[number as usize].area;
-        near.sort_unstable_by(|&a, &b| area(a).total_cmp(&area(b)).then(a.cmp(&b)));
+        near.small_sort_by(|&a, &b| area(a).total_cmp(&area(b)).then(a.cmp(&b)));
         for number in near {
             let ring = &cycles[number as usize].ring;
             budget.spend(ring.len())?;
             let mut turns = 0;
             for (a, b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-                let [a, b] = [a, b].map(|point| self.flat[*point as usize]);
+                let [a, b] = [a, b].each(|point| self.flat[*point as usize]);
                 if a.y <= place.y && place.y < b.y {
                     turns += i32::from(0 < orient(a, b, place));
                 } else if b.y <= place.y && place.y < a.y {

@@ -7,6 +7,7 @@ use super::facet::Facet;
 use super::operation::BooleanOp;
 use super::sheet::Sheets;
 use crate::geometry::mesh::{Mesh, TagSet, TagSetTable};
+use crate::value::each::Each;
 use crate::value::text::Text;
 
 /// The number for "no tags".
@@ -48,7 +49,7 @@ impl EdgeTags {
             if has_tags {
                 for owner in edges.list[edge as usize].owners.iter().filter(|owner| owner.corner != NO_CORNER) {
                     let ends = facets[owner.facet as usize].edge_sources(owner.corner);
-                    let own = mesh.edge_tags(ends.map(|corner| mesh.corners()[corner as usize]));
+                    let own = mesh.edge_tags(ends.each(|corner| mesh.corners()[corner as usize]));
                     tags = own.map_or_else(|| tags.clone(), |own| tags.union(own));
                 }
             }

@@ -1,5 +1,6 @@
 //! The edges of an arrangement: outlines of facets, and lines where facets meet.
 
+use crate::value::small_sort::SmallSort;
 use std::collections::HashMap;
 
 use glam::DVec3;
@@ -107,7 +108,7 @@ impl EdgeTable {
         self.at.remove(&ends);
         let place = |point: u32| points.at[point as usize];
         let along = |point: u32| (place(point) - place(ends[0])).dot(place(ends[1]) - place(ends[0]));
-        cuts.sort_unstable_by(|&a, &b| along(a).total_cmp(&along(b)).then(a.cmp(&b)));
+        cuts.small_sort_by(|&a, &b| along(a).total_cmp(&along(b)).then(a.cmp(&b)));
         for owner in owners {
             changed.push(owner.facet);
             let mut from = ends[0];

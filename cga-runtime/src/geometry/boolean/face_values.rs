@@ -6,6 +6,8 @@ use super::bounds_tree::{BoundsTree, overlap};
 use super::facet::Facet;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::triangulate::{PlaneProjection, Triangulator};
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The values of a corner, as shares of corners of the mesh.
 pub(super) type Shares = [(u32, f64); 3];
@@ -31,9 +33,9 @@ impl FaceValues {
         triangulator.face(mesh, face as usize, &mut corners);
         let projection = PlaneProjection::along(mesh.face(face as usize).normal());
         let at = |corner: u32| projection.apply(mesh.points()[mesh.corners()[corner as usize] as usize]);
-        let triangles: Vec<_> = corners.iter().map(|triangle| (*triangle, triangle.map(at))).collect();
+        let triangles: Vec<_> = corners.iter().map(|triangle| (*triangle, triangle.each(at))).collect();
         let boxes: Vec<Bounds> =
-            triangles.iter().map(|(_, places)| Bounds::of(places.map(|place| place.extend(0.0)))).collect();
+            triangles.iter().map(|(_, places)| Bounds::of(places.each(|place| place.extend(0.0)))).collect();
         let tree = BoundsTree::of(&boxes);
         FaceValues { face, projection, triangles, boxes, tree }
     }
@@ -50,13 +52,13 @@ impl FaceValues {
                 true
             },
         );
-        near.sort_unstable();
+        near.small_sort();
         // Rounding may have moved a place out of all triangles.
         let found = self.best(near.into_iter(), place).filter(|(_, shares)| -INSIDE <= least(shares));
         let found = found.or_else(|| self.best(0..self.triangles.len() as u32, place));
         found.map_or_else(
             || only(facet.sources[0]),
-            |(triangle, shares)| [0, 1, 2].map(|end| (triangle[end], shares[end])),
+            |(triangle, shares)| [0, 1, 2].each(|end| (triangle[end], shares[end])),
         )
     }
 

@@ -7,6 +7,7 @@ use super::rim::{MOST_WITHOUT_TREE, RimTree};
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::{Bounds, FaceRef, Mesh, unit};
 use crate::geometry::triangulate::{PlaneProjection, Triangulator};
+use crate::value::each::Each;
 
 /// A planar polygon with holes: a face of the mesh, or a triangle of a bent face.
 pub(super) struct Facet {
@@ -40,7 +41,7 @@ impl Facet {
 
     /// Two opposite corners of a box, in the facet's plane.
     pub(super) fn flat_box(&self, bounds: &Bounds) -> [DVec2; 2] {
-        [bounds.low, bounds.high].map(|place| self.flat(place))
+        [bounds.low, bounds.high].each(|place| self.flat(place))
     }
 
     /// The signed distance from the facet's plane.
@@ -67,7 +68,7 @@ impl Facet {
         let ring = self.ends.partition_point(|end| *end <= corner);
         let start = if ring == 0 { 0 } else { self.ends[ring - 1] };
         let next = if corner + 1 == self.ends[ring] { start } else { corner + 1 };
-        [corner, next].map(|corner| self.sources[corner as usize])
+        [corner, next].each(|corner| self.sources[corner as usize])
     }
 
     /// The point at a corner of the mesh, if that is a corner of the facet.
@@ -82,7 +83,7 @@ impl Facet {
 
     /// The places of an edge of the loops in the facet's plane.
     fn flat_edge(&self, points: &PointSet, edge: [usize; 2]) -> [DVec2; 2] {
-        edge.map(|corner| self.flat(points.at[self.corners[corner] as usize]))
+        edge.each(|corner| self.flat(points.at[self.corners[corner] as usize]))
     }
 
     /// The number of times that the loops wind around a place, and the number of edges that were compared.
@@ -163,7 +164,7 @@ impl Facet {
             rim_tree: None,
         };
         facet.is_convex = facet.find_convex(points);
-        let around: f64 = facet.rim().map(|edge| points.length(edge.map(|corner| facet.corners[corner]))).sum();
+        let around: f64 = facet.rim().map(|edge| points.length(edge.each(|corner| facet.corners[corner]))).sum();
         if facet.double_area(points).abs() <= points.epsilon * around {
             return None;
         }
@@ -234,8 +235,8 @@ pub(super) fn facets_of(mesh: &Mesh, points: &PointSet, numbers: &[u32]) -> Vec<
         triangles.clear();
         triangulator.face(mesh, face.index(), &mut triangles);
         for triangle in &triangles {
-            let ring = triangle.map(|number| corner(number as usize));
-            let [a, b, c] = ring.map(|[point, _]| points.at[point as usize]);
+            let ring = triangle.each(|number| corner(number as usize));
+            let [a, b, c] = ring.each(|[point, _]| points.at[point as usize]);
             let normal = unit((b - a).cross(c - a));
             facets.extend(Facet::of(points, face.index() as u32, true, normal, &[ring.to_vec()]));
         }

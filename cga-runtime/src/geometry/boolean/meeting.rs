@@ -3,6 +3,8 @@
 //! A point within epsilon of a facet's plane is on the plane. So facets that touch, except for rounding, have common points
 //! and edges. Where the outline of a facet crosses the plane of another, the crossing becomes a point.
 
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use glam::DVec3;
 
 use super::budget::Budget;
@@ -79,13 +81,13 @@ impl PlaneSection {
                 self.pass(points, facet, [from, to], [self.heights[from], self.heights[to]]);
             }
         }
-        self.points.sort_unstable();
+        self.points.small_sort();
         self.points.dedup();
     }
 
     /// Adds the point or the edge that an edge has on the plane.
     fn pass(&mut self, points: &mut PointSet, facet: &Facet, edge: [usize; 2], heights: [f64; 2]) {
-        let ends = edge.map(|corner| facet.corners[corner]);
+        let ends = edge.each(|corner| facet.corners[corner]);
         if heights[0] == 0.0 {
             self.points.push(ends[0]);
             if heights[1] == 0.0 {
@@ -95,7 +97,7 @@ impl PlaneSection {
             // Both facets at an edge cross it in the same order.
             let turned = ends[1] < ends[0];
             let [a, b] = if turned { [1, 0] } else { [0, 1] };
-            let [start, end] = [ends[a], ends[b]].map(|point| points.at[point as usize]);
+            let [start, end] = [ends[a], ends[b]].each(|point| points.at[point as usize]);
             let share = heights[a] / (heights[a] - heights[b]);
             self.points.push(points.number(start + (end - start) * share));
         }
@@ -117,7 +119,7 @@ impl PlaneSection {
     ) -> Result<bool, BooleanError> {
         let at = place.dot(along);
         let runs_there = |run: &[u32; 2]| {
-            let [a, b] = run.map(|point| points.at[point as usize].dot(along));
+            let [a, b] = run.each(|point| points.at[point as usize].dot(along));
             a.min(b) < at && at < a.max(b)
         };
         if self.runs.iter().any(runs_there) {
@@ -149,7 +151,7 @@ impl FacetMeeting {
         pair: [u32; 2],
         budget: &mut Budget,
     ) -> Result<(), BooleanError> {
-        let [first, second] = pair.map(|facet| &facets[facet as usize]);
+        let [first, second] = pair.each(|facet| &facets[facet as usize]);
         let [a, b] = &mut self.sections;
         if !a.measure(points, first, second, budget)? || !b.measure(points, second, first, budget)? {
             return Ok(());
@@ -171,12 +173,12 @@ impl FacetMeeting {
         let numbers = a.points.iter().chain(&b.points);
         self.on_line.clear();
         self.on_line.extend(numbers.map(|point| (points.at[*point as usize].dot(along), *point)));
-        self.on_line.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        self.on_line.small_sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         self.on_line.dedup_by_key(|entry| entry.1);
         self.found.clear();
         for between in self.on_line.windows(2) {
             let ends = [between[0].1, between[1].1];
-            let [from, to] = ends.map(|point| points.at[point as usize]);
+            let [from, to] = ends.each(|point| points.at[point as usize]);
             let middle = (from + to) * 0.5;
             if a.contains(points, first, along, middle, budget)? && b.contains(points, second, along, middle, budget)? {
                 self.found.push(ends);
@@ -229,13 +231,13 @@ pub(super) fn dividing_edges(
     }
     budget.spend(near.len())?;
     let is_own = |ends: [u32; 2]| edges.find(ends).is_some_and(|edge| edges.owner(edge, taker).is_some());
-    let ends = near.iter().map(|edge| edge.map(|corner| from.corners[corner]));
+    let ends = near.iter().map(|edge| edge.each(|corner| from.corners[corner]));
     Ok(ends.filter(|ends| may_meet(points, to, *ends) && !is_own(*ends)).collect())
 }
 
 /// Returns false if an edge in the plane of a facet certainly has no point in it except for corners of the facet.
 fn may_meet(points: &PointSet, facet: &Facet, ends: [u32; 2]) -> bool {
-    let [a, b] = ends.map(|point| points.at[point as usize]);
+    let [a, b] = ends.each(|point| points.at[point as usize]);
     let is_apart = facet.bounds.high.cmplt(a.min(b)).any() || a.max(b).cmplt(facet.bounds.low).any();
     if is_apart {
         return false;
@@ -243,9 +245,9 @@ fn may_meet(points: &PointSet, facet: &Facet, ends: [u32; 2]) -> bool {
     if facet.rim_tree.is_some() {
         return true;
     }
-    let flat = [a, b].map(|place| facet.flat(place));
+    let flat = [a, b].each(|place| facet.flat(place));
     let is_beyond = |edge: [usize; 2]| {
-        let outside = [0, 1].map(|end| {
+        let outside = [0, 1].each(|end| {
             let left = facet.left_of(points, edge, flat[end]);
             left < -2.0 * points.epsilon || (left <= points.epsilon && facet.corners.contains(&ends[end]))
         });

@@ -38,6 +38,7 @@ use glam::{DAffine3, DVec3};
 use super::mesh::join::join;
 use super::mesh::{Bounds, Mesh};
 use super::tol::{BOOLEAN_EPSILONS, THINNEST_SOLID};
+use crate::value::small_sort::SmallSort;
 use assembly::Assembly;
 use bounds_tree::{BoundsTree, overlap};
 use budget::Budget;
@@ -253,7 +254,7 @@ fn meet_all(
                 true
             },
         );
-        near.sort_unstable();
+        near.small_sort();
         for &other in &near {
             meeting.meet(points, edges, facets, [number, other], budget)?;
             budget.check(edges, points)?;

@@ -12,6 +12,8 @@ use super::plane_group::PlaneGroups;
 use super::point_set::PointSet;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::Bounds;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The limit on rounds. Two suffice for most arrangements.
 const MOST_ROUNDS: usize = 32;
@@ -48,7 +50,7 @@ pub(super) fn divide_edges(
         if cuts.is_empty() {
             return Ok(());
         }
-        cuts.sort_unstable();
+        cuts.small_sort();
         cuts.dedup();
         open.clear();
         let mut here = Vec::new();
@@ -58,7 +60,7 @@ pub(super) fn divide_edges(
             edges.divide(facets, points, group[0][0], &mut here, &mut open);
             budget.check(edges, points)?;
         }
-        open.sort_unstable();
+        open.small_sort();
         open.dedup();
         for &facet in &open {
             facets[facet as usize].lines.retain(|line| !edges.list[*line as usize].owners.is_empty());
@@ -78,7 +80,7 @@ fn has_company(edges: &EdgeTable, facets: &[Facet], number: u32) -> bool {
 /// Returns true if a facet is the first one, of those that are compared, that has both edges. Facets in one plane share edges,
 /// which meet at the same points in all of them.
 fn is_first(edges: &EdgeTable, is_open: &[bool], facet: u32, pair: [u32; 2]) -> bool {
-    let [mut a, mut b] = pair.map(|edge| edges.list[edge as usize].owners.iter().map(|owner| owner.facet).peekable());
+    let [mut a, mut b] = pair.each(|edge| edges.list[edge as usize].owners.iter().map(|owner| owner.facet).peekable());
     while let (Some(&first), Some(&second)) = (a.peek(), b.peek()) {
         if facet <= first.max(second) {
             return true;
@@ -107,7 +109,7 @@ fn compare_edges(
 ) -> Result<(), BooleanError> {
     let reach = points.epsilon;
     let extent = |line: u32| {
-        let [a, b] = edges.list[line as usize].ends.map(|end| facet.flat(points.at[end as usize]));
+        let [a, b] = edges.list[line as usize].ends.each(|end| facet.flat(points.at[end as usize]));
         (Bounds { low: (a.min(b) - reach).extend(0.0), high: (a.max(b) + reach).extend(0.0) }, line)
     };
     let mut boxes: Vec<(Bounds, u32)> = facet.lines.iter().map(|line| extent(*line)).collect();
@@ -135,7 +137,7 @@ fn compare_edges(
         if budget.points < points.at.len() || 4 * budget.edges < cuts.len() {
             return Err(BooleanError::TooMany);
         }
-        near.sort_unstable();
+        near.small_sort();
         for &other in &near {
             let pair = [lines[number as usize], lines[other as usize]];
             if counts(pair) {
@@ -149,7 +151,7 @@ fn compare_edges(
 
 /// Finds where two edges divide each other.
 fn compare_pair(points: &mut PointSet, edges: &EdgeTable, facet: &Facet, pair: [u32; 2], cuts: &mut Cuts) {
-    let ends = pair.map(|edge| edges.list[edge as usize].ends);
+    let ends = pair.each(|edge| edges.list[edge as usize].ends);
     let mut touches = false;
     for (own, other) in [(0, 1), (1, 0)] {
         for point in ends[other] {
@@ -173,7 +175,7 @@ fn compare_pair(points: &mut PointSet, edges: &EdgeTable, facet: &Facet, pair: [
         return;
     }
     let share = (d - c).perp_dot(c - a) / (d - c).perp_dot(b - a);
-    let [from, to] = first.map(|end| points.at[end as usize]);
+    let [from, to] = first.each(|end| points.at[end as usize]);
     let point = points.number(from + (to - from) * share.clamp(0.0, 1.0));
     for own in 0..2 {
         if !ends[own].contains(&point) {

@@ -4,7 +4,7 @@
 //! work for `n` facets over each other would grow with the third power of `n`.
 
 use super::budget::Budget;
-use super::cell::{Cell, GraphLine, LineGraph, double_area};
+use super::cell::{self, Cell, GraphLine, double_area};
 use super::edge_table::{EdgeOwner, EdgeTable, NO_CORNER};
 use super::facet::Facet;
 use super::meeting::dividing_edges;
@@ -12,6 +12,7 @@ use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::sheet::SheetSource;
 use crate::geometry::disjoint::DisjointSets;
+use crate::value::small_sort::SmallSort;
 
 /// The groups of overlapping facets. While lines are divided, each group is a facet behind the facets proper, which has the lines
 /// of all its members; members have those of their outlines alone.
@@ -75,7 +76,7 @@ impl PlaneGroups {
         budget: &mut Budget,
     ) -> Result<(), BooleanError> {
         let area = |facets: &[Facet], number: u32| facets[number as usize].double_area(points).abs();
-        set.sort_by(|&a, &b| area(facets, b).total_cmp(&area(facets, a)));
+        set.small_sort_by(|&a, &b| area(facets, b).total_cmp(&area(facets, a)));
         while 1 < set.len() {
             budget.spend(set.iter().map(|facet| facets[*facet as usize].corners.len()).sum())?;
             let plane = &facets[set[0] as usize];
@@ -83,7 +84,7 @@ impl PlaneGroups {
             let (mut members, others): (Vec<u32>, Vec<u32>) =
                 set.iter().partition(|facet| facets[**facet as usize].corners.iter().all(is_on));
             if 1 < members.len() {
-                members.sort_unstable();
+                members.small_sort();
                 let number = facets.len() as u32;
                 members.iter().for_each(|facet| self.group_of[*facet as usize] = Some(number));
                 facets.push(plane.without_outline());
@@ -139,7 +140,7 @@ impl PlaneGroups {
                 GraphLine { ends: edge.ends, count }
             };
             let lines: Vec<GraphLine<Vec<SheetSource>>> = plane.lines.iter().map(line).collect();
-            let mut cells = LineGraph::new(&lines, |point| plane.flat(points.at[point as usize]))?.cells(budget)?;
+            let mut cells = cell::cells(&lines, &|point| plane.flat(points.at[point as usize]), budget)?;
             for cell in &mut cells {
                 cell.inner.iter_mut().for_each(|line| *line = plane.lines[*line as usize]);
                 let area = double_area(points, plane, &cell.rings);

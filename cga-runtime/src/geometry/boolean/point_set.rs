@@ -1,5 +1,6 @@
 //! The points of an arrangement. No two of them are closer than its epsilon.
 
+use crate::value::each::Each;
 use std::collections::HashMap;
 
 use glam::DVec3;
@@ -28,7 +29,7 @@ impl PointSet {
     /// The nearest point within epsilon of a place; a new point if there is none.
     pub(super) fn number(&mut self, place: DVec3) -> u32 {
         let size = CELL_SIZE * self.epsilon;
-        let cell = |place: DVec3| (place / size).floor().to_array().map(|steps| steps as i64);
+        let cell = |place: DVec3| (place / size).floor().to_array().each(|steps| steps as i64);
         let [low, high] = [cell(place - self.epsilon), cell(place + self.epsilon)];
         let mut nearest = (self.epsilon * self.epsilon, NONE);
         for x in low[0]..=high[0] {
@@ -60,7 +61,7 @@ impl PointSet {
         if point == a || point == b {
             return None;
         }
-        let [from, to, place] = [a, b, point].map(|number| self.at[number as usize]);
+        let [from, to, place] = [a, b, point].each(|number| self.at[number as usize]);
         let whole = to - from;
         let length = whole.length();
         let along = (place - from).dot(whole) / length;

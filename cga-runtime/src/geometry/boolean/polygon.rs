@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::budget::Budget;
-use super::cell::{GraphLine, LineGraph};
+use super::cell::{self, GraphLine};
 use super::component_tags::EdgeTags;
 use super::edge_table::{EdgeTable, NO_CORNER};
 use super::facet::Facet;
@@ -11,6 +11,7 @@ use super::point_set::PointSet;
 use super::selection::ChosenSheet;
 use super::sheet::Sheets;
 use crate::geometry::disjoint::DisjointSets;
+use crate::value::each::Each;
 
 /// A corner of a polygon, and the edge that starts there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,7 +86,7 @@ impl PolygonMaker<'_> {
         for (_, uses) in self.sheets.fans() {
             let mut here = uses.iter().map(|used| number_of[used.sheet as usize]).filter(|number| *number != NO_CORNER);
             let (Some(a), Some(b), None) = (here.next(), here.next(), here.next()) else { continue };
-            let [first, second] = [a, b].map(|number| &chosen[number as usize]);
+            let [first, second] = [a, b].each(|number| &chosen[number as usize]);
             if a != b && are_alike(first, second) && self.is_turned(first) == self.is_turned(second) {
                 sets.unite(a, b);
             }
@@ -150,8 +151,8 @@ impl PolygonMaker<'_> {
         } else {
             let lines: Vec<GraphLine<i32>> =
                 net.iter().map(|(ends, (count, _))| GraphLine { ends: *ends, count: *count }).collect();
-            let graph = LineGraph::new(&lines, |point| facet.flat(self.points.at[point as usize])).ok()?;
-            let mut cells = graph.cells(budget).ok()?;
+            let flat = |point: u32| facet.flat(self.points.at[point as usize]);
+            let mut cells = cell::cells(&lines, &flat, budget).ok()?;
             let cell = cells.pop().filter(|cell| cell.winding == 1 && cells.is_empty())?;
             cell.rings
         };

@@ -10,6 +10,7 @@ use super::point_set::PointSet;
 use super::sheet::Sheet;
 use super::shell::ShellKind;
 use crate::geometry::triangulate::Triangulator;
+use crate::value::each::Each;
 
 /// A ray that passes the rim of a facet at less than this many epsilons is not used.
 const CLEARANCE: f64 = 16.0;
@@ -134,11 +135,11 @@ impl RayCaster<'_> {
         let mut triangles = Vec::new();
         Triangulator::new().polygon(&flat, &ends, &mut triangles);
         let area = |triangle: &[u32; 3]| {
-            let [a, b, c] = triangle.map(|corner| flat[corner as usize]);
+            let [a, b, c] = triangle.each(|corner| flat[corner as usize]);
             (b - a).perp_dot(c - a)
         };
         let largest = triangles.iter().max_by(|a, b| area(a).total_cmp(&area(b)))?;
-        Some(largest.map(at))
+        Some(largest.each(at))
     }
 }
 

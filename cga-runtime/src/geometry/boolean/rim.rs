@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use super::bounds_tree::{BoundsTree, overlap};
 use crate::geometry::mesh::Bounds;
+use crate::value::each::Each;
 
 /// Facets with at most this many corners have no tree: a look at all their edges is as fast.
 pub(super) const MOST_WITHOUT_TREE: usize = 64;
@@ -20,7 +21,7 @@ impl RimTree {
     /// The tree of some edges. `at` gives the place of a corner, and `reach` is added to the boxes.
     pub(super) fn new(edges: Vec<[usize; 2]>, at: impl Fn(usize) -> DVec2, reach: f64) -> Self {
         let around = |edge: &[usize; 2]| {
-            let Bounds { low, high } = Bounds::of(edge.map(|corner| at(corner).extend(0.0)));
+            let Bounds { low, high } = Bounds::of(edge.each(|corner| at(corner).extend(0.0)));
             Bounds { low: low - reach, high: high + reach }
         };
         let boxes: Vec<Bounds> = edges.iter().map(around).collect();

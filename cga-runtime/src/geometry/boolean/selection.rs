@@ -6,6 +6,8 @@ use super::ray::RayCaster;
 use super::sheet::{Sheet, SheetSide, SheetSource, Sheets};
 use super::surface::{inside_surface, surface_winding};
 use super::winding::Windings;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// A sheet of the result.
 pub(super) struct ChosenSheet {
@@ -41,7 +43,7 @@ pub(super) fn choose(
                 is_in(side) || (0 < winding) == (side == SheetSide::Back)
             }
         };
-        let [front, back] = SheetSide::BOTH.map(|side| [inside(0, side), inside(1, side)]);
+        let [front, back] = SheetSide::BOTH.each(|side| [inside(0, side), inside(1, side)]);
         if op.keeps(front) != op.keeps(back) {
             let is_reversed = op.keeps(front);
             let sources = sources(op, sheet, rays, front[0] != back[0]);
@@ -57,7 +59,7 @@ fn sources(op: BooleanOp, sheet: &Sheet, rays: &RayCaster<'_>, is_rim_of_first: 
         op != BooleanOp::Subtract || is_rim_of_first == (rays.operands[source.facet as usize] == 0)
     };
     let mut found: Vec<u32> = sheet.sources.iter().filter(counts).map(|source| source.facet).collect();
-    found.sort_unstable();
+    found.small_sort();
     found
 }
 
@@ -68,7 +70,7 @@ pub(super) fn choose_in_plane(op: BooleanOp, sheets: &Sheets, rays: &RayCaster<'
     let first = rays.operands.iter().position(|operand| *operand == 0);
     let mut chosen = Vec::new();
     for (number, sheet) in (0..).zip(&sheets.list) {
-        let has = [0, 1].map(|which| sheet.sources.iter().any(|source| operand(source) == which));
+        let has = [0, 1].each(|which| sheet.sources.iter().any(|source| operand(source) == which));
         if !op.keeps(has) {
             continue;
         }

@@ -3,6 +3,8 @@
 //! Around an edge, the sheets that have it are in the order of their angles. So the space at the edge is divided into wedges,
 //! each between a side of a sheet and a side of the next one.
 
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use std::collections::HashMap;
 
 use glam::DVec2;
@@ -132,16 +134,16 @@ impl Sheets {
         for Cell { winding, rings, inner } in cells {
             let new = Sheet { sources: winding, rings, inner };
             let mut outline: Vec<[u32; 2]> = new.rim().map(|[a, b]| [a.min(b), a.max(b)]).collect();
-            outline.sort_unstable();
+            outline.small_sort();
             let number = *known.entry(outline).or_insert(list.len() as u32);
             match list.get_mut(number as usize) {
                 None => list.push(new),
                 Some(sheet) => {
-                    let [own, front] = [new.facet(), sheet.facet()].map(|facet| facets[facet as usize].normal);
+                    let [own, front] = [new.facet(), sheet.facet()].each(|facet| facets[facet as usize].normal);
                     let sign = if 0.0 < own.dot(front) { 1 } else { -1 };
                     let turned = |one: SheetSource| SheetSource { winding: sign * one.winding, ..one };
                     sheet.sources.extend(new.sources.into_iter().map(turned));
-                    sheet.sources.sort_unstable();
+                    sheet.sources.small_sort();
                     sheet.inner.extend(new.inner);
                 }
             }
@@ -152,9 +154,9 @@ impl Sheets {
                 let edge = edges.find(ends).ok_or(BooleanError::Tangled)?;
                 all.push((edge, EdgeUse { sheet: number, is_left: ends[0] < ends[1] }));
             }
-            let both = |edge: u32| [true, false].map(|is_left| (edge, EdgeUse { sheet: number, is_left }));
+            let both = |edge: u32| [true, false].each(|is_left| (edge, EdgeUse { sheet: number, is_left }));
             let mut inner = sheet.inner.clone();
-            inner.sort_unstable();
+            inner.small_sort();
             inner.dedup();
             all.extend(inner.into_iter().flat_map(both));
         }
@@ -178,7 +180,7 @@ impl Sheets {
         };
         let mut fan: Vec<(DVec2, EdgeUse)> = group.iter().map(direction).collect();
         let is_low = |at: DVec2| at.y < 0.0 || (at.y == 0.0 && at.x < 0.0);
-        fan.sort_by(|(a, _), (b, _)| {
+        fan.small_sort_by(|(a, _), (b, _)| {
             is_low(*a).cmp(&is_low(*b)).then_with(|| 0.0f64.total_cmp(&(a.perp_dot(*b) + 0.0)))
         });
         let next = fan.iter().cycle().skip(1);

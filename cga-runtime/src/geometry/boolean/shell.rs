@@ -4,6 +4,7 @@ use super::edge_table::EdgeTable;
 use super::facet::Facet;
 use super::point_set::PointSet;
 use crate::geometry::disjoint::DisjointSets;
+use crate::value::small_sort::SmallSort;
 
 /// The part that a facet has in its mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,7 +80,7 @@ fn is_closed(edges: &EdgeTable, facets: &[Facet], shell: &[u32]) -> bool {
         let lines = facets[facet as usize].lines.iter();
         uses.extend(lines.map(|&line| (line, edges.owner(line, facet).map_or(0, |owner| owner.count))));
     }
-    uses.sort_unstable();
+    uses.small_sort();
     uses.chunk_by(|a, b| a.0 == b.0).all(|here| here.iter().map(|used| used.1).sum::<i32>() == 0)
 }
 

@@ -1,5 +1,6 @@
 //! Drops points that a result does not need.
 
+use crate::value::each::Each;
 use std::collections::HashMap;
 
 use super::edge_table::NO_CORNER;
@@ -38,7 +39,7 @@ pub(super) fn drop_straight(points: &PointSet, polygons: &mut Vec<ResultPolygon>
 fn may_go(points: &PointSet, last: &PolygonCorner, corner: &PolygonCorner, next: u32) -> bool {
     let is_inside = last.along == corner.along && last.tags == corner.tags;
     let is_same_edge = corner.along[0] != NO_CORNER;
-    let [a, b, c] = [last.point, corner.point, next].map(|point| points.at[point as usize]);
+    let [a, b, c] = [last.point, corner.point, next].each(|point| points.at[point as usize]);
     let whole = c - a;
     let share = (b - a).dot(whole) / whole.length_squared();
     let is_straight = || 0.0 < share && share < 1.0 && (b - a - whole * share).length() <= 2.0 * points.epsilon;

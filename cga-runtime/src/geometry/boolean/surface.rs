@@ -17,6 +17,7 @@ use super::sheet::{EdgeUse, SheetSide, Sheets};
 use super::shell::ShellKind;
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::triangulate::Triangulator;
+use crate::value::each::Each;
 
 /// The cost of the solid angle of a triangle, in comparisons.
 const ANGLE_COST: usize = 4;
@@ -112,7 +113,7 @@ impl SurfaceTriangles {
             }));
             triangles.clear();
             triangulator.polygon(&flat, &ends, &mut triangles);
-            found.extend(triangles.iter().map(|triangle| (*winding, triangle.map(|corner| corners[corner as usize]))));
+            found.extend(triangles.iter().map(|triangle| (*winding, triangle.each(|corner| corners[corner as usize]))));
         }
         SurfaceTriangles(found)
     }
@@ -139,7 +140,7 @@ impl SurfaceTriangles {
 
 /// The solid angle of a triangle as seen from a place, positive from behind.
 fn solid_angle(points: &PointSet, eye: DVec3, triangle: [u32; 3]) -> f64 {
-    let [a, b, c] = triangle.map(|point| points.at[point as usize] - eye);
+    let [a, b, c] = triangle.each(|point| points.at[point as usize] - eye);
     let [x, y, z] = [a.length(), b.length(), c.length()];
     let triple = a.dot(b.cross(c));
     let sum = x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y;

@@ -10,6 +10,7 @@ use super::ray::{Around, RayCaster};
 use super::sheet::{SheetSide, Sheets};
 use super::shell::ShellKind;
 use crate::geometry::disjoint::DisjointSets;
+use crate::value::each::Each;
 
 /// The closed shells of each operand around both sides of each sheet.
 pub(super) struct Windings(Vec<[Around; 2]>);
@@ -71,7 +72,7 @@ impl Windings {
             }
         }
         let value = |sheet, side| known[space(sheet, side) as usize].unwrap_or_default();
-        Ok(Windings((0..count as u32).map(|sheet| SheetSide::BOTH.map(|side| value(sheet, side))).collect()))
+        Ok(Windings((0..count as u32).map(|sheet| SheetSide::BOTH.each(|side| value(sheet, side))).collect()))
     }
 }
 

@@ -7,6 +7,8 @@ use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::TOUCH_EPSILON;
 use crate::geometry::triangulate::{PlaneProjection, filling, is_filled};
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The limit on pairs of edges of a face that are compared. Further edges of larger faces count as apart.
 const MOST_PAIRS: usize = 1 << 22;
@@ -22,7 +24,9 @@ pub(super) fn will_break(mesh: &Mesh, face: usize, targets: &[u32]) -> bool {
     }
     let (before, after) = (mesh.face(face).area_vector(), area_after(mesh, face, targets));
     before.dot(after) < 0.0
-        || (before != DVec3::ZERO && after != DVec3::ZERO && will_cross(mesh, face, targets, [before, after].map(unit)))
+        || (before != DVec3::ZERO
+            && after != DVec3::ZERO
+            && will_cross(mesh, face, targets, [before, after].each(unit)))
 }
 
 /// The area vector of a face whose points are at the places of their targets.
@@ -38,21 +42,21 @@ fn area_after(mesh: &Mesh, face: usize, targets: &[u32]) -> DVec3 {
 fn will_cross(mesh: &Mesh, face: usize, targets: &[u32], normals: [DVec3; 2]) -> bool {
     let face = mesh.face(face);
     let target = |point: u32| targets[point as usize];
-    let planes = normals.map(PlaneProjection::along);
+    let planes = normals.each(PlaneProjection::along);
     let cross = |plane: &PlaneProjection, [a, b]: [u32; 2], [c, d]: [u32; 2]| {
         if a == c || a == d || b == c || b == d {
             return false;
         }
-        let [a, b, c, d] = [a, b, c, d].map(|point| plane.apply(mesh.points[point as usize]));
+        let [a, b, c, d] = [a, b, c, d].each(|point| plane.apply(mesh.points[point as usize]));
         let overlap = a.min(b).cmple(c.max(d)).all() && c.min(d).cmple(a.max(b)).all();
         overlap && orient(a, b, c) * orient(a, b, d) <= 0 && orient(c, d, a) * orient(c, d, b) <= 0
     };
-    let edges: Vec<[u32; 2]> = face.edges().map(|edge| edge.map(|corner| mesh.corners[corner])).collect();
+    let edges: Vec<[u32; 2]> = face.edges().map(|edge| edge.each(|corner| mesh.corners[corner])).collect();
     let most = MOST_PAIRS / edges.len();
-    let mut moved = edges.iter().copied().filter(|edge| edge.map(target) != *edge).take(most);
+    let mut moved = edges.iter().copied().filter(|edge| edge.each(target) != *edge).take(most);
     let crosses = |edge: [u32; 2]| {
-        let now = edge.map(target);
-        let crosses = |other: [u32; 2]| cross(&planes[1], now, other.map(target)) && !cross(&planes[0], edge, other);
+        let now = edge.each(target);
+        let crosses = |other: [u32; 2]| cross(&planes[1], now, other.each(target)) && !cross(&planes[0], edge, other);
         now[0] != now[1] && edges.iter().any(|&other| crosses(other))
     };
     moved.any(crosses)
@@ -82,7 +86,7 @@ pub(super) fn is_simple(mesh: &Mesh, loops: &[Vec<u32>], normal: DVec3) -> bool 
     let near = TOUCH_EPSILON * (high - low).max_element();
     // The ends of an edge are on both sides of a line, and not near it.
     let is_across = |[a, b]: [DVec2; 2], ends: [DVec2; 2]| {
-        let [from, to] = ends.map(|end| (b - a).perp_dot(end - a) / (b - a).length());
+        let [from, to] = ends.each(|end| (b - a).perp_dot(end - a) / (b - a).length());
         from < -near && near < to || to < -near && near < from
     };
     let crosses = |one: [DVec2; 2], other: [DVec2; 2]| {
@@ -106,6 +110,7 @@ pub(super) fn is_simple(mesh: &Mesh, loops: &[Vec<u32>], normal: DVec3) -> bool 
 }
 
 /// A way of a loop through a point.
+#[derive(Clone, Copy)]
 struct Passage {
     /// The point, and the one that it was.
     at: u32,
@@ -136,7 +141,7 @@ fn will_cross_at_points<'m>(
             after: near(k + 1),
         }));
     }
-    passages.sort_by_key(|passage| passage.at);
+    passages.small_sort_by_key(|passage| passage.at);
     let cross = |one: &Passage, other: &Passage| {
         let [centre, a, b, c, d] = [one.at, one.before, one.after, other.before, other.after].map(&flat);
         one.was != other.was && do_cross(centre, [a, b], [c, d])

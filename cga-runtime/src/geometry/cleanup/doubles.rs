@@ -7,6 +7,8 @@ use super::values::{have_same_attributes, have_same_texture};
 use super::{add_face, without_faces};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::tol::VOLUME_EPSILON;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// A face that has the same corners as others.
 #[derive(Clone, Copy)]
@@ -53,7 +55,7 @@ pub(super) fn without_doubles(mesh: &Mesh, flat: FlatParts) -> Option<Mesh> {
 /// The faces to remove from a part with these faces and sets of doubles.
 fn gone(mesh: &Mesh, faces: &[u32], sets: &[&Vec<Double>], flat: FlatParts) -> Vec<u32> {
     let mut gone: Vec<u32> = sets.iter().flat_map(|set| &set[1..]).map(|double| double.face).collect();
-    gone.sort_unstable();
+    gone.small_sort();
     if gone.is_empty() || !is_closed(mesh, faces, &[]) || is_closed(mesh, faces, &gone) {
         return gone;
     }
@@ -123,7 +125,7 @@ fn canonical(mesh: &Mesh, face: u32) -> (Vec<u32>, Vec<u32>, bool) {
     for (number, ring) in face.loop_ranges().enumerate() {
         let ahead: Vec<u32> = (ring.start as u32..ring.end as u32).collect();
         let back: Vec<u32> = ahead.iter().rev().copied().collect();
-        let [ahead, back] = [ahead, back].map(|ring| least_turn(mesh, ring));
+        let [ahead, back] = [ahead, back].each(|ring| least_turn(mesh, ring));
         if number == 0 {
             is_along = ahead.0 <= back.0;
         }

@@ -7,6 +7,7 @@ use super::regions::{KEPT, Removal, joined};
 use super::slivers::neighbour;
 use super::values::{continue_over, have_same_attributes};
 use crate::geometry::mesh::Mesh;
+use crate::value::each::Each;
 
 /// The face of a region that is not found yet.
 const UNKNOWN: u32 = u32::MAX;
@@ -20,9 +21,9 @@ pub(super) fn without_flat_edges(mesh: &Mesh, limits: &Limits) -> Option<Mesh> {
     let mut open = Removal::none(mesh);
     for corner in 0..mesh.corners.len() as u32 {
         let Some(other) = neighbour(mesh, corner).filter(|&other| corner < other) else { continue };
-        let [one, two] = [corner, other].map(|corner| adjacency.face(corner));
-        let ends = [corner, other].map(|corner| mesh.corners[corner as usize]);
-        let [a, b] = [one, two].map(|face| normals[face as usize]);
+        let [one, two] = [corner, other].each(|corner| adjacency.face(corner));
+        let ends = [corner, other].each(|corner| mesh.corners[corner as usize]);
+        let [a, b] = [one, two].each(|face| normals[face as usize]);
         let may_vanish = (a == DVec3::ZERO || b == DVec3::ZERO || limits.are_parallel(a, b))
             && have_same_attributes(mesh, one, two)
             && mesh.edge_tags(ends).is_none()
@@ -49,7 +50,7 @@ pub(super) fn without_flat_edges(mesh: &Mesh, limits: &Limits) -> Option<Mesh> {
     }
     for (corner, &mate) in (0..).zip(&open.mates) {
         if mate != KEPT {
-            let [one, two] = [corner, mate].map(|corner| removal.regions[adjacency.face(corner) as usize]);
+            let [one, two] = [corner, mate].each(|corner| removal.regions[adjacency.face(corner) as usize]);
             if one == two {
                 removal.remove(corner, mate);
             }

@@ -7,6 +7,7 @@ use glam::DVec3;
 use super::crossing::will_break;
 use super::{add_loops, without_faces};
 use crate::geometry::mesh::{Mesh, SubcomponentTagger};
+use crate::value::each::Each;
 
 /// The limit on attempts to merge without turning faces over and without crossings. After that only points at one place are merged.
 const MOST_ROUNDS: usize = 16;
@@ -81,7 +82,7 @@ fn corners([low, high]: [DVec3; 2]) -> impl Iterator<Item = DVec3> {
 }
 
 fn key(cell: DVec3) -> [u64; 3] {
-    (cell + 0.0).to_array().map(f64::to_bits)
+    (cell + 0.0).to_array().each(f64::to_bits)
 }
 
 fn with_targets(mesh: &Mesh, targets: &[u32]) -> Mesh {
@@ -104,7 +105,7 @@ fn with_targets(mesh: &Mesh, targets: &[u32]) -> Mesh {
     }
     made.corners.iter_mut().for_each(|point| *point = target(*point));
     let mut tagger = SubcomponentTagger::default();
-    tagger.append(&mesh.subcomponent_tags, target);
+    tagger.append(&mesh.subcomponent_tags, &target);
     made.subcomponent_tags = tagger.finish();
     made
 }

@@ -2,6 +2,8 @@
 
 use super::regions::{Removal, joined};
 use crate::geometry::mesh::Mesh;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The edges with tags that one face has in both directions, as pairs of points in order.
 pub(super) fn tagged_slits(mesh: &Mesh) -> Vec<[u32; 2]> {
@@ -15,7 +17,7 @@ pub(super) fn tagged_slits(mesh: &Mesh) -> Vec<[u32; 2]> {
     };
     let slits = (0..adjacency.edge_count()).filter(is_slit).map(|edge| ends(mesh, adjacency.uses(edge)[0]));
     let mut found: Vec<[u32; 2]> = slits.filter(|&ends| mesh.edge_tags(ends).is_some()).map(sorted).collect();
-    found.sort_unstable();
+    found.small_sort();
     found
 }
 
@@ -48,5 +50,5 @@ fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
 }
 
 fn ends(mesh: &Mesh, corner: u32) -> [u32; 2] {
-    [corner, mesh.adjacency().next(corner)].map(|corner| mesh.corners[corner as usize])
+    [corner, mesh.adjacency().next(corner)].each(|corner| mesh.corners[corner as usize])
 }

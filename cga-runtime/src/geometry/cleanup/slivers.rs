@@ -5,6 +5,7 @@ use super::values::have_same_attributes;
 use super::{Limits, values};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::tol::FLAT_EPSILON;
+use crate::value::each::Each;
 
 /// The mesh without faces that have no area because their corners are on a line, where a neighbour has their longest edge: the
 /// neighbour gets their other corners. So a closed mesh stays closed. `None` if no face is removed.
@@ -21,7 +22,7 @@ pub(super) fn without_slivers(mesh: &Mesh, limits: &Limits) -> Option<Mesh> {
             && removal.mates[other as usize] == KEPT
             && have_same_attributes(mesh, face, into)
             && values::continue_over(mesh, longest, other, limits)
-            && mesh.edge_tags([longest, other].map(|corner| mesh.corners[corner as usize])).is_none();
+            && mesh.edge_tags([longest, other].each(|corner| mesh.corners[corner as usize])).is_none();
         if fits {
             (is_used[face as usize], is_used[into as usize]) = (true, true);
             removal.remove(longest, other);
@@ -50,7 +51,7 @@ fn longest_edge_of_sliver(mesh: &Mesh, face: u32) -> Option<u32> {
     }
     let length = |[a, b]: [usize; 2]| face.position(a).distance(face.position(b));
     let longest = face.edges().max_by(|&a, &b| length(a).total_cmp(&length(b)))?;
-    let [from, to] = longest.map(|corner| face.position(corner));
+    let [from, to] = longest.each(|corner| face.position(corner));
     let along = (to - from) / from.distance(to);
     let on_line = |corner: usize| (face.position(corner) - from).cross(along).length() <= FLAT_EPSILON;
     face.corner_range().all(on_line).then_some(longest[0] as u32)

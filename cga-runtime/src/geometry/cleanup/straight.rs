@@ -6,6 +6,7 @@ use super::crossing::will_break;
 use super::values::are_between;
 use super::{Limits, add_loops, without_faces};
 use crate::geometry::mesh::{Mesh, SubcomponentTagger, unit};
+use crate::value::each::Each;
 
 /// The mesh without points between two edges that form a straight line in all faces at the point. An edge that replaces others
 /// deviates from them by less than the limits, so that an arc of many edges keeps its form. Points with tags stay, and so do those
@@ -46,13 +47,13 @@ fn link(mesh: &Mesh, point: usize, limits: &Limits) -> Option<[u32; 2]> {
     let adjacency = mesh.adjacency();
     let corners = adjacency.at(point);
     let around =
-        |corner: u32| [adjacency.before(corner), adjacency.next(corner)].map(|near| mesh.corners[near as usize]);
+        |corner: u32| [adjacency.before(corner), adjacency.next(corner)].each(|near| mesh.corners[near as usize]);
     let [a, b] = around(*corners.first()?);
     let is_same = |corner: &u32| [[a, b], [b, a]].contains(&around(*corner));
     if a == b || !corners.iter().all(is_same) || mesh.vertex_tags(point as u32).is_some() {
         return None;
     }
-    let [from, at, to] = [a, point as u32, b].map(|point| mesh.points[point as usize]);
+    let [from, at, to] = [a, point as u32, b].each(|point| mesh.points[point as usize]);
     let is_straight = limits.are_parallel(unit(at - from), unit(to - at));
     let have_same_tags = mesh.edge_tags([a, point as u32]) == mesh.edge_tags([point as u32, b]);
     (is_straight && have_same_tags && corners.iter().all(|&corner| are_between(mesh, corner, limits))).then_some([a, b])
@@ -162,7 +163,7 @@ fn without(mesh: &Mesh, targets: &[u32]) -> Mesh {
     };
     let keeps_holes = mesh.is_closed();
     let mut tagger = SubcomponentTagger::default();
-    tagger.append(&mesh.subcomponent_tags, |point| point);
+    tagger.append(&mesh.subcomponent_tags, &|point| point);
     for face in mesh.faces() {
         let mut loops = Vec::with_capacity(face.loops().len());
         for ring in face.loop_ranges() {
@@ -177,7 +178,7 @@ fn without(mesh: &Mesh, targets: &[u32]) -> Mesh {
                     let next = kept[(place + 1) % kept.len()];
                     let after = mesh.adjacency().next(corner);
                     if after != next {
-                        let [from, over, to] = [corner, after, next].map(|corner| mesh.corners[corner as usize]);
+                        let [from, over, to] = [corner, after, next].each(|corner| mesh.corners[corner as usize]);
                         if let Some(tags) = mesh.edge_tags([from, over]) {
                             tagger.edge([from, to], tags);
                         }

@@ -5,13 +5,14 @@ use glam::{DVec2, DVec3};
 use super::Limits;
 use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::tol::{FLAT_ANGLE_EPSILON, TEXTURE_EPSILON};
+use crate::value::each::Each;
 
 /// The limit on corners of a face that are searched for the one that tells how the texture continues.
 const MOST_CORNERS: usize = 8;
 
 /// Returns true if two faces have equal attributes.
 pub(super) fn have_same_attributes(mesh: &Mesh, one: u32, other: u32) -> bool {
-    let [a, b] = [one, other].map(|face| mesh.tags[face as usize]);
+    let [a, b] = [one, other].each(|face| mesh.tags[face as usize]);
     let group = |tag: FaceTag| mesh.groups.get(tag.group as usize);
     let material = |tag: FaceTag| mesh.materials.get(tag.material as usize);
     let names = |tag: FaceTag| mesh.tag_sets.get(tag.tags as usize).map_or(&[][..], |set| set.names());
@@ -67,7 +68,7 @@ fn gradients_continue(mesh: &Mesh, one: u32, other: u32, limits: &Limits) -> boo
             .map(place)
             .fold((0.0, 0.0, near as usize), |best, next| if best.0 < next.0 { next } else { best })
     };
-    let [a, b] = [one, other].map(reach);
+    let [a, b] = [one, other].each(reach);
     if a.0.min(b.0) <= limits.flat {
         return true;
     }
@@ -87,11 +88,11 @@ fn gradients_continue(mesh: &Mesh, one: u32, other: u32, limits: &Limits) -> boo
 pub(super) fn are_between(mesh: &Mesh, corner: u32, limits: &Limits) -> bool {
     let adjacency = mesh.adjacency();
     let [before, after] = [adjacency.before(corner), adjacency.next(corner)];
-    let [from, at, to] = [before, corner, after].map(|corner| position(mesh, corner));
+    let [from, at, to] = [before, corner, after].each(|corner| position(mesh, corner));
     let share = from.distance(at) / (from.distance(at) + at.distance(to));
     let bend = FLAT_ANGLE_EPSILON + limits.turn * limits.turn;
     let texture = mesh.uv_numbers().all(|set| {
-        let [from, at, to] = [before, corner, after].map(|corner| mesh.uv_set(set)[corner as usize]);
+        let [from, at, to] = [before, corner, after].each(|corner| mesh.uv_set(set)[corner as usize]);
         are_near(from.lerp(to, share), at, bend * from.distance(to))
     });
     let normal = |corner: u32| mesh.normals[corner as usize];

@@ -17,6 +17,7 @@ use super::turn::is_reflex;
 use crate::geometry::exact::orient;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::{ROUNDING_EPSILON, TIE_EPSILON};
+use crate::value::each::Each;
 
 /// The number of reflex corners near a corner that are tried as the other end of a cut, and the number of nodes of the tree
 /// that are visited for them.
@@ -42,7 +43,7 @@ pub(super) struct Cutter<'n> {
     /// All corners of the face.
     pub(super) corners: Vec<u32>,
     /// The points of the face, each with its corners.
-    at: BTreeSet<(u32, u32)>,
+    at: BTreeSet<[u32; 2]>,
     obstacles: Obstacles,
     /// The number of boxes of obstacles that may still be tested.
     tests_left: Cell<usize>,
@@ -74,7 +75,7 @@ impl<'n> Cutter<'n> {
     /// Adds a corner and its half-edge to the face.
     fn know(&mut self, corner: u32) {
         self.corners.push(corner);
-        self.at.insert((self.net.point(corner), corner));
+        self.at.insert([self.net.point(corner), corner]);
         self.block(corner);
     }
 
@@ -88,7 +89,7 @@ impl<'n> Cutter<'n> {
 
     /// The places of a corner's neighbours, with its own between them.
     fn turn(&self, corner: u32) -> [DVec2; 3] {
-        [self.net.before(corner), corner, self.net.next(corner)].map(|corner| self.flat(corner))
+        [self.net.before(corner), corner, self.net.next(corner)].each(|corner| self.flat(corner))
     }
 
     fn is_reflex(&self, corner: u32) -> bool {
@@ -162,7 +163,7 @@ impl<'n> Cutter<'n> {
         let others: Vec<u32> = (from..self.net.corner_count() as u32)
             .filter(|&corner| {
                 let before = self.net.before(corner);
-                corner == own || self.at.contains(&(self.net.point(before), before))
+                corner == own || self.at.contains(&[self.net.point(before), before])
             })
             .collect();
         others.into_iter().for_each(|corner| self.know(corner));
@@ -183,10 +184,10 @@ impl<'n> Cutter<'n> {
             };
             ((to - from).length(), target)
         };
-        let onwards = [[before, here], [next, here]].map(|line| self.shoot(corner, line).map(measured));
+        let onwards = [[before, here], [next, here]].each(|line| self.shoot(corner, line).map(measured));
         let mut best = match onwards {
             [Some(one), Some(two)] => {
-                let numbers = [self.net.before(corner), self.net.next(corner)].map(|corner| self.net.point(corner));
+                let numbers = [self.net.before(corner), self.net.next(corner)].each(|corner| self.net.point(corner));
                 Some(if is_first(one, two, numbers) { one } else { two })
             }
             [one, two] => one.or(two),
@@ -212,7 +213,7 @@ impl<'n> Cutter<'n> {
     fn may_join(&self, corner: u32, other: u32) -> bool {
         let apart = self.net.point(corner) != self.net.point(other) && !self.are_neighbours(corner, other);
         apart && self.is_reflex(other) && {
-            let [from, to] = [corner, other].map(|corner| self.flat(corner));
+            let [from, to] = [corner, other].each(|corner| self.flat(corner));
             let mends = |corner: u32, to: DVec2| {
                 let [before, here, next] = self.turn(corner);
                 0 <= orient(before, here, to) && 0 <= orient(to, here, next)
@@ -243,8 +244,8 @@ impl<'n> Cutter<'n> {
         let at_corner = |half: u32| (self.flat(half) - here).dot(way) / way.length_squared();
         let tested = self.obstacles.along(here, way, self.near, &mut reach, |half, reach| {
             let next = self.net.next(half);
-            let [p, q] = [half, next].map(|corner| self.flat(corner));
-            let [side_p, side_q] = [p, q].map(|p| orient(from, to, p));
+            let [p, q] = [half, next].each(|corner| self.flat(corner));
+            let [side_p, side_q] = [p, q].each(|p| orient(from, to, p));
             let mut meet = |along: f64, half: u32, share: Option<f64>| {
                 // The same place may be the end of one edge and the start of the next one.
                 if least < along && (along < *reach || (share.is_none() && along <= *reach)) {
@@ -261,7 +262,7 @@ impl<'n> Cutter<'n> {
             if side_p < 0 && 0 < side_q {
                 let edge = q - p;
                 let [along, share] =
-                    [(p - here).perp_dot(edge), (p - here).perp_dot(way)].map(|area| area / way.perp_dot(edge));
+                    [(p - here).perp_dot(edge), (p - here).perp_dot(way)].each(|area| area / way.perp_dot(edge));
                 let share = share.clamp(0.0, 1.0);
                 let long = edge.length();
                 if share * long <= self.near {
@@ -295,7 +296,7 @@ impl<'n> Cutter<'n> {
             };
             contains && !self.are_neighbours(candidate, corner)
         };
-        self.at.range((point, 0)..=(point, u32::MAX)).map(|&(_, corner)| corner).find(looks)
+        self.at.range([point, 0]..=[point, u32::MAX]).map(|&[_, corner]| corner).find(looks)
     }
 }
 
@@ -303,7 +304,7 @@ impl<'n> Cutter<'n> {
 /// new point, or the one with the lower number, so that the two ends of a prism are cut alike.
 fn is_first(one: (f64, Target), two: (f64, Target), numbers: [u32; 2]) -> bool {
     let is_tie = (one.0 - two.0).abs() <= TIE_EPSILON * one.0.max(two.0);
-    let [first, second] = [one, two].map(|cut| matches!(cut.1, Target::Corner(_)));
+    let [first, second] = [one, two].each(|cut| matches!(cut.1, Target::Corner(_)));
     match is_tie {
         true if first != second => first,
         true => numbers[0] < numbers[1],

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::trace::PartPoint;
+use crate::value::each::Each;
 
 /// The corners of a mesh, linked to loops. The half-edge that starts at a corner has the number of the corner.
 pub(super) struct Net {
@@ -96,7 +97,7 @@ impl Net {
         if self.is_cut(half) {
             return PartPoint::NEW;
         }
-        let [from, to] = [half, self.next(half)].map(|corner| self.origin(self.point(corner)));
+        let [from, to] = [half, self.next(half)].each(|corner| self.origin(self.point(corner)));
         // The whole edge on which this part is.
         let all = [from.ends, to.ends].concat();
         let (Some(&low), Some(&high)) = (all.iter().min(), all.iter().max()) else { return PartPoint::NEW };
@@ -154,7 +155,7 @@ impl Net {
     /// Adds a corner after another one, with values between those of its neighbours.
     fn insert(&mut self, from: u32, point: u32, share: f64) -> u32 {
         let to = self.next(from);
-        let [a, b] = [from, to].map(|corner| corner as usize);
+        let [a, b] = [from, to].each(|corner| corner as usize);
         self.pool.corners.push(point);
         self.pool.uvs.push_own(|list| list[a].lerp(list[b], share));
         if let (Some(&one), Some(&other)) = (self.pool.normals.get(a), self.pool.normals.get(b)) {
@@ -191,8 +192,8 @@ impl Net {
     /// Cuts from a corner to another one that is not its neighbour. Returns the new half-edges at the first and at the second
     /// corner. The old corners keep the half-edges that start there.
     pub(super) fn cut(&mut self, a: u32, b: u32) -> [u32; 2] {
-        let [to_a, to_b] = [a, b].map(|corner| self.before(corner));
-        let [from_a, from_b] = [a, b].map(|corner| self.copy(corner));
+        let [to_a, to_b] = [a, b].each(|corner| self.before(corner));
+        let [from_a, from_b] = [a, b].each(|corner| self.copy(corner));
         self.chain(to_a, from_a);
         self.chain(from_a, b);
         self.chain(to_b, from_b);
@@ -205,8 +206,8 @@ impl Net {
     /// afterwards.
     pub(super) fn remove(&mut self, half: u32) {
         let other = self.mate(half);
-        let [to_half, to_other] = [half, other].map(|half| self.before(half));
-        let [after_half, after_other] = [half, other].map(|half| self.next(half));
+        let [to_half, to_other] = [half, other].each(|half| self.before(half));
+        let [after_half, after_other] = [half, other].each(|half| self.next(half));
         if after_other != half {
             self.chain(to_half, after_other);
         }
@@ -235,7 +236,7 @@ impl Net {
     /// Makes a triangle of corners. Each is a corner, and whether its half-edge keeps its number; otherwise a cut begins at a copy of
     /// the corner. Returns the corners of the new loop.
     pub(super) fn ring_of(&mut self, corners: &[(u32, bool); 3]) -> [u32; 3] {
-        let ring = corners.map(|(corner, keeps)| if keeps { corner } else { self.copy(corner) });
+        let ring = corners.each(|(corner, keeps)| if keeps { corner } else { self.copy(corner) });
         (0..3).for_each(|k| self.chain(ring[k], ring[(k + 1) % 3]));
         ring
     }

@@ -6,6 +6,7 @@ use std::collections::BinaryHeap;
 use glam::DVec2;
 
 use crate::geometry::nesting::extent::Extent;
+use crate::value::small_sort::SmallSort;
 
 /// The largest number of half-edges in a leaf of a tree, and of those in no tree.
 const LEAF: usize = 8;
@@ -134,7 +135,7 @@ impl Obstacles {
                     let start = open.len();
                     let at = |&child: &u32| Some((entry(tree.extent(child), *reach)?, tree, child));
                     open.extend(tree.children(node).iter().filter_map(at));
-                    open[start..].sort_by(|a, b| b.0.total_cmp(&a.0));
+                    open[start..].small_sort_by(|a, b| b.0.total_cmp(&a.0));
                     continue;
                 };
                 tested += leaf.len();

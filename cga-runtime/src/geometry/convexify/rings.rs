@@ -26,7 +26,7 @@ impl Rings {
     pub(super) fn of(net: &mut Net, corners: &[u32], flat: impl Fn(&Net, u32) -> DVec2) -> Self {
         let loops = walk(net, corners);
         let mut ring_of = BTreeMap::new();
-        for (number, ring) in loops.iter().enumerate() {
+        for (number, ring) in (0u32..).zip(&loops) {
             ring_of.extend(ring.iter().map(|&corner| (corner, number)));
         }
         let bridges: Vec<u32> = corners

@@ -10,6 +10,7 @@ use glam::DVec2;
 
 use super::net::Net;
 use crate::geometry::exact::orient;
+use crate::value::small_sort::SmallSort;
 
 /// Corners at touching points, each with the corner whose incoming half-edge it has now.
 pub(super) struct Relinked(Vec<[u32; 2]>);
@@ -33,7 +34,7 @@ impl Relinked {
                 spokes.push((flat(net, net.before(corner)), false, corner));
             }
             // Of two half-edges in one direction, the angle that ends there comes before the one that begins there.
-            spokes.sort_by(|a, b| by_angle(centre, a.0, b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
+            spokes.small_sort_by(|a, b| by_angle(centre, a.0, b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
             let first = spokes.iter().position(|spoke| spoke.1).unwrap_or(0);
             spokes.rotate_left(first);
             if spokes.iter().enumerate().all(|(k, spoke)| spoke.1 == (k % 2 == 0)) {

@@ -8,6 +8,8 @@ use super::rings::{Part, Rings};
 use super::turn::is_reflex;
 use crate::geometry::exact::orient;
 use crate::geometry::triangulate::{Triangulator, is_filled};
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// Divides a face along diagonals between its corners. `None`, with an unchanged face, if the parts are not convex.
 pub(super) fn divide(net: &mut Net, heads: &[u32], plane: &Plane) -> Option<Vec<Part>> {
@@ -18,7 +20,7 @@ pub(super) fn divide(net: &mut Net, heads: &[u32], plane: &Plane) -> Option<Vec<
     let mut triangles = Vec::new();
     Triangulator::new().polygon(&places, &ends, &mut triangles);
     let is_turned = |triangle: &[u32; 3]| {
-        let [a, b, c] = triangle.map(|k| places[k as usize]);
+        let [a, b, c] = triangle.each(|k| places[k as usize]);
         orient(a, b, c) < 0
     };
     if triangles.iter().any(is_turned) {
@@ -30,12 +32,12 @@ pub(super) fn divide(net: &mut Net, heads: &[u32], plane: &Plane) -> Option<Vec<
     let mut diagonals: Vec<u32> =
         all.iter().copied().filter(|&half| net.is_cut(half) && half < net.mate(half)).collect();
     let length = |net: &Net, half: u32| (net.position(half) - net.position(net.next(half))).length();
-    diagonals.sort_by(|&a, &b| length(net, b).total_cmp(&length(net, a)));
+    diagonals.small_sort_by(|&a, &b| length(net, b).total_cmp(&length(net, a)));
     for half in diagonals {
         let ends = [half, net.mate(half)];
         let opens = |net: &Net, half: u32| {
             let after = net.next(net.next(net.mate(half)));
-            !is_reflex([net.before(half), half, after].map(|corner| plane.flat(net, corner)))
+            !is_reflex([net.before(half), half, after].each(|corner| plane.flat(net, corner)))
         };
         // A half-edge is the last one of its loop from the next one on.
         let rest = |half: u32| net.ring(half).skip(1).collect::<Vec<_>>();
@@ -69,8 +71,8 @@ fn add(net: &mut Net, corners: &[u32], triangles: &[[u32; 3]]) -> Vec<u32> {
     let mut all = Vec::with_capacity(3 * triangles.len());
     for triangle in triangles {
         let side = |k: usize| [triangle[k], triangle[(k + 1) % 3]];
-        let list = [0, 1, 2].map(|k| {
-            let [from, to] = side(k).map(|end| end as usize);
+        let list = [0, 1, 2].each(|k| {
+            let [from, to] = side(k).each(|end| end as usize);
             // A loop uses an edge once.
             (corners[from], next[from].take_if(|next| *next == corners[to]).is_some())
         });

@@ -7,12 +7,13 @@ use super::points::{CutPoints, Location, PieceCorner};
 use super::segment::{Segment, comes_first};
 use super::slab::Slab;
 use crate::geometry::mesh::Mesh;
+use crate::value::each::Each;
 
 impl CutPoints {
     /// The crossing of the edge between two corners with the only plane between them.
     #[inline]
     pub(super) fn crossing(&mut self, parts: &mut [Slab], mesh: &Mesh, plane: u32, from: u32, to: u32) -> PieceCorner {
-        let [a, b] = [from, to].map(|corner| mesh.corners[corner as usize]);
+        let [a, b] = [from, to].each(|corner| mesh.corners[corner as usize]);
         let (number, new) = self.edges.entry(a, b, self.levels[plane as usize].flat.len() as u32);
         if new {
             self.make(parts, mesh, a, b, plane..plane + 1);
@@ -30,7 +31,7 @@ impl CutPoints {
     ) {
         for corner in ring.clone() {
             let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
-            let [from, to] = [corner, next].map(|c| PieceCorner::corner(c, self.places[mesh.corners[c] as usize]));
+            let [from, to] = [corner, next].each(|c| PieceCorner::corner(c, self.places[mesh.corners[c] as usize]));
             nodes.push(from);
             self.cross(parts, mesh, from, to, nodes);
         }
@@ -54,7 +55,7 @@ impl CutPoints {
             nodes.push(self.crossing(parts, mesh, planes.start, from.from, to.from));
             return;
         }
-        let [a, b] = [from, to].map(|corner| mesh.corners[corner.from as usize]);
+        let [a, b] = [from, to].each(|corner| mesh.corners[corner.from as usize]);
         let (first, new) = self.edges.entry(a, b, self.crossings.len() as u32);
         if new {
             self.make(parts, mesh, a, b, planes.clone());

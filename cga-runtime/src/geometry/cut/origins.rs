@@ -6,6 +6,7 @@ use super::segment::comes_first;
 use super::state::CutState;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::trace::PartPoint;
+use crate::value::each::Each;
 
 impl CutState {
     /// The origin of each point of each slab, if the mesh needs them.
@@ -33,9 +34,9 @@ impl CutState {
         }
         let axis = self.points.axis;
         for (ends, first) in self.points.edges.all() {
-            let [a, b] = ends.map(|end| self.points.places[end as usize].class);
+            let [a, b] = ends.each(|end| self.points.places[end as usize].class);
             let planes = ClassRange::between(a, b).planes();
-            let [p, q] = ends.map(|end| mesh.points[end as usize]);
+            let [p, q] = ends.each(|end| mesh.points[end as usize]);
             // Both orders of the ends give the same share.
             let (ends, from, to) = if comes_first(p, q) { (ends, p, q) } else { ([ends[1], ends[0]], q, p) };
             for (plane, index) in planes.clone().zip(0..) {

@@ -14,6 +14,7 @@ use super::points::NONE;
 use super::{Cutter, OpenChain, Slabs};
 use crate::geometry::Frame;
 use crate::geometry::mesh::{Mesh, unit};
+use crate::value::each::Each;
 
 /// An oriented plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,7 +93,7 @@ impl Cutter {
         self.state.points.planes.clear();
         self.state.points.planes.push(0.0);
         self.cut_faces(&local);
-        let without_caps = [0, 1].map(|side: usize| self.state.parts[side].mesh.corners.len());
+        let without_caps = [0, 1].each(|side: usize| self.state.parts[side].mesh.corners.len());
         let mut slabs = Slabs::default();
         let mut open = Vec::new();
         if close {

@@ -10,6 +10,7 @@ use super::class::Class;
 use super::edges::Edges;
 use super::segment::Segment;
 use crate::geometry::mesh::Mesh;
+use crate::value::each::Each;
 
 /// The number of a point without a number yet.
 pub(super) const NONE: u32 = u32::MAX;
@@ -157,7 +158,7 @@ impl CutPoints {
             list[place.number as usize] = *point;
         }
         for (ends, number) in self.edges.all() {
-            let [a, b] = ends.map(|end| (own[end as usize], cut[end as usize][self.axis]));
+            let [a, b] = ends.each(|end| (own[end as usize], cut[end as usize][self.axis]));
             list[number as usize] = Segment::between(a, b).meet(self.planes[0]).0;
         }
         list

@@ -7,6 +7,7 @@ use crate::geometry::cut::caps::sheets::Sheets;
 use crate::geometry::cut::slab::Slab;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::{FaceTag, Mesh};
+use crate::value::each::Each;
 
 /// A cut in progress.
 #[derive(Default)]
@@ -143,7 +144,7 @@ impl CutState {
         for ring in mesh.face(face).loops() {
             let mut last = ring[ring.len() - 1];
             for &here in ring {
-                let [a, b] = [last, here].map(|point| self.points.places[point as usize]);
+                let [a, b] = [last, here].each(|point| self.points.places[point as usize]);
                 if b.class.is_on_plane() && a.class == b.class {
                     let plane = b.class.plane();
                     self.rim.edge(plane, a.number, b.number, PlaneSide::of(slab, plane));
@@ -170,7 +171,7 @@ impl CutState {
     fn is_above_by_rule(&mut self, mesh: &Mesh, face: usize, plane: u32) -> bool {
         let view = mesh.face(face);
         if let [a, b, c] = mesh.corners[view.corner_range()] {
-            let corners = [a, b, c].map(|point| self.points.places[point as usize]);
+            let corners = [a, b, c].each(|point| self.points.places[point as usize]);
             return self.is_triangle_above(mesh, corners, plane);
         }
         self.is_facing_above(mesh, view.normal()[self.points.axis])
@@ -180,7 +181,7 @@ impl CutState {
     /// narrowest piece of a face.
     pub(super) fn is_triangle_above(&mut self, mesh: &Mesh, corners: [Location; 3], plane: u32) -> bool {
         let flat = &self.points.levels[plane as usize].flat;
-        let [a, b, c] = corners.map(|corner| flat[corner.number as usize]);
+        let [a, b, c] = corners.each(|corner| flat[corner.number as usize]);
         self.is_facing_above(mesh, f64::from(orient(a, b, c)))
     }
 

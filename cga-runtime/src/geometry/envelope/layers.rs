@@ -15,6 +15,8 @@ use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::Contour;
 use crate::geometry::skeleton::{self, Failure, Speeds, Strip};
 use crate::geometry::tol::PLANAR_EPSILON;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 impl From<Failure> for EnvelopeRefusal {
     fn from(failure: Failure) -> Self {
@@ -43,7 +45,7 @@ pub(super) fn stack(ground: &Ground<'_>) -> Result<Mesh, EnvelopeRefusal> {
     let mut fronts: Vec<Front> = vec![ground.flat.corners.iter().copied().zip(0..).collect()];
     let mut levels: Vec<f64> = ground.slopes().map(|corner| ground.sides[corner].base).chain([0.0]).collect();
     levels.retain(|level| *level < plan.top);
-    levels.sort_unstable_by(f64::total_cmp);
+    levels.small_sort_by(f64::total_cmp);
     levels.dedup();
     levels.push(plan.top);
     for pair in levels.windows(2) {
@@ -69,7 +71,7 @@ pub(super) fn stack(ground: &Ground<'_>) -> Result<Mesh, EnvelopeRefusal> {
         match part {
             EnvelopePart::Slope(_) => add_faces(&mut mesh, sides, &plain, part)?,
             EnvelopePart::Base(corner) => {
-                let ends = plan.ends[corner as usize].map(|end| plan.points[end as usize]);
+                let ends = plan.ends[corner as usize].each(|end| plan.points[end as usize]);
                 let along = (ends[1] - ends[0]).normalize_or_zero();
                 let upright = |&(p, height): &(DVec2, f64)| DVec2::new(along.dot(p - ends[0]), height);
                 add_faces(&mut mesh, sides, &stack.points.iter().map(upright).collect::<Vec<_>>(), part)?;
@@ -117,16 +119,16 @@ impl FaceProjection {
         let points: Vec<DVec2> =
             flat.points.iter().map(|&point| in_plan(flat.face.mesh.points()[point as usize])).collect();
         // On the face a step along an axis rises so that it stays across the normal.
-        let rise = DVec2::from_array(axes.map(|axis| -axis.dot(flat.normal) / up.dot(flat.normal)));
+        let rise = DVec2::from_array(axes.each(|axis| -axis.dot(flat.normal) / up.dot(flat.normal)));
         let is_level = rise.length() <= PLANAR_EPSILON;
         let rise = if is_level { DVec2::ZERO } else { rise };
         let ends: Vec<[u32; 2]> =
-            ground.corners().map(|corner| [corner, ground.next(corner)].map(|end| flat.corners[end])).collect();
+            ground.corners().map(|corner| [corner, ground.next(corner)].each(|end| flat.corners[end])).collect();
         let mut ways = vec![0.0; ends.len()];
         let heights = points.iter().map(|p| ground.top - origin.dot(up) - rise.dot(*p));
         let mut top = heights.fold(0.0, f64::max);
         for corner in ground.slopes() {
-            let [a, b] = ends[corner].map(|end| points[end as usize]);
+            let [a, b] = ends[corner].each(|end| points[end as usize]);
             let inwards = (b - a).normalize_or_zero().perp();
             let slope = libm::tan(ground.sides[corner].angle.to_radians()) - rise.dot(inwards);
             if slope <= PLANAR_EPSILON {
@@ -159,7 +161,7 @@ impl Stack {
     ) -> Result<Vec<Front>, EnvelopeRefusal> {
         // Local numbers of points and edges.
         let mut numbers: Vec<u32> = fronts.iter().flatten().map(|edge| edge.0).collect();
-        numbers.sort_unstable();
+        numbers.small_sort();
         numbers.dedup();
         let local = |point: u32| numbers.binary_search(&point).unwrap_or(0) as u32;
         let rings: Vec<Vec<u32>> =

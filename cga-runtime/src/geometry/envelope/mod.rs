@@ -24,6 +24,7 @@ use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh, PartTags, Subcompo
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::skeleton::MOST_CORNERS;
 use crate::geometry::tol::{PLANAR_EPSILON, TOUCH_EPSILON};
+use crate::value::each::Each;
 
 /// The side of an envelope at an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -178,7 +179,7 @@ pub(crate) fn envelopes(
     let (mut tags, mut tagger) = (PartTags::new(source, "envelope"), SubcomponentTagger::default());
     let mut refused = Vec::new();
     for face in source.faces() {
-        let ends: Vec<[u32; 2]> = face.edges().map(|edge| edge.map(|corner| source.corners()[corner])).collect();
+        let ends: Vec<[u32; 2]> = face.edges().map(|edge| edge.each(|corner| source.corners()[corner])).collect();
         match envelope(&face, &sides[face.corner_range()], height, up) {
             Ok(volume) => add(&mut made, &face, &volume, &mut tagger, |mark| {
                 let part = EnvelopePart::of_mark(mark.tags);
@@ -273,7 +274,7 @@ fn plain<'c>(face: &FaceRef<'_>, rings: impl IntoIterator<Item = &'c [usize]>) -
     for ring in rings {
         for &corner in ring {
             let at = face.position(corner);
-            let number = *numbers.entry(at.to_array().map(f64::to_bits)).or_insert_with(|| mesh.add_point(at));
+            let number = *numbers.entry(at.to_array().each(f64::to_bits)).or_insert_with(|| mesh.add_point(at));
             mesh.corners.push(number);
         }
         mesh.end_loop();
@@ -294,7 +295,7 @@ fn add(
     let base = made.points.len() as u32;
     made.points.extend_from_slice(from.points());
     // The bottom has the points of the face bit for bit.
-    let key = |point: DVec3| point.to_array().map(|x| (x + 0.0).to_bits());
+    let key = |point: DVec3| point.to_array().each(|x| (x + 0.0).to_bits());
     let mut olds = BTreeMap::new();
     if !face.mesh.subcomponent_tags.is_empty() {
         let points = face.corner_range().map(|corner| (key(face.position(corner)), face.mesh.corners()[corner]));

@@ -9,6 +9,7 @@ use super::{EnvelopePart, EnvelopeRefusal, Ground, marked};
 use crate::geometry::boolean::{BooleanOp, combine};
 use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh};
 use crate::geometry::nesting::extent::Extent;
+use crate::value::small_sort::SmallSort;
 
 /// The volume over the outline of a face without the shafts over its holes. Faces are in the order of their parts.
 pub(super) fn drilled(volume: Mesh, ground: &Ground<'_>, face: &FaceRef<'_>) -> Result<Mesh, EnvelopeRefusal> {
@@ -35,7 +36,7 @@ pub(super) fn drilled(volume: Mesh, ground: &Ground<'_>, face: &FaceRef<'_>) -> 
 /// A mesh of the faces of another in the order of their parts.
 fn in_order(mesh: &Mesh) -> Mesh {
     let mut faces: Vec<_> = mesh.faces().collect();
-    faces.sort_by_key(|face| EnvelopePart::of_mark(face.tag().tags));
+    faces.small_sort_by_key(|face| EnvelopePart::of_mark(face.tag().tags));
     let mut sorted = Mesh { points: mesh.points.clone(), ..Mesh::default() };
     for face in faces {
         for ring in face.loops() {
@@ -70,7 +71,7 @@ fn shaft(face: &FaceRef<'_>, ring: Range<usize>, up: DVec3, top: f64) -> Option<
 /// Groups have names that operations keep; marks have none.
 fn with_marks_as_groups(mesh: &Mesh) -> Mesh {
     let mut marks: Vec<u32> = mesh.faces().map(|face| face.tag().tags).collect();
-    marks.sort_unstable();
+    marks.small_sort();
     marks.dedup();
     let group = |mark: u32| marks.binary_search(&mark).map_or(FaceTag::NONE, |number| number as u32);
     let mut made = marked(mesh, |tag| FaceTag { group: group(tag.tags), ..FaceTag::PLAIN });

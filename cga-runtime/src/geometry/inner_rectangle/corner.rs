@@ -5,6 +5,7 @@
 //! within the limits it has no maximum of its own, so one maximum is on a line where three limits hold: one of the top, one of
 //! the bottom and a third one. On each such line the area is a parabola.
 
+use crate::value::each::Each;
 use glam::DVec2;
 
 use super::Found;
@@ -107,7 +108,7 @@ impl CornerLimits {
     fn borders(&self) -> [Limit; 4] {
         let [left, right] = self.widths;
         let [by_left, by_right] =
-            [1.0, 0.0].map(|by_left| move |at: f64| Limit { constant: -at, by_left, by_right: 1.0 - by_left });
+            [1.0, 0.0].each(|by_left| move |at: f64| Limit { constant: -at, by_left, by_right: 1.0 - by_left });
         [by_left(0.0), by_left(left), by_right(0.0), by_right(right)]
     }
 

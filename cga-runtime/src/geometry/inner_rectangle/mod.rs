@@ -14,6 +14,8 @@ use glam::{DMat2, DVec2};
 
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::{STRAIGHT_EPSILON, TIE_EPSILON};
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use slabs::PolygonSlabs;
 
 /// A rectangle along two directions.
@@ -99,7 +101,7 @@ pub(crate) fn largest(points: &[DVec2], rings: &[Vec<u32>], sides: RectangleSide
     let (Found { low, high, .. }, along) = best?;
     let turn = DMat2::from_cols(along, along.perp());
     let corners = [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)];
-    Some(InnerRectangle { along, corners: corners.map(|corner| middle + turn * corner * extent) })
+    Some(InnerRectangle { along, corners: corners.each(|corner| middle + turn * corner * extent) })
 }
 
 /// The centre of gravity.
@@ -107,7 +109,7 @@ fn centre_of_gravity(flat: &[DVec2], rings: &[Vec<u32>]) -> DVec2 {
     let (mut area, mut moment) = (0.0, DVec2::ZERO);
     for ring in rings {
         for (k, &a) in ring.iter().enumerate() {
-            let [a, b] = [a, ring[(k + 1) % ring.len()]].map(|point| flat[point as usize]);
+            let [a, b] = [a, ring[(k + 1) % ring.len()]].each(|point| flat[point as usize]);
             let twice = a.perp_dot(b);
             area += twice;
             moment += (a + b) * twice;
@@ -125,7 +127,7 @@ fn directions(flat: &[DVec2], rings: &[Vec<u32>]) -> Vec<DVec2> {
         let longest = (0..ring.len()).map(|k| edge(k).length()).fold(0.0, f64::max);
         edges.extend((0..ring.len()).map(edge).filter(|edge| 0.25 * longest < edge.length()));
     }
-    edges.sort_by(|a, b| b.length().total_cmp(&a.length()));
+    edges.small_sort_by(|a, b| b.length().total_cmp(&a.length()));
     let mut kept: Vec<DVec2> = Vec::new();
     for edge in edges {
         let along = edge.normalize_or(DVec2::X);

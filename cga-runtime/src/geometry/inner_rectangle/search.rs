@@ -9,6 +9,7 @@ use super::Found;
 use super::corner::{CornerLimits, Limit};
 use super::slabs::{PolygonSlabs, SlabEdge};
 use crate::geometry::tol::TIE_EPSILON;
+use crate::value::each::Each;
 
 /// Pairs of slabs: all left ones with all right ones. No rectangle with sides in them is larger than `most`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,7 +98,7 @@ fn halves(slabs: &PolygonSlabs, left: [usize; 2], right: [usize; 2]) -> impl Ite
     let [first, last] = if divides_left { left } else { right };
     let middle = first + (last - first) / 2;
     let parts = [[first, middle], [middle + 1, last]];
-    let sets = parts.map(|part| if divides_left { [part, right] } else { [left, part] });
+    let sets = parts.each(|part| if divides_left { [part, right] } else { [left, part] });
     sets.into_iter().filter(|[left, right]| left[0] <= right[1])
 }
 

@@ -1,5 +1,7 @@
 //! A polygon between lines through its corners.
 
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use glam::DVec2;
 
 /// Coordinates that differ by less, for a polygon with an extent of 1, are the same: those of corners on one line, turned.
@@ -40,18 +42,18 @@ pub(super) struct PolygonSlabs {
 impl PolygonSlabs {
     pub(super) fn of(points: &[DVec2], rings: &[Vec<u32>]) -> Self {
         let mut lines: Vec<f64> = rings.iter().flatten().map(|&point| points[point as usize].x).collect();
-        lines.sort_unstable_by(f64::total_cmp);
+        lines.small_sort_by(f64::total_cmp);
         lines.dedup_by(|next, kept| *next - *kept <= SAME);
         // The last line at most that far to the right.
         let snapped = |p: DVec2| DVec2::new(lines[lines.partition_point(|line| *line <= p.x).max(1) - 1], p.y);
         let mut edges = Vec::new();
         for ring in rings {
             for (k, &a) in ring.iter().enumerate() {
-                let [a, b] = [a, ring[(k + 1) % ring.len()]].map(|point| snapped(points[point as usize]));
+                let [a, b] = [a, ring[(k + 1) % ring.len()]].each(|point| snapped(points[point as usize]));
                 edges.push(if b.x < a.x { SlabEdge { from: b, to: a } } else { SlabEdge { from: a, to: b } });
             }
         }
-        edges.sort_by(|a, b| a.from.x.total_cmp(&b.from.x));
+        edges.small_sort_by(|a, b| a.from.x.total_cmp(&b.from.x));
         let mut slabs = PolygonSlabs { edges, lines, highest: Vec::new() };
         let (mut active, mut next): (Vec<SlabEdge>, usize) = (Vec::new(), 0);
         for slab in 0..slabs.count() {
@@ -117,7 +119,7 @@ impl PolygonSlabs {
             let crosses = edge.from.x <= middle && middle < edge.to.x;
             covered.push(([ends[0].min(ends[1]), ends[0].max(ends[1])], crosses));
         }
-        covered.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
+        covered.small_sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
         let (mut gaps, mut top, mut inside) = (Vec::new(), f64::INFINITY, false);
         for ([from, to], crosses) in covered {
             if inside && top < from {
@@ -133,5 +135,5 @@ impl PolygonSlabs {
 /// Sorts edges that cross a slab from bottom to top.
 fn upwards(edges: &mut [SlabEdge], [low, high]: [f64; 2]) {
     let middle = low + (high - low) * 0.5;
-    edges.sort_by(|a, b| a.at(middle).total_cmp(&b.at(middle)));
+    edges.small_sort_by(|a, b| a.at(middle).total_cmp(&b.at(middle)));
 }

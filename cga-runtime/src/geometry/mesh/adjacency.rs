@@ -2,6 +2,8 @@
 
 use super::Mesh;
 use crate::geometry::buckets::Buckets;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// Adjacency in a mesh. Edges are numbered in the order of the first corner that starts them; a shared edge has one
 /// number (*comp operation*, e).
@@ -23,7 +25,7 @@ pub(crate) struct Adjacency {
 impl Adjacency {
     pub(super) fn of(mesh: &Mesh) -> Self {
         let corners = mesh.corners.len();
-        let [mut faces, mut next, mut before] = [(); 3].map(|()| Vec::with_capacity(corners));
+        let [mut faces, mut next, mut before] = [(); 3].each(|()| Vec::with_capacity(corners));
         for face in mesh.faces() {
             for ring in face.loop_ranges() {
                 faces.resize(ring.end, face.index() as u32);
@@ -99,7 +101,7 @@ impl Adjacency {
 /// point.
 fn number_edges(mesh: &Mesh, next: &[u32]) -> Vec<u32> {
     let ends = |corner: u32| {
-        let [a, b] = [corner, next[corner as usize]].map(|corner| mesh.corners[corner as usize]);
+        let [a, b] = [corner, next[corner as usize]].each(|corner| mesh.corners[corner as usize]);
         (a.min(b), a.max(b))
     };
     let mut around = Buckets::by(mesh.points.len(), (0..next.len() as u32).map(|corner| ends(corner).0));
@@ -109,7 +111,7 @@ fn number_edges(mesh: &Mesh, next: &[u32]) -> Vec<u32> {
         let range = around.range(point);
         let here = &mut around.items[range];
         // Usually few corners are at a point, but in a fan there are many, so they are sorted.
-        here.sort_unstable_by_key(|&corner| (ends(corner).1, corner));
+        here.small_sort_by_key(|&corner| (ends(corner).1, corner));
         for same in here.chunk_by(|&a, &b| ends(a).1 == ends(b).1) {
             same.iter().for_each(|&corner| first[corner as usize] = same[0]);
         }

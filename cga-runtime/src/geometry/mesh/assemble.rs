@@ -1,5 +1,6 @@
 //! The construction of a mesh corner by corner, for code that keeps the invariants itself.
 
+use crate::value::each::Each;
 use std::ops::Range;
 
 use glam::DVec3;
@@ -68,9 +69,9 @@ impl Mesh {
         }
         let number = |corner: usize| self.corners[first + corner - face.corner_range().start];
         for edge in face.edges() {
-            let ends = edge.map(|corner| face.mesh.corners[corner]);
+            let ends = edge.each(|corner| face.mesh.corners[corner]);
             if let Some(set) = face.mesh.edge_tags(ends) {
-                tagger.edge(edge.map(number), set);
+                tagger.edge(edge.each(number), set);
             }
             if let Some(set) = face.mesh.vertex_tags(ends[0]) {
                 tagger.vertex(number(edge[0]), set);

@@ -174,7 +174,7 @@ impl MeshBuilder {
         mesh.points = keep_used(&given.points, &mut mesh.corners);
         if !tagger.is_empty() {
             let mut welded = SubcomponentTagger::default();
-            welded.append(&tagger.finish(), |point| same.get(point as usize).copied().unwrap_or(UNTRACED));
+            welded.append(&tagger.finish(), &|point| same.get(point as usize).copied().unwrap_or(UNTRACED));
             mesh.subcomponent_tags = welded.finish();
             mesh.renumber_tags(&before);
         }

@@ -54,7 +54,7 @@ pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
         }
         part.end_face(face.tag());
     }
-    part.trace = mesh.trace.pick(taken.iter().map(|point| Some(*point)));
+    part.trace = mesh.trace.pick(&mut taken.iter().map(|point| Some(*point)));
     part.carry_tags(mesh, |point| PartPoint::old(taken[point as usize]));
     part
 }

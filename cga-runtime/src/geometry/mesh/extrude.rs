@@ -17,6 +17,7 @@ use super::{Bounds, FaceTag, Mesh, PartTags, SubcomponentTagger};
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::provenance::Extruded;
 use crate::geometry::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
+use crate::value::each::Each;
 
 /// The direction of an extrusion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,8 +91,8 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
             for corner in ring.clone() {
                 let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
                 if !joints.inner[corner] {
-                    let tag = tags.over_edge(own, part.tag(), [corner, next].map(|corner| mesh.corners[corner]));
-                    let [a, b] = [corner, next].map(|c| (grown.low(c), grown.high(c, body, way)));
+                    let tag = tags.over_edge(own, part.tag(), [corner, next].each(|corner| mesh.corners[corner]));
+                    let [a, b] = [corner, next].each(|c| (grown.low(c), grown.high(c, body, way)));
                     grown.wall([(a.0, corner), (b.0, next), (b.1, next), (a.1, corner)], tag);
                 }
             }
@@ -238,7 +239,7 @@ impl Grown<'_> {
         let (tags, mut tagger) = (&source.subcomponent_tags, SubcomponentTagger::default());
         // Dropped where faces do not grow.
         let low = |point: u32| low[point as usize];
-        tags.edges().for_each(|(ends, set)| tagger.edge(ends.map(low), set));
+        tags.edges().for_each(|(ends, set)| tagger.edge(ends.each(low), set));
         tags.vertices().for_each(|(point, set)| tagger.vertex(low(point), set));
         for ([_, point], high) in high.pairs().filter(|_| tags.vertices().len() != 0) {
             if let Some(set) = tags.vertex(point) {

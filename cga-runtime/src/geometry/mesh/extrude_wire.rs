@@ -12,6 +12,7 @@ use super::tag::TagSetTable;
 use super::{FaceTag, Mesh, MeshBuilder, MeshError, TagSet};
 use crate::geometry::provenance::Extruded;
 use crate::geometry::wire::Wire;
+use crate::value::each::Each;
 use crate::value::text::Text;
 
 /// The faces on the edges of a wire. Edges without a normal are not extruded along it.
@@ -34,7 +35,7 @@ pub(crate) fn extrude_wire(wire: &Wire, along: Extrude, distance: f64) -> Result
             continue;
         }
         let [a, b] = *edge;
-        let [high_a, high_b] = [a, b].map(|point| builder.point(wire.points[point as usize] + way(point)));
+        let [high_a, high_b] = [a, b].each(|point| builder.point(wire.points[point as usize] + way(point)));
         let face = [low[a as usize], low[b as usize], high_b, high_a];
         let own = wire.tags.edge(*edge);
         let tags = sets.number(&own.map_or_else(|| side.clone(), |own| own.union(&side)));

@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 use super::FaceRef;
 use super::face::unit;
 use crate::geometry::tol::PLANAR_EPSILON;
+use crate::value::each::Each;
 
 /// A face projected to its plane.
 pub(crate) struct FlatFace<'a> {
@@ -65,7 +66,7 @@ impl<'a> FlatFace<'a> {
     pub(crate) fn edges(&self, outwards: bool) -> (Vec<[usize; 2]>, Vec<Vec<u32>>) {
         let start = self.face.corner_range().start;
         let (mut edges, mut rings) = (Vec::new(), Vec::new());
-        let mut all = self.face.edges().map(|edge| edge.map(|corner| corner - start));
+        let mut all = self.face.edges().map(|edge| edge.each(|corner| corner - start));
         for ring in self.face.loops() {
             let first = edges.len();
             edges.extend(all.by_ref().take(ring.len()));

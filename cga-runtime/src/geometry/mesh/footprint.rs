@@ -6,6 +6,7 @@ use super::{FaceTag, Mesh};
 use crate::geometry::overlay::{OverlayError, wound};
 use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::triangulate::Triangulator;
+use crate::value::each::Each;
 
 /// The union of the projections of all faces to the plane y = 0: faces that look up, with holes where no face covers the
 /// plane. Without faces if no face covers an area.
@@ -52,7 +53,7 @@ fn covering(mesh: &Mesh, flat: &[DVec2]) -> Vec<Vec<u32>> {
         } else {
             triangles.clear();
             triangulator.face(mesh, face.index(), &mut triangles);
-            rings.extend(triangles.iter().map(|corners| corners.map(|corner| mesh.corners[corner as usize]).to_vec()));
+            rings.extend(triangles.iter().map(|corners| corners.each(|corner| mesh.corners[corner as usize]).to_vec()));
         }
         // The parts of a bent face may look up and down.
         let parts = if is_planar { rings.len() - start } else { 1 };

@@ -8,6 +8,7 @@ use crate::geometry::overlay::{OverlayError, wound};
 use crate::geometry::segment::nearest_share;
 use crate::geometry::skeleton::{MOST_CORNERS, any_cross};
 use crate::geometry::tol::{TIE_EPSILON, TOUCH_EPSILON};
+use crate::value::each::Each;
 
 /// The reason why a face is not divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,7 +93,7 @@ pub(crate) fn cut_rectangle(
     for mut polygon in polygons {
         let outline = &mut polygon[0];
         let is_own = |k: usize| {
-            let side = [outline[k], outline[(k + 1) % outline.len()]].map(|point| all[point as usize]);
+            let side = [outline[k], outline[(k + 1) % outline.len()]].each(|point| all[point as usize]);
             seen.edge_at(side, extent).is_some()
         };
         let first = (0..outline.len()).find(|&k| is_own(k)).unwrap_or(0);
@@ -174,8 +175,8 @@ impl<'a> Seen<'a> {
             return;
         }
         for (&point, &next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-            let edge = self.edge_at([point, next].map(|point| all[point as usize]), extent);
-            let ends = edge.map(|ends| ends.map(|end| self.points[end as usize]));
+            let edge = self.edge_at([point, next].each(|point| all[point as usize]), extent);
+            let ends = edge.map(|ends| ends.each(|end| self.points[end as usize]));
             if let Some(set) = ends.and_then(|ends| source.edge_tags(ends)) {
                 tagger.edge([base + point, base + next], set);
             }

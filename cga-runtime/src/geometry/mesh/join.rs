@@ -36,17 +36,21 @@ fn renumbered(index: u32, numbers: &[u32]) -> u32 {
 
 /// The faces of all meshes, in order; no points are merged. A mesh without a texture set that another one has gets
 /// coordinates 0 there, and a mesh without normals gets those of its faces.
-pub(crate) fn join<'m>(meshes: impl Iterator<Item = &'m Mesh> + Clone) -> Mesh {
+pub(crate) fn join<'m>(meshes: impl Iterator<Item = &'m Mesh>) -> Mesh {
+    join_all(&meshes.collect::<Vec<_>>())
+}
+
+fn join_all(meshes: &[&Mesh]) -> Mesh {
     let (mut groups, mut materials, mut tag_sets) = (Distinct(Vec::new()), Distinct(Vec::new()), Distinct(Vec::new()));
-    let has_set = |set: usize| meshes.clone().any(|mesh| !mesh.uvs.get(set).is_empty());
+    let has_set = |set: usize| meshes.iter().any(|mesh| !mesh.uvs.get(set).is_empty());
     let has_sets: Vec<usize> = (0..UvSets::MOST).filter(|set| has_set(*set)).collect();
-    let has_normals = meshes.clone().any(|mesh| !mesh.normals.is_empty());
+    let has_normals = meshes.iter().any(|mesh| !mesh.normals.is_empty());
     let (mut sum, mut tagger) = (Mesh::default(), SubcomponentTagger::default());
-    for mesh in meshes.clone() {
+    for mesh in meshes {
         let numbers =
             [groups.numbers(&mesh.groups), materials.numbers(&mesh.materials), tag_sets.numbers(&mesh.tag_sets)];
         let (points, corners) = (sum.points.len() as u32, sum.corners.len() as u32);
-        tagger.append(&mesh.subcomponent_tags, |point| points + point);
+        tagger.append(&mesh.subcomponent_tags, &|point| points + point);
         sum.trace.append(sum.points.len(), &mesh.trace);
         sum.points.extend_from_slice(&mesh.points);
         sum.corners.extend(mesh.corners.iter().map(|point| points + point));
@@ -76,7 +80,7 @@ pub(crate) fn join<'m>(meshes: impl Iterator<Item = &'m Mesh> + Clone) -> Mesh {
     }
     (sum.groups, sum.materials, sum.tag_sets) = (groups.0.into(), materials.0.into(), tag_sets.0.into());
     sum.subcomponent_tags = tagger.finish();
-    let is_closed = meshes.clone().all(Mesh::is_closed);
+    let is_closed = meshes.iter().all(|mesh| mesh.is_closed());
     if sum.is_empty() { sum } else { sum.known_closed(is_closed) }
 }
 

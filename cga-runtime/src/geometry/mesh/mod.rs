@@ -52,6 +52,7 @@ use glam::{DVec2, DVec3};
 
 use crate::geometry::trace::{PartPoint, Trace};
 use crate::material::Material;
+use crate::value::each::Each;
 
 pub(crate) use adjacency::Adjacency;
 pub use along_uv::{AlongUv, HeightAlignment, HeightDirection, insert_along_uv};
@@ -253,7 +254,7 @@ impl Mesh {
     /// The start and the end of an edge of the adjacency, in the direction of the first face that has it.
     pub(crate) fn edge_ends(&self, edge: usize) -> [DVec3; 2] {
         let from = self.adjacency().uses(edge)[0];
-        [from, self.adjacency().next(from)].map(|corner| self.points[self.corners[corner as usize] as usize])
+        [from, self.adjacency().next(from)].each(|corner| self.points[self.corners[corner as usize] as usize])
     }
 
     /// The sets of component tags, indexed by [`FaceTag::tags`].
@@ -279,21 +280,22 @@ impl Mesh {
 
     /// The two points of every edge, once for each face at the edge.
     pub(crate) fn face_edges(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.faces().flat_map(|face| face.edges()).map(|edge| edge.map(|corner| self.corners[corner]))
+        self.faces().flat_map(|face| face.edges()).map(|edge| edge.each(|corner| self.corners[corner]))
     }
 
     /// Takes over the tags of edges and vertices of a mesh in which the points have their origins.
     pub(crate) fn carry_tags(&mut self, source: &Mesh, origin: impl Fn(u32) -> PartPoint) {
         if !source.subcomponent_tags.is_empty() {
-            self.subcomponent_tags = source.subcomponent_tags.carried(self.face_edges(), self.points.len(), origin);
+            let tags = source.subcomponent_tags.carried(&mut self.face_edges(), self.points.len(), &origin);
+            self.subcomponent_tags = tags;
         }
     }
 
     /// Sets the tags of edges and vertices. Those that no face has are dropped.
     pub(crate) fn put_tags(&mut self, tagger: SubcomponentTagger) {
         if !tagger.is_empty() {
-            let tags = tagger.finish();
-            self.subcomponent_tags = tags.carried(self.face_edges(), self.points.len(), PartPoint::old);
+            let tags = tagger.finish().carried(&mut self.face_edges(), self.points.len(), &PartPoint::old);
+            self.subcomponent_tags = tags;
         }
     }
 

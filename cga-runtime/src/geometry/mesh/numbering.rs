@@ -49,7 +49,7 @@ impl Mesh {
             used.dedup();
         }
         self.points = keep_used(&source.points, &mut self.corners);
-        self.trace = source.trace.pick(used.iter().map(|point| Some(*point)));
+        self.trace = source.trace.pick(&mut used.iter().map(|point| Some(*point)));
         self.carry_tags(source, |point| PartPoint::old(used[point as usize]));
     }
 
@@ -78,6 +78,7 @@ impl Mesh {
         let mut old = vec![0; self.points.len()];
         self.corners.iter().zip(before).for_each(|(new, before)| old[*new as usize] = *before);
         let origin = |point: u32| PartPoint::old(old[point as usize]);
-        self.subcomponent_tags = self.subcomponent_tags.carried(self.face_edges(), self.points.len(), origin);
+        let tags = self.subcomponent_tags.carried(&mut self.face_edges(), self.points.len(), &origin);
+        self.subcomponent_tags = tags;
     }
 }

@@ -19,6 +19,7 @@ use super::spread::Spread;
 use super::{FaceTag, Mesh};
 use crate::geometry::nesting::rings::NestedRings;
 use crate::geometry::skeleton::{self, Failure, Left, Strip};
+use crate::value::small_sort::SmallSort;
 use offset_tags::OffsetTags;
 
 mod offset_tags;
@@ -96,7 +97,7 @@ fn offset_face(
     if keep != OffsetFaces::Inside {
         let mut strips: Vec<([usize; 2], &Strip)> =
             swept.strips.iter().map(|strip| (edges[strip.edge as usize], strip)).collect();
-        strips.sort_by_key(|(edge, _)| edge[0]);
+        strips.small_sort_by_key(|(edge, _)| edge[0]);
         strips.iter().for_each(|(edge, strip)| part.strip(*edge, strip, tags));
     }
     Ok(())

@@ -11,6 +11,8 @@ use crate::geometry::exact::orient;
 use crate::geometry::mesh::check::winding;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::triangulate::PlaneProjection;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 impl Mesh {
     /// A mesh with one face from an outline, counter-clockwise as seen from the front, and holes with any winding.
@@ -87,8 +89,8 @@ impl LoopEdge {
         if self.low().cmpgt(other.high()).any() || other.low().cmpgt(self.high()).any() {
             return false;
         }
-        let [c, d] = [other.a, other.b].map(|p| orient(self.a, self.b, p));
-        let [a, b] = [self.a, self.b].map(|p| orient(other.a, other.b, p));
+        let [c, d] = [other.a, other.b].each(|p| orient(self.a, self.b, p));
+        let [a, b] = [self.a, self.b].each(|p| orient(other.a, other.b, p));
         if [a, b, c, d] == [0; 4] {
             // Collinear edges overlap if they have more than one point in common.
             let (low, high) = (self.low().max(other.low()), self.high().min(other.high()));
@@ -111,7 +113,7 @@ fn check_crossings(points: &[DVec3], rings: &[Range<usize>], normal: DVec3) -> R
     for (ring, range) in rings.iter().enumerate() {
         for number in 0..range.len() {
             let next = range.start + (number + 1) % range.len();
-            let [a, b] = [range.start + number, next].map(|i| flat.apply(points[i]));
+            let [a, b] = [range.start + number, next].each(|i| flat.apply(points[i]));
             edges.push(LoopEdge { a, b, ring, number });
         }
     }
@@ -121,7 +123,7 @@ fn check_crossings(points: &[DVec3], rings: &[Range<usize>], normal: DVec3) -> R
         for other in edges[i + 1..].iter().take_while(|other| other.low().x <= reach) {
             if edge.meets(other) {
                 let mut pair = [(edge.ring, edge.number), (other.ring, other.number)];
-                pair.sort_unstable();
+                pair.small_sort();
                 return Err(MeshError::SelfCrossing { first: pair[0], second: pair[1] });
             }
         }

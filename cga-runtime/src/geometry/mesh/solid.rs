@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::{FaceTag, Mesh};
 use crate::geometry::Axis;
 use crate::geometry::provenance::{Provenance, tag_sets};
+use crate::value::each::Each;
 
 /// The initial box of a run: front, right, back, left (counter-clockwise as seen from above), top, bottom. Vertices are
 /// numbered x + 2y + 4z.
@@ -38,7 +39,7 @@ pub(crate) fn square(across: Axis, provenance: Provenance) -> Mesh {
         Axis::Z => [0, 1, 3, 2],
     };
     let sets = if let Provenance::Extruded(_) = provenance { tag_sets() } else { Vec::new() };
-    let mut mesh = Mesh { points: corners.map(corner).to_vec(), tag_sets: sets.into(), ..Mesh::default() };
+    let mut mesh = Mesh { points: corners.each(corner).to_vec(), tag_sets: sets.into(), ..Mesh::default() };
     mesh.corners.extend([0, 1, 2, 3]);
     mesh.end_loop();
     mesh.end_face(provenance.face_tag());

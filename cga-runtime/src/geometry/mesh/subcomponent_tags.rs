@@ -8,6 +8,8 @@ use std::sync::Arc;
 use super::Mesh;
 use super::tag::{TagSet, TagSetTable, TaggedComponents};
 use crate::geometry::trace::{PartPoint, UNTRACED};
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use crate::value::text::Text;
 
 /// The tags of the edges and vertices of a mesh or a wire, by the numbers of its points.
@@ -93,14 +95,14 @@ impl SubcomponentTags {
     /// have none.
     pub(crate) fn carried(
         &self,
-        edges: impl Iterator<Item = [u32; 2]>,
+        edges: &mut dyn Iterator<Item = [u32; 2]>,
         points: usize,
-        origin: impl Fn(u32) -> PartPoint,
+        origin: &dyn Fn(u32) -> PartPoint,
     ) -> Self {
         let Some(lists) = &self.0 else { return SubcomponentTags::default() };
-        let of_edge = |ends: [u32; 2]| Some((in_order(ends), self.edge_set(whole_edge(ends.map(&origin))?)?));
+        let of_edge = |ends: [u32; 2]| Some((in_order(ends), self.edge_set(whole_edge(ends.each(origin))?)?));
         let mut found: Vec<_> = if lists.edges.is_empty() { Vec::new() } else { edges.filter_map(of_edge).collect() };
-        found.sort_unstable();
+        found.small_sort();
         found.dedup();
         let of_vertex = |point: u32| {
             let PartPoint { ends: [a, b], .. } = origin(point);
@@ -113,9 +115,9 @@ impl SubcomponentTags {
     /// These tags, and one more on each of the edges.
     pub(crate) fn with_edges(&self, edges: impl Iterator<Item = [u32; 2]>, name: &Text) -> Self {
         let mut tagger = SubcomponentTagger::default();
-        tagger.append(self, |point| point);
+        tagger.append(self, &|point| point);
         let mut edges: Vec<[u32; 2]> = edges.map(in_order).collect();
-        edges.sort_unstable();
+        edges.small_sort();
         edges.dedup();
         let own = TagSet::new([name.clone()]);
         edges.into_iter().for_each(|edge| tagger.edge(edge, &own));
@@ -125,7 +127,7 @@ impl SubcomponentTags {
     /// These tags, and one more on each of the first `points` vertices.
     pub(crate) fn with_vertices(&self, points: usize, name: &Text) -> Self {
         let mut tagger = SubcomponentTagger::default();
-        tagger.append(self, |point| point);
+        tagger.append(self, &|point| point);
         let own = TagSet::new([name.clone()]);
         (0..points as u32).for_each(|point| tagger.vertex(point, &own));
         tagger.finish()
@@ -228,14 +230,14 @@ impl SubcomponentTagger {
             return;
         }
         for (&point, &next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-            let ends = [point, next].map(&old);
+            let ends = [point, next].each(&old);
             let set = match ends {
                 [Some(a), Some(b)] => source.edge_tags([a, b]),
                 [Some(vertex), None] | [None, Some(vertex)] => source.vertex_tags(vertex),
                 [None, None] => None,
             };
             if let Some(set) = set {
-                self.edge([point, next].map(&number), set);
+                self.edge([point, next].each(&number), set);
             }
             if let Some(set) = ends[0].and_then(|vertex| source.vertex_tags(vertex)) {
                 self.vertex(number(point), set);
@@ -244,7 +246,7 @@ impl SubcomponentTagger {
     }
 
     /// Adds all tags of a mesh whose points have new numbers.
-    pub(crate) fn append(&mut self, tags: &SubcomponentTags, new: impl Fn(u32) -> u32) {
+    pub(crate) fn append(&mut self, tags: &SubcomponentTags, new: &dyn Fn(u32) -> u32) {
         let Some(lists) = &tags.0 else { return };
         // Unused sets get no number, so that they do not add up.
         let mut numbers: Vec<Option<u32>> = vec![None; lists.sets.len()];
@@ -253,7 +255,7 @@ impl SubcomponentTagger {
             let number = &mut numbers[set as usize];
             *number.get_or_insert_with(|| sets.number(&lists.sets[set as usize]))
         };
-        self.edges.extend(lists.edges.iter().map(|&(ends, set)| (in_order(ends.map(&new)), number(set))));
+        self.edges.extend(lists.edges.iter().map(|&(ends, set)| (in_order(ends.each(new)), number(set))));
         self.vertices.extend(lists.vertices.iter().map(|&(point, set)| (new(point), number(set))));
     }
 
@@ -267,7 +269,7 @@ impl SubcomponentTagger {
 
 /// The list sorted, with one element for each key.
 fn united<K: Ord + Copy>(mut list: Vec<(K, u32)>, sets: &mut TagSetTable) -> Vec<(K, u32)> {
-    list.sort_unstable();
+    list.small_sort();
     list.dedup();
     list.dedup_by(|next, kept| {
         let same = next.0 == kept.0;
@@ -311,8 +313,8 @@ mod tests {
         assert_eq!(tags.edges().len(), 2);
         // All of it twice, once with other numbers.
         let mut tagger = SubcomponentTagger::default();
-        tagger.append(&tags, |point| point);
-        tagger.append(&tags, |point| 3 - point);
+        tagger.append(&tags, &|point| point);
+        tagger.append(&tags, &|point| 3 - point);
         let tags = tagger.finish();
         assert_eq!(tags.edges().map(|edge| edge.0).collect::<Vec<_>>(), [[0, 1], [1, 2], [2, 3]]);
         assert!(tags.hold(4));
@@ -350,7 +352,7 @@ mod tests {
             PartPoint::NEW,
         ];
         let edges = [[0, 1], [1, 0], [1, 2], [2, 3], [3, 4], [4, 0]];
-        let part = tags.carried(edges.into_iter(), points.len(), |point| points[point as usize]);
+        let part = tags.carried(&mut edges.into_iter(), points.len(), &|point| points[point as usize]);
         assert_eq!(part.edges().map(|edge| edge.0).collect::<Vec<_>>(), [[0, 1], [1, 2]]);
         assert_eq!(part.vertices().collect::<Vec<_>>(), [(0, &set(&["v"]))]);
     }

@@ -3,6 +3,8 @@
 //! Uses a hash table with a fixed hash function. An attacker could choose points with equal hashes, so if look-ups take
 //! much longer than expected, sorting is used instead, with the same result.
 
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use glam::DVec3;
 
 /// For each point the first point at the same position.
@@ -11,7 +13,7 @@ pub(crate) fn weld(points: &[DVec3]) -> Vec<u32> {
 }
 
 fn bits(p: DVec3) -> [u64; 3] {
-    (p + 0.0).to_array().map(f64::to_bits)
+    (p + 0.0).to_array().each(f64::to_bits)
 }
 
 /// `None` if too many points have similar hashes.
@@ -46,7 +48,7 @@ fn by_hash(points: &[DVec3]) -> Option<Vec<u32>> {
 fn by_order(points: &[DVec3]) -> Vec<u32> {
     let key = |point: u32| bits(points[point as usize]);
     let mut order: Vec<u32> = (0..points.len() as u32).collect();
-    order.sort_unstable_by_key(|&point| (key(point), point));
+    order.small_sort_by_key(|&point| (key(point), point));
     let mut same = vec![0; points.len()];
     for place in order.chunk_by(|&a, &b| key(a) == key(b)) {
         place.iter().for_each(|&point| same[point as usize] = place[0]);

@@ -4,6 +4,7 @@
 //! from small ones and distant boxes from each other. A query visits the loops whose box contains the point by
 //! increasing area, and ends at the first one that is accepted.
 
+use crate::value::each::Each;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -58,7 +59,7 @@ impl BoxTree {
         let highs = Extent::of(leaves.iter().map(|leaf| leaf.extent.high));
         let number = self.nodes.len();
         self.nodes.push(BoxNode { extent: Extent { low: lows.low, high: highs.high }, rank, second: 0 });
-        let [low, high] = [lows, highs].map(|extent| extent.high * 0.5 - extent.low * 0.5);
+        let [low, high] = [lows, highs].each(|extent| extent.high * 0.5 - extent.low * 0.5);
         let by = |key: fn(&Extent) -> f64| {
             move |a: &BoxNode, b: &BoxNode| key(&a.extent).total_cmp(&key(&b.extent)).then(a.rank.cmp(&b.rank))
         };

@@ -1,5 +1,6 @@
 //! Loops that occur several times, as in a mesh with duplicate faces.
 
+use crate::value::small_sort::SmallSort;
 use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -30,7 +31,7 @@ impl Twins {
         self.order.clear();
         self.order.extend(loops.clone().enumerate().map(|(number, (_, Extent { low, high }))| (low, high, number)));
         let key = |&(low, high, number): &(DVec2, DVec2, usize)| (low.x, low.y, high.x, high.y, number);
-        self.order.sort_unstable_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(a.2.cmp(&b.2)));
+        self.order.small_sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(a.2.cmp(&b.2)));
         if self.order.windows(2).all(|pair| (pair[0].0, pair[0].1) != (pair[1].0, pair[1].1)) {
             return;
         }

@@ -13,6 +13,7 @@ use super::extent::about_one;
 use super::merge_sort::merge_sort;
 use crate::geometry::buckets::Buckets;
 use crate::geometry::exact::orient;
+use crate::value::small_sort::SmallSort;
 
 const NONE: u32 = u32::MAX;
 
@@ -69,7 +70,7 @@ impl Chains {
         // By the other end, arriving edges before leaving ones, so that pairs to cancel are neighbours.
         let other = |item: u32| edges[item as usize / 2][(item & 1) as usize];
         self.gather(point);
-        self.round.sort_by_key(|&item| (other(item), item & 1));
+        self.round.small_sort_by_key(|&item| (other(item), item & 1));
         for same in self.round.chunk_by(|&a, &b| other(a) == other(b)) {
             let arriving = same.partition_point(|item| item & 1 == 0);
             for (a, b) in same[..arriving].iter().zip(&same[arriving..]) {

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use crate::geometry::exact::orient;
+use crate::value::small_sort::SmallSort;
 
 /// A point so close to a place that no edge goes through it, even if an edge goes through the place.
 pub(crate) struct Probe {
@@ -27,7 +28,7 @@ impl Probe {
     pub(crate) fn inside(ring: &[u32], flat: impl Fn(u32) -> DVec2) -> Option<Self> {
         let corners: Vec<DVec2> = ring.iter().map(|&corner| flat(corner)).collect();
         let mut heights: Vec<f64> = corners.iter().map(|p| p.y).collect();
-        heights.sort_by(f64::total_cmp);
+        heights.small_sort_by(f64::total_cmp);
         let gap = |pair: &&[f64]| pair[1] * 0.5 - pair[0] * 0.5;
         let widest = heights.windows(2).max_by(|a, b| gap(a).total_cmp(&gap(b)))?;
         let level = widest[0] * 0.5 + widest[1] * 0.5;
@@ -42,7 +43,7 @@ impl Probe {
             }
             a = b;
         }
-        met.sort_by(|a, b| a.0.total_cmp(&b.0));
+        met.small_sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut turns = 0;
         let mut best: Option<(f64, f64)> = None;
         for pair in met.windows(2) {

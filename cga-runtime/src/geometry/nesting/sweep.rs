@@ -12,6 +12,7 @@ use super::contour::FlatLoops;
 use super::merge_sort::merge_sort;
 use crate::geometry::exact::orient;
 use crate::geometry::status::{LEFT, RIGHT, Status, is_below};
+use crate::value::each::Each;
 
 /// No outline.
 const NONE: u32 = u32::MAX;
@@ -127,7 +128,7 @@ impl LoopSweep {
 
     /// Processes a corner with both edges above it. The area between them is beside the edge that they lie on, if any.
     fn begin(&mut self, event: &SweepEvent, is_outline: &impl Fn(usize) -> bool) -> bool {
-        let [a, b] = event.edges.map(|edge| self.edges[edge as usize]);
+        let [a, b] = event.edges.each(|edge| self.edges[edge as usize]);
         let turn = orient(event.at, a.high, b.high);
         let [left, right] = if turn < 0 { event.edges } else { [event.edges[1], event.edges[0]] };
         let neighbours = self.neighbours(left, true);
@@ -144,7 +145,7 @@ impl LoopSweep {
     /// Processes a corner where an edge ends. The other edge continues or ends too.
     fn go_on(&mut self, event: &SweepEvent) -> bool {
         let [a, b] = event.edges;
-        match event.edges.map(|edge| self.edges[edge as usize].high == event.at) {
+        match event.edges.each(|edge| self.edges[edge as usize].high == event.at) {
             [true, true] => self.remove(a) && self.remove(b),
             [true, false] => self.replace(a, b),
             [false, true] => self.replace(b, a),
@@ -156,7 +157,7 @@ impl LoopSweep {
     fn neighbours(&self, own: u32, right_of_equal: bool) -> [Option<u32>; 2] {
         let own = &self.edges[own as usize];
         let is_left = |[low, high]: [DVec2; 2]| is_left_of(low, high, own).unwrap_or(right_of_equal);
-        self.status.around(is_left).map(|entry| self.edge(entry))
+        self.status.around(is_left).each(|entry| self.edge(entry))
     }
 
     /// The edge of an entry of the status.
@@ -193,13 +194,13 @@ impl LoopSweep {
     /// Ends an edge. Returns its entry and the edges beside it; `None` if the edge is not in the status.
     fn take(&mut self, edge: u32) -> Option<(u32, [Option<u32>; 2])> {
         let entry = std::mem::replace(&mut self.entry_of[edge as usize], NONE);
-        (entry != NONE).then(|| (entry, [LEFT, RIGHT].map(|side| self.edge(self.status.beside(entry, side)))))
+        (entry != NONE).then(|| (entry, [LEFT, RIGHT].each(|side| self.edge(self.status.beside(entry, side)))))
     }
 
     /// Returns true if two neighbours are beside each other over their common range of heights.
     fn are_in_order(&self, left: Option<u32>, right: Option<u32>) -> bool {
         let (Some(left), Some(right)) = (left, right) else { return true };
-        let [left, right] = [left, right].map(|edge| self.edges[edge as usize]);
+        let [left, right] = [left, right].each(|edge| self.edges[edge as usize]);
         // One begins where the other ends, and the other will be removed.
         if left.high == right.low || left.low == right.high {
             return true;
@@ -235,7 +236,7 @@ fn is_left_of(low: DVec2, high: DVec2, other: &SweepEdge) -> Option<bool> {
 /// The order of two corners at one place with their edges above: a corner comes before the corners that it contains.
 fn which_is_around(a: &SweepEvent, b: &SweepEvent, edges: &[SweepEdge]) -> Ordering {
     let sides = |event: &SweepEvent| {
-        let [p, q] = event.edges.map(|edge| &edges[edge as usize]);
+        let [p, q] = event.edges.each(|edge| &edges[edge as usize]);
         if orient(event.at, p.high, q.high) < 0 { [p, q] } else { [q, p] }
     };
     let ([left, right], [other_left, other_right]) = (sides(a), sides(b));

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use crate::geometry::nesting::extent::Extent;
+use crate::value::each::Each;
 
 /// A place, in steps of the grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -54,7 +55,7 @@ impl Grid {
 
 /// Twice the area of the triangle: positive if `c` is left of the line from `a` to `b`. Exact.
 pub(crate) fn side(a: GridPoint, b: GridPoint, c: GridPoint) -> i128 {
-    let [bx, by, cx, cy] = [b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y].map(i128::from);
+    let [bx, by, cx, cy] = [b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y].each(i128::from);
     bx * cy - by * cx
 }
 
@@ -66,8 +67,8 @@ pub(crate) fn double_area(ring: &[u32], places: &[GridPoint]) -> i128 {
 
 /// Returns true if `p` is between `a` and `b`, and at most `most` steps from the edge.
 pub(crate) fn is_near(a: GridPoint, b: GridPoint, p: GridPoint, most: f64) -> bool {
-    let along = [b.x - a.x, b.y - a.y].map(i128::from);
-    let to = [p.x - a.x, p.y - a.y].map(i128::from);
+    let along = [b.x - a.x, b.y - a.y].each(i128::from);
+    let to = [p.x - a.x, p.y - a.y].each(i128::from);
     let length = along[0] * along[0] + along[1] * along[1];
     let share = along[0] * to[0] + along[1] * to[1];
     let across = side(a, b, p) as f64;

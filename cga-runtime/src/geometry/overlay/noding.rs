@@ -3,6 +3,8 @@
 //! A crossing is rounded to a place of the grid, and both edges lead through it. So an edge moves by less than a step, and
 //! may then cross or pass others: the new edges are compared again.
 
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use std::collections::HashMap;
 
 use super::OverlayError;
@@ -49,12 +51,12 @@ pub(super) fn divide(
         let mut made = Vec::with_capacity(all.len());
         let old: Vec<NodedEdge> = all.iter().zip(&cuts).filter(|(_, cuts)| cuts.is_empty()).map(|(e, _)| *e).collect();
         for (edge, mut cuts) in all.into_iter().zip(cuts).filter(|(_, cuts)| !cuts.is_empty()) {
-            let [a, b] = edge.ends.map(|end| places[end as usize]);
+            let [a, b] = edge.ends.each(|end| places[end as usize]);
             let along = |point: u32| {
                 let p = places[point as usize];
                 i128::from(b.x - a.x) * i128::from(p.x - a.x) + i128::from(b.y - a.y) * i128::from(p.y - a.y)
             };
-            cuts.sort_unstable_by_key(|point| (along(*point), *point));
+            cuts.small_sort_by_key(|point| (along(*point), *point));
             cuts.dedup_by_key(|point| along(*point));
             let mut from = edge.ends[0];
             for to in cuts.into_iter().chain([edge.ends[1]]) {
@@ -106,7 +108,7 @@ fn compare(
     let boxes: Vec<[i64; 4]> = edges
         .iter()
         .map(|edge| {
-            let [a, b] = edge.ends.map(|end| places[end as usize]);
+            let [a, b] = edge.ends.each(|end| places[end as usize]);
             [a.x, b.x, a.y.min(b.y), a.y.max(b.y)]
         })
         .collect();
@@ -146,8 +148,8 @@ fn meet(
     near: f64,
     cuts: &mut [Vec<u32>],
 ) {
-    let ends = pair.map(|edge| edges[edge].ends);
-    let spots = ends.map(|ends| ends.map(|end| places[end as usize]));
+    let ends = pair.each(|edge| edges[edge].ends);
+    let spots = ends.each(|ends| ends.each(|end| places[end as usize]));
     let mut touches = false;
     for (own, other) in [(0, 1), (1, 0)] {
         for k in 0..2 {

@@ -5,6 +5,8 @@ use std::cmp::Ordering;
 use super::grid::{GridPoint, side};
 use super::noding::NodedEdge;
 use crate::geometry::buckets::Buckets;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The edges with a positive winding number on one side only, with that side on their left.
 pub(super) fn outline(places: &[GridPoint], edges: &[NodedEdge]) -> Vec<[u32; 2]> {
@@ -38,7 +40,7 @@ pub(super) fn outline(places: &[GridPoint], edges: &[NodedEdge]) -> Vec<[u32; 2]
         }
         leaving.clear();
         leaving.extend_from_slice(starts.of(point as usize));
-        leaving.sort_by(|&a, &b| steeper(places, edges, p, a, b));
+        leaving.small_sort_by(|&a, &b| steeper(places, edges, p, a, b));
         let mut winding = if low == 0 { 0 } else { active[low - 1].1 };
         let mut entries = Vec::with_capacity(leaving.len());
         for &edge in &leaving {
@@ -63,6 +65,6 @@ fn used(starts: &Buckets, stops: &[u32], point: u32) -> bool {
 
 /// The order of two edges that leave a point, from the lowest one up.
 fn steeper(places: &[GridPoint], edges: &[NodedEdge], from: GridPoint, a: u32, b: u32) -> Ordering {
-    let [a, b] = [a, b].map(|edge| places[edges[edge as usize].ends[1] as usize]);
+    let [a, b] = [a, b].each(|edge| places[edges[edge as usize].ends[1] as usize]);
     0.cmp(&side(from, a, b))
 }

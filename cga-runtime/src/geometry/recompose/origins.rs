@@ -6,6 +6,7 @@ use std::ops::Bound;
 use glam::DVec3;
 
 use crate::geometry::trace::UNTRACED;
+use crate::value::each::Each;
 
 /// The distance below which two points of an edge are one, as a share of the edge.
 const SAME: f64 = 1e-9;
@@ -132,7 +133,7 @@ impl Origins {
         }
         let number = self.points.len() as u32;
         edge.inner.insert(at.to_bits(), number);
-        let [low, high] = [first, last].map(|end| self.points[end as usize].place);
+        let [low, high] = [first, last].each(|end| self.points[end as usize].place);
         let place = low + (high - low) * at;
         self.points.push(OriginPoint { place, edge: stretch.edge, share: at, birth: division });
         number
@@ -140,7 +141,7 @@ impl Origins {
 
     /// The stretch between two points, if it is on an edge that is divided.
     fn stretch(&self, [a, b]: [u32; 2]) -> Option<EdgeStretch> {
-        let [p, q] = [a, b].map(|point| self.points[point as usize]);
+        let [p, q] = [a, b].each(|point| self.points[point as usize]);
         let end = |edge: u32, point: u32| {
             let ends = self.edges.get(edge as usize)?.ends;
             ends.iter().position(|end| *end == point).map(|end| end as f64)

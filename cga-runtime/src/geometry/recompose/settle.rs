@@ -1,5 +1,7 @@
 //! The places of points after all movements.
 
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use glam::DVec3;
 
 use super::origins::{Movement, NO_EDGE, Origins};
@@ -50,7 +52,7 @@ struct Movements {
 impl Movements {
     fn new(origins: &mut Origins) -> Self {
         let mut list = std::mem::take(&mut origins.movements);
-        list.sort_by_key(|movement| (movement.point, movement.division));
+        list.small_sort_by_key(|movement| (movement.point, movement.division));
         list.dedup_by(|next, sum| {
             let same = (next.point, next.division) == (sum.point, sum.division);
             if same {
@@ -110,7 +112,7 @@ impl Origins {
             let inherited = match self.edges.get(point.edge as usize).filter(|_| point.edge != NO_EDGE) {
                 None => DVec3::ZERO,
                 Some(edge) => {
-                    let [a, b] = edge.ends.map(|end| sums[end as usize] - movements.sum_at(end));
+                    let [a, b] = edge.ends.each(|end| sums[end as usize] - movements.sum_at(end));
                     a + (b - a) * point.share
                 }
             };

@@ -7,6 +7,7 @@ use crate::geometry::mesh::join::join;
 use crate::geometry::mesh::{Derived, Mesh, SubcomponentTagger, TagSet};
 use crate::geometry::trace::{PartPoint, Trace, UNTRACED};
 use crate::geometry::wire::Wire;
+use crate::value::each::Each;
 
 /// Parts that become one mesh.
 #[derive(Debug, Default)]
@@ -43,7 +44,7 @@ impl Weld {
                 ring.clear();
                 for from in range.clone() {
                     let to = if from + 1 == range.end { range.start } else { from + 1 };
-                    let ends = [from, to].map(|corner| points[mesh.corners[corner] as usize]);
+                    let ends = [from, to].each(|corner| points[mesh.corners[corner] as usize]);
                     let mut push = |corner: WeldCorner| {
                         if ring.last().is_none_or(|last: &WeldCorner| last.point != corner.point) {
                             ring.push(corner);
@@ -89,7 +90,7 @@ impl Weld {
 
     /// Adds the tags of the edge between two corners, all along the edge.
     fn tag_edge(&mut self, origins: &Origins, mesh: &Mesh, corners: [usize; 2], ends: [u32; 2]) {
-        if let Some(set) = mesh.edge_tags(corners.map(|corner| mesh.corners[corner])) {
+        if let Some(set) = mesh.edge_tags(corners.each(|corner| mesh.corners[corner])) {
             self.tag_along(origins, ends, set);
         }
     }
@@ -103,7 +104,7 @@ impl Weld {
     /// Adds the tags of a part without faces, whose edges and points faces have, too. `points` are the numbers of its points.
     pub(crate) fn add_tags(&mut self, origins: &Origins, part: &Wire, points: &[u32]) {
         let number = |point: u32| points.get(point as usize).copied().unwrap_or(UNTRACED);
-        for (ends, set) in part.tags.edges().map(|(ends, set)| (ends.map(number), set)) {
+        for (ends, set) in part.tags.edges().map(|(ends, set)| (ends.each(number), set)) {
             if !ends.contains(&UNTRACED) {
                 self.tag_along(origins, ends, set);
             }
@@ -121,9 +122,9 @@ impl Weld {
         let mut sum = join(self.meshes.iter());
         let (points, numbers) = renumbered(&self.points, places, map, &mut sum.corners);
         sum.points = points;
-        let tags = self.tagger.finish();
-        sum.subcomponent_tags =
-            tags.carried(sum.face_edges(), sum.points.len(), |point| PartPoint::old(numbers[point as usize]));
+        let origin = |point: u32| PartPoint::old(numbers[point as usize]);
+        let tags = self.tagger.finish().carried(&mut sum.face_edges(), sum.points.len(), &origin);
+        sum.subcomponent_tags = tags;
         sum.derived = Derived::default();
         (sum, numbers)
     }
@@ -166,8 +167,8 @@ pub(crate) fn welded_wire(parts: &[(Wire, Vec<u32>)], places: &[DVec3], map: &DA
     let edges: Vec<[u32; 2]> =
         if has_edges { ends.chunks_exact(2).map(|ends| [ends[0], ends[1]]).collect() } else { Vec::new() };
     let mut tagger = SubcomponentTagger::default();
-    parts.iter().for_each(|(wire, own)| tagger.append(&wire.tags, |point| own[point as usize]));
+    parts.iter().for_each(|(wire, own)| tagger.append(&wire.tags, &|point| own[point as usize]));
     let origin = |point: u32| PartPoint::old(numbers[point as usize]);
-    let tags = tagger.finish().carried(edges.iter().copied(), points.len(), origin);
+    let tags = tagger.finish().carried(&mut edges.iter().copied(), points.len(), &origin);
     (Wire { points, edges, normals, tags, trace: Trace::default() }, numbers)
 }

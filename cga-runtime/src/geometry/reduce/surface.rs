@@ -6,6 +6,8 @@ use super::quadric::Quadric;
 use crate::geometry::mesh::pair_table::PairTable;
 use crate::geometry::mesh::{FaceTag, Mesh, unit};
 use crate::geometry::triangulate::Triangulator;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// Vertices with more triangles are not removed.
 const MOST_AROUND: u32 = 64;
@@ -76,7 +78,7 @@ impl<'m> Surface<'m> {
             }
         }
         let points: Vec<[u32; 3]> =
-            values.iter().map(|corners: &[u32; 3]| corners.map(|corner| mesh.corners[corner as usize])).collect();
+            values.iter().map(|corners: &[u32; 3]| corners.each(|corner| mesh.corners[corner as usize])).collect();
         let is_alike = mesh.faces().all(|face| attributes(face.tag()) == attributes(mesh.tags[0]));
         let mut surface = Surface {
             mesh,
@@ -126,7 +128,7 @@ impl<'m> Surface<'m> {
         for points in &self.points {
             for k in 0..3 {
                 let [a, b] = [points[k], points[(k + 1) % 3]];
-                let ends = [a, b].map(|point| point as usize);
+                let ends = [a, b].each(|point| point as usize);
                 if self.edge_count(a, b) == 1 {
                     ends.into_iter().for_each(|end| self.is_border[end] = true);
                 }
@@ -145,7 +147,7 @@ impl<'m> Surface<'m> {
             ends.extend(
                 (0..).zip(triangles).flat_map(|(place, &triangle)| others(triangle).map(move |end| (end, place))),
             );
-            ends.sort_unstable();
+            ends.small_sort();
             let mut fans = crate::geometry::disjoint::DisjointSets::new(triangles.len());
             ends.windows(2).filter(|pair| pair[0].0 == pair[1].0).for_each(|pair| fans.unite(pair[0].1, pair[1].1));
             self.is_locked[point] |= (0..triangles.len() as u32).any(|place| fans.find_and_shorten(place) != 0);
@@ -156,7 +158,7 @@ impl<'m> Surface<'m> {
     fn weigh(&mut self) {
         for triangle in 0..self.points.len() {
             let points = self.points[triangle];
-            let [a, b, c] = points.map(|point| self.places[point as usize]);
+            let [a, b, c] = points.each(|point| self.places[point as usize]);
             let area = (b - a).cross(c - a);
             let normal = unit(area);
             let own = Quadric::of_plane(normal, a, 0.5 * area.length());
@@ -166,7 +168,7 @@ impl<'m> Surface<'m> {
                 if !self.is_seam(triangle, ends) {
                     continue;
                 }
-                let [from, to] = ends.map(|point| self.places[point as usize]);
+                let [from, to] = ends.each(|point| self.places[point as usize]);
                 let across = unit((to - from).cross(normal));
                 let keep = Quadric::of_plane(across, from, BORDER_WEIGHT * from.distance_squared(to));
                 ends.into_iter().for_each(|point| self.quadrics[point as usize] += keep);
@@ -202,7 +204,7 @@ impl<'m> Surface<'m> {
             return true;
         }
         let [a, b] =
-            [one, other].map(|triangle| self.values[triangle as usize][self.place_in(triangle, point)] as usize);
+            [one, other].each(|triangle| self.values[triangle as usize][self.place_in(triangle, point)] as usize);
         let tag = |triangle: u32| attributes(self.mesh.tags[self.faces[triangle as usize] as usize]);
         tag(one) == tag(other) && self.mesh.uv_numbers().all(|set| self.mesh.uv_set(set)[a] == self.mesh.uv_set(set)[b])
     }
@@ -220,7 +222,7 @@ impl<'m> Surface<'m> {
         let triangles = self.triangles(point);
         let all = triangles.iter().flat_map(|&triangle| self.points[triangle as usize]);
         let mut near: Vec<u32> = all.filter(|&other| other != point).collect();
-        near.sort_unstable();
+        near.small_sort();
         near.dedup();
         near
     }
@@ -243,7 +245,7 @@ impl<'m> Surface<'m> {
                 (cost(&sum, from, to), target)
             })
             .collect();
-        sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        sorted.small_sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         sorted.into_iter().find(|&(_, target)| self.may_become(point, target, &triangles, &near))
     }
 
@@ -274,12 +276,12 @@ impl<'m> Surface<'m> {
     fn folds(&self, triangle: u32, point: u32, target: u32, gone: &[u32]) -> bool {
         let normal = |triangle: u32, target: u32| {
             let place = |own: u32| self.places[if own == point { target } else { own } as usize];
-            let [a, b, c] = self.points[triangle as usize].map(place);
+            let [a, b, c] = self.points[triangle as usize].each(place);
             unit((b - a).cross(c - a))
         };
-        let [before, after] = [point, target].map(|target| normal(triangle, target));
+        let [before, after] = [point, target].each(|target| normal(triangle, target));
         let place = self.place_in(triangle, point);
-        let [next, last] = [1, 2].map(|step| self.points[triangle as usize][(place + step) % 3]);
+        let [next, last] = [1, 2].each(|step| self.points[triangle as usize][(place + step) % 3]);
         // The neighbours at all three edges have one of the two other points.
         let near = [next, last].into_iter().filter(|&near| self.counts[near as usize] <= MOST_AROUND);
         near.flat_map(|near| self.around[near as usize].iter().map(move |&other| (near, other))).any(|(near, other)| {
@@ -297,8 +299,8 @@ impl<'m> Surface<'m> {
 
     /// Returns true if a triangle turns far, or loses its area, when its first point becomes another one.
     fn turns_over(&self, [first, next, last]: [u32; 3], target: u32) -> bool {
-        let [from, to, b, c] = [first, target, next, last].map(|point| self.places[point as usize]);
-        let [before, after] = [from, to].map(|a| (b - a).cross(c - a));
+        let [from, to, b, c] = [first, target, next, last].each(|point| self.places[point as usize]);
+        let [before, after] = [from, to].each(|a| (b - a).cross(c - a));
         let size = before.length();
         NO_AREA < size && before.dot(after) <= (LEAST_COSINE * size * after.length()).max(NO_AREA * size)
     }

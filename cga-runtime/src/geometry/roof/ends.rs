@@ -11,6 +11,8 @@ use glam::DVec2;
 use super::Outline;
 use super::plan::Plan;
 use crate::geometry::tol::TIE_EPSILON;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// Edges belong to one side up to this angle, in radians (3 degrees).
 const ONE_SIDE: f64 = 0.052;
@@ -41,7 +43,7 @@ pub(super) fn ends(outline: &Outline<'_>) -> Vec<bool> {
     for face in plan.faces.iter().filter(|face| face.ring.len() == 3) {
         let side = face.edge as usize;
         let [last, next] = sides.neighbours(side);
-        let turns = [[last, side], [side, next]].map(|[a, b]| turn(&simple, [corners[a], corners[b]]));
+        let turns = [[last, side], [side, next]].each(|[a, b]| turn(&simple, [corners[a], corners[b]]));
         let blunt = SHARPEST..=std::f64::consts::PI - SHARPEST;
         if turns.iter().all(|turn| blunt.contains(turn)) && OPPOSITE <= turns[0] + turns[1] {
             let length = simple.at(corners[side][0]).distance(simple.at(corners[side][1]));
@@ -52,7 +54,7 @@ pub(super) fn ends(outline: &Outline<'_>) -> Vec<bool> {
     // Equal lengths: from the second side on, so that the first one keeps its eave.
     let place = |side: usize| if side == 0 { usize::MAX } else { side };
     let steps = |length: f64| (length / (TIE_EPSILON * longest)).round();
-    candidates.sort_by(|a, b| steps(a.0).total_cmp(&steps(b.0)).then(place(a.1).cmp(&place(b.1))));
+    candidates.small_sort_by(|a, b| steps(a.0).total_cmp(&steps(b.0)).then(place(a.1).cmp(&place(b.1))));
     for (_, side) in candidates {
         found[side] = !sides.neighbours(side).into_iter().any(|other| found[other]);
     }
@@ -73,7 +75,7 @@ pub(super) fn ends_along(outline: &Outline<'_>, edge: usize) -> Vec<bool> {
 
 /// The angle from an edge to the next one, positive at a convex corner.
 fn turn(outline: &Outline<'_>, edges: [[u32; 2]; 2]) -> f64 {
-    let [a, b] = edges.map(|edge| outline.along(edge));
+    let [a, b] = edges.each(|edge| outline.along(edge));
     libm::atan2(a.perp_dot(b), a.dot(b))
 }
 
@@ -133,6 +135,6 @@ fn corners(outline: &Outline<'_>, ring: &[u32]) -> Vec<usize> {
             direction = along(i);
         }
     }
-    kept.sort_unstable();
+    kept.small_sort();
     if kept.len() < 3 { (0..count).collect() } else { kept }
 }

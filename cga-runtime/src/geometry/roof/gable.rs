@@ -10,6 +10,7 @@ use super::hip::overhang_in_plan;
 use super::plan::{Outside, OutsideStrip, Plan};
 use super::{Outline, Rise, Roof};
 use crate::geometry::skeleton::Failure;
+use crate::value::each::Each;
 
 /// The distance of a corner of a pediment from the outer edge of its overhang, as a share of the overhang, at which there is
 /// an overhang. It is 1 in straight pediments.
@@ -58,7 +59,7 @@ pub(super) fn gable(
             }
         }
     }
-    Ok(plan.roof(slope, |edge| ends[edge as usize]))
+    Ok(plan.roof(slope, &|edge| ends[edge as usize]))
 }
 
 /// The gables: neighbouring edges that are ends, in their order. A ring whose edges are all ends has no gable: its
@@ -113,7 +114,7 @@ fn overhang(
     let fronts = outside.fronts(is_eave);
     regions.extend(outside.strips.into_iter().filter(is_eave).map(|strip| (strip.edge, strip.ring)));
     plan.join(regions, &fronts);
-    plan.drop_straight(|edge| !is_end(edge));
+    plan.drop_straight(&|edge| !is_end(edge));
     if eave == 0.0 {
         plan.begin_at_eaves(outline, is_end);
     }
@@ -146,7 +147,7 @@ fn in_front(
         [q, p] if p[0] == a && q[1] == b => [p[1], q[0]],
         _ => return None,
     };
-    let [p, q] = outer.map(|point| plan.points[point as usize]);
+    let [p, q] = outer.each(|point| plan.points[point as usize]);
     let behind = (q - p).normalize_or_zero().perp();
     let mut corners = gable[1..].iter().map(|&edge| outline.at(edges[edge as usize][0]));
     if corners.any(|corner| behind.dot(corner - p) < NEAREST * along) {

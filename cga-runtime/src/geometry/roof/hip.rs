@@ -18,9 +18,9 @@ pub(super) fn hip(outline: &Outline<'_>, rise: Rise, overhang: f64, even: bool) 
         let fronts = outside.fronts(|_| true);
         let regions = outside.strips.into_iter().map(|strip| (strip.edge, strip.ring)).collect();
         plan.join(regions, &fronts);
-        plan.drop_straight(|_| true);
+        plan.drop_straight(&|_| true);
     }
-    Ok(plan.roof(slope, |_| false))
+    Ok(plan.roof(slope, &|_| false))
 }
 
 /// The distance outside the outline of an overhang measured on a plane.

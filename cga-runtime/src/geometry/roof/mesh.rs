@@ -6,6 +6,7 @@ use super::{Outline, Rise, Roof, RoofFace, RoofForm, RoofPart, roof_with_or_with
 use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh, PartTags, SubcomponentTagger, flip};
 use crate::geometry::skeleton::{Failure, any_cross};
 use crate::geometry::tol::TOUCH_EPSILON;
+use crate::value::each::Each;
 
 /// The reason why a face has no roof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,7 +97,8 @@ fn add_roof(
             made.corners.extend(ring.iter().map(|&point| base + point));
             made.end_loop();
         }
-        let ends = edge.and_then(|edge| edges.get(edge as usize)).map(|ends| ends.map(|end| flat.points[end as usize]));
+        let ends =
+            edge.and_then(|edge| edges.get(edge as usize)).map(|ends| ends.each(|end| flat.points[end as usize]));
         made.end_face(match ends {
             Some(ends) => tags.parts.over_edge(face.tag(), part.tag(), ends),
             None => tags.parts.over(face.tag(), part.tag()),

@@ -11,6 +11,8 @@ use crate::geometry::nesting::extent::Extent;
 use crate::geometry::skeleton::{self, Failure, Speeds, Swept};
 use crate::geometry::tol::{NUDGE_EPSILONS, TIE_EPSILON};
 use crate::geometry::triangulate::Triangulator;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// A ridge is between edges whose directions differ from opposite ones by less than 45 degrees: the cosine of 135 degrees.
 const RIDGE: f64 = -std::f64::consts::FRAC_1_SQRT_2;
@@ -154,7 +156,7 @@ impl Plan {
     }
 
     /// Removes points between two collinear arcs of the faces over edges that `counts` selects, if no other face has them.
-    pub(super) fn drop_straight(&mut self, counts: impl Fn(u32) -> bool) {
+    pub(super) fn drop_straight(&mut self, counts: &dyn Fn(u32) -> bool) {
         let face_arcs = self.face_arcs();
         let is_straight = |point: u32| {
             let around = || face_arcs.around(point).map(|(end, face)| (end, counts(self.faces[face].edge)));
@@ -186,7 +188,7 @@ impl Plan {
 
     /// The roof whose planes rise by `slope` per metre. Faces over edges that `is_side` selects are upright. Faces that
     /// are bent become triangles.
-    pub(super) fn roof(mut self, slope: f64, is_side: impl Fn(u32) -> bool) -> Roof {
+    pub(super) fn roof(mut self, slope: f64, is_side: &dyn Fn(u32) -> bool) -> Roof {
         self.faces.sort_by_key(|face| face.edge);
         let mut faces = Vec::with_capacity(self.faces.len());
         for PlanFace { edge, ring } in self.faces {
@@ -197,11 +199,11 @@ impl Plan {
                 let mut triangles = Vec::new();
                 Triangulator::new().polygon(&flat, &[flat.len() as u32], &mut triangles);
                 // The first one has the eave.
-                triangles.sort_by_key(|triangle| !(triangle.contains(&0) && triangle.contains(&1)));
+                triangles.small_sort_by_key(|triangle| !(triangle.contains(&0) && triangle.contains(&1)));
                 for mut triangle in triangles {
                     let first = (0..3).find(|&i| triangle[i] == 0 && triangle[(i + 1) % 3] == 1);
                     triangle.rotate_left(first.unwrap_or(0));
-                    let ring = triangle.map(|corner| ring[corner as usize]).to_vec();
+                    let ring = triangle.each(|corner| ring[corner as usize]).to_vec();
                     faces.push(RoofFace { part: RoofPart::Top, edge: Some(edge), rings: vec![ring] });
                 }
             } else {
@@ -258,7 +260,7 @@ impl Outside {
     pub(super) fn fronts(&self, counts: impl Fn(&OutsideStrip) -> bool) -> Vec<(u32, [u32; 2])> {
         let counted = self.strips.iter().filter(|strip| counts(strip));
         let mut fronts: Vec<_> = counted.flat_map(|strip| strip.fronts().map(|front| (strip.edge, front))).collect();
-        fronts.sort_by_key(|front| front.0);
+        fronts.small_sort_by_key(|front| front.0);
         fronts
     }
 }

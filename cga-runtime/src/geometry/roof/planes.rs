@@ -9,6 +9,8 @@ use super::{Outline, Rise, Roof, RoofFace, RoofPart};
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::nesting::rings::NestedRings;
 use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// A triangle for each edge, to an apex over the mean of all corners. An angle is that of the first triangle. If the apex is
 /// over the line of the first edge, no height gives this triangle an angle, so the next edge decides.
@@ -76,11 +78,11 @@ pub(super) fn ridge(outline: &Outline<'_>, along: DVec2, rise: Rise) -> Roof {
         if s.abs() <= near { 0 } else { s.signum() as i32 }
     };
     // The points where edges cross the ridge.
-    let mut crossings: BTreeMap<usize, u32> = BTreeMap::new();
-    for (number, edge) in outline.edges().into_iter().enumerate() {
-        let [a, b] = edge.map(|point| outline.at(point));
+    let mut crossings: BTreeMap<u32, u32> = BTreeMap::new();
+    for (number, edge) in (0..).zip(outline.edges()) {
+        let [a, b] = edge.each(|point| outline.at(point));
         if side(a) * side(b) < 0 {
-            let [s, t] = [a, b].map(|p| across.dot(p) - middle);
+            let [s, t] = [a, b].each(|p| across.dot(p) - middle);
             let at = a.lerp(b, s / (s - t));
             crossings.insert(number, raised.roof.point(at.extend(slope * half)));
         }
@@ -116,13 +118,13 @@ impl Raised {
 
     /// The upright face at each edge, from its start to its end and back over the crossing with the ridge, with the number
     /// of the edge. An edge at height 0 has none.
-    fn sides(&self, outline: &Outline<'_>, crossings: &BTreeMap<usize, u32>) -> Vec<(usize, RoofFace)> {
+    fn sides(&self, outline: &Outline<'_>, crossings: &BTreeMap<u32, u32>) -> Vec<(usize, RoofFace)> {
         let mut sides = Vec::new();
         let outer = outline.rings[0].len();
         for (number, [a, b]) in outline.edges().into_iter().enumerate() {
             let mut ring = vec![a, b];
             ring.extend(Some(self.top[b as usize]).filter(|top| *top != b));
-            ring.extend(crossings.get(&number));
+            ring.extend(crossings.get(&(number as u32)));
             ring.extend(Some(self.top[a as usize]).filter(|top| *top != a));
             if 3 <= ring.len() {
                 let part = if number < outer { RoofPart::Outer } else { RoofPart::Inner };
@@ -137,7 +139,7 @@ impl Raised {
 fn half_of(
     outline: &Outline<'_>,
     raised: &Raised,
-    crossings: &BTreeMap<usize, u32>,
+    crossings: &BTreeMap<u32, u32>,
     side: &impl Fn(DVec2) -> i32,
     along: DVec2,
     half: i32,
@@ -145,8 +147,8 @@ fn half_of(
     let flat = |point: u32| raised.roof.points[point as usize].truncate();
     let mut arcs: Vec<[u32; 2]> = Vec::new();
     let mut on_ridge: Vec<u32> = crossings.values().copied().collect();
-    for (number, [a, b]) in outline.edges().into_iter().enumerate() {
-        let (sides, tops) = ([a, b].map(|p| side(outline.at(p))), [a, b].map(|p| raised.top[p as usize]));
+    for (number, [a, b]) in (0..).zip(outline.edges()) {
+        let (sides, tops) = ([a, b].each(|p| side(outline.at(p))), [a, b].each(|p| raised.top[p as usize]));
         if sides[0] == 0 {
             on_ridge.push(tops[0]);
         }
@@ -162,7 +164,7 @@ fn half_of(
     }
     // Along the ridge, arcs close the half where the polygon is beside it.
     let place = |point: u32| along.dot(flat(point));
-    on_ridge.sort_by(|&p, &q| place(p).total_cmp(&place(q)).then(p.cmp(&q)));
+    on_ridge.small_sort_by(|&p, &q| place(p).total_cmp(&place(q)).then(p.cmp(&q)));
     on_ridge.dedup();
     let balance =
         |point: u32| arcs.iter().map(|arc| i32::from(arc[1] == point) - i32::from(arc[0] == point)).sum::<i32>();

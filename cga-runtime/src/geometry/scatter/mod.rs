@@ -18,6 +18,7 @@ use solid::Solid;
 
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::triangulate::Triangulator;
+use crate::value::each::Each;
 
 /// The most cells that halving makes for each point that is asked for. Few points are not worth many cells.
 const CELLS_PER_POINT: u64 = 8;
@@ -196,7 +197,7 @@ fn triangles(mesh: &Mesh) -> Vec<([DVec3; 3], DVec3)> {
         list.clear();
         triangulator.face(mesh, face.index(), &mut list);
         let normal = unit(face.normal());
-        let corners = list.iter().map(|triangle| triangle.map(|corner| face.position(corner as usize)));
+        let corners = list.iter().map(|triangle| triangle.each(|corner| face.position(corner as usize)));
         all.extend(corners.map(|corners| (corners, normal)));
     }
     all
@@ -243,9 +244,9 @@ fn halves(form: &CellForm, bell: &Bell, solid: Option<&Solid>) -> [Option<Densit
         CellForm::Triangle { corners, normal } => {
             let length = |edge: usize| ((corners[(edge + 1) % 3] - corners[edge]) / units).length_squared();
             let longest = (0..3).max_by(|a, b| length(*a).total_cmp(&length(*b))).unwrap_or(0);
-            let [from, to, apex] = [0, 1, 2].map(|step| corners[(longest + step) % 3]);
+            let [from, to, apex] = [0, 1, 2].each(|step| corners[(longest + step) % 3]);
             let middle = (from + to) * 0.5;
-            [[from, middle, apex], [middle, to, apex]].map(|corners| triangle(corners, *normal, bell))
+            [[from, middle, apex], [middle, to, apex]].each(|corners| triangle(corners, *normal, bell))
         }
         CellForm::Box { low, high, crossing } => {
             let extent = ((*high - *low) / units).to_array();
@@ -253,7 +254,7 @@ fn halves(form: &CellForm, bell: &Bell, solid: Option<&Solid>) -> [Option<Densit
             let middle = (low[longest] + high[longest]) * 0.5;
             let (mut top, mut bottom) = (*high, *low);
             (top[longest], bottom[longest]) = (middle, middle);
-            [(*low, top), (bottom, *high)].map(|(low, high)| cuboid(low, high, crossing, bell, solid))
+            [(*low, top), (bottom, *high)].each(|(low, high)| cuboid(low, high, crossing, bell, solid))
         }
     }
 }

@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::Bounds;
+use crate::value::each::Each;
 
 /// The most columns along an axis.
 const MOST_COLUMNS: usize = 256;
@@ -33,7 +34,7 @@ impl Solid {
         let low = flat(bounds.low);
         let mut solid = Solid { triangles, low, per_length, columns, lists: vec![Vec::new(); columns * columns] };
         for (number, triangle) in (0..).zip(&solid.triangles) {
-            let corners = triangle.map(flat);
+            let corners = triangle.each(flat);
             let first = solid.column(corners[0].min(corners[1]).min(corners[2]));
             let last = solid.column(corners[0].max(corners[1]).max(corners[2]));
             for row in first[1]..=last[1] {
@@ -48,7 +49,7 @@ impl Solid {
     fn column(&self, point: DVec2) -> [usize; 2] {
         let place = (point - self.low) * self.per_length;
         // A cast takes negative numbers to 0.
-        [place.x, place.y].map(|at| (at as usize).min(self.columns - 1))
+        [place.x, place.y].each(|at| (at as usize).min(self.columns - 1))
     }
 
     pub(super) fn bounds(&self) -> Bounds {
@@ -65,7 +66,7 @@ impl Solid {
         let mut winding = 0;
         for &number in &self.lists[row * self.columns + column] {
             let triangle = self.triangles[number as usize];
-            let [a, b, c] = triangle.map(flat);
+            let [a, b, c] = triangle.each(flat);
             let sides = [orient(a, b, at), orient(b, c, at), orient(c, a, at)];
             if sides.contains(&0) && !(sides.contains(&1) && sides.contains(&-1)) {
                 return false;

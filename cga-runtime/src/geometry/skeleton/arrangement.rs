@@ -1,5 +1,6 @@
 //! The arrangement of a wavefront at an event: clusters of vertices, and the segments into which they divide edges.
 
+use crate::value::small_sort::SmallSort;
 use std::collections::BTreeMap;
 
 use super::NONE;
@@ -106,13 +107,13 @@ impl Arrangement {
                 divisions.push((edge, along.dot(front.positions[here as usize]), here));
             }
         }
-        divisions.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
+        divisions.small_sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
         divisions.dedup_by_key(|division| (division.0, division.2));
         let changing = vertices.iter().filter(|&&vertex| changes[cluster(vertex) as usize]);
         edges.clear();
         edges.extend(changing.flat_map(|&v| [v, front.vertices[v as usize].last]));
         edges.extend(divisions.iter().map(|division| division.0));
-        edges.sort_unstable();
+        edges.small_sort();
         edges.dedup();
         let end = |vertex: u32| {
             let cluster = cluster(vertex);
@@ -148,8 +149,8 @@ impl Arrangement {
                 self.incoming.push(Incidence { cluster: to.vertex(), segment });
             }
         }
-        self.incoming.sort_unstable();
-        self.outgoing.sort_unstable();
+        self.incoming.small_sort();
+        self.outgoing.small_sort();
     }
 
     /// The index of a cluster where the wavefront changes.

@@ -5,6 +5,7 @@
 //! ends as if its neighbour were as fast.
 
 use super::wavefront::{MovingLine, Wavefront, WavefrontVertex};
+use crate::value::each::Each;
 
 /// A corner is blunt if the cosine of the angle between the normals of its edges is larger: less than 45 degrees.
 const BLUNT: f64 = std::f64::consts::FRAC_1_SQRT_2;
@@ -26,12 +27,12 @@ impl Wavefront {
         let mut added = Vec::new();
         for &number in if self.flat { made } else { &[] } {
             let WavefrontVertex { node, before, after, last, next, .. } = self.vertices[number as usize];
-            let [a, b] = [before, after].map(|line| self.lines[line as usize]);
+            let [a, b] = [before, after].each(|line| self.lines[line as usize]);
             let Some(line) = divider(&a, &b, self.nodes[node as usize]) else { continue };
             let (between, new) = (self.lines.len() as u32, self.vertices.len() as u32);
             self.lines.push(line);
             self.arcs.line();
-            let [first, second] = [(before, between), (between, after)].map(|(a, b)| self.vertex(node, a, b));
+            let [first, second] = [(before, between), (between, after)].each(|(a, b)| self.vertex(node, a, b));
             self.vertices[number as usize] = WavefrontVertex { last, next: new, ..first };
             self.push(WavefrontVertex { last: number, next, ..second });
             self.vertices[next as usize].last = new;

@@ -12,6 +12,7 @@ use super::{Left, Strip, Swept};
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::check::winding;
 use crate::geometry::tol::{MEETING_EPSILONS, TOUCH_EPSILON};
+use crate::value::each::Each;
 
 /// The multiple of the contact distance that counts as rounding.
 const SLACK: f64 = 16.0;
@@ -136,7 +137,7 @@ fn cross(e: &[DVec2; 2], f: &[DVec2; 2], slack: f64) -> bool {
     if apart(0) || apart(1) {
         return false;
     }
-    let sides = |e: &[DVec2; 2], f: &[DVec2; 2]| f.map(|p| orient(e[0], e[1], p));
+    let sides = |e: &[DVec2; 2], f: &[DVec2; 2]| f.each(|p| orient(e[0], e[1], p));
     let ([a, b], [c, d]) = (sides(e, f), sides(f, e));
     if a * b >= 0 || c * d >= 0 {
         return false;

@@ -17,6 +17,8 @@ use super::wavefront::Wavefront;
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::segment::nearest_share;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The contacts at one time. The lists keep their memory from event to event.
 #[derive(Debug, Default)]
@@ -124,7 +126,7 @@ impl Wavefront {
             }
             for &(edge, _) in near.iter().filter(|(_, around)| around.holds(here)) {
                 let next = self.vertices[edge as usize].next;
-                let [start, end] = [edge, next].map(|vertex| self.positions[vertex as usize]);
+                let [start, end] = [edge, next].each(|vertex| self.positions[vertex as usize]);
                 if start.distance_squared(here) <= squared {
                     if edge != vertex {
                         contacts.coincide(vertex, edge);
@@ -136,11 +138,11 @@ impl Wavefront {
             }
         }
         contacts.sorted.clone_from(&contacts.reached);
-        contacts.sorted.sort_unstable();
+        contacts.sorted.small_sort();
         contacts.clusters.flatten_some(&contacts.sorted);
         for &[edge, vertex] in &candidates {
             let cluster = contacts.cluster(vertex);
-            if ![edge, self.vertices[edge as usize].next].map(|end| contacts.cluster(end)).contains(&cluster) {
+            if ![edge, self.vertices[edge as usize].next].each(|end| contacts.cluster(end)).contains(&cluster) {
                 contacts.touch(edge, vertex);
             }
         }
@@ -151,7 +153,7 @@ impl Wavefront {
     fn put_edges_near(&self, place: &Extent, near: &mut Vec<(u32, Extent)>) {
         let margin = DVec2::splat(2.0 * self.epsilon);
         let around = |&edge: &u32| {
-            let [a, b] = [edge, self.vertices[edge as usize].next].map(|vertex| self.positions[vertex as usize]);
+            let [a, b] = [edge, self.vertices[edge as usize].next].each(|vertex| self.positions[vertex as usize]);
             (edge, Extent { low: a.min(b) - margin, high: a.max(b) + margin })
         };
         near.clear();

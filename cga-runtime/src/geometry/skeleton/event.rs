@@ -2,6 +2,7 @@
 
 use super::wavefront::{CollapseEvent, MovingLine, NextEvent, SplitEvent, Wavefront, WavefrontVertex};
 use super::{Failure, NONE};
+use crate::value::small_sort::SmallSort;
 
 /// An event at the current time, up to rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,7 +64,7 @@ impl Wavefront {
             return Err(Failure::Tangled);
         }
         let mut changed: Vec<u32> = made.iter().flat_map(|&v| [v, self.vertices[v as usize].last]).collect();
-        changed.sort_unstable();
+        changed.small_sort();
         changed.dedup();
         for &edge in &changed {
             self.vertices[edge as usize].collapse = self.collapse(edge);

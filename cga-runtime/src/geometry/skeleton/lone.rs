@@ -8,6 +8,8 @@ use super::meeting::Meeting;
 use super::overlap::short_end;
 use super::wavefront::{Wavefront, turn_back};
 use crate::geometry::nesting::extent::Extent;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The least sine of an angle between edges at a lone event.
 const CLEAR: f64 = 1e-6;
@@ -58,7 +60,7 @@ impl Wavefront {
             return None;
         }
         self.is_alone(&self.place_of(&corners), &corners, &[]).then_some(())?;
-        corners.sort_unstable();
+        corners.small_sort();
         self.end(&corners);
         self.renew(&[]);
         Some(Vec::new())
@@ -109,7 +111,7 @@ impl Wavefront {
     /// Returns true if a place contains no edges except `own`, and none of the vertices `away`.
     fn is_alone(&self, place: &Extent, own: &[u32], away: &[u32]) -> bool {
         let is_off = |edge: u32| {
-            let [a, b] = [edge, self.next(edge)].map(|vertex| self.positions[vertex as usize]);
+            let [a, b] = [edge, self.next(edge)].each(|vertex| self.positions[vertex as usize]);
             !(Extent { low: a.min(b), high: a.max(b) }).meets(place)
         };
         away.iter().all(|&vertex| !place.holds(self.positions[vertex as usize]))
@@ -119,8 +121,8 @@ impl Wavefront {
     /// Returns true if the edges to a vertex from another one and from it to a third one do not touch each other. `edges` are
     /// their numbers.
     fn is_apart(&self, from: u32, here: u32, to: u32, edges: [u32; 2]) -> bool {
-        let [far, here, end] = [from, here, to].map(|vertex| self.positions[vertex as usize]);
-        let [a, b] = edges.map(|edge| self.line(edge));
+        let [far, here, end] = [from, here, to].each(|vertex| self.positions[vertex as usize]);
+        let [a, b] = edges.each(|edge| self.line(edge));
         !turn_back(a, b) && short_end(far, here, end).is_none_or(|end| self.epsilon * self.epsilon < end.squared)
     }
 

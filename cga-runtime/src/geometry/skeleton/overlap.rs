@@ -1,5 +1,6 @@
 //! Coincident segments with opposite directions: they touch up to the end of the shorter one.
 
+use crate::value::each::Each;
 use glam::DVec2;
 
 use super::Failure;
@@ -40,7 +41,7 @@ impl Arrangement {
         // Without another segment in between they meet, at any computed distance.
         self.pair_up(front);
         for &pair in &self.pairs {
-            let [a, b] = pair.map(|segment| front.lines[self.segments[segment].line as usize]);
+            let [a, b] = pair.each(|segment| front.lines[self.segments[segment].line as usize]);
             if turn_back(&a, &b) {
                 if !self.overlap(front, contacts, pair, f64::INFINITY) {
                     return Err(Failure::Tangled);
@@ -53,7 +54,7 @@ impl Arrangement {
 
     /// Records that a segment to a cluster and a segment from it touch, if they do. Returns whether this is new.
     fn overlap(&self, front: &Wavefront, contacts: &mut Contacts, pair: [usize; 2], near: f64) -> bool {
-        let [incoming, outgoing] = pair.map(|segment| &self.segments[segment]);
+        let [incoming, outgoing] = pair.each(|segment| &self.segments[segment]);
         let position = |end: SegmentEnd| front.positions[end.vertex() as usize];
         let Some(ShortEnd { leaves, squared }) =
             short_end(position(incoming.from), position(incoming.to), position(outgoing.to))

@@ -5,6 +5,7 @@
 //! flatter one is the lower one from there on.
 
 use super::wavefront::{Wavefront, WavefrontVertex, turn_back};
+use crate::value::each::Each;
 
 impl Wavefront {
     /// Lets faster edges take the place of slower ones at the given vertices, which start now. The list then has those that
@@ -17,7 +18,7 @@ impl Wavefront {
         while let Some(&vertex) = made.get(at) {
             at += 1;
             let WavefrontVertex { node, before, after, last, next, alive, stuck, .. } = self.vertices[vertex as usize];
-            let [a, b] = [before, after].map(|line| self.lines[line as usize]);
+            let [a, b] = [before, after].each(|line| self.lines[line as usize]);
             // A loop of two edges has no area.
             if !alive || !stuck || turn_back(&a, &b) || last == next {
                 continue;

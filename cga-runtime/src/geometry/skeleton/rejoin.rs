@@ -1,5 +1,7 @@
 //! The end of an event: new vertices join the segments that end at a cluster with the segments that begin there.
 
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use glam::DVec2;
 
 use super::NONE;
@@ -30,7 +32,7 @@ impl Arrangement {
         let mut around: Vec<(f64, bool, usize)> = incoming.chain(outgoing).collect();
         let first = pairs.len();
         // Of two coincident segments the incoming one is first, so that the area between them is empty.
-        around.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
+        around.small_sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
         let mut waiting: Vec<usize> = Vec::new();
         // Outgoing segments before any incoming one wait for the second round.
         let mut early: Vec<usize> = Vec::new();
@@ -45,7 +47,7 @@ impl Arrangement {
         }
         pairs.extend(early.into_iter().map_while(|segment| Some([waiting.pop()?, segment])));
         // A rotation of the input changes only the start of the circle; sorting removes this difference.
-        pairs[first..].sort_unstable();
+        pairs[first..].small_sort();
     }
 }
 
@@ -53,7 +55,7 @@ impl Arrangement {
 pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &mut Arrangement) -> Vec<u32> {
     arrangement.put_nodes(front, contacts);
     for [a, b] in &arrangement.cancelled {
-        let [from, to] = [a.to, a.from].map(|end| arrangement.node(end.vertex()));
+        let [from, to] = [a.to, a.from].each(|end| arrangement.node(end.vertex()));
         front.arcs.path(from, to, a.line, b.line);
     }
     for &vertex in contacts.vertices() {
@@ -66,7 +68,7 @@ pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &m
     for index in 0..arrangement.pairs.len() {
         let [incoming, outgoing] = arrangement.pairs[index];
         let new = front.vertices.len() as u32;
-        let [a, b] = [incoming, outgoing].map(|segment| arrangement.segments[segment]);
+        let [a, b] = [incoming, outgoing].each(|segment| arrangement.segments[segment]);
         let vertex = front.vertex(arrangement.node(a.to.vertex()), a.line, b.line);
         front.push(vertex);
         // From now on the segments end at vertices of the wavefront.
@@ -75,7 +77,7 @@ pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &m
         made.push(new);
     }
     for segment in &arrangement.segments {
-        let [from, to] = [segment.from, segment.to].map(SegmentEnd::vertex);
+        let [from, to] = [segment.from, segment.to].each(SegmentEnd::vertex);
         front.vertices[from as usize].next = to;
         front.vertices[to as usize].last = from;
     }

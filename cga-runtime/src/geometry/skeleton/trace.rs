@@ -5,6 +5,7 @@ use glam::DVec2;
 use super::{NONE, Strip};
 use crate::geometry::buckets::Buckets;
 use crate::geometry::disjoint::DisjointSets;
+use crate::value::each::Each;
 
 /// A directed side of one strip, with the strip on its left.
 #[derive(Clone, Copy, Debug)]
@@ -62,11 +63,11 @@ impl Arcs {
     pub(super) fn contracted(&self, points: &[DVec2], times: Option<&[f64]>, fixed: usize, epsilon: f64) -> Vec<u32> {
         let mut same = DisjointSets::new(points.len());
         for arc in &self.all {
-            let [from, to] = [arc.from, arc.to].map(|point| point as usize);
+            let [from, to] = [arc.from, arc.to].each(|point| point as usize);
             // Beside an edge that does not move, points at different times coincide.
             let is_now = times.is_none_or(|times| (times[from] - times[to]).abs() <= epsilon);
             if is_now && points[from].distance(points[to]) <= epsilon {
-                let [a, b] = [arc.from, arc.to].map(|point| same.find_and_shorten(point));
+                let [a, b] = [arc.from, arc.to].each(|point| same.find_and_shorten(point));
                 if fixed <= a.max(b) as usize {
                     same.unite(a, b);
                 }

@@ -10,6 +10,7 @@ use super::trace::Arcs;
 use super::{Failure, Left, NONE, Swept};
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::STRAIGHT_EPSILON;
+use crate::value::each::Each;
 
 /// The range of lengths whose squares are safe.
 const SIZES: RangeInclusive<f64> = 1e-100..=1e100;
@@ -228,7 +229,7 @@ impl Wavefront {
             }
             let count = ring.len() as u32;
             for (i, &node) in (0..count).zip(ring) {
-                let [last, next] = [(i + count - 1) % count, (i + 1) % count].map(|k| start + k);
+                let [last, next] = [(i + count - 1) % count, (i + 1) % count].each(|k| start + k);
                 let vertex = front.vertex(node, last, start + i);
                 front.alive.push(start + i);
                 front.push(WavefrontVertex { last, next, ..vertex });
@@ -252,7 +253,7 @@ impl Wavefront {
 
     /// A vertex between the edges on two lines that starts now at a node, not connected to others yet.
     pub(super) fn vertex(&self, node: u32, before: u32, after: u32) -> WavefrontVertex {
-        let [a, b] = [before, after].map(|line| self.lines[line as usize]);
+        let [a, b] = [before, after].each(|line| self.lines[line as usize]);
         let velocity = velocity(&a, &b);
         WavefrontVertex {
             node,
@@ -288,7 +289,7 @@ impl Wavefront {
     /// vertex.
     pub(super) fn join(&mut self, last: u32, node: u32, edge: u32, next: u32) -> u32 {
         let made = self.vertices.len() as u32;
-        let [before, after] = [last, edge].map(|edge| self.vertices[edge as usize].after);
+        let [before, after] = [last, edge].each(|edge| self.vertices[edge as usize].after);
         let vertex = self.vertex(node, before, after);
         self.push(WavefrontVertex { last, next, ..vertex });
         self.vertices[last as usize].next = made;

@@ -7,6 +7,7 @@ use glam::DVec3;
 
 use crate::geometry::mesh::face::{area_vector, well_scaled};
 use crate::geometry::mesh::{Bounds, FaceRef};
+use crate::value::each::Each;
 
 /// The corners of a cap, reversed on one of the two sides.
 #[derive(Default)]
@@ -48,7 +49,7 @@ impl Cap {
 
     /// Converts a triangle of these corners to corners of the mesh.
     pub(super) fn triangle(&self, [a, b, c]: [u32; 3]) -> [u32; 3] {
-        if self.is_turned { [a, c, b] } else { [a, b, c] }.map(|at| self.corners[at as usize])
+        if self.is_turned { [a, c, b] } else { [a, b, c] }.each(|at| self.corners[at as usize])
     }
 }
 

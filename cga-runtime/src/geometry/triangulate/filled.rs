@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use super::Triangulator;
 use crate::geometry::tol::TOUCH_EPSILON;
+use crate::value::each::Each;
 
 /// Returns true if holes look the other way than the outline and triangles fill the polygon: none of them is turned over, and their
 /// areas add up to that of the polygon, except for a share of it. A polygon whose hole is outside of its outline is not filled.
@@ -17,7 +18,7 @@ pub(crate) fn filling(loops: &[Vec<DVec2>]) -> Option<Vec<[DVec2; 3]>> {
     let places = loops.concat();
     let mut triangles = Vec::new();
     Triangulator::new().polygon(&places, &ends, &mut triangles);
-    let triangles: Vec<_> = triangles.into_iter().map(|triangle| triangle.map(|k| places[k as usize])).collect();
+    let triangles: Vec<_> = triangles.into_iter().map(|triangle| triangle.each(|k| places[k as usize])).collect();
     let (mut front, mut back) = (0.0, 0.0);
     for &[a, b, c] in &triangles {
         let doubled = (b - a).perp_dot(c - a);

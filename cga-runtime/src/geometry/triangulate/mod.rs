@@ -20,6 +20,7 @@ use glam::{DVec2, DVec3};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::TOUCH_EPSILON;
+use crate::value::each::Each;
 use cap::Cap;
 pub(crate) use convex::apex;
 pub(crate) use filled::{doubled_area, filling, is_filled};
@@ -131,7 +132,7 @@ impl Triangulator {
             let point = |c: u32| mesh.corners[c as usize];
             let mut kept = from;
             for i in from..out.len() {
-                let [a, b, c] = out[i].map(point);
+                let [a, b, c] = out[i].each(point);
                 if a != b && b != c && c != a {
                     out[kept] = out[i];
                     kept += 1;
@@ -208,7 +209,7 @@ impl Triangulator {
 /// Twice the area of the reversed triangles.
 fn turned_over(points: &[DVec2], triangles: &[[u32; 3]]) -> f64 {
     let area = |t: &[u32; 3]| {
-        let [a, b, c] = t.map(|i| points[i as usize]);
+        let [a, b, c] = t.each(|i| points[i as usize]);
         (b - a).perp_dot(c - a)
     };
     triangles.iter().map(area).filter(|area| *area < 0.0).sum::<f64>().abs()

@@ -20,6 +20,7 @@ use glam::DVec2;
 
 use crate::geometry::exact::orient;
 use crate::geometry::status::{LEFT, RIGHT, Status, is_below};
+use crate::value::each::Each;
 
 const NONE: u32 = u32::MAX;
 
@@ -157,7 +158,7 @@ impl MonotoneSweep {
                 let region = self.region[corner as usize];
                 self.attach(points, region, LEFT, corner, out);
                 self.set_edge(region, LEFT, a);
-                self.status.set_edge(region, [corner, a].map(|c| points[c as usize]));
+                self.status.set_edge(region, [corner, a].each(|c| points[c as usize]));
             }
             (false, false) => self.begin(points, corner, out),
             (true, true) => {
@@ -216,7 +217,7 @@ impl MonotoneSweep {
     /// edge without length blocks nothing, nor does an edge that ends at the corner's position.
     #[inline]
     fn sees(&self, points: &[DVec2], edge: [u32; 2], corner: u32, far: u32) -> bool {
-        let [l, r, p] = [edge[0], edge[1], corner].map(|c| points[c as usize]);
+        let [l, r, p] = [edge[0], edge[1], corner].each(|c| points[c as usize]);
         if orient(l, r, p) > 0 || l == r || points[far as usize] == p {
             return true;
         }

@@ -14,6 +14,8 @@ use std::cmp::Ordering;
 use glam::DVec2;
 
 use crate::geometry::exact::orient;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 const NONE: u32 = u32::MAX;
 
@@ -71,7 +73,7 @@ impl Cost {
     const NOTHING: Cost = Cost { turned: 0.0, flat: 0 };
 
     fn of(points: &[DVec2], corners: [u32; 3]) -> Self {
-        let [a, b, c] = corners.map(|corner| points[corner as usize]);
+        let [a, b, c] = corners.each(|corner| points[corner as usize]);
         match orient(a, b, c) {
             1 => Cost::NOTHING,
             0 => {
@@ -140,13 +142,13 @@ impl Unfold {
     fn find_turned(&mut self, points: &[DVec2], triangles: &[[u32; 3]]) {
         self.turned.clear();
         for (number, &corners) in triangles.iter().enumerate() {
-            let [a, b, c] = corners.map(|corner| points[corner as usize]);
+            let [a, b, c] = corners.each(|corner| points[corner as usize]);
             // The exact test is needed only for triangles that look reversed.
             if twice_area(a, b, c) < 0.0 && orient(a, b, c) < 0 {
                 self.turned.push((Cost::of(points, corners).turned, number as u32));
             }
         }
-        self.turned.sort_by(|a, b| b.0.partial_cmp(&a.0).unwrap_or(Ordering::Equal).then(a.1.cmp(&b.1)));
+        self.turned.small_sort_by(|a, b| b.0.partial_cmp(&a.0).unwrap_or(Ordering::Equal).then(a.1.cmp(&b.1)));
     }
 
     /// Finds the twin of each side.
@@ -178,7 +180,7 @@ impl Unfold {
         self.rim.clear();
         let corner = |side: u32| triangles[side as usize / 3][side as usize % 3];
         let edge = |side: u32, next: usize| RimEdge { corner: corner(side), side, next };
-        self.rim.extend([0, 1, 2].map(|k| edge(3 * turned + k, (k as usize + 1) % 3)));
+        self.rim.extend([0, 1, 2].each(|k| edge(3 * turned + k, (k as usize + 1) % 3)));
         let mut at = 0;
         while at < self.rim.len() && self.patch.len() < size {
             let twin = self.twin[self.rim[at].side as usize];
@@ -191,7 +193,7 @@ impl Unfold {
             self.taken[beyond as usize] = true;
             // The first new edge takes the place of the old one and is not visited again. The second one goes to the
             // end of the list, so that the patch grows evenly.
-            let [first, second] = [1, 2].map(|k| 3 * beyond + (twin + k) % 3);
+            let [first, second] = [1, 2].each(|k| 3 * beyond + (twin + k) % 3);
             let new = self.rim.len();
             let next = self.rim[at].next;
             self.rim.push(edge(second, next));
@@ -261,7 +263,7 @@ impl Unfold {
         while let Some([from, to]) = self.stretches.pop() {
             if from + 1 < to {
                 let apex = self.table[from * count + to].apex as usize;
-                each([from, apex, to].map(|at| self.chain[at]));
+                each([from, apex, to].each(|at| self.chain[at]));
                 self.stretches.extend([[from, apex], [apex, to]]);
             }
         }

@@ -11,6 +11,7 @@ use super::{Buffers, Vertex};
 use crate::geometry::mesh::Mesh;
 use crate::output::flatten::PlacedFace;
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
+use crate::value::each::Each;
 
 /// The number of vertices of a box, which is never divided.
 const LEAST: usize = 24;
@@ -123,7 +124,7 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
             flow = if face.corners.len() <= self.capacity {
                 self.face(leaf, &face, face.corners.clone(), face.triangles)
             } else {
-                let mut corners = face.triangles.iter().map(|triangle| triangle.map(|i| first + i as usize));
+                let mut corners = face.triangles.iter().map(|triangle| triangle.each(|i| first + i as usize));
                 corners.try_for_each(|corners| self.face(leaf, &face, corners.into_iter(), &[[0, 1, 2]]))
             };
             flow.is_continue()

@@ -9,6 +9,7 @@ use crate::run::sink::corners::PlacedBox;
 use crate::shape::base::Form;
 use crate::shape::texture::SETS;
 use crate::shape::unit::UnitMesh;
+use crate::value::each::Each;
 
 /// Lists of coordinates by set: one pair for each vertex in the sets that some geometry has, and empty lists
 /// otherwise.
@@ -127,7 +128,7 @@ impl Corners {
     fn of(map: &Columns, placed: &PlacedBox) -> Self {
         let [x, y, z] = map.axes;
         let along = |side: DVec4| x * side.x + y * side.y + z * side.z;
-        Corners { first: along(placed.origin) + map.origin, sides: placed.sides.map(along) }
+        Corners { first: along(placed.origin) + map.origin, sides: placed.sides.each(along) }
     }
 
     /// Writes the coordinates of a rectangle, or of the faces of a box.
@@ -136,7 +137,7 @@ impl Corners {
         if let Some(unit) = block {
             let points = self.block();
             for (to, face) in faces.iter_mut().zip(unit.sides()) {
-                *to = face.corners.map(|corner| points[usize::from(corner & 7)]);
+                *to = face.corners.each(|corner| points[usize::from(corner & 7)]);
             }
         } else if let [to] = faces {
             *to = self.quad();
@@ -148,7 +149,7 @@ impl Corners {
     fn quad(&self) -> [[f32; 2]; 4] {
         let (a, [u, v, _]) = (self.first, self.sides);
         let b = a + u;
-        [a, b, b + v, a + v].map(|uv| uv.as_vec2().to_array())
+        [a, b, b + v, a + v].each(|uv| uv.as_vec2().to_array())
     }
 
     /// The coordinates of a box; the corner (x, y, z) has the index x + 2y + 4z.

@@ -4,6 +4,7 @@
 //! lists of numbers are copied at the speed of memory.
 
 use crate::output::error::WriteError;
+use crate::value::each::Each;
 
 /// Views of bytes and accessors into them.
 #[derive(Default)]
@@ -34,12 +35,16 @@ impl<'a> BinaryChunk<'a> {
 
     /// Appends a view of `length` bytes, on an 8-byte boundary. Returns its number. `write` writes the bytes later.
     pub(super) fn view(&mut self, length: usize, more: &str, write: impl Fn(&mut Vec<FourBytes>) + 'a) -> usize {
+        self.add_view(length, more, Box::new(write))
+    }
+
+    fn add_view(&mut self, length: usize, more: &str, write: Write<'a>) -> usize {
         self.align();
         let start = self.length;
         self.length += length;
         let offset = if start == 0 { String::new() } else { format!(",\"byteOffset\":{start}") };
         self.views.push(format!("{{\"buffer\":0{offset},\"byteLength\":{length}{more}}}"));
-        self.bytes.push(BufferView { start, write: Box::new(write) });
+        self.bytes.push(BufferView { start, write });
         self.views.len() - 1
     }
 
@@ -82,7 +87,7 @@ pub(super) fn container(json: &str, binary: &BinaryChunk<'_>) -> Result<Vec<u8>,
     };
     let mut file: Vec<FourBytes> = Vec::with_capacity(total / 4);
     file.push(*b"glTF");
-    file.extend([2, length, json_length as u32].map(u32::to_le_bytes));
+    file.extend([2, length, json_length as u32].each(u32::to_le_bytes));
     file.push(*b"JSON");
     text(&mut file, json.as_bytes(), b' ');
     file.resize((20 + json_length) / 4, [b' '; 4]);

@@ -12,6 +12,7 @@ use crate::output::batches::Batches;
 use crate::output::buffers::{Buffers, Submesh, Vertex};
 use crate::output::error::WriteError;
 use crate::run::sink::Flow;
+use crate::value::each::Each;
 
 impl Glb {
     /// Adds all triangles of buffers. Several buffers make one file, without being joined first. In a set that only
@@ -50,7 +51,7 @@ impl Primitive {
         let to_file = |vertex: &Vertex| match (*vertex, moved) {
             (vertex, DVec3::ZERO) => vertex,
             ([x, y, z, u, v, w], moved) => {
-                let [x, y, z] = (DVec3::from_array([x, y, z].map(f64::from)) + moved).as_vec3().to_array();
+                let [x, y, z] = (DVec3::from_array([x, y, z].each(f64::from)) + moved).as_vec3().to_array();
                 [x, y, z, u, v, w]
             }
         };

@@ -6,6 +6,7 @@ use crate::asset::Assets;
 use crate::asset::image::Image;
 use crate::asset::image::header::MOST_PIXELS;
 use crate::output::texture::source::{self, Pixels};
+use crate::value::each::Each;
 use crate::value::text::Text;
 
 /// The PNG file for a key with several sources. `None` if it is not needed or cannot be made; the unchanged file of the
@@ -18,14 +19,14 @@ pub(super) fn combined(assets: Option<&Assets>, key: &ImageKey) -> Option<Vec<u8
             // Decoding shows which files have an alpha channel; most have none and stay unchanged.
             let has_alpha = assets.is_some_and(|assets| assets.image_header(name).is_ok_and(|head| head.has_alpha));
             let image = if has_alpha { source::pixels(assets, name) } else { None };
-            image.map(|pixels| joined([Some(&pixels), None], |[[r, g, b, _], _]| [r, g, b, 255]))
+            image.map(|pixels| joined([Some(&pixels), None], &|[[r, g, b, _], _]| [r, g, b, 255]))
         }
         ImageKey::WithOpacity { color, opacity } => match (pixels(color), pixels(&Some(opacity.clone()))) {
             (Some(color), Some(opacity)) => {
-                Some(joined([Some(&color), Some(&opacity)], |[[r, g, b, _], other]| [r, g, b, opacity.opacity(other)]))
+                Some(joined([Some(&color), Some(&opacity)], &|[[r, g, b, _], other]| [r, g, b, opacity.opacity(other)]))
             }
             (None, Some(opacity)) if color.is_none() => {
-                Some(joined([Some(&opacity), None], |[pixel, _]| [255, 255, 255, opacity.opacity(pixel)]))
+                Some(joined([Some(&opacity), None], &|[pixel, _]| [255, 255, 255, opacity.opacity(pixel)]))
             }
             _ => None,
         },
@@ -33,7 +34,7 @@ pub(super) fn combined(assets: Option<&Assets>, key: &ImageKey) -> Option<Vec<u8
             let images = [pixels(roughness), pixels(metallic)];
             let is_whole = images[0].is_some() == roughness.is_some() && images[1].is_some() == metallic.is_some();
             let [rough, metal] = [images[0].as_ref(), images[1].as_ref()];
-            is_whole.then(|| joined([rough, metal], |[rough, metal]| [255, rough[1], metal[2], 255]))
+            is_whole.then(|| joined([rough, metal], &|[rough, metal]| [255, rough[1], metal[2], 255]))
         }
     };
     encoded(&made?)
@@ -51,7 +52,7 @@ pub(super) fn encoded(_: &Image) -> Option<Vec<u8>> {
 }
 
 /// Two images as one, with the larger width and the larger height. A missing image counts as white.
-fn joined(images: [Option<&Pixels>; 2], pixel: impl Fn([[u8; 4]; 2]) -> [u8; 4]) -> Image {
+fn joined(images: [Option<&Pixels>; 2], pixel: &dyn Fn([[u8; 4]; 2]) -> [u8; 4]) -> Image {
     let sizes = || images.iter().flatten().map(|pixels| (pixels.image.width, pixels.image.height));
     let largest = sizes().fold((1, 1), |(w, h), (width, height)| (width.max(w), height.max(h)));
     let fits = |(width, height): (usize, usize)| (width as u64).saturating_mul(height as u64) <= MOST_PIXELS;
@@ -60,7 +61,7 @@ fn joined(images: [Option<&Pixels>; 2], pixel: impl Fn([[u8; 4]; 2]) -> [u8; 4])
     for y in 0..height {
         for x in 0..width {
             let at =
-                images.map(|pixels| pixels.map_or([255; 4], |pixels| resized(&pixels.image, [x, y], [width, height])));
+                images.each(|pixels| pixels.map_or([255; 4], |pixels| resized(&pixels.image, [x, y], [width, height])));
             image.rgba.extend(pixel(at));
         }
     }
@@ -102,12 +103,12 @@ mod tests {
     #[test]
     fn images_of_two_sizes_become_one_of_the_larger() {
         let (a, b) = (pixels(4, 1, [10, 20, 30, 40]), pixels(2, 3, [50, 60, 70, 80]));
-        let image = joined([Some(&a), Some(&b)], |[a, b]| [a[0], b[1], a[2], b[3]]);
+        let image = joined([Some(&a), Some(&b)], &|[a, b]| [a[0], b[1], a[2], b[3]]);
         assert_eq!((image.width, image.height), (4, 3));
         assert!(image.rgba.as_chunks::<4>().0.iter().all(|pixel| *pixel == [10, 60, 30, 80]));
         // Two long images with a width of one pixel would make a huge one.
         let (a, b) = (pixels(1 << 16, 1, [1; 4]), pixels(1, 1 << 16, [2; 4]));
-        assert_eq!(joined([Some(&a), Some(&b)], |[a, _]| a).height, 1);
+        assert_eq!(joined([Some(&a), Some(&b)], &|[a, _]| a).height, 1);
     }
 
     #[test]

@@ -15,6 +15,7 @@ use super::{Glb, check_size};
 use crate::output::buffers::Vertex;
 use crate::output::error::WriteError;
 use crate::output::number::list;
+use crate::value::each::Each;
 
 /// The component types of the format.
 const U32: u32 = 5125;
@@ -159,7 +160,7 @@ fn write_nodes(json: &mut String, glb: &Glb, meshes: &[SceneMesh], places: &[[us
                 let [x, y, z] = [place.matrix3.x_axis, place.matrix3.y_axis, place.matrix3.z_axis];
                 let translation = (place.translation - glb.origin).extend(1.0);
                 let columns = [x.extend(0.0), y.extend(0.0), z.extend(0.0), translation];
-                let matrix = list(columns.map(|column| column.to_array()).as_flattened());
+                let matrix = list(columns.each(|column| column.to_array()).as_flattened());
                 format!("{{\"name\":{name},\"mesh\":{number},\"matrix\":[{matrix}]}}")
             })),
             MeshPlacement::Instances(_) => children.extend(places.next().map(|[translation, rotation]| {
@@ -266,11 +267,11 @@ impl<'a> BinaryChunk<'a> {
         }
         let all = lists.clone();
         let translations = self.view(12 * count, "", move |to| {
-            all.iter().copied().flatten().for_each(|place| to.extend(place.translation.map(f32::to_le_bytes)));
+            all.iter().copied().flatten().for_each(|place| to.extend(place.translation.each(f32::to_le_bytes)));
         });
         let all = lists.clone();
         let rotations = self.view(16 * count, "", move |to| {
-            all.iter().copied().flatten().for_each(|place| to.extend(place.rotation.map(f32::to_le_bytes)));
+            all.iter().copied().flatten().for_each(|place| to.extend(place.rotation.each(f32::to_le_bytes)));
         });
         let mut at = 0;
         let accessors = lists.iter().map(|list| {

@@ -1,5 +1,6 @@
 //! The meshes of the scene, and their places.
 
+use crate::value::each::Each;
 use glam::{DAffine3, DQuat, DVec3};
 
 use super::primitive::{Primitive, Primitives};
@@ -66,8 +67,8 @@ pub(super) struct MeshInstance {
 impl MeshInstance {
     pub(super) fn new(placement: &DAffine3, origin: DVec3) -> Self {
         MeshInstance {
-            translation: (placement.translation - origin).to_array().map(|c| c as f32),
-            rotation: DQuat::from_mat3(&placement.matrix3).normalize().to_array().map(|c| c as f32),
+            translation: (placement.translation - origin).to_array().each(|c| c as f32),
+            rotation: DQuat::from_mat3(&placement.matrix3).normalize().to_array().each(|c| c as f32),
         }
     }
 }

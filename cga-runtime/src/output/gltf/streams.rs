@@ -6,6 +6,7 @@ use super::binary::FourBytes;
 use super::primitive::Primitive;
 use super::textures::NormalSpace;
 use crate::output::tangents::tangents;
+use crate::value::each::Each;
 
 /// Appends numbers.
 pub(super) fn write_floats(numbers: &[f32], to: &mut Vec<FourBytes>) {
@@ -31,7 +32,7 @@ impl Primitive {
         to.resize(start + 3 * self.vertices().len(), [0; 4]);
         let (places, _) = to[start..].as_chunks_mut::<3>();
         for (place, vertex) in places.iter_mut().zip(self.vertices()) {
-            *place = [vertex[first], vertex[first + 1], vertex[first + 2]].map(f32::to_le_bytes);
+            *place = [vertex[first], vertex[first + 1], vertex[first + 2]].each(f32::to_le_bytes);
         }
     }
 

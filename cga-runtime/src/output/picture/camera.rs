@@ -138,14 +138,14 @@ impl Viewport {
             let pick = |bit: usize, low: f64, high: f64| if i >> bit & 1 == 0 { low } else { high };
             DVec3::new(pick(0, low.x, high.x), pick(1, low.y, high.y), pick(2, low.z, high.z))
         };
-        Viewport::around(camera, (0..8).map(corner), width, height)
+        Viewport::around(camera, &mut (0..8).map(corner), width, height)
     }
 
     /// A view that shows all given points, which are within the camera's bounds. It is closer than the bounds require
     /// if possible.
     pub(crate) fn around(
         camera: &Camera,
-        points: impl Iterator<Item = DVec3>,
+        points: &mut dyn Iterator<Item = DVec3>,
         width: usize,
         height: usize,
     ) -> Viewport {

@@ -4,6 +4,7 @@
 //! correction for the perspective. The points of neighbouring samples on the same plane give the part of the image
 //! that a sample shows.
 
+use crate::value::each::Each;
 use glam::{DVec2, DVec3};
 
 use super::camera::Viewport;
@@ -40,10 +41,10 @@ impl Footprint {
     }
 
     fn sample(&self, texture: &Texture, corners: &CornerUvs) -> Texel {
-        let [a, b, c] = corners.map(|[u, v]| DVec2::new(u.into(), v.into()));
+        let [a, b, c] = corners.each(|[u, v]| DVec2::new(u.into(), v.into()));
         let (e, f) = (b - a, c - a);
         let along = |weights: DVec2| e * weights.x + f * weights.y;
-        texture.sample(a + along(self.at), self.sides.map(along))
+        texture.sample(a + along(self.at), self.sides.each(along))
     }
 }
 

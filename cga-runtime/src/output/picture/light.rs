@@ -4,6 +4,7 @@
 //! tests the sun and some of the lamps, and its neighbours test the other lamps. The average over a block of 4×4
 //! samples on one surface then covers all lamps, without noise.
 
+use crate::value::each::Each;
 use glam::{DVec3, Vec3};
 
 use super::camera::{Viewport, direction};
@@ -53,7 +54,7 @@ impl Lamp {
         near.resize(size * size, f32::NEG_INFINITY);
         let (x, y, to) = (row(right, shift[0]), row(up, shift[1]), to.as_vec3());
         for triangle in casters {
-            let corners = triangle.map(|p| [p.dot(x.0) + x.1, p.dot(y.0) + y.1, p.dot(to)]);
+            let corners = triangle.each(|p| [p.dot(x.0) + x.1, p.dot(y.0) + y.1, p.dot(to)]);
             raster::raise(corners, size, &mut near);
         }
         Lamp { to, x, y, texel, size, near }
@@ -135,7 +136,7 @@ pub(super) fn light(scene: &Scene, layer: &VisibilityBuffer, view: &Viewport, ha
         .triangles
         .iter()
         .filter(|t| 0.6 <= scene.mean_opacity(t))
-        .map(|t| t.corners().map(|corner| corner.as_vec3()))
+        .map(|t| t.corners().each(|corner| corner.as_vec3()))
         .collect();
     let count = lamps(casters.len());
     let (sun_map, sky_map) = map_sizes(layer);
@@ -143,7 +144,7 @@ pub(super) fn light(scene: &Scene, layer: &VisibilityBuffer, view: &Viewport, ha
     let classes = on_all_cores(CLASSES, Vec::new, |spare: &mut Vec<Vec<f32>>, class| {
         // The grids of the maps differ, so that their steps do not add up.
         let [column, row] = class_offset(class);
-        let shift = [column, row].map(|s| s as f64 / BLOCK as f64);
+        let shift = [column, row].each(|s| s as f64 / BLOCK as f64);
         let sky: Vec<Lamp> = (0..count)
             .map(|i| {
                 let to = sky_lamp(i * CLASSES + class, count * CLASSES);
@@ -320,7 +321,7 @@ fn alike(scene: &Scene, layer: &VisibilityBuffer, a: usize, b: usize) -> bool {
     if !scene.round {
         return false;
     }
-    let [Some(ta), Some(tb)] = [a, b].map(|i| scene.triangles.get(layer.seen[i] as usize)) else { return false };
+    let [Some(ta), Some(tb)] = [a, b].each(|i| scene.triangles.get(layer.seen[i] as usize)) else { return false };
     let (qa, qb) = (layer.near[a], layer.near[b]);
     0.95 < ta.normal().dot(tb.normal()) && (qa - qb).abs() < 0.003 * qa.abs()
 }

@@ -166,7 +166,7 @@ impl Picture {
         let camera = Camera { bounds: local, ..camera };
         let view = match self.view {
             Viewpoint::Camera(_) => Viewport::new(&camera, width, height),
-            _ => Viewport::around(&camera, scene.triangles.iter().flat_map(|t| t.corners()), width, height),
+            _ => Viewport::around(&camera, &mut scene.triangles.iter().flat_map(|t| t.corners()), width, height),
         };
         let sun = direction(camera.azimuth + self.sun_azimuth, self.sun_elevation);
 

@@ -3,6 +3,7 @@
 //! The colours of an image are a cloud of points. The box around the cloud is divided at the median of its longest side,
 //! and so are the boxes of the parts, until they are as many as the palette has colours.
 
+use crate::value::each::Each;
 use std::collections::BTreeMap;
 
 /// An RGB colour.
@@ -28,11 +29,11 @@ impl Indexed {
         colors().for_each(|color| *counts.entry(color).or_default() += 1);
         let few = counts.len() <= COLORS;
         let palette: Vec<Rgb> = divided(counts.into_iter().collect()).iter().map(|members| mean(members)).collect();
-        let mut known: BTreeMap<Rgb, u8> = BTreeMap::new();
+        let mut known: BTreeMap<Rgb, usize> = BTreeMap::new();
         let pixels = colors().enumerate().map(|(at, color)| {
             let (x, y) = (at % width.max(1), at / width.max(1));
             let wanted = if few { color } else { mixed(color, x, y) };
-            *known.entry(wanted).or_insert_with(|| nearest(&palette, wanted))
+            *known.entry(wanted).or_insert_with(|| nearest(&palette, wanted)) as u8
         });
         let pixels = pixels.collect();
         Indexed { palette, pixels }
@@ -47,17 +48,17 @@ const STRENGTH: i32 = 7;
 /// A colour that is a little brighter or darker, by the place of its pixel.
 fn mixed(color: Rgb, x: usize, y: usize) -> Rgb {
     let shift = (2 * PATTERN[y % 4][x % 4] - 15) * STRENGTH / 32;
-    color.map(|channel| (i32::from(channel) + shift).clamp(0, 255) as u8)
+    color.each(|channel| (i32::from(channel) + shift).clamp(0, 255) as u8)
 }
 
 /// The index of the colour of the palette with the smallest distance; the first of equal ones.
-fn nearest(palette: &[Rgb], wanted: Rgb) -> u8 {
+fn nearest(palette: &[Rgb], wanted: Rgb) -> usize {
     let distance = |color: &Rgb| -> u32 {
         let channels = color.iter().zip(wanted);
         channels.map(|(a, b)| u32::from(a.abs_diff(b)).pow(2)).sum()
     };
-    let best = palette.iter().zip(0..=u8::MAX).min_by_key(|(color, _)| distance(color));
-    best.map_or(0, |(_, index)| index)
+    let best = palette.iter().enumerate().min_by_key(|(_, color)| distance(color));
+    best.map_or(0, |(index, _)| index)
 }
 
 /// A colour and the number of its pixels.
@@ -111,7 +112,7 @@ fn error(members: &[Counted]) -> u128 {
 /// The mean colour of pixels.
 fn mean(members: &[Counted]) -> Rgb {
     let count = members.iter().map(|&(_, count)| count).sum::<usize>().max(1);
-    [0, 1, 2].map(|channel| {
+    [0, 1, 2].each(|channel| {
         let sum: usize = members.iter().map(|&(color, count)| usize::from(color[channel]) * count).sum();
         ((sum + count / 2) / count) as u8
     })

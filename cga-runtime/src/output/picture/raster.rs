@@ -1,5 +1,7 @@
 //! Rasterisation of triangles.
 
+use crate::value::each::Each;
+
 /// Corners are rounded to multiples of `1 / GRID` pixels. Edge functions are then exact in `f64`, so triangles that
 /// share an edge neither share nor omit a pixel.
 const GRID: f64 = 256.0;
@@ -14,7 +16,7 @@ pub(super) fn triangle(corners: [[f64; 3]; 3], width: usize, height: usize, mut 
         return;
     }
     let snap = |c: f64| (c * GRID) as i64 as f64 / GRID;
-    let [a, mut b, mut c] = corners.map(|[x, y, q]| [snap(x), snap(y), q]);
+    let [a, mut b, mut c] = corners.each(|[x, y, q]| [snap(x), snap(y), q]);
     let mut area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     if area < 0.0 {
         (b, c, area) = (c, b, -area);
@@ -106,7 +108,7 @@ pub(super) fn raise([a, b, c]: [[f32; 3]; 3], width: usize, map: &mut [f32]) {
     let qx = ((b[2] - a[2]) * (c[1] - a[1]) - (c[2] - a[2]) * (b[1] - a[1])) / area;
     let qy = ((c[2] - a[2]) * (b[0] - a[0]) - (b[2] - a[2]) * (c[0] - a[0])) / area;
     let (q_low, q_high) = (a[2].min(b[2]).min(c[2]), a[2].max(b[2]).max(c[2]));
-    let sides = [(a, b), (b, c), (c, a)].map(|(p, q)| {
+    let sides = [(a, b), (b, c), (c, a)].each(|(p, q)| {
         let (p, q) = if p[1] <= q[1] { (p, q) } else { (q, p) };
         (p, q[1], if p[1] < q[1] { (q[0] - p[0]) / (q[1] - p[1]) } else { 0.0 })
     });

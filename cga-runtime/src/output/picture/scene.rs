@@ -16,6 +16,7 @@ use crate::output::flatten::{Flattener, unit};
 use crate::output::number::{linear, share};
 use crate::output::sink_table::SinkTable;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
+use crate::value::each::Each;
 
 /// A triangle, its coordinates relative to [`Scene::centre`].
 #[derive(Clone, Copy, Debug)]
@@ -65,7 +66,7 @@ pub(super) struct Scene {
 
 impl Triangle {
     pub(super) fn corners(&self) -> [DVec3; 3] {
-        self.corners.map(|corner| corner.as_dvec3())
+        self.corners.each(|corner| corner.as_dvec3())
     }
 
     pub(super) fn normal(&self) -> DVec3 {
@@ -94,7 +95,7 @@ impl Scene {
         let area = (b - a).cross(c - a).dot(n);
         let u = (c - b).cross(point - b).dot(n) / area;
         let v = (a - c).cross(point - c).dot(n) / area;
-        let [na, nb, nc] = self.smooth[triangle.smooth as usize].map(|normal| normal.as_dvec3());
+        let [na, nb, nc] = self.smooth[triangle.smooth as usize].each(|normal| normal.as_dvec3());
         (na * u + nb * v + nc * (1.0 - u - v)).normalize_or(n)
     }
 
@@ -110,7 +111,7 @@ impl Scene {
     fn plane(&mut self, point: DVec3, normal: DVec3) -> u32 {
         let key = normal * 512.0;
         let at = point.dot(normal) / self.grain;
-        let key = [key.x, key.y, key.z, at].map(|c| libm::floor(c + 0.5) as i64);
+        let key = [key.x, key.y, key.z, at].each(|c| libm::floor(c + 0.5) as i64);
         let next = self.planes.len() as u32;
         *self.planes.entry(key).or_insert(next)
     }
@@ -129,7 +130,7 @@ impl Scene {
         let (Some(&point), first) = (corners.first(), self.triangles.len()) else { return true };
         let (plane, normal, leaf) = (self.plane(point, normal), normal.as_vec3(), self.leaves);
         for triangle in triangles {
-            let corners = triangle.map(|i| corners[i as usize].as_vec3());
+            let corners = triangle.each(|i| corners[i as usize].as_vec3());
             // Coordinates that are not finite cannot be drawn.
             if corners.iter().all(|corner| corner.is_finite()) {
                 self.triangles.push(Triangle { corners, normal, paint, plane, leaf, smooth: FLAT, uvs: PLAIN });
@@ -139,7 +140,7 @@ impl Scene {
         let (maps, is_whole) = (self.paints[paint as usize].maps, added.len() == triangles.len());
         if is_whole && maps != Maps::default() && sets != SetMask::default() {
             for (triangle, corners) in added.iter_mut().zip(triangles) {
-                triangle.uvs = self.textures.add(&maps, sets, corners.map(|i| i as usize), &uv);
+                triangle.uvs = self.textures.add(&maps, sets, corners.each(|i| i as usize), &uv);
             }
         }
         is_whole
@@ -147,7 +148,7 @@ impl Scene {
 
     fn rectangle(&mut self, quad: &Quad, paint: u32, uvs: &[SetMap]) {
         let (points, normal) = (quad.corners(), unit(quad.u.cross(quad.v)));
-        let corners = points.map(|corner| corner - self.centre);
+        let corners = points.each(|corner| corner - self.centre);
         let sets = SetMask::of(|set| uv_map::find(uvs, set).is_some());
         let uv = |set, corner: usize| uv_map::find(uvs, set).map_or(DVec2::ZERO, |map| map.at(points[corner]));
         self.face(&corners, &[[0, 1, 2], [0, 2, 3]], normal, paint, sets, uv);
@@ -163,7 +164,7 @@ impl Scene {
 fn paint(material: &Material, maps: Maps) -> Paint {
     let color = material.color();
     Paint {
-        color: Vec3::from_array([color.r, color.g, color.b].map(|c| linear(c) as f32)),
+        color: Vec3::from_array([color.r, color.g, color.b].each(|c| linear(c) as f32)),
         opacity: share(material.opacity, 1.0) as f32,
         metallic: share(material.metallic, 0.0) as f32,
         gloss: 1.0 - share(material.roughness, 1.0) as f32,
@@ -202,7 +203,7 @@ impl Sink for Scene {
                 for (triangle, corners) in self.triangles[first..].iter_mut().zip(face.triangles) {
                     triangle.smooth = self.smooth.len() as u32;
                     let normal = |i| face.normal_at(face.corners.start + i as usize).as_vec3();
-                    self.smooth.push(corners.map(normal));
+                    self.smooth.push(corners.each(normal));
                 }
             }
             true

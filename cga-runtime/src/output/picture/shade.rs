@@ -1,5 +1,6 @@
 //! Colours from light and surface.
 
+use crate::value::each::Each;
 use glam::{DVec3, Vec3};
 
 use super::Style;
@@ -37,7 +38,7 @@ fn deepened(sky: f32) -> f32 {
 impl Shader<'_> {
     /// The backdrop at a height in the picture, 0 at the top and 1 at the bottom.
     pub(super) fn backdrop(&self, down: f64) -> Vec3 {
-        let [top, bottom] = self.style.backdrop.map(Vec3::from);
+        let [top, bottom] = self.style.backdrop.each(Vec3::from);
         mix(top, bottom, smooth(0.0, 0.85, down))
     }
 
@@ -76,7 +77,7 @@ impl Shader<'_> {
     fn ground(&self, backdrop: Vec3, point: DVec3, sun: f32, sky: f32) -> Vec3 {
         let style = self.style;
         let slope = self.sun.y as f32;
-        let [sunlight, skylight] = [style.sun, style.sky].map(Vec3::from);
+        let [sunlight, skylight] = [style.sun, style.sky].each(Vec3::from);
         let shade = (sunlight * slope * sun + skylight * deepened(sky)) / (sunlight * slope + skylight);
         let flat = DVec3::new(point.x, 0.0, point.z).length();
         let far = smooth(2.5 * self.radius, 9.0 * self.radius, flat);
@@ -93,7 +94,7 @@ impl Shader<'_> {
         let open = deepened(sky);
         // White surroundings brighten each other's shade, and brighter surfaces more so.
         let brighter = open + (1.0 - open) * 0.35 * paint.color * open;
-        let [sunlight, skylight, bounced] = [style.sun, style.sky, style.bounce].map(Vec3::from);
+        let [sunlight, skylight, bounced] = [style.sun, style.sky, style.bounce].each(Vec3::from);
         let arriving = sunlight * sun_share + skylight * up * brighter + bounced * bounce * brighter;
         let diffuse = paint.color * arriving * style.albedo * (1.0 - paint.metallic);
         let (mirror, share) = self.reflection(paint, point, normal);
@@ -114,7 +115,7 @@ impl Shader<'_> {
         let grazing = (1.0 - facing) * (1.0 - facing);
         let fresnel = base + (1.0 - base) * grazing * grazing * (1.0 - facing);
         let out = look - normal * (2.0 * look.dot(normal));
-        let [top, bottom] = self.style.backdrop.map(Vec3::from);
+        let [top, bottom] = self.style.backdrop.each(Vec3::from);
         let mirror = match out.y {
             y if 0.0 <= y => mix(bottom, top, smooth(0.0, 0.6, y)),
             y => mix(bottom, self.style.ground.into(), smooth(0.0, 0.15, -y) * 0.7),

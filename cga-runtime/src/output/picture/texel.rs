@@ -11,6 +11,7 @@ use crate::material::layer::{self, Placement, PlacementMap, SetMask};
 use crate::material::{Layer, Material, MaterialNumber, MaterialText};
 use crate::output::number::share;
 use crate::output::texture::source;
+use crate::value::each::Each;
 use crate::value::text::Text;
 
 /// The images of a picture.
@@ -105,9 +106,9 @@ impl Textures {
     ) -> u32 {
         let places = |map: &Map| {
             let set = layer::set(map.layer, sets)?;
-            let places = corners.map(|corner| map.placement.at(uv(set, corner)));
+            let places = corners.each(|corner| map.placement.at(uv(set, corner)));
             let near = places[0].floor();
-            Some(places.map(|place| (place - near).as_vec2().to_array()))
+            Some(places.each(|place| (place - near).as_vec2().to_array()))
         };
         let both = [maps.color.as_ref().and_then(places), maps.opacity.as_ref().and_then(|(map, _)| places(map))];
         if both == [None, None] {

@@ -5,6 +5,7 @@ use glam::{DVec2, Vec4};
 use super::Image;
 use super::gamma::Gamma;
 use crate::output::number::linear;
+use crate::value::each::Each;
 
 /// An image and its smaller copies, each half as wide and high as the last, down to one pixel.
 #[derive(Debug)]
@@ -57,7 +58,7 @@ impl Texture {
     pub(super) fn sample(&self, at: DVec2, sides: [DVec2; 2]) -> Texel {
         let own = &self.levels[0];
         let size = DVec2::new(own.width as f64, own.height as f64);
-        let [a, b] = sides.map(|side| (side * size).length());
+        let [a, b] = sides.each(|side| (side * size).length());
         let (long, long_side, short) = if b < a { (a, sides[0], b) } else { (b, sides[1], a) };
         if !at.is_finite() || !(long + short).is_finite() {
             return self.mean();

@@ -1,5 +1,6 @@
 //! The visible surface in each sample of a picture.
 
+use crate::value::each::Each;
 use glam::DVec3;
 
 use super::camera::Viewport;
@@ -81,7 +82,7 @@ fn draw(scene: &Scene, view: &Viewport, layer: &mut VisibilityBuffer, wanted: im
         // Of two faces back to back, the one that faces the viewer is drawn.
         let away = 0.0 < (corners[0] - view.eye).dot(triangle.normal());
         let mut put = |corners: [DVec3; 3]| {
-            raster::triangle(corners.map(|p| view.project(p)), width, height, |at, near| {
+            raster::triangle(corners.each(|p| view.project(p)), width, height, |at, near| {
                 let near = if away { near - near.abs() * 1e-6 } else { near } as f32;
                 let opacity = || {
                     let [x, y] = [(at % width) as f64 + 0.5, (at / width) as f64 + 0.5];

@@ -8,6 +8,7 @@ use crate::geometry::recompose::Origins;
 use crate::geometry::trace::{PartPoint, Trace, TraceLayer, TracedPoint, UNTRACED};
 use crate::shape::base::Base;
 use crate::shape::{Shape, ShapeRef};
+use crate::value::each::Each;
 
 /// The operands that are being derived for recomposition, the outermost first.
 #[derive(Debug, Default)]
@@ -140,7 +141,8 @@ impl Env {
         let mut list = Vec::with_capacity(whole.layers().len());
         for (layer, origins) in whole.layers().iter().zip(&mut self.recompositions.list) {
             let point = |point: &PartPoint| {
-                let [a, b] = point.ends.map(|end| layer.points.get(end as usize).copied().unwrap_or(TracedPoint::NONE));
+                let [a, b] =
+                    point.ends.each(|end| layer.points.get(end as usize).copied().unwrap_or(TracedPoint::NONE));
                 if point.ends[0] == point.ends[1] {
                     return a;
                 }

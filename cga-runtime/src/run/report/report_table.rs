@@ -5,6 +5,7 @@ use std::fmt;
 
 use super::{Collection, Reports, Summary};
 use crate::value::number::Number;
+use crate::value::small_sort::SmallSort;
 
 /// The number of nested groups that are shown. Keys may have any number of dots.
 const LEVELS: usize = 8;
@@ -53,7 +54,7 @@ impl Reports {
             }
         }
         let mut collections: Vec<&Collection> = self.iter().collect();
-        collections.sort_by(|a, b| a.key().split('.').cmp(b.key().split('.')));
+        collections.small_sort_by(|a, b| a.key().split('.').cmp(b.key().split('.')));
         let mut rows = Vec::new();
         let mut open: Vec<&str> = Vec::new();
         let close = |rows: &mut Vec<TableRow>, group: &str| {

@@ -5,6 +5,7 @@ use glam::{DVec3, DVec4, Vec4};
 use super::{Cuboid, Quad};
 use crate::geometry::Axis;
 use crate::shape::ShapeRef;
+use crate::value::each::Each;
 
 /// The position of a rectangle or a box: its first corner and the sides from there. A rectangle has the first two
 /// sides.
@@ -21,7 +22,7 @@ impl PlacedBox {
     #[inline(always)]
     pub(crate) fn of(shape: &ShapeRef<'_>) -> Self {
         let side = |axis| shape.axes.along(axis) * shape.size.along(axis);
-        PlacedBox { origin: shape.origin.get(), sides: [Axis::X, Axis::Y, Axis::Z].map(side) }
+        PlacedBox { origin: shape.origin.get(), sides: [Axis::X, Axis::Y, Axis::Z].each(side) }
     }
 
     /// The position moved by a vector.
@@ -45,14 +46,14 @@ impl PlacedBox {
     pub(crate) fn quad_corners(&self) -> [Vec4; 4] {
         let (a, [u, v, _]) = (self.origin, self.sides);
         let b = a + u;
-        [a, b, b + v, a + v].map(|corner| corner.as_vec4())
+        [a, b, b + v, a + v].each(|corner| corner.as_vec4())
     }
 }
 
 impl From<&Quad> for PlacedBox {
     #[inline]
     fn from(quad: &Quad) -> Self {
-        PlacedBox { origin: four(quad.origin), sides: [quad.u, quad.v, DVec3::ZERO].map(four) }
+        PlacedBox { origin: four(quad.origin), sides: [quad.u, quad.v, DVec3::ZERO].each(four) }
     }
 }
 
@@ -60,7 +61,7 @@ impl From<&Cuboid> for PlacedBox {
     #[inline]
     fn from(cuboid: &Cuboid) -> Self {
         let sides = [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis];
-        PlacedBox { origin: four(cuboid.origin), sides: sides.map(four) }
+        PlacedBox { origin: four(cuboid.origin), sides: sides.each(four) }
     }
 }
 

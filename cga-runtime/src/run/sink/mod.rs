@@ -21,6 +21,7 @@ use crate::shape::look_id::LookId;
 use crate::shape::place;
 use crate::shape::scope::Scope;
 use crate::shape::{Shape, ShapeRef};
+use crate::value::each::Each;
 
 pub use crate::run::template::{PartId, Replay};
 pub use crate::shape::axes::Axes;
@@ -184,7 +185,7 @@ impl<'a> Filled<'a> {
         let leaf = Leaf { rule: self.rule(), material: self.material(), source: LeafSource::Filled(self) };
         // Both forms have a position.
         let (placed, unit) = (PlacedBox::of(self.shape), self.shape.unit.get());
-        let (origin, [x, y, z]) = (placed.origin.truncate(), placed.sides.map(DVec4::truncate));
+        let (origin, [x, y, z]) = (placed.origin.truncate(), placed.sides.each(DVec4::truncate));
         match self.shape.form {
             Form::Rect(axis) => sink.quad(&leaf, &place::low_side(origin, [x, y, z], axis, unit)),
             Form::Box => sink.cuboid(&leaf, &Cuboid { origin, sides: DMat3::from_cols(x, y, z), unit }),

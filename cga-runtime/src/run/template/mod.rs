@@ -27,6 +27,7 @@ use crate::shape::base::Form;
 use crate::shape::look_id::LookId;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Counter, ShapeRef};
+use crate::value::each::Each;
 
 pub use part_id::PartId;
 pub(crate) use record::Tape;
@@ -284,7 +285,7 @@ impl<C> Template<C> {
             let sides = [(Axis::X, size.x), (Axis::Y, size.y), (Axis::Z, size.z)];
             PlacedBox {
                 origin: four(axes.matrix * leaf.origin),
-                sides: sides.map(|(axis, size)| frame.along(axis) * size),
+                sides: sides.each(|(axis, size)| frame.along(axis) * size),
             }
         });
         Turned {

@@ -7,6 +7,7 @@ use crate::geometry::Axis;
 use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::uv_map::UvMap;
 use crate::shape::scope::Scope;
+use crate::value::each::Each;
 
 /// The sets that rules have changed on a shape, sorted by number. Other sets come from its mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -71,7 +72,7 @@ fn to_unit(scope: &Scope) -> DAffine3 {
     // Along an axis whose size is zero except for rounding, all points are at 0.
     let least = (PLANAR_EPSILON * scope.size.abs().max_element()).max(1.0 / UvMap::MOST);
     let share = |size: f64| if size.abs() <= least { 1.0 } else { 1.0 / size };
-    let matrix = DMat3::from_diagonal(DVec3::from_array(scope.size.to_array().map(share))) * scope.axes.transpose();
+    let matrix = DMat3::from_diagonal(DVec3::from_array(scope.size.to_array().each(share))) * scope.axes.transpose();
     DAffine3 { matrix3: matrix, translation: -(matrix * scope.origin) }
 }
 

@@ -15,6 +15,7 @@ use crate::geometry::cut::state::CutState;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::check::winding;
 use crate::geometry::triangulate::PlaneProjection;
+use crate::value::small_sort::SmallSort;
 
 /// The slabs of the mesh's first face, and the edges of the wall at its first edge.
 #[derive(Default)]
@@ -50,7 +51,7 @@ impl Lead {
         let points = &state.points;
         let wall = Wall::of(mesh, wall);
         self.nodes.retain(|node| node.class().is_on_plane());
-        self.nodes.sort_by_key(PieceCorner::class);
+        self.nodes.small_sort_by_key(PieceCorner::class);
         self.nodes.dedup_by_key(|node| node.place);
         let mut left = QUESTIONS;
         for met in self.nodes.chunk_by_mut(|a, b| a.class() == b.class()) {
@@ -59,7 +60,7 @@ impl Lead {
             let from = flat(&met[0]);
             let reach = met.iter().fold(DVec2::ZERO, |reach, node| reach.max((flat(node) - from).abs()));
             let along = usize::from(reach.x < reach.y);
-            met.sort_by(|a, b| flat(a)[along].total_cmp(&flat(b)[along]));
+            met.small_sort_by(|a, b| flat(a)[along].total_cmp(&flat(b)[along]));
             // If a plane meets the wall several times, some stretches between two points are outside the wall.
             let questions = met.len() * wall.corners();
             let few = questions <= left;
@@ -75,7 +76,7 @@ impl Lead {
                 (pair[0].class().plane(), [a.min(b), a.max(b)])
             }));
         }
-        self.wall.sort_unstable();
+        self.wall.small_sort();
     }
 
     /// The position in a ring of points on a plane where an edge of the wall begins.

@@ -5,6 +5,7 @@
 //! cap ends there.
 
 use crate::geometry::buckets::Buckets;
+use crate::value::each::Each;
 
 /// The side of a plane that a face is on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,7 +76,7 @@ impl Rim {
         let cuts = self.by_plane.of(plane).iter().map(|&cut| self.cuts[cut as usize]);
         out.extend(cuts.map(|cut| [cut.b, cut.a]));
         let [start, end] =
-            [plane, plane + 1].map(|plane| self.edges.partition_point(|(edge, _)| (edge.plane as usize) < plane));
+            [plane, plane + 1].each(|plane| self.edges.partition_point(|(edge, _)| (edge.plane as usize) < plane));
         for same in self.edges[start..end].chunk_by(|(e, _), (f, _)| (e.a, e.b) == (f.a, f.b)) {
             let [below, above] = same.iter().fold([0; 2], |net, (_, count)| [net[0] + count[0], net[1] + count[1]]);
             // Edges that both sides lack, each in the opposite direction.

@@ -20,12 +20,14 @@ use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::Contour;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 use glam::DVec2;
 
 /// Finds the faces that go to the other side, after all faces were cut by the rule. Returns whether there are any.
 pub(crate) fn find(state: &mut CutState, mesh: &Mesh) -> bool {
     let mut flat = std::mem::take(&mut state.sheets.flat);
-    flat.sort_by_key(|flat| flat.plane);
+    flat.small_sort_by_key(|flat| flat.plane);
     let mut moved = Vec::new();
     // Without faces in planes there is nothing to do.
     if !flat.is_empty() {
@@ -44,7 +46,7 @@ pub(crate) fn find(state: &mut CutState, mesh: &Mesh) -> bool {
             }
         }
     }
-    moved.sort_unstable();
+    moved.small_sort();
     state.sheets.moved = moved;
     !state.sheets.moved.is_empty()
 }
@@ -84,7 +86,7 @@ impl<'f> SheetSearch<'f> {
         let mut uses = Vec::new();
         for (number, flat) in flat.iter().enumerate() {
             for edge in mesh.face(flat.face as usize).edges() {
-                let [a, b] = edge.map(|corner| places[mesh.corners[corner] as usize].number);
+                let [a, b] = edge.each(|corner| places[mesh.corners[corner] as usize].number);
                 uses.push(EdgeUse { edge: if flat.is_above { [a, b] } else { [b, a] }, flat: number });
             }
         }
@@ -100,20 +102,21 @@ impl<'f> SheetSearch<'f> {
         let ends = |edge: [u32; 2]| (edge[0].min(edge[1]), edge[0].max(edge[1]));
         let is_above = |item: &EdgeUse| flat[item.flat].is_above;
         let mut uses = self.uses.clone();
-        uses.sort_by_key(|item| (ends(item.edge), is_above(item)));
+        uses.small_sort_by_key(|item| (ends(item.edge), is_above(item)));
         let mut leaders = DisjointSets::new(flat.len());
         for same in uses.chunk_by(|a, b| ends(a.edge) == ends(b.edge) && is_above(a) == is_above(b)) {
             let edge = same[0].edge;
             if self.left(edge) == 0 && self.left([edge[1], edge[0]]) == 0 {
                 // One by one in the order of the mesh, so that coincident sheets stay separate.
-                let [forward, backward] = [true, false].map(|way| same.iter().filter(move |a| (a.edge == edge) == way));
+                let [forward, backward] =
+                    [true, false].each(|way| same.iter().filter(move |a| (a.edge == edge) == way));
                 forward.zip(backward).for_each(|(a, b)| leaders.unite(a.flat as u32, b.flat as u32));
             }
         }
         leaders.flatten();
         let mut uses: Vec<(u32, EdgeUse)> =
             uses.into_iter().map(|item| (leaders.find(item.flat as u32), item)).collect();
-        uses.sort_by_key(|&(leader, item)| (leader, ends(item.edge)));
+        uses.small_sort_by_key(|&(leader, item)| (leader, ends(item.edge)));
         self.groups.clear();
         for group in uses.chunk_by(|a, b| a.0 == b.0) {
             let mut rim = Vec::new();
@@ -124,10 +127,10 @@ impl<'f> SheetSearch<'f> {
                 let net = if backward < forward { edge } else { [edge[1], edge[0]] };
                 rim.extend(std::iter::repeat_n(net, forward.abs_diff(backward)));
             }
-            rim.sort_unstable();
+            rim.small_sort();
             if !rim.is_empty() && self.has(&rim) {
                 let mut faces: Vec<usize> = group.iter().map(|(_, item)| item.flat).collect();
-                faces.sort_unstable();
+                faces.small_sort();
                 faces.dedup();
                 self.groups.push(SheetGroup { is_above: is_above(&group[0].1), faces, rim });
             }
@@ -180,7 +183,7 @@ impl<'f> SheetSearch<'f> {
             }
         }
         self.groups = groups;
-        settled.sort_unstable();
+        settled.small_sort();
         settled
     }
 

@@ -5,6 +5,7 @@ use std::ops::Range;
 use super::first_edge::first_node;
 use crate::geometry::cut::class::{Class, ClassRange};
 use crate::geometry::cut::points::PieceCorner;
+use crate::value::each::Each;
 
 /// The two ways of a loop: from the lowest corner up, and from the highest corner down.
 #[derive(Default)]
@@ -42,7 +43,7 @@ impl Chain {
         let (mut here, mut way) = (start, up);
         loop {
             let next = after(here);
-            let [from, to] = [here, next].map(&node);
+            let [from, to] = [here, next].each(&node);
             way.push(from);
             // The way down begins after the last corner at the highest level.
             if from.class() == span.high && to.class() != span.high {

@@ -20,6 +20,8 @@ use crate::geometry::cut::points::PieceCorner;
 use crate::geometry::cut::state::CutState;
 use crate::geometry::mesh::{FaceRef, FaceTag, Mesh};
 use crate::geometry::triangulate::PlaneProjection;
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// A run of nodes within one slab: from plane to plane, or a whole loop that meets no plane.
 #[derive(Clone, Copy)]
@@ -35,6 +37,7 @@ struct Fragment {
 }
 
 /// A corner of the face on a plane, with its position along the line.
+#[derive(Clone, Copy)]
 struct OnPlane {
     plane: u32,
     along: f64,
@@ -42,6 +45,7 @@ struct OnPlane {
 }
 
 /// An edge along a plane, between two nodes.
+#[derive(Clone, Copy)]
 struct FaceEdge {
     plane: u32,
     nodes: [usize; 2],
@@ -104,7 +108,7 @@ impl General {
         self.take_apart(state, mesh, &view, line);
         // Whole loops come last in their slab. Each is its own successor.
         let is_whole = |fragment: &Fragment| !self.nodes[fragment.start].class().is_on_plane();
-        self.fragments.sort_by_key(|fragment| (fragment.slab, is_whole(fragment)));
+        self.fragments.small_sort_by_key(|fragment| (fragment.slab, is_whole(fragment)));
         for (number, fragment) in self.fragments.iter_mut().enumerate().filter(|(_, fragment)| is_whole(fragment)) {
             fragment.next = number;
         }
@@ -145,7 +149,7 @@ impl General {
             self.nodes.push(self.nodes[start]);
             let mut last = start;
             for here in start + 1..self.nodes.len() {
-                let [a, b] = [last, here].map(|i| self.nodes[i]);
+                let [a, b] = [last, here].each(|i| self.nodes[i]);
                 if !b.class().is_on_plane() {
                     continue;
                 }
@@ -165,7 +169,7 @@ impl General {
                 last = here;
             }
         }
-        self.on_planes.sort_by(|a, b| a.plane.cmp(&b.plane).then(a.along.total_cmp(&b.along)));
+        self.on_planes.small_sort_by(|a, b| a.plane.cmp(&b.plane).then(a.along.total_cmp(&b.along)));
     }
 
     /// Pairs the ends that fragments of one slab have on one of its planes.
@@ -192,7 +196,7 @@ impl General {
                 }
             }
         }
-        self.ends.sort_by(|a, b| a.along.total_cmp(&b.along));
+        self.ends.small_sort_by(|a, b| a.along.total_cmp(&b.along));
         let ends = std::mem::take(&mut self.ends);
         for tied in ends.chunk_by(|a, b| a.along == b.along) {
             // Order of ends at one position: first open interiors close, then new ones begin, then those close.
@@ -239,7 +243,7 @@ impl General {
         (fragment.next, fragment.way_start, fragment.way_end) = (to.fragment, way, self.ways.len());
         let mut last = a;
         for here in self.ways[way..].iter().copied().chain([b]) {
-            let [p, q] = [last, here].map(|node| self.nodes[node].place);
+            let [p, q] = [last, here].each(|node| self.nodes[node].place);
             if p != q {
                 state.rim.edge(plane, p.number, q.number, side);
                 self.plane_edges.push(FaceEdge { plane, nodes: [last, here], count: -1 });
@@ -271,10 +275,10 @@ impl General {
     fn close_flat(&mut self, state: &mut CutState, mesh: &Mesh) {
         let nodes = &self.nodes;
         let key = |edge: &FaceEdge| {
-            let [a, b] = edge.nodes.map(|node| nodes[node].place.number);
+            let [a, b] = edge.nodes.each(|node| nodes[node].place.number);
             (edge.plane, a.min(b), a.max(b))
         };
-        self.plane_edges.sort_by_key(key);
+        self.plane_edges.small_sort_by_key(key);
         // By start point. Equally many edges end at each point.
         let mut left: BTreeMap<(u32, u32), Vec<[usize; 2]>> = BTreeMap::new();
         for same in self.plane_edges.chunk_by(|a, b| key(a) == key(b)) {
@@ -302,7 +306,7 @@ impl General {
             }
             let ring = &self.rings.nodes;
             for i in 0..ring.len() {
-                let [a, b] = [i, (i + 1) % ring.len()].map(|at| ring[at].place.number);
+                let [a, b] = [i, (i + 1) % ring.len()].each(|at| ring[at].place.number);
                 state.rim.edge(plane, a, b, PlaneSide::Below);
             }
             self.rings.end_ring();

@@ -17,6 +17,8 @@ use crate::geometry::cut::state::CutState;
 use crate::geometry::mesh::{Bounds, FaceRef, FaceTag, Mesh};
 use crate::geometry::tol::{ACROSS_EPSILON, LINE_EPSILON};
 use crate::geometry::triangulate::{PlaneProjection, Triangulator};
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// Buffers.
 #[derive(Default)]
@@ -68,7 +70,7 @@ impl Rough {
         }
         self.rings.start(PlaneProjection::along(face.normal()), tag, outline);
         for at in 0..self.triangles.len() {
-            self.clip_triangle(state, mesh, self.triangles[at].map(|corner| corner as usize));
+            self.clip_triangle(state, mesh, self.triangles[at].each(|corner| corner as usize));
         }
         self.mark_unused(state, mesh, face);
     }
@@ -77,7 +79,7 @@ impl Rough {
     /// may be unused.
     fn mark_unused(&self, state: &mut CutState, mesh: &Mesh, face: &FaceRef<'_>) {
         let mut used: Vec<u32> = self.triangles.iter().flatten().map(|&corner| mesh.corners[corner as usize]).collect();
-        used.sort_unstable();
+        used.small_sort();
         for point in &mesh.corners[face.corner_range()] {
             let place = state.points.places[*point as usize];
             if !place.class.is_on_plane() && used.binary_search(point).is_err() {
@@ -87,10 +89,10 @@ impl Rough {
     }
 
     fn clip_triangle(&mut self, state: &mut CutState, mesh: &Mesh, corners: [usize; 3]) {
-        let places = corners.map(|corner| state.points.places[mesh.corners[corner] as usize]);
+        let places = corners.each(|corner| state.points.places[mesh.corners[corner] as usize]);
         self.nodes.clear();
         for (at, next) in [(0, 1), (1, 2), (2, 0)] {
-            let [from, to] = [at, next].map(|i| PieceCorner::corner(corners[i], places[i]));
+            let [from, to] = [at, next].each(|i| PieceCorner::corner(corners[i], places[i]));
             self.nodes.push(from);
             state.points.cross(&mut state.parts, mesh, from, to, &mut self.nodes);
         }

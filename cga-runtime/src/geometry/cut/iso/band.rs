@@ -8,6 +8,7 @@ use super::crossings::Crossings;
 use crate::geometry::cut::points::{NONE, PieceCorner};
 use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::trace::PartPoint;
+use crate::value::small_sort::SmallSort;
 
 /// A band. Until it is finished, its corners are numbers of points of the source, followed by numbers of crossings.
 pub(super) struct LineBand {
@@ -118,7 +119,7 @@ impl<'c> BandNumbers<'c> {
             }
         }
         if self.used.len() < self.new.len() / MANY {
-            self.used.sort_unstable();
+            self.used.small_sort();
         } else {
             self.used.clear();
             self.used.extend((0..self.new.len() as u32).filter(|&point| self.new[point as usize] != NONE));

@@ -11,6 +11,7 @@ use crate::geometry::cut::points::{Location, PieceCorner};
 use crate::geometry::cut::segment::{Segment, comes_first};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::trace::PartPoint;
+use crate::value::each::Each;
 
 /// All crossings of a cut. They are numbered after the points of the mesh.
 pub(super) struct Crossings {
@@ -59,11 +60,11 @@ impl Crossings {
             return;
         }
         let rises = from.class() < to.class();
-        let [from, to] = [from, to].map(|corner| corner.from as usize);
+        let [from, to] = [from, to].each(|corner| corner.from as usize);
         let (number, new) = self.edges.entry(sites.site(from), sites.site(to), self.points.len() as u32);
         let at = |corner: usize| mesh.points[mesh.corners[corner] as usize];
         if new {
-            let ends = [from, to].map(|corner| (at(corner), sites.value(corner)));
+            let ends = [from, to].each(|corner| (at(corner), sites.value(corner)));
             let segment = Segment::between(ends[0], ends[1]);
             for line in lines.clone() {
                 let (point, share) = segment.meet(self.lines[line as usize]);
@@ -72,7 +73,7 @@ impl Crossings {
             }
             if mesh.needs_origins() {
                 let ends = if comes_first(at(from), at(to)) { [from, to] } else { [to, from] };
-                let ends = ends.map(|corner| mesh.corners[corner]);
+                let ends = ends.each(|corner| mesh.corners[corner]);
                 self.ends.extend(lines.clone().map(|_| ends));
             }
         }

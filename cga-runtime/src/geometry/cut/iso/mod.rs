@@ -25,6 +25,7 @@ use super::faces::chain::{Chain, rises_once, runs};
 use super::rising;
 use crate::geometry::mesh::{FaceRef, FaceTag, Mesh, TooManyCorners, UvAxis};
 use crate::geometry::trace::PartPoint;
+use crate::value::each::Each;
 use affine::is_affine;
 use band::{BandNumbers, LineBand};
 use coordinate::Coordinate;
@@ -197,7 +198,7 @@ impl<'m> IsoCutter<'m> {
     /// The corners of a face and all its crossings, which both sides of a line have.
     fn crossings_of(&self, face: &FaceRef<'_>) -> usize {
         let between = |edge: [usize; 2]| {
-            let [a, b] = edge.map(|corner| self.sites.class(corner));
+            let [a, b] = edge.each(|corner| self.sites.class(corner));
             2 * ClassRange::between(a, b).planes().len() + 1
         };
         face.edges().map(between).sum()

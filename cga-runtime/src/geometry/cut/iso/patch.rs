@@ -21,6 +21,7 @@ use crate::geometry::mesh::{FaceTag, TooManyCorners};
 use crate::geometry::nesting::Nest;
 use crate::geometry::tol::AFFINE_EPSILON;
 use crate::geometry::triangulate::{PlaneProjection, Triangulator};
+use crate::value::each::Each;
 
 /// An edge of a piece of a triangle, with the node where it begins.
 #[derive(Clone, Copy)]
@@ -123,7 +124,7 @@ impl PatchBuffers {
         self.sides.clear();
         let mut count = 0;
         for triangle in &self.triangles {
-            self.sides.push([(0, 1), (1, 2), (2, 0)].map(|(from, to)| {
+            self.sides.push([(0, 1), (1, 2), (2, 0)].each(|(from, to)| {
                 let (from, to) = (triangle[from], triangle[to]);
                 if self.next[from as usize] == to {
                     return None;
@@ -136,8 +137,8 @@ impl PatchBuffers {
     }
 
     fn cut_triangle(&mut self, cutter: &mut IsoCutter<'_>, triangle: usize, start: usize) {
-        let corners = self.triangles[triangle].map(|corner| start + corner as usize);
-        let nodes = corners.map(|corner| cutter.sites.node(cutter.mesh, corner));
+        let corners = self.triangles[triangle].each(|corner| start + corner as usize);
+        let nodes = corners.each(|corner| cutter.sites.node(cutter.mesh, corner));
         let span = ClassRange::of(nodes.iter().map(PieceCorner::class));
         if span.is_flat() {
             for side in self.sides[triangle].into_iter().flatten() {
@@ -230,7 +231,7 @@ impl PatchBuffers {
 
     /// Returns true if a triangle has an area, up to rounding.
     fn has_area(&self, triangle: u32) -> bool {
-        let [a, b, c] = self.triangles[triangle as usize].map(|corner| self.flat[corner as usize]);
+        let [a, b, c] = self.triangles[triangle as usize].each(|corner| self.flat[corner as usize]);
         let (ab, ac) = (b - a, c - a);
         AFFINE_EPSILON * ab.length_squared().max(ac.length_squared()) < ab.perp_dot(ac).abs()
     }
@@ -245,7 +246,7 @@ impl PatchBuffers {
         let (triangle, is_placed) = &mut self.flats[flat as usize];
         *is_placed = true;
         let triangle = *triangle as usize;
-        let corners = self.triangles[triangle].map(|corner| start + corner as usize);
+        let corners = self.triangles[triangle].each(|corner| start + corner as usize);
         let from = self.halves.len() as u32;
         for (at, corner) in (0u32..).zip(corners) {
             let node = cutter.sites.node(cutter.mesh, corner);

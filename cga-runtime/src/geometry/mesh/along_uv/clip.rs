@@ -9,6 +9,7 @@ use crate::geometry::mesh::face::area_vector;
 use crate::geometry::mesh::{Mesh, UvSets};
 use crate::geometry::segment::nearest_share;
 use crate::geometry::tol::NEXT_EPSILON;
+use crate::value::each::Each;
 
 /// A corner of a piece, above a point of texture space.
 #[derive(Clone, Copy)]
@@ -130,7 +131,7 @@ impl<'a> Clip<'a> {
         kept.clear();
         for at in 0..self.nodes.len() {
             let (here, next) = (self.nodes[at], self.nodes[if at + 1 == self.nodes.len() { 0 } else { at + 1 }]);
-            match [here, next].map(|node| node.side(edge, patch)) {
+            match [here, next].each(|node| node.side(edge, patch)) {
                 [1, -1] => {
                     let crossing = self.crossing(&here, &next, edge, patch);
                     kept.extend([here, ClipVertex { edge: EdgeSource::Cut(edge), ..crossing }]);
@@ -167,7 +168,7 @@ impl<'a> Clip<'a> {
         let (from, to) = if is_before(&from, &to) { (from, to) } else { (to, from) };
         let [a, b] = patch.edge(edge);
         let (a, b) = if comes_first(a, b) { (a, b) } else { (b, a) };
-        let [off_from, off_to] = [from, to].map(|node| (b - a).perp_dot(node.uv - a));
+        let [off_from, off_to] = [from, to].each(|node| (b - a).perp_dot(node.uv - a));
         let share = off_from / (off_from - off_to);
         // Rounding errors of ends close to the edge may lead outside.
         let share = if share.is_nan() { 0.5 } else { share.clamp(0.0, 1.0) };

@@ -12,6 +12,7 @@ use crate::geometry::nesting::extent::Extent;
 use crate::geometry::segment::nearest_share;
 use crate::geometry::tol::AFFINE_EPSILON;
 use crate::geometry::triangulate::Triangulator;
+use crate::value::each::Each;
 
 /// A triangle, or a quad whose coordinates are a parallelogram. Corners are counter-clockwise in texture space.
 pub(super) struct UvPatch {
@@ -156,7 +157,7 @@ impl UvPatch {
             }
             On::Inside => {
                 let off = uv - self.corners[0].uv;
-                let [s, t] = self.along.map(|way| way.dot(off));
+                let [s, t] = self.along.each(|way| way.dot(off));
                 let mix = |of: fn(&PatchCorner) -> DVec3| match &self.corners[..] {
                     [a, b, c] => of(a) + (of(b) - of(a)) * s + (of(c) - of(a)) * t,
                     [a, b, c, d] => {
@@ -222,7 +223,7 @@ impl Patches {
             triangles.clear();
             triangulator.face(carrier, face.index(), &mut triangles);
             for triangle in &triangles {
-                patches.add(UvPatch::of(triangle.map(corner).to_vec()));
+                patches.add(UvPatch::of(triangle.each(corner).to_vec()));
             }
         }
         patches
@@ -252,7 +253,7 @@ impl Patches {
 }
 
 fn key(patch: &UvPatch, edge: usize) -> [EdgeEnd; 2] {
-    let end = |corner: PatchCorner| (corner.number, corner.uv.to_array().map(f64::to_bits));
+    let end = |corner: PatchCorner| (corner.number, corner.uv.to_array().each(f64::to_bits));
     let (a, b) = (end(patch.corners[edge]), end(patch.corners[patch.after(edge)]));
     [a.min(b), a.max(b)]
 }

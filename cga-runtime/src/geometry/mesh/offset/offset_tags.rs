@@ -3,6 +3,7 @@
 use super::RingCorner;
 use crate::geometry::mesh::flat_face::FlatFace;
 use crate::geometry::mesh::{FaceRef, FaceTag, Mesh, PartTags, SubcomponentTagger};
+use crate::value::each::Each;
 
 /// Collects the tags of all parts. Parts have the tags of their face, strips also those of their edge. An edge from a corner of
 /// the face to a new corner has the tags of the old one, and other new edges have none.
@@ -24,7 +25,7 @@ impl<'s> OffsetTags<'s> {
 
     /// The tag of the strip of an edge, between two corners counted from the first one of the face.
     pub(super) fn strip(&mut self, plane: &FlatFace<'_>, edge: [usize; 2]) -> FaceTag {
-        let ends = edge.map(|corner| plane.points[plane.corners[corner] as usize]);
+        let ends = edge.each(|corner| plane.points[plane.corners[corner] as usize]);
         self.parts.beside_edge(plane.face.tag(), ends)
     }
 

@@ -13,6 +13,8 @@ use super::{OffsetError, relief};
 use crate::geometry::mesh::flat_face::FlatFace;
 use crate::geometry::nesting::contour::Contour;
 use crate::geometry::skeleton::{self, Failure, Swept};
+use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// The piece of a side that is on no edge of the face.
 const NONE: usize = usize::MAX;
@@ -61,10 +63,10 @@ impl FaceRegion {
                     sides.push(RegionSide { point, piece: pieces.len(), has_moved: false });
                     pieces.push(edge[0]);
                 };
-                let [a, b] = edge.map(|corner| plane.corners[corner]);
+                let [a, b] = edge.each(|corner| plane.corners[corner]);
                 add(a);
                 while let Some((_, share)) = cuts.next_if(|cut| cut.0 == edge[0]) {
-                    let [a, b] = [a, b].map(|end| end as usize);
+                    let [a, b] = [a, b].each(|end| end as usize);
                     points.push(points[a].lerp(points[b], *share));
                     heights.push(heights[a] + (heights[b] - heights[a]) * share);
                     add(points.len() as u32 - 1);
@@ -155,17 +157,19 @@ fn taken(
     rank: impl Fn(usize) -> usize,
     mut origin: impl FnMut([u32; 2], usize, SideKind),
 ) -> Result<Loops, Failure> {
-    let mut lines: BTreeMap<usize, Vec<[u32; 2]>> = BTreeMap::new();
     let sides = rings.iter().flat_map(|ring| (0..ring.len()).map(|k| [ring[k], ring[(k + 1) % ring.len()]]));
-    sides.enumerate().for_each(|(edge, side)| lines.entry(edge).or_default().push(side));
+    // The sides along the line of each edge.
+    let mut lines: Vec<Vec<[u32; 2]>> = sides.map(|side| vec![side]).collect();
     for ring in &swept.left {
         for (k, left) in ring.iter().enumerate() {
             let side = [ring[(k + 1) % ring.len()].point, left.point];
-            lines.entry(left.edge as usize).or_default().push(side);
+            let edge = left.edge as usize;
+            lines.resize(lines.len().max(edge + 1), Vec::new());
+            lines[edge].push(side);
         }
     }
     let (mut ranks, mut all) = (BTreeMap::new(), Vec::new());
-    for (&edge, sides) in &lines {
+    for (edge, sides) in lines.iter().enumerate() {
         let is_moved = distances.get(edge).is_some_and(|distance| 0.0 < *distance);
         match &sides[..] {
             [side, moved @ ..] if is_moved => {
@@ -186,7 +190,7 @@ fn taken(
         }
     }
     // Nearly parallel lines may have the same side, or opposite ones. Each side counts, so that all loops close.
-    all.sort_unstable();
+    all.small_sort();
     let (mut contour, mut closes) = (Contour::default(), true);
     contour.follow(&all, &swept.points, |_| closes = false);
     if !closes {
@@ -210,9 +214,9 @@ fn apart(sides: &[[u32; 2]], swept: &Swept) -> Vec<[u32; 2]> {
     let Some(&[from, to]) = sides.first() else { return Vec::new() };
     let along = at(to) - at(from);
     let mut points: Vec<u32> = sides.iter().flatten().copied().collect();
-    points.sort_unstable();
+    points.small_sort();
     points.dedup();
-    points.sort_by(|&a, &b| along.dot(at(a)).total_cmp(&along.dot(at(b))));
+    points.small_sort_by(|&a, &b| along.dot(at(a)).total_cmp(&along.dot(at(b))));
     let place = |point: u32| points.iter().position(|&other| other == point).unwrap_or(0);
     // For each gap between neighbours the sides ahead less the sides back.
     let mut cover = vec![0i32; points.len()];

@@ -7,6 +7,7 @@
 
 use crate::geometry::segment::nearest_share;
 use crate::geometry::skeleton::Swept;
+use crate::value::each::Each;
 
 /// The heights of all points of a swept face, from the heights of its own points, which come first. `rings` are in
 /// swept order.
@@ -14,7 +15,7 @@ pub(super) fn heights(own: &[f64], rings: &[Vec<u32>], swept: &Swept) -> Vec<f64
     let edges: Vec<[u32; 2]> =
         rings.iter().flat_map(|ring| (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]])).collect();
     let near = |[a, b]: [u32; 2], point: u32| {
-        let share = nearest_share(swept.points[point as usize], [a, b].map(|end| swept.points[end as usize]));
+        let share = nearest_share(swept.points[point as usize], [a, b].each(|end| swept.points[end as usize]));
         own[a as usize] * (1.0 - share) + own[b as usize] * share
     };
     let mut sums = vec![(0.0, 0u32); swept.points.len()];

@@ -10,6 +10,7 @@ use super::side_tags::SideTags;
 use super::{FaceParts, OffsetError};
 use crate::geometry::mesh::flat_face::FlatFace;
 use crate::geometry::mesh::{FaceRef, Mesh};
+use crate::value::each::Each;
 
 /// Sets the edges of a face back in turns and adds the parts to a mesh. The pieces of the outline are its edges, which the
 /// cuts divide. A turn has one number for each piece; numbers that are not positive leave the piece where it is.
@@ -36,7 +37,7 @@ pub(crate) fn set_back(
     let mut part = FaceParts::new(&plane, &region.points, &region.heights, false, made);
     let own = |point: u32| plane.corners.iter().position(|&corner| corner == point);
     // The points of the edge that begins at each corner.
-    let ends: Vec<[u32; 2]> = face.edges().map(|edge| edge.map(|corner| face.mesh.corners[corner])).collect();
+    let ends: Vec<[u32; 2]> = face.edges().map(|edge| edge.each(|corner| face.mesh.corners[corner])).collect();
     let count = |(loops, origins): (Loops, SideOrigins)| {
         // Each part has points of its own, because sides that two parts share may have different tags.
         part.begin();

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::RingCorner;
 use crate::geometry::mesh::{FaceRef, Mesh, SubcomponentTagger, TagSet};
+use crate::value::each::Each;
 
 /// The kind of a side of a setback or of its remainder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -118,8 +119,8 @@ impl<'s> SideTags<'s> {
         let first = made.corners.len() - face.corner_count();
         let range = face.corner_range();
         for edge in face.edges() {
-            let ends = edge.map(|corner| made.corners[first + corner - range.start]);
-            let from = edge.map(|corner| face.mesh.corners[corner]);
+            let ends = edge.each(|corner| made.corners[first + corner - range.start]);
+            let from = edge.each(|corner| face.mesh.corners[corner]);
             self.side(ends, SideKind::Remainder, Some(from), None);
             self.vertex(ends[0], from[0]);
         }

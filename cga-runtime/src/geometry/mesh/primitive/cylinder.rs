@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::{FaceBuilder, circle};
 use crate::geometry::mesh::Mesh;
+use crate::value::each::Each;
 
 /// A closed cylinder about the vertical through the centre: `sides` side faces counter-clockwise as seen from above,
 /// then the top and the bottom. The minimum is three sides (*primitiveCylinder operation*). Around the sides u goes
@@ -17,7 +18,7 @@ pub fn cylinder(sides: usize) -> Mesh {
     let around = |i: usize| i as f64 / sides as f64;
     for i in 0..sides {
         let next = (i + 1) % sides;
-        let [left, right] = [i, i + 1].map(around);
+        let [left, right] = [i, i + 1].each(around);
         faces.face([
             (i, DVec2::new(left, 0.0)),
             (next, DVec2::new(right, 0.0)),

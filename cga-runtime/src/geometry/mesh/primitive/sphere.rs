@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::{FaceBuilder, circle};
 use crate::geometry::mesh::Mesh;
+use crate::value::each::Each;
 
 /// A closed sphere with its poles on the vertical through the centre: `divisions` rows of `sides` faces from the bottom
 /// up, each row counter-clockwise as seen from above, with triangles at the poles. The minimum is three sides and two
@@ -25,14 +26,14 @@ pub fn sphere(sides: usize, divisions: usize) -> Mesh {
     let uv = |row: usize, i: f64| DVec2::new(i / sides as f64, row as f64 / divisions as f64);
     for row in 0..divisions {
         for i in 0..sides {
-            let [left, middle, right] = [0.0, 0.5, 1.0].map(|part| i as f64 + part);
+            let [left, middle, right] = [0.0, 0.5, 1.0].each(|part| i as f64 + part);
             let lower = [(row, left, i), (row, right, i + 1)];
             let upper = [(row + 1, right, i + 1), (row + 1, left, i)];
             let corner = |(row, u, i): (usize, f64, usize)| (at(row, i), uv(row, u));
             if row == 0 {
-                faces.face([(0, uv(0, middle))].into_iter().chain(upper.map(corner)));
+                faces.face([(0, uv(0, middle))].into_iter().chain(upper.each(corner)));
             } else if row + 1 == divisions {
-                faces.face(lower.map(corner).into_iter().chain([(north, uv(divisions, middle))]));
+                faces.face(lower.each(corner).into_iter().chain([(north, uv(divisions, middle))]));
             } else {
                 faces.face(lower.into_iter().chain(upper).map(corner));
             }

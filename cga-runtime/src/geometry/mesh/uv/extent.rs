@@ -14,6 +14,7 @@ use super::UvAxis;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::tol::{CHART_EPSILON, NEXT_EPSILON};
 use crate::geometry::triangulate::Triangulator;
+use crate::value::each::Each;
 
 /// The smallest and largest coordinates of a texture set, and the metres between them on the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,7 +93,7 @@ impl Mesh {
         let is_constant = (high * 0.5 - low * 0.5).cmple(DVec2::splat(far * 0.5 * NEXT_EPSILON));
         let varied = DVec2::select(is_constant, DVec2::INFINITY, range);
         let sums = self.sum_stretch(set, stretch, unit, scale, varied);
-        let metres = [0, 1].map(|axis| {
+        let metres = [0, 1].each(|axis| {
             let mean =
                 if sums.chart == 0.0 { sums.area[axis] / sums.change[axis] } else { sums.stretched[axis] / sums.chart };
             let metres = range[axis] * mean / unit;
@@ -109,7 +110,7 @@ impl Mesh {
             triangles.clear();
             triangulator.face(self, face, &mut triangles);
             for triangle in &triangles {
-                let [a, b, c] = triangle.map(|corner| {
+                let [a, b, c] = triangle.each(|corner| {
                     let corner = corner as usize;
                     (self.points[self.corners[corner] as usize] * stretch * unit, uvs[corner] * scale)
                 });

@@ -9,6 +9,7 @@ use glam::DVec2;
 use super::{ChainPoint, MonotoneSweep, NONE, SweepInterval};
 use crate::geometry::exact::orient;
 use crate::geometry::status::{LEFT, RIGHT};
+use crate::value::each::Each;
 
 impl MonotoneSweep {
     /// A corner with both edges above it: the start of a region, or of a hole in one.
@@ -30,7 +31,7 @@ impl MonotoneSweep {
             None if turn < 0 => self.beside(points, corner, [left, right]),
             _ => None,
         };
-        let new = self.status.insert_after(split.or(left), [corner, a].map(|c| points[c as usize]));
+        let new = self.status.insert_after(split.or(left), [corner, a].each(|c| points[c as usize]));
         if let Some(region) = split {
             // The chain is divided at its latest point. The corner sees that point and continues from it in both
             // directions.
@@ -61,7 +62,7 @@ impl MonotoneSweep {
     fn beside(&self, points: &[DVec2], corner: u32, regions: [Option<u32>; 2]) -> Option<u32> {
         let distance = |region: u32, side: usize| {
             let edge = self.regions[region as usize].edges[side];
-            let [a, b, p] = [edge, self.next[edge as usize], corner].map(|c| points[c as usize]);
+            let [a, b, p] = [edge, self.next[edge as usize], corner].each(|c| points[c as usize]);
             (b - a).perp_dot(p - a).abs() / (b - a).length()
         };
         let near = regions.into_iter().zip([RIGHT, LEFT]).filter_map(|(region, side)| Some((region?, side)));
