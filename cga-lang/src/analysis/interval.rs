@@ -84,8 +84,8 @@ impl Interval {
         if self.is_odd() { self.tame().or(Interval::ZERO) } else { self }
     }
 
-    /// The results of an operation that is monotone in both operands: they end at two of its corners. A corner that is NaN
-    /// leaves that to the other ones.
+    /// The results of an operation that is monotone in each operand: they end at two of its corners. Corners that are NaN are left
+    /// out, because numbers near them give results between the other corners.
     fn corners(self, other: Interval, of: impl Fn(f64, f64) -> f64) -> Interval {
         let all = [of(self.lo, other.lo), of(self.lo, other.hi), of(self.hi, other.lo), of(self.hi, other.hi)];
         let end = |better: fn(f64, f64) -> f64| all.into_iter().fold(f64::NAN, better);
@@ -114,13 +114,14 @@ impl Interval {
     }
 
     pub(crate) fn mul(self, other: Interval) -> Interval {
-        // Zero times any finite number is zero.
+        // Zero times any finite number is zero; zero times infinity is NaN.
         let product = self.corners(other, |a, b| if a == 0.0 || b == 0.0 { 0.0 } else { a * b });
-        let none = self.has_infinity() && other.has_zero() || other.has_infinity() && self.has_zero();
-        Interval { nan: product.nan || none, ..product }
+        let nan = self.has_infinity() && other.has_zero() || other.has_infinity() && self.has_zero();
+        Interval { nan: product.nan || nan, ..product }
     }
 
     pub(crate) fn div(self, other: Interval) -> Interval {
+        // The sign of a zero decides between two infinities.
         if other.has_zero() { Interval::ALL } else { self.corners(other, |a, b| a / b) }
     }
 
@@ -129,7 +130,7 @@ impl Interval {
         if let (Some(a), Some(b)) = (self.known(), other.known()) {
             return Interval::point(a % b);
         }
-        // It is nearer to zero than the divisor, and not farther than the dividend.
+        // It is less than the divisor and at most the dividend, signs aside.
         let most = other.abs().hi.next_down().max(0.0);
         let (lo, hi) = (self.lo.clamp(-most, 0.0), self.hi.clamp(0.0, most));
         Interval { lo, hi, nan: self.is_odd() || other.nan || other.has_zero() }
@@ -169,6 +170,7 @@ impl Interval {
             (Meaning::Min, [a, b]) => a.min(*b),
             (Meaning::Max, [a, b]) => a.max(*b),
             (Meaning::Wave, [_]) => Interval::finite(-1.0, 1.0),
+            // Rounding leads beyond neither end, because runs multiply the difference by at most 1 - 2^-53.
             (Meaning::Random, []) => Interval::finite(0.0, 1.0),
             (Meaning::Random, [max]) => max.taken().or(Interval::ZERO),
             (Meaning::Random, [min, max]) => min.taken().or(max.taken()),
@@ -194,7 +196,7 @@ impl Interval {
         }
     }
 
-    /// The part that compares so with some number of another interval. Ends stay included, for strict comparisons too.
+    /// The part that satisfies a comparison with some number of another interval. Ends stay included, for strict comparisons too.
     pub(crate) fn compared(mut self, op: Binary, with: Interval) -> Option<Interval> {
         match op {
             Binary::Lt | Binary::Le => self.hi = self.hi.min(with.hi),
