@@ -300,7 +300,7 @@ impl<'f> Evaluator<'f> {
             Use::Builtin(row) => Value::of(Some(row.ty)),
             Use::Shape(row) => match row.values {
                 AttrValues::Size(axis) => Value::Number(facts.shape.size[axis]),
-                AttrValues::From(least) => Value::Number(Interval::finite(least, f64::INFINITY)),
+                AttrValues::From(least) => Value::Number(Interval::finite(least, f64::MAX)),
                 AttrValues::Any => Value::of(row.kind.ty()),
             },
             _ => Value::Any,

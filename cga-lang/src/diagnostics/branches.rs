@@ -1,6 +1,6 @@
 //! Conditions that are always true or always false.
 
-use super::numbers::range;
+use super::numbers::{is_bound, range};
 use super::switch::is_switch;
 use crate::analysis::{AbstractState, CaseBranch, DataFlow, Value};
 use crate::diag::code::Code;
@@ -173,7 +173,7 @@ fn reasons(
 /// A value in a message, if something is known about it.
 fn told(expr: &Expr, facts: &AbstractState, flow: &DataFlow) -> Option<String> {
     match flow.value(expr, facts) {
-        Value::Number(number) if number.lo.is_finite() || number.hi.is_finite() => {
+        Value::Number(number) if is_bound(number.lo) || is_bound(number.hi) => {
             Some(format!("{}{}", range(number), if number.may_be_nan() { ", or NaN" } else { "" }))
         }
         Value::Truth(Some(truth)) => Some(truth.to_string()),

@@ -1,6 +1,7 @@
 //! Numbers in messages.
 
 use crate::analysis::interval::Interval;
+use crate::ops::MOST_SIZE;
 
 /// A number in a message.
 pub(crate) fn shown(number: f64) -> String {
@@ -15,9 +16,14 @@ pub(crate) fn about(number: f64) -> String {
     shown((number * 1e4).round() / 1e4)
 }
 
+/// Returns true if an end of an interval is a bound for messages: no size is larger.
+pub(crate) fn is_bound(end: f64) -> bool {
+    end.abs() <= MOST_SIZE
+}
+
 /// An interval in a message: "3", "between 3 and 60", "3 or more".
 pub(crate) fn range(of: Interval) -> String {
-    match (of.lo == of.hi, of.lo.is_finite(), of.hi.is_finite()) {
+    match (of.lo == of.hi, is_bound(of.lo), is_bound(of.hi)) {
         (true, ..) => shown(of.lo),
         (false, true, true) if shown(of.lo) == shown(of.hi) => format!("about {}", shown(of.lo)),
         (false, true, true) => format!("between {} and {}", shown(of.lo), shown(of.hi)),

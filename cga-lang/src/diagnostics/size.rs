@@ -142,13 +142,14 @@ fn starved(slots: &Slots, index: usize, facts: &AbstractState, diags: &mut Diags
     };
     let message = format!("{} is never made: no space is left for it", label(slots, slot));
     let diag = diags.report(code, slot.size.span, message);
-    if slots.fills(sum) {
+    let fills = slots.fills(sum);
+    if fills {
         diag.note(format!("{which} add up to {}", quantity(slots, sum)));
     } else if let Some(extent) = slots.extent.known() {
-        let others = (0..slots.list.len()).any(|other| other != index && !slots.is_never(other));
-        diag.note(match others {
-            true => format!("the other slots take all of the {} along {}", shown(extent), axis(slots)),
-            false => format!("it is too small, or the scope too large with {} along {}", shown(extent), axis(slots)),
+        let is_tiny = !slot.floats() && slots.before(index, true) == sum;
+        diag.note(match is_tiny {
+            true => format!("it is too small for a scope with {} along {}", shown(extent), axis(slots)),
+            false => format!("the other slots take all of the {} along {}", shown(extent), axis(slots)),
         });
     }
     let cut = (0..index).find(|&before| !slots.is_never(before) && slots.is_cut(before));
@@ -156,7 +157,7 @@ fn starved(slots: &Slots, index: usize, facts: &AbstractState, diags: &mut Diags
         let (cut, whole) = (&slots.list[cut], terms(slots).whole);
         diag.related(format!("{} is cut where the {whole} ends", label(slots, cut)), cut.size.span);
     }
-    if 0.0 < sum.metres {
+    if !fills || 0.0 < sum.metres {
         since(slots, facts, diag);
     }
     match slot.floats() {
