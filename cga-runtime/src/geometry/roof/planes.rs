@@ -10,7 +10,7 @@ use crate::geometry::nesting::extent::Extent;
 use crate::geometry::nesting::rings::NestedRings;
 use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
 
-/// A triangle for each edge, to an apex over the mean of all corners. An angle is that of the first triangle. If the apex is
+/// A triangle for each edge, to an apex over the mean of all corners. An angle is measured at the first triangle. If the apex is
 /// over the line of the first edge, no height gives this triangle an angle, so the next edge decides.
 pub(super) fn pyramid(outline: &Outline<'_>, rise: Rise) -> Roof {
     let edges = outline.edges();
