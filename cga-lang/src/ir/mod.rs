@@ -177,7 +177,7 @@ pub struct Rule {
     pub name: String,
     /// The name its implicit leaves carry: `Facade`, for its blocks too.
     pub label: String,
-    /// Parameters, then locals; those of a block are captured, in the order of the enclosing rule.
+    /// Parameters, then locals. The parameters of a block are captured, in the order of the enclosing rule.
     pub params: Vec<Param>,
     /// The values of its locals, computed in order when it is entered: they belong to the last parameters.
     pub locals: Vec<Expr>,

@@ -49,7 +49,7 @@ struct Generator<'a> {
     grammar: &'a Grammar,
     source: &'a Source,
     names: names::ItemNames,
-    /// The numbers of rules for trails, by rule: that of its first site.
+    /// The numbers of rules for trails: for each rule, the number of its first site.
     numbers: Vec<u32>,
     plan: stack::StackPlan,
     calls: calls::StackChecks,

@@ -79,7 +79,7 @@ pub struct Env {
     pub(crate) trail: Vec<u32>,
     /// The rules that led to the waiting call that was resumed last.
     pub(crate) before: Option<Rc<Trail>>,
-    /// The counts of shapes and leaves without those of `filled`.
+    /// The counts of shapes and leaves without the counts of `filled`.
     pub(crate) shapes: u64,
     pub(crate) leaves: u64,
     /// The number of leaf symbols that fill their scopes: a shape and a leaf each.

@@ -157,7 +157,7 @@ struct Hole<C> {
     size: DVec3,
     unit: UnitMesh,
     form: Form,
-    /// True if its axes are those of the base after it has grown.
+    /// True if it has the axes of the base after the base has grown.
     is_raised: bool,
     look: LookId,
     /// The factor and the summand that give its seed from the seed of the repetition.
@@ -180,7 +180,7 @@ struct Turned {
     holes: Vec<DVec3>,
 }
 
-/// The counters of the recorded shape. A hole with these counters gets those of the repetition.
+/// The counters of the recorded shape. A hole with these counters gets the counters of the repetition.
 const INHERITED: Counter = Counter::of(i32::MIN, 0);
 
 impl TemplateKey {

@@ -34,7 +34,7 @@ use crate::shape::look_id::LookId;
 /// }
 ///
 /// impl Sink for Scene {
-///     // Numbers and identities are those of a run.
+///     // Numbers and identities hold in one run.
 ///     fn begin(&mut self) {
 ///         self.by_id.clear();
 ///         self.rest.begin();
