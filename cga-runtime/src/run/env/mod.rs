@@ -73,7 +73,7 @@ pub struct Env {
     /// True if operations tag the edges that they make (*Geometry tagging*, auto-tags on edges).
     pub(crate) tags_edges: bool,
     names: &'static [&'static str],
-    /// The names and materials of leaves, by number.
+    /// The names and looks of leaves, by number.
     pub(crate) leaf_tables: LeafTables,
     /// The rules entered and not yet left, since the last waiting call was resumed.
     pub(crate) trail: Vec<u32>,

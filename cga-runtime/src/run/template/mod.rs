@@ -65,7 +65,7 @@ struct TemplateKey {
     form: Form,
     unit: UnitMesh,
     look: LookId,
-    /// True if the shape has texture coordinates. For a look without a number, `material` does not tell.
+    /// True if the shape has texture coordinates. For a look without a number, `look` does not tell.
     has_coordinates: bool,
     /// The axes along which coordinates are constant. A move along another axis makes a shape with another base.
     constant: [bool; 3],
@@ -128,7 +128,7 @@ struct LeafRange {
     may_have_coordinates: bool,
 }
 
-/// Consecutive leaves with equal rule and material.
+/// Consecutive leaves with equal rule and look.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mark {
     pub(crate) rule: u32,
