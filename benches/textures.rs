@@ -1,7 +1,7 @@
 //! Texture coordinates on a façade: none, a projection that is only set up, and coordinates on walls, on the whole
 //! façade and on each window.
 //!
-//! `cargo bench --bench textures`. The façade is that of workload A, 40 bays wide and 40 floors high.
+//! `cargo bench --bench textures`. The façade is the one of workload A, 40 bays wide and 40 floors high.
 
 mod common;
 

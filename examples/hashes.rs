@@ -1,6 +1,6 @@
 //! Hashes of many outputs, one on each line: equal on every platform and in every build.
 //!
-//! `cargo run --release --example hashes` prints them. `.ci/wasm` compares them with those of the same program on
+//! `cargo run --release --example hashes` prints them. `.ci/wasm` compares them with the hashes of the same program on
 //! wasm.
 
 use std::error::Error;

@@ -29,8 +29,8 @@ machine, so look at the ratios. A ratio compares two ways that run in turn in on
 
 *By hand* is a loop without a grammar. It knows all sizes and fills the same buffers: vertices, indices, and where rule or
 material change. *Buffers* is the grammar with `Buffers`, *terminals only* the grammar with a sink that keeps nothing. Every
-scene is checked: counts and checksums are those of the formulas, and both ways have the same runs. Growth divides the cost of
-a terminal in the largest size of a workload by that in the smallest: 1 is linear.
+scene is checked: counts and checksums equal the formulas, and both ways have the same runs. Growth divides the cost of
+a terminal in the largest size of a workload by the cost in the smallest: 1 is linear.
 
 A is a façade with windows, A-color the same with a colour in every bay, A-chance with glass that is lit by chance. B is the
 Menger sponge, B2 a box that is divided in the golden ratio, D a city of façades.

@@ -113,7 +113,7 @@ pub mod sink {
     pub use cga_runtime::run::sink::{Axes, Cuboid, Filled, Flow, Leaf, PartId, Quad, Replay, Sink};
 }
 
-/// Runs on many initial shapes, on several threads with the feature `rayon`. The results equal those of a loop, to
+/// Runs on many initial shapes, on several threads with the feature `rayon`. The results equal the results of a loop, to
 /// the byte.
 ///
 /// [`generate_all`](parallel::generate_all) returns a model of each shape. Its batches can be written as one file,

@@ -1,4 +1,4 @@
-//! Replaces the entities of the old model by those of the new one.
+//! Replaces the entities of the old model by the entities of the new one.
 
 use bevy_asset::Assets;
 use bevy_ecs::entity::Entity;

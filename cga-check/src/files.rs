@@ -74,7 +74,7 @@ impl LoadedFiles {
         }
         // A device never ends.
         if !fs::metadata(path).map_err(|why| why.to_string())?.is_file() {
-            return Err("it is no regular file".into());
+            return Err("not a regular file".into());
         }
         let bytes = fs::read(path).map_err(|why| why.to_string())?;
         let text = decode(&bytes).into_owned();

@@ -34,7 +34,7 @@ pub(crate) struct CheckOutcome<'a> {
     pub(crate) types: Inferred,
 }
 
-/// Runs every pass. `levels` are those of the grammar as a whole; annotations in the tree come on top.
+/// Runs every pass. `levels` hold for the grammar as a whole; annotations in the tree come on top.
 /// Diagnostics of sizes and calls need the final program: with `last`, or without a type mismatch, no more declarations are
 /// instantiated.
 pub(crate) fn check<'a>(

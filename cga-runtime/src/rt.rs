@@ -1,4 +1,5 @@
-//! The names that generated code uses; `cga-macros/src/tests/rt.rs` compares this list with the code generator. The module
+//! The names that generated code uses; `cga-macros/src/tests/rt.rs` compares this list with the code generator. The modules
+//! [`op`] and [`func`] have all operations and functions; `rows.rs` beside that test compares them with the tables. This module
 //! is not part of the public promise, as the versions of the crates are pinned to each other.
 
 pub use std::boxed::Box;

@@ -99,7 +99,7 @@ await check('modules are within their sizes', () => {
 });
 
 for (const { name } of grammars) {
-  await check(`${name}: the file equals that of this machine`, async () => {
+  await check(`${name}: the file equals the file of this machine`, async () => {
     if (name !== (await page.$eval('#grammar', (menu) => menu.value))) await page.select('#grammar', name);
     await page.waitForFunction((name) => document.querySelector('#view').dataset.grammar === name, {}, name);
     await page.waitForFunction(() => document.querySelector('#view').dataset.sky);

@@ -21,7 +21,7 @@ use cga_lang::compile::compile_text;
 use common::clock::fastest;
 use common::table::{Table, number};
 
-/// A program with one rule. Its size is subtracted from that of the other programs.
+/// A program with one rule. Its size is subtracted from the size of the other programs.
 const EMPTY: &str = r##"
 cga::cga! { pub grammar Rules = "Lot --> Leaf."; }
 "##;
@@ -89,7 +89,7 @@ fn main() {
         ];
         table.row(name, &cells);
     }
-    table.note("Buffers; buffers, a model and statistics. Bytes are those of the stripped binary, without those of a program with one rule.");
+    table.note("Buffers; buffers, a model and statistics. Bytes of the stripped binary, without the bytes of a program with one rule.");
     table.print();
     styles(&project, empty);
     imports(&project, empty);

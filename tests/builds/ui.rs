@@ -20,7 +20,7 @@ fn mistakes_are_explained_at_the_guilty_token() {
     let version = Command::new(compiler).arg("--version").output().expect("a compiler");
     let version = String::from_utf8_lossy(&version.stdout).into_owned();
     if !version.starts_with(RUSTC) {
-        println!("left out: the expected messages are those of {RUSTC}*, not of {version}");
+        println!("left out: the expected messages come from {RUSTC}*, not from {version}");
         return;
     }
     let cases = cases();

@@ -116,7 +116,7 @@ fn round_primitives_of_a_radius_have_their_corners_on_the_circle() {
     assert!((run("Cone", &lot).volume() - volume).abs() < 1e-9);
 }
 
-/// *translate operation*: copies along the axes of the world, and along those of a lot that is turned.
+/// *translate operation*: copies along the axes of the world, and along the axes of a lot that is turned.
 #[test]
 fn copies_go_along_the_axes_of_the_world_or_of_the_object() {
     let lot = Shape::footprint(&[[0.0, 0.0], [0.0, 10.0], [-5.0, 10.0], [-5.0, 0.0]], &[]).unwrap();

@@ -21,7 +21,7 @@ fn near(found: f64, expected: f64) -> bool {
     (found - expected).abs() < 1e-9 * expected.abs().max(1.0)
 }
 
-/// Runs an example and compares its parts, and what it prints: the whole area, then that of each part.
+/// Runs an example and compares its parts, and what it prints: the whole area, then the area of each part.
 #[track_caller]
 fn check(example: &Example, total: f64, parts: &[Part]) -> Model {
     let model = example.model(&Settings::default());
@@ -140,8 +140,8 @@ cga! {
     "#;
 }
 
-/// The page lets shares sum to less than 1, which discards the rest, and to more, which ignores what is beyond. The rules
-/// for sizes are those of `split`.
+/// The page lets shares sum to less than 1, which discards the rest, and to more, which ignores what is beyond. Sizes
+/// follow the rules of `split`.
 #[test]
 fn sums_of_areas_that_are_not_the_whole() {
     let lot = frame();

@@ -159,7 +159,7 @@ fn a_face_is_flat_along_z_and_starts_at_its_first_corner() {
 }
 
 /// "Helps to preserve the first edge of the geometry" (changelog of 2025.1): a box that is a mesh is cut into faces that
-/// stand like those of a box that is none, with x along what is left of the lower edge.
+/// stand like the faces of a box that is not a mesh, with x along what is left of the lower edge.
 #[test]
 fn cut_faces_keep_their_first_edge() {
     let plain = Shape::cuboid(3.0, 6.0, 9.0);

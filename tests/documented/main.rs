@@ -1,6 +1,6 @@
 //! The worked examples of the documents that this project started from, word for word, to the documented numbers.
 //!
-//! The pages: *split operation*, *split attribute*, *splitArea operation*, *Subdivision split*, *comp operation*, and those
+//! The pages: *split operation*, *split attribute*, *splitArea operation*, *Subdivision split*, *comp operation*, and the pages
 //! of the operations they use. What a page shows only in a picture is taken from the picture. The program
 //! `examples/gallery.rs` draws the same examples.
 

@@ -196,7 +196,7 @@ fn equal_slopes_are_the_hip_roof_of_the_lot() {
     }
 }
 
-/// Faces begin with the edge over, or on, the outline of the initial shape, also those of concave lots and of lots with holes.
+/// Faces begin with the edge over, or on, the outline of the initial shape, also for concave lots and lots with holes.
 #[test]
 fn faces_of_envelopes_begin_at_the_outline() {
     for (number, lot) in concave_lots().into_iter().enumerate() {

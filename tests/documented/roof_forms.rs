@@ -193,7 +193,7 @@ fn pediments_stay_over_their_edges() {
     assert_eq!(places, [10.0, 0.0]);
 }
 
-/// The faces over two lots: first those of the first lot, in the order of its edges, each with its bottom.
+/// The faces over two lots: first the faces of the first lot, in the order of its edges, each with its bottom.
 #[test]
 fn roof_faces_follow_the_edges_of_all_faces() {
     let mut builder = MeshBuilder::new();

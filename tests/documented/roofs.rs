@@ -141,7 +141,7 @@ fn even_makes_ridges_level() {
     }
 }
 
-/// *roofHip operation*, *roofGable operation*: a height is that of the highest point, also of a level ridge.
+/// *roofHip operation*, *roofGable operation*: a height is the height of the highest point, also of a level ridge.
 #[test]
 fn level_ridges_have_the_height() {
     let trapezoid = outline(&[[0.0, 0.0], [24.0, 0.0], [24.0, -10.0], [0.0, -18.0]]);

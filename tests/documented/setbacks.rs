@@ -161,7 +161,7 @@ fn edges_are_selected_in_all_axes() {
 #[test]
 fn tags_of_faces_select_edges() {
     let model = run("Tagged", &lot());
-    // The upper edges of the walls, where the top has them too, and those of the top, which the walls have too.
+    // The upper edges of the walls, where the top has them too, and the edges of the top, which the walls have too.
     assert_eq!(areas(&model, "Strip"), [36.0]);
     assert_eq!(areas(&model, "Top"), [80.0 - 8.0 * 6.0]);
 }
@@ -330,7 +330,7 @@ fn first_edges_are_at_the_outline() {
     let hole = vec![[4.0, -3.0], [6.0, -3.0], [6.0, -5.0], [4.0, -5.0]];
     for holes in [&[][..], &[hole]] {
         let lot = Shape::footprint(&corners, holes).expect("a lot");
-        // The edges of the hole have strips of their own, after that of the outline.
+        // The edges of the hole have strips of their own, after the strip of the outline.
         let first = |rule: &str| {
             let model = part_of(rule, &lot);
             assert!(model.count("Strip") <= 1 + holes.len());

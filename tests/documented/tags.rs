@@ -95,7 +95,7 @@ fn faces_over_edges_and_edges_over_vertices_have_their_tags() {
             assert_eq!(model.count(rule), *count, "{}: {rule}", example.title);
         }
         assert_eq!(model.leaves().len(), expected.iter().map(|rule| rule.1).sum::<usize>());
-        // The marks of edges lie along the old ones, and those of vertices at the old places.
+        // The marks of edges lie along the old ones, and the marks of vertices at the old places.
         let old = self::model(pages::corner::EXAMPLE);
         for rule in ["EdgeA", "EdgeB", "VertexA", "VertexB"] {
             let places = |model: &Model| -> Vec<[i64; 3]> {
@@ -156,7 +156,7 @@ cga! {
     // Of another type, and without an attribute of that name.
     Values --> print(edgeAttr.getBool("wet")) print(edgeAttr.getString("width")) print(edgeAttr.getFloat("none")) NIL
     Tagged --> setTagsFromEdgeAttrs print(geometry.tags) NIL
-    // The second call replaces the tags of the first one, but not those of others.
+    // The second call replaces the tags of the first one, but not the tags of others.
     Twice --> tag("edgeattr.other", edges) setTagsFromEdgeAttrs r(scopeCenter, 0, 180, 0) setTagsFromEdgeAttrs Edges
     Edges --> comp(fe) { all : print(geometry.tags) NIL }
     // Edges between two faces have the tags of both.

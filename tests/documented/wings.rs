@@ -135,7 +135,7 @@ fn lots_of_any_form_have_wings_that_are_closed() {
 #[test]
 fn strips_of_several_faces_are_put_together() {
     let model = run("Faces", &Shape::rectangle(20.0, 30.0));
-    // Edges that face the front are those of the walls on the left and on the right.
+    // Edges that face the front belong to the walls on the left and on the right.
     assert_eq!(areas(&model, "Strips"), [40.0]);
     assert_eq!(areas(&model, "Each"), [200.0, 280.0, 200.0, 280.0]);
 }

@@ -1,4 +1,4 @@
-//! The guide: its rules are those of the examples that make its pictures.
+//! The guide: its rules are taken from the examples that make its pictures.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -45,7 +45,7 @@ fn definition(line: &str) -> Option<(&str, &str)> {
     Some((label, target.split_whitespace().next()?))
 }
 
-/// The anchors of a page: those of headings, as GitHub and rustdoc make them, and explicit ones.
+/// The anchors of a page: anchors of headings, as GitHub and rustdoc make them, and explicit ones.
 fn anchors(text: &str) -> HashSet<String> {
     let mut list: HashSet<String> =
         text.split("<a id=\"").skip(1).filter_map(|rest| rest.split('"').next()).map(str::to_owned).collect();

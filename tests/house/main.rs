@@ -4,5 +4,6 @@ mod guide;
 mod layers;
 mod links;
 mod packages;
+mod phrases;
 mod tidy;
 mod tree;

@@ -196,7 +196,7 @@ fn an_extension_is_replaced_by_what_the_importing_file_says() {
         "##;
     }
     let made = model(&Replaced::default());
-    // Names in the replacement are those of the importing file; `h` flowed into the import.
+    // Names in the replacement mean declarations of the importing file; `h` flowed into the import.
     assert_eq!((sum(&made, "mine"), sum(&made, "roof")), (Some(200.0), None));
     assert_eq!((leaves(&made), lines(&made)), (vec!["Top"], vec!["100".to_owned()]));
     assert_eq!(made.leaves().next().expect("a leaf").material().color().r, 1.0);

@@ -161,7 +161,7 @@ cga! {
     @StartRule
     Twice --> inline(recompose) split(x) { '0.5 : t(0, 1, 0) split(z) { '0.5 : t(0, 1, 0) X. }* | ~1 : X. } X.
 
-    # One part alone is taken as it is, also if it is moved. Attributes and materials are those of `inline`.
+    # One part alone is taken as it is, also if it is moved. Attributes and materials are as with `inline`.
     @StartRule
     Single --> inline(recompose) split(x) { '0.5 : r(0, 30, 0) color("#ff0000") X. } print(scope.ry) X.
     @StartRule
@@ -237,7 +237,7 @@ fn movements_of_shared_vertices_add_up() {
 fn points_on_shared_edges_are_interpolated() {
     let found = sorted(&points(&on(6.0, 6.0, "SharedEdge")));
     let shared: Vec<&String> = found.iter().filter(|point| point.starts_with("3 ")).collect();
-    // Two of the six new points are at those of the thirds.
+    // Two of the six new points are at the points of the thirds.
     assert_eq!(shared, ["3 0 -1.5", "3 0 0", "3 0 1.5", "3 0 3", "3 0 4.5", "3 0 6", "3 0 7.5"]);
     assert_eq!(found.len(), 18);
     let slanted = sorted(&points(&on(6.0, 6.0, "Slanted")));

@@ -92,7 +92,7 @@ fn only_the_style_default_is_overridden_by_an_import() {
         attr size = 5
         Lot --> imp.Lot"#; }
     let made = model(&Over::default());
-    // `size` is that of the style, which nothing flows into; `kind` is that of `Default`.
+    // `size` comes from the style, which nothing flows into; `kind` comes from `Default`.
     assert_eq!((sum(&made, "size"), lines(&made)), (Some(10.0), vec!["given11".to_owned()]));
 }
 

@@ -1,4 +1,4 @@
-//! The files of grammars: those of the repository and those of a throw-away crate.
+//! The files of grammars: in the repository and in a throw-away crate.
 
 use crate::write;
 use std::fs;

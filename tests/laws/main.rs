@@ -2,7 +2,7 @@
 //!
 //! Random grammars are run in pairs (`laws.rs`) on random shapes with random attributes, and all that runs give is
 //! compared (`compare.rs`, `exact.rs`). `CGA_LAWS=200` plays 200 more grammars in a throw-away crate; `CGA_LAWS=500..700` and
-//! `CGA_LAWS=144,1044` those of some seeds.
+//! `CGA_LAWS=144,1044` the grammars of some seeds.
 
 mod borders;
 #[allow(deprecated, reason = "findings are warnings of this kind")]

@@ -1,6 +1,6 @@
 //! *comp operation*, the other examples: façades, conditions, trim planes, borders, tags, edges, vertices, groups and materials.
 //!
-//! The rules are those of the page, except where an example says otherwise. The page writes `X.` where it calls its rule `X`.
+//! The rules are taken from the page, except where an example says otherwise. The page writes `X.` where it calls its rule `X`.
 
 use cga::mesh::FaceTag;
 use cga::{MeshBuilder, Shape};

@@ -1,6 +1,6 @@
 //! *roofHip, roofGable, roofPyramid, roofShed and roofRidge operations*.
 //!
-//! The rules are those of the pages. Those of tags and edges, which the pages give as pictures, and the tiles that trim planes
+//! The rules are taken from the pages. The rules of tags and edges, which the pages give as pictures, and the tiles that trim planes
 //! cut are ours.
 
 use cga::Shape;

@@ -1,5 +1,5 @@
-//! *setback*, *setbackPerEdge*, *setbackToArea* and *splitAndSetbackPerimeter operations*, on lots like those of the
-//! pictures. The pages give most rules without those of the colours, which are given here once for all examples.
+//! *setback*, *setbackPerEdge*, *setbackToArea* and *splitAndSetbackPerimeter operations*, on lots like the lots of the
+//! pictures. The pages give most rules without the rules of the colours, which are given here once for all examples.
 
 use cga::glam::DVec3;
 use cga::{Mesh, MeshBuilder, Shape};

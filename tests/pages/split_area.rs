@@ -1,6 +1,6 @@
 //! *splitArea operation*, Examples: outlines on the ground, seen from above with x to the right.
 //!
-//! The outlines are those of the page's pictures, in metres. The rules for the colours stand once on the page, which prints
+//! The outlines are taken from the page's pictures, in metres. The rules for the colours stand once on the page, which prints
 //! areas with them.
 
 use cga::mesh::FaceTag;

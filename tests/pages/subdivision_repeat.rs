@@ -97,7 +97,7 @@ Green(height) --> s('1, 'height, '1) color("#9BD770")
 }
 
 example! {
-    /// "A repeat split with absolute values can be bordered by two neighboring floating splits." The lengths are those of
+    /// "A repeat split with absolute values can be bordered by two neighboring floating splits." The lengths have the
     /// least stretch; the page gives none.
     between_floats, "Subdivision split, Repeat split: bordered by two floating splits", lot(),
     r##"Lot --> s(10, 1, 1)

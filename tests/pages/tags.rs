@@ -1,4 +1,4 @@
-//! *Geometry tagging*, *setTagsFromEdgeAttrs operation* and *edgeAttr functions*, on shapes like those of the pictures. Rules
+//! *Geometry tagging*, *setTagsFromEdgeAttrs operation* and *edgeAttr functions*, on shapes like the shapes of the pictures. Rules
 //! whose names end in a dot are the same in all pictures: bars for edges and balls for vertices.
 
 use cga::glam::DVec3;
@@ -49,7 +49,7 @@ pub fn bend() -> Shape {
     Shape::mesh_axis_aligned(Mesh::from_polygon(&corners, &[]).expect("an outline"))
 }
 
-/// A square of 10 m without its front right quarter: edges and vertices of the square have tags below A, those of the quarter
+/// A square of 10 m without its front right quarter: edges and vertices of the square have tags below A, edges and vertices of the quarter
 /// below B. Two vertices, where both meet, have none.
 pub fn quarter_cut_out() -> Shape {
     let mut builder = MeshBuilder::new();
@@ -270,7 +270,7 @@ Bar --> s('1, 0.3, 0.3) center(yz) primitiveCube()
 }
 
 example! {
-    /// The tags of edges that were set back are those of their new places, too.
+    /// Edges that were set back also have the tags of their new places.
     kept_in_shape, "setTagsFromEdgeAttrs operation, Setback and edge tags: the shape", quadrilateral(),
     r##"Lot --> setTagsFromEdgeAttrs()
         setback(4) { isTagged("edgeattr.orientations.front") : color("#ffffff") Strip

@@ -1,4 +1,4 @@
-//! *shapeL, shapeU, shapeO operations* and *taper operation*, on a lot like those of the pictures.
+//! *shapeL, shapeU, shapeO operations* and *taper operation*, on a lot like the lots of the pictures.
 
 use cga::Shape;
 

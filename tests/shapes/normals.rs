@@ -163,7 +163,7 @@ fn turned_shapes_turn_their_normals() {
 #[test]
 fn hard_normals_are_those_of_triangles() {
     let all = vertices(&run("Hard"));
-    // Each face has one normal: that of its plane.
+    // Each face has one normal: the normal of its plane.
     let mut buffers = Buffers::new();
     assert!(run("Hard").replay(&mut buffers).is_continue());
     for triangle in buffers.indices().chunks(3) {

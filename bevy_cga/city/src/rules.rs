@@ -1,4 +1,4 @@
-//! The rules of streets, gardens and trees. Buildings have those of the example `district`.
+//! The rules of streets, gardens and trees. Buildings have the rules of the example `district`.
 
 use cga::mesh::{FaceTag, Mesh, MeshBuilder, MeshError};
 use cga::{Assets, Settings, cga};

@@ -13,8 +13,8 @@ mod slots;
 mod texts;
 mod uvs;
 mod value;
-mod waiting;
 mod walk;
+mod worklist;
 
 use crate::resolve::globals::{Declared, Globals};
 use crate::resolve::tables::{Tables, Use};
@@ -30,8 +30,8 @@ pub(crate) use value::Value;
 pub(crate) use walk::{CaseBranch, Site, called};
 
 use std::cell::RefCell;
-use waiting::Worklist;
 use walk::{Visit, Walk};
+use worklist::Worklist;
 
 /// The number of joins at a rule of a cycle before its state is widened.
 const PATIENCE: u32 = 3;
@@ -47,7 +47,7 @@ pub(crate) struct DataFlow<'f> {
     /// By rule: true if another rule calls it.
     called: Vec<bool>,
     /// The components that are not analysed yet.
-    waiting: RefCell<Worklist>,
+    worklist: RefCell<Worklist>,
     forgets: bool,
 }
 
@@ -109,8 +109,8 @@ impl<'f> DataFlow<'f> {
                 entries[rule] = Some(AbstractState::initial(&globals.rules[rule]));
             }
         }
-        let waiting = RefCell::new(calls.map(|calls| Worklist::new(&calls.edges)).unwrap_or_default());
-        DataFlow { known, entries: RefCell::new(entries), called, waiting, forgets: false }
+        let worklist = RefCell::new(calls.map(|calls| Worklist::new(&calls.edges)).unwrap_or_default());
+        DataFlow { known, entries: RefCell::new(entries), called, worklist, forgets: false }
     }
 
     /// Considers runs that begin with a shape without height.
@@ -188,7 +188,7 @@ impl<'f> DataFlow<'f> {
         rule: usize,
         meet: &mut dyn FnMut(&Site<'_, 'a>, &AbstractState),
     ) {
-        let waiting = self.waiting.borrow_mut().take(rule);
+        let waiting = self.worklist.borrow_mut().take(rule);
         waiting.into_iter().for_each(|component| self.settle(globals, component));
         self.follow(globals, rule, &mut Met(meet));
     }

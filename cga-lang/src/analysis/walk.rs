@@ -34,7 +34,7 @@ pub(crate) enum Site<'s, 'a> {
 /// A condition of a `case`, with its neighbours.
 pub(crate) struct CaseBranch<'t, 'e> {
     pub(crate) condition: &'e Expr,
-    /// The earlier conditions, which have failed: also those of an enclosing `case` whose `else` contains this one.
+    /// The earlier conditions, which have failed: also the conditions of an enclosing `case` whose `else` contains this one.
     pub(crate) before: &'t [&'e Expr],
     pub(crate) is_last: bool,
     /// The state at the first of them.
@@ -325,7 +325,7 @@ impl<'w> Walk<'w> {
         let is_comp = comp.is_some();
         let kind = block.args.first().and_then(|arg| arg.value.word()).and_then(ops::component);
         let is_face = kind.is_some_and(|kind| kind.place == SelectorPlaces::FACES) && arm.mode == ArmMode::Each;
-        // Faces have their own axes, unless a word keeps those of the shape.
+        // Faces have their own axes, unless a word keeps the axes of the shape.
         let faces = is_face && comp.is_some_and(|row| block.is_plain(row));
         let shape = match (faces, facts.shape.filling) {
             (true, Filling::Box) => facts.shape.face_of_box(selector, block.name.span),

@@ -62,7 +62,7 @@ fn from(program: &Program, parent: InstanceId, id: InstanceId) -> Option<Key> {
     Some((parent, import.id.id()))
 }
 
-/// Reads the annotations of a file and returns those of its attributes. `group` is the group at the place of its import.
+/// Reads the annotations of a file and returns the annotations of its attributes. `group` is the group at the place of its import.
 fn file<'a>(cx: &mut Context, ast: &'a Ast, mut group: AttrGroup) -> Vec<(&'a Decl, AttrInfo)> {
     let mut attrs = Vec::new();
     // The head comes first.

@@ -113,7 +113,7 @@ impl Diags {
         self.report_as(code, code.level(), span, message)
     }
 
-    /// Adds a diagnostic with another level than that of its code.
+    /// Adds a diagnostic with another level than its code has.
     pub fn report_as(&mut self, code: Code, level: Level, span: Span, message: impl Into<Line>) -> &mut Diag {
         self.list.push(Diag {
             code,

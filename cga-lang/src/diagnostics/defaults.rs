@@ -1,7 +1,7 @@
 //! Diagnostics that only hold for the defaults of attributes, or for initial shapes without height. A host program may
 //! set other values and run other shapes.
 
-use super::agreed::Agreed;
+use super::instances::CommonDiags;
 use super::{repeat, size};
 use crate::analysis::{Attrs, Calls, DataFlow, Evaluator, Site, Slots};
 use crate::diag::code::Code;
@@ -47,12 +47,12 @@ pub(crate) fn check(cx: &Context, calls: &Calls, certain: &[Diag]) -> Vec<Diag> 
 /// The diagnostics about splits with one of the codes.
 fn divisions(flow: &DataFlow, told: &[Code], basis: fn(Vec<(String, Span)>) -> Basis, cx: &Context) -> Vec<Diag> {
     let program = cx.globals.program;
-    let mut agreed = Agreed::default();
+    let mut common = CommonDiags::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {
         if !program.roots.contains(&item.instance) {
             continue;
         }
-        agreed.check(item, |diags| {
+        common.check(item, |diags| {
             flow.visit(&cx.globals, rule, &mut |site, facts| {
                 let (Site::Split(slots) | Site::Sections(slots)) = site else { return };
                 let mut found = Diags::new();
@@ -66,7 +66,7 @@ fn divisions(flow: &DataFlow, told: &[Code], basis: fn(Vec<(String, Span)>) -> B
             });
         });
     }
-    agreed.finish()
+    common.finish()
 }
 
 fn is_told(told: &[Code], diag: &Diag, slots: &Slots) -> bool {

@@ -1,4 +1,4 @@
-//! Operations on components that the shape never has: those of points, and sides of footprints.
+//! Operations on components that the shape never has: components of points, and sides of footprints.
 
 use crate::analysis::{AbstractState, Filling};
 use crate::diag::Diags;

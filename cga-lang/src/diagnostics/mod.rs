@@ -1,33 +1,33 @@
 //! Runs the checks that depend on known facts about shapes and values.
 
-mod agreed;
 mod arithmetic;
 mod assets;
 mod blocks;
 mod bounds;
 mod branches;
 mod colour;
+mod dead_code;
 mod defaults;
 mod edges;
 mod elements;
-mod ends;
 mod faces;
-mod hidden;
+mod instances;
 pub(crate) mod levels;
 mod numbers;
 mod operands;
-mod reach;
+mod reachability;
 mod repeat;
+mod shadowing;
 mod size;
 mod switch;
 pub(crate) mod tags;
+mod termination;
 mod texture;
-mod trailing;
 mod unused;
 
 use crate::analysis::{AbstractState, Attrs, Calls, DataFlow, Evaluator, Site};
 use crate::diag::{Basis, Diag, Diags};
-use crate::diagnostics::agreed::Agreed;
+use crate::diagnostics::instances::CommonDiags;
 use crate::diagnostics::texture::Projected;
 use crate::ops::ParamKind;
 use crate::resolve::context::Context;
@@ -44,9 +44,9 @@ pub(crate) fn check(cx: &mut Context) {
     let values = DataFlow::of_values(&cx.globals, &known);
     let joined = DataFlow::new(&cx.globals, &known, calls.as_ref());
     let projected = Projected::new(cx, &alone);
-    let mut agreed = Agreed::default();
+    let mut common = CommonDiags::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {
-        agreed.check(item, |diags| {
+        common.check(item, |diags| {
             // A rule may be written for more than its current calls, and rules may test sizes that they have set.
             // Conditions are therefore judged by values and other conditions only.
             values.visit(&cx.globals, rule, &mut |site, facts| {
@@ -92,18 +92,18 @@ pub(crate) fn check(cx: &mut Context) {
         let own = item.value().map_or(item.own, |(_, own)| own);
         let facts = AbstractState::any(own, item.decl.params.len() + item.decl.locals.len());
         let locals = item.decl.locals.iter().map(|(_, value)| value).filter(|_| item.is_own());
-        agreed.check(item, |diags| {
+        common.check(item, |diags| {
             for value in locals.chain(item.value().map(|(value, _)| value)) {
                 arithmetic::check(value, &facts, &values, cx, diags);
                 assets::expression(value, &facts, cx, diags);
             }
         });
     }
-    let certain = agreed.finish();
-    let mut found = vec![blocks::check(cx), trailing::check(cx)];
+    let certain = common.finish();
+    let mut found = vec![blocks::check(cx), dead_code::check(cx)];
     if let Some(calls) = &calls {
         found.push(defaults::check(cx, calls, &certain));
-        found.extend([reach::check(cx, calls), ends::check(cx, calls), unused::check(cx)]);
+        found.extend([reachability::check(cx, calls), termination::check(cx, calls), unused::check(cx)]);
     }
     cx.diags.append(certain);
     found.into_iter().for_each(|list| cx.diags.append(list));

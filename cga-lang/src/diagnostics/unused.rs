@@ -1,6 +1,6 @@
 //! Declarations that are never used, and names that hide other declarations.
 
-use super::agreed::Agreed;
+use super::instances::CommonDiags;
 use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::ir::{ChoiceValues, Type};
@@ -23,7 +23,7 @@ pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     let (attrs, consts) = used(cx);
     let is_root =
         |item: &&Declared| program.roots.contains(&item.instance) && item.home == item.instance && !item.origin;
-    let mut agreed = Agreed::default();
+    let mut common = CommonDiags::default();
     // Other files may read the values of a file.
     let styled = styled(cx);
     // A style may redefine a value for rules that only another style has.
@@ -31,16 +31,16 @@ pub(crate) fn check(cx: &Context) -> Vec<Diag> {
     let values = |item: &&Declared| is_root(item) && !program.may_be_imported() && !is_styled(item);
     for (index, item) in globals.attrs.iter().enumerate().filter(|(_, item)| values(item)) {
         let is_used = attrs.contains(&(index as u32));
-        agreed.check(item, |diags| value(item, Code::UnusedAttribute, is_used, diags));
+        common.check(item, |diags| value(item, Code::UnusedAttribute, is_used, diags));
     }
     for (index, item) in globals.consts.iter().enumerate().filter(|(_, item)| values(item)) {
         let is_used = consts.contains(&(index as u32));
-        agreed.check(item, |diags| value(item, Code::UnusedConstant, is_used, diags));
+        common.check(item, |diags| value(item, Code::UnusedConstant, is_used, diags));
     }
     for item in globals.rules.iter().chain(&globals.functions).filter(is_root) {
-        agreed.check(item, |diags| inner(cx, item, &styled, diags));
+        common.check(item, |diags| inner(cx, item, &styled, diags));
     }
-    let mut list = agreed.finish();
+    let mut list = common.finish();
     list.extend(imports(cx));
     list
 }

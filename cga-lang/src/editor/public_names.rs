@@ -15,7 +15,7 @@ pub struct PublicName {
     pub name: String,
     /// Its type, if known.
     pub ty: Option<Type>,
-    /// The default. Without errors it is that of [`Global`], otherwise it is only known for a literal.
+    /// The default. Without errors it is the default in [`Global`], otherwise it is only known for a literal.
     pub known: Option<Value>,
     /// True if the default is computed for each initial shape. With errors this is an estimate.
     pub computed: bool,

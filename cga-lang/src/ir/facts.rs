@@ -35,7 +35,7 @@ pub struct Facts {
 }
 
 /// The facts of a rule.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct RuleFacts {
     /// Uses of the rule's own steps and expressions, with the functions that they call. The counters are those that the rule
     /// gets with its shape: `split.index` in an argument of a part of a split is another one.

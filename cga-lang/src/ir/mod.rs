@@ -1,7 +1,103 @@
-//! The intermediate representation: a checked grammar, ready to be emitted as Rust.
+//! The intermediate representation: a checked grammar without names, which a back end translates or evaluates.
 //!
-//! Every name is an index, the operations of each part in braces are a rule of their own with the parameters it captures, every
-//! expression has a type. Code generation reads this and decides nothing.
+//! The central structure is [`Grammar`]. It contains:
+//!
+//! - [`Rule`]s, which have parameters, locals and a body of [`Step`]s,
+//! - [`Function`]s, which have parameters, locals and a value,
+//! - [`Global`]s: the attributes and constants,
+//! - [`Start`]s, the rules that a run can begin with.
+//!
+//! A [`Step`] acts on the *current shape* of its rule: it changes the shape, or makes children of it. An [`Expr`] has a value and
+//! a type, and does not change the shape. Steps form a tree and contain trees of expressions.
+//!
+//! # Numbers
+//!
+//! Names are resolved. A reference to a definition is its number:
+//!
+//! | number | indexes |
+//! |---|---|
+//! | [`RuleId`] | [`Grammar::rules`] |
+//! | [`FunctionId`] | [`Grammar::functions`] |
+//! | [`GlobalId`] | [`Grammar::globals`]: attributes first, then constants |
+//! | [`RenewalId`] | [`Grammar::renewals`] |
+//! | [`HostId`] | [`Grammar::hosts`] |
+//! | [`ExprKind::Param`] | `params` of the rule or function around it |
+//! | the slot of an item or a [`Piece`] | `sizes` and `targets` of its [`Slots`] |
+//! | the style of [`Start`], [`Init`] and [`ExprKind::Style`] | the styles of the compiled file; `Default` is 0 |
+//! | the site of [`ExprKind::Site`] | the import sites that share the rule or function |
+//!
+//! Names remain as text where the user sees them: in leaves, trails, attributes, start rules.
+//!
+//! # Scopes
+//!
+//! Globals, rules and functions are visible everywhere. Parameters belong to one rule or function. `params` lists the parameters
+//! that a caller passes, and then the locals of `with`: the last `locals.len()` entries. So a call has
+//! `params.len() - locals.len()` arguments, and a local reads parameters and earlier locals only.
+//!
+//! The contents of braces are a rule of their own, a *block* ([`Rule::block`]), unless they are one successor, leaf or `NIL`. A
+//! block reads no parameter of the rule around it. It has copies of the ones that it uses, locals included, as parameters in
+//! ascending order, and its [`Target`] passes them. It has no locals. Only rules with its label have steps that call it.
+//! It is not a rule for the user: it adds nothing to the trail, and its leaves have the label of the rule around it.
+//!
+//! # Time of evaluation
+//!
+//! The current shape changes from step to step, so an expression that reads it has another value before a step than after it. A
+//! back end evaluates each expression at these times, and arguments from left to right:
+//!
+//! | expression | time | shape |
+//! |---|---|---|
+//! | value of a global | once when a run begins, in the order of [`Grammar::init`] | the initial shape |
+//! | value of a *lazy* global | the same, or earlier when another global reads it first | the initial shape |
+//! | value of a global with [`Global::known`] | at compile time | none |
+//! | locals | in order, when the rule or function is entered | the shape that it gets |
+//! | value of a function | at each call, after the arguments | the shape of the expression that calls |
+//! | argument of an operation, value of `set` | before the step | the current shape |
+//! | condition of a `case` | in order, up to the first one that is true | the current shape |
+//! | argument of a successor | when the step is reached | the current shape |
+//! | sizes of slots, lengths of sections | once, in order, before the first part is made | the shape that is divided |
+//! | depth of a section | for each section that is made | the shape that is divided, with the section's counters |
+//! | [`Selector::Index`] | once, before the parts are selected | the shape that is divided |
+//! | [`Selector::When`] | for each part that no earlier arm has taken | the part |
+//! | argument of the successor of a part, value of an arm of `comp` | for each part | the part |
+//! | values given in a call of an import | before the copy is made | the current shape |
+//! | values of a [`Renewal`] | in order, after the given ones are set | the copy |
+//!
+//! [`ExprKind::Case`] evaluates one branch. All other expressions evaluate all parts, also `&&` and `||`.
+//! [`ExprKind::Chance`] draws one number from the seed of its shape each time it is evaluated. The draw takes the failures of the
+//! branches before it into account, so the arms of a list of percentages are a `case`.
+//! A read of a global looks at the current shape first if [`Global::is_set`]; otherwise the value of the run is the only one.
+//!
+//! # Control flow
+//!
+//! Steps run in order. A [`Step::Case`] is the last step of its list, because the parser puts the steps after it into its
+//! branches. So paths meet only at the end of a bracket. [`Step::Push`] works on a copy, and its children are children of the
+//! rule. [`Step::Give`] and the parts of a [`Block`] leave the current shape as it was. With [`BlockParts::Operands`] the block
+//! replaces it, and operands are derived before the next step. When other children are derived, a back end decides; their seeds
+//! follow from their place alone. At the end of the body the shape becomes a leaf if it has no child, which [`Rule::leaf`] tells
+//! in advance where it can.
+//!
+//! # Invariants
+//!
+//! A back end may rely on these. It checks nothing and reports nothing:
+//!
+//! 1. Only a program without errors is lowered. Every number is in range, and [`Grammar::starts`] has only rules that are
+//!    not blocks and have no parameters and no sites.
+//! 2. Every call has the arguments that its target takes, and [`Expr::ty`] is final. Conversions are explicit
+//!    ([`ExprKind::ToText`], functions such as `float`), so [`ExprKind::Binary`] adds two numbers or joins two texts.
+//! 3. Operations and functions of the language have an argument for each parameter of their row; defaults are filled in.
+//!    [`Step::Do`], [`Block`] and [`ExprKind::Builtin`] have only rows that run; the others are `Later`.
+//! 4. Constants are folded where every platform computes the same bits. A result that is NaN or infinite is not folded, as it
+//!    is a fault of the run.
+//! 5. A global comes in [`Grammar::init`] after all globals that it reads, also through functions. Only lazy globals of one cycle
+//!    read each other. Globals that are not in the list are never read.
+//! 6. A function is on a cycle of calls only if it is [`Function::recursive`], and a rule only with the other rules that have its
+//!    number in [`Rule::cycle`].
+//! 7. [`Slots::solved`] holds for every shape that reaches the split.
+//! 8. [`ExprKind::Style`] occurs only if the file has several styles, [`ExprKind::Site`] only if the rule or function has sites.
+//!    A call of a definition with sites passes a site for each site of the caller, or one if the caller has none.
+//! 9. Spans are for messages and for editors. No value depends on them.
+//!
+//! [`facts`] derives from this what each rule reads. [`walk`] visits steps and expressions.
 
 mod attr;
 mod block;
@@ -43,7 +139,8 @@ pub struct Grammar {
     pub about: String,
     /// Attributes in source order, then constants in source order.
     pub globals: Vec<Global>,
-    /// Functions, in source order.
+    /// Functions in source order, then the values of attributes and constants with locals, then functions that read the value
+    /// of a site.
     pub functions: Vec<Function>,
     /// Rules in source order, then the blocks that became rules.
     pub rules: Vec<Rule>,
@@ -53,7 +150,7 @@ pub struct Grammar {
     pub init: Vec<Init>,
     /// Imports whose values some call computes again.
     pub renewals: Vec<Renewal>,
-    /// Rust values used in the rules, one entry a use, in source order.
+    /// Rust values used in the rules, one entry for each value and type.
     pub hosts: Vec<Host>,
 }
 
@@ -177,7 +274,7 @@ pub struct Rule {
     pub name: String,
     /// The name its implicit leaves carry: `Facade`, for its blocks too.
     pub label: String,
-    /// Parameters, then locals; those of a block are captured, in the order of the enclosing rule.
+    /// Parameters, then locals. The parameters of a block are captured, in the order of the enclosing rule.
     pub params: Vec<Param>,
     /// The values of its locals, computed in order when it is entered: they belong to the last parameters.
     pub locals: Vec<Expr>,
@@ -333,7 +430,7 @@ pub enum Arg {
     Word(&'static str),
 }
 
-/// One use of a Rust value.
+/// A Rust value used in the rules.
 #[derive(Clone, Debug)]
 pub struct Host {
     /// The number of the Rust expression in its source.

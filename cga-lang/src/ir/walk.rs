@@ -4,7 +4,7 @@ use crate::ir::{Arg, Arm, Block, BlockParts, Expr, ExprKind, Function, Grammar, 
 
 macro_rules! step_walkers {
     ($($life:lifetime)?, $iter:ident, [$($mutable:tt)?], $(#[$about:meta])* $steps:ident, $targets:ident, $exprs:ident, $args:ident) => {
-        /// Every step of a body, those in brackets and branches included.
+        /// Every step of a body, with the steps in brackets and branches.
         $(#[$about])*
         pub fn $steps$(<$life>)?(
             list: &$($life)? $($mutable)? [Step],

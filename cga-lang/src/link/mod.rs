@@ -149,7 +149,7 @@ pub(crate) struct Instance {
     pub(crate) parent: Option<InstanceId>,
     /// The imported instances by prefix. `None` for a file that could not be read.
     pub(crate) imports: HashMap<String, Option<InstanceId>>,
-    /// The overrides of its import, then those of a dynamic call.
+    /// The overrides of its import, then the overrides of a dynamic call.
     pub(crate) layers: Vec<OverrideLayer>,
     /// The instance for each dynamic call with rules, by the id of the import's name in the call.
     pub(crate) dynamic: HashMap<u32, InstanceId>,

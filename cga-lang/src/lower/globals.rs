@@ -9,7 +9,7 @@ use std::collections::HashMap;
 impl<'c> Lower<'c> {
     pub(super) fn globals(&mut self) {
         let globals = &self.checked.globals;
-        // Values with locals become functions after those of the grammar.
+        // Values with locals become functions after the functions of the grammar.
         for (index, item) in globals.functions.iter().enumerate() {
             let function = self.function(item, self.checked.tables.recursive.contains(&(index as u32)));
             self.push_function(function, self.style(item));

@@ -70,7 +70,7 @@ pub(super) fn functions(functions: &[Function], owners: &[u32]) -> Vec<usize> {
     numbers(functions, owners, |it| (it.name.clone(), it.ty, types(&it.params, &it.locals)))
 }
 
-/// Numbers definitions by key, and by number among those of one key in their style.
+/// Numbers definitions by key, and by number among the definitions of one key in their style.
 fn numbers<T, K: Hash + Eq + Clone>(items: &[T], owners: &[u32], key: impl Fn(&T) -> K) -> Vec<usize> {
     let mut counts: HashMap<(u32, K), usize> = HashMap::new();
     let keys = items.iter().zip(owners).map(|(item, &style)| {

@@ -13,6 +13,7 @@ use super::variant::{self, variants};
 use crate::ir::facts::Facts;
 use crate::ir::{Expr, ExprKind, Function, FunctionId, GlobalId, Grammar, RuleId, RuleSite, Target, walk};
 use std::collections::HashMap;
+use std::hash::Hash;
 
 /// Definitions by declaration.
 struct SiteGroups {
@@ -71,25 +72,38 @@ fn groups(grammar: &Grammar) -> (SiteGroups, SiteGroups) {
     let facts = Facts::new(grammar);
     let functions = grammar.functions.iter().enumerate().map(|(at, it)| {
         let uses = facts.function(FunctionId(at as u32));
-        format!("{:?} {:?} {:?} {uses:?} {}", it.span, it.ty, types(&it.params, &it.locals), it.recursive)
+        (it.span.first, it.ty, types(&it.params, &it.locals), uses, it.recursive)
     });
     (SiteGroups::new(functions), SiteGroups::new(rule_keys(grammar, &facts).into_iter()))
 }
 
-/// The keys of rules: the declaration and the types, or the place in the rule around a block.
-fn rule_keys(grammar: &Grammar, facts: &Facts) -> Vec<String> {
-    let mut keys = vec![String::new(); grammar.rules.len()];
-    let known = |at: usize| {
+/// The part of a rule's key that tells which rule it is.
+#[derive(PartialEq, Eq, Hash)]
+enum RuleIdentity {
+    /// The name token of its declaration. All instances of a file share its tokens.
+    Declared(u32),
+    /// A rule that the host program starts by number, without a site.
+    Start(RuleId),
+    /// A block: the key of the rule around it, and its number among the blocks of that rule.
+    Block { parent: Option<usize>, number: usize },
+}
+
+/// The keys of rules, as numbers. Rules with equal keys have the same identity, types and facts.
+fn rule_keys(grammar: &Grammar, facts: &Facts) -> Vec<Option<usize>> {
+    let mut known = HashMap::new();
+    let mut key = |at: usize, identity: RuleIdentity| {
         let (rule, facts) = (&grammar.rules[at], facts.rule(RuleId(at as u32)));
-        format!("{:?} {facts:?} {}", types(&rule.params, &rule.locals), rule.cycle.is_some())
+        let next = known.len();
+        Some(*known.entry((identity, types(&rule.params, &rule.locals), *facts, rule.cycle.is_some())).or_insert(next))
     };
+    let mut keys = vec![None; grammar.rules.len()];
     let mut todo: Vec<usize> = (0..grammar.rules.len()).filter(|&at| !grammar.rules[at].block).collect();
     for &at in &todo {
-        keys[at] = format!("{:?} {}", grammar.rules[at].span, known(at));
+        keys[at] = key(at, RuleIdentity::Declared(grammar.rules[at].span.first));
     }
-    // The host program starts these by number, without a site.
     for start in &grammar.starts {
-        keys[start.rule.0 as usize] = format!("start {}", start.rule.0);
+        let at = start.rule.0 as usize;
+        keys[at] = key(at, RuleIdentity::Start(start.rule));
     }
     while let Some(at) = todo.pop() {
         let mut number = 0;
@@ -99,8 +113,8 @@ fn rule_keys(grammar: &Grammar, facts: &Facts) -> Vec<String> {
                     && grammar.rules[rule.0 as usize].block
                 {
                     let block = rule.0 as usize;
-                    if keys[block].is_empty() {
-                        keys[block] = format!("{number} {} in {}", known(block), keys[at]);
+                    if keys[block].is_none() {
+                        keys[block] = key(block, RuleIdentity::Block { parent: keys[at], number });
                         todo.push(block);
                     }
                     number += 1;
@@ -112,7 +126,7 @@ fn rule_keys(grammar: &Grammar, facts: &Facts) -> Vec<String> {
 }
 
 impl SiteGroups {
-    fn new(keys: impl Iterator<Item = String>) -> Self {
+    fn new<K: Hash + Eq>(keys: impl Iterator<Item = K>) -> Self {
         let numbers = interned(keys);
         let mut members: Vec<Vec<usize>> = Vec::new();
         let mut sites = Vec::new();
@@ -129,7 +143,7 @@ impl SiteGroups {
         self.members.iter().map(|members| if members.len() == 1 { &[][..] } else { members })
     }
 
-    /// The shared definition for those of all sites of a caller, and the sites to pass to it.
+    /// The shared definition for the definitions of all sites of a caller, and the sites to pass to it.
     fn of(&self, list: &[u32]) -> (u32, Vec<u32>) {
         let (mut group, mut sites) = (0, Vec::new());
         for at in list.iter().map(|index| *index as usize) {

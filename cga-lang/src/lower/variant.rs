@@ -8,7 +8,7 @@ use crate::ir::{Expr, ExprKind, Function, Global, Param, Rule, Step, Type, Value
 use crate::span::Span;
 use std::cmp::Reverse;
 
-/// The definitions of each number: those of one form are one. The last one is that of most cases, and holds otherwise.
+/// The definitions of each number: equal forms are one definition. The last one holds in most cases, and in all cases that are not listed.
 pub(super) fn variants<T>(
     items: Vec<T>,
     numbers: &[usize],
@@ -113,7 +113,7 @@ fn is_case(cases: Vec<u32>, span: Span, when: CaseCondition) -> Expr {
     Expr { kind: when(cases), ty: Type::Bool, span }
 }
 
-/// The parameters and locals of variants together. Each variant keeps its locals; those of other variants are not computed.
+/// The parameters and locals of variants together. Each variant keeps its locals; the locals of other variants are not computed.
 fn locals<T: Definition>(
     variants: &mut [Variant<T>],
     locals: fn(&mut T) -> &mut Vec<Expr>,

@@ -1,6 +1,6 @@
 //! The directions that components face.
 
-/// Directions in the axes of the scope. A direction is a quadrant and an inclination. The quadrant is that of the
+/// Directions in the axes of the scope. A direction is a quadrant and an inclination. The quadrant follows from the
 /// largest coordinate, so a component that faces the front is never steeper than 45 degrees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Directions(u16);

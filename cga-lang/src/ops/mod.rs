@@ -133,7 +133,7 @@ pub struct Function {
     pub params: &'static [Param],
     /// The type of its result.
     pub ty: Type,
-    /// The arguments of the runtime function before those of the call.
+    /// The arguments of the runtime function before the arguments of the call.
     pub needs: Needs,
     /// The parts of the current shape that it reads. Arguments have uses of their own.
     pub uses: Uses,
@@ -151,7 +151,7 @@ pub struct Function {
     pub about: &'static str,
 }
 
-/// The mutable arguments of a runtime function before those of the call.
+/// The mutable arguments of a runtime function before the arguments of the call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Needs {
     /// Nothing.

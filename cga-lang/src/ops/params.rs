@@ -48,7 +48,7 @@ pub enum ParamKind {
     /// Text: the name of a file, which is searched from the folder of the rule file that contains it.
     File(FileUse),
     /// Text: the name of the image of a texture layer. The file is not opened, because materials only keep its name.
-    /// The number of the layer is that of its uv set (*texturing*).
+    /// The number of the layer is the number of its uv set (*texturing*).
     Image(u32),
     /// A selector of components, an index or a condition. No implemented row has such a parameter yet.
     Selector,

@@ -6,7 +6,7 @@ use std::ops::BitOr;
 /// constants.
 ///
 /// A part too many costs time. A part that is missing is a promise.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Uses(u16);
 
 impl Uses {

@@ -50,7 +50,7 @@ pub(crate) fn wrong_form<'c>(
     let known = |row: &Operation| row.params.iter().zip(&words).filter(|(param, word)| is_word(param, **word)).count();
     let is_old = rows.iter().all(|row| row.old.is_some());
     let current: Vec<&Operation> = rows.iter().copied().filter(|row| is_old || row.old.is_none()).collect();
-    // Another word than those of the row is worse than a missing one.
+    // A word that the row does not have is worse than a missing one.
     let strange = |param: &Param, word: Option<&str>| {
         param.kind.words().is_some_and(|words| word.is_some_and(|word| !words.has(word)))
     };

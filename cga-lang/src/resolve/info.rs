@@ -1,4 +1,4 @@
-//! Annotations and doc comments of declarations. Those of attributes are in [`AttrInfo`](crate::ir::AttrInfo).
+//! Annotations and doc comments of declarations. Annotations of attributes are in [`AttrInfo`](crate::ir::AttrInfo).
 
 use crate::ir::AttrGroup;
 

@@ -35,7 +35,7 @@ impl<'a> Resolver<'_, 'a, '_> {
         }
     }
 
-    /// Resolves the arguments of `comp` as a value, like those of the operation. Returns the selectors.
+    /// Resolves the arguments of `comp` as a value, like the arguments of the operation. Returns the selectors.
     fn comp_args(&mut self, comp: &CompValue) -> SelectorPlaces {
         let Some(row) = ops::operations(&comp.name.text).next() else { return SelectorPlaces::NONE };
         if comp.args.is_empty() {
@@ -78,7 +78,7 @@ impl<'a> Resolver<'_, 'a, '_> {
         }
     }
 
-    /// Reports a negative number as a selector of a comp. Those of `setback` wrap (*setback operation*).
+    /// Reports a negative number as a selector of a comp. Negative numbers of `setback` wrap (*setback operation*).
     fn index(&mut self, selector: &Expr) {
         if let ExprKind::Unary(Unary::Minus, operand) = &selector.kind
             && let ExprKind::Number(number) = operand.kind

@@ -56,7 +56,7 @@ pub struct Import {
     /// The path's token.
     pub path_span: Span,
     /// The parentheses after the path. `None` without parentheses: then attributes of the importing file
-    /// override those of the same name; an empty list protects all.
+    /// override attributes of the same name; an empty list protects all.
     pub overrides: Option<Vec<Override>>,
     /// All of it, without annotations.
     pub span: Span,
@@ -227,7 +227,7 @@ impl Prefix {
     pub(crate) fn place(self) -> &'static str {
         match self {
             Prefix::Relative => "only lengths can be relative to the scope",
-            Prefix::Floating => "only sizes that share a length can float, as those of a split",
+            Prefix::Floating => "only sizes that share a length can float, as in a split",
         }
     }
 

@@ -9,10 +9,10 @@ use crate::syntax::token::{Sym, Tok, Tokens};
 use std::ops::Range;
 
 mod decode;
-mod slips;
+mod recovery;
 
 pub use decode::decode;
-pub use slips::{NO_UNITS, without_unit};
+pub use recovery::{NO_UNITS, without_unit};
 
 /// The tokens of a text and their places in it.
 #[derive(Clone, Debug, Default)]
@@ -181,10 +181,10 @@ impl<'a> Lexer<'a> {
     /// Returns true if a colour that was meant as text begins here: `#ff0000`, `'#ff0000'`.
     fn holds_colour(&self) -> bool {
         let rest = self.rest().strip_prefix('\'').unwrap_or(self.rest());
-        let Some(length) = slips::colour(rest) else { return false };
+        let Some(length) = recovery::colour(rest) else { return false };
         match self.tokens.as_slice().last() {
-            Some(Tok::Sym(Sym::LParen | Sym::LBracket | Sym::Comma)) => slips::is_no_comment(&rest[length..], true),
-            Some(Tok::Sym(Sym::Assign | Sym::EqEq | Sym::NotEq)) => slips::is_no_comment(&rest[length..], false),
+            Some(Tok::Sym(Sym::LParen | Sym::LBracket | Sym::Comma)) => recovery::is_no_comment(&rest[length..], true),
+            Some(Tok::Sym(Sym::Assign | Sym::EqEq | Sym::NotEq)) => recovery::is_no_comment(&rest[length..], false),
             _ => false,
         }
     }
@@ -193,7 +193,7 @@ impl<'a> Lexer<'a> {
     fn colour(&mut self, start: usize) {
         let quoted = self.peek() == Some('\'');
         self.at += usize::from(quoted);
-        let text = &self.rest()[..slips::colour(self.rest()).unwrap_or_default()];
+        let text = &self.rest()[..recovery::colour(self.rest()).unwrap_or_default()];
         self.at += text.len();
         self.at += usize::from(quoted && self.peek() == Some('\''));
         let span = self.push(start, Tok::Str(text.to_owned()));

@@ -300,14 +300,17 @@ fn calls(tokens: &[Tok]) -> Vec<Call> {
     calls
 }
 
+/// The file with a call of each operation, and its text.
+const FIXTURE: &str = "cga-lang/tests/data/ops/every_operation.cga";
+const CALLS: &str = include_str!("../data/ops/every_operation.cga");
+
 #[test]
 fn the_fixture_calls_every_operation_in_every_number_of_arguments() {
-    let text = include_str!("../data/ops/every_operation.cga");
-    let lexed = lex(text);
+    let lexed = lex(CALLS);
     let mut met: HashSet<(*const Operation, usize)> = HashSet::new();
     for call in calls(lexed.tokens.as_slice()) {
         let rows: Vec<&Operation> = ops::operations(&call.name).filter(|row| call.fits(row)).collect();
-        let [row] = rows[..] else { panic!("`{}` with {:?} fits {rows:?}", call.name, call.args) };
+        let [row] = rows[..] else { panic!("{FIXTURE}: `{}` with {:?} fits {rows:?}", call.name, call.args) };
         met.insert((row, call.args.len()));
         // The row that words and number alone lead to has at least the same of both.
         let words: Vec<Option<&str>> = call
@@ -319,18 +322,19 @@ fn the_fixture_calls_every_operation_in_every_number_of_arguments() {
             })
             .collect();
         let found = ops::operation(&call.name, &words).expect("a row");
-        assert_eq!(found.words(&words), row.words(&words), "`{}` with {:?}", call.name, call.args);
+        assert_eq!(found.words(&words), row.words(&words), "{FIXTURE}: `{}` with {:?}", call.name, call.args);
     }
     for row in ops::all_operations() {
         for count in required(row.params)..=row.params.len() {
-            assert!(met.contains(&(std::ptr::from_ref(row), count)), "no call of {row:?} with {count} arguments");
+            let is_met = met.contains(&(std::ptr::from_ref(row), count));
+            assert!(is_met, "add a call of `{}` with {count} arguments to {FIXTURE}: {row:?}", row.name);
         }
     }
 }
 
 #[test]
 fn nothing_in_the_fixture_is_taken_for_a_mistake() {
-    let diags = compile_text(include_str!("../data/ops/every_operation.cga")).compiled.diags;
+    let diags = compile_text(CALLS).compiled.diags;
     let mistakes: Vec<_> = diags.iter().filter(|diag| diag.level == Level::Error).collect();
-    assert!(mistakes.is_empty(), "{mistakes:#?}");
+    assert!(mistakes.is_empty(), "{FIXTURE}: {mistakes:#?}");
 }

@@ -1,9 +1,17 @@
-//! A checked grammar → Rust. No errors here, and no decisions but which calls ask for stack (`stack.rs`, `calls.rs`): `cga_lang::lower`
-//! has made the others.
+//! A checked grammar → Rust. No errors here. `cga_lang::lower` decides what the rules mean, and code generation how they run:
+//!
+//! - which calls request stack, and how much (`stack.rs`, `calls.rs`),
+//! - which steps work on the slim shape, and which on the whole (`rule.rs`, after the rows and the facts),
+//! - which splits are laid out in their rule, and which are a call of the runtime (`split.rs`),
+//! - which repeated parts are templates, and which calls are holes in them (`templates.rs`),
+//! - which material changes have a number in the run (`site.rs`),
+//! - in which rules `NIL` moves neighbours, because their leaves are recomposed (`operands.rs`).
+//!
+//! Calls that wait run later, so the first decision gives the order of leaves. The leaves depend on none of them.
 //!
 //! The output is the public struct and one anonymous const with everything else in it: the evaluated attributes, the
-//! calls that may wait, and one function a rule, generic over the sink. Local names are hygienic; rule functions carry
-//! the span of their definition so that editors find them.
+//! calls that may wait, and one function a rule. A sink is behind `dyn`, so rules are compiled once. Local names are hygienic; rule
+//! functions carry the span of their definition so that editors find them.
 
 mod access;
 mod arms;
@@ -49,7 +57,7 @@ struct Generator<'a> {
     grammar: &'a Grammar,
     source: &'a Source,
     names: names::ItemNames,
-    /// The numbers of rules for trails, by rule: that of its first site.
+    /// The numbers of rules for trails: for each rule, the number of its first site.
     numbers: Vec<u32>,
     plan: stack::StackPlan,
     calls: calls::StackChecks,

@@ -329,8 +329,8 @@ impl Generator<'_> {
         code!(#seed let part = shape;)
     }
 
-    /// Hands the current shape to a successor, which `successor` makes. `copy` comes after the arguments, which are those of the shape
-    /// before it.
+    /// Hands the current shape to a successor, which `successor` makes. `copy` comes after the arguments, which are evaluated on the
+    /// shape before it.
     pub(super) fn give(
         &self,
         target: &Target,

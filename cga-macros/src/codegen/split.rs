@@ -29,7 +29,7 @@ impl Generator<'_> {
         let adjusts = block.adjusts() && measure != Measure::Texture;
         let adjust = if adjusts { code!(Adjust) } else { code!(NoAdjust) };
         let number = Literal::u32_unsuffixed(number);
-        // A list cannot tell the repetitions of a group from those of a group around it.
+        // A list cannot tell the repetitions of a group from the repetitions of a group around it.
         let solved = slots.solved.as_ref().filter(|_| !has_nested_groups(&slots.pattern));
         if measure == Measure::Length && solved.is_none() && self.is_in_place(slots, rule) {
             return self.in_place(slots, rule, [&axis, &adjust], &number);

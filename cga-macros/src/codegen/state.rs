@@ -1,4 +1,4 @@
-//! Attributes and constants that shapes hold: those that some rule sets, and those of renewals of imports.
+//! Attributes and constants that shapes hold: values that some rule sets, and values that a renewal of an import computes again.
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 

@@ -169,7 +169,7 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// The documentation of an attribute: that of its field.
+    /// The documentation of an attribute, which its field also has.
     fn attr_doc(&self, token: u32) -> Option<&str> {
         let name = self.plain(token).filter(|_| self.attrs.contains(&token))?;
         self.fields.iter().find(|field| field.name == name).map(|field| field.doc.as_str())

@@ -13,7 +13,7 @@ pub(crate) use read::read;
 pub(crate) struct Header {
     /// Outer attributes, doc comments among them.
     pub(crate) attributes: TokenStream,
-    /// Those of them that decide whether the grammar exists.
+    /// The attributes among them that decide whether the grammar exists.
     pub(crate) conditions: TokenStream,
     /// True with a doc comment.
     pub(crate) has_doc: bool,

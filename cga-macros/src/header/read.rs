@@ -153,8 +153,8 @@ fn rest(list: &[TokenTree], at: usize, annotations: Vec<TokenTree>, name: &Ident
     let (body, end) = body;
     if let [sign, word, ..] = annotations.as_slice() {
         let message = format!(
-            "`@{word}` is no level of a finding\nhelp: before a grammar in text only \
-            `@Allow`, `@Warn` and `@Deny` may stand, each with codes of findings"
+            "`@{word}` does not set the level of a diagnostic\nhelp: before a grammar in text write only \
+            `@Allow`, `@Warn` or `@Deny`, each with codes of diagnostics"
         );
         return Err(Problem::new(sign.span(), word.span(), message));
     }

@@ -16,10 +16,10 @@ use crate::problem::Problem;
 pub(super) fn read(literal: &Literal) -> Result<Source, Problem> {
     let span = literal.span();
     let problem = |message: String| Problem::new(span, span, message);
-    let path = value(literal).ok_or_else(|| problem("the path of a rule file is a plain string".into()))?;
+    let path = value(literal).ok_or_else(|| problem("the path of a rule file must be a string literal".into()))?;
     if !stays_inside(Path::new(&path)) {
         // Whoever gets the package would not have the file.
-        return Err(problem(format!("`{path}` is no path inside the package\nhelp: {FROM_PACKAGE}")));
+        return Err(problem(format!("the path `{path}` leaves the package\nhelp: {FROM_PACKAGE}")));
     }
     if let Some(stray) = stray_character(&path) {
         return Err(problem(format!("the name of a rule file has no `{stray}`\nhelp: rename the file")));

@@ -19,7 +19,7 @@ pub(super) fn read(literals: &[Literal]) -> Result<Source, Problem> {
         borders.push(joined.text.len());
         let Some(content) = Content::of(literal) else {
             let (place, help) = (literal.span(), "help: write \"…\" or r#\"…\"#");
-            return Err(Problem::new(place, place, format!("the rules are no plain string literal\n{help}")));
+            return Err(Problem::new(place, place, format!("the rules must be a string literal\n{help}")));
         };
         joined.push(&content, literal.span());
     }

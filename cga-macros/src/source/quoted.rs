@@ -25,7 +25,7 @@ const MOST_BYTES: u64 = 64 << 20;
 pub(super) fn text(file: &Path) -> Result<String, Error> {
     let about = std::fs::metadata(file)?;
     if !about.is_file() {
-        return Err(Error::other("it is no regular file"));
+        return Err(Error::other("not a regular file"));
     }
     let mut bytes = Vec::new();
     File::open(file)?.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;

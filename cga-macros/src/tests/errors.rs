@@ -29,7 +29,7 @@ fn several_mistakes_give_several_errors() {
 fn a_broken_header_says_how_it_is_written() {
     for (input, start) in [
         ("pub grammar A", "the rules of `A` are missing\nhelp: after the grammar's name comes `;` and the rules"),
-        ("grammar A = 3;", "the rules are no plain string literal"),
+        ("grammar A = 3;", "the rules must be a string literal"),
         ("grammar A = rules;", "the rules of `A` are missing\nhelp: write the rules as one string literal"),
         ("grammar A = include_str!(\"x\");", "the rules of `A` are missing\nhelp: write the rules as one string"),
         ("grammar A in rules;", "the rules of `A` are missing\nhelp: write the path"),
@@ -37,10 +37,13 @@ fn a_broken_header_says_how_it_is_written() {
         ("pub struct A;", "the header is broken\nhelp: it is written `pub grammar Name`"),
         ("pub(crate) A; Lot --> X.", "the header is broken"),
         ("grammar;", "the header is broken"),
-        ("@Range(1) grammar A = \"Lot --> X.\";", "`@Range` is no level of a finding\nhelp: before a grammar in text"),
-        ("@Allow(no_such) grammar A = \"Lot --> X.\";", "`@Allow` is no level of a finding"),
-        ("grammar A in \"/etc/rules.cga\";", "`/etc/rules.cga` is no path inside the package"),
-        ("grammar A in \"src/../../rules.cga\";", "`src/../../rules.cga` is no path inside the package"),
+        (
+            "@Range(1) grammar A = \"Lot --> X.\";",
+            "`@Range` does not set the level of a diagnostic\nhelp: before a grammar in text",
+        ),
+        ("@Allow(no_such) grammar A = \"Lot --> X.\";", "`@Allow` does not set the level of a diagnostic"),
+        ("grammar A in \"/etc/rules.cga\";", "the path `/etc/rules.cga` leaves the package"),
+        ("grammar A in \"src/../../rules.cga\";", "the path `src/../../rules.cga` leaves the package"),
         ("grammar A in \"rules/tower.v2.cga\";", "the name of a rule file has no `.`\nhelp: rename the file"),
         ("grammar A in \"src\";", "`src` is a folder"),
         ("grammar A in \"no/such.cga\";", "there is no file `no/such.cga`\nhelp: paths count from the folder"),

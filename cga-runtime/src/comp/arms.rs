@@ -37,7 +37,7 @@ impl<'a> Arms<'a> {
         self.arms.iter().position(|arm| arm.select == Select::Word(word)).map(|arm| arm as u32)
     }
 
-    /// The first arm that selects each edge of each face, by corner, as those of `comp(fe)`; indices wrap (*setback
+    /// The first arm that selects each edge of each face, by corner, in the order of `comp(fe)`; indices wrap (*setback
     /// operation*). Selectors in texture space mean a set of coordinates. `Break` when a limit was reached.
     pub fn edges(&mut self, env: &mut Env, uv_set: usize) -> ControlFlow<(), Vec<Option<u32>>> {
         let count = self.shape.to_mesh().corners().len() as f64;

@@ -294,7 +294,7 @@ impl MeshParts {
         })
     }
 
-    /// The coordinate system of a component (*comp operation*). `None` for groups and materials, which keep that of
+    /// The coordinate system of a component (*comp operation*). `None` for groups and materials, which keep the system of
     /// the shape, and for degenerate components.
     pub(super) fn frame(&self, index: usize, as_roof: bool) -> Option<Frame> {
         let (x, origin) = match self.kind {

@@ -195,7 +195,7 @@ struct AssignedComponents<'s> {
 }
 
 impl<'s> AssignedComponents<'s> {
-    /// Assigns every component to the first arm that selects it. The seed of the shape must be that of the step;
+    /// Assigns every component to the first arm that selects it. The seed of the shape must be the seed of the step;
     /// seeds of components follow from it. `Break` when a limit is reached.
     #[inline]
     fn of(

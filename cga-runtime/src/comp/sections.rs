@@ -55,7 +55,7 @@ impl<'a> Sections<'a> {
     }
 
     /// Divides a length in metres by the pattern and evaluates the depth of each section. Faces of a section have its number as
-    /// their arm, and faces of the rest that of [`Sections::rest`]. No sections, with a fault, if there are too many.
+    /// their arm, and faces of the rest have the arm of [`Sections::rest`]. No sections, with a fault, if there are too many.
     pub(crate) fn along(&mut self, env: &mut Env, length: f64, name: &str) -> Vec<Section> {
         for size in &mut *self.sizes {
             size.value = env.finite(size.value, format_args!("a length of `{name}`"));

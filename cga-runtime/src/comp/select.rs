@@ -6,7 +6,7 @@ use crate::shape::direction::Direction;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Word(pub(crate) Sense);
 
-#[allow(missing_docs, non_upper_case_globals, reason = "the names are those of the language")]
+#[allow(missing_docs, non_upper_case_globals, reason = "the language defines the names")]
 impl Word {
     pub const Front: Word = Word(Sense::Looks(AxesOf::Scope, Direction::Front));
     pub const Back: Word = Word(Sense::Looks(AxesOf::Scope, Direction::Back));

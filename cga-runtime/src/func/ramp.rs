@@ -1,6 +1,6 @@
 //! `colorRamp`.
 //!
-//! The names are those of the reference. The colours are our own: each ramp interpolates a few colours in 36 equal
+//! The names are taken from the reference. The colours are our own: each ramp interpolates a few colours in 36 equal
 //! steps. The colours of `spectrum` are approximated from the pictures of the *splitArea operation*.
 
 use super::colour::print;

@@ -1,7 +1,7 @@
 //! Several runs of one grammar with the same settings.
 //!
 //! A [`Session`] checks the attributes and finds the start rule once, and keeps data that runs can share. The results
-//! of its runs equal those of single runs. A session belongs to one thread; parallel runs have one session each, see
+//! of its runs equal the results of single runs. A session belongs to one thread; parallel runs have one session each, see
 //! [`parallel`](crate::grammar::parallel).
 
 use std::borrow::Cow;

@@ -162,8 +162,8 @@ impl Material {
         })
     }
 
-    /// This material with unset attributes taken from `base` (*i operation*: attributes set by rules override those
-    /// of the asset).
+    /// This material with unset attributes taken from `base` (*i operation*: attributes set by rules override the
+    /// attributes of the asset).
     pub fn over(&self, base: &Material) -> Material {
         let mut sum = Material {
             name: self.name.clone().or_else(|| base.name.clone()),

@@ -17,7 +17,7 @@ pub struct AlignAxes {
     axis: Option<usize>,
 }
 
-#[allow(missing_docs, non_upper_case_globals, reason = "the names are those of the language")]
+#[allow(missing_docs, non_upper_case_globals, reason = "the language defines the names")]
 impl AlignAxes {
     pub const WorldX: AlignAxes = AlignAxes { of_object: false, axis: Some(0) };
     pub const WorldY: AlignAxes = AlignAxes { of_object: false, axis: Some(1) };

@@ -16,7 +16,7 @@ pub struct BoxAxes {
     order: [usize; 3],
 }
 
-#[allow(missing_docs, non_upper_case_globals, reason = "the names are those of the language")]
+#[allow(missing_docs, non_upper_case_globals, reason = "the language defines the names")]
 impl BoxAxes {
     pub const Xy: BoxAxes = BoxAxes { order: [0, 1, 2] };
     pub const Yx: BoxAxes = BoxAxes { order: [1, 0, 2] };

@@ -34,7 +34,7 @@ pub fn union(env: &mut Env, shape: &mut Shape, operands: [Vec<Shape>; 2]) {
     boolean(env, shape, operands, BooleanOp::Union);
 }
 
-/// `subtract { A | B }`: whatever is in the leaves of the first operand and not in those of the second; see [`union`].
+/// `subtract { A | B }`: whatever is in the leaves of the first operand and not in the leaves of the second; see [`union`].
 pub fn subtract(env: &mut Env, shape: &mut Shape, operands: [Vec<Shape>; 2]) {
     boolean(env, shape, operands, BooleanOp::Subtract);
 }

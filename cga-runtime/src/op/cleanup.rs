@@ -131,7 +131,7 @@ mod tests {
         cleanup_geometry(env, &mut shape, CleanupComponents::Faces, 0.15);
         assert!((shape.scope.size - DVec3::new(4.0, 0.0, 1.0)).length() < 1e-12);
         assert_eq!(counts(&shape), [1, 4]);
-        // A scope that is larger stays, and lengths are those of the scope.
+        // A scope that is larger stays, and lengths refer to the scope.
         let mut wide = strips;
         wide.scope.size.x *= 2.0;
         cleanup_geometry(env, &mut wide, CleanupComponents::Faces, 0.15);

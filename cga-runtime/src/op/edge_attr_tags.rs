@@ -55,7 +55,7 @@ pub fn set_tags_from_edge_attrs(env: &mut Env, shape: &mut Shape) {
     }
 }
 
-/// New tags of edges, and the old tags without those of the same attributes.
+/// New tags of edges, and the old tags without the tags of the same attributes.
 fn cleared(
     old: &crate::geometry::mesh::SubcomponentTags,
     attributes: &[(Text, Arc<[Text]>)],

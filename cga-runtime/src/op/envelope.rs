@@ -32,7 +32,7 @@ pub fn envelope_front(env: &mut Env, shape: &mut Shape, along: EnvelopeAlong, he
 
 /// `envelope(direction, maxHeight, frontBaseHeight, frontAngle, backBaseHeight, backAngle)`: see [`envelope_all`]. Left and
 /// right sides are upright.
-#[allow(clippy::too_many_arguments, reason = "the parameters are those of the operation")]
+#[allow(clippy::too_many_arguments, reason = "the operation defines the parameters")]
 pub fn envelope_front_back(
     env: &mut Env,
     shape: &mut Shape,
@@ -49,7 +49,7 @@ pub fn envelope_front_back(
 
 /// `envelope(direction, maxHeight, frontBaseHeight, frontAngle, backBaseHeight, backAngle, sideBaseHeight, sideAngle)`: see
 /// [`envelope_all`]. Left and right sides are alike.
-#[allow(clippy::too_many_arguments, reason = "the parameters are those of the operation")]
+#[allow(clippy::too_many_arguments, reason = "the operation defines the parameters")]
 pub fn envelope_sides(
     env: &mut Env,
     shape: &mut Shape,
@@ -95,7 +95,7 @@ pub fn envelope_sides(
 /// The shape stays, with a fault, for a maximum height that is not positive, a base height below 0 and an angle that is not
 /// from 0 to 90 degrees. A face stays, with a fault, if it has no normal, does not look in the direction, touches itself, has
 /// more than 5000 corners, is not below the maximum height, or if nothing is left below its slopes.
-#[allow(clippy::too_many_arguments, reason = "the parameters are those of the operation")]
+#[allow(clippy::too_many_arguments, reason = "the operation defines the parameters")]
 pub fn envelope_all(
     env: &mut Env,
     shape: &mut Shape,
@@ -120,7 +120,7 @@ pub fn envelope_all(
 }
 
 /// `envelope(direction, maxHeight, baseHeights, angles)`: see [`envelope_all`]. The arrays have an element for each edge of
-/// each face, in the order of `comp(fe)`. Missing elements are 0 and 90; those of holes are ignored.
+/// each face, in the order of `comp(fe)`. Missing elements are 0 and 90; elements of holes are ignored.
 pub fn envelope_edges(
     env: &mut Env,
     shape: &mut Shape,
@@ -162,7 +162,7 @@ pub fn envelope_old_front_back(
 }
 
 /// The form of [`envelope_sides`] before 2013.1, along the normals.
-#[allow(clippy::too_many_arguments, reason = "the parameters are those of the operation")]
+#[allow(clippy::too_many_arguments, reason = "the operation defines the parameters")]
 pub fn envelope_old_sides(
     env: &mut Env,
     shape: &mut Shape,
@@ -179,7 +179,7 @@ pub fn envelope_old_sides(
 }
 
 /// The form of [`envelope_all`] before 2013.1, along the normals.
-#[allow(clippy::too_many_arguments, reason = "the parameters are those of the operation")]
+#[allow(clippy::too_many_arguments, reason = "the operation defines the parameters")]
 pub fn envelope_old_all(
     env: &mut Env,
     shape: &mut Shape,

@@ -29,7 +29,7 @@ pub enum ExtrudeAlong {
 
 /// An axis of an extrusion in the old form. With and without `world.` it is the world's axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names are those of the language")]
+#[allow(missing_docs, reason = "the language defines the names")]
 pub enum ExtrudeAxis {
     X,
     Y,

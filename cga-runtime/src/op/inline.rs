@@ -27,8 +27,8 @@ pub enum MergeStrategy {
 /// vertices, with `recompose` reconnected (*Shape recomposition*), or with `unify` their boolean union. `unify` also unites the
 /// parts of one leaf. The scope keeps its axes and becomes their bounding
 /// box, and the pivot stays. If their materials differ, each face gets the material of its leaf. Attributes and projections
-/// that all leaves have in common are taken, otherwise those of the current shape stay. Leaves without faces are left out,
-/// unless no leaf has faces. Without leaves, the shape has no geometry.
+/// that all leaves have in common are taken, otherwise the attributes and projections of the current shape stay. Leaves
+/// without faces are left out, unless no leaf has faces. Without leaves, the shape has no geometry.
 pub fn inline(env: &mut Env, shape: &mut Shape, [mut leaves]: [Vec<Shape>; 1], strategy: MergeStrategy) {
     if strategy == MergeStrategy::Recompose {
         if leaves.len() != 1 {

@@ -41,7 +41,7 @@ impl RectangleAlignment {
 ///
 /// A face that has no normal, touches itself, is so narrow that the corners of its rectangle fall together, or has more than
 /// 5000 corners stays whole, as a remainder, with a fault. Faces keep their tags, and sides on
-/// edges of the face have those of the edges.
+/// edges of the face have the tags of the edges.
 pub fn inner_rectangle(env: &mut Env, arms: &mut Arms<'_>, alignment: RectangleAlignment) -> ControlFlow<(), Faces> {
     if !arms.shape().geometry.has_surface() {
         return ControlFlow::Continue(Faces::default());

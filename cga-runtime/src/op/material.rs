@@ -75,7 +75,7 @@ pub(crate) fn image(env: &mut Env, file: Text) -> (Text, bool) {
 }
 
 /// `setMaterial(material)`: attributes by name, without `material.`, each followed by its value as text (*setMaterial
-/// operation*). The effect is that of setting each alone. An unknown name, and a name without a value, is a fault.
+/// operation*). It does the same as setting each alone. An unknown name, and a name without a value, is a fault.
 pub fn set_material(env: &mut Env, shape: &mut Shape, material: Array<Text>) {
     let (pairs, rest) = material.as_slice().as_chunks::<2>();
     for [name, value] in pairs {

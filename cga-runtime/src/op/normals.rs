@@ -25,7 +25,7 @@ pub enum NormalsMode {
 /// `softenNormals(0)` and removes the normals of vertices.
 ///
 /// `conform` does the same as `hard` and turns faces, which keep their first edges. Faces that share an edge, and at that edge
-/// with no other faces, look to the same side. Closed faces look outwards, those of cavities into the cavity. Open faces look
+/// with no other faces, look to the same side. Closed faces look outwards, and faces of cavities into the cavity. Open faces look
 /// up rather than down in the world; upright ones look where most of their area looks. Parts that cannot agree, such as a
 /// Möbius strip, stay as they are, with a fault.
 pub fn set_normals(env: &mut Env, shape: &mut Shape, mode: NormalsMode) {

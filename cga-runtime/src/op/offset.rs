@@ -14,7 +14,7 @@ use crate::shape::{Geometry, Shape};
 /// because the distance is too large, the geometry stays (*CGA changelog 2022.1*).
 ///
 /// Each face is moved separately. Neighbours no longer share an edge, so `inside` and `border` are defined face by
-/// face. Texture coordinates and normals of new corners continue those of the face. A face that is not planar is
+/// face. Texture coordinates and normals of new corners continue the values of the face. A face that is not planar is
 /// moved across its normal and keeps its bend: its corners keep their places, and new points are as high above its
 /// plane as its edges beside them.
 ///

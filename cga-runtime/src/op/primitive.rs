@@ -2,7 +2,7 @@
 //!
 //! Without sizes they fill the scope, and zero sizes follow the rules of `i`. With sizes they are in the middle of
 //! the scope's xz plane on y = 0. Quad and disk are across the only axis along which the scope has no size, if there
-//! is one, otherwise across y. A radius is that of the circle through the corners. The scope is the box of the
+//! is one, otherwise across y. A radius is the radius of the circle through the corners. The scope is the box of the
 //! geometry.
 
 use glam::DVec3;
@@ -277,7 +277,7 @@ mod tests {
     fn primitives_with_sizes_stand_in_the_middle() {
         let (env, shape) = (&mut Env::for_tests(), &mut lot());
         cone_sized(env, shape, 8.0, 10.0, 15.0);
-        // The radius is that of the circumcircle; eight sides, one in front, do not reach as far.
+        // The radius is the radius of the circumcircle; eight sides, one in front, do not reach as far.
         let wide = 20.0 * libm::cos(std::f64::consts::PI / 8.0);
         assert!((shape.scope.size - DVec3::new(wide, 15.0, wide)).length() < 1e-12);
         let middle = DVec3::new(11.0, 9.5, 8.0);

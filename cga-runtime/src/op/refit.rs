@@ -66,7 +66,7 @@ pub(super) fn corners(size: DVec3) -> impl Iterator<Item = DVec3> {
     (0..8).map(move |number| size * solid::corner(number))
 }
 
-/// Returns true if a scope of that size is the box of the geometry. That of a mesh is not after a split with `noAdjust`,
+/// Returns true if a scope of that size is the box of the geometry. The scope of a mesh is not after a split with `noAdjust`,
 /// nor for a flat mesh in a thick scope.
 fn keeps_box(geometry: &Geometry, size: DVec3) -> bool {
     match geometry {

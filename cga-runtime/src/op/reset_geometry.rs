@@ -4,9 +4,9 @@ use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::shape::trim::Trims;
 
-/// `resetGeometry()`: replaces geometry, scope and pivot by those of the initial shape (*resetGeometry operation*). Trim planes
+/// `resetGeometry()`: replaces geometry, scope and pivot by the ones of the initial shape (*resetGeometry operation*). Trim planes
 /// are removed. Attributes, the material, values of `set` and the projections of `setupProjection` stay; texture coordinates and
-/// tags are those of the initial shape.
+/// tags are taken from the initial shape.
 pub fn reset_geometry(env: &mut Env, shape: &mut Shape) {
     let Some(initial) = &env.initial.shape else { return };
     (shape.scope, shape.pivot) = (initial.scope, initial.pivot);

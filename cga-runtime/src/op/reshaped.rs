@@ -4,7 +4,7 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::tol::ROUNDING_EPSILON;
 use crate::shape::{Geometry, Shape};
 
-/// Replaces the geometry by a mesh in scope coordinates. If the scope was the box of the geometry, it is that of the mesh
+/// Replaces the geometry by a mesh in scope coordinates. If the scope was the box of the geometry, it is the box of the mesh
 /// afterwards; otherwise it stays, as after a split with `noAdjust`, and so does a mirrored scope. A mesh without faces is no
 /// geometry.
 pub(super) fn put_reshaped(shape: &mut Shape, mesh: Mesh) {

@@ -93,7 +93,7 @@ pub fn roof_pyramid(env: &mut Env, shape: &mut Shape, angle: f64) {
 }
 
 /// `roofPyramid(byAngle | byHeight, value)`: a pyramid over each face, with its apex over the mean of all corners
-/// (*roofPyramid operation*). An angle is that of the triangle over the first edge, or over the first edge that is not in
+/// (*roofPyramid operation*). An angle is measured at the triangle over the first edge, or over the first edge that is not in
 /// line with the apex as seen from above. Triangles are in the order of edges, then the bottom.
 pub fn roof_pyramid_by(env: &mut Env, shape: &mut Shape, by: RoofValue, value: f64) {
     build(env, shape, "roofPyramid", RoofForm::Pyramid, by, value);

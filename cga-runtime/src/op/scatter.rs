@@ -75,7 +75,7 @@ const LEAST_DEVIATION: f64 = 1e-6;
 /// Strews points; a normal distribution is around the centre with a deviation of `'0.16` (*scatter operation*).
 ///
 /// The number of points is rounded down; without points, a fault. On a surface, the density is by area over all faces, and
-/// a normal distribution is that of the space around, on the faces. The y axis of a point on a surface is the normal of its
+/// a normal distribution is the distribution of the space around, on the faces. The y axis of a point on a surface is the normal of its
 /// face, and its x axis is the scope's x axis, projected into the face; other points keep the axes of the scope.
 pub fn scatter(
     env: &mut Env,

@@ -44,7 +44,7 @@ pub(super) fn set_back(
     ControlFlow::Continue(divided(env, &mesh, arms.of(Word::Remainder), what, &turns))
 }
 
-/// The edges of each face that arms select, in turns: those of the first arm move first. `distance` gives the distance in
+/// The edges of each face that arms select, in turns: the edges of the first arm move first. `distance` gives the distance in
 /// metres of an edge by its corner in the mesh; those that are not positive do not move.
 pub(super) fn turns(face: &FaceRef<'_>, edges: &[Option<u32>], distance: impl Fn(usize) -> f64) -> Vec<Turn> {
     let range = face.corner_range();

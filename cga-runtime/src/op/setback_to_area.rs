@@ -18,7 +18,7 @@ const NAME: &str = "setbackToArea";
 
 /// `setbackToArea(area, uvSet) { selector : … | remainder : … }`: the edges that arms select are set back by one common
 /// distance, such that the remainders of all faces together have an area in square metres (*setbackToArea operation*).
-/// Selectors and parts are those of [`setback`](fn@super::setback).
+/// It has the selectors and parts of [`setback`](fn@super::setback).
 ///
 /// If the faces are not larger, nothing is set back. If the edges cannot take enough, they take all that they reach. An
 /// area that is not positive leaves a fault and sets nothing back.

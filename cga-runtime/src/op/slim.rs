@@ -111,8 +111,8 @@ pub fn extrude<'s, 'b>(
     shape
 }
 
-/// An operation that changes only the material. With constant arguments its result is found once for each previous
-/// material; `place` counts such operations in the rules.
+/// An operation that changes only the material of the look. With constant arguments its result is found once for each previous
+/// look; `place` counts such operations in the rules.
 #[inline(never)]
 pub fn change_material<'s, 'b, G>(
     env: &mut Env,
@@ -130,8 +130,8 @@ pub fn change_material<'s, 'b, G>(
         return shape;
     }
     let changed = whole(env, shape, bases, |env, shape| change(g, env, shape));
-    // If the material before has no number, the new one must not get one: templates are kept by number, and all
-    // materials without a number share `OF_BASE`.
+    // If the look before has no number, the new one must not get one: templates are kept by number, and all
+    // looks without a number share `OF_BASE`.
     if before != LookId::OF_BASE && faults == env.fault_count() {
         let materials = &mut env.leaf_tables.looks;
         let after = materials.intern(changed.base.shape.state.look());

@@ -25,7 +25,7 @@ pub fn taper(env: &mut Env, shape: &mut Shape, height: f64) {
 }
 
 /// The face turned over, then a triangle for each of its edges, outline before holes. A triangle has the tags of its edge, an
-/// edge to the apex those of its vertex (*Geometry tagging*, tag propagation).
+/// edge to the apex the tags of its vertex (*Geometry tagging*, tag propagation).
 fn pyramid(source: &Mesh, face: &FaceRef<'_>, height: f64) -> Mesh {
     let (normal, range) = (face.normal(), face.corner_range());
     let centre = centre_of_gravity(face);
@@ -34,7 +34,7 @@ fn pyramid(source: &Mesh, face: &FaceRef<'_>, height: f64) -> Mesh {
     let apex = mesh.points.len() as u32;
     mesh.points.push(centre + normal * height);
     let (own, mut tags, mut tagger) = (face.tag(), PartTags::new(source, "taper"), SubcomponentTagger::default());
-    // At the apex texture coordinates continue those of the face.
+    // At the apex texture coordinates continue the coordinates of the face.
     let x = unit(face.position(range.start + 1) - face.position(range.start));
     let flat = |at: DVec3| DVec2::new((at - centre).dot(x), (at - centre).dot(normal.cross(x)));
     let weights = Spread::of(range.clone().map(|corner| flat(face.position(corner))).collect()).weights(DVec2::ZERO);

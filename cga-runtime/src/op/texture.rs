@@ -27,7 +27,7 @@ pub struct ProjectionAxes {
     v: usize,
 }
 
-#[allow(missing_docs, non_upper_case_globals, reason = "the names are those of the language")]
+#[allow(missing_docs, non_upper_case_globals, reason = "the language defines the names")]
 impl ProjectionAxes {
     pub const ScopeXy: ProjectionAxes = ProjectionAxes::new(false, 0, 1);
     pub const ScopeXz: ProjectionAxes = ProjectionAxes::new(false, 0, 2);

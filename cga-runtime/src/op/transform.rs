@@ -64,7 +64,7 @@ pub fn rotate_about(env: &mut Env, shape: &mut Shape, about: RotateAbout, x: f64
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CenterAxes(DVec3);
 
-#[allow(missing_docs, non_upper_case_globals, reason = "the names are those of the language")]
+#[allow(missing_docs, non_upper_case_globals, reason = "the language defines the names")]
 impl CenterAxes {
     pub const X: CenterAxes = CenterAxes(DVec3::new(1.0, 0.0, 0.0));
     pub const Y: CenterAxes = CenterAxes(DVec3::new(0.0, 1.0, 0.0));

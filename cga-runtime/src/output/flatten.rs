@@ -60,7 +60,7 @@ impl PlacedFace<'_> {
         self.placement.transform_point3(corner_point(self.mesh, corner))
     }
 
-    /// The unit normal at a corner, in the world: that of the mesh if it has normals.
+    /// The unit normal at a corner, in the world: the normal of the mesh if it has normals.
     #[inline]
     pub(crate) fn normal_at(&self, corner: usize) -> DVec3 {
         self.mesh.normals.get(corner).map_or(self.normal, |&normal| unit(self.turn * normal))

@@ -50,7 +50,7 @@ pub struct Meshes {
 pub struct TriangleMesh {
     /// The rule or leaf symbol of all leaves; `None` for a mesh with leaves of any rule.
     pub rule: Option<&'static str>,
-    /// The material, with that of the asset where rules set none.
+    /// The material, with attributes of the asset where rules set none.
     pub material: Arc<Material>,
     /// A position for each vertex, in metres.
     pub positions: Vec<[f32; 3]>,
@@ -81,7 +81,7 @@ pub struct MeshLeaf {
 }
 
 impl TriangleMesh {
-    /// The set of texture coordinates of a layer of the material: that of its own number, otherwise set 0. `None` if the
+    /// The set of texture coordinates of a layer of the material: the set with its own number, otherwise set 0. `None` if the
     /// mesh has neither.
     pub fn set_of(&self, layer: Layer) -> Option<usize> {
         layer::set(layer, SetMask::of(|set| !self.uvs[set].is_empty()))

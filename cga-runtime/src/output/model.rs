@@ -322,7 +322,7 @@ impl Model {
     }
 
     /// Adds the leaves and the report of another model: counts, faults, reported values, printed lines. Models of
-    /// neighbours become one scene. The images come from the assets of this model, or from those of the other if this
+    /// neighbours become one scene. The images come from the assets of this model, or from the assets of the other if this
     /// has none.
     ///
     /// ```

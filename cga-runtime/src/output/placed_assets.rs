@@ -46,7 +46,7 @@ impl<T> AssetList<T> {
 pub(super) type Places<T> = Vec<(DAffine3, T)>;
 
 impl<T> PlacedAsset<T> {
-    /// Divides the places: those of a mesh that is stored once, two or more, and those where the mesh joins the rest.
+    /// Divides the places of a mesh: two or more places share a mesh that is stored once; at the others the mesh joins the rest.
     pub(super) fn shared_and_single(&mut self) -> (Places<T>, Places<T>) {
         let (mut shared, mut single): (Vec<_>, Vec<_>) =
             std::mem::take(&mut self.places).into_iter().partition(|(place, _)| is_node_transform(place));

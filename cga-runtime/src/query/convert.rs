@@ -45,7 +45,7 @@ pub enum ConvertWhat {
 }
 
 /// `convert(x | y | z, from, to, pos | orient, x, y, z)`: one coordinate of the result (*convert function*).
-#[allow(clippy::too_many_arguments, reason = "they are those of the language")]
+#[allow(clippy::too_many_arguments, reason = "the language defines them")]
 pub fn convert(
     env: &mut Env,
     shape: &Shape,

@@ -57,7 +57,7 @@ pub struct AssetDimension {
     axis: Axis,
 }
 
-#[allow(missing_docs, non_upper_case_globals, reason = "the names are those of the language")]
+#[allow(missing_docs, non_upper_case_globals, reason = "the language defines the names")]
 impl AssetDimension {
     pub const Sx: AssetDimension = AssetDimension { of_size: true, axis: Axis::X };
     pub const Sy: AssetDimension = AssetDimension { of_size: true, axis: Axis::Y };

@@ -83,7 +83,7 @@ macro_rules! material_texts {
 each_material_number!(material_numbers);
 each_material_text!(material_texts);
 
-/// The value set by rules, otherwise that of the geometry's own material (*CGA changelog 2010.3*), otherwise the
+/// The value set by rules, otherwise the value of the geometry's own material (*CGA changelog 2010.3*), otherwise the
 /// default.
 fn material_number(shape: &Shape, which: MaterialNumber) -> f64 {
     let set = shape.material().number(which);

@@ -10,7 +10,7 @@ use crate::value::text::Text;
 /// The material that `getMaterial` reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MaterialSource {
-    /// The visible material: attributes set by rules over those of the geometry.
+    /// The visible material: attributes set by rules over the attributes of the geometry.
     Used,
     /// The attributes set by rules.
     Shape,

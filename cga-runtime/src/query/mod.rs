@@ -1,7 +1,7 @@
 //! Functions that read the current shape, its geometry, the run or files, named as in the table of the language.
 //!
 //! Geometry is measured in metres, in the world. Boxes and rectangles are measured by formula, without a mesh. The
-//! result equals that of their mesh.
+//! result equals the result of their mesh.
 
 mod convert;
 mod count;

@@ -93,7 +93,7 @@ impl<C> Cx<'_, C> {
         self.depth -= levels;
     }
 
-    /// Adds a call to the list of waiting calls. `levels` and `stack` are those of [`Cx::descend`].
+    /// Adds a call to the list of waiting calls. `levels` and `stack` are the arguments of [`Cx::descend`].
     #[cold]
     pub fn defer(&mut self, shape: &ShapeRef<'_>, levels: u32, stack: u32, call: C) -> Flow {
         let depth = self.depth + levels;

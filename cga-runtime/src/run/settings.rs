@@ -80,8 +80,8 @@ pub enum Repeats {
     /// From templates that are kept.
     #[default]
     Kept,
-    /// From templates that are made again for each repetition. The results equal those of `Kept` to the byte.
+    /// From templates that are made again for each repetition. The results equal the results of `Kept` to the byte.
     Again,
-    /// Each part at its place in the world. Positions differ from those of `Kept` by rounding.
+    /// Each part at its place in the world. Positions differ from the positions of `Kept` by rounding.
     Direct,
 }

@@ -47,7 +47,7 @@ impl Base {
         ShapeRef::of(self, self.form(), self.look)
     }
 
-    /// The base of a shape whose look has the number `material`. Inlined, and it calls nothing that can unwind, so
+    /// The base of a shape whose look has the number `look`. Inlined, and it calls nothing that can unwind, so
     /// the shape need not be in memory before it is in its base.
     #[inline(always)]
     pub(crate) fn new(shape: Shape, look: LookId, number: u64) -> Self {

@@ -21,7 +21,7 @@ use crate::value::each::Each;
 
 /// A shape while rules run: the fields that splits change, and a reference to the rest.
 ///
-/// A rule may change the seed and the material of the shape that it gets.
+/// A rule may change the seed and the look of the shape that it gets.
 #[derive(Clone, Debug)]
 pub struct ShapeRef<'a> {
     /// The fourth coordinate is 0, so it is stored and loaded in the same two halves. With three numbers, a store of

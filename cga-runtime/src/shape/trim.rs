@@ -45,7 +45,7 @@ pub(crate) enum Trims {
     Side(DVec2),
     /// The planes of a face of a mesh.
     Face(Arc<Surface>, u32),
-    /// The planes of a shape and those of a part of it.
+    /// The planes of a shape and the planes of a part of it.
     Joined(Arc<JoinedTrims>),
 }
 
@@ -79,7 +79,7 @@ impl Trims {
     }
 }
 
-/// The planes of a shape and those of a part of it. Parts of parts share the planes of the shape, so a recursive rule that divides
+/// The planes of a shape and the planes of a part of it. Parts of parts share the planes of the shape, so a recursive rule that divides
 /// what is left adds no more than its own planes.
 #[derive(Debug)]
 pub(crate) struct JoinedTrims {
@@ -92,7 +92,7 @@ pub(crate) struct JoinedTrims {
 }
 
 impl JoinedTrims {
-    /// The planes, those of the outermost shape first. Rules may be nested so deeply that recursion would overflow the stack.
+    /// The planes, with the planes of the outermost shape first. Rules may be nested so deeply that recursion would overflow the stack.
     fn find(&self) -> Arc<[TrimPlane]> {
         let (mut parts, mut joined) = (vec![&self.part], self);
         while let Trims::Joined(whole) = &joined.whole.0 {

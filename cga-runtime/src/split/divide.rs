@@ -41,7 +41,7 @@ pub(super) fn solved<'p>(
 }
 
 /// The pieces of given areas (*splitArea operation*). A face across the axis has no extent along it and does not
-/// count. So the areas of a box, which the reference does not mention, are those of its four sides along the axis.
+/// count. So the areas of a box, which the reference does not mention, are the areas of its four sides along the axis.
 /// Caps of cuts do not count either.
 pub(super) fn areas(
     env: &mut Env,

@@ -59,7 +59,7 @@ impl<'s> SplitParts<'s> {
         self.total
     }
 
-    /// The shape of the next piece. Seed and counters are those of the whole.
+    /// The shape of the next piece. It has the seed and the counters of the whole.
     pub(super) fn next(&mut self, env: &mut Env, piece: Piece) -> Shape {
         let parent = self.parent;
         let index = self.index;

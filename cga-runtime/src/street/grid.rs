@@ -88,7 +88,7 @@ pub(super) fn winding(ring: &[Point], point: Point) -> i32 {
     sides(ring).map(turn).sum()
 }
 
-/// A map by points or cells. Its time is bounded for all points, and its order is that of the keys.
+/// A map by points or cells. Its time is bounded for all points, and its order is the order of the keys.
 pub(super) type GridMap<K, V> = BTreeMap<K, V>;
 
 /// Lists of numbers by square cells of the plane.

@@ -45,7 +45,7 @@ struct Leg {
 
 impl Leg {
     /// The section at a station of the arm, from its left to its right. It is computed along the chain, so that its
-    /// points are exactly those of the chain.
+    /// points are exactly the points of the chain.
     fn section(&self, chains: &[Polyline], station: Station) -> CrossSection {
         if self.end == 0 {
             return chains[self.number as usize].section(station);
@@ -331,7 +331,7 @@ pub(super) fn fans(node: &ChainNode, chains: &[Polyline]) -> JunctionLayout {
             let [from, to] = [ends[0].borders[border], ends[1].borders[3 - border]];
             let mut line: Vec<SidePoint> =
                 arc(&fan(node.point.truncate(), from.place(), to.place()), node.point.z).collect();
-            // The ends must be exactly those of the arms.
+            // The ends must be exactly the ends of the arms.
             let last = line.len() - 1;
             (line[0].point, line[last].point) = (from, to);
             line.dedup_by_key(|trace| trace.point);

@@ -24,7 +24,7 @@ pub(super) fn parts(plan: &JunctionDraft, pieces: &StreetPieces) -> Result<Vec<N
         loops[owner as usize].push(ring);
     }
     let mut heights: GridMap<Point, f64> = GridMap::default();
-    // Roadways first: their heights take precedence over those of sidewalks, and junctions have the heights around them.
+    // Roadways first: their heights take precedence over the heights of sidewalks, and junctions have the heights around them.
     for order in 0..3 {
         for (at, piece) in pieces.list.iter().enumerate() {
             let (cell, rings) = match (order, piece) {

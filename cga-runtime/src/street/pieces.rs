@@ -235,7 +235,7 @@ impl JunctionDraft {
                 let distance = chain.widths.borders()[outside];
                 let outer = |station: Station, section: &CrossSection| {
                     let mut corner = corner(section, outside, width);
-                    // If the outer border has no length in a bend, the border overlaps that of the next cell.
+                    // If the outer border has no length in a bend, the border overlaps the border of the next cell.
                     if let Station::Vertex(at) = station
                         && chain.is_folded(segment, distance)
                         && 0.0 < distance * chain.bend(at)

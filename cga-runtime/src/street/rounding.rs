@@ -116,7 +116,7 @@ fn passes([a, b]: [Point; 2], point: Point) -> bool {
     if outside(a.x, b.x, point.x) || outside(a.y, b.y, point.y) {
         return false;
     }
-    // Compares the distance of the centre from the line with that of the farthest corner, in half units.
+    // Compares the distance of the centre from the line with the distance of the farthest corner, in half units.
     let (x, y) = b.from(a);
     2 * orient(a, b, point).abs() < x.abs() + y.abs()
 }

@@ -246,7 +246,7 @@ fn caps_of_any_plane_have_upright_textures() {
         found.sort_by(|a, b| a.partial_cmp(b).unwrap());
         found
     };
-    // The results equal those of slabs for every point of the plane.
+    // The results equal the results of slabs for every point of the plane.
     for (axis, normal) in [(Axis::X, DVec3::X), (Axis::Y, DVec3::Y), (Axis::Z, DVec3::Z)] {
         for beside in [DVec3::ZERO, DVec3::new(0.25, -3.0, 7.0)] {
             let point = normal * 0.5 + beside * (DVec3::ONE - normal);

@@ -38,7 +38,7 @@ fn away(p: DVec3, [a, b]: [DVec3; 2]) -> f64 {
     (a + (b - a) * share).distance(p)
 }
 
-/// Checks that parts of edges have the tags of their edges, old vertices those of their own, and everything else none.
+/// Checks that parts of edges have the tags of their edges, old vertices their own tags, and everything else none.
 /// `is_new` returns true for two points that may be the ends of a new edge.
 fn check_parts(what: &str, mesh: &Mesh, parts: &[&Mesh], is_new: impl Fn(DVec3, DVec3) -> bool) {
     let own: BTreeMap<String, [DVec3; 2]> =

@@ -159,7 +159,7 @@ fn any_points_at_all_keep_their_rim() {
     }
 }
 
-/// Returns true if the edges of the triangles, by position, add up to those of the loops.
+/// Returns true if the edges of the triangles, by position, add up to the edges of the loops.
 fn rim_is_kept(polygon: &[Vec<DVec2>], points: &[DVec2], triangles: &[[u32; 3]]) -> bool {
     let mut net = std::collections::HashMap::new();
     let mut count = |ring: &[DVec2], by: i32| {
@@ -233,7 +233,7 @@ fn loops_that_overlap_themselves_are_not_folded() {
     }
 }
 
-/// The triangles of the caps by position, those of the upper part reversed, each from its least corner on.
+/// The triangles of the caps by position, the triangles of the upper part reversed, each from its least corner on.
 fn caps(part: &Mesh, is_upper: bool) -> Vec<[[u64; 3]; 3]> {
     let mut found = Vec::new();
     let mut triangulator = Triangulator::new();

@@ -53,7 +53,7 @@ fn normals_are_those_of_the_triangles() {
             let point = |at: u32| DVec3::from_array(mesh.positions[at as usize].map(f64::from));
             let flat = (point(b) - point(a)).cross(point(c) - point(a)).normalize();
             let normal = DVec3::from_array(mesh.normals[a as usize].map(f64::from));
-            // Those of the textured triangle lean.
+            // The normals of the textured triangle lean.
             assert!(flat.dot(normal) > 0.79, "{flat} {normal}");
         }
     }

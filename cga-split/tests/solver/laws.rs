@@ -4,7 +4,7 @@
 use crate::support::{Pattern, Random};
 use cga_split::{Item, Piece, Prefix, Size, solve};
 
-/// The extents for the laws: small integers, tiny, huge, and those of usual scopes.
+/// The extents for the laws: small integers, tiny, huge, and the extents of usual scopes.
 const EXTENTS: [f64; 12] = [1.0, 2.0, 3.0, 5.0, 10.0, 1e-9, 1e9, 1e-3, 12.2, 37.5, 0.1, 1e6];
 
 /// Random patterns on random extents, small enough to be laid out.

@@ -39,7 +39,7 @@ impl CatalogEntry {
         self.lines.get(rule).map_or(&[], NameLines::shown)
     }
 
-    /// The seed of the first shape. Another seed moves those of all shapes.
+    /// The seed of the first shape. Another seed changes the seeds of all shapes.
     pub(crate) fn seed(&self) -> u64 {
         self.scene.shapes.first().map_or(0, |start| start.shape.seed_value())
     }

@@ -18,7 +18,7 @@ pub struct Request {
     /// Attributes by name; the others have their defaults.
     #[serde(default)]
     pub values: Map<String, Value>,
-    /// The seed of the first shape: those of the others change by the same amount. `None` for the seeds of the scene.
+    /// The seed of the first shape: the seeds of the others change by the same amount. `None` for the seeds of the scene.
     #[serde(default)]
     pub seed: Option<u64>,
 }

@@ -1,4 +1,4 @@
-//! Sessions, many shapes at once, streaming, progress: the results are those of a loop over the shapes, to the byte.
+//! Sessions, many shapes at once, streaming, progress: the results equal the results of a loop over the shapes, to the byte.
 
 mod errors;
 mod grammars;

@@ -20,7 +20,7 @@ const CONDITIONS: &[&str] = &[
     "on && geometry.isPlanar(1)",
 ];
 
-/// Selectors of faces; those of edges and vertices are the same.
+/// Selectors of faces; edges and vertices have the same.
 const SELECTORS: &[&str] = &[
     "$F",
     "$F",
@@ -38,7 +38,7 @@ const SELECTORS: &[&str] = &[
 ];
 
 impl Writer {
-    /// A rule's body, or that of a block.
+    /// The body of a rule or of a block.
     pub(super) fn body(&mut self, here: Here) {
         if 0 < here.depth && self.chance(15) {
             return self.branches(here);

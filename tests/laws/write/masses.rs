@@ -82,7 +82,7 @@ const PERIMETERS: &[&str] = &[
     "splitAndSetbackPerimeter(0, $I, [true, true, false, true])",
 ];
 
-/// Points. Those of a normal distribution take long to prepare.
+/// Points. Points of a normal distribution take long to prepare.
 const POINTS: &[&str] = &[
     "scatter(surface, 3, uniform)",
     "scatter(volume, 3, uniform)",

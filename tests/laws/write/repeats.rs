@@ -171,7 +171,7 @@ impl Writer {
         self.line(here, &step);
     }
 
-    /// A rule's body, or that of a slot.
+    /// The body of a rule or of a slot.
     fn part(&mut self, here: Here, is_open: bool) {
         let most = if here.rule < 3 { 2 } else { 3 };
         for _ in 0..self.random.below(most) * self.random.below(2) {

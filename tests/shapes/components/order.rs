@@ -106,7 +106,7 @@ fn vertices_of_parts_are_numbered_as_those_of_the_mesh() {
     let lot = Shape::rectangle(4.0, 2.0);
     let halves = places(&model("Halves", &lot));
     assert_eq!(halves, places(&model("Halves", &lot.clone().held_as_meshes())));
-    // Those of the lot come before those of the cut.
+    // Vertices of the lot come before vertices of the cut.
     assert_eq!(halves[..4], [[0.0, 0.0, 2.0], [0.0, 0.0, 0.0], [2.0, 0.0, 2.0], [2.0, 0.0, 0.0]]);
     assert_eq!(places(&model("CubeVertices", &lot.at([1.0, 0.0, 0.0])))[1], [5.0, 0.0, 0.0]);
 }

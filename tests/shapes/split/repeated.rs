@@ -6,7 +6,7 @@ cga! {
     grammar Repeated;
     // The last repetition is cut; all of them are inside, and have the same unit mesh.
     Cut      --> split(x) { 1 : NIL | { 2 : Tile }* | 1 : NIL }
-    // The first floor has the tags of the bottom, the last one those of the top.
+    // The first floor has the tags of the bottom, the last one the tags of the top.
     Tagged   --> extrude(4) split(y) { { 1 : Tile }* }
     Painted  --> extrude(4) comp(f) { front : color("#ff0000") Wall | side : color("#0000ff") Wall }
     Wall     --> split(y) { { 1 : Tile }* }

@@ -84,7 +84,7 @@ fn a_band_of_about_three_metres_in_every_period() {
     let shape = Shape::mesh(street(140.0));
     let leaves = leaves!(Street::default(), &shape);
     let bands = areas(&leaves, "Band");
-    // 6 periods of 23.3 m: the surface bends, so metres are those of its mean.
+    // 6 periods of 23.3 m: the surface bends, so metres are measured at its mean.
     assert_eq!(bands.len(), 6);
     assert!(bands.iter().all(|area| (area / 8.0 - 3.0).abs() < 0.2), "{bands:?}");
     let sum = areas(&leaves, "Road").into_iter().chain(bands).sum::<f64>();

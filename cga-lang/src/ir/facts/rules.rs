@@ -13,7 +13,7 @@ struct OwnFacts {
 }
 
 impl Facts {
-    /// Finds the facts of rules from those of functions.
+    /// Finds the facts of rules from the facts of functions.
     pub(super) fn find_rules(&mut self, grammar: &Grammar) {
         let renewals: Vec<Uses> = grammar.renewals.iter().map(|renewal| self.renewal(grammar, renewal)).collect();
         let own: Vec<OwnFacts> = grammar.rules.iter().map(|rule| self.own(rule, &renewals)).collect();

@@ -114,7 +114,7 @@ pub(super) static ROWS: &[Operation] = &[
             "copies texture coordinates to another set",
         )),
     ),
-    // No reference page has these any more; the parameters are those in old rule files.
+    // No reference page has these any more; the parameters are taken from old rule files.
     old(
         sets_up(op(
             "setupUV",

@@ -106,7 +106,7 @@ impl<'a> Declared<'a> {
         self.decl.params.iter().map(|param| tables.at(self.own).ty(param)).collect()
     }
 
-    /// Returns true if its value is that of the declaration, which may use the parameters and locals.
+    /// Returns true if its value is the value of the declaration, which may use the parameters and locals.
     pub(crate) fn is_own(&self) -> bool {
         matches!(self.init, Initializer::Own)
     }

@@ -12,7 +12,7 @@ use crate::syntax::token::{Sym, Tok};
 /// Returns the kind of braces after an operation, if the table has the operation.
 fn block_of(name: &str) -> Option<Braces> {
     let mut rows = ops::operations(name).map(|row| row.braces).filter(|braces| *braces != Braces::None);
-    // Old rows, such as those of `union`, have no braces.
+    // Old rows, such as the row of `union`, have no braces.
     rows.clone().find(|braces| *braces != Braces::Inline).or_else(|| rows.next())
 }
 

@@ -2,7 +2,7 @@
 //!
 //! A function that meets a mistake reports it and returns `Err(Reported)`, which is not reported again. Parsing
 //! continues after the nearest slot or arm, otherwise after the declaration, so a mistake in one rule does not hide
-//! those of another.
+//! mistakes in another.
 
 mod annotation;
 mod arms;
@@ -16,8 +16,8 @@ mod import;
 mod item;
 mod layout;
 mod op;
+mod recovery;
 mod report;
-mod slips;
 mod slots;
 mod style;
 mod type_words;

@@ -3,8 +3,8 @@
 //! The meshes of the scene become one mesh, each at the places of its nodes. Names of nodes, or else of meshes, become
 //! groups. Triangles stay triangles; points at the same place become one, so that a closed body is closed. Materials
 //! have the colours, factors and images of the file, with colours converted from linear light to sRGB. Texture
-//! coordinates have v upwards, as in CGA: set 0 has those of the colour image, and another set those of the image of
-//! its layer, otherwise `TEXCOORD_n` of its number. Faces without coordinates in a mesh that has some get (0, 0), and
+//! coordinates have v upwards, as in CGA: set 0 belongs to the colour image, and another set to the image of
+//! its layer, otherwise it is `TEXCOORD_n` of its number. Faces without coordinates in a mesh that has some get (0, 0), and
 //! faces without normals their own. Cameras, lights, skins, animations, lines and points are skipped.
 //!
 //! Numbers are read here and not by a crate: those for glTF index bytes with numbers of the file, and panic where these
@@ -53,7 +53,7 @@ pub struct GltfFile {
 /// The greatest number of triangles of a scene, with all places of its meshes. They take about 250 bytes each.
 const MOST_TRIANGLES: usize = 1 << 22;
 
-/// The extensions that a file may require. Those of materials and lights change only the look.
+/// The extensions that a file may require. Extensions of materials and lights change only the look.
 const KNOWN: [&str; 9] = [
     "EXT_mesh_features",
     INSTANCING,
@@ -186,7 +186,7 @@ fn add(
     }
 }
 
-/// The transformation of normals, up to their length: that of the cross products of edges, with the faces of a mirrored
+/// The transformation of normals, up to their length. It transforms cross products of edges, with the faces of a mirrored
 /// mesh turned over. It exists for every place.
 fn normals_place(place: &DAffine3) -> DMat3 {
     let [x, y, z] = [place.matrix3.x_axis, place.matrix3.y_axis, place.matrix3.z_axis];

@@ -21,12 +21,12 @@ const FREE_PLACES: usize = 1 << 16;
 /// A mesh of the file at its places.
 pub(super) struct NodeMesh<'a> {
     pub(super) mesh: usize,
-    /// The name of the node, else that of the mesh.
+    /// The name of the node, else the name of the mesh.
     pub(super) name: Option<&'a str>,
     pub(super) places: Vec<DAffine3>,
 }
 
-/// The meshes of the scene: that of `scene`, else the first one. A file without scenes shows all nodes that no node has
+/// The meshes of the scene that `scene` names, else of the first one. A file without scenes shows all nodes that no node has
 /// as a child.
 ///
 /// # Errors
@@ -100,7 +100,7 @@ fn affine(translation: [f64; 3], rotation: [f64; 4], scale: [f64; 3]) -> DAffine
     DAffine3::from_scale_rotation_translation(DVec3::from(scale), rotation, DVec3::from(translation))
 }
 
-/// The places of the mesh of a node: one, or those of its instances, which are at most `most`.
+/// The places of the mesh of a node: one, or the places of its instances, which are at most `most`.
 fn places(
     document: &Document<'_>,
     node: &Item<'_>,

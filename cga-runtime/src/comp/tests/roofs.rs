@@ -120,7 +120,7 @@ fn edges_run_upwards_and_eaves_around() {
     let u =
         lot(&[[0.0, 0.0], [6.0, 0.0], [6.0, 10.0], [16.0, 10.0], [16.0, 0.0], [22.0, 0.0], [22.0, 18.0], [0.0, 18.0]]);
     let hip = roof(u.clone(), |env, shape| op::roof_hip(env, shape, 45.0, 0.0, false));
-    // As in the picture: two hips at the back and two at each end, and short ridges between those of wings and back.
+    // As in the picture: two hips at the back and two at each end, and short ridges between the ridges of wings and back.
     assert_eq!(edges(&hip), [8, 6, 2, 5]);
     let gable = roof(u, |env, shape| op::roof_gable(env, shape, 45.0, 0.0, 0.0, false));
     assert_eq!(edges(&gable), [6, 2, 2, 5]);

@@ -9,7 +9,7 @@ use crate::value::array::{Array, Element};
 pub enum ArrayPart<T> {
     /// A value.
     One(T),
-    /// An array whose elements are inserted side by side, such as that of a range.
+    /// An array whose elements are inserted side by side, such as the array of a range.
     Many(Array<T>),
 }
 

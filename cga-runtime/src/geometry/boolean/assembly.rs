@@ -146,7 +146,7 @@ impl Assembly<'_> {
         corner_at.get(at).filter(|known| known.0 == corner.point).map(|known| only(known.1))
     }
 
-    /// The tags of a face: those of all its sources, with new ones for the operands (*Boolean operations*, component tags).
+    /// The tags of a face: the tags of all its sources, with new ones for the operands (*Boolean operations*, component tags).
     fn tags(&self, polygon: &ResultPolygon) -> TagSet {
         let of = |facet: &u32| {
             let tag = self.mesh.face(self.facets[*facet as usize].face as usize).tag();

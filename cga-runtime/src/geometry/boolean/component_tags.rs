@@ -69,8 +69,8 @@ impl EdgeTags {
     }
 }
 
-/// The tags of the vertices of an arrangement: those of all vertices of the mesh that are there. `numbers` are the points of the
-/// arrangement for those of the mesh. Sorted by point.
+/// The tags of the vertices of an arrangement, from all vertices of the mesh at their points. `numbers` gives the point of the
+/// arrangement for each point of the mesh. Sorted by point.
 pub(super) fn vertex_tags(mesh: &Mesh, numbers: &[u32]) -> Vec<(u32, TagSet)> {
     let mut list: Vec<(u32, TagSet)> =
         mesh.subcomponent_tags.vertices().map(|(point, tags)| (numbers[point as usize], tags.clone())).collect();

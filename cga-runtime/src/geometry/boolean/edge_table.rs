@@ -54,7 +54,7 @@ impl EdgeTable {
         owners.binary_search_by_key(&facet, |owner| owner.facet).ok().map(|at| &owners[at])
     }
 
-    /// Adds an edge to a facet. `count` and `corner` are those of the edge from `a` to `b`. `direction` is the whole line
+    /// Adds an edge to a facet. `count` and `corner` belong to the edge from `a` to `b`. `direction` is the whole line
     /// from `a` to `b`.
     pub(super) fn add(&mut self, facets: &mut [Facet], [a, b]: [u32; 2], direction: DVec3, owner: EdgeOwner) {
         let (ends, turned) = ([a.min(b), a.max(b)], b < a);

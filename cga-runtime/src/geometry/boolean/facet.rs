@@ -220,7 +220,7 @@ impl PointSet {
     }
 }
 
-/// The facets of all faces with an area, in their order. `numbers` are the points of the arrangement for those of the
+/// The facets of all faces with an area, in their order. `numbers` gives the point of the arrangement for each point of the
 /// mesh.
 pub(super) fn facets_of(mesh: &Mesh, points: &PointSet, numbers: &[u32]) -> Vec<Facet> {
     let (mut facets, mut triangulator, mut triangles) = (Vec::new(), Triangulator::new(), Vec::new());

@@ -60,7 +60,7 @@ use winding::Windings;
 /// largest rounding error of coordinates.
 ///
 /// The faces of the first operand come first. A face keeps its group, its material, its tags and the values of corners; where
-/// faces coincide, those of the first one, with the tags of all.
+/// faces coincide, the first face keeps its own, with the tags of all.
 pub(crate) fn combine(op: BooleanOp, operands: [&[Mesh]; 2], rounding: f64) -> Result<Mesh, BooleanError> {
     combine_within(Budget::DEFAULT, op, operands, rounding)
 }

@@ -15,7 +15,7 @@ use crate::geometry::disjoint::DisjointSets;
 use crate::value::small_sort::SmallSort;
 
 /// The groups of overlapping facets. While lines are divided, each group is a facet behind the facets proper, which has the lines
-/// of all its members; members have those of their outlines alone.
+/// of all its members; members have the lines of their outlines alone.
 pub(super) struct PlaneGroups {
     /// The number of facets proper.
     first: usize,
@@ -62,7 +62,7 @@ impl PlaneGroups {
         self.group_of[facet as usize].unwrap_or(facet)
     }
 
-    /// Returns true for a facet whose lines are those of its group.
+    /// Returns true for a facet whose lines its group has.
     pub(super) fn is_member(&self, facet: u32) -> bool {
         self.group_of.get(facet as usize).is_some_and(Option::is_some)
     }
@@ -95,7 +95,7 @@ impl PlaneGroups {
         Ok(())
     }
 
-    /// Moves the lines of members to a group. Members keep those of their outlines.
+    /// Moves the lines of members to a group. Members keep the lines of their outlines.
     fn take_lines(
         &self,
         points: &PointSet,

@@ -173,7 +173,7 @@ impl PolygonMaker<'_> {
             .collect()
     }
 
-    /// The polygon, whose loops start and follow each other as those of its face, and a number for its place in the face.
+    /// The polygon, whose loops start and follow each other as in its face, and a number for its place in the face.
     fn polygon(&self, one: &ChosenSheet, mut rings: Vec<Vec<PolygonCorner>>) -> (u32, ResultPolygon) {
         let facet = &self.facets[one.sources[0] as usize];
         let rank = |corner: &PolygonCorner| {

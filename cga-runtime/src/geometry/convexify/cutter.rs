@@ -312,7 +312,7 @@ fn is_first(one: (f64, Target), two: (f64, Target), numbers: [u32; 2]) -> bool {
     }
 }
 
-/// A number whose order is that of lengths, equal for lengths that differ by rounding errors only.
+/// A number that sorts like the lengths, equal for lengths that differ by rounding errors only.
 fn key_of(length: f64) -> u64 {
     const ROUNDED: u32 = 22;
     (length.to_bits() + (1 << (ROUNDED - 1))) >> ROUNDED

@@ -152,7 +152,7 @@ impl Net {
         }
     }
 
-    /// Adds a corner after another one, with values between those of its neighbours.
+    /// Adds a corner after another one, with values between the values of its neighbours.
     fn insert(&mut self, from: u32, point: u32, share: f64) -> u32 {
         let to = self.next(from);
         let [a, b] = [from, to].each(|corner| corner as usize);

@@ -8,7 +8,7 @@ use glam::DVec2;
 use crate::geometry::nesting::extent::Extent;
 use crate::value::small_sort::SmallSort;
 
-/// The largest number of half-edges in a leaf of a tree, and of those in no tree.
+/// The largest number of half-edges in a leaf of a tree, and of half-edges outside of the trees.
 const LEAF: usize = 8;
 const LOOSE: usize = 32;
 

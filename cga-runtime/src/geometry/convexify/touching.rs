@@ -1,6 +1,6 @@
 //! Loops that touch, linked so that each corner is one angle of the face.
 //!
-//! Where loops of a face touch, the corner of the outline contains that of the hole. Cuts need corners that share the angles
+//! Where loops of a face touch, the corner of the outline contains the corner of the hole. Cuts need corners that share the angles
 //! of the face at a point among them, so the half-edges there are paired by angle.
 
 use std::cmp::Ordering;
@@ -51,7 +51,7 @@ impl Relinked {
     }
 }
 
-/// The order of directions from a point, anticlockwise from that of the first axis on.
+/// The order of directions from a point, anticlockwise from the direction of the first axis on.
 fn by_angle(centre: DVec2, a: DVec2, b: DVec2) -> Ordering {
     let is_low = |p: DVec2| p.y < centre.y || (p.y == centre.y && p.x < centre.x);
     is_low(a).cmp(&is_low(b)).then_with(|| 0.cmp(&orient(centre, a, b)))

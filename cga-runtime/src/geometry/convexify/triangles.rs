@@ -56,13 +56,13 @@ pub(super) fn divide(net: &mut Net, heads: &[u32], plane: &Plane) -> Option<Vec<
     parts
 }
 
-/// Returns true if triangles fill a face. Those of a face that crosses itself do not.
+/// Returns true if triangles fill a face. The triangles of a face that crosses itself do not.
 pub(super) fn fill(net: &Net, heads: &[u32], plane: &Plane) -> bool {
     let flat = |&head: &u32| net.ring(head).map(|corner| plane.flat(net, corner)).collect();
     is_filled(&heads.iter().map(flat).collect::<Vec<_>>())
 }
 
-/// Makes a loop of each triangle. Their edges are those of the loops, whose half-edges keep their numbers, and diagonals. Returns
+/// Makes a loop of each triangle. Their edges are edges of the loops, whose half-edges keep their numbers, and diagonals. Returns
 /// all corners.
 fn add(net: &mut Net, corners: &[u32], triangles: &[[u32; 3]]) -> Vec<u32> {
     // Numbers of a corner and its next one. Diagonals are joined with their other side.

@@ -32,7 +32,7 @@ pub(super) fn is_convex(ring: &[DVec2]) -> bool {
 fn turns(ring: &[DVec2]) -> i32 {
     let count = ring.len();
     let direction = |k: usize| ring[(k + 1) % count] - ring[k % count];
-    // The number of times that the direction passes that of the first axis. No turn is by half a circle here.
+    // The number of times that the direction passes the first axis. No turn is by half a circle here.
     let is_up = |way: DVec2| 0.0 < way.y || (way.y == 0.0 && 0.0 < way.x);
     let pass = |k: usize| {
         let (from, to) = (direction(k), direction(k + 1));

@@ -26,7 +26,7 @@ pub struct Plane {
 }
 
 /// Cuts a mesh by a plane into the parts below and above it. Points at most `tolerance` from the plane, in the mesh's
-/// own unit, count as points in it; no point moves. Caps are like those of [`slabs`](super::slabs()).
+/// own unit, count as points in it; no point moves. Caps are like the caps of [`slabs`](super::slabs()).
 ///
 /// If both ends of an edge have equal coordinates along some axis, the crossing has the same coordinate, bit for bit.
 /// Crossings are in the plane except for rounding. With a tolerance of 0, a second cut at the same plane may find

@@ -96,8 +96,8 @@ impl Slab {
         self.mesh.end_face(tag);
     }
 
-    /// The finished mesh. The source itself if the part contains all of it, `None` if the part is empty. `origins` are those
-    /// of its points, if edges or vertices of the source have tags.
+    /// The finished mesh. The source itself if the part contains all of it, `None` if the part is empty. `origins` are the
+    /// origins of its points, if edges or vertices of the source have tags.
     pub(crate) fn finish(mut self, source: &Arc<Mesh>, closed: bool, origins: &[PartPoint]) -> Option<Arc<Mesh>> {
         let faces = self.mesh.face_ends.len();
         if faces == 0 {

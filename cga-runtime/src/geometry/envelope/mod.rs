@@ -284,7 +284,7 @@ fn plain<'c>(face: &FaceRef<'_>, rings: impl IntoIterator<Item = &'c [usize]>) -
 }
 
 /// Adds the faces of a mesh over a face, with other tags. Old edges and vertices keep their tags, and edges that rise at a
-/// corner have those of the corner.
+/// corner have the tags of the corner.
 fn add(
     made: &mut Mesh,
     face: &FaceRef<'_>,

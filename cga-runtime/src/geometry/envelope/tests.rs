@@ -90,7 +90,7 @@ fn lots_of_wings() -> Vec<Ring> {
     lots.map(<[_]>::to_vec).into()
 }
 
-/// Where a wing ends, its slope and that of the edge beside it are in one line.
+/// Where a wing ends, its slope and the slope of the edge beside it are in one line.
 #[test]
 fn parallel_edges_of_different_slopes_are_not_refused() {
     let rng = &mut Rng(5);
@@ -149,7 +149,7 @@ fn slopes_go_on_behind_holes() {
         assert!((mesh.area() - kept).abs() < 1e-7 * bottom);
         let [inner, drilled] = areas(|part| matches!(part, EnvelopePart::Inner(_)));
         assert!(inner == 0.0 && 0.0 < drilled);
-        // The shaft has at least the volume of the lowest place above the hole, and at most that of the top.
+        // The shaft has at least the volume of the lowest place above the hole, and at most the volume of the top.
         let lost = whole.volume() - volume.volume();
         assert!(0.0 < lost && lost <= 5.0 * (bottom - kept) * (1.0 + 1e-7));
     }

@@ -1,7 +1,7 @@
 //! The largest rectangle whose left and right sides are each in one slab.
 //!
 //! The sides are at `l` and `r`, the top at `t` and the bottom at `b`. Each limit of the top depends on `l`, on `r`, or on
-//! neither, and is linear; so are those of the bottom. The area (r − l)(t − b) is a product of two linear functions. On a plane
+//! neither, and is linear; so is each limit of the bottom. The area (r − l)(t − b) is a product of two linear functions. On a plane
 //! within the limits it has no maximum of its own, so one maximum is on a line where three limits hold: one of the top, one of
 //! the bottom and a third one. On each such line the area is a parabola.
 

@@ -4,7 +4,7 @@ use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
 use glam::DVec2;
 
-/// Coordinates that differ by less, for a polygon with an extent of 1, are the same: those of corners on one line, turned.
+/// Coordinates that differ by less, for a polygon with an extent of 1, are the same, as for corners on one line that was turned.
 const SAME: f64 = 1e-12;
 
 /// An edge, from left to right.

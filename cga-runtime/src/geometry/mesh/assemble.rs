@@ -49,7 +49,7 @@ impl Mesh {
         self.tags.push(tag);
     }
 
-    /// Ends a face whose corners are those of the given loops of another mesh: adds the loops and the values of corners.
+    /// Ends a face whose corners come from the given loops of another mesh: adds the loops and the values of corners.
     #[inline(always)]
     pub(crate) fn end_copy(&mut self, source: &Mesh, loops: Range<usize>, tag: FaceTag) {
         let corners = source.corners_of(&loops);

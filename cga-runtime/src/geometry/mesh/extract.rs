@@ -5,7 +5,7 @@ use crate::geometry::Frame;
 use crate::geometry::trace::PartPoint;
 
 /// A mesh of the given faces, in their order, in the coordinates of a frame. Shared points stay shared, and unused
-/// points are dropped. Tags, those of edges and vertices too, texture coordinates and normals are kept. Faces that do not exist are ignored.
+/// points are dropped. Tags (of faces, edges and vertices), texture coordinates and normals are kept. Faces that do not exist are ignored.
 pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
     let into = to.axes.transpose();
     let mut part = mesh.alike(0);

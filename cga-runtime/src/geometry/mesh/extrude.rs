@@ -5,7 +5,7 @@
 //! faces that move alike: coplanar neighbours along their normals, all neighbours in other modes. Points that do not
 //! move give no wall either. A negative distance mirrors: the faces look inwards.
 //!
-//! A side has the tags of its face and of its edge, an upright edge those of its vertex. The new edges and vertices of the
+//! A side has the tags of its face and of its edge, an upright edge the tags of its vertex. The new edges and vertices of the
 //! top have none.
 
 use glam::DVec3;
@@ -66,7 +66,7 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
             continue;
         }
         let own = face.tag();
-        // Vertices of the bottom come first, then those of the top. The order of faces is the same, with the sides
+        // Vertices of the bottom come first, then vertices of the top. The order of faces is the same, with the sides
         // last.
         face.corner_range().for_each(|corner| _ = grown.low(corner));
         face.corner_range().for_each(|corner| _ = grown.high(corner, body, way));
@@ -232,7 +232,7 @@ impl Grown<'_> {
         self.mesh.end_face(tag);
     }
 
-    /// The mesh. Edges and vertices of the base keep their tags, and upright edges have those of their vertices
+    /// The mesh. Edges and vertices of the base keep their tags, and upright edges have the tags of their vertices
     /// (*Geometry tagging*, tag propagation).
     fn tagged(self) -> Mesh {
         let Grown { source, mut mesh, low, high } = self;

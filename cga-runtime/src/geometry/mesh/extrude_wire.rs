@@ -2,7 +2,7 @@
 //!
 //! Each edge gives one face, which begins with the edge. Edges that are extruded along their own normals separate where
 //! they meet at an angle. Edges that are extruded along the normals of their points, or along one vector, stay
-//! connected. A face has the tags of its edge, an upright edge those of its vertex.
+//! connected. A face has the tags of its edge, an upright edge the tags of its vertex.
 
 use glam::DVec3;
 

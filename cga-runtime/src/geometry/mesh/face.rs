@@ -48,7 +48,7 @@ impl<'a> FaceRef<'a> {
         self.mesh.face_corners(self.index)
     }
 
-    /// The number of corners, those of holes included.
+    /// The number of corners, with the corners of holes.
     pub fn corner_count(&self) -> usize {
         self.corner_range().len()
     }

@@ -41,7 +41,7 @@ struct Seen<'a> {
 ///
 /// The face is seen along the axis that is nearest to its normal, and so are the angles of the rectangle. Without
 /// `sides` along edges it follows the axes. Parts of the rest are in the order of the points of the face, and begin with an
-/// edge on its outline if they have one. Texture coordinates and normals of new points continue those of the face. Sides on
+/// edge on its outline if they have one. Texture coordinates and normals of new points continue the values of the face. Sides on
 /// edges of the face have their tags.
 pub(crate) fn cut_rectangle(
     face: &FaceRef<'_>,
@@ -192,7 +192,7 @@ impl<'a> Seen<'a> {
         beside + self.view * ((self.at - self.normal.dot(beside)) / self.normal.dot(self.view))
     }
 
-    /// Adds a loop of points. Those of the face have the values of its corners.
+    /// Adds a loop of points. Points of the face have the values of its corners.
     fn add_ring(&self, ring: &[u32], all: &[DVec2], base: u32, made: &mut Mesh) {
         let (source, range) = (self.face.mesh, self.face.corner_range());
         for &point in ring {

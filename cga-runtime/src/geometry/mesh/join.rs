@@ -24,7 +24,7 @@ impl<T: PartialEq + Clone> Distinct<T> {
         at.map_or(self.0.len() - 1, |at| recent + at) as u32
     }
 
-    /// The numbers of the elements of another list, with that of "none" in the end.
+    /// The numbers of the elements of another list, and the number of "none" in the end.
     fn numbers(&mut self, list: &[T]) -> Vec<u32> {
         list.iter().map(|element| self.number(element)).collect()
     }
@@ -35,7 +35,7 @@ fn renumbered(index: u32, numbers: &[u32]) -> u32 {
 }
 
 /// The faces of all meshes, in order; no points are merged. A mesh without a texture set that another one has gets
-/// coordinates 0 there, and a mesh without normals gets those of its faces.
+/// coordinates 0 there, and a mesh without normals gets the normals of its faces.
 pub(crate) fn join<'m>(meshes: impl Iterator<Item = &'m Mesh>) -> Mesh {
     join_all(&meshes.collect::<Vec<_>>())
 }

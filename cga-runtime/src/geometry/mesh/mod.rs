@@ -169,7 +169,7 @@ impl Bounds {
     /// A power of two that scales the longest extent to about 1, so that areas and volumes neither overflow nor vanish.
     pub(crate) fn scale_to_one(&self) -> f64 {
         const EXPONENT: u64 = 0x7ff << 52;
-        // The difference of the largest numbers overflows; that of their halves does not.
+        // The difference of the largest numbers overflows; the difference of their halves does not.
         let half = (self.high * 0.5 - self.low * 0.5).max_element();
         1.0 / f64::from_bits(half.max(f64::MIN_POSITIVE).to_bits() & EXPONENT)
     }

@@ -1,7 +1,7 @@
 //! Moves the outlines of faces in or out and fills the difference with strips (*offset operation*).
 //!
 //! A face is moved in the plane across its normal. The parts of a face that is not planar are not planar either
-//! ([`relief`]): old points stay, and new points get heights between those of the face.
+//! ([`relief`]): old points stay, and new points get heights between the heights of the face.
 //!
 //! Each face gives the interior of its moved outline, in the order of the first edges of the parts, and then a strip
 //! for each of its edges, outline before holes. The parts of a face share their points with each other, but not with
@@ -119,7 +119,7 @@ struct FaceParts<'p, 'a> {
 const UNNUMBERED: u32 = u32::MAX;
 
 impl<'p, 'a> FaceParts<'p, 'a> {
-    /// Parts with these points in the plane, those of the face first.
+    /// Parts with these points in the plane, the points of the face first.
     fn new(
         plane: &'p FlatFace<'a>,
         points: &'p [DVec2],

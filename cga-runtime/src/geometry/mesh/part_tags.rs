@@ -8,7 +8,7 @@ use super::{FaceTag, Mesh, TagSet};
 
 /// The sets of tags of new faces.
 ///
-/// A face over a face has the tags of that face, a face that grows out of an edge also those of the edge. The tag of an operation
+/// A face over a face has the tags of that face, a face that grows out of an edge also the tags of the edge. The tag of an operation
 /// replaces the other tags of that operation.
 pub(crate) struct PartTags<'s> {
     source: &'s Mesh,

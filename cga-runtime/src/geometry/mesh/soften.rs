@@ -13,8 +13,8 @@ const MOST_FACES: usize = 16;
 impl Mesh {
     /// The mesh with smooth normals: at an edge whose faces meet at an angle below `limit` in degrees, the corners of both faces
     /// at each end have one normal. It is the average of the normals of all faces that such edges connect at the point; faces
-    /// in one plane count once. Other edges are hard. Without smooth edges the mesh has no normals at corners, so that those
-    /// of faces count.
+    /// in one plane count once. Other edges are hard. Without smooth edges the mesh has no normals at corners, so that the
+    /// normals of faces count.
     pub(crate) fn softened(&self, limit: f64) -> Mesh {
         let adjacency = self.adjacency();
         let normals: Vec<DVec3> = self.faces().map(|face| face.normal()).collect();
@@ -55,7 +55,7 @@ impl Mesh {
 }
 
 /// Returns true if the angle between unit normals is below a limit in degrees. An angle that equals the limit except for
-/// rounding is not below it, and that of a face without an area is not either.
+/// rounding is not below it, and the angle of a face without an area is not either.
 fn is_below(a: DVec3, b: DVec3, limit: f64) -> bool {
     if a == DVec3::ZERO || b == DVec3::ZERO {
         return false;

@@ -133,7 +133,7 @@ impl SubcomponentTags {
         tagger.finish()
     }
 
-    /// These tags without those of some components that a query matches; without a query, all of these go.
+    /// These tags without the tags of some components that a query matches; without a query, all of these go.
     pub(crate) fn without(&self, query: Option<&str>, components: TaggedComponents) -> Self {
         let kept: Vec<TagSet> = self.sets().iter().map(|set| set.without(query)).collect();
         let mut tagger = SubcomponentTagger::default();

@@ -227,7 +227,7 @@ impl Nest {
     }
 }
 
-/// The area and the bounding box of a loop; the area is that of the section scaled by `scale`.
+/// The area and the bounding box of a loop; the area belongs to the section scaled by `scale`.
 fn measure(section: &FlatLoops<'_>, range: Range<usize>, scale: f64) -> Loop {
     let ring = &section.corners[range.clone()];
     let from = section.flat[ring[0] as usize];

@@ -18,8 +18,8 @@ impl Loop {
         0.0 <= self.area
     }
 
-    /// Returns true if the loop can contain a hole by its bounding box and area, except for rounding. The areas are
-    /// those of the section scaled by `scale`.
+    /// Returns true if the loop can contain a hole by its bounding box and area, except for rounding. The areas
+    /// belong to the section scaled by `scale`.
     pub(super) fn may_hold(&self, hole: &Loop, scale: f64) -> bool {
         let Extent { low, high } = self.extent;
         let spare = self.extent.slack() * scale * (high * scale - low * scale).element_sum();

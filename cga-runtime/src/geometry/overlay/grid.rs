@@ -77,7 +77,7 @@ pub(crate) fn is_near(a: GridPoint, b: GridPoint, p: GridPoint, most: f64) -> bo
 
 /// Drops corners at which a ring runs straight on, except for points with a number below `kept`.
 pub(crate) fn drop_straight(ring: &mut Vec<u32>, places: &[GridPoint], kept: usize) {
-    /// The largest distance of a corner from the line of its neighbours, in steps: those of rounding, of a place and of an
+    /// The largest distance of a corner from the line of its neighbours, in steps: the distances of rounding, of a place and of an
     /// edge that was led through it.
     const STRAIGHT: f64 = 3.0;
     let at = |point: u32| places[point as usize];

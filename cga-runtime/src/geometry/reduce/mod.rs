@@ -1,7 +1,7 @@
 //! Meshes with fewer vertices (*reduceGeometry operation*).
 //!
 //! Faces are divided into triangles, and edges collapse one after the other, the one with the least quadric error first (Garland and
-//! Heckbert). A vertex becomes one of its neighbours, so no point is new, and the values of corners are those of the mesh. A
+//! Heckbert). A vertex becomes one of its neighbours, so no point is new, and the values of corners come from the mesh. A
 //! collapse removes an edge together with its counterpart, so a closed mesh stays closed. Faces without a change stay polygons.
 
 mod quadric;

@@ -18,7 +18,7 @@ const LEAST_COSINE: f64 = 0.2;
 /// The cosine of the largest angle between two sides of a fold.
 const FOLD_COSINE: f64 = 0.99;
 
-/// The weight of the planes that keep borders and seams, relative to those of triangles.
+/// The weight of the planes that keep borders and seams, relative to the weight of the planes of triangles.
 const BORDER_WEIGHT: f64 = 8.0;
 
 /// The weight of the length of an edge: of edges in a plane the shortest one collapses first.

@@ -32,7 +32,7 @@ fn reduced(mesh: &Mesh, share: f64) -> Mesh {
     made
 }
 
-/// "16384 vertices, 16129 faces; after reduceGeometry(0.8) 3276 vertices." The reference has other numbers of faces, since those of its
+/// "16384 vertices, 16129 faces; after reduceGeometry(0.8) 3276 vertices." The reference has other numbers of faces, since its
 /// polygons are not known.
 #[test]
 fn a_terrain_has_the_vertices_of_the_page() {

@@ -168,7 +168,7 @@ fn in_front(
     }
     let face_of = |arc: &[u32; 2]| face_arcs.left_of([arc[1], arc[0]]).map(|face| plan.faces[face].edge);
     let faces: Vec<u32> = rim.iter().map(face_of).collect::<Option<_>>()?;
-    // The planes beside the pediment must be those that the strip borders on, not those of another gable at a corner.
+    // The planes beside the pediment must border on the strip, and not belong to another gable at a corner.
     let borders = |arc: [u32; 2], edge: u32| {
         let others = outside.strips.iter().filter(|strip| !gable.contains(&strip.edge));
         others.filter(|strip| arcs(&strip.ring).any(|other| other == [arc[1], arc[0]])).all(|strip| strip.edge == edge)

@@ -46,7 +46,7 @@ pub(crate) fn roof_over(source: &Mesh, form: RoofForm, rise: Rise) -> Roofs {
     Roofs { mesh: made, refused, without_overhangs }
 }
 
-/// The tags of all roofs. A face over an edge has the tags of the edge, an edge at a corner of the face those of the corner
+/// The tags of all roofs. A face over an edge has the tags of the edge, an edge at a corner of the face the tags of the corner
 /// (*Geometry tagging*, tag propagation).
 struct RoofTags<'s> {
     parts: PartTags<'s>,

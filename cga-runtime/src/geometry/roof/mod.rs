@@ -8,8 +8,8 @@
 //! A roof without overhang and its bottom are a closed volume, because the arcs of the wavefront are shared.
 
 mod arcs;
-mod ends;
 mod gable;
+mod gable_edges;
 mod hip;
 mod mesh;
 mod plan;
@@ -222,8 +222,8 @@ fn roof(outline: &Outline<'_>, form: RoofForm, rise: Rise) -> Result<Roof, Failu
         RoofForm::Hip { overhang, even } => hip::hip(outline, rise, overhang, even),
         RoofForm::Gable { across, along, even, edge } => {
             let ends = match edge {
-                Some(edge) => ends::ends_along(outline, outline.edge(edge)),
-                None => ends::ends(outline),
+                Some(edge) => gable_edges::ends_along(outline, outline.edge(edge)),
+                None => gable_edges::ends(outline),
             };
             gable::gable(outline, &ends, rise, [across, along], even && edge.is_none())
         }

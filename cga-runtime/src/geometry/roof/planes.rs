@@ -12,7 +12,7 @@ use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
 
-/// A triangle for each edge, to an apex over the mean of all corners. An angle is that of the first triangle. If the apex is
+/// A triangle for each edge, to an apex over the mean of all corners. An angle is measured at the first triangle. If the apex is
 /// over the line of the first edge, no height gives this triangle an angle, so the next edge decides.
 pub(super) fn pyramid(outline: &Outline<'_>, rise: Rise) -> Roof {
     let edges = outline.edges();

@@ -11,7 +11,7 @@
 //! case. Most events have nothing else near, and take a short way to the same result ([`lone`]).
 //!
 //! Paths of vertices are stored as directed arcs between shared nodes, each for the edges on both its sides
-//! ([`trace`]). So the areas of all strips and of the remaining interior add up to that of the polygon, whatever the
+//! ([`trace`]). So the areas of all strips and of the remaining interior add up to the area of the polygon, whatever the
 //! rounding errors of single points. A final check ensures that strips do not overlap ([`check`]). If it fails, because
 //! edges are nearly but not exactly coincident, the sweep is repeated with another distance for contacts.
 //!
@@ -55,7 +55,7 @@ pub(crate) const MOST_CORNERS: usize = 5_000;
 /// The area that one edge swept.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Strip {
-    /// The number of the edge, which is that of its first corner.
+    /// The number of the edge, which is the number of its first corner.
     pub(crate) edge: u32,
     /// The corners, counter-clockwise, as numbers of points. The ring begins with the edge itself, if the edge is part
     /// of it.
@@ -65,7 +65,7 @@ pub(crate) struct Strip {
 }
 
 /// A corner of the remaining interior, and the edge that is parallel to the next side. Sides that divide a corner
-/// between edges of different speeds have numbers after those of the edges.
+/// between edges of different speeds have numbers after the numbers of the edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Left {
     pub(crate) point: u32,

@@ -59,7 +59,7 @@ impl Arcs {
     }
 
     /// For each point the point that replaces it when very short arcs are contracted, in space and, with `times`, in
-    /// time. The first `fixed` points, those of the polygon, are not merged with each other.
+    /// time. The first `fixed` points, which belong to the polygon, are not merged with each other.
     pub(super) fn contracted(&self, points: &[DVec2], times: Option<&[f64]>, fixed: usize, epsilon: f64) -> Vec<u32> {
         let mut same = DisjointSets::new(points.len());
         for arc in &self.all {

@@ -2,7 +2,7 @@
 //!
 //! The interior of the polygon on the sweep line is a row of *regions*, each between a left edge, where the loop goes
 //! down, and a right edge, where the loop goes up. Below the line each region is triangulated except for a *chain* of
-//! points that leads from the lower end of its left edge to that of its right edge. A point on one of the two edges
+//! points that leads from the lower end of its left edge to the lower end of its right edge. A point on one of the two edges
 //! cuts off all triangles that it sees from that end of the chain and becomes the new end. A point with both edges
 //! above it starts a region, or splits one at the latest point of the chain. A point with both edges below it ends a
 //! region or merges two.

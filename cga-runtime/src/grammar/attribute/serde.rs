@@ -1,4 +1,4 @@
-//! Attributes for `serde`: the names of fields, without those of Rust's types.
+//! Attributes for `serde`: the names of fields, without the names of Rust's types.
 
 use serde::Serialize;
 use serde::ser::{SerializeStruct, Serializer};

@@ -129,7 +129,7 @@ fn two() -> Shape {
 fn distances_follow_the_edges_of_all_faces() {
     let arms = [ALL, REST];
     let each = |distances: &[f64]| parts(&made_each(&two(), &arms, distances));
-    // The fifth distance is that of the first edge of the second face.
+    // The fifth distance belongs to the first edge of the second face.
     assert_eq!(
         each(&[1.0, 0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0]),
         [(Some(0), 4, 10.0), (Some(1), 4, 90.0), (Some(0), 4, 30.0), (Some(1), 4, 70.0)]

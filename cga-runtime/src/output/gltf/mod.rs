@@ -329,7 +329,7 @@ impl Model {
 }
 
 impl super::batches::Batches<Model> {
-    /// All models as one GLB file, equal to that of one model with all leaves.
+    /// All models as one GLB file, equal to the file of one model with all leaves.
     ///
     /// # Errors
     /// As [`Glb::into_bytes`].

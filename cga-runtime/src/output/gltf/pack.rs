@@ -95,7 +95,7 @@ pub(super) fn pack(glb: &Glb, meshes: &[SceneMesh]) -> Result<Vec<u8>, WriteErro
     container(&json, &binary)
 }
 
-/// The name of a mesh and of its node: that of its rule, or of the file if it has several rules.
+/// The name of a mesh and of its node: the name of its rule, or of the file if it has several rules.
 fn name<'a>(glb: &'a Glb, mesh: &SceneMesh) -> &'a str {
     let of_file = glb.name.as_deref().unwrap_or("model");
     match (&mesh.places, mesh.rule()) {

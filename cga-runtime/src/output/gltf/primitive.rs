@@ -161,7 +161,7 @@ impl Primitive {
         }
     }
 
-    /// Begins the vertices of a rule unless those of the last rule continue.
+    /// Begins the vertices of a rule unless the vertices of the last rule continue.
     #[inline]
     pub(super) fn begin(&mut self, rule: u32) {
         if self.rules.last().is_none_or(|(last, _)| *last != rule) {

@@ -1,7 +1,7 @@
 //! The textures of a look: the image of each map of the format, and its set of coordinates.
 //!
 //! The format has five maps (*material attribute*): colour with opacity, roughness with metal, normals, occlusion and
-//! emitted light. Two layers of CGA that share a map of the format also share a set and a placement: those of the
+//! emitted light. Two layers of CGA that share a map of the format also share a set and a placement: the ones of the
 //! colour map, or of the roughness map, if there is one. Bump, dirt and specular maps are left out: the core of the
 //! format has no such maps.
 

@@ -20,7 +20,7 @@ impl Env {
         self.base_with_look(shape, look)
     }
 
-    /// The base of a whole shape whose look has the number `material`; inlined.
+    /// The base of a whole shape whose look has the number `look`; inlined.
     #[inline(always)]
     pub(crate) fn base_with_look(&self, shape: Shape, look: LookId) -> Base {
         self.bases.set(self.bases.get() + 1);

@@ -73,13 +73,13 @@ pub struct Env {
     /// True if operations tag the edges that they make (*Geometry tagging*, auto-tags on edges).
     pub(crate) tags_edges: bool,
     names: &'static [&'static str],
-    /// The names and materials of leaves, by number.
+    /// The names and looks of leaves, by number.
     pub(crate) leaf_tables: LeafTables,
     /// The rules entered and not yet left, since the last waiting call was resumed.
     pub(crate) trail: Vec<u32>,
     /// The rules that led to the waiting call that was resumed last.
     pub(crate) before: Option<Rc<Trail>>,
-    /// The counts of shapes and leaves without those of `filled`.
+    /// The counts of shapes and leaves without the counts of `filled`.
     pub(crate) shapes: u64,
     pub(crate) leaves: u64,
     /// The number of leaf symbols that fill their scopes: a shape and a leaf each.

@@ -58,7 +58,7 @@ impl Env {
         self.recompositions.list.len()
     }
 
-    /// Begins a division of a shape: its movements so far are those of one part. Parts with this trace belong to the division.
+    /// Begins a division of a shape: its movements so far are the movements of one part. Parts with this trace belong to the division.
     pub(crate) fn divide_trace(&mut self, shape: &mut Shape) {
         if self.recompositions.is_empty() {
             return;

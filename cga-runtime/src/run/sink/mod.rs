@@ -117,7 +117,7 @@ impl<'a> Filled<'a> {
         self.of_id(self.shape.look.get())
     }
 
-    /// The material with a number; without a number, the material of the leaf's base.
+    /// The material of the look with a number; without a number, the material of the leaf's base.
     #[inline]
     pub(crate) fn of_id(&self, id: LookId) -> &'a Arc<Material> {
         let own = self.shape.base.shape.state.material();
@@ -143,7 +143,7 @@ impl<'a> Filled<'a> {
         self.uvs_of(self.shape.look.get())
     }
 
-    /// The maps that the leaf has with another material of the run.
+    /// The maps that the leaf has with another look of the run.
     #[inline]
     pub(crate) fn uvs_of(&self, look: LookId) -> &'a [SetMap] {
         if !look.may_have_coordinates() {

@@ -66,7 +66,7 @@ struct TemplateKey {
     form: Form,
     unit: UnitMesh,
     look: LookId,
-    /// True if the shape has texture coordinates. For a look without a number, `material` does not tell.
+    /// True if the shape has texture coordinates. For a look without a number, `look` does not tell.
     has_coordinates: bool,
     /// The axes along which coordinates are constant. A move along another axis makes a shape with another base.
     constant: [bool; 3],
@@ -129,7 +129,7 @@ struct LeafRange {
     may_have_coordinates: bool,
 }
 
-/// Consecutive leaves with equal rule and material.
+/// Consecutive leaves with equal rule and look.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mark {
     pub(crate) rule: u32,
@@ -158,7 +158,7 @@ struct Hole<C> {
     size: DVec3,
     unit: UnitMesh,
     form: Form,
-    /// True if its axes are those of the base after it has grown.
+    /// True if it has the axes of the base after the base has grown.
     is_raised: bool,
     look: LookId,
     /// The factor and the summand that give its seed from the seed of the repetition.
@@ -181,7 +181,7 @@ struct Turned {
     holes: Vec<DVec3>,
 }
 
-/// The counters of the recorded shape. A hole with these counters gets those of the repetition.
+/// The counters of the recorded shape. A hole with these counters gets the counters of the repetition.
 const INHERITED: Counter = Counter::of(i32::MIN, 0);
 
 impl TemplateKey {

@@ -34,7 +34,7 @@ use crate::shape::look_id::LookId;
 /// }
 ///
 /// impl Sink for Scene {
-///     // Numbers and identities are those of a run.
+///     // Numbers and identities hold in one run.
 ///     fn begin(&mut self) {
 ///         self.by_id.clear();
 ///         self.rest.begin();
@@ -136,18 +136,18 @@ impl<'a> Replay<'a> {
     }
 
     /// The numbers of the template and of the segment. Parts with equal numbers differ only in their place and axes,
-    /// and in materials without a number.
+    /// and in looks without a number.
     pub(crate) fn number(&self) -> (u64, usize) {
         (self.body.number, self.segment.leaves.start)
     }
 
-    /// The groups of consecutive leaves with equal rule and material, each with its first leaf.
+    /// The groups of consecutive leaves with equal rule and look, each with its first leaf.
     pub(crate) fn marks(&self) -> impl Iterator<Item = (Filled<'a>, Mark)> {
         let Replay { part, tables, .. } = *self;
         self.mark_list().iter().map(move |mark| (Filled { shape: part, tables, rule: mark.rule }, *mark))
     }
 
-    /// The groups of consecutive leaves with equal rule and material.
+    /// The groups of consecutive leaves with equal rule and look.
     pub(crate) fn mark_list(&self) -> &'a [Mark] {
         &self.body.marks[self.segment.marks.clone()]
     }

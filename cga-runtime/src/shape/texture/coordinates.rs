@@ -143,7 +143,7 @@ impl Coordinates {
         })
     }
 
-    /// Replaces the coordinates of a cube by those of its side with that normal.
+    /// Replaces the coordinates of a cube by the coordinates of its side with that normal.
     pub(crate) fn choose_side(&mut self, normal: DVec3) {
         for entry in &mut self.sets {
             if let UvSource::Cube(place) = &entry.source {

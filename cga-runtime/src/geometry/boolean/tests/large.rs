@@ -146,7 +146,7 @@ fn squares_that_all_overlap_in_a_plane_have_one_arrangement() {
     let made = within(Budget { comparisons: 1_500_000, owners: 25_000, ..Budget::DEFAULT }).unwrap();
     assert_eq!(made.check(), []);
     let area = |mesh: &Mesh| mesh.faces().map(|face| face.area()).sum::<f64>();
-    // All edges stay, so parts do not overlap: the area is that of a count of cells between the lines of all edges.
+    // All edges stay, so parts do not overlap: the area follows from a count of cells between the lines of all edges.
     let mut lines: [Vec<f64>; 2] = [0, 2].map(|axis| {
         squares
             .iter()

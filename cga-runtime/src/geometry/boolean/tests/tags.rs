@@ -13,8 +13,8 @@ fn set(name: &str) -> TagSet {
     TagSet::new([Text::from(name)])
 }
 
-/// A square on the ground whose faces, edges and vertices have tags that begin with a name. Texture coordinates are those
-/// of the ground, and the normals are tilted.
+/// A square on the ground whose faces, edges and vertices have tags that begin with a name. Texture coordinates are positions
+/// on the ground, and the normals are tilted.
 fn square(low: f64, high: f64, name: &str) -> Mesh {
     let mut builder = MeshBuilder::new();
     let corners = [[low, high], [high, high], [high, low], [low, low]];

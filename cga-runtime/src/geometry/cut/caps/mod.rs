@@ -132,7 +132,7 @@ impl Caps {
     }
 }
 
-/// The texture axes of a cap, in metres and not mirrored as seen from outside: upright, or like those of a floor if the
+/// The texture axes of a cap, in metres and not mirrored as seen from outside: upright, or like the axes of a floor if the
 /// cap is horizontal.
 pub(crate) fn texture_axes(normal: DVec3) -> (DVec3, DVec3) {
     const FLAT: f64 = 1e-9;

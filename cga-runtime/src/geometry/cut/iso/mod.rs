@@ -41,7 +41,7 @@ use sites::Sites;
 /// above the line. A band that contains the whole mesh gets the same mesh, not a copy.
 ///
 /// - Faces keep their order, tags, groups and materials. The values of corners are interpolated; the cut coordinate is
-///   that of the line. A piece begins with the remaining part of the face's first edge, as in
+///   the coordinate of the line. A piece begins with the remaining part of the face's first edge, as in
 ///   [`slabs`](super::slabs()).
 /// - Faces that agree in the coordinate at both ends of a common edge share the crossings of the edge: they stay
 ///   connected. At a seam each face has crossings of its own. Mirrored faces need no special rule.

@@ -31,7 +31,7 @@ pub(super) struct AssetPolygon {
 impl UnitAsset {
     pub(super) fn of(asset: &Mesh, options: &AlongUv) -> Self {
         let bounds = asset.bounds();
-        // The difference of the largest numbers overflows; that of their halves does not.
+        // The difference of the largest numbers overflows; the difference of their halves does not.
         let (low, size) = (bounds.low * 0.5, bounds.high * 0.5 - bounds.low * 0.5);
         let share = |at: f64, axis: usize| match size[axis] {
             0.0 => 0.5,

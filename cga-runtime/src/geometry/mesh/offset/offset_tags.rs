@@ -5,7 +5,7 @@ use crate::geometry::mesh::flat_face::FlatFace;
 use crate::geometry::mesh::{FaceRef, FaceTag, Mesh, PartTags, SubcomponentTagger};
 use crate::value::each::Each;
 
-/// Collects the tags of all parts. Parts have the tags of their face, strips also those of their edge. An edge from a corner of
+/// Collects the tags of all parts. Parts have the tags of their face, strips also the tags of their edge. An edge from a corner of
 /// the face to a new corner has the tags of the old one, and other new edges have none.
 pub(super) struct OffsetTags<'s> {
     source: &'s Mesh,

@@ -41,7 +41,7 @@ pub(super) type SideOrigins = BTreeMap<[u32; 2], SideOrigin>;
 
 /// A region in the plane of a face.
 pub(crate) struct FaceRegion {
-    /// The points of the face, those that divide edges, and those of all turns.
+    /// The points of the face, the points that divide edges, and the points of all turns.
     pub(super) points: Vec<DVec2>,
     pub(super) heights: Vec<f64>,
     /// The edge of each piece: the number of its first corner, counted from the first one of the face.

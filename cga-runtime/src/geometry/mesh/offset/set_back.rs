@@ -1,7 +1,7 @@
 //! Sets edges of a face back, each by a distance of its own (*setback operation*).
 //!
-//! The remainder is the interior of the moved outline. The *setback* is the rest of the face: its sides are those of the
-//! face and those of the remainder, turned over, without the parts where both run on one line. So the areas of both add
+//! The remainder is the interior of the moved outline. The *setback* is the rest of the face: its sides are the sides of the
+//! face and the sides of the remainder, turned over, without the parts where both run on one line. So the areas of both add
 //! up to the area of the face, and the parts that neighbouring edges sweep are one face. Edges that move in several
 //! turns have several setbacks ([`super::region`]).
 
@@ -16,7 +16,7 @@ use crate::value::each::Each;
 /// cuts divide. A turn has one number for each piece; numbers that are not positive leave the piece where it is.
 ///
 /// Parts of a setback begin with the first piece that was set back, parts of the remainder with the first piece that has
-/// a side. If the face cannot be set back, nothing is added. Returns the number of faces of each turn, then that of the
+/// a side. If the face cannot be set back, nothing is added. Returns the number of faces of each turn, then of the
 /// remainder.
 pub(crate) fn set_back(
     face: &FaceRef<'_>,

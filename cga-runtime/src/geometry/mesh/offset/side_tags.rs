@@ -79,7 +79,7 @@ impl<'s> SideTags<'s> {
     }
 
     /// Tags the sides and vertices of a loop: its points in the plane of a face, and in the mesh. `points` are the points of the
-    /// face, and `ends` those of its edges, by their first corners.
+    /// face, and `ends` the ends of its edges, by their first corners.
     pub(super) fn ring(
         &mut self,
         points: &[u32],

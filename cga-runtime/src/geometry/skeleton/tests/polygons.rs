@@ -104,7 +104,7 @@ impl Polygon {
         self.edges().map(|[a, b]| to_segment(p, a, b)).fold(f64::INFINITY, f64::min).sqrt()
     }
 
-    /// The speed of the fastest corner that is not convex, relative to that of edges.
+    /// The speed of the fastest corner that is not convex, relative to the speed of edges.
     pub(crate) fn sharpest(&self) -> f64 {
         let mut most: f64 = 1.0;
         for ring in &self.rings {

@@ -1,6 +1,6 @@
 //! Cycles of rules that never end, or that only chance ends.
 
-use super::agreed::Agreed;
+use super::instances::CommonDiags;
 use crate::analysis::{Calls, body};
 use crate::diag::code::Code;
 use crate::diag::{Basis, Diag, Level, by_way_of};
@@ -33,7 +33,7 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
         component.iter().for_each(|&rule| cycle[rule] = Some(number));
     }
     let sets = [Ends::All, Ends::ButWholeSplits, Ends::ButChance].map(|ends| (ends, going_on(cx, calls, &cycle, ends)));
-    let mut agreed = Agreed::default();
+    let mut common = CommonDiags::default();
     for component in &cycles {
         let found =
             sets.iter().find_map(|(ends, set)| Some((*ends, component.iter().copied().find(|rule| set[*rule])?)));
@@ -45,7 +45,7 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
         let name = &item.decl.name;
         let others = component.iter().filter(|other| **other != rule).map(|other| &globals.rules[*other].decl.name);
         let way = by_way_of(others.map(|name| &name.text));
-        agreed.check(item, |diags| {
+        common.check(item, |diags| {
             let what = format!("`{}` calls itself{way}", name.text);
             let diag = match ends {
                 Ends::All => {
@@ -71,7 +71,7 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
             diag.help("write a `case` with a branch that does not call it, as in `case scope.sx < 0.1 : … else : …`");
         });
     }
-    agreed.finish()
+    common.finish()
 }
 
 /// The first call of a rule in a list of operations.

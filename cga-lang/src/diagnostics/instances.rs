@@ -10,11 +10,11 @@ use std::collections::hash_map::Entry;
 
 /// The diagnostics that all instances so far agree on, by the name of the declaration they are about.
 #[derive(Default)]
-pub(crate) struct Agreed {
+pub(crate) struct CommonDiags {
     by_name: HashMap<u32, Vec<Diag>>,
 }
 
-impl Agreed {
+impl CommonDiags {
     /// Checks an instance of a declaration. Once an instance has no diagnostics, the remaining ones need no check.
     pub(crate) fn check(&mut self, item: &Declared, check: impl FnOnce(&mut Diags)) {
         let known = self.by_name.entry(item.decl.name.id());

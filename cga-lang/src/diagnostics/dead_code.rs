@@ -2,7 +2,7 @@
 //!
 //! A shape with children is not a leaf, so operations after its last child have no visible effect.
 
-use super::agreed::Agreed;
+use super::instances::CommonDiags;
 use crate::analysis::body;
 use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
@@ -12,11 +12,11 @@ use crate::resolve::tables::{Entries, Use};
 use crate::syntax::ast::{Block, BlockPart, Op, OpKind};
 
 pub(crate) fn check(cx: &Context) -> Vec<Diag> {
-    let mut agreed = Agreed::default();
+    let mut common = CommonDiags::default();
     for item in &cx.globals.rules {
-        agreed.check(item, |diags| _ = sequence(body(item), false, false, cx.tables.at(item.own), diags));
+        common.check(item, |diags| _ = sequence(body(item), false, false, cx.tables.at(item.own), diags));
     }
-    agreed.finish()
+    common.finish()
 }
 
 /// Checks the operations of one shape, and returns true if the shape certainly has a child after them. `made` is true

@@ -3,7 +3,7 @@
 //! A host program may begin with any rule without parameters, marked or not. A file may be imported by other files;
 //! in such a file, only rules are reported that continue a leaf of an import that does not exist.
 
-use super::agreed::Agreed;
+use super::instances::CommonDiags;
 use crate::analysis::{Calls, body};
 use crate::diag::code::Code;
 use crate::diag::{Basis, Diag};
@@ -31,12 +31,12 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
         callees.iter().filter(|callee| caller < **callee).for_each(|&callee| called[callee] = true);
     }
     let uncalled = uncalled(cx, calls);
-    let mut agreed = Agreed::default();
+    let mut common = CommonDiags::default();
     for (rule, item) in globals.rules.iter().enumerate() {
         if !program.roots.contains(&item.instance) {
             continue;
         }
-        agreed.check(item, |diags| {
+        common.check(item, |diags| {
             if uncalled.contains(&rule) {
                 let name = &item.decl.name;
                 let diag = diags.report(Code::RuleNotReached, name.span, format!("no rule calls `{}`", name.text));
@@ -67,7 +67,7 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
             }
         });
     }
-    agreed.finish()
+    common.finish()
 }
 
 /// The rules without parameters that no rule calls and no annotation names, if another rule is marked as the start.
