@@ -5,10 +5,11 @@
 //! shows the diagnostics and `codegen` writes Rust.
 #![forbid(unsafe_code)]
 
-/// Tokens of generated code, as with `quote!`. Local names are hygienic, and other names mean what they mean here.
+/// Tokens of generated code at the current location, as with `quote!`. Local names are hygienic, and other names mean what they mean
+/// at the macro call.
 macro_rules! code {
     ($($tokens:tt)*) => {
-        quote::quote_spanned!(proc_macro2::Span::mixed_site()=> $($tokens)*)
+        quote::quote_spanned!(crate::location::current()=> $($tokens)*)
     };
 }
 
@@ -17,6 +18,7 @@ mod codegen;
 mod editor;
 mod header;
 mod input;
+mod location;
 mod output;
 mod problem;
 mod report;

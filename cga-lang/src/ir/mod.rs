@@ -317,7 +317,16 @@ pub enum Childless {
 
 /// One step of a rule. Steps act on the current shape, in order.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Step {
+pub struct Step {
+    /// The kind of step.
+    pub kind: StepKind,
+    /// The operation or successor in the rules.
+    pub span: Span,
+}
+
+/// The kinds of steps.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StepKind {
     /// Changes the current shape.
     Do(&'static Operation, Vec<Arg>),
     /// `set(name, value)` on a declared attribute.
@@ -327,7 +336,7 @@ pub enum Step {
     /// Something that is known and does nothing yet.
     Later(String),
     /// A Rust function as operation: `path::to(args)`.
-    Rust(String, Vec<Expr>, Span),
+    Rust(String, Vec<Expr>),
     /// A successor: hands a copy of the current shape on.
     Give(Target),
     /// Makes parts of the current shape, each with a successor.

@@ -1,6 +1,8 @@
 //! Over the steps and expressions of a grammar.
 
-use crate::ir::{Arg, Arm, Block, BlockParts, Expr, ExprKind, Function, Grammar, Renew, Rule, Selector, Step, Target};
+use crate::ir::{
+    Arg, Arm, Block, BlockParts, Expr, ExprKind, Function, Grammar, Renew, Rule, Selector, Step, StepKind, Target,
+};
 
 macro_rules! step_walkers {
     ($($life:lifetime)?, $iter:ident, [$($mutable:tt)?], $(#[$about:meta])* $steps:ident, $targets:ident, $exprs:ident, $args:ident) => {
@@ -12,20 +14,20 @@ macro_rules! step_walkers {
         ) {
             for step in list {
                 visit(step);
-                match step {
-                    Step::Push(inner) => $steps(inner, visit),
-                    Step::Case { arms, otherwise } => {
+                match & $($mutable)? step.kind {
+                    StepKind::Push(inner) => $steps(inner, visit),
+                    StepKind::Case { arms, otherwise } => {
                         arms.$iter().for_each(|(_, inner)| $steps(inner, visit));
                         $steps(otherwise, visit);
                     }
-                    Step::Do(..)
-                    | Step::SetAttr(..)
-                    | Step::SetShape(..)
-                    | Step::Later(..)
-                    | Step::Rust(..)
-                    | Step::Give(_)
-                    | Step::Block(_)
-                    | Step::Renew(_) => {}
+                    StepKind::Do(..)
+                    | StepKind::SetAttr(..)
+                    | StepKind::SetShape(..)
+                    | StepKind::Later(..)
+                    | StepKind::Rust(..)
+                    | StepKind::Give(_)
+                    | StepKind::Block(_)
+                    | StepKind::Renew(_) => {}
                 }
             }
         }
@@ -33,37 +35,37 @@ macro_rules! step_walkers {
         /// The successors of a step.
         $(#[$about])*
         pub fn $targets(step: & $($mutable)? Step) -> Vec<& $($mutable)? Target> {
-            match step {
-                Step::Give(target) | Step::Renew(Renew { target, .. }) => vec![target],
-                Step::Block(Block { parts: BlockParts::Slots(slots), .. }) => slots.targets.$iter().collect(),
-                Step::Block(Block { parts: BlockParts::Arms(arms), .. }) => {
+            match & $($mutable)? step.kind {
+                StepKind::Give(target) | StepKind::Renew(Renew { target, .. }) => vec![target],
+                StepKind::Block(Block { parts: BlockParts::Slots(slots), .. }) => slots.targets.$iter().collect(),
+                StepKind::Block(Block { parts: BlockParts::Arms(arms), .. }) => {
                     arms.$iter().map(|arm| & $($mutable)? arm.then).collect()
                 }
-                Step::Block(Block { parts: BlockParts::Sections(parts), .. }) => {
+                StepKind::Block(Block { parts: BlockParts::Sections(parts), .. }) => {
                     let rest = parts.rest.$iter().map(|arm| & $($mutable)? arm.then);
                     parts.slots.targets.$iter().chain(rest).collect()
                 }
-                Step::Block(Block { parts: BlockParts::Each(target), .. }) => vec![target],
-                Step::Block(Block { parts: BlockParts::Operands(targets), .. }) => targets.$iter().collect(),
-                Step::Do(..)
-                | Step::SetAttr(..)
-                | Step::SetShape(..)
-                | Step::Later(..)
-                | Step::Rust(..)
-                | Step::Push(_)
-                | Step::Case { .. } => Vec::new(),
+                StepKind::Block(Block { parts: BlockParts::Each(target), .. }) => vec![target],
+                StepKind::Block(Block { parts: BlockParts::Operands(targets), .. }) => targets.$iter().collect(),
+                StepKind::Do(..)
+                | StepKind::SetAttr(..)
+                | StepKind::SetShape(..)
+                | StepKind::Later(..)
+                | StepKind::Rust(..)
+                | StepKind::Push(_)
+                | StepKind::Case { .. } => Vec::new(),
             }
         }
 
         /// The expressions of a step itself, without the arguments of its successors.
         $(#[$about])*
         pub fn $exprs(step: & $($mutable)? Step) -> Vec<& $($mutable)? Expr> {
-            match step {
-                Step::Do(_, args) => args.$iter().filter_map($args).collect(),
-                Step::SetAttr(_, value) | Step::SetShape(_, value) => vec![value],
-                Step::Rust(_, args, _) => args.$iter().collect(),
-                Step::Renew(call) => call.given.$iter().map(|(_, value)| value).collect(),
-                Step::Block(block) => {
+            match & $($mutable)? step.kind {
+                StepKind::Do(_, args) => args.$iter().filter_map($args).collect(),
+                StepKind::SetAttr(_, value) | StepKind::SetShape(_, value) => vec![value],
+                StepKind::Rust(_, args) => args.$iter().collect(),
+                StepKind::Renew(call) => call.given.$iter().map(|(_, value)| value).collect(),
+                StepKind::Block(block) => {
                     let mut list: Vec<_> = block.args.$iter().filter_map($args).collect();
                     match & $($mutable)? block.parts {
                         BlockParts::Slots(slots) => list.extend(slots.sizes.$iter().map(|size| & $($mutable)? size.value)),
@@ -79,8 +81,8 @@ macro_rules! step_walkers {
                     }
                     list
                 }
-                Step::Case { arms, .. } => arms.$iter().map(|(condition, _)| condition).collect(),
-                Step::Give(_) | Step::Push(_) | Step::Later(..) => Vec::new(),
+                StepKind::Case { arms, .. } => arms.$iter().map(|(condition, _)| condition).collect(),
+                StepKind::Give(_) | StepKind::Push(_) | StepKind::Later(..) => Vec::new(),
             }
         }
 

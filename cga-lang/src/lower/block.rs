@@ -2,7 +2,8 @@
 
 use super::{LONGEST_SOURCE, Lower};
 use crate::ir::{
-    Arg as IrArg, Arm, Block, BlockParts, Comp, Expr, ExprKind, Item, Sections, Selector, Slots, Step, Target, Type,
+    Arg as IrArg, Arm, Block, BlockParts, Comp, Expr, ExprKind, Item, Sections, Selector, Slots, Step, StepKind,
+    Target, Type,
 };
 use crate::lower::fold::fold;
 use crate::ops::{self, Braces, Directions, Operation, Run, SameAs, SelectorPlaces};
@@ -11,10 +12,10 @@ use crate::span::Span;
 use crate::syntax::ast::{self, ArmMode, BlockPart, Section, SplitItem};
 
 impl<'c> Lower<'c> {
-    pub(super) fn block(&mut self, block: &'c ast::Block) -> Option<Step> {
+    pub(super) fn block(&mut self, block: &'c ast::Block) -> Option<StepKind> {
         let Use::Operation(row) = self.used(&block.name)? else { return None };
         if row.run == Run::Later {
-            return Some(Step::Later(block.name.text.clone()));
+            return Some(StepKind::Later(block.name.text.clone()));
         }
         let args = self.args(row, &block.args, block.name.span);
         let parts = match (row.braces, block.parts.as_slice()) {
@@ -35,15 +36,18 @@ impl<'c> Lower<'c> {
                 BlockParts::Operands(sides.iter().map(|ops| self.part(ops, block.name.span)).collect())
             }
             // Braces that could not be read.
-            _ => return Some(Step::Later(block.name.text.clone())),
+            _ => return Some(StepKind::Later(block.name.text.clone())),
         };
-        Some(Step::Block(Block { row, args, parts }))
+        Some(StepKind::Block(Block { row, args, parts }))
     }
 
     /// The operand of `modify`: a rule that divides the shape into its components.
     fn modified(&mut self, row: &'static Operation, args: &[IrArg], arms: &'c [ast::Arm], span: Span) -> Target {
         let arms = |lower: &mut Self| BlockParts::Arms(arms.iter().map(|arm| lower.arm_of(arm)).collect());
-        self.block_rule(span, |lower| vec![Step::Block(Block { row, args: args.to_vec(), parts: arms(lower) })])
+        self.block_rule(span, |lower| {
+            let kind = StepKind::Block(Block { row, args: args.to_vec(), parts: arms(lower) });
+            vec![Step { kind, span }]
+        })
     }
 
     fn slots(&mut self, items: &'c [SplitItem], repeat: bool, out: &mut Slots, owner: Span) {

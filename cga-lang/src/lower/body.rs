@@ -1,7 +1,7 @@
 //! Steps of a rule. Operations of a part in braces become a rule of their own, unless they only name a successor.
 
 use super::{Lower, expr};
-use crate::ir::{Arg, Expr, ExprKind, GlobalId, Param, Prefix, Rule, RuleId, Size, Step, Target, walk};
+use crate::ir::{Arg, Expr, ExprKind, GlobalId, Param, Prefix, Rule, RuleId, Size, Step, StepKind, Target, walk};
 use crate::lower::fold::fold;
 use crate::ops::{self, Operation, ParamKind, Run, Words};
 use crate::resolve::tables::Use;
@@ -14,27 +14,26 @@ impl<'c> Lower<'c> {
     }
 
     fn step(&mut self, op: &'c ast::Op) -> Option<Step> {
-        Some(match &op.kind {
-            OpKind::Call(name, args) => return self.call(op.span, name, args),
-            OpKind::Leaf(name) => Step::Give(Target::Leaf(name.text.clone())),
-            OpKind::Nil => Step::Give(Target::Nil),
-            OpKind::Path(name, args) => Step::Rust(name.text.clone(), self.values(args), name.span),
-            OpKind::Push(ops) => Step::Push(self.steps(ops)),
-            OpKind::Block(block) => return self.block(block),
-            OpKind::Dynamic { import, overrides, rule, args } => {
-                return self.dynamic((import, overrides), (rule, args));
-            }
-            OpKind::Case(arms, otherwise) => Step::Case {
+        let kind = match &op.kind {
+            OpKind::Call(name, args) => self.call(op.span, name, args)?,
+            OpKind::Leaf(name) => StepKind::Give(Target::Leaf(name.text.clone())),
+            OpKind::Nil => StepKind::Give(Target::Nil),
+            OpKind::Path(name, args) => StepKind::Rust(name.text.clone(), self.values(args)),
+            OpKind::Push(ops) => StepKind::Push(self.steps(ops)),
+            OpKind::Block(block) => self.block(block)?,
+            OpKind::Dynamic { import, overrides, rule, args } => self.dynamic((import, overrides), (rule, args))?,
+            OpKind::Case(arms, otherwise) => StepKind::Case {
                 arms: arms.iter().map(|(test, ops)| (self.folded(test), self.steps(ops))).collect(),
                 otherwise: self.steps(otherwise),
             },
             OpKind::Chance(arms, otherwise) => {
                 let draws = expr::draws(arms.iter().map(|(percent, _)| percent));
                 let arms = draws.zip(arms).map(|(draw, (_, ops))| (draw, self.steps(ops))).collect();
-                Step::Case { arms, otherwise: self.steps(otherwise) }
+                StepKind::Case { arms, otherwise: self.steps(otherwise) }
             }
             OpKind::Error => return None,
-        })
+        };
+        Some(Step { kind, span: op.span })
     }
 
     pub(super) fn folded(&mut self, expr: &ast::Expr) -> Expr {
@@ -78,21 +77,21 @@ impl<'c> Lower<'c> {
         list
     }
 
-    fn call(&mut self, span: Span, name: &'c ast::Name, args: &'c [ast::Arg]) -> Option<Step> {
+    fn call(&mut self, span: Span, name: &'c ast::Name, args: &'c [ast::Arg]) -> Option<StepKind> {
         if self.is_later(name) {
-            return Some(Step::Later(name.text.clone()));
+            return Some(StepKind::Later(name.text.clone()));
         }
         Some(match self.used(name)? {
-            Use::Operation(row) if row.run == Run::Later => Step::Later(name.text.clone()),
-            Use::Operation(row) => Step::Do(row, self.args(row, args, span)),
+            Use::Operation(row) if row.run == Run::Later => StepKind::Later(name.text.clone()),
+            Use::Operation(row) => StepKind::Do(row, self.args(row, args, span)),
             Use::SetAttr(index) => {
                 self.out.globals[index as usize].is_set = true;
-                Step::SetAttr(GlobalId(index), self.folded(&args.get(1)?.value))
+                StepKind::SetAttr(GlobalId(index), self.folded(&args.get(1)?.value))
             }
-            Use::SetShape(row) if row.set == Some(Run::Later) => Step::Later(format!("set({})", row.name)),
-            Use::SetShape(row) if row.kind.is_file() => Step::SetShape(row, self.file(&args.get(1)?.value)),
-            Use::SetShape(row) => Step::SetShape(row, self.folded(&args.get(1)?.value)),
-            _ => Step::Give(self.successor(name, args)?),
+            Use::SetShape(row) if row.set == Some(Run::Later) => StepKind::Later(format!("set({})", row.name)),
+            Use::SetShape(row) if row.kind.is_file() => StepKind::SetShape(row, self.file(&args.get(1)?.value)),
+            Use::SetShape(row) => StepKind::SetShape(row, self.folded(&args.get(1)?.value)),
+            _ => StepKind::Give(self.successor(name, args)?),
         })
     }
 

@@ -1,7 +1,7 @@
 //! Finds out if a rule has made a child by the end of its body. A shape without children is a leaf. `NIL` is a child that
 //! vanishes.
 
-use crate::ir::{BlockParts, Childless, Step};
+use crate::ir::{BlockParts, Childless, Step, StepKind};
 
 /// Which paths can get to a place: with a child made, without one.
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
@@ -33,17 +33,21 @@ pub(super) fn of(body: &[Step]) -> Childless {
 fn walk(steps: &[Step], start: Paths) -> Paths {
     let mut paths = start;
     for step in steps {
-        paths = match step {
-            Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) | Step::Later(..) => paths,
-            Step::Give(_) | Step::Renew(_) => paths.child(),
-            Step::Block(block) => match block.parts {
+        paths = match &step.kind {
+            StepKind::Do(..)
+            | StepKind::SetAttr(..)
+            | StepKind::SetShape(..)
+            | StepKind::Rust(..)
+            | StepKind::Later(..) => paths,
+            StepKind::Give(_) | StepKind::Renew(_) => paths.child(),
+            StepKind::Block(block) => match block.parts {
                 BlockParts::Arms(_) | BlockParts::Sections(_) | BlockParts::Each(_) => paths.child(),
                 // It may not divide: the scope can be empty, every slot dropped.
                 BlockParts::Slots(_) => paths.or(paths.child()),
                 BlockParts::Operands(_) => paths,
             },
-            Step::Push(steps) => walk(steps, paths),
-            Step::Case { arms, otherwise } => {
+            StepKind::Push(steps) => walk(steps, paths),
+            StepKind::Case { arms, otherwise } => {
                 let end = walk(otherwise, paths);
                 arms.iter().fold(end, |all, (_, steps)| all.or(walk(steps, paths)))
             }

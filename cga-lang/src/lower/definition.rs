@@ -1,6 +1,6 @@
 //! Definitions that become one: their expressions and references, and the form that is compared.
 
-use crate::ir::{Expr, ExprKind, FunctionId, GlobalId, Param, RenewalId, RuleId, Step, Target, Type, walk};
+use crate::ir::{Expr, ExprKind, FunctionId, GlobalId, Param, RenewalId, RuleId, Step, StepKind, Target, Type, walk};
 use crate::span::Span;
 
 /// The condition that holds in some cases: [`ExprKind::Style`] or [`ExprKind::Site`].
@@ -46,9 +46,9 @@ pub(super) trait Definition: Clone {
             });
         });
         walk::steps_mut(self.steps(), &mut |step| {
-            match step {
-                Step::SetAttr(id, _) => visit(Reference::Set(id)),
-                Step::Renew(call) => {
+            match &mut step.kind {
+                StepKind::SetAttr(id, _) => visit(Reference::Set(id)),
+                StepKind::Renew(call) => {
                     call.given.iter_mut().for_each(|(id, _)| visit(Reference::Set(id)));
                     visit(Reference::Renewal(&mut call.renewal));
                 }
@@ -68,9 +68,7 @@ pub(super) trait Definition: Clone {
         own.references(refer);
         own.exprs(&mut |expr| walk::parts_mut(expr, &mut |part| part.span = Span::default()));
         walk::steps_mut(own.steps(), &mut |step| {
-            if let Step::Rust(.., span) = step {
-                *span = Span::default();
-            }
+            step.span = Span::default();
             for target in walk::targets_mut(step) {
                 if let Target::Rule { span, .. } = target {
                     *span = Span::default();

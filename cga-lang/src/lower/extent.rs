@@ -5,7 +5,7 @@
 //! nothing.
 
 use crate::ir::{
-    Arg, Axis, Block, BlockParts, Grammar, Prefix, Renew, RuleId, Size, Slots, Solved, Step, Target, Value,
+    Arg, Axis, Block, BlockParts, Grammar, Prefix, Renew, RuleId, Size, Slots, Solved, Step, StepKind, Target, Value,
 };
 use crate::ops::{Braces, Effect, MOST_SIZE, Measure};
 use cga_split::solve;
@@ -106,27 +106,27 @@ pub(super) fn solve_known(grammar: &mut Grammar) {
 /// leave them. A rule is followed again when less is known of it, so the last solution stands.
 fn follow(steps: &mut [Step], mut known: KnownExtents, hand_on: &mut dyn FnMut(&Target, KnownExtents)) -> KnownExtents {
     for step in steps {
-        match step {
-            Step::Give(target) | Step::Renew(Renew { target, .. }) => hand_on(target, known),
-            Step::Block(block) => known = divide(block, known, hand_on),
-            Step::Push(inner) => {
+        match &mut step.kind {
+            StepKind::Give(target) | StepKind::Renew(Renew { target, .. }) => hand_on(target, known),
+            StepKind::Block(block) => known = divide(block, known, hand_on),
+            StepKind::Push(inner) => {
                 follow(inner, known, hand_on);
             }
-            Step::Case { arms, otherwise } => {
+            StepKind::Case { arms, otherwise } => {
                 let branches = arms.iter_mut().map(|(_, inner)| inner).chain([otherwise]);
                 let after = branches.map(|inner| follow(inner, known, hand_on)).reduce(KnownExtents::and);
                 known = after.unwrap_or(known);
             }
-            step => known = after(step, known),
+            kind => known = after(kind, known),
         }
     }
     known
 }
 
 /// The extents after a step without successors.
-fn after(step: &Step, known: KnownExtents) -> KnownExtents {
-    match step {
-        Step::Do(row, args) => match row.scope {
+fn after(kind: &StepKind, known: KnownExtents) -> KnownExtents {
+    match kind {
+        StepKind::Do(row, args) => match row.scope {
             Effect::Keeps => known,
             Effect::KeepsSize => KnownExtents { solid: false, ..known },
             Effect::Sizes => known.resize(args),
@@ -139,8 +139,8 @@ fn after(step: &Step, known: KnownExtents) -> KnownExtents {
             | Effect::FillsWithBox
             | Effect::Fills => known.moved_on(),
         },
-        Step::SetShape(row, ..) if row.set_scope != Effect::Keeps => known.moved_on(),
-        Step::Rust(..) => NOTHING,
+        StepKind::SetShape(row, ..) if row.set_scope != Effect::Keeps => known.moved_on(),
+        StepKind::Rust(..) => NOTHING,
         _ => known,
     }
 }

@@ -1,7 +1,7 @@
 //! `id(overrides).Rule(args)`: a rule of an import whose attributes are computed again.
 
 use super::Lower;
-use crate::ir::{GlobalId, Renew, Renewal, RenewalId, Step, Target};
+use crate::ir::{GlobalId, Renew, Renewal, RenewalId, StepKind, Target};
 use crate::link::InstanceId;
 use crate::resolve::tables::Use;
 use crate::syntax::ast::{Arg, Name, Override};
@@ -13,7 +13,7 @@ impl<'c> Lower<'c> {
         &mut self,
         (import, overrides): (&'c Name, &'c [Override]),
         (rule, args): (&'c Name, &'c [Arg]),
-    ) -> Option<Step> {
+    ) -> Option<StepKind> {
         let program = self.checked.globals.program;
         let own = &program.instances[program.home(self.own)];
         let target = own.dynamic.get(&import.id()).or(own.imports.get(&import.text)?.as_ref()).copied()?;
@@ -31,7 +31,7 @@ impl<'c> Lower<'c> {
             Use::Leaf => Target::Leaf(format!("{}.{}", import.text, rule.text)),
             _ => self.successor(rule, args)?,
         };
-        Some(Step::Renew(Renew { given, renewal, target }))
+        Some(StepKind::Renew(Renew { given, renewal, target }))
     }
 
     /// The attributes and constants that are computed again with an instance; equal for all calls.

@@ -4,7 +4,7 @@
 
 use super::childless;
 use super::definition::{CanonicalForm, CaseCondition, Definition, Variant};
-use crate::ir::{Expr, ExprKind, Function, Global, Param, Rule, Step, Type, Value, walk};
+use crate::ir::{Expr, ExprKind, Function, Global, Param, Rule, Step, StepKind, Type, Value, walk};
 use crate::span::Span;
 use std::cmp::Reverse;
 
@@ -93,7 +93,7 @@ impl Definition for Rule {
         let mut bodies: Vec<(Expr, Vec<Step>)> =
             variants.into_iter().map(|it| (is_case(it.cases, own.span, when), it.own.body)).collect();
         let otherwise = bodies.pop().map(|(_, body)| body).unwrap_or_default();
-        let body = vec![Step::Case { arms: bodies, otherwise }];
+        let body = vec![Step { kind: StepKind::Case { arms: bodies, otherwise }, span: own.span }];
         Rule { leaf: childless::of(&body), body, params, locals, ..own }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::ir_print::print;
 use cga_lang::compile::{Compiled, Dialect, compile};
-use cga_lang::ir::{BlockParts, Item, Renew, RuleId, Step, Target, Type};
+use cga_lang::ir::{BlockParts, Item, Renew, RuleId, Step, StepKind, Target, Type};
 use cga_lang::link::{NoFiles, Unit};
 use cga_lang::syntax::lex::lex;
 use cga_lang::syntax::token::{Tok, Tokens};
@@ -39,9 +39,9 @@ fn a_target_passes_as_many_arguments_as_its_rule_has_parameters() {
 
 fn targets(steps: &[Step], visit: &mut dyn FnMut(&Target)) {
     for step in steps {
-        match step {
-            Step::Give(target) | Step::Renew(Renew { target, .. }) => visit(target),
-            Step::Block(block) => {
+        match &step.kind {
+            StepKind::Give(target) | StepKind::Renew(Renew { target, .. }) => visit(target),
+            StepKind::Block(block) => {
                 assert_eq!(block.args.len(), block.row.params.len());
                 match &block.parts {
                     BlockParts::Slots(own) => {
@@ -59,12 +59,16 @@ fn targets(steps: &[Step], visit: &mut dyn FnMut(&Target)) {
                     BlockParts::Operands(targets) => targets.iter().for_each(&mut *visit),
                 }
             }
-            Step::Push(steps) => targets(steps, visit),
-            Step::Case { arms, otherwise } => {
+            StepKind::Push(steps) => targets(steps, visit),
+            StepKind::Case { arms, otherwise } => {
                 arms.iter().for_each(|(_, steps)| targets(steps, visit));
                 targets(otherwise, visit);
             }
-            Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) | Step::Later(..) => {}
+            StepKind::Do(..)
+            | StepKind::SetAttr(..)
+            | StepKind::SetShape(..)
+            | StepKind::Rust(..)
+            | StepKind::Later(..) => {}
         }
     }
 }

@@ -16,9 +16,9 @@ impl Generator<'_> {
     /// An expression on a slim shape. It gets the whole shape if it reads more than the slim one has.
     fn on_slim(&self, expr: &Expr, at: &Access) -> TokenStream {
         if !self.facts.expr(expr).has(Uses::WHOLE) {
-            return self.expr(expr, &Access { is_slim: false, ..at.clone() });
+            return self.value(expr, &Access { is_slim: false, ..at.clone() });
         }
-        let (env, slim, code) = (&at.env, &at.shape, self.expr(expr, &Access::whole()));
+        let (env, slim, code) = (&at.env, &at.shape, self.value(expr, &Access::whole()));
         code! { {
             let slim = #slim;
             let mut whole = #env.whole(slim);
@@ -33,13 +33,15 @@ impl Generator<'_> {
 
     /// An expression.
     pub(super) fn expr(&self, expr: &Expr, at: &Access) -> TokenStream {
-        if at.is_slim {
-            return self.on_slim(expr, at);
-        }
+        self.at(expr.span, || if at.is_slim { self.on_slim(expr, at) } else { self.value(expr, at) })
+    }
+
+    /// An expression at the current location.
+    fn value(&self, expr: &Expr, at: &Access) -> TokenStream {
         match &expr.kind {
             ExprKind::Value(known) => value(known),
             ExprKind::Param(number) => {
-                let name = local("p", *number as usize);
+                let name = self.param(*number as usize);
                 cloned(expr.ty, code!(#name))
             }
             ExprKind::Global(id) => match self.grammar.global(*id) {
@@ -252,7 +254,7 @@ impl Generator<'_> {
             |global: &Global| !global.is_set && !global.lazy && (global.attr.is_some() || global.known.is_none());
         let name = match expr.kind {
             ExprKind::Param(number) => {
-                let name = local("p", number as usize);
+                let name = self.param(number as usize);
                 return code!(#name);
             }
             ExprKind::Global(id) if is_stored(self.grammar.global(id)) => self.global_name(id),

@@ -4,27 +4,27 @@
 //! They follow from the rules alone, so that a run is the same in every build.
 
 use cga_lang::ir::walk;
-use cga_lang::ir::{Arm, BlockParts, Expr, ExprKind, Function, Rule, Selector, Step, Target, Type, Value};
+use cga_lang::ir::{Arm, BlockParts, Expr, ExprKind, Function, Rule, Selector, StepKind, Target, Type, Value};
 
 /// Kilobytes that a rule takes, with what the runtime's operations that call it back take.
 pub(super) fn rule(rule: &Rule) -> u32 {
     let mut bytes: usize = 1000;
     walk::steps(&rule.body, &mut |step| {
-        bytes += match step {
-            Step::Give(Target::Nil) => 100,
-            Step::Give(_) => 700,
-            Step::Block(block) => match &block.parts {
+        bytes += match &step.kind {
+            StepKind::Give(Target::Nil) => 100,
+            StepKind::Give(_) => 700,
+            StepKind::Block(block) => match &block.parts {
                 BlockParts::Slots(slots) => 3000 + 500 * slots.targets.len(),
                 BlockParts::Arms(arms) => 4000 + 500 * arms.len(),
                 BlockParts::Sections(parts) => 4000 + 500 * (parts.slots.targets.len() + parts.rest.len()),
                 BlockParts::Each(_) => 4000,
                 BlockParts::Operands(targets) => 4000 + 500 * targets.len(),
             },
-            Step::Push(_) => 400,
+            StepKind::Push(_) => 400,
             // A whole shape, a base and two slim shapes; steps after each other share them.
-            Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) => 1300,
-            Step::Renew(call) => 2300 + 200 * call.given.len(),
-            Step::Later(..) | Step::Case { .. } => 100,
+            StepKind::Do(..) | StepKind::SetAttr(..) | StepKind::SetShape(..) | StepKind::Rust(..) => 1300,
+            StepKind::Renew(call) => 2300 + 200 * call.given.len(),
+            StepKind::Later(..) | StepKind::Case { .. } => 100,
         }
     });
     // Intermediate values have stack slots too.

@@ -57,7 +57,7 @@ fn waiting<'c>(cx: &'c Generator<'_>) -> impl Iterator<Item = (RuleId, Vec<Token
     let rules = rules.filter(|(id, _)| cx.plan.may_wait(*id) || cx.templates.may_be_left_out(*id));
     rules.map(|(id, rule)| {
         let site = site::param(rule.sites.len()).map(|(_, ty)| ty);
-        (id, site.into_iter().chain(given(&rule.params, &rule.locals).map(|(_, ty)| ty)).collect())
+        (id, site.into_iter().chain(given(&rule.params, &rule.locals)).collect())
     })
 }
 

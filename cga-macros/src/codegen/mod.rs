@@ -45,6 +45,7 @@ use cga_lang::ops::Run;
 use proc_macro2::{Ident, Span, TokenStream};
 
 use crate::header::Header;
+use crate::location;
 use crate::output::{HostType, Output};
 use crate::source::Source;
 
@@ -75,6 +76,8 @@ struct Generator<'a> {
     /// The rules that recomposed operands reach: their `NIL` still moves neighbours.
     recomposed: HashSet<RuleId>,
     material_changes: RefCell<site::MaterialChanges>,
+    /// The names of the parameters of the rule or function that is written.
+    params: RefCell<Vec<String>>,
 }
 
 /// Writes a grammar.
@@ -100,6 +103,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         templates,
         recomposed: operands::recomposed(grammar),
         material_changes: RefCell::default(),
+        params: RefCell::default(),
     };
     let (values, call) = (items::values(&cx), items::calls(&cx));
     let (rules, functions) = (rule::rules(&cx), rule::functions(&cx));
@@ -160,6 +164,19 @@ fn inner_type(ty: Type) -> TokenStream {
 }
 
 impl Generator<'_> {
+    /// Code at the location of its rules. In a string or a file, all of them are at the macro call.
+    fn at<T>(&self, span: cga_lang::span::Span, write: impl FnOnce() -> T) -> T {
+        match self.source.inline(span.first) {
+            Some(token) => location::at(token, write),
+            None => write(),
+        }
+    }
+
+    /// A parameter or local of the rule or function that is written.
+    fn param(&self, number: usize) -> Ident {
+        names::ident(&self.params.borrow()[number], location::current())
+    }
+
     /// A function of the hidden impl, with the span of a use.
     fn rule(&self, rule: RuleId, place: Span) -> Ident {
         self.names.rule(rule, place)
@@ -168,7 +185,7 @@ impl Generator<'_> {
 
 /// A name of the generated code or of the runtime, with the span of [`code!`].
 fn hygienic(name: &str) -> Ident {
-    Ident::new(name, Span::mixed_site())
+    Ident::new(name, location::current())
 }
 
 /// The runtime's function for a row of the tables.

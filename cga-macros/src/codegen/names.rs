@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use cga_lang::ir::{FunctionId, Grammar, RuleId};
+use cga_lang::ir::{FunctionId, Grammar, Param, RuleId};
 use proc_macro2::{Ident, Span};
 
 /// One name for each rule and function.
@@ -29,6 +29,25 @@ impl ItemNames {
     pub(super) fn function(&self, function: FunctionId, place: Span) -> Ident {
         ident(&self.functions[function.0 as usize], place)
     }
+}
+
+/// The names of the parameters and locals of a rule or function, which debuggers show. They are locals among those of the generated
+/// code, so a name that is taken gets a line at the end.
+pub(super) fn params(params: &[Param]) -> Vec<String> {
+    let mut taken = Taken::default();
+    if !params.is_empty() {
+        taken.all.extend(LOCALS.iter().map(|name| (*name).to_owned()));
+    }
+    let free = |name: &str| {
+        let numbered = NUMBERED.contains(&name.trim_end_matches(|c: char| c.is_ascii_digit()));
+        // Rust takes the name of a constant in scope for the constant.
+        if numbered && !NUMBERED.contains(&name) || name.starts_with(char::is_uppercase) {
+            format!("{name}_")
+        } else {
+            name.into()
+        }
+    };
+    params.iter().map(|param| taken.field(&free(&param.name))).collect()
 }
 
 /// Names that are taken already.
@@ -98,6 +117,49 @@ const RESERVED: &[&str] = &[
     "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
+/// The locals of generated code.
+const LOCALS: &[&str] = &[
+    "again",
+    "arm",
+    "arms",
+    "at_most",
+    "axis",
+    "base",
+    "bases",
+    "begun",
+    "candidate",
+    "changed",
+    "childless",
+    "cx",
+    "division",
+    "env",
+    "extent",
+    "file",
+    "flow",
+    "g",
+    "has_parts",
+    "lengths",
+    "made",
+    "operands",
+    "own",
+    "part",
+    "pieces",
+    "renewed",
+    "rest",
+    "row",
+    "sections",
+    "shape",
+    "site",
+    "sizes",
+    "slim",
+    "slot",
+    "value",
+    "whole",
+];
+
+/// Locals of generated code with a number at the end: `a0`.
+const NUMBERED: &[&str] = &["a", "given_", "last"];
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -116,6 +178,17 @@ mod tests {
         let mut taken = Taken::default();
         let names = ["A", "A", "A_2", "A/1", "A_1", "self", "self_", "A"].map(|name| taken.numbered(name));
         assert_eq!(names, ["A", "A_2", "A_2_2", "A_1", "A_1_2", "self_", "self__2", "A_3"]);
+    }
+
+    #[test]
+    fn parameters_keep_names_that_are_free() {
+        let params_of = |names: &[&str]| {
+            let param = |name: &&str| Param { name: (*name).into(), ty: cga_lang::ir::Type::Float };
+            params(&names.iter().map(param).collect::<Vec<_>>())
+        };
+        assert_eq!(params_of(&["width", "a", "last", "i2", "match"]), ["width", "a", "last", "i2", "match"]);
+        assert_eq!(params_of(&["cx", "cx_", "self", "W", "a0"]), ["cx_", "cx__", "self_", "W_", "a0_"]);
+        assert_eq!(params_of(&["x", "x", "x_", "shape$1"]), ["x", "x_", "x__", "shape_1"]);
     }
 
     #[test]

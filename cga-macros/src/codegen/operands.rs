@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use cga_lang::ir::{Block, Grammar, RuleId, Step, Target, walk};
+use cga_lang::ir::{Block, Grammar, RuleId, StepKind, Target, walk};
 use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
@@ -14,7 +14,7 @@ pub(super) fn recomposed(grammar: &Grammar) -> HashSet<RuleId> {
     let mut todo = Vec::new();
     for rule in &grammar.rules {
         walk::steps(&rule.body, &mut |step| {
-            if let Step::Block(block) = step
+            if let StepKind::Block(block) = &step.kind
                 && block.recomposes()
             {
                 todo.extend(walk::targets(step).into_iter().filter_map(|target| match target {

@@ -1,21 +1,24 @@
 //! One function a rule, one function a function.
 
 use cga_lang::ir::walk;
-use cga_lang::ir::{Block, BlockParts, Childless, Expr, ExprKind, Function, Param, Rule, RuleId, Step, Target};
+use cga_lang::ir::{
+    Block, BlockParts, Childless, Expr, ExprKind, Function, FunctionId, Param, Rule, RuleId, Step, StepKind, Target,
+};
 use cga_lang::ops::{Changes, Run, Uses};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
 use super::access::Access;
-use super::{Generator, hygienic, inner_type, local, site};
+use super::{Generator, hygienic, inner_type, local, names, site};
 
 pub(super) fn rules(cx: &Generator<'_>) -> TokenStream {
-    (0..cx.grammar.rules.len() as u32).map(|number| cx.rule_function(RuleId(number))).collect()
+    let rules = cx.grammar.rules.iter().zip(0..);
+    rules.map(|(rule, number)| cx.at(rule.span, || cx.rule_function(RuleId(number), rule))).collect()
 }
 
 pub(super) fn functions(cx: &Generator<'_>) -> TokenStream {
-    let numbers = 0..cx.grammar.functions.len() as u32;
-    numbers.map(|number| cx.function(cga_lang::ir::FunctionId(number))).collect()
+    let functions = cx.grammar.functions.iter().zip(0..);
+    functions.map(|(own, number)| cx.at(own.span, || cx.function(FunctionId(number), own))).collect()
 }
 
 /// The rule that contains the steps.
@@ -35,11 +38,11 @@ struct Tail {
 }
 
 impl Generator<'_> {
-    fn rule_function(&self, id: RuleId) -> TokenStream {
-        let rule = &self.grammar.rules[id.0 as usize];
+    fn rule_function(&self, id: RuleId, rule: &Rule) -> TokenStream {
+        self.params.replace(names::params(&rule.params));
         let name = self.rule(id, self.source.token(rule.span.first));
         let site = site::param(rule.sites.len());
-        let (names, types): (Vec<_>, Vec<_>) = site.into_iter().chain(given(&rule.params, &rule.locals)).unzip();
+        let (names, types): (Vec<_>, Vec<_>) = site.into_iter().chain(self.given(&rule.params, &rule.locals)).unzip();
         let locals = self.locals(&rule.params, &rule.locals, &Access::rule());
         let doc = (!rule.source.is_empty()).then(|| {
             let source = &rule.source;
@@ -83,10 +86,10 @@ impl Generator<'_> {
         }
     }
 
-    fn function(&self, id: cga_lang::ir::FunctionId) -> TokenStream {
-        let function: &Function = &self.grammar.functions[id.0 as usize];
+    fn function(&self, id: FunctionId, function: &Function) -> TokenStream {
+        self.params.replace(names::params(&function.params));
         let name = self.names.function(id, self.source.token(function.span.first));
-        let params = given(&function.params, &function.locals);
+        let params = self.given(&function.params, &function.locals);
         let site = site::param(function.sites as usize);
         let (names, types): (Vec<_>, Vec<_>) = site.into_iter().chain(params).unzip();
         let ty = inner_type(function.ty);
@@ -117,6 +120,11 @@ impl Generator<'_> {
         }
     }
 
+    /// The parameters that are given, with their types.
+    fn given(&self, params: &[Param], locals: &[Expr]) -> impl Iterator<Item = (Ident, TokenStream)> {
+        given(params, locals).enumerate().map(|(number, ty)| (self.param(number), ty))
+    }
+
     /// Adds a rule to the trail; a block is a part of its rule.
     fn enter(&self, rule: &Rule, id: RuleId) -> TokenStream {
         if rule.block {
@@ -132,8 +140,10 @@ impl Generator<'_> {
     fn locals(&self, params: &[Param], locals: &[Expr], at: &Access) -> TokenStream {
         let first = params.len() - locals.len();
         let locals = locals.iter().enumerate().map(|(number, value)| {
-            let (name, value) = (local("p", first + number), self.expr(value, at));
-            code!(let #name = #value;)
+            self.at(value.span, || {
+                let (name, value) = (self.param(first + number), self.expr(value, at));
+                code!(let #name = #value;)
+            })
         });
         locals.collect()
     }
@@ -146,17 +156,17 @@ impl Generator<'_> {
             let count = rest.iter().take_while(|step| changes(step)).count();
             if 0 < count {
                 let (changes, behind) = rest.split_at(count);
-                code.extend(self.changed(changes));
+                code.extend(self.at(step.span, || self.changed(changes)));
                 rest = behind;
                 continue;
             }
             rest = behind;
-            if let Step::Case { arms, otherwise } = step {
+            if let StepKind::Case { arms, otherwise } = &step.kind {
                 debug_assert!(rest.is_empty(), "a case takes in everything behind it");
-                code.extend(self.branches((arms, otherwise), body, number, tail));
+                code.extend(self.at(step.span, || self.branches((arms, otherwise), body, number, tail)));
                 return code;
             }
-            code.extend(self.step(step, body, number, rest.is_empty()));
+            code.extend(self.at(step.span, || self.step(step, body, number, rest.is_empty())));
             number += children(step);
         }
         code.extend(if number == 0 { tail.childless.clone() } else { tail.otherwise.clone() });
@@ -165,12 +175,14 @@ impl Generator<'_> {
 
     /// Steps that change the current shape. They work on the slim shape if all of them can, else on the whole.
     fn changed(&self, steps: &[Step]) -> TokenStream {
-        if let Some(code) = steps.iter().map(|step| self.slim(step)).collect::<Option<TokenStream>>() {
-            let is_change = |step: &Step| !matches!(step, Step::Do(row, ..) if row.changes == Changes::Nothing);
+        let slim: Option<TokenStream> = steps.iter().map(|step| self.at(step.span, || self.slim(step))).collect();
+        if let Some(code) = slim {
+            let is_change =
+                |step: &Step| !matches!(&step.kind, StepKind::Do(row, ..) if row.changes == Changes::Nothing);
             let bases = code!(let bases = cga_rt::Bases::new(););
             return if steps.iter().any(is_change) { quote!(#bases #code) } else { code };
         }
-        let code: TokenStream = steps.iter().map(|step| self.change(step)).collect();
+        let code: TokenStream = steps.iter().map(|step| self.at(step.span, || self.change(step))).collect();
         code! {
             let changed = {
                 let mut whole = cx.env.whole(shape);
@@ -186,8 +198,8 @@ impl Generator<'_> {
 
     /// A step on the slim shape, where there is such a form of it.
     fn slim(&self, step: &Step) -> Option<TokenStream> {
-        match step {
-            Step::Do(operation, args) => match operation.changes {
+        match &step.kind {
+            StepKind::Do(operation, args) => match operation.changes {
                 Changes::Whole => None,
                 Changes::Nothing => {
                     let none = TokenStream::new();
@@ -207,7 +219,7 @@ impl Generator<'_> {
                 }
                 Changes::Material => self.is_settled(step).then(|| self.change_material(step, self.change(step))),
             },
-            Step::SetShape(attr, ..) if attr.set_changes == Changes::Material => {
+            StepKind::SetShape(attr, ..) if attr.set_changes == Changes::Material => {
                 self.is_settled(step).then(|| self.change_material(step, self.change(step)))
             }
             _ => None,
@@ -225,13 +237,13 @@ impl Generator<'_> {
 
     fn change(&self, step: &Step) -> TokenStream {
         let at = Access::whole();
-        match step {
-            Step::Do(operation, args) => self.operation(operation, args),
-            Step::SetAttr(id, expr) => {
+        match &step.kind {
+            StepKind::Do(operation, args) => self.operation(operation, args),
+            StepKind::SetAttr(id, expr) => {
                 let (value, set) = (self.expr(expr, &at), self.set(*id, expr.ty, &local("a", 0)));
                 code!({ let a0 = #value; #set })
             }
-            Step::SetShape(attr, expr) => {
+            StepKind::SetShape(attr, expr) => {
                 let Some(set) = attr.set.and_then(Run::now) else { return TokenStream::new() };
                 let (set, value) = (hygienic(set), self.image(expr, &at));
                 code!({
@@ -239,9 +251,9 @@ impl Generator<'_> {
                     cga_rt::set::#set(cx.env, shape, a0);
                 })
             }
-            Step::Rust(path, args, span) => {
-                let path = self.source.path(span.first, path);
-                let here = self.at_path(*span);
+            StepKind::Rust(path, args) => {
+                let path = self.source.path(step.span.first, path);
+                let here = self.at_path(step.span);
                 let call = self.with_rust_args(args, &at, |args| {
                     quote_spanned!(here=> cga_rt::host::operate(cx.env, shape, |shape| #path(shape, #(#args),*)))
                 });
@@ -270,19 +282,19 @@ impl Generator<'_> {
     fn step(&self, step: &Step, body: InRule<'_>, number: u32, is_last: bool) -> TokenStream {
         let made = (body.rule.leaf == Childless::Depends).then(|| code!(childless = false;));
         let child = Literal::u32_unsuffixed(number);
-        match step {
-            Step::Later(what) => code!(cga_rt::later::operation(cx.env, #what);),
-            Step::Give(target) => {
+        match &step.kind {
+            StepKind::Later(what) => code!(cga_rt::later::operation(cx.env, #what);),
+            StepKind::Give(target) => {
                 let successor = if is_last { self.last_successor(target, number) } else { successor(number) };
                 let code = self.give(target, body.id, &TokenStream::new(), &successor);
                 code!(#code #made)
             }
-            Step::Renew(call) => {
+            StepKind::Renew(call) => {
                 let (given, copy) = self.renew(call, &child);
                 let code = self.give(&call.target, body.id, &copy, &successor(0));
                 code!({ #given #code } #made)
             }
-            Step::Block(block @ Block { parts: BlockParts::Slots(slots), .. }) => {
+            StepKind::Block(block @ Block { parts: BlockParts::Slots(slots), .. }) => {
                 let code = self.split(block, slots, body.id, number);
                 match body.rule.leaf {
                     Childless::Depends => code! {
@@ -292,22 +304,22 @@ impl Generator<'_> {
                     _ => code!(#code;),
                 }
             }
-            Step::Block(block @ Block { parts: BlockParts::Arms(arms), .. }) => {
+            StepKind::Block(block @ Block { parts: BlockParts::Arms(arms), .. }) => {
                 let code = self.divided(block, arms, body.id, number);
                 code!({ #code } #made)
             }
-            Step::Block(block @ Block { parts: BlockParts::Sections(parts), .. }) => {
+            StepKind::Block(block @ Block { parts: BlockParts::Sections(parts), .. }) => {
                 let code = self.sections(block, parts, body.id, number);
                 code!({ #code } #made)
             }
-            Step::Block(block @ Block { parts: BlockParts::Each(target), .. }) => {
+            StepKind::Block(block @ Block { parts: BlockParts::Each(target), .. }) => {
                 let code = self.each(block, target, body.id, number);
                 code!({ #code } #made)
             }
-            Step::Block(block @ Block { parts: BlockParts::Operands(targets), .. }) => {
+            StepKind::Block(block @ Block { parts: BlockParts::Operands(targets), .. }) => {
                 self.derived(block, targets, body.id, number)
             }
-            Step::Push(steps) => {
+            StepKind::Push(steps) => {
                 let (base, steps) = (base(steps), self.steps(steps, body, 0, &Tail::default()));
                 code!({
                     let shape = &cga_rt::push(shape, #child);
@@ -315,9 +327,11 @@ impl Generator<'_> {
                     #steps
                 })
             }
-            Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) | Step::Case { .. } => {
-                TokenStream::new()
-            }
+            StepKind::Do(..)
+            | StepKind::SetAttr(..)
+            | StepKind::SetShape(..)
+            | StepKind::Rust(..)
+            | StepKind::Case { .. } => TokenStream::new(),
         }
     }
 
@@ -345,7 +359,7 @@ impl Generator<'_> {
             }
             Target::Nil if self.recomposed.contains(&from) => code!(#copy cx.vanish(shape)?;),
             Target::Nil => TokenStream::new(),
-            Target::Rule { rule, sites, args, span } => {
+            Target::Rule { rule, sites, args, span } => self.at(*span, || {
                 let call = self.call(from, (*rule, sites), args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
                 let values = args.iter().map(|arg| self.expr(arg, &Access::rule()));
@@ -356,7 +370,7 @@ impl Generator<'_> {
                     let flow: cga_rt::Flow = #call;
                     flow?;
                 })
-            }
+            }),
         }
     }
 
@@ -407,7 +421,7 @@ impl Generator<'_> {
                 let name = self.leaves.number(name);
                 code!(cx.symbol(part, #name))
             }
-            Target::Rule { rule, sites, args, span } => {
+            Target::Rule { rule, sites, args, span } => self.at(*span, || {
                 let call = self.call(from, (*rule, sites), args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
                 let values = args.iter().map(|arg| self.expr(arg, &Access::part()));
@@ -417,15 +431,15 @@ impl Generator<'_> {
                     #hand_on
                     #call
                 })
-            }
+            }),
         }
     }
 }
 
 /// The number of child numbers that a step takes.
 fn children(step: &Step) -> u32 {
-    match step {
-        Step::Block(Block { parts: BlockParts::Operands(targets), .. }) => targets.len() as u32,
+    match &step.kind {
+        StepKind::Block(Block { parts: BlockParts::Operands(targets), .. }) => targets.len() as u32,
         _ => 1,
     }
 }
@@ -438,25 +452,24 @@ pub(super) fn successor(number: u32) -> TokenStream {
 
 /// Returns true if a step changes the current shape.
 fn changes(step: &Step) -> bool {
-    matches!(step, Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..))
+    matches!(step.kind, StepKind::Do(..) | StepKind::SetAttr(..) | StepKind::SetShape(..) | StepKind::Rust(..))
 }
 
 fn leave(rule: &Rule) -> TokenStream {
     if rule.block { code!(cga_rt::Flow::Continue(())) } else { code!(cx.leave()) }
 }
 
-/// The parameters that are given, with their types; locals are not.
-pub(super) fn given<'r>(params: &'r [Param], locals: &[Expr]) -> impl Iterator<Item = (Ident, TokenStream)> + use<'r> {
-    let count = params.len() - locals.len();
-    params.iter().take(count).enumerate().map(|(at, param)| (local("p", at), inner_type(param.ty)))
+/// The types of the parameters that are given; locals are not.
+pub(super) fn given<'r>(params: &'r [Param], locals: &[Expr]) -> impl Iterator<Item = TokenStream> + use<'r> {
+    params.iter().take(params.len() - locals.len()).map(|param| inner_type(param.ty))
 }
 
 /// Remembers the scope for operations that look at where they began.
 fn base(steps: &[Step]) -> TokenStream {
     fn looks(steps: &[Step]) -> bool {
-        steps.iter().any(|step| match step {
-            Step::Do(operation, ..) => operation.uses_base,
-            Step::Case { arms, otherwise } => arms.iter().any(|(_, steps)| looks(steps)) || looks(otherwise),
+        steps.iter().any(|step| match &step.kind {
+            StepKind::Do(operation, ..) => operation.uses_base,
+            StepKind::Case { arms, otherwise } => arms.iter().any(|(_, steps)| looks(steps)) || looks(otherwise),
             // A bracket remembers its own.
             _ => false,
         })

@@ -200,28 +200,30 @@ impl Generator<'_> {
     /// Runs a rule on a part that repeats; of type `Flow`.
     fn repeat(&self, rule: RuleId, target: &Target, axis: &TokenStream, last: &Ident) -> TokenStream {
         let Target::Rule { sites, span, .. } = target else { return TokenStream::new() };
-        let name = self.rule(rule, self.source.token(span.first));
-        let number = Literal::u32_unsuffixed(self.templates.places(sites.len().max(1) as u32));
-        let hand_on = self.hand_on(rule);
-        if let Some(passed) = site::passed(sites) {
-            // A template for each site of the caller.
-            let number = if sites.len() == 1 { code!(#number) } else { code!(#number + site) };
-            return code! { {
+        self.at(*span, || {
+            let name = self.rule(rule, self.source.token(span.first));
+            let number = Literal::u32_unsuffixed(self.templates.places(sites.len().max(1) as u32));
+            let hand_on = self.hand_on(rule);
+            if let Some(passed) = site::passed(sites) {
+                // A template for each site of the caller.
+                let number = if sites.len() == 1 { code!(#number) } else { code!(#number + site) };
+                return code! { {
+                    #hand_on
+                    cx.repeat(
+                        #number,
+                        &mut #last,
+                        &(g, #passed),
+                        (part, #axis),
+                        |(g, site), cx, part| CgaRules::#name(g, cx, part, *site),
+                        |(g, _), cx, part, call| CgaRules::cga_resume(g, cx, part, call),
+                    )
+                } };
+            }
+            code! { {
                 #hand_on
-                cx.repeat(
-                    #number,
-                    &mut #last,
-                    &(g, #passed),
-                    (part, #axis),
-                    |(g, site), cx, part| CgaRules::#name(g, cx, part, *site),
-                    |(g, _), cx, part, call| CgaRules::cga_resume(g, cx, part, call),
-                )
-            } };
-        }
-        code! { {
-            #hand_on
-            cx.repeat(#number, &mut #last, g, (part, #axis), CgaRules::#name, CgaRules::cga_resume)
-        } }
+                cx.repeat(#number, &mut #last, g, (part, #axis), CgaRules::#name, CgaRules::cga_resume)
+            } }
+        })
     }
 
     /// The sizes.

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 
 use cga_lang::ir::facts::Facts;
 use cga_lang::ir::walk;
-use cga_lang::ir::{Block, BlockParts, Grammar, Item, RuleId, Step, Target};
+use cga_lang::ir::{Block, BlockParts, Grammar, Item, RuleId, StepKind, Target};
 
 use super::stack::StackPlan;
 
@@ -25,7 +25,7 @@ impl TemplatePlan {
         let mut todo: Vec<RuleId> = Vec::new();
         for (at, rule) in grammar.rules.iter().enumerate() {
             walk::steps(&rule.body, &mut |step| {
-                if let Step::Block(Block { parts: BlockParts::Slots(slots), .. }) = step {
+                if let StepKind::Block(Block { parts: BlockParts::Slots(slots), .. }) = &step.kind {
                     let repeated = slots.targets.iter().zip(in_groups(&slots.pattern)).filter(|(_, is_in)| *is_in);
                     todo.extend(repeated.filter_map(|(target, _)| root(target, RuleId(at as u32), facts, plan)));
                 }

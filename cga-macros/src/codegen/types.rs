@@ -5,6 +5,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::hygienic;
+use crate::location;
 
 /// The Rust type of a value inside the rules. `runtime` is the path of the runtime there.
 pub(super) fn inner(ty: Type, runtime: &TokenStream) -> TokenStream {
@@ -67,7 +68,8 @@ pub(super) fn value(value: &Value) -> TokenStream {
         }
         Value::Float(number) if number.is_infinite() => code!(::core::primitive::f64::INFINITY),
         Value::Float(number) => {
-            let digits = Literal::f64_suffixed(number.abs());
+            let mut digits = Literal::f64_suffixed(number.abs());
+            digits.set_span(location::current());
             if number.is_sign_negative() { code!((-#digits)) } else { quote!(#digits) }
         }
         Value::Bool(truth) => code!(#truth),

@@ -2,7 +2,7 @@
 
 use super::closure::closure;
 use super::{Facts, RuleFacts, Uses};
-use crate::ir::{Arm, Block, BlockParts, Grammar, Renewal, Rule, Selector, Step, Target, walk};
+use crate::ir::{Arm, Block, BlockParts, Grammar, Renewal, Rule, Selector, Step, StepKind, Target, walk};
 use crate::ops;
 
 /// The facts of a rule without the rules that it reaches.
@@ -49,8 +49,8 @@ impl Facts {
             let (exprs, itself) = (self.exprs(walk::in_step(step)) | args, itself(step, renewals));
             own.uses = own.uses | exprs | itself;
             own.rigid &= exprs.but(Uses::COUNTERS).is_rigid();
-            own.rigid &= match step {
-                Step::Block(block @ Block { parts: BlockParts::Arms(arms), .. }) => is_rigid(block, arms),
+            own.rigid &= match &step.kind {
+                StepKind::Block(block @ Block { parts: BlockParts::Arms(arms), .. }) => is_rigid(block, arms),
                 _ => itself.but(Uses::COUNTERS).is_rigid(),
             };
         });
@@ -71,19 +71,21 @@ impl Facts {
 
 /// Uses of a step itself, without its expressions and the steps in it.
 fn itself(step: &Step, renewals: &[Uses]) -> Uses {
-    match step {
-        Step::Do(row, ..) => row.uses,
-        Step::SetShape(row, ..) => row.set_uses,
-        Step::Rust(..) => Uses::ALL,
-        Step::Block(block) => block.row.uses,
-        Step::Renew(call) => renewals[call.renewal.0 as usize],
-        Step::SetAttr(..) | Step::Later(..) | Step::Give(_) | Step::Push(_) | Step::Case { .. } => Uses::NONE,
+    match &step.kind {
+        StepKind::Do(row, ..) => row.uses,
+        StepKind::SetShape(row, ..) => row.set_uses,
+        StepKind::Rust(..) => Uses::ALL,
+        StepKind::Block(block) => block.row.uses,
+        StepKind::Renew(call) => renewals[call.renewal.0 as usize],
+        StepKind::SetAttr(..) | StepKind::Later(..) | StepKind::Give(_) | StepKind::Push(_) | StepKind::Case { .. } => {
+            Uses::NONE
+        }
     }
 }
 
 /// Returns true if the shapes that a step makes keep `split.index` and `split.total`.
 fn hands_counters_on(step: &Step) -> bool {
-    !matches!(step, Step::Block(Block { parts: BlockParts::Slots(_), .. }))
+    !matches!(step.kind, StepKind::Block(Block { parts: BlockParts::Slots(_), .. }))
 }
 
 /// Returns true if an operation makes the same parts of a shape wherever the shape is. `noAlign` gives parts the axes of the pivot,

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::compile::compile_text;
-use crate::ir::{Block, BlockParts, Slots, Step};
+use crate::ir::{Block, BlockParts, Slots, StepKind};
 
 fn grammar(text: &str) -> Grammar {
     let compiled = compile_text(text).compiled;
@@ -23,8 +23,8 @@ fn shown(text: &str) -> Vec<String> {
 
 /// The slots that a rule begins with.
 fn slots(grammar: &Grammar, rule: usize) -> &Slots {
-    match &grammar.rules[rule].body[0] {
-        Step::Block(Block { parts: BlockParts::Slots(slots), .. }) => slots,
+    match &grammar.rules[rule].body[0].kind {
+        StepKind::Block(Block { parts: BlockParts::Slots(slots), .. }) => slots,
         other => panic!("{other:?} has no slots"),
     }
 }

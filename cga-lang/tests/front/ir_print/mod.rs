@@ -6,8 +6,8 @@ mod facts;
 use cga_lang::ir::facts::{Facts, RuleFacts};
 use cga_lang::ir::{
     Arg, AttrInfo, Binary, Childless, ChoiceValues, Choices, EachUnary, Expr, ExprKind, Function, FunctionId, Global,
-    GlobalId, Grammar, Init, Param, Prefix, Presentation, Renew, Renewal, Rule, RuleId, Size, Start, Step, Target,
-    Type, Value,
+    GlobalId, Grammar, Init, Param, Prefix, Presentation, Renew, Renewal, Rule, RuleId, Size, Start, Step, StepKind,
+    Target, Type, Value,
 };
 use cga_lang::span::Span;
 use cga_lang::syntax::token::{Tok, Tokens};
@@ -204,31 +204,31 @@ impl<'g> Printer<'g> {
     }
 
     fn step(&mut self, step: &'g Step) {
-        match step {
-            Step::Do(row, args) => {
+        match &step.kind {
+            StepKind::Do(row, args) => {
                 let args: Vec<String> = args.iter().map(|arg| self.arg(arg)).collect();
                 self.line(&format!("{}({})", row.run.now().unwrap_or(row.name), args.join(", ")));
             }
-            Step::SetAttr(id, value) => {
+            StepKind::SetAttr(id, value) => {
                 let text = format!("set {} = {}", self.name(*id), self.expr(value));
                 self.line(&text);
             }
-            Step::SetShape(row, value) => {
+            StepKind::SetShape(row, value) => {
                 let text = format!("set {} = {}", row.name, self.expr(value));
                 self.line(&text);
             }
-            Step::Rust(path, args, _) => {
+            StepKind::Rust(path, args) => {
                 let text = format!("rust {path}{}", self.args(args));
                 self.line(&text);
             }
-            Step::Give(target) => {
+            StepKind::Give(target) => {
                 let text = format!("give {}", self.target(target));
                 self.line(&text);
             }
-            Step::Block(block) => self.block(block),
-            Step::Push(steps) => self.headed("push", steps),
-            Step::Renew(call) => self.renew(call),
-            Step::Case { arms, otherwise } => {
+            StepKind::Block(block) => self.block(block),
+            StepKind::Push(steps) => self.headed("push", steps),
+            StepKind::Renew(call) => self.renew(call),
+            StepKind::Case { arms, otherwise } => {
                 for (condition, steps) in arms {
                     let head = match condition.kind {
                         ExprKind::Chance { percent, .. } => format!("chance {percent}%"),
@@ -238,7 +238,7 @@ impl<'g> Printer<'g> {
                 }
                 self.headed("else", otherwise);
             }
-            Step::Later(what) => self.line(&format!("later {what}")),
+            StepKind::Later(what) => self.line(&format!("later {what}")),
         }
     }
 

@@ -48,7 +48,7 @@ impl CgaRules {
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &cga_rt::ShapeRef<'_>,
-        p0: ::core::primitive::f64,
+        height: ::core::primitive::f64,
     ) -> cga_rt::Flow {
         cx.enter(1u32)?;
         let changed = {
@@ -56,7 +56,7 @@ impl CgaRules {
             {
                 let shape = &mut whole;
                 {
-                    let a0 = p0;
+                    let a0 = height;
                     cga_rt::bake(shape);
                     cga_rt::op::taper(cx.env, shape, a0);
                 }

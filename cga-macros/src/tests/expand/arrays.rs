@@ -86,11 +86,11 @@ impl CgaRules {
         g: &CgaValues,
         env: &mut cga_rt::Env,
         shape: &mut impl cga_rt::View,
-        p0: cga_rt::Array<::core::primitive::f64>,
+        list: cga_rt::Array<::core::primitive::f64>,
     ) -> ::core::primitive::f64 {
         {
-            let p1 = cga_rt::func::sum(::core::clone::Clone::clone(&p0));
-            (p1 + cga_rt::func::element(env, ::core::clone::Clone::clone(&p0), 0f64))
+            let s = cga_rt::func::sum(::core::clone::Clone::clone(&list));
+            (s + cga_rt::func::element(env, ::core::clone::Clone::clone(&list), 0f64))
         }
     }
     fn cga_resume(

@@ -62,7 +62,7 @@ impl CgaRules {
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &cga_rt::ShapeRef<'_>,
-        p0: ::core::primitive::f64,
+        n: ::core::primitive::f64,
     ) -> cga_rt::Flow {
         cx.enter(1u32)?;
         {
@@ -88,7 +88,7 @@ impl CgaRules {
                 &mut |env, arm, candidate| match arm {
                     0 => {
                         (candidate.is(cga_rt::Word::Border)
-                            & (cga_rt::get::scope_sx(candidate.shape()) > p0))
+                            & (cga_rt::get::scope_sx(candidate.shape()) > n))
                     }
                     _ => false,
                 },

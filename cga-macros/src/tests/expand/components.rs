@@ -29,15 +29,15 @@ impl CgaRules {
         g: &CgaValues,
         env: &mut cga_rt::Env,
         shape: &mut impl cga_rt::View,
-        p0: ::core::primitive::f64,
+        h: ::core::primitive::f64,
     ) -> ::core::primitive::bool {
-        { (cga_rt::get::scope_sy(shape) > p0) }
+        { (cga_rt::get::scope_sy(shape) > h) }
     }
     fn names(
         g: &CgaValues,
         env: &mut cga_rt::Env,
         shape: &mut cga_rt::Shape,
-        p0: ::core::primitive::f64,
+        h: ::core::primitive::f64,
     ) -> cga_rt::Array<cga_rt::Text> {
         {
             {
@@ -61,7 +61,7 @@ impl CgaRules {
                     &arms,
                     |env, arm, candidate| match arm {
                         0 => {
-                            (CgaRules::tall(g, env, candidate.shape(), p0)
+                            (CgaRules::tall(g, env, candidate.shape(), h)
                                 | candidate.is(cga_rt::Word::Border))
                         }
                         _ => false,
@@ -86,7 +86,7 @@ impl CgaRules {
                                         &arms,
                                         cga_rt::never,
                                         |env, arm, part| match arm {
-                                            0 => p0,
+                                            0 => h,
                                             _ => ::core::default::Default::default(),
                                         },
                                     )

@@ -6,12 +6,12 @@ impl CgaRules {
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &cga_rt::ShapeRef<'_>,
-        p0: ::core::primitive::f64,
+        n: ::core::primitive::f64,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
-        if (p0 > 1f64) {
+        if (n > 1f64) {
             {
-                let a0 = p0;
+                let a0 = n;
                 let part = &cga_rt::successor(shape, 0);
                 let flow: cga_rt::Flow = if cx.descend(1, 2) {
                     let flow = CgaRules::B(g, cx, part, a0);
@@ -23,7 +23,7 @@ impl CgaRules {
                 flow?;
             }
             {
-                let a0 = (p0 - 1f64);
+                let a0 = (n - 1f64);
                 let part = shape;
                 let flow: cga_rt::Flow = if cx.descend(1, 2) {
                     let flow = CgaRules::B(g, cx, part, a0);
@@ -43,11 +43,11 @@ impl CgaRules {
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &cga_rt::ShapeRef<'_>,
-        p0: ::core::primitive::f64,
+        n: ::core::primitive::f64,
     ) -> cga_rt::Flow {
         cx.enter(1u32)?;
         {
-            let a0 = p0;
+            let a0 = n;
             let part = shape;
             let flow: cga_rt::Flow = if cx.descend(1, 3) {
                 let flow = CgaRules::A(g, cx, part, a0);

@@ -54,16 +54,16 @@ impl CgaRules {
         g: &CgaValues,
         env: &mut cga_rt::Env,
         shape: &mut impl cga_rt::View,
-        p0: ::core::primitive::f64,
+        n: ::core::primitive::f64,
     ) -> ::core::primitive::f64 {
         if !env.call(240) {
             return ::core::default::Default::default();
         }
         let value = {
-            (if (!(p0 >= 2f64)) {
+            (if (!(n >= 2f64)) {
                 1f64
             } else {
-                (p0 * CgaRules::fac(g, env, shape, (p0 - 1f64)))
+                (n * CgaRules::fac(g, env, shape, (n - 1f64)))
             })
         };
         env.called(240);
@@ -73,12 +73,12 @@ impl CgaRules {
         g: &CgaValues,
         env: &mut cga_rt::Env,
         shape: &mut impl cga_rt::View,
-        p0: ::core::primitive::f64,
-        p1: ::core::primitive::f64,
+        a: ::core::primitive::f64,
+        b: ::core::primitive::f64,
     ) -> ::core::primitive::f64 {
         {
-            ((CgaRules::fac(g, env, shape, p0) + cga_rt::get::scope_sx(shape))
-                - cga_rt::func::rand_between(env, shape, p0, p1))
+            ((CgaRules::fac(g, env, shape, a) + cga_rt::get::scope_sx(shape))
+                - cga_rt::func::rand_between(env, shape, a, b))
         }
     }
     fn cga_resume(

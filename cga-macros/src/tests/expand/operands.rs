@@ -52,13 +52,13 @@ impl CgaRules {
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &cga_rt::ShapeRef<'_>,
-        p0: ::core::primitive::f64,
+        n: ::core::primitive::f64,
     ) -> cga_rt::Flow {
         cx.enter(1u32)?;
         let bases = cga_rt::Bases::new();
         let mut own = ::core::option::Option::None;
         let shape = {
-            let a0 = cga_rt::Length::Absolute(p0);
+            let a0 = cga_rt::Length::Absolute(n);
             cga_rt::slim::extrude(cx.env, shape, &bases, &mut own, a0)
         };
         cx.leaf(shape, 2u32)?;

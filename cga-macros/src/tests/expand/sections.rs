@@ -55,7 +55,7 @@ impl CgaRules {
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &cga_rt::ShapeRef<'_>,
-        p0: ::core::primitive::f64,
+        height: ::core::primitive::f64,
     ) -> cga_rt::Flow {
         cx.enter(1u32)?;
         {
@@ -80,7 +80,7 @@ impl CgaRules {
                             &arms,
                             cga_rt::never,
                             |env, arm, part| match arm {
-                                0 => (cga_rt::get::scope_sx(part) / p0),
+                                0 => (cga_rt::get::scope_sx(part) / height),
                                 _ => ::core::default::Default::default(),
                             },
                         )

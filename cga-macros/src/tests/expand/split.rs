@@ -69,7 +69,7 @@ impl CgaRules {
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &cga_rt::ShapeRef<'_>,
-        p0: ::core::primitive::f64,
+        i: ::core::primitive::f64,
     ) -> cga_rt::Flow {
         cx.enter(1u32)?;
         cx.symbol(shape, 1u32)?;
