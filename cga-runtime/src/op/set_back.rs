@@ -19,6 +19,9 @@ pub(super) struct Turn {
     pub(super) distances: Vec<f64>,
 }
 
+/// The cuts of the edges of a face, and the turns of the pieces.
+type FaceTurns = (Vec<EdgeCut>, Vec<Turn>);
+
 /// Sets back the edges of each face that the words select, each by its distance in metres. An edge belongs to the first word that
 /// selects it. Each connected part that the edges sweep is a `shape`, the rest of the face is a `remainder`. A face that cannot
 /// be divided is a remainder, with a fault that begins with `what`.
@@ -83,7 +86,7 @@ pub(super) fn divided_at(
     mesh: &Mesh,
     remainder: Option<u32>,
     what: &str,
-    turns: &dyn Fn(&FaceRef<'_>) -> (Vec<EdgeCut>, Vec<Turn>),
+    turns: &dyn Fn(&FaceRef<'_>) -> FaceTurns,
 ) -> Faces {
     let mut made = Faces { mesh: mesh.alike(0), arms: Vec::new() };
     let mut tags = SideTags::new(mesh, env.tags_edges);

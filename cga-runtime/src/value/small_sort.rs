@@ -96,8 +96,9 @@ mod tests {
             ours.small_sort_by_key(|pair| pair.0);
             theirs.sort_by_key(|pair| pair.0);
             assert_eq!(ours, theirs, "equal keys keep their order");
-            ours.small_sort_by(|a, b| b.0.cmp(&a.0));
-            theirs.sort_by(|a, b| b.0.cmp(&a.0));
+            let descending = |a: &(u32, u32), b: &(u32, u32)| b.0.cmp(&a.0);
+            ours.small_sort_by(descending);
+            theirs.sort_by(descending);
             assert_eq!(ours, theirs);
             ours.small_sort();
             theirs.sort_unstable();
