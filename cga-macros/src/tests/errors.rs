@@ -37,7 +37,10 @@ fn a_broken_header_says_how_it_is_written() {
         ("pub struct A;", "the header is broken\nhelp: it is written `pub grammar Name`"),
         ("pub(crate) A; Lot --> X.", "the header is broken"),
         ("grammar;", "the header is broken"),
-        ("@Range(1) grammar A = \"Lot --> X.\";", "`@Range` does not set the level of a diagnostic\nhelp: before a grammar in text"),
+        (
+            "@Range(1) grammar A = \"Lot --> X.\";",
+            "`@Range` does not set the level of a diagnostic\nhelp: before a grammar in text",
+        ),
         ("@Allow(no_such) grammar A = \"Lot --> X.\";", "`@Allow` does not set the level of a diagnostic"),
         ("grammar A in \"/etc/rules.cga\";", "the path `/etc/rules.cga` leaves the package"),
         ("grammar A in \"src/../../rules.cga\";", "the path `src/../../rules.cga` leaves the package"),
