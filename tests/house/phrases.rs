@@ -26,6 +26,9 @@ const MESSAGES: &[Phrase] = &[
     Phrase { words: ["are", "none"], with: &["there"], instead: "`are not`" },
 ];
 
+/// Lines of a text with their numbers.
+type Lines<'t> = Vec<(usize, &'t str)>;
+
 /// The phrases in a text of numbered lines, each with its line. A phrase may continue in the next line.
 fn found<'p>(lines: &[(usize, &str)], phrases: &'p [Phrase]) -> Vec<(usize, &'p Phrase)> {
     let is_sign = |c: char| !c.is_alphanumeric();
@@ -53,7 +56,7 @@ fn found<'p>(lines: &[(usize, &str)], phrases: &'p [Phrase]) -> Vec<(usize, &'p 
 }
 
 /// The lines of Rust source, by number: the part before `//`, and the comment after it.
-fn code_and_comments(text: &str) -> (Vec<(usize, &str)>, Vec<(usize, &str)>) {
+fn code_and_comments(text: &str) -> (Lines<'_>, Lines<'_>) {
     (1..)
         .zip(text.lines())
         .map(|(line, text)| {

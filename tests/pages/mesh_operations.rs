@@ -1,4 +1,4 @@
-//! *resetGeometry operation* and the operations that change the mesh of a shape, on shapes like the shapes of the pictures.
+//! *resetGeometry operation* and the operations that change the mesh of a shape, on shapes as in the pictures.
 
 use cga::mesh::FaceTag;
 use cga::{MeshBuilder, Shape};

@@ -1,4 +1,4 @@
-//! *setback*, *setbackPerEdge*, *setbackToArea* and *splitAndSetbackPerimeter operations*, on lots like the lots of the
+//! *setback*, *setbackPerEdge*, *setbackToArea* and *splitAndSetbackPerimeter operations*, on lots as in the
 //! pictures. The pages give most rules without the rules of the colours, which are given here once for all examples.
 
 use cga::glam::DVec3;

@@ -1,4 +1,4 @@
-//! *Geometry tagging*, *setTagsFromEdgeAttrs operation* and *edgeAttr functions*, on shapes like the shapes of the pictures. Rules
+//! *Geometry tagging*, *setTagsFromEdgeAttrs operation* and *edgeAttr functions*, on shapes as in the pictures. Rules
 //! whose names end in a dot are the same in all pictures: bars for edges and balls for vertices.
 
 use cga::glam::DVec3;

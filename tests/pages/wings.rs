@@ -1,4 +1,4 @@
-//! *shapeL, shapeU, shapeO operations* and *taper operation*, on a lot like the lots of the pictures.
+//! *shapeL, shapeU, shapeO operations* and *taper operation*, on a lot as in the pictures.
 
 use cga::Shape;
 

@@ -62,7 +62,8 @@
 //! | values given in a call of an import | before the copy is made | the current shape |
 //! | values of a [`Renewal`] | in order, after the given ones are set | the copy |
 //!
-//! [`ExprKind::Case`] evaluates one branch. All other expressions evaluate all parts, also `&&` and `||`.
+//! [`ExprKind::Case`] evaluates one branch, and [`ExprKind::Comp`] one arm for each component. All other expressions evaluate all
+//! parts, also `&&` and `||`.
 //! [`ExprKind::Chance`] draws one number from the seed of its shape each time it is evaluated. The draw takes the failures of the
 //! branches before it into account, so the arms of a list of percentages are a `case`.
 //! A read of a global looks at the current shape first if [`Global::is_set`]; otherwise the value of the run is the only one.

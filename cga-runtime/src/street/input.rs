@@ -24,7 +24,7 @@ impl Centerline {
         Centerline::with_heights(&points.iter().map(on_ground).collect::<Vec<_>>())
     }
 
-    /// A line in space: points as (x, y, z) in metres, y up. The widths are the widths of [`Centerline::new`].
+    /// A line in space: points as (x, y, z) in metres, y up. The widths are as in [`Centerline::new`].
     pub fn with_heights<P: Copy + Into<[f64; 3]>>(points: &[P]) -> Self {
         Centerline { points: points.iter().map(|&point| point.into()).collect(), roadway: 8.0, sidewalks: [2.0; 2] }
     }

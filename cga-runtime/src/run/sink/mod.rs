@@ -124,8 +124,8 @@ impl<'a> Filled<'a> {
         self.tables.looks.get(id).map_or(own, |look| &look.material)
     }
 
-    /// The number of the material. Equal numbers of a run are equal materials. `None` for a material that few leaves
-    /// have, such as a random colour.
+    /// The number of the look: the material with its texture coordinates. Leaves of a run with equal numbers have equal
+    /// materials. `None` for a look that few leaves have, such as a random colour.
     #[inline]
     pub fn material_number(&self) -> Option<u32> {
         Some(self.shape.look.get()).filter(|id| *id != LookId::OF_BASE).map(LookId::index)
