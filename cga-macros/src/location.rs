@@ -1,7 +1,7 @@
 //! The location of generated code in the rules: debuggers and backtraces find the lines of steps by it.
 //!
 //! The generator sets the location before it writes a step, as a compiler does before it emits instructions, and all tokens
-//! of `code!` get it. It changes no name: names are resolved as those of `Span::mixed_site()`.
+//! of `code!` get it. It changes no name: names are resolved as names of `Span::mixed_site()` are.
 
 use std::cell::Cell;
 

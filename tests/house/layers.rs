@@ -41,7 +41,7 @@ const CRATES: &[Layers] = &[
     },
     Layers {
         package: "cga-macros",
-        layers: &["problem", "header", "source", "report", "output", "codegen", "stub", "input", "editor"],
+        layers: &["location", "problem", "header", "source", "report", "output", "codegen", "stub", "input", "editor"],
     },
     Layers {
         package: "cga-runtime",

@@ -384,7 +384,7 @@ mod tests {
         assert_eq!(rem((7.0, 7.0), (4.0, 4.0)), Interval::point(3.0));
         assert_eq!(rem((7.0, 7.0), (4.0, 5.0)), Interval::finite(0.0, below(5.0)));
         assert_eq!(rem((7.0, 8.0), (4.0, 4.0)), Interval::finite(0.0, below(4.0)));
-        // The remainder of a division by zero is NaN, and so is that of infinity.
+        // The remainder of a division by zero is NaN, and so is the remainder of infinity.
         assert_eq!(rem((1.0, 9.0), (0.0, 3.0)), Interval { nan: true, ..Interval::finite(0.0, below(3.0)) });
         let infinite = Interval::between(1.0, f64::INFINITY);
         assert_eq!(infinite.rem(Interval::point(3.0)), Interval { nan: true, ..Interval::finite(0.0, below(3.0)) });

@@ -31,8 +31,8 @@ impl ItemNames {
     }
 }
 
-/// The names of the parameters and locals of a rule or function, which debuggers show. They are locals among those of the generated
-/// code, so a name that is taken gets a line at the end.
+/// The names of the parameters and locals of a rule or function, which debuggers show. They are locals among the locals of the
+/// generated code, so a name that is taken gets a line at the end.
 pub(super) fn params(params: &[Param]) -> Vec<String> {
     let mut taken = Taken::default();
     if !params.is_empty() {
