@@ -156,12 +156,9 @@ fn inner_type(ty: Type) -> TokenStream {
 }
 
 impl Generator<'_> {
-    /// Code at the location of its rules. In a string or a file, all of them are at the macro call.
+    /// Writes code at the location of its rules. Rules of a string or a file have the location of the literal.
     fn at<T>(&self, span: cga_lang::span::Span, write: impl FnOnce() -> T) -> T {
-        match self.source.inline(span.first) {
-            Some(token) => location::at(token, write),
-            None => write(),
-        }
+        location::at(self.source.token(span.first), write)
     }
 
     /// A parameter or local of the rule or function that is written.
