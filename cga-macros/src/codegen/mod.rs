@@ -2,8 +2,8 @@
 //! has made the others.
 //!
 //! The output is the public struct and one anonymous const with everything else in it: the evaluated attributes, the
-//! calls that may wait, and one function a rule, generic over the sink. Local names are hygienic; rule functions carry
-//! the span of their definition so that editors find them.
+//! calls that may wait, and one function a rule, generic over the sink. Local names are hygienic; code has the
+//! location of its rules, which debuggers and backtraces show.
 
 mod access;
 mod arms;
@@ -42,6 +42,8 @@ use crate::output::{HostType, Output};
 use crate::source::Source;
 
 pub(crate) use names::Taken;
+#[cfg(test)]
+pub(crate) use names::is_local;
 pub(crate) use names::is_plain;
 pub(crate) use public::{Public, PublicAttr, public};
 

@@ -1,6 +1,6 @@
 //! A program that panics in a Rust function that its rules call. The argument is the source of the rules: `inline`, `string` or `file`.
 //!
-//! `tests/lines.rs` finds lines by the comments at their ends.
+//! `tests/lines.rs` finds lines by their ends.
 
 use cga::{Shape, cga};
 
@@ -34,17 +34,13 @@ cga! {
             NIL ]
 }
 
-cga! {
-    grammar InString = r#"
-        StringLot --> extrude(9) StringTower(3)
-        StringTower(h) --> split(y) { h : StringFloor(h) | ~1 : NIL }
-        StringFloor(h) --> crate::stop(h, h)
-    "#;
-}
+cga! { grammar InString = r#"
+    StringLot --> extrude(9) StringTower(3)
+    StringTower(h) --> split(y) { h : StringFloor(h) | ~1 : NIL }
+    StringFloor(h) --> crate::stop(h, h)
+"#; }
 
-cga! {
-    grammar InFile in "rules/tower.cga";
-}
+cga! { grammar InFile in "rules/tower.cga"; }
 
 /// An operation that ends the program.
 fn stop(_: &mut Shape, height: f64, width: f64) {
