@@ -10,8 +10,8 @@
 //! Calls that wait run later, so the first decision gives the order of leaves. The leaves depend on none of them.
 //!
 //! The output is the public struct and one anonymous const with everything else in it: the evaluated attributes, the
-//! calls that may wait, and one function a rule. A sink is behind `dyn`, so rules are compiled once. Local names are hygienic; rule
-//! functions carry the span of their definition so that editors find them.
+//! calls that may wait, and one function a rule. A sink is behind `dyn`, so rules are compiled once. Local names are hygienic; code
+//! has the location of its rules, which debuggers and backtraces show.
 
 mod access;
 mod arms;
@@ -50,6 +50,8 @@ use crate::output::{HostType, Output};
 use crate::source::Source;
 
 pub(crate) use names::Taken;
+#[cfg(test)]
+pub(crate) use names::is_local;
 pub(crate) use names::is_plain;
 pub(crate) use public::{Public, PublicAttr, public};
 
@@ -164,12 +166,9 @@ fn inner_type(ty: Type) -> TokenStream {
 }
 
 impl Generator<'_> {
-    /// Code at the location of its rules. In a string or a file, all of them are at the macro call.
+    /// Writes code at the location of its rules. Rules of a string or a file have the location of the literal.
     fn at<T>(&self, span: cga_lang::span::Span, write: impl FnOnce() -> T) -> T {
-        match self.source.inline(span.first) {
-            Some(token) => location::at(token, write),
-            None => write(),
-        }
+        location::at(self.source.token(span.first), write)
     }
 
     /// A parameter or local of the rule or function that is written.

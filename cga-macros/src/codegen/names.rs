@@ -32,21 +32,15 @@ impl ItemNames {
 }
 
 /// The names of the parameters and locals of a rule or function, which debuggers show. They are locals among the locals of the
-/// generated code, so a name that is taken gets a line at the end.
+/// generated code, so a name that is taken gets a `_` at the end.
 pub(super) fn params(params: &[Param]) -> Vec<String> {
     let mut taken = Taken::default();
     if !params.is_empty() {
         taken.all.extend(LOCALS.iter().map(|name| (*name).to_owned()));
     }
-    let free = |name: &str| {
-        let numbered = NUMBERED.contains(&name.trim_end_matches(|c: char| c.is_ascii_digit()));
-        // Rust takes the name of a constant in scope for the constant.
-        if numbered && !NUMBERED.contains(&name) || name.starts_with(char::is_uppercase) {
-            format!("{name}_")
-        } else {
-            name.into()
-        }
-    };
+    // Rust takes the name of a constant in scope for the constant.
+    let is_free = |name: &str| !is_numbered(name) && !name.starts_with(char::is_uppercase);
+    let free = |name: &str| if is_free(name) { name.to_owned() } else { format!("{name}_") };
     params.iter().map(|param| taken.field(&free(&param.name))).collect()
 }
 
@@ -159,6 +153,18 @@ const LOCALS: &[&str] = &[
 
 /// Locals of generated code with a number at the end: `a0`.
 const NUMBERED: &[&str] = &["a", "given_", "last"];
+
+/// Returns true for `a0`.
+fn is_numbered(name: &str) -> bool {
+    let start = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    start != name && NUMBERED.contains(&start)
+}
+
+/// Returns true for a local of generated code.
+#[cfg(test)]
+pub(crate) fn is_local(name: &str) -> bool {
+    LOCALS.contains(&name) || is_numbered(name)
+}
 
 #[cfg(test)]
 mod tests {

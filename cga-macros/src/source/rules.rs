@@ -110,11 +110,6 @@ impl Source {
         spans.get(at + 3).copied()
     }
 
-    /// Where an inline rule has a token; `None` in a string or a file.
-    pub(crate) fn inline(&self, token: u32) -> Option<Span> {
-        self.text(token).is_none().then(|| self.token(token))
-    }
-
     /// Where a token begins. Past the end: the end.
     pub(crate) fn token(&self, index: u32) -> Span {
         self.ends(index).0

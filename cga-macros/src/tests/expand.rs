@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::Path;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{TokenStream, TokenTree};
 use syn::{File, Item};
 
 #[path = "../../../tests/benches/build/facade.rs"]
@@ -132,6 +132,45 @@ fn equal_input_gives_equal_output() {
         crate::expand(input.parse().expect("Rust tokens")).to_string()
     };
     assert_eq!(expand(), expand());
+}
+
+#[test]
+fn locals_are_kept_apart_from_parameters() {
+    fn collect(stream: TokenStream, names: &mut Vec<String>) {
+        let (mut before, mut in_closure) = (String::new(), false);
+        for token in stream {
+            let text = match token {
+                TokenTree::Group(group) => {
+                    collect(group.stream(), names);
+                    String::new()
+                }
+                token => token.to_string(),
+            };
+            in_closure ^= text == "|";
+            let is_name = text.starts_with(|c: char| c.is_ascii_lowercase());
+            if is_name && text != "mut" && (in_closure || before == "let") {
+                names.push(text.clone());
+            }
+            if text != "mut" {
+                before = text;
+            }
+        }
+    }
+    let (mut locals, mut written) = (Vec::new(), String::new());
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/tests/expand");
+    for entry in fs::read_dir(folder).expect("readable folder") {
+        let path = entry.expect("readable folder").path();
+        if path.extension().is_some_and(|extension| extension == "cga") {
+            let input = fs::read_to_string(&path).expect("readable");
+            let rules = part("rules", items(crate::expand(input.parse().expect("Rust tokens"))));
+            rules.iter().for_each(|item| collect(quote::quote!(#item), &mut locals));
+            written += &input;
+        }
+    }
+    let names = written.split(|c: char| !c.is_alphanumeric() && c != '_');
+    let names: std::collections::HashSet<&str> = names.collect();
+    locals.retain(|local| !names.contains(local.as_str()) && !crate::codegen::is_local(local));
+    assert_eq!(locals, [""; 0], "`codegen/names.rs` lists the locals of generated code");
 }
 
 #[test]

@@ -56,7 +56,24 @@ cga! {
     self --> A.
     super --> A.
     crate --> A.
+
+    Locals --> Locals(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12)
+    Locals(g, cx, shape, part, value, arm, slot, env, own, a0, match, W)
+        with ( base := g + cx  flow := base + shape  cx_ := flow  self := cx_ * 2 ) -->
+        t(g, cx, shape)
+        split(x) {
+            part : Sum(g, cx, shape, part, value, arm, slot, env, own, a0, match, W + self)
+            | ~value : comp(f) { W == 12 && top : Sum(g, cx, shape, part, value, arm, slot, env, own, a0, match, W + self) }
+        }
+    Sum(a, b, c, d, e, f, last, h, i, j, k, l) -->
+        case a == 1 && b == 2 && c == 3 && d == 4 && e == 5 && f == 6 && last == 7 && h == 8 && i == 9 && j == 10 && k == 11 && l == 24 :
+            Right.
+        else :
+            Wrong.
 }
+
+/// Rust would take a parameter of this name for it.
+const W: f64 = 0.5;
 
 #[test]
 fn words_of_rust_are_names_like_others() {
@@ -65,4 +82,10 @@ fn words_of_rust_are_names_like_others() {
     let model = names.generate(&Shape::cuboid(1.0, 1.0, 1.0)).expect("no limit");
     assert_eq!(model.count("A"), 13, "{:?}", model.counts());
     assert_eq!(names.generate_from("type", &Shape::cuboid(1.0, 1.0, 1.0)).expect("a rule").len(), 1);
+}
+
+#[test]
+fn parameters_may_have_the_names_of_generated_locals_and_of_constants() {
+    let model = Names::default().generate_from("Locals", &Shape::cuboid(10.0 + W, 1.0, 1.0)).expect("a rule");
+    assert_eq!((model.count("Right"), model.count("Wrong")), (2, 0), "{:?}", model.counts());
 }

@@ -46,7 +46,7 @@ cga! {
     B --> set(about, about + computed + caption) set(material.opacity, ratio) comp(f) { top : X. | side = Y | 3 : Y }
     C --> 30% : C. 20% : B else : NIL
     Y --> crate::hygiene::operate(1, "x", true) Faces(2, about)
-    Faces(n, query) --> comp(f) { crate::hygiene::function(n, query) && top : Z | scope.sx > n : Z | all =: Z }
+    Faces(N, query) --> comp(f) { crate::hygiene::function(N, query) && top : Z | scope.sx > N : Z | all =: Z }
     Z --> case crate::hygiene::function(scope.sy, about) : Y else : X.
     @Allow(rule_not_reached)
     Unused(_n) --> X.
