@@ -4,6 +4,7 @@
 //! compared (`compare.rs`, `exact.rs`). `CGA_LAWS=200` plays 200 more grammars in a throw-away crate; `CGA_LAWS=500..700` and
 //! `CGA_LAWS=144,1044` the grammars of some seeds.
 
+mod benches;
 mod borders;
 #[allow(deprecated, reason = "findings are warnings of this kind")]
 mod cases;
@@ -21,7 +22,6 @@ mod played;
 #[path = "../../cga-lang/tests/front/common/random.rs"]
 mod random;
 mod start;
-mod workloads;
 mod write;
 
 use std::fs;

@@ -84,7 +84,7 @@ Facade-->
 }
 
 example! {
-    /// "The two street segments have different lengths but are both covered by a [0,1] uv space."
+    /// "The two street segments have different lengths but are both covered by a \[0,1\] uv space."
     street, "split operation, UV Split on Streets: test texture", two_segments().remove(0),
     r##"Street-->
     texture("builtin:uvtest.png")

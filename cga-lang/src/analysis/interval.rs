@@ -302,7 +302,8 @@ mod tests {
             assert_smallest(a.ordered(), members(a).filter(|x| !x.is_nan()), format_args!("the part without NaN"));
             assert_eq!(a.is_odd(), members(a).any(|x| !x.is_finite()), "{a:?}");
             assert_eq!(a.may_be_nan(), members(a).any(f64::is_nan), "{a:?}");
-            let functions: [(Meaning, fn(f64) -> f64); 5] = [
+            type Exact = fn(f64) -> f64;
+            let functions: [(Meaning, Exact); 5] = [
                 (Meaning::Floor, f64::floor),
                 (Meaning::Ceil, f64::ceil),
                 (Meaning::Round, f64::round_ties_even),
@@ -334,15 +335,16 @@ mod tests {
                 all.all(|other| other == first).then_some(first)
             };
             // NaN is less than everything.
-            assert_eq!(a.less(b), certain(|x, y| !(x >= y)), "{a:?} < {b:?}");
-            assert_eq!(a.at_most(b), certain(|x, y| !(x > y)), "{a:?} <= {b:?}");
+            assert_eq!(a.less(b), certain(|x, y| x < y || x.is_nan() || y.is_nan()), "{a:?} < {b:?}");
+            assert_eq!(a.at_most(b), certain(|x, y| x <= y || x.is_nan() || y.is_nan()), "{a:?} <= {b:?}");
             assert_eq!(a.same(b), certain(|x, y| x == y), "{a:?} == {b:?}");
         }
     }
 
     #[test]
     fn a_comparison_leaves_the_numbers_that_satisfy_it() {
-        let operators: [(Binary, fn(f64, f64) -> bool); 5] = [
+        type Holds = fn(f64, f64) -> bool;
+        let operators: [(Binary, Holds); 5] = [
             (Binary::Lt, |x, y| x <= y),
             (Binary::Le, |x, y| x <= y),
             (Binary::Gt, |x, y| x >= y),

@@ -70,9 +70,9 @@
 //!
 //! # Control flow
 //!
-//! Steps run in order. A [`Step::Case`] is the last step of its list, because the parser puts the steps after it into its
-//! branches. So paths meet only at the end of a bracket. [`Step::Push`] works on a copy, and its children are children of the
-//! rule. [`Step::Give`] and the parts of a [`Block`] leave the current shape as it was. With [`BlockParts::Operands`] the block
+//! Steps run in order. A [`StepKind::Case`] is the last step of its list, because the parser puts the steps after it into its
+//! branches. So paths meet only at the end of a bracket. [`StepKind::Push`] works on a copy, and its children are children of the
+//! rule. [`StepKind::Give`] and the parts of a [`Block`] leave the current shape as it was. With [`BlockParts::Operands`] the block
 //! replaces it, and operands are derived before the next step. When other children are derived, a back end decides; their seeds
 //! follow from their place alone. At the end of the body the shape becomes a leaf if it has no child, which [`Rule::leaf`] tells
 //! in advance where it can.
@@ -86,7 +86,7 @@
 //! 2. Every call has the arguments that its target takes, and [`Expr::ty`] is final. Conversions are explicit
 //!    ([`ExprKind::ToText`], functions such as `float`), so [`ExprKind::Binary`] adds two numbers or joins two texts.
 //! 3. Operations and functions of the language have an argument for each parameter of their row; defaults are filled in.
-//!    [`Step::Do`], [`Block`] and [`ExprKind::Builtin`] have only rows that run; the others are `Later`.
+//!    [`StepKind::Do`], [`Block`] and [`ExprKind::Builtin`] have only rows that run; the others are `Later`.
 //! 4. Constants are folded where every platform computes the same bits. A result that is NaN or infinite is not folded, as it
 //!    is a fault of the run.
 //! 5. A global comes in [`Grammar::init`] after all globals that it reads, also through functions. Only lazy globals of one cycle
