@@ -137,18 +137,22 @@ fn equal_input_gives_equal_output() {
 #[test]
 fn locals_are_kept_apart_from_parameters() {
     fn collect(stream: TokenStream, names: &mut Vec<String>) {
-        let (mut before, mut in_closure) = (String::new(), false);
+        // The token before, without `mut`.
+        let (mut before, mut in_parameters) = (String::new(), false);
         for token in stream {
             let text = match token {
                 TokenTree::Group(group) => {
                     collect(group.stream(), names);
-                    String::new()
+                    "()".into()
                 }
                 token => token.to_string(),
             };
-            in_closure ^= text == "|";
-            let is_name = text.starts_with(|c: char| c.is_ascii_lowercase());
-            if is_name && text != "mut" && (in_closure || before == "let") {
+            // A closure, not the operator.
+            if text == "|" {
+                in_parameters = !in_parameters && matches!(before.as_str(), "" | "," | "=" | "&");
+            }
+            if text.starts_with(|c: char| c.is_ascii_lowercase()) && text != "mut" && (in_parameters || before == "let")
+            {
                 names.push(text.clone());
             }
             if text != "mut" {
