@@ -1,10 +1,11 @@
-//! What several programs of this package share, compiled once: the examples of the reference's pages, and the examples of
-//! the package `cga` that tests run.
+//! Code that several programs of this package share, compiled once: the examples of the reference's pages, and the examples
+//! of the package `cga` that tests run.
 
 #![allow(missing_docs, unreachable_pub, reason = "the package is not published, and each example has its title")]
 
 pub mod gallery;
 pub mod pages;
+pub mod tree;
 
 #[path = "../examples/scenes/mod.rs"]
 pub mod scenes;

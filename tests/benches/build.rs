@@ -13,11 +13,12 @@ mod rules;
 
 use std::fs;
 use std::hint::black_box;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
 use cga_lang::compile::compile_text;
+use cga_tests::tree::root;
 use common::clock::fastest;
 use common::table::{Table, number};
 
@@ -158,7 +159,7 @@ struct Project {
 impl Project {
     fn new(text: &str) -> Self {
         let folder = std::env::temp_dir().join(format!("cga-build-{}", std::process::id()));
-        let ours = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace");
+        let ours = root();
         let manifest = format!(
             "[package]\nname = \"rules\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n\
              [dependencies]\ncga = {{ path = {ours:?} }}\n\n[profile.release]\nstrip = true\n\n[workspace]\n"

@@ -6,6 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use cga_tests::tree::files_below;
 use serde_json::Value;
 
 use super::package::Package;
@@ -41,18 +42,16 @@ fn mistakes_are_explained_at_the_guilty_token() {
 
 /// The files of the cases, by the names of their programs.
 fn cases() -> BTreeMap<String, PathBuf> {
-    let files = files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("ui"));
-    let programs = files.into_iter().filter(|path| path.extension().is_some_and(|extension| extension == "rs"));
+    let programs = files_below(&folder(), ".rs").into_iter();
     let cases: BTreeMap<_, _> =
         programs.map(|path| (inside(&path).replace('/', "-").replace(".rs", ""), path)).collect();
     assert!(30 < cases.len(), "the walk found the cases");
     cases
 }
 
-/// All files below a folder.
-fn files(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).expect("the cases").map(|entry| entry.expect("the cases").path());
-    entries.flat_map(|path| if path.is_dir() { files(&path) } else { vec![path] }).collect()
+/// The folder of the cases.
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("ui")
 }
 
 /// A path from the folder of the tests.
@@ -61,11 +60,11 @@ fn inside(path: &Path) -> String {
     path.to_string_lossy().replace('\\', "/")
 }
 
-/// What the compiler shows for each program. All are programs of one package, which has copies of their rule files.
+/// The messages of the compiler for each program. The programs are one package, with copies of their rule files.
 fn messages(cases: &BTreeMap<String, PathBuf>) -> BTreeMap<String, String> {
     let programs = cases.iter().map(|(name, path)| format!("[[bin]]\nname = {name:?}\npath = {:?}\n", inside(path)));
     let package = Package::new("mistakes", "cga", &programs.collect::<String>());
-    for path in files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("ui")) {
+    for path in files_below(&folder(), "") {
         package.write(&inside(&path), &fs::read_to_string(&path).expect("a text"));
     }
     let output = package.check().args(["--bins", "--keep-going", "--message-format=json"]).output().expect("cargo");

@@ -34,9 +34,10 @@ mod thirty;
 mod wings;
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use cga_tests::pages::{self, example::Example};
+use cga_tests::tree::root;
 
 /// The pages of the gallery show the rules and measures of today, and have their pictures. `CGA_BLESS=1` writes the text.
 #[test]
@@ -72,7 +73,7 @@ fn the_gallery_shows_these_examples() {
 
 /// The folder of the pages.
 fn gallery() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/gallery")
+    root().join("docs/gallery")
 }
 
 /// A test for each example whose page describes a row of pieces, and the list of them.

@@ -2,11 +2,11 @@
 
 use std::fs;
 use std::ops::RangeInclusive;
-use std::path::Path;
 
 use cga::{Attribute, ChoiceValues, Error, Model, Value, ValueType};
 use cga_tests::gallery::scenes as scene_page;
 use cga_tests::scenes::{Scene, scenes};
+use cga_tests::tree::root;
 
 use super::gallery;
 
@@ -67,7 +67,7 @@ fn the_page_shows_these_scenes() {
 
 #[test]
 fn each_file_is_a_scene_with_its_own_rules() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/scenes");
+    let folder = root().join("examples/scenes");
     let mut files: Vec<String> = fs::read_dir(folder)
         .expect("the folder")
         .map(|entry| entry.expect("a file").file_name().to_string_lossy().replace(".rs", ""))

@@ -10,9 +10,10 @@ use std::path::Path;
 use cga_tests::gallery::chapter::{chapters, contents};
 use cga_tests::gallery::scenes as scene_page;
 use cga_tests::scenes;
+use cga_tests::tree::root;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/gallery");
+    let folder = root().join("docs/gallery");
     write_scenes(&folder)?;
     if std::env::args().nth(1).as_deref() == Some("scenes") {
         return Ok(());

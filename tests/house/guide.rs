@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::tree::root;
+use cga_tests::tree::root;
 
 fn read(path: impl AsRef<Path>) -> String {
     let path = root().join(path);

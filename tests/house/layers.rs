@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::tree::root;
+use cga_tests::tree::root;
 
 /// The layers of a crate, from the ground up: the folders and files of its `src`. `lib.rs` is outside.
 struct Layers {

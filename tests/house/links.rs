@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashSet};
 use std::fs;
 use std::path::PathBuf;
 
-use super::tree::{files, root};
+use cga_tests::tree::{files, root};
 
 /// All Markdown files of the workspace.
 fn pages() -> Vec<PathBuf> {

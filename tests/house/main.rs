@@ -6,4 +6,3 @@ mod links;
 mod packages;
 mod phrases;
 mod tidy;
-mod tree;

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use super::tree::root;
+use cga_tests::tree::root;
 
 const PACKAGES: [&str; 6] = ["", "cga-check", "cga-lang", "cga-macros", "cga-runtime", "cga-split"];
 

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use super::tree::{files, root};
+use cga_tests::tree::{files, root};
 
 /// Two words that are not written one after the other.
 struct Phrase {

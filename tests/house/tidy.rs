@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use super::tree::{files, root};
+use cga_tests::tree::{files, root};
 
 /// All Rust files of the workspace.
 fn sources() -> Vec<PathBuf> {

@@ -1,5 +1,5 @@
-//! All attributes of a grammar as JSON. What a grammar does is passed as functions, so this code is compiled once, not for
-//! each grammar.
+//! All attributes of a grammar as JSON. The code gets functions that read the values of a grammar, so it is compiled once, not
+//! for each grammar.
 
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};

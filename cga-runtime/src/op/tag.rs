@@ -62,7 +62,7 @@ fn tag_mesh(env: &mut Env, shape: &mut Shape, name: &Text, target: TagTarget) {
         TagTarget::Edges => placed.mesh.with_tagged_edges(name),
         TagTarget::Vertices => placed.mesh.with_tagged_vertices(name),
     });
-    // The geometry is no longer the geometry of an asset.
+    // A tagged geometry differs from the asset that it was.
     shape.geometry = Geometry::Mesh(Arc::new(Placed { mesh, inserted: Inserted::No, ..Placed::clone(placed) }));
 }
 

@@ -8,7 +8,8 @@ use std::cmp::Ordering;
 /// Lists of up to this length are sorted by insertion, as the standard library does.
 const RUN: usize = 20;
 
-/// Stable sorts with the results of `sort`, `sort_by` and `sort_by_key`.
+/// Stable sorts with the results of `sort`, `sort_by` and `sort_by_key`. They end and lose no element even if the comparisons are
+/// inconsistent (they are not exact where products underflow), and take n log n comparisons.
 pub(crate) trait SmallSort<T> {
     /// Sorts by `Ord`.
     fn small_sort(&mut self)
@@ -83,6 +84,7 @@ fn merge<T: Copy>(list: &mut [T], middle: usize, spare: &mut Vec<T>, is_less: &m
 #[cfg(test)]
 mod tests {
     use super::SmallSort;
+    use std::cmp::Ordering;
 
     /// Pairs of a number and its index, in a mixed order with many equal numbers.
     fn mixed(count: u32) -> Vec<(u32, u32)> {
@@ -103,6 +105,21 @@ mod tests {
             ours.small_sort();
             theirs.sort_unstable();
             assert_eq!(ours, theirs);
+        }
+    }
+
+    #[test]
+    fn inconsistent_comparisons_lose_no_element() {
+        for count in [3, 20, 21, 500] {
+            let mut list = mixed(count);
+            let mut state = 1_u32;
+            list.small_sort_by(|_, _| {
+                state = state.wrapping_mul(2_654_435_761).wrapping_add(1);
+                if state >> 31 == 0 { Ordering::Less } else { Ordering::Greater }
+            });
+            let mut numbers: Vec<u32> = list.iter().map(|pair| pair.1).collect();
+            numbers.sort_unstable();
+            assert!(numbers.into_iter().eq(0..count));
         }
     }
 }

@@ -62,7 +62,7 @@ fn rules_of_strings_and_files_have_their_names_and_the_line_of_the_literal() {
     }
 }
 
-/// What `gdb` shows when it stops at a line and then gets these commands, or `None` if it is not installed.
+/// The output of `gdb`, which stops at a line and then runs commands; `None` if it is not installed.
 fn gdb(comment: &str, commands: &[&str]) -> Option<String> {
     if Command::new("gdb").arg("--version").output().is_err() {
         println!("gdb is not installed: rules are not debugged");

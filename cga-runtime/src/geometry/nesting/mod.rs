@@ -15,7 +15,6 @@ mod box_tree;
 pub(crate) mod contour;
 mod duplicates;
 pub(crate) mod extent;
-mod merge_sort;
 mod pairing;
 mod probe;
 mod ring;

@@ -10,7 +10,6 @@ use std::cmp::Ordering;
 use glam::DVec2;
 
 use super::extent::about_one;
-use super::merge_sort::merge_sort;
 use crate::geometry::buckets::Buckets;
 use crate::geometry::exact::orient;
 use crate::value::small_sort::SmallSort;
@@ -32,7 +31,6 @@ pub(crate) struct Chains {
     arrived: Vec<bool>,
     dead: Vec<bool>,
     round: Vec<u32>,
-    spare: Vec<u32>,
     brackets: Vec<u32>,
 }
 
@@ -85,7 +83,7 @@ impl Chains {
         let centre = flat[point];
         let other = |item: u32| flat[edges[item as usize / 2][(item & 1) as usize] as usize];
         if self.round.len() > 2 {
-            merge_sort(&mut self.round, &mut self.spare, &|&a, &b| by_angle(centre, other(a), other(b)));
+            self.round.small_sort_by(|&a, &b| by_angle(centre, other(a), other(b)));
         }
         // Brackets on a circle: two rounds, so that brackets open at the end are closed at the start.
         self.brackets.clear();

@@ -9,10 +9,10 @@ use std::cmp::Ordering;
 use glam::DVec2;
 
 use super::contour::FlatLoops;
-use super::merge_sort::merge_sort;
 use crate::geometry::exact::orient;
 use crate::geometry::status::{LEFT, RIGHT, Status, is_below};
 use crate::value::each::Each;
+use crate::value::small_sort::SmallSort;
 
 /// No outline.
 const NONE: u32 = u32::MAX;
@@ -121,7 +121,7 @@ impl LoopSweep {
             place.then(a.begins.cmp(&b.begins)).then(a.edges.cmp(&b.edges))
         });
         for together in events.chunk_by_mut(|a, b| a.begins && b.begins && a.at == b.at) {
-            merge_sort(together, &mut Vec::new(), &|a, b| which_is_around(a, b, edges));
+            together.small_sort_by(|a, b| which_is_around(a, b, edges));
         }
         true
     }

@@ -151,8 +151,12 @@ pub(super) fn light(scene: &Scene, layer: &VisibilityBuffer, view: &Viewport, ha
                 Lamp::new(&casters, half, to, sky_map, shift, spare.pop().unwrap_or_default())
             })
             .collect();
-        let test = |sample| {
-            let Some((point, normal)) = surface(scene, layer, view, sample) else { return Raw::default() };
+        let mut tests = Vec::new();
+        class_samples(layer, class).for_each(|sample| {
+            let Some((point, normal)) = surface(scene, layer, view, sample) else {
+                tests.push(Raw::default());
+                return;
+            };
             let lit = 0.0 < normal.dot(sun);
             let (point, normal) = (point.as_vec3(), normal.as_vec3());
             let sun = if lit { bright.soft(point, normal) } else { 1.0 };
@@ -166,9 +170,8 @@ pub(super) fn light(scene: &Scene, layer: &VisibilityBuffer, view: &Viewport, ha
             }
             let byte = |share: f32| (share * 255.0 + 0.5) as u8;
             let part = 1.0 / count as f32;
-            Raw { sun: byte(sun), given: byte(given * part), possible: byte(possible * part) }
-        };
-        let tests: Vec<Raw> = class_samples(layer, class).map(test).collect();
+            tests.push(Raw { sun: byte(sun), given: byte(given * part), possible: byte(possible * part) });
+        });
         spare.extend(sky.into_iter().map(|lamp| lamp.near));
         tests
     });

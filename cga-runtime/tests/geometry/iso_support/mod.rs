@@ -1,5 +1,5 @@
 //! Meshes with texture coordinates, and a slow reference cutter.
-#![allow(dead_code, unreachable_pub)]
+#![allow(unreachable_pub)]
 
 use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder, UvAxis};
 use cga_runtime::geometry::triangulate::Triangulator;

@@ -1,5 +1,5 @@
 //! Models for the tests of sinks.
-#![allow(dead_code, unreachable_pub, missing_docs)]
+#![allow(unreachable_pub)]
 
 use std::sync::Arc;
 
