@@ -83,18 +83,22 @@ fn token(random: &mut Random) -> Tok {
     }
 }
 
+const DIALECTS: [Dialect; 2] = [Dialect::Inline, Dialect::Text];
+
 fn try_tokens(tokens: &Tokens) {
-    for dialect in [Dialect::Inline, Dialect::Text] {
-        let compiled = compile(Unit::new(tokens.clone(), dialect), &mut NoFiles, &[]);
-        for diag in &compiled.diags {
-            let places = diag.notes.iter().filter_map(|note| note.related).chain([diag.span]);
-            for place in places {
-                assert!(place.first <= place.last && (place.last as usize) < tokens.len().max(1), "{diag:?}");
-            }
+    DIALECTS.into_iter().for_each(|dialect| try_dialect(tokens, dialect));
+}
+
+fn try_dialect(tokens: &Tokens, dialect: Dialect) {
+    let compiled = compile(Unit::new(tokens.clone(), dialect), &mut NoFiles, &[]);
+    for diag in &compiled.diags {
+        let places = diag.notes.iter().filter_map(|note| note.related).chain([diag.span]);
+        for place in places {
+            assert!(place.first <= place.last && (place.last as usize) < tokens.len().max(1), "{diag:?}");
         }
-        if let Some(grammar) = &compiled.grammar {
-            assert!(!crate::ir_print::print(grammar).is_empty() || grammar.rules.is_empty());
-        }
+    }
+    if let Some(grammar) = &compiled.grammar {
+        assert!(!crate::ir_print::print(grammar).is_empty() || grammar.rules.is_empty());
     }
 }
 
@@ -147,7 +151,7 @@ fn mutated_fixtures_never_panic() {
         if tokens.is_empty() {
             continue;
         }
-        for _ in 0..40 {
+        for dialect in DIALECTS.into_iter().cycle().take(40) {
             let mut list = tokens.as_slice().to_vec();
             for _ in 0..=random.below(3) {
                 let at = random.below(list.len());
@@ -162,7 +166,7 @@ fn mutated_fixtures_never_panic() {
                 }
             }
             let tokens = list.into_iter().collect();
-            try_tokens(&tokens);
+            try_dialect(&tokens, dialect);
             try_printed(&tokens);
         }
     }
@@ -209,8 +213,8 @@ fn every_beginning_of_a_fixture_never_panics() {
     for text in corpus() {
         let tokens = lex(&text).tokens;
         let step = 1 + tokens.len() / 100;
-        for length in (0..tokens.len()).step_by(step) {
-            try_tokens(&tokens.as_slice()[..length].iter().cloned().collect());
+        for (length, dialect) in (0..tokens.len()).step_by(step).zip(DIALECTS.into_iter().cycle()) {
+            try_dialect(&tokens.as_slice()[..length].iter().cloned().collect(), dialect);
         }
     }
 }

@@ -40,7 +40,7 @@ use std::cell::RefCell;
 use std::collections::HashSet;
 
 use cga_lang::ir::facts::Facts;
-use cga_lang::ir::{ExprKind, Grammar, HostId, RuleId, Type};
+use cga_lang::ir::{ExprKind, Grammar, HostId, Param, RuleId, Type};
 use cga_lang::ops::Run;
 use proc_macro2::{Ident, Span, TokenStream};
 
@@ -80,6 +80,7 @@ struct Generator<'a> {
     material_changes: RefCell<site::MaterialChanges>,
     /// The names of the parameters of the rule or function that is written.
     params: RefCell<Vec<String>>,
+    param_names: RefCell<names::ParamNames>,
 }
 
 /// Writes a grammar.
@@ -106,6 +107,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         recomposed: operands::recomposed(grammar),
         material_changes: RefCell::default(),
         params: RefCell::default(),
+        param_names: RefCell::new(names::ParamNames::new(source.hosts().iter().map(|host| &host.expr))),
     };
     let (values, call) = (items::values(&cx), items::calls(&cx));
     let (rules, functions) = (rule::rules(&cx), rule::functions(&cx));
@@ -118,12 +120,14 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         .any(|code| !code.is_empty())
         .then(|| code!(#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)] impl CgaValues { #lazy #renewals #material_changes }));
     let implementation = items::rules_impl(&cx, header);
+    let imports = cx.param_names.borrow().imports();
     let hidden = code! {
+        #imports
         #values
         #of_values
         #call
         /// The rules and functions, one function each.
-        struct CgaRules;
+        enum CgaRules {}
         // Named and used by the rules, at the user's own tokens.
         #[allow(non_snake_case, dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
         impl CgaRules {
@@ -169,6 +173,11 @@ impl Generator<'_> {
     /// Writes code at the location of its rules. Rules of a string or a file have the location of the literal.
     fn at<T>(&self, span: cga_lang::span::Span, write: impl FnOnce() -> T) -> T {
         location::at(self.source.token(span.first), write)
+    }
+
+    /// Begins a rule or function with these parameters and locals.
+    fn name_params(&self, params: &[Param]) {
+        self.params.replace(self.param_names.borrow_mut().of(params));
     }
 
     /// A parameter or local of the rule or function that is written.

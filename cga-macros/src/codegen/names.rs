@@ -1,9 +1,9 @@
 //! Names of the generated functions and fields: as in the rules where that is possible, unique in any case.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 use cga_lang::ir::{FunctionId, Grammar, Param, RuleId};
-use proc_macro2::{Ident, Span};
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 
 /// One name for each rule and function.
 pub(super) struct ItemNames {
@@ -31,17 +31,55 @@ impl ItemNames {
     }
 }
 
-/// The names of the parameters and locals of a rule or function, which debuggers show. They are locals among the locals of the
-/// generated code, so a name that is taken gets a `_` at the end.
-pub(super) fn params(params: &[Param]) -> Vec<String> {
-    let mut taken = Taken::default();
-    if !params.is_empty() {
-        taken.all.extend(LOCALS.iter().map(|name| (*name).to_owned()));
+/// The names of parameters and locals of rules and functions, which debuggers show.
+#[derive(Default)]
+pub(super) struct ParamNames {
+    /// The words of the user's Rust expressions in the rules.
+    words: HashSet<String>,
+    /// The names that were given.
+    given: BTreeSet<String>,
+}
+
+impl ParamNames {
+    pub(super) fn new<'a>(expressions: impl Iterator<Item = &'a TokenStream>) -> Self {
+        let mut names = ParamNames::default();
+        expressions.for_each(|expression| add_words(expression, &mut names.words));
+        names
     }
-    // Rust takes the name of a constant in scope for the constant.
-    let is_free = |name: &str| !is_numbered(name) && !name.starts_with(char::is_uppercase);
-    let free = |name: &str| if is_free(name) { name.to_owned() } else { format!("{name}_") };
-    params.iter().map(|param| taken.field(&free(&param.name))).collect()
+
+    /// The names of one rule or function. They are locals among the locals of the generated code, so a name that is taken gets
+    /// a `_` at the end.
+    pub(super) fn of(&mut self, params: &[Param]) -> Vec<String> {
+        let mut taken = Taken::default();
+        if !params.is_empty() {
+            taken.all.extend(LOCALS.iter().map(|name| (*name).to_owned()));
+        }
+        let is_free = |name: &str| !is_numbered(name) && !self.words.contains(name);
+        let free = |name: &str| if is_free(name) { name.to_owned() } else { format!("{name}_") };
+        let names: Vec<String> = params.iter().map(|param| taken.field(&free(&param.name))).collect();
+        self.given.extend(names.iter().cloned());
+        names
+    }
+
+    /// An import for each name. Rust takes a name in a pattern for the constant, the static or the unit struct that has it;
+    /// functions it lets a pattern hide, and a function in the generated block hides what the user has outside.
+    pub(super) fn imports(&self) -> TokenStream {
+        if self.given.is_empty() {
+            return TokenStream::new();
+        }
+        let names = self.given.iter().map(|name| ident(name, Span::mixed_site()));
+        code!(#[allow(unused_imports)] use {#(cga_rt::hidden as #names),*};)
+    }
+}
+
+fn add_words(code: &TokenStream, words: &mut HashSet<String>) {
+    for token in code.clone() {
+        match token {
+            TokenTree::Group(group) => add_words(&group.stream(), words),
+            TokenTree::Ident(word) => _ = words.insert(word.to_string().trim_start_matches("r#").to_owned()),
+            _ => {}
+        }
+    }
 }
 
 /// Names that are taken already.
@@ -111,8 +149,11 @@ const RESERVED: &[&str] = &[
     "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
-/// The locals of generated code.
+/// The locals of generated code, and the constants beside them.
 const LOCALS: &[&str] = &[
+    "PATTERN",
+    "SIZES",
+    "SPLIT",
     "again",
     "arm",
     "arms",
@@ -190,10 +231,11 @@ mod tests {
     fn parameters_keep_names_that_are_free() {
         let params_of = |names: &[&str]| {
             let param = |name: &&str| Param { name: (*name).into(), ty: cga_lang::ir::Type::Float };
-            params(&names.iter().map(param).collect::<Vec<_>>())
+            ParamNames::new([quote::quote!(OFFSET + r#gen(1))].iter()).of(&names.iter().map(param).collect::<Vec<_>>())
         };
         assert_eq!(params_of(&["width", "a", "last", "i2", "match"]), ["width", "a", "last", "i2", "match"]);
-        assert_eq!(params_of(&["cx", "cx_", "self", "W", "a0"]), ["cx_", "cx__", "self_", "W_", "a0_"]);
+        assert_eq!(params_of(&["cx", "cx_", "self", "W", "a0"]), ["cx_", "cx__", "self_", "W", "a0_"]);
+        assert_eq!(params_of(&["OFFSET", "gen", "r"]), ["OFFSET_", "gen_", "r"]);
         assert_eq!(params_of(&["x", "x", "x_", "shape$1"]), ["x", "x_", "x__", "shape_1"]);
     }
 

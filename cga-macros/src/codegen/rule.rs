@@ -9,7 +9,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
 use super::access::Access;
-use super::{Generator, hygienic, inner_type, local, names, site};
+use super::{Generator, hygienic, inner_type, local, site};
 
 pub(super) fn rules(cx: &Generator<'_>) -> TokenStream {
     let rules = cx.grammar.rules.iter().zip(0..);
@@ -39,7 +39,7 @@ struct Tail {
 
 impl Generator<'_> {
     fn rule_function(&self, id: RuleId, rule: &Rule) -> TokenStream {
-        self.params.replace(names::params(&rule.params));
+        self.name_params(&rule.params);
         let name = self.rule(id, self.source.token(rule.span.first));
         let site = site::param(rule.sites.len());
         let (names, types): (Vec<_>, Vec<_>) = site.into_iter().chain(self.given(&rule.params, &rule.locals)).unzip();
@@ -87,7 +87,7 @@ impl Generator<'_> {
     }
 
     fn function(&self, id: FunctionId, function: &Function) -> TokenStream {
-        self.params.replace(names::params(&function.params));
+        self.name_params(&function.params);
         let name = self.names.function(id, self.source.token(function.span.first));
         let params = self.given(&function.params, &function.locals);
         let site = site::param(function.sites as usize);

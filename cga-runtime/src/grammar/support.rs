@@ -9,6 +9,9 @@ use crate::shape::view::View;
 use crate::value::array::{Array, Element};
 use crate::value::text::Text;
 
+/// Imported under a name, it hides the constant that has the name outside.
+pub fn hidden() {}
+
 /// The default of a text attribute.
 pub fn string(text: &str) -> String {
     text.to_owned()

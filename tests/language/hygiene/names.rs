@@ -37,7 +37,8 @@ cga! {
     Result --> super
     Box --> crate
     Clone --> Box
-    Copy(Sink) --> case Sink > 1 : X. else : Y.
+    Copy(Sink) --> case Sink > 1 : Rules(0) else : Y.
+    Rules(CgaRules) --> case CgaRules == 0 : X. else : Y.
     Copy --> Copy(fn(1))
     Send --> Copy(drop(2))
     Self --> case String == "text" : A. else : B.
@@ -65,6 +66,10 @@ cga! {
             part : Sum(g, cx, shape, part, value, arm, slot, env, own, a0, match, W + self)
             | ~value : comp(f) { W == 12 && top : Sum(g, cx, shape, part, value, arm, slot, env, own, a0, match, W + self) }
         }
+    Constants(SPLIT, SIZES, PATTERN) -->
+        split(x) { SPLIT : Constant(SPLIT) | ~SIZES : split(y) { { ~PATTERN : Constant(SIZES) }* } | { SIZES : Constant(PATTERN) }* }
+    Constant(x) --> case 0 < x : Right. else : Wrong.
+    Constants --> Constants(1, 2, 3)
     Sum(a, b, c, d, e, f, last, h, i, j, k, l) -->
         case a == 1 && b == 2 && c == 3 && d == 4 && e == 5 && f == 6 && last == 7 && h == 8 && i == 9 && j == 10 && k == 11 && l == 24 :
             Right.
@@ -74,6 +79,12 @@ cga! {
 
 /// Rust would take a parameter of this name for it.
 const W: f64 = 0.5;
+#[allow(non_upper_case_globals)]
+const h: f64 = 0.25;
+#[allow(non_upper_case_globals)]
+static i: f64 = 0.125;
+#[allow(non_camel_case_types)]
+struct k;
 
 #[test]
 fn words_of_rust_are_names_like_others() {
@@ -88,4 +99,6 @@ fn words_of_rust_are_names_like_others() {
 fn parameters_may_have_the_names_of_generated_locals_and_of_constants() {
     let model = Names::default().generate_from("Locals", &Shape::cuboid(10.0 + W, 1.0, 1.0)).expect("a rule");
     assert_eq!((model.count("Right"), model.count("Wrong")), (2, 0), "{:?}", model.counts());
+    let model = Names::default().generate_from("Constants", &Shape::cuboid(10.0, 6.0, 1.0)).expect("a rule");
+    assert_eq!((model.count("Right"), model.count("Wrong")), (7, 0), "{:?}", model.counts());
 }

@@ -11,3 +11,5 @@ pub struct CgaValues {
 pub enum CgaCall {
     Rule1(::core::primitive::f64, cga_rt::Text),
 }
+/// The rules and functions, one function each.
+enum CgaRules {}
