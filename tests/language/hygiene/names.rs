@@ -79,11 +79,11 @@ cga! {
 
 /// Rust would take a parameter of this name for it.
 const W: f64 = 0.5;
-#[allow(non_upper_case_globals)]
+#[allow(non_upper_case_globals, dead_code)]
 const h: f64 = 0.25;
-#[allow(non_upper_case_globals)]
+#[allow(non_upper_case_globals, dead_code)]
 static i: f64 = 0.125;
-#[allow(non_camel_case_types)]
+#[allow(non_camel_case_types, dead_code)]
 struct k;
 
 #[test]
