@@ -203,3 +203,26 @@ fn a_gltf_file_that_cannot_be_read_is_one_fault_that_names_the_place() {
         assert_eq!(model.leaves().count(), 1);
     }
 }
+
+cga! {
+    grammar Trees;
+    @Allow(missing_asset)
+    Lot --> case scope.sx > 3 : s(4, 2, 4) i("no-tree.obj") Tree. else : s(4, 2, 4) primitiveCube() Tree.
+}
+
+#[test]
+fn a_picture_has_a_translucent_box_for_a_missing_asset() {
+    use cga::sink::picture::{Image, Lines, Picture};
+    let draw = |model: &Model| Picture { ground: false, lines: Lines::None, ..Picture::new(80, 60) }.render(model);
+    let run = |width: f64| Trees {}.generate(&Shape::rectangle(width, 4.0)).expect("no limit");
+    let (missing, there) = (draw(&run(4.0)), draw(&run(2.0)));
+    let empty = draw(&Model::new());
+    let seen = |image: &Image| {
+        let pixels = image.rgba.chunks_exact(4).zip(empty.rgba.chunks_exact(4));
+        pixels.map(|(here, empty)| here != empty).collect::<Vec<_>>()
+    };
+    // The outline of the box, whose mark is much smaller; the backdrop and the mark are seen through it.
+    assert!(seen(&missing) == seen(&there) && seen(&there).iter().filter(|seen| **seen).count() > 80 * 60 / 8);
+    assert_ne!(missing, there);
+    assert!(run(4.0).bounds().size().max_element() < 0.2);
+}

@@ -51,6 +51,9 @@ pub(crate) const UNKNOWN_TEXTURE: &str = "builtin:unknowntexture.png";
 /// The built-in textures (*Built-in assets and textures*).
 pub(crate) const BUILTINS: [&str; 3] = [builtin::DEFAULT, builtin::UV_TEST, UNKNOWN_TEXTURE];
 
+/// The group of the mesh that marks the place of a missing asset.
+pub(crate) const MISSING: &str = "missing asset";
+
 /// The names of `primitiveCube` as an asset, up to 2016.0 (*CGA changelog 2016.0*).
 pub(crate) const CUBES: [&str; 2] = ["builtin:cube", "builtin:cube:notex"];
 

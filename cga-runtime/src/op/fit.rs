@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::geometry::Axis;
-use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::{Mesh, Variant};
 use crate::run::env::Env;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
 use crate::value::each::Each;
@@ -53,5 +53,17 @@ pub(super) fn put(env: &mut Env, shape: &mut Shape, mesh: Arc<Mesh>) {
     super::inserted(env, shape);
     // A size of zero flattens it.
     shape.resize(shape.scope.size);
+    face_outwards(shape);
     super::trim(env, shape);
+}
+
+/// Turns the faces of inserted geometry over where its scope mirrors it, so that they look outwards.
+pub(super) fn face_outwards(shape: &mut Shape) {
+    if shape.looks_inwards() {
+        shape.hold_as_mesh();
+        if let Geometry::Mesh(placed) = &shape.geometry {
+            let mesh = placed.mesh.variant(Variant::Reversed, |mesh| Some(mesh.reversed()));
+            shape.geometry = Geometry::Mesh(Arc::new(Placed { mesh, mirrored: true, ..Placed::clone(placed) }));
+        }
+    }
 }

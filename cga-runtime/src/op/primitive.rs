@@ -7,7 +7,7 @@
 
 use glam::DVec3;
 
-use super::fit::{centre, fit, put};
+use super::fit::{centre, face_outwards, fit, put};
 use super::settle;
 use crate::fault::FaultKind;
 use crate::geometry::Axis;
@@ -194,6 +194,7 @@ fn fill_plainly(env: &mut Env, shape: &mut Shape, geometry: Geometry, coordinate
     if env.initial.as_meshes || shape.geometry.unit_pressed_flat(shape.scope.size).is_some() {
         shape.hold_as_mesh();
     }
+    face_outwards(shape);
     super::trim(env, shape);
 }
 
@@ -360,9 +361,35 @@ mod tests {
             assert!(shape.to_mesh().points().iter().all(|p| p.is_finite()));
             assert_eq!(env.take_faults().0.is_empty(), radius == 0.0);
         }
-        // Mirrored: the faces look inwards.
-        let (env, shape) = (&mut Env::for_tests(), &mut lot());
-        cone_sized(env, shape, 8.0, 1.0, -3.0);
-        assert!(shape.to_mesh().volume() < 0.0);
+    }
+
+    #[test]
+    fn faces_look_outwards_in_every_scope() {
+        let with_sizes: [Fill; 4] = [
+            |env, shape| cube_sized(env, shape, 1.0, -2.0, 3.0),
+            |env, shape| cylinder_sized(env, shape, 8.0, 1.0, -3.0),
+            |env, shape| cone_sized(env, shape, 8.0, 1.0, -3.0),
+            |env, shape| sphere_sized(env, shape, 8.0, 8.0, -1.0),
+        ];
+        for flips in 0..8 {
+            let side = |axis: usize| if flips >> axis & 1 == 1 { -2.0 } else { 2.0 };
+            for fill in SOLID.into_iter().chain(with_sizes) {
+                let (env, shape) = (&mut Env::for_tests(), &mut sized(side(0), side(1), side(2)));
+                fill(env, shape);
+                let mesh = shape.to_mesh();
+                assert!(mesh.is_closed() && 0.1 < mesh.volume(), "{flips}: {}", mesh.volume());
+                assert_eq!(mesh.check(), []);
+                assert!(!shape.looks_inwards());
+            }
+            // Flat ones look along the axis of the scope.
+            for axis in 0..3 {
+                for fill in [quad as Fill, |env, shape| disk(env, shape, 5.0)] {
+                    let size = |other: usize| if other == axis { 0.0 } else { side(other) };
+                    let (env, shape) = (&mut Env::for_tests(), &mut sized(size(0), size(1), size(2)));
+                    fill(env, shape);
+                    assert!((shape.to_mesh().face(0).normal() - DMat3::IDENTITY.col(axis)).length() < 1e-12);
+                }
+            }
+        }
     }
 }

@@ -128,7 +128,11 @@ pub fn image_info(env: &mut Env, file: File, dimension: ImageDimension) -> f64 {
         assets.image_header(&file.name).map(|header| (header.width, header.height))
     } else {
         let read = assets.bytes(&file, header::LOOKED_AT);
-        read.and_then(|(bytes, _)| header::size(&bytes).ok_or(AssetError::Format("it is not a PNG or JPEG file")))
+        read.and_then(|(bytes, _)| {
+            header::size(&bytes).ok_or(AssetError::Format(
+                "it is neither a PNG nor a JPEG file, and images of other formats are not read",
+            ))
+        })
     };
     match (size, dimension) {
         (Ok((width, _)), ImageDimension::Sx) => width.into(),

@@ -51,7 +51,8 @@ fn kind(bytes: &[u8]) -> Option<ImageKind> {
 /// # Errors
 /// The file has another format, has no size, or ends early.
 pub(crate) fn header(bytes: &[u8]) -> Result<ImageHeader, AssetError> {
-    let kind = kind(bytes).ok_or(AssetError::Format("it is not a PNG or JPEG file"))?;
+    let kind = kind(bytes)
+        .ok_or(AssetError::Format("it is neither a PNG nor a JPEG file, and images of other formats are not read"))?;
     let (width, height) = size(bytes).ok_or_else(|| AssetError::Broken("the image has no size".to_owned()))?;
     let (has_alpha, is_complete) = match kind {
         ImageKind::Png => png(bytes),
@@ -118,7 +119,10 @@ mod tests {
         for end in 0..jpeg.len() {
             assert!(read(&jpeg[..end]).is_err(), "{end}");
         }
-        assert_eq!(read(b"GIF89a"), Err(AssetError::Format("it is not a PNG or JPEG file")));
+        assert_eq!(
+            read(b"GIF89a"),
+            Err(AssetError::Format("it is neither a PNG nor a JPEG file, and images of other formats are not read"))
+        );
         // A length beyond the end, and a length of 0 that makes no progress.
         assert!(read(&[PNG, &[0xff; 40]].concat()).is_err());
         assert!(read(&[0xff, 0xd8, 0xff, 0xe0, 0, 0, 0xff, 0xda, 0, 0]).is_err());

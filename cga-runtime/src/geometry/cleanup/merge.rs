@@ -22,12 +22,18 @@ const LEAST_CELL: f64 = 1e-6;
 /// Merges each point with the nearest earlier one within a distance, except where a face would turn over or cross itself. Edges and loops that
 /// shrink to nothing vanish. `None` if nothing is merged.
 pub(super) fn merged(mesh: &Mesh, distance: f64) -> Option<Mesh> {
+    merged_into(mesh, |stays| targets(&mesh.points, distance, stays))
+}
+
+/// Merges each point into its target, except where a face would turn over or cross itself: `targets` is asked again with the points
+/// that have to stay.
+pub(super) fn merged_into(mesh: &Mesh, targets: impl Fn(&[bool]) -> Vec<u32>) -> Option<Mesh> {
     let mut stays = vec![false; mesh.points.len()];
     for round in 0..=MOST_ROUNDS {
         if round == MOST_ROUNDS {
             stays.fill(true);
         }
-        let targets = targets(&mesh.points, distance, &stays);
+        let targets = targets(&stays);
         if targets.iter().enumerate().all(|(point, &target)| point == target as usize) {
             return None;
         }

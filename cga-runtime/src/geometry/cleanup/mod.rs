@@ -10,6 +10,7 @@ mod doubles;
 mod flat_edges;
 mod merge;
 mod regions;
+mod short_edges;
 mod slits;
 mod slivers;
 mod small_faces;
@@ -23,6 +24,7 @@ mod tests;
 
 use doubles::FlatParts;
 use glam::DVec3;
+pub(crate) use short_edges::without_short_edges;
 
 use crate::geometry::mesh::Mesh;
 use crate::geometry::tol::{AT_LIMIT_EPSILON, FLAT_ANGLE_EPSILON, FLAT_EPSILON, MERGE_EPSILON, ROUNDING_EPSILON};
@@ -103,10 +105,14 @@ pub(crate) fn cleanup(mesh: &Mesh, parts: Parts, tolerance: f64) -> Option<Mesh>
     if draft.steps == 0 {
         return None;
     }
-    let mut made = draft.mesh;
-    let source = Mesh { subcomponent_tags: std::mem::take(&mut made.subcomponent_tags), ..Mesh::clone(mesh) };
+    Some(without_unused_points(draft.mesh, mesh))
+}
+
+/// A mesh whose corners have points of the original mesh, with those points alone.
+fn without_unused_points(mut made: Mesh, original: &Mesh) -> Mesh {
+    let source = Mesh { subcomponent_tags: std::mem::take(&mut made.subcomponent_tags), ..Mesh::clone(original) };
     made.take_points(&source);
-    Some(made)
+    made
 }
 
 /// A mesh between two steps.

@@ -43,6 +43,7 @@ mod subcomponent_tags;
 mod tag;
 mod tagging;
 pub(crate) mod uv;
+mod variants;
 mod weld;
 
 use std::ops::Range;
@@ -77,6 +78,8 @@ pub(crate) use tag::TagSetTable;
 pub use tag::{TagSet, TaggedComponents};
 pub(crate) use uv::UvSets;
 pub use uv::{TextureSpace, UvAxis, UvExtent};
+pub(crate) use variants::Variant;
+use variants::Variants;
 
 /// Faces with holes over shared points. Made by [`MeshBuilder`] and immutable afterwards.
 #[derive(Clone, Debug, Default)]
@@ -139,6 +142,7 @@ pub(crate) struct Derived {
     pub(crate) bounds: OnceLock<Bounds>,
     pub(crate) closed: OnceLock<bool>,
     pub(crate) adjacency: OnceLock<Arc<Adjacency>>,
+    variants: Variants,
 }
 
 impl Derived {

@@ -14,7 +14,7 @@
 //! Faces with texture coordinates show the colour map of their material. Their opacity map makes them transparent: by
 //! degrees, or fully or not at all if the mode is `mask`. Files are found in the assets of the model
 //! ([`Model::with_assets`]). Without an asset folder faces have the colour of their material. If several transparent
-//! surfaces overlap, the nearest is drawn. Other maps are not drawn.
+//! surfaces overlap, the nearest is drawn. Other maps are not drawn. A translucent box stands for a missing asset.
 
 pub(crate) mod camera;
 mod footprint;
@@ -23,6 +23,7 @@ mod light;
 mod lines;
 #[cfg(feature = "png")]
 mod palette;
+mod placeholder;
 #[cfg(feature = "png")]
 mod png;
 mod raster;
@@ -154,7 +155,7 @@ impl Picture {
 
     /// Draws a model.
     pub fn render(&self, model: &Model) -> Image {
-        let bounds = model.bounds();
+        let bounds = placeholder::bounds(model);
         let mut scene = Scene::new(&bounds, model.assets().cloned());
         let _ = model.replay(&mut scene);
         let camera = self.view.camera(bounds);

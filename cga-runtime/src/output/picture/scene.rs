@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec2, DVec3, Vec3};
 
+use super::placeholder;
 use super::texel::{Maps, PLAIN, Textures};
 use crate::asset::Assets;
 use crate::geometry::mesh::{Bounds, Mesh};
@@ -187,6 +188,11 @@ impl Sink for Scene {
 
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         let material = self.leaf(leaf);
+        if let Some(cuboid) = placeholder::placeholder(mesh, &leaf.scope()) {
+            let id = self.table.material(&placeholder::material());
+            let paint = self.paint(id);
+            cuboid.faces().iter().for_each(|face| self.rectangle(face, paint, &[]));
+        }
         self.round = true;
         let mut flattener = std::mem::take(&mut self.flattener);
         let mut corners = Vec::new();

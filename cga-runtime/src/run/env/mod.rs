@@ -51,9 +51,6 @@ const TABLES_KEPT: usize = 16;
 /// The number of primitives that are kept: rules insert the same few again and again.
 const PRIMITIVES_KEPT: usize = 32;
 
-/// The number of assets that are kept in upright form.
-const ASSETS_RAISED: usize = 256;
-
 /// A share of the initial shape's largest extent below which shapes are not split further, and an upper limit of that
 /// threshold in metres. The limit keeps small parts on large sites; it also serves runs that start from a point.
 pub(crate) const TOO_SMALL: (f64, f64) = (1e-6, 1e-4);
@@ -105,8 +102,6 @@ pub struct Env {
     pub(crate) error: Option<Error>,
     /// The primitives made so far.
     primitives: Vec<(PrimitiveKind, Arc<Mesh>)>,
-    /// The assets that were raised, each with its raised form.
-    raised: Vec<[Arc<Mesh>; 2]>,
     pub(crate) reports: Reports,
     pub(crate) prints: Prints,
     /// The operands whose shapes remember their connectivity.
@@ -399,22 +394,6 @@ impl Env {
             self.primitives.push((what, mesh.clone()));
         }
         Some(mesh)
-    }
-
-    /// An asset with its z axis turned up. The first few are kept for the run. `None` when the limit of vertices is
-    /// reached.
-    pub(crate) fn raised(&mut self, mesh: Arc<Mesh>) -> Option<Arc<Mesh>> {
-        if let Some([_, known]) = self.raised.iter().find(|[lying, _]| Arc::ptr_eq(lying, &mesh)) {
-            return Some(known.clone());
-        }
-        if self.count_vertices(&mesh).is_break() {
-            return None;
-        }
-        let raised = Arc::new(mesh.raised());
-        if self.raised.len() < ASSETS_RAISED {
-            self.raised.push([mesh, raised.clone()]);
-        }
-        Some(raised)
     }
 
     pub(crate) fn take_faults(&mut self) -> (Vec<Fault>, u64) {
