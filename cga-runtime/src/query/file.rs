@@ -130,7 +130,7 @@ pub fn image_info(env: &mut Env, file: File, dimension: ImageDimension) -> f64 {
         let read = assets.bytes(&file, header::LOOKED_AT);
         read.and_then(|(bytes, _)| {
             header::size(&bytes).ok_or(AssetError::Format(
-                "it is neither a PNG nor a JPEG file, and images of other formats are not read",
+                "only PNG and JPEG images can be read",
             ))
         })
     };

@@ -52,7 +52,7 @@ fn kind(bytes: &[u8]) -> Option<ImageKind> {
 /// The file has another format, has no size, or ends early.
 pub(crate) fn header(bytes: &[u8]) -> Result<ImageHeader, AssetError> {
     let kind = kind(bytes)
-        .ok_or(AssetError::Format("it is neither a PNG nor a JPEG file, and images of other formats are not read"))?;
+        .ok_or(AssetError::Format("only PNG and JPEG images can be read"))?;
     let (width, height) = size(bytes).ok_or_else(|| AssetError::Broken("the image has no size".to_owned()))?;
     let (has_alpha, is_complete) = match kind {
         ImageKind::Png => png(bytes),
@@ -121,7 +121,7 @@ mod tests {
         }
         assert_eq!(
             read(b"GIF89a"),
-            Err(AssetError::Format("it is neither a PNG nor a JPEG file, and images of other formats are not read"))
+            Err(AssetError::Format("only PNG and JPEG images can be read"))
         );
         // A length beyond the end, and a length of 0 that makes no progress.
         assert!(read(&[PNG, &[0xff; 40]].concat()).is_err());
