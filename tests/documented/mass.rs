@@ -24,6 +24,11 @@ cga! {
     @StartRule
     Again --> envelope(normal, 20, 6, 40) comp(f) { isTagged("envelope.top") : envelope(normal, 2, 1, 45) comp(f) {
         isTagged("envelope.side") : Side. | isTagged("envelope.bottom") : Bottom. | isTagged("envelope.top") : Top. } | all : NIL }
+    # A published rule: the envelope keeps the axes of its scope, whose z axis is up.
+    @StartRule
+    Upright --> extrude(3) comp(f) { top : s(8.2, 2.5, '1) Top }
+    Top --> envelope(world.up, 0.6, 0.45, 45, 0.45, 45, 0.45, 45) print(scope.sx + " " + scope.sy + " " + scope.sz)
+        split(x) { { ~scope.sy : Piece. }* } t(0, 0, 0.6) rotateScope(0, 90, 0) After.
     "##;
 }
 
@@ -88,6 +93,14 @@ fn forms_of_envelopes_agree() {
         assert!(volume("Sides") < volume("Three") && volume("Seven") < volume("Sides"));
         assert_eq!(mesh("Seven"), mesh("Nine"));
     }
+}
+
+/// Along the world's y axis the scope keeps its axes, as a published result shows.
+#[test]
+fn an_envelope_along_the_world_keeps_the_axes_of_its_scope() {
+    let model = run("Upright", &Shape::rectangle(20.0, 15.0));
+    assert_eq!(model.report().prints()[0].to_string(), "8.2 2.5 0.6");
+    assert_eq!(model.count("Piece"), 3);
 }
 
 /// Calling the operation again replaces its tags.

@@ -31,6 +31,10 @@ cga! {
     @StartRule
     Verges --> roofGable(30, 2, 1) comp(f) { isTagged("roof.side") : Side. }
     @StartRule
+    Back --> roofGable(30, 0, -1) comp(f) { isTagged("roof.top") : Top. | isTagged("roof.side") : Side. | isTagged("roof.bottom") : Bottom. }
+    @StartRule
+    Inside --> roofHip(30, -1) comp(f) { isTagged("roof.top") : Top. | isTagged("roof.bottom") : Bottom. }
+    @StartRule
     Two --> roofHip(45) comp(f) { all : Face. }
     "##;
 }
@@ -210,4 +214,22 @@ fn roof_faces_follow_the_edges_of_all_faces() {
     let tops = faces[..4].iter().chain(&faces[5..9]);
     assert!(tops.zip(&places).all(|(face, edge)| face[..2] == *edge));
     assert!(faces[4].iter().chain(&faces[9]).all(|at| at.y == 0.0));
+}
+
+/// A negative overhang takes the planes back: published rules leave the pediments as parapets with `roofGable(angle, 0, -w)`.
+#[test]
+fn a_negative_overhang_takes_the_planes_back() {
+    let cos = 30f64.to_radians().cos();
+    let model = form(Forms::default(), "Back", &rectangle());
+    // The ridge is along the 10 metres; each plane begins and ends a metre behind its pediment.
+    let area = |model: &Model, rule: &str| model.leaves_of(rule).map(|leaf| leaf.area()).sum::<f64>();
+    assert_eq!(["Top", "Side", "Bottom"].map(|rule| model.count(rule)), [2, 2, 1]);
+    assert!((area(&model, "Top") - 8.0 * 8.0 / cos).abs() < 1e-9 && (area(&model, "Bottom") - 80.0).abs() < 1e-9);
+    assert!((area(&model, "Side") - 2.0 * 0.5 * 8.0 * 4.0 * 30f64.to_radians().tan()).abs() < 1e-9);
+    // A metre on the planes is less as seen from above.
+    let model = form(Forms::default(), "Inside", &rectangle());
+    let (width, depth) = (10.0 - 2.0 * cos, 8.0 - 2.0 * cos);
+    assert!((area(&model, "Top") - width * depth / cos).abs() < 1e-9);
+    let lowest = corners(&model.leaves_of("Top").next().expect("a plane")).iter().map(|p| p.y).fold(f64::MAX, f64::min);
+    assert!((lowest - 0.5).abs() < 1e-9);
 }

@@ -126,7 +126,10 @@ fn images_of_an_inserted_file_are_found_beside_it() {
     assert_eq!(mesh.materials()[0].texture.as_ref().map(|name| name.as_str()), Some("/assets/wood.png"));
     let faults: Vec<String> = model.faults().iter().map(|fault| fault.message.clone()).collect();
     assert_eq!(faults.len(), 2, "{faults:?}");
-    assert!(faults[0].starts_with("`/assets/wood.png` cannot be shown: only PNG and JPEG images can be read"), "{faults:?}");
+    assert!(
+        faults[0].starts_with("`/assets/wood.png` cannot be shown: only PNG and JPEG images can be read"),
+        "{faults:?}"
+    );
     assert!(faults[1].starts_with("`none.png` cannot be shown"), "{faults:?}");
 }
 

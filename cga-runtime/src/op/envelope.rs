@@ -2,9 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
-use super::extrude::stand;
+use super::extrude::{stand, stand_along};
 use super::refused::report_refused;
 use crate::comp::face_edges;
 use crate::comp::select::Word;
@@ -88,8 +88,8 @@ pub fn envelope_sides(
 /// outline is in front of every edge with a slope, each slope goes on over the whole face; otherwise slopes end at each
 /// other as the planes of a roof do. Where edges of different slopes come into one line, the flatter slope goes on over both.
 ///
-/// The new scope's y axis is the normal of the first face, or the world's y axis; its x axis stays as near to the old one as
-/// it can, and the pivot stays. The faces are the bottom, the top, the upright sides in the order of edges and the slopes, with
+/// Along the normal, the new scope's y axis is the normal of the first face, and its x axis stays as near to the old one as it can.
+/// Along the world's y axis the axes of the scope stay, as in published results. The pivot stays. The faces are the bottom, the top, the upright sides in the order of edges and the slopes, with
 /// the tags of the reference. Texture coordinates are lost.
 ///
 /// The shape stays, with a fault, for a maximum height that is not positive, a base height below 0 and an angle that is not
@@ -258,7 +258,10 @@ fn build(env: &mut Env, shape: &mut Shape, along: EnvelopeAlong, height: f64, si
         // *Shape recomposition*: the volume is not connected again, but the movements of the face count.
         env.divide_trace(shape);
         shape.change_trace(|trace| *trace = Trace::default());
-        stand(env, shape, made, up, 1.0, "`envelope`");
+        match along {
+            EnvelopeAlong::Normal => stand(env, shape, made, up, 1.0, "`envelope`"),
+            EnvelopeAlong::WorldUp => stand_along(env, shape, made, DMat3::IDENTITY, 1.0, "`envelope`"),
+        }
     }
 }
 

@@ -167,15 +167,18 @@ fn extrude_any(env: &mut Env, shape: &mut Shape, how: Extrude, distance: f64) {
 }
 
 /// Gives the shape the extruded mesh, in the coordinates of its old scope, with a scope whose y axis is `up`.
-pub(super) fn stand(env: &mut Env, shape: &mut Shape, mut grown: Mesh, up: DVec3, distance: f64, what: &str) {
+pub(super) fn stand(env: &mut Env, shape: &mut Shape, grown: Mesh, up: DVec3, distance: f64, what: &str) {
+    stand_along(env, shape, grown, upright(&DMat3::IDENTITY, up, 1), distance, what);
+}
+
+/// Gives the shape the extruded mesh, in the coordinates of its old scope, with a scope along other axes in these coordinates.
+pub(super) fn stand_along(env: &mut Env, shape: &mut Shape, mut grown: Mesh, turn: DMat3, distance: f64, what: &str) {
     if grown.is_empty() {
         // Nothing moved.
         return;
     }
     shape.hand_trace_to(&mut grown);
     let axes = shape.scope.axes;
-    // In scope coordinates: turn them so that y is up.
-    let turn = upright(&DMat3::IDENTITY, up, 1);
     let local = grown.map(&DAffine3 { matrix3: turn.transpose(), translation: DVec3::ZERO });
     let mut placed = Placed::fitted(local);
     let axes = axes * turn;

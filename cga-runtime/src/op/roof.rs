@@ -29,8 +29,8 @@ pub fn roof_hip(env: &mut Env, shape: &mut Shape, angle: f64, overhang: f64, eve
 /// the pivot stays.
 ///
 /// The overhang is measured on the planes, in metres. It continues the roof faces below the edges, so the roof is not
-/// closed. It leads too far at edges that are nearly opposite, as of a thin spike: then the roof has none, and a fault
-/// names the face. With `even` the points of each ridge get their mean height, and faces that are bent become triangles. A ridge
+/// closed. A negative one takes the roof faces back from the edges. It leads too far at edges that are nearly opposite, as of a thin spike: then the roof has none, and a fault
+/// names the face. So it is if no roof face is left. With `even` the points of each ridge get their mean height, and faces that are bent become triangles. A ridge
 /// is between edges that run against each other; hips and valleys keep their slope.
 ///
 /// The new geometry has no texture coordinates and no vertex normals.
@@ -50,7 +50,8 @@ pub fn roof_gable(env: &mut Env, shape: &mut Shape, angle: f64, across: f64, alo
 /// `roofGable(byAngle | byHeight, value, overhangX, overhangY, even)`: a roof as of [`roof_hip_by`], but with upright
 /// pediments at its ends (*roofGable operation*). An end is a side whose hip would be a triangle, between convex corners
 /// and neighbours that run against each other. `overhangX` is the overhang at the eaves, on the planes; `overhangY` is the
-/// overhang in front of the pediments, across their edges. Both are in metres. A pediment that goes around a corner, or whose
+/// overhang in front of the pediments, across their edges. Both are in metres, and negative ones take the planes back
+/// from eaves or pediments. A pediment that goes around a corner, or whose
 /// overhang would meet another part of the roof, has none in front.
 pub fn roof_gable_by(env: &mut Env, shape: &mut Shape, by: RoofValue, value: f64, across: f64, along: f64, even: bool) {
     gable(env, shape, by, value, [across, along], even, None);
@@ -123,7 +124,7 @@ pub fn roof_ridge_by(env: &mut Env, shape: &mut Shape, by: RoofValue, value: f64
 }
 
 fn overhang_of(env: &mut Env, overhang: f64, what: &str) -> f64 {
-    env.finite(overhang, what).max(0.0)
+    env.finite(overhang, what)
 }
 
 /// The whole part of an index.

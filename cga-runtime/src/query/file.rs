@@ -129,9 +129,7 @@ pub fn image_info(env: &mut Env, file: File, dimension: ImageDimension) -> f64 {
     } else {
         let read = assets.bytes(&file, header::LOOKED_AT);
         read.and_then(|(bytes, _)| {
-            header::size(&bytes).ok_or(AssetError::Format(
-                "only PNG and JPEG images can be read",
-            ))
+            header::size(&bytes).ok_or(AssetError::Format("only PNG and JPEG images can be read"))
         })
     };
     match (size, dimension) {

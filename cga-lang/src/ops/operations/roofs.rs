@@ -12,9 +12,9 @@ const VALUE: Param = within(float("value"), &VALUES);
 /// A shed may fall.
 const SHED_ANGLE: Param = within(float("angle"), &SHED_ANGLES);
 const SHED_VALUE: Param = within(float("value"), &SHED_VALUES);
-const OVERHANG: Param = or(overhang("overhang"), Default::Float(0.0));
-const OVERHANG_X: Param = or(overhang("overhangX"), Default::Float(0.0));
-const OVERHANG_Y: Param = or(overhang("overhangY"), Default::Float(0.0));
+const OVERHANG: Param = or(float("overhang"), Default::Float(0.0));
+const OVERHANG_X: Param = or(float("overhangX"), Default::Float(0.0));
+const OVERHANG_Y: Param = or(float("overhangY"), Default::Float(0.0));
 const EVEN: Param = or(boolean("even"), Default::Bool(false));
 const INDEX: Param = or(float("index"), Default::Float(0.0));
 
@@ -36,15 +36,6 @@ static SHED_VALUES: ParamBounds = ParamBounds {
     with_word: &[("byAngle", &SHED_ANGLES), ("byHeight", &SHED_HEIGHTS)],
     ..form_bounds(Allowed::Sloped(f64::INFINITY), "a height is not 0, an angle between -90 and 90 degrees, but not 0")
 };
-static OVERHANGS: ParamBounds = ParamBounds {
-    result: Some("the roof has no overhang"),
-    ..bounds(Allowed::AtLeast(0.0), "an overhang is at least 0")
-};
-
-const fn overhang(name: Str) -> Param {
-    within(float(name), &OVERHANGS)
-}
-
 /// The tags of all roofs; pediments of gables are neither outer nor inner sides.
 const TAGS: &[&str] = &["roof.bottom", "roof.top", "roof.side", "roof.side.outer", "roof.side.inner"];
 
@@ -58,7 +49,7 @@ pub(super) static ROWS: &[Operation] = &[
     roof(
         "roofGable",
         "roof_gable_along",
-        &[ANGLE, overhang("overhangX"), overhang("overhangY"), boolean("even"), float("index")],
+        &[ANGLE, float("overhangX"), float("overhangY"), boolean("even"), float("index")],
         "builds a gable roof with its ridge along an edge",
     ),
     roof(

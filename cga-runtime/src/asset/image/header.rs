@@ -51,8 +51,7 @@ fn kind(bytes: &[u8]) -> Option<ImageKind> {
 /// # Errors
 /// The file has another format, has no size, or ends early.
 pub(crate) fn header(bytes: &[u8]) -> Result<ImageHeader, AssetError> {
-    let kind = kind(bytes)
-        .ok_or(AssetError::Format("only PNG and JPEG images can be read"))?;
+    let kind = kind(bytes).ok_or(AssetError::Format("only PNG and JPEG images can be read"))?;
     let (width, height) = size(bytes).ok_or_else(|| AssetError::Broken("the image has no size".to_owned()))?;
     let (has_alpha, is_complete) = match kind {
         ImageKind::Png => png(bytes),
@@ -119,10 +118,7 @@ mod tests {
         for end in 0..jpeg.len() {
             assert!(read(&jpeg[..end]).is_err(), "{end}");
         }
-        assert_eq!(
-            read(b"GIF89a"),
-            Err(AssetError::Format("only PNG and JPEG images can be read"))
-        );
+        assert_eq!(read(b"GIF89a"), Err(AssetError::Format("only PNG and JPEG images can be read")));
         // A length beyond the end, and a length of 0 that makes no progress.
         assert!(read(&[PNG, &[0xff; 40]].concat()).is_err());
         assert!(read(&[0xff, 0xd8, 0xff, 0xe0, 0, 0, 0xff, 0xda, 0, 0]).is_err());

@@ -59,6 +59,7 @@ pub(super) fn gable(
             }
         }
     }
+    plan.take_back(outline, &ends, [overhang_in_plan((-across).max(0.0), slope), (-along).max(0.0)])?;
     Ok(plan.roof(slope, &|edge| ends[edge as usize]))
 }
 

@@ -4,7 +4,8 @@ use super::plan::Plan;
 use super::{Outline, Rise, Roof};
 use crate::geometry::skeleton::Failure;
 
-/// A hip roof with one face for each edge. An overhang continues the faces below the outline.
+/// A hip roof with one face for each edge. An overhang continues the faces below the outline, and a
+/// negative one takes them back.
 pub(super) fn hip(outline: &Outline<'_>, rise: Rise, overhang: f64, even: bool) -> Result<Roof, Failure> {
     let count = outline.edges().len();
     let mut plan = Plan::of(outline, &vec![1.0; count])?;
@@ -19,6 +20,8 @@ pub(super) fn hip(outline: &Outline<'_>, rise: Rise, overhang: f64, even: bool) 
         let regions = outside.strips.into_iter().map(|strip| (strip.edge, strip.ring)).collect();
         plan.join(regions, &fronts);
         plan.drop_straight(&|_| true);
+    } else {
+        plan.take_back(outline, &vec![false; count], [overhang_in_plan(-overhang, slope), 0.0])?;
     }
     Ok(plan.roof(slope, &|_| false))
 }

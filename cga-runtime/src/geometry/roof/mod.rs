@@ -15,6 +15,7 @@ mod mesh;
 mod plan;
 mod planes;
 mod settle;
+mod take_back;
 
 use glam::{DVec2, DVec3};
 
@@ -51,16 +52,16 @@ impl Rise {
 pub(crate) enum RoofForm {
     /// A plane rises at each edge.
     Hip {
-        /// The length of the overhang on the planes, in metres.
+        /// The length of the overhang on the planes, in metres; a negative one takes the planes back from the eaves.
         overhang: f64,
         /// True to make ridges level.
         even: bool,
     },
     /// A hip roof with upright pediments at its ends.
     Gable {
-        /// The length of the overhang at the eaves on the planes, in metres.
+        /// The length of the overhang at the eaves on the planes, in metres; negative as in a hip roof.
         across: f64,
-        /// The overhang beyond the pediments, in metres.
+        /// The overhang beyond the pediments, in metres; a negative one takes the planes back from them.
         along: f64,
         /// True to make ridges level.
         even: bool,
@@ -82,8 +83,8 @@ impl RoofForm {
     /// The same roof without overhangs; `None` if it has none.
     fn without_overhangs(self) -> Option<Self> {
         match self {
-            RoofForm::Hip { overhang, even } if 0.0 < overhang => Some(RoofForm::Hip { overhang: 0.0, even }),
-            RoofForm::Gable { across, along, even, edge } if 0.0 < across.max(along) => {
+            RoofForm::Hip { overhang, even } if overhang != 0.0 => Some(RoofForm::Hip { overhang: 0.0, even }),
+            RoofForm::Gable { across, along, even, edge } if across != 0.0 || along != 0.0 => {
                 Some(RoofForm::Gable { across: 0.0, along: 0.0, even, edge })
             }
             _ => None,

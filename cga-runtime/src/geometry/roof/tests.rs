@@ -286,3 +286,88 @@ fn overhanging(polygon: &Polygon, roof: &Roof, across: f64) -> Result<f64, Strin
     }
     off_planes(polygon, roof)
 }
+
+/// Negative overhangs leave what is far enough from the eave and from the pediments beside a plane, where it was.
+#[test]
+fn negative_overhangs_take_planes_back() {
+    for (across, along) in [(-0.1, 0.0), (0.0, -0.2), (-0.3, -0.3), (0.2, -0.2), (-0.2, 0.2), (-0.5, -0.4)] {
+        let (mut failures, mut count, mut left_out) = (Vec::new(), 0, 0);
+        for (name, polygon) in outlines(seeds() / 4) {
+            let hip = RoofForm::Hip { overhang: across, even: false };
+            let gable = RoofForm::Gable { across, along, even: false, edge: None };
+            for (form, along, plain) in [(hip, 0.0, HIP), (gable, along, GABLE)] {
+                count += 1;
+                let plain = built(&polygon, plain, Rise::Slope(SLOPE)).expect("a roof");
+                match built(&polygon, form, Rise::Slope(SLOPE)) {
+                    Ok(roof) => {
+                        if let Err(why) = taken_back(&polygon, &plain, &roof, [across, along]) {
+                            failures.push(format!("{name} {form:?}: {why}"));
+                        }
+                    }
+                    Err(_) => left_out += 1,
+                }
+            }
+        }
+        complain(&failures, count);
+        // Small outlines have no plane that is so wide.
+        assert!(3 * left_out < count, "{left_out} of {count}");
+    }
+}
+
+fn taken_back(polygon: &Polygon, plain: &Roof, roof: &Roof, [across, along]: [f64; 2]) -> Result<(), String> {
+    let edges: Vec<[u32; 2]> = polygon.rings.iter().flat_map(|ring| arcs::arcs(ring)).collect();
+    let ahead = |edge: u32, p: DVec2| {
+        let [from, to] = edges[edge as usize].map(|point| polygon.points[point as usize]);
+        (to - from).normalize().perp().dot(p - from)
+    };
+    let eave = (-across).max(0.0) / 1.64f64.sqrt();
+    for face in &roof.faces {
+        let edge = face.edge.ok_or("a face without an edge")?;
+        let corners = face.rings[0].iter().map(|&point| roof.points[point as usize]);
+        if face.part == RoofPart::Top && across <= 0.0 {
+            let [a, b] = [face.rings[0][0], face.rings[0][1]].map(|point| roof.points[point as usize].truncate());
+            let is_low = |p: DVec2| (ahead(edge, p) - eave).abs() < 1e-6;
+            if corners.clone().filter(|p| is_low(p.truncate())).count() > 1 && !(is_low(a) && is_low(b)) {
+                return Err(format!("the face over {edge} begins elsewhere"));
+            }
+        }
+        for corner in corners.filter(|_| face.part == RoofPart::Top) {
+            if (corner.z - SLOPE * ahead(edge, corner.truncate())).abs() > PLANAR * extent(polygon) {
+                return Err(format!("{corner} is off the plane over {edge}"));
+            }
+        }
+    }
+    // For each edge the pediments beside its plane.
+    let arcs_of = |face: &RoofFace| arcs::arcs(&face.rings[0]).collect::<Vec<_>>();
+    let sides: Vec<(u32, Vec<[u32; 2]>)> = plain
+        .faces
+        .iter()
+        .filter(|face| face.part == RoofPart::Side)
+        .map(|face| (face.edge.unwrap_or(0), arcs_of(face)))
+        .collect();
+    let flat = |roof: &Roof| roof.points.iter().map(|point| point.truncate()).collect::<Vec<_>>();
+    let (before, after) = (flat(plain), flat(roof));
+    let holding = |roof: &Roof, flat: &[DVec2], p: DVec2| -> Vec<RoofFace> {
+        let tops = roof.faces.iter().filter(|face| face.part == RoofPart::Top);
+        tops.filter(|face| holds(flat, &face.rings[0], p)).cloned().collect()
+    };
+    let low = polygon.points.iter().copied().reduce(DVec2::min).unwrap();
+    let high = polygon.points.iter().copied().reduce(DVec2::max).unwrap();
+    let rng = &mut Rng(3);
+    for _ in 0..60 {
+        let p = low + (high - low) * DVec2::new(rng.unit(), rng.unit());
+        let [face] = &holding(plain, &before, p)[..] else { continue };
+        let edge = face.edge.unwrap_or(0);
+        let own = arcs_of(face);
+        let beside = sides.iter().filter(|(_, arcs)| arcs.iter().any(|[a, b]| own.contains(&[*b, *a])));
+        let room = beside.map(|(side, _)| ahead(*side, p) + along.min(0.0)).chain([ahead(edge, p) - eave]);
+        let room = room.fold(f64::INFINITY, f64::min);
+        let found = holding(roof, &after, p);
+        if room.abs() > 1e-5
+            && (found.len() != usize::from(0.0 < room) || found.iter().any(|face| face.edge != Some(edge)))
+        {
+            return Err(format!("{p} over {edge}, {room} away, is covered by {} faces", found.len()));
+        }
+    }
+    Ok(())
+}
