@@ -31,6 +31,9 @@ cga! {
     @StartRule
     Verges --> roofGable(30, 2, 1) comp(f) { isTagged("roof.side") : Side. }
     @StartRule
+    ShedEaves --> roofShed(30) comp(e) { eave : Bar("eave") | ridge : Bar("ridge") | hip : Bar("hip") }
+    Bar(name) --> s('1, 0.1, 0.1) primitiveCube() print(name) Bar.
+    @StartRule
     Back --> roofGable(30, 0, -1) comp(f) { isTagged("roof.top") : Top. | isTagged("roof.side") : Side. | isTagged("roof.bottom") : Bottom. }
     @StartRule
     Inside --> roofHip(30, -1) comp(f) { isTagged("roof.top") : Top. | isTagged("roof.bottom") : Bottom. }
@@ -232,4 +235,11 @@ fn a_negative_overhang_takes_the_planes_back() {
     assert!((area(&model, "Top") - width * depth / cos).abs() < 1e-9);
     let lowest = corners(&model.leaves_of("Top").next().expect("a plane")).iter().map(|p| p.y).fold(f64::MAX, f64::min);
     assert!((lowest - 0.5).abs() < 1e-9);
+}
+
+/// An eave is the low border of a roof (*comp operation*), so a shed has one.
+#[test]
+fn the_upper_edge_of_a_shed_is_no_eave() {
+    let model = form(Forms::default(), "ShedEaves", &rectangle());
+    assert_eq!(model.report().prints().iter().map(|print| print.to_string()).collect::<Vec<_>>(), ["eave"]);
 }

@@ -1,6 +1,7 @@
 //! The edges of roofs: eaves, hips, valleys and ridges.
 //!
-//! A roof consists of the faces that look up. A level edge of one such face is an eave. An edge of two such faces is
+//! A roof consists of the faces that look up. A level edge of one such face from which
+//! the face does not fall is an eave: the upper edge of a shed is none. An edge of two such faces is
 //! a valley if they slope towards each other, a hip if it touches an eave, otherwise a ridge. An edge between two
 //! coplanar faces, as at a collinear corner, has no class. Faces that look down or sideways do not count, so the result
 //! is the same for a roof that is a closed volume.
@@ -33,7 +34,7 @@ impl RoofMesh {
         let normals = normals.iter().map(|normal| normal * sense).collect();
         let mut roof = RoofMesh { mesh: mesh.clone(), normals, sense, eaves: vec![false; mesh.points().len()] };
         for edge in 0..mesh.adjacency().edge_count() {
-            if matches!(roof.faces(edge), (Some(_), None)) && roof.is_level(edge) {
+            if matches!(roof.faces(edge), (Some(face), None) if roof.is_eave(edge, face)) {
                 roof.ends(edge).into_iter().for_each(|point| roof.eaves[point] = true);
             }
         }
@@ -43,7 +44,7 @@ impl RoofMesh {
     /// The class of an edge.
     pub(super) fn edge(&self, edge: usize) -> Option<RoofEdge> {
         match self.faces(edge) {
-            (Some(_), None) => self.is_level(edge).then_some(RoofEdge::Eave),
+            (Some(face), None) => self.is_eave(edge, face).then_some(RoofEdge::Eave),
             (Some(one), Some(other)) => match self.rise(edge, one, other) {
                 rise if UP_EPSILON < rise => Some(RoofEdge::Valley),
                 rise if -UP_EPSILON <= rise && self.look_alike(one, other) => None,
@@ -73,9 +74,10 @@ impl RoofMesh {
         [corner, adjacency.next(corner)].each(|corner| self.mesh.corners()[corner as usize] as usize)
     }
 
-    fn is_level(&self, edge: usize) -> bool {
+    /// Returns true if an edge is a low border of its only face that looks up.
+    fn is_eave(&self, edge: usize, face: u32) -> bool {
         let [a, b] = self.mesh.edge_ends(edge);
-        a != b && unit(b - a).y.abs() <= UP_EPSILON
+        a != b && unit(b - a).y.abs() <= UP_EPSILON && -UP_EPSILON <= self.inwards(edge, face).y
     }
 
     /// Returns true if two faces look in about the same direction.
@@ -85,11 +87,15 @@ impl RoofMesh {
 
     /// The rise of one face over another one: the sine of the angle between them, positive if they slope towards each other.
     fn rise(&self, edge: usize, one: u32, other: u32) -> f64 {
+        self.inwards(edge, one).dot(self.normals[other as usize])
+    }
+
+    /// The direction in the first face at an edge that looks up, across the edge.
+    fn inwards(&self, edge: usize, face: u32) -> DVec3 {
         let adjacency = self.mesh.adjacency();
-        let Some(corner) = self.corner(edge) else { return 0.0 };
+        let Some(corner) = self.corner(edge) else { return DVec3::ZERO };
         let at = |corner: u32| self.mesh.points()[self.mesh.corners()[corner as usize] as usize];
         let along = unit(at(adjacency.next(corner)) - at(corner)) * self.sense;
-        let inwards = self.normals[one as usize].cross(along);
-        inwards.dot(self.normals[other as usize])
+        self.normals[face as usize].cross(along)
     }
 }

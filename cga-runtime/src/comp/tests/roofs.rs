@@ -87,13 +87,13 @@ fn pyramids_have_planes_to_the_apex() {
     assert_eq!(edges(&pyramid), [5, 5, 0, 0]);
 }
 
-/// Trim planes at the upright edges between sides (*roofShed operation*, second picture). The roof plane has two eaves: the
-/// edge that it rises from, and the highest one (*comp operation*, roof edges).
+/// Trim planes at the upright edges between sides (*roofShed operation*, second picture). The roof plane has one eave, the
+/// edge that it rises from: "horizontal border edges on the bottom of the roof" (*comp operation*, roof edges).
 #[test]
 fn a_shed_has_planes_between_its_sides() {
     let shed = roof(rectangle(), |env, shape| op::roof_shed(env, shape, 30.0, 0.0));
     assert_eq!(planes(&shed), [[0, 0], [1, 0], [2, 0], [1, 0], [0, 0]]);
-    assert_eq!(edges(&shed), [2, 0, 0, 0]);
+    assert_eq!(edges(&shed), [1, 0, 0, 0]);
     let shed = roof(l_lot(), |env, shape| op::roof_shed(env, shape, 10.0, 3.0));
     let sides = planes(&shed);
     // The sides beside the edge of the plane have one plane. At the concave corner a plane would cut the faces.
