@@ -8,3 +8,4 @@ mod laws;
 mod projections;
 mod sets;
 mod splits;
+mod twice;
