@@ -2,7 +2,7 @@
 //! texture coordinates of the pages' examples.
 
 use cga::glam::{DVec2, DVec3};
-use cga::{Settings, Shape};
+use cga::{Settings, Shape, cga};
 
 use crate::collect::{Corner, Leaves};
 use cga_tests::pages::example::Example;
@@ -304,4 +304,35 @@ fn cones_show_the_texture_as_a_triangle() {
             }
         }
     }
+}
+
+cga! {
+    grammar Cut = r##"
+    @StartRule
+    Lot --> s(7, 10, 7) primitiveCylinder(72) split(y) { 3 : NIL | 4 : Ring | ~1 : NIL }
+    Ring --> print(geometry.du(0, unitSpace)) print(geometry.uMin(0) + " " + geometry.uMax(0)) [ Pieces ] [ Moved ] Whole.
+    Pieces --> split(u, uvSpace, 0) { '0.25 : Quarter. }*
+    Moved --> translateUV(0, 0.6, 0.25) split(u, uvSpace, 0) { '0.5 : Half. }*
+    "##;
+}
+
+/// The faces that close a cut have texture coordinates of (0, 0), as in files that CityEngine writes.
+#[test]
+fn caps_are_a_point_in_texture_space() {
+    let model = Cut::default().generate(&Shape::rectangle(7.0, 7.0)).expect("a model");
+    let prints: Vec<String> = model.report().prints().iter().map(|print| print.to_string()).collect();
+    // The sides touch the scope.
+    let girth = 72.0 * 7.0 * (std::f64::consts::PI / 72.0).tan();
+    assert!((prints[0].parse::<f64>().expect("a number") - girth).abs() < 1e-3, "{prints:?}");
+    assert_eq!(prints[1], "0 1");
+    // Caps are whole, in the piece with u = 0, which is the first one; or moved.
+    let caps = |rule: &str| {
+        let level = |leaf: cga::LeafView<'_>| {
+            let (mesh, _) = leaf.mesh();
+            mesh.faces().filter(|face| 0.9 < face.normal().y.abs()).count()
+        };
+        model.leaves_of(rule).map(level).collect::<Vec<_>>()
+    };
+    assert_eq!([caps("Whole"), caps("Quarter"), caps("Half")], [vec![2], vec![2, 0, 0, 0], vec![2, 0]]);
+    assert!(model.leaves_of("Whole").all(|leaf| leaf.mesh().0.is_closed()));
 }

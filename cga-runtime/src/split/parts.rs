@@ -253,9 +253,7 @@ fn slabs(
     let (extent, stretch) = (size[at].abs(), placed.stretch(size)[at].abs());
     let plane = |distance: f64| placed.low[at] + distance / stretch;
     let borders = PieceBorders::of(row, extent, plane(extent), plane);
-    // Texture coordinates of caps are metres in the scope, for every stretch of the mesh.
-    let stretch = placed.stretch(size.abs());
-    let mut cut = cut::stretched_slabs(&placed.mesh, axis, &borders.rising, placed.low, stretch);
+    let mut cut = cut::slabs(&placed.mesh, axis, &borders.rising);
     // *split operation*: surfaces get no caps. An asset is usually meant to be a solid, so it gets a fault; a single
     // face does not.
     if !cut.open.is_empty() && placed.inserted == Inserted::Asset && 1 < placed.mesh.face_count() {

@@ -38,7 +38,7 @@ pub(crate) use iso::traced_iso_bands;
 pub(crate) use plane::above;
 pub use plane::{Plane, halves};
 
-use caps::{CapTexture, Caps, sheet_search};
+use caps::{Caps, sheet_search};
 use class::ClassRange;
 use faces::chain::Chain;
 use faces::general::General;
@@ -78,8 +78,8 @@ pub struct OpenChain {
 /// The faces of a part have the order of the mesh. Caps come after them, low plane first. A part without a piece of the
 /// mesh's first face begins with the cap towards that face instead (*CGA changelog 2025.1*). The values of corners are
 /// interpolated; tags stay. Caps ([`FaceTag::cap`](crate::geometry::mesh::FaceTag::cap)) have no group and no material
-/// of the mesh, so the shape's own material applies to them. Their texture coordinates are lengths in the plane, in the
-/// mesh's unit, in all sets of the mesh.
+/// of the mesh, so the shape's own material applies to them. Their texture coordinates are (0, 0) in all
+/// sets of the mesh.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -93,13 +93,7 @@ pub struct OpenChain {
 /// assert!(slabs.parts[2].is_none() && slabs.open.is_empty());
 /// ```
 pub fn slabs(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64]) -> Slabs {
-    Cutter::with(|cutter| cutter.slabs(mesh, axis, offsets, CapTexture::UNCHANGED))
-}
-
-/// The same as [`slabs`] for a stretched mesh. The texture coordinates of caps begin at the point `low`, and `stretch`
-/// converts them to metres.
-pub(crate) fn stretched_slabs(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64], low: DVec3, stretch: DVec3) -> Slabs {
-    Cutter::with(|cutter| cutter.slabs(mesh, axis, offsets, CapTexture { low, stretch }))
+    Cutter::with(|cutter| cutter.slabs(mesh, axis, offsets))
 }
 
 /// Buffers that are reused by the next cut.
@@ -135,7 +129,7 @@ impl Cutter {
         })
     }
 
-    pub(crate) fn slabs(&mut self, mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64], texture: CapTexture) -> Slabs {
+    pub(crate) fn slabs(&mut self, mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64]) -> Slabs {
         let mut slabs = Slabs { parts: vec![None; offsets.len() + 1], ..Slabs::default() };
         if mesh.is_empty() {
             return slabs;
@@ -161,7 +155,7 @@ impl Cutter {
         // Adds 0.0 because a plane at -0 would give points at -0.
         self.state.points.planes.extend(kept[first..end].iter().map(|&at| offsets[at] + 0.0));
         self.cut_faces(mesh);
-        self.caps.close(&mut self.state, mesh, texture, |points, plane, chain| {
+        self.caps.close(&mut self.state, mesh, |points, plane, chain| {
             let lift = |point| points.lift(plane as u32, point);
             let points = chain.into_iter().map(lift).collect();
             slabs.open.push(OpenChain { plane: number(plane + first), points });

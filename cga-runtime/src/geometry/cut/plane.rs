@@ -7,9 +7,8 @@
 
 use std::sync::Arc;
 
-use glam::{DMat3, DVec2, DVec3};
+use glam::{DMat3, DVec3};
 
-use super::caps::{CapTexture, texture_axes};
 use super::points::NONE;
 use super::{Cutter, OpenChain, Slabs};
 use crate::geometry::Frame;
@@ -97,7 +96,7 @@ impl Cutter {
         let mut slabs = Slabs::default();
         let mut open = Vec::new();
         if close {
-            self.caps.close(&mut self.state, &local, CapTexture::UNCHANGED, |_, _, chain| open.push(chain));
+            self.caps.close(&mut self.state, &local, |_, _, chain| open.push(chain));
         }
         let met = self.state.points.on_plane_of(&mesh.points, &local.points);
         for chain in open {
@@ -129,15 +128,7 @@ impl Cutter {
             }
         }
         for ((part, caps), normal) in parts.iter_mut().zip(caps).zip([normal, -normal]) {
-            let Mesh { points, corners, uvs, normals, .. } = &mut part.mesh;
-            normals.iter_mut().skip(caps).for_each(|own| *own = normal);
-            let (right, up) = texture_axes(normal);
-            uvs.change(caps..corners.len(), |list| {
-                for (uv, corner) in list.iter_mut().zip(&corners[caps..]) {
-                    let point = points[*corner as usize];
-                    *uv = DVec2::new(right.dot(point), up.dot(point));
-                }
-            });
+            part.mesh.normals.iter_mut().skip(caps).for_each(|own| *own = normal);
         }
     }
 }

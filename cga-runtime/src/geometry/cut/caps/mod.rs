@@ -1,8 +1,8 @@
 //! The caps that close the slabs in the cut planes.
 //!
 //! The sections on both sides of a plane are the same loops in opposite directions, so they are computed once. The cap
-//! below a plane faces up, the cap above it faces down. The texture coordinates of a cap are metres in its plane,
-//! upright if the cap is upright.
+//! below a plane faces up, the cap above it faces down. All texture coordinates of a cap
+//! are (0, 0), as in files that CityEngine writes.
 
 mod first_face;
 pub(crate) mod rim;
@@ -17,19 +17,6 @@ use crate::geometry::cut::caps::first_face::Lead;
 use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::Contour;
-
-/// The origin of the texture coordinates of caps, a point of the mesh, and the factors that convert the mesh's lengths to
-/// metres.
-#[derive(Clone, Copy)]
-pub(crate) struct CapTexture {
-    pub(crate) low: DVec3,
-    pub(crate) stretch: DVec3,
-}
-
-impl CapTexture {
-    /// The coordinates of the mesh.
-    pub(crate) const UNCHANGED: CapTexture = CapTexture { low: DVec3::ZERO, stretch: DVec3::ONE };
-}
 
 /// Buffers.
 #[derive(Default)]
@@ -47,7 +34,6 @@ impl Caps {
         &mut self,
         state: &mut CutState,
         mesh: &Mesh,
-        texture: CapTexture,
         mut open: impl FnMut(&CutPoints, usize, Vec<u32>),
     ) {
         let planes = state.points.planes.len();
@@ -71,7 +57,7 @@ impl Caps {
             let plane = plane as u32;
             let first = self.turn_to_lead(plane);
             for slab in [plane, plane + 1] {
-                self.add(state, mesh, texture, plane, slab, first);
+                self.add(state, mesh, plane, slab, first);
             }
         }
     }
@@ -95,14 +81,13 @@ impl Caps {
     }
 
     /// Adds the caps of a plane to one of its slabs, beginning with the cap number `first`.
-    fn add(&self, state: &mut CutState, mesh: &Mesh, texture: CapTexture, plane: u32, slab: u32, first: usize) {
+    fn add(&self, state: &mut CutState, mesh: &Mesh, plane: u32, slab: u32, first: usize) {
         let CutState { parts, points, .. } = state;
         let axis = points.axis;
         let up = slab == plane;
         let part = &mut parts[slab as usize];
         let mut normal = DVec3::ZERO;
         normal[axis] = if up { 1.0 } else { -1.0 };
-        let (right, upwards) = texture_axes(normal);
         if let Some(is_nearer) = self.lead.is_nearer(slab, plane)
             && (is_nearer || part.lead.is_none())
         {
@@ -118,9 +103,7 @@ impl Caps {
                     let corner = ring[if up { i } else { (ring.len() + 1 - i) % ring.len() }];
                     let number = part.number(points, Location::on(plane, corner), slab);
                     part.mesh.corners.push(number);
-                    let point = part.mesh.points[number as usize];
-                    let metres = (point - texture.low) * texture.stretch;
-                    part.mesh.uvs.push_from(&mesh.uvs, |_| DVec2::new(right.dot(metres), upwards.dot(metres)));
+                    part.mesh.uvs.push_from(&mesh.uvs, |_| DVec2::ZERO);
                     if !mesh.normals.is_empty() {
                         part.mesh.normals.push(normal);
                     }
@@ -130,13 +113,4 @@ impl Caps {
             part.mesh.end_face(FaceTag::CAP);
         }
     }
-}
-
-/// The texture axes of a cap, in metres and not mirrored as seen from outside: upright, or like the axes of a floor if the
-/// cap is horizontal.
-pub(crate) fn texture_axes(normal: DVec3) -> (DVec3, DVec3) {
-    const FLAT: f64 = 1e-9;
-    let level = DVec3::Y.cross(normal);
-    let right = if level.length() <= FLAT { DVec3::X } else { level.normalize() };
-    (right, normal.cross(right))
 }
