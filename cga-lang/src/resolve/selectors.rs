@@ -5,6 +5,7 @@ use super::resolver::Resolver;
 use super::tables::Use;
 use crate::diag::code::Code;
 use crate::diag::{Diag, quoted};
+use crate::dialect::Dialect;
 use crate::ops::{self, Selector, SelectorPlaces};
 use crate::suggest::nearest;
 use crate::syntax::ast::{Arm, ArmMode, Binary, CompValue, Expr, ExprKind, Name, Unary};
@@ -78,14 +79,16 @@ impl<'a> Resolver<'_, 'a, '_> {
         }
     }
 
-    /// Reports a negative number as a selector of a comp. Negative numbers of `setback` wrap (*setback operation*).
+    /// Reports a negative number as a selector of a comp: published rule files have it, and it finds nothing. Negative numbers of
+    /// `setback` wrap (*setback operation*).
     fn index(&mut self, selector: &Expr) {
         if let ExprKind::Unary(Unary::Minus, operand) = &selector.kind
             && let ExprKind::Number(number) = operand.kind
             && 0.0 < number
         {
             let message = format!("there is no component with the index -{number}");
-            let diag = self.cx.diags.report(Code::UnknownSelector, selector.span, message);
+            let code = if self.dialect() == Dialect::Text { Code::SelectorHidden } else { Code::UnknownSelector };
+            let diag = self.cx.diags.report(code, selector.span, message);
             diag.note("components are numbered from 0").help("write the index of a component, or a selector");
         }
     }

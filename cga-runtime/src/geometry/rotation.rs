@@ -2,6 +2,8 @@
 
 use glam::{DMat3, DVec3};
 
+use crate::geometry::tol::ANGLE_EPSILON;
+
 /// The rotation by degrees about x, then y, then z (*CGA Euler angles*).
 pub(crate) fn turn(x: f64, y: f64, z: f64) -> DMat3 {
     let ((sx, cx), (sy, cy), (sz, cz)) = (sin_cos(x), sin_cos(y), sin_cos(z));
@@ -11,7 +13,8 @@ pub(crate) fn turn(x: f64, y: f64, z: f64) -> DMat3 {
     about_z * about_y * about_x
 }
 
-/// The angles from which [`turn`] makes a rotation, in degrees.
+/// The angles from which [`turn`] makes a rotation, in degrees, above -180 and up to 180: a half turn is 180, whichever way rounding
+/// makes it.
 pub(crate) fn angles(turn: &DMat3) -> DVec3 {
     let (x, y, z) = (turn.x_axis, turn.y_axis, turn.z_axis);
     let about_y = libm::asin((-x.z).clamp(-1.0, 1.0));
@@ -21,7 +24,11 @@ pub(crate) fn angles(turn: &DMat3) -> DVec3 {
     } else {
         (libm::atan2(-z.y, y.y), 0.0)
     };
-    DVec3::new(about_x.to_degrees(), about_y.to_degrees(), about_z.to_degrees())
+    let normal = |angle: f64| {
+        let is_half = angle <= ANGLE_EPSILON - std::f64::consts::PI;
+        if is_half { 180.0 } else { angle.to_degrees() + 0.0 }
+    };
+    DVec3::new(normal(about_x), normal(about_y), normal(about_z))
 }
 
 /// The sine and cosine of an angle in degrees, exact at quarter turns.
@@ -32,5 +39,22 @@ pub(crate) fn sin_cos(degrees: f64) -> (f64, f64) {
         180.0 => (0.0, -1.0),
         270.0 => (-1.0, 0.0),
         _ => libm::sincos(degrees.to_radians()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_half_turn_has_one_angle() {
+        for by in [180.0, -180.0, 540.0, 180.0 + 1e-14, -180.0 - 1e-13, 180.0 - 1e-14, -180.0 + 1e-13] {
+            assert!((angles(&turn(by, 0.0, 0.0)) - DVec3::new(180.0, 0.0, 0.0)).length() < 1e-9, "{by}");
+            assert!((angles(&turn(0.0, 0.0, by)) - DVec3::new(0.0, 0.0, 180.0)).length() < 1e-9, "{by}");
+            assert!((angles(&turn(0.0, by, 0.0)) - DVec3::new(180.0, 0.0, 180.0)).length() < 1e-9, "{by}");
+        }
+        // Other angles keep their sign.
+        assert!((angles(&turn(-179.9, 0.0, 20.0)) - DVec3::new(-179.9, 0.0, 20.0)).length() < 1e-9);
+        assert!(angles(&turn(0.0, -0.0, 0.0)).to_array().iter().all(|angle| angle.is_sign_positive()));
     }
 }

@@ -74,7 +74,7 @@ const LEAST_DEVIATION: f64 = 1e-6;
 
 /// Strews points; a normal distribution is around the centre with a deviation of `'0.16` (*scatter operation*).
 ///
-/// The number of points is rounded down; without points, a fault. On a surface, the density is by area over all faces, and
+/// The number of points is rounded down; a negative number is a fault. On a surface, the density is by area over all faces, and
 /// a normal distribution is the distribution of the space around, on the faces. The y axis of a point on a surface is the normal of its
 /// face, and its x axis is the scope's x axis, projected into the face; other points keep the axes of the scope.
 pub fn scatter(
@@ -123,7 +123,10 @@ fn strew(
     bell: impl FnOnce(f64) -> Bell,
 ) -> ControlFlow<(), Points> {
     let count = env.finite(count, "the number of points of `scatter`").floor();
-    if count < 1.0 {
+    if count == 0.0 {
+        return ControlFlow::Continue(Points::none());
+    }
+    if count < 0.0 {
         env.fault(FaultKind::Value, format!("`scatter`: {count} points are asked for; none is made"));
         return ControlFlow::Continue(Points::none());
     }

@@ -43,10 +43,15 @@ pub(super) static ROWS: &[Operation] = &[
         "gives the attributes of the material their defaults again",
     )),
     // Queries of other shapes will find the copy.
-    keeps(using(
+    using(
         Uses::WHOLE.and(Uses::SAYS),
-        op("label", "label", &[within(text("label"), &LABELS)], "leaves a labelled copy of the shape for queries"),
-    )),
+        says(op(
+            "label",
+            "label",
+            &[within(text("label"), &LABELS)],
+            "leaves a labelled copy of the shape for queries",
+        )),
+    ),
     says(op("report", "report", &[text("key"), of("value", F)], REPORT)),
     says(op("report", "report", &[text("key"), of("value", B)], REPORT)),
     says(op("report", "report", &[text("key"), of("value", T)], REPORT)),

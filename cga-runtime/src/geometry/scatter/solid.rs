@@ -60,18 +60,17 @@ impl Solid {
         (0..self.triangles.len() as u32).collect()
     }
 
-    /// Returns true if the surface winds around a point. A point above or below an edge counts as outside.
+    /// Returns true if the surface winds around a point. A point above or below an edge is on the side of it that [`side`] tells, for
+    /// both triangles at the edge, so it meets one of them.
     pub(super) fn contains(&self, point: DVec3) -> bool {
         let ([column, row], at) = (self.column(flat(point)), flat(point));
         let mut winding = 0;
         for &number in &self.lists[row * self.columns + column] {
             let triangle = self.triangles[number as usize];
             let [a, b, c] = triangle.each(flat);
-            let sides = [orient(a, b, at), orient(b, c, at), orient(c, a, at)];
-            if sides.contains(&0) && !(sides.contains(&1) && sides.contains(&-1)) {
-                return false;
-            }
-            if sides[0] == sides[1] && sides[1] == sides[2] && point.y < height(triangle, at) {
+            let sides = [side(a, b, at), side(b, c, at), side(c, a, at)];
+            // A triangle that is upright is never met.
+            if sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2] && point.y < height(triangle, at) {
                 winding += sides[0];
             }
         }
@@ -81,6 +80,17 @@ impl Solid {
     /// The triangles of a list that may come into a box.
     pub(super) fn crossing(&self, list: &[u32], low: DVec3, high: DVec3) -> Vec<u32> {
         list.iter().copied().filter(|&number| may_cross(&self.triangles[number as usize], low, high)).collect()
+    }
+}
+
+/// The side of a line on which a point is after an infinitely small move to the right, and a far smaller one upwards: 1 on the left, -1 on
+/// the right, 0 if the line has no direction.
+fn side(a: DVec2, b: DVec2, at: DVec2) -> i32 {
+    let sign = |number: f64| i32::from(0.0 < number) - i32::from(number < 0.0);
+    match orient(a, b, at) {
+        0 if a.y != b.y => sign(a.y - b.y),
+        0 => sign(b.x - a.x),
+        known => known,
     }
 }
 

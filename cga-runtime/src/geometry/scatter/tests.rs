@@ -141,3 +141,56 @@ fn a_domain_without_extent_has_one_place_or_none() {
     let points = draw(Domain::cuboid(DVec3::ONE, DVec3::ONE, Bell::EVEN, 10));
     assert!(points.len() == 10 && points.iter().all(|point| point.position == DVec3::ONE));
 }
+
+/// Counts in slabs along each axis follow their volumes, for solids whose triangulations have edges through the middles of boxes.
+#[test]
+fn points_are_even_in_solids_of_many_forms() {
+    use std::sync::Arc;
+
+    use glam::{DAffine3, DMat3};
+
+    use crate::geometry::Axis;
+    use crate::geometry::cut::slabs;
+    use crate::geometry::mesh::{Extrude, extrude};
+
+    const SLABS: usize = 10;
+    let cube = PrimitiveKind::Cylinder { sides: 4 }.mesh();
+    let grown = |outline: &[[f64; 2]], hole: &[[f64; 2]]| {
+        let ring = |ring: &[[f64; 2]]| ring.iter().map(|[x, z]| DVec3::new(*x, 0.0, *z)).collect::<Vec<_>>();
+        let holes: Vec<Vec<DVec3>> = Some(ring(hole)).into_iter().filter(|hole| !hole.is_empty()).collect();
+        extrude(&Mesh::from_polygon(&ring(outline), &holes).expect("a polygon"), Extrude::FaceNormal, 4.0)
+    };
+    let square = [[0.0, 0.0], [10.0, 0.0], [10.0, -10.0], [0.0, -10.0]];
+    let solids = [
+        ("cube", grown(&square, &[]).map(&DAffine3::from_scale(DVec3::new(1.0, 2.5, 1.0)))),
+        ("turned cube", cube.map(&DAffine3::from_mat3(DMat3::from_euler(glam::EulerRot::XYZ, 0.3, 0.7, 1.1) * 10.0))),
+        ("prism", grown(&[[0.0, 0.0], [10.0, 0.0], [5.0, -8.0]], &[])),
+        ("L", grown(&[[0.0, 0.0], [10.0, 0.0], [10.0, -5.0], [5.0, -5.0], [5.0, -10.0], [0.0, -10.0]], &[])),
+        ("ring", grown(&square, &[[3.0, -3.0], [3.0, -7.0], [7.0, -7.0], [7.0, -3.0]])),
+        ("cylinder", PrimitiveKind::Cylinder { sides: 32 }.mesh()),
+    ];
+    for (name, mesh) in solids {
+        assert!(mesh.is_closed() && 0.0 < mesh.volume(), "{name}");
+        let points = draw(Domain::volume(&mesh, Bell::EVEN, 6000));
+        assert_eq!(points.len(), 6000, "{name}");
+        let (bounds, whole) = (mesh.bounds(), mesh.volume());
+        let mesh = Arc::new(mesh);
+        for axis in [Axis::X, Axis::Y, Axis::Z] {
+            let (low, size) = (bounds.low[axis.index()], bounds.size()[axis.index()]);
+            let offsets: Vec<f64> = (1..SLABS).map(|i| low + size * i as f64 / SLABS as f64).collect();
+            let parts = slabs(&mesh, axis, &offsets).parts;
+            let shares: Vec<f64> =
+                parts.iter().map(|part| part.as_ref().map_or(0.0, |part| part.volume()) / whole).collect();
+            let cell = |at: DVec3| (((at[axis.index()] - low) / size * SLABS as f64) as usize).min(SLABS - 1);
+            let sum = chi_square(&points, SLABS, cell, |cell| shares[cell]);
+            assert!(sum < bound(SLABS - 1), "{name} {axis:?}: {sum}");
+        }
+        // The middle, which a diagonal of each box leads through.
+        let middle = bounds.low + bounds.size() * 0.5;
+        if name == "cube" {
+            let near = points.iter().filter(|point| point.position.distance(middle) < 2.0).count();
+            let expected = 6000.0 * 4.0 / 3.0 * std::f64::consts::PI * 8.0 / 1000.0;
+            assert!((near as f64 - expected).abs() < 4.0 * expected.sqrt(), "{near} of {expected}");
+        }
+    }
+}
