@@ -57,6 +57,8 @@ enum Stored {
     Full(UnitMesh),
     /// An index in the model's list of other geometry.
     Other(u32),
+    /// No faces.
+    Placement,
 }
 
 /// Geometry that does not follow from the scope of its leaf.
@@ -83,6 +85,8 @@ impl Stored {
 /// The geometry of a leaf, in the world.
 #[derive(Clone, Copy, Debug)]
 pub enum Geometry<'a> {
+    /// No faces: a point or edges. The scope is the place of what a program puts there.
+    Placement,
     /// A rectangle.
     Quad(Quad),
     /// A closed box.
@@ -142,6 +146,7 @@ impl<'a> LeafView<'a> {
         let index = match self.record.stored {
             Stored::Rect(axis, unit) => return Geometry::Quad(place::rectangle(&self.record.scope, axis, unit)),
             Stored::Full(unit) => return Geometry::Cuboid(place::cuboid(&self.record.scope, unit)),
+            Stored::Placement => return Geometry::Placement,
             Stored::Other(index) => index,
         };
         match &self.model.others[index as usize] {
@@ -161,7 +166,7 @@ impl<'a> LeafView<'a> {
     /// has no meaning for a mesh that is not closed.
     pub fn volume(&self) -> f64 {
         match self.geometry() {
-            Geometry::Quad(_) => 0.0,
+            Geometry::Placement | Geometry::Quad(_) => 0.0,
             Geometry::Cuboid(cuboid) => cuboid_volume(&cuboid),
             Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => mesh_volume(mesh, placement),
         }
@@ -170,6 +175,7 @@ impl<'a> LeafView<'a> {
     /// The surface in square metres; for a closed box the area of all six faces.
     pub fn area(&self) -> f64 {
         match self.geometry() {
+            Geometry::Placement => 0.0,
             Geometry::Quad(quad) => quad_area(&quad),
             Geometry::Cuboid(cuboid) => cuboid_area(&cuboid),
             Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => mesh_area(mesh, placement),
@@ -181,18 +187,20 @@ impl<'a> LeafView<'a> {
     }
 
     /// The geometry as a mesh with its texture coordinates, and the map from the mesh's coordinates to the world.
-    /// Created for a rectangle or a box, shared otherwise.
+    /// Created for a rectangle or a box, shared otherwise. Without faces it is empty.
     pub fn mesh(&self) -> (Arc<Mesh>, DAffine3) {
         match self.geometry() {
+            Geometry::Placement => (Arc::default(), DAffine3::IDENTITY),
             Geometry::Quad(quad) => (quad_mesh(&self.leaf(), &quad), DAffine3::IDENTITY),
             Geometry::Cuboid(cuboid) => (cuboid_mesh(&self.leaf(), &cuboid), DAffine3::IDENTITY),
             Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => (mesh.clone(), *placement),
         }
     }
 
-    /// The axis-aligned bounding box of the geometry, in the world.
+    /// The axis-aligned bounding box of the faces, in the world; the empty box without faces.
     pub fn bounds(&self) -> Bounds {
         match self.geometry() {
+            Geometry::Placement => Bounds::EMPTY,
             Geometry::Quad(quad) => Bounds::of(quad.corners()),
             Geometry::Cuboid(cuboid) => Bounds::of(cuboid.corners()),
             Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => {
@@ -205,6 +213,7 @@ impl<'a> LeafView<'a> {
     pub fn replay<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         let leaf = self.leaf();
         match self.geometry() {
+            Geometry::Placement => sink.placement(&leaf),
             Geometry::Quad(quad) => sink.quad(&leaf, &quad),
             Geometry::Cuboid(cuboid) => sink.cuboid(&leaf, &cuboid),
             Geometry::Mesh { mesh, placement } => sink.mesh(&leaf, mesh, placement),
@@ -346,6 +355,21 @@ impl Model {
         self.leaves().filter(move |leaf| leaf.rule() == rule)
     }
 
+    /// The places of the leaves of one rule, in the order of the run, in the world: position, axes and size, in metres. Leaves without
+    /// faces are there for them: the points of `scatter` and `comp(v)`, the edges of `comp(e)`.
+    ///
+    /// ```
+    /// use cga_runtime::output::model::Model;
+    ///
+    /// # let model = Model::new();
+    /// for scope in model.placements("Lamp") {
+    ///     println!("a lamp at {}, along {}", scope.origin, scope.axes.y_axis);
+    /// }
+    /// ```
+    pub fn placements<'a>(&'a self, rule: &'a str) -> impl Iterator<Item = &'a Scope> + Clone + 'a {
+        self.leaves_of(rule).map(|leaf| leaf.scope())
+    }
+
     /// The names of the rules that made leaves, in the order of their first leaf.
     pub fn rules(&self) -> &[&'static str] {
         self.numbers.table.rules()
@@ -481,5 +505,9 @@ impl Sink for Model {
 
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         self.push_other(leaf, Other::Mesh(mesh.clone(), *placement))
+    }
+
+    fn placement(&mut self, leaf: &Leaf<'_>) -> Flow {
+        self.push(leaf, Stored::Placement)
     }
 }

@@ -206,6 +206,12 @@ impl Sink for Stats {
         self.reach(mesh.points.iter().map(|&point| placement.transform_point3(point)));
         ControlFlow::Continue(())
     }
+
+    fn placement(&mut self, leaf: &Leaf<'_>) -> Flow {
+        let rule = self.numbers.table.rule(leaf.rule);
+        self.add(rule, 0, 0, 0.0, 0.0);
+        ControlFlow::Continue(())
+    }
 }
 
 /// The [`Stats::checksum`] of finished buffers: coordinates read as `f32`, summed as `f64`.

@@ -108,7 +108,8 @@ impl<C> Cx<'_, C> {
         Flow::Continue(())
     }
 
-    /// Passes the shape of a rule to the sink as a leaf. A shape without faces makes no leaf.
+    /// Passes the shape of a rule to the sink as a leaf. A shape without faces is a placement; a shape
+    /// without geometry, of which nothing is left, makes no leaf.
     #[inline]
     pub fn leaf(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
         if self.env.ended() {
@@ -177,13 +178,14 @@ fn other_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u3
         return flow;
     }
     shape.bake();
-    env.leaves += u64::from(shape.geometry.has_surface());
+    env.leaves += u64::from(!matches!(shape.geometry, Geometry::Empty));
     let rule = env.leaf_tables.names.get(rule as usize).copied().unwrap_or_default();
     let leaf = Leaf::new(rule, shape.state.material(), &shape.scope);
     match &shape.geometry {
         Geometry::Rect(axis, unit) => sink.quad(&leaf, &place::rectangle(&shape.scope, *axis, *unit)),
         Geometry::Box(unit) => sink.cuboid(&leaf, &place::cuboid(&shape.scope, *unit)),
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Flow::Continue(()),
+        Geometry::Empty => Flow::Continue(()),
+        Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => sink.placement(&leaf),
         Geometry::Mesh(placed) => {
             let placement = shape.scope.placement() * placed.to_scope(shape.scope.size);
             if placed.inserted == Inserted::Asset {

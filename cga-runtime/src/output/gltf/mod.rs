@@ -53,6 +53,7 @@ use crate::output::model::Model;
 use crate::run::sink::corners::{PlacedBox, four};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
+use crate::shape::scope::Scope;
 use crate::value::Value;
 
 /// Collects leaves for a GLB file.
@@ -72,12 +73,17 @@ pub struct Glb {
     references_images: bool,
     name: Option<String>,
     is_by_rule: bool,
+    /// Leaves without faces, each with the number of its rule, if they are written.
+    placements: Option<Vec<(u32, Scope)>>,
     /// Names and JSON texts of values.
     extras: Vec<(String, String)>,
 }
 
 /// The largest 32-bit length of the format, less room for the description.
 const MAX_BYTES: u64 = u32::MAX as u64 - (1 << 24);
+
+/// The usual length of a node without a mesh.
+const NODE_BYTES: u64 = 256;
 
 impl Glb {
     /// A file without leaves.
@@ -134,6 +140,20 @@ impl Glb {
     /// materials, and vertices have no rule numbers.
     pub fn by_rule(mut self) -> Self {
         self.is_by_rule = true;
+        self
+    }
+
+    /// Writes a node without a mesh for each leaf without faces, below the root node: the name of the rule, translation and rotation, and the
+    /// size in metres as the member `size` of `extras`. Without it the file has leaves with faces alone.
+    ///
+    /// ```
+    /// use cga_runtime::output::gltf::Glb;
+    ///
+    /// let glb = Glb::new().with_placements();
+    /// # let _ = glb;
+    /// ```
+    pub fn with_placements(mut self) -> Self {
+        self.placements = Some(Vec::new());
         self
     }
 
@@ -306,6 +326,12 @@ impl Sink for Glb {
         let (rule, material) = self.numbers.leaf(leaf);
         self.add_mesh(rule, material, mesh, placement);
         self.add(mesh.corners.len(), 3 * mesh.corners.len(), mesh.uv_numbers().count())
+    }
+
+    fn placement(&mut self, leaf: &Leaf<'_>) -> Flow {
+        let Some(placements) = &mut self.placements else { return ControlFlow::Continue(()) };
+        placements.push((self.numbers.table.rule(leaf.rule), leaf.scope()));
+        self.add_bytes(NODE_BYTES)
     }
 }
 

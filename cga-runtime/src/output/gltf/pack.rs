@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use glam::{DVec3, Vec3, Vec4};
+use glam::{DQuat, DVec3, Vec3, Vec4};
 
 use super::binary::{BinaryChunk, FourBytes, container, text};
 use super::images::Images;
@@ -15,6 +15,7 @@ use super::{Glb, check_size};
 use crate::output::buffers::Vertex;
 use crate::output::error::WriteError;
 use crate::output::number::list;
+use crate::shape::scope::Scope;
 use crate::value::each::Each;
 
 /// The component types of the format.
@@ -66,7 +67,14 @@ pub(super) fn pack(glb: &Glb, meshes: &[SceneMesh]) -> Result<Vec<u8>, WriteErro
 
     let mut json = String::from("{\"asset\":{\"generator\":\"cga\",\"version\":\"2.0\"},");
     if flat.is_empty() {
-        json.push_str("\"scene\":0,\"scenes\":[{}]}");
+        let has_nodes = glb.placements.as_ref().is_some_and(|placements| !placements.is_empty());
+        let scene = if has_nodes { "{\"nodes\":[0]}" } else { "{}" };
+        let _ = write!(json, "\"scene\":0,\"scenes\":[{scene}]");
+        if has_nodes {
+            let _ = write!(json, ",{}", nodes(glb, &[], &[]));
+        }
+        json.push('}');
+        check_size(json.len() as u64)?;
         return container(&json, &BinaryChunk::default());
     }
     let rules = glb.numbers.table.rules();
@@ -77,7 +85,7 @@ pub(super) fn pack(glb: &Glb, meshes: &[SceneMesh]) -> Result<Vec<u8>, WriteErro
         write_rules(&mut json, &mut binary, rules);
     }
     json.push_str("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],");
-    write_nodes(&mut json, glb, meshes, &places);
+    let _ = write!(json, "{},", nodes(glb, meshes, &places));
     let mut next = accessors.into_iter();
     let mesh = |mesh: &SceneMesh| {
         let list = mesh.primitives.iter().zip(&mut next).map(|(p, a)| primitive(p, &a, rules.len()));
@@ -141,8 +149,8 @@ fn write_rules(json: &mut String, binary: &mut BinaryChunk<'_>, rules: &[&str]) 
     let _ = write!(json, "\"name\":{{\"values\":{values},\"stringOffsets\":{offsets}}}}}}}]}}}},");
 }
 
-/// Writes the nodes. The first node contains all others, so that one translation moves everything.
-fn write_nodes(json: &mut String, glb: &Glb, meshes: &[SceneMesh], places: &[[usize; 2]]) {
+/// The nodes. The first node contains all others, so that one translation moves everything.
+fn nodes(glb: &Glb, meshes: &[SceneMesh], places: &[[usize; 2]]) -> String {
     let moved = match glb.origin {
         DVec3::ZERO => String::new(),
         origin => format!(",\"translation\":[{}]", list(&origin.to_array())),
@@ -171,6 +179,8 @@ fn write_nodes(json: &mut String, glb: &Glb, meshes: &[SceneMesh], places: &[[us
             })),
         }
     }
+    let placements = glb.placements.iter().flatten();
+    children.extend(placements.map(|(rule, scope)| placement(glb, *rule, scope)));
     let ids = match children.len() {
         0 => String::new(),
         count => format!(",\"children\":[{}]", joined((1..=count).map(|i| i.to_string()))),
@@ -179,7 +189,18 @@ fn write_nodes(json: &mut String, glb: &Glb, meshes: &[SceneMesh], places: &[[us
     let extras = if extras.is_empty() { extras } else { format!(",\"extras\":{{{extras}}}") };
     let name = quoted(glb.name.as_deref().unwrap_or("model"));
     let root = format!("{{\"name\":{name}{main}{moved}{ids}{extras}}}");
-    let _ = write!(json, "\"nodes\":[{}],", joined(std::iter::once(root).chain(children)));
+    format!("\"nodes\":[{}]", joined(std::iter::once(root).chain(children)))
+}
+
+/// The node of a leaf without faces.
+fn placement(glb: &Glb, rule: u32, scope: &Scope) -> String {
+    let name = quoted(glb.numbers.table.rules()[rule as usize]);
+    let translation = list(&(scope.origin - glb.origin).to_array());
+    let rotation = list(&DQuat::from_mat3(&scope.axes).normalize().to_array());
+    let size = list(&scope.size.to_array());
+    format!(
+        "{{\"name\":{name},\"translation\":[{translation}],\"rotation\":[{rotation}],\"extras\":{{\"size\":[{size}]}}}}"
+    )
 }
 
 fn primitive(primitive: &Primitive, at: &Accessors, rules: usize) -> String {

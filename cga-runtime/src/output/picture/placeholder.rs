@@ -31,6 +31,6 @@ pub(super) fn bounds(model: &Model) -> Bounds {
             }
             None => sum,
         },
-        Geometry::Quad(_) | Geometry::Cuboid(_) => sum,
+        Geometry::Placement | Geometry::Quad(_) | Geometry::Cuboid(_) => sum,
     })
 }

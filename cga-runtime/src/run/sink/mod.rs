@@ -232,6 +232,12 @@ pub trait Sink {
     /// Any mesh, in local coordinates; `placement` maps them to the world.
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow;
 
+    /// A leaf without faces: a point, as of `scatter` or `comp(v)`, or edges, as of `comp(e)`. It is a place for what programs put
+    /// there, such as lamps and prefabs: [`Leaf::scope`] has its position, axes and size. By default nothing happens.
+    fn placement(&mut self, _leaf: &Leaf<'_>) -> Flow {
+        Flow::Continue(())
+    }
+
     /// Takes a leaf as a whole shape, with or without faces; `None` if the sink takes its geometry. Operations that go on
     /// with leaves take shapes.
     #[doc(hidden)]
@@ -300,6 +306,10 @@ impl<S: Sink + ?Sized> Sink for &mut S {
 
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         (**self).mesh(leaf, mesh, placement)
+    }
+
+    fn placement(&mut self, leaf: &Leaf<'_>) -> Flow {
+        (**self).placement(leaf)
     }
 
     fn keep(&mut self, shape: &Shape) -> Option<Flow> {

@@ -77,6 +77,10 @@ impl Sink for Recorder<'_> {
     fn mesh(&mut self, _: &Leaf<'_>, _: &Arc<Mesh>, _: &DAffine3) -> Flow {
         Flow::Break(())
     }
+
+    fn placement(&mut self, _: &Leaf<'_>) -> Flow {
+        Flow::Break(())
+    }
 }
 
 impl<C: Clone> Cx<'_, C> {
