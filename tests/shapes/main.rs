@@ -12,6 +12,7 @@ mod initial_meshes;
 mod instances;
 mod mesh_operations;
 mod normals;
+mod placements;
 #[allow(deprecated, reason = "rules at the edges of what makes sense: findings are warnings of this kind")]
 mod split;
 mod texture;
