@@ -10,6 +10,8 @@ pub enum AssetError {
     NoFolder,
     /// Its name leads out of the asset folder.
     Outside,
+    /// A link in the asset folder leads out of it.
+    LinkOutside,
     /// The file system reports an error.
     File {
         /// The kind of the error.
@@ -33,6 +35,9 @@ impl fmt::Display for AssetError {
         match self {
             AssetError::NoFolder => f.write_str("no asset folder is set (`Settings::assets`)"),
             AssetError::Outside => f.write_str("assets are looked up below the asset folder only"),
+            AssetError::LinkOutside => {
+                f.write_str("a link leads out of the asset folder, and files outside are not read")
+            }
             AssetError::File { message, .. } | AssetError::Broken(message) => f.write_str(message),
             AssetError::Format(wanted) => f.write_str(wanted),
             AssetError::TooLong { most } => write!(f, "it is longer than {most} bytes"),

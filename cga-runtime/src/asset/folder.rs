@@ -2,7 +2,7 @@
 //! through `..` nor through links.
 
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use cga_split::files::places;
 
@@ -29,7 +29,11 @@ pub(super) fn file(root: &Path, place: &str) -> Result<PathBuf, AssetError> {
 /// The path with links resolved, if it exists and is below the root.
 pub(super) fn inside(root: &Path, path: &Path) -> Result<PathBuf, AssetError> {
     let real = path.canonicalize()?;
-    if real.starts_with(root.canonicalize()?) { Ok(real) } else { Err(AssetError::Outside) }
+    if real.starts_with(root.canonicalize()?) {
+        return Ok(real);
+    }
+    let goes_up = path.strip_prefix(root).is_ok_and(|path| path.components().any(|part| part == Component::ParentDir));
+    Err(if goes_up { AssetError::Outside } else { AssetError::LinkOutside })
 }
 
 /// All files, as names with forward slashes, sorted.
@@ -171,8 +175,8 @@ mod tests {
         link(&folder.root().join("b.txt"), "in.txt");
         link(&folder.root(), "round");
         link(Path::new("nowhere"), "dead");
-        assert_eq!(file(&folder.root(), "out.txt"), Err(AssetError::Outside));
-        assert_eq!(file(&folder.root(), "up/outside.txt"), Err(AssetError::Outside));
+        assert_eq!(file(&folder.root(), "out.txt"), Err(AssetError::LinkOutside));
+        assert_eq!(file(&folder.root(), "up/outside.txt"), Err(AssetError::LinkOutside));
         assert!(file(&folder.root(), "in.txt").is_ok());
         let listing = Listing::new(Some(&folder.root()), [].iter());
         assert_eq!(listing.names, ["a.txt", "assets/a.txt", "assets/deep/Z.txt", "b.txt", "in.txt"]);

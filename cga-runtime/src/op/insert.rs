@@ -83,6 +83,10 @@ pub fn insert_with(env: &mut Env, shape: &mut Shape, file: File, up: UpAxis, mod
             };
             place(env, shape, mesh, mode);
         }
+        Err(_) if file.name.is_empty() => {
+            env.asset_fault("`i` has no file: its name is empty; a small box marks the place".to_owned());
+            mark(env, shape, mode);
+        }
         Err(why) => {
             env.asset_fault(format!("`{file}` cannot be inserted: {why}; a small box marks the place"));
             mark(env, shape, mode);

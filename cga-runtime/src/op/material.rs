@@ -42,7 +42,8 @@ pub fn opacity(env: &mut Env, shape: &mut Shape, value: f64) {
 }
 
 /// `texture(file)`: sets the colour map; empty text removes it (*texture operation*). A file with an alpha channel
-/// also becomes the opacity map; otherwise the opacity map is reset. Without an asset folder the file is not read.
+/// also becomes the opacity map; otherwise the opacity map is reset. Without an asset folder, a fault: sinks that show images show a
+/// checker pattern, and files name the image.
 pub fn texture(env: &mut Env, shape: &mut Shape, file: Text) {
     let (file, has_alpha) = image(env, file);
     shape.change_material(|material| {
@@ -57,21 +58,20 @@ pub fn texture(env: &mut Env, shape: &mut Shape, file: Text) {
 }
 
 /// The image name for a material, and true if the image has an alpha channel. A missing file is a fault and becomes
-/// `builtin:unknowntexture.png` (*CGA changelog*). A broken file is a fault and keeps its name. Without an asset
-/// folder no file is read.
+/// `builtin:unknowntexture.png` (*CGA changelog*). A broken file is a fault and keeps its name, and so does every file without an asset
+/// folder: the program may have it elsewhere.
 pub(crate) fn image(env: &mut Env, file: Text) -> (Text, bool) {
     if file.is_empty() {
         return (file, false);
     }
     let why = match env.settings.assets.image_header(&file) {
         Ok(header) => return (file, header.has_alpha),
-        Err(AssetError::NoFolder) => return (file, false),
         Err(why) => why,
     };
     env.asset_fault(format!("`{file}` cannot be shown: {why}; a checker pattern takes its place"));
-    let is_broken = matches!(why, AssetError::Format(_) | AssetError::Broken(_) | AssetError::TooLong { .. });
-    let is_found = is_broken && !file.starts_with("builtin:");
-    (if is_found { file } else { Text::fixed(UNKNOWN_TEXTURE) }, false)
+    use AssetError::{Broken, Format, NoFolder, TooLong};
+    let keeps_name = matches!(why, Format(_) | Broken(_) | TooLong { .. } | NoFolder) && !file.starts_with("builtin:");
+    (if keeps_name { file } else { Text::fixed(UNKNOWN_TEXTURE) }, false)
 }
 
 /// `setMaterial(material)`: attributes by name, without `material.`, each followed by its value as text (*setMaterial
@@ -195,9 +195,14 @@ mod tests {
         let files = [("clear.png", png(6)), ("solid.png", png(2)), ("early.png", png(2)[..30].to_vec())];
         files.iter().for_each(|(name, bytes)| std::fs::write(folder.join(name), bytes).expect("a file"));
         let (env, shape) = (&mut Env::for_tests(), &mut Shape::cuboid(1.0, 1.0, 1.0));
-        // Without a folder no file is read.
+        // Without a folder no file is read, and files name the image.
         texture(env, shape, "clear.png".into());
-        assert_eq!((get::material_opacitymap(shape).as_str(), env.take_faults().0.len()), ("", 0));
+        assert_eq!(
+            (get::material_colormap(shape).as_str(), get::material_opacitymap(shape).as_str()),
+            ("clear.png", "")
+        );
+        let fault = env.take_faults().0[0].to_string();
+        assert!(fault.starts_with("`clear.png` cannot be shown: no asset folder is set"), "{fault}");
         env.settings.assets = Arc::new(crate::asset::Assets::below(&folder));
         let mut maps = |name: &str| {
             texture(env, shape, name.into());
@@ -239,6 +244,7 @@ mod tests {
         assert_eq!((get::material_color_g(shape), get::material_dirtmap(shape).as_str()), (1.0, ""));
         assert_eq!(shape.to_mesh().check(), []);
         let shape = &mut Shape::mesh_axis_aligned(Mesh::default());
+        env.take_faults();
         reset_material(env, shape, MaterialTarget::All);
         assert_eq!(env.take_faults().0.len(), 0);
     }

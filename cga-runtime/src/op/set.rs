@@ -244,6 +244,8 @@ mod tests {
         }
         each_material_number!(numbers);
         each_material_text!(texts);
+        // There is no file of that name for the maps.
+        assert_eq!(env.take_faults().0.len(), 1);
         assert_eq!((get::material_opacity(shape), get::material_double_sided(shape)), (0.0, true));
         assert_eq!(get::material_color_rgb(shape).as_str(), "#000000");
         material_color_rgb(env, shape, "#0a5fff".into());

@@ -4,29 +4,31 @@
 //! takes about 140 bytes if its geometry follows from its scope, as for most leaves. Other geometry is stored in
 //! addition.
 
-use std::ops::{ControlFlow, Range};
+mod leaf_view;
+
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use glam::{DAffine3, DVec3};
+use glam::DAffine3;
 
 use crate::asset::Assets;
 use crate::fault::Fault;
 use crate::geometry::Axis;
 use crate::geometry::mesh::{Bounds, Mesh};
-use crate::geometry::uv_map::SetMap;
 use crate::material::Material;
-use crate::output::measure::{cuboid_area, cuboid_volume, mesh_area, mesh_volume, quad_area};
 use crate::output::numbers::Numbers;
 use crate::output::stats::Stats;
 use crate::output::texture::leaf_uvs::LeafUvs;
 use crate::run::report::Report;
 use crate::run::report::{Collection, Print, Reports};
 use crate::run::settings::Limits;
-use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink, cuboid_mesh, quad_mesh};
+use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
 use crate::shape::place;
 use crate::shape::scope::Scope;
 use crate::shape::unit::UnitMesh;
+
+pub use leaf_view::{Geometry, LeafView, Leaves};
 
 /// The leaves of a run.
 #[derive(Clone, Debug, Default)]
@@ -82,183 +84,6 @@ impl Stored {
     }
 }
 
-/// The geometry of a leaf, in the world.
-#[derive(Clone, Copy, Debug)]
-pub enum Geometry<'a> {
-    /// No faces: a point or edges. The scope is the place of what a program puts there.
-    Placement,
-    /// A rectangle.
-    Quad(Quad),
-    /// A closed box.
-    Cuboid(Cuboid),
-    /// A mesh that belongs to this leaf.
-    Mesh {
-        /// The mesh in local coordinates.
-        mesh: &'a Arc<Mesh>,
-        /// The map from local coordinates to the world.
-        placement: &'a DAffine3,
-    },
-    /// An inserted asset that nothing has cut, possibly shared by many leaves.
-    Instance {
-        /// The mesh in local coordinates.
-        mesh: &'a Arc<Mesh>,
-        /// The map from local coordinates to the world.
-        placement: &'a DAffine3,
-    },
-}
-
-/// A leaf of a model.
-#[derive(Clone, Copy, Debug)]
-pub struct LeafView<'a> {
-    model: &'a Model,
-    record: &'a ModelLeaf,
-    number: usize,
-}
-
-impl<'a> LeafView<'a> {
-    /// The name of the rule or leaf symbol, without the dot.
-    pub fn rule(&self) -> &'static str {
-        self.model.numbers.table.rules()[self.record.rule as usize]
-    }
-
-    /// The material set by rules.
-    pub fn material(&self) -> &'a Arc<Material> {
-        &self.model.numbers.table.materials()[self.record.material as usize]
-    }
-
-    /// The index of the material in [`Model::materials`].
-    pub fn material_index(&self) -> usize {
-        self.record.material as usize
-    }
-
-    /// The place and the size, in the world.
-    pub fn scope(&self) -> &'a Scope {
-        &self.record.scope
-    }
-
-    /// The size of the scope, in metres; a negative size mirrors.
-    pub fn size(&self) -> DVec3 {
-        self.record.scope.size
-    }
-
-    /// The geometry.
-    pub fn geometry(&self) -> Geometry<'a> {
-        let index = match self.record.stored {
-            Stored::Rect(axis, unit) => return Geometry::Quad(place::rectangle(&self.record.scope, axis, unit)),
-            Stored::Full(unit) => return Geometry::Cuboid(place::cuboid(&self.record.scope, unit)),
-            Stored::Placement => return Geometry::Placement,
-            Stored::Other(index) => index,
-        };
-        match &self.model.others[index as usize] {
-            Other::Quad(quad) => Geometry::Quad(*quad),
-            Other::Cuboid(cuboid) => Geometry::Cuboid(*cuboid),
-            Other::Mesh(mesh, placement) => Geometry::Mesh { mesh, placement },
-            Other::Instance(mesh, placement) => Geometry::Instance { mesh, placement },
-        }
-    }
-
-    /// The maps of the texture coordinate sets of a rectangle or a box, sorted by set. A mesh contains its sets.
-    pub fn uvs(&self) -> &'a [SetMap] {
-        self.model.uvs.of(self.number)
-    }
-
-    /// The signed enclosed volume, in cubic metres: 0 for a rectangle, negative for geometry that is inside out. It
-    /// has no meaning for a mesh that is not closed.
-    pub fn volume(&self) -> f64 {
-        match self.geometry() {
-            Geometry::Placement | Geometry::Quad(_) => 0.0,
-            Geometry::Cuboid(cuboid) => cuboid_volume(&cuboid),
-            Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => mesh_volume(mesh, placement),
-        }
-    }
-
-    /// The surface in square metres; for a closed box the area of all six faces.
-    pub fn area(&self) -> f64 {
-        match self.geometry() {
-            Geometry::Placement => 0.0,
-            Geometry::Quad(quad) => quad_area(&quad),
-            Geometry::Cuboid(cuboid) => cuboid_area(&cuboid),
-            Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => mesh_area(mesh, placement),
-        }
-    }
-
-    fn leaf(&self) -> Leaf<'a> {
-        Leaf::new(self.rule(), self.material(), self.scope()).with_uvs(self.uvs())
-    }
-
-    /// The geometry as a mesh with its texture coordinates, and the map from the mesh's coordinates to the world.
-    /// Created for a rectangle or a box, shared otherwise. Without faces it is empty.
-    pub fn mesh(&self) -> (Arc<Mesh>, DAffine3) {
-        match self.geometry() {
-            Geometry::Placement => (Arc::default(), DAffine3::IDENTITY),
-            Geometry::Quad(quad) => (quad_mesh(&self.leaf(), &quad), DAffine3::IDENTITY),
-            Geometry::Cuboid(cuboid) => (cuboid_mesh(&self.leaf(), &cuboid), DAffine3::IDENTITY),
-            Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => (mesh.clone(), *placement),
-        }
-    }
-
-    /// The axis-aligned bounding box of the faces, in the world; the empty box without faces.
-    pub fn bounds(&self) -> Bounds {
-        match self.geometry() {
-            Geometry::Placement => Bounds::EMPTY,
-            Geometry::Quad(quad) => Bounds::of(quad.corners()),
-            Geometry::Cuboid(cuboid) => Bounds::of(cuboid.corners()),
-            Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => {
-                Bounds::of(mesh.points.iter().map(|&point| placement.transform_point3(point)))
-            }
-        }
-    }
-
-    /// Passes the leaf to a sink.
-    pub fn replay<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
-        let leaf = self.leaf();
-        match self.geometry() {
-            Geometry::Placement => sink.placement(&leaf),
-            Geometry::Quad(quad) => sink.quad(&leaf, &quad),
-            Geometry::Cuboid(cuboid) => sink.cuboid(&leaf, &cuboid),
-            Geometry::Mesh { mesh, placement } => sink.mesh(&leaf, mesh, placement),
-            Geometry::Instance { mesh, placement } => sink.instance(&leaf, mesh, placement),
-        }
-    }
-}
-
-/// The leaves of a model, in the order of the run.
-#[derive(Clone, Debug)]
-pub struct Leaves<'a> {
-    model: &'a Model,
-    numbers: Range<usize>,
-}
-
-impl<'a> Leaves<'a> {
-    fn view(&self, number: usize) -> LeafView<'a> {
-        LeafView { model: self.model, record: &self.model.records[number], number }
-    }
-}
-
-impl<'a> Iterator for Leaves<'a> {
-    type Item = LeafView<'a>;
-
-    fn next(&mut self) -> Option<LeafView<'a>> {
-        self.numbers.next().map(|number| self.view(number))
-    }
-
-    fn nth(&mut self, n: usize) -> Option<LeafView<'a>> {
-        self.numbers.nth(n).map(|number| self.view(number))
-    }
-
-    fn size_hint(&self) -> (usize, Option<usize>) {
-        self.numbers.size_hint()
-    }
-}
-
-impl DoubleEndedIterator for Leaves<'_> {
-    fn next_back(&mut self) -> Option<Self::Item> {
-        self.numbers.next_back().map(|number| self.view(number))
-    }
-}
-
-impl ExactSizeIterator for Leaves<'_> {}
-
 impl<'a> IntoIterator for &'a Model {
     type Item = LeafView<'a>;
     type IntoIter = Leaves<'a>;
@@ -299,7 +124,7 @@ impl Model {
     }
 
     /// Sets the asset folder of the images. The model of a run has the assets of its settings. Without assets, or
-    /// without a folder, files and pictures do not contain images.
+    /// without a folder, files name their images, and pictures show a checker pattern.
     #[must_use]
     pub fn with_assets(self, assets: Arc<Assets>) -> Self {
         Model { assets: Some(assets), ..self }

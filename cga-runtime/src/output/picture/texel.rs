@@ -80,7 +80,9 @@ impl Textures {
         if let Some(known) = self.by_name.get(&key) {
             return *known;
         }
-        let texture = source::pixels(self.assets.as_deref(), name).map(|mut pixels| {
+        let assets = self.assets.as_deref();
+        let found = if is_opacity { source::pixels(assets, name) } else { source::shown(assets, name) };
+        let texture = found.map(|mut pixels| {
             if is_opacity {
                 let mut rgba = std::mem::take(&mut pixels.image.rgba);
                 for pixel in rgba.as_chunks_mut::<4>().0 {

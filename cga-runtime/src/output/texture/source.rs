@@ -46,6 +46,14 @@ impl Pixels {
     }
 }
 
+/// The pixels that a picture shows for a colour map: without an asset folder a checker pattern, as for a missing file.
+pub(crate) fn shown(assets: Option<&Assets>, name: &str) -> Option<Pixels> {
+    match find(assets, name) {
+        ImageSource::Absent => Some(Pixels { image: builtin::unknown(), has_alpha: false }),
+        _ => pixels(assets, name),
+    }
+}
+
 /// The pixels of the image with a name, if there is one. Without the feature `png`, files cannot be read.
 pub(crate) fn pixels(assets: Option<&Assets>, name: &str) -> Option<Pixels> {
     match find(assets, name) {
