@@ -222,13 +222,13 @@ fn roof_faces_follow_the_edges_of_all_faces() {
 /// A negative overhang takes the planes back: published rules leave the pediments as parapets with `roofGable(angle, 0, -w)`.
 #[test]
 fn a_negative_overhang_takes_the_planes_back() {
-    let cos = 30f64.to_radians().cos();
+    let cos = libm::cos(30f64.to_radians());
     let model = form(Forms::default(), "Back", &rectangle());
     // The ridge is along the 10 metres; each plane begins and ends a metre behind its pediment.
     let area = |model: &Model, rule: &str| model.leaves_of(rule).map(|leaf| leaf.area()).sum::<f64>();
     assert_eq!(["Top", "Side", "Bottom"].map(|rule| model.count(rule)), [2, 2, 1]);
     assert!((area(&model, "Top") - 8.0 * 8.0 / cos).abs() < 1e-9 && (area(&model, "Bottom") - 80.0).abs() < 1e-9);
-    assert!((area(&model, "Side") - 2.0 * 0.5 * 8.0 * 4.0 * 30f64.to_radians().tan()).abs() < 1e-9);
+    assert!((area(&model, "Side") - 2.0 * 0.5 * 8.0 * 4.0 * libm::tan(30f64.to_radians())).abs() < 1e-9);
     // A metre on the planes is less as seen from above.
     let model = form(Forms::default(), "Inside", &rectangle());
     let (width, depth) = (10.0 - 2.0 * cos, 8.0 - 2.0 * cos);

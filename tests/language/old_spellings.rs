@@ -20,11 +20,14 @@ fn index_finds_an_element_as_find_first_does() {
 fn old_attributes_and_operations_set_the_material() {
     cga! {
         grammar Material = r#"
-            Lot --> set(material.map3, "s.png") set(material.map4, "o.png") set(material.map5, "n.png") opacity(0.25)
+            Lot --> set(material.map3, "builtin:uvtest.png") set(material.map4, "builtin:uvtest.png") set(material.map5, "builtin:default") opacity(0.25)
                 print(material.specularmap + material.opacitymap + material.normalmap + material.map3) print(material.opacity)
         "#;
     }
-    assert_eq!(lines(&model(&Material::default())), ["s.pngo.pngn.pngs.png", "0.25"]);
+    assert_eq!(
+        lines(&model(&Material::default())),
+        [concat!("builtin:uvtest.png", "builtin:uvtest.png", "builtin:default", "builtin:uvtest.png"), "0.25"]
+    );
 }
 
 #[test]

@@ -31,6 +31,7 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
         callees.iter().filter(|callee| caller < **callee).for_each(|&callee| called[callee] = true);
     }
     let uncalled = uncalled(cx, calls);
+    let skipped = skipped(cx, calls);
     let mut common = CommonDiags::default();
     for (rule, item) in globals.rules.iter().enumerate() {
         if !program.roots.contains(&item.instance) {
@@ -45,6 +46,15 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
                     diag.related(format!("runs begin with `{}`, which is marked `@StartRule`", start.text), start.span);
                 }
                 diag.help("write `@StartRule` before it as well, or `@Hidden`, if runs begin with it");
+            }
+            if let Some((start, _)) = skipped.filter(|(_, caller)| *caller == rule) {
+                let (name, start) = (&item.decl.name, &globals.rules[start].decl.name);
+                let message =
+                    format!("runs begin with `{}`, the first rule, and no rule calls `{}`", start.text, name.text);
+                let diag = diags.report(Code::RuleNotReached, name.span, message);
+                diag.basis = Basis::Start;
+                diag.related(format!("no rule is marked, and the first one is `{}`", start.text), start.span);
+                diag.help("write `@StartRule` before the rule that runs begin with");
             }
             if !reached[rule] && !called[rule] && !body(item).is_empty() {
                 let name = &item.decl.name;
@@ -89,6 +99,35 @@ fn uncalled(cx: &Context, calls: &Calls) -> HashSet<usize> {
         is_root(item) && item.decl.params.is_empty() && !is_named && !others.contains(rule) && !body(item).is_empty()
     });
     alone.map(|(rule, _)| rule).collect()
+}
+
+/// The first rule, with which runs begin as no rule is marked, and the first later rule that leads to it and that no rule calls: the
+/// first rule looks like a helper.
+fn skipped(cx: &Context, calls: &Calls) -> Option<(usize, usize)> {
+    let (globals, program) = (&cx.globals, cx.globals.program);
+    let info = |rule: usize| cx.tables.rules.get(&globals.rules[rule].key());
+    let is_root =
+        |rule: usize| program.roots.contains(&globals.rules[rule].instance) && !is_outward(&globals.rules[rule]);
+    let rules = 0..globals.rules.len();
+    if program.may_be_imported() || rules.clone().any(|rule| info(rule).is_some_and(|info| info.marked)) {
+        return None;
+    }
+    let start = *calls.starts.first()?;
+    let is_called =
+        |rule: usize| (0..).zip(&calls.edges).any(|(caller, callees)| caller != rule && callees.contains(&rule));
+    let leads_there = |from: usize| {
+        let (mut seen, mut open) = (vec![false; globals.rules.len()], vec![from]);
+        while let Some(rule) = open.pop() {
+            if !std::mem::replace(&mut seen[rule], true) {
+                open.extend(&calls.edges[rule]);
+            }
+        }
+        seen[start]
+    };
+    let mut later = rules.filter(|&rule| start < rule && is_root(rule) && globals.rules[rule].decl.params.is_empty());
+    let found =
+        later.find(|&rule| !info(rule).is_some_and(|info| info.hidden) && !is_called(rule) && leads_there(rule));
+    found.map(|found| (start, found))
 }
 
 /// Returns true if a rule replaces or continues a rule of an import, and is called from there.

@@ -193,7 +193,7 @@ cga! {
         case kind == 0 : projectUV(0) X.
         case kind == 1 : projectUV(0) setupProjection(0, scope.xy, 1, 1) X.
         case kind == 2 : [ setupProjection(0, scope.xy, 1, 1) projectUV(0) NIL ] projectUV(0) X.
-        case kind == 3 : setupProjection(0, scope.xy, 1, 1) projectUV(0) deleteUV(0) texture("wall.png") X.
+        case kind == 3 : setupProjection(0, scope.xy, 1, 1) projectUV(0) deleteUV(0) texture("builtin:uvtest.png") X.
         case kind == 4 : setupProjection(0, scope.xy, 1, 1) deleteUV(0) projectUV(0) setupProjection(0, scope.xy, 9, 9) X.
         case kind == 5 : setupProjection(0, scope.xy, 1, 1) projectUV(0) copyUV(0, 1) setupProjection(0, scope.xy, 9, 9) X.
         else : setupProjection(0, scope.xy, 1, 1) split(x) { ~1 : [ setupProjection(0, scope.xy, 5, 5) NIL ] projectUV(0) X. }
