@@ -311,3 +311,18 @@ fn components_inherit_tags_from_those_above() {
     assert_eq!(own("Ends").1, [("Ends", 4)]);
     assert_eq!(own("Deleted").1, [("Face", 4)]);
 }
+
+cga! {
+    grammar Case = r##"
+    @Allow(unknown_tag)
+    Lot --> extrude(3) comp(f) { top : tag("Roof.Flat") print(geometry.hasTags("Roof.Flat", faces)) print(geometry.hasTags("roof.flat", faces)) print(geometry.hasTags("Roof.*", faces)) X. }
+    "##;
+}
+
+/// No page says that tags differ in more or less than their letters, so the case counts, as in names of rules.
+#[test]
+fn the_case_of_tags_counts() {
+    let model = Case::default().generate(&Shape::rectangle(2.0, 2.0)).expect("a model");
+    let prints: Vec<String> = model.report().prints().iter().map(|print| print.to_string()).collect();
+    assert_eq!(prints, ["true", "false", "true"]);
+}

@@ -158,11 +158,11 @@ fn textures_are_smeared_in_a_reveal_or_go_on_around_the_corner() {
 fn one_image_lies_on_all_roofs() {
     let image = |p: DVec3| [p.x / 586.0, -p.z / 442.0];
     all_are(&of(&texturing::global::EXAMPLE).corners("Roof"), image);
-    // "Offsets": they are multiples of the size of the image, so its place is the same.
+    // "Offsets": they are multiples of the size of the image, so its place is the same, and both coordinates are small.
     let example = &texturing::global_offsets::EXAMPLE;
     for corner in of(example).corners("Roof") {
         let moved = uv(&corner, 0) - DVec2::from_array(image(corner.point));
-        assert!(moved.abs_diff_eq(moved.round(), 1e-9) && moved.x == -7.0, "{moved}");
+        assert!(moved.abs_diff_eq(DVec2::new(-7.0, 5.0), 1e-9) && uv(&corner, 0).abs().max_element() < 2.0, "{moved}");
     }
 }
 

@@ -76,8 +76,9 @@ pub fn setup_uv(env: &mut Env, shape: &mut Shape, set: f64, width: f64, height: 
 /// distance along the first axis from the origin of the scope or the world, plus the offset, minus `uwFactor` times
 /// the distance along the remaining axis, in texture widths; v is the same without the factor (*setupProjection
 /// operation*). In the page's picture of a doorway, bricks continue around the corner into the reveal on the left,
-/// where u grows inwards: with `scope.xy` from the front to the back. The sign of the offsets is not documented; here
-/// they are added.
+/// where u grows inwards: with `scope.xy` from the front to the back. The signs of the offsets follow from the page's example for
+/// large coordinates, which passes `-offsetx` and `offsetz` to keep both coordinates small: the width offset is added to u, the
+/// height offset is taken from v.
 ///
 /// A relative width is a share of the scope's size along that axis. A floating width becomes the nearest width of
 /// which an integer number fills the scope. With `world` it refers to the scope's axis of the same letter.
@@ -113,7 +114,7 @@ pub fn setup_projection_at(
     };
     let map = UvMap {
         u: row(along(a) - along(3 - a - b) * uw_factor, width_offset, width),
-        v: row(along(b), height_offset, height),
+        v: row(along(b), -height_offset, height),
     };
     if !map.is_bounded() {
         return env.fault(FaultKind::Value, "the projection has factors beyond 1e75; it is not set up");

@@ -79,7 +79,7 @@ fn projected_coordinates_are_functions_of_the_place() {
         ("negative sizes mirror", Box::new(|p| [p.x / 2.0, -p.y / 3.0])),
         ("shapes change, projections stay", Box::new(|p| [p.x, p.y])),
         ("coordinates are replaced", Box::new(|p| [p.x, p.y])),
-        ("offsets are metres, also with `su` set and for scope.zx", Box::new(|p| [p.z - 3.0 + 3.0, p.x + 4.0])),
+        ("offsets are metres, also with `su` set and for scope.zx", Box::new(|p| [p.z - 3.0 + 3.0, p.x - 4.0])),
         ("moved by half a texture", Box::new(|p| [p.x + 0.5, p.y])),
         ("turned anticlockwise", Box::new(move |p| [cos * p.x - sin * p.y, sin * p.x + cos * p.y])),
         ("copied there and back", Box::new(|p| [p.x, p.y])),

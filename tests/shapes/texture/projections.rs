@@ -85,7 +85,7 @@ fn sizes_are_absolute_relative_floating_and_negative() {
     range_is(range(0), [0.0, 0.0], [10.0 / 1.5, 2.0]);
     range_is(range(1), [0.0, 0.0], [3.0, 1.0]);
     range_is(range(2), [-5.0, 0.0], [0.0, 1.0]);
-    range_is(range(3), [3.0, 2.0], [11.0, 7.0]);
+    range_is(range(3), [3.0, -2.0], [11.0, 3.0]);
     range_is(range(4), [5.0, 6.0], [15.0, 14.0]);
     range_is(range(5), [0.0, 0.0], [0.0, 8.0]);
     let leaves = leaves!(&Sizes { kind: 6.0 }, &shape);

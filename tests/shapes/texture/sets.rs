@@ -47,7 +47,7 @@ cga! {
     grammar Fitted;
     attr kind = 0
     Lot --> comp(f) { front : Facade }
-    Facade --> setupProjection(0, scope.xy, 1, 1, 3, -2) projectUV(0) Fit
+    Facade --> setupProjection(0, scope.xy, 1, 1, 3, 2) projectUV(0) Fit
     Fit -->
         case kind == 0 : normalizeUV(0, uv, collectiveAllFaces) X.
         case kind == 1 : normalizeUV(0, uvUniform, separatePerFace) X.
