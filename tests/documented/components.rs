@@ -1,6 +1,6 @@
 //! *comp operation*, the other examples: how many components of which kind, and what trim planes leave.
 
-use cga::{Model, Settings};
+use cga::{Model, Settings, Shape, cga};
 
 use cga_tests::pages::components::{
     aligned, border_edges, border_faces, border_vertices, condition, edges, face_edges, face_vertices, kept,
@@ -66,4 +66,31 @@ fn a_face_has_a_scope_of_its_own_unless_it_keeps_the_lots() {
     });
     assert!(sizes[0].abs_diff_eq([libm::hypot(1.5, 6.0), 5.0, 0.0].into(), 1e-9), "{}", sizes[0]);
     assert!(sizes[1].abs_diff_eq([1.5, 5.0, 6.0].into(), 1e-9), "{}", sizes[1]);
+}
+
+cga! {
+    grammar Planes = r##"
+    @StartRule
+    Sides --> extrude(2) comp(f) { right : P }
+    P --> extrude(0.2) comp(f) { side : s('1.5, '1, 0.2) center(xyz) primitiveCube() X. }
+    @StartRule
+    Gutters --> extrude(3) comp(f) { top : roofHip(40, 0.3) comp(e) { eave : s('1, 0.1, 0.1) primitiveCube() X. | all : NIL } }
+    "##;
+}
+
+/// *trim attribute*: the angle is that "to the xz-plane of the pivot", so the planes of the outer `comp` are level for the frames of the
+/// inner one, and off. Only the ends are cut, as a published result shows.
+#[test]
+fn trim_planes_are_classed_by_the_pivot_of_the_moment() {
+    let run = |rule: &str| {
+        let model = Planes::default().generate_from(rule, &Shape::rectangle(20.0, 15.0)).expect("a model");
+        assert!(model.faults().is_empty());
+        let of = |leaf: cga::LeafView<'_>| (leaf.mesh().0.points().len(), (leaf.area() * 1e6).round() / 1e6);
+        model.leaves_of("X").map(of).collect::<Vec<_>>()
+    };
+    assert_eq!(run("Sides"), [(8, 12.0), (8, 1.6), (8, 12.0), (8, 1.6)]);
+    // No gutter is cut along its length: eaves of equal length have equal gutters.
+    let gutters = run("Gutters");
+    assert!(gutters.len() == 4 && gutters.iter().all(|(points, _)| *points == 8), "{gutters:?}");
+    assert!(gutters[0] == gutters[2] && gutters[1] == gutters[3], "{gutters:?}");
 }

@@ -256,8 +256,7 @@ impl<'s> AssignedComponents<'s> {
             ComponentSource::Mesh(parts)
                 if components == Components::Faces && arms.iter().any(|arm| arm.mode == Mode::Each) =>
             {
-                let up = (align == Align::Keep).then(|| parent.scope.axes.transpose() * parent.pivot.axes.y_axis);
-                Some(Arc::new(Surface::new(parts.mesh.clone(), parent.scope.frame(), up)))
+                Some(Arc::new(Surface::new(parts.mesh.clone(), parent.scope.frame())))
             }
             _ => None,
         };

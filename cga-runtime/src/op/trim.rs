@@ -11,14 +11,14 @@ use crate::shape::trim::{TrimPlane, Trims};
 use crate::shape::{Geometry, Inserted, Placed, Shape};
 
 /// `trim()`: cuts the geometry at the shape's trim planes that `trim.vertical` and `trim.horizontal` switch on (*trim
-/// operation*). The cuts stay open, and the scope stays.
+/// operation*). The shape's pivot decides which switch a plane has. The cuts stay open, and the scope stays.
 pub fn trim(_: &mut Env, shape: &mut Shape) {
     if matches!(shape.trims, Trims::None) || !shape.geometry.has_surface() {
         return;
     }
-    let switches = shape.state.trim();
-    for plane in &*shape.trims.planes(&shape.pivot) {
-        if if plane.horizontal { switches.horizontal } else { switches.vertical } {
+    let (switches, pivot) = (shape.state.trim(), shape.pivot);
+    for plane in &*shape.trims.planes(&pivot) {
+        if if plane.is_horizontal(&pivot) { switches.horizontal } else { switches.vertical } {
             cut(shape, plane);
         }
     }
@@ -59,6 +59,7 @@ mod tests {
     use super::*;
     use crate::comp::select::Word;
     use crate::comp::{Align, Arm, Components, Mode, Select, comp_values, never};
+    use crate::geometry::Frame;
     use crate::geometry::mesh::{Extrude, Mesh, MeshBuilder, extrude};
     use crate::op;
     use crate::query::{geometry_area, geometry_is_closed_surface};
@@ -196,10 +197,31 @@ mod tests {
             let found = on_faces(&shape, |_, part| {
                 let planes = part.trims.planes(&part.pivot);
                 assert_eq!(planes.len(), 1);
-                f64::from(u8::from(planes[0].horizontal))
+                f64::from(u8::from(planes[0].is_horizontal(&part.pivot)))
             });
             assert_eq!(found[0] == 1.0, horizontal, "{degrees}");
         }
+    }
+
+    /// *trim attribute*: "the angle to the xz-plane of the pivot". A turned pivot swaps the classes, and the planes stay.
+    #[test]
+    fn the_pivot_of_the_moment_classes_planes() {
+        on_faces(&Shape::cuboid(10.0, 8.0, 6.0), |_, part| {
+            let before = part.trims.planes(&part.pivot);
+            let classes = |part: &Shape| {
+                let planes = part.trims.planes(&part.pivot);
+                assert_eq!(*planes, *before);
+                planes.iter().map(|plane| plane.is_horizontal(&part.pivot)).collect::<Vec<_>>()
+            };
+            assert_eq!(classes(part), [true, false, true, false]);
+            let [x, y, z] = [part.pivot.axes.x_axis, part.pivot.axes.y_axis, part.pivot.axes.z_axis];
+            let turned = |axes| Frame { axes, origin: DVec3::ONE };
+            part.set_pivot(turned(DMat3::from_cols(y, -x, z)));
+            assert_eq!(classes(part), [false, true, false, true]);
+            part.set_pivot(turned(DMat3::from_cols(x, z, -y)));
+            assert_eq!(classes(part), [true; 4]);
+            0.0
+        });
     }
 
     #[test]

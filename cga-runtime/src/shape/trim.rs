@@ -6,6 +6,10 @@
 //! holes would cut geometry above the face itself. (The planes of the reference have a limited extent instead, which
 //! it does not specify.)
 //!
+//! A shape keeps its planes through all divisions, and `trim.vertical` and `trim.horizontal` switch them by the angle of
+//! their edges with its pivot of that moment. So a plane that was upright for a face can be level for a part of it that lies
+//! flat.
+//!
 //! Roofs of operations have planes between faces of one part alone: between two roof planes, or two upright sides.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -14,7 +18,6 @@ use std::sync::{Arc, OnceLock};
 use glam::{DVec2, DVec3};
 
 use crate::geometry::Frame;
-use crate::geometry::face_frame::face_frame;
 use crate::geometry::hull::hull;
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::tol::{ANGLE_EPSILON, PLANAR_EPSILON};
@@ -28,12 +31,20 @@ pub(crate) struct TrimPlane {
     pub(crate) point: DVec3,
     /// The unit normal, towards the side that is kept.
     pub(crate) normal: DVec3,
-    /// True if `trim.horizontal` switches the plane, false for `trim.vertical`.
-    pub(crate) horizontal: bool,
+    /// The unit direction of the edge that made the plane.
+    pub(crate) along: DVec3,
 }
 
-/// Edges less steep than this, in degrees above the pivot's xz plane, make horizontal planes (*trim attribute*).
-const HORIZONTAL: f64 = 40.0;
+/// The sine of 40 degrees. The planes of edges less steep than this above the pivot's xz plane are horizontal (*trim
+/// attribute*).
+const STEEP: f64 = 0.642_787_609_686_539_3;
+
+impl TrimPlane {
+    /// Returns true if `trim.horizontal` switches the plane for a shape with that pivot, and false if `trim.vertical` does.
+    pub(crate) fn is_horizontal(&self, pivot: &Frame) -> bool {
+        self.along.dot(pivot.axes.y_axis).abs() < STEEP - ANGLE_EPSILON
+    }
+}
 
 /// The trim planes of a shape, made when they are needed.
 #[derive(Clone, Debug, Default)]
@@ -119,12 +130,12 @@ impl Drop for JoinedTrims {
 fn side(size: DVec2, pivot: &Frame) -> [TrimPlane; 4] {
     let [x, y, z] = [pivot.axes.x_axis, pivot.axes.y_axis, pivot.axes.z_axis];
     let far = pivot.origin + x * size.x + y * size.y;
-    let plane = |point, inwards: DVec3, horizontal| {
+    let plane = |point, inwards: DVec3, along| {
         // The kept side is inwards of the edge, and extends further inwards at the back of the face.
-        TrimPlane { point, normal: (inwards + z).normalize(), horizontal }
+        TrimPlane { point, normal: (inwards + z).normalize(), along }
     };
     // Around the face from its first edge on.
-    [plane(pivot.origin, y, true), plane(far, -x, false), plane(far, -y, true), plane(pivot.origin, x, false)]
+    [plane(pivot.origin, y, x), plane(far, -x, y), plane(far, -y, x), plane(pivot.origin, x, y)]
 }
 
 /// A surface whose faces have become shapes.
@@ -133,15 +144,13 @@ pub(crate) struct Surface {
     mesh: Arc<Mesh>,
     /// The frame of the mesh's coordinates.
     frame: Frame,
-    /// The y axis of the pivots, in the mesh's coordinates. `None` if each face has its own.
-    up: Option<DVec3>,
     /// The planes of each face, made on first use.
     planes: OnceLock<Vec<OnceLock<Arc<[TrimPlane]>>>>,
 }
 
 impl Surface {
-    pub(crate) fn new(mesh: Arc<Mesh>, frame: Frame, up: Option<DVec3>) -> Self {
-        Surface { mesh, frame, up, planes: OnceLock::new() }
+    pub(crate) fn new(mesh: Arc<Mesh>, frame: Frame) -> Self {
+        Surface { mesh, frame, planes: OnceLock::new() }
     }
 
     fn planes(&self, face: u32) -> Arc<[TrimPlane]> {
@@ -153,8 +162,9 @@ impl Surface {
         let (mesh, adjacency) = (&self.mesh, self.mesh.adjacency());
         let face = mesh.face(index);
         let normal = face.normal();
-        let Some(own) = face_frame(mesh, index) else { return Arc::default() };
-        let up = self.up.unwrap_or(own.frame.axes.y_axis);
+        if normal == DVec3::ZERO {
+            return Arc::default();
+        }
         let outline: Vec<DVec3> = face.outline().collect();
         let size = outline.iter().map(|p| (*p - outline[0]).abs().max_element()).fold(0.0, f64::max);
         let hull = Hull::of(outline.clone(), normal);
@@ -179,12 +189,8 @@ impl Surface {
             if hull.right_of(along).any(|p| flat.dot(p - a) < -PLANAR_EPSILON * size) {
                 continue;
             }
-            let rise = libm::asin(along.dot(up).abs().min(1.0)).to_degrees();
-            planes.push(TrimPlane {
-                point: self.frame.to_world(a),
-                normal: self.frame.axes * across,
-                horizontal: rise < HORIZONTAL - ANGLE_EPSILON,
-            });
+            let [normal, along] = [across, along].each(|way| self.frame.axes * way);
+            planes.push(TrimPlane { point: self.frame.to_world(a), normal, along });
         }
         planes.into()
     }

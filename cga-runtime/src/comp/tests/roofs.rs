@@ -35,7 +35,7 @@ fn planes(roof: &Shape) -> Vec<[usize; 2]> {
     let faces = parts(roof, Components::Faces, Align::ZUp, &[arm(Word::All, Mode::Each)]);
     let count = |face: &Shape| {
         let planes = face.trims.planes(&face.pivot);
-        let level = planes.iter().filter(|plane| plane.horizontal).count();
+        let level = planes.iter().filter(|plane| plane.is_horizontal(&face.pivot)).count();
         [planes.len() - level, level]
     };
     faces.iter().map(|part| count(&part.2)).collect()
