@@ -73,6 +73,9 @@ pub(crate) const CHART_EPSILON: f64 = 1e-9;
 /// Points of texture space closer than this, relative to the largest coordinate and to 1, count as adjacent.
 pub(crate) const NEXT_EPSILON: f64 = 1e-12;
 
+/// Texture coordinates this near to a whole number, where a copy of an asset ends, are on it.
+pub(crate) const WHOLE_EPSILON: f64 = 1e-9;
+
 /// A coordinate that grows by less than this along a direction, relative to its size, counts as constant. Axes are unit
 /// vectors only up to rounding.
 pub(crate) const CONSTANT_EPSILON: f64 = 1e-14;

@@ -10,7 +10,7 @@ use crate::geometry::mesh::extrude::vertex_normals;
 use crate::geometry::mesh::{Mesh, TooManyCorners};
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::segment::nearest_share;
-use crate::geometry::tol::AFFINE_EPSILON;
+use crate::geometry::tol::{AFFINE_EPSILON, WHOLE_EPSILON};
 use crate::geometry::triangulate::Triangulator;
 use crate::value::each::Each;
 
@@ -211,7 +211,7 @@ impl Patches {
                 HeightDirection::ScopeY => DVec3::Y,
                 HeightDirection::VertexNormal => normals[number as usize],
             };
-            PatchCorner { uv: uvs[corner as usize] + 0.0, point: carrier.points[number as usize], up, number }
+            PatchCorner { uv: uvs[corner as usize].map(on_whole), point: carrier.points[number as usize], up, number }
         };
         let (mut triangulator, mut triangles) = (Triangulator::new(), Vec::new());
         for face in carrier.faces().filter(|face| matches!(face.corner_count(), 3 | 4)) {
@@ -256,6 +256,14 @@ fn key(patch: &UvPatch, edge: usize) -> [EdgeEnd; 2] {
     let end = |corner: PatchCorner| (corner.number, corner.uv.to_array().each(f64::to_bits));
     let (a, b) = (end(patch.corners[edge]), end(patch.corners[patch.after(edge)]));
     [a.min(b), a.max(b)]
+}
+
+/// A coordinate that is a whole number except for rounding as that number: else a copy that ends there would lose its end, or the
+/// next one would begin.
+fn on_whole(coordinate: f64) -> f64 {
+    let whole = coordinate.round();
+    let is_near = (coordinate - whole).abs() <= WHOLE_EPSILON * whole.abs().max(1.0);
+    (if is_near { whole } else { coordinate }) + 0.0
 }
 
 /// Returns true if coordinates are the corners of a parallelogram, except for rounding.

@@ -196,3 +196,27 @@ fn hostile_input_ends() {
     let made = insert_along_uv(&rectangle(1.0, 1.0, [1.0, 1.0]), &line, &UP, MOST).unwrap();
     assert!(made.points().iter().all(|point| point.is_finite()));
 }
+
+/// A range that ends at a whole number except for rounding has whole copies, whichever way it is off.
+#[test]
+fn copies_are_whole_where_coordinates_are_off_by_rounding() {
+    for asset in [ball(), primitive::cube(), primitive::cylinder(9)] {
+        for tiles in [1.0, 2.0, 3.0, 7.0, 25.0] {
+            for off in [0.0, 1e-16, -1e-16, 4e-16, -4e-16, 3e-12, -3e-12] {
+                for from in [0.0, off, -off, -3.0 + off] {
+                    let carrier = rectangle(10.0, 6.0, [1.0, 1.0]);
+                    let uvs: Vec<DVec2> =
+                        carrier.uvs().iter().map(|uv| DVec2::new(from + uv.x * (tiles + off), uv.y + off)).collect();
+                    let mut carrier = carrier;
+                    carrier.put_uv_set(0, uvs);
+                    let made = insert(&carrier, &asset, &UP);
+                    let copies = tiles as usize;
+                    assert!(made.is_closed(), "{tiles} {off} {from}");
+                    assert_eq!(made.face_count(), copies * asset.face_count(), "{tiles} {off} {from}");
+                    let whole = 180.0 * asset.volume() / bulk(&asset);
+                    assert!((made.volume() - whole).abs() < 1e-6 * whole, "{tiles} {off} {from}");
+                }
+            }
+        }
+    }
+}
