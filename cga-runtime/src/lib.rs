@@ -1,6 +1,6 @@
 //! The runtime of `cga`: meshes and cuts, shapes, operations, runs, and the sinks that leaves go to.
 //!
-//! Each module uses modules below it only (`tests/layers.rs` checks this). From the top down:
+//! Each module uses modules below it only (`tests/house/layers.rs` checks this). From the top down:
 //!
 //! | module | contents |
 //! |---|---|

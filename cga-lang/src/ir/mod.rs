@@ -96,7 +96,7 @@
 //! 7. [`Slots::solved`] holds for every shape that reaches the split.
 //! 8. [`ExprKind::Style`] occurs only if the file has several styles, [`ExprKind::Site`] only if the rule or function has sites.
 //!    A call of a definition with sites passes a site for each site of the caller, or one if the caller has none.
-//! 9. Spans are for messages and for editors. No value depends on them.
+//! 9. Spans are for messages, for editors and for the lines of generated code. No value depends on them.
 //!
 //! [`facts`] derives from this what each rule reads. [`walk`] visits steps and expressions.
 

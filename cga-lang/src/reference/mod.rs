@@ -1,7 +1,7 @@
 //! The reference: every word of the tables with its signatures, a sentence, an example and the page of Esri's reference.
 //!
 //! The tables of [`ops`](crate::ops) have the signatures and the state of each row. The files `*.txt` beside this one have
-//! the rest, in the order of the page. `tests/reference` compares both and writes `docs/reference.md`.
+//! the rest, in the order of the page. `tests/front/reference` compares both and writes `docs/reference.md`.
 
 mod entry;
 mod markdown;

@@ -10,6 +10,7 @@ use super::access::{Access, asked};
 use super::public::captured;
 use super::types::{self, cloned, value};
 use super::{Generator, function_of, hygienic, local, site};
+use crate::location;
 use crate::output::{HostType, conversion, convert};
 
 impl Generator<'_> {
@@ -276,7 +277,7 @@ impl Generator<'_> {
         at: &Access,
         call: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> TokenStream {
-        let place = Span::mixed_site();
+        let place = location::current();
         let values = args.iter().map(|arg| self.expr(arg, at));
         let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
         let passed: Vec<TokenStream> = names

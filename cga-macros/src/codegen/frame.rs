@@ -1,5 +1,5 @@
 //! Upper bounds for the stack that rules and functions take in a build without optimisation, where every value has a place of its
-//! own. They were measured with Rust 1.95 on 64 bits, and `tests/deep.rs` of `cga` checks them.
+//! own. They were measured with Rust 1.95 on 64 bits, and `tests/language/deep.rs` checks them.
 //!
 //! They follow from the rules alone, so that a run is the same in every build.
 

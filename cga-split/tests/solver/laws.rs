@@ -1,4 +1,4 @@
-//! Laws that hold for every pattern and extent. A failure prints the pattern in the notation that `tests/table.rs`
+//! Laws that hold for every pattern and extent. A failure prints the pattern in the notation that `tests/solver/table.rs`
 //! reads.
 
 use crate::support::{Pattern, Random};

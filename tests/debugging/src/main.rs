@@ -34,13 +34,20 @@ cga! {
             NIL ]
 }
 
-cga! { grammar InString = r#"
+cga! {
+    // The literal has a line of its own.
+    grammar InString =
+        r#"
     StringLot --> extrude(9) StringTower(3)
     StringTower(h) --> split(y) { h : StringFloor(h) | ~1 : NIL }
     StringFloor(h) --> crate::stop(h, h)
-"#; }
+"#;
+}
 
-cga! { grammar InFile in "rules/tower.cga"; }
+cga! {
+    grammar InFile
+        in "rules/tower.cga";
+}
 
 /// An operation that ends the program.
 fn stop(_: &mut Shape, height: f64, width: f64) {

@@ -85,6 +85,40 @@ const h: f64 = 0.25;
 static i: f64 = 0.125;
 #[allow(non_camel_case_types, dead_code)]
 struct k;
+#[allow(dead_code)]
+const _J: f64 = 0.1;
+#[allow(non_upper_case_globals, dead_code)]
+const W_: f64 = 0.1;
+#[allow(non_upper_case_globals, dead_code)]
+const 幅: f64 = 0.1;
+#[allow(non_camel_case_types, dead_code)]
+struct gap(u8);
+#[allow(non_camel_case_types, dead_code)]
+enum Side {
+    left,
+    right,
+}
+#[allow(unused_imports)]
+use Side::*;
+
+cga! {
+    grammar Patterns;
+    Lot --> A(1, 2, 3, 4, 5, 6)
+    A(_J, W_, 幅, gap, left, right) with ( W := gap + right ) -->
+        split(x) { { ~left : B(W, _J) }* } [ case W_ + 幅 == 5 && W == 10 : t(0, 0, left) B(W, right) else : NIL ]
+    B(W, gap) --> case W == 10 && gap > 0 : Right. else : Wrong.
+}
+
+#[test]
+fn constants_and_variants_of_the_user_do_not_reach_the_rules() {
+    #[allow(non_upper_case_globals)]
+    const h: f64 = 0.5;
+    let rules = cga! { Lot --> A(2) A(h) --> case h == 2 : Right. else : Wrong. };
+    assert_eq!(rules.generate(&Shape::cuboid(1.0, 1.0, 1.0)).expect("no limit").count("Right"), 1);
+    let model = Patterns {}.generate(&Shape::cuboid(10.0, 1.0, 1.0)).expect("no limit");
+    assert_eq!((model.count("Right"), model.count("Wrong")), (3, 0), "{:?}", model.counts());
+    assert_eq!(h, 0.5);
+}
 
 #[test]
 fn words_of_rust_are_names_like_others() {
