@@ -178,7 +178,6 @@ pub fn comp_and_rest<C>(
 fn to_divide<C>(cx: &mut Cx<'_, C>, shape: &ShapeRef<'_>, number: u32) -> Shape {
     let mut whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
     cx.env.divide_trace(&mut whole);
-    whole.bake_own();
     whole
 }
 

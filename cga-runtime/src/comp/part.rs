@@ -69,7 +69,7 @@ impl ComponentSource {
         let part = match self {
             // The mesh of a box has its sides in the same order.
             ComponentSource::Quads(_) => {
-                let parts = MeshParts::new(parent.to_mesh(), Components::Faces, false);
+                let parts = MeshParts::new(parent.own_mesh(), Components::Faces, false);
                 return ComponentSource::Mesh(Box::new(parts)).kept(parent, numbers, as_roof);
             }
             ComponentSource::Mesh(parts) => match parts.surface(numbers, &Frame::WORLD) {

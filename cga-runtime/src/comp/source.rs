@@ -49,7 +49,8 @@ impl ComponentSource {
             let alone = components == Components::Faces && arms.iter().all(|arm| arm.looks_only());
             (!alone).then(|| placed.mesh.adjacency());
         }
-        let mesh = shape.to_mesh();
+        // Components inherit the implicit texture coordinates of the shape.
+        let mesh = shape.own_mesh();
         env.count_vertices(&mesh)?;
         let parts = MeshParts::new(mesh, components, env.initial.as_meshes);
         ControlFlow::Continue(ComponentSource::Mesh(Box::new(parts)))

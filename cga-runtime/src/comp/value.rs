@@ -20,8 +20,7 @@ pub fn comp_values<T: Element>(
     when: impl FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
     mut value: impl FnMut(&mut Env, u32, &mut Shape) -> T,
 ) -> Array<T> {
-    let mut whole = Shape { seed: shape.seed.branch(), ..shape.clone() };
-    whole.bake_own();
+    let whole = Shape { seed: shape.seed.branch(), ..shape.clone() };
     let ControlFlow::Continue(parts) = AssignedComponents::of(env, &whole, components, align, arms, when) else {
         return Array::default();
     };

@@ -115,6 +115,7 @@ pub fn extrude_axis(env: &mut Env, shape: &mut Shape, axis: ExtrudeAxis, distanc
     let distance = distance.of(shape.scope.size.y, env, "the distance of `extrude`");
     if distance != 0.0 && !matches!(shape.geometry, Geometry::Empty | Geometry::Vertex) {
         let along = shape.scope.axes.transpose() * along;
+        shape.bake();
         extrude_any(env, shape, Extrude::Vector(along), distance);
     }
 }
@@ -148,7 +149,8 @@ fn extrude_any(env: &mut Env, shape: &mut Shape, how: Extrude, distance: f64) {
     if let Some(wire) = shape.to_wire() {
         return extrude_edges(env, shape, &wire, how, distance);
     }
-    let mesh = shape.to_mesh();
+    // Implicit texture coordinates have been raised.
+    let mesh = shape.own_mesh();
     let first_normal = || mesh.faces().map(|face| face.normal()).find(|normal| *normal != DVec3::ZERO);
     let up = match how {
         Extrude::Vector(up) | Extrude::FlatTop(up) => up,

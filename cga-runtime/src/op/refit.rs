@@ -38,8 +38,7 @@ pub(super) fn refit(env: &mut Env, shape: &mut Shape, axes: DMat3, what: &str) -
     let found = match found {
         Some(found) => found,
         None => {
-            shape.bake_own();
-            let mesh = shape.to_mesh();
+            let mesh = shape.own_mesh();
             if env.count_vertices(&mesh).is_break() {
                 return false;
             }

@@ -219,14 +219,25 @@ impl Shape {
     /// The geometry as a mesh in scope coordinates: metres from the scope's origin corner, along its axes. It has all
     /// texture coordinates as explicit sets.
     pub fn to_mesh(&self) -> Arc<Mesh> {
+        self.in_scope(|mesh, to_scope| self.baked(mesh, to_scope))
+    }
+
+    /// The same mesh with its own texture coordinates. The implicit ones stay with the shape, so this is the mesh for
+    /// geometry whose shape keeps them.
+    pub(crate) fn own_mesh(&self) -> Arc<Mesh> {
+        self.in_scope(|mesh, _| mesh.clone())
+    }
+
+    /// A mesh in scope coordinates, with the texture coordinates that `textured` gives it before it is stretched.
+    fn in_scope(&self, textured: impl FnOnce(&Arc<Mesh>, &DAffine3) -> Arc<Mesh>) -> Arc<Mesh> {
         match &self.geometry {
             Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Arc::default(),
             Geometry::Rect(_, unit) | Geometry::Box(unit) => {
-                self.baked(&place::mesh(*unit, self.scope.size), &DAffine3::IDENTITY)
+                textured(&place::mesh(*unit, self.scope.size), &DAffine3::IDENTITY)
             }
             Geometry::Mesh(placed) => {
                 let place = placed.to_scope(self.scope.size);
-                let mesh = self.baked(&placed.mesh, &place);
+                let mesh = textured(&placed.mesh, &place);
                 if place == DAffine3::IDENTITY { mesh } else { Arc::new(mesh.map(&place)) }
             }
         }

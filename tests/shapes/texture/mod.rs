@@ -5,7 +5,7 @@ mod along;
 mod facts;
 mod hostile;
 mod laws;
+mod orders;
 mod projections;
 mod sets;
 mod splits;
-mod twice;

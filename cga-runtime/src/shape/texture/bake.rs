@@ -19,23 +19,6 @@ impl Shape {
         }
     }
 
-    /// Writes changes of the mesh's own sets into them, before parts are made of a mesh with all sets: a part takes the written set or
-    /// the change, never both. Functions of the place give the same twice.
-    #[inline]
-    pub(crate) fn bake_own(&mut self) {
-        if self.state.coordinates().has_own() {
-            self.write_own_sets();
-        }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn write_own_sets(&mut self) {
-        let own = self.state.change_look().coordinates.take_own();
-        let projections = self.state.projections().clone();
-        self.change_mesh_alike(|mesh| with_sets(mesh, &DAffine3::IDENTITY, &own, &projections));
-    }
-
     #[cold]
     #[inline(never)]
     fn write_sets(&mut self) {
@@ -59,17 +42,9 @@ impl Shape {
 
     /// Replaces the mesh by one with the same points. Geometry without a mesh stays.
     pub(crate) fn change_mesh(&mut self, change: impl FnOnce(&Mesh) -> Mesh) {
-        self.change_mesh_alike(change);
-        if let Geometry::Mesh(placed) = &mut self.geometry {
-            Arc::make_mut(placed).inserted = Inserted::No;
-        }
-    }
-
-    /// Replaces the mesh by one with the same points that counts as inserted if the old one does.
-    fn change_mesh_alike(&mut self, change: impl FnOnce(&Mesh) -> Mesh) {
         if let Geometry::Mesh(placed) = &self.geometry {
             let mesh = Arc::new(change(&placed.mesh));
-            self.geometry = Geometry::Mesh(Arc::new(Placed { mesh, ..Placed::clone(placed) }));
+            self.geometry = Geometry::Mesh(Arc::new(Placed { mesh, inserted: Inserted::No, ..Placed::clone(placed) }));
         }
     }
 

@@ -98,19 +98,6 @@ impl Coordinates {
         self.sets.iter().any(|entry| entry.source == UvSource::Stored(set))
     }
 
-    /// Takes out the sets that are changed sets of the mesh.
-    pub(crate) fn take_own(&mut self) -> Coordinates {
-        let is_own = |entry: &SetEntry| matches!(entry.source, UvSource::Own(_));
-        let (own, others) = std::mem::take(&mut self.sets).into_iter().partition(is_own);
-        self.sets = others;
-        Coordinates { sets: own }
-    }
-
-    /// Returns true if some sets are changed sets of the mesh.
-    pub(crate) fn has_own(&self) -> bool {
-        self.sets.iter().any(|entry| matches!(entry.source, UvSource::Own(_)))
-    }
-
     /// The functions of the position.
     pub(crate) fn maps(&self) -> impl Iterator<Item = &UvMap> {
         self.sets.iter().filter_map(|entry| match &entry.source {
