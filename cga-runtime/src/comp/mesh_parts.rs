@@ -89,11 +89,9 @@ impl MeshParts {
         }
     }
 
-    /// The corners at both ends of an edge, in the order of its last face or of the face itself (*comp operation*, edge split
-    /// details; *modify operation*, corrugated façade).
+    /// The corners at both ends of an edge, in the order of its first face or of the face itself.
     fn end_corners(&self, index: usize) -> [u32; 2] {
-        let uses = |edge: usize| self.adjacency().uses(edge);
-        let corner = if self.kind == Components::Edges { uses(index)[uses(index).len() - 1] } else { index as u32 };
+        let corner = if self.kind == Components::Edges { self.adjacency().uses(index)[0] } else { index as u32 };
         [corner, self.adjacency().next(corner)]
     }
 

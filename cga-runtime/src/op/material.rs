@@ -68,7 +68,7 @@ pub(crate) fn image(env: &mut Env, file: Text) -> (Text, bool) {
         Ok(header) => return (file, header.has_alpha),
         Err(why) => why,
     };
-    env.asset_fault(format!("`{file}` cannot be shown: {why}; a checker pattern takes its place"));
+    env.image_fault(format!("`{file}` cannot be shown: {why}; a checker pattern takes its place"));
     use AssetError::{Broken, Format, NoFolder, TooLong};
     let keeps_name = matches!(why, Format(_) | Broken(_) | TooLong { .. } | NoFolder) && !file.starts_with("builtin:");
     (if keeps_name { file } else { Text::fixed(UNKNOWN_TEXTURE) }, false)
@@ -226,7 +226,7 @@ mod tests {
         set::material_normalmap(env, shape, "none.png".into());
         set::material_normalmap(env, shape, "none.png".into());
         let (faults, _) = env.take_faults();
-        assert_eq!((faults.len(), faults[0].count), (1, 2));
+        assert_eq!((faults.len(), faults[0].count), (1, 1));
         let _ = std::fs::remove_dir_all(&folder);
     }
 

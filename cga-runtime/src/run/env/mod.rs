@@ -359,6 +359,17 @@ impl Env {
         }
     }
 
+    /// Records a fault of an image, once in a run: looks are kept, so the number of times that rules ask for an image depends on what is
+    /// kept.
+    #[cold]
+    pub(crate) fn image_fault(&mut self, message: String) {
+        if self.asset_faults.contains_key(&message) {
+            self.said_again += 1;
+        } else {
+            self.asset_fault(message);
+        }
+    }
+
     /// Adds a fault, if there is room for it. Returns its index.
     fn add_fault(&mut self, kind: FaultKind, message: String) -> Option<usize> {
         if FAULTS_KEPT <= self.faults.len() {
