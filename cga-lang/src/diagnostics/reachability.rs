@@ -9,9 +9,9 @@ use crate::diag::code::Code;
 use crate::diag::{Basis, Diag};
 use crate::resolve::context::Context;
 use crate::resolve::globals::{Declared, Namespace};
+use crate::resolve::info::RuleInfo;
 use crate::suggest::nearest;
 use crate::syntax::ast::Role;
-use std::collections::HashSet;
 
 /// Finds these rules, if the file cannot be imported.
 pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
@@ -21,24 +21,33 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
     } else {
         reached(cx, calls)
     };
-    let is_called: HashSet<usize> = calls.edges.iter().flatten().copied().collect();
+    let callers = callers(calls);
     for (rule, item) in globals.rules.iter().enumerate() {
-        reached[rule] &= is_called.contains(&rule) || missing_import(cx, item).is_none();
+        reached[rule] &= !callers[rule].is_empty() || missing_import(cx, item).is_none();
     }
     // The caller of an unreached rule is reported; in a cycle the first rule.
     let mut called = vec![false; globals.rules.len()];
     for (caller, callees) in calls.edges.iter().enumerate().filter(|(caller, _)| !reached[*caller]) {
         callees.iter().filter(|callee| caller < **callee).for_each(|&callee| called[callee] = true);
     }
-    let uncalled = uncalled(cx, calls);
-    let skipped = skipped(cx, calls);
+    let uncalled = if program.may_be_imported() { Vec::new() } else { uncalled(cx, &callers) };
+    let is_marked = |item: &Declared| info(cx, item).is_some_and(|info| info.marked);
+    let has_start = globals.rules.iter().any(|item| is_root(cx, item) && is_marked(item));
+    // The first rule, if runs begin with it as none is marked, and the first later one that leads to it: the first rule
+    // looks like a helper.
+    let start = calls.starts.first().copied().filter(|_| !globals.rules.iter().any(is_marked));
+    let skipped = start.and_then(|start| {
+        let leads_there = flood(&callers, vec![start]);
+        let caller = uncalled.iter().find(|&&rule| start < rule && leads_there[rule])?;
+        Some((start, *caller))
+    });
     let mut common = CommonDiags::default();
     for (rule, item) in globals.rules.iter().enumerate() {
         if !program.roots.contains(&item.instance) {
             continue;
         }
         common.check(item, |diags| {
-            if uncalled.contains(&rule) {
+            if has_start && uncalled.binary_search(&rule).is_ok() {
                 let name = &item.decl.name;
                 let diag = diags.report(Code::RuleNotReached, name.span, format!("no rule calls `{}`", name.text));
                 diag.basis = Basis::Start;
@@ -80,54 +89,34 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
     common.finish()
 }
 
-/// The rules without parameters that no rule calls and no annotation names, if another rule is marked as the start.
-fn uncalled(cx: &Context, calls: &Calls) -> HashSet<usize> {
-    let program = cx.globals.program;
-    let mut others: HashSet<usize> = HashSet::new();
+/// The rules that call a rule, by rule.
+fn callers(calls: &Calls) -> Vec<Vec<usize>> {
+    let mut callers = vec![Vec::new(); calls.edges.len()];
     for (caller, callees) in calls.edges.iter().enumerate() {
-        others.extend(callees.iter().filter(|callee| **callee != caller));
+        callees.iter().for_each(|&callee| callers[callee].push(caller));
     }
-    let info = |item: &Declared| cx.tables.rules.get(&item.key());
-    let is_root = |item: &Declared| program.roots.contains(&item.instance) && !is_outward(item);
-    let is_marked = |item: &Declared| is_root(item) && info(item).is_some_and(|info| info.marked);
-    if program.may_be_imported() || !cx.globals.rules.iter().any(is_marked) {
-        return HashSet::new();
-    }
+    callers
+}
+
+/// The rules without parameters that no other rule calls and no annotation names, in order.
+fn uncalled(cx: &Context, callers: &[Vec<usize>]) -> Vec<usize> {
     let rules = cx.globals.rules.iter().enumerate();
     let alone = rules.filter(|(rule, item)| {
-        let is_named = info(item).is_some_and(|info| info.marked || info.hidden);
-        is_root(item) && item.decl.params.is_empty() && !is_named && !others.contains(rule) && !body(item).is_empty()
+        let is_named = info(cx, item).is_some_and(|info| info.marked || info.hidden);
+        let is_called = callers[*rule].iter().any(|caller| caller != rule);
+        is_root(cx, item) && item.decl.params.is_empty() && !is_named && !is_called && !body(item).is_empty()
     });
     alone.map(|(rule, _)| rule).collect()
 }
 
-/// The first rule, with which runs begin as no rule is marked, and the first later rule that leads to it and that no rule calls: the
-/// first rule looks like a helper.
-fn skipped(cx: &Context, calls: &Calls) -> Option<(usize, usize)> {
-    let (globals, program) = (&cx.globals, cx.globals.program);
-    let info = |rule: usize| cx.tables.rules.get(&globals.rules[rule].key());
-    let is_root =
-        |rule: usize| program.roots.contains(&globals.rules[rule].instance) && !is_outward(&globals.rules[rule]);
-    let rules = 0..globals.rules.len();
-    if program.may_be_imported() || rules.clone().any(|rule| info(rule).is_some_and(|info| info.marked)) {
-        return None;
-    }
-    let start = *calls.starts.first()?;
-    let is_called =
-        |rule: usize| (0..).zip(&calls.edges).any(|(caller, callees)| caller != rule && callees.contains(&rule));
-    let leads_there = |from: usize| {
-        let (mut seen, mut open) = (vec![false; globals.rules.len()], vec![from]);
-        while let Some(rule) = open.pop() {
-            if !std::mem::replace(&mut seen[rule], true) {
-                open.extend(&calls.edges[rule]);
-            }
-        }
-        seen[start]
-    };
-    let mut later = rules.filter(|&rule| start < rule && is_root(rule) && globals.rules[rule].decl.params.is_empty());
-    let found =
-        later.find(|&rule| !info(rule).is_some_and(|info| info.hidden) && !is_called(rule) && leads_there(rule));
-    found.map(|found| (start, found))
+/// What the annotations of a rule say.
+fn info<'a>(cx: &'a Context, item: &Declared) -> Option<&'a RuleInfo> {
+    cx.tables.rules.get(&item.key())
+}
+
+/// Returns true for a rule that is declared in the file itself.
+fn is_root(cx: &Context, item: &Declared) -> bool {
+    cx.globals.program.roots.contains(&item.instance) && !is_outward(item)
 }
 
 /// Returns true if a rule replaces or continues a rule of an import, and is called from there.
@@ -145,18 +134,22 @@ fn missing_import<'a>(cx: &Context<'a, '_>, item: &Declared<'a>) -> Option<&'a s
 
 /// Returns true for each rule that a run reaches.
 fn reached(cx: &Context, calls: &Calls) -> Vec<bool> {
-    let globals = &cx.globals;
-    let mut reached = vec![false; globals.rules.len()];
-    let mut open = calls.starts.clone();
-    for (rule, item) in globals.rules.iter().enumerate() {
+    let mut starts = calls.starts.clone();
+    for (rule, item) in cx.globals.rules.iter().enumerate() {
         if item.decl.params.is_empty() || is_outward(item) {
-            open.push(rule);
+            starts.push(rule);
         }
     }
+    flood(&calls.edges, starts)
+}
+
+/// Returns true for each rule that some rules lead to along edges, and for these.
+fn flood(edges: &[Vec<usize>], mut open: Vec<usize>) -> Vec<bool> {
+    let mut seen = vec![false; edges.len()];
     while let Some(rule) = open.pop() {
-        if !std::mem::replace(&mut reached[rule], true) {
-            open.extend(&calls.edges[rule]);
+        if !std::mem::replace(&mut seen[rule], true) {
+            open.extend(&edges[rule]);
         }
     }
-    reached
+    seen
 }
