@@ -309,6 +309,12 @@ impl Sink for MeshSink {
         self.assets.add(mesh, rule, material, (*placement, number));
         ControlFlow::Continue(())
     }
+
+    fn placement(&mut self, _: &Leaf<'_>) -> Flow {
+        // Its number belongs to no mesh.
+        self.next();
+        ControlFlow::Continue(())
+    }
 }
 
 /// The sets of a rectangle or a box.

@@ -8,6 +8,8 @@ use cga_runtime::material::{Channel, Color, Material, MaterialNumber, MaterialTe
 use cga_runtime::output::error::WriteError;
 use cga_runtime::output::gltf::Glb;
 use cga_runtime::output::model::Model;
+use cga_runtime::run::sink::{Leaf, Sink};
+use cga_runtime::shape::scope::Scope;
 use cga_runtime::value::array::Array;
 use cga_runtime::value::text::Text;
 use glam::{DAffine3, DVec3, dvec3};
@@ -234,4 +236,15 @@ fn meshes_and_nodes_have_names() {
     assert_eq!((&json["nodes"][0]["name"], &json["meshes"][0]["name"]), (&"model".into(), &"model".into()));
     // The asset is stored once, at three places.
     assert_eq!((&json["nodes"][1]["name"], &json["meshes"][1]["name"]), (&"Bench".into(), &"Bench".into()));
+}
+
+#[test]
+fn a_placement_beyond_the_range_of_readers_is_an_error() {
+    let material = color(1.0, 0.0, 0.0);
+    for (origin, size) in [(1e39, 0.0), (0.0, 1e39)] {
+        let scope = Scope { origin: DVec3::splat(origin), ..Scope::new(DVec3::splat(size)) };
+        let mut glb = Glb::new().with_placements();
+        assert!(glb.placement(&Leaf::new("Lamp", &material, &scope)).is_continue());
+        assert!(matches!(glb.into_bytes(), Err(WriteError::NotFinite)), "{origin} {size}");
+    }
 }

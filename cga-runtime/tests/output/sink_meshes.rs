@@ -21,9 +21,19 @@ fn area(mesh: &TriangleMesh, indices: &[u32], place: &DAffine3) -> f64 {
     triangles.map(|&[a, b, c]| (point(b) - point(a)).cross(point(c) - point(a)).length() / 2.0).sum()
 }
 
+/// The leaves of a model, with a leaf without faces before each.
+fn with_placements(model: &Model) -> Model {
+    let mut all = Model::new();
+    for leaf in model {
+        assert!(all.placement(&Leaf::new("Lamp", leaf.material(), leaf.scope())).is_continue());
+        assert!(leaf.replay(&mut all).is_continue());
+    }
+    all
+}
+
 #[test]
 fn every_leaf_has_its_area_at_every_granularity() {
-    for model in [mixed(), steady()] {
+    for model in [mixed(), steady(), with_placements(&mixed())] {
         for granularity in [Granularity::Material, Granularity::Rule, Granularity::Leaf] {
             let meshes = model.meshes(granularity);
             let mut areas = vec![0.0; model.len()];

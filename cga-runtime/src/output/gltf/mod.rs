@@ -182,6 +182,12 @@ impl Glb {
             shared.extend(self.place_parts(parts));
         }
         check_size(self.bytes)?;
+        let is_finite = |(_, scope): &(u32, Scope)| {
+            (scope.origin - self.origin).as_vec3().is_finite() && scope.size.as_vec3().is_finite()
+        };
+        if !self.placements.iter().flatten().all(is_finite) {
+            return Err(WriteError::NotFinite);
+        }
         let main = std::mem::take(&mut self.primitives).into_list();
         let mut meshes = vec![SceneMesh { primitives: main, places: MeshPlacement::Root }];
         meshes.extend(shared);
