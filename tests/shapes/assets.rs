@@ -229,3 +229,67 @@ fn a_picture_has_a_translucent_box_for_a_missing_asset() {
     assert_ne!(missing, there);
     assert!(run(4.0).bounds().size().max_element() < 0.2);
 }
+
+cga! {
+    @Allow(missing_asset)
+    grammar Without = r#"
+        Unnamed --> i("") X.
+        Cleared --> texture("") X.
+        Plain --> setupProjection(0, scope.xz, 1, 1) projectUV(0) X.
+        Brick --> setupProjection(0, scope.xz, 1, 1) projectUV(0) texture("brick.png") X.
+        Mesh --> i("out.obj") X.
+        Image --> texture("up/out.png") X.
+    "#;
+}
+
+fn messages(model: &Model) -> Vec<&str> {
+    model.faults().iter().map(|fault| &*fault.message).collect()
+}
+
+#[test]
+fn without_an_asset_folder_a_texture_is_a_fault_and_a_checker_pattern() {
+    let run = |start: &str| Without::default().generate_from(start, &Shape::rectangle(2.0, 2.0)).expect("no limit");
+    let (plain, brick) = (run("Plain"), run("Brick"));
+    assert_eq!(
+        messages(&brick),
+        ["`brick.png` cannot be shown: no asset folder is set (`Settings::assets`); a checker pattern takes its place"]
+    );
+    let picture = cga::sink::picture::Picture::new(40, 40);
+    let shown = |model: &Model| {
+        let image = picture.render(model);
+        // The squares of the pattern are magenta and grey.
+        image.rgba.as_chunks::<4>().0.iter().filter(|[r, g, b, _]| 2 * u32::from(*g) < u32::from(*r.min(b))).count()
+    };
+    assert!(shown(&plain) == 0 && 100 < shown(&brick), "{} and {}", shown(&plain), shown(&brick));
+    // The program may have the file elsewhere.
+    let text = String::from_utf8_lossy(&brick.to_glb().expect("a file")).into_owned();
+    assert!(text.contains("\"uri\":\"brick.png\""), "{text}");
+}
+
+#[test]
+fn an_empty_name_of_a_mesh_is_a_fault_and_of_a_texture_switches_it_off() {
+    let folder = Temporary::new("unnamed", &[("a.txt", "")]);
+    for model in [
+        folder.run(&Without::default(), "Unnamed"),
+        Without::default().generate_from("Unnamed", &Shape::rectangle(1.0, 1.0)).expect("no limit"),
+    ] {
+        assert_eq!(messages(&model), ["`i` has no file: its name is empty; a small box marks the place"]);
+    }
+    assert_eq!(messages(&folder.run(&Without::default(), "Cleared")), [""; 0]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_that_leads_out_of_the_folder_is_not_called_missing() {
+    let folder = Temporary::new("links", &[("a.txt", ""), ("../out.obj", &triangle(1.0)), ("../out.png", "")]);
+    let link = |to: &str, name: &str| {
+        std::os::unix::fs::symlink(folder.0.join(to), folder.0.join("root").join(name)).expect("a link");
+    };
+    link("out.obj", "out.obj");
+    link("", "up");
+    for (start, what) in [("Mesh", "`out.obj` cannot be inserted"), ("Image", "`up/out.png` cannot be shown")] {
+        let model = folder.run(&Without::default(), start);
+        let why = format!("{what}: a link leads out of the asset folder, and files outside are not read; ");
+        assert!(matches!(&messages(&model)[..], [one] if one.starts_with(&why)), "{:?}", messages(&model));
+    }
+}
