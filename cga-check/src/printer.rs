@@ -55,7 +55,8 @@ impl<'o> Printer<'o> {
         let mut own = Own::default();
         let mut more = 0;
         let is_imported = self.imported.contains(&compiled.files[0].name);
-        for diag in compiled.diags.iter().filter(|diag| !(is_imported && diag.code == Code::NoStartRule)) {
+        let is_about_start = |diag: &Diag| matches!(diag.code, Code::NoStartRule | Code::UnmarkedStart);
+        for diag in compiled.diags.iter().filter(|diag| !(is_imported && is_about_start(diag))) {
             let (file, first) = compiled.locate(diag.span.first);
             own.add(diag, file == 0);
             let last = compiled.locate(diag.span.last).1;

@@ -40,6 +40,15 @@ fn a_file_that_is_imported_needs_no_start_rule() {
     assert!(!both.contains("no_start_rule") && both.contains("2 files"), "{both}");
 }
 
+#[test]
+fn a_file_that_is_imported_may_begin_with_a_helper() {
+    let library = ("lib.cga", "Roof --> roofHip(30) X.\nHouse --> extrude(6) comp(f) { top : Roof | side : Y. }");
+    let main = ("main.cga", "import lib : \"lib.cga\"\nLot --> lib.House");
+    assert!(printed("helper", &[library]).contains("warning[unmarked_start]"));
+    let both = printed("helpers", &[library, main]);
+    assert!(!both.contains("unmarked_start") && both.contains("2 files"), "{both}");
+}
+
 const WRONG: (&str, &str) = ("tower.cga", "attr h = 3\nLot --> extrude(h) Wal\nWall --> X.\n");
 
 #[test]

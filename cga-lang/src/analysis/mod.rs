@@ -84,6 +84,26 @@ impl Calls {
         starts.dedup();
         Calls { edges, starts }
     }
+
+    /// By rule: the rules that call it, in order.
+    pub(crate) fn callers(&self) -> Vec<Vec<usize>> {
+        let mut callers = vec![Vec::new(); self.edges.len()];
+        for (caller, callees) in self.edges.iter().enumerate() {
+            callees.iter().for_each(|&callee| callers[callee].push(caller));
+        }
+        callers
+    }
+}
+
+/// By rule: true if one of some rules leads to it along edges, or is it.
+pub(crate) fn reach(edges: &[Vec<usize>], mut open: Vec<usize>) -> Vec<bool> {
+    let mut reached = vec![false; edges.len()];
+    while let Some(rule) = open.pop() {
+        if !std::mem::replace(&mut reached[rule], true) {
+            open.extend(&edges[rule]);
+        }
+    }
+    reached
 }
 
 /// The steps of a rule.

@@ -68,6 +68,7 @@ codes! {
     UnknownAnnotation "unknown_annotation" Warning "An unknown annotation.",
     UnknownCode "unknown_code" Warning "`@Allow`, `@Warn` or `@Deny` with an unknown diagnostic.",
     NoStartRule "no_start_rule" Warning "No rule without parameters that a run could begin with.",
+    UnmarkedStart "unmarked_start" Warning "Runs begin with the first rule, as none is marked, and it is a part of a later one.",
     // Names.
     UndefinedRule "undefined_rule" Warning "A call that matches no rule by name and number of arguments.",
     NotAnOperation "not_an_operation" Error "A function in the place of an operation or a rule.",

@@ -19,6 +19,7 @@ mod reachability;
 mod repeat;
 mod shadowing;
 mod size;
+mod start;
 mod switch;
 pub(crate) mod tags;
 mod termination;
@@ -103,7 +104,8 @@ pub(crate) fn check(cx: &mut Context) {
     let mut found = vec![blocks::check(cx), dead_code::check(cx)];
     if let Some(calls) = &calls {
         found.push(defaults::check(cx, calls, &certain));
-        found.extend([reachability::check(cx, calls), termination::check(cx, calls), unused::check(cx)]);
+        found.extend([reachability::check(cx, calls), start::check(cx, calls)]);
+        found.extend([termination::check(cx, calls), unused::check(cx)]);
     }
     cx.diags.append(certain);
     found.into_iter().for_each(|list| cx.diags.append(list));

@@ -4,7 +4,7 @@
 //! in such a file, only rules are reported that continue a leaf of an import that does not exist.
 
 use super::instances::CommonDiags;
-use crate::analysis::{Calls, body};
+use crate::analysis::{Calls, body, reach};
 use crate::diag::code::Code;
 use crate::diag::{Basis, Diag};
 use crate::resolve::context::Context;
@@ -21,7 +21,7 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
     } else {
         reached(cx, calls)
     };
-    let callers = callers(calls);
+    let callers = calls.callers();
     for (rule, item) in globals.rules.iter().enumerate() {
         reached[rule] &= !callers[rule].is_empty() || missing_import(cx, item).is_none();
     }
@@ -30,24 +30,15 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
     for (caller, callees) in calls.edges.iter().enumerate().filter(|(caller, _)| !reached[*caller]) {
         callees.iter().filter(|callee| caller < **callee).for_each(|&callee| called[callee] = true);
     }
-    let uncalled = if program.may_be_imported() { Vec::new() } else { uncalled(cx, &callers) };
     let is_marked = |item: &Declared| info(cx, item).is_some_and(|info| info.marked);
     let has_start = globals.rules.iter().any(|item| is_root(cx, item) && is_marked(item));
-    // The first rule, if runs begin with it as none is marked, and the first later one that leads to it: the first rule
-    // looks like a helper.
-    let start = calls.starts.first().copied().filter(|_| !globals.rules.iter().any(is_marked));
-    let skipped = start.and_then(|start| {
-        let leads_there = flood(&callers, vec![start]);
-        let caller = uncalled.iter().find(|&&rule| start < rule && leads_there[rule])?;
-        Some((start, *caller))
-    });
     let mut common = CommonDiags::default();
     for (rule, item) in globals.rules.iter().enumerate() {
         if !program.roots.contains(&item.instance) {
             continue;
         }
         common.check(item, |diags| {
-            if has_start && uncalled.binary_search(&rule).is_ok() {
+            if has_start && !program.may_be_imported() && is_uncalled(cx, &callers, rule) {
                 let name = &item.decl.name;
                 let diag = diags.report(Code::RuleNotReached, name.span, format!("no rule calls `{}`", name.text));
                 diag.basis = Basis::Start;
@@ -55,15 +46,6 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
                     diag.related(format!("runs begin with `{}`, which is marked `@StartRule`", start.text), start.span);
                 }
                 diag.help("write `@StartRule` before it as well, or `@Hidden`, if runs begin with it");
-            }
-            if let Some((start, _)) = skipped.filter(|(_, caller)| *caller == rule) {
-                let (name, start) = (&item.decl.name, &globals.rules[start].decl.name);
-                let message =
-                    format!("runs begin with `{}`, the first rule, and no rule calls `{}`", start.text, name.text);
-                let diag = diags.report(Code::RuleNotReached, name.span, message);
-                diag.basis = Basis::Start;
-                diag.related(format!("no rule is marked, and the first one is `{}`", start.text), start.span);
-                diag.help("write `@StartRule` before the rule that runs begin with");
             }
             if !reached[rule] && !called[rule] && !body(item).is_empty() {
                 let name = &item.decl.name;
@@ -89,24 +71,12 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
     common.finish()
 }
 
-/// The rules that call a rule, by rule.
-fn callers(calls: &Calls) -> Vec<Vec<usize>> {
-    let mut callers = vec![Vec::new(); calls.edges.len()];
-    for (caller, callees) in calls.edges.iter().enumerate() {
-        callees.iter().for_each(|&callee| callers[callee].push(caller));
-    }
-    callers
-}
-
-/// The rules without parameters that no other rule calls and no annotation names, in order.
-fn uncalled(cx: &Context, callers: &[Vec<usize>]) -> Vec<usize> {
-    let rules = cx.globals.rules.iter().enumerate();
-    let alone = rules.filter(|(rule, item)| {
-        let is_named = info(cx, item).is_some_and(|info| info.marked || info.hidden);
-        let is_called = callers[*rule].iter().any(|caller| caller != rule);
-        is_root(cx, item) && item.decl.params.is_empty() && !is_named && !is_called && !body(item).is_empty()
-    });
-    alone.map(|(rule, _)| rule).collect()
+/// Returns true for a rule without parameters that no other rule calls and no annotation names.
+fn is_uncalled(cx: &Context, callers: &[Vec<usize>], rule: usize) -> bool {
+    let item = &cx.globals.rules[rule];
+    let is_named = info(cx, item).is_some_and(|info| info.marked || info.hidden);
+    let is_called = callers[rule].iter().any(|caller| *caller != rule);
+    is_root(cx, item) && item.decl.params.is_empty() && !is_named && !is_called && !body(item).is_empty()
 }
 
 /// What the annotations of a rule say.
@@ -140,16 +110,5 @@ fn reached(cx: &Context, calls: &Calls) -> Vec<bool> {
             starts.push(rule);
         }
     }
-    flood(&calls.edges, starts)
-}
-
-/// Returns true for each rule that some rules lead to along edges, and for these.
-fn flood(edges: &[Vec<usize>], mut open: Vec<usize>) -> Vec<bool> {
-    let mut seen = vec![false; edges.len()];
-    while let Some(rule) = open.pop() {
-        if !std::mem::replace(&mut seen[rule], true) {
-            open.extend(&edges[rule]);
-        }
-    }
-    seen
+    reach(&calls.edges, starts)
 }

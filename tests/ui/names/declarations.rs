@@ -65,4 +65,10 @@ cga! {
         Lot --> extrude(12) alignScopeToAxes(up) Tower.";
 }
 
+cga! {
+    pub grammar Helper;
+    Roof --> roofHip(30) Tiles.
+    Lot --> extrude(6) comp(f) { top : Roof | side : Wall. }
+}
+
 fn main() {}

@@ -24,7 +24,7 @@ pub(crate) fn judge(diag: &Diag, places: &Places, run: &Run) -> Verdict {
     match diag.code {
         Code::CaseAlways => condition(diag, places, run),
         // A run that is told to may begin there.
-        Code::RuleNotReached if diag.basis == Basis::Start => Silent,
+        Code::RuleNotReached | Code::UnmarkedStart if diag.basis == Basis::Start => Silent,
         Code::RuleNotReached => match places.rules.iter().find(|rule| rule.name == diag.span) {
             Some(rule) if heard(run, &rule.marks) => Broken("it is reached".into()),
             Some(_) if run.limit.is_none() => So,
