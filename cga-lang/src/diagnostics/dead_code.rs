@@ -26,7 +26,7 @@ fn sequence(ops: &[Op], made: bool, restored: bool, names: Entries, diags: &mut 
     // The index of the first operation that only changes the shape.
     let mut idle = None;
     for (at, op) in ops.iter().enumerate() {
-        // What is for the run, such as a label or a report, tells of the changes before it.
+        // Labels, reports and prints act on the run and show the changes before them.
         let changes = match &op.kind {
             OpKind::Call(name, _) => match names.of(name) {
                 Some(Use::Operation(row)) => !row.is_for_run(),

@@ -78,9 +78,7 @@ struct Generator<'a> {
     /// The rules that recomposed operands reach: their `NIL` still moves neighbours.
     recomposed: HashSet<RuleId>,
     material_changes: RefCell<site::MaterialChanges>,
-    /// The names of the parameters of the rule or function that is written.
-    params: RefCell<Vec<String>>,
-    param_names: RefCell<names::ParamNames>,
+    params: RefCell<names::ParamNames>,
 }
 
 /// Writes a grammar.
@@ -106,8 +104,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         templates,
         recomposed: operands::recomposed(grammar),
         material_changes: RefCell::default(),
-        params: RefCell::default(),
-        param_names: RefCell::new(names::ParamNames::new(source.hosts().iter().map(|host| &host.expr))),
+        params: RefCell::new(names::ParamNames::new(source.hosts().iter().map(|host| &host.expr))),
     };
     let (values, call) = (items::values(&cx), items::calls(&cx));
     let (rules, functions) = (rule::rules(&cx), rule::functions(&cx));
@@ -120,7 +117,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         .any(|code| !code.is_empty())
         .then(|| code!(#[allow(dead_code, clippy::all, clippy::pedantic, clippy::nursery)] impl CgaValues { #lazy #renewals #material_changes }));
     let implementation = items::rules_impl(&cx, header);
-    let imports = cx.param_names.borrow().imports();
+    let imports = cx.params.borrow().imports();
     let hidden = code! {
         #imports
         #values
@@ -177,12 +174,12 @@ impl Generator<'_> {
 
     /// Begins a rule or function with these parameters and locals.
     fn name_params(&self, params: &[Param]) {
-        self.params.replace(self.param_names.borrow_mut().of(params));
+        self.params.borrow_mut().begin(params);
     }
 
     /// A parameter or local of the rule or function that is written.
     fn param(&self, number: usize) -> Ident {
-        names::ident(&self.params.borrow()[number], location::current())
+        self.params.borrow().param(number, location::current())
     }
 
     /// A function of the hidden impl, with the span of a use.

@@ -38,6 +38,8 @@ pub(super) struct ParamNames {
     words: HashSet<String>,
     /// The names that were given.
     given: BTreeSet<String>,
+    /// The names of the rule or function that is written, by number.
+    current: Vec<String>,
 }
 
 impl ParamNames {
@@ -47,18 +49,22 @@ impl ParamNames {
         names
     }
 
-    /// The names of one rule or function. They are locals among the locals of the generated code, so a name that is taken gets
-    /// a `_` at the end.
-    pub(super) fn of(&mut self, params: &[Param]) -> Vec<String> {
+    /// Begins a rule or function. Its names are locals among the locals of the generated code, so a name that is taken gets a
+    /// `_` at the end.
+    pub(super) fn begin(&mut self, params: &[Param]) {
         let mut taken = Taken::default();
         if !params.is_empty() {
             taken.all.extend(LOCALS.iter().map(|name| (*name).to_owned()));
         }
         let is_free = |name: &str| !is_numbered(name) && !self.words.contains(name);
         let free = |name: &str| if is_free(name) { name.to_owned() } else { format!("{name}_") };
-        let names: Vec<String> = params.iter().map(|param| taken.field(&free(&param.name))).collect();
-        self.given.extend(names.iter().cloned());
-        names
+        self.current = params.iter().map(|param| taken.field(&free(&param.name))).collect();
+        self.given.extend(self.current.iter().cloned());
+    }
+
+    /// A parameter or local of the rule or function that is written.
+    pub(super) fn param(&self, number: usize, place: Span) -> Ident {
+        ident(&self.current[number], place)
     }
 
     /// An import for each name. Rust takes a name in a pattern for the constant, the static or the unit struct that has it;
@@ -231,7 +237,9 @@ mod tests {
     fn parameters_keep_names_that_are_free() {
         let params_of = |names: &[&str]| {
             let param = |name: &&str| Param { name: (*name).into(), ty: cga_lang::ir::Type::Float };
-            ParamNames::new([quote::quote!(OFFSET + r#gen(1))].iter()).of(&names.iter().map(param).collect::<Vec<_>>())
+            let mut given = ParamNames::new([quote::quote!(OFFSET + r#gen(1))].iter());
+            given.begin(&names.iter().map(param).collect::<Vec<_>>());
+            given.current
         };
         assert_eq!(params_of(&["width", "a", "last", "i2", "match"]), ["width", "a", "last", "i2", "match"]);
         assert_eq!(params_of(&["cx", "cx_", "self", "W", "a0"]), ["cx_", "cx__", "self_", "W", "a0_"]);

@@ -149,8 +149,8 @@ impl Source {
         {
             return paths[at].1.clone();
         }
-        // At the literal. Items are resolved where the macro is called, and rustc gives a call the location of the macro call if the names
-        // in it are resolved in several ways.
+        // At the literal. Items are resolved where the macro is called, and rustc gives a call the location of the macro call
+        // if the names in it are resolved in several ways.
         let place = Span::mixed_site().located_at(self.token(token));
         let path: TokenStream = text.parse().unwrap_or_default();
         path.into_iter()

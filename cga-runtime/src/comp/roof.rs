@@ -1,10 +1,11 @@
 //! The edges of roofs: eaves, hips, valleys and ridges.
 //!
-//! A roof consists of the faces that look up. A level edge of one such face from which
-//! the face does not fall is an eave: the upper edge of a shed is none. An edge of two such faces is
-//! a valley if they slope towards each other, a hip if it touches an eave, otherwise a ridge. An edge between two
-//! coplanar faces, as at a collinear corner, has no class. Faces that look down or sideways do not count, so the result
-//! is the same for a roof that is a closed volume.
+//! A roof consists of the faces that look up. A level edge of one such face is an eave if the
+//! face does not fall away from it. So a shed has one eave, as the text of *comp* says ("on the bottom of the roof"); the
+//! picture of the page colours its upper edge, too. An edge of two such faces is a valley if they slope towards each
+//! other, a hip if it touches an eave, otherwise a ridge. An edge between two coplanar faces, as at a collinear corner,
+//! has no class. Faces that look down or sideways do not count, so the result is the same for a roof that is a closed
+//! volume.
 
 use std::sync::Arc;
 

@@ -88,9 +88,10 @@ pub fn envelope_sides(
 /// outline is in front of every edge with a slope, each slope goes on over the whole face; otherwise slopes end at each
 /// other as the planes of a roof do. Where edges of different slopes come into one line, the flatter slope goes on over both.
 ///
-/// Along the normal, the new scope's y axis is the normal of the first face, and its x axis stays as near to the old one as it can.
-/// Along the world's y axis the axes of the scope stay, as in published results. The pivot stays. The faces are the bottom, the top, the upright sides in the order of edges and the slopes, with
-/// the tags of the reference. Texture coordinates are lost.
+/// Along the normal, the new scope's y axis is the normal of the first face, and its x axis stays as near to the old one as
+/// it can. Along the world's y axis the axes of the scope stay, as in published results. The pivot stays. The faces are the
+/// bottom, the top, the upright sides in the order of edges and the slopes, with the tags of the reference. Texture
+/// coordinates are lost.
 ///
 /// The shape stays, with a fault, for a maximum height that is not positive, a base height below 0 and an angle that is not
 /// from 0 to 90 degrees. A face stays, with a fault, if it has no normal, does not look in the direction, touches itself, has

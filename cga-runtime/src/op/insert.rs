@@ -120,9 +120,10 @@ fn insert_box(env: &mut Env, shape: &mut Shape, mode: InsertMode, is_textured: b
 /// lose 0.1 m on a very large scope.
 const MARKER: (f64, f64) = (0.1, 1e-6);
 
-/// Marks the place of a missing asset by a box of 0.1 m, or less along an axis where the scope is smaller, in the
-/// middle of the scope's xz plane and on its floor. A box as large as the scope would hide other geometry; pictures show it
-/// translucent, and know the mark by its group. The scope gets the size of an asset of 1 m, as rules expect. The box is not trimmed, so it is visible.
+/// Marks the place of a missing asset by a box of 0.1 m, or less along an axis where the scope is smaller, in the middle of
+/// the scope's xz plane and on its floor. A box as large as the scope would hide other geometry; pictures show it
+/// translucent, and know the mark by its group. The scope gets the size of an asset of 1 m, as rules expect. The box is not
+/// trimmed, so it is visible.
 fn mark(env: &mut Env, shape: &mut Shape, mode: InsertMode) {
     arrange(env, shape, DVec3::ZERO, DVec3::ONE, mode);
     let size = shape.scope.size.abs();

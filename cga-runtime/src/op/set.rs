@@ -244,7 +244,7 @@ mod tests {
         }
         each_material_number!(numbers);
         each_material_text!(texts);
-        // There is no file of that name for the maps.
+        // No file has the name that the maps were given.
         assert_eq!(env.take_faults().0.len(), 1);
         assert_eq!((get::material_opacity(shape), get::material_double_sided(shape)), (0.0, true));
         assert_eq!(get::material_color_rgb(shape).as_str(), "#000000");

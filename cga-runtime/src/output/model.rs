@@ -224,10 +224,7 @@ impl Model {
 
     /// The axis-aligned bounding box of all geometry, in the world.
     pub fn bounds(&self) -> Bounds {
-        self.leaves().fold(Bounds::EMPTY, |sum, leaf| {
-            let bounds = leaf.bounds();
-            Bounds { low: sum.low.min(bounds.low), high: sum.high.max(bounds.high) }
-        })
+        self.leaves().fold(Bounds::EMPTY, |sum, leaf| sum.union(leaf.bounds()))
     }
 
     /// The sum of the leaves' surfaces, in square metres.

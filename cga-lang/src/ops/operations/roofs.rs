@@ -36,6 +36,7 @@ static SHED_VALUES: ParamBounds = ParamBounds {
     with_word: &[("byAngle", &SHED_ANGLES), ("byHeight", &SHED_HEIGHTS)],
     ..form_bounds(Allowed::Sloped(f64::INFINITY), "a height is not 0, an angle between -90 and 90 degrees, but not 0")
 };
+
 /// The tags of all roofs; pediments of gables are neither outer nor inner sides.
 const TAGS: &[&str] = &["roof.bottom", "roof.top", "roof.side", "roof.side.outer", "roof.side.inner"];
 

@@ -28,8 +28,8 @@ pub(super) enum FlatParts {
 }
 
 /// The mesh without doubled faces: of faces with the same corners, attributes and texture, in either direction, the first one
-/// stays. In a closed part all faces of such a set stay that are needed to keep it closed; of two opposite faces inside a solid none
-/// is. `None` if no face is removed.
+/// stays. In a closed part all faces of such a set stay that are needed to keep it closed; of two opposite faces inside a
+/// solid none is. `None` if no face is removed.
 pub(super) fn without_doubles(mesh: &Mesh, flat: FlatParts) -> Option<Mesh> {
     let sets = doubles(mesh);
     if sets.is_empty() {

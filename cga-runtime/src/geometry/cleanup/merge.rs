@@ -19,8 +19,8 @@ const MOST_IN_CELL: usize = 256;
 const CELL: f64 = 4.0;
 const LEAST_CELL: f64 = 1e-6;
 
-/// Merges each point with the nearest earlier one within a distance, except where a face would turn over or cross itself. Edges and loops that
-/// shrink to nothing vanish. `None` if nothing is merged.
+/// Merges each point with the nearest earlier one within a distance, except where a face would turn over or cross itself.
+/// Edges and loops that shrink to nothing vanish. `None` if nothing is merged.
 pub(super) fn merged(mesh: &Mesh, distance: f64) -> Option<Mesh> {
     merged_into(mesh, |stays| targets(&mesh.points, distance, stays))
 }

@@ -5,9 +5,10 @@ use super::{slits, without_unused_points};
 use crate::geometry::mesh::Mesh;
 use crate::value::each::Each;
 
-/// The mesh without edges shorter than a length in metres: their ends become one. `None` if it has no such edge, or if no face would be left.
+/// The mesh without edges shorter than a length in metres: their ends become one. `None` if it has no such edge, or if no
+/// face would be left.
 ///
-/// Of a row of short edges those ends stay that are at least that far apart. A closed mesh stays closed, and no face turns over
+/// In a row of short edges, ends that are at least that far apart stay. A closed mesh stays closed, and no face turns over
 /// or crosses itself.
 pub(crate) fn without_short_edges(mesh: &Mesh, length: f64) -> Option<Mesh> {
     let mut short: Vec<[u32; 2]> = mesh

@@ -180,7 +180,13 @@ impl Bounds {
 
     /// The bounding box of some points.
     pub fn of(points: impl IntoIterator<Item = DVec3>) -> Bounds {
-        points.into_iter().fold(Bounds::EMPTY, |b, p| Bounds { low: b.low.min(p), high: b.high.max(p) })
+        points.into_iter().fold(Bounds::EMPTY, |sum, point| sum.union(Bounds { low: point, high: point }))
+    }
+
+    /// The bounding box of two boxes.
+    #[must_use]
+    pub fn union(self, other: Bounds) -> Bounds {
+        Bounds { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 }
 

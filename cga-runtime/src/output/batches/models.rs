@@ -19,9 +19,7 @@ impl Batches<Model> {
 
     /// The axis-aligned bounding box of all geometry, in the world.
     pub fn bounds(&self) -> Bounds {
-        self.sinks()
-            .map(Model::bounds)
-            .fold(Bounds::EMPTY, |sum, bounds| Bounds { low: sum.low.min(bounds.low), high: sum.high.max(bounds.high) })
+        self.sinks().map(Model::bounds).fold(Bounds::EMPTY, Bounds::union)
     }
 
     /// All counts and measures.

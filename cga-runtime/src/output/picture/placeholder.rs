@@ -25,10 +25,7 @@ pub(super) fn material() -> Arc<Material> {
 pub(super) fn bounds(model: &Model) -> Bounds {
     model.leaves().fold(model.bounds(), |sum, leaf| match leaf.geometry() {
         Geometry::Mesh { mesh, .. } | Geometry::Instance { mesh, .. } => match placeholder(mesh, leaf.scope()) {
-            Some(cuboid) => {
-                let bounds = Bounds::of(cuboid.corners());
-                Bounds { low: sum.low.min(bounds.low), high: sum.high.max(bounds.high) }
-            }
+            Some(cuboid) => sum.union(Bounds::of(cuboid.corners())),
             None => sum,
         },
         Geometry::Placement | Geometry::Quad(_) | Geometry::Cuboid(_) => sum,
