@@ -370,3 +370,66 @@ fn examples_have_the_parts_of_their_pictures() {
     assert_eq!(counts(&pages::trim_gable::EXAMPLE), [0, 0, 0, 0, 0, 4]);
     assert_eq!(counts(&pages::trim_pyramid::EXAMPLE), [0, 0, 0, 0, 0, 5]);
 }
+
+cga! {
+    @Allow(undefined_rule)
+    grammar Above = r##"
+    attr form = 0
+    attr over = 0.3
+
+    @StartRule
+    Plain --> Roof
+    @StartRule
+    Face --> extrude(3) comp(f) { top : Roof }
+    @StartRule
+    Twice --> extrude(3) comp(f) { top : extrude(1) comp(f) { top : extrude(1) comp(f) { top : Roof } } }
+    @StartRule
+    Changed --> extrude(3) modify(f) { top : extrude(1) X. } comp(f) { top : Roof }
+
+    Roof --> set(trim.horizontal, true) Form
+    Form -->
+        case form == 0: roofHip(40, over) Parts
+        case form == 1: roofGable(40, over, over) Parts
+        case form == 2: roofGable(40, over, over, false, 0) Parts
+        case form == 3: roofPyramid(40) Parts
+        case form == 4: roofShed(40) Parts
+        else: roofRidge(byAngle, 40) Parts
+    Parts --> comp(f) { all : [ Slab ] Bars } comp(e) { all : Bar }
+    Slab --> s('2, '2, 0.6) center(xyz) primitiveCube() S.
+    Bars --> extrude(0.2) comp(f) { all : s('1.5, '1.5, 0.2) center(xyz) primitiveCube() B. }
+    Bar --> s('1.2, 0.1, 0.1) center(x) primitiveCube() E.
+    @StartRule
+    Gutters --> extrude(8) comp(f) { top : roofHip(40, 0.3) comp(e) { eave : s('1, 0.1, 0.1) primitiveCube() E. | all : NIL } }
+    "##;
+}
+
+/// The pictures of *roofHip*, *roofGable* and *roofPyramid* with trim planes have a roof over the top of a mass and level planes
+/// switched on: planes at hips, valleys and ridges, and none at the walls below.
+#[test]
+fn planes_of_the_face_below_cut_nothing_of_its_roof() {
+    let areas = |grammar: &Above, rule: &str, shape: &Shape| {
+        let model = grammar.generate_from(rule, shape).expect("a model");
+        assert!(model.faults().is_empty(), "{:?}", model.faults());
+        ["S", "B", "E"].map(|leaf| model.leaves_of(leaf).map(|leaf| rounded(leaf.area())).collect::<Vec<_>>())
+    };
+    let eaves = areas(&Above::default(), "Gutters", &Shape::rectangle(20.0, 15.0));
+    // From corner to corner of the overhang: 20.46 m and 15.46 m.
+    let gutter = |side: f64| rounded(0.4 * (side + 0.6 * f64::to_radians(40.0).cos()) + 0.02);
+    assert_eq!(eaves[2], [20.0, 15.0, 20.0, 15.0].map(gutter));
+    for shape in [Shape::rectangle(20.0, 15.0), l_lot()] {
+        for form in 0..6 {
+            for over in [0.0, 0.3, -0.2] {
+                let grammar = Above { form: form.into(), over, ..Above::default() };
+                if form == 2 && shape.to_mesh().points().len() != 4 {
+                    // A ridge along an edge is for convex faces.
+                    continue;
+                }
+                let plain = areas(&grammar, "Plain", &shape);
+                assert!(plain.iter().all(|areas| !areas.is_empty()), "{form}");
+                for rule in ["Face", "Twice", "Changed"] {
+                    assert_eq!(areas(&grammar, rule, &shape), plain, "{rule} {form} {over}");
+                }
+            }
+        }
+    }
+}

@@ -8,6 +8,7 @@ use crate::fault::FaultKind;
 use crate::geometry::roof::{Rise, RoofForm, RoofRefusal, Roofs, roof_over};
 use crate::run::env::Env;
 use crate::shape::Shape;
+use crate::shape::trim::Trims;
 
 /// The meaning of the value of a roof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,13 +27,13 @@ pub fn roof_hip(env: &mut Env, shape: &mut Shape, angle: f64, overhang: f64, eve
 /// `roofHip(byAngle | byHeight, value, overhang, even)`: a roof over each face, with a plane that rises at each edge
 /// (*roofHip operation*). The faces of the roof are in the order of edges, and the face itself is the bottom, which comes
 /// last. The new scope's y axis is the normal of the first face, its x axis stays as near to the old one as it can, and
-/// the pivot stays.
+/// the pivot stays. Trim planes of the face do not cut its roof.
 ///
-/// The overhang is measured on the planes, in metres. It continues the roof faces below the edges, so the roof is not closed.
-/// A negative one takes the roof faces back from the edges. It leads too far at edges that are nearly opposite, as of a thin
-/// spike: then the roof has none, and a fault names the face. So it is if no roof face is left. With `even` the points of
-/// each ridge get their mean height, and faces that are bent become triangles. A ridge is between edges that run against each
-/// other; hips and valleys keep their slope.
+/// The overhang is measured on the planes, in metres. It continues the roof faces below the edges, so the roof is not
+/// closed. A negative one takes the roof faces back from the edges. A positive one leads too far at edges that are nearly opposite,
+/// as of a thin spike: then the roof has none, and a fault names the face. The same holds if no roof face is left. With `even` the
+/// points of each ridge get their mean height, and faces that are bent become triangles. A ridge is between edges that run against
+/// each other; hips and valleys keep their slope.
 ///
 /// The new geometry has no texture coordinates and no vertex normals.
 ///
@@ -160,6 +161,8 @@ fn build(env: &mut Env, shape: &mut Shape, name: &str, form: RoofForm, by: RoofV
         format!("face {face} has no room for its overhang{more}; the roof has none")
     });
     if refused.len() < mesh.face_count() {
+        // They would cut overhangs, and all that is inserted at eaves.
+        shape.trims = Trims::None;
         stand(env, shape, made, up, 1.0, &format!("`{name}`"));
     }
 }
