@@ -27,7 +27,7 @@ pub(crate) mod rotation;
 pub(crate) mod sampled_outline;
 pub(crate) mod scatter;
 pub(crate) mod segment;
-mod skeleton;
+pub(crate) mod skeleton;
 mod status;
 pub mod tol;
 pub(crate) mod trace;

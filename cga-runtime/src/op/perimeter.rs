@@ -1,7 +1,10 @@
 //! `splitAndSetbackPerimeter`: sections of outlines set back.
 
+mod short_ends;
+
 use std::ops::ControlFlow;
 
+use self::short_ends::FacePieces;
 use super::Length;
 use super::set_back::{Turn, divided_at};
 use crate::comp::{Faces, Section, Sections};
@@ -22,8 +25,8 @@ const NAME: &str = "splitAndSetbackPerimeter";
 ///
 /// The area that a section sweeps is one shape, the rest of each face a `remainder`. A depth that is not positive makes no
 /// shape. Where sections overlap, the deeper one keeps the place, or else the first one. A section ends at right angles to its edge; at a
-/// corner it ends as a setback does (see [`shape_l`](fn@super::shape_l)). A pattern of more than 500 sections makes none and
-/// leaves a fault.
+/// corner it ends as a setback does (see [`shape_l`](fn@super::shape_l)). A section that ends too soon after a corner for a mitre there
+/// is as large as the section that ends at the corner. A pattern of more than 500 sections makes none and leaves a fault.
 pub fn perimeter(env: &mut Env, sections: &mut Sections<'_>, offset: Length) -> ControlFlow<(), Faces> {
     along(env, sections, offset, 0.0, None)
 }
@@ -78,10 +81,14 @@ fn along(
             cuts.extend(edge.cuts.iter().map(|&share| -> EdgeCut { (number, share) }));
             owners.extend(edge.sections.iter().copied());
         }
+        let pieces = FacePieces::of(face, &cuts);
         let turn = |&section: &usize| {
             owners.contains(&Some(section)).then(|| {
-                let own = |owner: &Option<usize>| if *owner == Some(section) { list[section].depth } else { 0.0 };
-                Turn { arm: Some(section as u32), distances: owners.iter().map(own).collect() }
+                let depth = list[section].depth;
+                let mut moves: Vec<bool> = owners.iter().map(|owner| *owner == Some(section)).collect();
+                pieces.keep_short_ends(&mut moves, depth);
+                let distances = moves.iter().map(|&moves| if moves { depth } else { 0.0 }).collect();
+                Turn { arm: Some(section as u32), distances }
             })
         };
         (cuts, order.iter().filter_map(turn).collect())

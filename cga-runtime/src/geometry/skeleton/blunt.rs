@@ -8,7 +8,7 @@ use super::wavefront::{MovingLine, Wavefront, WavefrontVertex};
 use crate::value::each::Each;
 
 /// A corner is blunt if the cosine of the angle between the normals of its edges is larger: less than 45 degrees.
-const BLUNT: f64 = std::f64::consts::FRAC_1_SQRT_2;
+pub(crate) const BLUNT: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// The line that divides a corner between two edges of different speeds, if the corner is blunt.
 fn divider(a: &MovingLine, b: &MovingLine, corner: glam::DVec2) -> Option<MovingLine> {

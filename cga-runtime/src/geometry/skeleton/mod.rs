@@ -42,6 +42,7 @@ mod wavefront;
 use glam::DVec2;
 
 use crate::geometry::tol::{MEETING_EPSILONS, PLANAR_EPSILON};
+pub(crate) use blunt::BLUNT;
 pub(crate) use check::any_cross;
 pub(crate) use speeds::Speeds;
 use wavefront::Wavefront;

@@ -1,7 +1,7 @@
 use cga_split::{Item, Size};
 
 use super::*;
-use crate::op::set_back::tests::{lots, polygon, random};
+use crate::op::set_back::tests::{holed, lots, polygon, random};
 use crate::op::setback::tests::random_lot;
 use crate::shape::Shape;
 
@@ -135,6 +135,68 @@ fn the_deeper_section_keeps_an_overlap() {
     assert_eq!(around(&lot(), from(7.0), &once(&sections(2.0, 4.0)), 2), [0.0, 12.0, 68.0]);
     // As deep: the first one.
     assert_eq!(around(&lot(), from(7.0), &once(&sections(2.0, 2.0)), 2), [6.0, 2.0, 72.0]);
+}
+
+/// The union of the strips of its parts, as in the picture *Setback distances*: the section that ends soon after the upper right corner
+/// keeps its whole strip beside the right edge.
+#[test]
+fn a_section_that_ends_soon_after_a_corner_is_whole() {
+    let square = polygon(&[[0.0, 0.0], [20.0, 0.0], [20.0, 20.0], [0.0, 20.0]]);
+    let area = |offset: f64, length: f64| around(&square, from(offset), &once(&[(metres(length), 10.0)]), 1)[0];
+    let lengths = [10.0, 20.0, 22.0, 25.0, 28.0, 30.0, 35.0, 40.0, 45.0, 50.0, 60.0, 80.0];
+    let expected = [100.0, 200.0, 200.0, 200.0, 200.0, 200.0, 250.0, 300.0, 300.0, 300.0, 400.0, 400.0];
+    assert_eq!(lengths.map(|length| area(0.0, length)), expected);
+    // Before the corner, where the section begins.
+    assert_eq!([1.0, 5.0, 10.0].map(|before| area(20.0 - before, 20.0 + before)), [200.0; 3]);
+    // Both ends are short: the longer strip covers the shorter one.
+    assert_eq!([[1.0, 6.0], [6.0, 1.0], [6.0, 6.0]].map(|[a, b]| area(20.0 - a, a + b)), [60.0; 3]);
+}
+
+/// Right, acute, obtuse and reflex corners, and holes, with strips that do not meet across the lot. The parts add up to the lot.
+#[test]
+fn longer_sections_are_never_smaller() {
+    let [wide, inner] = [[0.0, 30.0], [10.0, 20.0]].map(|[a, b]| [[a, a], [b, a], [b, b], [a, b]]);
+    let hexagon = |k: usize| {
+        let (sin, cos) = libm::sincos(std::f64::consts::TAU * k as f64 / 6.0);
+        [12.0 * cos, 12.0 * sin]
+    };
+    let shapes = [
+        polygon(&wide),
+        holed(&wide, &[&inner]),
+        polygon(&[[0.0, 0.0], [20.0, 0.0], [20.0, 12.0], [9.0, 12.0], [9.0, 20.0], [0.0, 20.0]]),
+        polygon(&[[0.0, 0.0], [20.0, 0.0], [8.0, 14.0]]),
+        polygon(&[[0.0, 0.0], [30.0, 0.0], [3.0, 9.0]]),
+        polygon(&(0..6).map(hexagon).collect::<Vec<_>>()),
+        polygon(&[[0.0, 0.0], [20.0, 0.0], [26.0, 9.0], [14.0, 22.0], [10.0, 12.0], [-4.0, 15.0]]),
+        polygon(&[
+            [0.0, 0.0],
+            [9.0, 0.0],
+            [9.0, 9.0],
+            [16.0, 9.0],
+            [16.0, 0.0],
+            [25.0, 0.0],
+            [25.0, 20.0],
+            [0.0, 20.0],
+        ]),
+    ];
+    for (number, shape) in shapes.iter().enumerate() {
+        let mesh = shape.to_mesh();
+        let all: f64 = mesh
+            .faces()
+            .map(|face| face.edges().map(|[a, b]| face.position(a).distance(face.position(b))).sum::<f64>())
+            .sum();
+        for depth in [0.5, 1.0, 3.0, 4.5] {
+            for offset in [0.0, 3.0, 14.0] {
+                let area = |step: u32| {
+                    let length = f64::from(step) * all / 64.0;
+                    around(shape, from(offset), &once(&[(metres(length), depth)]), 1)[0]
+                };
+                let areas: Vec<f64> = (1..=64).map(area).collect();
+                let fall = areas.windows(2).find(|pair| pair[1] < pair[0] - 1e-6);
+                assert_eq!(fall, None, "{number} {depth} {offset} {areas:?}");
+            }
+        }
+    }
 }
 
 #[test]
