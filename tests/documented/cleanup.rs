@@ -80,6 +80,13 @@ fn walls_between_outsets_are_merged() {
     let model = model(&pages::outsets::EXAMPLE);
     assert_eq!(["Blue", "Green"].map(|rule| model.count(rule)), [6, 3]);
     let (walls, _) = model.leaves_of("White").next().expect("walls").mesh();
+    // The outsets are in front of the house, as in both pictures: three trapezoids of 2 m and 1 m, 0.75 m deep.
+    let area: f64 =
+        ["White", "Blue", "Green"].map(|rule| model.leaves_of(rule).map(|leaf| leaf.area()).sum()).iter().sum();
+    let floor = 8.0 * 12.0 + 3.0 * 0.75 * (2.02 + 1.0) / 2.0;
+    let around = 2.0 * 8.0 + 12.0 + (12.0 - 3.0 * 2.02) + 3.0 * (1.0 + 2.0 * 0.51f64.hypot(0.75));
+    assert!((area - (2.0 * floor + 3.0 * around)).abs() < 1e-6, "{area}");
+    assert!((model.bounds().low.x - (5.0 - 0.75)).abs() < 1e-9, "{}", model.bounds().low);
     // The top, the bottom, three sides, and four walls beside the outsets.
     assert_eq!(walls.face_count(), 9);
 }

@@ -56,6 +56,27 @@ fn border_cubes_lie_on_their_edges() {
     assert!(thin.size().abs_diff_eq([0.1, 0.01, 0.01].into(), 1e-9), "{}", thin.size());
 }
 
+/// In the picture edges of the top and of the bottom run as the sides do, so their cubes are outside. Upright edges run down, as the
+/// later one of two sides does: all but the edge between the last side and the first one.
+#[test]
+fn edges_run_as_their_last_face() {
+    let model = model(&edges::EXAMPLE);
+    let middle = 0.5 * (model.bounds().low + model.bounds().high);
+    let mut upright = Vec::new();
+    for leaf in model.leaves_of("X") {
+        let scope = leaf.scope();
+        let [x, y, z] = [scope.axes.x_axis, scope.axes.y_axis, scope.axes.z_axis];
+        assert!(0.0 < z.dot(scope.origin + x * 0.5 * scope.size.x - middle), "{scope:?}");
+        match z.y {
+            up if 1e-9 < up => assert!(y.y < 0.0, "{scope:?}"),
+            up if up < -1e-9 => assert!(0.0 < y.y, "{scope:?}"),
+            _ => upright.push(x.y.round()),
+        }
+    }
+    upright.sort_by(f64::total_cmp);
+    assert_eq!(upright, [-1.0, -1.0, -1.0, 1.0]);
+}
+
 /// The right face leans: its scope follows it, or stays along the lot.
 #[test]
 fn a_face_has_a_scope_of_its_own_unless_it_keeps_the_lots() {

@@ -89,9 +89,11 @@ impl MeshParts {
         }
     }
 
-    /// The corners at both ends of an edge, in the order of its first face or of the face itself.
+    /// The corners at both ends of an edge, in the order of its last face or of the face itself (*comp operation*, edge split
+    /// details; *modify operation*, corrugated facade).
     fn end_corners(&self, index: usize) -> [u32; 2] {
-        let corner = if self.kind == Components::Edges { self.adjacency().uses(index)[0] } else { index as u32 };
+        let last = |uses: &[u32]| uses[uses.len() - 1];
+        let corner = if self.kind == Components::Edges { last(self.adjacency().uses(index)) } else { index as u32 };
         [corner, self.adjacency().next(corner)]
     }
 
@@ -313,7 +315,7 @@ impl MeshParts {
     }
 
     /// The ends of an edge. As an edge of a roof it runs upwards, or around the roof's face if it is an eave (*comp
-    /// operation*, roof edges).
+    /// operation*, roof edges). A level ridge runs as its first face (*modify operation*, modified roof ridge).
     fn directed(&self, edge: usize, as_roof: bool) -> [u32; 2] {
         let [a, b] = self.end_corners(edge);
         let Some(roof) = self.roof.get().filter(|_| as_roof) else { return [a, b] };
@@ -324,7 +326,7 @@ impl MeshParts {
             }
             Some(_) => {
                 let [from, to] = [a, b].each(|corner| self.at(corner));
-                if unit(to - from).y < -UP_EPSILON { [b, a] } else { [a, b] }
+                if UP_EPSILON < unit(to - from).y { [a, b] } else { [b, a] }
             }
             None => [a, b],
         }
