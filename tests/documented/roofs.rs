@@ -141,6 +141,37 @@ fn even_makes_ridges_level() {
     }
 }
 
+/// *roofHip operation*, *roofGable operation*: "There is exactly one roof face per Top shape edge", "the roof faces are non-planar now".
+#[test]
+fn even_roofs_have_one_face_for_each_edge() {
+    let odd = outline(&[[0.0, 0.0], [12.0, 0.0], [12.0, -5.0], [0.0, -9.0]]);
+    for x in [0.0, 0.5, -0.5] {
+        let model = run(Roofs { x, even: true, ..Roofs::default() }, "Hip", &odd);
+        assert_eq!((model.count("Face"), model.count("Top")), (5, 4), "{x}");
+        // A negative overhang ends bent faces along their edges, so not all of the new eaves are level.
+        assert_eq!(counts(&model), [if x < 0.0 { 2 } else { 4 }, 4, 0, 1], "{x}");
+    }
+    let model = run(Roofs { even: true, ..Roofs::default() }, "Gable", &odd);
+    assert_eq!((model.count("Face"), model.count("Top"), model.count("Side")), (5, 2, 2));
+
+    cga! {
+        grammar Even = r##"
+        @StartRule
+        Whole --> roofHip(45, 0, true) print(geometry.nFaces) print(geometry.nEdges) W.
+        @StartRule
+        Parts --> roofHip(45, 0, true) split(x) { 3 : split(y) { '0.4 : P. | ~1 : P. } | ~1 : split(z) { 2.5 : P. }* }
+        @StartRule
+        Turned --> roofHip(45, 0, true) rotateScope(0, 30, 0) split(x) { 3 : P. | ~1 : split(z) { 2.5 : P. }* }
+        "##;
+    }
+    let model = |rule: &str| Even::default().generate_from(rule, &odd).expect("a model");
+    let volume = |rule: &str| model(rule).leaves().map(|leaf| leaf.volume()).sum::<f64>();
+    assert_eq!(model("Whole").prints().iter().map(|print| print.to_string()).collect::<Vec<_>>(), ["5", "9"]);
+    for rule in ["Parts", "Turned"] {
+        assert!((volume(rule) - volume("Whole")).abs() < 1e-9, "{rule}: {} of {}", volume(rule), volume("Whole"));
+    }
+}
+
 /// *roofHip operation*, *roofGable operation*: a height is the height of the highest point, also of a level ridge.
 #[test]
 fn level_ridges_have_the_height() {

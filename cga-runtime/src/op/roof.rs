@@ -32,8 +32,8 @@ pub fn roof_hip(env: &mut Env, shape: &mut Shape, angle: f64, overhang: f64, eve
 /// The overhang is measured on the planes, in metres. It continues the roof faces below the edges, so the roof is not
 /// closed. A negative one takes the roof faces back from the edges. A positive one leads too far at edges that are nearly opposite,
 /// as of a thin spike: then the roof has none, and a fault names the face. The same holds if no roof face is left. With `even` the
-/// points of each ridge get their mean height, and faces that are bent become triangles. A ridge is between edges that run against
-/// each other; hips and valleys keep their slope.
+/// points of each ridge get their mean height, and the faces beside it are bent. A ridge is between edges that run against each
+/// other; hips and valleys keep their slope.
 ///
 /// The new geometry has no texture coordinates and no vertex normals.
 ///

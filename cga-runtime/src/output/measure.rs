@@ -28,7 +28,7 @@ pub(crate) fn cuboid_volume(cuboid: &Cuboid) -> f64 {
 /// The surface of a placed mesh in square metres, without holes.
 pub(crate) fn mesh_area(mesh: &Mesh, placement: &DAffine3) -> f64 {
     let turn = normal_map(&placement.matrix3);
-    mesh.faces().map(|face| (turn * face.area_vector()).length()).sum::<f64>() * 0.5
+    mesh.faces().map(|face| face.sum_of_vectors(|vector| (turn * vector).length())).sum::<f64>() * 0.5
 }
 
 /// The volume of a placed mesh in cubic metres.

@@ -12,21 +12,21 @@ use crate::shape::Shape;
 /// no direction.
 pub(super) fn selected(env: &Env, shape: &Shape, word: Word, mut each: impl FnMut(f64)) {
     let looks = Orientation::of(env, shape);
-    area_vectors(shape, |vector, at| {
+    area_vectors(shape, |vector, area, at| {
         let length = vector.length();
         let takes = || match word.0 {
             Sense::Looks(axes, direction) => looks.takes(axes, direction, looks.outwards(vector / length), || at),
             _ => true,
         };
         if 0.0 < length && takes() {
-            each(length);
+            each(area);
         }
     });
 }
 
-/// Calls `each` with the area vector of every face (its normal times its area) and a point of the face, in scope
-/// coordinates.
-pub(super) fn area_vectors(shape: &Shape, mut each: impl FnMut(DVec3, DVec3)) {
+/// Calls `each` with the area vector of every face (its normal times its area as seen along the normal), its area and a point of
+/// it, in scope coordinates.
+pub(super) fn area_vectors(shape: &Shape, mut each: impl FnMut(DVec3, f64, DVec3)) {
     let Some(placed) = shape.geometry.placed() else { return };
     let stretch = placed.stretch(shape.scope.size);
     // The factor of cross products of stretched vectors.
@@ -34,6 +34,7 @@ pub(super) fn area_vectors(shape: &Shape, mut each: impl FnMut(DVec3, DVec3)) {
     let to_scope = placed.to_scope(shape.scope.size);
     placed.mesh.faces().for_each(|face| {
         let at = to_scope.transform_point3(face.position(face.corner_range().start));
-        each(face.area_vector() * across * 0.5, at);
+        let area = face.sum_of_vectors(|vector| (vector * across * 0.5).length());
+        each(face.area_vector() * across * 0.5, area, at);
     });
 }

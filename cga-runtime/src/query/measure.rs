@@ -87,7 +87,7 @@ pub enum AngleType {
 /// world. Of equally steep faces the first counts.
 pub fn geometry_angle(shape: &Shape, angle: AngleType) -> f64 {
     let mut steepest = (0.0, 0.0);
-    area_vectors(shape, |vector, _| {
+    area_vectors(shape, |vector, _, _| {
         let normal = shape.scope.axes * crate::geometry::mesh::unit(vector);
         let level = (normal.x * normal.x + normal.z * normal.z).sqrt();
         let slope = libm::atan2(level, normal.y.abs()).to_degrees();

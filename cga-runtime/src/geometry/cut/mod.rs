@@ -231,7 +231,7 @@ impl Cutter {
             } else if span.is_flat() {
                 self.state.keep_flat(mesh, face, tag, span.low.plane());
             } else if places.len() > 3
-                && self.rough.may_be(mesh, corners.clone(), self.state.points.axis)
+                && (mesh.bent != DVec3::ZERO || self.rough.may_be(mesh, corners.clone(), self.state.points.axis))
                 && self.rough.clip(&mut self.state, mesh, face, tag)
             {
                 continue;

@@ -87,7 +87,7 @@ impl Cutter {
             return whole(1);
         }
         // The other values of corners do not change.
-        let local = mesh.with_points(points);
+        let local = Mesh { bent: frame.axes.transpose() * mesh.bent, ..mesh.with_points(points) };
         self.state.points.axis = 0;
         self.state.points.planes.clear();
         self.state.points.planes.push(0.0);
@@ -127,6 +127,7 @@ impl Cutter {
                 }
             }
         }
+        parts.iter_mut().for_each(|part| part.mesh.bent = mesh.bent);
         for ((part, caps), normal) in parts.iter_mut().zip(caps).zip([normal, -normal]) {
             part.mesh.normals.iter_mut().skip(caps).for_each(|own| *own = normal);
         }

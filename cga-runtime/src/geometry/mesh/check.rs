@@ -41,7 +41,7 @@ pub enum Flaw {
         /// The number of the point.
         point: usize,
     },
-    /// A corner is off the plane of its face by more than a rounding error.
+    /// A corner is off the plane of its face by more than a rounding error, in a mesh that has no bent faces.
     NotPlanar {
         /// The number of the face.
         face: usize,
@@ -150,7 +150,7 @@ impl Mesh {
         let by = corners.iter().fold(0.0f64, |m, &c| m.max((at(c) - from).dot(normal).abs()));
         // The normal of a thin face is inaccurate, so the tolerance grows with thinness.
         let thin = extent * extent / face.area().max(f64::MIN_POSITIVE);
-        if by > PLANAR_EPSILON * extent + 64.0 * f64::EPSILON * size * thin.max(1.0) {
+        if self.bent == DVec3::ZERO && by > PLANAR_EPSILON * extent + 64.0 * f64::EPSILON * size * thin.max(1.0) {
             flaws.push(Flaw::NotPlanar { face: index, by });
         }
         let flat = PlaneProjection::along(normal);

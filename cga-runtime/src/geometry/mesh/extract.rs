@@ -8,7 +8,7 @@ use crate::geometry::trace::PartPoint;
 /// points are dropped. Tags (of faces, edges and vertices), texture coordinates and normals are kept. Faces that do not exist are ignored.
 pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
     let into = to.axes.transpose();
-    let mut part = mesh.alike(0);
+    let mut part = Mesh { bent: into * mesh.bent, ..mesh.alike(0) };
     let mut new: Vec<u32> = Vec::new();
     // A table of all points pays off only if many are used.
     let few = faces.len() <= 4;

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::{Bounds, FaceTag, Mesh};
 
-/// A planar polygon with holes: a view into its mesh.
+/// A polygon with holes: a view into its mesh. It is planar, except in roofs whose ridges were made level.
 #[derive(Clone, Copy, Debug)]
 pub struct FaceRef<'a> {
     pub(crate) mesh: &'a Mesh,
@@ -114,7 +114,7 @@ impl<'a> FaceRef<'a> {
 
     /// The area, without the holes.
     pub fn area(&self) -> f64 {
-        0.5 * self.area_vector().length()
+        0.5 * self.sum_of_vectors(DVec3::length)
     }
 }
 

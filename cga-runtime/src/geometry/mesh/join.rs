@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::{FaceTag, Mesh, SubcomponentTagger, UvSets};
 use crate::material::Material;
@@ -80,6 +80,7 @@ fn join_all(meshes: &[&Mesh]) -> Mesh {
     }
     (sum.groups, sum.materials, sum.tag_sets) = (groups.0.into(), materials.0.into(), tag_sets.0.into());
     sum.subcomponent_tags = tagger.finish();
+    sum.bent = meshes.iter().map(|mesh| mesh.bent).find(|bent| *bent != DVec3::ZERO).unwrap_or_default();
     let is_closed = meshes.iter().all(|mesh| mesh.is_closed());
     if sum.is_empty() { sum } else { sum.known_closed(is_closed) }
 }

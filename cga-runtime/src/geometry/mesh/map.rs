@@ -21,6 +21,7 @@ impl Mesh {
         Mesh {
             points: self.points.iter().map(|&p| map.transform_point3(p)).collect(),
             normals: self.normals.iter().map(|&n| unit(normal_map * n)).collect(),
+            bent: map.matrix3 * self.bent,
             derived: self.derived.of_moved(),
             ..self.clone_structure()
         }

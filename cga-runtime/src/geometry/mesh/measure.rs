@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::pair_table::PairTable;
 use super::{Bounds, Mesh};
 use crate::geometry::tol::VOLUME_EPSILON;
+use crate::value::each::Each;
 
 impl Mesh {
     /// The bounding box of all points.
@@ -68,6 +69,12 @@ impl Mesh {
         let mut sum = 0.0;
         for face in self.faces() {
             let mut six = 0.0;
+            if face.is_bent() {
+                let place = |point: DVec3| place(point - centre);
+                let triangles = face.bent_triangles().into_iter();
+                sum += triangles.map(|triangle| triangle.each(place)).map(|[a, b, c]| a.dot(b.cross(c))).sum::<f64>();
+                continue;
+            }
             for ring in face.loops() {
                 let at = |i: usize| place(self.points[ring[i] as usize] - centre);
                 let first = at(0);

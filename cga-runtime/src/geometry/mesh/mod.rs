@@ -14,6 +14,7 @@ mod adjacency;
 mod along_uv;
 mod assemble;
 mod average_normal;
+mod bent;
 mod build;
 pub mod check;
 mod convex;
@@ -103,6 +104,8 @@ pub struct Mesh {
     /// The sets of component tags, indexed by [`FaceTag::tags`].
     pub(crate) tag_sets: Arc<[TagSet]>,
     pub(crate) subcomponent_tags: SubcomponentTags,
+    /// A direction along which bent faces have no folds ([`bent`]). Zero if all faces count as planar.
+    pub(crate) bent: DVec3,
     /// The origins of points, in operands.
     pub(crate) trace: Trace,
     pub(crate) derived: Derived,
@@ -317,6 +320,7 @@ impl Mesh {
             groups: self.groups.clone(),
             materials: self.materials.clone(),
             tag_sets: self.tag_sets.clone(),
+            bent: self.bent,
             ..Mesh::default()
         }
     }

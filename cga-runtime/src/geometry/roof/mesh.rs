@@ -27,7 +27,12 @@ pub(crate) struct Roofs {
 
 /// Builds a roof over each face: the faces of the roof in the order of edges, then the face itself as the bottom.
 pub(crate) fn roof_over(source: &Mesh, form: RoofForm, rise: Rise) -> Roofs {
-    let mut made = Mesh { groups: source.groups.clone(), materials: source.materials.clone(), ..Mesh::default() };
+    let mut made = Mesh {
+        groups: source.groups.clone(),
+        materials: source.materials.clone(),
+        bent: source.bent,
+        ..Mesh::default()
+    };
     let mut tags = RoofTags { parts: PartTags::new(source, "roof"), tagger: SubcomponentTagger::default() };
     let (mut refused, mut without_overhangs) = (Vec::new(), Vec::new());
     for face in source.faces() {
@@ -72,12 +77,15 @@ fn add_roof(
         return Err(RoofRefusal::Tangled);
     }
     let built = roof_with_or_without_overhangs(&outline, form, rise);
-    let (Roof { points, faces, below }, is_complete) = built.map_err(|failure| match failure {
+    let (Roof { points, faces, moved, below }, is_complete) = built.map_err(|failure| match failure {
         Failure::TooMany => RoofRefusal::TooMany,
         Failure::Tangled => RoofRefusal::Tangled,
     })?;
     if faces.is_empty() || !points.iter().all(|point| point.is_finite()) {
         return Err(RoofRefusal::Tangled);
+    }
+    if moved.contains(&true) {
+        made.bent = flat.normal;
     }
     let base = made.points.len() as u32;
     let given = flat.points.len();

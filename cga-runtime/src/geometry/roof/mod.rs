@@ -165,6 +165,8 @@ struct Roof {
     /// The corners of the polygon, then new points. The third coordinate is the height over the polygon.
     points: Vec<DVec3>,
     faces: Vec<RoofFace>,
+    /// True for points that `even` has moved. Faces with such points are bent.
+    moved: Vec<bool>,
     /// True if the roof is below the polygon, which then looks outwards. The rings of its faces are clockwise.
     below: bool,
 }
@@ -172,7 +174,7 @@ struct Roof {
 impl Roof {
     /// A roof without faces.
     fn over(outline: &Outline<'_>) -> Self {
-        Roof { points: outline.points.iter().map(|p| p.extend(0.0)).collect(), faces: Vec::new(), below: false }
+        Roof { points: outline.points.iter().map(|p| p.extend(0.0)).collect(), ..Roof::default() }
     }
 
     fn point(&mut self, at: DVec3) -> u32 {
@@ -184,8 +186,8 @@ impl Roof {
         self.faces.push(RoofFace { part, edge: Some(edge), rings: vec![ring] });
     }
 
-    /// Returns true if overhangs are not too far away, every face is flat, and no roof plane is turned over as seen from
-    /// above, except for rounding.
+    /// Returns true if overhangs are not too far away, every face that `even` does not bend is flat, and no roof plane is
+    /// turned over as seen from above, except for rounding.
     fn is_sound(&self, outline: &Outline<'_>) -> bool {
         let size = |points: &[DVec2]| points.iter().fold(0.0, |most: f64, p| most.max(p.abs().max_element()));
         let flat: Vec<DVec2> = self.points.iter().map(|point| point.truncate()).collect();
@@ -198,8 +200,11 @@ impl Roof {
                 let size = ring.iter().fold(0.0, |most: f64, &point| most.max(at(point).abs().max_element()));
                 let normal = (1..ring.len()).fold(DVec3::ZERO, |sum, i| sum + at(ring[i - 1]).cross(at(ring[i])));
                 let above = unit(normal);
-                (face.part != RoofPart::Top || -TOUCH_EPSILON * size * size <= normal.z)
-                    && ring.iter().all(|&point| above.dot(at(point)).abs() <= TOUCH_EPSILON * size)
+                let is_bent = ring.iter().any(|&point| self.moved.get(point as usize) == Some(&true));
+                let is_top = face.part == RoofPart::Top;
+                (!is_top || -TOUCH_EPSILON * size * size <= normal.z)
+                    && (is_top && is_bent
+                        || ring.iter().all(|&point| above.dot(at(point)).abs() <= TOUCH_EPSILON * size))
             })
         })
     }

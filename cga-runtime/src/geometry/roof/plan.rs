@@ -10,8 +10,6 @@ use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::skeleton::{self, Failure, Speeds, Swept};
 use crate::geometry::tol::{NUDGE_EPSILONS, TIE_EPSILON};
-use crate::geometry::triangulate::Triangulator;
-use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
 
 /// A ridge is between edges whose directions differ from opposite ones by less than 45 degrees: the cosine of 135 degrees.
@@ -186,32 +184,15 @@ impl Plan {
         }
     }
 
-    /// The roof whose planes rise by `slope` per metre. Faces over edges that `is_side` selects are upright. Faces that
-    /// are bent become triangles.
+    /// The roof whose planes rise by `slope` per metre. Faces over edges that `is_side` selects are upright.
     pub(super) fn roof(mut self, slope: f64, is_side: &dyn Fn(u32) -> bool) -> Roof {
         self.faces.sort_by_key(|face| face.edge);
-        let mut faces = Vec::with_capacity(self.faces.len());
-        for PlanFace { edge, ring } in self.faces {
-            if is_side(edge) {
-                faces.push(RoofFace { part: RoofPart::Side, edge: Some(edge), rings: vec![ring] });
-            } else if 3 < ring.len() && ring.iter().any(|&point| self.moved[point as usize]) {
-                let flat: Vec<DVec2> = ring.iter().map(|&point| self.points[point as usize]).collect();
-                let mut triangles = Vec::new();
-                Triangulator::new().polygon(&flat, &[flat.len() as u32], &mut triangles);
-                // The first one has the eave.
-                triangles.small_sort_by_key(|triangle| !(triangle.contains(&0) && triangle.contains(&1)));
-                for mut triangle in triangles {
-                    let first = (0..3).find(|&i| triangle[i] == 0 && triangle[(i + 1) % 3] == 1);
-                    triangle.rotate_left(first.unwrap_or(0));
-                    let ring = triangle.each(|corner| ring[corner as usize]).to_vec();
-                    faces.push(RoofFace { part: RoofPart::Top, edge: Some(edge), rings: vec![ring] });
-                }
-            } else {
-                faces.push(RoofFace { part: RoofPart::Top, edge: Some(edge), rings: vec![ring] });
-            }
-        }
+        let part = |edge: u32| if is_side(edge) { RoofPart::Side } else { RoofPart::Top };
+        let face =
+            |PlanFace { edge, ring }: PlanFace| RoofFace { part: part(edge), edge: Some(edge), rings: vec![ring] };
+        let faces = self.faces.into_iter().map(face).collect();
         let points = self.points.iter().zip(&self.rises).map(|(p, rise)| p.extend(rise * slope)).collect();
-        Roof { points, faces, below: false }
+        Roof { points, faces, moved: self.moved, below: false }
     }
 }
 

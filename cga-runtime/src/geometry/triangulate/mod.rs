@@ -122,8 +122,12 @@ impl Triangulator {
             out[from..].iter_mut().for_each(|t| *t = cap.triangle(*t));
             self.cap = cap;
         } else {
-            let projection = PlaneProjection::along(face.normal());
-            flat.extend(range.clone().map(|c| projection.apply(face.position(c))));
+            if let Some(unbent) = face.unbent() {
+                flat.extend(unbent);
+            } else {
+                let projection = PlaneProjection::along(face.normal());
+                flat.extend(range.clone().map(|c| projection.apply(face.position(c))));
+            }
             self.polygon(&flat, &ends, out);
             out[from..].iter_mut().flatten().for_each(|c| *c += start);
         }

@@ -233,3 +233,79 @@ fn overhangs_along_an_edge_bend_no_plane() {
         }
     }
 }
+
+/// A face that `even` bends is one face, also in parts that a cut does not touch. Cut along any axis, parts are closed, and their volumes
+/// and areas add up. So do results of boolean operations.
+#[test]
+fn even_roofs_add_up() {
+    use std::slice::from_ref;
+
+    use crate::geometry::boolean::{BooleanOp, combine};
+    use crate::geometry::cut::slabs;
+    use crate::geometry::mesh::primitive::cube;
+    use crate::geometry::{Axis, mesh::Bounds};
+    use crate::op::set_back::tests::{lots, polygon, random};
+    use crate::op::setback::tests::random_lot;
+
+    let forms: [Op; 3] = [
+        |env, shape| roof_hip(env, shape, 40.0, 0.0, true),
+        |env, shape| roof_hip(env, shape, 65.0, 0.0, true),
+        |env, shape| roof_gable(env, shape, 40.0, 0.0, 0.0, true),
+    ];
+    let state = &mut 7;
+    let quadrilateral = polygon(&[[0.0, 0.0], [12.0, 0.0], [12.0, 5.0], [0.0, 9.0]]);
+    let mut shapes = vec![quadrilateral];
+    shapes.extend(lots());
+    shapes.extend((0..40).map(|number| random_lot(number, state)));
+    let mut bent = 0;
+    for (number, shape) in shapes.iter().enumerate() {
+        let lot = shape.to_mesh();
+        let edges: usize = lot.faces().map(|face| face.corner_count()).sum();
+        for (form, op) in forms.iter().enumerate() {
+            let (made, _) = run(shape, *op);
+            let mesh = made.to_mesh();
+            let name = format!("{number} {form}");
+            assert!(mesh.is_closed() && mesh.check().is_empty(), "{name}: {:?}", mesh.check());
+            assert_eq!(mesh.face_count(), edges + 1, "{name}");
+            bent += mesh.faces().filter(|face| face.is_bent()).count();
+            let (volume, area) = (mesh.volume(), mesh.area());
+            let Bounds { low, high } = mesh.bounds();
+            for (axis, i) in [(Axis::X, 0), (Axis::Y, 1), (Axis::Z, 2)] {
+                let at = |share: f64| low[i] + (high[i] - low[i]) * share;
+                let offsets = [at(0.2 + 0.2 * random(state)), at(0.5), at(0.6 + 0.3 * random(state))];
+                let parts: Vec<Arc<Mesh>> = slabs(&mesh, axis, &offsets).parts.into_iter().flatten().collect();
+                let flaws: Vec<_> = parts.iter().filter(|part| !part.is_closed()).collect();
+                assert!(flaws.is_empty(), "{name} {axis:?}");
+                let sum: f64 = parts.iter().map(|part| part.volume()).sum();
+                assert!((sum - volume).abs() < 1e-9 * volume, "{name} {axis:?}: {sum} of {volume}");
+                let own =
+                    |part: &Arc<Mesh>| part.faces().filter(|face| !face.tag().cap).map(|face| face.area()).sum::<f64>();
+                let sum: f64 = parts.iter().map(own).sum();
+                assert!((sum - area).abs() < 1e-9 * area, "{name} {axis:?}: {sum} of {area}");
+                // Again across another axis.
+                for part in &parts {
+                    let Bounds { low, high } = part.bounds();
+                    let (axis, i) = if i == 2 { (Axis::X, 0) } else { (Axis::Z, 2) };
+                    let halves = slabs(part, axis, &[0.5 * (low[i] + high[i])]).parts;
+                    let sum: f64 = halves.iter().flatten().map(|half| half.volume()).sum();
+                    assert!((sum - part.volume()).abs() < 1e-9 * volume, "{name} {axis:?}: {sum} of {}", part.volume());
+                }
+            }
+            if number < 8 {
+                let size = high - low;
+                let place = glam::DAffine3::from_scale_rotation_translation(
+                    0.6 * size,
+                    glam::DQuat::IDENTITY,
+                    low + 0.31 * size,
+                );
+                let block = cube().map(&place);
+                let of = |op| combine(op, [from_ref(&*mesh), from_ref(&block)], 0.0).expect("a result");
+                let [union, rest, common] =
+                    [BooleanOp::Union, BooleanOp::Subtract, BooleanOp::Intersect].map(|op| of(op).volume());
+                assert!((rest + common - volume).abs() < 1e-7 * volume, "{name}: {rest} + {common} of {volume}");
+                assert!((union - rest - block.volume()).abs() < 1e-7 * volume, "{name}: {union}");
+            }
+        }
+    }
+    assert!(40 < bent, "{bent}");
+}

@@ -4,6 +4,8 @@
 //! would make pieces that cover some of the face several times. Triangles need no order, because each meets a plane in
 //! one stretch. So the face is cut triangle by triangle. The edges between triangles are crossed like all others, so
 //! closed parts stay closed, and together the pieces cover the face whatever the heights of its corners.
+//!
+//! Bent faces are cut in the same way, because they are the triangles.
 
 use std::ops::Range;
 
@@ -51,7 +53,7 @@ impl Rough {
     #[cold]
     pub(crate) fn clip(&mut self, state: &mut CutState, mesh: &Mesh, face: usize, tag: FaceTag) -> bool {
         let view = mesh.face(face);
-        let is_rough = has_rough_line(&view, state.points.axis);
+        let is_rough = view.is_bent() || has_rough_line(&view, state.points.axis);
         if is_rough {
             self.clip_triangles(state, mesh, &view, tag);
         }
