@@ -84,7 +84,7 @@ fn walls_between_outsets_are_merged() {
     let area: f64 =
         ["White", "Blue", "Green"].map(|rule| model.leaves_of(rule).map(|leaf| leaf.area()).sum()).iter().sum();
     let floor = 8.0 * 12.0 + 3.0 * 0.75 * (2.02 + 1.0) / 2.0;
-    let around = 2.0 * 8.0 + 12.0 + (12.0 - 3.0 * 2.02) + 3.0 * (1.0 + 2.0 * 0.51f64.hypot(0.75));
+    let around = 2.0 * 8.0 + 12.0 + (12.0 - 3.0 * 2.02) + 3.0 * (1.0 + 2.0 * libm::hypot(0.51, 0.75));
     assert!((area - (2.0 * floor + 3.0 * around)).abs() < 1e-6, "{area}");
     assert!((model.bounds().low.x - (5.0 - 0.75)).abs() < 1e-9, "{}", model.bounds().low);
     // The top, the bottom, three sides, and four walls beside the outsets.

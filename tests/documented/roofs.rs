@@ -445,12 +445,12 @@ fn planes_of_the_face_below_cut_nothing_of_its_roof() {
     };
     let eaves = areas(&Above::default(), "Gutters", &Shape::rectangle(20.0, 15.0));
     // From corner to corner of the overhang: 20.46 m and 15.46 m.
-    let gutter = |side: f64| rounded(0.4 * (side + 0.6 * f64::to_radians(40.0).cos()) + 0.02);
+    let gutter = |side: f64| rounded(0.4 * (side + 0.6 * libm::cos(40f64.to_radians())) + 0.02);
     assert_eq!(eaves[2], [20.0, 15.0, 20.0, 15.0].map(gutter));
     for shape in [Shape::rectangle(20.0, 15.0), l_lot()] {
         for form in 0..6 {
             for over in [0.0, 0.3, -0.2] {
-                let grammar = Above { form: form.into(), over, ..Above::default() };
+                let grammar = Above { form: form.into(), over };
                 if form == 2 && shape.to_mesh().points().len() != 4 {
                     // A ridge along an edge is for convex faces.
                     continue;
