@@ -1,8 +1,8 @@
 //! Bent faces: faces whose corners are not in one plane.
 //!
-//! Roofs with `even` bend faces. A mesh with bent faces has a direction along which none of them has a fold. Measures, cuts, boolean
-//! operations and sinks take a bent face as its triangles as seen along this direction, so areas and volumes of parts add up.
-//! Everything else sees one face. In a mesh without the direction all faces count as planar, at no cost.
+//! Roofs with `even` bend faces. A mesh with bent faces has a direction along which none of them has a fold. Measures, cuts,
+//! boolean operations and sinks take a bent face as its triangles as seen along this direction, so areas and volumes of parts
+//! add up. Everything else sees one face. In a mesh without the direction all faces count as planar, at no cost.
 
 use glam::{DVec2, DVec3};
 

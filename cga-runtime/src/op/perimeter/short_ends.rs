@@ -56,7 +56,8 @@ impl FacePieces {
         FacePieces { pieces }
     }
 
-    /// Lets pieces stay that are ends of those that move, and too short for the strip at their other end. The shortest end stays first.
+    /// Lets pieces stay that are ends of those that move, and too short for the strip at their other end. The shortest end
+    /// stays first.
     pub(super) fn keep_short_ends(&self, moves: &mut [bool], depth: f64) {
         let is_short = |moves: &[bool], number: usize| {
             let FacePiece { length, neighbours, needs } = self.pieces[number];
