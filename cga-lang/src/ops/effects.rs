@@ -80,4 +80,9 @@ impl UvEffect {
     pub fn needs_set(self) -> bool {
         matches!(self, UvEffect::Changes | UvEffect::Copies | UvEffect::Follows)
     }
+
+    /// Returns true if the effect makes caps faces like others (`shape/texture` of the runtime).
+    pub fn reaches_caps(self) -> bool {
+        matches!(self, UvEffect::Projects | UvEffect::Changes | UvEffect::Copies)
+    }
 }

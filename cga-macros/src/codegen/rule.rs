@@ -217,10 +217,13 @@ impl Generator<'_> {
                         };
                     })
                 }
-                Changes::Material => self.is_settled(step).then(|| self.change_material(step, self.change(step))),
+                Changes::Material => self.is_settled(step).then(|| {
+                    let function = if operation.uvs.reaches_caps() { "change_coordinates" } else { "change_material" };
+                    self.change_material(step, function, self.change(step))
+                }),
             },
             StepKind::SetShape(attr, ..) if attr.set_changes == Changes::Material => {
-                self.is_settled(step).then(|| self.change_material(step, self.change(step)))
+                self.is_settled(step).then(|| self.change_material(step, "change_material", self.change(step)))
             }
             _ => None,
         }

@@ -77,8 +77,9 @@ fn sites(step: &Step) -> usize {
 }
 
 impl Generator<'_> {
-    /// A step that changes the material in the same way in the whole run, or at a site; `change` is its code.
-    pub(super) fn change_material(&self, step: &Step, change: TokenStream) -> TokenStream {
+    /// A step that changes the material in the same way in the whole run, or at a site: `change` is its code, and
+    /// `function` the function of the runtime that applies it.
+    pub(super) fn change_material(&self, step: &Step, function: &str, change: TokenStream) -> TokenStream {
         let count = sites(step);
         let changes = &mut *self.material_changes.borrow_mut();
         let next = changes.next;
@@ -88,13 +89,14 @@ impl Generator<'_> {
             changes.next += count.max(1) as u32;
         }
         let (name, number) = (local("material_", number as usize), Literal::u32_unsuffixed(number));
+        let function = hygienic(function);
         let (number, values) = match count {
             0 => (code!(#number), code!(g)),
             _ => (code!(#number + site), code!(&(g, site))),
         };
         code! {
             let mut own = ::core::option::Option::None;
-            let shape = cga_rt::slim::change_material(cx.env, shape, &bases, &mut own, #number, #values, CgaValues::#name);
+            let shape = cga_rt::slim::#function(cx.env, shape, &bases, &mut own, #number, #values, CgaValues::#name);
         }
     }
 

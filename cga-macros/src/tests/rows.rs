@@ -37,6 +37,7 @@ const SYNTAX: &[&str] = &[
     "greater_equal",
     "less",
     "less_equal",
+    "change_coordinates",
     "change_material",
     "range_by",
     "text_attribute",

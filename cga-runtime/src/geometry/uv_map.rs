@@ -26,6 +26,9 @@ pub struct SetMap {
 }
 
 impl UvMap {
+    /// The coordinates (0, 0) everywhere.
+    pub(crate) const ZERO: UvMap = UvMap { u: DVec4::ZERO, v: DVec4::ZERO };
+
     /// The largest factor of projections and of changes. It keeps their product finite at the most distant points.
     pub(crate) const MOST: f64 = 1e75;
 

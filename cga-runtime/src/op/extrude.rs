@@ -53,6 +53,10 @@ pub fn extrude_along(env: &mut Env, shape: &mut Shape, along: ExtrudeAlong, dist
     if distance == 0.0 && along != ExtrudeAlong::WorldUpFlatTop {
         return;
     }
+    if shape.has_caps() {
+        // The sides of a cap that grows have its coordinates.
+        shape.bake();
+    }
     let grown = match shape.geometry {
         Geometry::Rect(axis, unit) if straight(&shape.scope, axis, along) => {
             Some((raised(&shape.scope, axis, distance), Geometry::Box(unit.grown(axis))))

@@ -87,7 +87,8 @@ pub fn extrude<'s, 'b>(
     let s = shape.size.get();
     let height = distance.plain(s.y);
     let along = if shape.form == Form::Rect(Axis::Z) { DVec3::Z } else { DVec3::Y };
-    let keeps = !shape.has_coordinates() || shape.keeps_coordinates(along);
+    // The sides of a cap that grows have its coordinates.
+    let keeps = !shape.has_coordinates() || (shape.keeps_coordinates(along) && !shape.has_caps());
     let is_length = 0.0 < height && height <= Scope::MOST_SIZE && keeps;
     match shape.form {
         Form::Rect(Axis::Z)
@@ -141,6 +142,23 @@ pub fn change_material<'s, 'b, G>(
         }
     }
     own.insert(changed)
+}
+
+/// As [`change_material`] for an operation on texture coordinates. Caps become faces like others.
+#[inline(never)]
+pub fn change_coordinates<'s, 'b, G>(
+    env: &mut Env,
+    shape: &'s ShapeRef<'b>,
+    bases: &'b Bases,
+    own: &'s mut Option<ShapeRef<'b>>,
+    place: u32,
+    g: &G,
+    change: fn(&G, &mut Env, &mut Shape),
+) -> &'s ShapeRef<'b> {
+    if shape.has_caps() {
+        return own.insert(whole(env, shape, bases, |env, shape| change(g, env, shape)));
+    }
+    change_material(env, shape, bases, own, place, g, change)
 }
 
 /// Applies an operation to the whole shape.

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::axes::Axes;
 use super::{Counter, Geometry, Shape, ShapeRef};
 use crate::geometry::Axis;
-use crate::geometry::uv_map::SetMap;
+use crate::geometry::uv_map::{SetMap, UvMap};
 use crate::shape::look::Look;
 use crate::shape::look_id::LookId;
 use crate::shape::scope::Scope;
@@ -96,10 +96,14 @@ impl Base {
         if coordinates.is_empty() {
             return &[];
         }
+        // A rectangle that had coordinates when it became a cap.
+        let is_cap = matches!(self.shape.geometry, Geometry::Rect(_, unit) if unit.has_caps())
+            && !self.shape.state.coordinates().is_empty();
         self.maps.of(id, || {
             let map = |set| {
                 let (source, change) = coordinates.resolve(set, self.shape.state.projections())?;
-                Some(SetMap { set: usize::from(set), map: source.map(normal)?.then(&change) })
+                let map = source.map(normal)?;
+                Some(SetMap { set: usize::from(set), map: if is_cap { UvMap::ZERO } else { map.then(&change) } })
             };
             coordinates.sets().filter_map(map).collect()
         })

@@ -144,11 +144,27 @@ impl<'a> ShapeRef<'a> {
         by.to_array().into_iter().zip(constant).all(|(by, constant)| constant || by == 0.0)
     }
 
-    /// Returns true if the sides of a box may have different texture coordinates. A look with a number never has such
-    /// coordinates.
+    /// Returns true if the sides of a box may have different texture coordinates.
     #[inline]
     pub(crate) fn has_sides(&self) -> bool {
-        self.look.get() == LookId::OF_BASE && self.base.shape.state.coordinates().has_cube()
+        self.has_coordinates() && self.has_different_sides()
+    }
+
+    /// The same for a shape with coordinates. A look with a number never has the coordinates of a cube.
+    #[cold]
+    #[inline(never)]
+    fn has_different_sides(&self) -> bool {
+        let is_cube = self.look.get() == LookId::OF_BASE && self.base.shape.state.coordinates().has_cube();
+        is_cube || self.has_caps()
+    }
+
+    /// Returns true if a face closes a cut, and no operation on texture coordinates has reached it.
+    pub(crate) fn has_caps(&self) -> bool {
+        match self.form {
+            Form::Rect(_) | Form::Box => self.unit.get().has_caps(),
+            Form::Empty => false,
+            Form::Other => self.base.shape.has_caps(),
+        }
     }
 
     /// Returns true if the parts of a split along an axis fill their scopes.

@@ -249,6 +249,16 @@ impl UnitMesh {
         UnitMesh::shared(self.0.mesh.without_tags(query, TaggedComponents::Faces))
     }
 
+    /// Returns true if a face closes a cut.
+    pub(crate) fn has_caps(self) -> bool {
+        self.faces().iter().any(|face| face.provenance == Provenance::Cut)
+    }
+
+    /// The mesh whose caps are faces like others.
+    pub(crate) fn without_cap_marks(self) -> Self {
+        UnitMesh::shared(self.0.mesh.without_cap_marks())
+    }
+
     /// The mesh mirrored about its middle, with its faces looking outwards as before.
     pub(crate) fn mirrored(self, flips: [bool; 3]) -> Self {
         let mesh = &self.0.mesh;

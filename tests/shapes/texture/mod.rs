@@ -2,6 +2,7 @@
 //! them), on boxes and on meshes, from templates and without.
 
 mod along;
+mod caps;
 mod facts;
 mod hostile;
 mod laws;

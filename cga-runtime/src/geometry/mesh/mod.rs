@@ -120,7 +120,7 @@ pub struct FaceTag {
     pub material: u32,
     /// Index into the mesh's sets of component tags, or [`FaceTag::NONE`].
     pub tags: u32,
-    /// True if a cut made this face.
+    /// True if a cut made this face, until an operation on texture coordinates reaches it.
     pub cap: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Changes of the tags of a mesh (*tag*, *deleteTags operation*).
+//! Changes of the tags of a mesh (*tag*, *deleteTags operation*), and of the marks of caps.
 
 use super::tag::{TagSet, TagSetTable, TaggedComponents};
 use super::{FaceTag, Mesh};
@@ -36,6 +36,16 @@ impl Mesh {
             }
         }
         self.tag_sets.iter().zip(used).filter(|(_, used)| *used).flat_map(move |(set, _)| set.found(query))
+    }
+
+    /// Returns true if a face has the mark of a cap.
+    pub(crate) fn has_caps(&self) -> bool {
+        self.tags.runs().iter().any(|(_, tag)| tag.cap)
+    }
+
+    /// The mesh without the marks of caps, which are faces like others.
+    pub(crate) fn without_cap_marks(&self) -> Mesh {
+        Mesh { tags: self.tags.mapped(|tag| FaceTag { cap: false, ..tag }), ..self.clone() }
     }
 
     /// The mesh with other sets of tags on its faces.

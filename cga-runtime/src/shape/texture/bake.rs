@@ -1,12 +1,13 @@
 //! From implicit coordinates to the explicit sets of a mesh.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 use super::{Coordinates, Projections, UvSource};
 use crate::geometry::Axis;
-use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::{FaceRef, Mesh};
 use crate::shape::scope::Scope;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
 
@@ -71,6 +72,34 @@ impl Shape {
     }
 }
 
+/// Caps, which have the coordinates (0, 0).
+impl Shape {
+    /// Returns true if a face closes a cut, and no operation on texture coordinates has reached it.
+    pub(crate) fn has_caps(&self) -> bool {
+        match &self.geometry {
+            Geometry::Rect(_, unit) | Geometry::Box(unit) => unit.has_caps(),
+            Geometry::Mesh(placed) => placed.mesh.has_caps(),
+            Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => false,
+        }
+    }
+
+    /// Makes caps faces like others, before an operation on texture coordinates reaches them.
+    pub(crate) fn settle_caps(&mut self) {
+        if !self.has_caps() {
+            return;
+        }
+        self.bake();
+        match &mut self.geometry {
+            Geometry::Rect(_, unit) | Geometry::Box(unit) => *unit = unit.without_cap_marks(),
+            Geometry::Mesh(placed) => {
+                let mesh = Arc::new(placed.mesh.without_cap_marks());
+                *placed = Arc::new(Placed { mesh, ..Placed::clone(placed) });
+            }
+            Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => {}
+        }
+    }
+}
+
 /// The implicit coordinates of geometry that grows.
 impl Shape {
     /// Gives all points above a plane of the scope, across an axis, the coordinates of the point below them.
@@ -109,9 +138,14 @@ fn rigid_inverse(place: &DAffine3) -> DAffine3 {
 /// The mesh with all sets explicit. `place` maps it to the world.
 fn with_sets(mesh: &Mesh, place: &DAffine3, coordinates: &Coordinates, projections: &Projections) -> Mesh {
     let mut baked = mesh.clone();
+    let is_cap = |face: &FaceRef<'_>| face.tag().cap;
+    let caps: Vec<Range<usize>> = match mesh.has_caps() {
+        true => mesh.faces().filter(is_cap).map(|face| face.corner_range()).collect(),
+        false => Vec::new(),
+    };
     for set in coordinates.sets() {
         let Some((source, change)) = coordinates.resolve(set, projections) else { continue };
-        let list = match source {
+        let mut list = match source {
             UvSource::Deleted | UvSource::Stored(_) => Vec::new(),
             UvSource::Own(own) => {
                 let list = mesh.uv_set(usize::from(own));
@@ -134,6 +168,9 @@ fn with_sets(mesh: &Mesh, place: &DAffine3, coordinates: &Coordinates, projectio
                 list
             }
         };
+        if !list.is_empty() {
+            caps.iter().for_each(|cap| list[cap.clone()].fill(DVec2::ZERO));
+        }
         baked.put_uv_set(usize::from(set), list);
     }
     baked

@@ -5,6 +5,9 @@
 //! a box stays one, a cut has nothing to do, and a sink computes coordinates where it writes vertices. Operations
 //! that move geometry update these functions. Operations that change geometry in any other way write the explicit
 //! sets first.
+//!
+//! A face that closes a cut, a *cap*, has the coordinates (0, 0), whatever the functions are. The next operation on
+//! coordinates reaches it as any other face: caps are then written into the explicit sets and are no longer marked.
 
 mod bake;
 mod coordinates;
