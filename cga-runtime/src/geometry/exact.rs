@@ -1,9 +1,9 @@
-//! The exact orientation test, and the lexicographic order of points.
+//! The exact orientation tests in the plane and in space, and the lexicographic order of points.
 //!
 //! A floating-point filter decides nearly all cases; the others are summed without rounding.
 
 use crate::value::each::Each;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 /// 1 if `c` is left of the line from `a` to `b`, -1 if right, 0 if the three points are collinear. Exact unless a
 /// product of coordinates underflows.
@@ -21,6 +21,29 @@ pub(crate) fn orient(a: DVec2, b: DVec2, c: DVec2) -> i32 {
         -1
     } else {
         orient_exact(a, b, c)
+    }
+}
+
+/// 1 if `d` is on the side of the plane through `a`, `b` and `c` to which its normal `(b - a) × (c - a)` points, -1 if it is on
+/// the other side, 0 if the four points are coplanar. Exact unless a product of coordinates underflows.
+#[inline]
+pub(crate) fn orient_in_space(a: DVec3, b: DVec3, c: DVec3, d: DVec3) -> i32 {
+    let [p, q, r] = [a, b, c].each(|point| point - d);
+    let minors = [(q.x * r.y, r.x * q.y, p.z), (r.x * p.y, p.x * r.y, q.z), (p.x * q.y, q.x * p.y, r.z)];
+    let (mut det, mut size) = (0.0, 0.0);
+    for (left, right, factor) in minors {
+        det += (left - right) * factor;
+        size += (left.abs() + right.abs()) * factor.abs();
+    }
+    // Shewchuk's bound for this expression, (7 + 56 u) u, and an addend as above.
+    let bound = 7.771_561_172_376_103e-16 * size + f64::MIN_POSITIVE;
+    // Seen from `d`, the corners are clockwise if the normal points towards it.
+    if det > bound {
+        -1
+    } else if -det > bound {
+        1
+    } else {
+        orient_in_space_exact([a, b, c, d])
     }
 }
 
@@ -46,7 +69,7 @@ fn orient_exact(a: DVec2, b: DVec2, c: DVec2) -> i32 {
         _ => 1.0,
     };
     let [a, b, c] = [a, b, c].each(|p| p * scale);
-    let mut sum = Expansion { parts: [0.0; 12], len: 0 };
+    let mut sum = Expansion::<12>::ZERO;
     for (x, y) in [(a.x, b.y), (b.x, c.y), (c.x, a.y)] {
         sum.add_product(x, y);
     }
@@ -56,20 +79,38 @@ fn orient_exact(a: DVec2, b: DVec2, c: DVec2) -> i32 {
     sum.sign()
 }
 
-/// A sum of floating-point numbers that do not overlap, smallest first.
-struct Expansion {
-    parts: [f64; 12],
+#[cold]
+fn orient_in_space_exact(points: [DVec3; 4]) -> i32 {
+    let size = points.iter().fold(0.0, |size: f64, point| size.max(point.abs().max_element()));
+    if size == 0.0 {
+        return 0;
+    }
+    // The largest coordinate becomes 1 to 2, so products of three are finite and normal.
+    let by = -libm::ilogb(size);
+    let [a, b, c, d] = points.each(|point| DVec3::from_array(point.to_array().each(|at| libm::scalbn(at, by))));
+    // The determinant of the points with a fourth coordinate of 1, by the minors of three points.
+    let mut sum = Expansion::<96>::ZERO;
+    for ([p, q, r], sign) in [([a, b, c], -1.0), ([a, b, d], 1.0), ([a, c, d], -1.0), ([b, c, d], 1.0)] {
+        for (p, q, r) in [(p, q, r), (q, r, p), (r, p, q)] {
+            for (x, y, z) in [(p.x, q.y, sign * r.z), (q.x, p.y, -sign * r.z)] {
+                product(x, y).each(|part| sum.add_product(part, z));
+            }
+        }
+    }
+    sum.sign()
+}
+
+/// A sum of at most `N` floating-point numbers that do not overlap, smallest first.
+struct Expansion<const N: usize> {
+    parts: [f64; N],
     len: usize,
 }
 
-impl Expansion {
+impl<const N: usize> Expansion<N> {
+    const ZERO: Self = Expansion { parts: [0.0; N], len: 0 };
+
     fn add_product(&mut self, x: f64, y: f64) {
-        let high = x * y;
-        let (xh, xl) = split(x);
-        let (yh, yl) = split(y);
-        let low = ((xh * yh - high) + xh * yl + xl * yh) + xl * yl;
-        self.add(low);
-        self.add(high);
+        product(x, y).each(|part| self.add(part));
     }
 
     /// Adds a number without rounding, by Knuth's two-sum over the parts.
@@ -103,6 +144,14 @@ impl Expansion {
     }
 }
 
+/// The product of two numbers as a sum, with the rounding error first.
+fn product(x: f64, y: f64) -> [f64; 2] {
+    let high = x * y;
+    let (xh, xl) = split(x);
+    let (yh, yl) = split(y);
+    [((xh * yh - high) + xh * yl + xl * yh) + xl * yl, high]
+}
+
 /// The upper and the lower half of the digits.
 fn split(x: f64) -> (f64, f64) {
     let c = 134_217_729.0 * x; // 2^27 + 1
@@ -124,5 +173,41 @@ mod tests {
         assert_eq!(orient(a, b, DVec2::new(0.3, 0.3f64.next_down())), -1);
         let far = DVec2::splat(500_000.0);
         assert_eq!(orient(a + far, b + far, DVec2::new((a + far).x, (a + far).y.next_up())), 1);
+    }
+
+    /// The side of a plane on which a point is, for whole coordinates.
+    fn sign_of(points: [[i64; 3]; 4]) -> i32 {
+        let [a, b, c, d] = points.map(|point| point.map(i128::from));
+        let off = |p: [i128; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
+        let [p, q, r] = [b, c, d].map(off);
+        let cross = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+        (cross[0] * r[0] + cross[1] * r[1] + cross[2] * r[2]).signum() as i32
+    }
+
+    #[test]
+    fn the_side_of_a_plane_is_that_of_whole_numbers() {
+        let mut rng = crate::geometry::random::Rng(3);
+        let mut seen = [0; 3];
+        for round in 0..20_000 {
+            // Few values give many coplanar points, large ones need all digits.
+            let range = [4, 1000, 1 << 26][round % 3];
+            let whole = [(); 4].map(|()| [(); 3].map(|()| (rng.next() % range) as i64 - range as i64 / 2));
+            let points = whole.map(|point| DVec3::from_array(point.map(|number| number as f64)));
+            let expected = sign_of(whole);
+            for scale in [1.0, 2f64.powi(-340), 2f64.powi(340)] {
+                let [a, b, c, d] = points.map(|point| point * scale);
+                assert_eq!(orient_in_space(a, b, c, d), expected, "{whole:?} {scale}");
+                assert_eq!(orient_in_space(b, a, c, d), -expected, "{whole:?} {scale}");
+            }
+            seen[(expected + 1) as usize] += 1;
+            // One ulp away from the plane.
+            let [a, b, c, d] = points;
+            let normal = (b - a).cross(c - a);
+            if expected == 0 && normal.y != 0.0 && d.y != 0.0 {
+                let [up, down] = [d.y.next_up(), d.y.next_down()].map(|y| orient_in_space(a, b, c, d.with_y(y)));
+                assert_eq!([up, down], [1, -1].map(|side| side * normal.y.signum() as i32), "{whole:?}");
+            }
+        }
+        assert!(seen.iter().all(|count| 200 < *count), "{seen:?}");
     }
 }

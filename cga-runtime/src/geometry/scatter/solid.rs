@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::geometry::exact::orient;
+use crate::geometry::exact::{orient, orient_in_space};
 use crate::geometry::mesh::Bounds;
 use crate::value::each::Each;
 
@@ -60,8 +60,8 @@ impl Solid {
         (0..self.triangles.len() as u32).collect()
     }
 
-    /// Returns true if the surface winds around a point. A point above or below an edge is on the side of it that [`side`] tells, for
-    /// both triangles at the edge, so it meets one of them.
+    /// Returns true if the surface winds around a point, without rounding. A point above or below an edge is on the side of it
+    /// that [`side`] returns, for both triangles at the edge, so it meets one of them.
     pub(super) fn contains(&self, point: DVec3) -> bool {
         let ([column, row], at) = (self.column(flat(point)), flat(point));
         let mut winding = 0;
@@ -70,7 +70,7 @@ impl Solid {
             let [a, b, c] = triangle.each(flat);
             let sides = [side(a, b, at), side(b, c, at), side(c, a, at)];
             // A triangle that is upright is never met.
-            if sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2] && point.y < height(triangle, at) {
+            if sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2] && is_below(point, triangle, sides[0]) {
                 winding += sides[0];
             }
         }
@@ -94,10 +94,10 @@ fn side(a: DVec2, b: DVec2, at: DVec2) -> i32 {
     }
 }
 
-/// The height of the plane of a triangle over a point.
-fn height([a, b, c]: [DVec3; 3], at: DVec2) -> f64 {
-    let normal = (b - a).cross(c - a);
-    a.y - (normal.x * (at.x - a.x) + normal.z * (at.y - a.z)) / normal.y
+/// Returns true if a point is below a triangle that is counter-clockwise in x and z, with `turn` 1, or clockwise, with -1: the normal of
+/// the first one points down.
+fn is_below(point: DVec3, [a, b, c]: [DVec3; 3], turn: i32) -> bool {
+    orient_in_space(a, b, c, point) == turn
 }
 
 /// Returns false if the triangle is beyond a side of the box, or if the box is on one side of its plane.
@@ -110,4 +110,36 @@ fn may_cross([a, b, c]: &[DVec3; 3], low: DVec3, high: DVec3) -> bool {
     let (distance, reach) = (normal.dot(centre - *a).abs(), normal.abs().dot(half));
     // The margin covers rounding.
     distance <= reach + 1e-12 * normal.length() * (1.0 + centre.abs().max_element())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::random::Rng;
+
+    /// A tetrahedron with whole coordinates, whose first three corners are counter-clockwise from above.
+    fn tetrahedron(rng: &mut Rng) -> [DVec3; 4] {
+        let mut coordinate = || ((rng.next() % (1 << 20)) as f64 - f64::from(1 << 19)) * 64.0;
+        let mut corner = || DVec3::new(coordinate(), coordinate(), coordinate());
+        let [a, b, c] = [corner(), corner(), corner()];
+        let [a, b, c] = if (b - a).cross(c - a).y < 0.0 { [a, c, b] } else { [a, b, c] };
+        let middle = ((a + b + c) / 192.0).floor() * 64.0;
+        [a, b, c, middle - DVec3::Y * f64::from(1 << 27)]
+    }
+
+    #[test]
+    fn one_ulp_inside_is_inside_and_one_ulp_outside_is_outside() {
+        let mut rng = Rng(11);
+        for _ in 0..2000 {
+            let [a, b, c, d] = tetrahedron(&mut rng);
+            let solid = Solid::new(vec![[a, b, c], [a, d, b], [b, d, c], [c, d, a]]);
+            // A point with whole coordinates in the face above, on an edge or on a corner of it.
+            let i = (rng.next() % 65) as f64;
+            let j = (rng.next() % (65 - i as u64)) as f64;
+            let on = a + (b - a) / 64.0 * i + (c - a) / 64.0 * j;
+            let is_within = 0.0 < i && 0.0 < j && i + j < 64.0;
+            assert!(!solid.contains(on.with_y(on.y.next_up())), "{a} {b} {c}: above {on}");
+            assert!(!is_within || solid.contains(on.with_y(on.y.next_down())), "{a} {b} {c}: below {on}");
+        }
+    }
 }
