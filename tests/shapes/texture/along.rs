@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use cga::{Assets, Settings, Shape, cga};
+use cga::{Assets, Model, Settings, Shape, cga};
 use cga_runtime::geometry::mesh::primitive;
 
 use crate::collect::Leaves;
@@ -58,4 +58,41 @@ fn what_cannot_be_inserted_leaves_a_fault_and_the_shape() {
         assert!(faults.len() == 1 && faults[0].contains(words), "{faults:?}");
         assert_eq!(leaves.corners("X").len(), 4);
     }
+}
+
+cga! {
+    /// Ranges that end at whole numbers except for rounding, made in all ways.
+    grammar Whole;
+    attr kind = 0
+    Lot --> comp(f) { front : Wall | all : NIL }
+    Wall -->
+        case kind == 0 : setupProjection(0, scope.xy, ~2, ^1) projectUV(0) Insert
+        case kind == 1 : setupProjection(0, world.xy, 1, 1) projectUV(0) normalizeUV(0, uv, collectiveAllFaces) Insert
+        case kind == 2 : setupProjection(0, scope.xy, 1, 1) projectUV(0) normalizeUV(0, uv, separatePerFace) tileUV(0, ~0.7, ~1.1) Insert
+        else : setupProjection(0, scope.xy, ^1, ^1) projectUV(0) scaleUV(0, 7, 3) translateUV(0, 0.3, 0.1) translateUV(0, -0.3, -0.1) Insert
+    Insert -->
+        report("copies", rint(geometry.du(0, uvSpace)) * rint(geometry.dv(0, uvSpace)))
+        insertAlongUV(0, "block", 0.5, vertex.normal, alignPosition)
+        report("faces", geometry.nFaces)
+        X.
+}
+
+#[test]
+fn copies_of_a_closed_asset_are_whole_and_closed_for_every_way_to_make_the_range() {
+    let assets = Arc::new(Assets::new().with("block", primitive::cube()));
+    let settings = Settings { assets, ..Settings::default() };
+    let mut runs = 0;
+    for (kind, number) in (0..4).flat_map(|kind| (0..50).map(move |number| (kind, number))) {
+        let (number, grammar) = (f64::from(number), Whole { kind: f64::from(kind) });
+        let wall = Shape::cuboid(1.1 + 0.37 * number, 2.0 + 0.13 * number, 1.0);
+        for shape in [wall.clone(), wall.at([1234.567 * number, 0.1, -98_765.4])] {
+            let mut model = Model::new();
+            let report = grammar.generate_into(&shape, &settings, &mut model).expect("no error");
+            let sum = |key: &str| report.reported(key).expect("a report").summary().sum;
+            assert_eq!(sum("faces"), 6.0 * sum("copies"), "kind {kind}, number {number}");
+            assert!(model.leaves().all(|leaf| leaf.mesh().0.is_closed()), "kind {kind}, number {number}");
+            runs += 1;
+        }
+    }
+    assert_eq!(runs, 400);
 }
