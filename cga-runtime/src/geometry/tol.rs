@@ -100,5 +100,5 @@ pub(crate) const FLAT_ANGLE_EPSILON: f64 = 1e-4;
 /// Lengths and angles within this share of the tolerance of a cleanup are equal to it.
 pub(crate) const AT_LIMIT_EPSILON: f64 = 1e-9;
 
-/// Texture coordinates that differ by at most this, relative to their size and to 1, are equal for a cleanup.
+/// Texture coordinates that differ by at most this, relative to their size and to 1, are equal for `cleanupGeometry` and `reduceGeometry`.
 pub(crate) const TEXTURE_EPSILON: f64 = 1e-6;

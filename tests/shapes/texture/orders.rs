@@ -19,6 +19,8 @@ cga! {
         case start == 0 : extrude(3) setupProjection(0, world.xy, 2, 3, 0.25, -1) projectUV(0) Step(0)
         case start == 1 : extrude(3) primitiveCube() Step(0)
         case start == 2 : extrude(3) setupProjection(0, scope.xy, 1, ~1) comp(f) { all = projectUV(0) Step(0) }
+        case start == 4 : extrude(3) setupProjection(0, world.xy, 2, 3, 0.25, -1) projectUV(0) split(y) { 1 : NIL | ~1 : Step(0) }
+        case start == 5 : extrude(3) primitiveCube() split(x) { 1 : NIL | ~1 : Step(0) | 0.5 : Step(0) }
         else : Step(0)
 
     step(n) = case n == 0 : first case n == 1 : second else : third
@@ -28,8 +30,8 @@ cga! {
             report("uMin", geometry.uMin(0)) report("uMax", geometry.uMax(0))
             report("vMin", geometry.vMin(0)) report("vMax", geometry.vMax(0))
             X.
-        case step(n) < 22 : Keep(step(n), n + 1)
-        else : Change(step(n) - 22, n + 1)
+        case step(n) < 40 : Keep(step(n), n + 1)
+        else : Change(step(n) - 40, n + 1)
 
     Keep(k, n) -->
         case k == 0 : convexify() Step(n)
@@ -53,7 +55,25 @@ cga! {
         case k == 18 : comp(f) { front : extrude(0.5) Step(n) | all = Step(n) }
         case k == 19 : comp(f) { all : taper(0.5) Step(n) }
         case k == 20 : t(1, 2, 3) r(0, 30, 0) s(^2, ^1, ^0.5) center(xz) Step(n)
-        else : comp(f) { all : split(x) { ~1 : Step(n) | 0.5 : Step(n) } }
+        case k == 21 : comp(f) { all : split(x) { ~1 : Step(n) | 0.5 : Step(n) } }
+        case k == 22 : shapeL(1, 1) { shape = Step(n) | remainder : NIL }
+        case k == 23 : innerRectangle(edge) { shape = Step(n) | remainder : NIL }
+        case k == 24 : roofHip(30) Step(n)
+        case k == 25 : roofGable(30, 0.5, 0.5) Step(n)
+        case k == 26 : comp(f) { all : roofShed(20) trim() Step(n) }
+        case k == 27 : reduceGeometry(0.2) Step(n)
+        case k == 28 : union { Y. | t(0.5, 1, 0.5) Y. } Step(n)
+        case k == 29 : intersect { Y. | s(^1, ^0.5, ^1) Y. } Step(n)
+        case k == 30 : inline(unify) { Y. } Step(n)
+        case k == 31 : inline(recompose) { comp(f) { all : Y. } } Step(n)
+        case k == 32 : rectify(5) Step(n)
+        case k == 33 : setbackPerEdge(0.1) { all : NIL | remainder = Step(n) }
+        case k == 34 : splitAndSetbackPerimeter(0) { ~1 : 0.2 : NIL }* { remainder = Step(n) }
+        case k == 35 : comp(f) { all : splitArea(x) { 2 : Step(n) | ~1 : NIL } }
+        case k == 36 : taper(0.5) Step(n)
+        case k == 37 : alignScopeToGeometry(yUp, 0, 0) Step(n)
+        case k == 38 : comp(f) { side : setback(0.1) { all : Step(n) | remainder : Step(n) } | all = Step(n) }
+        else : offset(0.1, all) Step(n)
 
     Change(k, n) -->
         case k == 0 : translateUV(0, 0.25, -0.5) Step(n)
@@ -64,8 +84,9 @@ cga! {
         else : copyUV(0, 2) deleteUV(1) Step(n)
 }
 
-/// The number of operations of each kind in the grammar.
-const KEEPS: u32 = 22;
+/// The number of starts, and of operations of each kind, in the grammar.
+const STARTS: u32 = 6;
+const KEEPS: u32 = 40;
 const CHANGES: u32 = 6;
 
 /// A lot with the form of an L.
@@ -182,7 +203,7 @@ fn a_stored_set_and_a_function_are_not_both_applied() {
 
 #[test]
 fn pairs_of_operations_give_the_same_in_both_orders() {
-    for start in 0..4 {
+    for start in 0..STARTS {
         for keep in 0..KEEPS {
             for change in KEEPS..KEEPS + CHANGES {
                 let what = format!("start {start}, operations {keep} and {change}");
@@ -196,8 +217,11 @@ fn pairs_of_operations_give_the_same_in_both_orders() {
     }
 }
 
-/// The number of random triples.
-const TRIPLES: u32 = if cfg!(debug_assertions) { 1_000 } else { 10_000 };
+/// The number of random triples, which `CGA_TRIPLES` sets.
+fn triples() -> u32 {
+    let text = std::env::var("CGA_TRIPLES").ok();
+    text.map_or(1_000, |text| text.parse().expect("`CGA_TRIPLES` is a number"))
+}
 
 #[test]
 fn random_triples_of_operations_give_the_same_in_all_orders() {
@@ -206,8 +230,8 @@ fn random_triples_of_operations_give_the_same_in_all_orders() {
         random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (random >> 33) as u32 % count
     };
-    for _ in 0..TRIPLES {
-        let (start, order) = (below(4), [0; 3].map(|_| below(KEEPS + CHANGES)));
+    for _ in 0..triples() {
+        let (start, order) = (below(STARTS), [0; 3].map(|_| below(KEEPS + CHANGES)));
         let what = format!("start {start}, operations {order:?}");
         let leaves = derived(start, order);
         for changes_first in [false, true] {

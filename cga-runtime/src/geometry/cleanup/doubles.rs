@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::components::{components, is_closed};
-use super::values::{have_same_attributes, have_same_texture};
+use super::values::have_same_attributes;
 use super::{add_face, without_faces};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::tol::VOLUME_EPSILON;
@@ -94,7 +94,7 @@ fn doubles(mesh: &Mesh) -> Vec<Vec<Double>> {
         let is_same = |set: &Set| {
             let (first, others) = &set[0];
             have_same_attributes(mesh, first.face, face)
-                && others.iter().zip(&corners).all(|(&one, &other)| have_same_texture(mesh, one, other))
+                && others.iter().zip(&corners).all(|(&one, &other)| mesh.has_same_texture(one, other))
         };
         let known = sets.iter().position(is_same);
         let double = (Double { face, is_along }, corners);

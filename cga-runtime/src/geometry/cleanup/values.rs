@@ -1,9 +1,9 @@
 //! Comparison of the attributes of faces and of the values at their corners.
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 use super::Limits;
-use crate::geometry::mesh::{FaceTag, Mesh};
+use crate::geometry::mesh::{FaceTag, Mesh, are_uvs_near};
 use crate::geometry::tol::{FLAT_ANGLE_EPSILON, TEXTURE_EPSILON};
 use crate::value::each::Each;
 
@@ -22,19 +22,6 @@ pub(super) fn have_same_attributes(mesh: &Mesh, one: u32, other: u32) -> bool {
         && (a.material == b.material || material(a) == material(b))
 }
 
-/// Returns true if all sets of texture coordinates are equal at two corners.
-pub(super) fn have_same_texture(mesh: &Mesh, one: u32, other: u32) -> bool {
-    mesh.uv_numbers().all(|set| {
-        let uvs = mesh.uv_set(set);
-        are_near(uvs[one as usize], uvs[other as usize], 0.0)
-    })
-}
-
-fn are_near(a: DVec2, b: DVec2, more: f64) -> bool {
-    let size = a.abs().max(b.abs()).max_element().max(1.0);
-    (a - b).abs().max_element() <= TEXTURE_EPSILON * size + more
-}
-
 fn position(mesh: &Mesh, corner: u32) -> DVec3 {
     mesh.points[mesh.corners[corner as usize] as usize]
 }
@@ -46,7 +33,7 @@ pub(super) fn continue_over(mesh: &Mesh, one: u32, other: u32, limits: &Limits) 
     let normals_continue = mesh.normals.is_empty()
         || ends.iter().zip(met).all(|(&a, b)| limits.are_parallel(mesh.normals[a as usize], mesh.normals[b as usize]));
     normals_continue
-        && ends.iter().zip(met).all(|(&a, b)| have_same_texture(mesh, a, b))
+        && ends.iter().zip(met).all(|(&a, b)| mesh.has_same_texture(a, b))
         && (mesh.uvs.is_empty() || gradients_continue(mesh, one, other, limits))
 }
 
@@ -93,7 +80,7 @@ pub(super) fn are_between(mesh: &Mesh, corner: u32, limits: &Limits) -> bool {
     let bend = FLAT_ANGLE_EPSILON + limits.turn * limits.turn;
     let texture = mesh.uv_numbers().all(|set| {
         let [from, at, to] = [before, corner, after].each(|corner| mesh.uv_set(set)[corner as usize]);
-        are_near(from.lerp(to, share), at, bend * from.distance(to))
+        are_uvs_near(from.lerp(to, share), at, bend * from.distance(to))
     });
     let normal = |corner: u32| mesh.normals[corner as usize];
     texture

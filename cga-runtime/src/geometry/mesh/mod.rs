@@ -77,8 +77,8 @@ pub(crate) use spread::Spread;
 pub(crate) use subcomponent_tags::{SubcomponentTagger, SubcomponentTags};
 pub(crate) use tag::TagSetTable;
 pub use tag::{TagSet, TaggedComponents};
-pub(crate) use uv::UvSets;
 pub use uv::{TextureSpace, UvAxis, UvExtent};
+pub(crate) use uv::{UvSets, are_uvs_near};
 pub(crate) use variants::Variant;
 use variants::Variants;
 

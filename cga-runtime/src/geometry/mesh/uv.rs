@@ -8,6 +8,7 @@ use glam::DVec2;
 
 use super::Mesh;
 use super::layout::to_front;
+use crate::geometry::tol::TEXTURE_EPSILON;
 use crate::geometry::uv_map::SetMap;
 pub use extent::UvExtent;
 pub(crate) use extent::{range, spread};
@@ -156,7 +157,21 @@ impl Mesh {
     }
 }
 
+/// Returns true if two pairs of coordinates are equal, except for rounding and a tolerance.
+pub(crate) fn are_uvs_near(a: DVec2, b: DVec2, tolerance: f64) -> bool {
+    let size = a.abs().max(b.abs()).max_element().max(1.0);
+    (a - b).abs().max_element() <= TEXTURE_EPSILON * size + tolerance
+}
+
 impl Mesh {
+    /// Returns true if all sets of texture coordinates are equal at two corners, except for rounding.
+    pub(crate) fn has_same_texture(&self, one: u32, other: u32) -> bool {
+        self.uv_numbers().all(|set| {
+            let uvs = self.uv_set(set);
+            are_uvs_near(uvs[one as usize], uvs[other as usize], 0.0)
+        })
+    }
+
     /// The mesh with other coordinates in a set, one pair per corner, or without the set if the list is empty. Infinite
     /// coordinates become the largest finite numbers, and NaN becomes 0.
     ///

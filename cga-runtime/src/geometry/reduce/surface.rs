@@ -203,10 +203,9 @@ impl<'m> Surface<'m> {
         if self.is_plain {
             return true;
         }
-        let [a, b] =
-            [one, other].each(|triangle| self.values[triangle as usize][self.place_in(triangle, point)] as usize);
+        let [a, b] = [one, other].each(|triangle| self.values[triangle as usize][self.place_in(triangle, point)]);
         let tag = |triangle: u32| attributes(self.mesh.tags[self.faces[triangle as usize] as usize]);
-        tag(one) == tag(other) && self.mesh.uv_numbers().all(|set| self.mesh.uv_set(set)[a] == self.mesh.uv_set(set)[b])
+        tag(one) == tag(other) && self.mesh.has_same_texture(a, b)
     }
 
     /// The triangles at a point, which are dropped from its list when they are gone.
@@ -368,9 +367,9 @@ fn cost(sum: &Quadric, from: DVec3, to: DVec3) -> f64 {
     f64::from_bits((cost.to_bits() + (1 << (COST_BITS - 1))) >> COST_BITS << COST_BITS)
 }
 
-/// The attributes of a face besides its tags.
+/// The group and the material of a face.
 fn attributes(tag: FaceTag) -> FaceTag {
-    FaceTag { tags: FaceTag::NONE, ..tag }
+    FaceTag { tags: FaceTag::NONE, cap: false, ..tag }
 }
 
 /// The edges of a triangle, with the smaller point first.
