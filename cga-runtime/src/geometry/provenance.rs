@@ -43,13 +43,15 @@ pub(crate) enum Provenance {
     Unknown,
     /// A cut that the face closes.
     Cut,
+    /// The same, and an operation on texture coordinates has reached the face.
+    MappedCut,
     /// An extrusion, without any other tag.
     Extruded(Extruded),
 }
 
 impl Provenance {
     /// The number of origins.
-    pub(crate) const COUNT: usize = 2 + Extruded::ALL.len();
+    pub(crate) const COUNT: usize = 3 + Extruded::ALL.len();
 
     /// The number of an origin, from 0.
     #[inline]
@@ -57,7 +59,8 @@ impl Provenance {
         match self {
             Provenance::Unknown => 0,
             Provenance::Cut => 1,
-            Provenance::Extruded(extruded) => 2 + extruded as usize,
+            Provenance::MappedCut => 2,
+            Provenance::Extruded(extruded) => 3 + extruded as usize,
         }
     }
 
@@ -68,7 +71,7 @@ impl Provenance {
             _ if tag.group != FaceTag::NONE || tag.material != FaceTag::NONE => None,
             (Some(set), false) => Extruded::of(set).map(Provenance::Extruded),
             (Some(_), true) => None,
-            (None, true) => Some(Provenance::Cut),
+            (None, true) => Some(if tag.mapped { Provenance::MappedCut } else { Provenance::Cut }),
             (None, false) => Some(Provenance::Unknown),
         }
     }
@@ -78,6 +81,7 @@ impl Provenance {
         match self {
             Provenance::Unknown => FaceTag::PLAIN,
             Provenance::Cut => FaceTag::CAP,
+            Provenance::MappedCut => FaceTag { mapped: true, ..FaceTag::CAP },
             Provenance::Extruded(extruded) => FaceTag { tags: extruded as u32, ..FaceTag::PLAIN },
         }
     }

@@ -53,7 +53,7 @@ pub fn extrude_along(env: &mut Env, shape: &mut Shape, along: ExtrudeAlong, dist
     if distance == 0.0 && along != ExtrudeAlong::WorldUpFlatTop {
         return;
     }
-    if shape.has_caps() {
+    if shape.has_unmapped_caps() {
         // The sides of a cap that grows have its coordinates.
         shape.bake();
     }

@@ -88,7 +88,7 @@ pub fn extrude<'s, 'b>(
     let height = distance.plain(s.y);
     let along = if shape.form == Form::Rect(Axis::Z) { DVec3::Z } else { DVec3::Y };
     // The sides of a cap that grows have its coordinates.
-    let keeps = !shape.has_coordinates() || (shape.keeps_coordinates(along) && !shape.has_caps());
+    let keeps = !shape.has_coordinates() || (shape.keeps_coordinates(along) && !shape.has_unmapped_caps());
     let is_length = 0.0 < height && height <= Scope::MOST_SIZE && keeps;
     match shape.form {
         Form::Rect(Axis::Z)
@@ -155,7 +155,7 @@ pub fn change_coordinates<'s, 'b, G>(
     g: &G,
     change: fn(&G, &mut Env, &mut Shape),
 ) -> &'s ShapeRef<'b> {
-    if shape.has_caps() {
+    if shape.has_unmapped_caps() {
         return own.insert(whole(env, shape, bases, |env, shape| change(g, env, shape)));
     }
     change_material(env, shape, bases, own, place, g, change)

@@ -130,7 +130,7 @@ pub fn setup_projection_at(
 /// projection the set is empty.
 pub fn project_uv(env: &mut Env, shape: &mut Shape, set: f64) {
     let Some(set) = env.uv_set(set, "projectUV") else { return };
-    shape.settle_caps();
+    shape.map_caps();
     shape.state.change_look().coordinates.set(set, UvSource::Stored(set));
 }
 
@@ -143,7 +143,7 @@ pub fn delete_uv(env: &mut Env, shape: &mut Shape, set: f64) {
 /// `copyUV(uvSetSource, uvSetDest)` (*copyUV operation*).
 pub fn copy_uv(env: &mut Env, shape: &mut Shape, from: f64, to: f64) {
     let (Some(from), Some(to)) = (env.uv_set(from, "copyUV"), env.uv_set(to, "copyUV")) else { return };
-    shape.settle_caps();
+    shape.map_caps();
     shape.state.change_look().coordinates.copy(from, to);
 }
 
@@ -174,7 +174,7 @@ fn change(env: &mut Env, shape: &mut Shape, set: f64, what: &str, change: DAffin
 
 /// Changes a set, unless the result is too large.
 fn change_set(env: &mut Env, shape: &mut Shape, set: u8, what: &str, change: &DAffine2) {
-    shape.settle_caps();
+    shape.map_caps();
     if !shape.state.change_look().coordinates.change(set, change) {
         env.fault(FaultKind::Value, format!("`{what}` has factors beyond 1e75; the set stays as it is"));
     }
@@ -208,7 +208,7 @@ pub fn normalize_uv(env: &mut Env, shape: &mut Shape, set: f64, mode: NormalizeM
     let Some(set) = env.uv_set(set, "normalizeUV") else { return };
     let mesh = shape.to_mesh();
     if faces == NormalizeType::SeparatePerFace && 1 < mesh.face_count() {
-        shape.settle_caps();
+        shape.map_caps();
         shape.bake();
         return shape.change_mesh(|mesh| {
             let mut uvs = mesh.uv_set(usize::from(set)).to_vec();

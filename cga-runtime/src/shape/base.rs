@@ -97,7 +97,7 @@ impl Base {
             return &[];
         }
         // A rectangle that had coordinates when it became a cap.
-        let is_cap = matches!(self.shape.geometry, Geometry::Rect(_, unit) if unit.has_caps())
+        let is_cap = matches!(self.shape.geometry, Geometry::Rect(_, unit) if unit.has_unmapped_caps())
             && !self.shape.state.coordinates().is_empty();
         self.maps.of(id, || {
             let map = |set| {

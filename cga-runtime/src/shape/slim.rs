@@ -155,15 +155,15 @@ impl<'a> ShapeRef<'a> {
     #[inline(never)]
     fn has_different_sides(&self) -> bool {
         let is_cube = self.look.get() == LookId::OF_BASE && self.base.shape.state.coordinates().has_cube();
-        is_cube || self.has_caps()
+        is_cube || self.has_unmapped_caps()
     }
 
     /// Returns true if a face closes a cut, and no operation on texture coordinates has reached it.
-    pub(crate) fn has_caps(&self) -> bool {
+    pub(crate) fn has_unmapped_caps(&self) -> bool {
         match self.form {
-            Form::Rect(_) | Form::Box => self.unit.get().has_caps(),
+            Form::Rect(_) | Form::Box => self.unit.get().has_unmapped_caps(),
             Form::Empty => false,
-            Form::Other => self.base.shape.has_caps(),
+            Form::Other => self.base.shape.has_unmapped_caps(),
         }
     }
 

@@ -249,14 +249,14 @@ impl UnitMesh {
         UnitMesh::shared(self.0.mesh.without_tags(query, TaggedComponents::Faces))
     }
 
-    /// Returns true if a face closes a cut.
-    pub(crate) fn has_caps(self) -> bool {
+    /// Returns true if it has a cap that no operation on texture coordinates has reached.
+    pub(crate) fn has_unmapped_caps(self) -> bool {
         self.faces().iter().any(|face| face.provenance == Provenance::Cut)
     }
 
-    /// The mesh whose caps are faces like others.
-    pub(crate) fn without_cap_marks(self) -> Self {
-        UnitMesh::shared(self.0.mesh.without_cap_marks())
+    /// The mesh whose caps are reached by operations on texture coordinates.
+    pub(crate) fn with_mapped_caps(self) -> Self {
+        UnitMesh::shared(self.0.mesh.with_mapped_caps())
     }
 
     /// The mesh mirrored about its middle, with its faces looking outwards as before.

@@ -58,12 +58,12 @@ fn join_all(meshes: &[&Mesh]) -> Mesh {
         let loops = sum.loop_ends.len() - mesh.loop_ends.len();
         for face in mesh.faces() {
             sum.face_ends.push(loops + mesh.face_loops(face.index()).end);
-            let FaceTag { group, material, tags, cap } = face.tag();
+            let tag = face.tag();
             sum.tags.push(FaceTag {
-                group: renumbered(group, &numbers[0]),
-                material: renumbered(material, &numbers[1]),
-                tags: renumbered(tags, &numbers[2]),
-                cap,
+                group: renumbered(tag.group, &numbers[0]),
+                material: renumbered(tag.material, &numbers[1]),
+                tags: renumbered(tag.tags, &numbers[2]),
+                ..tag
             });
         }
         for &set in &has_sets {

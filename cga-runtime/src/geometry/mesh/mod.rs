@@ -120,17 +120,30 @@ pub struct FaceTag {
     pub material: u32,
     /// Index into the mesh's sets of component tags, or [`FaceTag::NONE`].
     pub tags: u32,
-    /// True if a cut made this face, until an operation on texture coordinates reaches it.
+    /// True if a cut made this face.
     pub cap: bool,
+    /// True for a cap that an operation on texture coordinates has reached. Before, its coordinates are (0, 0).
+    pub mapped: bool,
 }
 
 impl FaceTag {
     /// The index for "none": no group, no material, no tags.
     pub const NONE: u32 = u32::MAX;
     /// A face without group, material and tags that is not a cap.
-    pub const PLAIN: FaceTag = FaceTag { group: Self::NONE, material: Self::NONE, tags: Self::NONE, cap: false };
+    pub const PLAIN: FaceTag =
+        FaceTag { group: Self::NONE, material: Self::NONE, tags: Self::NONE, cap: false, mapped: false };
     /// A face made by a cut.
     pub const CAP: FaceTag = FaceTag { cap: true, ..FaceTag::PLAIN };
+
+    /// The same attributes of a face that is not a cap.
+    pub(crate) fn uncapped(self) -> FaceTag {
+        FaceTag { cap: false, mapped: false, ..self }
+    }
+
+    /// Returns true for a cap that no operation on texture coordinates has reached.
+    pub(crate) fn is_unmapped_cap(self) -> bool {
+        self.cap && !self.mapped
+    }
 }
 
 impl Default for FaceTag {

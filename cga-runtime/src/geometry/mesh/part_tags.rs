@@ -33,7 +33,7 @@ impl<'s> PartTags<'s> {
             let set = source.tag_sets.get(own.tags as usize).unwrap_or(&plain);
             table.number(&set.renewed(base, part))
         });
-        FaceTag { cap: false, tags, ..own }
+        FaceTag { tags, ..own.uncapped() }
     }
 
     /// The tag of a face with the tag `part` over the edge between two points, which a face of the source has.

@@ -38,14 +38,14 @@ impl Mesh {
         self.tag_sets.iter().zip(used).filter(|(_, used)| *used).flat_map(move |(set, _)| set.found(query))
     }
 
-    /// Returns true if a face has the mark of a cap.
-    pub(crate) fn has_caps(&self) -> bool {
-        self.tags.runs().iter().any(|(_, tag)| tag.cap)
+    /// Returns true if it has a cap that no operation on texture coordinates has reached.
+    pub(crate) fn has_unmapped_caps(&self) -> bool {
+        self.tags.runs().iter().any(|(_, tag)| tag.is_unmapped_cap())
     }
 
-    /// The mesh without the marks of caps, which are faces like others.
-    pub(crate) fn without_cap_marks(&self) -> Mesh {
-        Mesh { tags: self.tags.mapped(|tag| FaceTag { cap: false, ..tag }), ..self.clone() }
+    /// The mesh whose caps are reached by operations on texture coordinates.
+    pub(crate) fn with_mapped_caps(&self) -> Mesh {
+        Mesh { tags: self.tags.mapped(|tag| FaceTag { mapped: tag.cap, ..tag }), ..self.clone() }
     }
 
     /// The mesh with other sets of tags on its faces.

@@ -369,7 +369,7 @@ fn cost(sum: &Quadric, from: DVec3, to: DVec3) -> f64 {
 
 /// The group and the material of a face.
 fn attributes(tag: FaceTag) -> FaceTag {
-    FaceTag { tags: FaceTag::NONE, cap: false, ..tag }
+    FaceTag { tags: FaceTag::NONE, ..tag.uncapped() }
 }
 
 /// The edges of a triangle, with the smaller point first.

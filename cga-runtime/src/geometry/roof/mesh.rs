@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::{Outline, Rise, Roof, RoofFace, RoofForm, RoofPart, roof_with_or_without_overhangs};
-use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh, PartTags, SubcomponentTagger, flip};
+use crate::geometry::mesh::{FaceRef, FlatFace, Mesh, PartTags, SubcomponentTagger, flip};
 use crate::geometry::skeleton::{Failure, any_cross};
 use crate::geometry::tol::TOUCH_EPSILON;
 use crate::value::each::Each;
@@ -127,5 +127,5 @@ fn add_plain(face: &FaceRef<'_>, made: &mut Mesh, tags: &mut RoofTags<'_>) {
         }
         made.end_loop();
     }
-    made.end_face(FaceTag { cap: false, ..tags.parts.same(face.tag()) });
+    made.end_face(tags.parts.same(face.tag()).uncapped());
 }

@@ -75,24 +75,24 @@ impl Shape {
 /// Caps, which have the coordinates (0, 0).
 impl Shape {
     /// Returns true if a face closes a cut, and no operation on texture coordinates has reached it.
-    pub(crate) fn has_caps(&self) -> bool {
+    pub(crate) fn has_unmapped_caps(&self) -> bool {
         match &self.geometry {
-            Geometry::Rect(_, unit) | Geometry::Box(unit) => unit.has_caps(),
-            Geometry::Mesh(placed) => placed.mesh.has_caps(),
+            Geometry::Rect(_, unit) | Geometry::Box(unit) => unit.has_unmapped_caps(),
+            Geometry::Mesh(placed) => placed.mesh.has_unmapped_caps(),
             Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => false,
         }
     }
 
-    /// Makes caps faces like others, before an operation on texture coordinates reaches them.
-    pub(crate) fn settle_caps(&mut self) {
-        if !self.has_caps() {
+    /// Writes the coordinates of caps into explicit sets, before an operation on texture coordinates reaches them.
+    pub(crate) fn map_caps(&mut self) {
+        if !self.has_unmapped_caps() {
             return;
         }
         self.bake();
         match &mut self.geometry {
-            Geometry::Rect(_, unit) | Geometry::Box(unit) => *unit = unit.without_cap_marks(),
+            Geometry::Rect(_, unit) | Geometry::Box(unit) => *unit = unit.with_mapped_caps(),
             Geometry::Mesh(placed) => {
-                let mesh = Arc::new(placed.mesh.without_cap_marks());
+                let mesh = Arc::new(placed.mesh.with_mapped_caps());
                 *placed = Arc::new(Placed { mesh, ..Placed::clone(placed) });
             }
             Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => {}
@@ -138,8 +138,8 @@ fn rigid_inverse(place: &DAffine3) -> DAffine3 {
 /// The mesh with all sets explicit. `place` maps it to the world.
 fn with_sets(mesh: &Mesh, place: &DAffine3, coordinates: &Coordinates, projections: &Projections) -> Mesh {
     let mut baked = mesh.clone();
-    let is_cap = |face: &FaceRef<'_>| face.tag().cap;
-    let caps: Vec<Range<usize>> = match mesh.has_caps() {
+    let is_cap = |face: &FaceRef<'_>| face.tag().is_unmapped_cap();
+    let caps: Vec<Range<usize>> = match mesh.has_unmapped_caps() {
         true => mesh.faces().filter(is_cap).map(|face| face.corner_range()).collect(),
         false => Vec::new(),
     };

@@ -7,7 +7,8 @@
 //! sets first.
 //!
 //! A face that closes a cut, a *cap*, has the coordinates (0, 0), whatever the functions are. The next operation on
-//! coordinates reaches it as any other face: caps are then written into the explicit sets and are no longer marked.
+//! coordinates reaches it as any other face: its coordinates are then written into the explicit sets, and it is marked as
+//! mapped.
 
 mod bake;
 mod coordinates;

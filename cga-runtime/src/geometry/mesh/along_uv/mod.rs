@@ -125,7 +125,7 @@ impl MappedMesh<'_> {
         if turns_over {
             super::flip(&mut nodes);
         }
-        let tag = FaceTag { tags: FaceTag::NONE, cap: false, ..self.asset.tags[face] };
+        let tag = FaceTag { tags: FaceTag::NONE, ..self.asset.tags[face].uncapped() };
         if is_planar(&nodes) {
             self.face(clip, &nodes, tag);
         } else {
