@@ -24,6 +24,7 @@ mod json;
 mod lazy;
 mod locals;
 mod old_spellings;
+mod operations;
 mod operators;
 mod overloads;
 mod panel;

@@ -301,8 +301,8 @@ fn calls(tokens: &[Tok]) -> Vec<Call> {
 }
 
 /// The file with a call of each operation, and its text.
-const FIXTURE: &str = "cga-lang/tests/data/ops/every_operation.cga";
-const CALLS: &str = include_str!("../data/ops/every_operation.cga");
+const FIXTURE: &str = "tests/language/every_operation.cga";
+const CALLS: &str = include_str!("../../../tests/language/every_operation.cga");
 
 #[test]
 fn the_fixture_calls_every_operation_in_every_number_of_arguments() {

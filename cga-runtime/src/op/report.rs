@@ -2,7 +2,6 @@
 
 use crate::fault::FaultKind;
 use crate::run::env::Env;
-use crate::shape::Shape;
 use crate::shape::view::View;
 use crate::value::Value;
 use crate::value::text::Text;
@@ -20,7 +19,7 @@ pub fn print(env: &mut Env, _: &mut impl View, value: impl Into<Value>) {
 
 /// `label(name)`: a labelled copy of the shape for context and occlusion queries (*label operation*). These queries
 /// are not implemented yet, so nothing is stored. An empty name is a fault.
-pub fn label(env: &mut Env, _: &mut Shape, name: Text) {
+pub fn label(env: &mut Env, _: &mut impl View, name: Text) {
     if name.is_empty() {
         env.fault(FaultKind::Value, "a label must not be empty; the shape gets none");
     }

@@ -144,7 +144,7 @@ impl<C> Cx<'_, C> {
     }
 
     /// Passes a leaf symbol to the sink. It counts as a shape of its own.
-    #[inline]
+    #[inline(always)]
     pub fn symbol(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
         if !self.env.has_room(1) {
             self.env.make_room(1)?;
