@@ -162,10 +162,36 @@ fn even_roofs_have_one_face_for_each_edge() {
         Parts --> roofHip(45, 0, true) split(x) { 3 : split(y) { '0.4 : P. | ~1 : P. } | ~1 : split(z) { 2.5 : P. }* }
         @StartRule
         Turned --> roofHip(45, 0, true) rotateScope(0, 30, 0) split(x) { 3 : P. | ~1 : split(z) { 2.5 : P. }* }
+        @StartRule
+        Mirrored --> roofHip(45, 0, true) mirror(true, false, false) W.
+        @StartRule
+        Reversed --> roofHip(45, 0, true) reverseNormals() W.
+        @StartRule
+        Convex --> roofHip(45, 0, true) convexify() W.
+        @StartRule
+        Bands --> roofHip(45, 0, true) setupProjection(0, world.xz, 1, 1) projectUV(0) split(u, uvSpace, 0) { 2.5 : P. }*
+        @StartRule
+        Back --> roofGable(15, 0, -0.3, true) W.
+        @StartRule
+        Two --> inline(append) { [ roofHip(45, 0, true) W. ] [ r(90, 0, 0) t('3, 0, 0) roofHip(45, 0, true) W. ] } W.
         "##;
     }
     let model = |rule: &str| Even::default().generate_from(rule, &odd).expect("a model");
     let volume = |rule: &str| model(rule).leaves().map(|leaf| leaf.volume()).sum::<f64>();
+    let area = |rule: &str| model(rule).leaves().map(|leaf| leaf.area()).sum::<f64>();
+    // A face has one surface, whatever way it is turned, beside other roofs, and in all files.
+    let whole = (volume("Whole"), area("Whole"));
+    for (rule, count, sense) in
+        [("Mirrored", 1.0, 1.0), ("Reversed", 1.0, -1.0), ("Convex", 1.0, 1.0), ("Two", 2.0, 1.0)]
+    {
+        assert!((volume(rule) - sense * count * whole.0).abs() < 1e-9, "{rule}: {} of {}", volume(rule), whole.0);
+        assert!((area(rule) - count * whole.1).abs() < 1e-9, "{rule}: {} of {}", area(rule), whole.1);
+    }
+    assert!(model("Back").faults().is_empty(), "{:?}", model("Back").faults());
+    assert!((area("Bands") - whole.1).abs() < 1e-9, "{} of {}", area("Bands"), whole.1);
+    let text = model("Whole").to_obj("a.mtl").0;
+    // The bottom and the planar faces are polygons, and the two bent ones are two triangles each.
+    assert_eq!(text.lines().filter(|line| line.starts_with("f ")).count(), 7);
     assert_eq!(model("Whole").prints().iter().map(|print| print.to_string()).collect::<Vec<_>>(), ["5", "9"]);
     for rule in ["Parts", "Turned"] {
         assert!((volume(rule) - volume("Whole")).abs() < 1e-9, "{rule}: {} of {}", volume(rule), volume("Whole"));

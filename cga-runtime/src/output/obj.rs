@@ -201,7 +201,8 @@ impl<W: Write> Sink for Obj<W> {
         flattener.faces(mesh, placement, |face| {
             let shown = face.material(&mut self.numbers.table, material);
             self.run(rule, shown);
-            if mesh.face(face.index).holes().len() == 0 {
+            let polygon = mesh.face(face.index);
+            if polygon.holes().len() == 0 && !polygon.is_bent() {
                 self.text.push(b'f');
                 face.corners.clone().for_each(|c| corner(&mut self.text, c));
                 self.text.push(b'\n');

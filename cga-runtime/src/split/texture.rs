@@ -1,5 +1,6 @@
 //! Splits in texture space: along lines of constant texture coordinates (*split operation*).
 
+use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -61,13 +62,16 @@ pub(super) fn texture(
     let borders = PieceBorders::of(&pieces[..], length, extent.high[axis.index()], line);
     let limit = env.settings.limits.vertices;
     let most = usize::try_from(limit).unwrap_or(usize::MAX);
-    let Ok((mut bands, points)) = cut::traced_iso_bands(&placed.mesh, usize::from(set), axis, &borders.rising, most)
-    else {
+    let flat = match placed.mesh.without_bent_faces() {
+        Cow::Borrowed(_) => placed.mesh.clone(),
+        Cow::Owned(flat) => Arc::new(flat),
+    };
+    let Ok((mut bands, points)) = cut::traced_iso_bands(&flat, usize::from(set), axis, &borders.rising, most) else {
         return env.limit(LimitKind::Vertices, limit);
     };
     for (band, points) in bands.iter_mut().zip(&points) {
         if let Some(band) = band {
-            env.with_cut_trace(&placed.mesh, band, points);
+            env.with_cut_trace(&flat, band, points);
         }
     }
     let mut parts = Vec::new();

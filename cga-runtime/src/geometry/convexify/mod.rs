@@ -19,6 +19,8 @@ mod hostile_tests;
 #[cfg(test)]
 mod tests;
 
+use std::borrow::Cow;
+
 use glam::DVec3;
 
 use crate::geometry::mesh::{FaceRef, Mesh};
@@ -38,9 +40,14 @@ pub(crate) struct Convexified {
 }
 
 /// Cuts all concave faces and faces with holes into convex ones, with cuts shorter than `longest`. Faces that are convex stay as
-/// they are. Parts of a face come in its place, in the order of its corners, and begin with its edges. They keep its attributes;
+/// they are, and bent faces become triangles. Parts of a face come in its place, in the order of its corners, and begin with its edges. They keep its attributes;
 /// values at new corners are interpolated along edges.
 pub(crate) fn convexify(mesh: &Mesh, longest: f64) -> Convexified {
+    if let Cow::Owned(flat) = mesh.without_bent_faces() {
+        let cut = convexify(&flat, longest);
+        let origins = || (0..flat.points.len() as u32).map(PartPoint::old).collect();
+        return Convexified { made: cut.made.or_else(|| Some((flat.clone(), origins()))), ..cut };
+    }
     let concave: Vec<usize> = (0..mesh.face_count()).filter(|&face| is_concave(&mesh.face(face))).collect();
     if concave.is_empty() || longest <= 0.0 {
         return Convexified { made: None, refused: Vec::new() };

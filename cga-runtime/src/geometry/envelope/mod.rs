@@ -174,6 +174,7 @@ pub(crate) fn envelopes(
     let mut made = Mesh {
         groups: source.groups().to_vec().into(),
         materials: source.materials().to_vec().into(),
+        bent: source.bent,
         ..Mesh::default()
     };
     let (mut tags, mut tagger) = (PartTags::new(source, "envelope"), SubcomponentTagger::default());

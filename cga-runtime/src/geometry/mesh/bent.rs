@@ -1,14 +1,18 @@
 //! Bent faces: faces whose corners are not in one plane.
 //!
 //! Roofs with `even` bend faces. A mesh with bent faces has a direction along which none of them has a fold. Measures, cuts,
-//! boolean operations and sinks take a bent face as its triangles as seen along this direction, so areas and volumes of parts
-//! add up. Everything else sees one face. In a mesh without the direction all faces count as planar, at no cost.
+//! boolean operations and sinks take a bent face as its highest triangles along this direction, so areas and volumes of parts
+//! add up, and turned, mirrored and reversed faces have the same surface. Everything else sees one face. In a mesh without the
+//! direction all faces count as planar, at no cost.
 
-use glam::{DVec2, DVec3};
+use std::borrow::Cow;
 
-use super::{FaceRef, unit};
+use glam::{DMat3, DVec3};
+
+use super::{FaceRef, Mesh, unit};
 use crate::geometry::tol::PLANAR_EPSILON;
-use crate::geometry::triangulate::Triangulator;
+use crate::geometry::trace::PartPoint;
+use crate::geometry::triangulate::{Triangulator, highest};
 use crate::value::each::Each;
 
 impl FaceRef<'_> {
@@ -30,26 +34,34 @@ impl FaceRef<'_> {
         PLANAR_EPSILON * far < off
     }
 
-    /// The corners of a bent face as seen along the direction of the mesh. The first axis is along the first edge, so a turn of the
-    /// mesh does not change the triangles. `None` for other faces.
+    /// The triangles of a bent face, as numbers of its corners in the mesh: the highest ones along the direction of the mesh. `None` for
+    /// a face that is not bent, has holes, or has a fold.
     #[inline]
-    pub(crate) fn unbent(&self) -> Option<Vec<DVec2>> {
-        if self.is_bent() { self.unbent_corners() } else { None }
+    pub(crate) fn unbent(&self) -> Option<Vec<[u32; 3]>> {
+        if self.is_bent() { self.highest_triangles() } else { None }
     }
 
     #[cold]
-    fn unbent_corners(&self) -> Option<Vec<DVec2>> {
-        let corners = self.corner_range();
-        let [from, to] = [corners.start, corners.start + 1].each(|corner| self.position(corner));
+    fn highest_triangles(&self) -> Option<Vec<[u32; 3]>> {
+        if self.holes().len() != 0 {
+            return None;
+        }
         let along = unit(self.mesh.bent);
-        let along = if along.dot(self.normal()) < 0.0 { -along } else { along };
-        let y = unit(along.cross(to - from));
-        let x = y.cross(along);
-        let flat = |corner: usize| {
-            let way = self.position(corner) - from;
-            DVec2::new(way.dot(x), way.dot(y))
-        };
-        (y != DVec3::ZERO).then(|| corners.map(flat).collect())
+        let (x, y) = along.any_orthonormal_pair();
+        let is_turned = self.area_vector().dot(along) < 0.0;
+        let mut corners: Vec<u32> = self.corner_range().map(|corner| corner as u32).collect();
+        if is_turned {
+            corners.reverse();
+        }
+        let place = |&corner: &u32| DMat3::from_cols(x, y, along).transpose() * self.position(corner as usize);
+        let mut triangles: Vec<[u32; 3]> = highest(&corners.iter().map(place).collect::<Vec<_>>())?
+            .into_iter()
+            .map(|triangle| triangle.each(|number| corners[number]))
+            .collect();
+        if is_turned {
+            triangles.iter_mut().for_each(|[_, b, c]| std::mem::swap(b, c));
+        }
+        Some(triangles)
     }
 
     /// The corners of the triangles of a bent face.
@@ -67,5 +79,42 @@ impl FaceRef<'_> {
             return self.bent_triangles().into_iter().map(|[a, b, c]| value((b - a).cross(c - a))).sum();
         }
         value(self.area_vector())
+    }
+}
+
+impl Mesh {
+    /// The mesh with its bent faces as their triangles, which have the attributes of the face.
+    pub(crate) fn without_bent_faces(&self) -> Cow<'_, Mesh> {
+        if self.bent == DVec3::ZERO {
+            return Cow::Borrowed(self);
+        }
+        let mut made = Mesh { points: self.points.clone(), bent: DVec3::ZERO, ..self.alike(self.corners.len()) };
+        let mut triangulator = Triangulator::new();
+        for face in self.faces() {
+            let mut triangles = Vec::new();
+            if face.is_bent() {
+                triangulator.face(self, face.index(), &mut triangles);
+            }
+            for triangle in &triangles {
+                triangle.iter().for_each(|&corner| made.copy_corner(self, corner as usize));
+                made.end_loop();
+                made.end_face(face.tag());
+            }
+            if triangles.is_empty() {
+                for ring in face.loop_ranges() {
+                    ring.for_each(|corner| made.copy_corner(self, corner));
+                    made.end_loop();
+                }
+                made.end_face(face.tag());
+            }
+        }
+        made.carry_tags(self, PartPoint::old);
+        Cow::Owned(made)
+    }
+
+    /// Adds a corner of a mesh with the same points.
+    fn copy_corner(&mut self, source: &Mesh, corner: usize) {
+        self.corners.push(source.corners[corner]);
+        self.copy_values(source, corner..corner + 1);
     }
 }

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::{FaceTag, Mesh, SubcomponentTagger, UvSets};
+use super::{FaceTag, Mesh, SubcomponentTagger, UvSets, unit};
+use crate::geometry::tol::UP_EPSILON;
 use crate::material::Material;
 
 /// The number of last elements of a list that are searched for an equal one.
@@ -41,6 +42,14 @@ pub(crate) fn join<'m>(meshes: impl Iterator<Item = &'m Mesh>) -> Mesh {
 }
 
 fn join_all(meshes: &[&Mesh]) -> Mesh {
+    // A mesh has one direction along which bent faces have no folds.
+    let mut directions = meshes.iter().map(|mesh| mesh.bent).filter(|bent| *bent != DVec3::ZERO);
+    if let Some(first) = directions.next()
+        && directions.any(|other| UP_EPSILON < unit(first).distance(unit(other)))
+    {
+        let flat: Vec<_> = meshes.iter().map(|mesh| mesh.without_bent_faces()).collect();
+        return join_all(&flat.iter().map(AsRef::as_ref).collect::<Vec<_>>());
+    }
     let (mut groups, mut materials, mut tag_sets) = (Distinct(Vec::new()), Distinct(Vec::new()), Distinct(Vec::new()));
     let has_set = |set: usize| meshes.iter().any(|mesh| !mesh.uvs.get(set).is_empty());
     let has_sets: Vec<usize> = (0..UvSets::MOST).filter(|set| has_set(*set)).collect();

@@ -5,7 +5,8 @@ use glam::{DVec2, DVec3};
 use super::{Outline, Rise, Roof, RoofFace, RoofForm, RoofPart, roof_with_or_without_overhangs};
 use crate::geometry::mesh::{FaceRef, FlatFace, Mesh, PartTags, SubcomponentTagger, flip};
 use crate::geometry::skeleton::{Failure, any_cross};
-use crate::geometry::tol::TOUCH_EPSILON;
+use crate::geometry::tol::{TOUCH_EPSILON, UP_EPSILON};
+use crate::geometry::triangulate::highest;
 use crate::value::each::Each;
 
 /// The reason why a face has no roof.
@@ -84,9 +85,13 @@ fn add_roof(
     if faces.is_empty() || !points.iter().all(|point| point.is_finite()) {
         return Err(RoofRefusal::Tangled);
     }
-    if moved.contains(&true) {
+    // A mesh has one direction along which bent faces have no folds. Other roofs have triangles.
+    let is_bent = moved.contains(&true);
+    let is_flat = is_bent && UP_EPSILON < made.bent.cross(flat.normal).length();
+    if is_bent && made.bent == DVec3::ZERO {
         made.bent = flat.normal;
     }
+    let faces = faces.into_iter().flat_map(|face| if is_flat { triangles(face, &points) } else { vec![face] });
     let base = made.points.len() as u32;
     let given = flat.points.len();
     made.points.extend(flat.points.iter().map(|&point| face.mesh.points()[point as usize]));
@@ -96,7 +101,7 @@ fn add_roof(
     let source = |point: u32| flat.points.get(point as usize).copied();
     let mut bottom = RoofFace { part: RoofPart::Bottom, edge: None, rings: rings.clone() };
     bottom.rings.iter_mut().for_each(|ring| flip(ring));
-    for RoofFace { part, edge, rings } in faces.into_iter().chain([bottom]) {
+    for RoofFace { part, edge, rings } in faces.chain([bottom]) {
         for mut ring in rings {
             if below {
                 flip(&mut ring);
@@ -113,6 +118,16 @@ fn add_roof(
         });
     }
     Ok(is_complete)
+}
+
+/// A face of a roof as triangles, or whole if it is a triangle or has several rings.
+fn triangles(face: RoofFace, points: &[DVec3]) -> Vec<RoofFace> {
+    let [ring] = &face.rings[..] else { return vec![face] };
+    let at = |&point: &u32| points[point as usize];
+    let made = highest(&ring.iter().map(at).collect::<Vec<_>>()).filter(|_| face.part == RoofPart::Top);
+    let Some(made) = made else { return vec![face] };
+    let rings = made.into_iter().map(|numbers| vec![numbers.each(|number| ring[number]).to_vec()]);
+    rings.map(|rings| RoofFace { part: face.part, edge: face.edge, rings }).collect()
 }
 
 /// Adds a face without its texture coordinates and normals.

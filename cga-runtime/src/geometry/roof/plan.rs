@@ -41,7 +41,7 @@ pub(super) struct Plan {
     pub(super) rises: Vec<f64>,
     pub(super) faces: Vec<PlanFace>,
     /// True for points that `even` has moved.
-    moved: Vec<bool>,
+    pub(super) moved: Vec<bool>,
 }
 
 impl Plan {

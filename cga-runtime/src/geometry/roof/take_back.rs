@@ -163,6 +163,7 @@ impl Plan {
         let [p, q] = [a, b].map(|point| self.points[point as usize]);
         let [low, high] = [a, b].map(|point| self.rises[point as usize]);
         let made = self.point(p.lerp(q, share), low + (high - low) * share);
+        self.moved[made as usize] = self.moved[a as usize] || self.moved[b as usize];
         cuts.insert(([a, b], line.number), made);
         made
     }

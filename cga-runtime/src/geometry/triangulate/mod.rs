@@ -12,6 +12,7 @@
 mod cap;
 mod convex;
 mod filled;
+mod highest;
 mod sweep;
 mod unfold;
 
@@ -24,6 +25,7 @@ use crate::value::each::Each;
 use cap::Cap;
 pub(crate) use convex::apex;
 pub(crate) use filled::{doubled_area, filling, is_filled};
+pub(crate) use highest::highest;
 use sweep::MonotoneSweep;
 use unfold::Unfold;
 
@@ -107,6 +109,10 @@ impl Triangulator {
             out.push([start, start + 1, start + 2]);
             return;
         }
+        if let Some(unbent) = face.unbent() {
+            out.extend(unbent);
+            return;
+        }
         let mut flat = std::mem::take(&mut self.flat);
         let mut ends = std::mem::take(&mut self.ends);
         flat.clear();
@@ -122,12 +128,8 @@ impl Triangulator {
             out[from..].iter_mut().for_each(|t| *t = cap.triangle(*t));
             self.cap = cap;
         } else {
-            if let Some(unbent) = face.unbent() {
-                flat.extend(unbent);
-            } else {
-                let projection = PlaneProjection::along(face.normal());
-                flat.extend(range.clone().map(|c| projection.apply(face.position(c))));
-            }
+            let projection = PlaneProjection::along(face.normal());
+            flat.extend(range.clone().map(|c| projection.apply(face.position(c))));
             self.polygon(&flat, &ends, out);
             out[from..].iter_mut().flatten().for_each(|c| *c += start);
         }
