@@ -1,5 +1,7 @@
 //! `inline`: the leaves of a rule as one shape (*Rule inlining*).
 
+use glam::DVec3;
+
 use super::boolean::unify;
 use super::joined::{joined_state, part_meshes, replace_by, retain_parts};
 use super::recompose::recompose;
@@ -58,7 +60,8 @@ pub fn inline(env: &mut Env, shape: &mut Shape, [mut leaves]: [Vec<Shape>; 1], s
 }
 
 fn join_faces(env: &mut Env, shape: &mut Shape, leaves: &[Shape]) {
-    let meshes: Vec<Mesh> = part_meshes(shape, leaves).collect();
+    let mut direction = DVec3::ZERO;
+    let meshes: Vec<Mesh> = part_meshes(shape, leaves).map(|mesh| mesh.bent_along(&mut direction)).collect();
     let count: u64 = meshes.iter().map(|mesh| mesh.corners().len() as u64).sum();
     if env.count_corners(count).is_continue() {
         shape.set_mesh(join(meshes.iter()));

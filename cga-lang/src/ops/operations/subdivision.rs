@@ -47,7 +47,7 @@ static AREAS: ParamBounds = bounds(Allowed::Above(0.0), "an area is above 0");
 /// *CGA changelog 2017.0*.
 static COUNTS: ParamBounds = ParamBounds {
     result: Some("no points are made"),
-    ..bounds(Allowed::AtLeast(1.0), "the number of points is at least 1; a fraction is rounded down")
+    ..bounds(Allowed::AtLeast(0.0), "the number of points is not negative; a fraction is rounded down")
 };
 
 /// *setback operation*.

@@ -62,6 +62,12 @@ use winding::Windings;
 /// The faces of the first operand come first. A face keeps its group, its material, its tags and the values of corners; where
 /// faces coincide, the first face keeps its own, with the tags of all.
 pub(crate) fn combine(op: BooleanOp, operands: [&[Mesh]; 2], rounding: f64) -> Result<Mesh, BooleanError> {
+    if 1 < operands.into_iter().flatten().filter(|mesh| mesh.bent != DVec3::ZERO).count() {
+        let mut direction = DVec3::ZERO;
+        let mut along = |mesh: &Mesh| mesh.clone().bent_along(&mut direction);
+        let [first, second]: [Vec<Mesh>; 2] = operands.map(|meshes| meshes.iter().map(&mut along).collect());
+        return combine_within(Budget::DEFAULT, op, [&first, &second], rounding);
+    }
     combine_within(Budget::DEFAULT, op, operands, rounding)
 }
 

@@ -10,7 +10,7 @@ use std::borrow::Cow;
 use glam::{DMat3, DVec3};
 
 use super::{FaceRef, Mesh, unit};
-use crate::geometry::tol::PLANAR_EPSILON;
+use crate::geometry::tol::{PLANAR_EPSILON, UP_EPSILON};
 use crate::geometry::trace::PartPoint;
 use crate::geometry::triangulate::{Triangulator, highest};
 use crate::value::each::Each;
@@ -110,6 +110,21 @@ impl Mesh {
         }
         made.carry_tags(self, PartPoint::old);
         Cow::Owned(made)
+    }
+
+    /// The mesh beside others whose bent faces have a direction, which is zero before the first one: a mesh with another
+    /// direction has triangles.
+    pub(crate) fn bent_along(self, direction: &mut DVec3) -> Mesh {
+        if self.bent == DVec3::ZERO {
+            return self;
+        }
+        if *direction == DVec3::ZERO {
+            *direction = self.bent;
+        }
+        match unit(self.bent).distance(unit(*direction)) <= UP_EPSILON {
+            true => self,
+            false => self.without_bent_faces().into_owned(),
+        }
     }
 
     /// Adds a corner of a mesh with the same points.

@@ -4,8 +4,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::{FaceTag, Mesh, SubcomponentTagger, UvSets, unit};
-use crate::geometry::tol::UP_EPSILON;
+use super::{FaceTag, Mesh, SubcomponentTagger, UvSets};
 use crate::material::Material;
 
 /// The number of last elements of a list that are searched for an equal one.
@@ -36,20 +35,12 @@ fn renumbered(index: u32, numbers: &[u32]) -> u32 {
 }
 
 /// The faces of all meshes, in order; no points are merged. A mesh without a texture set that another one has gets
-/// coordinates 0 there, and a mesh without normals gets the normals of its faces.
+/// coordinates 0 there, and a mesh without normals gets the normals of its faces. Bent faces have one direction ([`Mesh::bent_along`]).
 pub(crate) fn join<'m>(meshes: impl Iterator<Item = &'m Mesh>) -> Mesh {
     join_all(&meshes.collect::<Vec<_>>())
 }
 
 fn join_all(meshes: &[&Mesh]) -> Mesh {
-    // A mesh has one direction along which bent faces have no folds.
-    let mut directions = meshes.iter().map(|mesh| mesh.bent).filter(|bent| *bent != DVec3::ZERO);
-    if let Some(first) = directions.next()
-        && directions.any(|other| UP_EPSILON < unit(first).distance(unit(other)))
-    {
-        let flat: Vec<_> = meshes.iter().map(|mesh| mesh.without_bent_faces()).collect();
-        return join_all(&flat.iter().map(AsRef::as_ref).collect::<Vec<_>>());
-    }
     let (mut groups, mut materials, mut tag_sets) = (Distinct(Vec::new()), Distinct(Vec::new()), Distinct(Vec::new()));
     let has_set = |set: usize| meshes.iter().any(|mesh| !mesh.uvs.get(set).is_empty());
     let has_sets: Vec<usize> = (0..UvSets::MOST).filter(|set| has_set(*set)).collect();

@@ -17,6 +17,8 @@ pub(crate) struct Weld {
     points: Vec<u32>,
     /// The tags of edges and vertices, by these numbers.
     tagger: SubcomponentTagger,
+    /// The direction of bent faces.
+    bent: DVec3,
 }
 
 /// A corner of a face: a corner of the part, or a point between it and the next one.
@@ -31,7 +33,8 @@ struct WeldCorner {
 impl Weld {
     /// Adds a part. `points` are the numbers of its points. Used points on its edges become corners. A loop that has fewer than
     /// three different neighbours is dropped.
-    pub(crate) fn add(&mut self, origins: &Origins, mut mesh: Mesh, points: &[u32]) {
+    pub(crate) fn add(&mut self, origins: &Origins, mesh: Mesh, points: &[u32]) {
+        let mut mesh = mesh.bent_along(&mut self.bent);
         mesh.trace = Trace::default();
         mesh.derived = Derived::default();
         let mut refined = mesh.alike(mesh.corners.len());
