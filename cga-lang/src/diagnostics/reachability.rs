@@ -72,15 +72,15 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
 }
 
 /// Returns true for a rule without parameters that no other rule calls and no annotation names.
-fn is_uncalled(cx: &Context, callers: &[Vec<usize>], rule: usize) -> bool {
+pub(super) fn is_uncalled(cx: &Context, callers: &[Vec<usize>], rule: usize) -> bool {
     let item = &cx.globals.rules[rule];
     let is_named = info(cx, item).is_some_and(|info| info.marked || info.hidden);
     let is_called = callers[rule].iter().any(|caller| *caller != rule);
     is_root(cx, item) && item.decl.params.is_empty() && !is_named && !is_called && !body(item).is_empty()
 }
 
-/// What the annotations of a rule say.
-fn info<'a>(cx: &'a Context, item: &Declared) -> Option<&'a RuleInfo> {
+/// The annotations of a rule.
+pub(super) fn info<'a>(cx: &'a Context, item: &Declared) -> Option<&'a RuleInfo> {
     cx.tables.rules.get(&item.key())
 }
 

@@ -3,12 +3,12 @@
 //! The first rule without parameters begins a run if no rule is marked. Where another rule leads to it and no rule calls
 //! that other rule, the first one is a helper.
 
+use super::reachability::{info, is_uncalled};
 use crate::analysis::{Calls, body, reach};
 use crate::diag::code::Code;
 use crate::diag::{Basis, Diag, Diags};
 use crate::resolve::context::Context;
-use crate::resolve::globals::Declared;
-use crate::syntax::ast::{Op, OpKind, Role};
+use crate::syntax::ast::{Op, OpKind};
 
 /// Finds a rule that no rule calls and that leads to the start rule, unless it is another name of the start rule.
 pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
@@ -17,20 +17,13 @@ pub(crate) fn check(cx: &Context, calls: &Calls) -> Vec<Diag> {
     };
     let start = start as usize;
     let rules = || cx.globals.rules.iter().enumerate().filter(|(_, item)| item.instance == root && item.home == root);
-    let info = |item: &Declared| cx.tables.rules.get(&item.key());
-    if rules().any(|(_, item)| info(item).is_some_and(|info| info.marked)) {
+    if rules().any(|(_, item)| info(cx, item).is_some_and(|info| info.marked)) {
         return Vec::new();
     }
-    let may_begin = |item: &Declared| {
-        let is_plain = item.decl.role == Role::Plain && !item.decl.name.text.contains('.');
-        is_plain && item.decl.params.is_empty() && !body(item).is_empty() && !info(item).is_some_and(|info| info.hidden)
-    };
     let callers = calls.callers();
     let leads_there = reach(&callers, vec![start]);
-    let found = rules().find(|(rule, item)| {
-        let is_called = callers[*rule].iter().any(|caller| caller != rule);
-        leads_there[*rule] && !is_called && may_begin(item) && !is_alias(cx, calls, *rule, start)
-    });
+    let found = rules()
+        .find(|(rule, _)| leads_there[*rule] && is_uncalled(cx, &callers, *rule) && !is_alias(cx, calls, *rule, start));
     let mut diags = Diags::new();
     if let Some((_, other)) = found {
         let (first, other) = (&cx.globals.rules[start].decl.name, &other.decl.name);

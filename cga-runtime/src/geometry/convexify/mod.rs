@@ -40,8 +40,8 @@ pub(crate) struct Convexified {
 }
 
 /// Cuts all concave faces and faces with holes into convex ones, with cuts shorter than `longest`. Faces that are convex stay as
-/// they are, and bent faces become triangles. Parts of a face come in its place, in the order of its corners, and begin with its edges. They keep its attributes;
-/// values at new corners are interpolated along edges.
+/// they are, and bent faces become triangles. Parts of a face come in its place, in the order of its corners, and begin with
+/// its edges. They keep its attributes; values at new corners are interpolated along edges.
 pub(crate) fn convexify(mesh: &Mesh, longest: f64) -> Convexified {
     if let Cow::Owned(flat) = mesh.without_bent_faces() {
         let cut = convexify(&flat, longest);

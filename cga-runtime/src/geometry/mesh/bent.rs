@@ -34,8 +34,8 @@ impl FaceRef<'_> {
         PLANAR_EPSILON * far < off
     }
 
-    /// The triangles of a bent face, as numbers of its corners in the mesh: the highest ones along the direction of the mesh. `None` for
-    /// a face that is not bent, has holes, or has a fold.
+    /// The triangles of a bent face, as numbers of its corners in the mesh: the highest ones along the direction of the
+    /// mesh. `None` for a face that is not bent, has holes, or has a fold.
     #[inline]
     pub(crate) fn unbent(&self) -> Option<Vec<[u32; 3]>> {
         if self.is_bent() { self.highest_triangles() } else { None }

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::{Outline, Rise, Roof, RoofFace, RoofForm, RoofPart, roof_with_or_without_overhangs};
-use crate::geometry::mesh::{FaceRef, FlatFace, Mesh, PartTags, SubcomponentTagger, flip};
+use crate::geometry::mesh::{FaceRef, FlatFace, Mesh, PartTags, SubcomponentTagger, flip, unit};
 use crate::geometry::skeleton::{Failure, any_cross};
 use crate::geometry::tol::{TOUCH_EPSILON, UP_EPSILON};
 use crate::geometry::triangulate::highest;
@@ -87,7 +87,7 @@ fn add_roof(
     }
     // A mesh has one direction along which bent faces have no folds. Other roofs have triangles.
     let is_bent = moved.contains(&true);
-    let is_flat = is_bent && UP_EPSILON < made.bent.cross(flat.normal).length();
+    let is_flat = is_bent && UP_EPSILON < unit(made.bent).cross(flat.normal).length();
     if is_bent && made.bent == DVec3::ZERO {
         made.bent = flat.normal;
     }

@@ -11,8 +11,8 @@ const MOST: usize = 128;
 /// A triangle is wide enough if its area is more than this part of the square of the loop's extent.
 const THIN: f64 = 1e-10;
 
-/// The triangles of a loop that is counter-clockwise as seen from above, along z, as numbers of its corners, counter-clockwise. `None`
-/// if the loop crosses itself as seen from above, or has more than 128 corners.
+/// The triangles of a loop that is counter-clockwise as seen from above, along z, as numbers of its corners,
+/// counter-clockwise. `None` if the loop crosses itself as seen from above, or has more than 128 corners.
 pub(crate) fn highest(points: &[DVec3]) -> Option<Vec<[usize; 3]>> {
     let count = points.len();
     if !(3..=MOST).contains(&count) {

@@ -14,7 +14,8 @@
 //! Faces with texture coordinates show the colour map of their material. Their opacity map makes them transparent: by
 //! degrees, or fully or not at all if the mode is `mask`. Files are found in the assets of the model
 //! ([`Model::with_assets`]). Without an asset folder they are a checker pattern. If several transparent
-//! surfaces overlap, the nearest is drawn. The picture leaves other maps out. A translucent box stands for a missing asset.
+//! surfaces overlap, the nearest is drawn. Of all maps, pictures show these two. A translucent box stands for a missing
+//! asset.
 
 pub(crate) mod camera;
 mod footprint;
