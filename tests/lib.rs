@@ -5,6 +5,7 @@
 
 pub mod gallery;
 pub mod pages;
+pub mod stopped;
 pub mod tree;
 
 #[path = "../examples/scenes/mod.rs"]

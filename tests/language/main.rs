@@ -35,6 +35,7 @@ mod reconnected;
 mod run;
 mod shared;
 mod sources;
+mod stopping;
 mod styles;
 mod text;
 mod values;

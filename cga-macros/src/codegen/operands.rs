@@ -77,6 +77,7 @@ impl Generator<'_> {
             let changed = {
                 #lets
                 let operands = #operands;
+                cx.env.ask()?;
                 let mut whole = cx.env.whole(shape);
                 cga_rt::op::#name(cx.env, &mut whole, operands, #(#names),*);
                 cx.env.base(whole)

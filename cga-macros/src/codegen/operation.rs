@@ -1,7 +1,7 @@
 //! Calls of operations that change the current shape.
 
 use cga_lang::ir::{Arg, Prefix};
-use cga_lang::ops::{Operation, ParamKind};
+use cga_lang::ops::{Changes, Operation, ParamKind};
 use proc_macro2::{Ident, TokenStream};
 
 use super::access::Access;
@@ -10,11 +10,12 @@ use super::split::prefixed;
 use super::{Generator, function_of, local};
 
 impl Generator<'_> {
-    /// An operation on the whole shape.
+    /// An operation on the whole shape. The watch is asked before those that have no slim form.
     pub(super) fn operation(&self, operation: &Operation, args: &[Arg]) -> TokenStream {
         let (lets, call) = self.operation_on(operation, args, &Access::whole(), &TokenStream::new());
+        let ask = (operation.changes == Changes::Whole).then(|| code!(cx.env.ask()?;));
         let bake = operation.reshapes().then(|| code!(cga_rt::bake(shape);));
-        code!({ #lets #bake cga_rt::op::#call; })
+        code!({ #lets #ask #bake cga_rt::op::#call; })
     }
 
     /// The arguments of an operation, and its call without the module. `further` comes after the shape.

@@ -95,6 +95,7 @@ pub fn divide<C>(
     make: impl FnOnce(&mut Env, &mut Arms<'_>) -> ControlFlow<(), Faces>,
     visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
 ) -> Flow {
+    cx.env.ask()?;
     let mut whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
     whole.bake();
     cx.env.divide_trace(&mut whole);

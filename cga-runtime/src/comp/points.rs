@@ -51,6 +51,7 @@ pub fn each<C>(
     make: impl FnOnce(&mut Env, &Shape) -> ControlFlow<(), Points>,
     visit: &mut dyn FnMut(&mut Cx<'_, C>, &ShapeRef<'_>) -> Flow,
 ) -> Flow {
+    cx.env.ask()?;
     let whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
     let points = make(cx.env, &whole)?;
     let (wanted, mut made) = (points.wanted, 0);

@@ -103,6 +103,7 @@ pub fn sections<C>(
     make: impl FnOnce(&mut Env, &mut Sections<'_>) -> ControlFlow<(), Faces>,
     visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
 ) -> Flow {
+    cx.env.ask()?;
     let mut whole = cx.env.whole(&shape.child(seed::key(Tag::Split, number)));
     whole.bake();
     let written = pattern.1.len() as u32;

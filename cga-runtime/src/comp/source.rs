@@ -41,6 +41,7 @@ impl ComponentSource {
         {
             return ControlFlow::Continue(ComponentSource::Quads(quads));
         }
+        env.ask()?;
         if let Some(wire) = shape.to_wire() {
             return ControlFlow::Continue(ComponentSource::Wire(Box::new(WireParts::new(wire, components))));
         }

@@ -21,6 +21,7 @@ impl Env {
     }
 
     fn within(&mut self, what: LimitKind, count: usize, limit: u64) -> bool {
+        let _: Flow = self.spend(count);
         let fits = count as u64 <= limit;
         if !fits {
             let _: Flow = self.limit(what, limit);
@@ -32,7 +33,10 @@ impl Env {
     pub(super) fn write(&mut self, text: impl fmt::Display) -> Text {
         let mut out = Bounded { text: String::new(), longest: self.settings.limits.text };
         match write!(out, "{text}") {
-            Ok(()) => Text::from(out.text),
+            Ok(()) => {
+                let _: Flow = self.spend(out.text.len());
+                Text::from(out.text)
+            }
             Err(_) => {
                 let _: Flow = self.limit(LimitKind::Text, out.longest);
                 Text::default()

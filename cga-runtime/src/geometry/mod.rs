@@ -34,5 +34,6 @@ pub(crate) mod trace;
 pub mod triangulate;
 pub mod uv_map;
 pub(crate) mod wire;
+pub(crate) mod work;
 
 pub use frame::{Axis, Frame};

@@ -172,6 +172,7 @@ pub(crate) fn filled(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, r
 #[cold]
 #[inline(never)]
 fn other_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+    env.ask()?;
     env.shapes += 1;
     let mut shape = env.whole(shape);
     if let Some(flow) = sink.keep(&shape) {

@@ -93,6 +93,8 @@ pub(crate) fn run<R: Rules>(
 
 /// The result of a run that has ended: `Break` if the sink, the watch or an error ended it.
 fn outcome(env: &mut Env, flow: Flow) -> RunOutcome {
+    // An operation that the watch has ended may be the last step.
+    let flow = if flow.is_continue() { env.spend(0) } else { flow };
     env.tell_watch(flow.is_continue());
     let (faults, faults_left_out) = env.take_faults();
     let prints = std::mem::take(&mut env.prints);

@@ -1,12 +1,13 @@
 //! Progress and cancellation of runs.
 //!
-//! A [`Watch`] is shared by a program and its runs, on any number of threads. A run checks it every [`STRIDE`]
-//! derived shapes or function calls, and when it begins and ends. The check costs the hot path nothing: it happens
-//! where the counter of shapes passes a checkpoint, and without a watch the checkpoint is the limit itself.
+//! A [`Watch`] is shared by a program and its runs, on any number of threads. A run asks it every [`STRIDE`] derived shapes
+//! or function calls, before every operation on geometry, inside the long ones, and when it begins and ends. Shapes that
+//! only split pay nothing for it: their counter passes a checkpoint, and without a watch the checkpoint is the limit itself.
 
 use std::fmt;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, TryLockError};
+use std::time::Duration;
 
 use crate::run::sink::Flow;
 
@@ -23,6 +24,8 @@ pub struct Progress {
     pub shapes: u64,
     /// Leaves passed to sinks.
     pub leaves: u64,
+    /// The work of operations on geometry, in units of some nanoseconds each.
+    pub work: u64,
 }
 
 /// Follows the progress of runs and ends them early. Copies are the same watch.
@@ -53,7 +56,15 @@ struct WatchState {
     initial_shapes: AtomicU64,
     shapes: AtomicU64,
     leaves: AtomicU64,
+    work: AtomicU64,
     callback: Option<(u64, Mutex<Callback>)>,
+    deadline: Option<Deadline>,
+}
+
+/// A time at which runs end, on a clock.
+struct Deadline {
+    at: Duration,
+    clock: Box<dyn Fn() -> Duration + Send + Sync>,
 }
 
 impl fmt::Debug for Watch {
@@ -94,15 +105,67 @@ impl Watch {
         }
     }
 
+    /// A watch that ends all runs when `limit` has passed since this call. A run returns within some milliseconds
+    /// after that time, with `stopped` set in its report. What it has made by then depends on the speed of the machine.
+    ///
+    /// ```
+    /// use std::time::Duration;
+    ///
+    /// use cga_runtime::run::watch::Watch;
+    ///
+    /// let watch = Watch::deadline(Duration::from_secs(5));
+    /// assert!(!watch.is_stopped());
+    /// ```
+    #[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
+    pub fn deadline(limit: Duration) -> Self {
+        let start = std::time::Instant::now();
+        Watch::deadline_by(limit, move || start.elapsed())
+    }
+
+    /// As [`deadline`](fn@Watch::deadline), with a clock of the caller: in a browser, where the standard library has none,
+    /// or in a game, whose time can stand still. The clock returns the time since any start. Runs call it often, on their
+    /// threads.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use std::sync::atomic::{AtomicU64, Ordering};
+    /// use std::time::Duration;
+    ///
+    /// use cga_runtime::run::watch::Watch;
+    ///
+    /// let frame = Arc::new(AtomicU64::new(0));
+    /// let clock = frame.clone();
+    /// let watch = Watch::deadline_by(Duration::from_millis(30), move || {
+    ///     Duration::from_millis(16 * clock.load(Ordering::Relaxed))
+    /// });
+    /// frame.store(1, Ordering::Relaxed);
+    /// assert!(!watch.is_stopped());
+    /// frame.store(2, Ordering::Relaxed);
+    /// assert!(watch.is_stopped());
+    /// ```
+    pub fn deadline_by(limit: Duration, clock: impl Fn() -> Duration + Send + Sync + 'static) -> Self {
+        let at = clock().saturating_add(limit);
+        let deadline = Some(Deadline { at, clock: Box::new(clock) });
+        Watch { shared: Arc::new(WatchState { deadline, ..WatchState::default() }) }
+    }
+
     /// Ends all runs with this watch soon. Each returns a report with `stopped` set. Later runs end before they
     /// begin.
     pub fn stop(&self) {
         self.shared.stopped.store(true, Ordering::Relaxed);
     }
 
-    /// Returns true if [`stop`](Watch::stop) was called or the callback returned `Break`.
+    /// Returns true if [`stop`](Watch::stop) was called, the callback returned `Break`, or the deadline has passed. It then
+    /// stays true.
     pub fn is_stopped(&self) -> bool {
-        self.shared.stopped.load(Ordering::Relaxed)
+        if self.shared.stopped.load(Ordering::Relaxed) {
+            return true;
+        }
+        let has_passed = self.shared.deadline.as_ref().is_some_and(|deadline| deadline.at <= (deadline.clock)());
+        if has_passed {
+            self.stop();
+        }
+        has_passed
     }
 
     /// The progress of the runs, as of their last checks.
@@ -112,7 +175,14 @@ impl Watch {
             initial_shapes: read(&self.shared.initial_shapes),
             shapes: read(&self.shared.shapes),
             leaves: read(&self.shared.leaves),
+            work: read(&self.shared.work),
         }
+    }
+
+    /// Adds units of work. Returns true if it goes on.
+    pub(crate) fn allows(&self, units: u64) -> bool {
+        self.shared.work.fetch_add(units, Ordering::Relaxed);
+        !self.is_stopped()
     }
 
     /// Adds the progress of a run since its last report.

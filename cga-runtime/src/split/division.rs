@@ -18,6 +18,9 @@ use crate::shape::seed::{self, Seed, Tag};
 use crate::shape::unit::{Band, UnitMesh};
 use crate::shape::{Counter, ShapeRef};
 
+/// The work of a piece, besides its cut, in the units of [`work`](crate::geometry::work).
+const PIECE: usize = 64;
+
 /// A shape that is divided along an axis. Generated code takes the shape of each piece, or passes a leaf on.
 ///
 /// The functions are inlined: into the rule, for splits of few slots and constant sizes in rules that reach themselves,
@@ -94,15 +97,16 @@ impl Made {
     #[cold]
     #[inline(never)]
     fn cut(env: &mut Env, whole: &ShapeRef<'_>, axis: Axis, adjust: Adjust, row: impl Row) -> ControlFlow<(), Self> {
+        env.ask()?;
         let mut whole = env.whole(whole);
         env.divide_trace(&mut whole);
         let mut parts = SplitParts::new(env, &whole, axis, adjust, row)?;
         let mut pieces = Vec::with_capacity(parts.total());
-        let _ = row.each(|piece| {
+        row.each(|piece| {
             let part = parts.next(env, piece);
             pieces.push(env.base(part));
-            Flow::Continue(())
-        });
+            env.spend(PIECE)
+        })?;
         ControlFlow::Continue(Made(Some(pieces)))
     }
 }

@@ -3,6 +3,10 @@
 use super::edge_table::EdgeTable;
 use super::operation::BooleanError;
 use super::point_set::PointSet;
+use crate::geometry::work;
+
+/// The units of work of a step that is no comparison: an edge is divided, a corner is read.
+const STEP: usize = 8;
 
 /// The work that an operation may still do, with all attempts together, and the size of its arrangements.
 #[derive(Clone, Copy, Debug)]
@@ -25,9 +29,10 @@ impl Budget {
     pub(super) const DEFAULT: Budget =
         Budget { comparisons: 200_000_000, edges: 700_000, owners: 2_500_000, points: 700_000, windings: 6_000_000 };
 
-    /// Takes some comparisons; an error if none are left.
+    /// Takes some comparisons; an error if none are left, or if the work is to end.
     pub(super) fn spend(&mut self, count: usize) -> Result<(), BooleanError> {
-        self.comparisons = self.comparisons.checked_sub(count).ok_or(BooleanError::TooMany)?;
+        let left = self.comparisons.checked_sub(count).filter(|_| work::spend(count));
+        self.comparisons = left.ok_or(BooleanError::TooMany)?;
         Ok(())
     }
 
@@ -43,4 +48,9 @@ impl Budget {
         self.edges = self.edges.saturating_sub(edges.list.len());
         self.owners = self.owners.saturating_sub(edges.owner_count);
     }
+}
+
+/// Counts steps that are no comparisons. An error if the work is to end.
+pub(super) fn goes_on(steps: usize) -> Result<(), BooleanError> {
+    if work::spend(STEP * steps) { Ok(()) } else { Err(BooleanError::TooMany) }
 }

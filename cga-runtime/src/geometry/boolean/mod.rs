@@ -197,7 +197,7 @@ impl Input<'_> {
         };
         let tags = EdgeTags::new(op, self.mesh, &edges, &facets, &sheets, &operands);
         let maker = PolygonMaker { points: &points, edges: &edges, facets: &facets, sheets: &sheets, tags: &tags };
-        let mut polygons = maker.polygons(&chosen, budget);
+        let mut polygons = maker.polygons(&chosen, budget)?;
         straight::drop_straight(&points, &mut polygons);
         // Points of the mesh keep their coordinates to the bit.
         let mut places: Vec<DVec3> = points.at.iter().map(|place| middle + *place / self.scale).collect();

@@ -4,7 +4,7 @@
 //! moves by up to epsilon, and may then pass other points: the facets of divided edges are compared again.
 
 use super::bounds_tree::{BoundsTree, overlap};
-use super::budget::Budget;
+use super::budget::{Budget, goes_on};
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
 use super::operation::BooleanError;
@@ -59,6 +59,7 @@ pub(super) fn divide_edges(
             here.extend(group.iter().map(|[_, point]| *point));
             edges.divide(facets, points, group[0][0], &mut here, &mut open);
             budget.check(edges, points)?;
+            goes_on(here.len())?;
         }
         open.small_sort();
         open.dedup();

@@ -2,11 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use super::budget::Budget;
+use super::budget::{Budget, goes_on};
 use super::cell::{self, GraphLine};
 use super::component_tags::EdgeTags;
 use super::edge_table::{EdgeTable, NO_CORNER};
 use super::facet::Facet;
+use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::selection::ChosenSheet;
 use super::sheet::Sheets;
@@ -45,12 +46,17 @@ pub(super) struct PolygonMaker<'a> {
 
 impl PolygonMaker<'_> {
     /// The polygons, in the order of their faces.
-    pub(super) fn polygons(&self, chosen: &[ChosenSheet], budget: &mut Budget) -> Vec<ResultPolygon> {
+    pub(super) fn polygons(
+        &self,
+        chosen: &[ChosenSheet],
+        budget: &mut Budget,
+    ) -> Result<Vec<ResultPolygon>, BooleanError> {
         let mut sets = self.connected(chosen, |a, b| a.sources == b.sources).sets();
         self.unite_bent_faces(chosen, &mut sets);
         let mut made: Vec<(u32, ResultPolygon)> = Vec::new();
         for set in sets {
             let all: Vec<&ChosenSheet> = set.iter().map(|number| &chosen[*number as usize]).collect();
+            goes_on(all.iter().map(|one| self.sheets.list[one.sheet as usize].rim().count()).sum())?;
             match self.rings(&all, budget) {
                 Some(rings) => made.push(self.polygon(all[0], rings)),
                 None => {
@@ -60,7 +66,7 @@ impl PolygonMaker<'_> {
             }
         }
         made.sort_by_key(|(rank, polygon)| (self.facets[polygon.sources[0] as usize].face, *rank));
-        made.into_iter().map(|(_, polygon)| polygon).collect()
+        Ok(made.into_iter().map(|(_, polygon)| polygon).collect())
     }
 
     /// True if the front of a chosen sheet is the front of its first source.

@@ -9,6 +9,7 @@ use std::collections::HashMap;
 
 use glam::DVec2;
 
+use super::budget::goes_on;
 use super::cell::{Cell, Winding};
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
@@ -133,6 +134,7 @@ impl Sheets {
         let mut known: HashMap<Vec<[u32; 2]>, u32> = HashMap::new();
         for Cell { winding, rings, inner } in cells {
             let new = Sheet { sources: winding, rings, inner };
+            goes_on(new.rim().count())?;
             let mut outline: Vec<[u32; 2]> = new.rim().map(|[a, b]| [a.min(b), a.max(b)]).collect();
             outline.small_sort();
             let number = *known.entry(outline).or_insert(list.len() as u32);
@@ -150,6 +152,7 @@ impl Sheets {
         }
         let mut all: Vec<(u32, EdgeUse)> = Vec::new();
         for (number, sheet) in (0..).zip(&list) {
+            goes_on(sheet.rim().count())?;
             for ends in sheet.rim() {
                 let edge = edges.find(ends).ok_or(BooleanError::Tangled)?;
                 all.push((edge, EdgeUse { sheet: number, is_left: ends[0] < ends[1] }));
@@ -163,6 +166,7 @@ impl Sheets {
         all.sort_by_key(|(edge, _)| *edge);
         let mut sheets = Sheets { list, fans: Vec::new(), uses: Vec::with_capacity(all.len()) };
         for group in all.chunk_by(|a, b| a.0 == b.0) {
+            goes_on(group.len())?;
             sheets.add_fan(edges, facets, group)?;
         }
         Ok(sheets)

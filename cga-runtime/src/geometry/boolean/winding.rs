@@ -4,7 +4,7 @@
 //! numbers change by the windings of its facets. So one ray decides for all sheets that are connected, and the numbers of
 //! all wedges must agree.
 
-use super::budget::Budget;
+use super::budget::{Budget, goes_on};
 use super::operation::BooleanError;
 use super::ray::{Around, RayCaster};
 use super::sheet::{SheetSide, Sheets};
@@ -41,12 +41,10 @@ impl Windings {
                 continue;
             }
             let connected = connected_sheets(first, &at_space, &space);
-            let extent = |sheet: u32| extent(sheets, rays, sheet);
-            let Some(widest) =
-                connected.iter().copied().max_by(|&a, &b| extent(a).total_cmp(&extent(b)).then(b.cmp(&a)))
-            else {
-                continue;
-            };
+            goes_on(connected.iter().map(|&sheet| sheets.list[sheet as usize].rings[0].len()).sum())?;
+            let extents = connected.iter().map(|&sheet| (extent(sheets, rays, sheet), sheet));
+            let widest = extents.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
+            let Some((_, widest)) = widest else { continue };
             let around = rays.around_front(&sheets.list[widest as usize], |_| true, budget)?;
             let start = space(widest, SheetSide::Front);
             known[start as usize] = Some(around);

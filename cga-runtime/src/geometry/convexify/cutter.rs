@@ -17,6 +17,7 @@ use super::turn::is_reflex;
 use crate::geometry::exact::orient;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::{ROUNDING_EPSILON, TIE_EPSILON};
+use crate::geometry::work;
 use crate::value::each::Each;
 
 /// The number of reflex corners near a corner that are tried as the other end of a cut, and the number of nodes of the tree
@@ -274,7 +275,7 @@ impl<'n> Cutter<'n> {
                 }
             }
         });
-        self.tests_left.set(self.tests_left.get().saturating_sub(tested));
+        self.tests_left.set(if work::spend(tested) { self.tests_left.get().saturating_sub(tested) } else { 0 });
         match found? {
             (half, Some(share)) => Some(Target::Edge(half, share)),
             (other, None) => self.corner_towards(other, corner).map(Target::Corner),

@@ -2,11 +2,13 @@
 
 use std::ops::Range;
 
+use super::CROSSING;
 use super::class::ClassRange;
 use super::points::{CutPoints, Location, PieceCorner};
 use super::segment::{Segment, comes_first};
 use super::slab::Slab;
 use crate::geometry::mesh::Mesh;
+use crate::geometry::work;
 use crate::value::each::Each;
 
 impl CutPoints {
@@ -33,6 +35,10 @@ impl CutPoints {
             let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
             let [from, to] = [corner, next].each(|c| PieceCorner::corner(c, self.places[mesh.corners[c] as usize]));
             nodes.push(from);
+            let planes = ClassRange::between(from.class(), to.class()).planes().len();
+            if !work::spend(CROSSING * planes) {
+                return;
+            }
             self.cross(parts, mesh, from, to, nodes);
         }
     }

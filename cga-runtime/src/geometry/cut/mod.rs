@@ -32,6 +32,7 @@ use glam::DVec3;
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::trace::PartPoint;
+use crate::geometry::work;
 
 pub use iso::iso_bands;
 pub(crate) use iso::traced_iso_bands;
@@ -107,6 +108,9 @@ pub(crate) struct Cutter {
     /// The places of a block of corners.
     block: Vec<Location>,
 }
+
+/// The units of work of a corner, or of the crossing of an edge with a plane.
+const CROSSING: usize = 4;
 
 /// The number of corners whose places are read at once. The memory accesses of a block overlap.
 const BLOCK: usize = 512;
@@ -218,6 +222,9 @@ impl Cutter {
             }
             let span = ClassRange::of(places.iter().map(|place| place.class));
             let (bottom, top) = (span.bottom(), span.top());
+            if !work::spend(CROSSING * (places.len() + top.saturating_sub(bottom) as usize)) {
+                return;
+            }
             if let [p, q, r] = *places
                 && !(p.class.is_on_plane() | q.class.is_on_plane() | r.class.is_on_plane())
                 && top == bottom + 1

@@ -15,6 +15,7 @@ use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::Contour;
 use crate::geometry::skeleton::{self, Failure, Speeds, Strip};
 use crate::geometry::tol::PLANAR_EPSILON;
+use crate::geometry::work;
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
 
@@ -68,6 +69,9 @@ pub(super) fn stack(ground: &Ground<'_>) -> Result<Mesh, EnvelopeRefusal> {
     let plain: Vec<DVec2> = stack.points.iter().map(|point| point.0).collect();
     add_faces(&mut mesh, &tops, &plain, EnvelopePart::Top)?;
     for (&part, sides) in &stack.sides {
+        if !work::spend(stack.points.len()) {
+            return Err(EnvelopeRefusal::Tangled);
+        }
         match part {
             EnvelopePart::Slope(_) => add_faces(&mut mesh, sides, &plain, part)?,
             EnvelopePart::Base(corner) => {

@@ -82,7 +82,7 @@ pub(crate) fn largest(points: &[DVec2], rings: &[Vec<u32>], sides: RectangleSide
         let back = turn.transpose();
         let turned: Vec<DVec2> = flat.iter().map(|p| back * *p).collect();
         let slabs = PolygonSlabs::of(&turned, rings);
-        budget = budget.saturating_sub(SETUP * slabs.edge_count());
+        search::spend(&mut budget, SETUP * slabs.edge_count());
         if budget == 0 && best.is_some() {
             break;
         }

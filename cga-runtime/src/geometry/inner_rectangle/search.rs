@@ -9,6 +9,7 @@ use super::Found;
 use super::corner::{CornerLimits, Limit};
 use super::slabs::{PolygonSlabs, SlabEdge};
 use crate::geometry::tol::TIE_EPSILON;
+use crate::geometry::work;
 use crate::value::each::Each;
 
 /// Pairs of slabs: all left ones with all right ones. No rectangle with sides in them is larger than `most`.
@@ -47,7 +48,7 @@ pub(super) fn search(slabs: &PolygonSlabs, centre: DVec2, least: f64, budget: &m
         }
         let SlabPairs { left, right, .. } = pairs;
         if left[0] == left[1] && right[0] == right[1] {
-            *budget = budget.saturating_sub(8 * slabs.edge_count());
+            spend(budget, 8 * slabs.edge_count());
             for found in within(slabs, left[0], right[0], least, centre) {
                 let off = |found: &Found| found.middle().distance(centre);
                 let is_better = best.is_none_or(|best| {
@@ -73,6 +74,11 @@ pub(super) fn search(slabs: &PolygonSlabs, centre: DVec2, least: f64, budget: &m
     }
     // The sets of a large polygon can spend the budget before a single pair is reached.
     if best.is_none() && least == 0.0 { descend(slabs, centre) } else { best }
+}
+
+/// Takes visits of edges from the budget: all of it if the work is to end.
+pub(super) fn spend(budget: &mut usize, visits: usize) {
+    *budget = if work::spend(visits) { budget.saturating_sub(visits) } else { 0 };
 }
 
 /// A large rectangle, which need not be the largest one: the half with the larger bound is taken each time.
@@ -107,7 +113,7 @@ fn bound(slabs: &PolygonSlabs, left: [usize; 2], right: [usize; 2], least: f64, 
     let width = slabs.lines[right[1] + 1] - slabs.lines[left[0]];
     let mut height = slabs.highest(left[0], left[1]).min(slabs.highest(right[0], right[1]));
     if left[1] + 1 < right[0] && least <= width * height {
-        *budget = budget.saturating_sub(slabs.edge_count());
+        spend(budget, slabs.edge_count());
         let gaps = slabs.gaps(slabs.lines[left[1] + 1], slabs.lines[right[0]]);
         height = height.min(gaps.iter().map(|gap| gap[1] - gap[0]).fold(0.0, f64::max));
     }
@@ -134,6 +140,9 @@ fn within(slabs: &PolygonSlabs, left: usize, right: usize, least: f64, centre: D
     let ends = slabs.trapezoids(right);
     let mut all = Vec::new();
     for [low, high] in gaps {
+        if !work::spend(starts.len() * ends.len()) {
+            break;
+        }
         for [start_bottom, start_top] in &starts {
             for [end_bottom, end_top] in &ends {
                 let top = high.min(start_top.at(from[1])).min(end_top.at(to[0]));

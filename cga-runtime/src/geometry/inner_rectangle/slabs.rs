@@ -1,5 +1,6 @@
 //! A polygon between lines through its corners.
 
+use crate::geometry::work;
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
 use glam::DVec2;
@@ -57,6 +58,10 @@ impl PolygonSlabs {
         let mut slabs = PolygonSlabs { edges, lines, highest: Vec::new() };
         let (mut active, mut next): (Vec<SlabEdge>, usize) = (Vec::new(), 0);
         for slab in 0..slabs.count() {
+            if !work::spend(8 * active.len()) {
+                slabs.highest.resize(slabs.count(), 0.0);
+                break;
+            }
             let [low, high] = slabs.span(slab);
             active.retain(|edge| low < edge.to.x);
             while let Some(edge) = slabs.edges.get(next).filter(|edge| edge.from.x <= low) {

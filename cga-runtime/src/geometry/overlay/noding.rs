@@ -3,6 +3,7 @@
 //! A crossing is rounded to a place of the grid, and both edges lead through it. So an edge moves by less than a step, and
 //! may then cross or pass others: the new edges are compared again.
 
+use crate::geometry::work;
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
 use std::collections::HashMap;
@@ -28,6 +29,9 @@ const NEAR_AT_FIRST: f64 = 2.0;
 /// The limit on comparisons of edges, about two seconds.
 const MOST_PAIRS: usize = 400_000_000;
 
+/// The units of work of a division: it is sorted, and its edge is compared again.
+const CUT: usize = 64;
+
 /// The limit on rounds. One or two suffice for most polygons.
 const MOST_ROUNDS: usize = 24;
 
@@ -42,6 +46,9 @@ pub(super) fn divide(
     let mut is_new = vec![true; all.len()];
     let mut pairs = MOST_PAIRS;
     for round in 0..MOST_ROUNDS {
+        if !work::spend(CUT * all.len()) {
+            return Err(OverlayError::TooMany);
+        }
         let near = if round == 0 { NEAR_AT_FIRST } else { NEAR };
         let mut cuts = vec![Vec::new(); all.len()];
         compare(places, at, &all, &is_new, near, &mut cuts, &mut pairs)?;
@@ -51,6 +58,9 @@ pub(super) fn divide(
         let mut made = Vec::with_capacity(all.len());
         let old: Vec<NodedEdge> = all.iter().zip(&cuts).filter(|(_, cuts)| cuts.is_empty()).map(|(e, _)| *e).collect();
         for (edge, mut cuts) in all.into_iter().zip(cuts).filter(|(_, cuts)| !cuts.is_empty()) {
+            if !work::spend(CUT * cuts.len()) {
+                return Err(OverlayError::TooMany);
+            }
             let [a, b] = edge.ends.each(|end| places[end as usize]);
             let along = |point: u32| {
                 let p = places[point as usize];
@@ -117,7 +127,7 @@ fn compare(
     let mut active: Vec<u32> = Vec::new();
     for &edge in &order {
         let own = boxes[edge as usize];
-        *pairs = pairs.checked_sub(active.len()).ok_or(OverlayError::TooMany)?;
+        *pairs = pairs.checked_sub(active.len()).filter(|_| work::spend(active.len())).ok_or(OverlayError::TooMany)?;
         let mut kept = 0;
         for i in 0..active.len() {
             let other = active[i];

@@ -5,8 +5,12 @@ use std::cmp::Ordering;
 use super::grid::{GridPoint, side};
 use super::noding::NodedEdge;
 use crate::geometry::buckets::Buckets;
+use crate::geometry::work;
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
+
+/// The units of work of a point, besides the moves of edges in the list.
+const POINT: usize = 32;
 
 /// The edges with a positive winding number on one side only, with that side on their left.
 pub(super) fn outline(places: &[GridPoint], edges: &[NodedEdge]) -> Vec<[u32; 2]> {
@@ -21,6 +25,10 @@ pub(super) fn outline(places: &[GridPoint], edges: &[NodedEdge]) -> Vec<[u32; 2]
     let mut active: Vec<(u32, i32)> = Vec::new();
     let mut leaving: Vec<u32> = Vec::new();
     for point in order {
+        // Edges enter and leave in the middle of the list.
+        if !work::spend(POINT + active.len() / 8) {
+            break;
+        }
         let p = places[point as usize];
         let above = |edge: u32| {
             let [a, b] = edges[edge as usize].ends;

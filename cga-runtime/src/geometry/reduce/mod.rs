@@ -14,7 +14,11 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use crate::geometry::mesh::{FaceTag, Mesh, SubcomponentTags};
+use crate::geometry::work;
 use surface::Surface;
+
+/// The units of work of a search for the best neighbour.
+const SEARCH: usize = 256;
 
 /// A vertex that can become one of its neighbours.
 #[derive(Clone, Copy, Debug)]
@@ -68,10 +72,16 @@ pub(crate) fn reduce(mesh: &Mesh, share: f64) -> Option<Mesh> {
         }
     };
     for vertex in 0..count as u32 {
+        if !work::spend(SEARCH) {
+            return None;
+        }
         push(&mut heap, &mut newest, vertex, surface.best_target(vertex));
     }
     let mut is_changed = false;
     while let Some(Candidate { cost, vertex, search }) = heap.pop() {
+        if !work::spend(SEARCH) {
+            break;
+        }
         if search != newest[vertex as usize] {
             continue;
         }

@@ -18,6 +18,7 @@ use solid::Solid;
 
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::triangulate::Triangulator;
+use crate::geometry::work;
 use crate::value::each::Each;
 
 /// The most cells that halving makes for each point that is asked for. Few points are not worth many cells.
@@ -34,6 +35,10 @@ const MATTERS: f64 = 12.0;
 
 /// The most points that are drawn and not kept, for each point that is asked for, and in addition.
 const MOST_MISSES: [u64; 2] = [200, 100_000];
+
+/// The units of work that halving a cell and drawing a point take, besides triangles.
+const HALVING: usize = 64;
+const DRAWING: usize = 32;
 
 /// A part of the domain.
 #[derive(Debug)]
@@ -129,6 +134,10 @@ impl Domain {
         let mut heaviest = f64::NEG_INFINITY;
         while let Some(cell) = heap.pop() {
             let matters = heaviest - MATTERS < cell.log_weight;
+            let crossing = if let CellForm::Box { crossing, .. } = &cell.form { crossing.len() } else { 0 };
+            if !work::spend(HALVING + 2 * crossing) {
+                break;
+            }
             if cell.is_uneven && matters && heap.len() + cells.len() + 2 <= most {
                 heap.extend(halves(&cell.form, &bell, solid.as_ref()).into_iter().flatten());
             } else {
@@ -154,6 +163,9 @@ impl Domain {
         let count = if self.cells.is_empty() { 0 } else { self.count };
         (0..count).map_while(move |_| {
             loop {
+                if !work::spend(DRAWING) {
+                    return None;
+                }
                 if let Some(point) = self.try_draw(&mut random) {
                     return Some(point);
                 }

@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::geometry::exact::{orient, orient_in_space};
 use crate::geometry::mesh::Bounds;
+use crate::geometry::work;
 use crate::value::each::Each;
 
 /// The most columns along an axis.
@@ -65,7 +66,11 @@ impl Solid {
     pub(super) fn contains(&self, point: DVec3) -> bool {
         let ([column, row], at) = (self.column(flat(point)), flat(point));
         let mut winding = 0;
-        for &number in &self.lists[row * self.columns + column] {
+        let list = &self.lists[row * self.columns + column];
+        if !work::spend(4 * list.len()) {
+            return false;
+        }
+        for &number in list {
             let triangle = self.triangles[number as usize];
             let [a, b, c] = triangle.each(flat);
             let sides = [side(a, b, at), side(b, c, at), side(c, a, at)];

@@ -13,10 +13,12 @@ use std::collections::BTreeSet;
 
 use glam::DVec2;
 
+use super::Failure;
 use super::wavefront::Wavefront;
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::segment::nearest_share;
+use crate::geometry::work;
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
 
@@ -111,8 +113,8 @@ impl Contacts {
 }
 
 impl Wavefront {
-    /// Finds the contacts of the reached vertices.
-    pub(super) fn compare(&self, contacts: &mut Contacts) {
+    /// Finds the contacts of the reached vertices. An error if the work is to end.
+    pub(super) fn compare(&self, contacts: &mut Contacts) -> Result<(), Failure> {
         let squared = self.epsilon * self.epsilon;
         let (mut near, mut candidates) = (std::mem::take(&mut contacts.near), std::mem::take(&mut contacts.candidates));
         let mut around = Extent::EMPTY;
@@ -123,6 +125,9 @@ impl Wavefront {
             if !around.holds(here) {
                 around = Extent::of(contacts.reached.iter().map(|&vertex| self.positions[vertex as usize]));
                 self.put_edges_near(&around, &mut near);
+            }
+            if !work::spend(near.len()) {
+                return Err(Failure::Tangled);
             }
             for &(edge, _) in near.iter().filter(|(_, around)| around.holds(here)) {
                 let next = self.vertices[edge as usize].next;
@@ -147,6 +152,7 @@ impl Wavefront {
             }
         }
         (contacts.near, contacts.candidates) = (near, candidates);
+        Ok(())
     }
 
     /// Lists the edges near a box.
@@ -184,7 +190,7 @@ mod tests {
         let mut contacts = Contacts::default();
         contacts.clear(count as usize);
         (0..count).for_each(|vertex| contacts.reach(vertex));
-        front.compare(&mut contacts);
+        front.compare(&mut contacts).expect("nobody ends it");
         assert!((0..count).all(|vertex| contacts.cluster(vertex) == 0));
         assert!(contacts.candidates.is_empty() && contacts.touched() == 0);
     }

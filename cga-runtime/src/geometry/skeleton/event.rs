@@ -2,6 +2,7 @@
 
 use super::wavefront::{CollapseEvent, MovingLine, NextEvent, SplitEvent, Wavefront, WavefrontVertex};
 use super::{Failure, NONE};
+use crate::geometry::work;
 use crate::value::small_sort::SmallSort;
 
 /// An event at the current time, up to rounding.
@@ -76,6 +77,10 @@ impl Wavefront {
         for index in 0..self.reflex.len() {
             let number = self.reflex[index];
             let WavefrontVertex { born, mut split, .. } = self.vertices[number as usize];
+            let compared = if born == self.now { self.alive.len() } else { changed.len() };
+            if !work::spend(compared) {
+                return Err(Failure::Tangled);
+            }
             let split = if born == self.now {
                 self.first_split(number, SplitEvent::NEVER, &self.alive)
             } else {

@@ -6,6 +6,7 @@ use super::event::Event;
 use super::rejoin::rejoin;
 use super::wavefront::Wavefront;
 use super::{Failure, Swept};
+use crate::geometry::work;
 
 /// The lists of a step. They keep their memory, because a usual step has a single event.
 #[derive(Debug, Default)]
@@ -36,6 +37,10 @@ impl Wavefront {
         self.overtake(&mut self.alive.clone());
         self.foresee(&self.alive.clone())?;
         loop {
+            // An event scans the wavefront a few times.
+            if !work::spend(4 * self.alive.len()) {
+                return Err(Failure::Tangled);
+            }
             let next = self.next_event();
             self.now = next.clamp(self.now, self.until);
             self.place();
@@ -71,7 +76,7 @@ impl Wavefront {
         before.clear();
         // Every round finds at least one more contact.
         loop {
-            self.compare(contacts);
+            self.compare(contacts)?;
             self.limits.round(self.alive.len(), contacts.touched())?;
             arrangement.divide(self, contacts);
             if !arrangement.find_overlaps(self, contacts, before)? {

@@ -33,7 +33,7 @@ impl FacePieces {
     /// The pieces of a face whose edges are divided by cuts.
     pub(super) fn of(face: &FaceRef<'_>, cuts: &[EdgeCut]) -> Self {
         let (first, mut cuts) = (face.corner_range().start, cuts.iter().peekable());
-        let (mut pieces, mut edges) = (Vec::new(), face.edges());
+        let (mut pieces, mut edges, normal) = (Vec::new(), face.edges(), face.normal());
         for ring in face.loop_ranges() {
             let start = pieces.len();
             let mut points: Vec<DVec3> = Vec::new();
@@ -46,7 +46,7 @@ impl FacePieces {
             }
             let count = points.len();
             let along = |i: usize| points[(i + 1) % count] - points[i % count];
-            let need = |i: usize| needed(unit(along(i + count - 1)), unit(along(i)), face.normal());
+            let need = |i: usize| needed(unit(along(i + count - 1)), unit(along(i)), normal);
             pieces.extend((0..count).map(|i| FacePiece {
                 length: along(i).length(),
                 neighbours: [i + count - 1, i + 1].map(|other| start + other % count),

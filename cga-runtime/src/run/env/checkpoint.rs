@@ -4,9 +4,10 @@ use std::ops::ControlFlow;
 
 use super::{ENDED, Env, MOST_SHAPES};
 use crate::fault::LimitKind;
+use crate::geometry::work;
 use crate::run::settings::Settings;
 use crate::run::sink::Flow;
-use crate::run::watch::{Progress, STRIDE, Watch};
+use crate::run::watch::{Progress, STRIDE};
 
 /// The counts at which counting leaves the fast path, and the last progress that the watch got.
 #[derive(Debug, Default)]
@@ -84,13 +85,25 @@ impl Env {
         self.ask_watch()
     }
 
+    /// Asks the watch before a step that is not slim. `Break` if the run has ended.
+    #[inline]
+    pub fn ask(&mut self) -> Flow {
+        if self.settings.watch.is_none() && !self.ended() { ControlFlow::Continue(()) } else { self.ask_watch() }
+    }
+
+    /// Counts units of work of a step that is not slim, and asks the watch after many. `Break` if the run has ended.
+    pub(crate) fn spend(&mut self, units: usize) -> Flow {
+        if work::spend(units) { ControlFlow::Continue(()) } else { self.ask_watch() }
+    }
+
     /// Reports the progress to the watch, and ends the run if the watch is stopped.
+    #[cold]
     fn ask_watch(&mut self) -> Flow {
-        if !self.ended() {
+        if !self.ended() && !self.measures_room() {
             self.tell_watch(false);
         }
-        if !self.settings.watch.as_ref().is_some_and(Watch::is_stopped) {
-            return ControlFlow::Continue(());
+        if work::ask() {
+            return if self.ended() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
         }
         if !self.ended() {
             self.checkpoint.stopped_at = Some(self.shape_count());
@@ -104,8 +117,13 @@ impl Env {
     /// short.
     pub(crate) fn tell_watch(&mut self, complete: bool) {
         let Some(watch) = &self.settings.watch else { return };
-        let now =
-            Progress { initial_shapes: u64::from(complete), shapes: self.shapes_made(), leaves: self.leaf_count() };
+        let now = Progress {
+            initial_shapes: u64::from(complete),
+            shapes: self.shapes_made(),
+            leaves: self.leaf_count(),
+            // Counted by the thread: see `work`.
+            work: 0,
+        };
         let told = std::mem::replace(&mut self.checkpoint.told, now);
         watch.advance(Progress {
             shapes: now.shapes.saturating_sub(told.shapes),
@@ -129,6 +147,7 @@ impl Env {
 mod tests {
     use super::*;
     use crate::run::settings::Limits;
+    use crate::run::watch::Watch;
     use crate::shape::Shape;
 
     fn env(limits: Limits, watch: Option<Watch>) -> Env {

@@ -20,6 +20,7 @@ use crate::fault::{Error, Fault, FaultKind, LimitKind};
 use crate::geometry::Frame;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::primitive::PrimitiveKind;
+use crate::geometry::work::Supervisor;
 use crate::run::report::{FAULTS_KEPT, Prints, Reports};
 use crate::run::settings::{Limits, Settings};
 use crate::run::sink::{Flow, LeafTables};
@@ -63,6 +64,8 @@ pub(crate) const ENDED: u64 = u64::MAX / 4;
 #[derive(Debug, Default)]
 pub struct Env {
     pub(crate) settings: Settings,
+    #[expect(dead_code, reason = "it lets the watch end long operations as long as it lives")]
+    supervisor: Option<Supervisor>,
     /// The extent below which shapes are not split further, so that recursive splits end (*Subdivision split*: "the
     /// recursion stops when the geometry gets too small"). It is relative to the initial shape.
     pub(crate) too_small: f64,
@@ -157,6 +160,7 @@ impl Env {
                 limits: Limits { shapes: settings.limits.shapes.min(MOST_SHAPES), ..settings.limits },
                 ..settings.clone()
             },
+            supervisor: settings.watch.clone().map(|watch| Supervisor::new(move |units| watch.allows(units))),
             too_small: if extent == 0.0 { TOO_SMALL.1 } else { (extent * TOO_SMALL.0).min(TOO_SMALL.1) },
             names,
             checkpoint: Checkpoint::first(settings),
@@ -201,6 +205,7 @@ impl Env {
 
     /// Counts vertices before they are made.
     pub(crate) fn count_corners(&mut self, count: u64) -> Flow {
+        self.spend(count as usize)?;
         self.vertices = self.vertices.saturating_add(count);
         if self.settings.limits.vertices < self.vertices {
             return self.limit(LimitKind::Vertices, self.settings.limits.vertices);
@@ -211,8 +216,8 @@ impl Env {
     /// Ends the run with the error of a limit.
     #[cold]
     pub(crate) fn limit<T>(&mut self, what: LimitKind, limit: u64) -> ControlFlow<(), T> {
-        // A run that the watch has stopped has no error.
-        if self.checkpoint.stopped_at.is_none() {
+        // A run that the watch has stopped has no error: an operation that was ended may seem to need too much.
+        if self.ask().is_continue() {
             let trail = self.trail();
             self.error.get_or_insert(Error::Limit { what, limit, trail });
         }
@@ -372,6 +377,10 @@ impl Env {
 
     /// Adds a fault, if there is room for it. Returns its index.
     fn add_fault(&mut self, kind: FaultKind, message: String) -> Option<usize> {
+        // What an operation says after it was ended is not so.
+        if self.ask().is_break() {
+            return None;
+        }
         if FAULTS_KEPT <= self.faults.len() {
             self.faults_left_out += 1;
             return None;

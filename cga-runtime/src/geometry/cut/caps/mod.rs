@@ -17,6 +17,10 @@ use crate::geometry::cut::caps::first_face::Lead;
 use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::Contour;
+use crate::geometry::work;
+
+/// The units of work of an edge: it is found, followed and added to both slabs.
+const EDGE: usize = 16;
 
 /// Buffers.
 #[derive(Default)]
@@ -43,6 +47,9 @@ impl Caps {
             state.rim.missing(plane, &mut self.edges);
             if self.edges.is_empty() {
                 continue;
+            }
+            if !work::spend(EDGE * self.edges.len()) {
+                return;
             }
             let points = &state.points;
             let flat = &points.levels[plane].flat;

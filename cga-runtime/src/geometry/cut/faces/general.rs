@@ -20,8 +20,12 @@ use crate::geometry::cut::points::PieceCorner;
 use crate::geometry::cut::state::CutState;
 use crate::geometry::mesh::{FaceRef, FaceTag, Mesh};
 use crate::geometry::triangulate::PlaneProjection;
+use crate::geometry::work;
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
+
+/// The units of work of a fragment: it is made, sorted, joined and followed.
+const FRAGMENT: usize = 16;
 
 /// A run of nodes within one slab: from plane to plane, or a whole loop that meets no plane.
 #[derive(Clone, Copy)]
@@ -118,6 +122,9 @@ impl General {
         let mut next = 0;
         while let Some(&Fragment { slab, .. }) = self.fragments.get(next) {
             let count = self.fragments[next..].iter().take_while(|f| f.slab == slab).count();
+            if !work::spend(FRAGMENT * count) {
+                return;
+            }
             let group = next..next + count;
             next = group.end;
             if slab > 0 {
@@ -140,6 +147,9 @@ impl General {
         for ring in face.loop_ranges() {
             let start = self.nodes.len();
             state.points.cross_loop(&mut state.parts, mesh, ring, &mut self.nodes);
+            if !work::spend(self.nodes.len() - start) {
+                return;
+            }
             let Some(first) = self.nodes[start..].iter().position(|node| node.class().is_on_plane()) else {
                 let (slab, end) = (self.nodes[start].class().slab(), self.nodes.len() - 1);
                 self.fragments.push(Fragment { slab, start, end, next: usize::MAX, way_start: 0, way_end: 0 });
@@ -152,6 +162,9 @@ impl General {
                 let [a, b] = [last, here].each(|i| self.nodes[i]);
                 if !b.class().is_on_plane() {
                     continue;
+                }
+                if !work::spend(FRAGMENT) {
+                    return;
                 }
                 let plane = b.class().plane();
                 if here == last + 1 && a.class() == b.class() {

@@ -25,6 +25,7 @@ use super::faces::chain::{Chain, rises_once, runs};
 use super::rising;
 use crate::geometry::mesh::{FaceRef, FaceTag, Mesh, TooManyCorners, UvAxis};
 use crate::geometry::trace::PartPoint;
+use crate::geometry::work;
 use crate::value::each::Each;
 use affine::is_affine;
 use band::{BandNumbers, LineBand};
@@ -121,6 +122,9 @@ fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
 }
 
+/// The units of work of a corner.
+const CORNER: usize = 16;
+
 /// A cut in progress.
 struct IsoCutter<'m> {
     mesh: &'m Mesh,
@@ -184,8 +188,14 @@ impl<'m> IsoCutter<'m> {
 
     /// Counts corners before they are made.
     fn count(&mut self, corners: usize) -> Result<(), TooManyCorners> {
+        self.spend(corners)?;
         self.made = self.made.saturating_add(corners);
         if self.most < self.made { Err(TooManyCorners { most: self.most }) } else { Ok(()) }
+    }
+
+    /// Counts the work of corners. An error if the work is to end.
+    fn spend(&self, corners: usize) -> Result<(), TooManyCorners> {
+        if work::spend(CORNER * corners) { Ok(()) } else { Err(TooManyCorners { most: self.most }) }
     }
 
     /// Returns an error for a face whose triangles would far exceed the limit.

@@ -88,15 +88,17 @@ impl PatchBuffers {
         self.triangulate(cutter, face, projection);
         let start = view.corner_range().start;
         // The check comes first: a face needs at most as many corners as its triangles.
-        let span_of =
-            |t: &[u32; 3]| ClassRange::of(t.iter().map(|&corner| cutter.sites.class(start + corner as usize)));
-        let pieces: usize = self.triangles.iter().map(|t| 3 + 4 * span_of(t).planes().len()).sum();
+        let lines = |cutter: &IsoCutter<'_>, t: &[u32; 3]| {
+            ClassRange::of(t.iter().map(|&corner| cutter.sites.class(start + corner as usize))).planes().len()
+        };
+        let pieces: usize = self.triangles.iter().map(|t| 3 + 4 * lines(cutter, t)).sum();
         cutter.foresee(pieces)?;
         self.halves.clear();
         self.open.clear();
         self.flats.clear();
         self.flat_sides.clear();
         for triangle in 0..self.triangles.len() {
+            cutter.spend(1 + lines(cutter, &self.triangles[triangle]))?;
             self.cut_triangle(cutter, triangle, start);
         }
         self.place_flats(cutter, start, is_affine);

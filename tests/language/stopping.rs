@@ -1,0 +1,69 @@
+//! Every run can be stopped: watches are asked before and inside long operations.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
+use std::time::Duration;
+
+use cga::{Error, Settings, Shape, Watch};
+use cga_lang::ops::{Changes, all_operations};
+use cga_tests::stopped::{Every, rules, shapes};
+
+/// The largest number of units of work between two questions: a few hundred thousand, and the largest step that is counted at
+/// once.
+const MOST: u64 = 2_000_000;
+
+#[test]
+fn every_operation_that_is_not_slim_has_a_row() {
+    let text = include_str!("../rules/one_operation.cga");
+    for operation in all_operations().filter(|operation| operation.changes == Changes::Whole && operation.old.is_none())
+    {
+        let name = operation.name;
+        let is_there = text.match_indices(name).any(|(at, _)| text[at + name.len()..].starts_with(['(', ' ']));
+        assert!(is_there, "`{name}` has no rule in tests/rules/one_operation.cga");
+    }
+}
+
+/// The longest work between two questions, and the number of questions, of a run that is stopped at the question after `last`.
+fn questions(rule: &str, shape: &Shape, last: u64) -> (u64, u64) {
+    let own: Arc<OnceLock<Watch>> = Arc::default();
+    let (count, told, most) = (Arc::new(AtomicU64::new(0)), AtomicU64::new(0), Arc::new(AtomicU64::new(0)));
+    let (asked, seen, longest) = (own.clone(), count.clone(), most.clone());
+    let watch = Watch::deadline_by(Duration::from_secs(1), move || {
+        let work = asked.get().map_or(0, |watch| watch.progress().work);
+        longest.fetch_max(work - told.swap(work, Ordering::Relaxed), Ordering::Relaxed);
+        if seen.fetch_add(1, Ordering::Relaxed) <= last { Duration::ZERO } else { Duration::MAX }
+    });
+    let _ = own.set(watch.clone());
+    let settings = Settings { start: Some(rule.to_owned()), watch: Some(watch.clone()), ..Settings::default() };
+    let model = Every::default().generate_with(shape, &settings);
+    let count = count.load(Ordering::Relaxed);
+    let is_stopped = last + 1 < count;
+    match model {
+        Ok(model) => assert_eq!(model.report().stopped, is_stopped, "{rule}"),
+        Err(error) => assert!(!is_stopped && matches!(error, Error::Limit { .. }), "{rule}: {error}"),
+    }
+    (most.load(Ordering::Relaxed), count)
+}
+
+#[test]
+fn every_operation_asks_its_watch() {
+    let shapes = shapes();
+    let rules = rules();
+    for (number, rule) in rules.iter().enumerate() {
+        for (kind, shape) in shapes.iter().enumerate() {
+            // Runs are long in a build without optimisation, so each is stopped early, at different questions.
+            let (most, count) = questions(rule, shape, 1 + (number + kind) as u64 % 4);
+            assert!(1 < count && most < MOST, "{rule}: {most} units of work between two of {count} questions");
+        }
+    }
+}
+
+#[test]
+fn a_deadline_ends_runs() {
+    let over = Settings { watch: Some(Watch::deadline(Duration::ZERO)), ..Settings::default() };
+    let model = Every::default().generate_with(&Shape::rectangle(1.0, 1.0), &over).expect("no limit");
+    assert!(model.report().stopped && model.is_empty());
+    let far = Settings { watch: Some(Watch::deadline(Duration::MAX)), ..Settings::default() };
+    let model = Every::default().generate_with(&Shape::rectangle(1.0, 1.0), &far).expect("no limit");
+    assert!(!model.report().stopped && !model.is_empty());
+}

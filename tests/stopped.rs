@@ -1,0 +1,49 @@
+//! Rules and shapes for the test and the bench of stopped runs.
+
+use cga::mesh::{FaceTag, MeshBuilder};
+use cga::{Grammar as _, Shape};
+
+cga::cga! {
+    pub grammar Every in "rules/one_operation.cga";
+}
+
+/// The names of the rules that have an operation each.
+pub fn rules() -> Vec<&'static str> {
+    let every = Every::default();
+    every.start_rules().iter().map(|rule| rule.name).filter(|name| name.starts_with('R')).collect()
+}
+
+/// The number of corners of a shape.
+const CORNERS: usize = 5_000;
+
+/// A comb, a star, and a soup of triangles.
+pub fn shapes() -> [Shape; 3] {
+    let teeth = CORNERS / 4;
+    let mut comb: Vec<[f64; 2]> = vec![[0.0, 0.0], [teeth as f64 * 0.02, 0.0]];
+    for tooth in (0..teeth).rev() {
+        let x = tooth as f64 * 0.02;
+        comb.extend([[x + 0.02, 10.0], [x + 0.01, 10.0 + (tooth % 7) as f64], [x + 0.01, 1.0], [x, 1.0]]);
+    }
+    comb.truncate(CORNERS);
+    let star: Vec<[f64; 2]> = (0..CORNERS)
+        .map(|corner| {
+            let (sin, cos) = libm::sincos(corner as f64 / CORNERS as f64 * std::f64::consts::TAU);
+            let radius = if corner % 2 == 0 { 30.0 } else { 20.0 + (corner % 11) as f64 * 0.1 };
+            [radius * cos, -radius * sin]
+        })
+        .collect();
+    let mut state = 1u64;
+    let mut random = || {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 40) as f64 / (1 << 24) as f64
+    };
+    let points: Vec<[f64; 3]> = (0..CORNERS).map(|_| [random() * 20.0, random() * 20.0, random() * 20.0]).collect();
+    let flat = |points: Vec<[f64; 2]>| Shape::footprint(&points, &[]).expect("an outline");
+    let mut soup = MeshBuilder::new();
+    for triangle in points.chunks_exact(3) {
+        let corners: Vec<u32> = triangle.iter().map(|&corner| soup.point(corner)).collect();
+        soup.face(&corners, &[], FaceTag::PLAIN);
+    }
+    let soup = Shape::mesh(soup.build().expect("a mesh"));
+    [flat(comb), flat(star), soup]
+}
