@@ -13,6 +13,7 @@ mod defaults;
 mod district;
 mod dynamic;
 mod facts;
+mod failed_booleans;
 mod functions;
 mod grammar;
 mod host;
@@ -38,6 +39,7 @@ mod sources;
 mod stopping;
 mod styles;
 mod text;
+mod tiny;
 mod values;
 
 use cga::{Array, Grammar, Model, Shape, Text, Value};

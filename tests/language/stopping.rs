@@ -23,6 +23,14 @@ fn every_operation_that_is_not_slim_has_a_row() {
     }
 }
 
+/// A watch whose time ends with the question after number `last`.
+pub(crate) fn after(last: u64) -> Watch {
+    let count = AtomicU64::new(0);
+    Watch::deadline_by(Duration::from_secs(1), move || {
+        if count.fetch_add(1, Ordering::Relaxed) <= last { Duration::ZERO } else { Duration::MAX }
+    })
+}
+
 /// The longest work between two questions, and the number of questions, of a run that is stopped at the question after `last`.
 fn questions(rule: &str, shape: &Shape, last: u64) -> (u64, u64) {
     let own: Arc<OnceLock<Watch>> = Arc::default();

@@ -2,10 +2,13 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use super::joined::{joined_state, part_meshes, replace_by, retain_parts};
 use crate::fault::FaultKind;
 use crate::geometry::boolean::{BooleanError, BooleanOp, combine};
 use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::join::join;
 use crate::run::env::Env;
 use crate::shape::look::Look;
 use crate::shape::{Geometry, Shape};
@@ -28,8 +31,9 @@ pub enum SwapMode {
 /// `bool.A` and `bool.B` of their operands. If the materials of leaves differ, each face has the material of its leaf. Leaves
 /// without faces are left out.
 ///
-/// The shape stays as it is, with a fault, if the faces of the operands cross so often that the result would take seconds, or
-/// if faces that are nearly at one place cannot be told apart.
+/// The operation fails, with a fault, if the faces of the operands cross so often that the result would take seconds, or
+/// if faces that are nearly at one place cannot be told apart. Then nothing is lost: a union has all faces of all leaves, and
+/// other operations have the first operand's faces.
 pub fn union(env: &mut Env, shape: &mut Shape, operands: [Vec<Shape>; 2]) {
     boolean(env, shape, operands, BooleanOp::Union);
 }
@@ -127,7 +131,8 @@ fn set(shape: &mut Shape, mesh: Mesh) {
     }
 }
 
-/// The result of an operation; `None` with a fault if it cannot be done.
+/// The result of an operation. If it cannot be done, it leaves a fault and has the faces of the operands that it keeps. `None` if
+/// the run has ended.
 fn combined(env: &mut Env, op: BooleanOp, word: &str, meshes: [&[Mesh]; 2], leaves: &[Shape]) -> Option<Mesh> {
     let count = |mesh: &Mesh| mesh.corners().len() as u64;
     let given: u64 = meshes.into_iter().flatten().map(count).sum();
@@ -143,6 +148,13 @@ fn combined(env: &mut Env, op: BooleanOp, word: &str, meshes: [&[Mesh]; 2], leav
         Err(BooleanError::Tangled) => "faces are too near to each other",
         Err(BooleanError::NotFinite) => "a coordinate is not finite",
     };
-    env.fault(FaultKind::Geometry, format!("`{word}`: {why}; the shape stays as it is"));
-    None
+    let [first, second] = meshes;
+    let (kept, instead) = match op {
+        BooleanOp::Union | BooleanOp::Unify => ([first, second].concat(), "its faces are joined as they are"),
+        BooleanOp::Subtract | BooleanOp::Intersect => (first.to_vec(), "its first operand stays as it is"),
+    };
+    env.fault(FaultKind::Geometry, format!("`{word}`: {why}; {instead}"));
+    let mut direction = DVec3::ZERO;
+    let kept: Vec<Mesh> = kept.into_iter().map(|mesh| mesh.bent_along(&mut direction)).collect();
+    (!env.ended()).then(|| join(kept.iter()))
 }

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::extrude::stand;
-use crate::geometry::mesh::{FaceRef, Mesh, PartTags, Spread, SubcomponentTagger, flip, unit};
+use crate::geometry::mesh::{Bounds, FaceRef, Mesh, PartTags, Spread, SubcomponentTagger, flip, unit};
 use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::value::each::Each;
@@ -75,17 +75,25 @@ fn pyramid(source: &Mesh, face: &FaceRef<'_>, height: f64) -> Mesh {
 /// The centre of gravity of a face, without its holes.
 fn centre_of_gravity(face: &FaceRef<'_>) -> DVec3 {
     let (normal, origin) = (face.normal(), face.position(face.corner_range().start));
+    // At a size of about 1 no product overflows or vanishes.
+    let scale = Bounds::of(face.corner_range().map(|corner| face.position(corner) - origin)).scale_to_one();
     let (mut area, mut moment) = (0.0, DVec3::ZERO);
     for ring in face.loop_ranges() {
         for corner in ring.clone() {
             let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
-            let [a, b] = [corner, next].each(|corner| face.position(corner) - origin);
+            let [a, b] = [corner, next].each(|corner| (face.position(corner) - origin) * scale);
             let twice = a.cross(b).dot(normal);
             area += twice;
             moment += (a + b) * twice;
         }
     }
-    origin + moment / (3.0 * area)
+    let middle = moment / (3.0 * area) / scale;
+    if middle.is_finite() {
+        return origin + middle;
+    }
+    // So thin that even then its area vanishes.
+    let corners = face.corner_range().map(|corner| face.position(corner) - origin);
+    origin + corners.sum::<DVec3>() / face.corner_count() as f64
 }
 
 #[cfg(test)]
@@ -185,6 +193,14 @@ mod tests {
         let mesh = tapered(tapered(Shape::rectangle(10.0, 8.0), 3.0), 2.0).to_mesh();
         let names = |face: usize| mesh.tag_sets()[mesh.face(face).tag().tags as usize].names().len();
         assert!((0..mesh.face_count()).all(|face| names(face) == 1));
+    }
+
+    #[test]
+    fn the_apex_of_a_face_that_is_almost_nothing_is_finite() {
+        for [width, depth] in [[5e-324, 1.0], [1e-310, 1e-310], [1e-200, 1e-160], [1e100, 5e-324]] {
+            let mesh = tapered(Shape::rectangle(width, depth), 2.0).to_mesh();
+            assert!(mesh.points().iter().all(|point| point.is_finite()), "{width} by {depth}");
+        }
     }
 
     #[test]

@@ -219,7 +219,25 @@ impl Input<'_> {
         if must_close && !made.is_empty() && !made.is_closed() {
             return Err(BooleanError::Tangled);
         }
+        let is_union = matches!(op, BooleanOp::Union | BooleanOp::Unify) && 1 < self.is_closed.len();
+        if must_close && is_union && made.volume() * self.scale.powi(3) < self.least_union(&shells, &mesh_of) {
+            // Something of an operand is missing.
+            return Err(BooleanError::Tangled);
+        }
         Ok(made)
+    }
+
+    /// A volume that no union of these closed shells is below, in scaled coordinates: of the mesh that encloses most, the largest
+    /// shell without all cavities.
+    fn least_union(&self, shells: &[Shell], mesh_of: &[u32]) -> f64 {
+        const ROUNDING: f64 = 1e-6;
+        let mut volumes = vec![[0.0_f64; 2]; self.is_closed.len()];
+        for shell in shells {
+            let [largest, cavities] = &mut volumes[mesh_of[shell.facets[0] as usize] as usize];
+            *largest = largest.max(shell.volume / 6.0);
+            *cavities += (-shell.volume / 6.0).max(0.0);
+        }
+        volumes.iter().map(|[largest, cavities]| largest - cavities).fold(0.0, f64::max) * (1.0 - ROUNDING)
     }
 }
 
