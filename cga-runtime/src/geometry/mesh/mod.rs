@@ -37,6 +37,7 @@ pub(crate) mod pair_table;
 mod part_tags;
 mod polygon;
 pub mod primitive;
+mod simple_loops;
 mod soften;
 pub(crate) mod solid;
 mod spread;

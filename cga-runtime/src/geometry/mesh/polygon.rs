@@ -2,17 +2,12 @@
 
 use std::ops::Range;
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 use super::face::{area_vector, unit};
 use super::map::flip;
-use super::{FaceTag, Mesh, MeshBuilder, MeshError};
-use crate::geometry::exact::orient;
-use crate::geometry::mesh::check::winding;
-use crate::geometry::nesting::extent::Extent;
+use super::{FaceTag, Mesh, MeshBuilder, MeshError, simple_loops};
 use crate::geometry::triangulate::PlaneProjection;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 impl Mesh {
     /// A mesh with one face from an outline, counter-clockwise as seen from the front, and holes with any winding.
@@ -51,8 +46,9 @@ impl Mesh {
                 flip(&mut points[ring.clone()]);
             }
         }
-        check_crossings(&points, &rings, normal)?;
-        check_holes(&points, &rings, normal)?;
+        let flat = PlaneProjection::along(normal);
+        let in_plane = |ring: &Range<usize>| points[ring.clone()].iter().map(|&p| flat.apply(p)).collect();
+        simple_loops::check(&rings.iter().map(in_plane).collect::<Vec<_>>())?;
 
         let mut builder = MeshBuilder::new();
         let indices: Vec<u32> = points.iter().map(|&p| builder.point(p)).collect();
@@ -65,93 +61,6 @@ impl Mesh {
 /// The area vector of a loop.
 fn ring_area(ring: &[DVec3]) -> DVec3 {
     area_vector([ring.iter().copied()].into_iter())
-}
-
-/// An edge of a loop, in the plane.
-struct LoopEdge {
-    a: DVec2,
-    b: DVec2,
-    ring: usize,
-    number: usize,
-}
-
-impl LoopEdge {
-    fn low(&self) -> DVec2 {
-        self.a.min(self.b)
-    }
-
-    fn high(&self) -> DVec2 {
-        self.a.max(self.b)
-    }
-
-    /// Returns true if two edges have more in common than corners.
-    fn meets(&self, other: &LoopEdge) -> bool {
-        if self.low().cmpgt(other.high()).any() || other.low().cmpgt(self.high()).any() {
-            return false;
-        }
-        let [c, d] = [other.a, other.b].each(|p| orient(self.a, self.b, p));
-        let [a, b] = [self.a, self.b].each(|p| orient(other.a, other.b, p));
-        if [a, b, c, d] == [0; 4] {
-            // Collinear edges overlap if they have more than one point in common.
-            let (low, high) = (self.low().max(other.low()), self.high().min(other.high()));
-            return low != high;
-        }
-        if a * b < 0 && c * d < 0 {
-            return true;
-        }
-        // True if a corner of one edge is inside the other edge.
-        let inside = |side: i32, p: DVec2, edge: &LoopEdge| {
-            side == 0 && p != edge.a && p != edge.b && p.cmpge(edge.low()).all() && p.cmple(edge.high()).all()
-        };
-        inside(a, self.a, other) || inside(b, self.b, other) || inside(c, other.a, self) || inside(d, other.b, self)
-    }
-}
-
-fn check_crossings(points: &[DVec3], rings: &[Range<usize>], normal: DVec3) -> Result<(), MeshError> {
-    let flat = PlaneProjection::along(normal);
-    let mut edges = Vec::with_capacity(points.len());
-    for (ring, range) in rings.iter().enumerate() {
-        for number in 0..range.len() {
-            let next = range.start + (number + 1) % range.len();
-            let [a, b] = [range.start + number, next].each(|i| flat.apply(points[i]));
-            edges.push(LoopEdge { a, b, ring, number });
-        }
-    }
-    edges.sort_by(|e, f| e.low().x.total_cmp(&f.low().x));
-    for (i, edge) in edges.iter().enumerate() {
-        let reach = edge.high().x;
-        for other in edges[i + 1..].iter().take_while(|other| other.low().x <= reach) {
-            if edge.meets(other) {
-                let mut pair = [(edge.ring, edge.number), (other.ring, other.number)];
-                pair.small_sort();
-                return Err(MeshError::SelfCrossing { first: pair[0], second: pair[1] });
-            }
-        }
-    }
-    Ok(())
-}
-
-/// Checks the places of holes. Loops do not cross here, so each is entirely inside or outside another one, and one
-/// corner decides.
-fn check_holes(points: &[DVec3], rings: &[Range<usize>], normal: DVec3) -> Result<(), MeshError> {
-    let flat = PlaneProjection::along(normal);
-    let flat: Vec<DVec2> = points.iter().map(|&p| flat.apply(p)).collect();
-    let inside = |ring: usize, around: usize| {
-        let around = &flat[rings[around].clone()];
-        flat[rings[ring].clone()].iter().find_map(|&p| winding(around, p)).is_some_and(|turns| turns != 0)
-    };
-    let bounds: Vec<Extent> = rings.iter().map(|ring| Extent::of(flat[ring.clone()].iter().copied())).collect();
-    for hole in 1..rings.len() {
-        if !inside(hole, 0) {
-            return Err(MeshError::HolePlace { hole: hole - 1, within: None });
-        }
-        let Extent { low, high } = bounds[hole];
-        let could_hold = |other: &usize| *other != hole && bounds[*other].holds(low) && bounds[*other].holds(high);
-        if let Some(other) = (1..rings.len()).filter(could_hold).find(|&other| inside(hole, other)) {
-            return Err(MeshError::HolePlace { hole: hole - 1, within: Some(other - 1) });
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]
