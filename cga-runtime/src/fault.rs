@@ -76,6 +76,8 @@ pub enum LimitKind {
     Array,
     /// Bytes of text.
     Text,
+    /// Bytes of shapes and meshes.
+    Bytes,
 }
 
 impl fmt::Display for LimitKind {
@@ -89,6 +91,7 @@ impl fmt::Display for LimitKind {
             LimitKind::Waiting => "waiting calls",
             LimitKind::Array => "elements in an array",
             LimitKind::Text => "bytes of text",
+            LimitKind::Bytes => "bytes of shapes and meshes",
         })
     }
 }

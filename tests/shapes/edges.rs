@@ -1,7 +1,7 @@
 //! Extreme numbers, depths and limits.
 
 use cga::glam::{DAffine3, DVec3};
-use cga::{Error, LimitKind, Limits, Model, Settings, Shape, cga};
+use cga::{Error, LimitKind, Limits, Model, Repeats, Settings, Shape, cga};
 
 fn names(model: &Model) -> Vec<&'static str> {
     model.leaves().map(|leaf| leaf.rule()).collect()
@@ -94,6 +94,47 @@ fn nothing_reaches_the_sink_after_a_limit() {
         assert!(matches!(result, Err(Error::Limit { what: LimitKind::Vertices, .. })), "{result:?}");
         assert!(model.is_empty());
     }
+}
+
+#[test]
+fn bytes_are_counted_before_memory_is_taken() {
+    let rules = cga! {
+        @StartRule
+        Boxes --> split(x) { { 0.01 : X. }* }
+        @StartRule
+        Rows --> split(x) { { 0.1 : Row }* }
+        Row --> split(y) { { 0.1 : X. }* }
+        @StartRule
+        Slices --> primitiveSphere(200, 100) split(x) { { 0.0001 : X. }* }
+        @StartRule
+        Sides --> primitiveSphere(100, 50) comp(f) { all : X. }
+    };
+    let ends = |start: &str, bytes: u64, repeats: Repeats| {
+        let limits = Limits { bytes, ..Limits::default() };
+        let settings = Settings { start: Some(start.to_owned()), limits, repeats, ..Settings::default() };
+        match rules.generate_with(&Shape::cuboid(10.0, 10.0, 10.0), &settings) {
+            Err(Error::Limit { what, limit, .. }) => Some((what, limit)),
+            other => other.map(|_| None).expect("a model or a limit"),
+        }
+    };
+    // A box of each rule, and its parts; a mesh of 4 vertices a face, and its leaves.
+    let boxes = Limits::BYTES_A_SHAPE * 1001;
+    let sides = Limits::BYTES_A_SHAPE * 5001;
+    for repeats in [Repeats::Kept, Repeats::Again, Repeats::Direct] {
+        assert_eq!(ends("Boxes", boxes, repeats), None);
+        assert_eq!(ends("Boxes", boxes - 1, repeats), Some((LimitKind::Bytes, boxes - 1)));
+        let rows = Limits::BYTES_A_SHAPE * (1 + 100 + 100 * 100);
+        assert_eq!(ends("Rows", rows, repeats), None);
+        assert_eq!(ends("Rows", rows - 1, repeats), Some((LimitKind::Bytes, rows - 1)));
+        // 100,000 slices of 20,000 faces would take gigabytes.
+        assert_eq!(ends("Slices", 100_000_000, repeats), Some((LimitKind::Bytes, 100_000_000)));
+        assert_eq!(ends("Sides", sides, repeats), Some((LimitKind::Bytes, sides)));
+        // The faces of the ball are counted with the primitive and with its components.
+        let faces = 2 * Limits::BYTES_A_VERTEX * 20_000;
+        assert_eq!(ends("Sides", sides + faces + Limits::BYTES_A_MESH * 5002, repeats), None);
+    }
+    let limits = Limits::default();
+    assert!(Limits::BYTES_A_SHAPE * limits.shapes <= limits.bytes, "boxes reach the limit of shapes first");
 }
 
 #[test]

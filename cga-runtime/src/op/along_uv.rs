@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::insert::asset;
 use crate::asset::{CUBES, File};
-use crate::fault::{FaultKind, LimitKind};
+use crate::fault::FaultKind;
 use crate::geometry::mesh::{AlongUv, HeightAlignment, HeightDirection, insert_along_uv as bend, primitive};
 use crate::run::env::Env;
 use crate::shape::Shape;
@@ -38,11 +38,10 @@ pub fn insert_along_uv_with(
         let message = format!("the shape has no texture coordinates in set {set}: `insertAlongUV` does nothing");
         return env.fault(FaultKind::Geometry, message);
     }
-    let limit = env.settings.limits.vertices;
-    let most = usize::try_from(limit).unwrap_or(usize::MAX);
+    let most = env.corners_left();
     let options = AlongUv { set: usize::from(set), height, direction, alignment };
     let Ok(bent) = bend(&carrier, &asset, &options, most) else {
-        let _ = env.limit::<()>(LimitKind::Vertices, limit);
+        let _ = env.too_many_corners::<()>();
         return;
     };
     if bent.is_empty() {

@@ -180,6 +180,9 @@ fn other_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u3
     }
     shape.bake();
     env.leaves += u64::from(!matches!(shape.geometry, Geometry::Empty));
+    if let Geometry::Mesh(_) = shape.geometry {
+        env.count_mesh()?;
+    }
     let rule = env.leaf_tables.names.get(rule as usize).copied().unwrap_or_default();
     let leaf = Leaf::new(rule, shape.state.material(), &shape.scope);
     match &shape.geometry {

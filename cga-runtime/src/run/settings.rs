@@ -30,6 +30,23 @@ pub struct Limits {
     pub array: u64,
     /// Bytes of a text, and of all texts that one function makes for an array.
     pub text: u64,
+    /// Bytes of shapes and meshes, by a formula that is the same on every platform: [`BYTES_A_SHAPE`](Limits::BYTES_A_SHAPE) for
+    /// each derived shape, [`BYTES_A_VERTEX`](Limits::BYTES_A_VERTEX) for each vertex that [`vertices`](Limits::vertices) counts,
+    /// and [`BYTES_A_MESH`](Limits::BYTES_A_MESH) for each mesh that an operation makes and for each leaf that is a mesh. They are
+    /// counted before memory is taken, and what is dropped stays counted. So a run takes about as much memory at most, its model
+    /// included. Texts, arrays, assets and waiting calls have limits of their own.
+    pub bytes: u64,
+}
+
+impl Limits {
+    /// Bytes that a derived shape counts for in [`bytes`](Limits::bytes): a leaf in a model whose lists grow.
+    pub const BYTES_A_SHAPE: u64 = 150;
+
+    /// Bytes that a vertex counts for: its point, its place in a face, texture coordinates, and room for growth.
+    pub const BYTES_A_VERTEX: u64 = 80;
+
+    /// Bytes that a mesh counts for, besides its vertices.
+    pub const BYTES_A_MESH: u64 = 400;
 }
 
 impl Default for Limits {
@@ -44,6 +61,7 @@ impl Default for Limits {
             prints: 100_000,
             array: 100_000,
             text: 10_000_000,
+            bytes: 1_500_000_000,
         }
     }
 }

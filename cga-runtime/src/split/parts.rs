@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::row::Row;
 use super::{Adjust, Piece};
-use crate::fault::{FaultKind, LimitKind};
+use crate::fault::FaultKind;
 use crate::geometry::Axis;
 use crate::geometry::cut;
 use crate::geometry::mesh::Mesh;
@@ -178,7 +178,7 @@ impl<'s> SplitParts<'s> {
 #[cold]
 #[inline(never)]
 pub(super) fn within_limit(env: &mut Env, row: impl Row) -> Flow {
-    let limit = env.settings.limits.shapes;
+    let limit = env.most_shapes();
     let bound = row.at_most();
     if !env.has_room(0) {
         env.make_room(0)?;
@@ -188,7 +188,7 @@ pub(super) fn within_limit(env: &mut Env, row: impl Row) -> Flow {
         // The bound counts slots that get no room. The exact number is computed if it is small enough to count.
         let exact = if bound <= limit.saturating_mul(4) { row.total() } else { bound };
         if limit < so_far.saturating_add(exact) {
-            return env.limit(LimitKind::Shapes, limit);
+            return env.too_many_shapes();
         }
         if env.measures_room() {
             return env.make_room(exact);
@@ -253,7 +253,11 @@ fn slabs(
     let (extent, stretch) = (size[at].abs(), placed.stretch(size)[at].abs());
     let plane = |distance: f64| placed.low[at] + distance / stretch;
     let borders = PieceBorders::of(row, extent, plane(extent), plane);
-    let mut cut = cut::slabs(&placed.mesh, axis, &borders.rising);
+    // While a cut lasts, the crossings of edges take as much memory as the parts.
+    let most = env.corners_left() / 2;
+    let Some(mut cut) = cut::slabs_within(&placed.mesh, axis, &borders.rising, most) else {
+        return env.too_many_corners();
+    };
     // *split operation*: surfaces get no caps. An asset is usually meant to be a solid, so it gets a fault; a single
     // face does not.
     if !cut.open.is_empty() && placed.inserted == Inserted::Asset && 1 < placed.mesh.face_count() {

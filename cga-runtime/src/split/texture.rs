@@ -9,7 +9,7 @@ use cga_split::{Item, Piece, Size, solve};
 use super::divide::{check, listed};
 use super::division::Made;
 use super::parts::PieceBorders;
-use crate::fault::{FaultKind, LimitKind};
+use crate::fault::FaultKind;
 use crate::geometry::cut;
 use crate::geometry::mesh::uv::spread;
 use crate::geometry::mesh::{Mesh, TextureSpace, UvAxis};
@@ -60,14 +60,13 @@ pub(super) fn texture(
         TextureSpace::Unit => extent.at_metres(axis, distance),
     };
     let borders = PieceBorders::of(&pieces[..], length, extent.high[axis.index()], line);
-    let limit = env.settings.limits.vertices;
-    let most = usize::try_from(limit).unwrap_or(usize::MAX);
+    let most = env.corners_left();
     let flat = match placed.mesh.without_bent_faces() {
         Cow::Borrowed(_) => placed.mesh.clone(),
         Cow::Owned(flat) => Arc::new(flat),
     };
     let Ok((mut bands, points)) = cut::traced_iso_bands(&flat, usize::from(set), axis, &borders.rising, most) else {
-        return env.limit(LimitKind::Vertices, limit);
+        return env.too_many_corners();
     };
     for (band, points) in bands.iter_mut().zip(&points) {
         if let Some(band) = band {

@@ -94,7 +94,17 @@ pub struct OpenChain {
 /// assert!(slabs.parts[2].is_none() && slabs.open.is_empty());
 /// ```
 pub fn slabs(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64]) -> Slabs {
-    Cutter::with(|cutter| cutter.slabs(mesh, axis, offsets))
+    slabs_within(mesh, axis, offsets, usize::MAX).unwrap_or_default()
+}
+
+/// As [`slabs()`]. `None`, before memory is taken for them, if the parts without caps would have more than `most` corners. Few
+/// planes are not worth the count.
+pub(crate) fn slabs_within(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64], most: usize) -> Option<Slabs> {
+    Cutter::with(|cutter| {
+        cutter.state.most_corners = most;
+        let slabs = cutter.slabs(mesh, axis, offsets);
+        (!std::mem::take(&mut cutter.state.is_too_large)).then_some(slabs)
+    })
 }
 
 /// Buffers that are reused by the next cut.
@@ -200,7 +210,9 @@ impl Cutter {
     }
 
     fn cut_faces_once(&mut self, mesh: &Mesh) {
-        self.state.start(mesh);
+        if !self.state.start(mesh) {
+            return;
+        }
         self.rough.start(mesh);
         let (mut start, mut block_start, mut block_end) = (0, 0, 0);
         let runs = mesh.tags.runs().iter().scan(0, |from, &(end, tag)| Some((std::mem::replace(from, end)..end, tag)));

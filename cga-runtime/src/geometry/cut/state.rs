@@ -19,6 +19,9 @@ pub(super) struct CutState {
     room: Vec<SlabRoom>,
     /// True if the mesh is inside out, computed on demand.
     pub(super) inverted: Option<bool>,
+    /// The largest number of corners that the parts may have, without caps, and whether they would have more.
+    pub(super) most_corners: usize,
+    pub(super) is_too_large: bool,
 }
 
 /// The number of slabs from which on faces are counted before they are cut.
@@ -49,9 +52,15 @@ impl CutState {
         KEPT < self.points.places.capacity() + self.rim.capacity()
     }
 
-    /// Classifies the points and numbers those inside slabs.
-    pub(super) fn start(&mut self, mesh: &Mesh) {
+    /// Classifies the points and numbers those inside slabs. Returns false if the parts would be too large.
+    pub(super) fn start(&mut self, mesh: &Mesh) -> bool {
         self.points.start(mesh);
+        self.rim.reset();
+        self.parts.clear();
+        if MANY_SLABS <= self.points.planes.len() && self.has_more_corners(mesh, self.most_corners) {
+            self.is_too_large = true;
+            return false;
+        }
         self.make_room(mesh);
         let CutState { points, parts, .. } = self;
         for (index, &p) in mesh.points.iter().enumerate() {
@@ -62,7 +71,19 @@ impl CutState {
                 parts[class.slab() as usize].mesh.add_point(p)
             };
         }
-        self.rim.reset();
+        true
+    }
+
+    /// Returns true if the parts have more corners than `most`, without caps: each crossing of an edge is a corner on both sides.
+    fn has_more_corners(&self, mesh: &Mesh, most: usize) -> bool {
+        let class = |corner: usize| self.points.places[mesh.corners[corner] as usize].class;
+        let crossings = |[a, b]: [usize; 2]| ClassRange::between(class(a), class(b)).planes().len();
+        let mut corners = mesh.corners.len();
+        most < corners
+            || mesh.faces().flat_map(|face| face.edges()).any(|edge| {
+                corners = corners.saturating_add(2 * crossings(edge));
+                most < corners
+            })
     }
 
     /// Makes the slabs with about the capacity that they will need. With many slabs, growing would take much of the
@@ -218,9 +239,9 @@ mod tests {
             builder.face(&corners, &[], FaceTag::PLAIN);
         }
         let mesh = builder.build().unwrap();
-        let mut state = CutState::default();
+        let mut state = CutState { most_corners: usize::MAX, ..CutState::default() };
         state.points.planes.extend((0..8 * triangles).map(|i| f64::from(i) * 0.5 + 0.25));
-        state.start(&mesh);
+        assert!(state.start(&mesh));
         let corners: usize = state.parts.iter().map(|part| part.mesh.corners.capacity()).sum();
         assert!(corners <= 10 * mesh.corners.len(), "{corners}");
     }

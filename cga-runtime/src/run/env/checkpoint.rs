@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::{ENDED, Env, MOST_SHAPES};
 use crate::fault::LimitKind;
 use crate::geometry::work;
-use crate::run::settings::Settings;
+use crate::run::settings::{Limits, Settings};
 use crate::run::sink::Flow;
 use crate::run::watch::{Progress, STRIDE};
 
@@ -28,7 +28,12 @@ impl Checkpoint {
         let stride = if settings.watch.is_some() { STRIDE } else { u64::MAX };
         Checkpoint {
             // Larger numbers mark a run that has ended.
-            shapes: settings.limits.shapes.min(stride).min(MOST_SHAPES),
+            shapes: settings
+                .limits
+                .shapes
+                .min(settings.limits.bytes / Limits::BYTES_A_SHAPE)
+                .min(stride)
+                .min(MOST_SHAPES),
             calls: settings.limits.calls.min(stride),
             ..Checkpoint::default()
         }
@@ -40,9 +45,9 @@ impl Env {
     #[cold]
     #[inline(never)]
     pub(crate) fn make_room(&mut self, more: u64) -> Flow {
-        let (limit, wanted) = (self.settings.limits.shapes, self.shape_count().saturating_add(more));
+        let (limit, wanted) = (self.most_shapes(), self.shape_count().saturating_add(more));
         if limit < wanted {
-            return self.limit(LimitKind::Shapes, limit);
+            return self.too_many_shapes();
         }
         if let Some(most) = &mut self.checkpoint.recorded {
             *most = wanted.max(*most);
@@ -54,7 +59,7 @@ impl Env {
 
     /// Returns true if `more` shapes do not pass the limit.
     pub(crate) fn is_within_limit(&self, more: u64) -> bool {
-        self.shape_count().saturating_add(more) <= self.settings.limits.shapes
+        self.shape_count().saturating_add(more) <= self.most_shapes()
     }
 
     /// Begins to measure the room that a derivation requests. Returns the checkpoint to restore.
@@ -146,7 +151,6 @@ impl Env {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::run::settings::Limits;
     use crate::run::watch::Watch;
     use crate::shape::Shape;
 

@@ -9,6 +9,7 @@ pub(crate) struct Counters {
     filled: u64,
     leaves: u64,
     vertices: u64,
+    meshes: u64,
     calls: u64,
     faults: usize,
     faults_left_out: u64,
@@ -26,6 +27,7 @@ impl Env {
             filled: self.filled,
             leaves: self.leaves,
             vertices: self.vertices,
+            meshes: self.meshes,
             calls: self.calls_made,
             faults: self.faults.len(),
             faults_left_out: self.faults_left_out,
@@ -45,7 +47,7 @@ impl Env {
             self.checkpoint.stopped_at = None;
         }
         (self.shapes, self.filled, self.leaves) = (before.shapes, before.filled, before.leaves);
-        (self.vertices, self.calls_made) = (before.vertices, before.calls);
+        (self.vertices, self.meshes, self.calls_made) = (before.vertices, before.meshes, before.calls);
         self.faults.truncate(before.faults);
         self.asset_faults.retain(|_, at| *at < before.faults);
         self.faults_left_out = before.faults_left_out;

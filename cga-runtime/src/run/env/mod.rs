@@ -4,6 +4,7 @@ mod base;
 mod checkpoint;
 mod counters;
 mod edge_attributes;
+mod memory;
 mod recompose;
 mod trail;
 mod uv_set;
@@ -91,6 +92,8 @@ pub struct Env {
     /// The smallest extent of a split so far.
     pub(crate) least_split: f64,
     vertices: u64,
+    /// The number of meshes that operations made, and of leaves that are meshes.
+    meshes: u64,
     /// The nesting of functions that have reserved stack.
     calls: u32,
     /// The part of [`FUNCTIONS`] that they use.
@@ -196,21 +199,6 @@ impl Env {
     /// The number of shapes so far.
     pub(crate) fn shape_count(&self) -> u64 {
         self.shapes + self.filled
-    }
-
-    /// Counts the vertices of a mesh that an operation made. As in sinks, a vertex counts once for each of its faces.
-    pub(crate) fn count_vertices(&mut self, mesh: &Mesh) -> Flow {
-        self.count_corners(mesh.corners().len() as u64)
-    }
-
-    /// Counts vertices before they are made.
-    pub(crate) fn count_corners(&mut self, count: u64) -> Flow {
-        self.spend(count as usize)?;
-        self.vertices = self.vertices.saturating_add(count);
-        if self.settings.limits.vertices < self.vertices {
-            return self.limit(LimitKind::Vertices, self.settings.limits.vertices);
-        }
-        Flow::Continue(())
     }
 
     /// Ends the run with the error of a limit.

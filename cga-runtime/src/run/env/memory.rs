@@ -1,0 +1,77 @@
+//! The vertices of meshes, and the bytes of shapes and meshes: [`Limits::bytes`](crate::run::settings::Limits::bytes).
+
+use std::ops::ControlFlow;
+
+use super::Env;
+use crate::fault::LimitKind;
+use crate::geometry::mesh::Mesh;
+use crate::run::settings::Limits;
+use crate::run::sink::Flow;
+
+impl Env {
+    /// Counts the vertices of a mesh that an operation made. As in sinks, a vertex counts once for each of its faces.
+    pub(crate) fn count_vertices(&mut self, mesh: &Mesh) -> Flow {
+        self.count_corners(mesh.corners().len() as u64)
+    }
+
+    /// Counts the vertices of a mesh before they are made.
+    pub(crate) fn count_corners(&mut self, count: u64) -> Flow {
+        self.spend(count as usize)?;
+        self.vertices = self.vertices.saturating_add(count);
+        if self.settings.limits.vertices < self.vertices {
+            return self.limit(LimitKind::Vertices, self.settings.limits.vertices);
+        }
+        self.count_mesh()
+    }
+
+    /// Counts a mesh besides its vertices.
+    pub(crate) fn count_mesh(&mut self) -> Flow {
+        self.meshes += 1;
+        let most = self.most_shapes();
+        // A smaller checkpoint: shapes count for bytes, too.
+        self.checkpoint.shapes = self.checkpoint.shapes.min(most);
+        if most < self.shape_count() { self.too_many_shapes() } else { ControlFlow::Continue(()) }
+    }
+
+    /// The largest number of shapes that both limits allow, with the meshes so far.
+    pub(crate) fn most_shapes(&self) -> u64 {
+        self.settings.limits.shapes.min(self.bytes_left() / Limits::BYTES_A_SHAPE)
+    }
+
+    /// The bytes that are left for shapes: all without meshes.
+    fn bytes_left(&self) -> u64 {
+        let corners = self.vertices.saturating_mul(Limits::BYTES_A_VERTEX);
+        let meshes = self.meshes.saturating_mul(Limits::BYTES_A_MESH);
+        self.settings.limits.bytes.saturating_sub(corners).saturating_sub(meshes)
+    }
+
+    /// The number of corners that operations may still make.
+    pub(crate) fn corners_left(&self) -> usize {
+        let bytes = self.bytes_left().saturating_sub(self.shape_count().saturating_mul(Limits::BYTES_A_SHAPE));
+        let vertices = self.settings.limits.vertices.saturating_sub(self.vertices);
+        usize::try_from(vertices.min(bytes / Limits::BYTES_A_VERTEX)).unwrap_or(usize::MAX)
+    }
+
+    /// Ends the run because an operation would make more than [`corners_left`](Env::corners_left).
+    #[cold]
+    pub(crate) fn too_many_corners<T>(&mut self) -> ControlFlow<(), T> {
+        let limits = self.settings.limits;
+        let vertices = limits.vertices.saturating_sub(self.vertices);
+        if (self.corners_left() as u64) < vertices {
+            self.limit(LimitKind::Bytes, limits.bytes)
+        } else {
+            self.limit(LimitKind::Vertices, limits.vertices)
+        }
+    }
+
+    /// Ends the run because there are more than [`most_shapes`](Env::most_shapes).
+    #[cold]
+    pub(crate) fn too_many_shapes(&mut self) -> Flow {
+        let limits = self.settings.limits;
+        if self.most_shapes() < limits.shapes {
+            self.limit(LimitKind::Bytes, limits.bytes)
+        } else {
+            self.limit(LimitKind::Shapes, limits.shapes)
+        }
+    }
+}
