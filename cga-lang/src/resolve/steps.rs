@@ -55,6 +55,15 @@ fn reach(row: &Operation, args: &[Arg]) -> usize {
     row.params.iter().zip(args).take_while(fits).count()
 }
 
+/// The number of arguments that are not the words that a row needs there.
+fn strange_words(row: &Operation, args: &[Arg]) -> usize {
+    let is_strange = |(param, arg): &(&Param, &Arg)| match param.kind {
+        ParamKind::Word(words) => !word(arg).is_some_and(|word| words.has(word)),
+        _ => false,
+    };
+    row.params.iter().zip(args).filter(is_strange).count()
+}
+
 /// The calls of the declared rules: "`Floor(n)` or `Floor(n, height)`".
 fn calls(name: &str, declared: &[&Decl]) -> String {
     let call = |decl: &&Decl| {
@@ -342,9 +351,11 @@ impl<'a> Resolver<'_, 'a, '_> {
         if fitting.is_empty() && self.swapped(name, rows, args) {
             return;
         }
-        // A word of another form needs another number of arguments.
+        // A word of another form needs another number of arguments, unless that form does not have the other words.
         let farthest = |rows: &[&Operation]| rows.iter().map(|row| reach(row, args)).max();
-        let rows = if fitting.is_empty() && farthest(rows) < farthest(all) { &[] } else { rows };
+        let strange = |rows: &[&Operation]| rows.iter().map(|row| strange_words(row, args)).min();
+        let is_other = farthest(rows) < farthest(all) && (rows.is_empty() || strange(all) < strange(rows));
+        let rows = if fitting.is_empty() && is_other { &[] } else { rows };
         if let Some(row) = fitting.first().or(rows.first()).copied() {
             self.operation(if fitting.is_empty() { std::slice::from_ref(&row) } else { &fitting }, args);
             self.about_later(name, Use::Operation(row));
