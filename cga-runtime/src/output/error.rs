@@ -2,13 +2,21 @@
 
 use std::fmt;
 use std::io;
+use std::path::PathBuf;
 
 /// The reason why a file or a buffer could not be written.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum WriteError {
-    /// An error of the disk, the pipe or the encoder.
+    /// An error of a writer or of the encoder.
     Io(io::Error),
+    /// An error of the file system. A file that was there before stays as it was.
+    File {
+        /// The file.
+        path: PathBuf,
+        /// The error.
+        error: io::Error,
+    },
     /// The output exceeds the capacity of the format or the buffer.
     TooLarge {
         /// The counted items, in the plural: `vertices`, `bytes`.
@@ -24,6 +32,9 @@ impl fmt::Display for WriteError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             WriteError::Io(error) => write!(f, "cannot write: {error}"),
+            WriteError::File { path, error } => {
+                write!(f, "cannot write `{}`: {error}", path.to_string_lossy().escape_debug())
+            }
             WriteError::TooLarge { what, limit } => write!(f, "too large: more than {limit} {what}"),
             WriteError::NotFinite => f.write_str("a coordinate is not finite as a 32-bit float"),
         }
@@ -33,7 +44,7 @@ impl fmt::Display for WriteError {
 impl std::error::Error for WriteError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
-            WriteError::Io(error) => Some(error),
+            WriteError::Io(error) | WriteError::File { error, .. } => Some(error),
             _ => None,
         }
     }

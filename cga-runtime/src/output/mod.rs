@@ -26,3 +26,4 @@ pub mod svg;
 mod tangents;
 mod texture;
 mod triangles;
+mod whole_file;

@@ -23,6 +23,7 @@ use super::error::WriteError;
 use super::flatten::{Flattener, unit};
 use super::number::{NumberTexts, hex, push_whole};
 use super::numbers::Numbers;
+use super::whole_file::{self, WholeFile};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
 use crate::material::Material;
@@ -296,14 +297,21 @@ fn to_text(library: &str, replay: impl FnOnce(&mut Obj<&mut Vec<u8>>) -> Flow) -
     (String::from_utf8(bytes).unwrap_or_default(), materials)
 }
 
-fn to_files(path: &Path, replay: impl FnOnce(&mut Obj<BufWriter<File>>) -> Flow) -> Result<(), WriteError> {
+/// Writes the images, then the library, then the file that refers to both.
+fn to_files(path: &Path, replay: impl FnOnce(&mut Obj<BufWriter<&File>>) -> Flow) -> Result<(), WriteError> {
     let library = path.with_extension("mtl");
     let name = library.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let mut obj = Obj::new(BufWriter::new(File::create(path)?), &name);
+    let whole = WholeFile::create(path)?;
+    let mut obj = Obj::new(BufWriter::new(whole.file()), &name);
     let _ = replay(&mut obj);
     let images = mtl::builtins(obj.numbers.table.materials());
-    std::fs::write(&library, obj.finish()?)?;
-    write_images(path, &images)
+    let materials = obj.finish().map_err(|error| match error {
+        WriteError::Io(error) => whole_file::failed(path, error),
+        other => other,
+    })?;
+    write_images(path, &images)?;
+    whole_file::write(&library, materials.as_bytes())?;
+    whole.finish()
 }
 
 /// Writes built-in textures beside an OBJ file.

@@ -18,6 +18,7 @@ use super::order;
 use super::picture::Viewpoint;
 use super::picture::camera::{Viewport, direction};
 use super::sink_table::SinkTable;
+use super::whole_file;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
 use crate::material::Material;
@@ -196,6 +197,6 @@ impl Model {
     /// # Errors
     /// Errors of the file system.
     pub fn write_svg(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
-        Ok(std::fs::write(path, self.to_svg(800, 600))?)
+        whole_file::write(path.as_ref(), self.to_svg(800, 600).as_bytes())
     }
 }

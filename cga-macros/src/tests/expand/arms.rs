@@ -57,6 +57,7 @@ impl CgaRules {
                 let shape = &mut whole;
                 {
                     let a0 = height;
+                    cx.env.ask()?;
                     cga_rt::bake(shape);
                     cga_rt::op::taper(cx.env, shape, a0);
                 }

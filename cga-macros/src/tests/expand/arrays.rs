@@ -72,6 +72,7 @@ impl CgaRules {
                     let a0 = 30f64;
                     let a1 = 0f64;
                     let a2 = false;
+                    cx.env.ask()?;
                     cga_rt::bake(shape);
                     cga_rt::op::roof_hip(cx.env, shape, a0, a1, a2);
                 }

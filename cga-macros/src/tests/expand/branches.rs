@@ -27,6 +27,7 @@ impl CgaRules {
                         }
                         {
                             let a0 = cga_rt::op::CenterAxes::Xz;
+                            cx.env.ask()?;
                             cga_rt::op::center(cx.env, shape, &base, a0);
                         }
                     }

@@ -38,6 +38,7 @@ impl CgaRules {
                     CgaRules::cga_resume,
                 )?,
             ];
+            cx.env.ask()?;
             let mut whole = cx.env.whole(shape);
             cga_rt::op::inline(cx.env, &mut whole, operands, a0);
             cx.env.base(whole)

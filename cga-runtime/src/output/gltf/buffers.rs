@@ -11,6 +11,7 @@ use crate::material::layer::SetMask;
 use crate::output::batches::Batches;
 use crate::output::buffers::{Buffers, Submesh, Vertex};
 use crate::output::error::WriteError;
+use crate::output::whole_file;
 use crate::run::sink::Flow;
 use crate::value::each::Each;
 
@@ -101,7 +102,7 @@ impl Buffers {
     /// # Errors
     /// As [`Glb::into_bytes`], and errors of the file system.
     pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
-        Ok(std::fs::write(path, self.to_glb()?)?)
+        whole_file::write(path.as_ref(), &self.to_glb()?)
     }
 }
 

@@ -44,6 +44,7 @@ use super::near_origin::near_origin;
 use super::normals;
 use super::numbers::Numbers;
 use super::placed_assets::AssetList;
+use super::whole_file;
 use crate::asset::Assets;
 use crate::geometry::Axis;
 use crate::geometry::mesh::{Bounds, Mesh};
@@ -356,7 +357,7 @@ impl Model {
     /// # Errors
     /// As [`Glb::into_bytes`], and errors of the file system.
     pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
-        Ok(std::fs::write(path, self.to_glb()?)?)
+        whole_file::write(path.as_ref(), &self.to_glb()?)
     }
 }
 
@@ -375,7 +376,7 @@ impl super::batches::Batches<Model> {
     /// # Errors
     /// As [`Glb::into_bytes`], and errors of the file system.
     pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
-        Ok(std::fs::write(path, self.to_glb()?)?)
+        whole_file::write(path.as_ref(), &self.to_glb()?)
     }
 }
 

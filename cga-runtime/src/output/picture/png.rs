@@ -1,11 +1,11 @@
 //! Images as PNG files.
 
-use std::io::Write;
 use std::path::Path;
 
 use super::palette::Indexed;
 use crate::asset::image::Image;
 use crate::output::error::WriteError;
+use crate::output::whole_file;
 
 impl Image {
     /// The image as the bytes of a PNG file. It has an alpha channel only if a pixel is not opaque: surfaces whose image
@@ -63,6 +63,6 @@ impl Image {
     /// # Errors
     /// As [`Image::to_png`], and errors of the file system.
     pub fn write_png(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
-        Ok(std::fs::File::create(path)?.write_all(&self.to_png()?)?)
+        whole_file::write(path.as_ref(), &self.to_png()?)
     }
 }

@@ -1,0 +1,180 @@
+//! Files that are written whole or not at all.
+
+use std::ffi::OsString;
+use std::fs::{self, File, OpenOptions};
+use std::hash::{BuildHasher as _, Hasher as _, RandomState};
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+use super::error::WriteError;
+
+/// The number of names that are tried for a temporary file.
+const NAMES_TRIED: usize = 16;
+
+/// A file in the making: it has a temporary name beside its own, which [`finish`](WholeFile::finish) gives it. If it is dropped
+/// before, the temporary file goes, and a file that had the name stays as it was.
+///
+/// An existing file keeps its permissions, and one that may not be written is an error. A link stays: the file that it leads to is
+/// written. Pipes and devices have no place for another file and are written directly.
+#[derive(Debug)]
+pub(super) struct WholeFile {
+    /// The name that errors say.
+    path: PathBuf,
+    file: File,
+    /// The temporary name and the final one; `None` for what is written directly.
+    names: Option<[PathBuf; 2]>,
+}
+
+impl WholeFile {
+    /// Begins a file.
+    pub(super) fn create(path: &Path) -> Result<Self, WriteError> {
+        let (file, names) = open(path).map_err(|error| failed(path, error))?;
+        Ok(WholeFile { path: path.to_owned(), file, names })
+    }
+
+    /// The file to write to.
+    pub(super) fn file(&self) -> &File {
+        &self.file
+    }
+
+    /// Gives the file its name.
+    pub(super) fn finish(mut self) -> Result<(), WriteError> {
+        let Some([temporary, name]) = self.names.take() else { return Ok(()) };
+        fs::rename(&temporary, name).map_err(|error| {
+            let _ = fs::remove_file(&temporary);
+            failed(&self.path, error)
+        })
+    }
+}
+
+impl Drop for WholeFile {
+    fn drop(&mut self) {
+        if let Some([temporary, _]) = &self.names {
+            let _ = fs::remove_file(temporary);
+        }
+    }
+}
+
+/// Writes a file of these bytes.
+pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+    let whole = WholeFile::create(path)?;
+    whole.file().write_all(bytes).map_err(|error| failed(path, error))?;
+    whole.finish()
+}
+
+/// The error of a file.
+pub(super) fn failed(path: &Path, error: io::Error) -> WriteError {
+    WriteError::File { path: path.to_owned(), error }
+}
+
+/// Opens what is to be written, with the temporary name and the final one.
+fn open(path: &Path) -> io::Result<(File, Option<[PathBuf; 2]>)> {
+    let known = match fs::metadata(path) {
+        Ok(known) => Some(known),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+        Err(error) => return Err(error),
+    };
+    let is_link = fs::symlink_metadata(path).is_ok_and(|own| own.is_symlink());
+    if known.as_ref().is_some_and(|known| !known.is_file()) || (is_link && known.is_none()) {
+        return Ok((File::create(path)?, None));
+    }
+    let name = if is_link { fs::canonicalize(path)? } else { path.to_owned() };
+    if known.is_some() {
+        // A rename would replace a file that may not be written.
+        OpenOptions::new().write(true).open(&name)?;
+    }
+    let mut tried = 0;
+    loop {
+        let temporary = beside(&name)?;
+        match OpenOptions::new().write(true).create_new(true).open(&temporary) {
+            Ok(file) => {
+                if let Some(known) = known
+                    && let Err(error) = fs::set_permissions(&temporary, known.permissions())
+                {
+                    let _ = fs::remove_file(&temporary);
+                    return Err(error);
+                }
+                return Ok((file, Some([temporary, name])));
+            }
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists && tried < NAMES_TRIED => tried += 1,
+            Err(error) => return Err(error),
+        }
+    }
+}
+
+/// A name beside a file that no other file has.
+fn beside(name: &Path) -> io::Result<PathBuf> {
+    let own = name.file_name().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"))?;
+    let mut hidden = OsString::from(".");
+    hidden.push(own);
+    hidden.push(format!(".{:016x}.part", RandomState::new().build_hasher().finish()));
+    Ok(name.with_file_name(hidden))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An empty folder, and the names of its files.
+    fn folder(name: &str) -> PathBuf {
+        let folder = std::env::temp_dir().join(format!("cga-whole-file-{name}-{}", std::process::id()));
+        let _ = fs::remove_dir_all(&folder);
+        fs::create_dir_all(&folder).expect("a folder");
+        folder
+    }
+
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").file_name());
+        let mut names: Vec<String> = entries.map(|name| name.to_string_lossy().into_owned()).collect();
+        names.sort_unstable();
+        names
+    }
+
+    #[test]
+    fn what_is_not_finished_leaves_the_file_before() {
+        let folder = folder("unfinished");
+        let path = folder.join("city.glb");
+        write(&path, b"good").expect("a file");
+        let whole = WholeFile::create(&path).expect("a file");
+        whole.file().write_all(b"ba").expect("some bytes");
+        assert_eq!(names(&folder).len(), 2);
+        drop(whole);
+        assert_eq!((fs::read(&path).expect("a file"), names(&folder)), (b"good".to_vec(), vec!["city.glb".to_owned()]));
+        write(&path, b"better").expect("a file");
+        assert_eq!((fs::read(&path).expect("a file"), names(&folder).len()), (b"better".to_vec(), 1));
+        fs::remove_dir_all(folder).expect("it goes");
+    }
+
+    #[test]
+    fn errors_name_the_path() {
+        let folder = folder("errors");
+        for path in [folder.join("none/a.glb"), folder.clone()] {
+            let error = write(&path, b"x").expect_err("no such place").to_string();
+            assert!(error.starts_with("cannot write `") && error.contains("cga-whole-file-errors"), "{error}");
+        }
+        assert!(write(Path::new(""), b"x").is_err() && names(&folder).is_empty());
+        fs::remove_dir_all(folder).expect("it goes");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn permissions_and_links_stay_and_devices_are_written_directly() {
+        use std::os::unix::fs::{PermissionsExt as _, symlink};
+        let folder = folder("unix");
+        let (path, link) = (folder.join("a.obj"), folder.join("link.obj"));
+        write(&path, b"one").expect("a file");
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).expect("permissions");
+        symlink("a.obj", &link).expect("a link");
+        write(&link, b"two").expect("a file");
+        assert!(fs::symlink_metadata(&link).expect("a link").is_symlink());
+        assert_eq!(fs::read(&path).expect("a file"), b"two");
+        assert_eq!(fs::metadata(&path).expect("a file").permissions().mode() & 0o777, 0o640);
+        symlink("later.obj", folder.join("dangling.obj")).expect("a link");
+        write(&folder.join("dangling.obj"), b"three").expect("a file");
+        assert_eq!(names(&folder), ["a.obj", "dangling.obj", "later.obj", "link.obj"]);
+        write(Path::new("/dev/null"), b"four").expect("a device");
+        #[cfg(target_os = "linux")]
+        assert!(write(Path::new("/dev/full"), b"five").is_err_and(|error| error.to_string().contains("/dev/full")));
+        fs::remove_dir_all(folder).expect("it goes");
+    }
+}
