@@ -1,6 +1,6 @@
 #[allow(non_snake_case, dead_code, clippy::all, clippy::pedantic, clippy::nursery)]
 impl CgaRules {
-    ///Lot --> modify(f) { top : NIL | side : split(y) { 1 : NIL | ~1 : t(0, 1, 0) X. } } House.
+    ///Lot --> modify(f) { top : NIL | side : split(y) { ~1 : t(0, 1, 0) X. } } House.
     #[inline(never)]
     fn Lot(
         g: &CgaValues,
@@ -30,6 +30,7 @@ impl CgaRules {
                     )?,
                 ]
             };
+            cx.env.ask()?;
             let mut whole = cx.env.whole(shape);
             cga_rt::op::modify(cx.env, &mut whole, operands, a0, a1);
             cx.env.base(whole)
@@ -86,12 +87,8 @@ impl CgaRules {
                 axis: cga_rt::Axis::Y,
                 adjust: cga_rt::Adjust::Adjust,
                 number: 0,
-                pattern: &[cga_rt::Item::Slot, cga_rt::Item::Slot],
+                pattern: &[cga_rt::Item::Slot],
                 successors: &[
-                    cga_rt::Successor::Rule {
-                        draws: false,
-                        counts: false,
-                    },
                     cga_rt::Successor::Rule {
                         draws: false,
                         counts: false,
@@ -99,19 +96,15 @@ impl CgaRules {
                 ],
                 has_total: false,
             };
-            let sizes = &mut [
-                cga_rt::Size::absolute(1f64),
-                cga_rt::Size::floating(1f64),
-            ];
+            let sizes = &mut [cga_rt::Size::floating(1f64)];
             cga_rt::split(
                 cx,
                 shape,
                 SPLIT,
                 sizes,
-                &mut [0.0; 2usize],
+                &mut [0.0; 1usize],
                 &mut |cx, slot, part| match slot {
-                    0 => cx.vanish(part),
-                    1 => CgaRules::Lot_3(g, cx, part),
+                    0 => CgaRules::Lot_3(g, cx, part),
                     _ => cga_rt::Flow::Continue(()),
                 },
             )?

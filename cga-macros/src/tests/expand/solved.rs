@@ -20,6 +20,7 @@ impl CgaRules {
                     cga_rt::op::size(cx.env, shape, a0, a1, a2);
                 }
                 {
+                    cx.env.ask()?;
                     cga_rt::bake(shape);
                     cga_rt::op::cube(cx.env, shape);
                 }
