@@ -220,7 +220,8 @@ impl Input<'_> {
             return Err(BooleanError::Tangled);
         }
         let is_union = matches!(op, BooleanOp::Union | BooleanOp::Unify) && 1 < self.is_closed.len();
-        if must_close && is_union && made.volume() * self.scale.powi(3) < self.least_union(&shells, &mesh_of) {
+        let volume = made.volume() * self.scale * self.scale * self.scale;
+        if must_close && is_union && volume < self.least_union(&shells, &mesh_of) {
             // Something of an operand is missing.
             return Err(BooleanError::Tangled);
         }
