@@ -220,8 +220,8 @@ impl Input<'_> {
             return Err(BooleanError::Tangled);
         }
         let is_union = matches!(op, BooleanOp::Union | BooleanOp::Unify) && 1 < self.is_closed.len();
-        let volume = made.volume() * self.scale * self.scale * self.scale;
-        if must_close && is_union && volume < self.least_union(&shells, &mesh_of) {
+        let volume = || made.map(&DAffine3::from_scale(DVec3::splat(self.scale))).volume();
+        if must_close && is_union && volume() < self.least_union(&shells, &mesh_of) {
             // Something of an operand is missing.
             return Err(BooleanError::Tangled);
         }
