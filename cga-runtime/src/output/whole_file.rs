@@ -1,6 +1,5 @@
 //! Files that are written whole or not at all.
 
-use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
 use std::hash::{BuildHasher as _, Hasher as _, RandomState};
 use std::io::{self, Write as _};
@@ -15,7 +14,8 @@ const NAMES_TRIED: usize = 16;
 /// before, the temporary file goes, and a file that had the name stays as it was.
 ///
 /// An existing file keeps its permissions, and one that may not be written is an error. A link stays: the file that it leads to is
-/// written. Pipes and devices have no place for another file and are written directly.
+/// written. Pipes and devices have no place for another file and are written directly, as are the open files of the process, such
+/// as `/dev/stdout`.
 #[derive(Debug)]
 pub(super) struct WholeFile {
     /// The name that errors say.
@@ -75,7 +75,7 @@ fn open(path: &Path) -> io::Result<(File, Option<[PathBuf; 2]>)> {
         Err(error) => return Err(error),
     };
     let is_link = fs::symlink_metadata(path).is_ok_and(|own| own.is_symlink());
-    if known.as_ref().is_some_and(|known| !known.is_file()) || (is_link && known.is_none()) {
+    if known.as_ref().is_some_and(|known| !known.is_file()) || (is_link && (known.is_none() || is_open_file(path))) {
         return Ok((File::create(path)?, None));
     }
     let name = if is_link { fs::canonicalize(path)? } else { path.to_owned() };
@@ -102,13 +102,17 @@ fn open(path: &Path) -> io::Result<(File, Option<[PathBuf; 2]>)> {
     }
 }
 
-/// A name beside a file that no other file has.
+/// Returns true for a link that may stand for an open file: a rename would take the file from those that have it open.
+fn is_open_file(link: &Path) -> bool {
+    cfg!(unix) && ["/dev", "/proc"].iter().any(|folder| link.starts_with(folder))
+}
+
+/// A name beside a file that no other file has. It is short, as the file's own name may be as long as a name can be.
 fn beside(name: &Path) -> io::Result<PathBuf> {
-    let own = name.file_name().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"))?;
-    let mut hidden = OsString::from(".");
-    hidden.push(own);
-    hidden.push(format!(".{:016x}.part", RandomState::new().build_hasher().finish()));
-    Ok(name.with_file_name(hidden))
+    if name.file_name().is_none() {
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"));
+    }
+    Ok(name.with_file_name(format!(".cga-{:016x}.part", RandomState::new().build_hasher().finish())))
 }
 
 #[cfg(test)]
@@ -153,6 +157,49 @@ mod tests {
             assert!(error.starts_with("cannot write `") && error.contains("cga-whole-file-errors"), "{error}");
         }
         assert!(write(Path::new(""), b"x").is_err() && names(&folder).is_empty());
+        fs::remove_dir_all(folder).expect("it goes");
+    }
+
+    #[test]
+    fn the_longest_name_of_a_file_system_is_written() {
+        let folder = folder("long");
+        let path = folder.join(format!("{}.glb", "n".repeat(251)));
+        write(&path, b"good").expect("a file");
+        write(&path, b"better").expect("a file");
+        assert_eq!((fs::read(&path).expect("a file"), names(&folder).len()), (b"better".to_vec(), 1));
+        fs::remove_dir_all(folder).expect("it goes");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_pipe_is_written_directly() {
+        let folder = folder("pipe");
+        let pipe = folder.join("pipe.svg");
+        let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+        assert!(made.expect("mkfifo").success());
+        let reader = std::thread::spawn({
+            let pipe = pipe.clone();
+            move || fs::read(pipe).expect("the pipe")
+        });
+        write(&pipe, b"a picture").expect("the pipe");
+        assert_eq!(reader.join().expect("a reader"), b"a picture");
+        assert_eq!(names(&folder), ["pipe.svg"]);
+        fs::remove_dir_all(folder).expect("it goes");
+    }
+
+    /// `/dev/stdout` leads to such a name. A rename would take the file from the program that has it open.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn an_open_file_of_the_process_is_written_directly() {
+        use std::os::fd::AsRawFd as _;
+        use std::os::unix::fs::MetadataExt as _;
+        let folder = folder("open");
+        let path = folder.join("output.txt");
+        let output = File::create(&path).expect("a file");
+        write(Path::new(&format!("/proc/self/fd/{}", output.as_raw_fd())), b"a picture").expect("an open file");
+        let number = |known: io::Result<fs::Metadata>| known.expect("a file").ino();
+        assert_eq!(number(fs::metadata(&path)), number(output.metadata()));
+        assert_eq!(fs::read(&path).expect("a file"), b"a picture");
         fs::remove_dir_all(folder).expect("it goes");
     }
 

@@ -140,3 +140,29 @@ fn the_same_model_gives_the_same_text() {
     assert_eq!((text.len(), hash(text.as_bytes())), (19793, 0x13db_68c6_90b3_e77c));
     assert_eq!((library.len(), hash(library.as_bytes())), (287, 0x69ca_0fc9_9576_4415));
 }
+
+/// The OBJ file refers to the library, so it is replaced last: after an error it still fits the files beside it.
+#[test]
+fn an_obj_file_stays_if_its_library_cannot_be_written() {
+    let folder = std::env::temp_dir().join(format!("cga-obj-order-{}", std::process::id()));
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(folder.join("house.mtl")).expect("a folder where the library goes");
+    let path = folder.join("house.obj");
+    std::fs::write(&path, "good").expect("a file");
+    let mut fill = Fill(Model::default());
+    fill.quad("Wall", &color(1.0, 0.0, 0.0), front(DVec3::ZERO, 2.0, 3.0));
+    let refused = || {
+        let error = fill.0.write_obj(&path).expect_err("no library").to_string();
+        assert!(error.starts_with("cannot write `") && error.contains("house.mtl"), "{error}");
+        assert_eq!(std::fs::read(&path).expect("a file"), b"good");
+        assert_eq!(std::fs::read_dir(&folder).expect("a folder").count(), 2, "a temporary file is left");
+    };
+    refused();
+    #[cfg(target_os = "linux")]
+    {
+        std::fs::remove_dir(folder.join("house.mtl")).expect("it goes");
+        std::os::unix::fs::symlink("/dev/full", folder.join("house.mtl")).expect("a link");
+        refused();
+    }
+    std::fs::remove_dir_all(folder).expect("it goes");
+}
