@@ -137,6 +137,23 @@ fn bytes_are_counted_before_memory_is_taken() {
     assert!(Limits::BYTES_A_SHAPE * limits.shapes <= limits.bytes, "boxes reach the limit of shapes first");
 }
 
+/// The 24 vertices of the cylinder, and those of its 10 parts.
+#[test]
+fn a_cut_may_use_the_whole_limit_of_vertices() {
+    let rules = cga! { Lot --> primitiveCylinder(4) split(x) { { ^0.1 : X. }* } };
+    let ends = |vertices: u64| {
+        let limits = Limits { vertices, ..Limits::default() };
+        let result = rules.generate_with(&Shape::cuboid(1.0, 1.0, 1.0), &Settings { limits, ..Settings::default() });
+        result.map(|model| model.len())
+    };
+    let needed = (1..1000).find(|vertices| ends(*vertices).is_ok()).expect("a limit that suffices");
+    let corners: u64 = {
+        let model = rules.generate(&Shape::cuboid(1.0, 1.0, 1.0)).expect("no limit");
+        model.leaves().map(|leaf| leaf.mesh().0.corners().len() as u64).sum()
+    };
+    assert_eq!(needed, 24 + corners);
+}
+
 #[test]
 fn growth_without_end_is_an_error_and_not_a_hang() {
     let lot = Shape::rectangle(10.0, 10.0);

@@ -38,10 +38,10 @@ pub fn insert_along_uv_with(
         let message = format!("the shape has no texture coordinates in set {set}: `insertAlongUV` does nothing");
         return env.fault(FaultKind::Geometry, message);
     }
-    let most = env.corners_left();
+    let most = env.corners_left(1);
     let options = AlongUv { set: usize::from(set), height, direction, alignment };
     let Ok(bent) = bend(&carrier, &asset, &options, most) else {
-        let _ = env.too_many_corners::<()>();
+        let _ = env.too_many_corners::<()>(1);
         return;
     };
     if bent.is_empty() {

@@ -47,6 +47,11 @@ impl Limits {
 
     /// Bytes that a mesh counts for, besides its vertices.
     pub const BYTES_A_MESH: u64 = 400;
+
+    /// The number of shapes that the limit of shapes and a number of bytes allow.
+    pub(crate) fn shapes_in(&self, bytes: u64) -> u64 {
+        self.shapes.min(bytes / Limits::BYTES_A_SHAPE)
+    }
 }
 
 impl Default for Limits {

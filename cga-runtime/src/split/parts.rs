@@ -254,9 +254,10 @@ fn slabs(
     let plane = |distance: f64| placed.low[at] + distance / stretch;
     let borders = PieceBorders::of(row, extent, plane(extent), plane);
     // While a cut lasts, the crossings of edges take as much memory as the parts.
-    let most = env.corners_left() / 2;
+    const COPIES: u64 = 2;
+    let most = env.corners_left(COPIES);
     let Some(mut cut) = cut::slabs_within(&placed.mesh, axis, &borders.rising, most) else {
-        return env.too_many_corners();
+        return env.too_many_corners(COPIES);
     };
     // *split operation*: surfaces get no caps. An asset is usually meant to be a solid, so it gets a fault; a single
     // face does not.

@@ -60,13 +60,13 @@ pub(super) fn texture(
         TextureSpace::Unit => extent.at_metres(axis, distance),
     };
     let borders = PieceBorders::of(&pieces[..], length, extent.high[axis.index()], line);
-    let most = env.corners_left();
+    let most = env.corners_left(1);
     let flat = match placed.mesh.without_bent_faces() {
         Cow::Borrowed(_) => placed.mesh.clone(),
         Cow::Owned(flat) => Arc::new(flat),
     };
     let Ok((mut bands, points)) = cut::traced_iso_bands(&flat, usize::from(set), axis, &borders.rising, most) else {
-        return env.too_many_corners();
+        return env.too_many_corners(1);
     };
     for (band, points) in bands.iter_mut().zip(&points) {
         if let Some(band) = band {

@@ -57,7 +57,8 @@ impl CutState {
         self.points.start(mesh);
         self.rim.reset();
         self.parts.clear();
-        if MANY_SLABS <= self.points.planes.len() && self.has_more_corners(mesh, self.most_corners) {
+        let has_limit = self.most_corners != usize::MAX && MANY_SLABS <= self.points.planes.len();
+        if has_limit && self.has_more_corners(mesh, self.most_corners) {
             self.is_too_large = true;
             return false;
         }
@@ -94,7 +95,6 @@ impl CutState {
         room.clear();
         room.resize(slabs + 1, SlabRoom::default());
         points.places.iter().for_each(|place| room[place.class.slab() as usize].points += 1);
-        parts.clear();
         if slabs < MANY_SLABS {
             // With few slabs: the share of faces follows from the share of points, and small meshes get enough room for
             // any cut.

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::{ENDED, Env, MOST_SHAPES};
 use crate::fault::LimitKind;
 use crate::geometry::work;
-use crate::run::settings::{Limits, Settings};
+use crate::run::settings::Settings;
 use crate::run::sink::Flow;
 use crate::run::watch::{Progress, STRIDE};
 
@@ -28,12 +28,7 @@ impl Checkpoint {
         let stride = if settings.watch.is_some() { STRIDE } else { u64::MAX };
         Checkpoint {
             // Larger numbers mark a run that has ended.
-            shapes: settings
-                .limits
-                .shapes
-                .min(settings.limits.bytes / Limits::BYTES_A_SHAPE)
-                .min(stride)
-                .min(MOST_SHAPES),
+            shapes: settings.limits.shapes_in(settings.limits.bytes).min(stride).min(MOST_SHAPES),
             calls: settings.limits.calls.min(stride),
             ..Checkpoint::default()
         }
@@ -151,6 +146,7 @@ impl Env {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::run::settings::Limits;
     use crate::run::watch::Watch;
     use crate::shape::Shape;
 

@@ -35,7 +35,7 @@ impl Env {
 
     /// The largest number of shapes that both limits allow, with the meshes so far.
     pub(crate) fn most_shapes(&self) -> u64 {
-        self.settings.limits.shapes.min(self.bytes_left() / Limits::BYTES_A_SHAPE)
+        self.settings.limits.shapes_in(self.bytes_left())
     }
 
     /// The bytes that are left for shapes: all without meshes.
@@ -45,23 +45,29 @@ impl Env {
         self.settings.limits.bytes.saturating_sub(corners).saturating_sub(meshes)
     }
 
-    /// The number of corners that operations may still make.
-    pub(crate) fn corners_left(&self) -> usize {
-        let bytes = self.bytes_left().saturating_sub(self.shape_count().saturating_mul(Limits::BYTES_A_SHAPE));
-        let vertices = self.settings.limits.vertices.saturating_sub(self.vertices);
-        usize::try_from(vertices.min(bytes / Limits::BYTES_A_VERTEX)).unwrap_or(usize::MAX)
+    /// The number of corners that an operation may still make, if it holds that many copies of each while it lasts.
+    pub(crate) fn corners_left(&self, copies: u64) -> usize {
+        let [vertices, bytes] = self.corners_in_limits(copies);
+        usize::try_from(vertices.min(bytes)).unwrap_or(usize::MAX)
     }
 
     /// Ends the run because an operation would make more than [`corners_left`](Env::corners_left).
     #[cold]
-    pub(crate) fn too_many_corners<T>(&mut self) -> ControlFlow<(), T> {
+    pub(crate) fn too_many_corners<T>(&mut self, copies: u64) -> ControlFlow<(), T> {
+        let [vertices, bytes] = self.corners_in_limits(copies);
         let limits = self.settings.limits;
-        let vertices = limits.vertices.saturating_sub(self.vertices);
-        if (self.corners_left() as u64) < vertices {
+        if bytes < vertices {
             self.limit(LimitKind::Bytes, limits.bytes)
         } else {
             self.limit(LimitKind::Vertices, limits.vertices)
         }
+    }
+
+    /// The corners that the limit of vertices and the limit of bytes leave.
+    fn corners_in_limits(&self, copies: u64) -> [u64; 2] {
+        let bytes = self.bytes_left().saturating_sub(self.shape_count().saturating_mul(Limits::BYTES_A_SHAPE));
+        let vertices = self.settings.limits.vertices.saturating_sub(self.vertices);
+        [vertices, bytes / (copies * Limits::BYTES_A_VERTEX)]
     }
 
     /// Ends the run because there are more than [`most_shapes`](Env::most_shapes).
