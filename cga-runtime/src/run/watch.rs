@@ -24,7 +24,8 @@ pub struct Progress {
     pub shapes: u64,
     /// Leaves passed to sinks.
     pub leaves: u64,
-    /// The work of operations on geometry, in units of some nanoseconds each.
+    /// The work of operations on geometry, in units of some nanoseconds each. It is told in steps of some ten thousand units, so
+    /// runs of small operations may tell none.
     pub work: u64,
 }
 
@@ -105,8 +106,8 @@ impl Watch {
         }
     }
 
-    /// A watch that ends all runs when `limit` has passed since this call. A run returns within some milliseconds
-    /// after that time, with `stopped` set in its report. What it has made by then depends on the speed of the machine.
+    /// A watch that ends all runs when `limit` has passed since this call. A run returns soon after
+    /// that time, usually within some tens of milliseconds, with `stopped` set in its report. What it has made by then depends on the speed of the machine.
     ///
     /// ```
     /// use std::time::Duration;

@@ -7,7 +7,7 @@ use crate::fault::LimitKind;
 use crate::geometry::work;
 use crate::run::settings::Settings;
 use crate::run::sink::Flow;
-use crate::run::watch::{Progress, STRIDE};
+use crate::run::watch::{Progress, STRIDE, Watch};
 
 /// The counts at which counting leaves the fast path, and the last progress that the watch got.
 #[derive(Debug, Default)]
@@ -85,10 +85,12 @@ impl Env {
         self.ask_watch()
     }
 
-    /// Asks the watch before a step that is not slim. `Break` if the run has ended.
+    /// Asks the watch before a step that is not slim. `Break` if the run has ended. Progress is not told: the counters of a watch
+    /// are shared by threads.
     #[inline]
     pub fn ask(&mut self) -> Flow {
-        if self.settings.watch.is_none() && !self.ended() { ControlFlow::Continue(()) } else { self.ask_watch() }
+        let is_stopped = self.settings.watch.as_ref().is_some_and(Watch::is_stopped);
+        if is_stopped || self.ended() { self.ask_watch() } else { ControlFlow::Continue(()) }
     }
 
     /// Counts units of work of a step that is not slim, and asks the watch after many. `Break` if the run has ended.
@@ -147,7 +149,6 @@ impl Env {
 mod tests {
     use super::*;
     use crate::run::settings::Limits;
-    use crate::run::watch::Watch;
     use crate::shape::Shape;
 
     fn env(limits: Limits, watch: Option<Watch>) -> Env {
