@@ -18,7 +18,9 @@ fn every_operation_that_is_not_slim_has_a_row() {
     for operation in all_operations().filter(|operation| operation.changes == Changes::Whole && operation.old.is_none())
     {
         let name = operation.name;
-        let is_there = text.match_indices(name).any(|(at, _)| text[at + name.len()..].starts_with(['(', ' ']));
+        let is_call =
+            |at: usize| !text[..at].ends_with(char::is_alphanumeric) && text[at + name.len()..].starts_with(['(', ' ']);
+        let is_there = text.match_indices(name).any(|(at, _)| is_call(at));
         assert!(is_there, "`{name}` has no rule in tests/rules/one_operation.cga");
     }
 }

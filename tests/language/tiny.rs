@@ -1,8 +1,9 @@
 //! Shapes that are almost nothing or almost too large: sinks get finite numbers only.
 
-use super::stopping;
 use cga::{Error, Limits, Settings, Shape};
 use cga_tests::stopped::{Every, rules};
+
+use super::stopping;
 
 /// Long runs end after as many questions to their watch.
 const QUESTIONS: u64 = 30;

@@ -1,16 +1,16 @@
 //! The work of long operations, counted so that they can end early.
 //!
-//! Algorithms whose time grows faster than their input count their work with [`spend`]. After every [`STRIDE`] units the
-//! thread asks its [`Supervisor`] whether to go on. Without one, for meshes outside of runs, nobody is asked. The count is
-//! the thread's, because the algorithms lie many calls below the run, and most callers have nobody to ask.
+//! Algorithms whose time grows faster than their input count their work with [`spend`]. After every [`UNITS_A_QUESTION`] units the
+//! thread asks its [`Supervisor`] whether to go on. A thread without a supervisor always goes on: meshes are also used outside of
+//! runs. The count belongs to the thread, because the algorithms lie many calls below the run.
 
 use std::cell::{Cell, RefCell};
 use std::fmt;
 
 /// The units of work between two questions. A unit is the comparison of two edges or the like, some nanoseconds.
-pub(crate) const STRIDE: u64 = 1 << 16;
+pub(crate) const UNITS_A_QUESTION: u64 = 1 << 16;
 
-/// Is asked whether work goes on, with the number of units since the last question.
+/// Returns true if work goes on. Its argument is the number of units since the last question.
 type Question = Box<dyn Fn(u64) -> bool>;
 
 thread_local! {
@@ -19,7 +19,7 @@ thread_local! {
     static QUESTION: RefCell<Option<Question>> = const { RefCell::new(None) };
 }
 
-/// Whoever may end the work of this thread, as long as the value lives. Afterwards the one before is asked again.
+/// Decides whether the work of this thread goes on, until the value is dropped. Then the supervisor before it decides again.
 pub(crate) struct Supervisor {
     before: Option<Question>,
     units: u64,
@@ -27,7 +27,7 @@ pub(crate) struct Supervisor {
 }
 
 impl Supervisor {
-    /// `question` gets the units of work since it was asked last. Once it returns false, it is not asked again.
+    /// A supervisor that answers by `question`. After its first false it is asked no more.
     pub(crate) fn new(question: impl Fn(u64) -> bool + 'static) -> Self {
         let before = QUESTION.with(|own| own.replace(Some(Box::new(question))));
         Supervisor { before, units: UNITS.replace(0), went_on: MAY_GO_ON.replace(true) }
@@ -55,7 +55,7 @@ impl Drop for Supervisor {
 pub(crate) fn spend(units: usize) -> bool {
     let all = UNITS.get().saturating_add(units as u64);
     UNITS.set(all);
-    if all < STRIDE { MAY_GO_ON.get() } else { ask() }
+    if all < UNITS_A_QUESTION { MAY_GO_ON.get() } else { ask() }
 }
 
 /// Asks whether the work goes on.
@@ -76,21 +76,21 @@ mod tests {
 
     #[test]
     fn work_ends_when_the_answer_is_no() {
-        assert!(spend(usize::MAX), "nobody is asked");
+        assert!(spend(usize::MAX), "without a supervisor work goes on");
         let asked = Rc::new(Cell::new(0));
         let count = asked.clone();
         let outer = Supervisor::new(move |units| {
             count.set(count.get() + units);
-            count.get() < 3 * STRIDE
+            count.get() < 3 * UNITS_A_QUESTION
         });
-        assert!(spend(STRIDE as usize - 1) && asked.get() == 0);
-        assert!(spend(1) && asked.get() == STRIDE);
+        assert!(spend(UNITS_A_QUESTION as usize - 1) && asked.get() == 0);
+        assert!(spend(1) && asked.get() == UNITS_A_QUESTION);
         {
             let _inner = Supervisor::new(|_| false);
             assert!(spend(5) && !ask() && !spend(5), "the answer stays");
         }
-        assert!(spend(STRIDE as usize) && !spend(STRIDE as usize) && !spend(1));
-        assert_eq!(asked.get(), 3 * STRIDE, "nobody is asked again");
+        assert!(spend(UNITS_A_QUESTION as usize) && !spend(UNITS_A_QUESTION as usize) && !spend(1));
+        assert_eq!(asked.get(), 3 * UNITS_A_QUESTION, "after the answer no question follows");
         drop(outer);
         assert!(spend(usize::MAX));
     }

@@ -7,9 +7,6 @@ use std::path::{Path, PathBuf};
 
 use super::error::WriteError;
 
-/// The number of names that are tried for a temporary file.
-const NAMES_TRIED: usize = 16;
-
 /// A file in the making: it has a temporary name beside its own, which [`finish`](WholeFile::finish) gives it. If it is dropped
 /// before, the temporary file goes, and a file that had the name stays as it was.
 ///
@@ -18,7 +15,7 @@ const NAMES_TRIED: usize = 16;
 /// as `/dev/stdout`.
 #[derive(Debug)]
 pub(super) struct WholeFile {
-    /// The name that errors say.
+    /// The name in errors.
     path: PathBuf,
     file: File,
     /// The temporary name and the final one; `None` for what is written directly.
@@ -83,23 +80,15 @@ fn open(path: &Path) -> io::Result<(File, Option<[PathBuf; 2]>)> {
         // A rename would replace a file that may not be written.
         OpenOptions::new().write(true).open(&name)?;
     }
-    let mut tried = 0;
-    loop {
-        let temporary = beside(&name)?;
-        match OpenOptions::new().write(true).create_new(true).open(&temporary) {
-            Ok(file) => {
-                if let Some(known) = known
-                    && let Err(error) = fs::set_permissions(&temporary, known.permissions())
-                {
-                    let _ = fs::remove_file(&temporary);
-                    return Err(error);
-                }
-                return Ok((file, Some([temporary, name])));
-            }
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists && tried < NAMES_TRIED => tried += 1,
-            Err(error) => return Err(error),
-        }
+    let temporary = beside(&name)?;
+    let file = OpenOptions::new().write(true).create_new(true).open(&temporary)?;
+    if let Some(known) = known
+        && let Err(error) = fs::set_permissions(&temporary, known.permissions())
+    {
+        let _ = fs::remove_file(&temporary);
+        return Err(error);
     }
+    Ok((file, Some([temporary, name])))
 }
 
 /// Returns true for a link that may stand for an open file: a rename would take the file from those that have it open.
@@ -107,7 +96,7 @@ fn is_open_file(link: &Path) -> bool {
     cfg!(unix) && ["/dev", "/proc"].iter().any(|folder| link.starts_with(folder))
 }
 
-/// A name beside a file that no other file has. It is short, as the file's own name may be as long as a name can be.
+/// A random name beside a file. It is short, as the file's own name may be as long as a name can be.
 fn beside(name: &Path) -> io::Result<PathBuf> {
     if name.file_name().is_none() {
         return Err(io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"));

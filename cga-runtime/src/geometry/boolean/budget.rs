@@ -5,7 +5,7 @@ use super::operation::BooleanError;
 use super::point_set::PointSet;
 use crate::geometry::work;
 
-/// The units of work of a step that is no comparison: an edge is divided, a corner is read.
+/// The units of work of dividing an edge or reading a corner.
 const STEP: usize = 8;
 
 /// The work that an operation may still do, with all attempts together, and the size of its arrangements.
@@ -50,7 +50,7 @@ impl Budget {
     }
 }
 
-/// Counts steps that are no comparisons. An error if the work is to end.
+/// Counts divided edges and corners that are read, which no budget limits. An error if the work is to end.
 pub(super) fn goes_on(steps: usize) -> Result<(), BooleanError> {
     if work::spend(STEP * steps) { Ok(()) } else { Err(BooleanError::TooMany) }
 }

@@ -79,6 +79,19 @@ struct CrossingSweep {
 /// [`MeshError::SelfCrossing`] if edges cross, overlap, or touch except at corners, else [`MeshError::HolePlace`] for the first
 /// hole that is outside of the outline or inside of another one.
 pub(super) fn check(rings: &[Vec<DVec2>]) -> Result<(), MeshError> {
+    let edges = edges_of(rings);
+    let count = edges.len();
+    let mut sweep = CrossingSweep {
+        edges,
+        status: Status::default(),
+        edge_of: Vec::with_capacity(count),
+        entry_of: vec![0; count],
+    };
+    sweep.run(rings.len())
+}
+
+/// The edges of loops, without those between two corners at one place.
+fn edges_of(rings: &[Vec<DVec2>]) -> Vec<LoopEdge> {
     let mut edges = Vec::with_capacity(rings.iter().map(Vec::len).sum());
     for (ring, points) in (0..).zip(rings) {
         let next = points.iter().cycle().skip(1);
@@ -90,14 +103,7 @@ pub(super) fn check(rings: &[Vec<DVec2>]) -> Result<(), MeshError> {
             }
         }
     }
-    let count = edges.len();
-    let mut sweep = CrossingSweep {
-        edges,
-        status: Status::default(),
-        edge_of: Vec::with_capacity(count),
-        entry_of: vec![0; count],
-    };
-    sweep.run(rings.len())
+    edges
 }
 
 impl CrossingSweep {
@@ -160,11 +166,11 @@ impl CrossingSweep {
             }
         }
         let holes = places.iter().skip(1).enumerate();
-        let wrong = holes.filter_map(|(hole, place)| match place {
+        let mut wrong = holes.filter_map(|(hole, place)| match place {
             Some(HolePlace::Wrong { within }) => Some(MeshError::HolePlace { hole, within: *within }),
             Some(HolePlace::Right) | None => None,
         });
-        wrong.map(Err).next().unwrap_or(Ok(()))
+        wrong.next().map_or(Ok(()), Err)
     }
 
     /// The last edge that is left of a point, and the first one that is not.
@@ -189,23 +195,9 @@ mod tests {
     use crate::geometry::mesh::check::winding;
     use crate::geometry::random::Rng;
 
-    /// The edges of loops.
-    fn edges(rings: &[Vec<DVec2>]) -> Vec<LoopEdge> {
-        let of = |(ring, points): (u32, &Vec<DVec2>)| {
-            let next = points.iter().cycle().skip(1);
-            let pairs: Vec<_> = points.iter().copied().zip(next.copied()).collect();
-            (0..).zip(pairs).map(move |(number, (a, b))| {
-                let rises = is_below(a, b);
-                let [low, high] = if rises { [a, b] } else { [b, a] };
-                LoopEdge { low, high, ring, number, rises }
-            })
-        };
-        (0..).zip(rings).flat_map(of).collect()
-    }
-
     /// The result of comparing every edge with every other one.
     fn crosses(rings: &[Vec<DVec2>]) -> bool {
-        let edges = edges(rings);
+        let edges = edges_of(rings);
         (0..edges.len()).any(|i| edges[..i].iter().any(|other| edges[i].meets(other)))
     }
 
@@ -237,7 +229,7 @@ mod tests {
             assert_eq!(matches!(result, Err(MeshError::SelfCrossing { .. })), crosses(&rings), "{rings:?}: {result:?}");
             if let Err(MeshError::SelfCrossing { first, second }) = result {
                 let edge = |(ring, number): (usize, usize)| {
-                    *edges(&rings)
+                    *edges_of(&rings)
                         .iter()
                         .find(|edge| (edge.ring, edge.number) == (ring as u32, number as u32))
                         .expect("an edge")

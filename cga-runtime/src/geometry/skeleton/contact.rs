@@ -190,7 +190,7 @@ mod tests {
         let mut contacts = Contacts::default();
         contacts.clear(count as usize);
         (0..count).for_each(|vertex| contacts.reach(vertex));
-        front.compare(&mut contacts).expect("nobody ends it");
+        front.compare(&mut contacts).expect("the work goes on");
         assert!((0..count).all(|vertex| contacts.cluster(vertex) == 0));
         assert!(contacts.candidates.is_empty() && contacts.touched() == 0);
     }

@@ -65,7 +65,8 @@ pub(crate) const ENDED: u64 = u64::MAX / 4;
 #[derive(Debug, Default)]
 pub struct Env {
     pub(crate) settings: Settings,
-    #[expect(dead_code, reason = "it lets the watch end long operations as long as it lives")]
+    /// Lets the watch end long operations of this thread, as long as the run lasts.
+    #[expect(dead_code, reason = "its life is its use")]
     supervisor: Option<Supervisor>,
     /// The extent below which shapes are not split further, so that recursive splits end (*Subdivision split*: "the
     /// recursion stops when the geometry gets too small"). It is relative to the initial shape.
@@ -365,7 +366,7 @@ impl Env {
 
     /// Adds a fault, if there is room for it. Returns its index.
     fn add_fault(&mut self, kind: FaultKind, message: String) -> Option<usize> {
-        // What an operation says after it was ended is not so.
+        // The failure of an operation that was ended is no fault of the rules.
         if self.ask().is_break() {
             return None;
         }
