@@ -137,7 +137,7 @@ fn bytes_are_counted_before_memory_is_taken() {
     assert!(Limits::BYTES_A_SHAPE * limits.shapes <= limits.bytes, "boxes reach the limit of shapes first");
 }
 
-/// The 24 vertices of the cylinder, and those of its 10 parts.
+/// The 24 vertices of the cylinder, and the vertices of its 10 parts.
 #[test]
 fn a_cut_may_use_the_whole_limit_of_vertices() {
     let rules = cga! { Lot --> primitiveCylinder(4) split(x) { { ^0.1 : X. }* } };
