@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::value::shown::shown;
+
 /// The kinds of faults.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -148,7 +150,7 @@ impl fmt::Display for Error {
                 const NAMED: usize = 12;
                 let more = if NAMED < known.len() { ", …" } else { "" };
                 let known = &known[..known.len().min(NAMED)];
-                write!(f, "`{name}` is not a start rule; the start rules are {}{more}", known.join(", "))
+                write!(f, "`{}` is not a start rule; the start rules are {}{more}", shown(name), known.join(", "))
             }
             Error::Shape(message) => f.write_str(message),
         }

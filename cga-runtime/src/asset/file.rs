@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::value::shown::escaped;
 use crate::value::text::Text;
 
 /// The name of a file, with the folder of the rule file that names it. Relative names are looked up from that folder
@@ -28,8 +29,9 @@ impl From<&str> for File {
     }
 }
 
+/// The name as written in the rules, escaped for messages.
 impl fmt::Display for File {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.name)
+        f.write_str(&escaped(&self.name))
     }
 }

@@ -7,7 +7,7 @@
 use std::cell::Cell;
 
 use crate::value::pattern;
-use crate::value::text::shortened;
+use crate::value::shown::shown;
 
 /// The limit on character comparisons in one search, over all files.
 const MOST_STEPS: u64 = 100_000_000;
@@ -58,7 +58,7 @@ impl Query {
                 None => FilePattern::Plain(pattern.chars().collect()),
                 Some(Ok(expression)) => FilePattern::Regular(expression),
                 Some(Err(error)) => {
-                    query.wrong.get_or_insert(format!("the pattern `{}`: {error}", shortened(pattern)));
+                    query.wrong.get_or_insert(format!("the pattern `{}`: {error}", shown(pattern)));
                     FilePattern::Nothing
                 }
             };

@@ -1,5 +1,6 @@
 //! The warnings about a file, limited in number.
 
+use crate::value::shown::escaped;
 use crate::value::text::shortened_to;
 
 /// The largest number of warnings of a file.
@@ -36,9 +37,9 @@ impl Warnings {
     }
 }
 
-/// The start of a name.
+/// The start of a name, escaped for a message.
 pub(super) fn short(name: &str) -> String {
-    shortened_to(name, NAME)
+    escaped(&shortened_to(name, NAME))
 }
 
 #[cfg(test)]
@@ -61,6 +62,7 @@ mod tests {
     #[test]
     fn long_names_are_cut_between_characters() {
         assert_eq!(short("brick"), "brick");
+        assert_eq!(short("brick\u{1b}[2J"), r"brick\u{1b}[2J");
         assert_eq!(short(&"ä".repeat(40)), "ä".repeat(40));
         assert_eq!(short(&"ä".repeat(1_000_000)), format!("{}…", "ä".repeat(40)));
     }

@@ -3,6 +3,7 @@
 use crate::fault::FaultKind;
 use crate::run::env::Env;
 use crate::value::each::Each;
+use crate::value::shown::shown;
 use crate::value::text::Text;
 
 /// Red, green and blue.
@@ -22,7 +23,10 @@ fn bytes(hex: &str) -> Option<([u8; 3], Option<u8>)> {
 fn read(env: &mut Env, hex: &str) -> [u8; 3] {
     let read = bytes(hex);
     if read.is_none() {
-        env.fault(FaultKind::Value, format!("`{hex}` is not a colour like \"#ff8000\"; black is used instead"));
+        env.fault(
+            FaultKind::Value,
+            format!("`{}` is not a colour like \"#ff8000\"; black is used instead", shown(hex)),
+        );
     }
     read.unwrap_or_default().0
 }

@@ -7,6 +7,7 @@ use super::colour::print;
 use crate::fault::FaultKind;
 use crate::run::env::Env;
 use crate::value::each::Each;
+use crate::value::shown::shown;
 use crate::value::text::Text;
 
 /// The number of colours of a ramp.
@@ -61,7 +62,10 @@ pub fn color_ramp(env: &mut Env, name: Text, value: f64) -> Text {
     }
     let Some((_, colours)) = RAMPS.iter().find(|(known, _)| *known == name.as_str()) else {
         let known: Vec<&str> = RAMPS.iter().map(|(known, _)| *known).chain(["spectrum"]).collect();
-        env.fault(FaultKind::Value, format!("`{name}` is not a colour ramp; the ramps are {}", known.join(", ")));
+        env.fault(
+            FaultKind::Value,
+            format!("`{}` is not a colour ramp; the ramps are {}", shown(&name), known.join(", ")),
+        );
         return print(WHITE);
     };
     let place = step / (STEPS - 1.0) * (colours.len() - 1) as f64;

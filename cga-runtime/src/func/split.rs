@@ -4,7 +4,8 @@ use crate::fault::FaultKind;
 use crate::run::env::Env;
 use crate::value::array::Array;
 use crate::value::pattern::{Regex, RegexSearch, TooLong};
-use crate::value::text::{Text, shortened};
+use crate::value::shown::shown;
+use crate::value::text::Text;
 
 /// The parts of a text between delimiters, in one row; a delimiter that begins with `$` is a regular expression
 /// (*splitString function*).
@@ -25,15 +26,12 @@ pub fn split_string(env: &mut Env, text: Text, delimiter: Text) -> Array<Text> {
     let pattern = match Regex::new(pattern) {
         Ok(pattern) => pattern,
         Err(error) => {
-            env.fault(
-                FaultKind::Value,
-                format!("the pattern `{}`: {error}; the text is not split", shortened(pattern)),
-            );
+            env.fault(FaultKind::Value, format!("the pattern `{}`: {error}; the text is not split", shown(pattern)));
             return Array::from([text]);
         }
     };
     split_by_pattern(env, &pattern, &text).unwrap_or_else(|TooLong| {
-        let pattern = shortened(&delimiter[1..]);
+        let pattern = shown(&delimiter[1..]);
         env.fault(FaultKind::Value, format!("the pattern `{pattern}`: it takes too long; the text is not split"));
         Array::from([text])
     })

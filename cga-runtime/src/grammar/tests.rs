@@ -143,6 +143,10 @@ fn what_is_refused_is_taught() {
         tower.set_text("style", "plian"),
         tower.set_text("storeys", "4"),
         tower.set_text("odd", "-2"),
+        tower.set_text("height\n", "-2"),
+        tower.set_text("lit", "yes\u{1b}[2J"),
+        tower.set_text("style", "a\nb"),
+        tower.set_text("odd", "1e999"),
     ]
     .map(|result| result.expect_err("refused").to_string())
     .to_vec();
@@ -159,6 +163,10 @@ fn what_is_refused_is_taught() {
             "attribute `style`: `plian` is not one of plain, ornate",
             "attribute `storeys`: `4` is not one of 12",
             "attribute `odd`: -2 is outside of 0 to 1",
+            r"there is no attribute `height\n`; did you mean `height`?",
+            r"attribute `lit` is true or false, and `yes\u{1b}[2J` is not",
+            r"attribute `style`: `a\nb` is not one of plain, ornate",
+            "attribute `odd` is a number, and `1e999` is not",
         ]
     );
     assert_eq!(tower.set_text("odd", "-1"), Ok(()), "a default is never refused");

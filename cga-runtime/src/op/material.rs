@@ -10,6 +10,7 @@ use crate::material::{Color, Layer, Material, MaterialNumber, MaterialText};
 use crate::run::env::Env;
 use crate::shape::{Geometry, Placed, Shape};
 use crate::value::array::Array;
+use crate::value::shown::{escaped, shown};
 use crate::value::text::Text;
 
 /// `color("#rrggbb")` or `color("#rrggbboo")` (*color operation*). The short form keeps the opacity.
@@ -19,7 +20,10 @@ pub fn color_hex(env: &mut Env, shape: &mut Shape, hex: Text) {
             material.color = Some(color);
             material.opacity = opacity.or(material.opacity);
         }),
-        None => env.fault(FaultKind::Value, format!("`{hex}` is not a colour like \"#ff8000\"; the old colour stays")),
+        None => env.fault(
+            FaultKind::Value,
+            format!("`{}` is not a colour like \"#ff8000\"; the old colour stays", shown(&hex)),
+        ),
     }
 }
 
@@ -68,7 +72,7 @@ pub(crate) fn image(env: &mut Env, file: Text) -> (Text, bool) {
         Ok(header) => return (file, header.has_alpha),
         Err(why) => why,
     };
-    env.image_fault(format!("`{file}` cannot be shown: {why}; a checker pattern takes its place"));
+    env.image_fault(format!("`{}` cannot be shown: {why}; a checker pattern takes its place", escaped(&file)));
     use AssetError::{Broken, Format, NoFolder, TooLong};
     let keeps_name = matches!(why, Format(_) | Broken(_) | TooLong { .. } | NoFolder) && !file.starts_with("builtin:");
     (if keeps_name { file } else { Text::fixed(UNKNOWN_TEXTURE) }, false)
@@ -88,11 +92,11 @@ pub fn set_material(env: &mut Env, shape: &mut Shape, material: Array<Text>) {
         } else if name.as_str() == "doubleSided" {
             set::material_double_sided(env, shape, func::text_to_bool(value.clone()));
         } else {
-            env.fault(FaultKind::Value, format!("`{name}` is not an attribute of a material; it is ignored"));
+            env.fault(FaultKind::Value, format!("`{}` is not an attribute of a material; it is ignored", shown(name)));
         }
     }
     for name in rest {
-        env.fault(FaultKind::Value, format!("`setMaterial` has no value for `{name}`; it is ignored"));
+        env.fault(FaultKind::Value, format!("`setMaterial` has no value for `{}`; it is ignored", shown(name)));
     }
 }
 
@@ -228,6 +232,26 @@ mod tests {
         let (faults, _) = env.take_faults();
         assert_eq!((faults.len(), faults[0].count), (1, 1));
         let _ = std::fs::remove_dir_all(&folder);
+    }
+
+    #[test]
+    fn names_in_faults_stay_on_their_line() {
+        let (env, shape) = (&mut Env::for_tests(), &mut Shape::cuboid(1.0, 1.0, 1.0));
+        env.settings.assets = Arc::new(crate::asset::Assets::below("no-such-folder"));
+        let name = "a\n\u{1b}[2J`b";
+        texture(env, shape, name.into());
+        color_hex(env, shape, name.into());
+        set_material(env, shape, Array::from([Text::from(name), "1".into(), name.into()]));
+        set::material_opacitymap_mode(env, shape, name.into());
+        crate::op::insert(env, shape, crate::asset::File::from(name));
+        crate::query::read_text_file(env, crate::asset::File::from(name));
+        crate::func::color_ramp(env, name.into(), 0.0);
+        let (faults, _) = env.take_faults();
+        assert_eq!(faults.len(), 8);
+        for fault in faults {
+            let said = fault.to_string();
+            assert!(said.contains(r"`a\n\u{1b}[2J\`b`") && !said.contains(char::is_control), "{said}");
+        }
     }
 
     #[test]

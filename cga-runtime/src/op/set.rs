@@ -13,6 +13,7 @@ use crate::shape::Shape;
 use crate::shape::scope::Scope;
 use crate::shape::seed::Seed;
 use crate::value::Value;
+use crate::value::shown::shown;
 use crate::value::text::Text;
 
 macro_rules! numbers {
@@ -113,7 +114,10 @@ pub(crate) fn material_text(env: &mut Env, shape: &mut Shape, which: MaterialTex
         let value = if matches!(which, MaterialText::Map(_)) { crate::op::image(env, value).0 } else { value };
         shape.change_material(|material| material.set_text(which, value));
     } else {
-        env.fault(FaultKind::Value, format!("`{value}` is not a mode of an opacity map; the mode stays as it is"));
+        env.fault(
+            FaultKind::Value,
+            format!("`{}` is not a mode of an opacity map; the mode stays as it is", shown(&value)),
+        );
     }
 }
 

@@ -4,6 +4,8 @@ use std::fmt;
 use std::io;
 use std::path::PathBuf;
 
+use crate::value::shown::escaped;
+
 /// The reason why a file or a buffer could not be written.
 #[derive(Debug)]
 #[non_exhaustive]
@@ -33,7 +35,7 @@ impl fmt::Display for WriteError {
         match self {
             WriteError::Io(error) => write!(f, "cannot write: {error}"),
             WriteError::File { path, error } => {
-                write!(f, "cannot write `{}`: {error}", path.to_string_lossy().escape_debug())
+                write!(f, "cannot write `{}`: {error}", escaped(&path.to_string_lossy()))
             }
             WriteError::TooLarge { what, limit } => write!(f, "too large: more than {limit} {what}"),
             WriteError::NotFinite => f.write_str("a coordinate is not finite as a 32-bit float"),

@@ -54,10 +54,11 @@ pub struct Obj<W: Write> {
 }
 
 impl<W: Write> Obj<W> {
-    /// Starts a file with the material library `library`, a file name.
+    /// Starts a file with the material library `library`, a file name. `_` takes the place of characters that would end the name: control
+    /// characters, `#` and space except between words.
     pub fn new(mut out: W, library: &str) -> Self {
         // Smoothing off: faces without normals are flat.
-        let failed = write!(out, "mtllib {library}\ns off\n").err();
+        let failed = write!(out, "mtllib {}\ns off\n", library_name(library)).err();
         Obj {
             out,
             text: Vec::new(),
@@ -258,13 +259,21 @@ fn plain_name(material: &Material) -> String {
     format!("color_{}", hex(&material.color()))
 }
 
+/// The name of a library without characters that would end it in a `mtllib` line. Spaces between words stay.
+fn library_name(name: &str) -> String {
+    let words = name.trim_start_matches(' ');
+    let kept = words.chars().map(|c| if c == '#' || mtl::ends_line(c) { '_' } else { c });
+    std::iter::repeat_n('_', name.len() - words.len()).chain(kept).collect()
+}
+
 impl Model {
     /// The model as OBJ text that refers to `library`, and the text of that library.
     pub fn to_obj(&self, library: &str) -> (String, String) {
         to_text(library, |obj| self.replay(obj))
     }
 
-    /// Writes an OBJ file, and beside it its materials in a file with the ending `.mtl`.
+    /// Writes an OBJ file, and beside it its materials in a file with the ending `.mtl`. In that file's name, `_` takes the place of `#` and
+    /// of other characters that OBJ files cannot name.
     ///
     /// # Errors
     /// Errors of the file system.
@@ -300,7 +309,8 @@ fn to_text(library: &str, replay: impl FnOnce(&mut Obj<&mut Vec<u8>>) -> Flow) -
 /// Writes the images, then the library, then the file that refers to both.
 fn to_files(path: &Path, replay: impl FnOnce(&mut Obj<BufWriter<&File>>) -> Flow) -> Result<(), WriteError> {
     let library = path.with_extension("mtl");
-    let name = library.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let name = library_name(&library.file_name().map(|name| name.to_string_lossy()).unwrap_or_default());
+    let library = path.with_file_name(&name);
     let whole = WholeFile::create(path)?;
     let mut obj = Obj::new(BufWriter::new(whole.file()), &name);
     let _ = replay(&mut obj);

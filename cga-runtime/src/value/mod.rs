@@ -7,6 +7,7 @@ pub(crate) mod number;
 pub(crate) mod pattern;
 #[cfg(feature = "serde")]
 mod serde;
+pub(crate) mod shown;
 pub(crate) mod small_sort;
 pub mod text;
 
@@ -80,15 +81,15 @@ impl Value {
     }
 
     /// Parses a value as a user types it. Unlike the language's own conversions it accepts no partial match: a number
-    /// is the whole text except surrounding space (`nan` and `inf` are numbers), and a truth value is `true` or
-    /// `false`. Text is taken as it is, without quotes. Arrays are written as in rules, with or without their brackets:
+    /// is the whole text except surrounding space (`nan` and `inf` are numbers, and `1e999`, which no number holds, is none), and a truth
+    /// value is `true` or `false`. Text is taken as it is, without quotes. Arrays are written as in rules, with or without their brackets:
     /// `[1, 2; 3, 4]`, `["a", "b"]`; `[]` has no elements.
     pub fn parse(text: &str, ty: ValueType) -> Option<Value> {
         match ty {
-            ValueType::Float => text.trim().parse().ok().map(Value::Float),
+            ValueType::Float => number(text.trim()).map(Value::Float),
             ValueType::Bool => text.trim().parse().ok().map(Value::Bool),
             ValueType::Text => Some(Value::Text(Text::from(text))),
-            ValueType::Floats => array(text, |entry| entry.parse().ok()).map(Value::Floats),
+            ValueType::Floats => array(text, number).map(Value::Floats),
             ValueType::Bools => array(text, |entry| entry.parse().ok()).map(Value::Bools),
             ValueType::Texts => array(text, quoted).map(Value::Texts),
         }
@@ -121,6 +122,12 @@ impl fmt::Display for ValueType {
             ValueType::Texts => "an array of texts",
         })
     }
+}
+
+/// Parses a number. Only a word is infinite: JSON refuses digits beyond the range of numbers too.
+fn number(text: &str) -> Option<f64> {
+    let number: f64 = text.parse().ok()?;
+    (number.is_finite() || !text.contains(|c: char| c.is_ascii_digit())).then_some(number)
 }
 
 /// Parses `[a, b; c, d]`. All rows must have the same length.
@@ -194,6 +201,8 @@ mod tests {
     #[test]
     fn a_value_is_read_whole_or_not_at_all() {
         let float = |text| Value::parse(text, ValueType::Float);
+        assert_eq!((float("inf"), float("-1e999")), (Some(f64::INFINITY.into()), None));
+        assert_eq!(Value::parse("[1, 1e999]", ValueType::Floats), None);
         assert_eq!(float(" -2.5 "), Some(Value::Float(-2.5)));
         assert_eq!((float("5+6"), float(""), float("2 m"), float("ⅷ")), (None, None, None, None));
         assert!(matches!(float("nan"), Some(Value::Float(number)) if number.is_nan()));

@@ -166,3 +166,28 @@ fn an_obj_file_stays_if_its_library_cannot_be_written() {
     }
     std::fs::remove_dir_all(folder).expect("it goes");
 }
+
+/// The format has no escapes, so a name gets other characters where its own would end the line.
+#[test]
+fn names_do_not_end_their_lines() {
+    let look = Arc::new(Material::with(|look| {
+        look.name = Some("red\nv 0 0 0".into());
+        look.set_text(MaterialText::Map(Layer::Color), "a wall.png\nKd 1 1 1\u{2028}x\r");
+    }));
+    let mut fill = Fill(Model::default());
+    fill.quad("Wall", &look, front(DVec3::ZERO, 2.0, 3.0));
+    let (text, library) = fill.0.to_obj(" a house #2\nv 0 0 0.mtl");
+    let lines = |text: &str, key: &str| text.lines().filter(|line| line.starts_with(key)).count();
+    assert!(text.starts_with("mtllib _a house _2_v 0 0 0.mtl\ns off\n"), "{text}");
+    assert_eq!((lines(&text, "v "), lines(&text, "usemtl red_v_0_0_0")), (4, 1), "{text}");
+    assert_eq!(lines(&library, "Kd "), 1, "{library}");
+    assert!(library.contains("map_Kd a wall.png_Kd 1 1 1_x_\n"), "{library}");
+    // The file beside has the name that the line has.
+    let folder = std::env::temp_dir().join(format!("cga-obj-names-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    fill.0.write_obj(folder.join("my house #2.obj")).expect("files");
+    let text = std::fs::read_to_string(folder.join("my house #2.obj")).expect("a file");
+    assert!(text.starts_with("mtllib my house _2.mtl\n"), "{text}");
+    assert!(folder.join("my house _2.mtl").is_file());
+    std::fs::remove_dir_all(folder).expect("it goes");
+}

@@ -1,6 +1,6 @@
 //! The reasons why an attribute cannot be read or set.
 
-use crate::value::text::shortened;
+use crate::value::shown::shown;
 use std::fmt;
 
 use super::Range;
@@ -82,9 +82,9 @@ impl AttributeError {
 impl fmt::Display for AttributeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            AttributeError::Unknown { name, near: None } => write!(f, "there is no attribute `{name}`"),
+            AttributeError::Unknown { name, near: None } => write!(f, "there is no attribute `{}`", shown(name)),
             AttributeError::Unknown { name, near: Some(near) } => {
-                write!(f, "there is no attribute `{name}`; did you mean `{near}`?")
+                write!(f, "there is no attribute `{}`; did you mean `{near}`?", shown(name))
             }
             AttributeError::Computed { name } => {
                 write!(f, "attribute `{name}` is computed for each initial shape unless it is set")
@@ -93,7 +93,7 @@ impl fmt::Display for AttributeError {
                 write!(f, "attribute `{name}` is {wanted}, and the value is {got}")
             }
             AttributeError::Text { name, wanted, text } => {
-                write!(f, "attribute `{name}` is {wanted}, and `{text}` is not")
+                write!(f, "attribute `{name}` is {wanted}, and `{}` is not", shown(text))
             }
             #[cfg(feature = "serde")]
             AttributeError::Json { message } => write!(f, "the values are not a JSON object: {message}"),
@@ -111,9 +111,9 @@ const NAMED: usize = 12;
 
 fn not_among(value: &Value, choices: &[Value]) -> String {
     if choices.is_empty() {
-        return format!("`{}` is not allowed: the list of choices is empty", shortened(&value.to_string()));
+        return format!("`{}` is not allowed: the list of choices is empty", shown(&value.to_string()));
     }
-    let names: Vec<String> = choices.iter().take(NAMED).map(|choice| shortened(&choice.to_string())).collect();
+    let names: Vec<String> = choices.iter().take(NAMED).map(|choice| shown(&choice.to_string())).collect();
     let more = if NAMED < choices.len() { ", …" } else { "" };
-    format!("`{}` is not one of {}{more}", shortened(&value.to_string()), names.join(", "))
+    format!("`{}` is not one of {}{more}", shown(&value.to_string()), names.join(", "))
 }

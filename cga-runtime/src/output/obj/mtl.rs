@@ -63,7 +63,14 @@ fn write_map(text: &mut String, material: &Material, key: &str, layer: Layer, pa
             let _ = write!(text, " {option} {} {}", Short(value.x), Short(value.y));
         }
     }
-    let _ = writeln!(text, " {}", file_name(path));
+    // The format has no escapes.
+    let path = file_name(path).replace(ends_line, "_");
+    let _ = writeln!(text, " {path}");
+}
+
+/// Returns true for characters that some reader takes as the end of a line or a word. A space may be a part of a name.
+pub(super) fn ends_line(c: char) -> bool {
+    c.is_control() || (c.is_whitespace() && c != ' ')
 }
 
 /// The path of an image in a library, with forward slashes: relative to the asset folder, or beside the library for a

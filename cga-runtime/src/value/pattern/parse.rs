@@ -254,7 +254,7 @@ impl RegexParser<'_> {
                 _ => from,
             };
             if to < from {
-                return Err(format!("the range `{from}-{to}` is reversed"));
+                return Err(format!("the range `{}-{}` is reversed", from.escape_debug(), to.escape_debug()));
             }
             set.add_range(from, to);
         }
