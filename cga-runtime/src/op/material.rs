@@ -196,7 +196,10 @@ mod tests {
                 .concat();
             [&head[..], b"\0\0\0\0IEND\0\0\0\0"].concat()
         };
-        let files = [("clear.png", png(6)), ("solid.png", png(2)), ("early.png", png(2)[..30].to_vec())];
+        // 4096 x 4096 pixels.
+        let bomb = [&png(2)[..16], &[0, 0, 16, 0, 0, 0, 16, 0], &png(2)[24..]].concat();
+        let files =
+            [("clear.png", png(6)), ("solid.png", png(2)), ("early.png", png(2)[..30].to_vec()), ("bomb.png", bomb)];
         files.iter().for_each(|(name, bytes)| std::fs::write(folder.join(name), bytes).expect("a file"));
         let (env, shape) = (&mut Env::for_tests(), &mut Shape::cuboid(1.0, 1.0, 1.0));
         // Without a folder no file is read, and files name the image.
@@ -221,6 +224,9 @@ mod tests {
         assert_eq!(maps("builtin:uvtest.png"), texts("builtin:uvtest.png", "", ""));
         let fault = "`early.png` cannot be shown: the image ends early; a checker pattern takes its place";
         assert_eq!(maps("early.png"), texts("early.png", "", fault));
+        let why = "its 45 bytes cannot hold an image of 4096 x 4096 pixels";
+        let fault = format!("`bomb.png` cannot be shown: {why}; a checker pattern takes its place");
+        assert_eq!(maps("bomb.png"), texts("bomb.png", "", &fault));
         for name in ["none.png", "../none.png", "builtin:none.png"] {
             let (color, opacity, fault) = maps(name);
             assert_eq!((color.as_str(), opacity.as_str()), ("builtin:unknowntexture.png", ""));

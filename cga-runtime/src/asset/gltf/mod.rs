@@ -74,6 +74,11 @@ const KNOWN: [&str; 9] = [
 /// or a number that is not finite, or has more than 4,194,304 triangles, 33,554,432
 /// vertices or 1,048,576 places of meshes.
 ///
+/// Small files have lower limits, as many primitives may share an accessor and many nodes a mesh. The elements that are read are at most
+/// 2,097,152 and 4 for each byte of the buffers: an accessor of an attribute counts once, the indices of a primitive count for each
+/// primitive, and a primitive without indices counts all its positions again. So 2,000 primitives without indices may share
+/// 1,000 positions in any file. The places of meshes are at most 65,536 and 1 for each byte of the buffers.
+///
 /// ```
 /// use cga_runtime::asset::gltf::read_gltf;
 ///

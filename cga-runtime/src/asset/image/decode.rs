@@ -121,6 +121,19 @@ mod tests {
         }
     }
 
+    /// A decoder that has taken memory decodes such files: pixels without data are grey.
+    #[test]
+    fn a_small_jpeg_of_a_large_image_is_not_decoded() {
+        let mut bytes = grey_jpeg();
+        let frame = bytes.windows(2).position(|pair| pair == [0xff, 0xc0]).expect("a frame");
+        bytes[frame + 5..frame + 9].copy_from_slice(&[0x16, 0xa0, 0x16, 0xa0]);
+        let why = header(&bytes).expect_err("5792 x 5792 pixels in 141 bytes").to_string();
+        assert_eq!(why, "its 141 bytes cannot hold an image of 5792 x 5792 pixels");
+        // Arithmetic codes hold as many; the decoder refuses them.
+        bytes[frame + 1] = 0xc9;
+        assert!(header(&bytes).is_ok_and(|head| decode(&head, &bytes).is_err()));
+    }
+
     #[test]
     fn a_broken_image_is_refused() {
         let mut bytes = encoded(png::ColorType::Rgb, png::BitDepth::Eight, 1, &[1, 2, 3]);
@@ -129,9 +142,8 @@ mod tests {
         let data = bytes.windows(4).position(|name| name == b"IDAT").expect("data");
         bytes[data + 4] ^= 0xff;
         assert!(decode(&head, &bytes).is_err());
-        let jpeg = [
-            0xff, 0xd8, 0xff, 0xe0, 0, 4, 1, 2, 0xff, 0xc2, 0, 11, 8, 0x7f, 0xff, 0x03, 0xff, 1, 1, 0x11, 0, 0xff, 0xd9,
-        ];
+        let jpeg =
+            [0xff, 0xd8, 0xff, 0xe0, 0, 4, 1, 2, 0xff, 0xc2, 0, 11, 8, 0, 0x7f, 0, 0x7f, 1, 1, 0x11, 0, 0xff, 0xd9];
         assert!(header(&jpeg).is_ok_and(|head| decode(&head, &jpeg).is_err()));
     }
 }

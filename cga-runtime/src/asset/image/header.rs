@@ -1,5 +1,6 @@
 //! Headers of image files: size, alpha channel, completeness.
 
+use super::capacity::{jpeg_may_hold, png_may_hold};
 use crate::asset::AssetError;
 
 /// The kind of an image file.
@@ -49,7 +50,7 @@ fn kind(bytes: &[u8]) -> Option<ImageKind> {
 /// The header of a complete PNG or JPEG file.
 ///
 /// # Errors
-/// The file has another format, has no size, or ends early.
+/// The file has another format, has no size, ends early, or has more pixels than are decoded or than its bytes can hold.
 pub(crate) fn header(bytes: &[u8]) -> Result<ImageHeader, AssetError> {
     let kind = kind(bytes).ok_or(AssetError::Format("only PNG and JPEG images can be read"))?;
     let (width, height) = size(bytes).ok_or_else(|| AssetError::Broken("the image has no size".to_owned()))?;
@@ -64,6 +65,16 @@ pub(crate) fn header(bytes: &[u8]) -> Result<ImageHeader, AssetError> {
     let pixels = u64::from(width) * u64::from(height);
     if MOST_PIXELS < pixels {
         return Err(AssetError::Broken(format!("the image has more than {MOST_PIXELS} pixels")));
+    }
+    let may_hold = match kind {
+        ImageKind::Png => png_may_hold(bytes, pixels),
+        ImageKind::Jpeg => jpeg_may_hold(bytes, pixels),
+    };
+    if !may_hold {
+        let length = bytes.len();
+        return Err(AssetError::Broken(format!(
+            "its {length} bytes cannot hold an image of {width} x {height} pixels"
+        )));
     }
     Ok(ImageHeader { kind, width, height, has_alpha })
 }
@@ -98,7 +109,7 @@ mod tests {
     }
 
     fn png(kind: u8, more: &[u8]) -> Vec<u8> {
-        let head = chunk(b"IHDR", &[0, 0, 2, 0, 0, 0, 1, 44, 8, kind, 0, 0, 0]);
+        let head = chunk(b"IHDR", &[0, 0, 2, 0, 0, 0, 0, 3, 8, kind, 0, 0, 0]);
         [PNG, &head, more, &chunk(b"IEND", &[])].concat()
     }
 
@@ -106,15 +117,15 @@ mod tests {
     fn headers_are_read_or_refused() {
         let read = |bytes: &[u8]| header(bytes).map(|head| (head.width, head.height, head.has_alpha));
         for (kind, has_alpha) in [(0, false), (2, false), (3, false), (4, true), (6, true)] {
-            assert_eq!(read(&png(kind, &[])), Ok((512, 300, has_alpha)), "{kind}");
+            assert_eq!(read(&png(kind, &[])), Ok((512, 3, has_alpha)), "{kind}");
         }
-        assert_eq!(read(&png(3, &chunk(b"tRNS", &[0, 255]))), Ok((512, 300, true)));
+        assert_eq!(read(&png(3, &chunk(b"tRNS", &[0, 255]))), Ok((512, 3, true)));
         let whole = png(6, &chunk(b"IDAT", &[1, 2, 3]));
         for end in 0..whole.len() - 4 {
             assert!(read(&whole[..end]).is_err(), "{end}");
         }
-        let jpeg = [0xff, 0xd8, 0xff, 0xe0, 0, 4, 1, 2, 0xff, 0xc2, 0, 11, 8, 1, 44, 2, 0, 3, 0, 0, 0xff, 0xd9];
-        assert_eq!(read(&jpeg), Ok((512, 300, false)));
+        let jpeg = [0xff, 0xd8, 0xff, 0xe0, 0, 4, 1, 2, 0xff, 0xc2, 0, 11, 8, 0, 3, 2, 0, 3, 0, 0, 0xff, 0xd9];
+        assert_eq!(read(&jpeg), Ok((512, 3, false)));
         for end in 0..jpeg.len() {
             assert!(read(&jpeg[..end]).is_err(), "{end}");
         }
@@ -130,5 +141,18 @@ mod tests {
         let bytes = [PNG, &head, &chunk(b"IEND", &[])].concat();
         assert_eq!(size(&bytes), Some((1 << 16, 1 << 16)));
         assert!(header(&bytes).is_err_and(|why| why.to_string() == "the image has more than 33554432 pixels"));
+    }
+
+    #[test]
+    fn an_image_that_its_bytes_cannot_hold_is_refused() {
+        let head = chunk(b"IHDR", &[0, 0, 16, 0, 0, 0, 16, 0, 8, 2, 0, 0, 0]);
+        let png = [PNG, &head, &chunk(b"IDAT", &[0; 40_000]), &chunk(b"IEND", &[])].concat();
+        let why = header(&png).expect_err("a bomb").to_string();
+        assert_eq!(why, "its 40057 bytes cannot hold an image of 4096 x 4096 pixels");
+        let png = [PNG, &head, &chunk(b"IDAT", &[0; 50_000]), &chunk(b"IEND", &[])].concat();
+        assert!(header(&png).is_ok(), "48,771 bytes of deflate hold it");
+        let jpeg = [0xff, 0xd8, 0xff, 0xc0, 0, 11, 8, 0x16, 0xa0, 0x16, 0xa0, 1, 1, 0x11, 0, 0xff, 0xd9];
+        let why = header(&jpeg).expect_err("a bomb").to_string();
+        assert_eq!(why, "its 17 bytes cannot hold an image of 5792 x 5792 pixels");
     }
 }

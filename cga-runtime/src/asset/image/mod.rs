@@ -1,6 +1,7 @@
 //! Images: pictures in memory, headers of image files, and built-in textures.
 
 pub(crate) mod builtin;
+mod capacity;
 #[cfg(feature = "png")]
 pub(crate) mod decode;
 mod font;

@@ -174,7 +174,11 @@ fn primitives_that_share_very_many_positions_need_no_time_or_memory_for_each() {
     many_primitives(&mut file, &primitive, 10_000);
     // All triangles are without area.
     assert_eq!(file.read().expect("it is valid").mesh.face_count(), 0);
-    // Without indices, each is a copy of all positions.
+    // Without indices, each is a copy of all positions. One copy and the positions themselves are all that a small file may have.
+    many_primitives(&mut file, &json!({"attributes": {"POSITION": positions}}), 1);
+    assert_eq!(file.read().expect("2,097,152 elements").mesh.face_count(), 0);
+    many_primitives(&mut file, &json!({"attributes": {"POSITION": positions}}), 2);
+    assert_eq!(file.read().expect_err("too many elements"), GltfError::TooLarge);
     many_primitives(&mut file, &json!({"attributes": {"POSITION": positions}}), 10_000);
     assert_eq!(file.read().expect_err("too many vertices"), GltfError::TooLarge);
 }
