@@ -4,7 +4,7 @@ use super::arguments::word;
 use super::context::Context;
 use crate::diag::code::Code;
 use crate::diag::{Diag, count, quoted};
-use crate::ops::{self, Braces, Operation, Param};
+use crate::ops::{self, Braces, Operation, Param, ParamKind};
 use crate::syntax::ast::{Arg, Name};
 
 /// Returns "2 arguments", "0 or 3 arguments" or "1, 3 or 4 arguments".
@@ -70,21 +70,6 @@ pub(crate) fn wrong_form<'c>(
     let with = if chosen.is_empty() { chosen } else { format!(" with {chosen}") };
     let message = format!("operation `{}` takes {takes}{with}, got {}", name.text, args.len());
     let diag = cx.diags.report(Code::ArgumentCount, name.span, message);
-    let form = |row: &&Operation| {
-        // Parameters after the required ones of an operation with braces are rarely written.
-        let shown = if row.braces == Braces::None { row.params.len() } else { ops::required(row.params) };
-        let param = |(index, param): (usize, &Param)| {
-            let word = words.get(index).copied().flatten().filter(|word| is_word(param, Some(word)));
-            let only = match param.kind.words().map(|words| words.list) {
-                Some([only]) => Some(*only),
-                _ => None,
-            };
-            word.or(only).unwrap_or(param.name).to_owned()
-        };
-        let params: Vec<String> = row.params[..shown].iter().enumerate().map(param).collect();
-        let tail = if row.braces == Braces::None { "" } else { " { … }" };
-        format!("`{}({}){tail}`", row.name, params.join(", "))
-    };
     let far = |row: &&Operation| {
         let (least, most) = (ops::required(row.params), row.params.len());
         least.saturating_sub(args.len()).max(args.len().saturating_sub(most))
@@ -92,8 +77,61 @@ pub(crate) fn wrong_form<'c>(
     let near = rows.iter().map(far).min();
     match rows.iter().find_map(|row| row.old) {
         Some(instead) => diag.help(instead),
-        None => diag.help(format!("write {}", usages(rows.iter().filter(|row| Some(far(row)) == near).map(form)))),
+        None => diag.help(format!(
+            "write {}",
+            usages(rows.iter().filter(|row| Some(far(row)) == near).map(|row| form(row, &words)))
+        )),
     }
+}
+
+/// Returns a call of a form of an operation: the words among the arguments that it takes, otherwise its parameters.
+fn form(row: &Operation, words: &[Option<&str>]) -> String {
+    // Parameters after the required ones of an operation with braces are rarely written.
+    let shown = if row.braces == Braces::None { row.params.len() } else { ops::required(row.params) };
+    let param = |(index, param): (usize, &Param)| {
+        let word = words.get(index).copied().flatten().filter(|word| param.kind.has_word(word));
+        let only = match param.kind.words().map(|words| words.list) {
+            Some([only]) => Some(*only),
+            _ => None,
+        };
+        word.or(only).unwrap_or(param.name).to_owned()
+    };
+    let params: Vec<String> = row.params[..shown].iter().enumerate().map(param).collect();
+    let tail = if row.braces == Braces::None { "" } else { " { … }" };
+    format!("`{}({}){tail}`", row.name, params.join(", "))
+}
+
+/// Reports an argument that is a word of the operation at this place, but not together with another word. `row` is the
+/// form that has the other word.
+pub(crate) fn word_of_other_form(cx: &mut Context, row: &Operation, args: &[Arg], index: usize) -> bool {
+    let words: Vec<Option<&str>> = args.iter().map(word).collect();
+    let has = |row: &Operation, place: usize, word: &str| {
+        row.params.get(place).is_some_and(|param| matches!(param.kind, ParamKind::Word(words) if words.has(word)))
+    };
+    let (Some(found), ParamKind::Word(taken)) = (words[index], row.params[index].kind) else { return false };
+    let is_form =
+        |form: &&Operation| form.old.is_none() && (form.braces == Braces::None) == (row.braces == Braces::None);
+    let others: Vec<&Operation> =
+        ops::operations(row.name).filter(is_form).filter(|form| has(form, index, found)).collect();
+    let decides = |place: usize, word: &str| has(row, place, word) && !others.iter().any(|form| has(form, place, word));
+    let decisive = words.iter().enumerate().find_map(|(place, word)| word.filter(|word| decides(place, word)));
+    let (Some(decisive), Some(other)) = (decisive, others.first()) else { return false };
+    if has(row, index, found) {
+        return false;
+    }
+    let message = format!("`{}` does not take `{found}` with `{decisive}`", row.name);
+    // The words that the forms take, or their first ones.
+    let call = |row: &Operation| {
+        let words = row.params.iter().zip(&words).map(|(param, word)| {
+            word.filter(|word| param.kind.has_word(word)).or(param.kind.words()?.current().next())
+        });
+        let words: Vec<Option<&str>> = words.collect();
+        form(row, &words)
+    };
+    let diag = cx.diags.report(taken.unknown, args[index].span, message);
+    diag.note(format!("with `{decisive}` it takes {}", quoted(taken.current())));
+    diag.help(format!("write {} or {}", call(row), call(other)));
+    true
 }
 
 /// A call with the names of the parameters: "`s(xSize, ySize, zSize)`".

@@ -1,7 +1,7 @@
 //! Operations of a rule: resolves each call to an operation, rule or leaf, and checks its words.
 
 use super::arguments::{has_error, word};
-use super::arity::{counts, wrong_count, wrong_form};
+use super::arity::{counts, word_of_other_form, wrong_count, wrong_form};
 use super::globals::Namespace;
 use super::names::IGNORED;
 use super::resolver::Resolver;
@@ -304,7 +304,10 @@ impl<'a> Resolver<'_, 'a, '_> {
                     let forms = ops::operations(rows[0].name).filter(|row| alike(row) && index <= reach(row, args));
                     let others = forms.filter_map(|row| row.params[index].kind.words()).filter(|other| other != words);
                     let all: Vec<Words> = [*words].into_iter().chain(others).collect();
-                    self.word(rows[0].name, &all, arg);
+                    let is_known = word(arg).is_some_and(|word| all.iter().any(|words| words.has(word)));
+                    if is_known || !word_of_other_form(self.cx, rows[0], args, index) {
+                        self.word(rows[0].name, &all, arg);
+                    }
                     if let Some((old, new)) = word(arg).and_then(|word| words.old(word)) {
                         self.old_word(old, new, arg.span);
                     }
