@@ -10,6 +10,7 @@ use crate::ops::{AttrValues, Meaning};
 use crate::resolve::globals::{Declared, Globals, Initializer};
 use crate::resolve::tables::{Tables, Use};
 use crate::syntax::ast::{Binary, Decl, Expr, ExprKind, Name, Unary};
+use crate::syntax::token::Tok;
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
 
@@ -49,6 +50,8 @@ struct Callee<'f> {
 /// The abstract values of a grammar.
 pub(crate) struct Evaluator<'f> {
     tables: &'f Tables,
+    /// All tokens.
+    pub(super) tokens: &'f [Tok],
     texts: Texts,
     attrs: Vec<Value>,
     consts: Vec<Value>,
@@ -75,6 +78,7 @@ impl<'f> Evaluator<'f> {
         };
         let mut known = Evaluator {
             tables,
+            tokens: globals.program.tokens.as_slice(),
             texts: Texts::new(globals.program.tokens.as_slice()),
             attrs: vec![Value::Any; attrs],
             consts: vec![Value::Any; consts],

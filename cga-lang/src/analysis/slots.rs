@@ -37,6 +37,10 @@ pub(crate) struct Slot<'a> {
 pub(crate) struct Repeated {
     /// Its slots, nested ones included.
     pub(crate) slots: std::ops::Range<usize>,
+    /// The group around it, by number.
+    around: Option<usize>,
+    /// True if none of its slots ever makes a piece, in any extent.
+    makes_nothing: bool,
     /// From its first to its last slot, as written.
     pub(crate) span: Span,
 }
@@ -149,7 +153,7 @@ impl<'a> Slots<'a> {
         depth: impl Fn(&Expr) -> Interval,
     ) -> Slots<'a> {
         let mut slots = Slots::empty(split, None, Interval::EXTENT);
-        let group = repeat.then(|| slots.begin_group());
+        let group = repeat.then(|| slots.begin_group(None));
         for Section { length, depth: own, ops } in sections {
             slots.slot(length, ops, group, &value);
             slots.list.last_mut().expect("a section").depth = Some((own, depth(own).taken()));
@@ -194,7 +198,7 @@ impl<'a> Slots<'a> {
         value: &impl Fn(&Arg) -> Interval,
     ) {
         let start = self.pattern.len();
-        let own = repeat.then(|| self.begin_group());
+        let own = repeat.then(|| self.begin_group(around));
         let group = own.or(around);
         for item in items {
             match item {
@@ -213,10 +217,10 @@ impl<'a> Slots<'a> {
     }
 
     /// Begins a group with `*`. Returns its number.
-    fn begin_group(&mut self) -> usize {
+    fn begin_group(&mut self, around: Option<usize>) -> usize {
         self.pattern.push(Item::Repeat(0));
         let first = self.list.len();
-        self.groups.push(Repeated { slots: first..first, span: self.split.name.span });
+        self.groups.push(Repeated { slots: first..first, around, makes_nothing: false, span: self.split.name.span });
         self.groups.len() - 1
     }
 
@@ -227,6 +231,7 @@ impl<'a> Slots<'a> {
         if let [first, .., last] | [first @ last] = &self.list[slots.clone()] {
             self.groups[group].span = first.size.span.to(last.ops.last().map_or(last.size.span, |op| op.span));
         }
+        self.groups[group].makes_nothing = self.list[slots.clone()].iter().all(Slot::is_nothing);
         self.groups[group].slots = slots;
     }
 
@@ -244,7 +249,7 @@ impl<'a> Slots<'a> {
     /// The pieces of a split of known relative sizes, in an extent of 1: they are the same shares of any extent.
     pub(crate) fn shares(&self) -> Option<Vec<Piece>> {
         let are_relative = self.list.iter().all(Slot::is_relative);
-        self.solve(1.0, few_pieces).filter(|_| are_relative)?
+        are_relative.then(|| self.solve(1.0, few_pieces))??
     }
 
     /// The number of repetitions of a group in an extent.
@@ -330,7 +335,13 @@ impl Slot<'_> {
 impl Slots<'_> {
     /// Returns true if no slot of a group ever makes a piece, in any extent.
     pub(crate) fn makes_nothing(&self, group: usize) -> bool {
-        self.list[self.groups[group].slots.clone()].iter().all(Slot::is_nothing)
+        self.groups[group].makes_nothing
+    }
+
+    /// Returns true if a group is a part of one that never makes a piece.
+    pub(crate) fn is_within_nothing(&self, group: usize) -> bool {
+        let outer = std::iter::successors(self.groups[group].around, |&outer| self.groups[outer].around);
+        outer.into_iter().any(|outer| self.makes_nothing(outer))
     }
 
     /// Returns true if a slot always reaches beyond the end of the scope.
@@ -359,9 +370,11 @@ impl Slots<'_> {
 
     /// A lower bound of the pieces of a repeat that is the whole split.
     pub(crate) fn at_least(&self, group: usize) -> Option<f64> {
-        let whole = self.groups.len() == 1 && self.groups[group].slots.len() == self.list.len();
+        if self.groups.len() != 1 || self.groups[group].slots.len() != self.list.len() {
+            return None;
+        }
         let (mut share, mut metres, mut made) = (0.0, 0.0, 0.0);
-        for slot in self.list.iter().filter(|_| whole) {
+        for slot in &self.list {
             let most = slot.value.hi.max(0.0);
             let least = if slot.is_relative() { PIECE } else { PIECE * self.extent.hi };
             if slot.is_relative() {

@@ -10,6 +10,7 @@ use crate::ops::{self, Braces, Effect, FileUse, MOST_SIZE, Measure, Operation, P
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::syntax::ast::{Arg, Arm, ArmMode, Block, BlockPart, Expr, ExprKind, Name, Op, OpKind, SplitItem};
+use crate::syntax::written::Written;
 
 /// A site: a place in a rule that checks look at.
 pub(crate) enum Site<'s, 'a> {
@@ -35,7 +36,7 @@ pub(crate) enum Site<'s, 'a> {
 pub(crate) struct CaseBranch<'t, 'e> {
     pub(crate) condition: &'e Expr,
     /// The earlier conditions, which have failed: also the conditions of an enclosing `case` whose `else` contains this one.
-    pub(crate) before: &'t [&'e Expr],
+    pub(crate) before: &'t Written<'t, &'e Expr>,
     pub(crate) is_last: bool,
     /// The state at the first of them.
     pub(crate) first: &'t AbstractState,
@@ -116,7 +117,8 @@ impl<'w> Walk<'w> {
             OpKind::Push(ops) => _ = self.steps(ops, facts.clone(), visit),
             OpKind::Case(arms, otherwise) => {
                 let first = facts.clone();
-                return self.case(arms, otherwise, facts, &first, &mut Vec::new(), visit);
+                let mut before = Written::new(self.known.tokens);
+                return self.case(arms, otherwise, facts, &first, &mut before, visit);
             }
             OpKind::Chance(arms, otherwise) => {
                 let arms = arms.iter().map(|(_, ops)| ops).chain([otherwise]);
@@ -153,7 +155,7 @@ impl<'w> Walk<'w> {
         otherwise: &'a [Op],
         facts: AbstractState,
         first: &AbstractState,
-        before: &mut Vec<&'a Expr>,
+        before: &mut Written<'_, &'a Expr>,
         visit: &mut dyn Visit<'a>,
     ) -> Option<AbstractState> {
         // A condition is evaluated after all earlier ones have failed.
@@ -163,7 +165,7 @@ impl<'w> Walk<'w> {
             visit.meet(&Site::Value(condition), &here);
             let turn = CaseBranch { condition, before, is_last: at + 1 == arms.len(), first };
             visit.meet(&Site::Condition(&turn), &here);
-            before.push(condition);
+            before.add(condition.span, condition);
             if let Some(inside) = self.known.past(condition, true, here.clone()) {
                 ends.extend(self.steps(ops, inside, visit));
             }

@@ -7,6 +7,7 @@ use crate::diag::code::Code;
 use crate::resolve::context::Context;
 use crate::resolve::tables::Use;
 use crate::syntax::ast::{Binary, Expr, ExprKind};
+use crate::syntax::written::Written;
 
 /// Checks an expression and its parts.
 pub(crate) fn check(expr: &Expr, facts: &AbstractState, flow: &DataFlow, cx: &Context, diags: &mut Diags) {
@@ -19,7 +20,10 @@ pub(crate) fn check(expr: &Expr, facts: &AbstractState, flow: &DataFlow, cx: &Co
             let diag = diags.report(Code::DivisionByZero, right.span, what);
             diag.note("the result is not finite: operations use 0 instead, with a fault");
         }
-        ExprKind::Case(arms, other) => return case(arms, other, facts, (facts, &mut Vec::new()), flow, cx, diags),
+        ExprKind::Case(arms, other) => {
+            let mut before = Written::new(cx.globals.program.tokens.as_slice());
+            return case(arms, other, facts, (facts, &mut before), flow, cx, diags);
+        }
         ExprKind::Call(name, args) => {
             if let Some(Use::Builtin(row)) = cx.tables.at(facts.own).of(name) {
                 texture::asked(row, name, args, (facts, flow), diags);
@@ -44,7 +48,7 @@ fn case<'e>(
     arms: &'e [(Expr, Expr)],
     other: &'e Expr,
     facts: &AbstractState,
-    (first, before): (&AbstractState, &mut Vec<&'e Expr>),
+    (first, before): (&AbstractState, &mut Written<'_, &'e Expr>),
     flow: &DataFlow,
     cx: &Context,
     diags: &mut Diags,
@@ -55,7 +59,7 @@ fn case<'e>(
         let Some(here) = left else { return };
         let is_last = at + 1 == arms.len();
         branches::check(&CaseBranch { condition, before, is_last, first }, &here, flow, cx, diags);
-        before.push(condition);
+        before.add(condition.span, condition);
         check(condition, &here, flow, cx, diags);
         if let Some(inside) = flow.known.past(condition, true, here.clone()) {
             check(value, &inside, flow, cx, diags);

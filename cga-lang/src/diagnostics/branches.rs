@@ -104,9 +104,8 @@ fn unlisted<'e>(condition: &'e Expr, own: InstanceId, cx: &'e Context) -> Option
 
 /// Reports a condition that has already failed, word for word.
 fn again(turn: &CaseBranch, own: InstanceId, cx: &Context, diags: &mut Diags) {
-    let (condition, tokens) = (turn.condition, cx.globals.program.tokens.as_slice());
-    let written = |expr: &Expr| tokens.get(expr.span.first as usize..=expr.span.last as usize);
-    let Some(first) = turn.before.iter().find(|first| written(first) == written(condition)) else { return };
+    let condition = turn.condition;
+    let Some(first) = turn.before.find(condition.span) else { return };
     if !is_settled(condition, cx.tables.at(own)) {
         return;
     }

@@ -9,7 +9,8 @@ use crate::diag::{Basis, Diag, Diags, Level};
 use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
 use crate::span::Span;
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashMap, HashSet};
+use std::ops::Range;
 
 /// The diagnostics that are reported for defaults. A size of zero is not, because it turns a part off.
 const TOLD: &[Code] = &[
@@ -58,8 +59,12 @@ fn divisions(flow: &DataFlow, told: &[Code], basis: fn(Vec<(String, Span)>) -> B
                 let mut found = Diags::new();
                 size::check(slots, facts, &cx.tables, &mut found);
                 repeat::check(slots, &mut found);
-                let told = found.finish().into_iter().filter(|diag| is_told(told, diag, slots)).map(|diag| {
-                    let basis = basis(defaults(diag.span, slots, cx.tables.at(item.own), cx));
+                let off = slots.list.iter().filter(|slot| slot.value.known() == Some(0.0));
+                let off: HashSet<Span> = off.map(|slot| slot.size.span).collect();
+                let mut defaults = Defaults::new(slots, cx.tables.at(item.own));
+                let is_told = |diag: &Diag| told.contains(&diag.code) && !off.contains(&diag.span);
+                let told = found.finish().into_iter().filter(is_told).map(|diag| {
+                    let basis = basis(defaults.of(diag.span, cx));
                     Diag { level: Level::Warning, basis, ..diag }
                 });
                 diags.append(told.collect());
@@ -69,24 +74,51 @@ fn divisions(flow: &DataFlow, told: &[Code], basis: fn(Vec<(String, Span)>) -> B
     common.finish()
 }
 
-fn is_told(told: &[Code], diag: &Diag, slots: &Slots) -> bool {
-    let off = slots.list.iter().any(|slot| slot.size.span == diag.span && slot.value.known() == Some(0.0));
-    told.contains(&diag.code) && !off
+/// The attributes whose defaults the diagnostics about the slots of a division depend on.
+struct Defaults<'s, 'a> {
+    slots: &'s Slots<'a>,
+    names: Entries<'s>,
+    /// By the size: the number of a slot that does not float.
+    places: HashMap<Span, usize>,
+    /// The attributes of the first slots, and the number of these slots.
+    attrs: (BTreeSet<u32>, usize),
+    /// The attributes of all slots, if a diagnostic needed them.
+    all: Option<BTreeSet<u32>>,
 }
 
-/// The attributes whose defaults a diagnostic about a slot depends on.
-fn defaults(span: Span, slots: &Slots, names: Entries, cx: &Context) -> Vec<(String, Span)> {
-    let mut attrs = Vec::new();
-    // A slot depends on the slots before it, a floating slot on all.
-    let at = slots.list.iter().position(|slot| slot.size.span == span && !slot.floats());
-    let count = at.map_or(slots.list.len(), |at| at + 1);
-    for slot in &slots.list[..count] {
-        names.uses(&slot.size.value, &mut |found| {
-            attrs.extend(if let Some(Use::Attr(attr)) = found { Some(attr) } else { None });
-        });
+impl<'s, 'a> Defaults<'s, 'a> {
+    fn new(slots: &'s Slots<'a>, names: Entries<'s>) -> Self {
+        let places = slots.list.iter().enumerate().filter(|(_, slot)| !slot.floats());
+        let places = places.map(|(index, slot)| (slot.size.span, index)).collect();
+        Defaults { slots, names, places, attrs: (BTreeSet::new(), 0), all: None }
     }
-    attrs.sort_unstable();
-    attrs.dedup();
-    let names = attrs.into_iter().map(|attr| &cx.globals.attrs[attr as usize].decl.name);
-    names.map(|name| (name.text.clone(), name.span)).collect()
+
+    /// Adds the attributes of some slots.
+    fn add(&self, attrs: &mut BTreeSet<u32>, slots: Range<usize>) {
+        for slot in &self.slots.list[slots] {
+            self.names.uses(&slot.size.value, &mut |found| {
+                attrs.extend(if let Some(Use::Attr(attr)) = found { Some(attr) } else { None });
+            });
+        }
+    }
+
+    /// The attributes of a diagnostic about a slot. A slot depends on the slots before it, a floating slot on all. The
+    /// work is least for diagnostics in the order of the slots.
+    fn of(&mut self, span: Span, cx: &Context) -> Vec<(String, Span)> {
+        if let Some(&at) = self.places.get(&span) {
+            let (mut attrs, mut count) = std::mem::take(&mut self.attrs);
+            if at + 1 < count {
+                (attrs, count) = (BTreeSet::new(), 0);
+            }
+            self.add(&mut attrs, count..at + 1);
+            self.attrs = (attrs, at + 1);
+        } else if self.all.is_none() {
+            let mut attrs = BTreeSet::new();
+            self.add(&mut attrs, 0..self.slots.list.len());
+            self.all = Some(attrs);
+        }
+        let attrs = if self.places.contains_key(&span) { &self.attrs.0 } else { self.all.get_or_insert_default() };
+        let names = attrs.iter().map(|&attr| &cx.globals.attrs[attr as usize].decl.name);
+        names.map(|name| (name.text.clone(), name.span)).collect()
+    }
 }

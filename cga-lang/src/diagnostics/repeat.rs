@@ -22,9 +22,7 @@ pub(crate) fn check(slots: &Slots, diags: &mut Diags) {
         }
         let first = slots.list[group.slots.start].size.span;
         if slots.makes_nothing(number) {
-            let within = slots.groups[..number].iter().enumerate();
-            let outer = within.filter(|(_, outer)| outer.slots.end >= group.slots.end);
-            if outer.into_iter().any(|(outer, _)| slots.makes_nothing(outer)) {
+            if slots.is_within_nothing(number) {
                 continue;
             }
             let message = format!("this repeat makes no progress: none of its {size}s is positive");
@@ -70,8 +68,8 @@ fn reason(once: &Once, slots: &Slots) -> String {
 
 /// The length of the last piece and the size of its slot, if a repeat of shares leaves a piece that is much smaller.
 fn sliver(slots: &Slots) -> Option<(f64, f64)> {
-    let alone = matches!(&slots.groups[..], [group] if group.slots.len() == slots.list.len());
-    let pieces = slots.shares().filter(|_| alone)?;
+    let [_] = slots.groups.as_slice() else { return None };
+    let pieces = slots.shares().filter(|_| slots.groups[0].slots.len() == slots.list.len())?;
     let last = pieces.last()?;
     let own = slots.list[last.slot as usize].value.known()?;
     (MARGIN < last.length && last.length < SLIVER * own).then_some((last.length, own))

@@ -10,6 +10,7 @@ use crate::ops::{self, Directions, Selector, SelectorPlaces};
 use crate::resolve::context::Context;
 use crate::resolve::tables::Use;
 use crate::syntax::ast::{Binary, CompValue, Expr, ExprKind, Unary};
+use crate::syntax::written::Written;
 
 /// The maximum length of a quoted selector in a message, in bytes.
 const LONGEST: usize = 40;
@@ -34,13 +35,13 @@ pub(crate) fn check<'e>(
     // One matching face is enough for a group or a material, which may thus have several directions.
     let has_one_direction = !SelectorPlaces::GROUPS.and(SelectorPlaces::MATERIALS).meets(place);
     let meanings = Meanings { cx, own, has_one_direction };
-    let mut before: Vec<(&Expr, Extent)> = Vec::new();
+    let mut before = Earlier::new(cx);
     for selector in selectors {
         let extent = meanings.extent(selector);
         if let Some(why) = meanings.why_hidden(selector, extent, &before) {
             report(selector, &why, &meanings, diags);
         }
-        before.push((selector, extent));
+        before.add(selector, extent, &meanings);
     }
 }
 
@@ -141,9 +142,50 @@ impl Extent {
         self.most == Directions::NONE && !self.has_others
     }
 
+    /// Returns true if it takes the same components entirely.
+    fn takes_as(self, other: Extent) -> bool {
+        self.least == other.least && self.is_whole == other.is_whole
+    }
+
     /// Returns true if selectors that take some directions leave nothing for it.
     fn is_within(self, taken: Directions) -> bool {
         self.most.within(taken) && !self.has_others
+    }
+}
+
+/// The earlier selectors of a block, so that each selector is compared with few of them.
+struct Earlier<'e> {
+    /// By their text.
+    selectors: Written<'e, &'e Expr>,
+    /// By the text of the operands of `||`, or by their text; those that select the same components each time.
+    alternatives: Written<'e, &'e Expr>,
+    /// The first selector for each set of components that one takes entirely.
+    extents: Vec<(&'e Expr, Extent)>,
+    /// The directions that they take together.
+    taken: Directions,
+}
+
+impl<'e> Earlier<'e> {
+    fn new(cx: &'e Context) -> Self {
+        let tokens = cx.globals.program.tokens.as_slice();
+        let (selectors, alternatives) = (Written::new(tokens), Written::new(tokens));
+        Earlier { selectors, alternatives, extents: Vec::new(), taken: Directions::NONE }
+    }
+
+    fn add(&mut self, selector: &'e Expr, extent: Extent, meanings: &Meanings) {
+        self.selectors.add(selector.span, selector);
+        let mut operands = vec![selector];
+        while let Some(operand) = operands.pop() {
+            match &operand.kind {
+                ExprKind::Binary(Binary::Or, _, left, right) => operands.extend([&**left, right]),
+                _ if meanings.is_settled(operand) => self.alternatives.add(operand.span, selector),
+                _ => {}
+            }
+        }
+        if !self.extents.iter().any(|(_, other)| extent.takes_as(*other)) {
+            self.extents.push((selector, extent));
+        }
+        self.taken = self.taken.and(extent.least);
     }
 }
 
@@ -156,33 +198,30 @@ struct Meanings<'c, 'a, 'd> {
 }
 
 impl Meanings<'_, '_, '_> {
-    fn why_hidden<'e>(&self, selector: &'e Expr, own: Extent, before: &[(&'e Expr, Extent)]) -> Option<Why<'e>> {
+    fn why_hidden<'e>(&self, selector: &'e Expr, own: Extent, before: &Earlier<'e>) -> Option<Why<'e>> {
         if matches!(selector.kind, ExprKind::Number(index) if index.fract() != 0.0) {
             return Some(Why::Fraction);
         }
-        if let Some(same) = before.iter().find(|(other, _)| self.is_same(selector, other)) {
-            return Some(Why::Same(same.0));
+        if let Some(same) = before.selectors.find(selector.span).filter(|_| self.is_settled(selector)) {
+            return Some(Why::Same(same));
         }
         if own.is_nothing() && matches!(selector.kind, ExprKind::Binary(Binary::And, ..)) {
             return Some(Why::Contradiction);
         }
         // The words for a rest take no component.
         let has_rest = self.has_rest(selector);
-        let mut taken = Directions::NONE;
-        for (other, extent) in before.iter().filter(|_| !has_rest) {
-            if extent.is_whole || own.is_within(extent.least) {
-                return Some(Why::Covered(other));
-            }
-            taken = taken.and(extent.least);
+        let covers = |(_, extent): &&(&Expr, Extent)| extent.is_whole || own.is_within(extent.least);
+        if let Some((other, _)) = before.extents.iter().find(covers).filter(|_| !has_rest) {
+            return Some(Why::Covered(other));
         }
-        if own.is_within(taken) {
+        if own.is_within(if has_rest { Directions::NONE } else { before.taken }) {
             return Some(Why::Directions);
         }
         self.repeated(selector, before).map(Why::Covered)
     }
 
     /// An earlier selector that takes all components of a selector, because both have a condition in common.
-    fn repeated<'e>(&self, selector: &Expr, before: &[(&'e Expr, Extent)]) -> Option<&'e Expr> {
+    fn repeated<'e>(&self, selector: &Expr, before: &Earlier<'e>) -> Option<&'e Expr> {
         match &selector.kind {
             ExprKind::Binary(Binary::And, _, left, right) => {
                 self.repeated(left, before).or_else(|| self.repeated(right, before))
@@ -191,25 +230,13 @@ impl Meanings<'_, '_, '_> {
                 self.repeated(left, before).and(self.repeated(right, before))
             }
             ExprKind::Bool(_) => None,
-            _ => before.iter().map(|(other, _)| *other).find(|other| self.has_alternative(other, selector)),
+            _ => before.alternatives.find(selector.span).copied(),
         }
     }
 
-    /// Returns true if a condition is one of the operands of `||` in a selector, or the selector itself.
-    fn has_alternative(&self, selector: &Expr, condition: &Expr) -> bool {
-        match &selector.kind {
-            ExprKind::Binary(Binary::Or, _, left, right) => {
-                self.has_alternative(left, condition) || self.has_alternative(right, condition)
-            }
-            _ => self.is_same(selector, condition),
-        }
-    }
-
-    /// Returns true if two selectors are equal word for word and always select the same components.
-    fn is_same(&self, one: &Expr, other: &Expr) -> bool {
-        let tokens = self.cx.globals.program.tokens.as_slice();
-        let written = |expr: &Expr| tokens.get(expr.span.first as usize..=expr.span.last as usize);
-        written(one) == written(other) && is_settled(one, self.cx.tables.at(self.own))
+    /// Returns true if a selector that is written twice selects the same components both times.
+    fn is_settled(&self, selector: &Expr) -> bool {
+        is_settled(selector, self.cx.tables.at(self.own))
     }
 
     fn word(&self, part: &Expr) -> Option<&'static Selector> {

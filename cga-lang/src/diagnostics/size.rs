@@ -19,12 +19,13 @@ pub(crate) fn check(slots: &Slots, facts: &AbstractState, tables: &Tables, diags
     if let Some(axis) = slots.axis.filter(|&axis| facts.shape.is_flat(axis)) {
         return flat(slots, axis, facts, diags);
     }
+    let cut = (0..slots.list.len()).find(|&index| !slots.is_never(index) && slots.is_cut(index));
     for (index, slot) in slots.list.iter().enumerate() {
         // A group without any pieces has its own diagnostic.
         if slot.is_nothing() && !slot.group.is_some_and(|group| slots.makes_nothing(group)) {
             nothing(slots, slot, tables.at(facts.own), diags);
         } else if !slot.is_nothing() && slots.is_never(index) {
-            starved(slots, index, facts, diags);
+            starved(slots, index, cut, facts, diags);
         }
     }
     if (0..slots.list.len()).all(|index| slots.list[index].is_nothing() || !slots.is_never(index)) {
@@ -133,7 +134,8 @@ fn quantity(slots: &Slots, sum: SizeSum) -> String {
     }
 }
 
-fn starved(slots: &Slots, index: usize, facts: &AbstractState, diags: &mut Diags) {
+/// Reports a slot that gets no space. `cut` is the first slot that is always cut.
+fn starved(slots: &Slots, index: usize, cut: Option<usize>, facts: &AbstractState, diags: &mut Diags) {
     let (slot, size) = (&slots.list[index], terms(slots).size);
     let (code, sum, which) = if slot.floats() {
         (Code::FloatWithoutSpace, slots.fixed(), format!("the {size}s that do not float"))
@@ -152,8 +154,7 @@ fn starved(slots: &Slots, index: usize, facts: &AbstractState, diags: &mut Diags
             false => format!("the other slots take all of the {} along {}", shown(extent), axis(slots)),
         });
     }
-    let cut = (0..index).find(|&before| !slots.is_never(before) && slots.is_cut(before));
-    if let Some(cut) = cut.filter(|_| !slot.floats()) {
+    if let Some(cut) = cut.filter(|&cut| cut < index && !slot.floats()) {
         let (cut, whole) = (&slots.list[cut], terms(slots).whole);
         diag.related(format!("{} is cut where the {whole} ends", label(slots, cut)), cut.size.span);
     }

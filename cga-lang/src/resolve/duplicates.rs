@@ -7,7 +7,7 @@ use crate::diag::code::Code;
 use crate::diag::{Diags, count};
 use crate::link::InstanceId;
 use crate::ops::{self, Operation, Param, ParamKind, Run};
-use crate::syntax::ast::{Body, Decl, Role};
+use crate::syntax::ast::{Body, Decl, Name, Role};
 use crate::types::Type;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -18,9 +18,10 @@ pub(crate) fn values(cx: &mut Context) {
     let diags = &mut *cx.diags;
     cx.globals.name(|item, first| duplicate(diags, item.decl, first.decl));
     for item in cx.globals.items() {
-        let inner: Vec<_> = item.decl.inner().collect();
-        for (index, name) in inner.iter().enumerate() {
-            if let Some(first) = inner[..index].iter().find(|first| first.text == name.text) {
+        let mut inner: HashMap<&str, &Name> = HashMap::new();
+        for (index, name) in item.decl.inner().enumerate() {
+            let first = *inner.entry(&name.text).or_insert(name);
+            if first.id() != name.id() {
                 let what = if index < item.decl.params.len() { "parameter" } else { "local value" };
                 let message = format!("{what} `{}` is declared twice", name.text);
                 cx.diags.report(Code::DuplicateName, name.span, message).related("first declared", first.span);

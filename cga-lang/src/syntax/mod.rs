@@ -6,3 +6,4 @@ pub mod parse;
 pub mod token;
 pub mod walk;
 pub(crate) mod words;
+pub(crate) mod written;

@@ -17,6 +17,7 @@
 
 use crate::diag::RELATIVE;
 use crate::span::Span;
+use std::hash::{Hash, Hasher};
 
 /// One token.
 #[derive(Clone, Debug, PartialEq)]
@@ -147,6 +148,20 @@ impl Tok {
             Tok::Sym(sym) => out.push_str(sym.text()),
             Tok::Joint => out.push_str(Sym::Dot.text()),
             Tok::Doc(_) | Tok::Bad => {}
+        }
+    }
+}
+
+/// Equal tokens have equal hashes: numbers are never NaN, and zero has one sign.
+impl Hash for Tok {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        std::mem::discriminant(self).hash(state);
+        match self {
+            Tok::Ident(text) | Tok::Str(text) | Tok::Path(text) | Tok::Doc(text) => text.hash(state),
+            Tok::Number(value) => (value + 0.0).to_bits().hash(state),
+            Tok::Host(handle) => handle.hash(state),
+            Tok::Sym(sym) => sym.hash(state),
+            Tok::Joint | Tok::Bad => {}
         }
     }
 }

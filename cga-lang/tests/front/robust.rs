@@ -359,6 +359,39 @@ fn long_grammars_take_time_in_proportion() {
     assert_eq!(compile_text(&format!("const t0 = \"ab\"\n{double}")).compiled.diags, []);
 }
 
+#[test]
+fn wide_rules_take_time_in_proportion() {
+    // Each of these takes minutes if every part is compared with every other one.
+    let count = 10_000;
+    let parts = |between: &str, part: &dyn Fn(usize) -> String| (0..count).map(part).collect::<Vec<_>>().join(between);
+    let bars = |part: &dyn Fn(usize) -> String| parts(" | ", part);
+    for (text, found) in [
+        (format!("Lot --> split(x) {{ {} }}", bars(&|_| "{ 1 : A }*".into())), 0),
+        (format!("Lot --> split(x) {{ {{ {} }}* }}", bars(&|_| "{ ~1 : A | 2 : A }*".into())), 0),
+        (format!("Lot --> split(x) {{ {} }}", bars(&|_| "{ 0 : A }*".into())), count),
+        (format!("Lot --> split(x) {{ {{ {} }}* }}", bars(&|_| "0 : A".into())), 1),
+        (format!("Lot --> split(x) {{ {} }}", bars(&|_| "'1 : A".into())), count - 1),
+        (format!("Lot --> {} else : A", parts(" ", &|at| format!("case scope.sx == {at} : A"))), 0),
+        (format!("f(h) = {} else : 0\nLot --> extrude(f(1)) A", parts(" ", &|at| format!("case h == {at} : 1"))), 0),
+        (
+            format!(
+                "f(h) = {} else : 0\nLot --> extrude(f(\"\")) A",
+                parts(" ", &|at| format!("case h == \"{at}\" : 1"))
+            ),
+            0,
+        ),
+        (format!("Lot --> comp(f) {{ {} }}", bars(&|at| format!("{at} : A"))), 0),
+        (format!("Lot --> comp(f) {{ {} }}", bars(&|at| format!("isTagged(\"{at}\") : A"))), 0),
+        (format!("Lot --> comp(f) {{ {} }}", bars(&|_| "side : A".into())), count - 1),
+        (format!("f = comp(f) {{ {} }}\nLot --> extrude(f[0]) A", bars(&|at| format!("{at} : 1"))), 0),
+        (format!("A({}) --> X.\nLot --> NIL", parts(", ", &|at| format!("a{at}"))), count + 2),
+    ] {
+        let source = compile_text(&format!("@StartRule\nStart --> Lot\n{text}\nA --> X."));
+        let diags = &source.compiled.diags;
+        assert_eq!(diags.len(), found, "{}: {:?}", &text[..60], diags.first());
+    }
+}
+
 /// The number of diagnostics, which must all be of one kind.
 fn misfits(text: &str) -> usize {
     let source = compile_text(text);
