@@ -63,15 +63,54 @@ pub(crate) struct LoadedFiles {
     entries: Vec<LoadedFile>,
     /// By name.
     known: HashMap<String, usize>,
+    /// The folder that paths and links must not lead out of.
+    root: Option<Root>,
+}
+
+/// The folder of `--root`.
+struct Root {
+    /// As it is shown.
+    name: String,
+    /// With links resolved.
+    path: PathBuf,
+}
+
+impl Root {
+    /// The message about a file that is not read. It is the same for files that do not exist, so rules cannot find out
+    /// which files exist outside.
+    fn outside(&self) -> String {
+        format!(
+            "it is not a file in `{}`, and paths and links that lead out of this folder are not followed",
+            self.name
+        )
+    }
 }
 
 impl LoadedFiles {
+    /// No files yet. `root` is the folder that paths and links must not lead out of.
+    pub(crate) fn new(root: Option<&Path>) -> Result<Self, String> {
+        let Some(root) = root else { return Ok(LoadedFiles::default()) };
+        let name = root.display().to_string();
+        let path = root.canonicalize().map_err(|why| format!("{name}: {why}"))?;
+        if !path.is_dir() {
+            return Err(format!("{name}: it is not a folder"));
+        }
+        Ok(LoadedFiles { root: Some(Root { name, path }), ..LoadedFiles::default() })
+    }
+
+    /// The path with links resolved, if there is a folder that it must not lead out of.
+    fn resolved(&self, path: &Path) -> Result<PathBuf, String> {
+        let Some(root) = &self.root else { return Ok(path.to_owned()) };
+        path.canonicalize().ok().filter(|real| real.starts_with(&root.path)).ok_or_else(|| root.outside())
+    }
+
     /// Reads a file, unless that was done.
     pub(crate) fn load(&mut self, path: &Path) -> Result<usize, String> {
         let name = written(path);
         if let Some(&number) = self.known.get(&name) {
             return Ok(number);
         }
+        let path = &self.resolved(path)?;
         // A device never ends.
         if !fs::metadata(path).map_err(|why| why.to_string())?.is_file() {
             return Err("not a regular file".into());
@@ -128,7 +167,10 @@ impl Files for LoadedFiles {
         let from = std::path::absolute(from).map_err(|why| why.to_string())?;
         let names = candidates(path, &from.to_string_lossy());
         let found = names.iter().map(PathBuf::from).find(|path| path.is_file());
-        let found = found.ok_or("there is no such file beside this one or in a folder above")?;
+        let found = found.ok_or_else(|| match &self.root {
+            Some(root) => root.outside(),
+            None => "there is no such file beside this one or in a folder above".into(),
+        })?;
         let here = std::env::current_dir().unwrap_or_default();
         let number = self.load(found.strip_prefix(here).unwrap_or(&found))?;
         Ok(self.unit(number))
@@ -136,7 +178,8 @@ impl Files for LoadedFiles {
 
     fn beside(&mut self, path: &str, from: &str) -> Vec<String> {
         let Ok(from) = std::path::absolute(from) else { return Vec::new() };
-        let entries = fs::read_dir(folder(path, &from.to_string_lossy())).into_iter().flatten().flatten();
+        let Ok(folder) = self.resolved(Path::new(&folder(path, &from.to_string_lossy()))) else { return Vec::new() };
+        let entries = fs::read_dir(folder).into_iter().flatten().flatten();
         entries.filter_map(|entry| entry.file_name().into_string().ok()).collect()
     }
 }

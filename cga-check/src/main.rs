@@ -38,8 +38,14 @@ fn main() -> ExitCode {
 
 fn check(options: &Options, out: &mut dyn Write) -> std::io::Result<ExitCode> {
     let start = Instant::now();
+    let mut files = match LoadedFiles::new(options.root.as_deref()) {
+        Ok(files) => files,
+        Err(why) => {
+            eprintln!("cannot read {why}");
+            return Ok(ExitCode::from(2));
+        }
+    };
     let (list, mut unread) = files::find(&options.paths);
-    let mut files = LoadedFiles::default();
     let mut numbers = Vec::new();
     for path in &list {
         match files.load(path) {

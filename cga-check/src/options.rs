@@ -17,6 +17,7 @@ are not read: their names, groups and materials are checked by the macro alone.
   --format full    findings with their source lines, then a summary of each file (default)
   --format short   one line for each finding: file:line:column: level[code]: message
   --format json    one JSON object for each finding, on a line of its own
+  --root DIR       files outside of DIR are not read: imports and links that lead out of it are errors
   --quiet          only the summaries
   --no-warnings    warnings are counted but not reported
   --deny-warnings  warnings fail the check, too
@@ -28,6 +29,8 @@ exit status: 0 no errors, 1 errors, 2 a file cannot be read or the arguments are
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Options {
     pub(crate) paths: Vec<PathBuf>,
+    /// The folder that imports and links must not lead out of.
+    pub(crate) root: Option<PathBuf>,
     pub(crate) format: Format,
     pub(crate) quiet: bool,
     pub(crate) shows_warnings: bool,
@@ -43,7 +46,8 @@ pub(crate) enum Command {
 
 pub(crate) fn read(args: impl Iterator<Item = OsString>) -> Command {
     let format = Format::Full;
-    let mut options = Options { paths: Vec::new(), format, quiet: false, shows_warnings: true, denies_warnings: false };
+    let (paths, root) = (Vec::new(), None);
+    let mut options = Options { paths, root, format, quiet: false, shows_warnings: true, denies_warnings: false };
     let mut only_files = false;
     let mut args = args;
     while let Some(arg) = args.next() {
@@ -51,6 +55,14 @@ pub(crate) fn read(args: impl Iterator<Item = OsString>) -> Command {
             options.paths.push(arg.into());
             continue;
         };
+        // The name of a folder may be no Unicode.
+        if word == "--root" {
+            match args.next() {
+                Some(folder) => options.root = Some(folder.into()),
+                None => return Command::Wrong("`--root` needs a folder".into()),
+            }
+            continue;
+        }
         let (name, value) = word.split_once('=').map_or((word, None), |(name, value)| (name, Some(value.to_owned())));
         match (name, value) {
             ("--format", value) => {
@@ -61,6 +73,8 @@ pub(crate) fn read(args: impl Iterator<Item = OsString>) -> Command {
                     None => return Command::Wrong("`--format` must be full, short or json".into()),
                 }
             }
+            ("--root", Some(folder)) if !folder.is_empty() => options.root = Some(folder.into()),
+            ("--root", _) => return Command::Wrong("`--root` needs a folder".into()),
             ("--", None) => only_files = true,
             ("--quiet", None) => options.quiet = true,
             ("--no-warnings", None) => options.shows_warnings = false,
@@ -84,14 +98,21 @@ mod tests {
     fn options_are_read_in_any_order() {
         let options = Options {
             paths: vec!["a.cga".into(), "--quiet".into()],
+            root: Some("rules".into()),
             format: Format::Json,
             quiet: true,
             shows_warnings: true,
             denies_warnings: true,
         };
         let expected = Command::Check(options);
-        assert_eq!(of(&["--quiet", "a.cga", "--format", "json", "--deny-warnings", "--", "--quiet"]), expected);
-        assert_eq!(of(&["--format=json", "--deny-warnings", "--quiet", "a.cga", "--", "--quiet"]), expected);
+        assert_eq!(
+            of(&["--quiet", "a.cga", "--root", "rules", "--format", "json", "--deny-warnings", "--", "--quiet"]),
+            expected
+        );
+        assert_eq!(
+            of(&["--format=json", "--root=rules", "--deny-warnings", "--quiet", "a.cga", "--", "--quiet"]),
+            expected
+        );
         assert_eq!(of(&["a.cga", "--help"]), Command::Help);
     }
 
@@ -101,6 +122,8 @@ mod tests {
             (&[][..], "no files are given"),
             (&["--fast"], "unknown option --fast"),
             (&["--quiet=yes"], "unknown option --quiet=yes"),
+            (&["a.cga", "--root"], "`--root` needs a folder"),
+            (&["a.cga", "--root="], "`--root` needs a folder"),
             (&["a.cga", "--format"], "`--format` must be full, short or json"),
             (&["--format", "xml", "a.cga"], "`--format` must be full, short or json"),
         ] {

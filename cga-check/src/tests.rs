@@ -14,6 +14,7 @@ fn run(name: &str, files: &[(&str, &str)], change: impl Fn(&mut Options)) -> (St
     }
     let mut options = Options {
         paths: vec![folder.clone()],
+        root: None,
         format: Format::Full,
         quiet: false,
         shows_warnings: true,
@@ -86,4 +87,45 @@ fn errors_fail_and_warnings_fail_when_denied() {
 fn only_summaries_remain_when_quiet() {
     let (text, _) = run("quiet", &[WRONG], |options| options.quiet = true);
     assert!(text.contains("tower.cga: 2 rules") && !text.contains("-->"), "{text}");
+}
+
+#[cfg(unix)]
+#[test]
+fn imports_and_links_stay_in_the_root() {
+    use std::os::unix::fs::symlink;
+    let folder = std::env::temp_dir().join(format!("cga-check-root-{}", std::process::id()));
+    let rules = folder.join("rules");
+    std::fs::create_dir_all(rules.join("lib")).expect("a folder");
+    std::fs::write(folder.join("secret.cga"), "secret text").expect("a file");
+    std::fs::write(rules.join("lib/wall.cga"), "Wall --> X.").expect("a file");
+    symlink(folder.join("secret.cga"), rules.join("linked.txt")).expect("a link");
+    symlink(&folder, rules.join("folder")).expect("a link");
+    symlink("lib/wall.cga", rules.join("inside.cga")).expect("a link");
+    let imports = ["../secret.cga", "../none.cga", "folder/secret.cga", "secret.cga", "lib/wall.cga", "inside.cga"];
+    let text: String = imports.iter().enumerate().map(|(at, path)| format!("import a{at} : \"{path}\"\n")).collect();
+    std::fs::write(rules.join("lot.cga"), format!("{text}Lot --> a4.Wall a5.Wall")).expect("a file");
+    let checked = |paths: Vec<std::path::PathBuf>, root: Option<std::path::PathBuf>| {
+        let (quiet, shows_warnings, denies_warnings) = (false, false, false);
+        let options = Options { paths, root, format: Format::Full, quiet, shows_warnings, denies_warnings };
+        let mut out = Vec::new();
+        let code = check(&options, &mut out).expect("memory takes it all");
+        (String::from_utf8(out).expect("text").replace(&*folder.to_string_lossy(), "FOLDER"), code)
+    };
+    let (text, code) = checked(vec![rules.join("lot.cga")], Some(rules.clone()));
+    assert_eq!(code, ExitCode::FAILURE);
+    let why = "it is not a file in `FOLDER/rules`, and paths and links that lead out of this folder are not followed";
+    for path in &imports[..4] {
+        assert!(text.contains(&format!("cannot import `{path}`: {why}")), "{path}: {text}");
+    }
+    assert!(text.contains("; 4 errors") && !text.contains("secret text"), "{text}");
+    // Without the option files outside are read.
+    assert!(checked(vec![rules.join("lot.cga")], None).0.contains("secret text"));
+    // Neither files of the command line nor links in a folder lead out.
+    symlink(folder.join("secret.cga"), rules.join("link.cga")).expect("a link");
+    for path in [folder.join("secret.cga"), rules.join("link.cga"), rules.clone()] {
+        let (text, code) = checked(vec![path], Some(rules.clone()));
+        assert!(code == ExitCode::from(2) && !text.contains("secret text"), "{text}");
+    }
+    assert_eq!(checked(vec![rules.clone()], Some(rules.join("none"))).1, ExitCode::from(2));
+    std::fs::remove_dir_all(&folder).expect("the folder");
 }

@@ -1,6 +1,6 @@
 //! `in "rules/tower.cga"`: rules in a file below the package.
 
-use std::io::ErrorKind;
+use std::io::{Error, ErrorKind};
 use std::path::{Component, Path};
 
 use cga_lang::link::stray_character;
@@ -26,18 +26,20 @@ pub(super) fn read(literal: &Literal) -> Result<Source, Problem> {
     }
     // By the package and not by the calling file: editors' macro servers don't know that one.
     let folder = std::env::var("CARGO_MANIFEST_DIR").unwrap_or_default();
-    let file = Path::new(&folder).join(&path);
-    let text = text(&file).map_err(|error| {
-        // A build that has failed is done again anyway, so nothing has to be tracked here.
-        problem(match error.kind() {
-            _ if file.is_dir() => format!("`{path}` is a folder\nhelp: name the rule file in it"),
-            ErrorKind::NotFound => format!("there is no file `{path}`\nhelp: {FROM_PACKAGE}"),
-            _ => format!("`{path}` cannot be read: {error}"),
-        })
-    })?;
+    // A build that has failed is done again anyway, so nothing has to be tracked here.
+    let text = text(Path::new(&folder), &path).map_err(|error| problem(unreadable(&path, &error)))?;
     let lexed = lex(&text);
     let place = QuotedText { name: path.replace('\\', "/"), written: text, ranges: lexed.ranges };
     Ok(source(lexed.tokens, lexed.diags, span, place, tracking(literal)))
+}
+
+/// The message about a rule file that cannot be read.
+fn unreadable(path: &str, error: &Error) -> String {
+    match error.kind() {
+        ErrorKind::IsADirectory => format!("`{path}` is a folder\nhelp: name the rule file in it"),
+        ErrorKind::NotFound => format!("there is no file `{path}`\nhelp: {FROM_PACKAGE}"),
+        _ => format!("`{path}` cannot be read: {error}"),
+    }
 }
 
 const FROM_PACKAGE: &str = "paths count from the folder that has the package's Cargo.toml";
@@ -58,4 +60,34 @@ fn stays_inside(path: &Path) -> bool {
         }
         Component::RootDir | Component::Prefix(_) => false,
     })
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::{text, unreadable};
+    use std::os::unix::fs::symlink;
+    use std::{env, fs, process};
+
+    #[test]
+    fn a_link_does_not_lead_out_of_the_package() {
+        let root = env::temp_dir().join(format!("cga-file-links-{}", process::id()));
+        let package = root.join("package");
+        fs::create_dir_all(package.join("rules")).unwrap();
+        fs::write(root.join("secret.cga"), "secret").unwrap();
+        fs::write(package.join("rules/lot.cga"), "Lot --> X.").unwrap();
+        symlink(root.join("secret.cga"), package.join("file.cga")).unwrap();
+        symlink(&root, package.join("folder")).unwrap();
+        symlink("rules/lot.cga", package.join("inside.cga")).unwrap();
+        let message = |path: &str| unreadable(path, &text(&package, path).expect_err(path));
+        for path in ["file.cga", "folder/secret.cga", "folder", "folder/package/../secret.cga"] {
+            let why = "a link leads out of the package, and files outside are not read";
+            assert_eq!(message(path), format!("`{path}` cannot be read: {why}"));
+        }
+        assert!(message("rules").contains("is a folder"));
+        assert!(message("lot.cga").contains("there is no file"));
+        assert_eq!(text(&package, "inside.cga").unwrap(), "Lot --> X.");
+        // The package itself may be reached through a link.
+        assert_eq!(text(&package.join("folder/package"), "rules/lot.cga").unwrap(), "Lot --> X.");
+        fs::remove_dir_all(&root).unwrap();
+    }
 }

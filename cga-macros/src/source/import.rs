@@ -8,7 +8,7 @@ use cga_lang::link::{Asset, Files, Unit, candidates, folder};
 use cga_lang::syntax::lex::lex;
 use proc_macro2::{Literal, TokenStream};
 
-use super::quoted::{QuotedText, text, tracking};
+use super::quoted::{QuotedText, resolved, text, tracking};
 
 /// Larger meshes are there, and no more is known of them.
 const LARGEST_MESH: u64 = 1 << 26;
@@ -57,7 +57,7 @@ impl Files for Imports {
                 _ => "there is no such file in the package".into(),
             });
         };
-        let text = text(&self.root.join(name)).map_err(|error| error.to_string())?;
+        let text = text(&self.root, name).map_err(|error| error.to_string())?;
         let lexed = lex(&text);
         let named = |name: &str| self.opened.iter().find(|file| file.text.name == name);
         if named(name).is_none() {
@@ -73,12 +73,12 @@ impl Files for Imports {
         if folder.starts_with("..") || folder.starts_with('/') {
             return Vec::new();
         }
-        names(&self.root.join(folder)).collect()
+        resolved(&self.root, &folder).map(|folder| names(&folder).collect()).unwrap_or_default()
     }
 
     fn asset(&mut self, place: &str) -> Option<Asset> {
         let Some(path) = self.inside(place) else {
-            return Some(Asset::Missing(self.beside_place(&self.root.join(place))));
+            return Some(Asset::Missing(self.beside_place(place)));
         };
         let is_mesh = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"));
         let is_small = path.metadata().is_ok_and(|data| data.len() <= LARGEST_MESH);
@@ -90,14 +90,14 @@ impl Files for Imports {
 impl Imports {
     /// The path of a file in the package, without links: one that leads out of it a run does not follow either.
     fn inside(&self, place: &str) -> Option<PathBuf> {
-        let path = self.root.join(place).canonicalize().ok()?;
-        (path.is_file() && path.starts_with(self.root.canonicalize().ok()?)).then_some(path)
+        resolved(&self.root, place).ok().filter(|path| path.is_file())
     }
 
     /// The names of the files in the folder of one that is not there.
-    fn beside_place(&mut self, path: &Path) -> Vec<String> {
-        let Some(folder) = path.parent() else { return Vec::new() };
-        self.listed.entry(folder.to_owned()).or_insert_with(|| names(folder).take(MOST_BESIDE).collect()).clone()
+    fn beside_place(&mut self, place: &str) -> Vec<String> {
+        let folder = place.rsplit_once('/').map_or("", |(folder, _)| folder);
+        let Ok(folder) = resolved(&self.root, folder) else { return Vec::new() };
+        self.listed.entry(folder.clone()).or_insert_with(|| names(&folder).take(MOST_BESIDE).collect()).clone()
     }
 }
 
@@ -134,6 +134,31 @@ mod tests {
         assert!(
             matches!(files.asset("assets/wood"), Some(Asset::Missing(names)) if names.contains(&"tree.obj".to_owned()))
         );
+        std::fs::remove_dir_all(&root).unwrap();
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn imports_and_suggestions_stay_in_the_package() {
+        use std::os::unix::fs::symlink;
+        let root = std::env::temp_dir().join(format!("cga-import-links-{}", std::process::id()));
+        let package = root.join("package");
+        std::fs::create_dir_all(&package).unwrap();
+        std::fs::write(root.join("secret.cga"), "secret").unwrap();
+        std::fs::write(package.join("wall.cga"), "Wall --> X.").unwrap();
+        symlink(root.join("secret.cga"), package.join("file.cga")).unwrap();
+        symlink(&root, package.join("folder")).unwrap();
+        symlink("wall.cga", package.join("inside.cga")).unwrap();
+        let mut files = Imports { root: package, opened: Vec::new(), listed: HashMap::new() };
+        let why = "a link leads out of the package, and files outside are not read";
+        for path in ["file.cga", "folder/secret.cga"] {
+            assert_eq!(files.open(path, "lot.cga").unwrap_err(), why);
+        }
+        assert!(files.opened.is_empty());
+        assert!(files.open("inside.cga", "lot.cga").is_ok());
+        assert!(files.beside("folder/secre.cga", "lot.cga").is_empty());
+        assert_eq!(files.asset("folder/secre.cga"), Some(Asset::Missing(Vec::new())));
+        assert!(files.beside("wal.cga", "lot.cga").contains(&"wall.cga".to_owned()));
         std::fs::remove_dir_all(&root).unwrap();
     }
 }

@@ -1,8 +1,8 @@
 //! Texts of rules: files of the package, and what diagnostics quote.
 
 use std::fs::File;
-use std::io::{Error, Read};
-use std::path::Path;
+use std::io::{Error, ErrorKind, Read};
+use std::path::{Path, PathBuf};
 
 use cga_lang::syntax::lex::decode;
 use proc_macro2::{Literal, TokenStream};
@@ -21,9 +21,24 @@ pub(crate) struct QuotedText {
 /// Most bytes of a rule file. The largest ones people have published have less than a hundredth of it.
 const MOST_BYTES: u64 = 64 << 20;
 
-/// The text of a file, if it is one: a device never ends.
-pub(super) fn text(file: &Path) -> Result<String, Error> {
-    let about = std::fs::metadata(file)?;
+/// The reason why a file outside of the package is not read. Nothing of it is quoted.
+const LINK_OUTSIDE: &str = "a link leads out of the package, and files outside are not read";
+
+/// The path of an existing file or folder of a package, with links resolved. A link must not lead out of the package:
+/// messages quote the files that are read, and other machines do not have the file.
+pub(super) fn resolved(root: &Path, name: &str) -> Result<PathBuf, Error> {
+    let root = if root.as_os_str().is_empty() { Path::new(".") } else { root };
+    let path = root.join(name).canonicalize()?;
+    if path.starts_with(root.canonicalize()?) { Ok(path) } else { Err(Error::other(LINK_OUTSIDE)) }
+}
+
+/// The text of a file of a package, if it is one: a device never ends.
+pub(super) fn text(root: &Path, name: &str) -> Result<String, Error> {
+    let file = resolved(root, name)?;
+    let about = std::fs::metadata(&file)?;
+    if about.is_dir() {
+        return Err(ErrorKind::IsADirectory.into());
+    }
     if !about.is_file() {
         return Err(Error::other("not a regular file"));
     }
