@@ -233,6 +233,9 @@ impl<'f> Evaluator<'f> {
                 self.both(*op, left, right, facts, depth)
             }
             ExprKind::Binary(op, _, left, right) => Value::binary(*op, value(left), value(right)),
+            ExprKind::Chain(first, links) => {
+                links.iter().fold(value(first), |all, link| Value::binary(link.op, all, value(&link.operand)))
+            }
             ExprKind::Case(arms, otherwise) => self.case(arms, otherwise, facts, depth),
             ExprKind::Chance(arms, otherwise) => {
                 arms.iter().fold(value(otherwise), |all, (_, result)| all.or(value(result)))

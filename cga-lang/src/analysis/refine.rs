@@ -35,6 +35,13 @@ impl Evaluator<'_> {
             ExprKind::Binary(Binary::Or, _, left, right) if !truth => {
                 self.refine(right, false, self.refine(left, false, facts, depth)?, depth)
             }
+            ExprKind::Chain(first, links) => match links.first()?.op {
+                Binary::And | Binary::Or if (links[0].op == Binary::And) == truth => {
+                    let facts = self.refine(first, truth, facts, depth)?;
+                    links.iter().try_fold(facts, |facts, link| self.refine(&link.operand, truth, facts, depth))
+                }
+                _ => Some(facts),
+            },
             ExprKind::Binary(op, _, left, right) => {
                 let Some(holds) = Holds::new(*op, truth) else { return Some(facts) };
                 if self.place(left, &facts).is_none() && self.place(right, &facts).is_none() {

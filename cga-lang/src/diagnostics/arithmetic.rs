@@ -12,13 +12,9 @@ use crate::syntax::written::Written;
 /// Checks an expression and its parts.
 pub(crate) fn check(expr: &Expr, facts: &AbstractState, flow: &DataFlow, cx: &Context, diags: &mut Diags) {
     match &expr.kind {
-        ExprKind::Binary(op @ (Binary::Div | Binary::Rem), _, _, right)
-            if flow.value(right, facts).number().known() == Some(0.0) =>
-        {
-            let what =
-                if *op == Binary::Div { "this divides by zero" } else { "the remainder of a division by zero is NaN" };
-            let diag = diags.report(Code::DivisionByZero, right.span, what);
-            diag.note("the result is not finite: operations use 0 instead, with a fault");
+        ExprKind::Binary(op, _, _, right) => division(*op, right, facts, flow, diags),
+        ExprKind::Chain(_, links) => {
+            links.iter().for_each(|link| division(link.op, &link.operand, facts, flow, diags));
         }
         ExprKind::Case(arms, other) => {
             let mut before = Written::new(cx.globals.program.tokens.as_slice());
@@ -40,6 +36,19 @@ pub(crate) fn check(expr: &Expr, facts: &AbstractState, flow: &DataFlow, cx: &Co
     let component = matches!(expr.kind, ExprKind::Comp(_)).then(|| facts.on_any_shape());
     let facts = component.as_ref().unwrap_or(facts);
     expr.parts().into_iter().for_each(|part| check(part, facts, flow, cx, diags));
+}
+
+/// Reports a division by zero.
+fn division(op: Binary, right: &Expr, facts: &AbstractState, flow: &DataFlow, diags: &mut Diags) {
+    let what = match op {
+        Binary::Div => "this divides by zero",
+        Binary::Rem => "the remainder of a division by zero is NaN",
+        _ => return,
+    };
+    if flow.value(right, facts).number().known() == Some(0.0) {
+        let diag = diags.report(Code::DivisionByZero, right.span, what);
+        diag.note("the result is not finite: operations use 0 instead, with a fault");
+    }
 }
 
 /// Checks a `case`. `first` has the facts at its first condition, with the conditions since then, because the `case`

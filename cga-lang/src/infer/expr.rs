@@ -5,7 +5,7 @@ use super::{Infer, Type, Use, Var, VarState};
 use crate::diag::code::Code;
 use crate::ops::Param;
 use crate::span::Span;
-use crate::syntax::ast::{Binary, Expr, ExprKind, Name, Unary};
+use crate::syntax::ast::{Binary, Expr, ExprKind, Link, Name, Unary};
 
 impl<'a> Infer<'_, 'a, '_> {
     pub(super) fn expr(&mut self, expr: &'a Expr) -> Var {
@@ -45,6 +45,7 @@ impl<'a> Infer<'_, 'a, '_> {
                 let (left, right) = ((self.expr(left), left.span), (self.expr(right), right.span));
                 self.wait(OpenKind::Each(*op, left, right), *at)
             }
+            ExprKind::Chain(first, links) => self.chain(first, links),
             ExprKind::Array(rows) => {
                 let entries = rows.iter().flatten().map(|entry| (self.expr(entry), entry.span)).collect();
                 self.wait(OpenKind::Array(entries), span)
@@ -166,6 +167,25 @@ impl<'a> Infer<'_, 'a, '_> {
             _ => (Vec::new(), Constraint::Any),
         };
         Overload { found, takes, gives }
+    }
+
+    fn chain(&mut self, first: &'a Expr, links: &'a [Link]) -> Var {
+        let mut left = (self.expr(first), first.span);
+        for Link { op, at, operand } in links {
+            let right = (self.expr(operand), operand.span);
+            let span = first.span.to(operand.span);
+            let ty = if matches!(op, Binary::And | Binary::Or) { Type::Bool } else { Type::Float };
+            let result = if *op == Binary::Add {
+                self.wait(OpenKind::Plus(left, right), *at)
+            } else {
+                for (var, span) in [left, right] {
+                    self.need_var(var, span, ty, &format!("`{}`", op.text()));
+                }
+                self.known(ty, span)
+            };
+            left = (result, span);
+        }
+        left.0
     }
 
     fn binary(&mut self, op: Binary, at: Span, left: &'a Expr, right: &'a Expr, span: Span) -> Var {

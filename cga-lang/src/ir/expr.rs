@@ -61,6 +61,8 @@ pub enum ExprKind {
     Not(Box<Expr>),
     /// Both operands are always evaluated, the left one first. `+` joins text if the result is text.
     Binary(Binary, Box<Expr>, Box<Expr>),
+    /// Many operators on values of one type, from left to right, as [`ExprKind::Binary`].
+    Chain(Box<Expr>, Vec<(Binary, Expr)>),
     /// A float or bool as text, for `+` beside a string.
     ToText(Box<Expr>),
     /// The name of a file, and the folder of the rule file that names it: relative paths are looked for from there.

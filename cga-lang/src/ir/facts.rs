@@ -121,6 +121,7 @@ impl Facts {
             | ExprKind::Neg(_)
             | ExprKind::Not(_)
             | ExprKind::Binary(..)
+            | ExprKind::Chain(..)
             | ExprKind::ToText(_)
             | ExprKind::File(..)
             | ExprKind::Case(..) => Uses::NONE,

@@ -211,6 +211,9 @@ macro_rules! parts {
                 vec![&$($mutable)? **a]
             }
             ExprKind::Binary(_, a, b) | ExprKind::Each(_, a, b) => vec![&$($mutable)? **a, &$($mutable)? **b],
+            ExprKind::Chain(first, links) => {
+                [&$($mutable)? **first].into_iter().chain(links.$iter().map(|(_, operand)| operand)).collect()
+            }
             ExprKind::Array(rows) => rows.$iter().flatten().collect(),
             ExprKind::Comp(comp) => {
                 let parts = comp.arms.$iter().flat_map(|Arm { selector, then, .. }| match selector {

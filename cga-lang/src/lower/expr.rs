@@ -43,6 +43,7 @@ impl Lower<'_> {
                 let (left, right) = (self.expr(left), self.expr(right));
                 binary(*op, left, right)
             }
+            ast::ExprKind::Chain(first, links) => return self.chain(first, links),
             ast::ExprKind::Case(arms, otherwise) => {
                 let arms: Vec<(Expr, Expr)> =
                     arms.iter().map(|(test, value)| (self.expr(test), self.expr(value))).collect();
@@ -91,6 +92,26 @@ impl Lower<'_> {
             ast::ExprKind::Error => nothing(),
         };
         Expr { kind, ty, span: expr.span }
+    }
+
+    /// Many operators in a row. Before the first operand that is text, the result so far becomes text.
+    fn chain(&mut self, first: &ast::Expr, links: &[ast::Link]) -> Expr {
+        let mut all = self.expr(first);
+        let mut row: Vec<(Binary, Expr)> = Vec::new();
+        let closed = |all: Expr, row: Vec<(Binary, Expr)>| {
+            let Some((_, last)) = row.last() else { return all };
+            let (ty, span) = (all.ty, all.span.to(last.span));
+            Expr { kind: ExprKind::Chain(Box::new(all), row), ty, span }
+        };
+        for ast::Link { op, operand, .. } in links {
+            let operand = self.expr(operand);
+            let is_text = *op == Binary::Add && (all.ty == Type::Text || operand.ty == Type::Text);
+            if is_text && all.ty != Type::Text {
+                all = *text(closed(all, std::mem::take(&mut row)));
+            }
+            row.push((*op, if is_text { *text(operand) } else { operand }));
+        }
+        closed(all, row)
     }
 
     pub(super) fn exprs(&mut self, list: &[ast::Expr]) -> Vec<Expr> {

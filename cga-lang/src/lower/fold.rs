@@ -53,6 +53,14 @@ pub(crate) fn fold(expr: &mut Expr, known: &Folded) -> Option<Value> {
             let (left, right) = (fold(left, known), fold(right, known));
             binary(*op, left?, right?)?
         }
+        ExprKind::Chain(first, links) => {
+            let mut all = fold(first, known);
+            for (op, operand) in links {
+                let operand = fold(operand, known);
+                all = all.and_then(|all| binary(*op, all, operand?));
+            }
+            all?
+        }
         ExprKind::ToText(operand) => to_text(fold(operand, known)?)?,
         ExprKind::Case(arms, otherwise) => return case(arms, otherwise, known).and_then(|chosen| put(expr, chosen)),
         ExprKind::Array(rows) => array(rows, known)?,

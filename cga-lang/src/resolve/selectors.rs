@@ -103,6 +103,9 @@ impl<'a> Resolver<'_, 'a, '_> {
                 self.condition(left, place);
                 self.condition(right, place);
             }
+            ExprKind::Chain(_, links) if matches!(links[0].op, Binary::And | Binary::Or) => {
+                part.parts().into_iter().for_each(|part| self.condition(part, place));
+            }
             _ => self.expr(part),
         }
     }

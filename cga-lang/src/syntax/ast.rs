@@ -350,6 +350,8 @@ pub enum ExprKind {
     Binary(Binary, Span, Box<Expr>, Box<Expr>),
     /// `a .+ b`: element by element.
     Each(Binary, Span, Box<Expr>, Box<Expr>),
+    /// `a + b - c …`: many operators of one level, from left to right. Few operators are [`ExprKind::Binary`].
+    Chain(Box<Expr>, Vec<Link>),
     /// `[a, b; c, d]`, by rows. An entry may be a range.
     Array(Vec<Vec<Expr>>),
     /// `base : limit` or `base : step : limit`. Only as an entry of an array or an index.
@@ -364,6 +366,17 @@ pub enum ExprKind {
     Chance(Vec<(Percent, Expr)>, Box<Expr>),
     /// Something that was reported.
     Error,
+}
+
+/// An operator of a chain and its right operand.
+#[derive(Clone, Debug)]
+pub struct Link {
+    /// Arithmetic, `&&` or `||`.
+    pub op: Binary,
+    /// The operator's place.
+    pub at: Span,
+    /// The right operand.
+    pub operand: Expr,
 }
 
 /// `comp(args) { selector : expr | … }` as a value.
@@ -437,6 +450,12 @@ pub(crate) const OPERATORS: [(Binary, Sym, u8); 13] = [
 ];
 
 impl Binary {
+    /// Returns true if many operators of its level are a [`ExprKind::Chain`]: a comparison of comparisons is rare.
+    pub(crate) fn is_chained(self) -> bool {
+        use Binary::{Add, And, Div, Mul, Or, Rem, Sub};
+        matches!(self, Add | Sub | Mul | Div | Rem | And | Or)
+    }
+
     /// As written.
     pub fn text(self) -> &'static str {
         OPERATORS.iter().find(|(own, ..)| *own == self).map_or("", |(_, sign, _)| sign.text())

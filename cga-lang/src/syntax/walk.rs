@@ -15,6 +15,9 @@ impl Expr {
             ExprKind::Call(_, args) | ExprKind::Path(_, args) => args.iter().collect(),
             ExprKind::Unary(_, a) | ExprKind::EachUnary(_, a) => vec![a],
             ExprKind::Binary(_, _, a, b) | ExprKind::Each(_, _, a, b) => vec![a, b],
+            ExprKind::Chain(first, links) => {
+                [&**first].into_iter().chain(links.iter().map(|link| &link.operand)).collect()
+            }
             ExprKind::Case(arms, otherwise) => {
                 let arms = arms.iter().flat_map(|(condition, value)| [condition, value]);
                 arms.chain([&**otherwise]).collect()

@@ -427,3 +427,48 @@ fn declarations_for_many_types_are_bounded() {
     let calls = "print(f(1)) print(f(\"a\")) print(f(f(true)))\n".repeat(3000);
     assert_eq!(misfits(&format!("f(x) = x\nLot --> {calls}")), 0);
 }
+
+#[test]
+fn operators_in_a_row_are_not_nested() {
+    // A tree as deep as this would overflow the stack.
+    let chain = |operator: &str, operand: &str| format!("{operand}{}", format!(" {operator} {operand}").repeat(20_000));
+    let arithmetic = ["+", "-", "*", "/", "%"]
+        .into_iter()
+        .flat_map(|operator| ["1", "h", "(2 - h)"].map(|operand| format!("extrude({})", chain(operator, operand))));
+    let texts =
+        ["\"a\"", "str(h)", "h", "h + \"a\""].map(|operand| format!("print(h + \"\" + {})", chain("+", operand)));
+    let truths = ["&&", "||"].map(|operator| format!("case {} : A else : B", chain(operator, "scope.sx > h")));
+    let selectors = ["&&", "||"].map(|operator| format!("comp(f) {{ {} : A | all : B }}", chain(operator, "front")));
+    for body in arithmetic.chain(texts).chain(truths).chain(selectors) {
+        let source = compile_text(&format!(
+            "attr h = 2\n@StartRule\nLot --> t(h, 0, 0) A B Go\nGo --> {body}\nA --> X.\nB --> Y."
+        ));
+        let found: Vec<Code> = source.compiled.diags.iter().map(|diag| diag.code).collect();
+        assert_eq!(found, [], "{}", &body[..40]);
+        assert!(!crate::ir_print::print(&source.compiled.grammar.expect("no findings")).is_empty());
+    }
+    // The levels of operators and parentheses are kept, and the types before a text.
+    let many = |count: usize, part: &str| part.repeat(count);
+    for (value, folded) in [
+        (format!("1{}", many(50, " + 2 * 3")), "301"),
+        (format!("100{}", many(50, " - 1")), "50"),
+        (format!("1{} == 51 && true", many(50, " + 1")), "true"),
+        (format!("1{} + \"a\"{}", many(50, " + 1"), many(40, " + 1")), &format!("\"51a{}\"", many(40, "1"))),
+        (format!("1 - (1{})", many(50, " - 1")), "50"),
+    ] {
+        let source = compile_text(&format!("const a = {value}\nLot --> print(a) X."));
+        let printed = source.compiled.grammar.map(|grammar| crate::ir_print::print(&grammar));
+        assert!(
+            printed.as_ref().is_some_and(|text| text.contains(folded)),
+            "{value}: {printed:?} {:?}",
+            source.compiled.diags
+        );
+    }
+    // A mistake in a long chain is found.
+    let codes = |body: &str| -> Vec<Code> {
+        compile_text(&format!("Lot --> {body}")).compiled.diags.iter().map(|diag| diag.code).collect()
+    };
+    assert_eq!(codes(&format!("extrude(1{} + true)", many(50, " + 1"))), [Code::TypeMismatch]);
+    assert_eq!(codes(&format!("extrude(1{} / 0)", many(50, " * 1"))), [Code::DivisionByZero]);
+    assert_eq!(codes(&format!("extrude(1{} + nothing)", many(50, " + 1"))), [Code::UnknownName]);
+}

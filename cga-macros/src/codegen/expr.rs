@@ -156,6 +156,20 @@ impl Generator<'_> {
                 let (left, operator, right) = (self.expr(left, at), operator_of(*operator), self.expr(right, at));
                 code!((#left #operator #right))
             }
+            ExprKind::Chain(first, links) => {
+                let (env, all, next) = (&at.env, hygienic("so_far"), hygienic("operand"));
+                let first = self.expr(first, at);
+                let links = links.iter().map(|(operator, operand)| {
+                    let (operand, operator) = (self.expr(operand, at), operator_of(*operator));
+                    match expr.ty {
+                        // Joined text can end the run.
+                        Type::Text => code!({ let #next = #operand; #all = cga_rt::func::concat(#env, #all, #next); }),
+                        _ => code!(#all = #all #operator #operand;),
+                    }
+                });
+                // One variable for all results: each further one would nest the scopes of the debugger.
+                code!({ let mut #all = #first; #(#links)* #all })
+            }
             ExprKind::File(name, folder) => {
                 let name = self.expr(name, at);
                 code!(cga_rt::File::new(#name, #folder))

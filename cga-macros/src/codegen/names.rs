@@ -181,6 +181,7 @@ const LOCALS: &[&str] = &[
     "has_parts",
     "lengths",
     "made",
+    "operand",
     "operands",
     "own",
     "part",
@@ -194,6 +195,7 @@ const LOCALS: &[&str] = &[
     "sizes",
     "slim",
     "slot",
+    "so_far",
     "value",
     "whole",
 ];

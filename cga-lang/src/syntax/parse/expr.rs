@@ -4,7 +4,8 @@ use super::arms::has_values;
 use super::{MAX_DEPTH, Parsed, Parser, Reported};
 use crate::diag::RELATIVE;
 use crate::diag::code::Code;
-use crate::syntax::ast::{Arg, Binary, Expr, ExprKind, Name, OPERATORS, Prefix, Unary};
+use crate::span::Span;
+use crate::syntax::ast::{Arg, Binary, Expr, ExprKind, Link, Name, OPERATORS, Prefix, Unary};
 use crate::syntax::token::{Sym, Tok};
 
 /// The level of `+` and `-`, the lowest inside the operand of a size prefix.
@@ -12,6 +13,9 @@ const ADDITIVE: u8 = 5;
 
 /// The level of `==`, the lowest above `&&`.
 const COMPARISON: u8 = 3;
+
+/// The largest number of operators in a row that are nested, which is the form that most checks know.
+const MOST_NESTED: usize = 32;
 
 /// An operator between two values, as written.
 struct Operator {
@@ -32,10 +36,14 @@ impl Parser<'_> {
         self.binary(0)
     }
 
-    /// Makes the expression that begins at `start`. A long chain of operators makes a tree as deep as nested brackets
-    /// do.
+    /// Makes the expression that begins at `start`.
     pub(super) fn node(&mut self, kind: ExprKind, start: usize) -> Parsed<Expr> {
-        let mut expr = Expr { kind, span: self.span_from(start), depth: 1 };
+        self.node_over(kind, self.span_from(start))
+    }
+
+    /// Makes the expression of a span.
+    fn node_over(&mut self, kind: ExprKind, span: Span) -> Parsed<Expr> {
+        let mut expr = Expr { kind, span, depth: 1 };
         expr.depth += expr.parts().iter().map(|part| part.depth).max().unwrap_or(0);
         if MAX_DEPTH < expr.depth { self.too_deep() } else { Ok(expr) }
     }
@@ -94,18 +102,42 @@ impl Parser<'_> {
     fn binary(&mut self, least: u8) -> Parsed<Expr> {
         let start = self.at;
         let mut left = self.unary()?;
+        // The operators since the last one of another level.
+        let (mut row, mut row_level) = (Vec::new(), 0);
         while let Some(Operator { op, level, each, length, meant }) = self.operator() {
             if level < least || !self.tick() {
                 break;
+            }
+            if level != row_level {
+                left = self.row(left, std::mem::take(&mut row))?;
+                row_level = level;
             }
             if let Some(meant) = meant {
                 self.no_operator(length, meant);
             }
             let at = self.span().to(self.span_at(self.at + length - 1));
             self.at += length;
+            let operand = self.binary(level + 1)?;
+            row.push((Link { op, at, operand }, each, self.span_from(start)));
+        }
+        self.row(left, row)
+    }
+
+    /// Makes the expression of operators of one level, each with the span up to its operand. Many of them are not nested,
+    /// so that a long sum needs no deep tree.
+    fn row(&mut self, first: Expr, row: Vec<(Link, bool, Span)>) -> Parsed<Expr> {
+        let is_chained = |(link, each, _): &(Link, bool, Span)| !each && link.op.is_chained();
+        if let Some(&(.., span)) = row.last()
+            && MOST_NESTED < row.len()
+            && row.iter().all(is_chained)
+        {
+            let links = row.into_iter().map(|(link, ..)| link).collect();
+            return self.node_over(ExprKind::Chain(Box::new(first), links), span);
+        }
+        let mut left = first;
+        for (Link { op, at, operand }, each, span) in row {
             let kind = if each { ExprKind::Each } else { ExprKind::Binary };
-            let right = self.binary(level + 1)?;
-            left = self.node(kind(op, at, Box::new(left), Box::new(right)), start)?;
+            left = self.node_over(kind(op, at, Box::new(left), Box::new(operand)), span)?;
         }
         Ok(left)
     }

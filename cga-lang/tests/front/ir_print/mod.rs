@@ -331,6 +331,10 @@ impl<'g> Printer<'g> {
             ExprKind::Each(op, a, b) => format!("({} .{} {})", self.expr(a), sign(*op, expr.ty), self.expr(b)),
             ExprKind::Neg(operand) => format!("-{}", self.expr(operand)),
             ExprKind::Not(operand) => format!("!{}", self.expr(operand)),
+            ExprKind::Chain(first, links) => {
+                let link = |(op, operand): &(Binary, Expr)| format!(" {} {}", sign(*op, expr.ty), self.expr(operand));
+                format!("({}{})", self.expr(first), links.iter().map(link).collect::<String>())
+            }
             ExprKind::Binary(op, a, b) => format!("({} {} {})", self.expr(a), sign(*op, expr.ty), self.expr(b)),
             ExprKind::ToText(operand) => format!("text({})", self.expr(operand)),
             ExprKind::File(name, folder) if folder.is_empty() => self.expr(name),

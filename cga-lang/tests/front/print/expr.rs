@@ -27,6 +27,15 @@ impl Printer<'_> {
             ExprKind::EachUnary(op, operand) => self.unary(".", *op, operand),
             ExprKind::Binary(op, _, left, right) => self.binary("", *op, left, right),
             ExprKind::Each(op, _, left, right) => self.binary(".", *op, left, right),
+            ExprKind::Chain(first, links) => {
+                self.word("(");
+                self.expr(first);
+                for link in links {
+                    self.word(&format!(" {} ", link.op.text()));
+                    self.expr(&link.operand);
+                }
+                self.word(")");
+            }
             ExprKind::Array(rows) => {
                 self.word("[");
                 self.list(rows, "; ", |own, row| own.list(row, ", ", Self::expr));
