@@ -4,10 +4,11 @@ use cga_lang::compile::Dialect;
 use cga_lang::diag::Diags;
 use cga_lang::link::{Files, Unit, candidates, folder};
 use cga_lang::snippet::Quote;
-use cga_lang::syntax::lex::{Lexed, decode, lex};
+use cga_lang::syntax::lex::{Lexed, MOST_BYTES, TOO_LONG, decode, lex};
 use cga_lang::syntax::parse::parse;
 use std::collections::{HashMap, HashSet};
-use std::fs;
+use std::fs::{self, File};
+use std::io::Read as _;
 use std::path::{Component, Path, PathBuf};
 
 /// The rule files among some paths, in order, each once; and what could not be read.
@@ -115,7 +116,12 @@ impl LoadedFiles {
         if !fs::metadata(path).map_err(|why| why.to_string())?.is_file() {
             return Err("not a regular file".into());
         }
-        let bytes = fs::read(path).map_err(|why| why.to_string())?;
+        let mut bytes = Vec::new();
+        let file = File::open(path).map_err(|why| why.to_string())?;
+        file.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(|why| why.to_string())?;
+        if MOST_BYTES < bytes.len() {
+            return Err(TOO_LONG.into());
+        }
         let text = decode(&bytes).into_owned();
         let lexed = lex(&text);
         self.entries.push(LoadedFile { name: name.clone(), text, lexed });

@@ -1,5 +1,6 @@
 //! Tests of the command.
 
+use cga_lang::syntax::lex::MOST_BYTES;
 use serde_json::Value;
 
 use super::*;
@@ -127,5 +128,23 @@ fn imports_and_links_stay_in_the_root() {
         assert!(code == ExitCode::from(2) && !text.contains("secret text"), "{text}");
     }
     assert_eq!(checked(vec![rules.clone()], Some(rules.join("none"))).1, ExitCode::from(2));
+    std::fs::remove_dir_all(&folder).expect("the folder");
+}
+
+#[test]
+fn a_file_of_many_bytes_is_not_read() {
+    let folder = std::env::temp_dir().join(format!("cga-check-long-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    std::fs::write(folder.join("lot.cga"), " ".repeat(MOST_BYTES + 1)).expect("a file");
+    let options = Options {
+        paths: vec![folder.join("lot.cga")],
+        root: None,
+        format: Format::Full,
+        quiet: false,
+        shows_warnings: true,
+        denies_warnings: false,
+    };
+    let mut out = Vec::new();
+    assert_eq!(check(&options, &mut out).expect("memory takes it all"), ExitCode::from(2));
     std::fs::remove_dir_all(&folder).expect("the folder");
 }

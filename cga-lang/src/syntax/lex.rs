@@ -11,7 +11,7 @@ use std::ops::Range;
 mod decode;
 mod recovery;
 
-pub use decode::decode;
+pub use decode::{MOST_BYTES, TOO_LONG, decode};
 pub use recovery::{NO_UNITS, without_unit};
 
 /// The tokens of a text and their places in it.

@@ -65,8 +65,23 @@ fn stays_inside(path: &Path) -> bool {
 #[cfg(all(test, unix))]
 mod tests {
     use super::{text, unreadable};
+    use cga_lang::syntax::lex::MOST_BYTES;
     use std::os::unix::fs::symlink;
     use std::{env, fs, process};
+
+    #[test]
+    fn a_file_of_many_bytes_is_refused() {
+        let package = env::temp_dir().join(format!("cga-file-long-{}", process::id()));
+        fs::create_dir_all(&package).unwrap();
+        let rules = |bytes: usize| fs::write(package.join("lot.cga"), " ".repeat(bytes)).unwrap();
+        rules(MOST_BYTES);
+        assert_eq!(text(&package, "lot.cga").unwrap().len(), MOST_BYTES);
+        rules(MOST_BYTES + 1);
+        let message = unreadable("lot.cga", &text(&package, "lot.cga").expect_err("too long"));
+        let why = "it has more than 1 MB; divide the rules into files that are imported";
+        assert_eq!(message, format!("`lot.cga` cannot be read: {why}"));
+        fs::remove_dir_all(&package).unwrap();
+    }
 
     #[test]
     fn a_link_does_not_lead_out_of_the_package() {

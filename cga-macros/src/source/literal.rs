@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use cga_lang::diag::Diag;
-use cga_lang::syntax::lex::lex_joined;
+use cga_lang::syntax::lex::{MOST_BYTES, TOO_LONG, lex_joined};
 use cga_lang::syntax::token::Tokens;
 use proc_macro2::{Literal, Span, TokenStream};
 
@@ -22,6 +22,9 @@ pub(super) fn read(literals: &[Literal]) -> Result<Source, Problem> {
             return Err(Problem::new(place, place, format!("the rules must be a string literal\n{help}")));
         };
         joined.push(&content, literal.span());
+    }
+    if MOST_BYTES < joined.text.len() {
+        return Err(Problem::new(span, span, format!("the text cannot be read: {TOO_LONG}")));
     }
     let lexed = lex_joined(&joined.text, &borders);
     let name = span.file();

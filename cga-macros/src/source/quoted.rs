@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{Error, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
-use cga_lang::syntax::lex::decode;
+use cga_lang::syntax::lex::{MOST_BYTES, TOO_LONG, decode};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -17,9 +17,6 @@ pub(crate) struct QuotedText {
     /// For each token, its bytes in `written`.
     pub(crate) ranges: Vec<std::ops::Range<usize>>,
 }
-
-/// Most bytes of a rule file. The largest ones people have published have less than a hundredth of it.
-const MOST_BYTES: u64 = 64 << 20;
 
 /// The reason why a file outside of the package is not read. Nothing of it is quoted.
 const LINK_OUTSIDE: &str = "a link leads out of the package, and files outside are not read";
@@ -43,9 +40,9 @@ pub(super) fn text(root: &Path, name: &str) -> Result<String, Error> {
         return Err(Error::other("not a regular file"));
     }
     let mut bytes = Vec::new();
-    File::open(file)?.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
-    if MOST_BYTES < bytes.len() as u64 {
-        return Err(Error::other("it has more than 64 MB"));
+    File::open(file)?.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes)?;
+    if MOST_BYTES < bytes.len() {
+        return Err(Error::other(TOO_LONG));
     }
     Ok(decode(&bytes).into_owned())
 }

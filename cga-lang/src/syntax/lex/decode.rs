@@ -2,6 +2,13 @@
 
 use std::borrow::Cow;
 
+/// The maximum number of bytes of rules in one place. Checks take up to 400 bytes of memory for each of them. Published rule files are
+/// smaller.
+pub const MOST_BYTES: usize = 1_000_000;
+
+/// The reason why rules with more bytes are not read.
+pub const TOO_LONG: &str = "it has more than 1 MB; divide the rules into files that are imported";
+
 /// Decodes a rule file. Text is UTF-8; invalid bytes are read as Windows-1252, the usual encoding of older editors. A
 /// byte order mark selects UTF-16. Decoding never fails and removes the byte order mark.
 ///

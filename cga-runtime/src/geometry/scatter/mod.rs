@@ -30,6 +30,14 @@ const CELL_LIMITS: [u64; 2] = [256, 4096];
 /// Cells are halved until the logarithms of their densities differ by less.
 const EVEN_ENOUGH: f64 = 1.4;
 
+/// Logarithms of weights count as equal in steps of this size, so that rounding does not change the order of cells. The steps begin
+/// beside the weights of simple shapes.
+const WEIGHT_STEP: f64 = 1e-6;
+const FIRST_STEP: f64 = 0.381_966;
+
+/// Extents that differ by less than this share count as equal: the first of them is halved.
+const SAME_EXTENT: f64 = 1e-9;
+
 /// Cells whose weight is less than the heaviest by this factor, as a logarithm, are not halved.
 const MATTERS: f64 = 12.0;
 
@@ -43,6 +51,8 @@ const DRAWING: usize = 32;
 /// A part of the domain.
 #[derive(Debug)]
 struct DensityCell {
+    /// Cells are counted as they are made.
+    number: u64,
     form: CellForm,
     /// The logarithm of the highest density in it.
     log_peak: f64,
@@ -66,10 +76,17 @@ enum CellForm {
     },
 }
 
-/// Cells are ordered by weight.
+impl DensityCell {
+    /// The weight in steps.
+    fn step(&self) -> i64 {
+        (self.log_weight / WEIGHT_STEP + FIRST_STEP).floor() as i64
+    }
+}
+
+/// Cells are ordered by weight, and those of the same weight by number: the first is the largest.
 impl Ord for DensityCell {
     fn cmp(&self, other: &Self) -> Ordering {
-        self.log_weight.total_cmp(&other.log_weight)
+        self.step().cmp(&other.step()).then(other.number.cmp(&self.number))
     }
 }
 
@@ -127,7 +144,9 @@ impl Domain {
     }
 
     fn of(cells: Vec<DensityCell>, bell: Bell, solid: Option<Solid>, count: u64) -> Self {
-        let mut heap = BinaryHeap::from(cells);
+        let mut numbers = 0..;
+        let mut numbered = |cell: DensityCell| DensityCell { number: numbers.next().unwrap_or_default(), ..cell };
+        let mut heap: BinaryHeap<_> = cells.into_iter().map(&mut numbered).collect();
         let mut cells = Vec::new();
         let [least, most] = CELL_LIMITS;
         let most = heap.len() + count.saturating_mul(CELLS_PER_POINT).clamp(least, most) as usize;
@@ -139,7 +158,7 @@ impl Domain {
                 break;
             }
             if cell.is_uneven && matters && heap.len() + cells.len() + 2 <= most {
-                heap.extend(halves(&cell.form, &bell, solid.as_ref()).into_iter().flatten());
+                heap.extend(halves(&cell.form, &bell, solid.as_ref()).into_iter().flatten().map(&mut numbered));
             } else {
                 heaviest = heaviest.max(cell.log_weight);
                 cells.push(cell);
@@ -223,6 +242,7 @@ fn triangle(corners: [DVec3; 3], normal: DVec3, bell: &Bell) -> Option<DensityCe
     let log_weight = libm::log(area) + log_peak;
     let is_uneven = EVEN_ENOUGH < log_peak - least;
     (0.0 < area).then_some(DensityCell {
+        number: 0,
         form: CellForm::Triangle { corners, normal },
         log_peak,
         log_weight,
@@ -241,6 +261,7 @@ fn cuboid(low: DVec3, high: DVec3, near: &[u32], bell: &Bell, solid: Option<&Sol
     let log_measure: f64 = extents.into_iter().filter(|extent| 0.0 < *extent).map(libm::log).sum();
     let is_uneven = !crossing.is_empty() || EVEN_ENOUGH < log_peak - least;
     Some(DensityCell {
+        number: 0,
         form: CellForm::Box { low, high, crossing },
         log_peak,
         log_weight: log_measure + log_peak,
@@ -254,21 +275,25 @@ fn halves(form: &CellForm, bell: &Bell, solid: Option<&Solid>) -> [Option<Densit
     let units = DVec3::select(bell.deviation.cmplt(DVec3::INFINITY), bell.deviation, DVec3::ONE);
     match form {
         CellForm::Triangle { corners, normal } => {
-            let length = |edge: usize| ((corners[(edge + 1) % 3] - corners[edge]) / units).length_squared();
-            let longest = (0..3).max_by(|a, b| length(*a).total_cmp(&length(*b))).unwrap_or(0);
+            let longest = longest([0, 1, 2].each(|edge| ((corners[(edge + 1) % 3] - corners[edge]) / units).length()));
             let [from, to, apex] = [0, 1, 2].each(|step| corners[(longest + step) % 3]);
             let middle = (from + to) * 0.5;
             [[from, middle, apex], [middle, to, apex]].each(|corners| triangle(corners, *normal, bell))
         }
         CellForm::Box { low, high, crossing } => {
-            let extent = ((*high - *low) / units).to_array();
-            let longest = (0..3).max_by(|a, b| extent[*a].total_cmp(&extent[*b])).unwrap_or(0);
+            let longest = longest(((*high - *low) / units).to_array());
             let middle = (low[longest] + high[longest]) * 0.5;
             let (mut top, mut bottom) = (*high, *low);
             (top[longest], bottom[longest]) = (middle, middle);
             [(*low, top), (bottom, *high)].each(|(low, high)| cuboid(low, high, crossing, bell, solid))
         }
     }
+}
+
+/// The first of the longest lengths.
+fn longest(lengths: [f64; 3]) -> usize {
+    let most = lengths.into_iter().fold(0.0, f64::max);
+    lengths.iter().position(|length| most * (1.0 - SAME_EXTENT) <= *length).unwrap_or(0)
 }
 
 #[cfg(test)]

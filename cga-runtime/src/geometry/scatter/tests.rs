@@ -1,7 +1,7 @@
 use glam::DVec3;
 
 use super::{Bell, Domain, ScatteredPoint};
-use crate::geometry::mesh::primitive::PrimitiveKind;
+use crate::geometry::mesh::primitive::{PrimitiveKind, cube};
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use crate::shape::seed::Seed;
 
@@ -56,6 +56,26 @@ fn points_on_a_surface_are_even_by_area() {
     assert!(sum < bound(17), "{sum}");
     let normal = |point: &ScatteredPoint| if point.position.y == 0.0 { DVec3::Y } else { DVec3::Z };
     assert!(points.iter().all(|point| (point.normal - normal(point)).length() < 1e-12));
+}
+
+/// Cells of solids and surfaces with equal sides have equal weights, and the last bits of coordinates say nothing about them.
+#[test]
+fn rounding_moves_no_point_far() {
+    let bell = Bell { mean: DVec3::splat(0.5), deviation: DVec3::splat(0.2) };
+    for mesh in [cube(), PrimitiveKind::Cone { sides: 8 }.mesh(), PrimitiveKind::Cylinder { sides: 8 }.mesh()] {
+        let mut random = Seed::new(3);
+        let mut noise = || 1.0 + (random.draw() - 0.5) * 1e-15;
+        let moved = mesh.points().iter().map(|at| *at * DVec3::new(noise(), noise(), noise())).collect();
+        let moved = mesh.with_points(moved);
+        for domain in [Domain::volume, Domain::surface] {
+            for bell in [bell, Bell::EVEN] {
+                let [points, others] = [&mesh, &moved].map(|mesh| draw(domain(mesh, bell, 500)));
+                assert_eq!(points.len(), others.len());
+                let far = points.iter().zip(&others).map(|(a, b)| (a.position - b.position).length());
+                assert!(far.fold(0.0, f64::max) < 1e-12, "{bell:?} in {} faces", mesh.face_count());
+            }
+        }
+    }
 }
 
 #[test]
