@@ -13,6 +13,7 @@ pub(crate) mod face_frame;
 pub(crate) mod frame;
 pub(crate) mod hull;
 pub(crate) mod inner_rectangle;
+pub(crate) mod long_sort;
 pub mod mesh;
 mod nesting;
 pub(crate) mod overlay;

@@ -10,7 +10,11 @@ use crate::geometry::mesh::offset::region::EdgeCut;
 use crate::geometry::mesh::offset::set_back::{renumber, set_back as set_face_back};
 use crate::geometry::mesh::offset::side_tags::SideTags;
 use crate::geometry::mesh::{FaceRef, Mesh};
+use crate::geometry::work;
 use crate::run::env::Env;
+
+/// The units of work of a corner of a face, besides its setback.
+const CORNER: usize = 64;
 
 /// Edges of a face that move together, and the arm of what they sweep.
 pub(super) struct Turn {
@@ -91,6 +95,9 @@ pub(super) fn divided_at(
     let mut made = Faces { mesh: mesh.alike(0), arms: Vec::new() };
     let mut tags = SideTags::new(mesh, env.tags_edges);
     for face in mesh.faces() {
+        if !work::spend(CORNER * face.corner_count()) {
+            break;
+        }
         let (cuts, turns) = turns(&face);
         let distances: Vec<&[f64]> = turns.iter().map(|turn| &turn.distances[..]).collect();
         match set_face_back(&face, &cuts, &distances, &mut made.mesh, &mut tags) {

@@ -2,11 +2,12 @@
 
 use glam::DVec3;
 
+use super::budget::goes_on;
 use super::component_tags::EdgeTags;
 use super::edge_table::NO_CORNER;
 use super::face_values::{FaceValues, Shares, only};
 use super::facet::Facet;
-use super::operation::BooleanOp;
+use super::operation::{BooleanError, BooleanOp};
 use super::polygon::{PolygonCorner, ResultPolygon};
 use crate::geometry::mesh::{FaceTag, Mesh, SubcomponentTagger, SubcomponentTags, TagSet, TagSetTable, flip, unit};
 use crate::geometry::triangulate::Triangulator;
@@ -30,7 +31,7 @@ pub(super) struct Assembly<'a> {
 
 impl Assembly<'_> {
     /// The mesh of the result.
-    pub(super) fn mesh_of(&self, polygons: &[ResultPolygon]) -> Mesh {
+    pub(super) fn mesh_of(&self, polygons: &[ResultPolygon]) -> Result<Mesh, BooleanError> {
         // Points keep their order; new points come last.
         let corners = || polygons.iter().flat_map(|polygon| polygon.rings.iter().flatten());
         let mut used: Vec<u32> = corners().map(|corner| corner.point).collect();
@@ -44,6 +45,7 @@ impl Assembly<'_> {
         // The facet of the last polygon, and its corners of the mesh by their points.
         let (mut last_facet, mut corner_at) = (None, Vec::new());
         for polygon in polygons {
+            goes_on(polygon.rings.iter().map(Vec::len).sum())?;
             let facet = &self.facets[polygon.sources[0] as usize];
             if last_facet.replace(polygon.sources[0]) != Some(polygon.sources[0]) {
                 corner_at = facet.corners.iter().copied().zip(facet.sources.iter().copied()).collect();
@@ -79,15 +81,16 @@ impl Assembly<'_> {
             made.end_face(FaceTag { tags, ..tag });
         }
         made.tag_sets = sets.into_sets();
-        made.subcomponent_tags = self.subcomponent_tags(polygons, &used);
-        made
+        made.subcomponent_tags = self.subcomponent_tags(polygons, &used)?;
+        Ok(made)
     }
 
     /// The tags of edges and vertices. `used` are the points of the result.
-    fn subcomponent_tags(&self, polygons: &[ResultPolygon], used: &[u32]) -> SubcomponentTags {
+    fn subcomponent_tags(&self, polygons: &[ResultPolygon], used: &[u32]) -> Result<SubcomponentTags, BooleanError> {
         let mut tagger = SubcomponentTagger::default();
         let number = |point: u32| used.binary_search(&point).ok().map(|number| number as u32);
         for ring in polygons.iter().flat_map(|polygon| &polygon.rings) {
+            goes_on(ring.len())?;
             for (corner, next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
                 if let Some(tags) = self.edge_tags.set(corner.tags)
                     && let (Some(a), Some(b)) = (number(corner.point), number(next.point))
@@ -99,7 +102,7 @@ impl Assembly<'_> {
         for (point, tags) in self.vertex_tags {
             number(*point).into_iter().for_each(|point| tagger.vertex(point, tags));
         }
-        tagger.finish()
+        Ok(tagger.finish())
     }
 
     fn add_values(&self, made: &mut Mesh, shares: &Shares, is_turned: bool) {

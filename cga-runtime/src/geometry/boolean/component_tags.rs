@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
+use super::budget::goes_on;
 use super::edge_table::{EdgeTable, NO_CORNER};
 use super::facet::Facet;
-use super::operation::BooleanOp;
+use super::operation::{BooleanError, BooleanOp};
 use super::sheet::Sheets;
 use crate::geometry::mesh::{Mesh, TagSet, TagSetTable};
 use crate::value::each::Each;
@@ -38,13 +39,14 @@ impl EdgeTags {
         facets: &[Facet],
         sheets: &Sheets,
         operands: &[u8],
-    ) -> Self {
+    ) -> Result<Self, BooleanError> {
         let (mut table, mut of_edge) = (TagSetTable::default(), vec![NO_TAGS; edges.list.len()]);
         let has_tags = mesh.subcomponent_tags.edges().len() != 0;
         if op == BooleanOp::Unify && !has_tags {
-            return EdgeTags { sets: table.into_sets(), of_edge };
+            return Ok(EdgeTags { sets: table.into_sets(), of_edge });
         }
         for (edge, uses) in sheets.fans() {
+            goes_on(uses.len())?;
             let mut tags = TagSet::default();
             if has_tags {
                 for owner in edges.list[edge as usize].owners.iter().filter(|owner| owner.corner != NO_CORNER) {
@@ -65,7 +67,7 @@ impl EdgeTags {
                 of_edge[edge as usize] = table.number(&tags);
             }
         }
-        EdgeTags { sets: table.into_sets(), of_edge }
+        Ok(EdgeTags { sets: table.into_sets(), of_edge })
     }
 }
 

@@ -195,10 +195,10 @@ impl Input<'_> {
             let windings = Windings::of(&sheets, &rays, budget)?;
             selection::choose(op, &sheets, &rays, &windings, budget)?
         };
-        let tags = EdgeTags::new(op, self.mesh, &edges, &facets, &sheets, &operands);
+        let tags = EdgeTags::new(op, self.mesh, &edges, &facets, &sheets, &operands)?;
         let maker = PolygonMaker { points: &points, edges: &edges, facets: &facets, sheets: &sheets, tags: &tags };
         let mut polygons = maker.polygons(&chosen, budget)?;
-        straight::drop_straight(&points, &mut polygons);
+        straight::drop_straight(&points, &mut polygons)?;
         // Points of the mesh keep their coordinates to the bit.
         let mut places: Vec<DVec3> = points.at.iter().map(|place| middle + *place / self.scale).collect();
         for (point, number) in self.mesh.points().iter().zip(&numbers).rev() {
@@ -214,7 +214,7 @@ impl Input<'_> {
             vertex_tags: &vertex_tags,
             op,
         };
-        let made = assembly.mesh_of(&polygons);
+        let made = assembly.mesh_of(&polygons)?;
         let must_close = !kinds.contains(&ShellKind::Open) && !is_flat;
         if must_close && !made.is_empty() && !made.is_closed() {
             return Err(BooleanError::Tangled);

@@ -1,6 +1,6 @@
 //! The sheets that are the result of an operation.
 
-use super::budget::Budget;
+use super::budget::{Budget, goes_on};
 use super::operation::{BooleanError, BooleanOp};
 use super::ray::RayCaster;
 use super::sheet::{Sheet, SheetSide, SheetSource, Sheets};
@@ -33,6 +33,7 @@ pub(super) fn choose(
     let surfaces = [surface(0)?, surface(1)?];
     let mut chosen = Vec::new();
     for (number, sheet) in (0..).zip(&sheets.list) {
+        goes_on(sheet.sources.len())?;
         let inside = |operand: usize, side: SheetSide| {
             let is_in = |side: SheetSide| 0 < windings.at(number, side)[operand];
             let winding = surface_winding(sheets, rays, number, operand as u8);

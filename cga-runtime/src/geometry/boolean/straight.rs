@@ -3,16 +3,19 @@
 use crate::value::each::Each;
 use std::collections::HashMap;
 
+use super::budget::goes_on;
 use super::edge_table::NO_CORNER;
+use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::polygon::{PolygonCorner, ResultPolygon};
 
 /// Drops the corners at which edges were divided but nothing meets any more. Corners of faces stay, and so do corners between
 /// edges with different tags.
-pub(super) fn drop_straight(points: &PointSet, polygons: &mut Vec<ResultPolygon>) {
+pub(super) fn drop_straight(points: &PointSet, polygons: &mut Vec<ResultPolygon>) -> Result<(), BooleanError> {
     // The neighbours of each point that all loops with the point agree about. Equal neighbours for a point that stays.
     let mut neighbours: HashMap<u32, [u32; 2]> = HashMap::new();
     for ring in polygons.iter().flat_map(|polygon| &polygon.rings) {
+        goes_on(ring.len())?;
         for (place, corner) in ring.iter().enumerate() {
             let last = &ring[if place == 0 { ring.len() - 1 } else { place - 1 }];
             let next = ring[(place + 1) % ring.len()].point;
@@ -33,6 +36,7 @@ pub(super) fn drop_straight(points: &PointSet, polygons: &mut Vec<ResultPolygon>
         polygon.rings.retain(|ring| 3 <= ring.len());
     }
     polygons.retain(|polygon| !polygon.rings.is_empty());
+    Ok(())
 }
 
 /// Returns true if a corner is inside an edge of the face, or inside a straight line in the face.

@@ -25,6 +25,7 @@ impl Windings {
         let node = |sheet: u32, side: SheetSide| 2 * sheet + side as u32;
         let mut spaces = DisjointSets::new(2 * count);
         for (_, uses) in sheets.fans() {
+            goes_on(uses.len())?;
             for (here, next) in uses.iter().zip(uses.iter().cycle().skip(1)) {
                 spaces.unite(node(here.sheet, here.ahead()), node(next.sheet, next.behind()));
             }
@@ -51,6 +52,7 @@ impl Windings {
             let mut open = vec![start];
             while let Some(here) = open.pop() {
                 for &sheet in &at_space[here as usize] {
+                    goes_on(1)?;
                     let step = step_back(sheets, rays, sheet);
                     for side in SheetSide::BOTH.into_iter().filter(|side| space(sheet, *side) == here) {
                         let sign = if side == SheetSide::Front { 1 } else { -1 };

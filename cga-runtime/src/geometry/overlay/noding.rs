@@ -3,9 +3,11 @@
 //! A crossing is rounded to a place of the grid, and both edges lead through it. So an edge moves by less than a step, and
 //! may then cross or pass others: the new edges are compared again.
 
+use crate::geometry::long_sort::long_sort_by;
 use crate::geometry::work;
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
+use std::cmp::Ordering;
 use std::collections::HashMap;
 
 use super::OverlayError;
@@ -17,6 +19,8 @@ use super::grid::{GridPoint, is_near, side};
 pub(super) struct NodedEdge {
     pub(super) ends: [u32; 2],
     pub(super) count: i32,
+    /// True for edges that were not compared yet.
+    is_new: bool,
 }
 
 /// Points at most this far from an edge are on it, in steps. The limit is below the distance of the diagonal of a step from
@@ -29,7 +33,8 @@ const NEAR_AT_FIRST: f64 = 2.0;
 /// The limit on comparisons of edges, about two seconds.
 const MOST_PAIRS: usize = 400_000_000;
 
-/// The units of work of a division: it is sorted, and its edge is compared again.
+/// The units of work of an edge in a round, and of a division of it: it is sorted, and its edge is compared again.
+const EDGE: usize = 16;
 const CUT: usize = 64;
 
 /// The limit on rounds. One or two suffice for most polygons.
@@ -42,67 +47,75 @@ pub(super) fn divide(
     edges: Vec<[u32; 2]>,
 ) -> Result<Vec<NodedEdge>, OverlayError> {
     let mut all: Vec<NodedEdge> = edges.into_iter().filter_map(|[a, b]| directed(places, a, b, 1)).collect();
-    merge(&mut all);
-    let mut is_new = vec![true; all.len()];
+    merge(&mut all)?;
     let mut pairs = MOST_PAIRS;
     for round in 0..MOST_ROUNDS {
-        if !work::spend(CUT * all.len()) {
-            return Err(OverlayError::TooMany);
-        }
         let near = if round == 0 { NEAR_AT_FIRST } else { NEAR };
         let mut cuts = vec![Vec::new(); all.len()];
-        compare(places, at, &all, &is_new, near, &mut cuts, &mut pairs)?;
+        compare(places, at, &all, near, &mut cuts, &mut pairs)?;
         if cuts.iter().all(Vec::is_empty) {
             return Ok(all);
         }
-        let mut made = Vec::with_capacity(all.len());
-        let old: Vec<NodedEdge> = all.iter().zip(&cuts).filter(|(_, cuts)| cuts.is_empty()).map(|(e, _)| *e).collect();
-        for (edge, mut cuts) in all.into_iter().zip(cuts).filter(|(_, cuts)| !cuts.is_empty()) {
-            if !work::spend(CUT * cuts.len()) {
-                return Err(OverlayError::TooMany);
-            }
-            let [a, b] = edge.ends.each(|end| places[end as usize]);
-            let along = |point: u32| {
-                let p = places[point as usize];
-                i128::from(b.x - a.x) * i128::from(p.x - a.x) + i128::from(b.y - a.y) * i128::from(p.y - a.y)
-            };
-            cuts.small_sort_by_key(|point| (along(*point), *point));
-            cuts.dedup_by_key(|point| along(*point));
-            let mut from = edge.ends[0];
-            for to in cuts.into_iter().chain([edge.ends[1]]) {
-                made.extend(directed(places, from, to, edge.count));
-                from = to;
-            }
-        }
-        let known: std::collections::HashSet<[u32; 2]> = old.iter().map(|edge| edge.ends).collect();
-        all = old;
-        all.append(&mut made);
-        merge(&mut all);
-        is_new = all.iter().map(|edge| !known.contains(&edge.ends)).collect();
+        all = parts(places, &all, cuts)?;
+        merge(&mut all)?;
     }
     Err(OverlayError::Tangled)
 }
 
-/// An edge in lexicographic order; `None` if it has no length.
+/// Counts work; an error if it is to end.
+fn goes_on(units: usize) -> Result<(), OverlayError> {
+    if work::spend(units) { Ok(()) } else { Err(OverlayError::TooMany) }
+}
+
+/// The edges, divided at their cuts.
+fn parts(places: &[GridPoint], all: &[NodedEdge], cuts: Vec<Vec<u32>>) -> Result<Vec<NodedEdge>, OverlayError> {
+    let mut made = Vec::with_capacity(all.len());
+    for (edge, mut cuts) in all.iter().zip(cuts) {
+        goes_on(1 + CUT * cuts.len())?;
+        if cuts.is_empty() {
+            made.push(NodedEdge { is_new: false, ..*edge });
+            continue;
+        }
+        let [a, b] = edge.ends.each(|end| places[end as usize]);
+        let along = |point: u32| {
+            let p = places[point as usize];
+            i128::from(b.x - a.x) * i128::from(p.x - a.x) + i128::from(b.y - a.y) * i128::from(p.y - a.y)
+        };
+        cuts.small_sort_by_key(|point| (along(*point), *point));
+        cuts.dedup_by_key(|point| along(*point));
+        let mut from = edge.ends[0];
+        for to in cuts.into_iter().chain([edge.ends[1]]) {
+            made.extend(directed(places, from, to, edge.count));
+            from = to;
+        }
+    }
+    Ok(made)
+}
+
+/// A new edge in lexicographic order; `None` if it has no length.
 fn directed(places: &[GridPoint], a: u32, b: u32, count: i32) -> Option<NodedEdge> {
     match places[a as usize].cmp(&places[b as usize]) {
-        std::cmp::Ordering::Less => Some(NodedEdge { ends: [a, b], count }),
-        std::cmp::Ordering::Greater => Some(NodedEdge { ends: [b, a], count: -count }),
-        std::cmp::Ordering::Equal => None,
+        Ordering::Less => Some(NodedEdge { ends: [a, b], count, is_new: true }),
+        Ordering::Greater => Some(NodedEdge { ends: [b, a], count: -count, is_new: true }),
+        Ordering::Equal => None,
     }
 }
 
-/// Unites edges between the same points. Those that cancel are dropped.
-fn merge(edges: &mut Vec<NodedEdge>) {
-    edges.sort_unstable();
+/// Unites edges between the same points. Those that cancel are dropped. An edge at a place that was compared is not new.
+fn merge(edges: &mut Vec<NodedEdge>) -> Result<(), OverlayError> {
+    if !long_sort_by(edges, Ord::cmp) {
+        return Err(OverlayError::TooMany);
+    }
     edges.dedup_by(|next, kept| {
         let is_same = next.ends == kept.ends;
         if is_same {
             kept.count += next.count;
+            kept.is_new &= next.is_new;
         }
         is_same
     });
     edges.retain(|edge| edge.count != 0);
+    Ok(())
 }
 
 /// Finds the points in which edges must be divided, by a sweep over their boxes. Pairs of old edges are known.
@@ -110,7 +123,6 @@ fn compare(
     places: &mut Vec<GridPoint>,
     at: &mut HashMap<GridPoint, u32>,
     edges: &[NodedEdge],
-    is_new: &[bool],
     near: f64,
     cuts: &mut [Vec<u32>],
     pairs: &mut usize,
@@ -122,12 +134,15 @@ fn compare(
             [a.x, b.x, a.y.min(b.y), a.y.max(b.y)]
         })
         .collect();
-    let mut order: Vec<u32> = (0..edges.len() as u32).collect();
-    order.sort_unstable_by_key(|&edge| (boxes[edge as usize][0], edge));
+    let mut order: Vec<(i64, u32)> = boxes.iter().map(|own| own[0]).zip(0..).collect();
+    if !long_sort_by(&mut order, Ord::cmp) {
+        return Err(OverlayError::TooMany);
+    }
     let mut active: Vec<u32> = Vec::new();
-    for &edge in &order {
+    for (_, edge) in order {
         let own = boxes[edge as usize];
-        *pairs = pairs.checked_sub(active.len()).filter(|_| work::spend(active.len())).ok_or(OverlayError::TooMany)?;
+        *pairs = pairs.checked_sub(active.len()).ok_or(OverlayError::TooMany)?;
+        goes_on(EDGE + active.len())?;
         let mut kept = 0;
         for i in 0..active.len() {
             let other = active[i];
@@ -139,7 +154,7 @@ fn compare(
             active[kept] = other;
             kept += 1;
             let apart = its[3] + 2 < own[2] || own[3] + 2 < its[2];
-            if !apart && (is_new[edge as usize] || is_new[other as usize]) {
+            if !apart && (edges[edge as usize].is_new || edges[other as usize].is_new) {
                 meet(places, at, edges, [edge as usize, other as usize], near, cuts);
             }
         }

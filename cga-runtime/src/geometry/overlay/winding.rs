@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use super::grid::{GridPoint, side};
 use super::noding::NodedEdge;
 use crate::geometry::buckets::Buckets;
+use crate::geometry::long_sort::long_sort_by;
 use crate::geometry::work;
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
@@ -18,18 +19,20 @@ pub(super) fn outline(places: &[GridPoint], edges: &[NodedEdge]) -> Vec<[u32; 2]
     starts.fill(places.len(), edges.iter().map(|edge| edge.ends[0]));
     let mut stops = vec![0u32; places.len()];
     edges.iter().for_each(|edge| stops[edge.ends[1] as usize] += 1);
-    let mut order: Vec<u32> = (0..places.len() as u32).filter(|&point| used(&starts, &stops, point)).collect();
-    order.sort_unstable_by_key(|&point| places[point as usize]);
+    let used = |&(_, point): &(GridPoint, u32)| used(&starts, &stops, point);
+    let mut order: Vec<(GridPoint, u32)> = places.iter().copied().zip(0..).filter(used).collect();
+    if !long_sort_by(&mut order, Ord::cmp) {
+        return Vec::new();
+    }
     let mut sides = Vec::new();
     // The edges that the sweep line crosses, from the lowest one up, each with the winding number above it.
     let mut active: Vec<(u32, i32)> = Vec::new();
     let mut leaving: Vec<u32> = Vec::new();
-    for point in order {
+    for (p, point) in order {
         // Edges enter and leave in the middle of the list.
         if !work::spend(POINT + active.len() / 8) {
             break;
         }
-        let p = places[point as usize];
         let above = |edge: u32| {
             let [a, b] = edges[edge as usize].ends;
             b != point && 0 < side(places[a as usize], places[b as usize], p)
@@ -52,7 +55,7 @@ pub(super) fn outline(places: &[GridPoint], edges: &[NodedEdge]) -> Vec<[u32; 2]
         let mut winding = if low == 0 { 0 } else { active[low - 1].1 };
         let mut entries = Vec::with_capacity(leaving.len());
         for &edge in &leaving {
-            let NodedEdge { ends: [a, b], count } = edges[edge as usize];
+            let NodedEdge { ends: [a, b], count, .. } = edges[edge as usize];
             let below = winding;
             winding += count;
             entries.push((edge, winding));

@@ -105,16 +105,17 @@ fn is_below(point: DVec3, [a, b, c]: [DVec3; 3], turn: i32) -> bool {
     orient_in_space(a, b, c, point) == turn
 }
 
-/// Returns false if the triangle is beyond a side of the box, or if the box is on one side of its plane.
+/// Returns false if the triangle is beyond a side of the box, or if the box is on one side of its plane. Triangles that only touch the
+/// box may cross it, so that rounding does not decide.
 fn may_cross([a, b, c]: &[DVec3; 3], low: DVec3, high: DVec3) -> bool {
-    if a.min(*b).min(*c).cmpgt(high).any() || a.max(*b).max(*c).cmplt(low).any() {
+    let (centre, half) = ((low + high) * 0.5, (high - low) * 0.5);
+    let margin = 1e-12 * (1.0 + centre.abs().max_element());
+    if a.min(*b).min(*c).cmpgt(high + margin).any() || a.max(*b).max(*c).cmplt(low - margin).any() {
         return false;
     }
     let normal = (*b - *a).cross(*c - *a);
-    let (centre, half) = ((low + high) * 0.5, (high - low) * 0.5);
     let (distance, reach) = (normal.dot(centre - *a).abs(), normal.abs().dot(half));
-    // The margin covers rounding.
-    distance <= reach + 1e-12 * normal.length() * (1.0 + centre.abs().max_element())
+    distance <= reach + margin * normal.length()
 }
 
 #[cfg(test)]

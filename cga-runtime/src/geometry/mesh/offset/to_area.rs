@@ -7,12 +7,16 @@
 use super::region::FaceRegion;
 use crate::geometry::mesh::FaceRef;
 use crate::geometry::mesh::flat_face::FlatFace;
+use crate::geometry::work;
 
 /// The largest difference of the areas, relative to the area that is wanted.
 const AREA_EPSILON: f64 = 1e-13;
 
 /// The limit on steps. Halving alone takes fewer to reach neighbouring numbers.
 const STEPS: usize = 1100;
+
+/// The units of work of a corner of a face, besides its setback.
+const CORNER: usize = 64;
 
 /// The rest of faces after a setback.
 #[derive(Clone, Copy, Debug, Default)]
@@ -26,6 +30,9 @@ pub(crate) struct Rest {
 impl Rest {
     /// The rest of a face after the turns: all of it if the face cannot be set back. `moves` returns true if a piece moves on.
     pub(crate) fn of(face: &FaceRef<'_>, turns: &[&[f64]], moves: impl Fn(usize) -> bool) -> Self {
+        if !work::spend(CORNER * face.corner_count()) {
+            return Rest::default();
+        }
         let whole = || Rest { area: face.area(), front: 0.0 };
         let Some(plane) = FlatFace::of(face) else { return whole() };
         let mut region = FaceRegion::of(&plane, &[]);
