@@ -6,54 +6,23 @@
 use std::error::Error;
 
 use cga::parallel::derive_all;
-use cga::sink::buffers::{Buffers, Chunks, Submesh};
+use cga::sink::buffers::{Buffers, Chunks};
 use cga::sink::gltf::Glb;
 use cga::{Flow, Grammar, Repeats, Settings, Shape, Sink};
+use hash::{Hash, buffers};
 
 #[allow(dead_code, reason = "the grammar alone is used")]
-#[path = "district.rs"]
+#[path = "../district.rs"]
 mod district;
+mod hash;
 #[allow(dead_code, reason = "the grammar alone is used")]
-#[path = "tower.rs"]
+#[path = "../tower.rs"]
 mod tower;
-#[path = "../benches/workloads/mod.rs"]
+#[path = "../../benches/workloads/mod.rs"]
 mod workloads;
 
 /// Larger workloads exceed 4 GB or take long.
 const TERMINALS: usize = 200_000;
-
-/// An FNV-1a hash.
-struct Hash(u64);
-
-impl Hash {
-    fn of(bytes: &[u8]) -> u64 {
-        let mut hash = Hash(0xcbf2_9ce4_8422_2325);
-        hash.add(bytes);
-        hash.0
-    }
-
-    fn add(&mut self, bytes: &[u8]) {
-        for byte in bytes {
-            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
-        }
-    }
-}
-
-/// The hash of all contents of buffers.
-fn buffers(buffers: &Buffers) -> u64 {
-    let mut hash = Hash(Hash::of(b""));
-    let submesh = |submesh: Submesh| {
-        let Submesh { rule, material, indices, vertices } = submesh;
-        format!("Part {{ rule: {rule}, material: {material}, indices: {indices:?}, vertices: {vertices:?} }}")
-    };
-    let submeshes = buffers.submeshes().map(submesh).collect::<Vec<_>>().join(", ");
-    // The text of earlier versions, so that hashes can be compared with theirs.
-    hash.add(format!("{:?}{:?}[{submeshes}]", buffers.rules(), buffers.materials()).as_bytes());
-    let floats = buffers.vertices().iter().flatten().chain(buffers.uvs().iter().flatten());
-    floats.for_each(|float| hash.add(&float.to_bits().to_le_bytes()));
-    buffers.indices().iter().for_each(|index| hash.add(&index.to_le_bytes()));
-    hash.0
-}
 
 fn main() -> Result<(), Box<dyn Error>> {
     for mut scene in workloads::all() {
