@@ -1,7 +1,6 @@
-//! The grammars that are played, each with its seed. They are written, not edited.
+// The grammars that are played, each with its seed. They are written, not edited.
 
-use crate::play::Make;
-use cga::cga;
+use crate::host::Make;
 
 /// Each with the seed it is written with.
 pub(crate) const ALL: &[(u64, Make)] = &[
@@ -39,35 +38,35 @@ pub(crate) const ALL: &[(u64, Make)] = &[
     (131, || Box::new(G131::default())),
 ];
 
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G100 in "laws/rules/100.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G101 in "laws/rules/101.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G102 in "laws/rules/102.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G103 in "laws/rules/103.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G104 in "laws/rules/104.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G105 in "laws/rules/105.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G106 in "laws/rules/106.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G107 in "laws/rules/107.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G108 in "laws/rules/108.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G109 in "laws/rules/109.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G110 in "laws/rules/110.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G111 in "laws/rules/111.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G112 in "laws/rules/112.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G113 in "laws/rules/113.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G114 in "laws/rules/114.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G115 in "laws/rules/115.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G116 in "laws/rules/116.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G117 in "laws/rules/117.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G118 in "laws/rules/118.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G119 in "laws/rules/119.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G120 in "laws/rules/120.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G121 in "laws/rules/121.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G122 in "laws/rules/122.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G123 in "laws/rules/123.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G124 in "laws/rules/124.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G125 in "laws/rules/125.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G126 in "laws/rules/126.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G127 in "laws/rules/127.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G128 in "laws/rules/128.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G129 in "laws/rules/129.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G130 in "laws/rules/130.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G131 in "laws/rules/131.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G100 in "laws/rules/100.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G101 in "laws/rules/101.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G102 in "laws/rules/102.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G103 in "laws/rules/103.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G104 in "laws/rules/104.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G105 in "laws/rules/105.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G106 in "laws/rules/106.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G107 in "laws/rules/107.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G108 in "laws/rules/108.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G109 in "laws/rules/109.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G110 in "laws/rules/110.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G111 in "laws/rules/111.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G112 in "laws/rules/112.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G113 in "laws/rules/113.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G114 in "laws/rules/114.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G115 in "laws/rules/115.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G116 in "laws/rules/116.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G117 in "laws/rules/117.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G118 in "laws/rules/118.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G119 in "laws/rules/119.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G120 in "laws/rules/120.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G121 in "laws/rules/121.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G122 in "laws/rules/122.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G123 in "laws/rules/123.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G124 in "laws/rules/124.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G125 in "laws/rules/125.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G126 in "laws/rules/126.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G127 in "laws/rules/127.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G128 in "laws/rules/128.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G129 in "laws/rules/129.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G130 in "laws/rules/130.cga"; }
+cga::cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G131 in "laws/rules/131.cga"; }

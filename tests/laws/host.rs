@@ -1,7 +1,10 @@
-//! Rust that the written grammars call.
+//! Rust that the written grammars call, and the type of their list.
 #![allow(dead_code, reason = "the grammars at hand may call none of it")]
 
-use cga::{Color, Shape};
+use cga::{Color, Grammar, Shape};
+
+/// Makes a grammar.
+pub(crate) type Make = fn() -> Box<dyn Grammar + Sync>;
 
 /// A number that follows from another one.
 pub(crate) fn wave(x: f64) -> f64 {

@@ -1,24 +1,16 @@
 //! Runs of grammars by all laws, and their differences.
 
+use crate::host::Make;
 use crate::laws::{Case, LAWS};
 use crate::random::Random;
 use crate::start;
-use cga::mesh::FaceTag;
-use cga::{Assets, Grammar, Limits, MeshBuilder, Settings, Shape};
+use crate::write::prints_much;
+use cga::{Limits, Settings, Shape};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Arc;
-
-/// Makes a grammar.
-pub(crate) type Make = fn() -> Box<dyn Grammar + Sync>;
 
 /// The runs of each grammar. Without optimisation each takes ten times as long.
 pub(crate) const RUNS: u64 = if cfg!(debug_assertions) { 4 } else { 48 };
-
-/// Returns true if the grammar of a seed prints all that it can observe. Others have many parts that repeat.
-pub(crate) fn prints_much(seed: u64) -> bool {
-    seed.is_multiple_of(4)
-}
 
 /// The counts of many runs.
 #[derive(Default)]
@@ -53,7 +45,7 @@ pub(crate) fn play(grammars: &[(u64, Make)]) -> Counts {
         for number in 0..if prints_much(*seed) { RUNS.div_ceil(4) } else { RUNS } {
             for text in laws(*seed, *make, number, &mut counts) {
                 let (kind, far) = kind(&text);
-                if std::env::var_os("CGA_LAWS").is_some() && (!broken || !counts.kinds.contains_key(&kind)) {
+                if std::env::var_os("CGA_GRAMMARS").is_some() && (!broken || !counts.kinds.contains_key(&kind)) {
                     println!("seed {seed}: {text}");
                 }
                 let known = counts.kinds.entry(kind).or_insert((0, (usize::MAX, String::new())));
@@ -65,7 +57,7 @@ pub(crate) fn play(grammars: &[(u64, Make)]) -> Counts {
             }
         }
         counts.broken += usize::from(broken);
-        if std::env::var_os("CGA_LAWS").is_some() {
+        if std::env::var_os("CGA_GRAMMARS").is_some() {
             println!(
                 "seed {seed}: {} ms, {} replayed{}",
                 began.elapsed().as_millis(),
@@ -97,7 +89,7 @@ fn laws(seed: u64, make: Make, number: u64, counts: &mut Counts) -> Vec<String> 
     // Grammars that print much take long.
     let shapes_made = if prints_much(seed) { 400 } else { 1000 };
     let limits = Limits { shapes: shapes_made, depth: 64, vertices: 20_000, ..Limits::default() };
-    let settings = Settings { limits, assets: assets(), ..Settings::default() };
+    let settings = Settings { limits, assets: start::assets(), ..Settings::default() };
     let threads = random.below(12);
     let mut list = Vec::new();
     for law in LAWS {
@@ -125,16 +117,6 @@ fn laws(seed: u64, make: Make, number: u64, counts: &mut Counts) -> Vec<String> 
         list.extend(found.map(|text| format!("{}: {text}\n    ({})", law.name, place())));
     }
     list
-}
-
-/// Assets that grammars insert.
-fn assets() -> Arc<Assets> {
-    let mut builder = MeshBuilder::new();
-    let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, 2.0, 0.0], [0.5, 1.0, 0.7]].map(|point| builder.point(point));
-    for face in [[0, 1, 2], [1, 3, 2], [3, 0, 2], [1, 0, 3]] {
-        builder.face(&face.map(|at| points[at]), &[], FaceTag::PLAIN);
-    }
-    Arc::new(Assets::new().with("tree", builder.build().expect("a mesh")))
 }
 
 impl Counts {

@@ -1,7 +1,9 @@
-//! Random start shapes and attributes.
+//! Random start shapes and attributes, and the assets.
 
 use crate::random::Random;
-use cga::{Grammar, Shape, Value};
+use cga::mesh::FaceTag;
+use cga::{Assets, Grammar, MeshBuilder, Shape, Value};
+use std::sync::Arc;
 
 /// Distances from the origin.
 const OFFSETS: [f64; 6] = [0.0, 3.717, -21.93, 117.3, -1013.7, 0.313];
@@ -59,4 +61,14 @@ fn lot(a: f64, b: f64, random: &mut Random) -> (String, Shape) {
         shape = shape.streets(widths);
     }
     (text, shape)
+}
+
+/// Assets that grammars insert.
+pub(crate) fn assets() -> Arc<Assets> {
+    let mut builder = MeshBuilder::new();
+    let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, 2.0, 0.0], [0.5, 1.0, 0.7]].map(|point| builder.point(point));
+    for face in [[0, 1, 2], [1, 3, 2], [3, 0, 2], [1, 0, 3]] {
+        builder.face(&face.map(|at| points[at]), &[], FaceTag::PLAIN);
+    }
+    Arc::new(Assets::new().with("tree", builder.build().expect("a mesh")))
 }
