@@ -98,12 +98,14 @@
 //!    A call of a definition with sites passes a site for each site of the caller, or one if the caller has none.
 //! 9. Spans are for messages, for editors and for the lines of generated code. No value depends on them.
 //!
-//! [`facts`] derives from this what each rule reads. [`walk`] visits steps and expressions.
+//! [`facts`] derives from this what each rule reads, and [`plan`] decides from the facts how rules run. [`walk`] visits steps and
+//! expressions.
 
 mod attr;
 mod block;
 mod expr;
 pub mod facts;
+pub mod plan;
 pub mod walk;
 
 use crate::ops::{Operation, ShapeAttr};

@@ -16,7 +16,7 @@ use crate::output::{HostType, conversion, convert};
 impl Generator<'_> {
     /// An expression on a slim shape. It gets the whole shape if it reads more than the slim one has.
     fn on_slim(&self, expr: &Expr, at: &Access) -> TokenStream {
-        if !self.facts.expr(expr).has(Uses::WHOLE) {
+        if !self.plan.facts.expr(expr).has(Uses::WHOLE) {
             return self.value(expr, &Access { is_slim: false, ..at.clone() });
         }
         let (env, slim, code) = (&at.env, &at.shape, self.value(expr, &Access::whole()));

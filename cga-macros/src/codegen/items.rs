@@ -54,7 +54,7 @@ pub(super) fn calls(cx: &Generator<'_>) -> TokenStream {
 /// Rules whose calls may have to wait or may be left out, with the types of their parameters.
 fn waiting<'c>(cx: &'c Generator<'_>) -> impl Iterator<Item = (RuleId, Vec<TokenStream>)> + 'c {
     let rules = cx.grammar.rules.iter().enumerate().map(|(at, rule)| (RuleId(at as u32), rule));
-    let rules = rules.filter(|(id, _)| cx.plan.may_wait(*id) || cx.templates.may_be_left_out(*id));
+    let rules = rules.filter(|(id, _)| cx.plan.rule_stack.may_wait(*id) || cx.templates.may_be_left_out(*id));
     rules.map(|(id, rule)| {
         let site = site::param(rule.sites.len()).map(|(_, ty)| ty);
         (id, site.into_iter().chain(given(&rule.params, &rule.locals)).collect())
@@ -71,7 +71,7 @@ impl Generator<'_> {
 
     /// Returns true if no attribute and no constant depends on the initial shape.
     fn is_settled_globally(&self) -> bool {
-        self.grammar.globals.iter().all(|global| !global.lazy && self.facts.expr(&global.value).is_none())
+        self.grammar.globals.iter().all(|global| !global.lazy && self.plan.facts.expr(&global.value).is_none())
     }
 }
 
@@ -99,7 +99,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     let (name, label) = (header.ident(), header.label());
     let names = site::names(cx.grammar);
     let leaves = cx.leaves.names();
-    let (is_settled, has_tags) = (cx.is_settled_globally(), cx.facts.all(cx.grammar).has(Uses::TAGS));
+    let (is_settled, has_tags) = (cx.is_settled_globally(), cx.plan.facts.all(cx.grammar).has(Uses::TAGS));
     let starts = &cx.grammar.starts;
     let start_rows = starts.iter().map(attribute_table::start);
     let start_numbers = starts.iter().map(|start| Literal::u32_suffixed(start.rule.0));

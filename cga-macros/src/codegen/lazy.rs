@@ -7,7 +7,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use super::access::Access;
 use super::fields::AttrField;
 use super::state::stream;
-use super::{Generator, frame, hygienic, inner_type, local};
+use super::{Generator, hygienic, inner_type, local};
 
 impl Generator<'_> {
     /// Returns true if it is computed on its first read.
@@ -38,7 +38,7 @@ impl Generator<'_> {
         globals
             .map(|(Global { name, value, ty, .. }, id)| {
                 let (function, ty, number) = (self.global_name(GlobalId(id)), inner_type(*ty), stream(name));
-                let stack = Literal::u32_unsuffixed(frame::lazy(value));
+                let stack = Literal::u32_unsuffixed(self.plan.lazy_stack(GlobalId(id)));
                 let code = self.expr(value, &Access::function());
                 let doc = format!("`{name}`, which may need itself: computed when it is first read.");
                 code! {

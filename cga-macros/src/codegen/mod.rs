@@ -1,13 +1,13 @@
-//! A checked grammar → Rust. No errors here. `cga_lang::lower` decides what the rules mean, and code generation how they run:
+//! A checked grammar → Rust. No errors here. `cga_lang::lower` decides what the rules mean, and `cga_lang::ir::plan` which calls
+//! request stack. Code generation decides the rest of how they run:
 //!
-//! - which calls request stack, and how much (`stack.rs`, `calls.rs`),
 //! - which steps work on the slim shape, and which on the whole (`rule.rs`, after the rows and the facts),
 //! - which splits are laid out in their rule, and which are a call of the runtime (`split.rs`),
 //! - which repeated parts are templates, and which calls are holes in them (`templates.rs`),
 //! - which material changes have a number in the run (`site.rs`),
 //! - in which rules `NIL` moves neighbours, because their leaves are recomposed (`operands.rs`).
 //!
-//! Calls that wait run later, so the first decision gives the order of leaves. The leaves depend on none of them.
+//! The leaves depend on none of these decisions.
 //!
 //! The output is the public struct and one anonymous const with everything else in it: the evaluated attributes, the
 //! calls that may wait, and one function a rule. A sink is behind `dyn`, so rules are compiled once. Local names are hygienic; code
@@ -16,10 +16,8 @@
 mod access;
 mod arms;
 mod attribute_table;
-mod calls;
 mod expr;
 mod fields;
-mod frame;
 mod items;
 mod lazy;
 mod leaves;
@@ -31,7 +29,6 @@ mod rule;
 mod sections;
 mod site;
 mod split;
-mod stack;
 mod state;
 mod templates;
 mod types;
@@ -39,7 +36,7 @@ mod types;
 use std::cell::RefCell;
 use std::collections::HashSet;
 
-use cga_lang::ir::facts::Facts;
+use cga_lang::ir::plan::RunPlan;
 use cga_lang::ir::{ExprKind, Grammar, HostId, Param, RuleId, Type};
 use cga_lang::ops::Run;
 use proc_macro2::{Ident, Span, TokenStream};
@@ -62,8 +59,7 @@ struct Generator<'a> {
     names: names::ItemNames,
     /// The numbers of rules for trails: for each rule, the number of its first site.
     numbers: Vec<u32>,
-    plan: stack::StackPlan,
-    calls: calls::StackChecks,
+    plan: RunPlan<'a>,
     /// True if `#` values are captured, as in the expression form.
     captured: bool,
     /// The required type of each `#` value.
@@ -72,7 +68,6 @@ struct Generator<'a> {
     attrs: u32,
     /// The attributes of renewals, by name.
     renewed: Vec<String>,
-    facts: Facts,
     leaves: leaves::LeafNames,
     templates: templates::TemplatePlan,
     /// The rules that recomposed operands reach: their `NIL` still moves neighbours.
@@ -83,23 +78,20 @@ struct Generator<'a> {
 
 /// Writes a grammar.
 pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Output {
-    let (names, plan) = (names::ItemNames::new(grammar), stack::StackPlan::new(grammar));
-    let calls = calls::StackChecks::new(&grammar.functions);
+    let (names, plan) = (names::ItemNames::new(grammar), RunPlan::new(grammar));
     let (hosts, renewed) = (host_types(grammar), state::renewed(grammar));
-    let (facts, leaves) = (Facts::new(grammar), leaves::LeafNames::new(grammar));
-    let templates = templates::TemplatePlan::new(grammar, &facts, &plan);
+    let leaves = leaves::LeafNames::new(grammar);
+    let templates = templates::TemplatePlan::new(grammar, &plan);
     let cx = Generator {
         grammar,
         source,
         names,
         numbers: site::numbers(grammar),
         plan,
-        calls,
         captured: header.name.is_none(),
         hosts,
         attrs: grammar.globals.iter().filter(|global| global.attr.is_some()).count() as u32,
         renewed,
-        facts,
         leaves,
         templates,
         recomposed: operands::recomposed(grammar),

@@ -96,11 +96,11 @@ impl Generator<'_> {
         let locals = self.locals(&function.params, &function.locals, &Access::function());
         let body = self.expr(&function.body, &Access::function());
         let body = code!({ #locals #body });
-        let shape = match self.facts.function(id).has(Uses::WHOLE) {
+        let shape = match self.plan.facts.function(id).has(Uses::WHOLE) {
             true => code!(cga_rt::Shape),
             false => code!(impl cga_rt::View),
         };
-        let body = if let Some(stack) = self.calls.stack(id) {
+        let body = if let Some(stack) = self.plan.function_stack.request(id) {
             let stack = Literal::u32_unsuffixed(stack);
             code! {
                 if !env.call(#stack) {
@@ -232,7 +232,7 @@ impl Generator<'_> {
     /// Returns true if the arguments of a step are the same in the whole run.
     fn is_settled(&self, step: &Step) -> bool {
         walk::in_step(step).into_iter().all(|expr| {
-            let mut is_settled = self.facts.expr(expr) == Uses::NONE;
+            let mut is_settled = self.plan.facts.expr(expr) == Uses::NONE;
             walk::parts(expr, &mut |part| is_settled &= !matches!(part.kind, ExprKind::Param(_)));
             is_settled
         })
@@ -341,7 +341,7 @@ impl Generator<'_> {
     /// The last successor of a rule is the current shape itself, with the seed of child number `number`.
     fn last_successor(&self, target: &Target, number: u32) -> TokenStream {
         let number = Literal::u32_unsuffixed(number);
-        let draws = matches!(target, Target::Rule { rule, .. } if self.facts.rule(*rule).below.has(Uses::DRAWS));
+        let draws = matches!(target, Target::Rule { rule, .. } if self.plan.facts.rule(*rule).below.has(Uses::DRAWS));
         let seed = draws.then(|| code!(cga_rt::become_successor(shape, #number);));
         code!(#seed let part = shape;)
     }
@@ -384,15 +384,15 @@ impl Generator<'_> {
         let args = (0..args).map(|number| local("a", number)).map(|name| quote!(#name));
         let args: Vec<TokenStream> = site::passed(sites).into_iter().chain(args).collect();
         let direct = code!(CgaRules::#name(g, cx, part, #(#args),*));
-        let ask = self.plan.step(from, rule);
-        let (levels, stack) = ask.map_or((0, 0), |ask| (ask.levels, ask.stack));
+        let request = self.plan.rule_stack.request(from, rule);
+        let (levels, stack) = request.map_or((0, 0), |request| (request.levels, request.stack));
         let (levels, stack) = (Literal::u32_unsuffixed(levels), Literal::u32_unsuffixed(stack));
         let variant = local("Rule", rule.0 as usize);
         let hole = self
             .templates
             .is_hole(from, rule)
             .then(|| code!(if cx.records() { cx.hole(part, #levels, #stack, CgaCall::#variant(#(#args),*)) } else));
-        if ask.is_none() {
+        if request.is_none() {
             return match hole {
                 Some(hole) => code!(#hole { #direct }),
                 None => direct,
@@ -411,7 +411,7 @@ impl Generator<'_> {
 
     /// A part that goes straight to a rule is the successor itself, with the seed of one.
     pub(super) fn hand_on(&self, rule: RuleId) -> Option<TokenStream> {
-        let is_called = !self.grammar.rules[rule.0 as usize].block && self.facts.rule(rule).below.has(Uses::DRAWS);
+        let is_called = !self.grammar.rules[rule.0 as usize].block && self.plan.facts.rule(rule).below.has(Uses::DRAWS);
         is_called.then(|| code!(cga_rt::hand_on(part);))
     }
 

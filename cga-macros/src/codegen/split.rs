@@ -96,13 +96,13 @@ impl Generator<'_> {
 
     /// The properties of a part that its successor reads.
     fn needs(&self, target: &Target) -> SlotNeeds {
-        let uses = self.facts.target(target);
+        let uses = self.plan.facts.target(target);
         SlotNeeds { draws: uses.has(Uses::DRAWS), counts: !uses.counters().is_none() }
     }
 
     /// Returns true if a successor reads `split.total`.
     fn has_total(&self, slots: &Slots) -> bool {
-        slots.targets.iter().any(|target| self.facts.target(target).has(Uses::TOTAL))
+        slots.targets.iter().any(|target| self.plan.facts.target(target).has(Uses::TOTAL))
     }
 
     /// The function that calls the rule of a slot, with the variables that it needs.
@@ -113,7 +113,7 @@ impl Generator<'_> {
             if !(vanishes || matches!(target, Target::Rule { .. })) {
                 continue;
             }
-            let code = match templates::root(target, rule, &self.facts, &self.plan).filter(|_| in_group) {
+            let code = match templates::root(target, rule, &self.plan).filter(|_| in_group) {
                 Some(root) => {
                     let name = local("last", slot);
                     last.extend(code!(let mut #name = ::core::default::Default::default();));

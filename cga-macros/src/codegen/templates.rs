@@ -3,11 +3,9 @@
 use std::cell::Cell;
 use std::collections::HashSet;
 
-use cga_lang::ir::facts::Facts;
+use cga_lang::ir::plan::RunPlan;
 use cga_lang::ir::walk;
 use cga_lang::ir::{Block, BlockParts, Grammar, Item, RuleId, StepKind, Target};
-
-use super::stack::StackPlan;
 
 /// The templates of a grammar.
 pub(super) struct TemplatePlan {
@@ -20,14 +18,15 @@ pub(super) struct TemplatePlan {
 }
 
 impl TemplatePlan {
-    pub(super) fn new(grammar: &Grammar, facts: &Facts, plan: &StackPlan) -> Self {
-        let is_open = |from: RuleId, to: RuleId| !facts.rule(to).own_rigid || plan.step(from, to).is_some();
+    pub(super) fn new(grammar: &Grammar, plan: &RunPlan<'_>) -> Self {
+        let is_open =
+            |from: RuleId, to: RuleId| !plan.facts.rule(to).own_rigid || plan.rule_stack.request(from, to).is_some();
         let mut todo: Vec<RuleId> = Vec::new();
         for (at, rule) in grammar.rules.iter().enumerate() {
             walk::steps(&rule.body, &mut |step| {
                 if let StepKind::Block(Block { parts: BlockParts::Slots(slots), .. }) = &step.kind {
                     let repeated = slots.targets.iter().zip(in_groups(&slots.pattern)).filter(|(_, is_in)| *is_in);
-                    todo.extend(repeated.filter_map(|(target, _)| root(target, RuleId(at as u32), facts, plan)));
+                    todo.extend(repeated.filter_map(|(target, _)| root(target, RuleId(at as u32), plan)));
                 }
             });
         }
@@ -68,10 +67,10 @@ impl TemplatePlan {
 }
 
 /// The rule of a slot in a group, if a template can be made of it: a rigid one without arguments that never waits.
-pub(super) fn root(target: &Target, from: RuleId, facts: &Facts, plan: &StackPlan) -> Option<RuleId> {
+pub(super) fn root(target: &Target, from: RuleId, plan: &RunPlan<'_>) -> Option<RuleId> {
     match target {
-        Target::Rule { rule, args, .. } if args.is_empty() && facts.rule(*rule).own_rigid => {
-            plan.step(from, *rule).is_none().then_some(*rule)
+        Target::Rule { rule, args, .. } if args.is_empty() && plan.facts.rule(*rule).own_rigid => {
+            plan.rule_stack.request(from, *rule).is_none().then_some(*rule)
         }
         _ => None,
     }

@@ -2,8 +2,10 @@
 
 mod block;
 mod facts;
+mod plan;
 
-use cga_lang::ir::facts::{Facts, RuleFacts};
+use cga_lang::ir::facts::RuleFacts;
+use cga_lang::ir::plan::RunPlan;
 use cga_lang::ir::{
     Arg, AttrInfo, Binary, Childless, ChoiceValues, Choices, EachUnary, Expr, ExprKind, Function, FunctionId, Global,
     GlobalId, Grammar, Init, Param, Prefix, Presentation, Renew, Renewal, Rule, RuleId, Size, Start, Step, StepKind,
@@ -15,15 +17,17 @@ use std::fmt::Write;
 
 /// The text of a grammar.
 pub(crate) fn print(grammar: &Grammar) -> String {
-    let facts = Facts::new(grammar);
-    let mut out = Printer { grammar, facts: &facts, params: &[], out: String::new(), depth: 0 };
+    let plan = RunPlan::new(grammar);
+    let mut out = Printer { grammar, plan: &plan, rule: RuleId(0), params: &[], out: String::new(), depth: 0 };
     out.grammar();
     out.out
 }
 
 struct Printer<'g> {
     grammar: &'g Grammar,
-    facts: &'g Facts,
+    plan: &'g RunPlan<'g>,
+    /// The rule that is printed.
+    rule: RuleId,
     params: &'g [Param],
     out: String,
     depth: usize,
@@ -42,7 +46,7 @@ impl<'g> Printer<'g> {
         &self.grammar.global(global).name
     }
 
-    fn attr(&self, own: &Global, attr: &AttrInfo) -> String {
+    fn attr(&self, id: GlobalId, own: &Global, attr: &AttrInfo) -> String {
         let mut text = format!("attr {}: {} = {}", own.name, own.ty.word(), self.expr(&own.value));
         if let Some(range) = attr.range {
             let _ = write!(text, ", range {} to {}", range.min, range.max);
@@ -73,8 +77,9 @@ impl<'g> Printer<'g> {
         if let Some(order) = attr.order {
             let _ = write!(text, ", order {order}");
         }
+        let lazy = self.lazy(id);
         for (flag, word) in
-            [(attr.hidden, "hidden"), (own.is_set, "set"), (own.lazy, "lazy"), (own.known.is_none(), "computed")]
+            [(attr.hidden, "hidden"), (own.is_set, "set"), (own.lazy, &lazy), (own.known.is_none(), "computed")]
         {
             if flag {
                 let _ = write!(text, ", {word}");
@@ -107,16 +112,18 @@ impl<'g> Printer<'g> {
             let text = format!("about {:?}", grammar.about);
             self.line(&text);
         }
-        for global in &grammar.globals {
+        for (number, global) in grammar.globals.iter().enumerate() {
+            let id = GlobalId(number as u32);
             let text = match &global.attr {
-                Some(attr) => self.attr(global, attr),
-                None => self.constant(global),
+                Some(attr) => self.attr(id, global, attr),
+                None => self.constant(id, global),
             };
             self.line(&text);
         }
         for (number, function) in grammar.functions.iter().enumerate() {
             self.function(function);
-            self.uses(self.facts.function(FunctionId(number as u32)));
+            self.uses(self.plan.facts.function(FunctionId(number as u32)));
+            self.function_request(FunctionId(number as u32));
         }
         for renewal in &grammar.renewals {
             let text = self.renewal(renewal);
@@ -140,18 +147,15 @@ impl<'g> Printer<'g> {
             self.line(&format!("start {}", names.join(", ")));
         }
         for (number, rule) in grammar.rules.iter().enumerate() {
-            self.rule(rule, self.facts.rule(RuleId(number as u32)));
+            self.rule = RuleId(number as u32);
+            self.rule(rule, self.plan.facts.rule(self.rule));
         }
     }
 
-    fn constant(&self, own: &Global) -> String {
-        let set = match (own.is_set, own.lazy) {
-            (true, true) => ", set, lazy",
-            (true, false) => ", set",
-            (false, true) => ", lazy",
-            (false, false) => "",
-        };
-        format!("const {}: {} = {}{set}", own.name, own.ty.word(), self.expr(&own.value))
+    fn constant(&self, id: GlobalId, own: &Global) -> String {
+        let set = if own.is_set { ", set" } else { "" };
+        let lazy = if own.lazy { format!(", {}", self.lazy(id)) } else { String::new() };
+        format!("const {}: {} = {}{set}{lazy}", own.name, own.ty.word(), self.expr(&own.value))
     }
 
     fn function(&mut self, function: &'g Function) {
@@ -267,7 +271,8 @@ impl<'g> Printer<'g> {
         match target {
             Target::Rule { rule, sites, args, .. } => {
                 let args = if args.is_empty() { String::new() } else { self.args(args) };
-                format!("{}{}{args}", self.grammar.rules[rule.0 as usize].name, passed(sites))
+                let name = &self.grammar.rules[rule.0 as usize].name;
+                format!("{name}{}{args}{}", passed(sites), self.call(*rule))
             }
             Target::Leaf(name) => format!("leaf {name}"),
             Target::Nil => "nil".into(),

@@ -1,10 +1,10 @@
-//! Upper bounds for the stack that rules and functions take in a build without optimisation, where every value has a place of its
-//! own. They were measured with Rust 1.95 on 64 bits, and `tests/language/deep.rs` checks them.
+//! Upper bounds for the stack that rules and functions take where they are compiled without optimisation, so that every value has
+//! a place of its own. They were measured on 64 bits, and `tests/language/deep.rs` checks them.
 //!
-//! They follow from the rules alone, so that a run is the same in every build.
+//! They follow from the rules alone, so that a run is the same in every build and with every back end.
 
-use cga_lang::ir::walk;
-use cga_lang::ir::{Arm, BlockParts, Expr, ExprKind, Function, Rule, Selector, StepKind, Target, Type, Value};
+use crate::ir::walk;
+use crate::ir::{Arm, BlockParts, Expr, ExprKind, Function, Rule, Selector, StepKind, Target, Type, Value};
 
 /// Kilobytes that a rule takes, with what the runtime's operations that call it back take.
 pub(super) fn rule(rule: &Rule) -> u32 {
@@ -49,11 +49,11 @@ pub(super) fn lazy(value: &Expr) -> u32 {
     u32::try_from(bytes).unwrap_or(u32::MAX)
 }
 
-/// Bytes of what the runtime takes before it calls back for values of components, or to ask about them.
+/// Bytes that the runtime takes before it calls back for values of components, or for conditions on them.
 fn divided(expr: &Expr) -> usize {
     let ExprKind::Comp(comp) = &expr.kind else { return 0 };
-    let asks = |arm: &Arm<Expr>| matches!(arm.selector, Selector::When(_));
-    if comp.arms.iter().any(asks) { 10_000 } else { 5000 }
+    let has_condition = |arm: &Arm<Expr>| matches!(arm.selector, Selector::When(_));
+    if comp.arms.iter().any(has_condition) { 10_000 } else { 5000 }
 }
 
 /// Bytes of an expression itself, without its parts.

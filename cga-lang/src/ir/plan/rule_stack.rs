@@ -4,43 +4,43 @@
 //! stack is used up:
 //!
 //! - a call inside a cycle of rules always requests the callee's own share;
-//! - a chain of rules without a cycle requests stack once it may have grown by [`UNASKED`] since the last request.
+//! - a chain of rules without a cycle requests stack once it may have grown by [`UNREQUESTED`] since the last request.
 //!
 //! Short chains, and so nearly all rules, are plain calls. Invariant: when a rule runs, the stack in
 //! use is at most the requested stack plus the rule's *reach*, the longest way to it from the last request.
 
+use super::frame;
+use crate::graph::components;
+use crate::ir::walk::calls;
+use crate::ir::{Grammar, RuleId};
 use std::collections::HashMap;
 
-use cga_lang::graph::components;
-use cga_lang::ir::walk::calls;
-use cga_lang::ir::{Grammar, RuleId};
+/// Kilobytes that a chain of calls may take without a request.
+const UNREQUESTED: u32 = 256;
 
-use super::frame;
-
-/// Kilobytes, in a build without optimisation, that a chain of calls may take without asking.
-const UNASKED: u32 = 256;
-
-/// A question before a call.
+/// The request before a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Ask {
+pub struct StackRequest {
     /// 1 for a call inside a cycle: it counts for the limit of depth.
-    pub(super) levels: u32,
-    /// The share of the runtime's `STACK` that it takes.
-    pub(super) stack: u32,
+    pub levels: u32,
+    /// The share of the stack of the run that the call takes, in kilobytes.
+    pub stack: u32,
 }
 
-/// The calls that ask.
-pub(super) struct StackPlan {
-    asks: HashMap<(RuleId, RuleId), Ask>,
+/// The calls that request stack.
+#[derive(Clone, Debug, Default)]
+pub struct RuleStack {
+    requests: HashMap<(RuleId, RuleId), StackRequest>,
     may_wait: Vec<bool>,
 }
 
-impl StackPlan {
+impl RuleStack {
+    /// Finds the calls, in time linear in the size of the grammar.
     pub(super) fn new(grammar: &Grammar) -> Self {
         let rules = &grammar.rules;
         let calls = calls(grammar, |_| true);
         let own: Vec<u32> = rules.iter().map(frame::rule).collect();
-        let mut plan = StackPlan { asks: HashMap::new(), may_wait: vec![false; rules.len()] };
+        let mut plan = RuleStack { requests: HashMap::new(), may_wait: vec![false; rules.len()] };
         // The rules of a cycle have one reach.
         let mut reach: Vec<u32> = own.clone();
         // Every group after all that call it.
@@ -53,9 +53,9 @@ impl StackPlan {
                     let cycle = rules[from].cycle;
                     if cycle.is_some() && cycle == rules[to].cycle {
                         let levels = u32::from(!rules[to].block);
-                        plan.ask(from, to, Ask { levels, stack: share });
-                    } else if UNASKED < most + share {
-                        plan.ask(from, to, Ask { levels: 0, stack: most });
+                        plan.add(from, to, StackRequest { levels, stack: share });
+                    } else if UNREQUESTED < most + share {
+                        plan.add(from, to, StackRequest { levels: 0, stack: most });
                     } else {
                         let other = &mut reach[to];
                         *other = (*other).max(most + share);
@@ -66,18 +66,18 @@ impl StackPlan {
         plan
     }
 
-    fn ask(&mut self, from: usize, to: usize, ask: Ask) {
-        self.asks.insert((RuleId(from as u32), RuleId(to as u32)), ask);
+    fn add(&mut self, from: usize, to: usize, request: StackRequest) {
+        self.requests.insert((RuleId(from as u32), RuleId(to as u32)), request);
         self.may_wait[to] = true;
     }
 
-    /// The question before a call; `None` for a direct one.
-    pub(super) fn step(&self, from: RuleId, to: RuleId) -> Option<Ask> {
-        self.asks.get(&(from, to)).copied()
+    /// The request before a call; `None` for a direct one.
+    pub fn request(&self, from: RuleId, to: RuleId) -> Option<StackRequest> {
+        self.requests.get(&(from, to)).copied()
     }
 
     /// Returns true if a call of the rule may have to wait.
-    pub(super) fn may_wait(&self, rule: RuleId) -> bool {
+    pub fn may_wait(&self, rule: RuleId) -> bool {
         self.may_wait[rule.0 as usize]
     }
 }
@@ -85,47 +85,47 @@ impl StackPlan {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cga_lang::compile::compile_text;
+    use crate::compile::compile_text;
 
-    /// The calls that ask, as `caller → callee: levels, stack`.
-    fn asks(rules: &str) -> Vec<String> {
+    /// The calls with a request, as `caller → callee: levels, stack`.
+    fn requests(rules: &str) -> Vec<String> {
         let grammar = compile_text(rules).compiled.grammar.expect("good rules");
-        let plan = StackPlan::new(&grammar);
+        let plan = RuleStack::new(&grammar);
         let name = |rule: &RuleId| grammar.rules[rule.0 as usize].name.clone();
-        let line = |((from, to), ask): (&(RuleId, RuleId), &Ask)| {
-            format!("{} → {}: {}, {}", name(from), name(to), ask.levels, ask.stack)
+        let line = |((from, to), request): (&(RuleId, RuleId), &StackRequest)| {
+            format!("{} → {}: {}, {}", name(from), name(to), request.levels, request.stack)
         };
-        let mut list: Vec<String> = plan.asks.iter().map(line).collect();
+        let mut list: Vec<String> = plan.requests.iter().map(line).collect();
         list.sort();
         list
     }
 
     #[test]
     fn short_chains_are_direct() {
-        assert!(asks("A --> split(x) { 1 : B } B --> C C --> s(1, 1, 1)").is_empty());
+        assert!(requests("A --> split(x) { 1 : B } B --> C C --> s(1, 1, 1)").is_empty());
     }
 
     #[test]
-    fn calls_inside_a_cycle_ask() {
+    fn calls_inside_a_cycle_request_stack() {
         assert_eq!(
-            asks("A --> case scope.sx > 1 : B else : D B --> s('0.5, '1, '1) A D --> X"),
+            requests("A --> case scope.sx > 1 : B else : D B --> s('0.5, '1, '1) A D --> X"),
             ["A → B: 1, 3", "B → A: 1, 3"]
         );
     }
 
     #[test]
-    fn a_long_chain_asks_now_and_then() {
+    fn a_long_chain_requests_stack_now_and_then() {
         let chain: String = (0..2000).map(|at| format!("A{at} --> A{}\n", at + 1)).collect();
-        let list = asks(&(chain + "A2000 --> s(1, 1, 1)"));
-        let expected = 2000 * 2 / UNASKED as usize;
+        let list = requests(&(chain + "A2000 --> s(1, 1, 1)"));
+        let expected = 2000 * 2 / UNREQUESTED as usize;
         assert!((expected - 1..=expected + 1).contains(&list.len()), "{}", list.len());
     }
 
     #[test]
-    fn a_chain_of_cycles_asks_outside_of_cycles_too() {
+    fn a_chain_of_cycles_requests_stack_outside_of_cycles_too() {
         let rule = |at: usize| format!("A{at} --> case scope.sx > {at} : A{at} else : A{}\n", at + 1);
         let chain: String = (0..1000).map(rule).collect();
-        let list = asks(&(chain + "A1000 --> s(1, 1, 1)"));
-        assert!(1000 + 3 * 1000 / UNASKED as usize <= list.len() + 1, "{}", list.len());
+        let list = requests(&(chain + "A1000 --> s(1, 1, 1)"));
+        assert!(1000 + 3 * 1000 / UNREQUESTED as usize <= list.len() + 1, "{}", list.len());
     }
 }
