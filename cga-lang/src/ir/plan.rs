@@ -1,9 +1,15 @@
 //! Decisions on how rules run, which all back ends share.
 //!
-//! They follow from the IR alone, so every back end takes the same ones:
+//! They follow from the IR alone:
 //!
-//! - the calls that request stack, and how much ([`RuleStack`], [`FunctionStack`], [`RunPlan::lazy_stack`]). A call that gets no
-//!   stack runs later, so the order of leaves depends on this decision.
+//! - the calls that request stack, and how much ([`RuleStack`], [`FunctionStack`], [`RunPlan::lazy_stack`]),
+//! - the repeated parts that are templates ([`RunPlan::templates`]), and the calls that are holes in them ([`TemplateHoles`]),
+//! - the splits whose pieces are known, that are laid out in their rule, or that the runtime goes through ([`SplitForm`]),
+//! - the parts that need a seed or counters ([`PartNeeds`]),
+//! - the rules in which `NIL` moves its neighbours, because their leaves are recomposed ([`RunPlan::vanishes`]).
+//!
+//! A call that gets no stack runs later, so the order of leaves depends on the requests. A template gives positions with other
+//! rounding than a call. So two back ends give the same bytes only if they take the same decisions.
 //!
 //! ```
 //! use cga_lang::compile::compile_text;
@@ -11,20 +17,27 @@
 //! use cga_lang::ir::RuleId;
 //!
 //! let source = compile_text("Lot --> case scope.sx > 1 : s('0.5, '1, '1) Lot else : Tip  Tip --> X.");
-//! let plan = RunPlan::new(&source.compiled.grammar.unwrap());
+//! let grammar = source.compiled.grammar.unwrap();
+//! let plan = RunPlan::new(&grammar);
 //! let (lot, tip) = (RuleId(0), RuleId(1));
 //! assert!(plan.rule_stack.request(lot, lot).is_some() && plan.rule_stack.request(lot, tip).is_none());
 //! ```
 
 mod frame;
 mod function_stack;
+mod recomposition;
 mod rule_stack;
+mod splits;
+mod templates;
 
 use crate::ir::facts::Facts;
-use crate::ir::{GlobalId, Grammar};
+use crate::ir::{GlobalId, Grammar, RuleId, Slots, Target};
+use std::collections::HashSet;
 
 pub use function_stack::FunctionStack;
 pub use rule_stack::{RuleStack, StackRequest};
+pub use splits::{PartNeeds, SplitForm};
+pub use templates::TemplateHoles;
 
 /// The decisions for a grammar.
 #[derive(Clone, Debug)]
@@ -36,21 +49,43 @@ pub struct RunPlan<'g> {
     pub rule_stack: RuleStack,
     /// The functions that request stack.
     pub function_stack: FunctionStack,
+    /// The calls that templates leave out.
+    pub holes: TemplateHoles,
+    recomposed: HashSet<RuleId>,
 }
 
 impl<'g> RunPlan<'g> {
     /// Finds the facts of a grammar and decides how it runs, in time linear in its size.
     pub fn new(grammar: &'g Grammar) -> Self {
+        let (facts, rule_stack) = (Facts::new(grammar), RuleStack::new(grammar));
+        let holes = TemplateHoles::new(grammar, &facts, &rule_stack);
         RunPlan {
             grammar,
-            facts: Facts::new(grammar),
-            rule_stack: RuleStack::new(grammar),
+            facts,
+            rule_stack,
             function_stack: FunctionStack::new(&grammar.functions),
+            holes,
+            recomposed: recomposition::recomposed(grammar),
         }
     }
 
     /// The bytes that the first read of a lazy attribute or constant requests.
     pub fn lazy_stack(&self, id: GlobalId) -> u32 {
         frame::lazy(&self.grammar.global(id).value)
+    }
+
+    /// By slot of a split of the rule `from`, the rule of which a template is made.
+    pub fn templates(&self, slots: &Slots, from: RuleId) -> Vec<Option<RuleId>> {
+        templates::roots(slots, from, &self.facts, &self.rule_stack).collect()
+    }
+
+    /// Returns true if a call of the rule may run later: it waits for stack, or a template leaves it out.
+    pub fn may_run_later(&self, rule: RuleId) -> bool {
+        self.rule_stack.may_wait(rule) || self.holes.may_be_left_out(rule)
+    }
+
+    /// Returns true for a `NIL` of the rule `from` that moves its neighbours: the shape vanishes from a recomposition.
+    pub fn vanishes(&self, target: &Target, from: RuleId) -> bool {
+        matches!(target, Target::Nil) && self.recomposed.contains(&from)
     }
 }

@@ -54,7 +54,7 @@ pub(super) fn calls(cx: &Generator<'_>) -> TokenStream {
 /// Rules whose calls may have to wait or may be left out, with the types of their parameters.
 fn waiting<'c>(cx: &'c Generator<'_>) -> impl Iterator<Item = (RuleId, Vec<TokenStream>)> + 'c {
     let rules = cx.grammar.rules.iter().enumerate().map(|(at, rule)| (RuleId(at as u32), rule));
-    let rules = rules.filter(|(id, _)| cx.plan.rule_stack.may_wait(*id) || cx.templates.may_be_left_out(*id));
+    let rules = rules.filter(|(id, _)| cx.plan.may_run_later(*id));
     rules.map(|(id, rule)| {
         let site = site::param(rule.sites.len()).map(|(_, ty)| ty);
         (id, site.into_iter().chain(given(&rule.params, &rule.locals)).collect())

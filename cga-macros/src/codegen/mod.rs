@@ -1,13 +1,8 @@
-//! A checked grammar → Rust. No errors here. `cga_lang::lower` decides what the rules mean, and `cga_lang::ir::plan` which calls
-//! request stack. Code generation decides the rest of how they run:
+//! A checked grammar → Rust. No errors here. `cga_lang::lower` decides what the rules mean, and `cga_lang::ir::plan` how they run.
+//! Code generation decides the rest:
 //!
 //! - which steps work on the slim shape, and which on the whole (`rule.rs`, after the rows and the facts),
-//! - which splits are laid out in their rule, and which are a call of the runtime (`split.rs`),
-//! - which repeated parts are templates, and which calls are holes in them (`templates.rs`),
-//! - which material changes have a number in the run (`site.rs`),
-//! - in which rules `NIL` moves neighbours, because their leaves are recomposed (`operands.rs`).
-//!
-//! The leaves depend on none of these decisions.
+//! - which material changes have a number in the run (`site.rs`).
 //!
 //! The output is the public struct and one anonymous const with everything else in it: the evaluated attributes, the
 //! calls that may wait, and one function a rule. A sink is behind `dyn`, so rules are compiled once. Local names are hygienic; code
@@ -30,11 +25,9 @@ mod sections;
 mod site;
 mod split;
 mod state;
-mod templates;
 mod types;
 
-use std::cell::RefCell;
-use std::collections::HashSet;
+use std::cell::{Cell, RefCell};
 
 use cga_lang::ir::plan::RunPlan;
 use cga_lang::ir::{ExprKind, Grammar, HostId, Param, RuleId, Type};
@@ -69,9 +62,8 @@ struct Generator<'a> {
     /// The attributes of renewals, by name.
     renewed: Vec<String>,
     leaves: leaves::LeafNames,
-    templates: templates::TemplatePlan,
-    /// The rules that recomposed operands reach: their `NIL` still moves neighbours.
-    recomposed: HashSet<RuleId>,
+    /// Places with a template so far.
+    places: Cell<u32>,
     material_changes: RefCell<site::MaterialChanges>,
     params: RefCell<names::ParamNames>,
 }
@@ -81,7 +73,6 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
     let (names, plan) = (names::ItemNames::new(grammar), RunPlan::new(grammar));
     let (hosts, renewed) = (host_types(grammar), state::renewed(grammar));
     let leaves = leaves::LeafNames::new(grammar);
-    let templates = templates::TemplatePlan::new(grammar, &plan);
     let cx = Generator {
         grammar,
         source,
@@ -93,8 +84,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         attrs: grammar.globals.iter().filter(|global| global.attr.is_some()).count() as u32,
         renewed,
         leaves,
-        templates,
-        recomposed: operands::recomposed(grammar),
+        places: Cell::default(),
         material_changes: RefCell::default(),
         params: RefCell::new(names::ParamNames::new(source.hosts().iter().map(|host| &host.expr))),
     };

@@ -1,37 +1,11 @@
 //! Operations with operations in their braces: for each part that they make, or as operands.
 
-use std::collections::HashSet;
-
-use cga_lang::ir::{Block, Grammar, RuleId, StepKind, Target, walk};
+use cga_lang::ir::{Block, RuleId, Target};
 use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
 use super::rule::successor;
 use super::{Generator, function_of, local};
-
-/// The rules that operands reach whose shapes are reconnected.
-pub(super) fn recomposed(grammar: &Grammar) -> HashSet<RuleId> {
-    let mut todo = Vec::new();
-    for rule in &grammar.rules {
-        walk::steps(&rule.body, &mut |step| {
-            if let StepKind::Block(block) = &step.kind
-                && block.recomposes()
-            {
-                todo.extend(walk::targets(step).into_iter().filter_map(|target| match target {
-                    Target::Rule { rule, .. } => Some(*rule),
-                    Target::Leaf(_) | Target::Nil => None,
-                }));
-            }
-        });
-    }
-    let (mut met, calls) = (HashSet::new(), walk::calls(grammar, |_| true));
-    while let Some(rule) = todo.pop() {
-        if met.insert(rule) {
-            todo.extend(calls[rule.0 as usize].iter().map(|called| RuleId(*called as u32)));
-        }
-    }
-    met
-}
 
 impl Generator<'_> {
     /// An operation that makes parts, each with the same successor. `number` counts the children that the rule makes.

@@ -360,7 +360,7 @@ impl Generator<'_> {
                 let name = self.leaves.number(name);
                 code!(#copy cx.symbol(shape, #name)?;)
             }
-            Target::Nil if self.recomposed.contains(&from) => code!(#copy cx.vanish(shape)?;),
+            Target::Nil if self.plan.vanishes(target, from) => code!(#copy cx.vanish(shape)?;),
             Target::Nil => TokenStream::new(),
             Target::Rule { rule, sites, args, span } => self.at(*span, || {
                 let call = self.call(from, (*rule, sites), args.len(), self.source.token(span.first));
@@ -389,7 +389,8 @@ impl Generator<'_> {
         let (levels, stack) = (Literal::u32_unsuffixed(levels), Literal::u32_unsuffixed(stack));
         let variant = local("Rule", rule.0 as usize);
         let hole = self
-            .templates
+            .plan
+            .holes
             .is_hole(from, rule)
             .then(|| code!(if cx.records() { cx.hole(part, #levels, #stack, CgaCall::#variant(#(#args),*)) } else));
         if request.is_none() {
@@ -418,7 +419,7 @@ impl Generator<'_> {
     /// The successor of a part of a split or comp; of type `Flow`.
     pub(super) fn part(&self, target: &Target, from: RuleId) -> TokenStream {
         match target {
-            Target::Nil if self.recomposed.contains(&from) => code!(cx.vanish(part)),
+            Target::Nil if self.plan.vanishes(target, from) => code!(cx.vanish(part)),
             Target::Nil => code!(cga_rt::Flow::Continue(())),
             Target::Leaf(name) => {
                 let name = self.leaves.number(name);

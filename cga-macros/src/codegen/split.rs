@@ -1,20 +1,12 @@
 //! A split: its pattern as a constant, its sizes, and a function that calls the rule of a slot.
 
-use cga_lang::ir::{Axis, Block, ExprKind, Item, Piece, Prefix, RuleId, Size, Slots, Solved, Target, Value};
-use cga_lang::ops::Uses;
+use cga_lang::ir::plan::{PartNeeds, SplitForm};
+use cga_lang::ir::{Axis, Block, Item, Piece, Prefix, RuleId, Slots, Solved, Target};
 use cga_lang::ops::{Braces, Measure};
 use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
-use super::{Generator, hygienic, local, site, templates};
-
-/// The properties of a part that its successor reads.
-struct SlotNeeds {
-    /// True if it draws random numbers.
-    draws: bool,
-    /// True if it reads `split.index` or `split.total`.
-    counts: bool,
-}
+use super::{Generator, hygienic, local, site};
 
 impl Generator<'_> {
     /// An expression that divides the shape and is true if there was a piece. `number` counts the children that the rule makes.
@@ -29,23 +21,22 @@ impl Generator<'_> {
         let adjusts = block.adjusts() && measure != Measure::Texture;
         let adjust = if adjusts { code!(Adjust) } else { code!(NoAdjust) };
         let number = Literal::u32_unsuffixed(number);
-        // A list cannot tell the repetitions of a group from the repetitions of a group around it.
-        let solved = slots.solved.as_ref().filter(|_| !has_nested_groups(&slots.pattern));
-        if measure == Measure::Length && solved.is_none() && self.is_in_place(slots, rule) {
+        let form = self.plan.split_form(block, rule);
+        if form == SplitForm::InPlace {
             return self.in_place(slots, rule, [&axis, &adjust], &number);
         }
         let items = items(&slots.pattern);
         let successors = slots.targets.iter().map(|target| self.successor(target, rule));
-        let has_total = self.has_total(slots);
+        let has_total = self.plan.needs_total(slots);
         let (last, visit) = self.visit(slots, rule, &axis);
         let sizes = self.sizes(slots);
         let count = slots.sizes.len();
-        let divided = match (solved, measure) {
-            (Some(solved), _) => {
+        let divided = match (form, measure) {
+            (SplitForm::Solved(solved), _) => {
                 let (extent, pieces) = (Literal::f64_unsuffixed(solved.extent), pieces(solved));
                 code!(cga_rt::split_solved(cx, shape, SPLIT, #extent, &[#(#pieces),*], #visit)?)
             }
-            (None, Measure::Texture) => {
+            (_, Measure::Texture) => {
                 let args = self.args(block.row, &block.args, &Access::rule(), &TokenStream::new());
                 code! {
                     let sizes = &mut [#(#sizes),*];
@@ -53,7 +44,7 @@ impl Generator<'_> {
                     cga_rt::split_texture(cx, shape, SPLIT, axis, sizes, &mut [0.0; #count], #visit)?
                 }
             }
-            (None, _) => {
+            _ => {
                 let split = if measure == Measure::Area { "split_area" } else { "split" };
                 let split = hygienic(split);
                 code! {
@@ -79,7 +70,7 @@ impl Generator<'_> {
     /// The successor of a slot, as the runtime knows it.
     fn successor(&self, target: &Target, rule: RuleId) -> TokenStream {
         match target {
-            Target::Nil if self.recomposed.contains(&rule) => {
+            Target::Nil if self.plan.vanishes(target, rule) => {
                 code!(cga_rt::Successor::Rule { draws: false, counts: false })
             }
             Target::Nil => code!(cga_rt::Successor::Nil),
@@ -88,32 +79,20 @@ impl Generator<'_> {
                 code!(cga_rt::Successor::Leaf(#name))
             }
             Target::Rule { .. } => {
-                let SlotNeeds { draws, counts } = self.needs(target);
+                let PartNeeds { draws, counts } = self.plan.part_needs(target);
                 code!(cga_rt::Successor::Rule { draws: #draws, counts: #counts })
             }
         }
     }
 
-    /// The properties of a part that its successor reads.
-    fn needs(&self, target: &Target) -> SlotNeeds {
-        let uses = self.plan.facts.target(target);
-        SlotNeeds { draws: uses.has(Uses::DRAWS), counts: !uses.counters().is_none() }
-    }
-
-    /// Returns true if a successor reads `split.total`.
-    fn has_total(&self, slots: &Slots) -> bool {
-        slots.targets.iter().any(|target| self.plan.facts.target(target).has(Uses::TOTAL))
-    }
-
     /// The function that calls the rule of a slot, with the variables that it needs.
     fn visit(&self, slots: &Slots, rule: RuleId, axis: &TokenStream) -> (TokenStream, TokenStream) {
         let (mut last, mut calls) = (TokenStream::new(), TokenStream::new());
-        for (slot, (target, in_group)) in slots.targets.iter().zip(templates::in_groups(&slots.pattern)).enumerate() {
-            let vanishes = matches!(target, Target::Nil) && self.recomposed.contains(&rule);
-            if !(vanishes || matches!(target, Target::Rule { .. })) {
+        for (slot, (target, template)) in slots.targets.iter().zip(self.plan.templates(slots, rule)).enumerate() {
+            if !(self.plan.vanishes(target, rule) || matches!(target, Target::Rule { .. })) {
                 continue;
             }
-            let code = match templates::root(target, rule, &self.plan).filter(|_| in_group) {
+            let code = match template {
                 Some(root) => {
                     let name = local("last", slot);
                     last.extend(code!(let mut #name = ::core::default::Default::default();));
@@ -136,18 +115,6 @@ impl Generator<'_> {
         (last, visit)
     }
 
-    /// Returns true for few slots of constant sizes in a rule that can reach itself: the split is laid out in the rule, and the
-    /// compiler folds what it knows. Such rules run most often; of rules that repeat there are templates, and the code of others
-    /// would be large for what it gains.
-    fn is_in_place(&self, slots: &Slots, rule: RuleId) -> bool {
-        let is_constant =
-            |size: &Size| matches!(size.value.kind, ExprKind::Value(Value::Float(value)) if value.is_finite());
-        self.grammar.rules[rule.0 as usize].cycle.is_some()
-            && slots.targets.len() <= 3
-            && slots.pattern.len() == slots.targets.len()
-            && slots.sizes.iter().all(is_constant)
-    }
-
     /// A split that is laid out in the rule.
     fn in_place(
         &self,
@@ -158,17 +125,17 @@ impl Generator<'_> {
     ) -> TokenStream {
         let count = slots.sizes.len();
         let (items, sizes) = (items(&slots.pattern), self.sizes(slots));
-        let total = if self.has_total(slots) { code!(cga_rt::Row::total(&pieces)) } else { code!(0) };
+        let total = if self.plan.needs_total(slots) { code!(cga_rt::Row::total(&pieces)) } else { code!(0) };
         let statements = slots.targets.iter().enumerate().map(|(slot, target)| {
             let slot = Literal::usize_unsuffixed(slot);
             match target {
-                Target::Nil if !self.recomposed.contains(&rule) => code!(division.skip(row.slot(#slot));),
+                Target::Nil if !self.plan.vanishes(target, rule) => code!(division.skip(row.slot(#slot));),
                 Target::Leaf(name) => {
                     let name = self.leaves.number(name);
                     code!(division.leaf(cx, row.slot(#slot), #axis, #name)?;)
                 }
                 Target::Nil | Target::Rule { .. } => {
-                    let (SlotNeeds { draws, counts }, code) = (self.needs(target), self.part(target, rule));
+                    let (PartNeeds { draws, counts }, code) = (self.plan.part_needs(target), self.part(target, rule));
                     code! {
                         let slot = cga_rt::Slot { number: #slot, in_group: false, draws: #draws, counts: #counts };
                         if let ::core::option::Option::Some(part) = division.part(row.slot(#slot), #axis, slot) {
@@ -202,7 +169,7 @@ impl Generator<'_> {
         let Target::Rule { sites, span, .. } = target else { return TokenStream::new() };
         self.at(*span, || {
             let name = self.rule(rule, self.source.token(span.first));
-            let number = Literal::u32_unsuffixed(self.templates.places(sites.len().max(1) as u32));
+            let number = Literal::u32_unsuffixed(self.template_places(sites.len().max(1) as u32));
             let hand_on = self.hand_on(rule);
             if let Some(passed) = site::passed(sites) {
                 // A template for each site of the caller.
@@ -224,6 +191,13 @@ impl Generator<'_> {
                 cx.repeat(#number, &mut #last, g, (part, #axis), CgaRules::#name, CgaRules::cga_resume)
             } }
         })
+    }
+
+    /// The first number of `count` more places with a template, in the order in which they are written.
+    fn template_places(&self, count: u32) -> u32 {
+        let place = self.places.get();
+        self.places.set(place + count);
+        place
     }
 
     /// The sizes.
@@ -260,13 +234,5 @@ fn pieces(solved: &Solved) -> impl Iterator<Item = TokenStream> {
         let slot = Literal::u32_unsuffixed(slot);
         let [start, end, length] = [start, end, length].map(Literal::f64_unsuffixed);
         code!(cga_rt::Piece { slot: #slot, start: #start, end: #end, length: #length })
-    })
-}
-
-/// Returns true if a group is in another one.
-fn has_nested_groups(pattern: &[Item]) -> bool {
-    pattern.iter().enumerate().any(|(at, item)| match item {
-        Item::Repeat(len) => pattern[at + 1..].iter().take(*len as usize).any(|item| matches!(item, Item::Repeat(_))),
-        Item::Slot => false,
     })
 }

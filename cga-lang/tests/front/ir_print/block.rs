@@ -11,8 +11,9 @@ impl Printer<'_> {
         let head = self.head(block.row, &block.args);
         match &block.parts {
             BlockParts::Slots(slots) => {
-                self.line(&format!("{head} {}", pattern(&slots.pattern)));
-                self.slots(slots);
+                self.line(&format!("{head} {}{}", pattern(&slots.pattern), self.split(block, slots)));
+                let notes = self.parts(slots);
+                self.slots(slots, &notes);
             }
             BlockParts::Arms(arms) => {
                 self.line(&head);
@@ -25,7 +26,7 @@ impl Printer<'_> {
             }
             BlockParts::Sections(parts) => {
                 self.line(&format!("{head} {}", pattern(&parts.slots.pattern)));
-                self.slots(&parts.slots);
+                self.slots(&parts.slots, &[]);
                 self.depth += 1;
                 for (index, depth) in parts.depths.iter().enumerate() {
                     let text = format!("depth {index}: {}", self.expr(depth));
@@ -45,7 +46,8 @@ impl Printer<'_> {
         }
     }
 
-    fn slots(&mut self, slots: &Slots) {
+    /// Slots, each with what is decided on its parts.
+    fn slots(&mut self, slots: &Slots, notes: &[String]) {
         self.depth += 1;
         if let Some(solved) = &slots.solved {
             let pieces = solved.pieces.iter().map(|piece| format!("{}: {}..{}", piece.slot, piece.start, piece.end));
@@ -54,7 +56,8 @@ impl Printer<'_> {
             self.line(&text);
         }
         for (index, (own, target)) in slots.sizes.iter().zip(&slots.targets).enumerate() {
-            let text = format!("{index}: {} -> {}", self.size(own), self.target(target));
+            let note = notes.get(index).map_or("", String::as_str);
+            let text = format!("{index}: {} -> {}{note}", self.size(own), self.target(target));
             self.line(&text);
         }
         self.depth -= 1;

@@ -268,15 +268,15 @@ impl<'g> Printer<'g> {
     }
 
     fn target(&self, target: &Target) -> String {
-        match target {
+        let text = match target {
             Target::Rule { rule, sites, args, .. } => {
                 let args = if args.is_empty() { String::new() } else { self.args(args) };
-                let name = &self.grammar.rules[rule.0 as usize].name;
-                format!("{name}{}{args}{}", passed(sites), self.call(*rule))
+                format!("{}{}{args}", self.grammar.rules[rule.0 as usize].name, passed(sites))
             }
             Target::Leaf(name) => format!("leaf {name}"),
             Target::Nil => "nil".into(),
-        }
+        };
+        text + &self.call(target)
     }
 
     fn arg(&self, arg: &Arg) -> String {

@@ -1,7 +1,8 @@
 //! Decisions on how rules run: in brackets after what they concern, or one line an item.
 
 use super::Printer;
-use cga_lang::ir::{FunctionId, GlobalId, RuleId};
+use cga_lang::ir::plan::SplitForm;
+use cga_lang::ir::{Block, FunctionId, GlobalId, Slots, Target};
 
 impl Printer<'_> {
     /// The stack that a function requests.
@@ -16,16 +17,51 @@ impl Printer<'_> {
         format!("lazy [{} bytes]", self.plan.lazy_stack(id))
     }
 
-    /// The decisions on a call from the rule that is printed: the stack that it requests.
-    pub(super) fn call(&self, to: RuleId) -> String {
+    /// The decisions on a successor of the rule that is printed: the stack that the call requests, if the call is a hole in a
+    /// template, and if `NIL` moves its neighbours.
+    pub(super) fn call(&self, target: &Target) -> String {
         let mut parts = Vec::new();
-        if let Some(request) = self.plan.rule_stack.request(self.rule, to) {
-            parts.push(format!("requests {} KB", request.stack));
-            if request.levels != 0 {
-                parts.push(format!("level {}", request.levels));
+        if let Target::Rule { rule, .. } = target {
+            if let Some(request) = self.plan.rule_stack.request(self.rule, *rule) {
+                parts.push(format!("requests {} KB", request.stack));
+                if request.levels != 0 {
+                    parts.push(format!("level {}", request.levels));
+                }
+            }
+            if self.plan.holes.is_hole(self.rule, *rule) {
+                parts.push("hole".into());
             }
         }
+        if self.plan.vanishes(target, self.rule) {
+            parts.push("vanishes".into());
+        }
         bracketed(&parts)
+    }
+
+    /// The form of a split, and if its parts get their number.
+    pub(super) fn split(&self, block: &Block, slots: &Slots) -> String {
+        let mut parts = Vec::new();
+        match self.plan.split_form(block, self.rule) {
+            SplitForm::Solved(_) => parts.push("solved".into()),
+            SplitForm::InPlace => parts.push("in place".into()),
+            SplitForm::Called => {}
+        }
+        if self.plan.needs_total(slots) {
+            parts.push("total".into());
+        }
+        bracketed(&parts)
+    }
+
+    /// By slot, the decisions on its parts: if a template is made of them, and if they need a seed or counters.
+    pub(super) fn parts(&self, slots: &Slots) -> Vec<String> {
+        let templates = self.plan.templates(slots, self.rule);
+        let parts = slots.targets.iter().zip(templates).map(|(target, template)| {
+            let needs = self.plan.part_needs(target);
+            let words = [(template.is_some(), "template"), (needs.draws, "seed"), (needs.counts, "counters")];
+            let words = words.into_iter().filter(|(is_so, _)| *is_so).map(|(_, word)| word.to_owned());
+            bracketed(&words.collect::<Vec<_>>())
+        });
+        parts.collect()
     }
 }
 
