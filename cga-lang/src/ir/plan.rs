@@ -5,7 +5,8 @@
 //! - the calls that request stack, and how much ([`RuleStack`], [`FunctionStack`], [`RunPlan::lazy_stack`]),
 //! - the repeated parts that are templates ([`RunPlan::templates`]), and the calls that are holes in them ([`TemplateHoles`]),
 //! - the splits whose pieces are known, that are laid out in their rule, or that the runtime goes through ([`SplitForm`]),
-//! - the parts that need a seed or counters ([`PartNeeds`]),
+//! - the parts that need a seed or counters ([`PartNeeds`], [`RunPlan::reseeds`]),
+//! - the steps that work on the slim shape, and the material changes that are made once ([`ChangeForm`]),
 //! - the rules in which `NIL` moves its neighbours, because their leaves are recomposed ([`RunPlan::vanishes`]).
 //!
 //! A call that gets no stack runs later, so the order of leaves depends on the requests. A template gives positions with other
@@ -23,6 +24,8 @@
 //! assert!(plan.rule_stack.request(lot, lot).is_some() && plan.rule_stack.request(lot, tip).is_none());
 //! ```
 
+mod changes;
+mod children;
 mod frame;
 mod function_stack;
 mod recomposition;
@@ -34,6 +37,7 @@ use crate::ir::facts::Facts;
 use crate::ir::{GlobalId, Grammar, RuleId, Slots, Target};
 use std::collections::HashSet;
 
+pub use changes::{ChangeForm, SlimChange, reads_first_scope};
 pub use function_stack::FunctionStack;
 pub use rule_stack::{RuleStack, StackRequest};
 pub use splits::{PartNeeds, SplitForm};

@@ -1,8 +1,6 @@
 //! A checked grammar → Rust. No errors here. `cga_lang::lower` decides what the rules mean, and `cga_lang::ir::plan` how they run.
-//! Code generation decides the rest:
-//!
-//! - which steps work on the slim shape, and which on the whole (`rule.rs`, after the rows and the facts),
-//! - which material changes have a number in the run (`site.rs`).
+//! Code generation writes this as Rust. It numbers the functions of material changes in the order in which it writes them: equal
+//! code is one function.
 //!
 //! The output is the public struct and one anonymous const with everything else in it: the evaluated attributes, the
 //! calls that may wait, and one function a rule. A sink is behind `dyn`, so rules are compiled once. Local names are hygienic; code

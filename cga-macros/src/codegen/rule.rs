@@ -1,10 +1,10 @@
 //! One function a rule, one function a function.
 
-use cga_lang::ir::walk;
+use cga_lang::ir::plan::{ChangeForm, SlimChange, reads_first_scope};
 use cga_lang::ir::{
-    Block, BlockParts, Childless, Expr, ExprKind, Function, FunctionId, Param, Rule, RuleId, Step, StepKind, Target,
+    Block, BlockParts, Childless, Expr, Function, FunctionId, Param, Rule, RuleId, Step, StepKind, Target,
 };
-use cga_lang::ops::{Changes, Run, Uses};
+use cga_lang::ops::{Run, Uses};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
@@ -153,7 +153,7 @@ impl Generator<'_> {
         let mut code = TokenStream::new();
         let mut rest = steps;
         while let Some((step, behind)) = rest.split_first() {
-            let count = rest.iter().take_while(|step| changes(step)).count();
+            let count = rest.iter().take_while(|step| step.changes_shape()).count();
             if 0 < count {
                 let (changes, behind) = rest.split_at(count);
                 code.extend(self.at(step.span, || self.changed(changes)));
@@ -167,20 +167,23 @@ impl Generator<'_> {
                 return code;
             }
             code.extend(self.at(step.span, || self.step(step, body, number, rest.is_empty())));
-            number += children(step);
+            number += step.children();
         }
         code.extend(if number == 0 { tail.childless.clone() } else { tail.otherwise.clone() });
         code
     }
 
-    /// Steps that change the current shape. They work on the slim shape if all of them can, else on the whole.
+    /// Steps that change the current shape.
     fn changed(&self, steps: &[Step]) -> TokenStream {
-        let slim: Option<TokenStream> = steps.iter().map(|step| self.at(step.span, || self.slim(step))).collect();
-        if let Some(code) = slim {
-            let is_change =
-                |step: &Step| !matches!(&step.kind, StepKind::Do(row, ..) if row.changes == Changes::Nothing);
+        if let ChangeForm::Slim(changes) = self.plan.change_form(steps) {
+            let code = steps.iter().zip(&changes).map(|(step, change)| self.at(step.span, || self.slim(step, *change)));
+            let code: TokenStream = code.collect();
             let bases = code!(let bases = cga_rt::Bases::new(););
-            return if steps.iter().any(is_change) { quote!(#bases #code) } else { code };
+            return if changes.iter().any(|change| *change != SlimChange::Nothing) {
+                quote!(#bases #code)
+            } else {
+                code
+            };
         }
         let code: TokenStream = steps.iter().map(|step| self.at(step.span, || self.change(step))).collect();
         code! {
@@ -196,46 +199,31 @@ impl Generator<'_> {
         }
     }
 
-    /// A step on the slim shape, where there is such a form of it.
-    fn slim(&self, step: &Step) -> Option<TokenStream> {
-        match &step.kind {
-            StepKind::Do(operation, args) => match operation.changes {
-                Changes::Whole => None,
-                Changes::Nothing => {
-                    let none = TokenStream::new();
-                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), &none);
-                    Some(code!({ #lets let shape = &mut { shape }; cga_rt::op::#call }))
-                }
-                Changes::Scope => {
-                    let further = code!(&bases, &mut own,);
-                    let (lets, call) = self.operation_on(operation, args, &Access::rule(), &further);
-                    Some(code! {
-                        let mut own = ::core::option::Option::None;
-                        let shape = {
-                            #lets
-                            cga_rt::slim::#call
-                        };
-                    })
-                }
-                Changes::Material => self.is_settled(step).then(|| {
-                    let function = if operation.uvs.reaches_caps() { "change_coordinates" } else { "change_material" };
-                    self.change_material(step, function, self.change(step))
-                }),
-            },
-            StepKind::SetShape(attr, ..) if attr.set_changes == Changes::Material => {
-                self.is_settled(step).then(|| self.change_material(step, "change_material", self.change(step)))
+    /// A step on the slim shape.
+    fn slim(&self, step: &Step, change: SlimChange) -> TokenStream {
+        match (change, &step.kind) {
+            (SlimChange::Nothing, StepKind::Do(operation, args)) => {
+                let none = TokenStream::new();
+                let (lets, call) = self.operation_on(operation, args, &Access::rule(), &none);
+                code!({ #lets let shape = &mut { shape }; cga_rt::op::#call })
             }
-            _ => None,
+            (SlimChange::Scope, StepKind::Do(operation, args)) => {
+                let further = code!(&bases, &mut own,);
+                let (lets, call) = self.operation_on(operation, args, &Access::rule(), &further);
+                code! {
+                    let mut own = ::core::option::Option::None;
+                    let shape = {
+                        #lets
+                        cga_rt::slim::#call
+                    };
+                }
+            }
+            (SlimChange::Material { sites, reaches_caps }, _) => {
+                let function = if reaches_caps { "change_coordinates" } else { "change_material" };
+                self.change_material(sites, function, self.change(step))
+            }
+            (SlimChange::Nothing | SlimChange::Scope, _) => TokenStream::new(),
         }
-    }
-
-    /// Returns true if the arguments of a step are the same in the whole run.
-    fn is_settled(&self, step: &Step) -> bool {
-        walk::in_step(step).into_iter().all(|expr| {
-            let mut is_settled = self.plan.facts.expr(expr) == Uses::NONE;
-            walk::parts(expr, &mut |part| is_settled &= !matches!(part.kind, ExprKind::Param(_)));
-            is_settled
-        })
     }
 
     fn change(&self, step: &Step) -> TokenStream {
@@ -341,7 +329,7 @@ impl Generator<'_> {
     /// The last successor of a rule is the current shape itself, with the seed of child number `number`.
     fn last_successor(&self, target: &Target, number: u32) -> TokenStream {
         let number = Literal::u32_unsuffixed(number);
-        let draws = matches!(target, Target::Rule { rule, .. } if self.plan.facts.rule(*rule).below.has(Uses::DRAWS));
+        let draws = matches!(target, Target::Rule { rule, .. } if self.plan.draws(*rule));
         let seed = draws.then(|| code!(cga_rt::become_successor(shape, #number);));
         code!(#seed let part = shape;)
     }
@@ -412,8 +400,7 @@ impl Generator<'_> {
 
     /// A part that goes straight to a rule is the successor itself, with the seed of one.
     pub(super) fn hand_on(&self, rule: RuleId) -> Option<TokenStream> {
-        let is_called = !self.grammar.rules[rule.0 as usize].block && self.plan.facts.rule(rule).below.has(Uses::DRAWS);
-        is_called.then(|| code!(cga_rt::hand_on(part);))
+        self.plan.reseeds(rule).then(|| code!(cga_rt::hand_on(part);))
     }
 
     /// The successor of a part of a split or comp; of type `Flow`.
@@ -440,23 +427,10 @@ impl Generator<'_> {
     }
 }
 
-/// The number of child numbers that a step takes.
-fn children(step: &Step) -> u32 {
-    match &step.kind {
-        StepKind::Block(Block { parts: BlockParts::Operands(targets), .. }) => targets.len() as u32,
-        _ => 1,
-    }
-}
-
 /// A copy of the current shape, as child number `number`.
 pub(super) fn successor(number: u32) -> TokenStream {
     let number = Literal::u32_unsuffixed(number);
     code!(let part = &cga_rt::successor(shape, #number);)
-}
-
-/// Returns true if a step changes the current shape.
-fn changes(step: &Step) -> bool {
-    matches!(step.kind, StepKind::Do(..) | StepKind::SetAttr(..) | StepKind::SetShape(..) | StepKind::Rust(..))
 }
 
 fn leave(rule: &Rule) -> TokenStream {
@@ -470,13 +444,5 @@ pub(super) fn given<'r>(params: &'r [Param], locals: &[Expr]) -> impl Iterator<I
 
 /// Remembers the scope for operations that look at where they began.
 fn base(steps: &[Step]) -> TokenStream {
-    fn looks(steps: &[Step]) -> bool {
-        steps.iter().any(|step| match &step.kind {
-            StepKind::Do(operation, ..) => operation.uses_base,
-            StepKind::Case { arms, otherwise } => arms.iter().any(|(_, steps)| looks(steps)) || looks(otherwise),
-            // A bracket remembers its own.
-            _ => false,
-        })
-    }
-    if looks(steps) { code!(let base = shape.scope();) } else { TokenStream::new() }
+    if reads_first_scope(steps) { code!(let base = shape.scope();) } else { TokenStream::new() }
 }

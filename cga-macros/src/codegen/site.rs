@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use cga_lang::ir::{ExprKind, Grammar, Step, walk};
+use cga_lang::ir::Grammar;
 use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::{Generator, hygienic, local};
@@ -12,7 +12,7 @@ use super::{Generator, hygienic, local};
 #[derive(Default)]
 pub(super) struct MaterialChanges {
     /// By text and count of sites: the first number and the function.
-    known: HashMap<(String, usize), (u32, TokenStream)>,
+    known: HashMap<(String, u32), (u32, TokenStream)>,
     /// The next number.
     next: u32,
 }
@@ -61,36 +61,20 @@ pub(super) fn of_site(numbers: &[u32]) -> TokenStream {
     code!([#(#values),*][site as ::core::primitive::usize])
 }
 
-/// The number of sites that a step depends on; 0 for none.
-fn sites(step: &Step) -> usize {
-    let mut count = 0;
-    for expr in walk::in_step(step) {
-        walk::parts(expr, &mut |part| {
-            if let ExprKind::Call(_, sites, _) = &part.kind
-                && sites.iter().any(|site| *site != sites[0])
-            {
-                count = sites.len();
-            }
-        });
-    }
-    count
-}
-
 impl Generator<'_> {
-    /// A step that changes the material in the same way in the whole run, or at a site: `change` is its code, and
-    /// `function` the function of the runtime that applies it.
-    pub(super) fn change_material(&self, step: &Step, function: &str, change: TokenStream) -> TokenStream {
-        let count = sites(step);
+    /// A step that changes the material in the same way in the whole run, or at a site: it depends on
+    /// `sites`, `change` is its code, and `function` the function of the runtime that applies it.
+    pub(super) fn change_material(&self, sites: u32, function: &str, change: TokenStream) -> TokenStream {
         let changes = &mut *self.material_changes.borrow_mut();
         let next = changes.next;
         // Equal steps are one.
-        let number = changes.known.entry((change.to_string(), count)).or_insert((next, change)).0;
+        let number = changes.known.entry((change.to_string(), sites)).or_insert((next, change)).0;
         if number == next {
-            changes.next += count.max(1) as u32;
+            changes.next += sites.max(1);
         }
         let (name, number) = (local("material_", number as usize), Literal::u32_unsuffixed(number));
         let function = hygienic(function);
-        let (number, values) = match count {
+        let (number, values) = match sites {
             0 => (code!(#number), code!(g)),
             _ => (code!(#number + site), code!(&(g, site))),
         };
@@ -102,7 +86,7 @@ impl Generator<'_> {
 
     /// One function for each such change. The rules come first.
     pub(super) fn material_changes(&self) -> TokenStream {
-        let mut changes: Vec<(usize, u32, TokenStream)> = self
+        let mut changes: Vec<(u32, u32, TokenStream)> = self
             .material_changes
             .take()
             .known

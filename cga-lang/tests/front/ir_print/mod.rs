@@ -176,7 +176,8 @@ impl<'g> Printer<'g> {
             Childless::Depends => ", perhaps a leaf",
         };
         let cycle = rule.cycle.map(|cycle| format!(", cycle {cycle}")).unwrap_or_default();
-        self.line(&format!("rule {}{}{leaf}{cycle}", rule.name, params(&rule.params)));
+        let scope = self.first_scope(&rule.body);
+        self.line(&format!("rule {}{}{leaf}{cycle}{scope}", rule.name, params(&rule.params)));
         if let [_, others @ ..] = &rule.sites[..] {
             let names: Vec<&str> = others.iter().map(|site| site.name.as_str()).collect();
             self.line(&format!("  also {}", names.join(", ")));
@@ -196,8 +197,8 @@ impl<'g> Printer<'g> {
 
     fn steps(&mut self, steps: &'g [Step]) {
         self.depth += 1;
-        for step in steps {
-            self.step(step);
+        for (step, note) in steps.iter().zip(self.changes(steps)) {
+            self.step(step, &note);
         }
         self.depth -= 1;
     }
@@ -207,22 +208,22 @@ impl<'g> Printer<'g> {
         self.steps(steps);
     }
 
-    fn step(&mut self, step: &'g Step) {
+    fn step(&mut self, step: &'g Step, note: &str) {
         match &step.kind {
             StepKind::Do(row, args) => {
                 let args: Vec<String> = args.iter().map(|arg| self.arg(arg)).collect();
-                self.line(&format!("{}({})", row.run.now().unwrap_or(row.name), args.join(", ")));
+                self.line(&format!("{}({}){note}", row.run.now().unwrap_or(row.name), args.join(", ")));
             }
             StepKind::SetAttr(id, value) => {
-                let text = format!("set {} = {}", self.name(*id), self.expr(value));
+                let text = format!("set {} = {}{note}", self.name(*id), self.expr(value));
                 self.line(&text);
             }
             StepKind::SetShape(row, value) => {
-                let text = format!("set {} = {}", row.name, self.expr(value));
+                let text = format!("set {} = {}{note}", row.name, self.expr(value));
                 self.line(&text);
             }
             StepKind::Rust(path, args) => {
-                let text = format!("rust {path}{}", self.args(args));
+                let text = format!("rust {path}{}{note}", self.args(args));
                 self.line(&text);
             }
             StepKind::Give(target) => {
@@ -230,7 +231,7 @@ impl<'g> Printer<'g> {
                 self.line(&text);
             }
             StepKind::Block(block) => self.block(block),
-            StepKind::Push(steps) => self.headed("push", steps),
+            StepKind::Push(steps) => self.headed(&format!("push{}", self.first_scope(steps)), steps),
             StepKind::Renew(call) => self.renew(call),
             StepKind::Case { arms, otherwise } => {
                 for (condition, steps) in arms {

@@ -1,8 +1,8 @@
 //! Decisions on how rules run: in brackets after what they concern, or one line an item.
 
 use super::Printer;
-use cga_lang::ir::plan::SplitForm;
-use cga_lang::ir::{Block, FunctionId, GlobalId, Slots, Target};
+use cga_lang::ir::plan::{ChangeForm, SlimChange, SplitForm, reads_first_scope};
+use cga_lang::ir::{Block, FunctionId, GlobalId, Slots, Step, Target};
 
 impl Printer<'_> {
     /// The stack that a function requests.
@@ -36,6 +36,29 @@ impl Printer<'_> {
             parts.push("vanishes".into());
         }
         bracketed(&parts)
+    }
+
+    /// By step, the form in which it changes the current shape: on the slim shape, and once a run or once a site if it is a
+    /// material change. Without a note it works on a whole shape.
+    pub(super) fn changes(&self, steps: &[Step]) -> Vec<String> {
+        let mut notes = Vec::new();
+        for steps in steps.chunk_by(|a, b| a.changes_shape() && b.changes_shape()) {
+            let form = if steps[0].changes_shape() { self.plan.change_form(steps) } else { ChangeForm::Whole };
+            match form {
+                ChangeForm::Whole => notes.extend(steps.iter().map(|_| String::new())),
+                ChangeForm::Slim(changes) => notes.extend(changes.into_iter().map(|change| match change {
+                    SlimChange::Nothing | SlimChange::Scope => " [slim]".to_owned(),
+                    SlimChange::Material { sites: 0, .. } => " [slim, once a run]".to_owned(),
+                    SlimChange::Material { .. } => " [slim, once a site]".to_owned(),
+                })),
+            }
+        }
+        notes
+    }
+
+    /// A note if steps remember the scope that they begin with.
+    pub(super) fn first_scope(&self, steps: &[Step]) -> &'static str {
+        if reads_first_scope(steps) { " [first scope]" } else { "" }
     }
 
     /// The form of a split, and if its parts get their number.
