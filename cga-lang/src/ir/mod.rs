@@ -240,6 +240,14 @@ pub struct Global {
     pub span: Span,
 }
 
+impl Global {
+    /// The number of its random stream: from its name (FNV-1a), so that another attribute or constant changes nothing.
+    pub fn stream(&self) -> u32 {
+        let hash = |hash: u32, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193);
+        self.name.bytes().fold(0x811c_9dc5, hash)
+    }
+}
+
 /// `name(params) = expr`, evaluated in the current shape at each use.
 #[derive(Clone, Debug)]
 pub struct Function {

@@ -7,6 +7,7 @@
 //! - the splits whose pieces are known, that are laid out in their rule, or that the runtime goes through ([`SplitForm`]),
 //! - the parts that need a seed or counters ([`PartNeeds`], [`RunPlan::reseeds`]),
 //! - the steps that work on the slim shape, and the material changes that are made once ([`ChangeForm`]),
+//! - the numbers of leaves and of rules ([`LeafNames`], [`TrailNumbers`]),
 //! - the rules in which `NIL` moves its neighbours, because their leaves are recomposed ([`RunPlan::vanishes`]).
 //!
 //! A call that gets no stack runs later, so the order of leaves depends on the requests. A template gives positions with other
@@ -28,10 +29,12 @@ mod changes;
 mod children;
 mod frame;
 mod function_stack;
+mod leaves;
 mod recomposition;
 mod rule_stack;
 mod splits;
 mod templates;
+mod trails;
 
 use crate::ir::facts::Facts;
 use crate::ir::{GlobalId, Grammar, RuleId, Slots, Target};
@@ -39,9 +42,11 @@ use std::collections::HashSet;
 
 pub use changes::{ChangeForm, SlimChange, reads_first_scope};
 pub use function_stack::FunctionStack;
+pub use leaves::LeafNames;
 pub use rule_stack::{RuleStack, StackRequest};
 pub use splits::{PartNeeds, SplitForm};
 pub use templates::TemplateHoles;
+pub use trails::TrailNumbers;
 
 /// The decisions for a grammar.
 #[derive(Clone, Debug)]
@@ -55,6 +60,10 @@ pub struct RunPlan<'g> {
     pub function_stack: FunctionStack,
     /// The calls that templates leave out.
     pub holes: TemplateHoles,
+    /// The names of leaves by number.
+    pub leaves: LeafNames,
+    /// The numbers of rules in trails.
+    pub trails: TrailNumbers,
     recomposed: HashSet<RuleId>,
 }
 
@@ -69,6 +78,8 @@ impl<'g> RunPlan<'g> {
             rule_stack,
             function_stack: FunctionStack::new(&grammar.functions),
             holes,
+            leaves: LeafNames::new(grammar),
+            trails: TrailNumbers::new(grammar),
             recomposed: recomposition::recomposed(grammar),
         }
     }
@@ -86,6 +97,11 @@ impl<'g> RunPlan<'g> {
     /// Returns true if a call of the rule may run later: it waits for stack, or a template leaves it out.
     pub fn may_run_later(&self, rule: RuleId) -> bool {
         self.rule_stack.may_wait(rule) || self.holes.may_be_left_out(rule)
+    }
+
+    /// Returns true if no attribute and no constant depends on the initial shape: runs of several shapes share their values.
+    pub fn has_settled_values(&self) -> bool {
+        self.grammar.globals.iter().all(|global| !global.lazy && self.facts.expr(&global.value).is_none())
     }
 
     /// Returns true for a `NIL` of the rule `from` that moves its neighbours: the shape vanishes from a recomposition.

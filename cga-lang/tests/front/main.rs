@@ -11,6 +11,7 @@ mod link_laws;
 mod lower;
 mod ops;
 mod parse;
+mod plan;
 mod print;
 mod reference;
 mod robust;

@@ -12,7 +12,6 @@ use super::expr::is_one_of;
 use super::fields::AttrField;
 use super::public::captured;
 use super::rule::given;
-use super::state::stream;
 use super::{Generator, attribute_table, fields, hygienic, inner_type, local, site, types};
 use crate::header::Header;
 
@@ -68,11 +67,6 @@ impl Generator<'_> {
         walk::exprs(self.grammar, &mut |expr| asks |= matches!(expr.kind, ExprKind::Style(_)));
         asks
     }
-
-    /// Returns true if no attribute and no constant depends on the initial shape.
-    fn is_settled_globally(&self) -> bool {
-        self.grammar.globals.iter().all(|global| !global.lazy && self.plan.facts.expr(&global.value).is_none())
-    }
 }
 
 /// The function that runs a call that waited or was left out.
@@ -97,9 +91,9 @@ pub(super) fn resume(cx: &Generator<'_>) -> TokenStream {
 /// The runtime's `Rules` and `Grammar`.
 pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     let (name, label) = (header.ident(), header.label());
-    let names = site::names(cx.grammar);
-    let leaves = cx.leaves.names();
-    let (is_settled, has_tags) = (cx.is_settled_globally(), cx.plan.facts.all(cx.grammar).has(Uses::TAGS));
+    let names = cx.plan.trails.names();
+    let leaves = cx.plan.leaves.names();
+    let (is_settled, has_tags) = (cx.plan.has_settled_values(), cx.plan.facts.all(cx.grammar).has(Uses::TAGS));
     let starts = &cx.grammar.starts;
     let start_rows = starts.iter().map(attribute_table::start);
     let start_numbers = starts.iter().map(|start| Literal::u32_suffixed(start.rule.0));
@@ -319,8 +313,8 @@ fn init(cx: &Generator<'_>, fields: &HashMap<&str, &AttrField<'_>>, id: GlobalId
         return code!(cga_rt::computed(#value););
     }
     let (target, field) = (cx.global_name(id), field(cx, fields, id));
-    let Global { name, value, known, .. } = cx.grammar.global(id);
-    let number = stream(name);
+    let global @ Global { value, known, .. } = cx.grammar.global(id);
+    let number = Literal::u32_suffixed(global.stream());
     let code = cx.expr(value, &Access::function());
     let computed = match known {
         Some(known) => types::value(known),

@@ -6,7 +6,6 @@ use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
 use super::fields::AttrField;
-use super::state::stream;
 use super::{Generator, hygienic, inner_type, local};
 
 impl Generator<'_> {
@@ -36,8 +35,9 @@ impl Generator<'_> {
     pub(super) fn lazy_functions(&self) -> TokenStream {
         let globals = self.grammar.globals.iter().zip(0..).filter(|(global, _)| global.lazy);
         globals
-            .map(|(Global { name, value, ty, .. }, id)| {
-                let (function, ty, number) = (self.global_name(GlobalId(id)), inner_type(*ty), stream(name));
+            .map(|(global @ Global { name, value, ty, .. }, id)| {
+                let (function, ty, number) =
+                    (self.global_name(GlobalId(id)), inner_type(*ty), Literal::u32_suffixed(global.stream()));
                 let stack = Literal::u32_unsuffixed(self.plan.lazy_stack(GlobalId(id)));
                 let code = self.expr(value, &Access::function());
                 let doc = format!("`{name}`, which may need itself: computed when it is first read.");

@@ -1,6 +1,6 @@
 //! A checked grammar → Rust. No errors here. `cga_lang::lower` decides what the rules mean, and `cga_lang::ir::plan` how they run.
-//! Code generation writes this as Rust. It numbers the functions of material changes in the order in which it writes them: equal
-//! code is one function.
+//! Code generation writes this as Rust. It numbers the places of templates and the functions of material changes in the order in
+//! which it writes them: equal code is one function, and user code can be part of it.
 //!
 //! The output is the public struct and one anonymous const with everything else in it: the evaluated attributes, the
 //! calls that may wait, and one function a rule. A sink is behind `dyn`, so rules are compiled once. Local names are hygienic; code
@@ -13,7 +13,6 @@ mod expr;
 mod fields;
 mod items;
 mod lazy;
-mod leaves;
 mod names;
 mod operands;
 mod operation;
@@ -30,7 +29,7 @@ use std::cell::{Cell, RefCell};
 use cga_lang::ir::plan::RunPlan;
 use cga_lang::ir::{ExprKind, Grammar, HostId, Param, RuleId, Type};
 use cga_lang::ops::Run;
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 
 use crate::header::Header;
 use crate::location;
@@ -48,8 +47,6 @@ struct Generator<'a> {
     grammar: &'a Grammar,
     source: &'a Source,
     names: names::ItemNames,
-    /// The numbers of rules for trails: for each rule, the number of its first site.
-    numbers: Vec<u32>,
     plan: RunPlan<'a>,
     /// True if `#` values are captured, as in the expression form.
     captured: bool,
@@ -59,7 +56,6 @@ struct Generator<'a> {
     attrs: u32,
     /// The attributes of renewals, by name.
     renewed: Vec<String>,
-    leaves: leaves::LeafNames,
     /// Places with a template so far.
     places: Cell<u32>,
     material_changes: RefCell<site::MaterialChanges>,
@@ -70,18 +66,15 @@ struct Generator<'a> {
 pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Output {
     let (names, plan) = (names::ItemNames::new(grammar), RunPlan::new(grammar));
     let (hosts, renewed) = (host_types(grammar), state::renewed(grammar));
-    let leaves = leaves::LeafNames::new(grammar);
     let cx = Generator {
         grammar,
         source,
         names,
-        numbers: site::numbers(grammar),
         plan,
         captured: header.name.is_none(),
         hosts,
         attrs: grammar.globals.iter().filter(|global| global.attr.is_some()).count() as u32,
         renewed,
-        leaves,
         places: Cell::default(),
         material_changes: RefCell::default(),
         params: RefCell::new(names::ParamNames::new(source.hosts().iter().map(|host| &host.expr))),
@@ -160,6 +153,11 @@ impl Generator<'_> {
     /// A parameter or local of the rule or function that is written.
     fn param(&self, number: usize) -> Ident {
         self.params.borrow().param(number, location::current())
+    }
+
+    /// The number of a leaf's name.
+    fn leaf(&self, name: &str) -> Literal {
+        Literal::u32_suffixed(self.plan.leaves.number(name))
     }
 
     /// A function of the hidden impl, with the span of a use.

@@ -50,7 +50,7 @@ impl Generator<'_> {
         });
         let base = base(&rule.body);
         let flag = (rule.leaf == Childless::Depends).then(|| code!(let mut childless = true;));
-        let label = self.leaves.implicit(rule);
+        let label = site::of_site(&self.plan.leaves.implicit(rule));
         // A block was not counted as a shape, so its leaf is one more.
         let (leaf, any_leaf) = match rule.block {
             true => (code!(symbol), code!(any_symbol)),
@@ -130,8 +130,7 @@ impl Generator<'_> {
         if rule.block {
             return TokenStream::new();
         }
-        let first = self.numbers[id.0 as usize];
-        let numbers: Vec<u32> = (first..first + rule.sites.len().max(1) as u32).collect();
+        let numbers: Vec<u32> = self.plan.trails.of(id).collect();
         let number = site::of_site(&numbers);
         code!(cx.enter(#number)?;)
     }
@@ -345,7 +344,7 @@ impl Generator<'_> {
     ) -> TokenStream {
         match target {
             Target::Leaf(name) => {
-                let name = self.leaves.number(name);
+                let name = self.leaf(name);
                 code!(#copy cx.symbol(shape, #name)?;)
             }
             Target::Nil if self.plan.vanishes(target, from) => code!(#copy cx.vanish(shape)?;),
@@ -409,7 +408,7 @@ impl Generator<'_> {
             Target::Nil if self.plan.vanishes(target, from) => code!(cx.vanish(part)),
             Target::Nil => code!(cga_rt::Flow::Continue(())),
             Target::Leaf(name) => {
-                let name = self.leaves.number(name);
+                let name = self.leaf(name);
                 code!(cx.symbol(part, #name))
             }
             Target::Rule { rule, sites, args, span } => self.at(*span, || {

@@ -3,7 +3,6 @@
 
 use std::collections::HashMap;
 
-use cga_lang::ir::Grammar;
 use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::{Generator, hygienic, local};
@@ -15,25 +14,6 @@ pub(super) struct MaterialChanges {
     known: HashMap<(String, u32), (u32, TokenStream)>,
     /// The next number.
     next: u32,
-}
-
-/// The first number of each rule for trails: one for each site.
-pub(super) fn numbers(grammar: &Grammar) -> Vec<u32> {
-    let mut next = 0;
-    let numbers = grammar.rules.iter().map(|rule| {
-        let first = next;
-        next += rule.sites.len().max(1) as u32;
-        first
-    });
-    numbers.collect()
-}
-
-/// The names of rules by number.
-pub(super) fn names(grammar: &Grammar) -> impl Iterator<Item = &String> {
-    grammar.rules.iter().flat_map(|rule| {
-        let own = rule.sites.is_empty().then_some(&rule.name);
-        own.into_iter().chain(rule.sites.iter().map(|site| &site.name))
-    })
 }
 
 /// The parameter of a definition with `count` sites, if it is shared.

@@ -75,7 +75,7 @@ impl Generator<'_> {
             }
             Target::Nil => code!(cga_rt::Successor::Nil),
             Target::Leaf(name) => {
-                let name = self.leaves.number(name);
+                let name = self.leaf(name);
                 code!(cga_rt::Successor::Leaf(#name))
             }
             Target::Rule { .. } => {
@@ -131,7 +131,7 @@ impl Generator<'_> {
             match target {
                 Target::Nil if !self.plan.vanishes(target, rule) => code!(division.skip(row.slot(#slot));),
                 Target::Leaf(name) => {
-                    let name = self.leaves.number(name);
+                    let name = self.leaf(name);
                     code!(division.leaf(cx, row.slot(#slot), #axis, #name)?;)
                 }
                 Target::Nil | Target::Rule { .. } => {

@@ -167,7 +167,7 @@ impl Generator<'_> {
         let code = match global.value.kind {
             ExprKind::Value(_) => code,
             _ => {
-                let number = stream(&global.name);
+                let number = Literal::u32_suffixed(global.stream());
                 code!(cga_rt::renew(shape, #number, |shape| #code))
             }
         };
@@ -224,11 +224,4 @@ pub(super) fn renewed(grammar: &Grammar) -> Vec<String> {
 /// The number of an attribute or constant in a shape.
 fn number(id: GlobalId) -> Literal {
     Literal::u32_suffixed(id.0)
-}
-
-/// The number of an attribute's or constant's random stream: from its name (FNV-1a), so that adding another one changes
-/// nothing.
-pub(super) fn stream(name: &str) -> Literal {
-    let hash = |hash: u32, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193);
-    Literal::u32_suffixed(name.bytes().fold(0x811c_9dc5, hash))
 }

@@ -135,7 +135,8 @@ impl<'g> Printer<'g> {
             None => name(init),
         };
         if !grammar.init.is_empty() {
-            let text = format!("init {}", grammar.init.iter().map(init).collect::<Vec<_>>().join(", "));
+            let settled = if self.plan.has_settled_values() { " [once a session]" } else { "" };
+            let text = format!("init {}{settled}", grammar.init.iter().map(init).collect::<Vec<_>>().join(", "));
             self.line(&text);
         }
         for (index, host) in grammar.hosts.iter().enumerate() {
@@ -145,6 +146,10 @@ impl<'g> Printer<'g> {
         if !grammar.starts.is_empty() {
             let names: Vec<String> = grammar.starts.iter().map(start).collect();
             self.line(&format!("start {}", names.join(", ")));
+        }
+        let leaves = self.plan.leaves.names();
+        if !leaves.is_empty() {
+            self.line(&format!("leaves {}", leaves.join(", ")));
         }
         for (number, rule) in grammar.rules.iter().enumerate() {
             self.rule = RuleId(number as u32);
