@@ -2,7 +2,7 @@
 //!
 //! Leaves come depth first, in writing order. Only where rules nest so deeply that [`STACK`] is used up, calls wait
 //! in a list. They run, first in first out, after the direct calls. The stack use of a call is an estimate of the
-//! code generator that follows from the rules alone, so the order is the same in every run and every build.
+//! compiler that follows from the rules alone, so the order is the same in every run and every build.
 
 use std::collections::VecDeque;
 use std::rc::Rc;

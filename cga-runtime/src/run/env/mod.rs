@@ -39,7 +39,7 @@ pub(crate) use trail::Trail;
 /// The largest nesting of functions that reserve stack, as CGA documents it (*CGA changelog 2014.1*).
 const DEEPEST_CALLS: u32 = 1024;
 
-/// The stack that functions may use, in bytes of a build without optimisation, by the estimate of the code generator.
+/// The stack that functions may use, in bytes of a build without optimisation, by the estimate of the compiler.
 /// A function that needs more can run only while no other does. Threads have two megabytes, of which rules have their
 /// share: see `STACK` in `run/context.rs`.
 const FUNCTIONS: u32 = 640 * 1024;

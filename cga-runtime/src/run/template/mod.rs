@@ -1,7 +1,7 @@
 //! Templates: repeated parts are derived once and replayed.
 //!
 //! A rule in a group that repeats is *rigid* if its result depends on the size of its shape alone, not on its place,
-//! seed or counters. The code generator knows the rigid rules. Such a rule is derived once at the origin, along the
+//! seed or counters. The compiler knows the rigid rules. Such a rule is derived once at the origin, along the
 //! axes of the world, and its leaves are kept: a *template*. A template is turned once for each base (a façade), and
 //! a repetition is the template moved to its place. This defines the positions below a repeat, whether a template was
 //! kept or is made again.
