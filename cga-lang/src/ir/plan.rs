@@ -6,7 +6,8 @@
 //! - the repeated parts that are templates ([`RunPlan::templates`]), and the calls that are holes in them ([`TemplateHoles`]),
 //! - the splits whose pieces are known, that are laid out in their rule, or that the runtime goes through ([`SplitForm`]),
 //! - the parts that need a seed or counters ([`PartNeeds`], [`RunPlan::reseeds`]),
-//! - the steps that work on the slim shape, and the material changes that are made once ([`ChangeForm`]),
+//! - the steps and expressions that work on the slim shape, and the material changes that are made once ([`ChangeForm`],
+//!   [`RunPlan::needs_whole`]),
 //! - the numbers of leaves and of rules ([`LeafNames`], [`TrailNumbers`]),
 //! - the rules in which `NIL` moves its neighbours, because their leaves are recomposed ([`RunPlan::vanishes`]).
 //!
@@ -38,6 +39,7 @@ mod trails;
 
 use crate::ir::facts::Facts;
 use crate::ir::{GlobalId, Grammar, RuleId, Slots, Target};
+use crate::ops::Uses;
 use std::collections::HashSet;
 
 pub use changes::{ChangeForm, SlimChange, reads_first_scope};
@@ -102,6 +104,11 @@ impl<'g> RunPlan<'g> {
     /// Returns true if no attribute and no constant depends on the initial shape: runs of several shapes share their values.
     pub fn has_settled_values(&self) -> bool {
         self.grammar.globals.iter().all(|global| !global.lazy && self.facts.expr(&global.value).is_none())
+    }
+
+    /// Returns true if a rule, an attribute or a constant reads or sets tags. Otherwise operations do not tag the edges that they make.
+    pub fn has_tags(&self) -> bool {
+        self.facts.all(self.grammar).has(Uses::TAGS)
     }
 
     /// Returns true for a `NIL` of the rule `from` that moves its neighbours: the shape vanishes from a recomposition.

@@ -2,7 +2,7 @@
 //! evaluated first and one by one, so that the borrows never overlap.
 
 use cga_lang::ir::{Binary, EachUnary, Expr, ExprKind, Global, Type, Value};
-use cga_lang::ops::{Function, Param, ParamKind, Uses, Words};
+use cga_lang::ops::{Function, Param, ParamKind, Words};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
@@ -16,7 +16,7 @@ use crate::output::{HostType, conversion, convert};
 impl Generator<'_> {
     /// An expression on a slim shape. It gets the whole shape if it reads more than the slim one has.
     fn on_slim(&self, expr: &Expr, at: &Access) -> TokenStream {
-        if !self.plan.facts.expr(expr).has(Uses::WHOLE) {
+        if !self.plan.needs_whole(expr) {
             return self.value(expr, &Access { is_slim: false, ..at.clone() });
         }
         let (env, slim, code) = (&at.env, &at.shape, self.value(expr, &Access::whole()));

@@ -4,7 +4,6 @@ use std::collections::HashMap;
 
 use cga_lang::ir::walk;
 use cga_lang::ir::{ExprKind, Global, GlobalId, RuleId, Type};
-use cga_lang::ops::Uses;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 
 use super::access::Access;
@@ -93,7 +92,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     let (name, label) = (header.ident(), header.label());
     let names = cx.plan.trails.names();
     let leaves = cx.plan.leaves.names();
-    let (is_settled, has_tags) = (cx.plan.has_settled_values(), cx.plan.facts.all(cx.grammar).has(Uses::TAGS));
+    let (is_settled, has_tags) = (cx.plan.has_settled_values(), cx.plan.has_tags());
     let starts = &cx.grammar.starts;
     let start_rows = starts.iter().map(attribute_table::start);
     let start_numbers = starts.iter().map(|start| Literal::u32_suffixed(start.rule.0));

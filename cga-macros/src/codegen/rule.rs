@@ -4,7 +4,7 @@ use cga_lang::ir::plan::{ChangeForm, SlimChange, reads_first_scope};
 use cga_lang::ir::{
     Block, BlockParts, Childless, Expr, Function, FunctionId, Param, Rule, RuleId, Step, StepKind, Target,
 };
-use cga_lang::ops::{Run, Uses};
+use cga_lang::ops::Run;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
@@ -96,7 +96,7 @@ impl Generator<'_> {
         let locals = self.locals(&function.params, &function.locals, &Access::function());
         let body = self.expr(&function.body, &Access::function());
         let body = code!({ #locals #body });
-        let shape = match self.plan.facts.function(id).has(Uses::WHOLE) {
+        let shape = match self.plan.function_needs_whole(id) {
             true => code!(cga_rt::Shape),
             false => code!(impl cga_rt::View),
         };

@@ -1,11 +1,11 @@
-//! The form of steps that change the current shape.
+//! The form of the current shape for the steps that change it and for expressions: slim or whole.
 //!
 //! A *slim* shape has the values that most steps change, and borrows the rest from a whole shape. Steps that follow each other take
 //! one form: they work on the slim shape if all of them can, else on a whole one.
 
 use super::RunPlan;
 use crate::ir::walk;
-use crate::ir::{ExprKind, Step, StepKind};
+use crate::ir::{Expr, ExprKind, FunctionId, Step, StepKind};
 use crate::ops::{Changes, Uses};
 
 /// The form of steps that follow each other.
@@ -39,6 +39,16 @@ impl RunPlan<'_> {
     pub fn change_form(&self, steps: &[Step]) -> ChangeForm {
         let slim: Option<Vec<SlimChange>> = steps.iter().map(|step| self.slim_change(step)).collect();
         slim.map_or(ChangeForm::Whole, ChangeForm::Slim)
+    }
+
+    /// Returns true if an expression reads more than a slim shape has: it is evaluated on a whole one.
+    pub fn needs_whole(&self, expr: &Expr) -> bool {
+        self.facts.expr(expr).has(Uses::WHOLE)
+    }
+
+    /// Returns true if a function reads more than a slim shape has.
+    pub fn function_needs_whole(&self, id: FunctionId) -> bool {
+        self.facts.function(id).has(Uses::WHOLE)
     }
 
     /// The change of a slim shape, if the step has such a form.

@@ -77,7 +77,7 @@ impl RuleStack {
     }
 
     /// Returns true if a call of the rule may have to wait.
-    pub fn may_wait(&self, rule: RuleId) -> bool {
+    pub(super) fn may_wait(&self, rule: RuleId) -> bool {
         self.may_wait[rule.0 as usize]
     }
 }

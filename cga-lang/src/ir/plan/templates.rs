@@ -54,7 +54,7 @@ impl TemplateHoles {
     }
 
     /// Returns true if a call of the rule is left out somewhere.
-    pub fn may_be_left_out(&self, rule: RuleId) -> bool {
+    pub(super) fn may_be_left_out(&self, rule: RuleId) -> bool {
         self.left_out.contains(&rule)
     }
 }

@@ -12,8 +12,7 @@ impl Printer<'_> {
         match &block.parts {
             BlockParts::Slots(slots) => {
                 self.line(&format!("{head} {}{}", pattern(&slots.pattern), self.split(block, slots)));
-                let notes = self.parts(slots);
-                self.slots(slots, &notes);
+                self.slots(slots, &self.parts(slots));
             }
             BlockParts::Arms(arms) => {
                 self.line(&head);
@@ -26,7 +25,8 @@ impl Printer<'_> {
             }
             BlockParts::Sections(parts) => {
                 self.line(&format!("{head} {}", pattern(&parts.slots.pattern)));
-                self.slots(&parts.slots, &[]);
+                let notes: Vec<String> = parts.slots.targets.iter().map(|target| self.call(target)).collect();
+                self.slots(&parts.slots, &notes);
                 self.depth += 1;
                 for (index, depth) in parts.depths.iter().enumerate() {
                     let text = format!("depth {index}: {}", self.expr(depth));
@@ -55,9 +55,8 @@ impl Printer<'_> {
             let text = format!("in {}: {}", solved.extent, if pieces.is_empty() { "nothing" } else { &pieces });
             self.line(&text);
         }
-        for (index, (own, target)) in slots.sizes.iter().zip(&slots.targets).enumerate() {
-            let note = notes.get(index).map_or("", String::as_str);
-            let text = format!("{index}: {} -> {}{note}", self.size(own), self.target(target));
+        for (index, ((own, target), note)) in slots.sizes.iter().zip(&slots.targets).zip(notes).enumerate() {
+            let text = format!("{index}: {} -> {}{note}", self.size(own), self.named(target));
             self.line(&text);
         }
         self.depth -= 1;

@@ -273,16 +273,20 @@ impl<'g> Printer<'g> {
         self.depth -= 1;
     }
 
+    /// A successor, with the decisions on it.
     fn target(&self, target: &Target) -> String {
-        let text = match target {
+        self.named(target) + &self.call(target)
+    }
+
+    fn named(&self, target: &Target) -> String {
+        match target {
             Target::Rule { rule, sites, args, .. } => {
                 let args = if args.is_empty() { String::new() } else { self.args(args) };
                 format!("{}{}{args}", self.grammar.rules[rule.0 as usize].name, passed(sites))
             }
             Target::Leaf(name) => format!("leaf {name}"),
             Target::Nil => "nil".into(),
-        };
-        text + &self.call(target)
+        }
     }
 
     fn arg(&self, arg: &Arg) -> String {

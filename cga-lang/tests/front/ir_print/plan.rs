@@ -20,6 +20,10 @@ impl Printer<'_> {
     /// The decisions on a successor of the rule that is printed: the stack that the call requests, if the call is a hole in a
     /// template, and if `NIL` moves its neighbours.
     pub(super) fn call(&self, target: &Target) -> String {
+        bracketed(&self.call_words(target))
+    }
+
+    fn call_words(&self, target: &Target) -> Vec<String> {
         let mut parts = Vec::new();
         if let Target::Rule { rule, .. } = target {
             if let Some(request) = self.plan.rule_stack.request(self.rule, *rule) {
@@ -35,7 +39,7 @@ impl Printer<'_> {
         if self.plan.vanishes(target, self.rule) {
             parts.push("vanishes".into());
         }
-        bracketed(&parts)
+        parts
     }
 
     /// By step, the form in which it changes the current shape: on the slim shape, and once a run or once a site if it is a
@@ -75,14 +79,15 @@ impl Printer<'_> {
         bracketed(&parts)
     }
 
-    /// By slot, the decisions on its parts: if a template is made of them, and if they need a seed or counters.
+    /// By slot, the decisions on its successor and on its parts: if a template is made of them, and if they need a seed or
+    /// counters.
     pub(super) fn parts(&self, slots: &Slots) -> Vec<String> {
         let templates = self.plan.templates(slots, self.rule);
         let parts = slots.targets.iter().zip(templates).map(|(target, template)| {
             let needs = self.plan.part_needs(target);
             let words = [(template.is_some(), "template"), (needs.draws, "seed"), (needs.counts, "counters")];
             let words = words.into_iter().filter(|(is_so, _)| *is_so).map(|(_, word)| word.to_owned());
-            bracketed(&words.collect::<Vec<_>>())
+            bracketed(&self.call_words(target).into_iter().chain(words).collect::<Vec<_>>())
         });
         parts.collect()
     }
