@@ -83,7 +83,7 @@ impl DensityCell {
     }
 }
 
-/// Cells are ordered by weight, and those of the same weight by number: the first is the largest.
+/// Cells are ordered by weight, and cells of the same weight by number: the first is the largest.
 impl Ord for DensityCell {
     fn cmp(&self, other: &Self) -> Ordering {
         self.step().cmp(&other.step()).then(other.number.cmp(&self.number))
