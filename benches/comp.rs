@@ -12,7 +12,7 @@ use std::time::Duration;
 
 use cga::glam::{DAffine3, DVec3};
 use cga::{Cuboid, Flow, Leaf, Mesh, Quad, Repeats, Settings, Shape, Sink, cga};
-use cga_runtime::geometry::mesh::{FaceTag, MeshBuilder};
+use cga_runtime::geometry::mesh::MeshBuilder;
 use common::clock::{fastest, nanoseconds_each};
 use common::table::{Table, number};
 
@@ -95,10 +95,10 @@ fn ball(rows: u32) -> Mesh {
         for i in 0..around {
             let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
             if j != 0 {
-                builder.face(&[a, b, c], &[], FaceTag::PLAIN);
+                builder.polygon(&[a, b, c]);
             }
             if j != rows - 1 {
-                builder.face(&[a, c, d], &[], FaceTag::PLAIN);
+                builder.polygon(&[a, c, d]);
             }
         }
     }
@@ -143,10 +143,8 @@ fn balls() {
             SECONDS,
             [
                 &mut || _ = black_box(by_hand(black_box(&mesh))),
-                &mut || {
-                    run(&|sink| drop(Together::default().generate_into(&shape, &settings, sink).expect("no error")))
-                },
-                &mut || run(&|sink| drop(Each::default().generate_into(&shape, &settings, sink).expect("no error"))),
+                &mut || run(&|sink| drop(Together::default().run(&shape, &settings, sink).expect("no error"))),
+                &mut || run(&|sink| drop(Each::default().run(&shape, &settings, sink).expect("no error"))),
             ],
         );
         let [hand, together, each] = best.map(|time| nanoseconds_each(time, faces));
@@ -169,10 +167,10 @@ fn boxes() {
     let [boxes, whole, asked, nothing]: [Duration; 4] = fastest(
         SECONDS,
         [
-            &mut || run(6000, &|sink| drop(Boxes::default().generate_into(&row, &settings, sink).expect("no error"))),
-            &mut || run(1000, &|sink| drop(Whole::default().generate_into(&row, &settings, sink).expect("no error"))),
-            &mut || run(0, &|sink| drop(Asked::default().generate_into(&row, &settings, sink).expect("no error"))),
-            &mut || run(0, &|sink| drop(Nothing::default().generate_into(&row, &settings, sink).expect("no error"))),
+            &mut || run(6000, &|sink| drop(Boxes::default().run(&row, &settings, sink).expect("no error"))),
+            &mut || run(1000, &|sink| drop(Whole::default().run(&row, &settings, sink).expect("no error"))),
+            &mut || run(0, &|sink| drop(Asked::default().run(&row, &settings, sink).expect("no error"))),
+            &mut || run(0, &|sink| drop(Nothing::default().run(&row, &settings, sink).expect("no error"))),
         ],
     );
     let mut table = Table::new("Components of a box", &["all six faces", "ns a box"]);

@@ -69,7 +69,7 @@ fn cylinder(sides: u32) -> Mesh {
         builder.face(&[i, j, sides + j, sides + i], &[], FaceTag::PLAIN);
     }
     for end in [(0..sides).rev().collect::<Vec<_>>(), (sides..2 * sides).collect()] {
-        builder.face(&end, &[], FaceTag::PLAIN);
+        builder.polygon(&end);
     }
     builder.build().expect("a cylinder")
 }
@@ -112,8 +112,8 @@ fn overlapping_tubes(count: u32) -> Mesh {
             [ring(0.0, 0.0), ring(0.05, 0.0), ring(0.0, 1.0), ring(0.05, 1.0)];
         for i in 0..4 {
             let j = (i + 1) % 4;
-            builder.face(&[outer[i], outer[j], upper_outer[j], upper_outer[i]], &[], FaceTag::PLAIN);
-            builder.face(&[inner[j], inner[i], upper_inner[i], upper_inner[j]], &[], FaceTag::PLAIN);
+            builder.polygon(&[outer[i], outer[j], upper_outer[j], upper_outer[i]]);
+            builder.polygon(&[inner[j], inner[i], upper_inner[i], upper_inner[j]]);
         }
         let turned = |[a, b, c, d]: [u32; 4]| [d, c, b, a];
         builder.face(&turned(outer), &[&inner], FaceTag::PLAIN);
@@ -202,8 +202,8 @@ fn compare(table: &mut Table, workload: &str, mesh: Mesh, axis: Axis, pieces: us
         kept = timed(&mut best[0], || {
             let mut sink = Keep::default();
             let made = match axis {
-                Axis::X => slices.generate_into(&shape, &settings, &mut sink),
-                _ => rings.generate_into(&shape, &settings, &mut sink),
+                Axis::X => slices.run(&shape, &settings, &mut sink),
+                _ => rings.run(&shape, &settings, &mut sink),
             };
             made.expect("no limit is reached");
             sink.0

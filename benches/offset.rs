@@ -58,9 +58,8 @@ fn row(table: &mut Table, name: &str, outline: &[[f64; 2]]) {
     let lot = Shape::footprint(outline, &[]).expect("a polygon");
     let run = || {
         let mut stats = Stats::new();
-        let report =
-            Swept::default().generate_into(&lot, &Settings::default(), &mut stats).expect("no limit is reached");
-        assert!(report.faults.is_empty(), "{name}: {:?}", report.faults);
+        let report = Swept::default().run(&lot, &Settings::default(), &mut stats).expect("no limit is reached");
+        assert!(report.faults().is_empty(), "{name}: {:?}", report.faults());
         stats
     };
     let mut work = || {
@@ -80,8 +79,8 @@ fn roofs(table: &mut Table, name: &str, outline: &[[f64; 2]]) {
         let mut work = || {
             let mut stats = Stats::new();
             let settings = Settings { start: Some(rule.to_string()), ..Settings::default() };
-            let report = Roofs::default().generate_into(&lot, &settings, &mut stats).expect("no limit is reached");
-            assert!(report.faults.is_empty(), "{name}: {:?}", report.faults);
+            let report = Roofs::default().run(&lot, &settings, &mut stats).expect("no limit is reached");
+            assert!(report.faults().is_empty(), "{name}: {:?}", report.faults());
             black_box(stats);
         };
         let [best] = fastest(0.25, [&mut work]);

@@ -98,7 +98,7 @@ fn row(table: &mut Table, name: &str, polygon: &Polygon) {
 
 fn sink<S: Sink>(table: &mut Table, name: &str, shape: &Shape, mut sink: S) -> S {
     let start = Instant::now();
-    Plain::default().generate_into(shape, &Settings::default(), &mut sink).expect("no limit is reached");
+    Plain::default().run(shape, &Settings::default(), &mut sink).expect("no limit is reached");
     table.row(name, &[number(start.elapsed().as_secs_f64() * 1e3, 1)]);
     sink
 }

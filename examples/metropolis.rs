@@ -11,8 +11,7 @@ use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::time::Instant;
 
 use cga::sink::buffers::{Buffers, Chunks};
-use cga::sink::error::WriteError;
-use cga::{Flow, Settings, Shape, Watch, cga};
+use cga::{Flow, Settings, Shape, Watch, WriteError, cga};
 
 cga! {
     /// Walls and windows on every side, in one of three colours.
@@ -54,7 +53,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let failed: Mutex<Option<WriteError>> = Mutex::new(None);
     for first in (0..lots).step_by(BATCH) {
         let shapes: Vec<Shape> = (first..lots.min(first + BATCH)).map(lot).collect();
-        let parts = grammar.generate_all_into(&shapes, &settings, |stretch| {
+        let parts = grammar.run_all(&shapes, &settings, |stretch| {
             let (triangles, chunks, largest, failed, folder) = (&triangles, &chunks, &largest, &failed, &folder);
             let (from, mut number) = (first + stretch.shapes.start, 0);
             Chunks::new(CHUNK, move |chunk: &Buffers| -> Flow {

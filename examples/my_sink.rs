@@ -56,7 +56,7 @@ impl Sink for Surfaces {
 fn main() -> Result<(), cga::Error> {
     let lot = Shape::footprint(&[[0.0, 18.0], [30.0, 18.0], [30.0, 0.0], [12.0, 0.0], [0.0, 8.0]], &[])?;
     let mut surfaces = Surfaces::default();
-    let report = Office::default().generate_into(&lot, &Settings::default(), &mut surfaces)?;
+    let report = Office::default().run(&lot, &Settings::default(), &mut surfaces)?;
     for (rule, (area, count)) in &surfaces.by_rule {
         println!("{rule:<8} {count:>5} pieces {area:>9.1} m²");
     }

@@ -69,7 +69,9 @@ pub use cga_runtime::grammar::session::DynSession;
 /// ```
 pub use cga_runtime::grammar::session::Session;
 pub use cga_runtime::material::{Channel, Color, ColorOf, Layer, LayerPart, Material, MaterialNumber, MaterialText};
-pub use cga_runtime::output::batches::{Batch, Batches, ShapeError};
+#[expect(deprecated, reason = "the old name")]
+pub use cga_runtime::output::batches::ShapeError;
+pub use cga_runtime::output::batches::{Batch, Batches, RunError};
 pub use cga_runtime::output::error::WriteError;
 pub use cga_runtime::output::model::{Geometry, LeafView, Leaves, Model};
 pub use cga_runtime::run::report::Report;
@@ -95,9 +97,17 @@ pub mod mesh {
     #[cfg(feature = "obj")]
     pub use cga_runtime::asset::obj::{ObjError, ObjFile, read_obj};
     pub use cga_runtime::geometry::mesh::check::Flaw;
-    pub use cga_runtime::geometry::mesh::{
-        Bounds, FaceRef, FaceTag, Mesh, MeshBuilder, MeshError, TagSet, UvAxis, UvExtent,
-    };
+    pub use cga_runtime::geometry::mesh::{Bounds, FaceRef, FaceTag, TagSet, UvAxis, UvExtent};
+
+    /// The old address of [`cga::Mesh`](crate::Mesh).
+    #[deprecated(note = "it is `cga::Mesh`")]
+    pub type Mesh = crate::Mesh;
+    /// The old address of [`cga::MeshBuilder`](crate::MeshBuilder).
+    #[deprecated(note = "it is `cga::MeshBuilder`")]
+    pub type MeshBuilder = crate::MeshBuilder;
+    /// The old address of [`cga::MeshError`](crate::MeshError).
+    #[deprecated(note = "it is `cga::MeshError`")]
+    pub type MeshError = crate::MeshError;
 }
 
 /// Texture coordinates of leaves that are rectangles or boxes: maps from points of the world.
@@ -105,12 +115,35 @@ pub mod texture {
     pub use cga_runtime::geometry::uv_map::{SetMap, UvMap};
 }
 
-/// The sink trait, and the sinks of this crate.
+/// The sinks of this crate, and what sinks receive besides the types that are beside [`cga::Sink`](crate::Sink).
 pub mod sink {
     #[cfg(feature = "gltf")]
     pub use cga_runtime::output::gltf;
-    pub use cga_runtime::output::{buffers, error, meshes, obj, picture, sink_table, stats, svg};
-    pub use cga_runtime::run::sink::{Axes, Cuboid, Filled, Flow, Leaf, PartId, Quad, Replay, Sink};
+    pub use cga_runtime::output::{buffers, meshes, obj, picture, sink_table, stats, svg};
+    /// A trait has no name that can be deprecated.
+    #[doc(hidden)]
+    pub use cga_runtime::run::sink::Sink;
+    pub use cga_runtime::run::sink::{Axes, Filled, PartId, Replay};
+
+    /// The old address of [`cga::Cuboid`](crate::Cuboid).
+    #[deprecated(note = "it is `cga::Cuboid`")]
+    pub type Cuboid = crate::Cuboid;
+    /// The old address of [`cga::Flow`](crate::Flow).
+    #[deprecated(note = "it is `cga::Flow`")]
+    pub type Flow = crate::Flow;
+    /// The old address of [`cga::Leaf`](crate::Leaf).
+    #[deprecated(note = "it is `cga::Leaf`")]
+    pub type Leaf<'a> = crate::Leaf<'a>;
+    /// The old address of [`cga::Quad`](crate::Quad).
+    #[deprecated(note = "it is `cga::Quad`")]
+    pub type Quad = crate::Quad;
+
+    /// The old address of [`cga::WriteError`](crate::WriteError).
+    pub mod error {
+        /// The old address of [`cga::WriteError`](crate::WriteError).
+        #[deprecated(note = "it is `cga::WriteError`")]
+        pub type WriteError = crate::WriteError;
+    }
 }
 
 /// Runs on many initial shapes, on several threads with the feature `rayon`. The results equal the results of a loop, to
@@ -135,7 +168,7 @@ pub mod sink {
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// [`run_all`](parallel::run_all) has a sink for each stretch of shapes. Grammars have a method that does the same:
+/// [`run_all`](parallel::run_all) has a sink for each stretch of shapes. Grammars have methods that do the same:
 ///
 /// ```
 /// # use cga::{Error, Settings, Shape, cga};
@@ -143,28 +176,28 @@ pub mod sink {
 /// # let lots: Vec<Shape> = (1..=100).map(|at| Shape::rectangle(f64::from(at), 10.0)).collect();
 /// use cga::sink::buffers::Buffers;
 ///
-/// let batches = House::default().generate_all_into(&lots, &Settings::default(), |_stretch| Buffers::new())?;
+/// let batches = House::default().run_all(&lots, &Settings::default(), |_stretch| Buffers::new())?;
 /// assert_eq!(batches.sinks().map(Buffers::triangle_count).sum::<usize>(), 200 * 12);
 /// assert_eq!(batches.iter().next_back().unwrap().shapes, 99..100);
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// [`derive_all`](parallel::derive_all) takes a grammar that is chosen at run time:
+/// The functions also take a grammar that is chosen at run time:
 ///
 /// ```
 /// # use cga::{Error, Grammar, Settings, Shape, cga};
 /// # cga! { grammar House; Lot --> extrude(6) split(y) { { 3 : Storey. }* } }
 /// # let lots: Vec<Shape> = (1..=100).map(|at| Shape::rectangle(f64::from(at), 10.0)).collect();
-/// use cga::parallel::derive_all;
+/// use cga::parallel::run_all;
 /// use cga::sink::stats::Stats;
 ///
 /// let chosen: Box<dyn Grammar + Sync> = Box::new(House::default());
-/// let batches = derive_all(&*chosen, &lots, &Settings::default(), |_stretch| Stats::new())?;
+/// let batches = run_all(&*chosen, &lots, &Settings::default(), |_stretch| Stats::new())?;
 /// assert_eq!(batches.report().leaves, 200);
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// A [`ShapeError`] has the index of the shape:
+/// A [`RunError`] has the index of the shape:
 ///
 /// ```
 /// # use cga::{Settings, Shape, cga};
@@ -175,8 +208,22 @@ pub mod sink {
 /// assert!(error.to_string().starts_with("initial shape 1: "));
 /// ```
 pub mod parallel {
-    pub use cga_runtime::grammar::parallel::{Stretch, derive_all, generate_all, run_all};
-    pub use cga_runtime::output::batches::{Batch, Batches, ShapeError};
+    #[expect(deprecated, reason = "the old name")]
+    pub use cga_runtime::grammar::parallel::derive_all;
+    pub use cga_runtime::grammar::parallel::{generate_all, run_all};
+
+    /// The old address of [`cga::Batch`](crate::Batch).
+    #[deprecated(note = "it is `cga::Batch`")]
+    pub type Batch<S> = crate::Batch<S>;
+    /// The old address of [`cga::Batches`](crate::Batches).
+    #[deprecated(note = "it is `cga::Batches`")]
+    pub type Batches<S> = crate::Batches<S>;
+    /// The old name of [`cga::RunError`](crate::RunError).
+    #[deprecated(note = "it is `cga::RunError`")]
+    pub type ShapeError = crate::RunError;
+    /// The old address of [`cga::Stretch`](crate::Stretch).
+    #[deprecated(note = "it is `cga::Stretch`")]
+    pub type Stretch = crate::Stretch;
 }
 
 /// Streets, sidewalks and junctions from centre lines: initial shapes with texture coordinates along and across.

@@ -1,7 +1,6 @@
 //! Rules and shapes for the test and the bench of stopped runs.
 
-use cga::mesh::{FaceTag, MeshBuilder};
-use cga::{Grammar as _, Shape};
+use cga::{Grammar as _, MeshBuilder, Shape};
 
 cga::cga! {
     pub grammar Every in "rules/one_operation.cga";
@@ -42,7 +41,7 @@ pub fn shapes() -> [Shape; 3] {
     let mut soup = MeshBuilder::new();
     for triangle in points.chunks_exact(3) {
         let corners: Vec<u32> = triangle.iter().map(|&corner| soup.point(corner)).collect();
-        soup.face(&corners, &[], FaceTag::PLAIN);
+        soup.polygon(&corners);
     }
     let soup = Shape::mesh(soup.build().expect("a mesh"));
     [flat(comb), flat(star), soup]

@@ -22,14 +22,14 @@ pub use crate::grammar::session::{DynSession, Session, generate, run, used_value
 pub use crate::grammar::support::{array, bake, branch, global, hidden, image, renew, string, text};
 pub use crate::grammar::{Evaluated, Field, Grammar, Unrunnable};
 pub use crate::op::{Length, set, slim};
-pub use crate::output::batches::{Batches, ShapeError};
+pub use crate::output::batches::{Batches, RunError};
 pub use crate::output::model::Model;
 pub use crate::query::get;
 pub use crate::run::context::{Cx, MaterialCx};
 pub use crate::run::env::Env;
 pub use crate::run::operand::operand;
 pub use crate::run::report::Report;
-pub use crate::run::rules::Rules;
+pub use crate::run::rules::{Compiled, Rules};
 pub use crate::run::settings::Settings;
 pub use crate::run::sink::{Flow, Sink};
 pub use crate::run::start_rule::StartRule;

@@ -57,7 +57,7 @@ fn building() -> Result<Mesh, Box<dyn Error>> {
     }
     for at in 0..4 {
         let next = (at + 1) % 4;
-        builder.face(&[floor[next], floor[at], roof[at], roof[next]], &[], FaceTag::PLAIN);
+        builder.polygon(&[floor[next], floor[at], roof[at], roof[next]]);
     }
     Ok(builder.build()?)
 }

@@ -57,7 +57,7 @@ pub(crate) fn cells() -> Result<Vec<Cell>, Box<dyn Error>> {
     let cloister = Shape::footprint(&CLOISTER, &[COURT.to_vec()])?;
     let mut builder = MeshBuilder::new();
     let corners = ROOF.map(|corner| builder.point(corner));
-    builder.face(&corners, &[], FaceTag::PLAIN);
+    builder.polygon(&corners);
     let roof = Shape::mesh_axis_aligned(builder.build()?);
     let flat = |pen: Pen, caption: &str| Cell {
         camera: Camera { margin: 0.03, ..Camera::auto(pen.model.bounds()) }.looking_from(0.0, 90.0).orthographic(),
@@ -163,7 +163,7 @@ fn result(shape: &Shape, distance: f64) -> Result<Pen, Box<dyn Error>> {
             if face.normal().y < 0.0 {
                 ring.reverse();
             }
-            builder.face(&ring, &[], FaceTag::PLAIN);
+            builder.polygon(&ring);
         }
         builder.build()
     };

@@ -107,7 +107,7 @@ impl Pen {
         (0..4).for_each(|at| {
             builder.face(&[ring[at], ring[(at + 1) % 4], tip], &[], FaceTag::PLAIN);
         });
-        builder.face(&[ring[3], ring[2], ring[1], ring[0]], &[], FaceTag::PLAIN);
+        builder.polygon(&[ring[3], ring[2], ring[1], ring[0]]);
         self.mesh(&Arc::new(builder.build().expect("an arrow head")), paint, DVec3::ZERO);
     }
 

@@ -5,7 +5,7 @@
 
 use std::error::Error;
 
-use cga::parallel::derive_all;
+use cga::parallel::run_all;
 use cga::sink::buffers::{Buffers, Chunks};
 use cga::sink::gltf::Glb;
 use cga::{Flow, Grammar, Repeats, Settings, Shape, Sink};
@@ -57,7 +57,7 @@ fn grammar(name: &str, grammar: &(dyn Grammar + Sync)) -> Result<(), Box<dyn Err
     let lots = (0..4).map(lot).collect::<Result<Vec<Shape>, cga::Error>>()?;
     let run = |repeats, sink: &mut dyn Sink| -> Result<(), cga::Error> {
         let settings = Settings { repeats, ..Settings::default() };
-        lots.iter().try_for_each(|lot| grammar.derive(lot, &settings, sink).map(drop))
+        lots.iter().try_for_each(|lot| grammar.run(lot, &settings, sink).map(drop))
     };
     for (way, repeats) in [("kept", Repeats::Kept), ("made again", Repeats::Again)] {
         let (mut flat, mut file) = (Buffers::new(), Glb::new());
@@ -69,7 +69,7 @@ fn grammar(name: &str, grammar: &(dyn Grammar + Sync)) -> Result<(), Box<dyn Err
             Hash::of(&file.into_bytes()?)
         );
     }
-    let parts = derive_all(grammar, &lots, &Settings::default(), |_| Buffers::new())?;
+    let parts = run_all(grammar, &lots, &Settings::default(), |_| Buffers::new())?;
     let hashes: Vec<String> = parts.sinks().map(|part| format!("{:016x}", buffers(part))).collect();
     println!("{name}, many at once: {}", hashes.join(" "));
     let mut hashes = Vec::new();

@@ -63,9 +63,9 @@ SINKS}
 "##;
 
 const SINKS: [&str; 3] = [
-    "    let mut out = Buffers::new();\n    rules.generate_into(&shape, &settings, &mut out).unwrap();\n    println!(\"{}\", out.triangle_count());\n",
-    "    let mut out = Model::new();\n    rules.generate_into(&shape, &settings, &mut out).unwrap();\n    println!(\"{}\", out.len());\n",
-    "    let mut out = Stats::new();\n    rules.generate_into(&shape, &settings, &mut out).unwrap();\n    println!(\"{}\", out.total().leaves);\n",
+    "    let mut out = Buffers::new();\n    rules.run(&shape, &settings, &mut out).unwrap();\n    println!(\"{}\", out.triangle_count());\n",
+    "    let mut out = Model::new();\n    rules.run(&shape, &settings, &mut out).unwrap();\n    println!(\"{}\", out.len());\n",
+    "    let mut out = Stats::new();\n    rules.run(&shape, &settings, &mut out).unwrap();\n    println!(\"{}\", out.total().leaves);\n",
 ];
 
 fn main() {

@@ -1,6 +1,5 @@
 //! *comp operation*, *comp attribute*: which faces a selector takes, in which order, and where their shapes stand.
 
-use cga::mesh::FaceTag;
 use cga::{Mesh, MeshBuilder, Model, Shape, cga};
 
 use cga_tests::pages::meshes;
@@ -86,7 +85,7 @@ fn leaning(degrees: f64) -> Shape {
     let mut builder = MeshBuilder::new();
     let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
     let points = corners.map(|[x, up]| builder.point([x, up * cos, -up * sin]));
-    builder.face(&points, &[], FaceTag::PLAIN);
+    builder.polygon(&points);
     Shape::mesh_axis_aligned(builder.build().unwrap())
 }
 
@@ -121,11 +120,11 @@ fn house() -> Mesh {
     let mut b = MeshBuilder::new();
     let gable = [[0.0, 0.0], [6.0, 0.0], [6.0, 3.0], [3.0, 5.0], [0.0, 3.0]];
     let [front, back] = [4.0, 0.0].map(|z| gable.map(|[x, y]| b.point([x, y, z])));
-    b.face(&front, &[], FaceTag::PLAIN);
-    b.face(&[back[1], back[0], back[4], back[3], back[2]], &[], FaceTag::PLAIN);
+    b.polygon(&front);
+    b.polygon(&[back[1], back[0], back[4], back[3], back[2]]);
     for at in 0..5 {
         let next = (at + 1) % 5;
-        b.face(&[front[next], front[at], back[at], back[next]], &[], FaceTag::PLAIN);
+        b.polygon(&[front[next], front[at], back[at], back[next]]);
     }
     b.build().unwrap()
 }

@@ -2,7 +2,6 @@
 //! along the axis, fill their scopes and leave nothing out.
 
 use cga::glam::{DMat3, DVec3};
-use cga::mesh::FaceTag;
 use cga::{Axis, LeafView, MeshBuilder, Model, Shape, cga};
 
 use cga_tests::pages::split_area::{block, corner, frame, shapes, triangle};
@@ -78,7 +77,7 @@ fn faces(list: &[&[[f64; 3]]]) -> Shape {
     let mut builder = MeshBuilder::new();
     for face in list {
         let corners: Vec<u32> = face.iter().map(|corner| builder.point(*corner)).collect();
-        builder.face(&corners, &[], FaceTag::PLAIN);
+        builder.polygon(&corners);
     }
     Shape::mesh(builder.build().expect("faces"))
 }

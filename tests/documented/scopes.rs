@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use cga::mesh::FaceTag;
 use cga::{Assets, MeshBuilder, Model, Settings, Shape, cga};
 
 cga! {
@@ -130,7 +129,7 @@ fn block(low: [f64; 3], size: [f64; 3]) -> cga::Mesh {
         builder.point([point.x + low[0], point.y + low[1], point.z + low[2]]);
     }
     for face in mesh.faces() {
-        builder.face(face.outer(), &[], FaceTag::PLAIN);
+        builder.polygon(face.outer());
     }
     builder.build().unwrap()
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use cga::glam::{DAffine3, DMat3, DVec3};
-use cga::mesh::{Bounds, FaceTag};
+use cga::mesh::Bounds;
 use cga::{Color, Cuboid, Frame, Leaf, LeafView, Material, Mesh, MeshBuilder, Model, Scope, Shape, Sink};
 
 use crate::pages::example::{Example, Mark};
@@ -153,11 +153,11 @@ fn arrow(length: f64, width: f64, head: f64) -> Mesh {
     let tip = builder.point([length, 0.0, 0.0]);
     for at in 0..4 {
         let next = (at + 1) % 4;
-        builder.face(&[start[at], start[next], end[next], end[at]], &[], FaceTag::PLAIN);
-        builder.face(&[base[at], base[next], tip], &[], FaceTag::PLAIN);
+        builder.polygon(&[start[at], start[next], end[next], end[at]]);
+        builder.polygon(&[base[at], base[next], tip]);
     }
     for [a, b, c, d] in [start, base] {
-        builder.face(&[d, c, b, a], &[], FaceTag::PLAIN);
+        builder.polygon(&[d, c, b, a]);
     }
     builder.build().expect("an arrow")
 }

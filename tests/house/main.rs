@@ -1,6 +1,7 @@
 //! Promises of the repository about itself: its layers, packages, links and pages.
 
 mod guide;
+mod interface;
 mod layers;
 mod links;
 mod packages;

@@ -115,7 +115,7 @@ fn a_program_can_choose_among_grammars() {
     assert_eq!(models.collect::<Vec<_>>(), ["Wall", "Flat", "Value"]);
     assert_eq!(list.iter().map(|grammar| grammar.name()).collect::<Vec<_>>(), ["House", "Flat", ""]);
     let mut model = Model::new();
-    let report = list[0].derive(&lot(), &Settings::default(), &mut model as &mut dyn Sink).expect("no limit");
+    let report = list[0].run(&lot(), &Settings::default(), &mut model as &mut dyn Sink).expect("no limit");
     assert_eq!(report.leaves as usize, model.len());
 }
 
@@ -187,7 +187,7 @@ fn shares_of_a_stochastic_rule_hold_over_many_seeds() {
     };
     let mut model = Model::new();
     for seed in 0..10_000 {
-        rules.generate_into(&lot().seed(seed), &Settings::default(), &mut model).expect("no limit");
+        rules.run(&lot().seed(seed), &Settings::default(), &mut model).expect("no limit");
     }
     // Three standard deviations are below 150.
     for (name, expected) in [("A", 3000), ("B1", 1000), ("B2", 1000), ("One", 2000), ("Two", 3000)] {

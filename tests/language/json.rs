@@ -173,7 +173,7 @@ fn settings_are_read_and_written() {
 fn reports_are_written() {
     let mut house = house();
     house.set_values_json(r#"{ "storeys": 3 }"#).expect("it is allowed");
-    let derived = house.derive(&Shape::rectangle(3.0, 4.0), &Settings::default(), &mut cga::Model::new());
+    let derived = house.run(&Shape::rectangle(3.0, 4.0), &Settings::default(), &mut cga::Model::new());
     let report = serde_json::to_value(derived.expect("a report")).expect("JSON");
     assert_eq!((&report["leaves"], &report["stopped"]), (&json!(1), &json!(false)));
     assert_eq!(

@@ -24,6 +24,7 @@ mod inline;
 mod json;
 mod lazy;
 mod locals;
+mod old_names;
 mod old_spellings;
 mod operations;
 mod operators;

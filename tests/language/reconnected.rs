@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use cga::mesh::{FaceRef, Mesh};
-use cga::{Model, Settings, Shape, cga};
+use cga::mesh::FaceRef;
+use cga::{Mesh, Model, Settings, Shape, cga};
 
 use crate::clean;
 

@@ -1,11 +1,10 @@
 //! Threads may share grammars, shapes, settings and models.
 
-use cga::parallel::Batches;
 use cga::sink::buffers::Buffers;
 use cga::street::{Centerline, Network};
 use cga::{
-    Array, Assets, Attribute, AttributeError, Error, Fault, Grammar, Mesh, Model, Report, Settings, Shape, ShapeError,
-    Text, Value, Watch, cga,
+    Array, Assets, Attribute, AttributeError, Batches, Error, Fault, Grammar, Mesh, Model, Report, RunError, Settings,
+    Shape, Text, Value, Watch, cga,
 };
 
 cga! {
@@ -27,7 +26,7 @@ fn data_can_be_shared_between_threads() {
     shared::<(Shape, Settings, Assets, Watch)>();
     shared::<(Model, Report, Batches<Model>, Batches<Buffers>, Mesh)>();
     shared::<(Value, Text, Array<f64>, Array<Text>, Attribute)>();
-    shared::<(Error, Fault, AttributeError, ShapeError)>();
+    shared::<(Error, Fault, AttributeError, RunError)>();
     shared::<(Centerline, Network)>();
     let (text, number) = (String::from("a"), 3.0);
     shared_value(&cga! { Lot --> print("" + #text) extrude(#number) House. });

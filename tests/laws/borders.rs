@@ -39,8 +39,8 @@ impl Tally {
     fn add(&mut self, walls: &Walls, shape: &Shape, repeats: Repeats) {
         let settings = Settings { repeats, ..Settings::default() };
         let (mut model, mut buffers) = (Model::new(), Buffers::new());
-        assert!(walls.generate_into(shape, &settings, &mut model).is_ok());
-        assert!(walls.generate_into(shape, &settings, &mut buffers).is_ok());
+        assert!(walls.run(shape, &settings, &mut model).is_ok());
+        assert!(walls.run(shape, &settings, &mut buffers).is_ok());
         let corners = model.leaves().flat_map(|leaf| {
             let (mesh, placement) = leaf.mesh();
             mesh.points().iter().map(|point| placement.transform_point3(*point)).collect::<Vec<_>>()

@@ -15,7 +15,7 @@ fn lot(width: f64, height: f64) -> Shape {
 
 fn outcome(grammar: &dyn Grammar, settings: &Settings, shape: &Shape) -> Outcome {
     let mut model = Model::new();
-    let report = grammar.derive(shape, settings, &mut model);
+    let report = grammar.run(shape, settings, &mut model);
     Outcome { model, report: report.map_err(|error| error.to_string()), replayed: 0 }
 }
 
@@ -31,7 +31,7 @@ fn a_fault_that_is_said_once_is_said_where_no_template_is_made() {
     for repeats in [Repeats::Kept, Repeats::Again, Repeats::Direct] {
         let settings = Settings { repeats, ..Settings::default() };
         let run = outcome(&Unready::default(), &settings, &lot(5.0, 5.0));
-        assert_eq!(run.report.map(|report| report.faults.len()), Ok(1), "{repeats:?}");
+        assert_eq!(run.report.map(|report| report.faults().len()), Ok(1), "{repeats:?}");
     }
 }
 

@@ -1,8 +1,8 @@
 //! The comparison of two runs.
 
 use cga::glam::DVec2;
-use cga::mesh::{FaceTag, Mesh};
-use cga::{Collection, Fault, LeafView, Model, Report};
+use cga::mesh::FaceTag;
+use cga::{Collection, Fault, LeafView, Mesh, Model, Report};
 
 /// The result of a run.
 pub(crate) struct Outcome {
@@ -129,8 +129,8 @@ fn reports(a: &Report, b: &Report, tolerance: Tolerance) -> Difference {
         kinds
     };
     let keys = |report: &Report| report.reports().iter().map(|it| (it.key().to_owned(), it.ty())).collect::<Vec<_>>();
-    same("the faults", &kinds(&a.faults), &kinds(&b.faults))
-        .or_else(|| same("the faults left out", &a.faults_left_out, &b.faults_left_out))
+    same("the faults", &kinds(a.faults()), &kinds(b.faults()))
+        .or_else(|| same("the faults left out", &a.faults_left_out(), &b.faults_left_out()))
         .or_else(|| same("the keys of reports", &keys(a), &keys(b)))
         .or_else(|| a.reports().iter().zip(b.reports().iter()).find_map(|(a, b)| collections(a, b, tolerance)))
         .or_else(|| same("the number of shapes", &a.shapes, &b.shapes))

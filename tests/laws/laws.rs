@@ -1,6 +1,6 @@
 //! The laws: two ways to run a grammar that must give the same.
 
-use cga::parallel::derive_all;
+use cga::parallel::run_all;
 use cga::sink::buffers::{Buffers, Chunks};
 use cga::{Error, Flow, Grammar, Limits, Model, Repeats, Report, Settings, Shape, Sink};
 
@@ -48,14 +48,14 @@ impl Case<'_> {
 
     fn model(&self, settings: &Settings, shape: &Shape) -> Outcome {
         let mut model = Model::new();
-        let report = self.grammar.derive(shape, settings, &mut model);
+        let report = self.grammar.run(shape, settings, &mut model);
         Outcome { model, report: report.map_err(|error| error.to_string()), replayed: 0 }
     }
 
     fn buffers(&self, settings: &Settings, shape: &Shape) -> Buffers {
         let mut buffers = Buffers::new();
         // The report was compared already.
-        let _ = self.grammar.derive(shape, settings, &mut buffers);
+        let _ = self.grammar.run(shape, settings, &mut buffers);
         buffers
     }
 
@@ -63,7 +63,7 @@ impl Case<'_> {
     fn serial(&self, sink: &mut dyn Sink) -> Result<Report, (usize, Error)> {
         let mut sum = Report::default();
         for (at, shape) in self.shapes.iter().enumerate() {
-            let report = self.grammar.derive(shape, &self.settings, sink).map_err(|error| (at, error))?;
+            let report = self.grammar.run(shape, &self.settings, sink).map_err(|error| (at, error))?;
             sum.merge(report, &self.settings.limits);
         }
         Ok(sum)
@@ -76,7 +76,7 @@ fn boxes(case: &Case<'_>) -> (Option<String>, Option<Outcome>) {
     let run = |shape: &Shape| {
         let mut few = Few::new();
         let settings = Settings { limits, ..case.settings.clone() };
-        let report = case.grammar.derive(shape, &settings, &mut few);
+        let report = case.grammar.run(shape, &settings, &mut few);
         Outcome { model: few.model, report: report.map_err(|error| error.to_string()), replayed: 0 }
     };
     let [left, right] = [run(&case.shapes[0]), run(&case.shapes[0].clone().held_as_meshes())];
@@ -98,7 +98,7 @@ fn again(case: &Case<'_>) -> (Option<String>, Option<Outcome>) {
         exact::buffers(&left, &right)
     });
     let mut replayed = Replayed::default();
-    let _ = case.grammar.derive(shape, &kept, &mut replayed);
+    let _ = case.grammar.run(shape, &kept, &mut replayed);
     left.replayed = replayed.leaves;
     (found, Some(left))
 }
@@ -146,7 +146,7 @@ fn parallel(case: &Case<'_>) -> (Option<String>, Option<Outcome>) {
     let mut model = Model::new();
     let serial = case.serial(&mut model);
     // `Model` has a part a shape, `Buffers` one for several.
-    let models = with_threads(threads, || derive_all(case.grammar, case.shapes, &case.settings, |_| Model::new()));
+    let models = with_threads(threads, || run_all(case.grammar, case.shapes, &case.settings, |_| Model::new()));
     let found = match (&serial, &models) {
         (Ok(report), Ok(models)) => {
             exact::texts("the report", &format!("{report:?}"), &format!("{:?}", models.report()))
@@ -157,7 +157,7 @@ fn parallel(case: &Case<'_>) -> (Option<String>, Option<Outcome>) {
         (serial, models) => Some(format!("the error: {:?} and {:?}", serial.as_ref().err(), models.as_ref().err())),
     };
     let found = found.or_else(|| {
-        let parts = with_threads(threads, || derive_all(case.grammar, case.shapes, &case.settings, |_| Buffers::new()));
+        let parts = with_threads(threads, || run_all(case.grammar, case.shapes, &case.settings, |_| Buffers::new()));
         let parts = parts.ok()?;
         let mut whole = Buffers::new();
         let _ = case.serial(&mut whole);

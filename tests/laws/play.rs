@@ -108,7 +108,7 @@ fn laws(seed: u64, make: Make, number: u64, counts: &mut Counts) -> Vec<String> 
             match &left.report {
                 Ok(report) => {
                     counts.prints += report.prints().len();
-                    counts.faults += report.faults.len();
+                    counts.faults += report.faults().len();
                     counts.ended += usize::from(report.stopped);
                 }
                 Err(_) => counts.ended += 1,

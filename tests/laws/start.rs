@@ -1,7 +1,6 @@
 //! Random start shapes and attributes, and the assets.
 
 use crate::random::Random;
-use cga::mesh::FaceTag;
 use cga::{Assets, Grammar, MeshBuilder, Shape, Value};
 use std::sync::Arc;
 
@@ -68,7 +67,7 @@ pub(crate) fn assets() -> Arc<Assets> {
     let mut builder = MeshBuilder::new();
     let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, 2.0, 0.0], [0.5, 1.0, 0.7]].map(|point| builder.point(point));
     for face in [[0, 1, 2], [1, 3, 2], [3, 0, 2], [1, 0, 3]] {
-        builder.face(&face.map(|at| points[at]), &[], FaceTag::PLAIN);
+        builder.polygon(&face.map(|at| points[at]));
     }
     Arc::new(Assets::new().with("tree", builder.build().expect("a mesh")))
 }

@@ -1,7 +1,6 @@
 //! *cleanupGeometry operation*, and the examples of other pages that clean up: *Geometry tagging*, *Shape recomposition*, *Boolean
 //! operations* and *modify operation*.
 
-use cga::mesh::FaceTag;
 use cga::{MeshBuilder, Shape};
 
 use super::example::{Example, example};
@@ -32,7 +31,7 @@ fn triangulated_house() -> Shape {
         for (column, row) in (0..COLUMNS).flat_map(|column| (0..rows).map(move |row| (column, row))) {
             let places = [at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)];
             let [a, b, c, d] = places.map(|place| builder.point(place));
-            builder.face(&[a, b, c], &[], FaceTag::PLAIN).face(&[a, c, d], &[], FaceTag::PLAIN);
+            builder.polygon(&[a, b, c]).polygon(&[a, c, d]);
         }
     };
     // The profile across the ridge: half the width, and the height.
@@ -57,7 +56,7 @@ fn triangulated_house() -> Shape {
         for (place, &corner) in ring.iter().enumerate() {
             let next = ring[(place + 1) % ring.len()];
             let triangle = if x == 10.0 { [next, corner, middle] } else { [corner, next, middle] };
-            builder.face(&triangle, &[], FaceTag::PLAIN);
+            builder.polygon(&triangle);
         }
     }
     Shape::mesh_axis_aligned(builder.build().expect("a house"))

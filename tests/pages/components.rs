@@ -2,7 +2,6 @@
 //!
 //! The rules are taken from the page, except where an example says otherwise. The page writes `X.` where it calls its rule `X`.
 
-use cga::mesh::FaceTag;
 use cga::{MeshBuilder, Shape};
 
 use super::example::{Example, example};
@@ -55,7 +54,7 @@ fn grid() -> Shape {
         let (x, z) = (f64::from(at % 10), f64::from(at / 10));
         let corners = [(x, z + 1.0), (x + 1.0, z + 1.0), (x + 1.0, z), (x, z)];
         let ring = corners.map(|(x, z)| builder.point([x / 10.0, 0.0, z / 10.0]));
-        builder.face(&ring, &[], FaceTag::PLAIN);
+        builder.polygon(&ring);
     }
     Shape::mesh(builder.build().expect("a plane"))
 }
@@ -79,7 +78,7 @@ fn triangle() -> Shape {
     let mut builder = MeshBuilder::new();
     for face in faces {
         let ring: Vec<u32> = face.iter().map(|[x, up]| builder.point([*x, 0.0, -up])).collect();
-        builder.face(&ring, &[], FaceTag::PLAIN);
+        builder.polygon(&ring);
     }
     Shape::mesh(builder.build().expect("a triangle"))
 }
@@ -93,7 +92,7 @@ fn tube() -> Shape {
     });
     let end = cylinder.face_count() - 1;
     for face in [end].into_iter().chain(0..end) {
-        builder.face(cylinder.face(face).outer(), &[], FaceTag::PLAIN);
+        builder.polygon(cylinder.face(face).outer());
     }
     Shape::mesh_axis_aligned(builder.build().expect("a cylinder"))
 }
@@ -116,7 +115,7 @@ fn roof() -> Shape {
     let faces: [&[usize]; 6] = [&[0, 1, 6], &[1, 2, 7, 6], &[2, 3, 8, 7], &[3, 4, 8], &[4, 5, 7, 8], &[5, 0, 6, 7]];
     for face in faces {
         let ring: Vec<u32> = face.iter().map(|&corner| p[corner]).collect();
-        builder.face(&ring, &[], FaceTag::PLAIN);
+        builder.polygon(&ring);
     }
     Shape::mesh_axis_aligned(builder.build().expect("a roof"))
 }

@@ -1,7 +1,6 @@
 //! *footprint*, *envelope* and *innerRectangle operations*.
 
 use cga::glam::DVec3;
-use cga::mesh::FaceTag;
 use cga::{Mesh, MeshBuilder, Shape};
 
 use super::example::{Example, example};
@@ -73,7 +72,7 @@ fn slanting_lots() -> Shape {
     for face in [[0, 4, 2, 1], [4, 3, 2, 2], [1, 2, 6, 5], [2, 7, 6, 6]] {
         let mut ring: Vec<u32> = face.iter().map(|&k: &usize| points[k]).collect();
         ring.dedup();
-        builder.face(&ring, &[], FaceTag::PLAIN);
+        builder.polygon(&ring);
     }
     Shape::mesh(builder.build().expect("faces"))
 }
@@ -87,7 +86,7 @@ fn row_of_lots() -> Shape {
         let (front, back) = ([x, 0.0, 0.0], [x + 19.5, 0.0, 0.0]);
         let ring = [front, back, [x + 23.0, 0.0, -depth(x + 23.0)], [x + 4.0, 0.0, -depth(x + 4.0)]];
         let ring = ring.map(|at| builder.point(at));
-        builder.face(&ring, &[], FaceTag::PLAIN);
+        builder.polygon(&ring);
     }
     Shape::mesh(builder.build().expect("lots")).seed(1)
 }

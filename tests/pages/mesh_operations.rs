@@ -107,7 +107,7 @@ fn slanted_lot() -> Shape {
     ];
     let mut builder = MeshBuilder::new();
     let points = outline.map(|[x, z]| builder.point([x, 0.0, z]));
-    builder.face(&points, &[], FaceTag::PLAIN);
+    builder.polygon(&points);
     Shape::mesh_axis_aligned(builder.build().expect("a lot"))
 }
 

@@ -16,7 +16,7 @@ fn circle(builder: &mut MeshBuilder, sides: u32, radius: f64, x: f64) -> Vec<u32
 fn wall(builder: &mut MeshBuilder, low: &[u32], high: &[u32]) {
     for at in 0..low.len() {
         let next = (at + 1) % low.len();
-        builder.face(&[low[at], low[next], high[next], high[at]], &[], FaceTag::PLAIN);
+        builder.polygon(&[low[at], low[next], high[next], high[at]]);
     }
 }
 
@@ -32,8 +32,8 @@ pub fn lying_cylinder(sides: u32, radius: f64, length: f64) -> Mesh {
     let mut builder = MeshBuilder::new();
     let [low, high] = [0.0, length].map(|x| circle(&mut builder, sides, radius, x));
     wall(&mut builder, &low, &high);
-    builder.face(&reversed(&low), &[], FaceTag::PLAIN);
-    builder.face(&high, &[], FaceTag::PLAIN);
+    builder.polygon(&reversed(&low));
+    builder.polygon(&high);
     builder.build().expect("a cylinder")
 }
 
@@ -72,7 +72,7 @@ pub fn sphere(sides: u32, rows: u32, radius: f64) -> Mesh {
             let on = |ring: &[u32], at: usize| ring[at % ring.len()];
             let mut face = vec![on(&pair[1], at), on(&pair[1], at + 1), on(&pair[0], at + 1), on(&pair[0], at)];
             face.dedup();
-            builder.face(&face, &[], FaceTag::PLAIN);
+            builder.polygon(&face);
         }
     }
     builder.build().expect("a sphere")
@@ -124,15 +124,15 @@ pub fn house() -> Mesh {
         for k in 0..4 {
             let ([ax, az], [bx, bz]) = (ring[k], ring[(k + 1) % 4]);
             let wall = [[ax, 0., az], [bx, 0., bz], [bx, high, bz], [ax, high, az]].map(|at| builder.point(at));
-            builder.face(&wall, &[], FaceTag::PLAIN);
+            builder.polygon(&wall);
         }
         let floor = ring.map(|[x, z]| builder.point([x, high.min(0.5), z]));
-        builder.face(&floor, &[], FaceTag::PLAIN);
+        builder.polygon(&floor);
     }
     // Gable roofs: the ridge along x over the house, along z over the wing.
     let mut roof = |corners: [[f64; 3]; 4]| {
         let face = corners.map(|at| builder.point(at));
-        builder.face(&face, &[], FaceTag::PLAIN);
+        builder.polygon(&face);
     };
     roof([[-1., 3.5, 9.], [13., 3.5, 9.], [13., 6., 4.], [-1., 6., 4.]]);
     roof([[13., 3.5, -1.], [-1., 3.5, -1.], [-1., 6., 4.], [13., 6., 4.]]);

@@ -1,6 +1,5 @@
 //! *setNormals* and *softenNormals operations*. The pages show pictures without rules.
 
-use cga::mesh::FaceTag;
 use cga::{MeshBuilder, Shape};
 
 use super::example::{Example, example};
@@ -50,7 +49,7 @@ fn houses() -> Shape {
                 ring.reverse();
             }
             number += 1;
-            builder.face(&ring, &[], FaceTag::PLAIN);
+            builder.polygon(&ring);
         }
     }
     Shape::mesh_axis_aligned(builder.build().expect("houses"))

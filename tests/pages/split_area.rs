@@ -3,7 +3,6 @@
 //! The outlines are taken from the page's pictures, in metres. The rules for the colours stand once on the page, which prints
 //! areas with them.
 
-use cga::mesh::FaceTag;
 use cga::{MeshBuilder, Shape};
 
 use super::example::{Example, example};
@@ -87,7 +86,7 @@ pub fn shapes() -> Shape {
     ];
     for face in faces {
         let upwards: Vec<u32> = face.iter().rev().copied().collect();
-        builder.face(&upwards, &[], FaceTag::PLAIN);
+        builder.polygon(&upwards);
     }
     Shape::mesh_axis_aligned(builder.build().expect("faces"))
 }

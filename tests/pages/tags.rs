@@ -2,7 +2,7 @@
 //! whose names end in a dot are the same in all pictures: bars for edges and balls for vertices.
 
 use cga::glam::DVec3;
-use cga::mesh::{FaceTag, TagSet};
+use cga::mesh::TagSet;
 use cga::{Mesh, MeshBuilder, Shape};
 
 use super::example::{Example, example};
@@ -55,7 +55,7 @@ pub fn quarter_cut_out() -> Shape {
     let mut builder = MeshBuilder::new();
     let corners = [[0.0, 0.0], [5.0, 0.0], [5.0, 5.0], [10.0, 5.0], [10.0, 10.0], [0.0, 10.0]];
     let points = corners.map(|[x, z]| builder.point([x, 0.0, -z]));
-    builder.face(&points, &[], FaceTag::PLAIN);
+    builder.polygon(&points);
     let tags = |name: &str| TagSet::new([name.into()]);
     for (k, of) in ["A", "B", "B", "A", "A", "A"].into_iter().enumerate() {
         builder.edge_tags([points[k], points[(k + 1) % 6]], &tags(&format!("e.{of}")));

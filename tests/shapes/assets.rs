@@ -82,7 +82,7 @@ fn a_rule_finds_what_is_beside_its_file() {
     );
     let width = |start: &str| {
         let model = folder.run(&City::default(), start);
-        assert!(model.report().faults.is_empty(), "{:?}", model.report().faults);
+        assert!(model.report().faults().is_empty(), "{:?}", model.report().faults());
         model.leaves().map(|leaf| leaf.size().x).collect::<Vec<_>>()
     };
     for (start, wanted) in [("Own", 3.0), ("Away", 3.0), ("Absolute", 5.0), ("Sized", 5.0), ("Replaced", 3.0)] {
@@ -110,7 +110,7 @@ fn what_a_search_finds_is_found_by_its_name() {
 fn what_an_absolute_path_does_not_name_is_missing() {
     let folder = Temporary::new("absolute", &[("assets/q.obj", &triangle(1.0)), ("../q.obj", &triangle(1.0))]);
     let model = folder.run(&City::default(), "Missing");
-    let faults: Vec<String> = model.report().faults.iter().map(|fault| fault.message.clone()).collect();
+    let faults: Vec<String> = model.report().faults().iter().map(|fault| fault.message.clone()).collect();
     assert_eq!(faults.len(), 2, "{faults:?}");
     assert!(faults[0].starts_with("`/q.obj` cannot be inserted"), "{}", faults[0]);
     assert!(faults[1].contains("below the asset folder only"), "{}", faults[1]);

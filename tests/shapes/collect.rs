@@ -52,7 +52,7 @@ impl<F: Fn(&Shape, &Settings, &mut Leaves) -> Result<Report, Error>> Run for F {
 fn once(run: &impl Run, shape: &Shape, repeats: Repeats) -> Leaves {
     let (settings, mut leaves) = (Settings { repeats, ..Settings::default() }, Leaves::default());
     let report = run(shape, &settings, &mut leaves).expect("no error");
-    assert!(report.faults.is_empty(), "{:?}", report.faults);
+    assert!(report.faults().is_empty(), "{:?}", report.faults());
     leaves
 }
 
@@ -69,7 +69,7 @@ pub(crate) fn generate(run: impl Run, shape: &Shape) -> Leaves {
 macro_rules! leaves {
     ($grammar:expr, $shape:expr) => {{
         let grammar = $grammar;
-        $crate::collect::generate(|shape, settings, sink| grammar.generate_into(shape, settings, sink), $shape)
+        $crate::collect::generate(|shape, settings, sink| grammar.run(shape, settings, sink), $shape)
     }};
 }
 

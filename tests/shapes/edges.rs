@@ -89,8 +89,7 @@ fn nothing_reaches_the_sink_after_a_limit() {
     for shapes in [1000, u64::MAX] {
         let limits = Limits { vertices: 10, shapes, ..Limits::default() };
         let mut model = Model::new();
-        let result =
-            rules.generate_into(&Shape::cuboid(1.0, 1.0, 1.0), &Settings { limits, ..Settings::default() }, &mut model);
+        let result = rules.run(&Shape::cuboid(1.0, 1.0, 1.0), &Settings { limits, ..Settings::default() }, &mut model);
         assert!(matches!(result, Err(Error::Limit { what: LimitKind::Vertices, .. })), "{result:?}");
         assert!(model.is_empty());
     }

@@ -2,7 +2,6 @@
 //! system; *alignScopeToGeometryBBox operation*, initial shape).
 
 use cga::glam::{DMat3, DQuat, DVec3};
-use cga::mesh::FaceTag;
 use cga::{Mesh, MeshBuilder, Model, Shape, cga};
 
 cga! {
@@ -21,7 +20,7 @@ fn faces(faces: &[&[[f64; 3]]]) -> Mesh {
     let mut builder = MeshBuilder::new();
     for corners in faces {
         let ring: Vec<u32> = corners.iter().map(|corner| builder.point(*corner)).collect();
-        builder.face(&ring, &[], FaceTag::PLAIN);
+        builder.polygon(&ring);
     }
     builder.build().expect("a mesh")
 }

@@ -153,7 +153,7 @@ fn settings() -> Settings {
 /// One file, by a run of its own for each shape.
 fn fresh(shapes: &[Shape], mut glb: Glb) -> Vec<u8> {
     for shape in shapes {
-        Street::default().generate_into(shape, &settings(), &mut glb).expect("no limit");
+        Street::default().run(shape, &settings(), &mut glb).expect("no limit");
     }
     glb.into_bytes().expect("a file")
 }
@@ -213,8 +213,8 @@ fn parts_in_the_material_of_their_shape_are_told_apart() {
     for at in 0..6 {
         let mut lot = Shape::cuboid(8.0, 3.0, 1.0).at([0.0, 0.0, 5.0 * f64::from(at)]);
         lot.set_color(Color::new(f64::from(at % 3) / 2.0, 0.5, 0.5));
-        Bays::default().generate_into(&lot, &settings(), &mut glb).expect("no limit");
-        Bays::default().generate_into(&lot, &settings(), &mut merged).expect("no limit");
+        Bays::default().run(&lot, &settings(), &mut glb).expect("no limit");
+        Bays::default().run(&lot, &settings(), &mut merged).expect("no limit");
     }
     let [merged, instanced] = [merged, glb].map(|glb| File::new(&glb.into_bytes().expect("a file")));
     assert_same(merged.triangles(), instanced.triangles());
@@ -225,7 +225,7 @@ fn parts_in_the_material_of_their_shape_are_told_apart() {
 fn a_part_at_one_place_is_no_instance() {
     for (width, has_instances) in [(2.0, false), (12.0, true)] {
         let mut glb = Glb::new().with_instances();
-        Bays::default().generate_into(&Shape::cuboid(width, 3.0, 1.0), &settings(), &mut glb).expect("no limit");
+        Bays::default().run(&Shape::cuboid(width, 3.0, 1.0), &settings(), &mut glb).expect("no limit");
         let file = File::new(&glb.into_bytes().expect("a file"));
         assert_eq!(!file.json["extensionsRequired"].is_null(), has_instances);
         assert_eq!(file.triangles().len(), 4 * (width / 2.0) as usize);
@@ -237,7 +237,7 @@ fn a_run_into_the_sink_and_a_model_give_the_same_bytes() {
     let shapes = lots(4);
     let mut model = cga::Model::new();
     for shape in &shapes {
-        Street::default().generate_into(shape, &settings(), &mut model).expect("no limit");
+        Street::default().run(shape, &settings(), &mut model).expect("no limit");
     }
     assert!(model.to_glb().expect("a file") == fresh(&shapes, Glb::new()));
 }
@@ -248,7 +248,7 @@ fn axes_that_are_no_rotation_make_no_instances() {
         let mut lot = Shape::cuboid(8.0, 3.0, 1.0);
         lot.set_scope(Scope { axes: DMat3::from_diagonal(DVec3::new(1.0, 1.0, depth)), ..*lot.scope() });
         let [merged, instanced] = [Glb::new(), Glb::new().with_instances()].map(|mut glb| {
-            Rows::default().generate_into(&lot, &settings(), &mut glb).expect("no limit");
+            Rows::default().run(&lot, &settings(), &mut glb).expect("no limit");
             File::new(&glb.into_bytes().expect("a file"))
         });
         assert_same(merged.triangles(), instanced.triangles());
@@ -311,8 +311,8 @@ fn triangles(buffers: &Buffers, placement: &DAffine3) -> Vec<Triangle> {
 fn a_sink_of_ones_own_can_take_instances() {
     let (mut scene, mut buffers) = (Scene::default(), Buffers::new());
     for shape in lots(2) {
-        Street::default().generate_into(&shape, &settings(), &mut scene).expect("no limit");
-        Street::default().generate_into(&shape, &settings(), &mut buffers).expect("no limit");
+        Street::default().run(&shape, &settings(), &mut scene).expect("no limit");
+        Street::default().run(&shape, &settings(), &mut buffers).expect("no limit");
     }
     let mut all = triangles(&scene.rest, &DAffine3::IDENTITY);
     for (mesh, places) in &scene.parts {

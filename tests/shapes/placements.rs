@@ -95,8 +95,7 @@ impl Sink for Lamps {
 #[test]
 fn sinks_get_placements_and_may_stop_there() {
     let mut lamps = Lamps::default();
-    let report =
-        Places {}.generate_into(&Shape::rectangle(4.0, 2.0), &Settings::default(), &mut lamps).expect("no error");
+    let report = Places {}.run(&Shape::rectangle(4.0, 2.0), &Settings::default(), &mut lamps).expect("no error");
     assert!(report.stopped && lamps.places.len() == 5 && lamps.meshes == 0);
     // A model passes them on, and itself to another model.
     let model = model("Lot", &Shape::rectangle(4.0, 2.0));

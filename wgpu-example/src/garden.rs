@@ -1,7 +1,7 @@
 //! The rules of the garden, and the mesh of its trees.
 
-use cga::mesh::{FaceTag, Mesh, MeshBuilder, MeshError};
-use cga::{Assets, Model, Settings, Shape, cga};
+use cga::mesh::FaceTag;
+use cga::{Assets, Mesh, MeshBuilder, MeshError, Model, Settings, Shape, cga};
 
 cga! {
     grammar Garden;

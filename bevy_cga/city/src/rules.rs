@@ -1,7 +1,6 @@
 //! The rules of streets, gardens and trees. Buildings have the rules of the example `district`.
 
-use cga::mesh::{FaceTag, Mesh, MeshBuilder, MeshError};
-use cga::{Assets, Settings, cga};
+use cga::{Assets, Mesh, MeshBuilder, MeshError, Settings, cga};
 
 cga! {
     pub grammar Ground;
@@ -61,7 +60,7 @@ pub(crate) fn crown() -> Result<Mesh, MeshError> {
                 }
                 for [a, b, c] in faces {
                     let face = if is_turned { [a, c, b] } else { [a, b, c] };
-                    builder.face(&face, &[], FaceTag::PLAIN);
+                    builder.polygon(&face);
                 }
             }
         }

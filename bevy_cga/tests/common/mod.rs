@@ -12,8 +12,8 @@ use bevy_ecs::prelude::*;
 use bevy_mesh::{Mesh3d, MeshPlugin};
 use bevy_transform::TransformPlugin;
 use bevy_transform::components::Transform;
-use cga::mesh::{FaceTag, Mesh, MeshBuilder};
-use cga::{Assets, Settings, Shape, Watch, cga};
+use cga::mesh::FaceTag;
+use cga::{Assets, Mesh, MeshBuilder, Settings, Shape, Watch, cga};
 
 cga! {
     /// A house with a row of trees.

@@ -129,6 +129,9 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     });
     code! {
         #[automatically_derived]
+        impl cga_rt::Compiled for #name {}
+
+        #[automatically_derived]
         impl cga_rt::Rules for #name {
             type Values = CgaValues;
             type Call = CgaCall;
@@ -237,7 +240,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
                 <Self as cga_rt::Rules>::STARTS
             }
 
-            fn derive(
+            fn run(
                 &self,
                 shape: &cga_rt::Shape,
                 settings: &cga_rt::Settings,

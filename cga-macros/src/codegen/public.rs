@@ -93,7 +93,7 @@ pub(crate) fn public(public: &Public, header: &Header) -> TokenStream {
     let methods_doc = code! {
         #[doc = ""]
         #[doc = "[`generate`](Self::generate) runs it on a shape, [`generate_from`](Self::generate_from) from another rule, and"]
-        #[doc = "[`generate_with`](Self::generate_with) with settings. [`generate_into`](Self::generate_into) fills a sink,"]
+        #[doc = "[`generate_with`](Self::generate_with) with settings. [`run`](Self::run) fills a sink,"]
         #[doc = "[`generate_all`](Self::generate_all) takes many shapes, and [`session`](Self::session) runs one after another."]
     };
     let methods = methods();
@@ -179,7 +179,7 @@ fn unrunnable(name: &Ident, label: &str) -> TokenStream {
                 &[]
             }
 
-            fn derive(
+            fn run(
                 &self,
                 _: &cga_rt::Shape,
                 _: &cga_rt::Settings,
@@ -256,6 +256,18 @@ fn methods() -> TokenStream {
 
         /// Runs on a shape and hands the leaves to a sink. This is the fast path: no model in between.
         #errors
+        pub fn run<Sink: cga_rt::Sink + ?::core::marker::Sized>(
+            &self,
+            shape: &cga_rt::Shape,
+            settings: &cga_rt::Settings,
+            sink: &mut Sink,
+        ) -> ::core::result::Result<cga_rt::Report, cga_rt::Error> {
+            cga_rt::run(self, shape, settings, sink)
+        }
+
+        /// The old name of `run`.
+        #errors
+        #[deprecated(note = "call `run`")]
         pub fn generate_into<Sink: cga_rt::Sink + ?::core::marker::Sized>(
             &self,
             shape: &cga_rt::Shape,
@@ -285,7 +297,7 @@ fn methods() -> TokenStream {
             &self,
             shapes: &[cga_rt::Shape],
             settings: &cga_rt::Settings,
-        ) -> ::core::result::Result<cga_rt::Batches<cga_rt::Model>, cga_rt::ShapeError> {
+        ) -> ::core::result::Result<cga_rt::Batches<cga_rt::Model>, cga_rt::RunError> {
             cga_rt::generate_all(self, shapes, settings)
         }
 
@@ -293,12 +305,26 @@ fn methods() -> TokenStream {
         ///
         /// # Errors
         /// The first error in the order of the shapes.
+        pub fn run_all<Sink: cga_rt::Sink + ::core::marker::Send>(
+            &self,
+            shapes: &[cga_rt::Shape],
+            settings: &cga_rt::Settings,
+            sink: impl ::core::ops::Fn(&cga_rt::Stretch) -> Sink + ::core::marker::Sync,
+        ) -> ::core::result::Result<cga_rt::Batches<Sink>, cga_rt::RunError> {
+            cga_rt::run_all(self, shapes, settings, sink)
+        }
+
+        /// The old name of `run_all`.
+        ///
+        /// # Errors
+        /// The first error in the order of the shapes.
+        #[deprecated(note = "call `run_all`")]
         pub fn generate_all_into<Sink: cga_rt::Sink + ::core::marker::Send>(
             &self,
             shapes: &[cga_rt::Shape],
             settings: &cga_rt::Settings,
             sink: impl ::core::ops::Fn(&cga_rt::Stretch) -> Sink + ::core::marker::Sync,
-        ) -> ::core::result::Result<cga_rt::Batches<Sink>, cga_rt::ShapeError> {
+        ) -> ::core::result::Result<cga_rt::Batches<Sink>, cga_rt::RunError> {
             cga_rt::run_all(self, shapes, settings, sink)
         }
     }

@@ -46,14 +46,17 @@ pub trait Grammar {
 
     /// The value of the attribute with an index in [`attributes`](Grammar::attributes). `None` while it is computed
     /// for each initial shape, and for an index out of range. [`get`](Grammar::get) reads by name.
+    #[doc(hidden)]
     fn attribute_get(&self, index: usize) -> Option<Value>;
 
     /// Sets an attribute by its index, unchecked. A value of another type changes nothing. [`set`](Grammar::set) sets
     /// by name.
+    #[doc(hidden)]
     fn attribute_set(&mut self, index: usize, value: Value);
 
     /// Sets the attribute with an index to its default. A default that is computed is computed for each initial shape
     /// again. An index out of range changes nothing. [`reset`](Grammar::reset) resets by name.
+    #[doc(hidden)]
     fn attribute_reset(&mut self, index: usize);
 
     /// A copy with the same values.
@@ -72,7 +75,16 @@ pub trait Grammar {
     ///
     /// # Errors
     /// See [`Error`].
-    fn derive(&self, shape: &Shape, settings: &Settings, sink: &mut dyn Sink) -> Result<Report, Error>;
+    fn run(&self, shape: &Shape, settings: &Settings, sink: &mut dyn Sink) -> Result<Report, Error>;
+
+    /// The old name of [`run`](Grammar::run).
+    ///
+    /// # Errors
+    /// See [`Error`].
+    #[deprecated(note = "call `run`")]
+    fn derive(&self, shape: &Shape, settings: &Settings, sink: &mut dyn Sink) -> Result<Report, Error> {
+        self.run(shape, settings, sink)
+    }
 
     /// Opens a session: several runs with the same settings that share their preparations. Grammars made by `cga!`
     /// check attributes and start rule here, other grammars when a run begins.
@@ -83,7 +95,7 @@ pub trait Grammar {
     /// # Errors
     /// An attribute is refused, or the start rule is unknown.
     fn session<'g>(&'g self, settings: &Settings) -> Result<Box<dyn DynSession + 'g>, Error> {
-        Ok(Box::new(session::DeriveSession { grammar: self, settings: settings.clone() }))
+        Ok(Box::new(session::SingleRuns { grammar: self, settings: settings.clone() }))
     }
 
     /// The value of an attribute by its name.
@@ -166,7 +178,7 @@ pub trait Grammar {
     /// See [`Error`].
     fn generate_with(&self, shape: &Shape, settings: &Settings) -> Result<Model, Error> {
         let mut model = Model::new();
-        let report = self.derive(shape, settings, &mut model)?;
+        let report = self.run(shape, settings, &mut model)?;
         Ok(model.with_report(report).with_assets(settings.assets.clone()))
     }
 }

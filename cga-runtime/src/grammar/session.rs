@@ -30,9 +30,9 @@ impl<G: Rules> fmt::Debug for Session<'_, G> {
     }
 }
 
-/// The decisions before the first run. Threads can share them, unlike a session.
+/// The decisions before the first run.
 #[derive(Debug)]
-pub(crate) struct Setup<'g, G> {
+struct Setup<'g, G> {
     grammar: &'g G,
     /// Borrowed by sessions that end before their caller does.
     settings: Cow<'g, Settings>,
@@ -41,16 +41,10 @@ pub(crate) struct Setup<'g, G> {
 
 impl<'g, G: Rules> Setup<'g, G> {
     /// Checks the attributes and finds the start rule.
-    pub(crate) fn new(grammar: &'g G, settings: Cow<'g, Settings>) -> Result<Self, Error> {
+    fn new(grammar: &'g G, settings: Cow<'g, Settings>) -> Result<Self, Error> {
         grammar.check()?;
         let start = derive::start_rule::<G>(settings.start.as_deref())?;
         Ok(Setup { grammar, settings, start })
-    }
-
-    /// Opens a session.
-    pub(crate) fn session(&self) -> Session<'g, G> {
-        let Setup { grammar, start, ref settings } = *self;
-        Session { setup: Setup { grammar, settings: settings.clone(), start }, kept: Kept::default() }
     }
 }
 
@@ -91,7 +85,7 @@ impl<'g, G: Rules> Session<'g, G> {
     }
 
     /// Runs on a shape, without echo.
-    pub(crate) fn outcome(&mut self, shape: &Shape, sink: &mut dyn Sink) -> RunOutcome {
+    fn outcome(&mut self, shape: &Shape, sink: &mut dyn Sink) -> RunOutcome {
         let Setup { grammar, settings, start } = &self.setup;
         if settings.watch.as_ref().is_some_and(|watch| watch.is_stopped()) {
             return RunOutcome { report: Report { stopped: true, ..Report::default() }, error: None };
@@ -110,23 +104,36 @@ pub trait DynSession {
     /// # Errors
     /// See [`Error`].
     fn run(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error>;
+
+    /// Runs on a shape, without echo, and keeps the report of a run that fails.
+    #[doc(hidden)]
+    fn outcome(&mut self, shape: &Shape, sink: &mut dyn Sink) -> RunOutcome {
+        match self.run(shape, sink) {
+            Ok(report) => RunOutcome { report, error: None },
+            Err(error) => RunOutcome { report: Report::default(), error: Some(error) },
+        }
+    }
 }
 
 impl<G: Rules> DynSession for Session<'_, G> {
     fn run(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error> {
         Session::run(self, shape, sink)
     }
+
+    fn outcome(&mut self, shape: &Shape, sink: &mut dyn Sink) -> RunOutcome {
+        Session::outcome(self, shape, sink)
+    }
 }
 
-/// A session of a grammar that only has `derive`.
-pub(crate) struct DeriveSession<'g, G: ?Sized> {
+/// A session of a grammar that only has `run`.
+pub(crate) struct SingleRuns<'g, G: ?Sized> {
     pub(crate) grammar: &'g G,
     pub(crate) settings: Settings,
 }
 
-impl<G: Grammar + ?Sized> DynSession for DeriveSession<'_, G> {
+impl<G: Grammar + ?Sized> DynSession for SingleRuns<'_, G> {
     fn run(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error> {
-        self.grammar.derive(shape, &self.settings, sink)
+        self.grammar.run(shape, &self.settings, sink)
     }
 }
 

@@ -108,7 +108,7 @@ impl Grammar for Tower {
         Ok(values.filter_map(|(index, attribute)| Some((attribute.name, self.attribute_get(index)?))).collect())
     }
 
-    fn derive(&self, _: &Shape, _: &Settings, _: &mut dyn Sink) -> Result<Report, Error> {
+    fn run(&self, _: &Shape, _: &Settings, _: &mut dyn Sink) -> Result<Report, Error> {
         Ok(Report::default())
     }
 }
@@ -222,7 +222,7 @@ fn a_grammar_that_only_derives_has_sessions_too() {
     let mut session = tower.session(&Settings::default()).expect("a session");
     let (mut left, mut right) = (Model::new(), Model::new());
     let shape = Shape::rectangle(1.0, 1.0);
-    let runs = (session.run(&shape, &mut left), tower.derive(&shape, &Settings::default(), &mut right));
+    let runs = (session.run(&shape, &mut left), tower.run(&shape, &Settings::default(), &mut right));
     assert_eq!(runs.0.map(|report| report.leaves).ok(), runs.1.map(|report| report.leaves).ok());
     assert_eq!(left.len(), right.len());
 }

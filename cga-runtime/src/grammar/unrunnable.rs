@@ -3,7 +3,7 @@
 use crate::fault::Error;
 use crate::run::context::Cx;
 use crate::run::env::Env;
-use crate::run::rules::Rules;
+use crate::run::rules::{Compiled, Rules};
 use crate::run::sink::Flow;
 use crate::run::start_rule::StartRule;
 use crate::shape::{Shape, ShapeRef};
@@ -12,6 +12,8 @@ use crate::value::Value;
 /// Marks a grammar whose rules have errors. Its sessions and parallel runs compile, so rustc reports the errors in
 /// the rules only. It never runs, as its program never builds.
 pub trait Unrunnable {}
+
+impl<T: Unrunnable> Compiled for T {}
 
 impl<T: Unrunnable> Rules for T {
     type Values = ();

@@ -96,7 +96,7 @@ impl<'a> IntoIterator for &'a Model {
 impl Model {
     /// The faults of single shapes, each with the rules that led there.
     pub fn faults(&self) -> &[Fault] {
-        &self.report.faults
+        self.report.faults()
     }
 
     /// The reported values, sorted by key (*report operation*). `to_string` makes a table of them.

@@ -48,7 +48,7 @@ impl<C> Kept<C> {
 
 /// The result of a run, with or without an error.
 #[derive(Debug, Default)]
-pub(crate) struct RunOutcome {
+pub struct RunOutcome {
     pub(crate) report: Report,
     pub(crate) error: Option<Error>,
 }

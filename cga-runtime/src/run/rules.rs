@@ -8,8 +8,12 @@ use crate::run::start_rule::StartRule;
 use crate::shape::{Shape, ShapeRef};
 use crate::value::Value;
 
-/// The interface of generated code. Not meant for implementation by hand.
-pub trait Rules {
+/// Marks grammars that `cga!` makes, so that no other type has [`Rules`].
+#[doc(hidden)]
+pub trait Compiled {}
+
+/// The interface of generated code, which `cga!` alone implements.
+pub trait Rules: Compiled {
     /// Attributes and constants, evaluated for one initial shape.
     #[doc(hidden)]
     type Values;

@@ -100,8 +100,7 @@ fn distance(origin: DVec3, direction: DVec3, [a, b, c]: [DVec3; 3]) -> Option<f6
 #[cfg(test)]
 mod tests {
     use cga::glam::DVec3;
-    use cga::mesh::{FaceTag, MeshBuilder};
-    use cga::{Assets, Model, Settings, Shape, cga};
+    use cga::{Assets, MeshBuilder, Model, Settings, Shape, cga};
 
     use super::Picker;
 
@@ -114,7 +113,7 @@ mod tests {
     fn row(at: [f64; 3]) -> Model {
         let mut builder = MeshBuilder::new();
         let [a, b, c] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|corner| builder.point(corner));
-        builder.face(&[a, b, c], &[], FaceTag::PLAIN);
+        builder.polygon(&[a, b, c]);
         let assets = Assets::new().with("wedge", builder.build().expect("a triangle"));
         let settings = Settings { assets: assets.into(), ..Settings::default() };
         Row::default().generate_with(&Shape::rectangle(4.0, 1.0).at(at), &settings).expect("a model")

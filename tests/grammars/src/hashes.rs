@@ -4,7 +4,7 @@ use crate::hash::{Hash, buffers};
 use crate::host::Make;
 use crate::random::Random;
 use crate::{start, write};
-use cga::parallel::derive_all;
+use cga::parallel::run_all;
 use cga::sink::buffers::Buffers;
 use cga::{Error, Grammar, Limits, Model, Report, Settings, Shape};
 use std::fmt::Write;
@@ -66,9 +66,9 @@ fn settings() -> Settings {
 /// Runs one shape, into a model and into buffers. Returns the line, and the run into the model.
 fn alone(grammar: &dyn Grammar, shape: &Shape) -> (String, Run) {
     let (mut model, mut flat) = (Model::new(), Buffers::new());
-    let report = grammar.derive(shape, &settings(), &mut model);
+    let report = grammar.run(shape, &settings(), &mut model);
     // The same report.
-    let _ = grammar.derive(shape, &settings(), &mut flat);
+    let _ = grammar.run(shape, &settings(), &mut flat);
     let hash = leaves(&model);
     let all = (model.len(), buffers(&flat), Hash::of(format!("{report:?}").as_bytes()));
     let line = format!("{} leaves {hash:016x}, buffers {:016x}, report {:016x}", all.0, all.1, all.2);
@@ -86,7 +86,7 @@ fn are_alike(grammar: &(dyn Grammar + Sync), runs: &[(Shape, Run)]) -> bool {
             hashes.push(*hash);
         }
     }
-    let models = derive_all(grammar, &shapes, &settings(), |_| Model::new());
+    let models = run_all(grammar, &shapes, &settings(), |_| Model::new());
     models.is_ok_and(|models| {
         format!("{:?}", models.report()) == format!("{sum:?}") && models.sinks().map(leaves).eq(hashes)
     })

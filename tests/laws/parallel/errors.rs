@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use cga::glam::DAffine3;
-use cga::{Error, Flow, Leaf, LimitKind, Limits, Mesh, Settings, Shape, ShapeError, Sink, cga};
+use cga::{Error, Flow, Leaf, LimitKind, Limits, Mesh, RunError, Settings, Shape, Sink, cga};
 
 use super::THREADS;
 use super::grammars::{Street, lots};
@@ -44,7 +44,7 @@ fn the_first_error_wins() {
 #[test]
 fn what_does_not_depend_on_a_shape_is_found_without_one() {
     let wrong = Settings { start: Some("Lit".into()), ..Settings::default() };
-    let ShapeError { shape, error, .. } = Wide::default().generate_all(&[], &wrong).expect_err("no such rule");
+    let RunError { shape, error, .. } = Wide::default().generate_all(&[], &wrong).expect_err("no such rule");
     assert!(shape.is_none() && matches!(error, Error::StartRule { .. }));
     let wide = Wide { piece: 10.0 };
     let error = wide.generate_all(&widths([1]), &Settings::default()).expect_err("out of range");
@@ -77,7 +77,7 @@ fn a_sink_that_ends_its_run_ends_the_whole_there() {
     for threads in THREADS {
         let finished = AtomicUsize::new(0);
         let batches = with_threads(threads, || {
-            Wide::default().generate_all_into(&shapes, &Settings::default(), |_| Few { room: 50, finished: &finished })
+            Wide::default().run_all(&shapes, &Settings::default(), |_| Few { room: 50, finished: &finished })
         });
         let batches = batches.expect("no limit");
         assert_eq!((batches.len(), batches.report().stopped, batches.report().leaves), (7, true, 6 * 10 + 50));
@@ -91,12 +91,12 @@ fn every_sink_is_finished_once_and_only_by_its_owner() {
         let finished = AtomicUsize::new(0);
         let sink = || Few { room: usize::MAX, finished: &finished };
         let batches = with_threads(threads, || {
-            Street::default().generate_all_into(&lots(700), &Settings::default(), |_| sink()).expect("no limit")
+            Street::default().run_all(&lots(700), &Settings::default(), |_| sink()).expect("no limit")
         });
         assert_eq!((batches.len(), finished.load(Ordering::Relaxed)), (234, 234));
         let mut one = sink();
         for lot in lots(3) {
-            assert!(Street::default().generate_into(&lot, &Settings::default(), &mut one).is_ok());
+            assert!(Street::default().run(&lot, &Settings::default(), &mut one).is_ok());
         }
         assert_eq!(finished.load(Ordering::Relaxed), 234);
     }

@@ -33,7 +33,7 @@ fn no_thread_has_two_workers_on_its_stack() {
     for _ in 0..20 {
         let at_work = Mutex::new(HashSet::new());
         let batches = with_threads(7, || {
-            Street::default().generate_all_into(&lots(20), &Settings::default(), |_| {
+            Street::default().run_all(&lots(20), &Settings::default(), |_| {
                 let is_new = at_work.lock().expect("no panic").insert(current().id());
                 assert!(is_new, "a worker within a worker");
                 Yielding { at_work: &at_work }

@@ -1,8 +1,8 @@
 //! The random grammars of `tests/laws` on random lists of shapes: a loop, threads and chunks give the same.
 
-use cga::parallel::{ShapeError, derive_all};
+use cga::parallel::run_all;
 use cga::sink::buffers::Buffers;
-use cga::{Error, Grammar, Limits, Model, Report, Settings, Shape, Sink};
+use cga::{Error, Grammar, Limits, Model, Report, RunError, Settings, Shape, Sink};
 
 use super::THREADS;
 use super::streamed::{chunks, triangles};
@@ -22,16 +22,13 @@ fn serial(
 ) -> Result<Report, (usize, Error)> {
     let mut sum = Report::default();
     for (at, shape) in shapes.iter().enumerate() {
-        sum.merge(grammar.derive(shape, settings, sink).map_err(|error| (at, error))?, &settings.limits);
+        sum.merge(grammar.run(shape, settings, sink).map_err(|error| (at, error))?, &settings.limits);
     }
     Ok(sum)
 }
 
 /// All bytes of a model. OBJ has coordinates with all digits of an f64.
-fn bytes(
-    glb: Result<Vec<u8>, cga::sink::error::WriteError>,
-    obj: (String, String),
-) -> (Result<Vec<u8>, String>, String) {
+fn bytes(glb: Result<Vec<u8>, cga::WriteError>, obj: (String, String)) -> (Result<Vec<u8>, String>, String) {
     (glb.map_err(|error| error.to_string()), obj.0 + &obj.1)
 }
 
@@ -51,7 +48,7 @@ fn random_grammars_give_the_same_in_parallel_and_streamed() {
             let mut model = Model::new();
             let expected = serial(&*grammar, &shapes, &settings, &mut model);
             let threads = *random.pick(&THREADS);
-            let batches = with_threads(threads, || derive_all(&*grammar, &shapes, &settings, |_| Model::new()));
+            let batches = with_threads(threads, || run_all(&*grammar, &shapes, &settings, |_| Model::new()));
             match (&expected, batches) {
                 (Ok(report), Ok(batches)) => {
                     assert_eq!(format!("{:?}", batches.report()), format!("{report:?}"), "{what}");
@@ -60,7 +57,7 @@ fn random_grammars_give_the_same_in_parallel_and_streamed() {
                     assert!(batches == model, "{what}");
                     (leaves, complete) = (leaves + report.leaves, complete + 1);
                 }
-                (Err((at, error)), Err(ShapeError { shape, error: other, .. })) => {
+                (Err((at, error)), Err(RunError { shape, error: other, .. })) => {
                     assert_eq!((Some(*at), error), (shape, &other), "{what}");
                     errors += 1;
                 }

@@ -1,9 +1,9 @@
 //! Serial, parallel and with any number of threads: the same bytes.
 
-use cga::parallel::{derive_all, run_all};
+use cga::parallel::run_all;
 use cga::sink::buffers::Buffers;
 use cga::sink::gltf::Glb;
-use cga::{Batches, FaultKind, Grammar, Limits, Model, Report, Rules, Settings, Shape};
+use cga::{Batches, FaultKind, Grammar, Limits, Model, Report, Settings, Shape};
 
 use super::THREADS;
 use super::grammars::{Deep, Park, Shared, Street, cases, lots, settings};
@@ -13,7 +13,7 @@ use crate::laws::with_threads;
 fn serial<S: cga::Sink>(grammar: &dyn Grammar, shapes: &[Shape], mut sink: S) -> (S, Report) {
     let (mut sum, settings) = (Report::default(), settings());
     for shape in shapes {
-        sum.merge(grammar.derive(shape, &settings, &mut sink).expect("no limit"), &Limits::default());
+        sum.merge(grammar.run(shape, &settings, &mut sink).expect("no limit"), &Limits::default());
     }
     (sink, sum)
 }
@@ -31,11 +31,11 @@ fn bits(buffers: &Buffers) -> String {
     )
 }
 
-fn buffers<G: Rules + Sync>(grammar: &G, shapes: &[Shape]) -> Batches<Buffers> {
+fn buffers<G: Grammar + Sync>(grammar: &G, shapes: &[Shape]) -> Batches<Buffers> {
     run_all(grammar, shapes, &settings(), |_| Buffers::new()).expect("no limit")
 }
 
-fn one_grammar<G: Rules + Grammar + Sync>(grammar: &G, shapes: &[Shape]) {
+fn one_grammar<G: Grammar + Sync>(grammar: &G, shapes: &[Shape]) {
     let (model, report) = serial(grammar, shapes, Model::new());
     let (glb, obj) = (model.to_glb().expect("a file"), model.to_obj("a.mtl"));
     let (one, _) = serial(grammar, shapes, Buffers::new());
@@ -83,9 +83,9 @@ fn the_grammars_have_what_is_compared() {
     let report = |grammar: &dyn Grammar| serial(grammar, &lots(14), Model::new()).1;
     let (street, park, deep) = (report(&Street::default()), report(&Park::default()), report(&Deep::default()));
     assert!(street.reported("area.lot").is_some() && !street.prints().is_empty() && !deep.prints().is_empty());
-    let kinds: Vec<_> = park.faults.iter().map(|fault| fault.kind).collect();
+    let kinds: Vec<_> = park.faults().iter().map(|fault| fault.kind).collect();
     assert!(kinds.contains(&FaultKind::Asset) && kinds.contains(&FaultKind::Value), "{kinds:?}");
-    assert!(park.faults.iter().any(|fault| 14 < fault.count));
+    assert!(park.faults().iter().any(|fault| 14 < fault.count));
     assert!(park.reported("tree").is_some_and(|tree| 1 < tree.texts().len()));
 }
 
@@ -110,9 +110,8 @@ fn grammars_that_are_chosen_at_run_time_run_in_parallel() {
         let grammar: &dyn Shared = &*grammar;
         let (model, report) = serial(grammar, &shapes, Model::new());
         for threads in THREADS {
-            let batches = with_threads(threads, || {
-                derive_all(grammar, &shapes, &settings(), |_| Model::new()).expect("no limit")
-            });
+            let batches =
+                with_threads(threads, || run_all(grammar, &shapes, &settings(), |_| Model::new()).expect("no limit"));
             assert_eq!(format!("{:?}", batches.report()), format!("{report:?}"));
             assert!(batches.to_glb().expect("a file") == model.to_glb().expect("a file"));
         }

@@ -30,7 +30,7 @@ fn a_session_fills_one_sink_as_single_runs_do() {
         let (mut shared, mut single) = (Model::new(), Model::new());
         for shape in shapes.iter().take(30) {
             assert!(session.run(shape, &mut shared).is_ok());
-            assert!(grammar.derive(shape, &settings, &mut single).is_ok());
+            assert!(grammar.run(shape, &settings, &mut single).is_ok());
         }
         // Instances in the file do not depend on where meshes are kept.
         assert!(shared.to_glb().expect("a file") == single.to_glb().expect("a file"));

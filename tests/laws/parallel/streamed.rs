@@ -5,7 +5,7 @@ use std::sync::Mutex;
 
 use cga::mesh::FaceTag;
 use cga::sink::buffers::{Buffers, Chunks, Submesh, Vertex};
-use cga::{Flow, Grammar, Material, Mesh, MeshBuilder, Settings, Shape, Sink, cga};
+use cga::{Flow, Material, Mesh, MeshBuilder, Settings, Shape, Sink, cga};
 
 use super::THREADS;
 use super::grammars::{cases, settings};
@@ -56,7 +56,7 @@ fn chunks_have_the_same_triangles() {
         let shapes = &shapes[..shapes.len().min(30)];
         let run = |sink: &mut dyn Sink| {
             for shape in shapes {
-                assert!(grammar.derive(shape, &settings(), sink).is_ok());
+                assert!(grammar.run(shape, &settings(), sink).is_ok());
             }
         };
         let mut whole = Buffers::new();
@@ -80,7 +80,7 @@ fn show(mesh: Mesh, sink: &mut dyn Sink) {
     let settings = Settings { assets, ..Settings::default() };
     for lot in 0..3 {
         let shape = Shape::cuboid(9.0, 9.0, 9.0).at([20.0 * f64::from(lot), 0.0, 0.0]);
-        assert!(Show::default().derive(&shape, &settings, sink).is_ok());
+        assert!(Show::default().run(&shape, &settings, sink).is_ok());
     }
 }
 
@@ -95,7 +95,7 @@ fn prism(corners: u32, textured: bool) -> Mesh {
         (0..corners).map(point).collect()
     };
     let (low, high) = (ring(0.0), ring(1.0));
-    builder.face(&high, &[], FaceTag::PLAIN);
+    builder.polygon(&high);
     builder.face(&low.iter().rev().copied().collect::<Vec<_>>(), &[], FaceTag::PLAIN);
     for at in 0..corners as usize {
         let next = (at + 1) % corners as usize;
@@ -138,7 +138,7 @@ fn a_chunk_that_is_refused_ends_the_run() {
         seen += 1;
         if seen == 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
-    let stopped = shapes.iter().map(|shape| grammar.derive(shape, &settings(), &mut sink).expect("no limit").stopped);
+    let stopped = shapes.iter().map(|shape| grammar.run(shape, &settings(), &mut sink).expect("no limit").stopped);
     assert!(stopped.collect::<Vec<_>>().iter().any(|&stopped| stopped));
     assert!(sink.finish().is_break());
     drop(sink);
@@ -150,13 +150,13 @@ fn stretches_stream_in_parallel() {
     let (grammar, shapes) = (super::grammars::Street::default(), super::grammars::lots(300));
     let mut whole = Buffers::new();
     for shape in &shapes {
-        assert!(grammar.derive(shape, &settings(), &mut whole).is_ok());
+        assert!(grammar.run(shape, &settings(), &mut whole).is_ok());
     }
     let mut sizes = Vec::new();
     for threads in THREADS {
         let all = Mutex::new(Vec::new());
         let parts = with_threads(threads, || {
-            grammar.generate_all_into(&shapes, &settings(), |stretch| {
+            grammar.run_all(&shapes, &settings(), |stretch| {
                 let (all, stretch, mut number) = (&all, stretch.number, 0);
                 Chunks::new(2048, move |chunk: &Buffers| {
                     number += 1;
@@ -197,8 +197,8 @@ fn far_from_the_origin_chunks_have_the_bits_of_whole_buffers() {
     })
     .with_origin(far);
     for shape in &shapes {
-        assert!(grammar.derive(shape, &settings(), &mut whole).is_ok());
-        assert!(grammar.derive(shape, &settings(), &mut sink).is_ok());
+        assert!(grammar.run(shape, &settings(), &mut whole).is_ok());
+        assert!(grammar.run(shape, &settings(), &mut sink).is_ok());
     }
     assert!(sink.finish().is_continue());
     drop(sink);
@@ -213,7 +213,7 @@ fn each_chunk_is_a_file() {
         files.push((chunk.triangle_count(), chunk.to_glb().expect("a file")));
         Flow::Continue(())
     });
-    assert!(grammar.derive(shape, &settings(), &mut sink).is_ok() && sink.finish().is_continue());
+    assert!(grammar.run(shape, &settings(), &mut sink).is_ok() && sink.finish().is_continue());
     drop(sink);
     assert!(2 < files.len());
     for (triangles, file) in files {

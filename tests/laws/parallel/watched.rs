@@ -82,7 +82,7 @@ fn a_stopped_watch_lets_nothing_begin() {
     let settings = Settings { watch: Some(watch.clone()), ..Settings::default() };
     let model = Street::default().generate_with(&lots(1)[0], &settings).expect("no error");
     assert!(model.is_empty() && model.report().stopped);
-    let batches = Street::default().generate_all_into(&lots(9), &settings, |_| Buffers::new()).expect("no error");
+    let batches = Street::default().run_all(&lots(9), &settings, |_| Buffers::new()).expect("no error");
     assert!(batches.report().stopped && batches.report().leaves == 0 && batches.len() == 1);
     assert_eq!(watch.progress().initial_shapes, 0);
 }
@@ -135,7 +135,6 @@ fn limits_hold_with_a_watch() {
     let limits = Limits { shapes: 40_000, ..Limits::default() };
     let with = |watch| Settings { limits, watch, ..Settings::default() };
     let shape = Shape::cuboid(1.0, 1.0, 1.0);
-    let error =
-        |settings: &Settings| Void::default().generate_into(&shape, settings, &mut Model::new()).expect_err("a limit");
+    let error = |settings: &Settings| Void::default().run(&shape, settings, &mut Model::new()).expect_err("a limit");
     assert_eq!(error(&with(None)), error(&with(Some(Watch::new()))));
 }

@@ -2,8 +2,10 @@
 
 use crate::random::Random;
 use cga::glam::DAffine3;
-use cga::sink::{Flow, Leaf, Sink};
-use cga::{Attribute, AttributeDefault, ChoiceValues, Error, Grammar, Limits, Mesh, Report, Settings, Shape, Value};
+use cga::{
+    Attribute, AttributeDefault, ChoiceValues, Error, Flow, Grammar, Leaf, Limits, Mesh, Report, Settings, Shape, Sink,
+    Value,
+};
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -116,7 +118,7 @@ pub(crate) fn run(grammar: &mut dyn Grammar, random: &mut Random, usual: bool) -
 pub(crate) fn derive(grammar: &dyn Grammar, start: &str, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error> {
     let limits = Limits { shapes: 5000, depth: 64, vertices: 50_000, waiting: 5000, prints: 5000, ..Limits::default() };
     let settings = Settings { start: Some(start.into()), limits, ..Settings::default() };
-    grammar.derive(shape, &settings, sink)
+    grammar.run(shape, &settings, sink)
 }
 
 /// Sets attributes, if they are not to be as usual, and makes an initial shape; says what.

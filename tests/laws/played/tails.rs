@@ -4,8 +4,7 @@ use crate::played::judge::Verdict;
 use crate::played::run::{derive, prepare};
 use crate::random::Random;
 use cga::glam::DAffine3;
-use cga::sink::{Flow, Leaf, Sink};
-use cga::{Grammar, Mesh};
+use cga::{Flow, Grammar, Leaf, Mesh, Sink};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 

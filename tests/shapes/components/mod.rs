@@ -9,7 +9,6 @@ mod propagated;
 mod tags;
 mod values;
 
-use cga::mesh::FaceTag;
 use cga::{Grammar, Mesh, MeshBuilder, Model, Shape};
 
 /// Faces without holes, with points that are shared by number.
@@ -18,7 +17,7 @@ fn mesh(points: &[[f64; 3]], faces: &[&[usize]]) -> Mesh {
     let points: Vec<u32> = points.iter().map(|point| builder.point(*point)).collect();
     for face in faces {
         let outer: Vec<u32> = face.iter().map(|&corner| points[corner]).collect();
-        builder.face(&outer, &[], FaceTag::PLAIN);
+        builder.polygon(&outer);
     }
     builder.build().expect("a mesh")
 }

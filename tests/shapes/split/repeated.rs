@@ -1,6 +1,6 @@
 //! A repetition is made from a template only where it is of the same size, unit mesh and material.
 
-use cga::{Grammar, Model, Repeats, Settings, Shape, cga};
+use cga::{Model, Repeats, Settings, Shape, cga};
 
 cga! {
     grammar Repeated;
@@ -21,7 +21,7 @@ cga! {
 fn leaves(rule: &str, shape: &Shape, repeats: Repeats) -> Vec<String> {
     let settings = Settings { start: Some(rule.to_owned()), repeats, ..Settings::default() };
     let mut model = Model::new();
-    Repeated::default().derive(shape, &settings, &mut model).expect("no limit");
+    Repeated::default().run(shape, &settings, &mut model).expect("no limit");
     let leaf = |leaf: cga::LeafView<'_>| {
         let (mesh, _) = leaf.mesh();
         let tags: Vec<_> = mesh.faces().map(|face| mesh.tag_sets().get(face.tag().tags as usize).cloned()).collect();

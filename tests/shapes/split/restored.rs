@@ -1,6 +1,6 @@
 //! A split changes its shape while it is under way; what follows in the rule finds it as it was.
 
-use cga::{Grammar, Model, Settings, Shape, cga};
+use cga::{Model, Settings, Shape, cga};
 
 cga! {
     grammar Restored;
@@ -29,7 +29,7 @@ fn check(rule: &str, shape: &Shape, pairs: &[&str]) {
     let settings = Settings { start: Some(rule.to_owned()), ..Settings::default() };
     for shape in [shape.clone(), shape.clone().held_as_meshes()] {
         let mut model = Model::new();
-        let report = Restored::default().derive(&shape, &settings, &mut model).expect("no limit");
+        let report = Restored::default().run(&shape, &settings, &mut model).expect("no limit");
         let lines: Vec<String> = report.prints().iter().map(ToString::to_string).collect();
         let expected: Vec<&str> = pairs.iter().flat_map(|line| [*line; 2]).collect();
         assert_eq!(lines, expected, "{rule}");

@@ -27,8 +27,8 @@ fn run(kind: u32) -> (Leaves, Vec<String>) {
     let assets = Arc::new(Assets::new().with("block", primitive::cube()));
     let settings = Settings { assets, ..Settings::default() };
     let (grammar, mut leaves) = (Rail { kind: f64::from(kind) }, Leaves::default());
-    let report = grammar.generate_into(&Shape::cuboid(10.0, 3.0, 1.0), &settings, &mut leaves).expect("no error");
-    (leaves, report.faults.iter().map(|fault| fault.message.clone()).collect())
+    let report = grammar.run(&Shape::cuboid(10.0, 3.0, 1.0), &settings, &mut leaves).expect("no error");
+    (leaves, report.faults().iter().map(|fault| fault.message.clone()).collect())
 }
 
 #[test]
@@ -87,7 +87,7 @@ fn copies_of_a_closed_asset_are_whole_and_closed_for_every_way_to_make_the_range
         let wall = Shape::cuboid(1.1 + 0.37 * number, 2.0 + 0.13 * number, 1.0);
         for shape in [wall.clone(), wall.at([1234.567 * number, 0.1, -98_765.4])] {
             let mut model = Model::new();
-            let report = grammar.generate_into(&shape, &settings, &mut model).expect("no error");
+            let report = grammar.run(&shape, &settings, &mut model).expect("no error");
             let sum = |key: &str| report.reported(key).expect("a report").summary().sum;
             assert_eq!(sum("faces"), 6.0 * sum("copies"), "kind {kind}, number {number}");
             assert!(model.leaves().all(|leaf| leaf.mesh().0.is_closed()), "kind {kind}, number {number}");

@@ -43,8 +43,8 @@ fn numbers_without_meaning_leave_faults_and_finite_coordinates() {
                 let grammar = Numbers { kind: f64::from(kind), x };
                 for shape in [Shape::cuboid(10.0, 8.0, 3.0), Shape::cuboid(10.0, 8.0, 3.0).held_as_meshes()] {
                     let mut model = Model::new();
-                    let report = grammar.generate_into(&shape.at([place; 3]), &Settings::default(), &mut model);
-                    let faults = report.map_or(usize::MAX, |report| report.faults.len());
+                    let report = grammar.run(&shape.at([place; 3]), &Settings::default(), &mut model);
+                    let faults = report.map_or(usize::MAX, |report| report.faults().len());
                     for leaf in model.leaves() {
                         let (mesh, _) = leaf.mesh();
                         for set in 0..10 {
@@ -144,7 +144,7 @@ cga! {
 #[test]
 fn more_looks_than_there_are_numbers() {
     let mut buffers = Buffers::new();
-    Looks::default().generate_into(&Shape::rectangle(2.0, 2.0), &Settings::default(), &mut buffers).expect("no error");
+    Looks::default().run(&Shape::rectangle(2.0, 2.0), &Settings::default(), &mut buffers).expect("no error");
     assert_eq!(buffers.vertices().len(), 4 * ((1 << 17) - 2));
 }
 
@@ -223,7 +223,7 @@ fn limits_and_ways_of_repeating_agree_about_the_looks() {
         let limits = Limits { shapes: 2000, ..Limits::default() };
         let mut buffers = Buffers::new();
         let settings = Settings { repeats, limits, ..Settings::default() };
-        let result = Looks::default().generate_into(&Shape::rectangle(2.0, 2.0), &settings, &mut buffers);
+        let result = Looks::default().run(&Shape::rectangle(2.0, 2.0), &settings, &mut buffers);
         (result.is_err(), buffers.uv_set(0).to_vec())
     };
     assert_eq!(run(Repeats::Kept), run(Repeats::Direct));

@@ -1,7 +1,7 @@
 //! Operations that keep faces and operations on texture coordinates, in all orders and on all ways out.
 
 use cga::glam::DVec2;
-use cga::mesh::{FaceTag, read_gltf};
+use cga::mesh::read_gltf;
 use cga::sink::buffers::Buffers;
 use cga::{MeshBuilder, Settings, Shape, cga};
 
@@ -102,9 +102,9 @@ fn mesh() -> Shape {
     let upright = [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [0.0, 1.0]];
     let uv = |[x, y]: [f64; 2]| DVec2::new(0.3 * x + 1.0, 0.7 * y - x);
     let corners = lying.map(|[x, y]| builder.point([x, 0.0, -y]));
-    builder.face(&corners, &[], FaceTag::PLAIN).uvs(&lying.map(uv));
+    builder.polygon(&corners).uvs(&lying.map(uv));
     let corners = upright.map(|[x, y]| builder.point([x, y - 1.0, 0.0]));
-    builder.face(&corners, &[], FaceTag::PLAIN).uvs(&upright.map(uv));
+    builder.polygon(&corners).uvs(&upright.map(uv));
     Shape::mesh(builder.build().expect("two faces"))
 }
 
@@ -126,7 +126,7 @@ fn partitioned(steps: [u32; 3], changes_first: bool) -> [u32; 3] {
 
 fn derived(start: u32, order: [u32; 3]) -> Leaves {
     let mut leaves = Leaves::default();
-    steps(start, order).generate_into(&input(start), &Settings::default(), &mut leaves).expect("no error");
+    steps(start, order).run(&input(start), &Settings::default(), &mut leaves).expect("no error");
     leaves
 }
 

@@ -2,7 +2,7 @@
 
 use cga::glam::{DVec2, DVec3};
 use cga::{Mesh, Shape, cga};
-use cga_runtime::geometry::mesh::{FaceTag, MeshBuilder};
+use cga_runtime::geometry::mesh::MeshBuilder;
 
 use crate::collect::{Leaves, leaves};
 
@@ -68,7 +68,7 @@ fn street(length: f64) -> Mesh {
         let ([a, d], [b, c]) = (points[row], points[row + 1]);
         let (low, high) = (row as f64 / rows as f64, (row + 1) as f64 / rows as f64);
         let uvs = [[low, 0.0], [high, 0.0], [high, 1.0], [low, 1.0]].map(DVec2::from_array);
-        builder.face(&[a, b, c, d], &[], FaceTag::PLAIN).uvs(&uvs);
+        builder.polygon(&[a, b, c, d]).uvs(&uvs);
     }
     builder.build().expect("a street")
 }

@@ -24,7 +24,7 @@ fn main() {
     run(&|shape| tower.generate(shape));
     tower.clone().generate_from("Lot", &shape).unwrap();
     tower.generate_with(&shape, &Settings::default()).unwrap();
-    tower.generate_into(&shape, &Settings::default(), &mut cga::Model::new()).unwrap();
+    tower.run(&shape, &Settings::default(), &mut cga::Model::new()).unwrap();
     tower.session(&Settings::default()).unwrap().run(&shape, &mut cga::Model::new()).unwrap();
     tower.generate_all(&[shape.clone()], &Settings::default()).unwrap().to_obj("tower.mtl");
     cga::parallel::run_all(&tower, &[shape.clone()], &Settings::default(), |_| cga::Model::new()).unwrap();

@@ -61,7 +61,7 @@ const _: () = {
         fn start_rules(&self) -> &'static [cga_rt::StartRule] {
             &[]
         }
-        fn derive(
+        fn run(
             &self,
             _: &cga_rt::Shape,
             _: &cga_rt::Settings,

@@ -1,7 +1,7 @@
 /// An office tower.
 ///
 ///[`generate`](Self::generate) runs it on a shape, [`generate_from`](Self::generate_from) from another rule, and
-///[`generate_with`](Self::generate_with) with settings. [`generate_into`](Self::generate_into) fills a sink,
+///[`generate_with`](Self::generate_with) with settings. [`run`](Self::run) fills a sink,
 ///[`generate_all`](Self::generate_all) takes many shapes, and [`session`](Self::session) runs one after another.
 #[derive(::core::clone::Clone, ::core::fmt::Debug)]
 pub struct Tower {

@@ -101,7 +101,7 @@ impl cga_rt::Grammar for Tower {
     fn start_rules(&self) -> &'static [cga_rt::StartRule] {
         <Self as cga_rt::Rules>::STARTS
     }
-    fn derive(
+    fn run(
         &self,
         shape: &cga_rt::Shape,
         settings: &cga_rt::Settings,

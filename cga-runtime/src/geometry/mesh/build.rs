@@ -48,6 +48,20 @@ impl MeshBuilder {
         self.given.add_point(DVec3::from(position.into()))
     }
 
+    /// Adds a face without holes, tags and material: its corners, counter-clockwise as seen from outside.
+    ///
+    /// ```
+    /// use cga_runtime::geometry::mesh::MeshBuilder;
+    ///
+    /// let mut builder = MeshBuilder::new();
+    /// let corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0]].map(|corner| builder.point(corner));
+    /// builder.polygon(&corners);
+    /// assert_eq!(builder.build().unwrap().area(), 6.0);
+    /// ```
+    pub fn polygon(&mut self, corners: &[u32]) -> &mut Self {
+        self.face(corners, &[], FaceTag::PLAIN)
+    }
+
     /// Adds a face: its outline, counter-clockwise as seen from outside, and its holes, clockwise.
     pub fn face(&mut self, outer: &[u32], holes: &[&[u32]], tag: FaceTag) -> &mut Self {
         for (number, ring) in std::iter::once(&outer).chain(holes).enumerate() {

@@ -73,26 +73,30 @@ impl<'a, S> IntoIterator for &'a Batches<S> {
 /// An error of one of many runs. `?` converts it to an [`Error`].
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct ShapeError {
+pub struct RunError {
     /// The index of the initial shape in the list; `None` if the error does not depend on a shape.
     pub shape: Option<usize>,
     /// The reason why its run ended.
     pub error: Error,
 }
 
-impl From<Error> for ShapeError {
+/// The old name of [`RunError`].
+#[deprecated(note = "it is called `RunError`")]
+pub type ShapeError = RunError;
+
+impl From<Error> for RunError {
     fn from(error: Error) -> Self {
-        ShapeError { shape: None, error }
+        RunError { shape: None, error }
     }
 }
 
-impl From<ShapeError> for Error {
-    fn from(error: ShapeError) -> Self {
+impl From<RunError> for Error {
+    fn from(error: RunError) -> Self {
         error.error
     }
 }
 
-impl fmt::Display for ShapeError {
+impl fmt::Display for RunError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(shape) = self.shape {
             write!(f, "initial shape {shape}: ")?;
@@ -101,7 +105,7 @@ impl fmt::Display for ShapeError {
     }
 }
 
-impl std::error::Error for ShapeError {
+impl std::error::Error for RunError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         Some(&self.error)
     }

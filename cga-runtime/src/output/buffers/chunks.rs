@@ -41,7 +41,7 @@ const MOST: usize = u32::MAX as usize / 2;
 ///     // `Break` ends the run.
 ///     ControlFlow::Continue(())
 /// });
-/// // … `grammar.generate_into(&shape, &settings, &mut chunks)?` for each shape, then:
+/// // … `grammar.run(&shape, &settings, &mut chunks)?` for each shape, then:
 /// let _ = chunks.finish();
 /// drop(chunks);
 /// assert_eq!(triangles, 0);

@@ -122,7 +122,7 @@ impl Glb {
     /// use cga_runtime::output::gltf::Glb;
     ///
     /// let glb = Glb::new().with_instances();
-    /// // … `grammar.generate_into(&shape, &settings, &mut glb)?`, then:
+    /// // … `grammar.run(&shape, &settings, &mut glb)?`, then:
     /// assert!(glb.into_bytes().unwrap().starts_with(b"glTF"));
     /// ```
     pub fn with_instances(mut self) -> Self {

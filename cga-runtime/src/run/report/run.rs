@@ -5,7 +5,7 @@ use super::{Collection, Print, Reports};
 use crate::fault::Fault;
 
 /// The counts, faults, reports and lines of a run.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Report {
     /// Shapes derived, leaves included.
@@ -13,18 +13,26 @@ pub struct Report {
     /// The leaves passed to the sink. If the sink stops the run within a part that repeats, all leaves of that part
     /// count.
     pub leaves: u64,
-    /// The first thousand faults.
-    pub faults: Vec<Fault>,
-    /// The number of further faults.
-    pub faults_left_out: u64,
     /// True if the sink or a [`Watch`](crate::run::watch::Watch) ended the run.
     pub stopped: bool,
+    pub(crate) faults: Vec<Fault>,
+    pub(crate) faults_left_out: u64,
     pub(crate) reports: Reports,
     pub(crate) prints: Vec<Print>,
     pub(crate) prints_quota: Quota,
 }
 
 impl Report {
+    /// The faults of single shapes, each with the rules that led there: the first thousand.
+    pub fn faults(&self) -> &[Fault] {
+        &self.faults
+    }
+
+    /// The number of further faults.
+    pub fn faults_left_out(&self) -> u64 {
+        self.faults_left_out
+    }
+
     /// The reported values, sorted by key (*report operation*).
     pub fn reports(&self) -> &Reports {
         &self.reports
