@@ -30,7 +30,8 @@ fn old_names_do_what_the_new_ones_do() {
 fn old_addresses_lead_to_the_same_types() {
     let mut builder = cga::mesh::MeshBuilder::new();
     let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|corner| builder.point(corner));
-    let mesh: Result<cga::mesh::Mesh, cga::mesh::MeshError> = builder.polygon(&corners).build();
+    builder.polygon(&corners);
+    let mesh: Result<cga::mesh::Mesh, cga::mesh::MeshError> = builder.build();
     let _: cga::Mesh = mesh.expect("a triangle");
     let same: fn(cga::sink::Leaf<'_>) -> cga::Leaf<'_> = |leaf| leaf;
     let _ =
