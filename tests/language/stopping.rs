@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
-use cga::{Error, Settings, Shape, Watch};
+use cga::{Error, Settings, Shape, Watch, cga};
 use cga_lang::ops::{Changes, all_operations};
 use cga_tests::stopped::{Every, rules, shapes};
 
@@ -66,6 +66,55 @@ fn every_operation_asks_its_watch() {
             assert!(1 < count && most < MOST, "{rule}: {most} units of work between two of {count} questions");
         }
     }
+}
+
+/// What rules read of a large mesh is work, also where no operation follows.
+#[test]
+fn rules_that_only_measure_are_stopped() {
+    let rules = cga! {
+        @StartRule
+        Loop --> primitiveSphere(100, 50) Measured(0)
+        Measured(n) --> case n == 1000 : X. else : report("size", geometry.volume + geometry.area) Measured(n + 1)
+        @StartRule
+        Calls --> primitiveSphere(100, 50) report("size", sum(0)) X.
+        sum(n) = case n == 150 : 0 else : geometry.volume + sum(n + 1)
+    };
+    for start in ["Loop", "Calls"] {
+        let settings = Settings { start: Some(start.to_owned()), watch: Some(after(40)), ..Settings::default() };
+        let model = rules.generate_with(&Shape::cuboid(1.0, 1.0, 1.0), &settings).expect("no limit");
+        assert!(model.report().stopped && model.report().shapes < 300, "{start}: {}", model.report().shapes);
+    }
+}
+
+/// A run in a sink of a run that was stopped has its own watch, or none.
+#[test]
+fn a_run_within_a_run_that_was_stopped_goes_on() {
+    let inner = cga! { Lot --> extrude(3) union { A. | t(1, 0, 0) A. } B. };
+    struct Nested<F>(F);
+    impl<F: FnMut()> cga::Sink for Nested<F> {
+        fn quad(&mut self, _: &cga::Leaf<'_>, _: &cga::Quad) -> cga::Flow {
+            (self.0)();
+            cga::Flow::Continue(())
+        }
+        fn cuboid(&mut self, _: &cga::Leaf<'_>, _: &cga::Cuboid) -> cga::Flow {
+            (self.0)();
+            cga::Flow::Continue(())
+        }
+        fn mesh(&mut self, _: &cga::Leaf<'_>, _: &std::sync::Arc<cga::Mesh>, _: &cga::glam::DAffine3) -> cga::Flow {
+            (self.0)();
+            cga::Flow::Continue(())
+        }
+    }
+    let outer = cga! { Lot --> split(x) { { 0.1 : X. }* } };
+    let watch = Watch::new();
+    let mut lengths = Vec::new();
+    let mut sink = Nested(|| {
+        watch.stop();
+        lengths.push(inner.generate(&Shape::rectangle(2.0, 2.0)).expect("no limit").len());
+    });
+    let settings = Settings { watch: Some(watch.clone()), ..Settings::default() };
+    outer.run(&Shape::rectangle(1.0, 1.0), &settings, &mut sink).expect("no limit");
+    assert!(!lengths.is_empty() && lengths.iter().all(|length| *length == 1), "{lengths:?}");
 }
 
 #[test]

@@ -107,6 +107,8 @@ fn bytes_are_counted_before_memory_is_taken() {
         Slices --> primitiveSphere(200, 100) split(x) { { 0.0001 : X. }* }
         @StartRule
         Sides --> primitiveSphere(100, 50) comp(f) { all : X. }
+        @StartRule
+        Balls --> split(x) { { 0.05 : primitiveSphere(40, 20) setupProjection(0, scope.xy, 1, 1) projectUV(0) X. }* }
     };
     let ends = |start: &str, bytes: u64, repeats: Repeats| {
         let limits = Limits { bytes, ..Limits::default() };
@@ -128,6 +130,9 @@ fn bytes_are_counted_before_memory_is_taken() {
         // 100,000 slices of 20,000 faces would take gigabytes.
         assert_eq!(ends("Slices", 100_000_000, repeats), Some((LimitKind::Bytes, 100_000_000)));
         assert_eq!(ends("Sides", sides, repeats), Some((LimitKind::Bytes, sides)));
+        // Each of 200 leaves has 3,000 vertices of its own, as texture coordinates depend on its place.
+        assert_eq!(ends("Balls", 12_000_000, repeats), Some((LimitKind::Bytes, 12_000_000)));
+        assert_eq!(ends("Balls", 200_000_000, repeats), None);
         // The faces of the ball are counted with the primitive and with its components.
         let faces = 2 * Limits::BYTES_A_VERTEX * 20_000;
         assert_eq!(ends("Sides", sides + faces + Limits::BYTES_A_MESH * 5002, repeats), None);

@@ -90,6 +90,7 @@ fn unlisted<'e>(condition: &'e Expr, own: InstanceId, cx: &'e Context) -> Option
         ExprKind::Binary(Binary::And | Binary::Or, _, left, right) => {
             return unlisted(left, own, cx).or_else(|| unlisted(right, own, cx));
         }
+        ExprKind::Chain(..) => return condition.parts().into_iter().find_map(|part| unlisted(part, own, cx)),
         ExprKind::Binary(Binary::Eq | Binary::Ne, _, left, right) => match (&left.kind, &right.kind) {
             (ExprKind::Name(name), ExprKind::Text(text)) | (ExprKind::Text(text), ExprKind::Name(name)) => (name, text),
             _ => return None,
@@ -190,6 +191,7 @@ fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &AbstractState, fl
         ExprKind::Unary(Unary::Not, operand) => decides(operand, !truth),
         // One side is enough, or one of the two sides that are needed.
         ExprKind::Binary(Binary::And | Binary::Or, _, left, right) => decides(left, truth) || decides(right, truth),
+        ExprKind::Chain(..) => condition.parts().into_iter().any(|part| decides(part, truth)) || is_literal(condition),
         ExprKind::Binary(Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge, _, left, right) => {
             is_level(left, right, facts.own, cx) || is_level(right, left, facts.own, cx)
         }
@@ -237,6 +239,11 @@ pub(crate) fn levels(cx: &Context) -> HashSet<u32> {
 fn is_literal(expr: &Expr) -> bool {
     matches!(
         expr.kind,
-        ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::Text(_) | ExprKind::Unary(..) | ExprKind::Binary(..)
+        ExprKind::Number(_)
+            | ExprKind::Bool(_)
+            | ExprKind::Text(_)
+            | ExprKind::Unary(..)
+            | ExprKind::Binary(..)
+            | ExprKind::Chain(..)
     ) && expr.parts().into_iter().all(is_literal)
 }

@@ -11,8 +11,8 @@ use super::error::WriteError;
 /// before, the temporary file goes, and a file that had the name stays as it was.
 ///
 /// An existing file keeps its permissions, and one that may not be written is an error. A link stays: the file that it leads to is
-/// written. Pipes and devices have no place for another file and are written directly, as are the open files of the process, such
-/// as `/dev/stdout`.
+/// written. What another file cannot take the place of is written directly: pipes, devices, the open files of the process, such
+/// as `/dev/stdout`, files of another owner or with several names, and files in a folder that takes no new ones.
 #[derive(Debug)]
 pub(super) struct WholeFile {
     /// The name in errors.
@@ -81,14 +81,35 @@ fn open(path: &Path) -> io::Result<(File, Option<[PathBuf; 2]>)> {
         OpenOptions::new().write(true).open(&name)?;
     }
     let temporary = beside(&name)?;
-    let file = OpenOptions::new().write(true).create_new(true).open(&temporary)?;
-    if let Some(known) = known
-        && let Err(error) = fs::set_permissions(&temporary, known.permissions())
-    {
-        let _ = fs::remove_file(&temporary);
-        return Err(error);
+    let file = match OpenOptions::new().write(true).create_new(true).open(&temporary) {
+        Err(error) if known.is_some() && error.kind() == io::ErrorKind::PermissionDenied => {
+            return Ok((File::create(name)?, None));
+        }
+        opened => opened?,
+    };
+    if let Some(known) = known {
+        let takes_place = file.metadata().map(|new| has_same_owner(&known, &new));
+        let kept = takes_place.and_then(|takes| {
+            if takes { fs::set_permissions(&temporary, known.permissions()) } else { Ok(()) }.map(|()| takes)
+        });
+        if !matches!(kept, Ok(true)) {
+            let _ = fs::remove_file(&temporary);
+            return kept.and_then(|_| Ok((File::create(name)?, None)));
+        }
     }
     Ok((file, Some([temporary, name])))
+}
+
+/// Returns true if a new file can take the place of a file with one name.
+#[cfg(unix)]
+fn has_same_owner(known: &fs::Metadata, new: &fs::Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt as _;
+    (known.uid(), known.gid(), known.nlink()) == (new.uid(), new.gid(), 1)
+}
+
+#[cfg(not(unix))]
+fn has_same_owner(_: &fs::Metadata, _: &fs::Metadata) -> bool {
+    true
 }
 
 /// Returns true for a link that may stand for an open file: a rename would take the file from those that have it open.
@@ -135,6 +156,18 @@ mod tests {
         assert_eq!((fs::read(&path).expect("a file"), names(&folder)), (b"good".to_vec(), vec!["city.glb".to_owned()]));
         write(&path, b"better").expect("a file");
         assert_eq!((fs::read(&path).expect("a file"), names(&folder).len()), (b"better".to_vec(), 1));
+        fs::remove_dir_all(folder).expect("it goes");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_file_with_two_names_keeps_them() {
+        let folder = folder("names");
+        let [one, two] = ["a.glb", "b.glb"].map(|name| folder.join(name));
+        write(&one, b"good").expect("a file");
+        fs::hard_link(&one, &two).expect("another name");
+        write(&one, b"better").expect("a file");
+        assert_eq!((fs::read(&two).expect("a file"), names(&folder).len()), (b"better".to_vec(), 2));
         fs::remove_dir_all(folder).expect("it goes");
     }
 

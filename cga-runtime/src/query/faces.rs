@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use crate::comp::orientation::Orientation;
 use crate::comp::select::{Sense, Word};
+use crate::geometry::work;
 use crate::run::env::Env;
 use crate::shape::Shape;
 
@@ -28,6 +29,9 @@ pub(super) fn selected(env: &Env, shape: &Shape, word: Word, mut each: impl FnMu
 /// it, in scope coordinates.
 pub(super) fn area_vectors(shape: &Shape, mut each: impl FnMut(DVec3, f64, DVec3)) {
     let Some(placed) = shape.geometry.placed() else { return };
+    if !work::spend(2 * placed.mesh.corners().len()) {
+        return;
+    }
     let stretch = placed.stretch(shape.scope.size);
     // The factor of cross products of stretched vectors.
     let across = DVec3::new(stretch.y * stretch.z, stretch.z * stretch.x, stretch.x * stretch.y);

@@ -6,6 +6,7 @@ use super::faces::{area_vectors, selected};
 use crate::comp::select::Word;
 use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
 use crate::geometry::wire::Wire;
+use crate::geometry::work;
 use crate::run::env::Env;
 use crate::shape::{Geometry, Shape};
 
@@ -26,7 +27,7 @@ pub fn geometry_area(env: &Env, shape: &Shape, selector: Word) -> f64 {
 /// cones from the faces to the middle.
 pub fn geometry_volume(shape: &Shape) -> f64 {
     let Some(placed) = shape.geometry.placed() else { return 0.0 };
-    if shape.scope.size.cmpeq(DVec3::ZERO).any() {
+    if shape.scope.size.cmpeq(DVec3::ZERO).any() || !work::spend(2 * placed.mesh.corners().len()) {
         return 0.0;
     }
     (placed.mesh.volume() * placed.stretch(shape.scope.size).element_product()).abs()

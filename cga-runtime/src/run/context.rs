@@ -178,10 +178,12 @@ fn other_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u3
     if let Some(flow) = sink.keep(&shape) {
         return flow;
     }
+    let has_own_sets = !shape.state.coordinates().is_empty();
     shape.bake();
     env.leaves += u64::from(!matches!(shape.geometry, Geometry::Empty));
-    if let Geometry::Mesh(_) = shape.geometry {
-        env.count_mesh()?;
+    if let Geometry::Mesh(placed) = &shape.geometry {
+        let own = if has_own_sets { placed.mesh.corners().len() as u64 } else { 0 };
+        env.count_leaf(own, placed.mesh.uv_numbers().count() as u64)?;
     }
     let rule = env.leaf_tables.names.get(rule as usize).copied().unwrap_or_default();
     let leaf = Leaf::new(rule, shape.state.material(), &shape.scope);

@@ -32,9 +32,11 @@ pub struct Limits {
     pub text: u64,
     /// Bytes of shapes and meshes, by a formula that is the same on every platform: [`BYTES_A_SHAPE`](Limits::BYTES_A_SHAPE) for
     /// each derived shape, [`BYTES_A_VERTEX`](Limits::BYTES_A_VERTEX) for each vertex that [`vertices`](Limits::vertices) counts,
-    /// and [`BYTES_A_MESH`](Limits::BYTES_A_MESH) for each mesh that an operation makes and for each leaf that is a mesh. They are
-    /// counted before memory is taken, and what is dropped stays counted. So a run takes about as much memory at most, its model
-    /// included. Texts, arrays, assets and waiting calls have limits of their own.
+    /// and [`BYTES_A_MESH`](Limits::BYTES_A_MESH) for each mesh that an operation makes and for each leaf that is a mesh. A leaf with
+    /// texture coordinates of its own also counts its vertices, and [`BYTES_A_UV`](Limits::BYTES_A_UV) for each of them and each set
+    /// beyond the first. They are counted before memory is taken, and what is dropped stays counted. So a run takes about as
+    /// much memory, its model included; small solids take up to twice as much. Texts, arrays, assets and waiting calls have limits of their
+    /// own, and looks have none: a leaf with a colour that no other leaf has takes some 400 bytes more.
     pub bytes: u64,
 }
 
@@ -46,7 +48,10 @@ impl Limits {
     pub const BYTES_A_VERTEX: u64 = 80;
 
     /// Bytes that a mesh counts for, besides its vertices.
-    pub const BYTES_A_MESH: u64 = 400;
+    pub const BYTES_A_MESH: u64 = 800;
+
+    /// Bytes that the texture coordinates of a vertex count for, in a set beyond the first.
+    pub const BYTES_A_UV: u64 = 16;
 
     /// The number of shapes that the limit of shapes and a number of bytes allow.
     pub(crate) fn shapes_in(&self, bytes: u64) -> u64 {

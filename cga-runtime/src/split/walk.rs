@@ -109,7 +109,7 @@ pub fn split_area<C>(
 }
 
 /// The shape without its tags; `None` if it has none.
-fn without_tags(env: &Env, shape: &ShapeRef<'_>) -> Option<Base> {
+fn without_tags(env: &mut Env, shape: &ShapeRef<'_>) -> Option<Base> {
     let mut whole = env.whole(shape);
     whole.found_tags(None, TaggedComponents::All).next()?;
     whole.remove_tags(None, TaggedComponents::All);

@@ -14,8 +14,10 @@ const ADDITIVE: u8 = 5;
 /// The level of `==`, the lowest above `&&`.
 const COMPARISON: u8 = 3;
 
-/// The largest number of operators in a row that are nested, which is the form that most checks know.
+/// The largest number of operators in a row that are nested, which is the form that most checks know, and of `&&` and `||`, since what
+/// one condition says limits the next ones.
 const MOST_NESTED: usize = 32;
+const MOST_CONDITIONS: usize = 120;
 
 /// An operator between two values, as written.
 struct Operator {
@@ -127,8 +129,12 @@ impl Parser<'_> {
     /// so that a long sum needs no deep tree.
     fn row(&mut self, first: Expr, row: Vec<(Link, bool, Span)>) -> Parsed<Expr> {
         let is_chained = |(link, each, _): &(Link, bool, Span)| !each && link.op.is_chained();
+        let most = match row.first() {
+            Some((Link { op: Binary::And | Binary::Or, .. }, ..)) => MOST_CONDITIONS,
+            _ => MOST_NESTED,
+        };
         if let Some(&(.., span)) = row.last()
-            && MOST_NESTED < row.len()
+            && most < row.len()
             && row.iter().all(is_chained)
         {
             let links = row.into_iter().map(|(link, ..)| link).collect();

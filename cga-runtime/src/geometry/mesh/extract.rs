@@ -4,6 +4,9 @@ use super::Mesh;
 use crate::geometry::Frame;
 use crate::geometry::trace::PartPoint;
 
+/// Up to this number of corners, the points so far are searched one by one.
+const FEW: usize = 24;
+
 /// A mesh of the given faces, in their order, in the coordinates of a frame. Shared points stay shared, and unused
 /// points are dropped. Tags (of faces, edges and vertices), texture coordinates and normals are kept. Faces that do not exist are ignored.
 pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
@@ -11,7 +14,8 @@ pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
     let mut part = Mesh { bent: into * mesh.bent, ..mesh.alike(0) };
     let mut new: Vec<u32> = Vec::new();
     // A table of all points pays off only if many are used.
-    let few = faces.len() <= 4;
+    let known = faces.iter().filter(|&&index| (index as usize) < mesh.face_count());
+    let few = known.map(|&index| mesh.face(index as usize).corner_count()).sum::<usize>() <= FEW;
     if !few {
         new.resize(mesh.points.len(), u32::MAX);
     }
@@ -74,6 +78,22 @@ mod tests {
             assert_eq!(part.points().len(), 4);
             assert!(part.points().iter().all(|p| p.z == 0.0));
             assert!(part.check().is_empty());
+        }
+    }
+
+    #[test]
+    fn points_are_shared_in_faces_of_few_and_of_many_corners() {
+        for sides in [3, 4, 11, 12, 13, 500] {
+            let mesh = cylinder(sides);
+            let all: Vec<u32> = (0..mesh.face_count() as u32).collect();
+            for faces in [&all[..1], &all[..2], &all[..3], &all] {
+                let part = extract(&mesh, faces, &Frame::WORLD);
+                let mut used: Vec<u32> =
+                    faces.iter().flat_map(|&face| mesh.corners[mesh.face_corners(face as usize)].to_vec()).collect();
+                used.sort_unstable();
+                used.dedup();
+                assert_eq!((part.points().len(), part.check()), (used.len(), vec![]), "{sides}");
+            }
         }
     }
 

@@ -10,6 +10,10 @@ use crate::value::each::Each;
 /// The most columns along an axis.
 const MOST_COLUMNS: usize = 256;
 
+/// The most columns of a triangle on average, and the units of work of each.
+const MOST_OF_ONE: usize = 16;
+const COLUMN: usize = 4;
+
 /// The triangles of a closed surface, sorted into columns along y.
 #[derive(Debug)]
 pub(super) struct Solid {
@@ -30,14 +34,29 @@ impl Solid {
     pub(super) fn new(triangles: Vec<[DVec3; 3]>) -> Self {
         let bounds = Bounds::of(triangles.iter().flatten().copied());
         let columns = ((triangles.len() as f64 / 4.0).sqrt() as usize).clamp(1, MOST_COLUMNS);
-        let extent = flat(bounds.high) - flat(bounds.low);
-        let per_length = DVec2::select(extent.cmpgt(DVec2::ZERO), columns as f64 / extent, DVec2::ZERO);
         let low = flat(bounds.low);
-        let mut solid = Solid { triangles, low, per_length, columns, lists: vec![Vec::new(); columns * columns] };
+        let mut solid = Solid { triangles, low, per_length: DVec2::ZERO, columns, lists: Vec::new() };
+        let extent = flat(bounds.high) - low;
+        loop {
+            solid.per_length = DVec2::select(extent.cmpgt(DVec2::ZERO), solid.columns as f64 / extent, DVec2::ZERO);
+            let count = |triangle: &[DVec3; 3]| {
+                let [first, last] = solid.columns_of(triangle);
+                (last[0] - first[0] + 1) * (last[1] - first[1] + 1)
+            };
+            let all: usize = solid.triangles.iter().map(count).sum();
+            // Long triangles across the columns are in many of them.
+            if solid.columns == 1 || all <= MOST_OF_ONE * solid.triangles.len() {
+                break;
+            }
+            solid.columns /= 2;
+        }
+        let columns = solid.columns;
+        solid.lists = vec![Vec::new(); columns * columns];
         for (number, triangle) in (0..).zip(&solid.triangles) {
-            let corners = triangle.each(flat);
-            let first = solid.column(corners[0].min(corners[1]).min(corners[2]));
-            let last = solid.column(corners[0].max(corners[1]).max(corners[2]));
+            let [first, last] = solid.columns_of(triangle);
+            if !work::spend(COLUMN * (last[0] - first[0] + 1) * (last[1] - first[1] + 1)) {
+                break;
+            }
             for row in first[1]..=last[1] {
                 for column in first[0]..=last[0] {
                     solid.lists[row * columns + column].push(number);
@@ -45,6 +64,13 @@ impl Solid {
             }
         }
         solid
+    }
+
+    /// The first and the last column over a triangle, along x and z.
+    fn columns_of(&self, triangle: &[DVec3; 3]) -> [[usize; 2]; 2] {
+        let corners = triangle.each(flat);
+        let [low, high] = [corners[0].min(corners[1]).min(corners[2]), corners[0].max(corners[1]).max(corners[2])];
+        [low, high].each(|corner| self.column(corner))
     }
 
     fn column(&self, point: DVec2) -> [usize; 2] {

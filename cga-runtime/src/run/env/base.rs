@@ -1,16 +1,25 @@
 //! The conversion between slim and whole shapes.
 
 use super::Env;
+use crate::run::sink::Flow;
 use crate::shape::base::Base;
 use crate::shape::look_id::LookId;
-use crate::shape::{Shape, ShapeRef};
+use crate::shape::{Geometry, Shape, ShapeRef};
+
+/// The units of work of a vertex of a mesh that a step reads.
+const READING: usize = 2;
 
 impl Env {
-    /// The whole form of a shape.
+    /// The whole form of a shape, for a step that reads or changes it. Its vertices count as work.
     #[cold]
     #[inline(never)]
-    pub fn whole(&self, shape: &ShapeRef<'_>) -> Shape {
-        self.leaf_tables.whole(shape)
+    pub fn whole(&mut self, shape: &ShapeRef<'_>) -> Shape {
+        let whole = self.leaf_tables.whole(shape);
+        if let Geometry::Mesh(placed) = &whole.geometry {
+            // The next step that counts ends the run.
+            let _: Flow = self.spend(READING * placed.mesh.corners().len());
+        }
+        whole
     }
 
     /// The base of a whole shape, for slim shapes.

@@ -9,7 +9,7 @@ pub(crate) struct Counters {
     filled: u64,
     leaves: u64,
     vertices: u64,
-    meshes: u64,
+    mesh_bytes: u64,
     calls: u64,
     faults: usize,
     faults_left_out: u64,
@@ -27,7 +27,7 @@ impl Env {
             filled: self.filled,
             leaves: self.leaves,
             vertices: self.vertices,
-            meshes: self.meshes,
+            mesh_bytes: self.mesh_bytes,
             calls: self.calls_made,
             faults: self.faults.len(),
             faults_left_out: self.faults_left_out,
@@ -47,7 +47,7 @@ impl Env {
             self.checkpoint.stopped_at = None;
         }
         (self.shapes, self.filled, self.leaves) = (before.shapes, before.filled, before.leaves);
-        (self.vertices, self.meshes, self.calls_made) = (before.vertices, before.meshes, before.calls);
+        (self.vertices, self.mesh_bytes, self.calls_made) = (before.vertices, before.mesh_bytes, before.calls);
         self.faults.truncate(before.faults);
         self.asset_faults.retain(|_, at| *at < before.faults);
         self.faults_left_out = before.faults_left_out;

@@ -25,8 +25,18 @@ impl Env {
     }
 
     /// Counts a mesh besides its vertices.
-    pub(crate) fn count_mesh(&mut self) -> Flow {
-        self.meshes += 1;
+    fn count_mesh(&mut self) -> Flow {
+        self.count_mesh_bytes(Limits::BYTES_A_MESH)
+    }
+
+    /// Counts a leaf that is a mesh, and the vertices that it has for its texture coordinates alone.
+    pub(crate) fn count_leaf(&mut self, own_vertices: u64, sets: u64) -> Flow {
+        let vertex = Limits::BYTES_A_VERTEX + Limits::BYTES_A_UV * sets.saturating_sub(1);
+        self.count_mesh_bytes(Limits::BYTES_A_MESH.saturating_add(own_vertices.saturating_mul(vertex)))
+    }
+
+    fn count_mesh_bytes(&mut self, bytes: u64) -> Flow {
+        self.mesh_bytes = self.mesh_bytes.saturating_add(bytes);
         let most = self.most_shapes();
         // A smaller checkpoint: shapes count for bytes, too.
         self.checkpoint.shapes = self.checkpoint.shapes.min(most);
@@ -41,8 +51,7 @@ impl Env {
     /// The bytes that are left for shapes: all without meshes.
     fn bytes_left(&self) -> u64 {
         let corners = self.vertices.saturating_mul(Limits::BYTES_A_VERTEX);
-        let meshes = self.meshes.saturating_mul(Limits::BYTES_A_MESH);
-        self.settings.limits.bytes.saturating_sub(corners).saturating_sub(meshes)
+        self.settings.limits.bytes.saturating_sub(corners).saturating_sub(self.mesh_bytes)
     }
 
     /// The number of corners that an operation may still make, if it holds that many copies of each while it lasts.

@@ -21,7 +21,7 @@ use crate::fault::{Error, Fault, FaultKind, LimitKind};
 use crate::geometry::Frame;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::primitive::PrimitiveKind;
-use crate::geometry::work::Supervisor;
+use crate::geometry::work::{self, Supervisor};
 use crate::run::report::{FAULTS_KEPT, Prints, Reports};
 use crate::run::settings::{Limits, Settings};
 use crate::run::sink::{Flow, LeafTables};
@@ -93,8 +93,8 @@ pub struct Env {
     /// The smallest extent of a split so far.
     pub(crate) least_split: f64,
     vertices: u64,
-    /// The number of meshes that operations made, and of leaves that are meshes.
-    meshes: u64,
+    /// The bytes of meshes that operations made, and of leaves that are meshes, besides the vertices that are counted.
+    mesh_bytes: u64,
     /// The nesting of functions that have reserved stack.
     calls: u32,
     /// The part of [`FUNCTIONS`] that they use.
@@ -164,7 +164,11 @@ impl Env {
                 limits: Limits { shapes: settings.limits.shapes.min(MOST_SHAPES), ..settings.limits },
                 ..settings.clone()
             },
-            supervisor: settings.watch.clone().map(|watch| Supervisor::new(move |units| watch.allows(units))),
+            // Also without a watch: the watch of a run around this one must not end it.
+            supervisor: Some(match settings.watch.clone() {
+                Some(watch) => Supervisor::new(move |units| watch.allows(units)),
+                None => Supervisor::new(|_| true),
+            }),
             too_small: if extent == 0.0 { TOO_SMALL.1 } else { (extent * TOO_SMALL.0).min(TOO_SMALL.1) },
             names,
             checkpoint: Checkpoint::first(settings),
@@ -230,7 +234,7 @@ impl Env {
         let stack = self.call_stack + stack.min(FUNCTIONS);
         if FUNCTIONS < stack || self.calls == DEEPEST_CALLS {
             let _: Flow = self.limit(LimitKind::Nesting, u64::from(self.calls));
-        } else if self.checkpoint.calls < self.calls_made {
+        } else if self.checkpoint.calls < self.calls_made || !work::spend(1) {
             let _: Flow = self.at_calls();
         }
         let may = !self.ended();
