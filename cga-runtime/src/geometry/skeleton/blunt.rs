@@ -5,12 +5,10 @@
 //! ends as if its neighbour were as fast.
 
 use super::wavefront::{MovingLine, Wavefront, WavefrontVertex};
-use crate::geometry::tol::COPLANAR_EPSILON;
 use crate::value::each::Each;
 
-/// A corner is blunt if the cosine of the angle between the normals of its edges is larger: less than 45 degrees. Corners that a
-/// mitre has cut turn by 45 degrees except for rounding, so they are never blunt.
-pub(crate) const BLUNT: f64 = std::f64::consts::FRAC_1_SQRT_2 + COPLANAR_EPSILON;
+/// A corner is blunt if the cosine of the angle between the normals of its edges is larger: less than 45 degrees.
+pub(crate) const BLUNT: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// The line that divides a corner between two edges of different speeds, if the corner is blunt.
 fn divider(a: &MovingLine, b: &MovingLine, corner: glam::DVec2) -> Option<MovingLine> {

@@ -206,24 +206,6 @@ fn blunt_corners_have_no_spikes() {
     assert!((setback - on_bisector).abs() < 1e-9, "{setback} {on_bisector}");
 }
 
-/// The cut corner of a rectangle, which turns by 45 degrees except for rounding, is never blunt: every turned rectangle has the same parts.
-#[test]
-fn a_corner_that_a_mitre_has_cut_is_not_blunt() {
-    for angle in 1..45 {
-        for cut in [0.1, 0.13271, 1.0] {
-            // The long edge and the cut face the front, the next edge faces the right.
-            let (sin, cos) = libm::sincos(-f64::from(angle).to_radians());
-            let turn = |[x, z]: [f64; 2]| [117.3 + cos * x - sin * z, sin * x + cos * z - 21.93];
-            let corners = [[0.0, 0.0], [5.0 - cut, 0.0], [5.0, cut], [5.0, 8.0], [0.0, 8.0]].map(turn);
-            let [_, remainder] = areas(&polygon(&corners), [2.0, 0.0, 0.0, 0.0]);
-            // The line of the cut is at 2 metres from it: it cuts a triangle of the remainder, if it comes so far.
-            let leg = (2.0 * std::f64::consts::SQRT_2 + cut - 2.0).max(0.0);
-            let expected = 5.0 * 6.0 - 0.5 * leg * leg;
-            assert!((remainder - expected).abs() < 1e-9, "{angle}, {cut}: {remainder} {expected}");
-        }
-    }
-}
-
 #[test]
 fn each_face_of_a_mesh_is_divided() {
     let shape = Shape::mesh_axis_aligned(cube());
