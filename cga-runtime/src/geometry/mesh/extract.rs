@@ -1,5 +1,7 @@
 //! Extraction of faces from a mesh.
 
+use std::collections::HashMap;
+
 use super::Mesh;
 use crate::geometry::Frame;
 use crate::geometry::trace::PartPoint;
@@ -7,47 +9,78 @@ use crate::geometry::trace::PartPoint;
 /// Up to this number of corners, the points so far are searched one by one.
 const FEW: usize = 24;
 
+/// A table of all points pays off if at least one of this number of points is a corner.
+const SPARSE: usize = 16;
+
+/// The numbers of the points of a mesh in an extract of it.
+enum PointNumbers {
+    /// The points so far, in the order of their numbers.
+    Few(Vec<u32>),
+    /// For each point of the mesh its number, or `u32::MAX`.
+    All(Vec<u32>),
+    /// The numbers by point.
+    Some(HashMap<u32, u32>),
+}
+
+impl PointNumbers {
+    /// No numbers yet, for a number of corners of a mesh with `points` points.
+    fn new(corners: usize, points: usize) -> Self {
+        if corners <= FEW {
+            PointNumbers::Few(Vec::with_capacity(corners))
+        } else if points / SPARSE <= corners {
+            PointNumbers::All(vec![u32::MAX; points])
+        } else {
+            PointNumbers::Some(HashMap::with_capacity(corners))
+        }
+    }
+
+    /// The number of a point: `next` if it has none yet.
+    fn number(&mut self, point: u32, next: u32) -> u32 {
+        match self {
+            PointNumbers::Few(seen) => {
+                let known = seen.iter().position(|&other| other == point);
+                known.map_or_else(
+                    || {
+                        seen.push(point);
+                        next
+                    },
+                    |number| number as u32,
+                )
+            }
+            PointNumbers::All(numbers) => {
+                let number = &mut numbers[point as usize];
+                *number = if *number == u32::MAX { next } else { *number };
+                *number
+            }
+            PointNumbers::Some(numbers) => *numbers.entry(point).or_insert(next),
+        }
+    }
+}
+
 /// A mesh of the given faces, in their order, in the coordinates of a frame. Shared points stay shared, and unused
 /// points are dropped. Tags (of faces, edges and vertices), texture coordinates and normals are kept. Faces that do not exist are ignored.
 pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
     let into = to.axes.transpose();
     let mut part = Mesh { bent: into * mesh.bent, ..mesh.alike(0) };
-    let mut new: Vec<u32> = Vec::new();
-    // A table of all points pays off only if many are used.
-    let known = faces.iter().filter(|&&index| (index as usize) < mesh.face_count());
-    let few = known.map(|&index| mesh.face(index as usize).corner_count()).sum::<usize>() <= FEW;
-    if !few {
-        new.resize(mesh.points.len(), u32::MAX);
-    }
-    let mut seen: Vec<u32> = Vec::new();
+    let faces = faces.iter().map(|&index| index as usize).filter(|&index| index < mesh.face_count());
+    let corners = faces.clone().map(|index| mesh.face_corners(index).len()).sum();
+    let mut numbers = PointNumbers::new(corners, mesh.points.len());
     // The points of a mesh that needs origins.
     let mut taken: Vec<u32> = Vec::new();
     let takes = mesh.needs_origins();
-    for &index in faces {
-        if index as usize >= mesh.face_count() {
-            continue;
-        }
-        let face = mesh.face(index as usize);
+    for index in faces {
+        let face = mesh.face(index);
         for ring in face.loop_ranges() {
             for corner in ring {
                 let point = mesh.corners[corner];
-                let known = if few {
-                    seen.iter().position(|&p| p == point).map(|i| i as u32)
-                } else {
-                    Some(new[point as usize]).filter(|&p| p != u32::MAX)
-                };
-                let number = known.unwrap_or_else(|| {
-                    let number = part.add_point(to.to_local(mesh.points[point as usize]));
+                let next = part.points.len() as u32;
+                let number = numbers.number(point, next);
+                if number == next {
+                    part.add_point(to.to_local(mesh.points[point as usize]));
                     if takes {
                         taken.push(point);
                     }
-                    if few {
-                        seen.push(point);
-                    } else {
-                        new[point as usize] = number;
-                    }
-                    number
-                });
+                }
                 part.corners.push(number);
                 part.uvs.push_from(&mesh.uvs, |list| list[corner]);
                 if let Some(&normal) = mesh.normals.get(corner) {
@@ -84,7 +117,10 @@ mod tests {
     #[test]
     fn points_are_shared_in_faces_of_few_and_of_many_corners() {
         for sides in [3, 4, 11, 12, 13, 500] {
-            let mesh = cylinder(sides);
+            // Many points that no face of the first ones has.
+            let mut mesh = cylinder(sides);
+            let unused = mesh.points.len() * (sides % 2) * 40;
+            mesh.points.extend(std::iter::repeat_n(glam::DVec3::ZERO, unused));
             let all: Vec<u32> = (0..mesh.face_count() as u32).collect();
             for faces in [&all[..1], &all[..2], &all[..3], &all] {
                 let part = extract(&mesh, faces, &Frame::WORLD);
