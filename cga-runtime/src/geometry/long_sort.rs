@@ -3,16 +3,14 @@
 use std::cmp::Ordering;
 
 use crate::geometry::work;
+use crate::value::small_sort::merge_runs;
 
 /// Parts of this length are sorted by the standard library.
 const PART: usize = 1 << 14;
 
-/// The units of work of an element in a part, and in a merge.
+/// The units of work of an element in a part, and of a comparison in a merge.
 const SORTING: usize = 8;
 const MERGING: usize = 2;
-
-/// The elements that are merged between two counts of work.
-const BLOCK: usize = 1 << 10;
 
 /// Sorts by a total order; elements that are equal in it have no order. Returns false if the work is to end; the list has all its elements
 /// then, in no order.
@@ -24,43 +22,12 @@ pub(crate) fn long_sort_by<T: Copy>(list: &mut [T], compare: impl Fn(&T, &T) -> 
             return false;
         }
     }
-    if list.len() <= PART {
-        return true;
-    }
-    let (mut from, mut to) = (list.to_vec(), Vec::with_capacity(list.len()));
-    let mut width = PART;
-    while width < list.len() {
-        to.clear();
-        for pair in from.chunks(2 * width) {
-            let (left, right) = pair.split_at(width.min(pair.len()));
-            if !merge(left, right, &mut to, &compare) {
-                return false;
-            }
-        }
-        std::mem::swap(&mut from, &mut to);
-        width *= 2;
-    }
-    list.copy_from_slice(&from);
-    true
-}
-
-/// Appends the elements of two sorted lists, in order.
-fn merge<T: Copy>(mut left: &[T], mut right: &[T], to: &mut Vec<T>, compare: &impl Fn(&T, &T) -> Ordering) -> bool {
-    while let ([first, ..], [second, ..]) = (left, right) {
-        if to.len().is_multiple_of(BLOCK) && !work::spend(MERGING * BLOCK) {
-            return false;
-        }
-        if compare(second, first).is_lt() {
-            to.push(*second);
-            right = &right[1..];
-        } else {
-            to.push(*first);
-            left = &left[1..];
-        }
-    }
-    to.extend_from_slice(left);
-    to.extend_from_slice(right);
-    true
+    let mut goes_on = true;
+    merge_runs(list, PART, &mut |a, b| {
+        goes_on = goes_on && work::spend(MERGING);
+        goes_on && compare(a, b).is_lt()
+    });
+    goes_on
 }
 
 #[cfg(test)]

@@ -56,8 +56,14 @@ fn sort<T: Copy>(list: &mut [T], is_less: &mut impl FnMut(&T, &T) -> bool) {
             run[to] = item;
         }
     }
+    merge_runs(list, RUN, is_less);
+}
+
+/// Merges sorted runs of a length. If the comparison returns false from some time on, the rest takes one comparison for each pair of
+/// runs.
+pub(crate) fn merge_runs<T: Copy>(list: &mut [T], run: usize, is_less: &mut impl FnMut(&T, &T) -> bool) {
     let mut spare = Vec::new();
-    let mut width = RUN;
+    let mut width = run;
     while width < list.len() {
         list.chunks_mut(2 * width).for_each(|pair| merge(pair, width, &mut spare, is_less));
         width *= 2;
