@@ -9,12 +9,10 @@ use crate::geometry::mesh::offset::OffsetError;
 use crate::geometry::mesh::offset::region::EdgeCut;
 use crate::geometry::mesh::offset::set_back::{renumber, set_back as set_face_back};
 use crate::geometry::mesh::offset::side_tags::SideTags;
+use crate::geometry::mesh::offset::to_area::CORNER;
 use crate::geometry::mesh::{FaceRef, Mesh};
 use crate::geometry::work;
 use crate::run::env::Env;
-
-/// The units of work of a corner of a face, besides its setback.
-const CORNER: usize = 64;
 
 /// Edges of a face that move together, and the arm of what they sweep.
 pub(super) struct Turn {

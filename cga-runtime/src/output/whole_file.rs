@@ -25,8 +25,7 @@ pub(super) struct WholeFile {
 impl WholeFile {
     /// Begins a file.
     pub(super) fn create(path: &Path) -> Result<Self, WriteError> {
-        let (file, names) = open(path).map_err(|error| failed(path, error))?;
-        Ok(WholeFile { path: path.to_owned(), file, names })
+        open(path).map_err(|error| failed(path, error))
     }
 
     /// The file to write to.
@@ -64,8 +63,13 @@ pub(super) fn failed(path: &Path, error: io::Error) -> WriteError {
     WriteError::File { path: path.to_owned(), error }
 }
 
-/// Opens what is to be written, with the temporary name and the final one.
-fn open(path: &Path) -> io::Result<(File, Option<[PathBuf; 2]>)> {
+/// A file that is written directly.
+fn direct(path: &Path, file: File) -> WholeFile {
+    WholeFile { path: path.to_owned(), file, names: None }
+}
+
+/// Opens what is to be written.
+fn open(path: &Path) -> io::Result<WholeFile> {
     let known = match fs::metadata(path) {
         Ok(known) => Some(known),
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
@@ -73,7 +77,7 @@ fn open(path: &Path) -> io::Result<(File, Option<[PathBuf; 2]>)> {
     };
     let is_link = fs::symlink_metadata(path).is_ok_and(|own| own.is_symlink());
     if known.as_ref().is_some_and(|known| !known.is_file()) || (is_link && (known.is_none() || is_open_file(path))) {
-        return Ok((File::create(path)?, None));
+        return Ok(direct(path, File::create(path)?));
     }
     let name = if is_link { fs::canonicalize(path)? } else { path.to_owned() };
     if known.is_some() {
@@ -83,36 +87,34 @@ fn open(path: &Path) -> io::Result<(File, Option<[PathBuf; 2]>)> {
     let temporary = beside(&name)?;
     let file = match OpenOptions::new().write(true).create_new(true).open(&temporary) {
         Err(error) if known.is_some() && error.kind() == io::ErrorKind::PermissionDenied => {
-            return Ok((File::create(name)?, None));
+            return Ok(direct(path, File::create(name)?));
         }
         opened => opened?,
     };
+    // If it is dropped without being finished, the temporary file goes.
+    let whole = WholeFile { path: path.to_owned(), file, names: Some([temporary.clone(), name.clone()]) };
     if let Some(known) = known {
-        let takes_place = file.metadata().map(|new| has_same_owner(&known, &new));
-        let kept = takes_place.and_then(|takes| {
-            if takes { fs::set_permissions(&temporary, known.permissions()) } else { Ok(()) }.map(|()| takes)
-        });
-        if !matches!(kept, Ok(true)) {
-            let _ = fs::remove_file(&temporary);
-            return kept.and_then(|_| Ok((File::create(name)?, None)));
+        if !can_replace(&known, &whole.file.metadata()?) {
+            return Ok(direct(path, File::create(name)?));
         }
+        fs::set_permissions(&temporary, known.permissions())?;
     }
-    Ok((file, Some([temporary, name])))
+    Ok(whole)
 }
 
-/// Returns true if a new file can take the place of a file with one name.
+/// Returns true if a new file can take the place of a known one: it has the same owner and no other name.
 #[cfg(unix)]
-fn has_same_owner(known: &fs::Metadata, new: &fs::Metadata) -> bool {
+fn can_replace(known: &fs::Metadata, new: &fs::Metadata) -> bool {
     use std::os::unix::fs::MetadataExt as _;
     (known.uid(), known.gid(), known.nlink()) == (new.uid(), new.gid(), 1)
 }
 
 #[cfg(not(unix))]
-fn has_same_owner(_: &fs::Metadata, _: &fs::Metadata) -> bool {
+fn can_replace(_: &fs::Metadata, _: &fs::Metadata) -> bool {
     true
 }
 
-/// Returns true for a link that may stand for an open file: a rename would take the file from those that have it open.
+/// Returns true for a link that may lead to an open file of the process: after a rename, the process would write to the file before.
 fn is_open_file(link: &Path) -> bool {
     cfg!(unix) && ["/dev", "/proc"].iter().any(|folder| link.starts_with(folder))
 }

@@ -16,7 +16,7 @@ const AREA_EPSILON: f64 = 1e-13;
 const STEPS: usize = 1100;
 
 /// The units of work of a corner of a face, besides its setback.
-const CORNER: usize = 64;
+pub(crate) const CORNER: usize = 64;
 
 /// The rest of faces after a setback.
 #[derive(Clone, Copy, Debug, Default)]
