@@ -6,7 +6,7 @@
 /// one block for 128 pixels: if a component has every fourth row and another one every fourth column.
 const PIXELS_PER_BYTE_OF_JPEG: u64 = 8 * 128;
 
-/// The largest number of bytes that one byte of deflate stands for: two codes of one bit, a length and a distance, copy 258 bytes.
+/// The largest number of bytes that a byte of deflate decodes to: two codes of one bit, a length and a distance, copy 258 bytes.
 const BYTES_PER_BYTE_OF_DEFLATE: u64 = 4 * 258;
 
 /// Returns true if a JPEG file may have `pixels` pixels. Arithmetic codes have less than a bit for a block; the decoder refuses them before it
