@@ -7,7 +7,7 @@
 use glam::DVec2;
 
 use super::bounds_tree::{BoundsTree, overlap};
-use super::budget::Budget;
+use super::budget::{Budget, goes_on};
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
 use super::operation::BooleanError;
@@ -139,6 +139,7 @@ impl LineGraph {
         starts.iter().enumerate().for_each(|(half, start)| leaving[*start as usize].push(half as u32));
         let mut places = vec![0; starts.len()];
         for (point, list) in leaving.iter_mut().enumerate() {
+            goes_on(list.len())?;
             let end = |half: u32| flat[starts[half as usize ^ 1] as usize];
             let lower = |half: u32| {
                 let step = end(half) - flat[point];
@@ -168,7 +169,7 @@ impl LineGraph {
     }
 
     /// All cycles of the kept half-edges, and the cycle of each half-edge.
-    fn cycles(&self, is_kept: impl Fn(u32) -> bool + Copy) -> (Vec<Cycle>, Vec<u32>) {
+    fn cycles(&self, is_kept: impl Fn(u32) -> bool + Copy) -> Result<(Vec<Cycle>, Vec<u32>), BooleanError> {
         let mut of_half = vec![NONE; self.starts.len()];
         let mut cycles = Vec::new();
         for first in 0..self.starts.len() as u32 {
@@ -182,6 +183,7 @@ impl LineGraph {
                 ring.push(self.starts[half as usize]);
                 half = self.next(half, is_kept);
             }
+            goes_on(ring.len())?;
             let at = |point: u32| self.flat[point as usize];
             let from = at(ring[0]);
             let ends = ring.iter().zip(ring.iter().cycle().skip(1));
@@ -189,13 +191,13 @@ impl LineGraph {
             let bounds = Bounds::of(ring.iter().map(|point| at(*point).extend(0.0)));
             cycles.push(Cycle { area, bounds, ring });
         }
-        (cycles, of_half)
+        Ok((cycles, of_half))
     }
 
     /// The cells that the lines with a count enclose.
     fn cells<W: Winding>(&self, lines: &[GraphLine<W>], budget: &mut Budget) -> Result<Vec<Cell<W>>, BooleanError> {
-        let (cycles, of_half) = self.cycles(|_| true);
-        let parts = self.connected_parts(&of_half);
+        let (cycles, of_half) = self.cycles(|_| true)?;
+        let parts = self.connected_parts(&of_half)?;
         // The cell of each cycle, as the number of its outline, or `NONE` outside of all.
         let mut cell: Vec<u32> = (0..cycles.len() as u32).collect();
         let mut winding = vec![W::default(); cycles.len()];
@@ -238,7 +240,7 @@ impl LineGraph {
     }
 
     /// The cycles of half-edges between different cells, and the cycle of each half-edge.
-    fn borders(&self, cell: &[u32], of_half: &[u32]) -> (Vec<Cycle>, Vec<u32>) {
+    fn borders(&self, cell: &[u32], of_half: &[u32]) -> Result<(Vec<Cycle>, Vec<u32>), BooleanError> {
         let cell_of = |half: u32| cell[of_half[half as usize] as usize];
         self.cycles(|half| cell_of(half) != cell_of(half ^ 1))
     }
@@ -246,7 +248,7 @@ impl LineGraph {
     /// The cells with a winding number, with their rings.
     fn collect<W: Winding>(&self, cell: &[u32], winding: &[W], of_half: &[u32]) -> Result<Vec<Cell<W>>, BooleanError> {
         let cell_of = |half: u32| cell[of_half[half as usize] as usize];
-        let (rings, ring_of) = self.borders(cell, of_half);
+        let (rings, ring_of) = self.borders(cell, of_half)?;
         let mut cells: Vec<Cell<W>> = Vec::new();
         let mut number_of = vec![NONE; cell.len()];
         let mut is_done = vec![false; rings.len()];
@@ -310,13 +312,14 @@ impl LineGraph {
     }
 
     /// The connected parts of the graph, those with large boxes first.
-    fn connected_parts(&self, of_half: &[u32]) -> Vec<GraphPart> {
+    fn connected_parts(&self, of_half: &[u32]) -> Result<Vec<GraphPart>, BooleanError> {
         let mut sets = DisjointSets::new(self.points.len());
         for line in self.starts.chunks_exact(2) {
             sets.unite(line[0], line[1]);
         }
         let mut parts: Vec<GraphPart> = Vec::new();
         for set in sets.sets() {
+            goes_on(set.len())?;
             let at = |point: u32| self.flat[point as usize];
             let lowest = set.iter().copied().min_by(|&a, &b| {
                 let [a, b] = [at(a), at(b)];
@@ -338,7 +341,7 @@ impl LineGraph {
             });
         }
         parts.sort_by(|a, b| b.size.total_cmp(&a.size));
-        parts
+        Ok(parts)
     }
 
     /// The smallest of some cycles around a point that is on none of them.

@@ -41,7 +41,7 @@ use super::tol::{BOOLEAN_EPSILONS, THINNEST_SOLID};
 use crate::value::small_sort::SmallSort;
 use assembly::Assembly;
 use bounds_tree::{BoundsTree, overlap};
-use budget::Budget;
+use budget::{Budget, goes_on};
 use cell::Cell;
 use component_tags::{EdgeTags, vertex_tags};
 use edge_table::{EdgeOwner, EdgeTable};
@@ -215,6 +215,7 @@ impl Input<'_> {
             op,
         };
         let made = assembly.mesh_of(&polygons)?;
+        goes_on(made.corners().len())?;
         let must_close = !kinds.contains(&ShellKind::Open) && !is_flat;
         if must_close && !made.is_empty() && !made.is_closed() {
             return Err(BooleanError::Tangled);

@@ -64,6 +64,7 @@ pub(super) fn divide_edges(
         open.small_sort();
         open.dedup();
         for &facet in &open {
+            goes_on(facets[facet as usize].lines.len())?;
             facets[facet as usize].lines.retain(|line| !edges.list[*line as usize].owners.is_empty());
         }
         open.retain(|facet| !groups.is_member(*facet));
@@ -108,6 +109,7 @@ fn compare_edges(
     cuts: &mut Cuts,
     budget: &mut Budget,
 ) -> Result<(), BooleanError> {
+    goes_on(facet.lines.len())?;
     let reach = points.epsilon;
     let extent = |line: u32| {
         let [a, b] = edges.list[line as usize].ends.each(|end| facet.flat(points.at[end as usize]));

@@ -57,8 +57,10 @@ impl CutState {
         self.points.start(mesh);
         self.rim.reset();
         self.parts.clear();
-        let has_limit = self.most_corners != usize::MAX && MANY_SLABS <= self.points.planes.len();
-        if has_limit && self.has_more_corners(mesh, self.most_corners) {
+        // An edge crosses each plane once at most, so most cuts are within the limit whatever they cross.
+        let planes = self.points.planes.len();
+        let can_be_more = self.most_corners < mesh.corners.len().saturating_mul(1 + 2 * planes);
+        if can_be_more && MANY_SLABS <= planes && self.has_more_corners(mesh, self.most_corners) {
             self.is_too_large = true;
             return false;
         }

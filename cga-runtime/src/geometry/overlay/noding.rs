@@ -127,13 +127,12 @@ fn compare(
     cuts: &mut [Vec<u32>],
     pairs: &mut usize,
 ) -> Result<(), OverlayError> {
-    let boxes: Vec<[i64; 4]> = edges
-        .iter()
-        .map(|edge| {
-            let [a, b] = edge.ends.each(|end| places[end as usize]);
-            [a.x, b.x, a.y.min(b.y), a.y.max(b.y)]
-        })
-        .collect();
+    let mut boxes: Vec<[i64; 4]> = Vec::with_capacity(edges.len());
+    for edge in edges {
+        goes_on(EDGE)?;
+        let [a, b] = edge.ends.each(|end| places[end as usize]);
+        boxes.push([a.x, b.x, a.y.min(b.y), a.y.max(b.y)]);
+    }
     let mut order: Vec<(i64, u32)> = boxes.iter().map(|own| own[0]).zip(0..).collect();
     if !long_sort_by(&mut order, Ord::cmp) {
         return Err(OverlayError::TooMany);
