@@ -222,6 +222,10 @@ impl Cutter {
             start = corners.end;
             if block_end < corners.end {
                 (block_start, block_end) = (corners.start, self.read_block(mesh, corners.clone()));
+                // Triangles meet no more planes than they have corners, or they are counted below.
+                if !work::spend(CROSSING * (block_end - block_start)) {
+                    return;
+                }
             }
             let places = &self.block[corners.start - block_start..corners.end - block_start];
             if let [p, q, r] = *places {
@@ -234,9 +238,6 @@ impl Cutter {
             }
             let span = ClassRange::of(places.iter().map(|place| place.class));
             let (bottom, top) = (span.bottom(), span.top());
-            if !work::spend(CROSSING * (places.len() + top.saturating_sub(bottom) as usize)) {
-                return;
-            }
             if let [p, q, r] = *places
                 && !(p.class.is_on_plane() | q.class.is_on_plane() | r.class.is_on_plane())
                 && top == bottom + 1
@@ -244,6 +245,9 @@ impl Cutter {
                 let lone = if q.class == r.class { 0 } else { 1 + usize::from(p.class == q.class) };
                 triangle::clip(&mut self.state, mesh, tag, corners, [p, q, r], bottom, lone);
                 continue;
+            }
+            if !work::spend(CROSSING * top.saturating_sub(bottom) as usize) {
+                return;
             }
             if bottom == top {
                 self.state.keep(mesh, face, tag, top, span.touches_plane());
