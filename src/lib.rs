@@ -37,6 +37,21 @@ pub use cga_runtime::grammar::Grammar;
 pub use cga_runtime::grammar::attribute::{
     Attribute, AttributeDefault, AttributeError, AttributeKind, ChoiceValues, Choices, Range,
 };
+/// ```
+/// use cga::{Error, Grammars, Settings, Shape, cga};
+///
+/// cga! { grammar House; attr height = 6  Lot --> extrude(height) House. }
+/// cga! { grammar Park; Lot --> Lawn. }
+///
+/// let lots = [
+///     Shape::rectangle(10.0, 8.0).named("Mill Street 4").grammar("House").attribute("height", 12.5),
+///     Shape::rectangle(20.0, 20.0).named("The Green").grammar("Park"),
+/// ];
+/// let models = Grammars::new().with(House::default()).with(Park::default()).generate_all(&lots, &Settings::default())?;
+/// assert_eq!((models.stats().volume(), models.count("Lawn")), (1000.0, 1));
+/// # Ok::<(), Error>(())
+/// ```
+pub use cga_runtime::grammar::grammars::Grammars;
 pub use cga_runtime::grammar::parallel::Stretch;
 /// ```
 /// use cga::{Error, Grammar, Model, Settings, Shape, cga};
@@ -79,7 +94,7 @@ pub use cga_runtime::run::report::{Collection, Print, Reports, Summary};
 pub use cga_runtime::run::rules::Rules;
 #[doc(hidden)]
 pub use cga_runtime::run::settings::Repeats;
-pub use cga_runtime::run::settings::{Limits, Settings};
+pub use cga_runtime::run::settings::{Limits, Settings, WrongLots};
 pub use cga_runtime::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 pub use cga_runtime::run::start_rule::StartRule;
 pub use cga_runtime::run::watch::{Progress, Watch};

@@ -130,6 +130,14 @@ pub enum Error {
         /// The names of the start rules, without hidden ones.
         known: Vec<&'static str>,
     },
+    /// An attribute, the start rule or the grammar of a lot is wrong, and
+    /// [`Settings::wrong_lots`](crate::run::settings::Settings::wrong_lots) makes this an error.
+    Lot {
+        /// The name of the lot; empty if it has none.
+        lot: String,
+        /// What is wrong, as in "there is no attribute `hight`; did you mean `height`?".
+        problems: Vec<String>,
+    },
     /// The initial shape cannot be used.
     Shape(String),
 }
@@ -151,6 +159,13 @@ impl fmt::Display for Error {
                 let more = if NAMED < known.len() { ", …" } else { "" };
                 let known = &known[..known.len().min(NAMED)];
                 write!(f, "`{}` is not a start rule; the start rules are {}{more}", shown(name), known.join(", "))
+            }
+            Error::Lot { lot, problems } => {
+                match lot.as_str() {
+                    "" => f.write_str("a lot without a name: ")?,
+                    lot => write!(f, "lot `{}`: ", shown(lot))?,
+                }
+                f.write_str(&problems.join("; also, "))
             }
             Error::Shape(message) => f.write_str(message),
         }

@@ -18,7 +18,7 @@ pub use crate::geometry::mesh::{TextureSpace, UvAxis};
 pub use crate::grammar::attribute::{Attribute, AttributeDefault, AttributeKind, ChoiceValues, Choices, Range, check};
 pub use crate::grammar::lazy::{Lazy, Origin, computed};
 pub use crate::grammar::parallel::{Stretch, generate_all, run_all};
-pub use crate::grammar::session::{DynSession, Session, generate, run, used_values};
+pub use crate::grammar::session::{DynSession, Session, generate, generate_from, run, used_values};
 pub use crate::grammar::support::{array, bake, branch, global, hidden, image, renew, string, text};
 pub use crate::grammar::{Evaluated, Field, Grammar, Unrunnable};
 pub use crate::op::{Length, set, slim};

@@ -24,6 +24,7 @@ mod inline;
 mod json;
 mod lazy;
 mod locals;
+mod lots;
 mod old_names;
 mod old_spellings;
 mod operations;

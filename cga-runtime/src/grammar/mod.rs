@@ -2,9 +2,11 @@
 
 pub mod attribute;
 mod field;
+pub mod grammars;
 #[cfg(feature = "serde")]
 mod json;
 pub(crate) mod lazy;
+mod lots;
 pub mod parallel;
 pub mod session;
 pub(crate) mod support;

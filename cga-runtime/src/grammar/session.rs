@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use std::fmt;
 
 use crate::fault::Error;
-use crate::grammar::Grammar;
+use crate::grammar::{Grammar, lots};
 use crate::output::model::Model;
 use crate::run::derive::{self, Kept, RunOutcome, Start};
 use crate::run::report::Report;
@@ -16,17 +16,20 @@ use crate::run::rules::Rules;
 use crate::run::settings::Settings;
 use crate::run::sink::Sink;
 use crate::shape::Shape;
+use crate::shape::lot::Lot;
 use crate::value::Value;
 
 /// Several runs of one grammar with the same settings. Made by `grammar.session(&settings)`.
 pub struct Session<'g, G: Rules> {
     setup: Setup<'g, G>,
     kept: Kept<G::Call>,
+    /// The grammars of the last lots with data of their own, the last one first.
+    of_lots: Vec<LotGrammar<G>>,
 }
 
 impl<G: Rules> fmt::Debug for Session<'_, G> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Session").field("settings", self.settings()).finish_non_exhaustive()
+        f.debug_struct("Session").field("settings", &self.setup.settings).finish_non_exhaustive()
     }
 }
 
@@ -39,22 +42,55 @@ struct Setup<'g, G> {
     start: Start,
 }
 
-impl<'g, G: Rules> Setup<'g, G> {
+/// A grammar with the values of a lot. Lots with equal data share it, and all that its runs keep.
+struct LotGrammar<G: Rules> {
+    lot: Lot,
+    grammar: G,
+    start: Start,
+    problems: Vec<String>,
+    kept: Kept<G::Call>,
+}
+
+/// The number of [`LotGrammar`]s that a session keeps.
+const KEPT_LOTS: usize = 16;
+
+impl<'g, G: Rules + Grammar + Clone> Setup<'g, G> {
     /// Checks the attributes and finds the start rule.
     fn new(grammar: &'g G, settings: Cow<'g, Settings>) -> Result<Self, Error> {
         grammar.check()?;
         let start = derive::start_rule::<G>(settings.start.as_deref())?;
         Ok(Setup { grammar, settings, start })
     }
+
+    /// The grammar with the values of a lot, its start rule, and what is wrong with them.
+    fn of_lot(&self, lot: &Lot) -> (G, Start, Vec<String>) {
+        let mut grammar = self.grammar.clone();
+        let mut problems = lots::set_values(&mut grammar, lot);
+        // The choices of an attribute that the lot does not have may depend on one that it has.
+        if let Err(error) = grammar.check() {
+            problems.push(error.to_string());
+            grammar = self.grammar.clone();
+        }
+        let start = lot.start.as_deref().map_or(Ok(self.start), |rule| derive::start_rule::<G>(Some(rule)));
+        let start = start.unwrap_or_else(|error| {
+            problems.push(error.to_string());
+            self.start
+        });
+        (grammar, start, problems)
+    }
 }
 
-impl<'g, G: Rules> Session<'g, G> {
+impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
     /// Opens a session. The method `session` of generated grammars does the same.
     ///
     /// # Errors
     /// [`Error::Attribute`] and [`Error::StartRule`], as they do not depend on the initial shape.
     pub fn new(grammar: &'g G, settings: &Settings) -> Result<Self, Error> {
-        Ok(Session { setup: Setup::new(grammar, Cow::Owned(settings.clone()))?, kept: Kept::default() })
+        Ok(Session::of(Setup::new(grammar, Cow::Owned(settings.clone()))?))
+    }
+
+    fn of(setup: Setup<'g, G>) -> Self {
+        Session { setup, kept: Kept::default(), of_lots: Vec::new() }
     }
 
     /// The settings of all runs.
@@ -65,7 +101,7 @@ impl<'g, G: Rules> Session<'g, G> {
     /// Runs on a shape and hands the leaves to a sink. The sink is not [finished](Sink::finish): more runs may follow.
     ///
     /// # Errors
-    /// [`Error::Shape`], [`Error::Limit`], [`Error::Cycle`]. The session can be used again after an error.
+    /// [`Error::Shape`], [`Error::Lot`], [`Error::Limit`], [`Error::Cycle`]. The session can be used again after an error.
     pub fn run<S: Sink + ?Sized>(&mut self, shape: &Shape, sink: &mut S) -> Result<Report, Error> {
         let outcome = self.outcome(shape, &mut { sink });
         if self.setup.settings.echo {
@@ -91,9 +127,33 @@ impl<'g, G: Rules> Session<'g, G> {
             return RunOutcome { report: Report { stopped: true, ..Report::default() }, error: None };
         }
         if let Err(error) = shape.check_initial() {
-            return RunOutcome { error: Some(error), ..RunOutcome::default() };
+            return RunOutcome::failed(error);
         }
-        derive::run(*grammar, *start, shape, settings, &mut self.kept, sink)
+        match shape.lot() {
+            None => derive::run(*grammar, *start, shape, settings, &mut self.kept, sink),
+            Some(lot) => self.outcome_of_lot(lot, shape, sink),
+        }
+    }
+
+    /// Runs on a shape with data of its own.
+    fn outcome_of_lot(&mut self, lot: &Lot, shape: &Shape, sink: &mut dyn Sink) -> RunOutcome {
+        let Session { setup, of_lots, .. } = self;
+        match of_lots.iter().position(|known| known.lot == *lot) {
+            Some(at) => of_lots[..=at].rotate_right(1),
+            None => {
+                let (grammar, start, problems) = setup.of_lot(lot);
+                of_lots.truncate(KEPT_LOTS - 1);
+                of_lots.insert(0, LotGrammar { lot: lot.clone(), grammar, start, problems, kept: Kept::default() });
+            }
+        }
+        let LotGrammar { grammar, start, problems, kept, .. } = &mut of_lots[0];
+        let faults = match lots::faults(shape, problems, setup.settings.wrong_lots) {
+            Ok(faults) => faults,
+            Err(error) => return RunOutcome::failed(error),
+        };
+        let mut outcome = derive::run(grammar, *start, shape, &setup.settings, kept, sink);
+        outcome.report.faults.splice(0..0, faults);
+        outcome
     }
 }
 
@@ -110,12 +170,12 @@ pub trait DynSession {
     fn outcome(&mut self, shape: &Shape, sink: &mut dyn Sink) -> RunOutcome {
         match self.run(shape, sink) {
             Ok(report) => RunOutcome { report, error: None },
-            Err(error) => RunOutcome { report: Report::default(), error: Some(error) },
+            Err(error) => RunOutcome::failed(error),
         }
     }
 }
 
-impl<G: Rules> DynSession for Session<'_, G> {
+impl<G: Rules + Grammar + Clone> DynSession for Session<'_, G> {
     fn run(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error> {
         Session::run(self, shape, sink)
     }
@@ -133,7 +193,14 @@ pub(crate) struct SingleRuns<'g, G: ?Sized> {
 
 impl<G: Grammar + ?Sized> DynSession for SingleRuns<'_, G> {
     fn run(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error> {
-        self.grammar.run(shape, &self.settings, sink)
+        let Some(lot) = shape.lot() else { return self.grammar.run(shape, &self.settings, sink) };
+        let mut grammar = self.grammar.boxed();
+        let problems = lots::set_values(&mut *grammar, lot);
+        let faults = lots::faults(shape, &problems, self.settings.wrong_lots)?;
+        let start = lot.start.as_ref().map(|rule| rule.as_str().to_owned()).or_else(|| self.settings.start.clone());
+        let mut report = grammar.run(shape, &Settings { start, ..self.settings.clone() }, sink)?;
+        report.faults.splice(0..0, faults);
+        Ok(report)
     }
 }
 
@@ -141,7 +208,7 @@ impl<G: Grammar + ?Sized> DynSession for SingleRuns<'_, G> {
 ///
 /// # Errors
 /// See [`Error`].
-pub fn run<G: Rules, S: Sink + ?Sized>(
+pub fn run<G: Rules + Grammar + Clone, S: Sink + ?Sized>(
     grammar: &G,
     shape: &Shape,
     settings: &Settings,
@@ -154,27 +221,43 @@ pub fn run<G: Rules, S: Sink + ?Sized>(
 ///
 /// # Errors
 /// See [`Error`].
-pub fn generate<G: Rules>(grammar: &G, shape: &Shape, settings: &Settings) -> Result<Model, Error> {
+pub fn generate<G: Rules + Grammar + Clone>(grammar: &G, shape: &Shape, settings: &Settings) -> Result<Model, Error> {
     once(grammar, settings)?.generate(shape)
+}
+
+/// Runs a rule of a grammar by its name, also if the lot names another one, and collects a model. Used by generated code.
+///
+/// # Errors
+/// See [`Error`].
+pub fn generate_from<G: Rules + Grammar + Clone>(grammar: &G, rule: &str, shape: &Shape) -> Result<Model, Error> {
+    let settings = Settings { start: Some(rule.to_owned()), ..Settings::default() };
+    generate(grammar, &shape.without_start(), &settings)
 }
 
 /// The names and values of the attributes of a run on a shape, without running rules. Used by generated code.
 ///
 /// # Errors
 /// See [`Grammar::used_values`].
-pub fn used_values<G: Rules + Grammar>(
+pub fn used_values<G: Rules + Grammar + Clone>(
     grammar: &G,
     shape: &Shape,
     settings: &Settings,
 ) -> Result<Vec<(&'static str, Value)>, Error> {
     let setup = Setup::new(grammar, Cow::Borrowed(settings))?;
     shape.check_initial()?;
-    let values = derive::used_values(grammar, setup.start, shape, settings)?;
+    let values = match shape.lot() {
+        None => derive::used_values(grammar, setup.start, shape, settings)?,
+        Some(lot) => {
+            let (grammar, start, problems) = setup.of_lot(lot);
+            lots::faults(shape, &problems, settings.wrong_lots)?;
+            derive::used_values(&grammar, start, shape, settings)?
+        }
+    };
     let pairs = grammar.attributes().iter().zip(values);
     Ok(pairs.filter_map(|(attribute, value)| Some((attribute.name, value?))).collect())
 }
 
 /// A session for one run.
-fn once<'g, G: Rules>(grammar: &'g G, settings: &'g Settings) -> Result<Session<'g, G>, Error> {
-    Ok(Session { setup: Setup::new(grammar, Cow::Borrowed(settings))?, kept: Kept::default() })
+fn once<'g, G: Rules + Grammar + Clone>(grammar: &'g G, settings: &'g Settings) -> Result<Session<'g, G>, Error> {
+    Ok(Session::of(Setup::new(grammar, Cow::Borrowed(settings))?))
 }

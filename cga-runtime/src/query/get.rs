@@ -201,7 +201,7 @@ macro_rules! array_attributes {
     ($($(#[$doc:meta])* $name:ident: $item:ty = $variant:ident;)*) => {$(
         $(#[$doc])*
         pub fn $name(shape: &impl View, number: u32, initial: &Array<$item>) -> Array<$item> {
-            if let Some(Value::$variant(value)) = shape.attribute(number) { value.clone() } else { initial.clone() }
+            if let Some(Value::$variant(value)) = shape.own_attribute(number) { value.clone() } else { initial.clone() }
         }
     )*};
 }
@@ -218,17 +218,17 @@ array_attributes! {
 /// The value on this shape of a float attribute of the grammar.
 #[inline]
 pub fn float_attribute(shape: &impl View, number: u32, initial: f64) -> f64 {
-    if let Some(Value::Float(value)) = shape.attribute(number) { *value } else { initial }
+    if let Some(Value::Float(value)) = shape.own_attribute(number) { *value } else { initial }
 }
 
 /// The value on this shape of a bool attribute of the grammar.
 #[inline]
 pub fn bool_attribute(shape: &impl View, number: u32, initial: bool) -> bool {
-    if let Some(Value::Bool(value)) = shape.attribute(number) { *value } else { initial }
+    if let Some(Value::Bool(value)) = shape.own_attribute(number) { *value } else { initial }
 }
 
 /// The value on this shape of a text attribute of the grammar.
 #[inline]
 pub fn text_attribute(shape: &impl View, number: u32, initial: &Text) -> Text {
-    if let Some(Value::Text(value)) = shape.attribute(number) { value.clone() } else { initial.clone() }
+    if let Some(Value::Text(value)) = shape.own_attribute(number) { value.clone() } else { initial.clone() }
 }

@@ -53,6 +53,13 @@ pub struct RunOutcome {
     pub(crate) error: Option<Error>,
 }
 
+impl RunOutcome {
+    /// A run that never began.
+    pub(crate) fn failed(error: Error) -> Self {
+        RunOutcome { error: Some(error), ..RunOutcome::default() }
+    }
+}
+
 /// Runs a grammar on a shape that was checked.
 pub(crate) fn run<R: Rules>(
     rules: &R,

@@ -92,6 +92,8 @@ pub struct Settings {
     /// True to also write printed lines to standard output when the run ends, with or without an error. They have the
     /// order of [`Report::prints`](crate::run::report::Report::prints).
     pub echo: bool,
+    /// What a lot leads to whose attribute, start rule or grammar is wrong.
+    pub wrong_lots: WrongLots,
     /// Follows the progress of runs and can end them early.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub watch: Option<Watch>,
@@ -99,6 +101,20 @@ pub struct Settings {
     #[doc(hidden)]
     #[cfg_attr(feature = "serde", serde(skip))]
     pub repeats: Repeats,
+}
+
+/// What a wrong lot leads to: an attribute that the grammar does not have, a value of another type or outside of its range, a start rule
+/// or a grammar that does not exist.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[non_exhaustive]
+pub enum WrongLots {
+    /// [`Error::Lot`](crate::fault::Error::Lot), before any rule runs.
+    #[default]
+    Fail,
+    /// A fault for each problem. The run uses the value of the grammar, the start rule of the settings, the first grammar.
+    Fault,
 }
 
 /// The derivation of parts that repeat.

@@ -13,6 +13,7 @@ mod geo;
 mod initial;
 pub(crate) mod look;
 pub(crate) mod look_id;
+pub(crate) mod lot;
 pub(crate) mod place;
 mod placed;
 pub mod scope;

@@ -5,6 +5,7 @@ use std::sync::{Arc, LazyLock};
 use crate::material::Material;
 use crate::shape::edge_attributes::EdgeAttributes;
 use crate::shape::look::Look;
+use crate::shape::lot::Lot;
 use crate::shape::texture::{Coordinates, Projections};
 use crate::value::Value;
 use crate::value::text::Text;
@@ -27,6 +28,8 @@ pub(crate) struct State {
     pub(crate) street_widths: Arc<[f64]>,
     /// The attributes of the edges of the initial shape.
     pub(crate) edge_attributes: EdgeAttributes,
+    /// The data of the initial shape, if it has any.
+    pub(crate) lot: Option<Arc<Lot>>,
     /// True if a run from this shape holds boxes and rectangles as meshes. No result depends on it.
     pub(crate) as_meshes: bool,
 }
@@ -53,6 +56,7 @@ impl Default for State {
             foreign: false,
             street_widths: Arc::default(),
             edge_attributes: EdgeAttributes::default(),
+            lot: None,
             as_meshes: false,
         }
     }

@@ -26,7 +26,7 @@ pub trait View {
     fn draw(&mut self) -> f64;
 
     /// The value that rules set for an attribute of the grammar on this shape, if any.
-    fn attribute(&self, number: u32) -> Option<&Value>;
+    fn own_attribute(&self, number: u32) -> Option<&Value>;
 }
 
 impl View for Shape {
@@ -54,7 +54,7 @@ impl View for Shape {
         self.seed.draw()
     }
 
-    fn attribute(&self, number: u32) -> Option<&Value> {
+    fn own_attribute(&self, number: u32) -> Option<&Value> {
         let state = self.state.get()?;
         let at = state.attributes.binary_search_by_key(&number, |(id, _)| *id).ok()?;
         Some(&state.attributes[at].1)
@@ -96,7 +96,7 @@ impl View for &ShapeRef<'_> {
     }
 
     #[inline]
-    fn attribute(&self, number: u32) -> Option<&Value> {
-        self.base.shape.attribute(number)
+    fn own_attribute(&self, number: u32) -> Option<&Value> {
+        self.base.shape.own_attribute(number)
     }
 }

@@ -185,6 +185,9 @@ macro_rules! from_values {
 
 from_values! {
     f64 => Float,
+    f32 => Float,
+    i32 => Float,
+    u32 => Float,
     bool => Bool,
     Text => Text,
     &str => Text,

@@ -20,11 +20,7 @@ impl Tower {
         rule: &::core::primitive::str,
         shape: &cga_rt::Shape,
     ) -> ::core::result::Result<cga_rt::Model, cga_rt::Error> {
-        let settings = cga_rt::Settings {
-            start: ::core::option::Option::Some(cga_rt::string(rule)),
-            ..::core::default::Default::default()
-        };
-        cga_rt::generate(self, shape, &settings)
+        cga_rt::generate_from(self, rule, shape)
     }
     /// Runs on a shape with settings: start rule, limits, assets.
     ///

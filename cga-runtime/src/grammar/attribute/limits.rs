@@ -97,13 +97,17 @@ impl Attribute {
         self.default.value().as_ref() == Some(value)
     }
 
+    /// Checks the type of a value.
+    pub(crate) fn has_type_of(&self, value: &Value) -> Result<(), AttributeError> {
+        let (wanted, got) = (self.ty(), value.ty());
+        if got == wanted { Ok(()) } else { Err(AttributeError::Type { name: self.name, wanted, got }) }
+    }
+
     /// Checks whether the host program may set the attribute to a value. Choices may depend on other attributes, whose
     /// values `get` has by name.
     pub(crate) fn allows(&self, value: &Value, get: &dyn Fn(&str) -> Option<Value>) -> Result<(), AttributeError> {
+        self.has_type_of(value)?;
         let name = self.name;
-        if value.ty() != self.ty() {
-            return Err(AttributeError::Type { name, wanted: self.ty(), got: value.ty() });
-        }
         if !self.is_restricted() || self.is_default(value) {
             return Ok(());
         }

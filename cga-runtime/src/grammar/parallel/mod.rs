@@ -24,6 +24,7 @@ pub use stretch::Stretch;
 
 use self::order::in_order;
 use self::stretch::{Done, EarlyEnd, derive_stretch};
+use crate::fault::Error;
 use crate::grammar::Grammar;
 use crate::grammar::session::DynSession;
 use crate::output::model::Model;
@@ -44,6 +45,19 @@ pub fn run_all<G: Grammar + Sync + ?Sized, S: Sink + Send>(
     settings: &Settings,
     sink: impl Fn(&Stretch) -> S + Sync,
 ) -> Result<Batches<S>, RunError> {
+    run_by(&|settings| grammar.session(settings), shapes, settings, sink)
+}
+
+/// Opens a session on a thread.
+pub(super) type Open<'a, 'g> = &'a (dyn Fn(&Settings) -> Result<Worker<'g>, Error> + Sync);
+
+/// [`run_all`] with a function that opens sessions.
+pub(super) fn run_by<S: Sink + Send>(
+    open: Open<'_, '_>,
+    shapes: &[Shape],
+    settings: &Settings,
+    sink: impl Fn(&Stretch) -> S + Sync,
+) -> Result<Batches<S>, RunError> {
     let job = |session: &mut Worker<'_>, stretch: &Stretch, ended: &dyn Fn() -> bool| {
         let run = |sink: &mut S, shape: &Shape| session.outcome(shape, sink);
         let mut done = derive_stretch(shapes, stretch, ended, sink(stretch), run);
@@ -53,7 +67,7 @@ pub fn run_all<G: Grammar + Sync + ?Sized, S: Sink + Send>(
         }
         done
     };
-    work(grammar, shapes, settings, job, |batches, shapes, sink| batches.push(Batch { shapes, sink }))
+    work(open, shapes, settings, job, |batches, shapes, sink| batches.push(Batch { shapes, sink }))
 }
 
 /// The old name of [`run_all`].
@@ -80,6 +94,15 @@ pub fn generate_all<G: Grammar + Sync + ?Sized>(
     shapes: &[Shape],
     settings: &Settings,
 ) -> Result<Batches<Model>, RunError> {
+    generate_by(&|settings| grammar.session(settings), shapes, settings)
+}
+
+/// [`generate_all`] with a function that opens sessions.
+pub(super) fn generate_by(
+    open: Open<'_, '_>,
+    shapes: &[Shape],
+    settings: &Settings,
+) -> Result<Batches<Model>, RunError> {
     let job = |session: &mut Worker<'_>, stretch: &Stretch, ended: &dyn Fn() -> bool| {
         derive_stretch(shapes, stretch, ended, Vec::new(), |models, shape| {
             let mut model = Model::new();
@@ -91,15 +114,15 @@ pub fn generate_all<G: Grammar + Sync + ?Sized>(
     let put = |batches: &mut Vec<Batch<Model>>, shapes: Range<usize>, models: Vec<Model>| {
         batches.extend(shapes.zip(models).map(|(at, model)| Batch { shapes: at..at + 1, sink: model }));
     };
-    work(grammar, shapes, settings, job, put)
+    work(open, shapes, settings, job, put)
 }
 
 /// A session that derives stretches on one thread.
-type Worker<'g> = Box<dyn DynSession + 'g>;
+pub(super) type Worker<'g> = Box<dyn DynSession + 'g>;
 
 /// Derives all stretches; `put` adds the output of each to the batches, in order.
-fn work<G: Grammar + Sync + ?Sized, S: Send, T: Send>(
-    grammar: &G,
+fn work<S: Send, T: Send>(
+    open: Open<'_, '_>,
     shapes: &[Shape],
     settings: &Settings,
     job: impl Fn(&mut Worker<'_>, &Stretch, &dyn Fn() -> bool) -> Done<T> + Sync,
@@ -107,8 +130,8 @@ fn work<G: Grammar + Sync + ?Sized, S: Send, T: Send>(
 ) -> Result<Batches<S>, RunError> {
     // Prints are echoed later, in the order of the shapes.
     let quiet = Settings { echo: false, ..settings.clone() };
-    let first = grammar.session(&quiet)?;
-    let again = || grammar.session(&quiet).ok();
+    let first = open(&quiet)?;
+    let again = || open(&quiet).ok();
     let count = shapes.len();
     let mut batches = Batches { batches: Vec::new(), report: Report::default() };
     let mut failed = None;

@@ -30,6 +30,24 @@ impl Batches<Model> {
         stats
     }
 
+    /// All leaves as one model, with the report of all runs.
+    pub fn to_model(&self) -> Model {
+        let mut model = Model::new();
+        // `Model` never ends a run.
+        let _ = self.replay(&mut model);
+        let assets = self.sinks().find_map(Model::assets).cloned().unwrap_or_default();
+        model.with_report(self.report().clone()).with_assets(assets)
+    }
+
+    /// Writes a picture of all models, as [`Model::write_png`] does.
+    ///
+    /// # Errors
+    /// Errors of the file system.
+    #[cfg(feature = "png")]
+    pub fn write_png(&self, path: impl AsRef<std::path::Path>) -> Result<(), crate::output::error::WriteError> {
+        self.to_model().write_png(path)
+    }
+
     /// Passes every leaf to a sink, in order, until it ends the run. The sink is not [finished](Sink::finish).
     pub fn replay<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         self.sinks().try_for_each(|model| model.replay(sink))

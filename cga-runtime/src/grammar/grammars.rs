@@ -1,0 +1,180 @@
+//! Several grammars with names, for lists of lots of different kinds.
+
+use std::fmt;
+
+use crate::fault::Error;
+use crate::grammar::parallel::{Stretch, generate_by, run_by};
+use crate::grammar::session::DynSession;
+use crate::grammar::{Grammar, lots};
+use crate::output::batches::{Batches, RunError};
+use crate::output::model::Model;
+use crate::run::derive::{self, RunOutcome};
+use crate::run::report::Report;
+use crate::run::settings::Settings;
+use crate::run::sink::Sink;
+use crate::shape::Shape;
+use crate::value::shown::shown;
+use crate::value::text::Text;
+
+/// Several grammars with names. Each lot runs the grammar that it names with [`Shape::grammar`], and a lot without a name the first one.
+///
+/// ```
+/// # // Rules are compiled by the crate `cga`; its tests run an example.
+/// # use cga_runtime as cga;
+/// use cga::fault::Error;
+/// use cga::grammar::grammars::Grammars;
+/// use cga::shape::Shape;
+///
+/// let lot = Shape::rectangle(20.0, 15.0).named("Mill Street 4").grammar("House");
+/// let error = Grammars::new().generate(&lot).unwrap_err();
+/// assert_eq!(error.to_string(), "lot `Mill Street 4`: there are no grammars");
+/// ```
+#[derive(Clone, Default)]
+pub struct Grammars {
+    list: Vec<(Text, Box<dyn Grammar + Send + Sync>)>,
+}
+
+impl fmt::Debug for Grammars {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.names()).finish()
+    }
+}
+
+impl Grammars {
+    /// No grammars.
+    pub fn new() -> Self {
+        Grammars::default()
+    }
+
+    /// Adds a grammar under the name of its header.
+    pub fn with(self, grammar: impl Grammar + Send + Sync + 'static) -> Self {
+        let name = grammar.name();
+        self.with_named(name, grammar)
+    }
+
+    /// Adds a grammar under another name, as a map may have it. It replaces a grammar of that name.
+    pub fn with_named(mut self, name: impl Into<Text>, grammar: impl Grammar + Send + Sync + 'static) -> Self {
+        let name = name.into();
+        match self.list.iter_mut().find(|(known, _)| *known == name) {
+            Some(own) => own.1 = Box::new(grammar),
+            None => self.list.push((name, Box::new(grammar))),
+        }
+        self
+    }
+
+    /// The names, in the order in which they were added.
+    pub fn names(&self) -> impl ExactSizeIterator<Item = &str> {
+        self.list.iter().map(|(name, _)| name.as_str())
+    }
+
+    /// The grammar with a name.
+    pub fn get(&self, name: &str) -> Option<&(dyn Grammar + Send + Sync)> {
+        self.list.iter().find(|(known, _)| known.as_str() == name).map(|(_, grammar)| &**grammar)
+    }
+
+    /// Runs the grammar of a lot and collects a model, with default settings.
+    ///
+    /// # Errors
+    /// [`Error::Lot`] for a grammar that does not exist, and the errors of a run.
+    pub fn generate(&self, lot: &Shape) -> Result<Model, Error> {
+        self.generate_with(lot, &Settings::default())
+    }
+
+    /// Runs the grammar of a lot with settings, and collects a model.
+    ///
+    /// # Errors
+    /// As [`generate`](Grammars::generate).
+    pub fn generate_with(&self, lot: &Shape, settings: &Settings) -> Result<Model, Error> {
+        let mut model = Model::new();
+        let report = self.session(settings).run(lot, &mut model)?;
+        Ok(model.with_report(report).with_assets(settings.assets.clone()))
+    }
+
+    /// Runs the grammar of a lot and hands the leaves to a sink.
+    ///
+    /// # Errors
+    /// As [`generate`](Grammars::generate).
+    pub fn run(&self, lot: &Shape, settings: &Settings, sink: &mut dyn Sink) -> Result<Report, Error> {
+        self.session(settings).run(lot, sink)
+    }
+
+    /// Opens a session: several runs with the same settings. Each grammar is checked at its first lot.
+    pub fn session(&self, settings: &Settings) -> Box<dyn DynSession + '_> {
+        let sessions = self.list.iter().map(|_| None).collect();
+        let quiet = Settings { echo: false, ..settings.clone() };
+        Box::new(GrammarsSession { grammars: self, settings: quiet, echo: settings.echo, sessions })
+    }
+
+    /// Runs on many lots, in parallel with the feature `rayon`, and collects a model of each.
+    ///
+    /// # Errors
+    /// The first error in the order of the lots.
+    pub fn generate_all(&self, lots: &[Shape], settings: &Settings) -> Result<Batches<Model>, RunError> {
+        generate_by(&|settings| Ok(self.session(settings)), lots, settings)
+    }
+
+    /// Runs on many lots, in parallel with the feature `rayon`, with a sink for each stretch of lots.
+    ///
+    /// # Errors
+    /// The first error in the order of the lots.
+    pub fn run_all<S: Sink + Send>(
+        &self,
+        lots: &[Shape],
+        settings: &Settings,
+        sink: impl Fn(&Stretch) -> S + Sync,
+    ) -> Result<Batches<S>, RunError> {
+        run_by(&|settings| Ok(self.session(settings)), lots, settings, sink)
+    }
+}
+
+/// The sessions of the grammars that had a lot so far.
+struct GrammarsSession<'g> {
+    grammars: &'g Grammars,
+    /// Without echo.
+    settings: Settings,
+    echo: bool,
+    sessions: Vec<Option<Box<dyn DynSession + 'g>>>,
+}
+
+impl GrammarsSession<'_> {
+    /// The number of a lot's grammar, and what is wrong with its name. The first grammar takes the place of an unknown one.
+    fn number_of(&self, lot: &Shape) -> (usize, Option<String>) {
+        let Some(name) = lot.grammar_name() else { return (0, None) };
+        let number = self.grammars.names().position(|known| known == name);
+        let problem = || {
+            let known: Vec<&str> = self.grammars.names().collect();
+            format!("there is no grammar `{}`; the grammars are {}", shown(name), known.join(", "))
+        };
+        (number.unwrap_or_default(), number.is_none().then(problem))
+    }
+}
+
+impl DynSession for GrammarsSession<'_> {
+    fn run(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error> {
+        let RunOutcome { report, error } = self.outcome(shape, sink);
+        if self.echo {
+            derive::echo(&report.prints);
+        }
+        error.map_or(Ok(report), Err)
+    }
+
+    fn outcome(&mut self, shape: &Shape, sink: &mut dyn Sink) -> RunOutcome {
+        let (number, problem) = self.number_of(shape);
+        let Some((_, grammar)) = self.grammars.list.get(number) else {
+            let problems = vec!["there are no grammars".to_owned()];
+            return RunOutcome::failed(Error::Lot { lot: shape.name().to_owned(), problems });
+        };
+        let faults = match lots::faults(shape, problem.as_slice(), self.settings.wrong_lots) {
+            Ok(faults) => faults,
+            Err(error) => return RunOutcome::failed(error),
+        };
+        let known = self.sessions[number].take();
+        let session = match known.map_or_else(|| grammar.session(&self.settings), Ok) {
+            Ok(session) => self.sessions[number].insert(session),
+            Err(error) => return RunOutcome::failed(error),
+        };
+        let mut outcome = session.outcome(shape, sink);
+        outcome.report.faults.splice(0..0, faults);
+        outcome
+    }
+}
