@@ -273,7 +273,7 @@ impl Model {
     }
 
     /// Writes an OBJ file, and beside it its materials in a file with the ending `.mtl`. In that file's name, `_` takes the place of `#` and
-    /// of other characters that OBJ files cannot name.
+    /// of other characters that OBJ files cannot name. Several files need a folder; [`Obj`] writes the text alone to any writer.
     ///
     /// # Errors
     /// Errors of the file system.
@@ -315,10 +315,7 @@ fn to_files(path: &Path, replay: impl FnOnce(&mut Obj<BufWriter<&File>>) -> Flow
     let mut obj = Obj::new(BufWriter::new(whole.file()), &name);
     let _ = replay(&mut obj);
     let images = mtl::builtins(obj.numbers.table.materials());
-    let materials = obj.finish().map_err(|error| match error {
-        WriteError::Io(error) => whole_file::failed(path, error),
-        other => other,
-    })?;
+    let materials = obj.finish().map_err(|error| whole_file::named(path, error))?;
     write_images(path, &images)?;
     whole_file::write(&library, materials.as_bytes())?;
     whole.finish()

@@ -4,7 +4,9 @@
 //! that pass through each other are not cut. Equal models give equal text. Textures are not drawn: faces have their
 //! material's colour.
 
+use std::convert::Infallible;
 use std::fmt::Write as _;
+use std::io;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
@@ -24,6 +26,9 @@ use crate::geometry::mesh::map::normal_map;
 use crate::material::Material;
 use crate::output::model::Model;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
+
+/// The size of text, in bytes, from which it is written out.
+const MUCH: usize = 1 << 15;
 
 /// The settings of a vector picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,6 +78,28 @@ impl Svg {
 
     /// The picture of a model as SVG text.
     pub fn render(&self, model: &Model) -> String {
+        let Ok(text) = self.draw(model, |_| Ok::<(), Infallible>(()));
+        text
+    }
+
+    /// Writes the text of [`Svg::render`] to `out`, in blocks, and flushes `out`.
+    ///
+    /// # Errors
+    /// [`WriteError::Io`] with an error of `out`.
+    pub fn render_to(&self, model: &Model, mut out: impl io::Write) -> Result<(), WriteError> {
+        let rest = self.draw(model, |text| {
+            if MUCH <= text.len() {
+                out.write_all(text.as_bytes())?;
+                text.clear();
+            }
+            io::Result::Ok(())
+        })?;
+        out.write_all(rest.as_bytes())?;
+        Ok(out.flush()?)
+    }
+
+    /// Draws a model as text. After each face, `each` may take the text so far. Returns the rest.
+    fn draw<E>(&self, model: &Model, mut each: impl FnMut(&mut String) -> Result<(), E>) -> Result<String, E> {
         let camera = self.view.camera(model.bounds()).orthographic();
         let mut faces = VisibleFaces {
             view: Viewport::new(&camera, self.width, self.height),
@@ -98,9 +125,10 @@ impl Svg {
         for index in order {
             let shown = &faces.shown[index];
             write_face(&mut svg, shown, &faces.table.materials()[shown.material as usize]);
+            each(&mut svg)?;
         }
         svg.push_str("</g>\n</svg>\n");
-        svg
+        Ok(svg)
     }
 }
 
@@ -197,6 +225,14 @@ impl Model {
     /// # Errors
     /// Errors of the file system.
     pub fn write_svg(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
-        whole_file::write(path.as_ref(), self.to_svg(800, 600).as_bytes())
+        whole_file::write_with(path.as_ref(), |out| self.write_svg_to(out))
+    }
+
+    /// Writes the text of the file of [`Model::write_svg`] to `out`.
+    ///
+    /// # Errors
+    /// As [`Svg::render_to`].
+    pub fn write_svg_to(&self, out: impl io::Write) -> Result<(), WriteError> {
+        Svg::new(800, 600).render_to(self, out)
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fs::{self, File, OpenOptions};
 use std::hash::{BuildHasher as _, Hasher as _, RandomState};
-use std::io::{self, Write as _};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::error::WriteError;
@@ -53,13 +53,29 @@ impl Drop for WholeFile {
 
 /// Writes a file of these bytes.
 pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
+    write_with(path, |out| Ok(out.write_all(bytes)?))
+}
+
+/// Writes a file with a function that gets the writer. It has no buffer.
+pub(super) fn write_with(
+    path: &Path,
+    contents: impl FnOnce(&mut dyn Write) -> Result<(), WriteError>,
+) -> Result<(), WriteError> {
     let whole = WholeFile::create(path)?;
-    whole.file().write_all(bytes).map_err(|error| failed(path, error))?;
+    contents(&mut whole.file()).map_err(|error| named(path, error))?;
     whole.finish()
 }
 
+/// The error of a writer, with the name of the file that it writes.
+pub(super) fn named(path: &Path, error: WriteError) -> WriteError {
+    match error {
+        WriteError::Io(error) => failed(path, error),
+        other => other,
+    }
+}
+
 /// The error of a file.
-pub(super) fn failed(path: &Path, error: io::Error) -> WriteError {
+fn failed(path: &Path, error: io::Error) -> WriteError {
     WriteError::File { path: path.to_owned(), error }
 }
 

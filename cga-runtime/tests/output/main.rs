@@ -18,3 +18,4 @@ mod sink_picture;
 mod sink_support;
 #[cfg(all(feature = "gltf", feature = "png"))]
 mod sink_textures;
+mod writers;

@@ -1,5 +1,6 @@
 //! GLB files from buffers: chunks of a stream, or batches made in parallel.
 
+use std::io;
 use std::ops::ControlFlow;
 use std::path::Path;
 
@@ -11,7 +12,6 @@ use crate::material::layer::SetMask;
 use crate::output::batches::Batches;
 use crate::output::buffers::{Buffers, Submesh, Vertex};
 use crate::output::error::WriteError;
-use crate::output::whole_file;
 use crate::run::sink::Flow;
 use crate::value::each::Each;
 
@@ -74,10 +74,7 @@ impl Buffers {
     /// # Errors
     /// As [`Glb::into_bytes`].
     pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
-        let mut glb = Glb::new().with_origin(self.origin());
-        // It stops when it is full; `into_bytes` reports that.
-        let _ = glb.buffers(self);
-        glb.into_bytes()
+        self.glb().into_bytes()
     }
 
     /// Writes the buffers as a GLB file: a chunk of a stream, for example.
@@ -102,7 +99,19 @@ impl Buffers {
     /// # Errors
     /// As [`Glb::into_bytes`], and errors of the file system.
     pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
-        whole_file::write(path.as_ref(), &self.to_glb()?)
+        self.glb().write_file(path.as_ref())
+    }
+
+    /// Writes the bytes of [`Buffers::to_glb`] to `out`.
+    ///
+    /// # Errors
+    /// As [`Glb::write_to`].
+    pub fn write_glb_to(&self, out: impl io::Write) -> Result<(), WriteError> {
+        self.glb().write_to(out)
+    }
+
+    fn glb(&self) -> Glb {
+        from_buffers(std::iter::once(self))
     }
 }
 
@@ -112,9 +121,35 @@ impl Batches<Buffers> {
     /// # Errors
     /// As [`Glb::into_bytes`].
     pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
-        let origin = self.sinks().next().map_or(DVec3::ZERO, Buffers::origin);
-        let mut glb = Glb::new().with_origin(origin);
-        let _ = self.sinks().try_for_each(|buffers| glb.buffers(buffers));
-        glb.into_bytes()
+        self.glb().into_bytes()
     }
+
+    /// Writes all batches as one GLB file.
+    ///
+    /// # Errors
+    /// As [`Glb::into_bytes`], and errors of the file system.
+    pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
+        self.glb().write_file(path.as_ref())
+    }
+
+    /// Writes the bytes of one GLB file with all batches to `out`.
+    ///
+    /// # Errors
+    /// As [`Glb::write_to`].
+    pub fn write_glb_to(&self, out: impl io::Write) -> Result<(), WriteError> {
+        self.glb().write_to(out)
+    }
+
+    fn glb(&self) -> Glb {
+        from_buffers(self.sinks())
+    }
+}
+
+/// A file of buffers, with positions relative to the origin of the first.
+fn from_buffers<'a>(list: impl Iterator<Item = &'a Buffers> + Clone) -> Glb {
+    let origin = list.clone().next().map_or(DVec3::ZERO, Buffers::origin);
+    let mut glb = Glb::new().with_origin(origin);
+    // It stops when it is full; `into_bytes` reports that.
+    let _ = list.clone().try_for_each(|buffers| glb.buffers(buffers));
+    glb
 }

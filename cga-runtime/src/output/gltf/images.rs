@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::fmt::Write as _;
 
-use super::binary::{BinaryChunk, text};
+use super::binary::BinaryChunk;
 use super::combine;
 use super::json::quoted;
 use super::textures::{ImageKey, LookTexture};
@@ -88,7 +88,7 @@ impl<'a> Images<'a> {
                     ImageKind::Png => "image/png",
                     ImageKind::Jpeg => "image/jpeg",
                 };
-                let view = binary.view(bytes.len(), "", move |to| text(to, &bytes, 0));
+                let view = binary.view(bytes.len(), "", move |to| to.bytes(&bytes, 0));
                 format!("{{\"bufferView\":{view},\"mimeType\":\"{kind}\"}}")
             }
         });

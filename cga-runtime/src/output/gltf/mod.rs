@@ -18,6 +18,7 @@
 mod binary;
 mod buffers;
 mod combine;
+mod container;
 mod images;
 mod json;
 mod look;
@@ -27,7 +28,9 @@ mod primitive;
 mod scene;
 mod streams;
 mod textures;
+mod words;
 
+use std::io;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
@@ -38,13 +41,13 @@ use self::look::Looks;
 use self::parts::RepeatedParts;
 use self::primitive::{INDEX_BYTES, Primitive, Primitives, UV_BYTES, VERTEX_BYTES};
 use self::scene::{MeshPlacement, SceneMesh};
+use super::batches::Batches;
 use super::error::WriteError;
 use super::flatten::Flattener;
 use super::near_origin::near_origin;
 use super::normals;
 use super::numbers::Numbers;
 use super::placed_assets::AssetList;
-use super::whole_file;
 use crate::asset::Assets;
 use crate::geometry::Axis;
 use crate::geometry::mesh::{Bounds, Mesh};
@@ -178,6 +181,35 @@ impl Glb {
     /// [`WriteError::TooLarge`] for more than 4 GiB, [`WriteError::NotFinite`] for coordinates beyond the range of
     /// `f32`.
     pub fn into_bytes(mut self) -> Result<Vec<u8>, WriteError> {
+        let meshes = self.meshes()?;
+        pack::pack(&self, &meshes)?.into_bytes()
+    }
+
+    /// Writes the completed file in blocks, without a copy of it in memory, and flushes `out`.
+    ///
+    /// ```
+    /// use cga_runtime::output::gltf::Glb;
+    ///
+    /// let mut bytes = Vec::new();
+    /// Glb::new().write_to(&mut bytes).unwrap(); // or a socket, or an entry of an archive
+    /// assert!(bytes == Glb::new().into_bytes().unwrap());
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Glb::into_bytes`], before anything is written, and [`WriteError::Io`] with an error of `out`.
+    pub fn write_to(mut self, mut out: impl io::Write) -> Result<(), WriteError> {
+        let meshes = self.meshes()?;
+        Ok(pack::pack(&self, &meshes)?.write(&mut out)?)
+    }
+
+    /// Writes the completed file with its name.
+    fn write_file(mut self, path: &Path) -> Result<(), WriteError> {
+        let meshes = self.meshes()?;
+        pack::pack(&self, &meshes)?.write_file(path)
+    }
+
+    /// The meshes of the scene.
+    fn meshes(&mut self) -> Result<Vec<SceneMesh>, WriteError> {
         let mut shared = self.place_assets();
         if let Some(parts) = self.parts.take() {
             shared.extend(self.place_parts(parts));
@@ -196,7 +228,7 @@ impl Glb {
             meshes = meshes.into_iter().flat_map(SceneMesh::by_rule).collect();
         }
         meshes.retain(|mesh| !mesh.primitives.is_empty());
-        pack::pack(&self, &meshes)
+        Ok(meshes)
     }
 
     /// Turns assets at several places into separate meshes; the others join the rest.
@@ -349,7 +381,7 @@ impl Model {
     /// # Errors
     /// As [`Glb::into_bytes`].
     pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
-        to_glb(self.bounds(), self.assets(), |glb| self.replay(glb))
+        self.glb().into_bytes()
     }
 
     /// Writes the model as a GLB file; see [`Model::to_glb`].
@@ -357,18 +389,29 @@ impl Model {
     /// # Errors
     /// As [`Glb::into_bytes`], and errors of the file system.
     pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
-        whole_file::write(path.as_ref(), &self.to_glb()?)
+        self.glb().write_file(path.as_ref())
+    }
+
+    /// Writes the bytes of [`Model::to_glb`] to `out`.
+    ///
+    /// # Errors
+    /// As [`Glb::write_to`].
+    pub fn write_glb_to(&self, out: impl io::Write) -> Result<(), WriteError> {
+        self.glb().write_to(out)
+    }
+
+    fn glb(&self) -> Glb {
+        from_models(self.bounds(), self.assets(), |glb| self.replay(glb))
     }
 }
 
-impl super::batches::Batches<Model> {
+impl Batches<Model> {
     /// All models as one GLB file, equal to the file of one model with all leaves.
     ///
     /// # Errors
     /// As [`Glb::into_bytes`].
     pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
-        let assets = self.sinks().next().and_then(Model::assets);
-        to_glb(self.bounds(), assets, |glb| self.replay(glb))
+        self.glb().into_bytes()
     }
 
     /// Writes all models as one GLB file.
@@ -376,19 +419,28 @@ impl super::batches::Batches<Model> {
     /// # Errors
     /// As [`Glb::into_bytes`], and errors of the file system.
     pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
-        whole_file::write(path.as_ref(), &self.to_glb()?)
+        self.glb().write_file(path.as_ref())
+    }
+
+    /// Writes the bytes of one GLB file with all models to `out`.
+    ///
+    /// # Errors
+    /// As [`Glb::write_to`].
+    pub fn write_glb_to(&self, out: impl io::Write) -> Result<(), WriteError> {
+        self.glb().write_to(out)
+    }
+
+    fn glb(&self) -> Glb {
+        let assets = self.sinks().next().and_then(Model::assets);
+        from_models(self.bounds(), assets, |glb| self.replay(glb))
     }
 }
 
-fn to_glb(
-    bounds: Bounds,
-    assets: Option<&Arc<Assets>>,
-    replay: impl FnOnce(&mut Glb) -> Flow,
-) -> Result<Vec<u8>, WriteError> {
+fn from_models(bounds: Bounds, assets: Option<&Arc<Assets>>, replay: impl FnOnce(&mut Glb) -> Flow) -> Glb {
     let mut glb = Glb { files: assets.cloned(), ..Glb::new().with_origin(near_origin(bounds)) };
     // It stops when it is full; `into_bytes` reports that.
     let _ = replay(&mut glb);
-    glb.into_bytes()
+    glb
 }
 
 /// An error for more bytes than the format allows.

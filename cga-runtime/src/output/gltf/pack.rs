@@ -1,16 +1,18 @@
 //! Combines streams and description into one file.
 
 use std::fmt::Write as _;
+use std::io;
 
 use glam::{DQuat, DVec3, Vec3, Vec4};
 
-use super::binary::{BinaryChunk, FourBytes, container, text};
+use super::binary::BinaryChunk;
+use super::container::Container;
 use super::images::Images;
 use super::json::{joined, quoted};
 use super::primitive::Primitive;
 use super::scene::{MeshInstance, MeshPlacement, SceneMesh};
-use super::streams::write_floats;
 use super::textures::LookTexture;
+use super::words::Words;
 use super::{Glb, check_size};
 use crate::output::buffers::Vertex;
 use crate::output::error::WriteError;
@@ -47,7 +49,7 @@ struct Accessors {
     tangent: Option<usize>,
 }
 
-pub(super) fn pack(glb: &Glb, meshes: &[SceneMesh]) -> Result<Vec<u8>, WriteError> {
+pub(super) fn pack<'a>(glb: &'a Glb, meshes: &'a [SceneMesh]) -> Result<Container<'a>, WriteError> {
     let flat: Vec<&Primitive> = meshes.iter().flat_map(|mesh| &mesh.primitives).collect();
     let mut binary = BinaryChunk::default();
     let images = Images::of(glb.looks.textures(), glb.files.as_deref(), glb.references_images);
@@ -75,7 +77,7 @@ pub(super) fn pack(glb: &Glb, meshes: &[SceneMesh]) -> Result<Vec<u8>, WriteErro
         }
         json.push('}');
         check_size(json.len() as u64)?;
-        return container(&json, &BinaryChunk::default());
+        return Container::new(json, BinaryChunk::default());
     }
     let rules = glb.numbers.table.rules();
     let table = Some(rules).filter(|_| !glb.is_by_rule);
@@ -100,7 +102,7 @@ pub(super) fn pack(glb: &Glb, meshes: &[SceneMesh]) -> Result<Vec<u8>, WriteErro
     // The chunk is padded, and readers complain if the buffer is shorter than the chunk.
     binary.align();
     let _ = write!(json, "\"buffers\":[{{\"byteLength\":{}}}]}}", binary.length);
-    container(&json, &binary)
+    Container::new(json, binary)
 }
 
 /// The name of a mesh and of its node: the name of its rule, or of the file if it has several rules.
@@ -141,8 +143,8 @@ fn write_rules(json: &mut String, binary: &mut BinaryChunk<'_>, rules: &[&str]) 
         names.extend_from_slice(rule.as_bytes());
         offsets.push(names.len() as u32);
     }
-    let values = binary.view(names.len(), "", move |to| text(to, &names, 0));
-    let offsets = binary.view(4 * offsets.len(), "", move |to| to.extend(offsets.iter().map(|o| o.to_le_bytes())));
+    let values = binary.view(names.len(), "", move |to| to.bytes(&names, 0));
+    let offsets = binary.view(4 * offsets.len(), "", move |to| to.each(&offsets, |offset| [offset.to_le_bytes()]));
     json.push_str("\"extensions\":{\"EXT_structural_metadata\":{\"schema\":{\"id\":\"cga\",\"classes\":{");
     json.push_str("\"rule\":{\"properties\":{\"name\":{\"type\":\"STRING\",\"required\":true}}}}},");
     let _ = write!(json, "\"propertyTables\":[{{\"class\":\"rule\",\"count\":{},\"properties\":{{", rules.len());
@@ -237,7 +239,7 @@ impl<'a> BinaryChunk<'a> {
         let rule = has_rules.then(|| self.stream(&RULE, primitives, vertices, &[], Primitive::write_rules));
         let mut uv = self.accessors.len();
         if !lists.is_empty() {
-            uv = self.stream(&UV, &lists, |list| list.len(), &[], |list, to| write_floats(list.as_flattened(), to));
+            uv = self.stream(&UV, &lists, |list| list.len(), &[], |list, to| to.floats(list.as_flattened()));
         }
         let accessors = primitives.iter().enumerate().map(|(i, primitive)| {
             let (indices, position, normal) = (indices + i, position + i, normal + i);
@@ -257,7 +259,7 @@ impl<'a> BinaryChunk<'a> {
         parts: &[&'a T],
         count: impl Fn(&T) -> usize,
         more: &[String],
-        write: impl Fn(&T, &mut Vec<FourBytes>) + 'a,
+        write: impl Fn(&T, &mut Words<'_>) -> io::Result<()> + 'a,
     ) -> usize {
         let VertexLayout { kind, component, bytes } = *layout;
         let usage = match component {
@@ -265,7 +267,7 @@ impl<'a> BinaryChunk<'a> {
             _ => format!(",\"byteStride\":{bytes},\"target\":34962"),
         };
         let (total, all) = (parts.iter().map(|part| count(part)).sum::<usize>(), parts.to_vec());
-        let view = self.view(bytes * total, &usage, move |to| all.iter().for_each(|part| write(part, to)));
+        let view = self.view(bytes * total, &usage, move |to| all.iter().try_for_each(|part| write(part, to)));
         let (first, mut offset) = (self.accessors.len(), 0);
         for (i, part) in parts.iter().enumerate() {
             let more = more.get(i).map_or("", String::as_str);
@@ -288,11 +290,11 @@ impl<'a> BinaryChunk<'a> {
         }
         let all = lists.clone();
         let translations = self.view(12 * count, "", move |to| {
-            all.iter().copied().flatten().for_each(|place| to.extend(place.translation.each(f32::to_le_bytes)));
+            all.iter().try_for_each(|list| to.each(list, |place| place.translation.each(f32::to_le_bytes)))
         });
         let all = lists.clone();
         let rotations = self.view(16 * count, "", move |to| {
-            all.iter().copied().flatten().for_each(|place| to.extend(place.rotation.each(f32::to_le_bytes)));
+            all.iter().try_for_each(|list| to.each(list, |place| place.rotation.each(f32::to_le_bytes)))
         });
         let mut at = 0;
         let accessors = lists.iter().map(|list| {

@@ -79,6 +79,15 @@ impl Model {
     pub fn write_png(&self, path: impl AsRef<std::path::Path>) -> Result<(), crate::output::error::WriteError> {
         Picture::new(1200, 900).render(self).write_png(path)
     }
+
+    /// Writes the bytes of the file of [`Model::write_png`] to `out`.
+    ///
+    /// # Errors
+    /// As [`Image::write_png_to`].
+    #[cfg(feature = "png")]
+    pub fn write_png_to(&self, out: impl std::io::Write) -> Result<(), crate::output::error::WriteError> {
+        Picture::new(1200, 900).render(self).write_png_to(out)
+    }
 }
 
 /// The lines that are drawn.
