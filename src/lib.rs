@@ -48,7 +48,7 @@ pub use cga_runtime::grammar::attribute::{
 ///     Shape::rectangle(20.0, 20.0).named("The Green").grammar("Park"),
 /// ];
 /// let models = Grammars::new().with(House::default()).with(Park::default()).generate_all(&lots, &Settings::default())?;
-/// assert_eq!((models.stats().volume(), models.count("Lawn")), (1000.0, 1));
+/// assert_eq!((models.to_model().volume(), models.count("Lawn")), (1000.0, 1));
 /// # Ok::<(), Error>(())
 /// ```
 pub use cga_runtime::grammar::grammars::Grammars;
@@ -89,6 +89,7 @@ pub use cga_runtime::output::batches::ShapeError;
 pub use cga_runtime::output::batches::{Batch, Batches, RunError};
 pub use cga_runtime::output::error::WriteError;
 pub use cga_runtime::output::model::{Geometry, LeafView, Leaves, Model};
+pub use cga_runtime::run::building::Building;
 pub use cga_runtime::run::report::Report;
 pub use cga_runtime::run::report::{Collection, Print, Reports, Summary};
 pub use cga_runtime::run::rules::Rules;

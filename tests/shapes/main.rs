@@ -2,6 +2,7 @@
 
 mod asset_sources;
 mod assets;
+mod buildings;
 mod collect;
 mod components;
 mod edges;

@@ -10,7 +10,7 @@ use std::fmt;
 use crate::fault::Error;
 use crate::grammar::{Grammar, lots};
 use crate::output::model::Model;
-use crate::run::derive::{self, Kept, RunOutcome, Start};
+use crate::run::derive::{self, GrammarNames, Kept, RunOutcome, Start};
 use crate::run::report::Report;
 use crate::run::rules::Rules;
 use crate::run::settings::Settings;
@@ -130,7 +130,7 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
             return RunOutcome::failed(error);
         }
         match shape.lot() {
-            None => derive::run(*grammar, *start, shape, settings, &mut self.kept, sink),
+            None => run_named(*grammar, *start, shape, settings, &mut self.kept, sink),
             Some(lot) => self.outcome_of_lot(lot, shape, sink),
         }
     }
@@ -151,10 +151,25 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
             Ok(faults) => faults,
             Err(error) => return RunOutcome::failed(error),
         };
-        let mut outcome = derive::run(grammar, *start, shape, &setup.settings, kept, sink);
+        let mut outcome = run_named(grammar, *start, shape, &setup.settings, kept, sink);
         outcome.report.faults.splice(0..0, faults);
         outcome
     }
+}
+
+/// Runs a grammar on a shape that was checked, with the names that the grammar has.
+fn run_named<G: Rules + Grammar>(
+    grammar: &G,
+    start: Start,
+    shape: &Shape,
+    settings: &Settings,
+    kept: &mut Kept<G::Call>,
+    sink: &mut dyn Sink,
+) -> RunOutcome {
+    let attributes = grammar.attributes();
+    let attribute = |index: usize| attributes.get(index).map_or("", |attribute| attribute.name);
+    let names = GrammarNames { grammar: grammar.name(), attribute: &attribute };
+    derive::run(grammar, start, shape, settings, kept, &names, sink)
 }
 
 /// A session of a grammar that is chosen at run time. Made by [`Grammar::session`].

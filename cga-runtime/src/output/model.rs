@@ -6,7 +6,7 @@
 
 mod leaf_view;
 
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 
 use glam::DAffine3;
@@ -19,6 +19,7 @@ use crate::material::Material;
 use crate::output::numbers::Numbers;
 use crate::output::stats::Stats;
 use crate::output::texture::leaf_uvs::LeafUvs;
+use crate::run::building::Building;
 use crate::run::report::Report;
 use crate::run::report::{Collection, Print, Reports};
 use crate::run::settings::Limits;
@@ -38,6 +39,8 @@ pub struct Model {
     /// The texture coordinates of rectangles and boxes, where they have any.
     uvs: LeafUvs,
     numbers: Numbers,
+    /// The buildings, each with the range of its leaves.
+    buildings: Vec<(Building, Range<usize>)>,
     report: Report,
     assets: Option<Arc<Assets>>,
 }
@@ -175,6 +178,20 @@ impl Model {
         }
     }
 
+    /// The initial shapes whose leaves it has, in order, each with the range of its leaves in [`Model::leaves`]. The model of a run has one.
+    ///
+    /// ```
+    /// use cga_runtime::output::model::Model;
+    ///
+    /// # let model = Model::new();
+    /// for (building, leaves) in model.buildings() {
+    ///     println!("{}: {} leaves", building.name, leaves.len());
+    /// }
+    /// ```
+    pub fn buildings(&self) -> impl ExactSizeIterator<Item = (&Building, Range<usize>)> {
+        self.buildings.iter().map(|(building, leaves)| (building, leaves.clone()))
+    }
+
     /// The leaves of one rule, in the order of the run.
     pub fn leaves_of<'a>(&'a self, rule: &'a str) -> impl Iterator<Item = LeafView<'a>> + Clone + 'a {
         self.leaves().filter(move |leaf| leaf.rule() == rule)
@@ -252,7 +269,12 @@ impl Model {
 
     /// Passes every leaf to a sink, in order, until it ends the run.
     pub fn replay<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
-        self.leaves().try_for_each(|leaf| leaf.replay(sink))
+        let mut leaves = self.leaves();
+        for (building, own) in &self.buildings {
+            leaves.by_ref().take(own.len()).try_for_each(|leaf| leaf.replay(sink))?;
+            sink.building(&|| building.clone());
+        }
+        leaves.try_for_each(|leaf| leaf.replay(sink))
     }
 
     fn push(&mut self, leaf: &Leaf<'_>, stored: Stored) -> Flow {
@@ -331,5 +353,10 @@ impl Sink for Model {
 
     fn placement(&mut self, leaf: &Leaf<'_>) -> Flow {
         self.push(leaf, Stored::Placement)
+    }
+
+    fn building(&mut self, building: &dyn Fn() -> Building) {
+        let start = self.buildings.last().map_or(0, |(_, leaves)| leaves.end);
+        self.buildings.push((building(), start..self.records.len()));
     }
 }

@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::io::Write as _;
 
 use crate::fault::Error;
+use crate::run::building::Building;
 use crate::run::context::Cx;
 use crate::run::env::Env;
 use crate::run::report::{Print, Report};
@@ -60,6 +61,13 @@ impl RunOutcome {
     }
 }
 
+/// The names that a grammar has for its buildings.
+pub(crate) struct GrammarNames<'a> {
+    pub(crate) grammar: &'static str,
+    /// The names of attributes by index.
+    pub(crate) attribute: &'a dyn Fn(usize) -> &'static str,
+}
+
 /// Runs a grammar on a shape that was checked.
 pub(crate) fn run<R: Rules>(
     rules: &R,
@@ -67,6 +75,7 @@ pub(crate) fn run<R: Rules>(
     shape: &Shape,
     settings: &Settings,
     kept: &mut Kept<R::Call>,
+    names: &GrammarNames<'_>,
     sink: &mut dyn Sink,
 ) -> RunOutcome {
     let mut env = Env::new(settings, R::NAMES, shape, name);
@@ -77,8 +86,15 @@ pub(crate) fn run<R: Rules>(
     // Both are taken: templates contain numbers of these looks. If a sink panics, neither stays in the session.
     std::mem::swap(&mut env.leaf_tables.looks, &mut kept.materials);
     let mut templates = std::mem::take(&mut kept.templates);
-    let mut cx =
-        Cx { env: &mut env, sink, waiting: VecDeque::new(), stack: 0, depth: 0, templates: &mut templates, tape: None };
+    let mut cx = Cx {
+        env: &mut env,
+        sink: &mut *sink,
+        waiting: VecDeque::new(),
+        stack: 0,
+        depth: 0,
+        templates: &mut templates,
+        tape: None,
+    };
     let values = rules.values(cx.env, shape, style);
     // A break without an error comes from the sink or the watch.
     let mut flow = if cx.env.ended() { Flow::Break(()) } else { Flow::Continue(()) };
@@ -95,7 +111,18 @@ pub(crate) fn run<R: Rules>(
     }
     std::mem::swap(&mut env.leaf_tables.looks, &mut kept.materials);
     kept.templates = templates;
-    outcome(&mut env, flow)
+    let outcome = outcome(&mut env, flow);
+    sink.building(&|| {
+        let mut building = Building::of(shape, names.grammar);
+        let mut index = 0..;
+        R::used(&values, style, &mut |value| {
+            let name = index.next().map_or("", names.attribute);
+            building.attributes.extend(value.map(|value| (name, value)));
+        });
+        building.reports = outcome.report.reports.clone();
+        building
+    });
+    outcome
 }
 
 /// The result of a run that has ended: `Break` if the sink, the watch or an error ended it.

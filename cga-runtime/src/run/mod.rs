@@ -1,5 +1,6 @@
 //! A run: rules are called one after the other, and leaves go to a sink.
 
+pub mod building;
 pub(crate) mod context;
 pub(crate) mod derive;
 pub(crate) mod env;

@@ -7,7 +7,7 @@ use std::path::Path;
 use glam::DVec3;
 
 use super::Glb;
-use super::primitive::Primitive;
+use super::primitive::{Owner, Primitive};
 use crate::material::layer::SetMask;
 use crate::output::batches::Batches;
 use crate::output::buffers::{Buffers, Submesh, Vertex};
@@ -31,13 +31,14 @@ impl Glb {
     pub fn buffers(&mut self, buffers: &Buffers) -> Flow {
         let sets = SetMask::of(|set| !buffers.uv_set(set).is_empty());
         let moved = buffers.origin() - self.origin;
+        let building = self.next_building();
         for submesh in buffers.submeshes() {
             let table = &mut self.numbers.table;
             let rule = table.rule(buffers.rules()[submesh.rule as usize]);
             let material = table.material(&buffers.materials()[submesh.material as usize]);
             self.add(submesh.vertices.len(), submesh.indices.len(), sets.sets().count())?;
             let primitive = self.primitives.of(&mut self.looks, &self.numbers.table, material, sets);
-            primitive.submesh(buffers, &submesh, rule, moved);
+            primitive.submesh(buffers, &submesh, Owner { rule, building }, moved);
         }
         ControlFlow::Continue(())
     }
@@ -45,8 +46,8 @@ impl Glb {
 
 impl Primitive {
     /// Adds the triangles of a submesh of buffers.
-    fn submesh(&mut self, buffers: &Buffers, submesh: &Submesh, rule: u32, moved: DVec3) {
-        self.begin(rule);
+    fn submesh(&mut self, buffers: &Buffers, submesh: &Submesh, owner: Owner, moved: DVec3) {
+        self.begin(owner);
         let vertices = &buffers.vertices()[submesh.vertices.clone()];
         let (start, first) = (self.vertices().len() as u32, submesh.vertices.start as u32);
         let to_file = |vertex: &Vertex| match (*vertex, moved) {

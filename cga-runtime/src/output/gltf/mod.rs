@@ -1,10 +1,11 @@
 //! GLB 2.0: one binary file with geometry, materials and rule names.
 //!
-//! Triangles are grouped into one primitive for each material. Each vertex has the number of its rule
-//! (`_FEATURE_ID_0`, `EXT_mesh_features`), and a property table (`EXT_structural_metadata`) has the names; on request,
-//! rules are nodes instead ([`Glb::by_rule`]). Assets
-//! inserted more than once are stored once and placed by nodes. On request, parts that rules repeat are stored once
-//! with a list of their places (`EXT_mesh_gpu_instancing`). Colours are converted from sRGB to linear light.
+//! Triangles are grouped into one primitive for each material. Each vertex has the number of its rule (`_FEATURE_ID_0`) and of its
+//! building (`_FEATURE_ID_1`, both `EXT_mesh_features`), and property tables (`EXT_structural_metadata`) have the names of
+//! the rules, and of each building the name, the grammar, the seed, attributes and reports. On request, rules or buildings are nodes
+//! instead ([`Glb::by_rule`], [`Glb::by_building`]). Assets inserted more than once are stored once and placed by nodes, with
+//! the number of their building in `extras`. On request, parts that rules repeat are stored once
+//! with a list of their places (`EXT_mesh_gpu_instancing`) and of their buildings (`EXT_instance_features`). Colours are converted from sRGB to linear light.
 //! Materials are double sided by default, as in CGA. Equal leaves and images give equal bytes.
 //!
 //! Images are embedded if the assets are known ([`Glb::with_assets`]; a model of a run knows them), otherwise they
@@ -22,10 +23,13 @@ mod container;
 mod images;
 mod json;
 mod look;
+mod nodes;
 mod pack;
 mod parts;
 mod primitive;
+mod property_table;
 mod scene;
+mod single_sided;
 mod streams;
 mod textures;
 mod words;
@@ -39,8 +43,9 @@ use glam::{DAffine3, DVec3};
 
 use self::look::Looks;
 use self::parts::RepeatedParts;
-use self::primitive::{INDEX_BYTES, Primitive, Primitives, UV_BYTES, VERTEX_BYTES};
-use self::scene::{MeshPlacement, SceneMesh};
+use self::primitive::{BUILDING_BYTES, INDEX_BYTES, Owner, Primitive, Primitives, UV_BYTES, VERTEX_BYTES};
+use self::scene::{Division, MeshPlacement, SceneMesh};
+use self::single_sided::SingleSided;
 use super::batches::Batches;
 use super::error::WriteError;
 use super::flatten::Flattener;
@@ -53,7 +58,9 @@ use crate::geometry::Axis;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::uv_map::{self, SetMap};
 use crate::material::layer::SetMask;
+use crate::output::measure::{cuboid_volume, mesh_volume};
 use crate::output::model::Model;
+use crate::run::building::Building;
 use crate::run::sink::corners::{PlacedBox, four};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
@@ -67,7 +74,10 @@ pub struct Glb {
     numbers: Numbers,
     looks: Looks,
     primitives: Primitives,
-    assets: AssetList<()>,
+    /// The inserted assets; each place has the number of its building.
+    assets: AssetList<u32>,
+    /// The buildings that are complete. Leaves that follow belong to the next.
+    buildings: Vec<Building>,
     /// The repeated parts, if they become instances.
     parts: Option<RepeatedParts>,
     flattener: Flattener,
@@ -76,9 +86,11 @@ pub struct Glb {
     files: Option<Arc<Assets>>,
     references_images: bool,
     name: Option<String>,
-    is_by_rule: bool,
-    /// Leaves without faces, each with the number of its rule, if they are written.
-    placements: Option<Vec<(u32, Scope)>>,
+    division: Division,
+    /// The single-sided materials of closed leaves, if they are wanted.
+    single_sided: Option<SingleSided>,
+    /// Leaves without faces, if they are written.
+    placements: Option<Vec<(Owner, Scope)>>,
     /// Names and JSON texts of values.
     extras: Vec<(String, String)>,
 }
@@ -143,7 +155,22 @@ impl Glb {
     /// extension for rule names (most do) then show the rules as objects. A rule has a primitive for each of its
     /// materials, and vertices have no rule numbers.
     pub fn by_rule(mut self) -> Self {
-        self.is_by_rule = true;
+        self.division.by_rule = true;
+        self
+    }
+
+    /// Writes a node and a mesh for each building, with its name and its data as `extras`, below the root node. A building is an initial
+    /// shape: in a file of many, programs that ignore the extensions for features then show each as an object. With
+    /// [`by_rule`](Glb::by_rule) the nodes of its rules are below it.
+    pub fn by_building(mut self) -> Self {
+        self.division.by_building = true;
+        self
+    }
+
+    /// Shows closed leaves from outside alone, where rules do not set `material.doubleSided`: a card then draws half of their
+    /// triangles. As in CGA, all materials show both sides by default.
+    pub fn with_single_sided_solids(mut self) -> Self {
+        self.single_sided = Some(SingleSided::default());
         self
     }
 
@@ -215,18 +242,17 @@ impl Glb {
             shared.extend(self.place_parts(parts));
         }
         check_size(self.bytes)?;
-        let is_finite = |(_, scope): &(u32, Scope)| {
+        let is_finite = |(_, scope): &(Owner, Scope)| {
             (scope.origin - self.origin).as_vec3().is_finite() && scope.size.as_vec3().is_finite()
         };
         if !self.placements.iter().flatten().all(is_finite) {
             return Err(WriteError::NotFinite);
         }
         let main = std::mem::take(&mut self.primitives).into_list();
-        let mut meshes = vec![SceneMesh { primitives: main, places: MeshPlacement::Root }];
+        let mut meshes = vec![SceneMesh { primitives: main, places: MeshPlacement::Root, building: None }];
         meshes.extend(shared);
-        if self.is_by_rule {
-            meshes = meshes.into_iter().flat_map(SceneMesh::by_rule).collect();
-        }
+        self.end_buildings(&meshes);
+        meshes = meshes.into_iter().flat_map(|mesh| mesh.divided(self.division)).collect();
         meshes.retain(|mesh| !mesh.primitives.is_empty());
         Ok(meshes)
     }
@@ -241,20 +267,45 @@ impl Glb {
                 // Filled in the mesh's own coordinates, with a separate list of primitives.
                 let main = std::mem::take(&mut self.primitives);
                 let origin = std::mem::take(&mut self.origin);
-                self.add_mesh(rule, material, mesh, &DAffine3::IDENTITY);
+                self.add_mesh(Owner { rule, building: 0 }, material, mesh, &DAffine3::IDENTITY);
                 self.origin = origin;
                 let primitives = std::mem::replace(&mut self.primitives, main).into_list();
-                let places = MeshPlacement::Nodes(own.into_iter().map(|(place, ())| place).collect());
-                shared.push(SceneMesh { primitives, places });
+                shared.push(SceneMesh { primitives, places: MeshPlacement::Nodes(own), building: None });
             }
-            single.iter().for_each(|(place, ())| self.add_mesh(rule, material, mesh, place));
+            for (place, building) in single {
+                self.add_mesh(Owner { rule, building }, material, mesh, &place);
+            }
         }
         shared
     }
 
+    /// The number of the building that the next leaf belongs to.
+    #[inline]
+    fn next_building(&self) -> u32 {
+        self.buildings.len() as u32
+    }
+
+    #[inline]
+    fn owner(&self, rule: u32) -> Owner {
+        Owner { rule, building: self.next_building() }
+    }
+
+    /// Adds a building without data for leaves after the last one. A file without any has no features of buildings.
+    fn end_buildings(&mut self, meshes: &[SceneMesh]) {
+        let last = self.next_building();
+        let owners = meshes.iter().flat_map(|mesh| &mesh.primitives).flat_map(|primitive| &primitive.owners);
+        let places = meshes.iter().flat_map(SceneMesh::buildings);
+        let placements = self.placements.iter().flatten().map(|(owner, _)| owner.building);
+        let has_more = owners.map(|(owner, _)| owner.building).chain(places).chain(placements).any(|own| own == last);
+        if has_more && last != 0 {
+            self.buildings.push(Building::default());
+        }
+    }
+
     /// Counts the bytes of vertices with a number of sets of texture coordinates, and of indices.
     fn add(&mut self, vertices: usize, indices: usize, sets: usize) -> Flow {
-        self.add_bytes(vertices as u64 * (VERTEX_BYTES + sets as u64 * UV_BYTES) + indices as u64 * INDEX_BYTES)
+        let vertex = VERTEX_BYTES + sets as u64 * UV_BYTES + if self.buildings.is_empty() { 0 } else { BUILDING_BYTES };
+        self.add_bytes(vertices as u64 * vertex + indices as u64 * INDEX_BYTES)
     }
 
     fn add_bytes(&mut self, bytes: u64) -> Flow {
@@ -277,12 +328,14 @@ impl Glb {
         self.primitives.of(&mut self.looks, &self.numbers.table, material, sets)
     }
 
-    fn add_mesh(&mut self, rule: u32, material: u32, mesh: &Mesh, placement: &DAffine3) {
-        let Glb { origin, numbers, looks, primitives, flattener, .. } = self;
+    fn add_mesh(&mut self, owner: Owner, material: u32, mesh: &Mesh, placement: &DAffine3) {
+        let Glb { origin, numbers, looks, primitives, flattener, single_sided, .. } = self;
         let sets = SetMask::of(|set| !mesh.uv_set(set).is_empty());
+        let mut single_sided = single_sided.as_mut().filter(|_| mesh.is_closed() && 0.0 < mesh_volume(mesh, placement));
         flattener.faces(mesh, placement, |face| {
             let shown = face.material(&mut numbers.table, material);
-            primitives.of(looks, &numbers.table, shown, sets).face(&face, rule, *origin);
+            let shown = single_sided.as_mut().map_or(shown, |materials| materials.of(shown, &mut numbers.table));
+            primitives.of(looks, &numbers.table, shown, sets).face(&face, owner, *origin);
             true
         });
     }
@@ -303,12 +356,15 @@ impl Sink for Glb {
         match shape.form {
             Form::Rect(Axis::Z) => {
                 let (rule, material) = self.numbers.filled(leaf);
-                self.plain(material).quad(rule, placed, shape.axes.normals[0]);
+                let owner = self.owner(rule);
+                self.plain(material).quad(owner, placed, shape.axes.normals[0]);
                 self.add(4, 6, 0)
             }
+            Form::Box if self.single_sided.is_some() => leaf.pass_to(self),
             Form::Box => {
                 let (rule, material) = self.numbers.filled(leaf);
-                self.plain(material).cuboid(rule, &placed, shape.unit.get(), &shape.axes.normals);
+                let owner = self.owner(rule);
+                self.plain(material).cuboid(owner, &placed, shape.unit.get(), &shape.axes.normals);
                 self.add(24, 36, 0)
             }
             Form::Rect(_) | Form::Empty | Form::Other => leaf.pass_to(self),
@@ -324,7 +380,7 @@ impl Sink for Glb {
             self.parts = Some(parts);
             return flow;
         }
-        if !replay.is_plain() {
+        if !replay.is_plain() || self.single_sided.is_some() {
             return replay.each(self);
         }
         let (mut leaf, origin) = (0, four(self.origin));
@@ -332,45 +388,56 @@ impl Sink for Glb {
             let (rule, material) = self.numbers.with_look(&filled, mark.look);
             let leaves = leaf..leaf + mark.leaves;
             leaf = leaves.end;
-            self.plain(material).repeat(rule, replay, leaves, mark.corners / 4, origin);
+            let owner = self.owner(rule);
+            self.plain(material).repeat(owner, replay, leaves, mark.corners / 4, origin);
         }
         self.add(replay.corner_count(), replay.corner_count() / 4 * 6, 0)
     }
 
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
-        let placed = PlacedBox::from(quad).moved(-four(self.origin));
+        let (owner, placed) = (self.owner(rule), PlacedBox::from(quad).moved(-four(self.origin)));
         let primitive = self.primitive(material, leaf.uvs());
-        primitive.quad(rule, placed, normals::of_quad(leaf, quad));
+        primitive.quad(owner, placed, normals::of_quad(leaf, quad));
         primitive.uvs(leaf.uvs(), quad.corners().into_iter());
         self.add(4, 6, leaf.uvs().len())
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
-        let (rule, material) = self.numbers.leaf(leaf);
-        let placed = PlacedBox::from(cuboid).moved(-four(self.origin));
+        let (rule, mut material) = self.numbers.leaf(leaf);
+        let (owner, placed) = (self.owner(rule), PlacedBox::from(cuboid).moved(-four(self.origin)));
+        if let Some(single_sided) = self.single_sided.as_mut().filter(|_| 0.0 < cuboid_volume(cuboid)) {
+            material = single_sided.of(material, &mut self.numbers.table);
+        }
         let primitive = self.primitive(material, leaf.uvs());
-        primitive.cuboid(rule, &placed, cuboid.unit, &normals::of_cuboid(leaf, cuboid));
+        primitive.cuboid(owner, &placed, cuboid.unit, &normals::of_cuboid(leaf, cuboid));
         primitive.uvs(leaf.uvs(), cuboid.face_corners());
         self.add(24, 36, leaf.uvs().len())
     }
 
     fn instance(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
-        self.assets.add(mesh, rule, material, (*placement, ()));
+        let building = self.next_building();
+        self.assets.add(mesh, rule, material, (*placement, building));
         ControlFlow::Continue(())
     }
 
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
-        self.add_mesh(rule, material, mesh, placement);
+        self.add_mesh(self.owner(rule), material, mesh, placement);
         self.add(mesh.corners.len(), 3 * mesh.corners.len(), mesh.uv_numbers().count())
     }
 
     fn placement(&mut self, leaf: &Leaf<'_>) -> Flow {
+        let building = self.next_building();
         let Some(placements) = &mut self.placements else { return ControlFlow::Continue(()) };
-        placements.push((self.numbers.table.rule(leaf.rule), leaf.scope()));
+        let rule = self.numbers.table.rule(leaf.rule);
+        placements.push((Owner { rule, building }, leaf.scope()));
         self.add_bytes(NODE_BYTES)
+    }
+
+    fn building(&mut self, building: &dyn Fn() -> Building) {
+        self.buildings.push(building());
     }
 }
 

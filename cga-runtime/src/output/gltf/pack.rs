@@ -3,21 +3,22 @@
 use std::fmt::Write as _;
 use std::io;
 
-use glam::{DQuat, DVec3, Vec3, Vec4};
+use glam::{Vec3, Vec4};
 
 use super::binary::BinaryChunk;
 use super::container::Container;
 use super::images::Images;
 use super::json::{joined, quoted};
+use super::nodes::{name, nodes};
 use super::primitive::Primitive;
-use super::scene::{MeshInstance, MeshPlacement, SceneMesh};
+use super::property_table::{self, PropertyTable};
+use super::scene::{Division, MeshInstance, MeshPlacement, SceneMesh};
 use super::textures::LookTexture;
 use super::words::Words;
 use super::{Glb, check_size};
 use crate::output::buffers::Vertex;
 use crate::output::error::WriteError;
 use crate::output::number::list;
-use crate::shape::scope::Scope;
 use crate::value::each::Each;
 
 /// The component types of the format.
@@ -32,7 +33,7 @@ struct VertexLayout {
 }
 
 const INDEX: VertexLayout = VertexLayout { kind: "SCALAR", component: U32, bytes: 4 };
-const RULE: VertexLayout = VertexLayout { kind: "SCALAR", component: F32, bytes: 4 };
+const FEATURE: VertexLayout = VertexLayout { kind: "SCALAR", component: F32, bytes: 4 };
 const UV: VertexLayout = VertexLayout { kind: "VEC2", component: F32, bytes: 8 };
 const POINT: VertexLayout = VertexLayout { kind: "VEC3", component: F32, bytes: 12 };
 const TANGENT: VertexLayout = VertexLayout { kind: "VEC4", component: F32, bytes: 16 };
@@ -42,8 +43,9 @@ struct Accessors {
     indices: usize,
     position: usize,
     normal: usize,
-    /// The numbers of rules, unless the rules have nodes of their own.
+    /// The numbers of rules and of buildings, unless these have nodes of their own.
     rule: Option<usize>,
+    building: Option<usize>,
     /// The first of its accessors of texture coordinates, one for each set.
     uv: usize,
     tangent: Option<usize>,
@@ -53,7 +55,15 @@ pub(super) fn pack<'a>(glb: &'a Glb, meshes: &'a [SceneMesh]) -> Result<Containe
     let flat: Vec<&Primitive> = meshes.iter().flat_map(|mesh| &mesh.primitives).collect();
     let mut binary = BinaryChunk::default();
     let images = Images::of(glb.looks.textures(), glb.files.as_deref(), glb.references_images);
-    let mut accessors = binary.primitives(&flat, !glb.is_by_rule)?;
+    let rules = Some(glb.numbers.table.rules()).filter(|_| !glb.division.by_rule);
+    let buildings = Some(&glb.buildings[..]).filter(|list| !list.is_empty() && !glb.division.by_building);
+    let mut accessors = binary.primitives(&flat, rules.is_some())?;
+    // Meshes at several places follow the others.
+    let owned: usize = meshes.iter().filter(|mesh| mesh.is_in_place()).map(|mesh| mesh.primitives.len()).sum();
+    if let Some(buildings) = buildings {
+        let first = binary.buildings(&flat[..owned], buildings.len());
+        accessors[..owned].iter_mut().zip(first..).for_each(|(own, number)| own.building = Some(number));
+    }
     for (primitive, accessors) in flat.iter().copied().zip(&mut accessors) {
         accessors.tangent = glb.looks.normal_space(primitive.look, &images).map(|space| {
             binary.stream(
@@ -65,33 +75,36 @@ pub(super) fn pack<'a>(glb: &'a Glb, meshes: &'a [SceneMesh]) -> Result<Containe
             )
         });
     }
-    let places = binary.places(meshes);
+    let places = binary.places(meshes, &glb.division, buildings.is_some());
 
     let mut json = String::from("{\"asset\":{\"generator\":\"cga\",\"version\":\"2.0\"},");
+    let tables = Tables { rules: rules.map(<[_]>::len), buildings: buildings.map(<[_]>::len) };
     if flat.is_empty() {
         let has_nodes = glb.placements.as_ref().is_some_and(|placements| !placements.is_empty());
         let scene = if has_nodes { "{\"nodes\":[0]}" } else { "{}" };
         let _ = write!(json, "\"scene\":0,\"scenes\":[{scene}]");
         if has_nodes {
-            let _ = write!(json, ",{}", nodes(glb, &[], &[]));
+            let _ = write!(json, ",{}", nodes(glb, &[], &[], &Tables::default()));
         }
         json.push('}');
         check_size(json.len() as u64)?;
         return Container::new(json, BinaryChunk::default());
     }
-    let rules = glb.numbers.table.rules();
-    let table = Some(rules).filter(|_| !glb.is_by_rule);
     let has_transforms = glb.looks.textures().any(LookTexture::is_transformed);
-    write_extensions(&mut json, table.is_some(), has_transforms, !places.is_empty());
-    if let Some(rules) = table {
-        write_rules(&mut json, &mut binary, rules);
+    write_extensions(&mut json, &tables, has_transforms, &places);
+    let list = rules.map(PropertyTable::of_rules).into_iter().chain(buildings.map(PropertyTable::of_buildings));
+    let list: Vec<PropertyTable> = list.collect();
+    if !list.is_empty() {
+        let extension =
+            property_table::extension(list, |bytes| binary.view(bytes.len(), "", move |to| to.bytes(&bytes, 0)));
+        let _ = write!(json, "\"extensions\":{{{extension}}},");
     }
     json.push_str("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],");
-    let _ = write!(json, "{},", nodes(glb, meshes, &places));
+    let _ = write!(json, "{},", nodes(glb, meshes, &places, &tables));
     let mut next = accessors.into_iter();
     let mesh = |mesh: &SceneMesh| {
-        let list = mesh.primitives.iter().zip(&mut next).map(|(p, a)| primitive(p, &a, rules.len()));
-        format!("{{\"name\":{},\"primitives\":[{}]}}", quoted(name(glb, mesh)), joined(list))
+        let list = mesh.primitives.iter().zip(&mut next).map(|(p, a)| primitive(p, &a, &tables));
+        format!("{{\"name\":{},\"primitives\":[{}]}}", quoted(&name(glb, mesh)), joined(list))
     };
     let _ = write!(json, "\"meshes\":[{}],", joined(meshes.iter().map(mesh)));
     glb.looks.write(&mut json, &images);
@@ -105,120 +118,73 @@ pub(super) fn pack<'a>(glb: &'a Glb, meshes: &'a [SceneMesh]) -> Result<Containe
     Container::new(json, binary)
 }
 
-/// The name of a mesh and of its node: the name of its rule, or of the file if it has several rules.
-fn name<'a>(glb: &'a Glb, mesh: &SceneMesh) -> &'a str {
-    let of_file = glb.name.as_deref().unwrap_or("model");
-    match (&mesh.places, mesh.rule()) {
-        (MeshPlacement::Root, _) | (_, None) => of_file,
-        (_, Some(rule)) => glb.numbers.table.rules()[rule as usize],
+/// The numbers of rows of the property tables, as far as the file has them. The table of the rules comes first.
+#[derive(Debug, Default)]
+pub(super) struct Tables {
+    pub(super) rules: Option<usize>,
+    pub(super) buildings: Option<usize>,
+}
+
+impl Tables {
+    /// The number of the table of the buildings.
+    pub(super) fn of_buildings(&self) -> usize {
+        usize::from(self.rules.is_some())
     }
 }
 
 /// Writes the names of the used extensions.
-fn write_extensions(json: &mut String, has_rules: bool, has_transforms: bool, has_instances: bool) {
+fn write_extensions(json: &mut String, tables: &Tables, has_transforms: bool, places: &[NodePlaces]) {
+    let has_features = tables.rules.is_some() || tables.buildings.is_some();
     let used = [
-        (has_rules, "EXT_mesh_features"),
-        (has_rules, "EXT_structural_metadata"),
+        (has_features, "EXT_mesh_features"),
+        (has_features, "EXT_structural_metadata"),
         (has_transforms, "KHR_texture_transform"),
-        (has_instances, INSTANCING),
+        (!places.is_empty(), INSTANCING),
+        (places.iter().any(|place| place.buildings.is_some()), "EXT_instance_features"),
     ];
     let used = joined(used.into_iter().filter(|(is_used, _)| *is_used).map(|(_, name)| quoted(name)));
     if !used.is_empty() {
         let _ = write!(json, "\"extensionsUsed\":[{used}],");
     }
-    if has_instances {
+    if !places.is_empty() {
         // A reader without the extension would show each part once, at a wrong place.
         let _ = write!(json, "\"extensionsRequired\":[{}],", quoted(INSTANCING));
     }
 }
 
 /// The extension for lists of places.
-const INSTANCING: &str = "EXT_mesh_gpu_instancing";
+pub(super) const INSTANCING: &str = "EXT_mesh_gpu_instancing";
 
-/// Writes the rule names: a string table with one row for each rule.
-fn write_rules(json: &mut String, binary: &mut BinaryChunk<'_>, rules: &[&str]) {
-    let mut offsets = vec![0u32];
-    let mut names = Vec::new();
-    for rule in rules {
-        names.extend_from_slice(rule.as_bytes());
-        offsets.push(names.len() as u32);
-    }
-    let values = binary.view(names.len(), "", move |to| to.bytes(&names, 0));
-    let offsets = binary.view(4 * offsets.len(), "", move |to| to.each(&offsets, |offset| [offset.to_le_bytes()]));
-    json.push_str("\"extensions\":{\"EXT_structural_metadata\":{\"schema\":{\"id\":\"cga\",\"classes\":{");
-    json.push_str("\"rule\":{\"properties\":{\"name\":{\"type\":\"STRING\",\"required\":true}}}}},");
-    let _ = write!(json, "\"propertyTables\":[{{\"class\":\"rule\",\"count\":{},\"properties\":{{", rules.len());
-    let _ = write!(json, "\"name\":{{\"values\":{values},\"stringOffsets\":{offsets}}}}}}}]}}}},");
-}
-
-/// The nodes. The first node contains all others, so that one translation moves everything.
-fn nodes(glb: &Glb, meshes: &[SceneMesh], places: &[[usize; 2]]) -> String {
-    let moved = match glb.origin {
-        DVec3::ZERO => String::new(),
-        origin => format!(",\"translation\":[{}]", list(&origin.to_array())),
-    };
-    let mut main = "";
-    let mut children = Vec::new();
-    let mut places = places.iter();
-    for (number, mesh) in meshes.iter().enumerate() {
-        let name = quoted(name(glb, mesh));
-        match &mesh.places {
-            // It is the first mesh.
-            MeshPlacement::Root => main = ",\"mesh\":0",
-            MeshPlacement::Child => children.push(format!("{{\"name\":{name},\"mesh\":{number}}}")),
-            MeshPlacement::Nodes(nodes) => children.extend(nodes.iter().map(|place| {
-                let [x, y, z] = [place.matrix3.x_axis, place.matrix3.y_axis, place.matrix3.z_axis];
-                let translation = (place.translation - glb.origin).extend(1.0);
-                let columns = [x.extend(0.0), y.extend(0.0), z.extend(0.0), translation];
-                let matrix = list(columns.each(|column| column.to_array()).as_flattened());
-                format!("{{\"name\":{name},\"mesh\":{number},\"matrix\":[{matrix}]}}")
-            })),
-            MeshPlacement::Instances(_) => children.extend(places.next().map(|[translation, rotation]| {
-                format!(
-                    "{{\"name\":{name},\"mesh\":{number},\"extensions\":{{\"{INSTANCING}\":{{\"attributes\":\
-                     {{\"TRANSLATION\":{translation},\"ROTATION\":{rotation}}}}}}}}}"
-                )
-            })),
-        }
-    }
-    let placements = glb.placements.iter().flatten();
-    children.extend(placements.map(|(rule, scope)| placement(glb, *rule, scope)));
-    let ids = match children.len() {
-        0 => String::new(),
-        count => format!(",\"children\":[{}]", joined((1..=count).map(|i| i.to_string()))),
-    };
-    let extras = joined(glb.extras.iter().map(|(name, value)| format!("{}:{value}", quoted(name))));
-    let extras = if extras.is_empty() { extras } else { format!(",\"extras\":{{{extras}}}") };
-    let name = quoted(glb.name.as_deref().unwrap_or("model"));
-    let root = format!("{{\"name\":{name}{main}{moved}{ids}{extras}}}");
-    format!("\"nodes\":[{}]", joined(std::iter::once(root).chain(children)))
-}
-
-/// The node of a leaf without faces.
-fn placement(glb: &Glb, rule: u32, scope: &Scope) -> String {
-    let name = quoted(glb.numbers.table.rules()[rule as usize]);
-    let translation = list(&(scope.origin - glb.origin).to_array());
-    let rotation = list(&DQuat::from_mat3(&scope.axes).normalize().to_array());
-    let size = list(&scope.size.to_array());
-    format!(
-        "{{\"name\":{name},\"translation\":[{translation}],\"rotation\":[{rotation}],\"extras\":{{\"size\":[{size}]}}}}"
-    )
-}
-
-fn primitive(primitive: &Primitive, at: &Accessors, rules: usize) -> String {
+fn primitive(primitive: &Primitive, at: &Accessors, tables: &Tables) -> String {
     let tangent = at.tangent.map_or(String::new(), |tangent| format!(",\"TANGENT\":{tangent}"));
     let uvs: String = (0..primitive.uvs.len()).map(|set| format!(",\"TEXCOORD_{set}\":{}", at.uv + set)).collect();
-    let rule = at.rule.map_or(String::new(), |rule| format!(",\"_FEATURE_ID_0\":{rule}"));
-    let features = at.rule.map_or(String::new(), |_| {
-        format!(
-            ",\"extensions\":{{\"EXT_mesh_features\":{{\"featureIds\":[{{\"featureCount\":{rules},\"attribute\":0,\
-             \"propertyTable\":0}}]}}}}"
-        )
-    });
+    let ids = [(at.rule, tables.rules, 0), (at.building, tables.buildings, tables.of_buildings())];
+    let (mut attributes, mut features) = (String::new(), Vec::new());
+    for (attribute, (id, rows, table)) in
+        ids.into_iter().filter_map(|(id, rows, table)| Some((id?, rows?, table))).enumerate()
+    {
+        let _ = write!(attributes, ",\"_FEATURE_ID_{attribute}\":{id}");
+        features.push(format!("{{\"featureCount\":{rows},\"attribute\":{attribute},\"propertyTable\":{table}}}"));
+    }
+    let features = match features.len() {
+        0 => String::new(),
+        _ => format!(",\"extensions\":{{\"EXT_mesh_features\":{{\"featureIds\":[{}]}}}}", features.join(",")),
+    };
     format!(
-        "{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{}{rule}{uvs}{tangent}}},\"indices\":{},\"material\":{}{features}}}",
+        "{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{}{attributes}{uvs}{tangent}}},\"indices\":{},\"material\":{}{features}}}",
         at.position, at.normal, at.indices, primitive.look
     )
+}
+
+/// A node that shows a mesh at several places: the accessors of their translations, their rotations and their buildings.
+pub(super) struct NodePlaces {
+    /// The number of the mesh.
+    pub(super) mesh: usize,
+    /// The building of all places, if buildings have nodes.
+    pub(super) building: Option<u32>,
+    pub(super) translations: usize,
+    pub(super) rotations: usize,
+    pub(super) buildings: Option<usize>,
 }
 
 impl<'a> BinaryChunk<'a> {
@@ -236,7 +202,7 @@ impl<'a> BinaryChunk<'a> {
         let vertices = |p: &Primitive| p.vertices().len();
         let position = self.stream(&POINT, primitives, vertices, &ranges, Primitive::write_positions);
         let normal = self.stream(&POINT, primitives, vertices, &[], Primitive::write_normals);
-        let rule = has_rules.then(|| self.stream(&RULE, primitives, vertices, &[], Primitive::write_rules));
+        let rule = has_rules.then(|| self.stream(&FEATURE, primitives, vertices, &[], Primitive::write_rules));
         let mut uv = self.accessors.len();
         if !lists.is_empty() {
             uv = self.stream(&UV, &lists, |list| list.len(), &[], |list, to| to.floats(list.as_flattened()));
@@ -244,11 +210,25 @@ impl<'a> BinaryChunk<'a> {
         let accessors = primitives.iter().enumerate().map(|(i, primitive)| {
             let (indices, position, normal) = (indices + i, position + i, normal + i);
             let rule = rule.map(|rule| rule + i);
-            let own = Accessors { indices, position, normal, rule, uv, tangent: None };
+            let own = Accessors { indices, position, normal, rule, building: None, uv, tangent: None };
             uv += primitive.uvs.len();
             own
         });
         Ok(accessors.collect())
+    }
+
+    /// Adds the buildings of vertices. Returns the accessor of the first primitive. The items of an accessor without a view are 0.
+    fn buildings(&mut self, primitives: &[&'a Primitive], count: usize) -> usize {
+        let first = self.accessors.len();
+        if 1 < count {
+            return self.stream(&FEATURE, primitives, |p| p.vertices().len(), &[], Primitive::write_buildings);
+        }
+        let accessors = primitives.iter().map(|primitive| {
+            let count = primitive.vertices().len();
+            format!("{{\"componentType\":{F32},\"count\":{count},\"type\":\"SCALAR\"}}")
+        });
+        self.accessors.extend(accessors);
+        first
     }
 
     /// Adds a view with the output of `write` for each part, and an accessor for each. `more` are further members of
@@ -277,33 +257,45 @@ impl<'a> BinaryChunk<'a> {
         first
     }
 
-    /// The accessors of the translations and the rotations of instances, for each mesh with instances.
-    fn places(&mut self, meshes: &'a [SceneMesh]) -> Vec<[usize; 2]> {
-        let lists = meshes.iter().filter_map(|mesh| match &mesh.places {
-            MeshPlacement::Instances(places) => Some(&places[..]),
-            MeshPlacement::Root | MeshPlacement::Child | MeshPlacement::Nodes(_) => None,
-        });
-        let lists: Vec<&[MeshInstance]> = lists.collect();
-        let count = lists.iter().map(|list| list.len()).sum::<usize>();
+    /// The nodes of meshes with instances: one for each mesh, or one for each building that has such instances.
+    fn places(&mut self, meshes: &'a [SceneMesh], division: &Division, has_features: bool) -> Vec<NodePlaces> {
+        let mut lists: Vec<(usize, Option<u32>, &[MeshInstance])> = Vec::new();
+        for (number, mesh) in meshes.iter().enumerate() {
+            let MeshPlacement::Instances(places) = &mesh.places else { continue };
+            if division.by_building {
+                let runs = places.chunk_by(|a, b| a.building == b.building);
+                lists.extend(runs.map(|run| (number, Some(run[0].building), run)));
+            } else {
+                lists.push((number, None, places));
+            }
+        }
+        let count = lists.iter().map(|(.., list)| list.len()).sum::<usize>();
         if count == 0 {
             return Vec::new();
         }
-        let all = lists.clone();
+        let all: Vec<&[MeshInstance]> = lists.iter().map(|(.., list)| *list).collect();
+        let own = all.clone();
         let translations = self.view(12 * count, "", move |to| {
-            all.iter().try_for_each(|list| to.each(list, |place| place.translation.each(f32::to_le_bytes)))
+            own.iter().try_for_each(|list| to.each(list, |place| place.translation.each(f32::to_le_bytes)))
         });
-        let all = lists.clone();
+        let own = all.clone();
         let rotations = self.view(16 * count, "", move |to| {
-            all.iter().try_for_each(|list| to.each(list, |place| place.rotation.each(f32::to_le_bytes)))
+            own.iter().try_for_each(|list| to.each(list, |place| place.rotation.each(f32::to_le_bytes)))
+        });
+        let buildings = has_features.then(|| {
+            self.view(4 * count, "", move |to| {
+                all.iter().try_for_each(|list| to.each(list, |place| [(place.building as f32).to_le_bytes()]))
+            })
         });
         let mut at = 0;
-        let accessors = lists.iter().map(|list| {
-            let translation = self.accessor(translations, 12 * at, F32, list.len(), "VEC3", "");
-            let rotation = self.accessor(rotations, 16 * at, F32, list.len(), "VEC4", "");
+        let nodes = lists.into_iter().map(|(mesh, building, list)| {
+            let translations = self.accessor(translations, 12 * at, F32, list.len(), "VEC3", "");
+            let rotations = self.accessor(rotations, 16 * at, F32, list.len(), "VEC4", "");
+            let buildings = buildings.map(|view| self.accessor(view, 4 * at, F32, list.len(), "SCALAR", ""));
             at += list.len();
-            [translation, rotation]
+            NodePlaces { mesh, building, translations, rotations, buildings }
         });
-        accessors.collect()
+        nodes.collect()
     }
 }
 

@@ -54,17 +54,17 @@ impl Glb {
                 number
             }
         };
-        parts.places[number].1.push(MeshInstance::new(&placement, self.origin));
+        parts.places[number].1.push(MeshInstance::new(&placement, self.next_building(), self.origin));
         self.add_bytes(PLACE_BYTES)
     }
 
     /// The triangles of a part in its own coordinates.
     fn local(&mut self, replay: &Replay<'_>) -> Vec<Primitive> {
-        let main = std::mem::take(&mut self.primitives);
+        let (main, buildings) = (std::mem::take(&mut self.primitives), std::mem::take(&mut self.buildings));
         let (origin, bytes) = (std::mem::take(&mut self.origin), self.bytes);
         // The part is far below the size limit of a file.
         let _ = replay.each_local(self);
-        (self.origin, self.bytes) = (origin, bytes);
+        (self.origin, self.bytes, self.buildings) = (origin, bytes, buildings);
         std::mem::replace(&mut self.primitives, main).into_list()
     }
 
@@ -72,14 +72,14 @@ impl Glb {
     pub(super) fn place_parts(&mut self, parts: RepeatedParts) -> Vec<SceneMesh> {
         let mut shared = Vec::new();
         for (primitives, (first, places)) in parts.parts.list.into_iter().zip(parts.places) {
-            if 2 <= places.len() {
-                shared.push(SceneMesh { primitives, places: MeshPlacement::Instances(places) });
+            if let [only] = places[..] {
+                for primitive in &primitives {
+                    let index = self.primitives.with_look(primitive.look, SetMask::default());
+                    self.primitives.list[index].add_moved(primitive, &first, only.building, self.origin);
+                }
                 continue;
             }
-            for primitive in &primitives {
-                let index = self.primitives.with_look(primitive.look, SetMask::default());
-                self.primitives.list[index].add_moved(primitive, &first, self.origin);
-            }
+            shared.push(SceneMesh { primitives, places: MeshPlacement::Instances(places), building: None });
         }
         shared
     }

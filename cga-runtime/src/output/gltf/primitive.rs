@@ -38,12 +38,21 @@ pub(super) struct Primitive {
     pub(super) sets: SetMask,
     /// One list for each set, one pair for each vertex.
     pub(super) uvs: Vec<Vec<[f32; 2]>>,
-    /// The rules of consecutive vertices, each with the number of its first vertex.
-    pub(super) rules: Vec<(u32, usize)>,
+    /// The owners of consecutive vertices, each with the number of its first vertex.
+    pub(super) owners: Vec<(Owner, usize)>,
+}
+
+/// What vertices belong to: the numbers of their rule and of their building.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Owner {
+    pub(super) rule: u32,
+    pub(super) building: u32,
 }
 
 /// The bytes of a vertex without texture coordinates, and of an index.
 pub(super) const VERTEX_BYTES: u64 = 28;
+/// The bytes of the number of its building, in a file of several.
+pub(super) const BUILDING_BYTES: u64 = 4;
 pub(super) const INDEX_BYTES: u64 = 4;
 
 /// The bytes of a vertex for each set of texture coordinates.
@@ -92,10 +101,10 @@ impl Primitives {
     }
 
     /// Adds vertices and indices of a primitive to that with its look.
-    pub(super) fn add_part(&mut self, of: &Primitive, rule: u32, vertices: Range<usize>, indices: Range<usize>) {
+    pub(super) fn add_part(&mut self, of: &Primitive, owner: Owner, vertices: Range<usize>, indices: Range<usize>) {
         let index = self.with_look(of.look, of.sets);
         let own = &mut self.list[index];
-        own.begin(rule);
+        own.begin(owner);
         let start = own.vertices().len() as u32;
         let first = vertices.start as u32;
         own.triangles.indices.extend(of.indices()[indices].iter().map(|index| index - first + start));
@@ -123,7 +132,7 @@ impl PartialEq for Primitive {
     fn eq(&self, other: &Self) -> bool {
         self.look == other.look
             && self.sets == other.sets
-            && self.rules == other.rules
+            && self.owners == other.owners
             && self.vertices() == other.vertices()
             && self.indices() == other.indices()
             && self.uvs == other.uvs
@@ -133,7 +142,7 @@ impl PartialEq for Primitive {
 impl Hash for Primitive {
     fn hash<H: Hasher>(&self, state: &mut H) {
         self.look.hash(state);
-        self.rules.hash(state);
+        self.owners.hash(state);
         // Equal numbers must have equal hashes: adding 0 removes the sign of −0.
         self.vertices().as_flattened().iter().for_each(|number| (number + 0.0).to_bits().hash(state));
         self.indices().hash(state);
@@ -149,35 +158,40 @@ impl Primitive {
         self.triangles.indices.items()
     }
 
-    /// Passes the vertices and the indices of consecutive leaves with the same rule to `each`.
-    pub(super) fn each_rule(&self, mut each: impl FnMut(u32, Range<usize>, Range<usize>)) {
+    /// The vertices of consecutive leaves with the same owner.
+    pub(super) fn owned(&self) -> impl Iterator<Item = (Owner, Range<usize>)> + '_ {
+        let ends = self.owners.iter().skip(1).map(|(_, vertex)| *vertex).chain([self.vertices().len()]);
+        self.owners.iter().zip(ends).map(|((owner, start), end)| (*owner, *start..end))
+    }
+
+    /// Passes the vertices and the indices of consecutive leaves with the same owner to `each`.
+    pub(super) fn each_owner(&self, mut each: impl FnMut(Owner, Range<usize>, Range<usize>)) {
         let mut index = 0;
-        let ends = self.rules.iter().skip(1).map(|(_, vertex)| *vertex).chain([self.vertices().len()]);
-        for ((rule, start), end) in self.rules.iter().zip(ends) {
+        for (owner, vertices) in self.owned() {
             // The triangles are in the order of their vertices.
             let first = index;
-            index += self.indices()[first..].partition_point(|&vertex| (vertex as usize) < end);
-            each(*rule, *start..end, first..index);
+            index += self.indices()[first..].partition_point(|&vertex| (vertex as usize) < vertices.end);
+            each(owner, vertices, first..index);
         }
     }
 
-    /// Begins the vertices of a rule unless the vertices of the last rule continue.
+    /// Begins the vertices of an owner unless the vertices of the last one continue.
     #[inline]
-    pub(super) fn begin(&mut self, rule: u32) {
-        if self.rules.last().is_none_or(|(last, _)| *last != rule) {
-            self.rules.push((rule, self.triangles.vertices.len()));
+    pub(super) fn begin(&mut self, owner: Owner) {
+        if self.owners.last().is_none_or(|(last, _)| *last != owner) {
+            self.owners.push((owner, self.triangles.vertices.len()));
         }
     }
 
     /// Adds a rectangle.
-    pub(super) fn quad(&mut self, rule: u32, placed: PlacedBox, normal: Vec4) {
-        self.begin(rule);
+    pub(super) fn quad(&mut self, owner: Owner, placed: PlacedBox, normal: Vec4) {
+        self.begin(owner);
         self.triangles.quad(placed, normal);
     }
 
     /// Adds a box; `normals` are the normals of its sides.
-    pub(super) fn cuboid(&mut self, rule: u32, placed: &PlacedBox, unit: UnitMesh, normals: &[Vec4; 6]) {
-        self.begin(rule);
+    pub(super) fn cuboid(&mut self, owner: Owner, placed: &PlacedBox, unit: UnitMesh, normals: &[Vec4; 6]) {
+        self.begin(owner);
         self.triangles.cuboid(placed, unit, normals);
     }
 
@@ -190,10 +204,17 @@ impl Primitive {
         }
     }
 
-    /// Adds leaves of a part that repeats, with one rule and `faces` faces.
+    /// Adds leaves of a part that repeats, with one owner and `faces` faces.
     #[inline(never)]
-    pub(super) fn repeat(&mut self, rule: u32, replay: &Replay<'_>, leaves: Range<usize>, faces: usize, origin: DVec4) {
-        self.begin(rule);
+    pub(super) fn repeat(
+        &mut self,
+        owner: Owner,
+        replay: &Replay<'_>,
+        leaves: Range<usize>,
+        faces: usize,
+        origin: DVec4,
+    ) {
+        self.begin(owner);
         let (mut faces, place) = (self.triangles.quads(faces), replay.origin());
         for (placed, record, axes) in replay.leaves(leaves) {
             let (own, rest) = faces.split_at_mut(record.unit.face_count());
@@ -210,10 +231,10 @@ impl Primitive {
         }
     }
 
-    /// Adds the triangles of another primitive, moved to a place.
-    pub(super) fn add_moved(&mut self, other: &Primitive, placement: &DAffine3, origin: DVec3) {
+    /// Adds the triangles of another primitive, moved to a place in a building.
+    pub(super) fn add_moved(&mut self, other: &Primitive, placement: &DAffine3, building: u32, origin: DVec3) {
         let start = self.vertices().len();
-        self.rules.extend(other.rules.iter().map(|(rule, vertex)| (*rule, start + vertex)));
+        self.owners.extend(other.owners.iter().map(|(of, vertex)| (Owner { building, ..*of }, start + vertex)));
         let turn = normal_map(&placement.matrix3);
         let wide = |x, y, z| DVec3::new(f64::from(x), f64::from(y), f64::from(z));
         self.triangles.vertices.extend(other.vertices().iter().map(|&[x, y, z, u, v, w]| {
@@ -223,8 +244,8 @@ impl Primitive {
     }
 
     /// Adds a face of a mesh.
-    pub(super) fn face(&mut self, face: &PlacedFace<'_>, rule: u32, origin: DVec3) {
-        self.begin(rule);
+    pub(super) fn face(&mut self, face: &PlacedFace<'_>, owner: Owner, origin: DVec3) {
+        self.begin(owner);
         self.triangles.face(face, origin, face.corners.clone(), face.triangles);
         for (set, list) in self.sets.sets().zip(&mut self.uvs) {
             list.extend(face.uvs(set).iter().map(|&uv| flipped(uv)));

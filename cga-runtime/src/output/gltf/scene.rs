@@ -1,14 +1,25 @@
 //! The meshes of the scene, and their places.
 
-use crate::value::each::Each;
+use std::collections::HashMap;
+
 use glam::{DAffine3, DQuat, DVec3};
 
 use super::primitive::{Primitive, Primitives};
+use crate::value::each::Each;
 
 /// A mesh of the file.
 pub(super) struct SceneMesh {
     pub(super) primitives: Vec<Primitive>,
     pub(super) places: MeshPlacement,
+    /// The building of all its triangles, if the mesh was divided by buildings.
+    pub(super) building: Option<u32>,
+}
+
+/// What has meshes of its own.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Division {
+    pub(super) by_building: bool,
+    pub(super) by_rule: bool,
 }
 
 /// The places of a mesh.
@@ -18,39 +29,64 @@ pub(super) enum MeshPlacement {
     Root,
     /// In a node of its own that does not move it.
     Child,
-    /// A node for each place.
-    Nodes(Vec<DAffine3>),
+    /// A node for each place, with the number of its building.
+    Nodes(Vec<(DAffine3, u32)>),
     /// One node for all places.
     Instances(Vec<MeshInstance>),
 }
 
 impl SceneMesh {
-    /// The mesh divided into one for each rule.
-    pub(super) fn by_rule(self) -> Vec<SceneMesh> {
-        let mut rules: Vec<(u32, Primitives)> = Vec::new();
+    /// The mesh divided into one for each building, each rule, or each rule of a building, in the order of their first leaves.
+    pub(super) fn divided(self, by: Division) -> Vec<SceneMesh> {
+        // A mesh at several places belongs to no building.
+        let by_building = by.by_building && matches!(self.places, MeshPlacement::Root);
+        if !by_building && !by.by_rule {
+            return vec![self];
+        }
+        type Key = (Option<u32>, Option<u32>);
+        let mut divided: Vec<(Option<u32>, Primitives)> = Vec::new();
+        // Only for look-ups, never iterated.
+        let mut known: HashMap<Key, usize> = HashMap::new();
         for primitive in &self.primitives {
-            primitive.each_rule(|rule, vertices, indices| {
-                let at = rules.iter().position(|(known, _)| *known == rule).unwrap_or_else(|| {
-                    rules.push((rule, Primitives::default()));
-                    rules.len() - 1
+            primitive.each_owner(|owner, vertices, indices| {
+                let (building, rule) = (by_building.then_some(owner.building), by.by_rule.then_some(owner.rule));
+                let at = *known.entry((building, rule)).or_insert_with(|| {
+                    divided.push((building, Primitives::default()));
+                    divided.len() - 1
                 });
-                rules[at].1.add_part(primitive, rule, vertices, indices);
+                divided[at].1.add_part(primitive, owner, vertices, indices);
             });
         }
         let places = match self.places {
             MeshPlacement::Root => MeshPlacement::Child,
             other => other,
         };
-        let mesh = |(_, primitives): (u32, Primitives)| SceneMesh {
+        let mesh = |(building, primitives): (Option<u32>, Primitives)| SceneMesh {
             primitives: primitives.into_list(),
             places: places.clone(),
+            building,
         };
-        rules.into_iter().map(mesh).collect()
+        divided.into_iter().map(mesh).collect()
+    }
+
+    /// Returns true if its vertices are in the place where they are shown.
+    pub(super) fn is_in_place(&self) -> bool {
+        matches!(self.places, MeshPlacement::Root | MeshPlacement::Child)
+    }
+
+    /// The buildings of its places, if it has places of its own.
+    pub(super) fn buildings(&self) -> impl Iterator<Item = u32> + '_ {
+        let (nodes, instances): (&[(DAffine3, u32)], &[MeshInstance]) = match &self.places {
+            MeshPlacement::Root | MeshPlacement::Child => (&[], &[]),
+            MeshPlacement::Nodes(nodes) => (nodes, &[]),
+            MeshPlacement::Instances(instances) => (&[], instances),
+        };
+        nodes.iter().map(|(_, building)| *building).chain(instances.iter().map(|place| place.building))
     }
 
     /// The number of the rule of all triangles, if there is only one.
     pub(super) fn rule(&self) -> Option<u32> {
-        let mut rules = self.primitives.iter().flat_map(|primitive| &primitive.rules).map(|(rule, _)| *rule);
+        let mut rules = self.primitives.iter().flat_map(|primitive| &primitive.owners).map(|(owner, _)| owner.rule);
         let first = rules.next()?;
         rules.all(|rule| rule == first).then_some(first)
     }
@@ -62,13 +98,15 @@ pub(super) struct MeshInstance {
     pub(super) translation: [f32; 3],
     /// A unit quaternion.
     pub(super) rotation: [f32; 4],
+    pub(super) building: u32,
 }
 
 impl MeshInstance {
-    pub(super) fn new(placement: &DAffine3, origin: DVec3) -> Self {
+    pub(super) fn new(placement: &DAffine3, building: u32, origin: DVec3) -> Self {
         MeshInstance {
             translation: (placement.translation - origin).to_array().each(|c| c as f32),
             rotation: DQuat::from_mat3(&placement.matrix3).normalize().to_array().each(|c| c as f32),
+            building,
         }
     }
 }

@@ -4,7 +4,7 @@ use std::io;
 
 use glam::Vec2;
 
-use super::primitive::Primitive;
+use super::primitive::{Owner, Primitive};
 use super::textures::NormalSpace;
 use super::words::Words;
 use crate::output::tangents::tangents;
@@ -34,12 +34,20 @@ impl Primitive {
         to.floats(tangents(self.vertices(), self.indices(), uv).as_flattened())
     }
 
-    /// Writes the rule number of each vertex.
+    /// Writes the number of the rule of each vertex.
     pub(super) fn write_rules(&self, to: &mut Words<'_>) -> io::Result<()> {
-        let ends = self.rules.iter().skip(1).map(|(_, vertex)| *vertex).chain([self.vertices().len()]);
-        for ((rule, start), end) in self.rules.iter().zip(ends) {
-            let word = (*rule as f32).to_le_bytes();
-            to.each(&self.vertices()[*start..end], |_| [word])?;
+        self.write_owners(|owner| owner.rule, to)
+    }
+
+    /// Writes the number of the building of each vertex.
+    pub(super) fn write_buildings(&self, to: &mut Words<'_>) -> io::Result<()> {
+        self.write_owners(|owner| owner.building, to)
+    }
+
+    fn write_owners(&self, number: impl Fn(Owner) -> u32, to: &mut Words<'_>) -> io::Result<()> {
+        for (owner, vertices) in self.owned() {
+            let word = (number(owner) as f32).to_le_bytes();
+            to.each(&self.vertices()[vertices], |_| [word])?;
         }
         Ok(())
     }

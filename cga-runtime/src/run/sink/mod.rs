@@ -16,6 +16,7 @@ use self::corners::PlacedBox;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::uv_map::{self, SetMap, UvMap};
 use crate::material::Material;
+use crate::run::building::Building;
 use crate::shape::base::Form;
 use crate::shape::look_id::LookId;
 use crate::shape::place;
@@ -238,6 +239,20 @@ pub trait Sink {
         Flow::Continue(())
     }
 
+    /// All leaves since the last call belong to this initial shape, as its run is over. By default nothing happens, and the building is
+    /// not made. A sink that passes leaves on to another sink must pass this call on too.
+    ///
+    /// ```
+    /// # use cga_runtime as cga;
+    /// use cga::run::building::Building;
+    /// use cga::run::sink::Sink;
+    /// # fn names(sink: &mut dyn Sink) {
+    /// sink.building(&|| Building::new("Mill Street 4", 7));
+    /// # }
+    /// # names(&mut cga::output::model::Model::new());
+    /// ```
+    fn building(&mut self, _building: &dyn Fn() -> Building) {}
+
     /// Takes a leaf as a whole shape, with or without faces; `None` if the sink takes its geometry. Operations that go on
     /// with leaves take shapes.
     #[doc(hidden)]
@@ -310,6 +325,10 @@ impl<S: Sink + ?Sized> Sink for &mut S {
 
     fn placement(&mut self, leaf: &Leaf<'_>) -> Flow {
         (**self).placement(leaf)
+    }
+
+    fn building(&mut self, building: &dyn Fn() -> Building) {
+        (**self).building(building);
     }
 
     fn keep(&mut self, shape: &Shape) -> Option<Flow> {

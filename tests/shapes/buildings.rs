@@ -1,0 +1,392 @@
+//! Buildings as features: in GLB files, read by a reader of this file, in models, meshes and OBJ files.
+
+use cga::sink::gltf::Glb;
+use cga::{Building, Grammars, Settings, Shape, Sink, Value, cga};
+use serde_json::Value as Json;
+
+cga! {
+    @Allow(unused_attribute)
+    grammar House;
+    attr height = 6
+    attr floors = rint(height / 3)
+    attr form = case p(0.5) : "flat" else : "hip"
+    attr garden = p(0.5)
+    attr storeys = [height / 2, height / 2]
+    Lot --> report("area.lot", geometry.area) color(case form == "flat" : "#ff0000" else : "#00ff00")
+            offset(-1) comp(f) { inside : House | border : color(rand(0, 1), 0.5, 0.5) Lawn. }
+    House --> report("volume", geometry.area * height) extrude(height) comp(f) { side : Facade | top : Roof. }
+    Facade --> split(y) { { ~3 : split(x) { { ~2 : Tile }* } }* }
+    Tile --> split(x) { ~1 : Wall. | 0.8 : color("#336699") Glass. | ~1 : Wall. }
+}
+
+cga! {
+    @Allow(unused_attribute)
+    grammar Block;
+    attr height = 12
+    attr form = 7
+    Lot --> report("use", "shop") report("use", "flat") offset(-1) comp(f) { inside : extrude(height) Block. | border : Pavement. }
+}
+
+cga! { grammar Park;  Lot --> Lawn. [ scatter(surface, 3, uniform) { Lamp. } ] s(^0.5, ^1, ^0.5) center(xz) color("#00ff00") Tree. }
+
+/// A lot of 12 by 12 m, with 3 m to the next, far from the origin of the world.
+fn lot(number: u32) -> Shape {
+    let place = place(number);
+    let lot = Shape::rectangle(12.0, 12.0).at([place[0], 100.0, place[1]]).seed((1 << 53) + 1 + u64::from(number));
+    let lot = lot.named(format!("\"lot\" {number} ä"));
+    match number % 3 {
+        0 => lot.grammar("House").attribute("height", 3 + number % 7),
+        1 => lot.grammar("Block").attribute("height", 8.5),
+        _ => lot.grammar("Park"),
+    }
+}
+
+fn place(number: u32) -> [f64; 2] {
+    [4_000_000.0 + 15.0 * f64::from(number % 12), 15.0 * f64::from(number / 12)]
+}
+
+fn grammars() -> Grammars {
+    Grammars::new().with(House::default()).with(Block::default()).with(Park::default())
+}
+
+/// A GLB file: its description and its bytes.
+struct Read {
+    json: Json,
+    bytes: Vec<u8>,
+}
+
+impl Read {
+    fn new(file: &[u8]) -> Self {
+        let word = |at: usize| u32::from_le_bytes(file[at..at + 4].try_into().unwrap()) as usize;
+        assert_eq!((&file[..4], word(4), word(8)), (&b"glTF"[..], 2, file.len()));
+        let length = word(12);
+        let json = serde_json::from_slice(&file[20..20 + length]).unwrap();
+        let bytes = if 20 + length < file.len() { file[28 + length..].to_vec() } else { Vec::new() };
+        Read { json, bytes }
+    }
+
+    fn view(&self, number: &Json) -> &[u8] {
+        let view = &self.json["bufferViews"][number.as_u64().unwrap() as usize];
+        let (start, length) =
+            (view["byteOffset"].as_u64().unwrap_or(0) as usize, view["byteLength"].as_u64().unwrap() as usize);
+        assert_eq!(start % 8, 0, "metadata begins at a multiple of eight bytes");
+        &self.bytes[start..start + length]
+    }
+
+    /// The numbers of an accessor with `N` numbers an item.
+    fn floats<const N: usize>(&self, number: &Json) -> Vec<[f32; N]> {
+        let accessor = &self.json["accessors"][number.as_u64().unwrap() as usize];
+        assert_eq!(accessor["componentType"], 5126);
+        let count = accessor["count"].as_u64().unwrap() as usize;
+        if accessor["bufferView"].is_null() {
+            return vec![[0.0; N]; count];
+        }
+        let from = accessor["byteOffset"].as_u64().unwrap_or(0) as usize;
+        let bytes = &self.view(&accessor["bufferView"])[from..from + 4 * N * count];
+        let numbers: Vec<f32> = bytes.chunks(4).map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap())).collect();
+        numbers.as_chunks().0.to_vec()
+    }
+
+    /// The number of the table of a class.
+    fn table(&self, class: &str) -> Option<usize> {
+        let tables = self.json["extensions"]["EXT_structural_metadata"]["propertyTables"].as_array()?;
+        tables.iter().position(|table| table["class"] == class)
+    }
+
+    /// A column of the table of buildings, as JSON values; null for the value that stands for none.
+    fn column(&self, id: &str) -> Vec<Json> {
+        let metadata = &self.json["extensions"]["EXT_structural_metadata"];
+        let table = &metadata["propertyTables"][self.table("building").unwrap()];
+        let (rows, own) = (table["count"].as_u64().unwrap() as usize, &table["properties"][id]);
+        let property = &metadata["schema"]["classes"]["building"]["properties"][id];
+        let values = self.view(&own["values"]);
+        let offsets = |number: &Json| -> Vec<usize> {
+            self.view(number).chunks(4).map(|bytes| u32::from_le_bytes(bytes.try_into().unwrap()) as usize).collect()
+        };
+        let item = |at: usize| match property["type"].as_str().unwrap() {
+            "STRING" => {
+                let offsets = offsets(&own["stringOffsets"]);
+                Json::from(std::str::from_utf8(&values[offsets[at]..offsets[at + 1]]).unwrap())
+            }
+            "BOOLEAN" => Json::from(values[at / 8] >> (at % 8) & 1 == 1),
+            _ => {
+                let bytes = values[8 * at..8 * at + 8].try_into().unwrap();
+                match property["componentType"].as_str().unwrap() {
+                    "UINT64" => Json::from(u64::from_le_bytes(bytes)),
+                    _ => Json::from(f64::from_le_bytes(bytes)),
+                }
+            }
+        };
+        let row = |row: usize| match property["array"] == true {
+            true => {
+                let offsets = offsets(&own["arrayOffsets"]);
+                Json::from((offsets[row]..offsets[row + 1]).map(item).collect::<Vec<_>>())
+            }
+            false => item(row),
+        };
+        let none = |value: Json| {
+            if property["noData"].as_f64().is_some_and(|none| value.as_f64() == Some(none))
+                || value == property["noData"]
+            {
+                Json::Null
+            } else {
+                value
+            }
+        };
+        (0..rows).map(|at| none(row(at))).collect()
+    }
+
+    /// The points of all vertices in place, each with the number of its building.
+    fn points(&self) -> Vec<(usize, [f64; 3])> {
+        let table = self.table("building").unwrap();
+        let moved = &self.json["nodes"][0]["translation"];
+        let moved: [f64; 3] = std::array::from_fn(|i| moved[i].as_f64().unwrap_or(0.0));
+        let mut points = Vec::new();
+        for primitive in
+            self.json["meshes"].as_array().unwrap().iter().flat_map(|mesh| mesh["primitives"].as_array().unwrap())
+        {
+            let features = primitive["extensions"]["EXT_mesh_features"]["featureIds"].as_array().unwrap();
+            let Some(own) = features.iter().find(|feature| feature["propertyTable"] == table) else { continue };
+            let ids = self.floats::<1>(&primitive["attributes"][format!("_FEATURE_ID_{}", own["attribute"])]);
+            let places = self.floats::<3>(&primitive["attributes"]["POSITION"]);
+            assert_eq!(ids.len(), places.len());
+            points.extend(
+                ids.iter()
+                    .zip(places)
+                    .map(|(id, place)| (id[0] as usize, std::array::from_fn(|i| f64::from(place[i]) + moved[i]))),
+            );
+        }
+        points
+    }
+}
+
+/// All points of each building lie in its lot, and each has points.
+fn lie_in_their_lots(points: &[(usize, [f64; 3])], count: u32) {
+    let mut seen = vec![0; count as usize];
+    for (building, [x, y, z]) in points {
+        let place = place(*building as u32);
+        let is_in = |value: f64, from: f64| (from - 0.3..=from + 12.3).contains(&value);
+        assert!(is_in(*x, place[0]) && is_in(*z, place[1]) && 99.9 < *y, "{building}: {x} {y} {z}");
+        seen[*building] += 1;
+    }
+    assert!(seen.iter().all(|count| 4 <= *count), "{seen:?}");
+}
+
+#[test]
+fn a_reader_finds_each_building_with_its_name_and_its_values() {
+    let lots: Vec<Shape> = (0..144).map(lot).collect();
+    let all = grammars().generate_all(&lots, &Settings::default()).unwrap();
+    let file = Read::new(&all.to_glb().unwrap());
+    lie_in_their_lots(&file.points(), 144);
+    let [names, grammars, seeds] = ["name", "grammar", "seed"].map(|id| file.column(id));
+    let [heights, floors, forms, gardens, storeys] =
+        ["height", "floors", "form", "garden", "storeys"].map(|id| file.column(id));
+    let [areas, volumes, uses] = ["area_lot", "volume", "use"].map(|id| file.column(id));
+    for (at, building) in all.sinks().enumerate() {
+        let number = at as u32;
+        assert_eq!(names[at], format!("\"lot\" {number} ä"));
+        assert_eq!(grammars[at], ["House", "Block", "Park"][at % 3]);
+        assert_eq!(seeds[at].as_u64(), Some((1 << 53) + 1 + u64::from(number)));
+        let (own, _) = building.buildings().next().unwrap();
+        let is_house = at % 3 == 0;
+        let height = [Json::from(3.0 + f64::from(number % 7)), Json::from(8.5), Json::Null];
+        assert_eq!(heights[at], height[at % 3]);
+        let text = |name: &str| own.attribute(name).map_or(Json::Null, |value| Json::from(value.to_string()));
+        // Attributes of several types, and truth values that some buildings do not have, are texts.
+        assert_eq!((&forms[at], &gardens[at]), (&text("form"), &text("garden")));
+        assert_eq!(floors[at].is_null(), !is_house);
+        // An array that a building does not have is empty.
+        let half = (3.0 + f64::from(number % 7)) / 2.0;
+        assert_eq!(storeys[at], if is_house { Json::from(vec![half; 2]) } else { Json::from(Vec::<f64>::new()) });
+        let sum = |key: &str| building.reported(key).map_or(Json::Null, |found| Json::from(found.summary().sum));
+        assert_eq!((&areas[at], &volumes[at]), (&sum("area.lot"), &sum("volume")));
+        assert_eq!(uses[at], if at % 3 == 1 { Json::from("flat, shop") } else { Json::Null });
+    }
+    // The name in the rules is there where the schema needs another.
+    let class = &file.json["extensions"]["EXT_structural_metadata"]["schema"]["classes"]["building"];
+    assert_eq!(class["properties"]["area_lot"]["name"], "area.lot");
+}
+
+#[test]
+fn values_have_columns_of_their_type_where_all_buildings_have_them() {
+    let lots: Vec<Shape> = (0..6).map(|number| lot(3 * number)).collect();
+    let all = House::default().generate_all(&lots, &Settings::default()).unwrap();
+    let file = Read::new(&all.to_glb().unwrap());
+    for (at, model) in all.sinks().enumerate() {
+        let (own, leaves) = model.buildings().next().unwrap();
+        assert_eq!(leaves, 0..model.len());
+        let garden = own.attribute("garden") == Some(&Value::Bool(true));
+        assert_eq!(file.column("garden")[at], garden);
+        let height = own.attribute("height").unwrap().to_string().parse::<f64>().unwrap();
+        assert_eq!(file.column("storeys")[at], Json::from(vec![height / 2.0; 2]));
+    }
+}
+
+#[test]
+fn one_building_costs_no_bytes_a_vertex() {
+    let model = grammars().generate(&lot(0)).unwrap();
+    let file = Read::new(&model.to_glb().unwrap());
+    lie_in_their_lots(&file.points(), 1);
+    assert_eq!(file.column("name"), ["\"lot\" 0 ä"]);
+    let empty = file.json["accessors"].as_array().unwrap().iter().filter(|accessor| accessor["bufferView"].is_null());
+    assert!(0 < empty.count());
+    // A sink that is filled by hand has no buildings, and no table of them.
+    let mut glb = Glb::new();
+    for leaf in &model {
+        let _ = leaf.replay(&mut glb);
+    }
+    let file = Read::new(&glb.into_bytes().unwrap());
+    assert_eq!((file.table("rule"), file.table("building")), (Some(0), None));
+}
+
+#[test]
+fn leaves_after_the_last_building_have_a_row_too() {
+    let model = grammars().generate(&lot(1)).unwrap();
+    let mut glb = Glb::new();
+    let _ = model.replay(&mut glb);
+    let other = grammars().generate(&lot(2)).unwrap();
+    for leaf in &other {
+        let _ = leaf.replay(&mut glb);
+    }
+    let file = Read::new(&glb.into_bytes().unwrap());
+    assert_eq!(file.column("name"), ["\"lot\" 1 ä", ""]);
+    assert!(file.points().iter().any(|(building, _)| *building == 1));
+    // Buildings without leaves have rows as well.
+    let mut glb = Glb::new();
+    glb.building(&|| Building::new("empty", 1));
+    let _ = model.replay(&mut glb);
+    let file = Read::new(&glb.into_bytes().unwrap());
+    assert_eq!((file.column("name").len(), file.points()[0].0), (2, 1));
+}
+
+/// The nodes of a file below a node, with all that is below them.
+fn below(json: &Json, node: usize) -> Vec<usize> {
+    let children =
+        json["nodes"][node]["children"].as_array().into_iter().flatten().map(|child| child.as_u64().unwrap() as usize);
+    children.flat_map(|child| std::iter::once(child).chain(below(json, child))).collect()
+}
+
+#[test]
+fn on_request_buildings_are_nodes() {
+    let lots: Vec<Shape> = (0..12).map(lot).collect();
+    let all = grammars().generate_all(&lots, &Settings::default()).unwrap();
+    for by_rule in [false, true] {
+        let mut glb = Glb::new().by_building().with_placements().with_origin([4_000_000.0, 0.0, 0.0].into());
+        if by_rule {
+            glb = glb.by_rule();
+        }
+        let _ = all.replay(&mut glb);
+        let file = Read::new(&glb.into_bytes().unwrap());
+        let nodes = file.json["nodes"].as_array().unwrap();
+        let children: Vec<usize> =
+            nodes[0]["children"].as_array().unwrap().iter().map(|child| child.as_u64().unwrap() as usize).collect();
+        assert_eq!(children.len(), 12);
+        assert_eq!(below(&file.json, 0).len(), nodes.len() - 1, "each node has one parent");
+        for (number, child) in (0..12).zip(children) {
+            let node = &nodes[child];
+            assert_eq!(node["name"], format!("\"lot\" {number} ä"));
+            assert_eq!(node["extras"]["grammar"], ["House", "Block", "Park"][number as usize % 3]);
+            if number % 3 == 0 {
+                assert_eq!(node["extras"]["attributes"]["height"], 3 + number % 7);
+                assert!(node["extras"]["reports"]["area.lot"].as_f64().is_some_and(|area| (area - 144.0).abs() < 1e-9));
+            }
+            // Its mesh, or the meshes of its rules, have its vertices.
+            let own: Vec<usize> = std::iter::once(child).chain(below(&file.json, child)).collect();
+            let meshes: Vec<&Json> =
+                own.iter().map(|own| &nodes[*own]["mesh"]).filter(|mesh| !mesh.is_null()).collect();
+            assert_eq!(meshes.len() == 1, !by_rule);
+            let mut points = Vec::new();
+            for primitive in meshes
+                .iter()
+                .flat_map(|mesh| file.json["meshes"][mesh.as_u64().unwrap() as usize]["primitives"].as_array().unwrap())
+            {
+                assert_eq!(primitive["attributes"]["_FEATURE_ID_0"].is_null(), by_rule);
+                points.extend(file.floats::<3>(&primitive["attributes"]["POSITION"]));
+            }
+            let moved =
+                |place: &[f32; 3]| [4_000_000.0 + f64::from(place[0]), f64::from(place[1]), f64::from(place[2])];
+            let points: Vec<(usize, [f64; 3])> = points.iter().map(|place| (number as usize, moved(place))).collect();
+            let all = (0..12)
+                .map(|other| (other as usize, [place(other)[0], 100.0, place(other)[1]]))
+                .flat_map(|point| [point; 4]);
+            lie_in_their_lots(&points.into_iter().chain(all).collect::<Vec<_>>(), 12);
+            let lamps = own.iter().filter(|own| nodes[**own]["name"] == "Lamp").count();
+            assert_eq!(lamps, if number % 3 == 2 { 3 } else { 0 });
+        }
+    }
+}
+
+#[test]
+fn instances_know_their_buildings() {
+    cga! {
+        grammar Tiles;
+        Lot --> extrude(9) comp(f) { side : split(y) { { ~3 : split(x) { { ~2 : Tile }* } }* } | top : Roof. }
+        Tile --> split(x) { ~1 : Wall. | 0.8 : color("#336699") Glass. | ~1 : Wall. }
+    }
+    let lots: Vec<Shape> = (0..9).map(|number| lot(3 * number + 2)).collect();
+    for by_building in [false, true] {
+        let mut glb = Glb::new().with_instances().with_origin([4_000_000.0, 0.0, 0.0].into());
+        if by_building {
+            glb = glb.by_building();
+        }
+        for lot in &lots {
+            Tiles::default().run(&lot.clone().start("Lot"), &Settings::default(), &mut glb).unwrap();
+        }
+        let file = Read::new(&glb.into_bytes().unwrap());
+        let nodes = file.json["nodes"].as_array().unwrap();
+        let mut seen = [0; 9];
+        let shared =
+            nodes.iter().enumerate().filter(|(_, node)| !node["extensions"]["EXT_mesh_gpu_instancing"].is_null());
+        for (number, node) in shared {
+            let attributes = &node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+            let places = file.floats::<3>(&attributes["TRANSLATION"]);
+            let buildings: Vec<usize> = if by_building {
+                let parent = (0..nodes.len())
+                    .find(|parent| below(&file.json, *parent).contains(&number) && *parent != 0)
+                    .unwrap();
+                let name = nodes[parent]["name"].as_str().unwrap();
+                let own = lots.iter().position(|lot| lot.name() == name).unwrap();
+                vec![own; places.len()]
+            } else {
+                let feature = &node["extensions"]["EXT_instance_features"]["featureIds"][0];
+                assert_eq!(feature["propertyTable"].as_u64().unwrap() as usize, file.table("building").unwrap());
+                file.floats::<1>(&attributes["_FEATURE_ID_0"]).iter().map(|id| id[0] as usize).collect()
+            };
+            for (place, building) in places.iter().zip(buildings) {
+                let lot = self::place(3 * building as u32 + 2);
+                let (x, z) = (4_000_000.0 + f64::from(place[0]), f64::from(place[2]));
+                assert!(
+                    (lot[0]..=lot[0] + 12.0).contains(&x) && (lot[1]..=lot[1] + 12.0).contains(&z),
+                    "{building}: {place:?}"
+                );
+                seen[building] += 1;
+            }
+        }
+        assert!(seen.iter().all(|count| 0 < *count), "{seen:?}");
+    }
+}
+
+#[test]
+fn solids_are_single_sided_on_request() {
+    cga! { grammar Sides;  Lot --> [ extrude(3) color("#ff0000") Solid. ] [ t(0, 9, 0) color("#00ff00") Sheet. ]
+    [ t(9, 0, 0) extrude(1) color("#0000ff") comp(f) { side : Wall. | all : NIL } ]
+    [ t(20, 0, 0) primitiveSphere(8, 8, 1) color("#ffff00") Ball. ] [ t(30, 0, 0) extrude(3) color("#ff00ff") set(material.doubleSided, true) Own. ]
+    [ t(40, 0, 0) primitiveCube s(-1, 1, 1) color("#00ffff") Turned. ] }
+    let sides = |glb: Glb| {
+        let mut glb = glb;
+        let _ = Sides::default().generate(&Shape::rectangle(2.0, 2.0)).unwrap().replay(&mut glb);
+        let file = Read::new(&glb.into_bytes().unwrap());
+        let materials = file.json["materials"].as_array().unwrap();
+        materials
+            .iter()
+            .map(|material| (material["name"].as_str().unwrap().to_owned(), material["doubleSided"] == true))
+            .collect::<Vec<_>>()
+    };
+    assert!(sides(Glb::new()).iter().all(|(_, double)| *double));
+    let single: Vec<String> = sides(Glb::new().with_single_sided_solids())
+        .into_iter()
+        .filter(|(_, double)| !double)
+        .map(|(name, _)| name)
+        .collect();
+    assert_eq!(single, ["#ff0000", "#ffff00"]);
+}
