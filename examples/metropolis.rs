@@ -6,12 +6,11 @@
 
 use std::ops::ControlFlow;
 use std::path::PathBuf;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::time::Instant;
 
 use cga::sink::buffers::{Buffers, Chunks};
-use cga::{Flow, Settings, Shape, Watch, WriteError, cga};
+use cga::{Settings, Shape, Watch, cga};
 
 cga! {
     /// Walls and windows on every side, in one of three colours.
@@ -50,33 +49,22 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     });
     let settings = Settings { watch: Some(watch.clone()), ..Settings::default() };
     let (triangles, chunks, largest) = (AtomicU64::new(0), AtomicU64::new(0), AtomicUsize::new(0));
-    let failed: Mutex<Option<WriteError>> = Mutex::new(None);
     for first in (0..lots).step_by(BATCH) {
         let shapes: Vec<Shape> = (first..lots.min(first + BATCH)).map(lot).collect();
         let parts = grammar.run_all(&shapes, &settings, |stretch| {
-            let (triangles, chunks, largest, failed, folder) = (&triangles, &chunks, &largest, &failed, &folder);
+            let (triangles, chunks, largest, folder) = (&triangles, &chunks, &largest, &folder);
             let (from, mut number) = (first + stretch.shapes.start, 0);
-            Chunks::new(CHUNK, move |chunk: &Buffers| -> Flow {
+            Chunks::new(CHUNK, move |chunk: &Buffers| {
                 number += 1;
                 chunks.fetch_add(1, Ordering::Relaxed);
                 triangles.fetch_add(chunk.triangle_count() as u64, Ordering::Relaxed);
                 largest.fetch_max(chunk.memory(), Ordering::Relaxed);
-                let Some(folder) = folder else { return ControlFlow::Continue(()) };
-                match chunk.write_glb(folder.join(format!("from-{from:07}-{number:03}.glb"))) {
-                    Ok(()) => ControlFlow::Continue(()),
-                    Err(error) => {
-                        failed.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).get_or_insert(error);
-                        ControlFlow::Break(())
-                    }
-                }
+                let Some(folder) = folder else { return Ok(()) };
+                chunk.write_glb(folder.join(format!("from-{from:07}-{number:03}.glb")))
             })
         })?;
-        if parts.report().stopped {
-            break;
-        }
-    }
-    if let Some(error) = failed.into_inner()? {
-        return Err(error.into());
+        // The first error of a chunk ended the runs.
+        parts.into_iter().try_for_each(|part| part.sink.into_result())?;
     }
     let (progress, seconds) = (watch.progress(), begin.elapsed().as_secs_f64());
     println!("{} buildings, {} parts, {} triangles", progress.initial_shapes, progress.leaves, triangles.into_inner());

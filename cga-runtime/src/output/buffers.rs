@@ -4,12 +4,14 @@
 //! triangles, a box 24 and 12. Coordinates are computed as `f64` and rounded at the end. Front faces are
 //! counter-clockwise. Texture coordinates are separate lists beside the vertices, one for each set.
 
+mod chunk_result;
 mod chunks;
 mod replayed;
 mod submesh;
 mod uvs;
 
 pub use super::triangles::Vertex;
+pub use chunk_result::ChunkResult;
 pub use chunks::Chunks;
 pub use submesh::Submesh;
 

@@ -7,7 +7,7 @@ use crate::sink_support::{Fill, color, front, mixed, plate, textured, tower, upr
 use cga_runtime::geometry::Axis;
 use cga_runtime::geometry::cut::slabs;
 use cga_runtime::material::Material;
-use cga_runtime::output::buffers::Buffers;
+use cga_runtime::output::buffers::{Buffers, Chunks};
 use cga_runtime::output::stats::checksum;
 use cga_runtime::run::sink::{Leaf, Sink};
 use cga_runtime::shape::scope::Scope;
@@ -178,4 +178,55 @@ fn buffers_and_stats_agree() {
         let sum = checksum(buffers.vertices(), buffers.indices());
         assert!((sum - stats.checksum()).abs() <= 1e-5 * stats.checksum().abs().max(1.0));
     }
+}
+
+/// Adds quads until the sink ends the run, and returns the number of quads that it took.
+fn quads(sink: &mut impl Sink, most: usize) -> usize {
+    let (paint, scope) = (color(1.0, 0.0, 0.0), Scope::new(dvec3(1.0, 1.0, 0.0)));
+    let mut quad = || sink.quad(&Leaf::new("Wall", &paint, &scope), &front(DVec3::ZERO, 1.0, 1.0));
+    (0..most).take_while(|_| quad().is_continue()).count()
+}
+
+#[test]
+fn the_error_of_a_chunk_ends_the_run_and_arrives() {
+    let mut seen = 0;
+    let mut chunks = Chunks::new(24, |_: &Buffers| {
+        seen += 1;
+        if seen == 2 { Err(format!("chunk {seen}")) } else { Ok(()) }
+    });
+    // Six quads are a chunk; the thirteenth passes on the second chunk.
+    assert_eq!(quads(&mut chunks, 100), 12);
+    assert_eq!((quads(&mut chunks, 100), chunks.handed_out()), (0, 2), "it has ended");
+    assert!(chunks.finish().is_break());
+    assert_eq!(chunks.into_result(), Err(String::from("chunk 2")));
+    assert_eq!(seen, 2);
+}
+
+#[test]
+fn the_last_chunk_is_passed_on_and_its_result_arrives() {
+    let mut sizes = Vec::new();
+    let mut chunks = Chunks::new(24, |chunk: &Buffers| {
+        sizes.push(chunk.triangle_count());
+        if sizes.len() == 2 { Err("the last one") } else { Ok(()) }
+    });
+    assert_eq!(quads(&mut chunks, 8), 8);
+    assert_eq!(chunks.into_result(), Err("the last one"));
+    assert_eq!(sizes, [12, 4]);
+    let nothing = Chunks::new(24, |_: &Buffers| Err("no chunk"));
+    assert_eq!(nothing.into_result(), Ok(()));
+}
+
+#[test]
+fn chunks_go_on_and_end_with_a_flow() {
+    let mut count = 0;
+    let mut chunks = Chunks::new(24, |_: &Buffers| {
+        count += 1;
+        ControlFlow::Continue(())
+    });
+    assert_eq!(quads(&mut chunks, 20), 20);
+    assert!(chunks.into_result().is_continue());
+    assert_eq!(count, 4);
+    let mut chunks = Chunks::new(24, |_: &Buffers| ControlFlow::Break(()));
+    assert_eq!(quads(&mut chunks, 20), 6);
+    assert!(chunks.into_result().is_break());
 }

@@ -146,6 +146,25 @@ fn a_chunk_that_is_refused_ends_the_run() {
 }
 
 #[test]
+fn the_error_of_a_chunk_arrives_from_one_sink_and_from_many() {
+    let (grammar, shapes) = (super::grammars::Street::default(), super::grammars::lots(300));
+    let mut sink = Chunks::new(100, |_: &Buffers| Err("the disk is full"));
+    assert!(grammar.run(&shapes[0], &settings(), &mut sink).expect("no limit").stopped);
+    assert_eq!(sink.into_result(), Err("the disk is full"));
+    for threads in THREADS {
+        let parts = with_threads(threads, || {
+            grammar.run_all(&shapes, &settings(), |stretch| {
+                let number = stretch.number;
+                Chunks::new(2048, move |_: &Buffers| if number < 3 { Ok(()) } else { Err(number) })
+            })
+        });
+        let parts = parts.expect("no limit");
+        assert!(parts.report().stopped && parts.len() == 4, "{threads} threads");
+        assert_eq!(parts.into_iter().try_for_each(|part| part.sink.into_result()), Err(3));
+    }
+}
+
+#[test]
 fn stretches_stream_in_parallel() {
     let (grammar, shapes) = (super::grammars::Street::default(), super::grammars::lots(300));
     let mut whole = Buffers::new();

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
+use super::chunk_result::ChunkResult;
 use super::submesh::SubmeshStart;
 use super::{Buffers, Vertex};
 use crate::geometry::mesh::Mesh;
@@ -24,55 +25,63 @@ const MOST: usize = u32::MAX as usize / 2;
 ///
 /// Each chunk is complete in itself: indices count from 0, and rules and materials have their own numbers. All chunks
 /// together have the triangles of [`Buffers`], in the same order. A chunk is passed to `each` when the next leaf does
-/// not fit, and at [`finish`](Sink::finish). A run does not end a chunk: one chunk may have leaves of many initial
-/// shapes.
+/// not fit, and the last one at [`into_result`](Chunks::into_result) or [`finish`](Sink::finish). A run does not end a chunk: one
+/// chunk may have leaves of many initial shapes.
+///
+/// `each` returns a [`Result`] or a [`Flow`]. An error or `Break` ends the run (its report is marked as stopped), later runs end at their
+/// first leaves, and `into_result` returns it.
 ///
 /// A mesh with more vertices than a chunk is divided between faces. A face with more vertices than a chunk is divided
 /// into its triangles, which then share no vertices.
 ///
 /// ```
-/// use std::ops::ControlFlow;
-/// use cga_runtime::run::sink::Sink;
+/// use std::io::Write;
 /// use cga_runtime::output::buffers::{Buffers, Chunks};
 ///
-/// let mut triangles = 0;
-/// let mut chunks = Chunks::new(10_000, |chunk: &Buffers| {
+/// let (mut triangles, mut list) = (0, Vec::new());
+/// let chunks = Chunks::new(10_000, |chunk: &Buffers| {
 ///     triangles += chunk.triangle_count();
-///     // `Break` ends the run.
-///     ControlFlow::Continue(())
+///     writeln!(list, "{triangles}")
 /// });
 /// // … `grammar.run(&shape, &settings, &mut chunks)?` for each shape, then:
-/// let _ = chunks.finish();
-/// drop(chunks);
+/// chunks.into_result()?;
 /// assert_eq!(triangles, 0);
+/// # std::io::Result::Ok(())
 /// ```
-pub struct Chunks<F> {
+pub struct Chunks<F, R = Flow> {
     buffers: Buffers,
     capacity: usize,
     /// The capacity; 0 before memory is reserved and after the end, so that adding a leaf needs one comparison.
     full: usize,
     each: F,
     chunks: u64,
-    ended: bool,
+    /// The last result of `each`.
+    result: R,
 }
 
-impl<F> fmt::Debug for Chunks<F> {
+impl<F, R> fmt::Debug for Chunks<F, R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Chunks").field("capacity", &self.capacity).field("chunks", &self.chunks).finish_non_exhaustive()
     }
 }
 
-impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
-    /// Chunks of at most `max_vertices` vertices, but at least 24. `each` gets them in order; `Break` ends the run.
+impl<R: ChunkResult, F: FnMut(&Buffers) -> R> Chunks<F, R> {
+    /// Chunks of at most `max_vertices` vertices, but at least 24. `each` gets them in order; an error or `Break` ends the run.
     pub fn new(max_vertices: usize, each: F) -> Self {
         let capacity = max_vertices.clamp(LEAST, MOST);
-        Chunks { buffers: Buffers::new(), capacity, full: 0, each, chunks: 0, ended: false }
+        Chunks { buffers: Buffers::new(), capacity, full: 0, each, chunks: 0, result: R::go_on() }
     }
 
     /// Subtracts a point of the world from every position; see [`Buffers::with_origin`].
     pub fn with_origin(mut self, origin: DVec3) -> Self {
         self.buffers = self.buffers.with_origin(origin);
         self
+    }
+
+    /// Passes on the last chunk, and returns the error or the `Break` with which `each` ended the run.
+    pub fn into_result(mut self) -> R {
+        let _ = self.hand_out();
+        self.result
     }
 
     /// The number of chunks passed on so far.
@@ -102,12 +111,12 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
     /// Passes the chunk to `each`, unless it is empty, and begins another.
     #[cold]
     fn hand_out(&mut self) -> Flow {
-        if !self.ended && self.buffers.triangles.vertices.len() != 0 {
+        if !self.result.is_end() && self.buffers.triangles.vertices.len() != 0 {
             self.chunks += 1;
-            self.ended = (self.each)(&self.buffers).is_break();
+            self.result = (self.each)(&self.buffers);
             self.buffers.clear();
         }
-        if self.ended {
+        if self.result.is_end() {
             self.full = 0;
             return ControlFlow::Break(());
         }
@@ -159,7 +168,7 @@ impl Buffers {
     }
 }
 
-impl<F: FnMut(&Buffers) -> Flow> Sink for Chunks<F> {
+impl<R: ChunkResult, F: FnMut(&Buffers) -> R> Sink for Chunks<F, R> {
     fn begin(&mut self) {
         self.buffers.begin();
     }

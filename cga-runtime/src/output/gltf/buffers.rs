@@ -81,20 +81,16 @@ impl Buffers {
     /// Writes the buffers as a GLB file: a chunk of a stream, for example.
     ///
     /// ```no_run
-    /// use std::ops::ControlFlow;
     /// use cga_runtime::output::buffers::{Buffers, Chunks};
     ///
-    /// let (mut number, mut failed) = (0, None);
+    /// let mut number = 0;
     /// let chunks = Chunks::new(1_000_000, |chunk: &Buffers| {
     ///     number += 1;
-    ///     match chunk.write_glb(format!("city-{number:05}.glb")) {
-    ///         Ok(()) => ControlFlow::Continue(()),
-    ///         Err(error) => {
-    ///             failed = Some(error);
-    ///             ControlFlow::Break(())
-    ///         }
-    ///     }
+    ///     chunk.write_glb(format!("city-{number:05}.glb"))
     /// });
+    /// // … `grammar.run(&shape, &settings, &mut chunks)?` for each shape, then:
+    /// chunks.into_result()?;
+    /// # Ok::<(), cga_runtime::output::error::WriteError>(())
     /// ```
     ///
     /// # Errors
