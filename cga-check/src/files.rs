@@ -3,9 +3,10 @@
 use cga_lang::compile::Dialect;
 use cga_lang::diag::Diags;
 use cga_lang::link::{Files, Unit, candidates, folder};
-use cga_lang::snippet::Quote;
+use cga_lang::snippet::{Lines, Quote};
 use cga_lang::syntax::lex::{Lexed, MOST_BYTES, TOO_LONG, decode, lex};
 use cga_lang::syntax::parse::parse;
+use std::cell::OnceCell;
 use std::collections::{HashMap, HashSet};
 use std::fs::{self, File};
 use std::io::Read as _;
@@ -161,9 +162,11 @@ impl LoadedFiles {
         imported
     }
 
-    pub(crate) fn quote(&self, name: &str) -> Option<Quote<'_>> {
+    /// Returns the file of a name as findings quote it. `lines` is filled at the first call.
+    pub(crate) fn quote<'t>(&'t self, name: &str, lines: &'t OnceCell<Lines<'t>>) -> Option<Quote<'t>> {
         let entry = &self.entries[*self.known.get(name)?];
-        Some(Quote { name: &entry.name, text: &entry.text, ranges: &entry.lexed.ranges })
+        let lines = lines.get_or_init(|| Lines::new(&entry.text));
+        Some(Quote { name: &entry.name, lines, ranges: &entry.lexed.ranges })
     }
 }
 

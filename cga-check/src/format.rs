@@ -4,7 +4,7 @@ use std::io::{Result, Write};
 
 use cga_lang::compile::Compiled;
 use cga_lang::diag::{Diag, Level};
-use cga_lang::snippet::{Lines, Position, Quote, bytes, render_in};
+use cga_lang::snippet::{Position, Quote, render_in};
 use cga_lang::span::Span;
 use serde_json::json;
 
@@ -91,12 +91,13 @@ impl SourceRange {
 
 fn place<'t>(compiled: &Compiled, quote: &dyn Fn(usize) -> Option<Quote<'t>>, span: Span) -> SourceRange {
     let (file, first) = compiled.locate(span.first);
-    let Some(Quote { name, text, ranges }) = quote(file) else {
+    let Some(quote) = quote(file) else {
         let file = compiled.files.get(file).map_or_else(String::new, |file| file.name.clone());
         let start = Position { line: 1, column: 1 };
         return SourceRange { file, start, end: start };
     };
     let last = compiled.locate(span.last).1.max(first);
-    let (bytes, lines) = (bytes(text, ranges, Span { first, last }), Lines::new(text));
-    SourceRange { file: name.to_owned(), start: lines.position(bytes.start), end: lines.position(bytes.end) }
+    let bytes = quote.bytes(Span { first, last });
+    let [start, end] = [bytes.start, bytes.end].map(|byte| quote.lines.position(byte));
+    SourceRange { file: quote.name.to_owned(), start, end }
 }

@@ -8,11 +8,12 @@ use cga_lang::compile::compile;
 use cga_lang::diag::code::Code;
 use cga_lang::diag::{Detail, Diag, Diags, Level, Line};
 use cga_lang::syntax::parse::parse;
+use std::cell::OnceCell;
 use std::collections::{BTreeMap, HashSet};
 use std::io::{Result, Write};
 use std::time::Duration;
 
-/// The limit on findings of a file that are reported: finding the place of each takes the time of reading the text.
+/// The limit on findings of a file that are printed with their lines. Longer lists are for programs.
 const MOST_SHOWN: usize = 1000;
 
 /// The identity of a finding: file, first and last token there, code, message.
@@ -52,6 +53,8 @@ impl<'o> Printer<'o> {
         // The compiler reports the same.
         again.finish();
         let compiled = compile(root, files, &[]);
+        let lines = vec![OnceCell::new(); compiled.files.len()];
+        let quote = |file: usize| files.quote(&compiled.files.get(file)?.name, lines.get(file)?);
         let mut own = Own::default();
         let mut more = 0;
         let is_imported = self.imported.contains(&compiled.files[0].name);
@@ -75,7 +78,6 @@ impl<'o> Printer<'o> {
                 continue;
             }
             own.shown += 1;
-            let quote = |file: usize| files.quote(&compiled.files.get(file)?.name);
             format::write(self.options.format, &compiled, &quote, diag, out)?;
         }
         if 0 < more && self.options.format == Format::Full {

@@ -2,6 +2,7 @@
 
 use cga_lang::syntax::lex::MOST_BYTES;
 use serde_json::Value;
+use std::time::Duration;
 
 use super::*;
 use crate::format::Format;
@@ -49,6 +50,16 @@ fn a_file_that_is_imported_may_begin_with_a_helper() {
     assert!(printed("helper", &[library]).contains("warning[unmarked_start]"));
     let both = printed("helpers", &[library, main]);
     assert!(!both.contains("unmarked_start") && both.contains("2 files"), "{both}");
+}
+
+#[test]
+fn the_time_of_many_findings_grows_with_their_number() {
+    let rules: String = (0..20_000).map(|number| format!("  Unknown{number}(1, 2)\n")).collect();
+    let start = Instant::now();
+    let (text, _) = run("many", &[("lot.cga", &format!("Lot -->\n{rules}"))], |options| options.format = Format::Short);
+    assert_eq!(text.lines().count(), 20_000);
+    // Reading the whole text for each finding takes minutes.
+    assert!(start.elapsed() < Duration::from_secs(20), "{:?}", start.elapsed());
 }
 
 const WRONG: (&str, &str) = ("tower.cga", "attr h = 3\nLot --> extrude(h) Wal\nWall --> X.\n");

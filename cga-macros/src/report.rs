@@ -1,7 +1,7 @@
 //! Diagnostics as compiler errors and warnings.
 
 use cga_lang::diag::{Basis, Diag, Level, Line};
-use cga_lang::snippet::place;
+use cga_lang::snippet::{Lines, Quote, place};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::quote_spanned;
 
@@ -65,7 +65,8 @@ fn message(diag: &Diag, source: &Source) -> String {
         let mut shown = diag.clone();
         (shown.notes, shown.basis) = (diag.reasons().collect(), Basis::Rules);
         level.into_iter().for_each(|level| _ = shown.note(level));
-        return format!("{}\n{}", diag.message, place(&text.written, &text.ranges, &text.name, span, &shown, &related));
+        let quote = Quote { name: &text.name, lines: &Lines::new(&text.written), ranges: &text.ranges };
+        return format!("{}\n{}", diag.message, place(quote, span, &shown, &related));
     }
     let mut message = spelled(&diag.message);
     for note in diag.reasons() {

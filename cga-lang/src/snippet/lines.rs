@@ -39,6 +39,11 @@ impl<'t> Lines<'t> {
         Lines { text, starts: (0..bytes.len()).filter(|&at| is_end(at)).map(|at| at + 1).collect() }
     }
 
+    /// Returns the text.
+    pub fn text(&self) -> &'t str {
+        self.text
+    }
+
     /// Returns the line and column of a byte. A byte after the end of the text has the place of the end.
     pub fn position(&self, byte: usize) -> Position {
         let byte = border(self.text, byte);

@@ -18,13 +18,35 @@ mod lines;
 mod program;
 
 pub use lines::{Lines, Position};
-pub use program::{Quote, render_in};
+pub use program::render_in;
 
-/// A diagnostic as text, without a newline at the end. `ranges` are the byte ranges of the tokens in `text`.
-pub fn render(text: &str, ranges: &[Range<usize>], file: &str, diag: &Diag) -> String {
-    let related = |span| Some(format!("line {}", Lines::new(text).position(bytes(text, ranges, span).start).line));
-    let place = place(text, ranges, file, diag.span, diag, &related);
-    format!("{}\n{place}", headline(diag))
+/// A text that diagnostics are quoted from.
+#[derive(Clone, Copy, Debug)]
+pub struct Quote<'t> {
+    /// The name in messages.
+    pub name: &'t str,
+    /// The text with the starts of its lines.
+    pub lines: &'t Lines<'t>,
+    /// The byte ranges of its tokens.
+    pub ranges: &'t [Range<usize>],
+}
+
+impl Quote<'_> {
+    /// Returns the bytes of a span.
+    pub fn bytes(&self, span: Span) -> Range<usize> {
+        bytes(self.lines.text(), self.ranges, span)
+    }
+
+    /// Returns the place where a span begins.
+    pub fn start(&self, span: Span) -> Position {
+        self.lines.position(self.bytes(span).start)
+    }
+}
+
+/// A diagnostic as text, without a newline at the end.
+pub fn render(quote: Quote<'_>, diag: &Diag) -> String {
+    let related = |span| Some(format!("line {}", quote.start(span).line));
+    format!("{}\n{}", headline(diag), place(quote, diag.span, diag, &related))
 }
 
 /// The first line of a diagnostic.
@@ -38,16 +60,9 @@ fn headline(diag: &Diag) -> String {
 
 /// The place, notes and help of a diagnostic: [`render`] without the first line. `span` is its place in this text.
 /// `related` names a second place: "line 3", or "line 3 of lib.cga".
-pub fn place(
-    text: &str,
-    ranges: &[Range<usize>],
-    file: &str,
-    span: Span,
-    diag: &Diag,
-    related: &dyn Fn(Span) -> Option<String>,
-) -> String {
-    let bytes = bytes(text, ranges, span);
-    let at = Lines::new(text).position(bytes.start);
+pub fn place(quote: Quote<'_>, span: Span, diag: &Diag, related: &dyn Fn(Span) -> Option<String>) -> String {
+    let (text, bytes) = (quote.lines.text(), quote.bytes(span));
+    let at = quote.lines.position(bytes.start);
     let line = line_at(text, bytes.start);
     let margin = " ".repeat(at.line.to_string().len());
     let (before, marked, after) = split_line(text, &line, &bytes);
@@ -55,7 +70,7 @@ pub fn place(
     let marked = clip_back(marked);
     let after = clip_back(after);
     let carets = "^".repeat(marked.chars().count().max(1));
-    let mut out = format!("{margin}--> {file}:{}:{}\n{margin} |\n", at.line, at.column);
+    let mut out = format!("{margin}--> {}:{}:{}\n{margin} |\n", quote.name, at.line, at.column);
     out.push_str(&format!("{} | {before}{marked}{after}\n{margin} | {}{carets}", at.line, blank(&before)));
     for note in diag.reasons() {
         out.push_str(&format!("\n{margin} = note: {}", note.text));
@@ -128,11 +143,13 @@ fn blank(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::{Lines, Quote, render};
     use crate::compile::compile_text;
 
     fn shown(text: &str) -> String {
         let source = compile_text(text);
-        let list = source.compiled.diags.iter().map(|diag| super::render(text, &source.ranges, "a.cga", diag));
+        let quote = Quote { name: "a.cga", lines: &Lines::new(text), ranges: &source.ranges };
+        let list = source.compiled.diags.iter().map(|diag| render(quote, diag));
         list.collect::<Vec<_>>().join("\n")
     }
 

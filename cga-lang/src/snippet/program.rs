@@ -1,21 +1,9 @@
 //! Diagnostics of a program of several files, each quoted from its own file.
 
-use super::{Lines, bytes, headline, place};
+use super::{Quote, headline, place};
 use crate::compile::Compiled;
 use crate::diag::Diag;
 use crate::span::Span;
-use std::ops::Range;
-
-/// A text that diagnostics are quoted from.
-#[derive(Clone, Copy, Debug)]
-pub struct Quote<'t> {
-    /// The name in messages.
-    pub name: &'t str,
-    /// The text.
-    pub text: &'t str,
-    /// The byte ranges of its tokens.
-    pub ranges: &'t [Range<usize>],
-}
 
 /// A diagnostic of [`compile`](crate::compile::compile) as text, in the form of [`render`](super::render). `quote`
 /// returns the files, numbered as in [`Compiled::files`]. For a file without a quote, only the name is shown.
@@ -29,10 +17,10 @@ pub fn render_in<'t>(compiled: &Compiled, quote: &dyn Fn(usize) -> Option<Quote<
     let related = |span: Span| {
         let (other, token) = compiled.locate(span.first);
         let quote = quote(other)?;
-        let line = Lines::new(quote.text).position(bytes(quote.text, quote.ranges, Span::one(token)).start).line;
+        let line = quote.start(Span::one(token)).line;
         Some(if other == file { format!("line {line}") } else { format!("line {line} of {}", quote.name) })
     };
-    format!("{}\n{}", headline(diag), place(own.text, own.ranges, own.name, span, diag, &related))
+    format!("{}\n{}", headline(diag), place(own, span, diag, &related))
 }
 
 #[cfg(test)]
@@ -40,17 +28,18 @@ mod tests {
     use super::{Quote, render_in};
     use crate::compile::compile;
     use crate::link::tests::{Library, unit};
+    use crate::snippet::Lines;
     use crate::syntax::lex::lex;
 
     #[test]
     fn each_file_is_quoted_in_its_findings() {
         let texts =
             ["# own\nimport lib : \"lib.cga\" (h = \"x\")\nLot --> lib.Roof Wal", "attr h = 1\nRoof --> size(h)"];
-        let lexed = texts.map(lex);
+        let (lexed, lines) = (texts.map(lex), texts.map(Lines::new));
         let compiled = compile(unit("a.cga", texts[0]), &mut Library(texts[1]), &[]);
         let quote = |file: usize| {
             let name = ["a.cga", "lib.cga"][file];
-            Some(Quote { name, text: texts[file], ranges: &lexed[file].ranges })
+            Some(Quote { name, lines: &lines[file], ranges: &lexed[file].ranges })
         };
         let all: Vec<String> = compiled.diags.iter().map(|diag| render_in(&compiled, &quote, diag)).collect();
         assert!(all.iter().any(|text| text.contains("--> a.cga:2:29\n") && text.contains("(h = \"x\")")), "{all:#?}");

@@ -6,7 +6,7 @@ use cga_lang::compile::{Dialect, compile, compile_text};
 use cga_lang::diag::code::Code;
 use cga_lang::diag::{Diags, Level};
 use cga_lang::link::{NoFiles, Unit};
-use cga_lang::snippet::render;
+use cga_lang::snippet::{Lines, Quote, render};
 use cga_lang::syntax::lex::{decode, lex};
 use cga_lang::syntax::parse::parse;
 use cga_lang::syntax::token::{Sym, Tok, Tokens};
@@ -104,8 +104,9 @@ fn try_dialect(tokens: &Tokens, dialect: Dialect) {
 
 fn try_text(text: &str) {
     let source = compile_text(text);
+    let quote = Quote { name: "a.cga", lines: &Lines::new(text), ranges: &source.ranges };
     for diag in source.compiled.diags.iter().take(20) {
-        assert!(!render(text, &source.ranges, "a.cga", diag).is_empty());
+        assert!(!render(quote, diag).is_empty());
     }
     try_tokens(&source.tokens);
 }

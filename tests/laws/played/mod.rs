@@ -15,7 +15,7 @@ use cga_lang::compile::{Dialect, compile};
 use cga_lang::diag::code::Code;
 use cga_lang::diag::{Basis, Diags, Level};
 use cga_lang::link::{NoFiles, Unit};
-use cga_lang::snippet::render;
+use cga_lang::snippet::{Lines, Quote, render};
 use cga_lang::syntax::lex::lex;
 use cga_lang::syntax::parse::parse;
 use judge::{Verdict, judge};
@@ -149,7 +149,8 @@ fn play(seed: u64, make: Make, counts: &mut BTreeMap<Code, usize>, broken: &mut 
         *counts.entry(diag.code).or_default() += usize::from(proved);
         verdicts.retain(|(_, verdict)| matches!(verdict, Verdict::Broken(_)));
         if let Some((given, Verdict::Broken(why))) = verdicts.first() {
-            let finding = render(&text, &lexed.ranges, &format!("{seed}.cga"), diag);
+            let (name, lines) = (&format!("{seed}.cga"), &Lines::new(&text));
+            let finding = render(Quote { name, lines, ranges: &lexed.ranges }, diag);
             let _ = writeln!(broken, "{finding}\nnot so in {} runs, as in {given}: {why}\n", verdicts.len());
         }
     }
