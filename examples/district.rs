@@ -101,7 +101,7 @@ pub(crate) struct Footprint {
 impl Footprint {
     /// The initial shape of a building. Its number is its seed.
     pub(crate) fn lot(&self, number: usize) -> Result<Shape, cga::Error> {
-        Ok(Shape::footprint(&self.outer, &self.holes)?.seed(number as u64))
+        Ok(Shape::footprint(&self.outer, &self.holes)?.seed(number as u64).named(self.label.as_str()))
     }
 }
 

@@ -253,7 +253,7 @@ fn leaves_after_the_last_building_have_a_row_too() {
     assert!(file.points().iter().any(|(building, _)| *building == 1));
     // Buildings without leaves have rows as well.
     let mut glb = Glb::new();
-    glb.building(&|| Building::new("empty", 1));
+    glb.end_building(&|| Building::new("empty", 1));
     let _ = model.replay(&mut glb);
     let file = Read::new(&glb.into_bytes().unwrap());
     assert_eq!((file.column("name").len(), file.points()[0].0), (2, 1));
@@ -389,4 +389,44 @@ fn solids_are_single_sided_on_request() {
         .map(|(name, _)| name)
         .collect();
     assert_eq!(single, ["#ff0000", "#ffff00"]);
+}
+
+#[test]
+fn models_and_their_meshes_know_buildings() {
+    use cga::sink::meshes::Granularity;
+    let lots: Vec<Shape> = (0..12).map(lot).collect();
+    let all = grammars().generate_all(&lots, &Settings::default()).unwrap().to_model();
+    let buildings: Vec<(&Building, std::ops::Range<usize>)> = all.buildings().collect();
+    assert_eq!(buildings.len(), 12);
+    assert!(buildings.iter().zip(&lots).all(|((building, _), lot)| building.name.as_str() == lot.name()));
+    assert!(buildings.windows(2).all(|pair| pair[0].1.end == pair[1].1.start) && buildings[11].1.end == all.len());
+    assert_eq!(buildings[0].0.reports.get("volume").map(|found| found.summary().count), Some(1));
+    let meshes = all.meshes(Granularity::Building);
+    for mesh in &meshes {
+        let own = place(mesh.building.unwrap() as u32);
+        let is_in = |value: f64, from: f64| (from - 0.3..=from + 12.3).contains(&value);
+        for place in &mesh.positions {
+            let at = [0, 2].map(|i| f64::from(place[i]) + meshes.origin[i]);
+            assert!(is_in(at[0], own[0]) && is_in(at[1], own[1]), "{at:?} {own:?}");
+        }
+        assert!(mesh.leaves.iter().all(|leaf| buildings[mesh.building.unwrap()].1.contains(&leaf.leaf)));
+    }
+    let by_material = all.meshes(Granularity::Material);
+    assert!(by_material.list.iter().all(|mesh| mesh.building.is_none()) && by_material.list.len() < meshes.list.len());
+    let triangles =
+        |list: &[cga::sink::meshes::TriangleMesh]| list.iter().map(|mesh| mesh.indices.len()).sum::<usize>();
+    assert_eq!(triangles(&by_material.list), triangles(&meshes.list));
+}
+
+#[test]
+fn objects_of_obj_files_are_buildings() {
+    let lots = [lot(0), Shape::rectangle(2.0, 2.0), Shape::rectangle(2.0, 2.0).named("a\nb # c")];
+    let all = House::default().generate_all(&lots, &Settings::default()).unwrap();
+    let (text, _) = all.to_obj("a.mtl");
+    let objects: Vec<&str> = text.lines().filter(|line| line.starts_with("o ")).collect();
+    assert_eq!(objects, ["o \"lot\" 0 ä", "o building_1", "o a_b _ c"]);
+    // Each object begins its groups anew.
+    let keys: Vec<&str> =
+        text.lines().filter_map(|line| line.split(' ').next()).filter(|key| "ogf".contains(key)).collect();
+    assert!(keys.windows(2).all(|pair| pair[0] != "o" || pair[1] == "g"), "{keys:?}");
 }

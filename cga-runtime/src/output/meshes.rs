@@ -28,6 +28,8 @@ pub enum Granularity {
     /// A mesh for each material: the fewest draw calls.
     #[default]
     Material,
+    /// A mesh for each building and material. A building is an initial shape; see [`Model::buildings`].
+    Building,
     /// A mesh for each rule and material.
     Rule,
     /// A mesh for each leaf and material.
@@ -50,6 +52,9 @@ pub struct Meshes {
 pub struct TriangleMesh {
     /// The rule or leaf symbol of all leaves; `None` for a mesh with leaves of any rule.
     pub rule: Option<&'static str>,
+    /// The index of the building of all leaves in [`Model::buildings`]; `None` for a mesh with leaves of any building, and for leaves that
+    /// belong to none.
+    pub building: Option<usize>,
     /// The material, with attributes of the asset where rules set none.
     pub material: Arc<Material>,
     /// A position for each vertex, in metres.
@@ -124,7 +129,8 @@ impl Model {
     /// assert_eq!(draw_calls(&Model::new()), 0);
     /// ```
     pub fn meshes(&self, granularity: Granularity) -> Meshes {
-        let mut sink = MeshSink { granularity, origin: near_origin(self.bounds()), ..MeshSink::default() };
+        let ends = self.buildings().map(|(_, leaves)| leaves.end).collect();
+        let mut sink = MeshSink { granularity, origin: near_origin(self.bounds()), ends, ..MeshSink::default() };
         // It never stops the run.
         let _ = self.replay(&mut sink);
         sink.finish()
@@ -132,13 +138,14 @@ impl Model {
 }
 
 /// The leaves of a mesh under construction have in common: material, sets of texture coordinates, and by granularity the
-/// rule or the leaf.
-type MeshKey = (u32, SetMask, Option<u32>, Option<usize>);
+/// building, the rule or the leaf.
+type MeshKey = (u32, SetMask, Option<usize>, Option<u32>, Option<usize>);
 
 /// A mesh under construction.
 #[derive(Debug, Default)]
 struct MeshBuild {
     rule: Option<u32>,
+    building: Option<usize>,
     material: u32,
     sets: SetMask,
     triangles: Triangles,
@@ -160,6 +167,8 @@ struct MeshSink {
     flattener: Flattener,
     /// The number of leaves so far.
     leaf: usize,
+    /// The ends of the ranges of leaves of buildings.
+    ends: Arc<[usize]>,
 }
 
 impl MeshSink {
@@ -171,11 +180,13 @@ impl MeshSink {
 
     /// The mesh for a leaf, and the start of the leaf's triangles.
     fn build(&mut self, rule: u32, material: u32, sets: SetMask, leaf: usize) -> &mut MeshBuild {
-        let rule = (self.granularity != Granularity::Material).then_some(rule);
-        let key = (material, sets, rule, (self.granularity == Granularity::Leaf).then_some(leaf));
+        let rule = matches!(self.granularity, Granularity::Rule | Granularity::Leaf).then_some(rule);
+        let by_building = matches!(self.granularity, Granularity::Building | Granularity::Leaf);
+        let building = by_building.then(|| building_of(&self.ends, leaf)).flatten();
+        let key = (material, sets, building, rule, (self.granularity == Granularity::Leaf).then_some(leaf));
         let list = &mut self.list;
         let index = *self.by_key.entry(key).or_insert_with(|| {
-            list.push(MeshBuild { rule, material, sets, ..MeshBuild::default() });
+            list.push(MeshBuild { rule, building, material, sets, ..MeshBuild::default() });
             list.len() - 1
         });
         let build = &mut self.list[index];
@@ -214,17 +225,23 @@ impl MeshSink {
             if own.is_empty() {
                 continue;
             }
-            // Built in the mesh's own coordinates, apart from the others.
-            let table = std::mem::take(&mut self.table);
-            let mut local = MeshSink { granularity: self.granularity, table, ..MeshSink::default() };
-            local.add(rule, material, &asset.mesh, &DAffine3::IDENTITY, own[0].1);
-            self.table = local.table;
-            for mut build in local.list {
-                let whole = 0..build.triangles.indices.len();
-                build.leaves = own.iter().map(|(_, leaf)| MeshLeaf { leaf: *leaf, indices: whole.clone() }).collect();
-                let moved = |place: &DAffine3| DAffine3 { translation: place.translation - self.origin, ..*place };
-                build.places = own.iter().map(|(place, _)| moved(place)).collect();
-                shared.push(build);
+            let by_building = self.granularity == Granularity::Building;
+            let ends = self.ends.clone();
+            let is_together = |a: usize, b: usize| !by_building || building_of(&ends, a) == building_of(&ends, b);
+            for own in own.chunk_by(|a, b| is_together(a.1, b.1)) {
+                // Built in the mesh's own coordinates, apart from the others.
+                let (table, ends) = (std::mem::take(&mut self.table), ends.clone());
+                let mut local = MeshSink { granularity: self.granularity, table, ends, ..MeshSink::default() };
+                local.add(rule, material, &asset.mesh, &DAffine3::IDENTITY, own[0].1);
+                self.table = local.table;
+                for mut build in local.list {
+                    let whole = 0..build.triangles.indices.len();
+                    let leaf = |leaf: usize| MeshLeaf { leaf, indices: whole.clone() };
+                    build.leaves = own.iter().map(|(_, number)| leaf(*number)).collect();
+                    let moved = |place: &DAffine3| DAffine3 { translation: place.translation - self.origin, ..*place };
+                    build.places = own.iter().map(|(place, _)| moved(place)).collect();
+                    shared.push(build);
+                }
             }
         }
         let MeshSink { list, table, origin, .. } = self;
@@ -265,6 +282,7 @@ impl MeshBuild {
         });
         TriangleMesh {
             rule: self.rule.map(|rule| table.rules()[rule as usize]),
+            building: self.building,
             material,
             positions: vertices.iter().map(|&[x, y, z, ..]| [x, y, z]).collect(),
             normals: vertices.iter().map(|&[.., x, y, z]| [x, y, z]).collect(),
@@ -315,6 +333,11 @@ impl Sink for MeshSink {
         self.next();
         ControlFlow::Continue(())
     }
+}
+
+/// The building of a leaf, if it has one, by the ends of the buildings' ranges of leaves.
+fn building_of(ends: &[usize], leaf: usize) -> Option<usize> {
+    Some(ends.partition_point(|end| *end <= leaf)).filter(|building| *building < ends.len())
 }
 
 /// The sets of a rectangle or a box.

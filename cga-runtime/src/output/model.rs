@@ -271,8 +271,9 @@ impl Model {
     pub fn replay<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         let mut leaves = self.leaves();
         for (building, own) in &self.buildings {
+            sink.begin_building(&building.name, building.seed);
             leaves.by_ref().take(own.len()).try_for_each(|leaf| leaf.replay(sink))?;
-            sink.building(&|| building.clone());
+            sink.end_building(&|| building.clone());
         }
         leaves.try_for_each(|leaf| leaf.replay(sink))
     }
@@ -355,7 +356,7 @@ impl Sink for Model {
         self.push(leaf, Stored::Placement)
     }
 
-    fn building(&mut self, building: &dyn Fn() -> Building) {
+    fn end_building(&mut self, building: &dyn Fn() -> Building) {
         let start = self.buildings.last().map_or(0, |(_, leaves)| leaves.end);
         self.buildings.push((building(), start..self.records.len()));
     }

@@ -1,7 +1,7 @@
 //! OBJ and MTL text.
 //!
-//! Polygons stay polygons. Faces with holes become triangles, as the format has no holes. Consecutive leaves with one
-//! rule and one material share a `g` and a `usemtl`. Coordinates are in the world, with all digits needed to read the
+//! Polygons stay polygons. Faces with holes become triangles, as the format has no holes. Each building, which is an initial shape, is an
+//! object (`o`) with its name. Consecutive leaves of a building with one rule and one material share a `g` and a `usemtl`. Coordinates are in the world, with all digits needed to read the
 //! same values back. Colours are written unchanged, in sRGB.
 //!
 //! A corner has one pair of texture coordinates in this format: of set 0, or of the first set of a mesh. The library
@@ -46,6 +46,8 @@ pub struct Obj<W: Write> {
     names: GroupNames,
     /// The rule and the material written last.
     run: Option<(u32, u32)>,
+    /// The number of buildings so far.
+    buildings: usize,
     points: u64,
     uvs: u64,
     normals: u64,
@@ -58,7 +60,7 @@ impl<W: Write> Obj<W> {
     /// characters, `#` and space except between words.
     pub fn new(mut out: W, library: &str) -> Self {
         // Smoothing off: faces without normals are flat.
-        let failed = write!(out, "mtllib {}\ns off\n", library_name(library)).err();
+        let failed = write!(out, "mtllib {}\ns off\n", line_name(library)).err();
         Obj {
             out,
             text: Vec::new(),
@@ -66,6 +68,7 @@ impl<W: Write> Obj<W> {
             numbers: Numbers::default(),
             names: GroupNames::default(),
             run: None,
+            buildings: 0,
             points: 0,
             uvs: 0,
             normals: 0,
@@ -146,6 +149,18 @@ impl<W: Write> Obj<W> {
 }
 
 impl<W: Write> Sink for Obj<W> {
+    fn begin_building(&mut self, name: &str, _: u64) {
+        let name = match name {
+            "" => format!("building_{}", self.buildings),
+            name => line_name(name),
+        };
+        self.buildings += 1;
+        for text in ["o ", &name, "\n"] {
+            self.text.extend_from_slice(text.as_bytes());
+        }
+        self.run = None;
+    }
+
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         if !leaf.uvs().is_empty() {
             return self.mesh(leaf, &quad_mesh(leaf, quad), &DAffine3::IDENTITY);
@@ -259,8 +274,8 @@ fn plain_name(material: &Material) -> String {
     format!("color_{}", hex(&material.color()))
 }
 
-/// The name of a library without characters that would end it in a `mtllib` line. Spaces between words stay.
-fn library_name(name: &str) -> String {
+/// A name without characters that would end it in a line such as `mtllib`. Spaces between words stay.
+fn line_name(name: &str) -> String {
     let words = name.trim_start_matches(' ');
     let kept = words.chars().map(|c| if c == '#' || mtl::ends_line(c) { '_' } else { c });
     std::iter::repeat_n('_', name.len() - words.len()).chain(kept).collect()
@@ -309,7 +324,7 @@ fn to_text(library: &str, replay: impl FnOnce(&mut Obj<&mut Vec<u8>>) -> Flow) -
 /// Writes the images, then the library, then the file that refers to both.
 fn to_files(path: &Path, replay: impl FnOnce(&mut Obj<BufWriter<&File>>) -> Flow) -> Result<(), WriteError> {
     let library = path.with_extension("mtl");
-    let name = library_name(&library.file_name().map(|name| name.to_string_lossy()).unwrap_or_default());
+    let name = line_name(&library.file_name().map(|name| name.to_string_lossy()).unwrap_or_default());
     let library = path.with_file_name(&name);
     let whole = WholeFile::create(path)?;
     let mut obj = Obj::new(BufWriter::new(whole.file()), &name);

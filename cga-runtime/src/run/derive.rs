@@ -82,6 +82,7 @@ pub(crate) fn run<R: Rules>(
     env.tags_edges = R::TAGS;
     env.leaf_tables.names = R::LEAVES;
     sink.begin();
+    sink.begin_building(shape.name(), shape.seed_value());
     kept.begin(R::SETTLED);
     // Both are taken: templates contain numbers of these looks. If a sink panics, neither stays in the session.
     std::mem::swap(&mut env.leaf_tables.looks, &mut kept.materials);
@@ -112,7 +113,7 @@ pub(crate) fn run<R: Rules>(
     std::mem::swap(&mut env.leaf_tables.looks, &mut kept.materials);
     kept.templates = templates;
     let outcome = outcome(&mut env, flow);
-    sink.building(&|| {
+    sink.end_building(&|| {
         let mut building = Building::of(shape, names.grammar);
         let mut index = 0..;
         R::used(&values, style, &mut |value| {

@@ -436,7 +436,7 @@ impl Sink for Glb {
         self.add_bytes(NODE_BYTES)
     }
 
-    fn building(&mut self, building: &dyn Fn() -> Building) {
+    fn end_building(&mut self, building: &dyn Fn() -> Building) {
         self.buildings.push(building());
     }
 }

@@ -239,19 +239,24 @@ pub trait Sink {
         Flow::Continue(())
     }
 
-    /// All leaves since the last call belong to this initial shape, as its run is over. By default nothing happens, and the building is
-    /// not made. A sink that passes leaves on to another sink must pass this call on too.
+    /// The leaves that follow belong to an initial shape with this name, empty if it has none, and this seed. By default nothing happens.
+    /// A sink that passes leaves on to another sink must pass this call and [`Sink::end_building`] on too.
+    fn begin_building(&mut self, _name: &str, _seed: u64) {}
+
+    /// The leaves since [`Sink::begin_building`] were all leaves of this initial shape. By default nothing happens, and the building is
+    /// not made.
     ///
     /// ```
     /// # use cga_runtime as cga;
     /// use cga::run::building::Building;
     /// use cga::run::sink::Sink;
     /// # fn names(sink: &mut dyn Sink) {
-    /// sink.building(&|| Building::new("Mill Street 4", 7));
+    /// sink.begin_building("Mill Street 4", 7);
+    /// sink.end_building(&|| Building::new("Mill Street 4", 7));
     /// # }
     /// # names(&mut cga::output::model::Model::new());
     /// ```
-    fn building(&mut self, _building: &dyn Fn() -> Building) {}
+    fn end_building(&mut self, _building: &dyn Fn() -> Building) {}
 
     /// Takes a leaf as a whole shape, with or without faces; `None` if the sink takes its geometry. Operations that go on
     /// with leaves take shapes.
@@ -327,8 +332,12 @@ impl<S: Sink + ?Sized> Sink for &mut S {
         (**self).placement(leaf)
     }
 
-    fn building(&mut self, building: &dyn Fn() -> Building) {
-        (**self).building(building);
+    fn begin_building(&mut self, name: &str, seed: u64) {
+        (**self).begin_building(name, seed);
+    }
+
+    fn end_building(&mut self, building: &dyn Fn() -> Building) {
+        (**self).end_building(building);
     }
 
     fn keep(&mut self, shape: &Shape) -> Option<Flow> {
