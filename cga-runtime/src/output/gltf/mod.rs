@@ -23,6 +23,7 @@ mod container;
 mod images;
 mod json;
 mod look;
+mod models;
 mod nodes;
 mod pack;
 mod parts;
@@ -46,20 +47,17 @@ use self::parts::RepeatedParts;
 use self::primitive::{BUILDING_BYTES, INDEX_BYTES, Owner, Primitive, Primitives, UV_BYTES, VERTEX_BYTES};
 use self::scene::{Division, MeshPlacement, SceneMesh};
 use self::single_sided::SingleSided;
-use super::batches::Batches;
 use super::error::WriteError;
 use super::flatten::Flattener;
-use super::near_origin::near_origin;
 use super::normals;
 use super::numbers::Numbers;
 use super::placed_assets::AssetList;
 use crate::asset::Assets;
 use crate::geometry::Axis;
-use crate::geometry::mesh::{Bounds, Mesh};
+use crate::geometry::mesh::Mesh;
 use crate::geometry::uv_map::{self, SetMap};
 use crate::material::layer::SetMask;
 use crate::output::measure::{cuboid_volume, mesh_volume};
-use crate::output::model::Model;
 use crate::run::building::Building;
 use crate::run::sink::corners::{PlacedBox, four};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
@@ -439,75 +437,6 @@ impl Sink for Glb {
     fn end_building(&mut self, building: &dyn Fn() -> Building) {
         self.buildings.push(building());
     }
-}
-
-impl Model {
-    /// The model as a GLB file; see [`Glb`]. A model far from the origin of the world is stored relative to its own
-    /// middle.
-    ///
-    /// # Errors
-    /// As [`Glb::into_bytes`].
-    pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
-        self.glb().into_bytes()
-    }
-
-    /// Writes the model as a GLB file; see [`Model::to_glb`].
-    ///
-    /// # Errors
-    /// As [`Glb::into_bytes`], and errors of the file system.
-    pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
-        self.glb().write_file(path.as_ref())
-    }
-
-    /// Writes the bytes of [`Model::to_glb`] to `out`.
-    ///
-    /// # Errors
-    /// As [`Glb::write_to`].
-    pub fn write_glb_to(&self, out: impl io::Write) -> Result<(), WriteError> {
-        self.glb().write_to(out)
-    }
-
-    fn glb(&self) -> Glb {
-        from_models(self.bounds(), self.assets(), |glb| self.replay(glb))
-    }
-}
-
-impl Batches<Model> {
-    /// All models as one GLB file, equal to the file of one model with all leaves.
-    ///
-    /// # Errors
-    /// As [`Glb::into_bytes`].
-    pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
-        self.glb().into_bytes()
-    }
-
-    /// Writes all models as one GLB file.
-    ///
-    /// # Errors
-    /// As [`Glb::into_bytes`], and errors of the file system.
-    pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
-        self.glb().write_file(path.as_ref())
-    }
-
-    /// Writes the bytes of one GLB file with all models to `out`.
-    ///
-    /// # Errors
-    /// As [`Glb::write_to`].
-    pub fn write_glb_to(&self, out: impl io::Write) -> Result<(), WriteError> {
-        self.glb().write_to(out)
-    }
-
-    fn glb(&self) -> Glb {
-        let assets = self.sinks().next().and_then(Model::assets);
-        from_models(self.bounds(), assets, |glb| self.replay(glb))
-    }
-}
-
-fn from_models(bounds: Bounds, assets: Option<&Arc<Assets>>, replay: impl FnOnce(&mut Glb) -> Flow) -> Glb {
-    let mut glb = Glb { files: assets.cloned(), ..Glb::new().with_origin(near_origin(bounds)) };
-    // It stops when it is full; `into_bytes` reports that.
-    let _ = replay(&mut glb);
-    glb
 }
 
 /// An error for more bytes than the format allows.

@@ -6,9 +6,9 @@ use glam::{DQuat, DVec3};
 
 use super::Glb;
 use super::json::{self, joined, quoted};
-use super::pack::{INSTANCING, NodePlaces, Tables};
 use super::primitive::Owner;
-use super::scene::{MeshPlacement, SceneMesh};
+use super::property_table::Tables;
+use super::scene::{INSTANCING, MeshPlacement, NodePlaces, SceneMesh};
 use crate::output::number::list;
 use crate::run::building::Building;
 use crate::shape::scope::Scope;

@@ -11,8 +11,8 @@ use super::images::Images;
 use super::json::{joined, quoted};
 use super::nodes::{name, nodes};
 use super::primitive::Primitive;
-use super::property_table::{self, PropertyTable};
-use super::scene::{Division, MeshInstance, MeshPlacement, SceneMesh};
+use super::property_table::{self, PropertyTable, Tables};
+use super::scene::{Division, INSTANCING, MeshInstance, MeshPlacement, NodePlaces, SceneMesh};
 use super::textures::LookTexture;
 use super::words::Words;
 use super::{Glb, check_size};
@@ -118,20 +118,6 @@ pub(super) fn pack<'a>(glb: &'a Glb, meshes: &'a [SceneMesh]) -> Result<Containe
     Container::new(json, binary)
 }
 
-/// The numbers of rows of the property tables, as far as the file has them. The table of the rules comes first.
-#[derive(Debug, Default)]
-pub(super) struct Tables {
-    pub(super) rules: Option<usize>,
-    pub(super) buildings: Option<usize>,
-}
-
-impl Tables {
-    /// The number of the table of the buildings.
-    pub(super) fn of_buildings(&self) -> usize {
-        usize::from(self.rules.is_some())
-    }
-}
-
 /// Writes the names of the used extensions.
 fn write_extensions(json: &mut String, tables: &Tables, has_transforms: bool, places: &[NodePlaces]) {
     let has_features = tables.rules.is_some() || tables.buildings.is_some();
@@ -152,9 +138,6 @@ fn write_extensions(json: &mut String, tables: &Tables, has_transforms: bool, pl
     }
 }
 
-/// The extension for lists of places.
-pub(super) const INSTANCING: &str = "EXT_mesh_gpu_instancing";
-
 fn primitive(primitive: &Primitive, at: &Accessors, tables: &Tables) -> String {
     let tangent = at.tangent.map_or(String::new(), |tangent| format!(",\"TANGENT\":{tangent}"));
     let uvs: String = (0..primitive.uvs.len()).map(|set| format!(",\"TEXCOORD_{set}\":{}", at.uv + set)).collect();
@@ -174,17 +157,6 @@ fn primitive(primitive: &Primitive, at: &Accessors, tables: &Tables) -> String {
         "{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{}{attributes}{uvs}{tangent}}},\"indices\":{},\"material\":{}{features}}}",
         at.position, at.normal, at.indices, primitive.look
     )
-}
-
-/// A node that shows a mesh at several places: the accessors of their translations, their rotations and their buildings.
-pub(super) struct NodePlaces {
-    /// The number of the mesh.
-    pub(super) mesh: usize,
-    /// The building of all places, if buildings have nodes.
-    pub(super) building: Option<u32>,
-    pub(super) translations: usize,
-    pub(super) rotations: usize,
-    pub(super) buildings: Option<usize>,
 }
 
 impl<'a> BinaryChunk<'a> {

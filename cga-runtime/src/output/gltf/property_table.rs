@@ -33,6 +33,20 @@ struct Column {
     string_offsets: Option<Vec<u32>>,
 }
 
+/// The numbers of rows of the property tables, as far as the file has them. The table of the rules comes first.
+#[derive(Debug, Default)]
+pub(super) struct Tables {
+    pub(super) rules: Option<usize>,
+    pub(super) buildings: Option<usize>,
+}
+
+impl Tables {
+    /// The number of the table of the buildings.
+    pub(super) fn of_buildings(&self) -> usize {
+        usize::from(self.rules.is_some())
+    }
+}
+
 const STRING: &str = "\"type\":\"STRING\"";
 const BOOLEAN: &str = "\"type\":\"BOOLEAN\"";
 const FLOAT64: &str = "\"type\":\"SCALAR\",\"componentType\":\"FLOAT64\"";

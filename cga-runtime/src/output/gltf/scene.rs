@@ -110,3 +110,17 @@ impl MeshInstance {
         }
     }
 }
+
+/// A node that shows a mesh at several places: the accessors of their translations, their rotations and their buildings.
+pub(super) struct NodePlaces {
+    /// The number of the mesh.
+    pub(super) mesh: usize,
+    /// The building of all places, if buildings have nodes.
+    pub(super) building: Option<u32>,
+    pub(super) translations: usize,
+    pub(super) rotations: usize,
+    pub(super) buildings: Option<usize>,
+}
+
+/// The extension for lists of places.
+pub(super) const INSTANCING: &str = "EXT_mesh_gpu_instancing";
