@@ -7,3 +7,4 @@ mod links;
 mod packages;
 mod phrases;
 mod tidy;
+mod traits;

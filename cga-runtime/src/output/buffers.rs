@@ -35,9 +35,10 @@ use crate::material::Material;
 use crate::run::sink::corners::{PlacedBox, four};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
+use crate::shape::texture::SETS;
 
 /// Collects leaves as triangles. It can be cleared and used again without releasing its memory.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Buffers {
     triangles: Triangles,
     uvs: UvLists,
@@ -51,6 +52,19 @@ pub struct Buffers {
     limit: usize,
     full: bool,
     flattener: Flattener,
+}
+
+impl PartialEq for Buffers {
+    /// Compares vertices, indices, texture coordinates and submeshes with their rules and materials, and the origins.
+    fn eq(&self, other: &Self) -> bool {
+        self.vertices() == other.vertices()
+            && self.indices() == other.indices()
+            && (0..SETS).all(|set| self.uv_set(set) == other.uv_set(set))
+            && self.submeshes().eq(other.submeshes())
+            && self.rules() == other.rules()
+            && self.materials() == other.materials()
+            && self.origin() == other.origin()
+    }
 }
 
 impl Default for Buffers {
@@ -164,7 +178,10 @@ impl Buffers {
         self.triangles.indices.len() / 3
     }
 
-    /// An error if leaves are missing because of the limit.
+    /// Checks that no leaf is missing because of the limit.
+    ///
+    /// # Errors
+    /// [`WriteError::TooLarge`] with the limit.
     pub fn check(&self) -> Result<(), WriteError> {
         match self.full {
             true => Err(WriteError::TooLarge { what: "vertices", limit: self.limit as u64 }),

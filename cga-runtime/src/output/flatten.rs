@@ -34,6 +34,13 @@ pub(crate) struct PlacedFace<'a> {
     pub(crate) normal: DVec3,
 }
 
+/// Lists that are kept from mesh to mesh are not copied.
+impl Clone for Flattener {
+    fn clone(&self) -> Self {
+        Flattener::default()
+    }
+}
+
 impl Flattener {
     /// Passes the faces of a mesh to `each` in order, until it returns false.
     pub(crate) fn faces(&mut self, mesh: &Mesh, placement: &DAffine3, mut each: impl FnMut(PlacedFace<'_>) -> bool) {

@@ -23,7 +23,7 @@ use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 use crate::value::each::Each;
 
 /// The division of a model into meshes. A mesh always has one material.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Granularity {
     /// A mesh for each material: the fewest draw calls.
     #[default]
@@ -37,7 +37,7 @@ pub enum Granularity {
 }
 
 /// The meshes of a model.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Meshes {
     /// The point of the world, in metres, to which positions and places are relative: the origin, or for a model far
     /// from it a point near the model, because 32-bit floats are too coarse there.
@@ -47,7 +47,7 @@ pub struct Meshes {
 }
 
 /// A mesh of one material. Faces share no vertices, and front faces are counter-clockwise.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct TriangleMesh {
     /// The rule or leaf symbol of all leaves; `None` for a mesh with leaves of any rule.
@@ -93,6 +93,13 @@ impl TriangleMesh {
     }
 }
 
+impl Meshes {
+    /// The meshes, as in `list`.
+    pub fn iter(&self) -> std::slice::Iter<'_, TriangleMesh> {
+        self.list.iter()
+    }
+}
+
 impl IntoIterator for Meshes {
     type Item = TriangleMesh;
     type IntoIter = std::vec::IntoIter<TriangleMesh>;
@@ -107,7 +114,7 @@ impl<'a> IntoIterator for &'a Meshes {
     type IntoIter = std::slice::Iter<'a, TriangleMesh>;
 
     fn into_iter(self) -> Self::IntoIter {
-        self.list.iter()
+        self.iter()
     }
 }
 

@@ -87,6 +87,13 @@ impl Stored {
     }
 }
 
+impl PartialEq for Model {
+    /// Compares leaves and reports. Assets are not compared.
+    fn eq(&self, other: &Self) -> bool {
+        self.len() == other.len() && self.leaves().eq(other.leaves()) && self.report == other.report
+    }
+}
+
 impl<'a> IntoIterator for &'a Model {
     type Item = LeafView<'a>;
     type IntoIter = Leaves<'a>;

@@ -37,7 +37,7 @@ const MUCH: usize = 1 << 15;
 
 /// Writes leaves as they come, in constant memory. Materials are kept until the end.
 #[derive(Debug)]
-pub struct Obj<W: Write> {
+pub struct Obj<W> {
     out: W,
     /// Text for `out`, written in larger pieces.
     text: Vec<u8>,

@@ -32,13 +32,20 @@ pub struct Measures {
 }
 
 /// A sink that measures its leaves.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Stats {
     numbers: Numbers,
     rules: Vec<Measures>,
     checksum: f64,
     bounds: Bounds,
     flattener: Flattener,
+}
+
+impl PartialEq for Stats {
+    /// Compares all counts and measures.
+    fn eq(&self, other: &Self) -> bool {
+        self.rules().eq(other.rules()) && self.checksum == other.checksum && self.bounds == other.bounds
+    }
 }
 
 impl Default for Stats {

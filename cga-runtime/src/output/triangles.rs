@@ -12,7 +12,7 @@ use crate::value::each::Each;
 pub type Vertex = [f32; 6];
 
 /// Triangles of faces that share no vertices.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Triangles {
     pub(super) vertices: Room<Vertex>,
     pub(super) indices: Room<u32>,

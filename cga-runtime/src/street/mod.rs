@@ -94,7 +94,7 @@ pub enum Side {
 /// the distance in metres along the centre line from the start and from the end, and v the distance across. Roadways
 /// have v = 0 on the right, sidewalks at the kerb. Other parts have only set 0. Sidewalks around corners have it as
 /// above. Roadways of junctions are projected from above, from 0 to 1 along and across the first arm.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct NetworkPart {
     /// The kind of the part.
@@ -139,7 +139,7 @@ impl NetworkPart {
 }
 
 /// The streets, sidewalks and junctions of some centre lines.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Network {
     parts: Vec<NetworkPart>,
 }

@@ -70,6 +70,11 @@ impl Printed for Text {
 }
 
 impl<T> Array<T> {
+    /// The elements, row by row.
+    pub fn iter(&self) -> std::slice::Iter<'_, T> {
+        self.values.iter()
+    }
+
     /// The number of elements.
     pub fn len(&self) -> usize {
         self.values.len()
@@ -177,7 +182,7 @@ impl<'a, T> IntoIterator for &'a Array<T> {
     type Item = &'a T;
     type IntoIter = std::slice::Iter<'a, T>;
     fn into_iter(self) -> Self::IntoIter {
-        self.values.iter()
+        self.iter()
     }
 }
 

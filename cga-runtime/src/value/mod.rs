@@ -36,7 +36,7 @@ pub enum Value {
 }
 
 /// The type of a [`Value`]. Variants may be added.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum ValueType {
     /// A number.

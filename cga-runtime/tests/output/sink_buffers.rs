@@ -180,6 +180,16 @@ fn buffers_and_stats_agree() {
     }
 }
 
+#[test]
+fn buffers_are_equal_if_their_lists_are() {
+    let (mut one, mut same) = (Buffers::new(), Buffers::with_capacity(100, 100));
+    assert!(mixed().replay(&mut one).is_continue() && mixed().replay(&mut same).is_continue());
+    assert!(one == same && one == one.clone());
+    assert!(one != Buffers::new().with_origin(DVec3::X));
+    assert!(mixed().replay(&mut same).is_continue());
+    assert!(one != same);
+}
+
 /// Adds quads until the sink ends the run, and returns the number of quads that it took.
 fn quads(sink: &mut impl Sink, most: usize) -> usize {
     let (paint, scope) = (color(1.0, 0.0, 0.0), Scope::new(dvec3(1.0, 1.0, 0.0)));

@@ -50,9 +50,27 @@ fn replaying_into_a_model_gives_the_same_model() {
     let model = mixed();
     let mut copy = Model::new();
     assert!(model.replay(&mut copy).is_continue());
-    assert_eq!(format!("{:?}", copy.leaves().collect::<Vec<_>>()), format!("{:?}", model.leaves().collect::<Vec<_>>()));
+    assert_eq!(copy, model);
+    assert_eq!(copy.stats(), model.stats());
     let instances = copy.leaves().filter(|leaf| matches!(leaf.geometry(), Geometry::Instance { .. })).count();
     assert_eq!(instances, 3);
+}
+
+#[test]
+fn models_are_equal_if_their_leaves_are() {
+    let red = color(1.0, 0.0, 0.0);
+    let one = |rule: &'static str, width: f64| {
+        let mut fill = Fill(Model::new());
+        fill.quad(rule, &red, front(DVec3::ZERO, width, 1.0));
+        fill.0
+    };
+    let wall = one("Wall", 2.0);
+    assert_eq!(wall, one("Wall", 2.0));
+    assert!(wall != one("Door", 2.0) && wall != one("Wall", 3.0) && wall != Model::new() && wall != mixed());
+    assert_ne!(wall.stats(), one("Wall", 3.0).stats());
+    let meshes = |model: &Model| model.meshes(cga_runtime::output::meshes::Granularity::Rule);
+    assert_eq!(meshes(&wall), meshes(&one("Wall", 2.0)));
+    assert_ne!(meshes(&wall), meshes(&one("Door", 2.0)));
 }
 
 #[test]

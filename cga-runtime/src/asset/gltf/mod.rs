@@ -40,7 +40,7 @@ use crate::value::each::Each;
 pub use self::error::GltfError;
 
 /// A mesh, the images inside the file, and the warnings from reading it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct GltfFile {
     /// The mesh.
     pub mesh: Mesh,

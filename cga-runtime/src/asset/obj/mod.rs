@@ -26,7 +26,7 @@ use crate::value::text::Text;
 use lines::{is_utf16, lines};
 
 /// A mesh and the warnings from reading it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ObjFile {
     /// The mesh.
     pub mesh: Mesh,

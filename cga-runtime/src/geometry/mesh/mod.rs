@@ -18,6 +18,7 @@ mod bent;
 mod build;
 pub mod check;
 mod convex;
+mod equal;
 mod error;
 mod extract;
 pub mod extrude;

@@ -39,7 +39,7 @@ impl UvAxis {
 }
 
 /// The sets of a mesh. Some lists may be empty, but a mesh without texture coordinates has no lists at all.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct UvSets {
     lists: Vec<Vec<DVec2>>,
 }

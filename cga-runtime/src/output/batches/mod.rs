@@ -9,14 +9,14 @@ use crate::fault::Error;
 use crate::run::report::Report;
 
 /// The sinks of all stretches, in order, and the merged report of the runs.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Batches<S> {
     pub(crate) batches: Vec<Batch<S>>,
     pub(crate) report: Report,
 }
 
 /// A sink and the initial shapes whose leaves it has.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Batch<S> {
     /// The indices of the shapes in the list.

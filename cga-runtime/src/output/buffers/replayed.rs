@@ -9,11 +9,11 @@ use crate::shape::look_id::LookId;
 const KNOWN: usize = 32;
 
 /// The marks of replayed parts, at an index that follows from the part's number.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Replayed([Marks; KNOWN]);
 
 /// The marks of a part that repeats.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Marks {
     part: (u64, usize),
     /// True if no two consecutive marks are equal.

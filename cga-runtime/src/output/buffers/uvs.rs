@@ -13,7 +13,7 @@ use crate::value::each::Each;
 
 /// Lists of coordinates by set: one pair for each vertex in the sets that some geometry has, and empty lists
 /// otherwise.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct UvLists(Vec<Vec<[f32; 2]>>);
 
 impl UvLists {

@@ -15,7 +15,7 @@ use crate::shape::place;
 use crate::shape::scope::Scope;
 
 /// The geometry of a leaf, in the world.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Geometry<'a> {
     /// No faces: a point or edges. The scope is the place of what a program puts there.
     Placement,
@@ -151,6 +151,17 @@ impl<'a> LeafView<'a> {
             Geometry::Mesh { mesh, placement } => sink.mesh(&leaf, mesh, placement),
             Geometry::Instance { mesh, placement } => sink.instance(&leaf, mesh, placement),
         }
+    }
+}
+
+impl PartialEq for LeafView<'_> {
+    /// Compares rule, material, scope, geometry and texture coordinates.
+    fn eq(&self, other: &Self) -> bool {
+        self.rule() == other.rule()
+            && self.material() == other.material()
+            && self.scope() == other.scope()
+            && self.geometry() == other.geometry()
+            && self.uvs() == other.uvs()
     }
 }
 

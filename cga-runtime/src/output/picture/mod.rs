@@ -91,7 +91,7 @@ impl Model {
 }
 
 /// The lines that are drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Lines {
     /// No lines.
     None,
