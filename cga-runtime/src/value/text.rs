@@ -121,3 +121,18 @@ pub(crate) fn shortened_to(text: &str, most: usize) -> String {
         None => text.to_owned(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashMap;
+
+    use super::*;
+
+    #[test]
+    fn a_text_is_found_by_its_characters() {
+        let counts = HashMap::from([(Text::fixed("wall"), 1), (Text::from("roof"), 2)]);
+        assert_eq!((counts.get("roof"), counts.get("door")), (Some(&2), None));
+        let length = |text: &dyn AsRef<str>| text.as_ref().len();
+        assert_eq!((length(&Text::fixed("wall")), length(&"roof")), (4, 4));
+    }
+}
