@@ -20,10 +20,11 @@ use cga::street::{Centerline, Kind, Network, NetworkOptions, NetworkPart, Side, 
 use cga::texture::{SetMap, UvMap};
 use cga::{
     Array, AssetError, Assets, Attribute, AttributeDefault, AttributeError, AttributeKind, Axis, Batch, Batches,
-    Channel, ChoiceValues, Choices, Collection, Color, ColorOf, Cuboid, EdgeAttribute, Error, Fault, FaultKind, Flow,
-    Frame, Geometry, Layer, LayerPart, Leaf, LeafView, Leaves, LimitKind, Limits, Material, MaterialNumber,
-    MaterialText, Mesh, MeshBuilder, MeshError, Model, Print, Progress, Quad, Range, Report, Reports, RunError, Scope,
-    Session, Settings, Shape, ShapeRef, StartRule, Stretch, Summary, Text, Value, ValueType, Watch, WriteError, cga,
+    Building, Channel, ChoiceValues, Choices, Collection, Color, ColorOf, Cuboid, EdgeAttribute, Error, Fault,
+    FaultKind, Flow, Frame, Geometry, Grammars, Layer, LayerPart, Leaf, LeafView, Leaves, LimitKind, Limits, Material,
+    MaterialNumber, MaterialText, Mesh, MeshBuilder, MeshError, Model, Print, Progress, Quad, Range, Report, Reports,
+    RunError, Scope, Session, Settings, Shape, ShapeRef, StartRule, Stretch, Summary, Text, Value, ValueType, Watch,
+    WriteError, WrongLots, cga,
 };
 use cga_tests::tree::root;
 
@@ -49,7 +50,7 @@ macro_rules! each {
 
 #[test]
 fn public_types_have_the_common_traits() {
-    each!(data: Array<f64>, Attribute, AttributeDefault, Batch<Model>, Batches<Model>, Bounds, Buffers, ChoiceValues, Choices);
+    each!(data: Array<f64>, Attribute, AttributeDefault, Batch<Model>, Batches<Model>, Bounds, Buffers, Building, ChoiceValues, Choices);
     each!(data: Collection, Color, EdgeAttribute, EmbeddedImage, FaceTag, Flaw, Flow, Frame, GltfFile, Material, Measures, Mesh);
     each!(data: MeshLeaf, Meshes, Model, ObjFile, Print, Progress, Range, Report, Reports, Scope, StartRule, Stats, Stretch);
     each!(data: Submesh, Summary, TagSet, Text, TriangleMesh, UvExtent, Value, Vertex);
@@ -57,12 +58,12 @@ fn public_types_have_the_common_traits() {
     each!(data: Camera, Image, Limits, Picture, Projection, Style, Svg, Viewpoint);
     each!(data: Centerline, Network, NetworkOptions, NetworkPart, Item, Piece, Prefix, Size);
     each!(choice: AttributeKind, Axis, Channel, FaultKind, Granularity, Kind, Layer, LayerPart, LimitKind, Lines);
-    each!(choice: MaterialNumber, MaterialText, PartId, Side, UvAxis, ValueType);
+    each!(choice: MaterialNumber, MaterialText, PartId, Side, UvAxis, ValueType, WrongLots);
     each!(error: AssetError, AttributeError, Error, Fault, GltfError, MeshError, ObjError, RunError, StreetError);
     // The error of a writer can be neither copied nor compared.
     each!(state: WriteError);
     // They share assets or a watch, or refer to a mesh or a model.
-    each!(state: Assets, Settings, Shape, Watch, FaceRef<'static>, Leaves<'static>);
+    each!(state: Assets, Grammars, Settings, Shape, Watch, FaceRef<'static>, Leaves<'static>);
     // They are filled and then used up.
     each!(state: Chunks<fn(&Buffers) -> Flow>, Glb, MeshBuilder, Obj<Vec<u8>>, SinkTable, Solution);
     // They belong to the thread of a run.
