@@ -4,7 +4,7 @@ use super::arguments::word;
 use super::context::Context;
 use crate::diag::code::Code;
 use crate::diag::{Diag, count, quoted};
-use crate::ops::{self, Braces, Operation, Param, ParamKind};
+use crate::ops::{self, Braces, Operation, Param};
 use crate::syntax::ast::{Arg, Name};
 
 /// Returns "2 arguments", "0 or 3 arguments" or "1, 3 or 4 arguments".
@@ -86,8 +86,10 @@ pub(crate) fn wrong_form<'c>(
 
 /// Returns a call of a form of an operation: the words among the arguments that it takes, otherwise its parameters.
 fn form(row: &Operation, words: &[Option<&str>]) -> String {
-    // Parameters after the required ones of an operation with braces are rarely written.
-    let shown = if row.braces == Braces::None { row.params.len() } else { ops::required(row.params) };
+    // Parameters after the required ones of an operation with braces are rarely written, except words of the call.
+    let is_given = |(param, word): (&Param, &Option<&str>)| word.is_some_and(|word| param.kind.has_word(word));
+    let given = row.params.iter().zip(words).rposition(is_given).map_or(0, |last| last + 1);
+    let shown = if row.braces == Braces::None { row.params.len() } else { given.max(ops::required(row.params)) };
     let param = |(index, param): (usize, &Param)| {
         let word = words.get(index).copied().flatten().filter(|word| param.kind.has_word(word));
         let only = match param.kind.words().map(|words| words.list) {
@@ -101,36 +103,42 @@ fn form(row: &Operation, words: &[Option<&str>]) -> String {
     format!("`{}({}){tail}`", row.name, params.join(", "))
 }
 
-/// Reports an argument that is a word of the operation at this place, but not together with another word. `row` is the
-/// form that has the other word.
+/// Reports an argument that is a word of the operation, but not at this place or not together with another word. `row` is
+/// the form that has the other word.
 pub(crate) fn word_of_other_form(cx: &mut Context, row: &Operation, args: &[Arg], index: usize) -> bool {
     let words: Vec<Option<&str>> = args.iter().map(word).collect();
-    let has = |row: &Operation, place: usize, word: &str| {
-        row.params.get(place).is_some_and(|param| matches!(param.kind, ParamKind::Word(words) if words.has(word)))
-    };
-    let (Some(found), ParamKind::Word(taken)) = (words[index], row.params[index].kind) else { return false };
-    let is_form =
-        |form: &&Operation| form.old.is_none() && (form.braces == Braces::None) == (row.braces == Braces::None);
-    let others: Vec<&Operation> =
-        ops::operations(row.name).filter(is_form).filter(|form| has(form, index, found)).collect();
-    let decides = |place: usize, word: &str| has(row, place, word) && !others.iter().any(|form| has(form, place, word));
-    let decisive = words.iter().enumerate().find_map(|(place, word)| word.filter(|word| decides(place, word)));
-    let (Some(decisive), Some(other)) = (decisive, others.first()) else { return false };
-    if has(row, index, found) {
-        return false;
-    }
-    let message = format!("`{}` does not take `{found}` with `{decisive}`", row.name);
+    let has = |row: &Operation, word: &str| row.params.iter().any(|param| param.kind.has_word(word));
+    let Some(found) = words[index] else { return false };
     // The words that the forms take, or their first ones.
     let call = |row: &Operation| {
-        let words = row.params.iter().zip(&words).map(|(param, word)| {
-            word.filter(|word| param.kind.has_word(word)).or(param.kind.words()?.current().next())
-        });
-        let words: Vec<Option<&str>> = words.collect();
+        let required = ops::required(row.params);
+        let all = || std::iter::once(found).chain(words.iter().copied().flatten());
+        let taken = |(place, param): (usize, &Param)| {
+            let first = || param.kind.words().filter(|_| place < required)?.current().next();
+            all().find(|word| param.kind.has_word(word)).or_else(first)
+        };
+        let words: Vec<Option<&str>> = row.params.iter().enumerate().map(taken).collect();
         form(row, &words)
     };
-    let diag = cx.diags.report(taken.unknown, args[index].span, message);
-    diag.note(format!("with `{decisive}` it takes {}", quoted(taken.current())));
-    diag.help(format!("write {} or {}", call(row), call(other)));
+    if has(row, found) {
+        let message = format!("`{found}` is at the wrong place among the arguments of `{}`", row.name);
+        let help = format!("write {}", call(row));
+        cx.diags.report(Code::UnknownWord, args[index].span, message).help(help);
+        return true;
+    }
+    let is_form =
+        |form: &&Operation| form.old.is_none() && (form.braces == Braces::None) == (row.braces == Braces::None);
+    let others: Vec<&Operation> = ops::operations(row.name).filter(is_form).filter(|form| has(form, found)).collect();
+    let decides = |word: &&str| has(row, word) && !others.iter().any(|form| has(form, word));
+    let decisive = words.iter().copied().flatten().find(decides);
+    let (Some(decisive), Some(other)) = (decisive, others.first()) else { return false };
+    let message = format!("`{}` does not take `{found}` with `{decisive}`", row.name);
+    let code = row.params[index].kind.words().map_or(Code::UnknownWord, |words| words.unknown);
+    let help = format!("write {} or {}", call(row), call(other));
+    let diag = cx.diags.report(code, args[index].span, message).help(help);
+    if let Some(taken) = row.params[index].kind.words().filter(|words| !words.has(decisive)) {
+        diag.note(format!("with `{decisive}` it takes {}", quoted(taken.current())));
+    }
     true
 }
 

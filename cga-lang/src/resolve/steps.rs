@@ -1,12 +1,14 @@
 //! Operations of a rule: resolves each call to an operation, rule or leaf, and checks its words.
 
+use std::cmp::Reverse;
+
 use super::arguments::{has_error, word};
 use super::arity::{counts, word_of_other_form, wrong_count, wrong_form};
 use super::globals::Namespace;
 use super::names::IGNORED;
 use super::resolver::Resolver;
 use super::tables::Use;
-use super::words::fitting;
+use super::words::{fitting, is_word_of, reach, strange_words};
 use super::{habits, overrides};
 use crate::diag::code::Code;
 use crate::diag::{Level, RELATIVE};
@@ -42,26 +44,8 @@ fn likely(block: &Block) -> Vec<&'static Operation> {
     if rows.iter().any(decides) {
         rows.retain(|row| has_words(row));
     }
-    rows.sort_by_key(|row| std::cmp::Reverse(reach(row, &block.args)));
+    rows.sort_by_key(|row| (Reverse(reach(row, &block.args)), strange_words(row, &block.args)));
     rows
-}
-
-/// The number of arguments before the first one that is not the word that a row needs there.
-fn reach(row: &Operation, args: &[Arg]) -> usize {
-    let fits = |(param, arg): &(&Param, &Arg)| match param.kind {
-        ParamKind::Word(words) => word(arg).is_some_and(|word| words.has(word)),
-        _ => true,
-    };
-    row.params.iter().zip(args).take_while(fits).count()
-}
-
-/// The number of arguments that are not the words that a row needs there.
-fn strange_words(row: &Operation, args: &[Arg]) -> usize {
-    let is_strange = |(param, arg): &(&Param, &Arg)| match param.kind {
-        ParamKind::Word(words) => !word(arg).is_some_and(|word| words.has(word)),
-        _ => false,
-    };
-    row.params.iter().zip(args).filter(is_strange).count()
 }
 
 /// The calls of the declared rules: "`Floor(n)` or `Floor(n, height)`".
@@ -286,6 +270,8 @@ impl<'a> Resolver<'_, 'a, '_> {
 
     /// Resolves the arguments of an operation. If there are several rows, the types decide later.
     pub(super) fn operation(&mut self, rows: &[&'static Operation], args: &'a [Arg]) {
+        // The first word of another place or form is reported; after it, the meaning of others is unknown.
+        let mut has_stray = false;
         for (index, arg) in args.iter().enumerate() {
             let kinds = || rows.iter().map(|row| &row.params[index].kind);
             let takes = |prefix| {
@@ -300,14 +286,20 @@ impl<'a> Resolver<'_, 'a, '_> {
             }
             match &rows[0].params[index].kind {
                 ParamKind::Word(words) => {
-                    let alike = |row: &&Operation| row.braces == rows[0].braces && row.takes(args.len());
-                    let forms = ops::operations(rows[0].name).filter(|row| alike(row) && index <= reach(row, args));
+                    let is_alike = |row: &&Operation| row.braces == rows[0].braces && row.takes(args.len());
+                    let is_likely = |row: &&Operation| {
+                        index <= reach(row, args) && strange_words(row, args) <= strange_words(rows[0], args)
+                    };
+                    let forms = ops::operations(rows[0].name).filter(is_alike).filter(is_likely);
                     let others = forms.filter_map(|row| row.params[index].kind.words()).filter(|other| other != words);
                     let all: Vec<Words> = [*words].into_iter().chain(others).collect();
                     let is_known = word(arg).is_some_and(|word| all.iter().any(|words| words.has(word)));
-                    if is_known || !word_of_other_form(self.cx, rows[0], args, index) {
+                    let is_stray = !is_known && is_word_of(rows[0], arg);
+                    let is_reported = is_stray && (has_stray || word_of_other_form(self.cx, rows[0], args, index));
+                    if !is_reported {
                         self.word(rows[0].name, &all, arg);
                     }
+                    has_stray |= is_stray;
                     if let Some((old, new)) = word(arg).and_then(|word| words.old(word)) {
                         self.old_word(old, new, arg.span);
                     }
@@ -315,6 +307,12 @@ impl<'a> Resolver<'_, 'a, '_> {
                 ParamKind::Selector => self.selector(&arg.value, SelectorPlaces::FACES.and(SelectorPlaces::SETBACK)),
                 _ if kinds().all(|kind| kind.ty() == Some(Type::Text))
                     && self.unquoted(&rows[0].params[index], arg) => {}
+                _ if is_word_of(rows[0], arg)
+                    && !self.is_declared(arg)
+                    && (has_stray || word_of_other_form(self.cx, rows[0], args, index)) =>
+                {
+                    has_stray = true;
+                }
                 _ => self.expr(&arg.value),
             }
         }

@@ -41,13 +41,42 @@ fn best(rows: &[&'static Operation], words: &[Option<&str>]) -> Vec<&'static Ope
     rows.iter().copied().filter(|row| most.is_some() && row.words(words) == most).collect()
 }
 
-/// The order in which arguments fit a row, as indices; `None` if a word is missing, or if they are in this order.
-fn in_order(row: &Operation, args: &[Arg]) -> Option<Vec<usize>> {
+/// The number of arguments before the first one that is not the word that a row needs there.
+pub(super) fn reach(row: &Operation, args: &[Arg]) -> usize {
+    let fits = |(param, arg): &(&Param, &Arg)| match param.kind {
+        ParamKind::Word(words) => word(arg).is_some_and(|word| words.has(word)),
+        _ => true,
+    };
+    row.params.iter().zip(args).take_while(fits).count()
+}
+
+/// The number of arguments that are not the words that a row needs there.
+pub(super) fn strange_words(row: &Operation, args: &[Arg]) -> usize {
+    let is_strange = |(param, arg): &(&Param, &Arg)| match param.kind {
+        ParamKind::Word(words) => !word(arg).is_some_and(|word| words.has(word)),
+        _ => false,
+    };
+    row.params.iter().zip(args).filter(is_strange).count()
+}
+
+/// Returns true if an argument is a word of a form of an operation.
+pub(super) fn is_word_of(row: &Operation, arg: &Arg) -> bool {
+    let has =
+        |word: &str| ops::operations(row.name).any(|row| row.params.iter().any(|param| param.kind.has_word(word)));
+    word(arg).is_some_and(has)
+}
+
+/// The order in which arguments fit a row, as indices; `None` if a word is missing, if they are in this order, or if
+/// `is_stray` is true for an argument that is not one of the words.
+fn in_order(row: &Operation, args: &[Arg], mut is_stray: impl FnMut(&Arg) -> bool) -> Option<Vec<usize>> {
     let mut left: Vec<usize> = (0..args.len()).collect();
     let mut order = vec![None; args.len()];
     for (place, param) in order.iter_mut().zip(row.params).filter(|(_, param)| param.kind.words().is_some()) {
         let at = left.iter().position(|&index| word(&args[index]).is_some_and(|word| param.kind.has_word(word)))?;
         *place = Some(left.remove(at));
+    }
+    if left.iter().any(|&index| is_stray(&args[index])) {
+        return None;
     }
     let mut left = left.into_iter();
     let order: Vec<usize> = order.into_iter().map(|place| place.or_else(|| left.next())).collect::<Option<_>>()?;
@@ -103,9 +132,15 @@ impl<'a> Resolver<'_, 'a, '_> {
         }
     }
 
+    /// Returns true if an argument is the name of a declared value. Some words are functions of the language, too.
+    pub(super) fn is_declared(&mut self, arg: &Arg) -> bool {
+        word(arg).is_some_and(|word| !matches!(self.lookup(word), None | Some(Use::Builtin(_))))
+    }
+
     /// Reports arguments that fit in another order: the words of a row are among them.
     pub(super) fn swapped(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) -> bool {
-        let found = rows.iter().find_map(|row| Some((*row, in_order(row, args)?)));
+        let mut is_stray = |row, arg: &Arg| is_word_of(row, arg) && !self.is_declared(arg);
+        let found = rows.iter().find_map(|row| Some((*row, in_order(row, args, |arg| is_stray(row, arg))?)));
         let Some((row, order)) = found else { return false };
         let text = |arg: &Arg| {
             let text = self.cx.globals.program.tokens.text(arg.span, LONGEST, RELATIVE);
@@ -133,9 +168,7 @@ impl<'a> Resolver<'_, 'a, '_> {
         for (index, arg) in args.iter().enumerate() {
             let Some(found) = word(arg) else { continue };
             let is_value = |row: &&Operation| matches!(row.params[index].kind, ParamKind::Value(_) | ParamKind::Length);
-            // Some words are functions, too.
-            let is_declared = !matches!(self.lookup(found), None | Some(Use::Builtin(_)));
-            if is_declared || !fitting.iter().all(is_value) {
+            if self.is_declared(arg) || !fitting.iter().all(is_value) {
                 continue;
             }
             let words_at = |row: &Operation, place: usize| row.params.get(place).and_then(|param| param.kind.words());
