@@ -281,6 +281,24 @@ fn line_name(name: &str) -> String {
     std::iter::repeat_n('_', name.len() - words.len()).chain(kept).collect()
 }
 
+/// The most characters of a changed name that are kept: a file system takes at least 255 bytes.
+const MOST_KEPT: usize = 50;
+
+/// The file name of the library beside an OBJ file. A name that cannot be in a `mtllib` line is changed and gets a hash of
+/// the original one, so that OBJ files in one folder have different libraries.
+fn library_beside(path: &Path) -> String {
+    let stem = path.file_stem().unwrap_or_default();
+    let name = line_name(&stem.to_string_lossy());
+    if stem == name.as_str() {
+        return format!("{name}.mtl");
+    }
+    // FNV-1a.
+    let hash = |hash: u32, byte: &u8| (hash ^ u32::from(*byte)).wrapping_mul(0x0100_0193);
+    let hash = stem.as_encoded_bytes().iter().fold(0x811c_9dc5, hash);
+    let kept: String = name.chars().take(MOST_KEPT).collect();
+    format!("{kept}_{hash:08x}.mtl")
+}
+
 impl Model {
     /// The model as OBJ text that refers to `library`, and the text of that library.
     pub fn to_obj(&self, library: &str) -> (String, String) {
@@ -288,7 +306,8 @@ impl Model {
     }
 
     /// Writes an OBJ file, and beside it its materials in a file with the ending `.mtl`. In that file's name, `_` takes the place of `#` and
-    /// of other characters that OBJ files cannot name. Several files need a folder; [`Obj`] writes the text alone to any writer.
+    /// other characters that OBJ files cannot name, and a hash of the name follows: `a#.obj` has the library `a__0e24a29d.mtl`. Several files
+    /// need a folder; [`Obj`] writes the text alone to any writer.
     ///
     /// # Errors
     /// Errors of the file system.
@@ -323,8 +342,7 @@ fn to_text(library: &str, replay: impl FnOnce(&mut Obj<&mut Vec<u8>>) -> Flow) -
 
 /// Writes the images, then the library, then the file that refers to both.
 fn to_files(path: &Path, replay: impl FnOnce(&mut Obj<BufWriter<&File>>) -> Flow) -> Result<(), WriteError> {
-    let library = path.with_extension("mtl");
-    let name = line_name(&library.file_name().map(|name| name.to_string_lossy()).unwrap_or_default());
+    let name = library_beside(path);
     let library = path.with_file_name(&name);
     let whole = WholeFile::create(path)?;
     let mut obj = Obj::new(BufWriter::new(whole.file()), &name);

@@ -187,7 +187,31 @@ fn names_do_not_end_their_lines() {
     std::fs::create_dir_all(&folder).expect("a folder");
     fill.0.write_obj(folder.join("my house #2.obj")).expect("files");
     let text = std::fs::read_to_string(folder.join("my house #2.obj")).expect("a file");
-    assert!(text.starts_with("mtllib my house _2.mtl\n"), "{text}");
-    assert!(folder.join("my house _2.mtl").is_file());
+    let library = text.lines().next().and_then(|line| line.strip_prefix("mtllib ")).expect("the name of a library");
+    assert!(library.starts_with("my house _2_") && library.ends_with(".mtl"), "{library}");
+    assert!(folder.join(library).is_file());
+    std::fs::remove_dir_all(folder).expect("it goes");
+}
+
+#[test]
+fn files_in_one_folder_have_libraries_of_their_own() {
+    let folder = std::env::temp_dir().join(format!("cga-obj-libraries-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let long = "a".repeat(250);
+    let names = ["a#", "a_", "a\u{85}", "_#", "#_", &format!("{long}#"), &format!("{long}_")];
+    for name in names {
+        Model::default().write_obj(folder.join(format!("{name}.obj"))).expect("files");
+    }
+    #[cfg(target_os = "linux")]
+    for byte in [0xfe, 0xff] {
+        use std::os::unix::ffi::OsStrExt as _;
+        let name = [b'b', byte];
+        Model::default().write_obj(folder.join(std::ffi::OsStr::from_bytes(&name))).expect("files");
+    }
+    let files = std::fs::read_dir(&folder).expect("a folder").count();
+    assert_eq!(files, 2 * (names.len() + if cfg!(target_os = "linux") { 2 } else { 0 }));
+    for library in ["a_.mtl", "a__0e24a29d.mtl"] {
+        assert!(folder.join(library).is_file(), "{library}");
+    }
     std::fs::remove_dir_all(folder).expect("it goes");
 }
