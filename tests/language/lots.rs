@@ -330,5 +330,5 @@ fn a_grammar_that_only_runs_knows_lots_too() {
         "lot `5`: there is no attribute `h`"
     );
     let settings = Settings { wrong_lots: WrongLots::Fault, limits: Limits::default(), ..Settings::default() };
-    assert_eq!(city.generate_with(&own.attribute("h", 1), &settings).unwrap().faults().len(), 1);
+    assert_eq!(city.generate_with(&own.attribute("h", 1).start("Lott"), &settings).unwrap().faults().len(), 2);
 }

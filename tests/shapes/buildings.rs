@@ -430,3 +430,45 @@ fn objects_of_obj_files_are_buildings() {
         text.lines().filter_map(|line| line.split(' ').next()).filter(|key| "ogf".contains(key)).collect();
     assert!(keys.windows(2).all(|pair| pair[0] != "o" || pair[1] == "g"), "{keys:?}");
 }
+
+#[test]
+fn buffers_and_chunks_record_buildings_on_request() {
+    use cga::sink::buffers::{Buffers, Chunks};
+    let lots: Vec<Shape> = (0..12).map(lot).collect();
+    let run = |sink: &mut dyn Sink| {
+        for lot in &lots {
+            grammars().run(lot, &Settings::default(), sink).unwrap();
+        }
+    };
+    let new = || Buffers::new().with_origin([4_000_000.0, 0.0, 0.0].into());
+    let (mut plain, mut buffers) = (new(), new().with_buildings());
+    run(&mut plain);
+    run(&mut buffers);
+    assert_eq!((plain.buildings().count(), buffers.buildings().count()), (0, 12));
+    assert_eq!((plain.vertices(), plain.indices()), (buffers.vertices(), buffers.indices()));
+    let ends: Vec<usize> = buffers.buildings().map(|(_, indices)| indices.end).collect();
+    assert!(ends.windows(2).all(|pair| pair[0] < pair[1]) && ends.last() == Some(&buffers.indices().len()));
+    let file = Read::new(&buffers.to_glb().unwrap());
+    lie_in_their_lots(&file.points(), 12);
+    assert_eq!(file.column("name"), lots.iter().map(|lot| Json::from(lot.name())).collect::<Vec<_>>());
+    // A building that two chunks share has its name in both, and its values in the last.
+    let mut names: Vec<Vec<String>> = Vec::new();
+    let mut complete = 0;
+    let mut chunks = Chunks::new(100, |chunk: &Buffers| {
+        let file = Read::new(&chunk.to_glb().unwrap());
+        names.push(file.column("name").iter().map(|name| name.as_str().unwrap().to_owned()).collect());
+        complete += chunk.buildings().filter(|(building, _)| !building.grammar.is_empty()).count();
+        for (building, [x, ..]) in file.points() {
+            let own = lots.iter().position(|lot| lot.name() == names[names.len() - 1][building]).unwrap();
+            let from = place(own as u32)[0];
+            assert!((from - 0.3..=from + 12.3).contains(&x), "{own} {x}");
+        }
+        cga::Flow::Continue(())
+    })
+    .with_buildings()
+    .with_origin([4_000_000.0, 0.0, 0.0].into());
+    run(&mut chunks);
+    let _ = chunks.into_result();
+    assert_eq!(complete, 12);
+    assert!(12 < names.iter().map(Vec::len).sum::<usize>());
+}

@@ -210,9 +210,14 @@ impl<G: Grammar + ?Sized> DynSession for SingleRuns<'_, G> {
     fn run(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error> {
         let Some(lot) = shape.lot() else { return self.grammar.run(shape, &self.settings, sink) };
         let mut grammar = self.grammar.boxed();
-        let problems = lots::set_values(&mut *grammar, lot);
+        let mut problems = lots::set_values(&mut *grammar, lot);
+        let own = lot.start.as_deref().map(|rule| derive::known_start(rule, grammar.start_rules()));
+        let own = own.transpose().unwrap_or_else(|error| {
+            problems.push(error.to_string());
+            None
+        });
         let faults = lots::faults(shape, &problems, self.settings.wrong_lots)?;
-        let start = lot.start.as_ref().map(|rule| rule.as_str().to_owned()).or_else(|| self.settings.start.clone());
+        let start = own.map(|start| start.name.to_owned()).or_else(|| self.settings.start.clone());
         let mut report = grammar.run(shape, &Settings { start, ..self.settings.clone() }, sink)?;
         report.faults.splice(0..0, faults);
         Ok(report)

@@ -4,6 +4,7 @@
 //! triangles, a box 24 and 12. Coordinates are computed as `f64` and rounded at the end. Front faces are
 //! counter-clockwise. Texture coordinates are separate lists beside the vertices, one for each set.
 
+mod buildings;
 mod chunk_result;
 mod chunks;
 mod replayed;
@@ -20,6 +21,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3, DVec4};
 
+use self::buildings::Buildings;
 use self::replayed::{Marks, Replayed};
 use self::submesh::SubmeshStart;
 use self::uvs::UvLists;
@@ -32,6 +34,7 @@ use super::triangles::{Triangles, marked, write_box, write_quad};
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
 use crate::material::Material;
+use crate::run::building::Building;
 use crate::run::sink::corners::{PlacedBox, four};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
@@ -52,10 +55,12 @@ pub struct Buffers {
     limit: usize,
     full: bool,
     flattener: Flattener,
+    /// The buildings, if they are recorded.
+    buildings: Option<Buildings>,
 }
 
 impl PartialEq for Buffers {
-    /// Compares vertices, indices, texture coordinates and submeshes with their rules and materials, and the origins.
+    /// Compares vertices, indices, texture coordinates and submeshes with their rules and materials, the origins and the buildings.
     fn eq(&self, other: &Self) -> bool {
         self.vertices() == other.vertices()
             && self.indices() == other.indices()
@@ -64,6 +69,7 @@ impl PartialEq for Buffers {
             && self.rules() == other.rules()
             && self.materials() == other.materials()
             && self.origin() == other.origin()
+            && self.buildings().eq(other.buildings())
     }
 }
 
@@ -92,6 +98,7 @@ impl Buffers {
             limit: u32::MAX as usize,
             full: false,
             flattener: Flattener::default(),
+            buildings: None,
         }
     }
 
@@ -118,6 +125,7 @@ impl Buffers {
         self.replayed = Replayed::default();
         self.last = None;
         self.full = false;
+        self.buildings.iter_mut().for_each(Buildings::clear);
     }
 
     /// The vertices.
@@ -365,6 +373,15 @@ impl Buffers {
 }
 
 impl Sink for Buffers {
+    fn begin_building(&mut self, name: &str, seed: u64) {
+        self.buildings.iter_mut().for_each(|buildings| buildings.begin(name, seed));
+    }
+
+    fn end_building(&mut self, building: &dyn Fn() -> Building) {
+        let end = (self.triangles.indices.len(), self.triangles.vertices.len());
+        self.buildings.iter_mut().for_each(|buildings| buildings.end(building(), end));
+    }
+
     fn begin(&mut self) {
         self.numbers.begin();
         self.last = None;

@@ -176,19 +176,26 @@ pub(crate) fn start_rule<R: Rules>(name: Option<&str>) -> Result<Start, Error> {
 
 /// The start rule with a name among `starts`, or the first one. Rules and styles are in the order of `starts`.
 fn find_start(name: Option<&str>, starts: &[StartRule], rules: &[u32], styles: &[u32]) -> Result<Start, Error> {
-    let at = match name {
-        None => Some(0),
-        Some(name) => {
-            let plain = name.strip_prefix("Default$").unwrap_or(name);
-            starts.iter().position(|start| start.name == name || start.name == plain)
-        }
-    };
-    let start = at.and_then(|at| {
+    let at = name.map_or(Ok(0), |name| start_index(name, starts))?;
+    let start = || {
         let (rule, style) = (*rules.get(at)?, *styles.get(at)?);
         Some(Start { rule, style, name: starts.get(at)?.name })
-    });
-    start.ok_or_else(|| {
-        let known = starts.iter().filter(|start| !start.hidden).map(|start| start.name).collect();
-        Error::StartRule { name: name.unwrap_or_default().to_owned(), known }
-    })
+    };
+    start().ok_or_else(|| unknown_start("", starts))
+}
+
+/// The start rule with a name among `starts`.
+pub(crate) fn known_start<'a>(name: &str, starts: &'a [StartRule]) -> Result<&'a StartRule, Error> {
+    start_index(name, starts).map(|at| &starts[at])
+}
+
+fn start_index(name: &str, starts: &[StartRule]) -> Result<usize, Error> {
+    let plain = name.strip_prefix("Default$").unwrap_or(name);
+    let at = starts.iter().position(|start| start.name == name || start.name == plain);
+    at.ok_or_else(|| unknown_start(name, starts))
+}
+
+fn unknown_start(name: &str, starts: &[StartRule]) -> Error {
+    let known = starts.iter().filter(|start| !start.hidden).map(|start| start.name).collect();
+    Error::StartRule { name: name.to_owned(), known }
 }

@@ -11,6 +11,7 @@ use super::submesh::SubmeshStart;
 use super::{Buffers, Vertex};
 use crate::geometry::mesh::Mesh;
 use crate::output::flatten::PlacedFace;
+use crate::run::building::Building;
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::value::each::Each;
 
@@ -75,6 +76,12 @@ impl<R: ChunkResult, F: FnMut(&Buffers) -> R> Chunks<F, R> {
     /// Subtracts a point of the world from every position; see [`Buffers::with_origin`].
     pub fn with_origin(mut self, origin: DVec3) -> Self {
         self.buffers = self.buffers.with_origin(origin);
+        self
+    }
+
+    /// Records which triangles belong to which initial shape; see [`Buffers::buildings`].
+    pub fn with_buildings(mut self) -> Self {
+        self.buffers = self.buffers.with_buildings();
         self
     }
 
@@ -173,6 +180,14 @@ impl<R: ChunkResult, F: FnMut(&Buffers) -> R> Sink for Chunks<F, R> {
         self.buffers.begin();
     }
 
+    fn begin_building(&mut self, name: &str, seed: u64) {
+        self.buffers.begin_building(name, seed);
+    }
+
+    fn end_building(&mut self, building: &dyn Fn() -> Building) {
+        self.buffers.end_building(building);
+    }
+
     #[inline]
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
         self.room(leaf.corner_count())?;
@@ -212,7 +227,8 @@ impl<R: ChunkResult, F: FnMut(&Buffers) -> R> Sink for Chunks<F, R> {
     /// Passes on the last chunk and releases its memory.
     fn finish(&mut self) -> Flow {
         let flow = self.hand_out();
-        self.buffers = Buffers::new().with_origin(self.buffers.origin());
+        let buildings = self.buffers.buildings.take();
+        self.buffers = Buffers { buildings, ..Buffers::new().with_origin(self.buffers.origin()) };
         self.full = 0;
         flow
     }

@@ -16,7 +16,8 @@ use crate::run::sink::Flow;
 use crate::value::each::Each;
 
 impl Glb {
-    /// Adds all triangles of buffers. Several buffers make one file, without being joined first. In a set that only
+    /// Adds all triangles of buffers, and their [buildings](Buffers::buildings) if they record them. Several buffers make one file, without
+    /// being joined first. In a set that only
     /// some of the buffers' vertices use, the others have (0, 0).
     ///
     /// ```
@@ -31,14 +32,17 @@ impl Glb {
     pub fn buffers(&mut self, buffers: &Buffers) -> Flow {
         let sets = SetMask::of(|set| !buffers.uv_set(set).is_empty());
         let moved = buffers.origin() - self.origin;
-        let building = self.next_building();
-        for submesh in buffers.submeshes() {
-            let table = &mut self.numbers.table;
-            let rule = table.rule(buffers.rules()[submesh.rule as usize]);
-            let material = table.material(&buffers.materials()[submesh.material as usize]);
-            self.add(submesh.vertices.len(), submesh.indices.len(), sets.sets().count())?;
-            let primitive = self.primitives.of(&mut self.looks, &self.numbers.table, material, sets);
-            primitive.submesh(buffers, &submesh, Owner { rule, building }, moved);
+        for (building, submeshes) in buffers.submeshes_of_buildings() {
+            for submesh in submeshes {
+                let table = &mut self.numbers.table;
+                let rule = table.rule(buffers.rules()[submesh.rule as usize]);
+                let material = table.material(&buffers.materials()[submesh.material as usize]);
+                self.add(submesh.vertices.len(), submesh.indices.len(), sets.sets().count())?;
+                let owner = self.owner(rule);
+                let primitive = self.primitives.of(&mut self.looks, &self.numbers.table, material, sets);
+                primitive.submesh(buffers, &submesh, owner, moved);
+            }
+            self.buildings.extend(building.cloned());
         }
         ControlFlow::Continue(())
     }
