@@ -122,6 +122,9 @@ pub(crate) struct Cutter {
 /// The units of work of a corner, or of the crossing of an edge with a plane.
 const CROSSING: usize = 4;
 
+/// The planes that a face may cross without a count of its own: its corners are counted.
+const FEW_PLANES: u32 = 2;
+
 /// The number of corners whose places are read at once. The memory accesses of a block overlap.
 const BLOCK: usize = 512;
 
@@ -222,7 +225,7 @@ impl Cutter {
             start = corners.end;
             if block_end < corners.end {
                 (block_start, block_end) = (corners.start, self.read_block(mesh, corners.clone()));
-                // Triangles meet no more planes than they have corners, or they are counted below.
+                // Most faces meet few planes; the others are counted below.
                 if !work::spend(CROSSING * (block_end - block_start)) {
                     return;
                 }
@@ -246,7 +249,7 @@ impl Cutter {
                 triangle::clip(&mut self.state, mesh, tag, corners, [p, q, r], bottom, lone);
                 continue;
             }
-            if !work::spend(CROSSING * top.saturating_sub(bottom) as usize) {
+            if bottom + FEW_PLANES < top && !work::spend(CROSSING * (top - bottom) as usize) {
                 return;
             }
             if bottom == top {
