@@ -108,10 +108,14 @@ pub(crate) fn traced_iso_bands(
         return Ok((bands, points));
     }
     let lines = kept[first..end].iter().map(|&line| lines[line] + 0.0).collect();
-    let mut cutter = IsoCutter::new(mesh, Coordinate { set, axis: axis.index() }, lines, most);
+    let is_ended = TooManyCorners { most };
+    let mut cutter = IsoCutter::new(mesh, Coordinate { set, axis: axis.index() }, lines, most).ok_or(is_ended)?;
     cutter.cut_faces()?;
     let mut numbers = BandNumbers::new(mesh, &cutter.crossings);
     for (band, made) in cutter.bands.into_iter().enumerate() {
+        if !work::spend(CORNER * made.mesh.corners.len()) {
+            return Err(is_ended);
+        }
         bands[number(band)] = made.finish(mesh, &mut numbers, &mut points[number(band)]);
     }
     Ok((bands, points))
@@ -139,15 +143,16 @@ struct IsoCutter<'m> {
 }
 
 impl<'m> IsoCutter<'m> {
-    fn new(mesh: &'m Mesh, coordinate: Coordinate, lines: Vec<f64>, most: usize) -> Self {
-        let sites = Sites::of(mesh, coordinate, &lines);
+    /// Prepares a cut; `None` if the work is to end.
+    fn new(mesh: &'m Mesh, coordinate: Coordinate, lines: Vec<f64>, most: usize) -> Option<Self> {
+        let sites = Sites::of(mesh, coordinate, &lines)?;
         let crossings = Crossings::new(coordinate, lines, sites.len(), mesh.points.len());
         let count = crossings.lines.len() + 1;
         let bands = (0..count).map(|_| LineBand::new(mesh, count)).collect();
         let (chain, patch) = Default::default();
         // Points and crossings have 32-bit numbers.
         let most = most.min(u32::MAX as usize / 16);
-        IsoCutter { mesh, most, sites, crossings, bands, chain, patch, made: 0 }
+        Some(IsoCutter { mesh, most, sites, crossings, bands, chain, patch, made: 0 })
     }
 
     fn cut_faces(&mut self) -> Result<(), TooManyCorners> {
@@ -235,5 +240,41 @@ impl<'m> IsoCutter<'m> {
             band.mesh.end_loop();
             band.mesh.end_face(tag);
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+    use std::rc::Rc;
+
+    use glam::DVec2;
+
+    use super::*;
+    use crate::geometry::mesh::MeshBuilder;
+    use crate::geometry::work::{Supervisor, UNITS_A_QUESTION};
+
+    #[test]
+    fn every_pass_over_many_corners_can_end() {
+        let mut builder = MeshBuilder::new();
+        for x in 0..5000_u32 {
+            let corners = [[x, 0], [x + 1, 0], [x + 1, 1], [x, 1]].map(|corner| corner.map(f64::from));
+            let points = corners.map(|[x, z]| builder.point([x, 0.0, -z]));
+            builder.face(&points, &[], FaceTag::PLAIN).uvs(&corners.map(DVec2::from));
+        }
+        let mesh = Arc::new(builder.build().unwrap());
+        let cut = |last: u64| {
+            let count = Rc::new(Cell::new(0));
+            let asked = count.clone();
+            let _supervisor = Supervisor::new(move |_| asked.replace(asked.get() + 1) < last);
+            (traced_iso_bands(&mesh, 0, UvAxis::U, &[2000.5], usize::MAX).is_ok(), count.get())
+        };
+        let (is_cut, questions) = cut(u64::MAX);
+        let pass = (CORNER * mesh.corners.len()) as u64 / UNITS_A_QUESTION;
+        // Finishing a band counts all its corners at once.
+        assert!(is_cut && 2 * pass + 2 <= questions, "{questions} questions, {pass} in a pass");
+        for last in 0..questions {
+            assert_eq!(cut(last), (false, last + 1));
+        }
     }
 }

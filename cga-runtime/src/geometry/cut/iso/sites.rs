@@ -5,10 +5,17 @@
 
 use std::collections::BTreeMap;
 
+use glam::DVec2;
+
+use super::CORNER;
 use super::coordinate::Coordinate;
 use crate::geometry::cut::class::Class;
 use crate::geometry::cut::points::{Location, NONE, PieceCorner};
 use crate::geometry::mesh::Mesh;
+use crate::geometry::work;
+
+/// The corners that are read between two counts of work.
+const BLOCK: usize = 1 << 10;
 
 /// The sites of a mesh.
 pub(super) struct Sites {
@@ -18,13 +25,13 @@ pub(super) struct Sites {
 }
 
 impl Sites {
-    pub(super) fn of(mesh: &Mesh, coordinate: Coordinate, lines: &[f64]) -> Self {
+    /// The sites of a mesh; `None` if the work is to end.
+    pub(super) fn of(mesh: &Mesh, coordinate: Coordinate, lines: &[f64]) -> Option<Self> {
         let mut first = vec![NONE; mesh.points.len()];
         // The further values of points at seams.
         let mut others: BTreeMap<(u32, u64), u32> = BTreeMap::new();
         let mut values: Vec<f64> = Vec::with_capacity(mesh.points.len());
-        let uvs = mesh.uv_set(coordinate.set);
-        let of_corner = mesh.corners.iter().zip(uvs).map(|(&point, uv)| {
+        let mut site_of = |(&point, uv): (&u32, &DVec2)| {
             let value = uv[coordinate.axis] + 0.0;
             let site = match &mut first[point as usize] {
                 site if *site == NONE => site,
@@ -36,10 +43,16 @@ impl Sites {
                 values.push(value);
             }
             *site
-        });
-        let of_corner = of_corner.collect();
+        };
+        let mut of_corner = Vec::with_capacity(mesh.corners.len());
+        for (corners, uvs) in mesh.corners.chunks(BLOCK).zip(mesh.uv_set(coordinate.set).chunks(BLOCK)) {
+            if !work::spend(CORNER * corners.len()) {
+                return None;
+            }
+            of_corner.extend(corners.iter().zip(uvs).map(&mut site_of));
+        }
         let classes = values.iter().map(|&value| Class::among(lines, value)).collect();
-        Sites { of_corner, values, classes }
+        Some(Sites { of_corner, values, classes })
     }
 
     pub(super) fn len(&self) -> usize {

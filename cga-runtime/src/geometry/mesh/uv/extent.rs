@@ -14,7 +14,11 @@ use super::UvAxis;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::tol::{CHART_EPSILON, NEXT_EPSILON};
 use crate::geometry::triangulate::Triangulator;
+use crate::geometry::work;
 use crate::value::each::Each;
+
+/// The units of work of a corner whose stretch is measured.
+const CORNER: usize = 16;
 
 /// The smallest and largest coordinates of a texture set, and the metres between them on the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -107,6 +111,9 @@ impl Mesh {
         let mut triangulator = Triangulator::new();
         let (mut triangles, mut sums) = (Vec::new(), Sums::default());
         for face in 0..self.face_count() {
+            if !work::spend(CORNER * self.face_corners(face).len()) {
+                break;
+            }
             triangles.clear();
             triangulator.face(self, face, &mut triangles);
             for triangle in &triangles {
@@ -230,5 +237,16 @@ mod tests {
         // A surface without area.
         let line = corners.map(|p| ([p[0] + p[1] * 3.0, 0.0], [p[0], p[1]]));
         assert!(extent(&mesh(&[&line])).metres.is_finite());
+    }
+
+    #[test]
+    fn the_measure_of_many_faces_can_end() {
+        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|p| (p, p));
+        let mesh = mesh(&[&square[..]; 5000]);
+        let asked = std::rc::Rc::new(std::cell::Cell::new(0));
+        let count = asked.clone();
+        let _supervisor = work::Supervisor::new(move |_| count.replace(count.get() + 1) < 2);
+        assert!(mesh.uv_extent(0, DVec3::ONE).is_some());
+        assert_eq!(asked.get(), 3);
     }
 }
