@@ -13,12 +13,15 @@ mod tests;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use crate::geometry::mesh::{FaceTag, Mesh, SubcomponentTags};
+use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::work;
 use surface::Surface;
 
 /// The units of work of a search for the best neighbour.
 const SEARCH: usize = 256;
+
+/// The units of work of a corner or a triangle in a pass over the whole mesh.
+const PASS: usize = 32;
 
 /// A vertex that can become one of its neighbours.
 #[derive(Clone, Copy, Debug)]
@@ -51,7 +54,7 @@ impl PartialEq for Candidate {
 impl Eq for Candidate {}
 
 /// The mesh without tags and without a share of its vertices, from 0 to 1: fewer if no further edge can collapse. `None` if no
-/// vertex goes.
+/// vertex goes, or if the work is to end.
 pub(crate) fn reduce(mesh: &Mesh, share: f64) -> Option<Mesh> {
     // Counts such as 0.1 * 10 are rounded.
     const ROUNDING: f64 = 1e-9;
@@ -61,7 +64,7 @@ pub(crate) fn reduce(mesh: &Mesh, share: f64) -> Option<Mesh> {
     if surplus == 0 {
         return None;
     }
-    let mut surface = Surface::of(mesh);
+    let mut surface = Surface::of(mesh)?;
     let mut newest = vec![0u32; count];
     let mut heap = BinaryHeap::with_capacity(count);
     let push = |heap: &mut BinaryHeap<Candidate>, newest: &mut [u32], vertex: u32, best: Option<(f64, u32)>| {
@@ -80,7 +83,7 @@ pub(crate) fn reduce(mesh: &Mesh, share: f64) -> Option<Mesh> {
     let mut is_changed = false;
     while let Some(Candidate { cost, vertex, search }) = heap.pop() {
         if !work::spend(SEARCH) {
-            break;
+            return None;
         }
         if search != newest[vertex as usize] {
             continue;
@@ -103,13 +106,17 @@ pub(crate) fn reduce(mesh: &Mesh, share: f64) -> Option<Mesh> {
             push(&mut heap, &mut newest, other, surface.best_target(other));
         }
     }
-    is_changed.then(|| assembled(mesh, &surface))
+    if is_changed { assembled(mesh, &surface) } else { None }
 }
 
-fn assembled(mesh: &Mesh, surface: &Surface<'_>) -> Mesh {
+/// The faces that are left; `None` if the work is to end.
+fn assembled(mesh: &Mesh, surface: &Surface<'_>) -> Option<Mesh> {
     let mut made = Mesh { tag_sets: Default::default(), ..mesh.alike(mesh.corners.len()) };
     let without_tags = |face: usize| FaceTag { tags: FaceTag::NONE, ..mesh.tags[face] };
     for face in 0..mesh.face_count() {
+        if !work::spend(PASS * mesh.face_corners(face).len()) {
+            return None;
+        }
         if !surface.is_changed(face) {
             made.corners.extend_from_slice(&mesh.corners[mesh.face_corners(face)]);
             made.end_copy(mesh, mesh.face_loops(face), without_tags(face));
@@ -124,6 +131,7 @@ fn assembled(mesh: &Mesh, surface: &Surface<'_>) -> Mesh {
             made.end_face(without_tags(face));
         }
     }
-    made.take_points(&Mesh { subcomponent_tags: SubcomponentTags::default(), ..mesh.clone() });
-    made
+    // Without the tags of edges and vertices.
+    made.take_points(&Mesh { points: mesh.points.clone(), trace: mesh.trace.clone(), ..Mesh::default() });
+    Some(made)
 }

@@ -2,10 +2,12 @@
 
 use glam::DVec3;
 
+use super::PASS;
 use super::quadric::Quadric;
 use crate::geometry::mesh::pair_table::PairTable;
 use crate::geometry::mesh::{FaceTag, Mesh, unit};
 use crate::geometry::triangulate::Triangulator;
+use crate::geometry::work;
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
 
@@ -62,13 +64,17 @@ pub(super) struct Surface<'m> {
 }
 
 impl<'m> Surface<'m> {
-    pub(super) fn of(mesh: &'m Mesh) -> Self {
+    /// The triangles of a mesh; `None` if the work is to end.
+    pub(super) fn of(mesh: &'m Mesh) -> Option<Self> {
         let (count, bounds) = (mesh.points.len(), mesh.bounds());
         let scale = bounds.scale_to_one();
         let (mut triangulator, mut values) = (Triangulator::new(), Vec::new());
         let (mut faces, mut ends) = (Vec::new(), Vec::with_capacity(mesh.face_count()));
         let mut is_locked = vec![false; count];
         for face in 0..mesh.face_count() {
+            if !work::spend(PASS * mesh.face_corners(face).len()) {
+                return None;
+            }
             let before = values.len();
             triangulator.face(mesh, face, &mut values);
             faces.resize(values.len(), face as u32);
@@ -79,6 +85,11 @@ impl<'m> Surface<'m> {
         }
         let points: Vec<[u32; 3]> =
             values.iter().map(|corners: &[u32; 3]| corners.each(|corner| mesh.corners[corner as usize])).collect();
+        let edges = PairTable::with_capacity(points.len() * 2);
+        // A large table takes long to make.
+        if !work::spend(PASS * points.len()) {
+            return None;
+        }
         let is_alike = mesh.faces().all(|face| attributes(face.tag()) == attributes(mesh.tags[0]));
         let mut surface = Surface {
             mesh,
@@ -89,7 +100,7 @@ impl<'m> Surface<'m> {
             is_changed: vec![false; mesh.face_count()],
             around: vec![Vec::new(); count],
             counts: vec![0; count],
-            edges: PairTable::with_capacity(points.len() * 2),
+            edges,
             is_locked,
             is_border: vec![false; count],
             quadrics: vec![Quadric::ZERO; count],
@@ -97,20 +108,22 @@ impl<'m> Surface<'m> {
             points,
             values,
         };
-        surface.connect();
-        surface.lock_branches();
-        surface.weigh();
-        surface
+        (surface.connect() && surface.lock_branches() && surface.weigh()).then_some(surface)
     }
 
-    fn connect(&mut self) {
+    /// Finds the triangles at each point and each edge. Returns false if the work is to end, as the other passes do.
+    fn connect(&mut self) -> bool {
         for (triangle, points) in (0..).zip(&self.points) {
+            if !work::spend(PASS) {
+                return false;
+            }
             for &point in points {
                 self.around[point as usize].push(triangle);
                 self.counts[point as usize] += 1;
             }
             edges(points).for_each(|ends| *self.edges.entry(ends[0], ends[1], 0).0 += 1);
         }
+        true
     }
 
     fn edge_count(&self, a: u32, b: u32) -> u32 {
@@ -118,14 +131,23 @@ impl<'m> Surface<'m> {
     }
 
     /// Finds the points at which the surface branches, or changes its side, and those at its border.
-    fn lock_branches(&mut self) {
+    fn lock_branches(&mut self) -> bool {
         let mut directed = PairTable::with_capacity(self.points.len() * 3);
+        if !work::spend(PASS * self.points.len()) {
+            return false;
+        }
         for points in &self.points {
+            if !work::spend(PASS) {
+                return false;
+            }
             for k in 0..3 {
                 *directed.entry(points[k], points[(k + 1) % 3], 0).0 += 1;
             }
         }
         for points in &self.points {
+            if !work::spend(PASS) {
+                return false;
+            }
             for k in 0..3 {
                 let [a, b] = [points[k], points[(k + 1) % 3]];
                 let ends = [a, b].each(|point| point as usize);
@@ -141,6 +163,9 @@ impl<'m> Surface<'m> {
         for point in 0..self.around.len() {
             // Fans around a point are connected by their edges there.
             let triangles = &self.around[point];
+            if !work::spend(PASS * (1 + triangles.len())) {
+                return false;
+            }
             let others =
                 |triangle: u32| self.points[triangle as usize].into_iter().filter(|&other| other as usize != point);
             ends.clear();
@@ -152,11 +177,15 @@ impl<'m> Surface<'m> {
             ends.windows(2).filter(|pair| pair[0].0 == pair[1].0).for_each(|pair| fans.unite(pair[0].1, pair[1].1));
             self.is_locked[point] |= (0..triangles.len() as u32).any(|place| fans.find_and_shorten(place) != 0);
         }
+        true
     }
 
     /// Gives points the quadrics of their triangles, and of planes that keep borders and seams.
-    fn weigh(&mut self) {
+    fn weigh(&mut self) -> bool {
         for triangle in 0..self.points.len() {
+            if !work::spend(PASS) {
+                return false;
+            }
             let points = self.points[triangle];
             let [a, b, c] = points.each(|point| self.places[point as usize]);
             let area = (b - a).cross(c - a);
@@ -174,6 +203,7 @@ impl<'m> Surface<'m> {
                 ends.into_iter().for_each(|point| self.quadrics[point as usize] += keep);
             }
         }
+        true
     }
 
     /// Returns true for an edge of a triangle at a border, or with other values on its other side.

@@ -1,8 +1,12 @@
+use std::cell::Cell;
+use std::rc::Rc;
+
 use glam::{DAffine3, DVec2, DVec3};
 
 use super::*;
 use crate::geometry::mesh::{MeshBuilder, primitive};
 use crate::geometry::random::Rng;
+use crate::geometry::work::{Supervisor, UNITS_A_QUESTION};
 
 /// A grid of `count` times `count` points in squares, with heights.
 fn terrain(count: u32, height: impl Fn(f64, f64) -> f64) -> Mesh {
@@ -198,5 +202,29 @@ fn turning_a_box_or_a_prism_turns_the_result() {
                 assert!(straight.corners() == turned.corners() && are_near, "{number} {step} {share}");
             }
         }
+    }
+}
+
+/// Reduces a mesh until the question after number `last`. Returns the result and the number of questions.
+fn reduced_until(mesh: &Mesh, share: f64, last: u64) -> (Option<Mesh>, u64) {
+    let count = Rc::new(Cell::new(0));
+    let asked = count.clone();
+    let _supervisor = Supervisor::new(move |_| asked.replace(asked.get() + 1) < last);
+    let made = reduce(mesh, share);
+    (made, count.get())
+}
+
+#[test]
+fn every_pass_over_a_large_mesh_can_end() {
+    let mesh = terrain(128, hills);
+    // One vertex goes.
+    let share = 1.5 / mesh.points().len() as f64;
+    let (made, questions) = reduced_until(&mesh, share, u64::MAX);
+    assert!(made.is_some());
+    let searches = ((mesh.points().len() + 16) * SEARCH) as u64 / UNITS_A_QUESTION;
+    assert!(searches + 40 < questions, "{questions} questions, {searches} of them in searches");
+    for last in [0, 5, 10, 20, 30, questions - 20, questions - 10, questions - 1] {
+        let (made, asked) = reduced_until(&mesh, share, last);
+        assert!(made.is_none() && asked == last + 1, "question {last}");
     }
 }
