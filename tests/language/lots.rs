@@ -181,7 +181,7 @@ fn lots(count: u32) -> Vec<Shape> {
         match number % 3 {
             0 => lot.grammar("green").attribute("height", number % 5),
             1 => lot.grammar("House").attribute("height", 1 + number % 40),
-            _ => lot.start(if number % 2 == 0 { "Garden" } else { "Lot" }),
+            _ => lot.start(if number.is_multiple_of(2) { "Garden" } else { "Lot" }),
         }
     };
     (0..count).map(lot).collect()
@@ -331,4 +331,74 @@ fn a_grammar_that_only_runs_knows_lots_too() {
     );
     let settings = Settings { wrong_lots: WrongLots::Fault, limits: Limits::default(), ..Settings::default() };
     assert_eq!(city.generate_with(&own.attribute("h", 1).start("Lott"), &settings).unwrap().faults().len(), 2);
+}
+
+#[test]
+fn kept_values_are_told_apart_by_their_bits() {
+    cga! { grammar Signs;  attr x = 1  attr list = [1]  Lot --> print(1 / x + " " + 1 / list[0]) X. }
+    let signs = Signs::default();
+    let mut session = signs.session(&Settings::default()).unwrap();
+    let zeros = [0.0, -0.0, f64::NAN];
+    for x in zeros {
+        for element in zeros {
+            let own = lot().attribute("x", x).attribute("list", Value::Floats([element].into()));
+            let [kept, again] = [0; 2].map(|_| lines(&session.generate(&own).unwrap()));
+            assert_eq!((&kept, &again), (&lines(&signs.generate(&own).unwrap()), &kept));
+        }
+    }
+}
+
+#[test]
+fn wrong_values_do_not_take_others_with_them() {
+    cga! {
+        grammar Chosen;
+        attr height = 6
+        @Enum("p", "q", restricted = true)
+        attr list = "p"
+        @Enum(valuesAttr = list, restricted = true)
+        attr one = "p"
+        Lot --> print(height + " " + list + " " + one) X.
+    }
+    let settings = Settings { wrong_lots: WrongLots::Fault, ..Settings::default() };
+    let made = |chosen: &Chosen, lot: Shape| {
+        let made = chosen.generate_with(&lot, &settings).unwrap();
+        (lines(&made)[0].clone(), made.faults().iter().map(|fault| fault.message.clone()).collect::<Vec<_>>())
+    };
+    // The list is left out, as the program's own value is not in it.
+    let other = Chosen { list: "q".into(), one: "q".into(), ..Chosen::default() };
+    let (line, faults) = made(&other, lot().attribute("height", 12).attribute("list", "p"));
+    assert_eq!(
+        (line.as_str(), faults),
+        ("12 q q", vec!["a lot without a name: attribute `one`: `q` is not one of p".to_owned()])
+    );
+    // The order of the values makes no difference.
+    let own = |names: [&str; 3]| {
+        names
+            .into_iter()
+            .fold(lot(), |lot, name| if name == "height" { lot.attribute(name, 12) } else { lot.attribute(name, "y") })
+    };
+    let orders = [["height", "one", "list"], ["one", "list", "height"], ["list", "one", "height"]];
+    for order in orders {
+        let (line, faults) = made(&Chosen::default(), own(order));
+        assert_eq!((line.as_str(), faults.len()), ("12 p p", 2), "{order:?}");
+    }
+    // Faults have a limit.
+    let many = (0..3000).fold(lot(), |lot, number| lot.attribute(format!("x{number}"), 1));
+    let report = Chosen::default().generate_with(&many, &settings).unwrap();
+    assert_eq!((report.faults().len(), report.report().faults_left_out()), (1000, 2000));
+}
+
+#[test]
+fn start_rules_of_settings_need_not_be_in_all_grammars() {
+    let settings = Settings { start: Some("Garden".into()), ..Settings::default() };
+    let lots = [lot().grammar("House"), lot().grammar("green").start("Lot")];
+    let all = city().generate_all(&lots, &settings).unwrap();
+    assert_eq!((all.count("Garden"), all.count("Lawn")), (1, 1));
+    let error = city().generate_with(&lot().named("7").grammar("green"), &settings).unwrap_err();
+    assert_eq!(error.to_string(), "lot `7`: `Garden` is not a start rule; the start rules are Lot");
+    // A stopped watch ends a run before its lot is looked at.
+    let watch = cga::Watch::new();
+    watch.stop();
+    let settings = Settings { watch: Some(watch), ..Settings::default() };
+    assert!(city().generate_with(&lot().grammar("Shop"), &settings).unwrap().report().stopped);
 }

@@ -472,3 +472,71 @@ fn buffers_and_chunks_record_buildings_on_request() {
     assert_eq!(complete, 12);
     assert!(12 < names.iter().map(Vec::len).sum::<usize>());
 }
+
+#[test]
+fn leaves_outside_of_buildings_belong_to_none() {
+    let house = grammars().generate(&lot(1)).unwrap();
+    let loose = grammars().generate(&lot(2)).unwrap();
+    let hand = |sink: &mut dyn Sink| loose.leaves().for_each(|leaf| _ = leaf.replay(sink));
+    let mut model = cga::Model::new();
+    hand(&mut model);
+    let _ = house.replay(&mut model);
+    hand(&mut model);
+    let (before, own) = (loose.len(), house.len());
+    assert_eq!(model.buildings().map(|(_, leaves)| leaves).collect::<Vec<_>>(), [before..before + own]);
+    // A replay gives the same model.
+    let mut again = cga::Model::new();
+    let _ = model.replay(&mut again);
+    assert_eq!(again.buildings().map(|(_, leaves)| leaves).collect::<Vec<_>>(), [before..before + own]);
+    assert_eq!(again.len(), model.len());
+    let file = Read::new(&model.to_glb().unwrap());
+    assert_eq!(file.column("name"), ["", "\"lot\" 1 ä", ""]);
+    assert!(file.points().iter().all(|(building, place)| (*building == 1) == (place[0] < self::place(2)[0] - 1.0)));
+    let objects = model.to_obj("a.mtl").0;
+    let objects: Vec<&str> = objects.lines().filter(|line| line.starts_with("o ")).collect();
+    assert_eq!(objects, ["o \"lot\" 1 ä", "o rest"]);
+    let meshes = model.meshes(cga::sink::meshes::Granularity::Building);
+    assert!(
+        meshes.list.iter().any(|mesh| mesh.building.is_none())
+            && meshes.list.iter().any(|mesh| mesh.building == Some(0))
+    );
+    // Without any building, a division by buildings leaves all in one mesh.
+    let mut glb = Glb::new().by_building();
+    hand(&mut glb);
+    let file = Read::new(&glb.into_bytes().unwrap());
+    assert_eq!((&file.json["nodes"][0]["mesh"], file.table("building")), (&Json::from(0), None));
+}
+
+#[test]
+fn buildings_without_faces_keep_their_data() {
+    cga! { grammar Points;  Lot --> scatter(surface, 2, uniform) { Lamp. } }
+    let all =
+        Points::default().generate_all(&[lot(2).start("Lot"), lot(5).start("Lot")], &Settings::default()).unwrap();
+    let mut glb = Glb::new().with_placements();
+    let _ = all.replay(&mut glb);
+    let file = Read::new(&glb.into_bytes().unwrap());
+    assert_eq!(file.column("name"), ["\"lot\" 2 ä", "\"lot\" 5 ä"]);
+    let lamps: Vec<&Json> =
+        file.json["nodes"].as_array().unwrap().iter().filter(|node| node["name"] == "Lamp").collect();
+    assert_eq!(lamps.iter().map(|lamp| lamp["extras"]["building"].as_u64().unwrap()).collect::<Vec<_>>(), [0, 0, 1, 1]);
+    let mut glb = Glb::new().by_building();
+    let _ = all.replay(&mut glb);
+    let file = Read::new(&glb.into_bytes().unwrap());
+    assert_eq!(file.json["nodes"].as_array().unwrap().len(), 3);
+}
+
+#[test]
+fn names_that_few_buildings_have_cost_no_column_each() {
+    cga! { grammar Keys;  Lot --> report(initialShape.name, 1) report("all", 2) extrude(2) X. }
+    let size = |count: u32| {
+        let lots: Vec<Shape> =
+            (0..count).map(|number| Shape::rectangle(1.0, 1.0).named(format!("{number:04}"))).collect();
+        Keys::default().generate_all(&lots, &Settings::default()).unwrap().to_glb().unwrap()
+    };
+    let file = size(1000);
+    assert!(file.len() < 4 * size(500).len());
+    let file = Read::new(&file);
+    assert_eq!(file.column("all"), vec![Json::from(2.0); 1000]);
+    let more = file.column("more_reports");
+    assert_eq!((&more[0], &more[999]), (&Json::Null, &Json::from("{\"0999\":1}")));
+}

@@ -46,7 +46,8 @@ impl Grammars {
         Grammars::default()
     }
 
-    /// Adds a grammar under the name of its header.
+    /// Adds a grammar under the name of its header. It replaces a grammar of that name. Grammars without a header have no name, so of
+    /// several of them each needs [`with_named`](Grammars::with_named).
     pub fn with(self, grammar: impl Grammar + Send + Sync + 'static) -> Self {
         let name = grammar.name();
         self.with_named(name, grammar)
@@ -101,8 +102,9 @@ impl Grammars {
     /// Opens a session: several runs with the same settings. Each grammar is checked at its first lot.
     pub fn session(&self, settings: &Settings) -> Box<dyn DynSession + '_> {
         let sessions = self.list.iter().map(|_| None).collect();
-        let quiet = Settings { echo: false, ..settings.clone() };
-        Box::new(GrammarsSession { grammars: self, settings: quiet, echo: settings.echo, sessions })
+        let own = Settings { echo: false, start: None, ..settings.clone() };
+        let (start, echo) = (settings.start.clone(), settings.echo);
+        Box::new(GrammarsSession { grammars: self, settings: own, start, echo, sessions })
     }
 
     /// Runs on many lots, in parallel with the feature `rayon`, and collects a model of each.
@@ -130,8 +132,9 @@ impl Grammars {
 /// The sessions of the grammars that had a lot so far.
 struct GrammarsSession<'g> {
     grammars: &'g Grammars,
-    /// Without echo.
+    /// Without echo, and without the start rule.
     settings: Settings,
+    start: Option<String>,
     echo: bool,
     sessions: Vec<Option<Box<dyn DynSession + 'g>>>,
 }
@@ -159,6 +162,9 @@ impl DynSession for GrammarsSession<'_> {
     }
 
     fn outcome(&mut self, shape: &Shape, sink: &mut dyn Sink) -> RunOutcome {
+        if let Some(stopped) = RunOutcome::stopped(&self.settings) {
+            return stopped;
+        }
         let (number, problem) = self.number_of(shape);
         let Some((_, grammar)) = self.grammars.list.get(number) else {
             let problems = vec!["there are no grammars".to_owned()];
@@ -173,8 +179,13 @@ impl DynSession for GrammarsSession<'_> {
             Ok(session) => self.sessions[number].insert(session),
             Err(error) => return RunOutcome::failed(error),
         };
-        let mut outcome = session.outcome(shape, sink);
-        outcome.report.faults.splice(0..0, faults);
+        // The rule of the settings need not be in all grammars, so each lot without a rule of its own gets it.
+        let started = match (&self.start, shape.start_name()) {
+            (Some(start), None) => &shape.with_start(Some(start)),
+            _ => shape,
+        };
+        let mut outcome = session.outcome(started, sink);
+        outcome.report.begin_with(faults);
         outcome
     }
 }

@@ -1,17 +1,21 @@
 //! The values of lots, in the place of the values of their grammars.
 
+use std::collections::BTreeMap;
+
 use crate::fault::{Error, Fault, FaultKind};
 use crate::grammar::Grammar;
-use crate::grammar::attribute::{self, AttributeError};
+use crate::grammar::attribute::{self, AttributeError, ChoiceValues};
 use crate::run::settings::WrongLots;
 use crate::shape::Shape;
 use crate::shape::lot::Lot;
 use crate::value::Value;
 use crate::value::text::Text;
 
-/// Sets the attributes that a lot has. Returns what is wrong; such attributes keep the value of the grammar.
+/// Sets the attributes that a lot has. Returns what is wrong; such attributes keep the value of the grammar. The order of the lot's
+/// attributes makes no difference to the values.
 pub(crate) fn set_values(grammar: &mut dyn Grammar, lot: &Lot) -> Vec<String> {
     let mut problems = Vec::new();
+    let mut before: BTreeMap<usize, Option<Value>> = BTreeMap::new();
     let mut changes = Vec::new();
     for (name, value) in &lot.attributes {
         match place_of(grammar, name, value) {
@@ -20,17 +24,43 @@ pub(crate) fn set_values(grammar: &mut dyn Grammar, lot: &Lot) -> Vec<String> {
         }
     }
     // Choices may be values of other attributes, so all are set before they are checked.
-    let before: Vec<Option<Value>> = changes.iter().map(|&(index, _)| grammar.attribute_get(index)).collect();
-    changes.iter().for_each(|&(index, value)| grammar.attribute_set(index, value.clone()));
-    for (&(index, value), before) in changes.iter().zip(before) {
-        let Err(error) = grammar.attributes()[index].allows(value, &|name| grammar.get(name).ok()) else { continue };
-        problems.push(error.to_string());
-        match before {
-            Some(before) => grammar.attribute_set(index, before),
-            None => grammar.attribute_reset(index),
+    for (index, value) in changes {
+        before.insert(index, grammar.attribute_get(index));
+        grammar.attribute_set(index, value.clone());
+    }
+    // Values that are taken back may be the choices of others.
+    loop {
+        let refused = refused(grammar, &before);
+        if refused.is_empty() {
+            return problems;
+        }
+        for (index, problem) in refused {
+            problems.push(problem);
+            match before.remove(&index) {
+                Some(Some(value)) => grammar.attribute_set(index, value),
+                Some(None) => grammar.attribute_reset(index),
+                None => {}
+            }
         }
     }
-    problems
+}
+
+/// The attributes to take back among `set`, each with its problem: refused values, and lists of choices because of which the value of
+/// another attribute is refused.
+fn refused(grammar: &dyn Grammar, set: &BTreeMap<usize, Option<Value>>) -> BTreeMap<usize, String> {
+    let attributes = grammar.attributes();
+    let mut refused = BTreeMap::new();
+    for (index, attribute) in attributes.iter().enumerate() {
+        let Some(value) = grammar.attribute_get(index) else { continue };
+        let Err(error) = attribute.allows(&value, &|name| grammar.get(name).ok()) else { continue };
+        let choices = || match attribute.choices?.values {
+            ChoiceValues::Attribute(name) => attribute::find(attributes, name).ok().map(|(list, _)| list),
+            ChoiceValues::Floats(_) | ChoiceValues::Texts(_) => None,
+        };
+        let own = if set.contains_key(&index) { Some(index) } else { choices().filter(|list| set.contains_key(list)) };
+        refused.extend(own.map(|own| (own, error.to_string())));
+    }
+    refused
 }
 
 /// The index of an attribute that can have the value, its limits aside.

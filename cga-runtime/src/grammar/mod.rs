@@ -70,10 +70,11 @@ pub trait Grammar {
     ///
     /// # Errors
     /// The errors of a run before its first rule: [`Error::Attribute`], [`Error::StartRule`], [`Error::Shape`],
-    /// [`Error::Cycle`], and limits of functions.
+    /// [`Error::Lot`], [`Error::Cycle`], and limits of functions.
     fn used_values(&self, shape: &Shape, settings: &Settings) -> Result<Vec<(&'static str, Value)>, Error>;
 
-    /// Runs the grammar and hands the leaves to a sink.
+    /// Runs the grammar and hands the leaves to a sink. A grammar that is written by hand need not know of lots: sessions,
+    /// [`generate`](Grammar::generate) and [`parallel`] set the attributes of a lot and find its start rule before they call this.
     ///
     /// # Errors
     /// See [`Error`].
@@ -180,7 +181,7 @@ pub trait Grammar {
     /// See [`Error`].
     fn generate_with(&self, shape: &Shape, settings: &Settings) -> Result<Model, Error> {
         let mut model = Model::new();
-        let report = self.run(shape, settings, &mut model)?;
+        let report = self.session(settings)?.run(shape, &mut model)?;
         Ok(model.with_report(report).with_assets(settings.assets.clone()))
     }
 }

@@ -1,6 +1,7 @@
 //! Several runs of one grammar with the same settings.
 //!
-//! A [`Session`] checks the attributes and finds the start rule once, and keeps data that runs can share. The results
+//! A [`Session`] checks the attributes and finds the start rule once, for lots with data of their own once for equal data, and keeps data
+//! that runs can share. The results
 //! of its runs equal the results of single runs. A session belongs to one thread; parallel runs have one session each, see
 //! [`parallel`](crate::grammar::parallel).
 
@@ -66,11 +67,6 @@ impl<'g, G: Rules + Grammar + Clone> Setup<'g, G> {
     fn of_lot(&self, lot: &Lot) -> (G, Start, Vec<String>) {
         let mut grammar = self.grammar.clone();
         let mut problems = lots::set_values(&mut grammar, lot);
-        // The choices of an attribute that the lot does not have may depend on one that it has.
-        if let Err(error) = grammar.check() {
-            problems.push(error.to_string());
-            grammar = self.grammar.clone();
-        }
         let start = lot.start.as_deref().map_or(Ok(self.start), |rule| derive::start_rule::<G>(Some(rule)));
         let start = start.unwrap_or_else(|error| {
             problems.push(error.to_string());
@@ -123,8 +119,8 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
     /// Runs on a shape, without echo.
     fn outcome(&mut self, shape: &Shape, sink: &mut dyn Sink) -> RunOutcome {
         let Setup { grammar, settings, start } = &self.setup;
-        if settings.watch.as_ref().is_some_and(|watch| watch.is_stopped()) {
-            return RunOutcome { report: Report { stopped: true, ..Report::default() }, error: None };
+        if let Some(stopped) = RunOutcome::stopped(settings) {
+            return stopped;
         }
         if let Err(error) = shape.check_initial() {
             return RunOutcome::failed(error);
@@ -138,7 +134,7 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
     /// Runs on a shape with data of its own.
     fn outcome_of_lot(&mut self, lot: &Lot, shape: &Shape, sink: &mut dyn Sink) -> RunOutcome {
         let Session { setup, of_lots, .. } = self;
-        match of_lots.iter().position(|known| known.lot == *lot) {
+        match of_lots.iter().position(|known| known.lot.is_same(lot)) {
             Some(at) => of_lots[..=at].rotate_right(1),
             None => {
                 let (grammar, start, problems) = setup.of_lot(lot);
@@ -152,7 +148,7 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
             Err(error) => return RunOutcome::failed(error),
         };
         let mut outcome = run_named(grammar, *start, shape, &setup.settings, kept, sink);
-        outcome.report.faults.splice(0..0, faults);
+        outcome.report.begin_with(faults);
         outcome
     }
 }
@@ -218,8 +214,9 @@ impl<G: Grammar + ?Sized> DynSession for SingleRuns<'_, G> {
         });
         let faults = lots::faults(shape, &problems, self.settings.wrong_lots)?;
         let start = own.map(|start| start.name.to_owned()).or_else(|| self.settings.start.clone());
-        let mut report = grammar.run(shape, &Settings { start, ..self.settings.clone() }, sink)?;
-        report.faults.splice(0..0, faults);
+        // The grammar may pass the shape on to another grammar, for which the data is not meant.
+        let mut report = grammar.run(&shape.without_lot(), &Settings { start, ..self.settings.clone() }, sink)?;
+        report.begin_with(faults);
         Ok(report)
     }
 }
@@ -251,7 +248,7 @@ pub fn generate<G: Rules + Grammar + Clone>(grammar: &G, shape: &Shape, settings
 /// See [`Error`].
 pub fn generate_from<G: Rules + Grammar + Clone>(grammar: &G, rule: &str, shape: &Shape) -> Result<Model, Error> {
     let settings = Settings { start: Some(rule.to_owned()), ..Settings::default() };
-    generate(grammar, &shape.without_start(), &settings)
+    generate(grammar, &shape.with_start(None), &settings)
 }
 
 /// The names and values of the attributes of a run on a shape, without running rules. Used by generated code.

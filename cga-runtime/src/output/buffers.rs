@@ -374,11 +374,12 @@ impl Buffers {
 
 impl Sink for Buffers {
     fn begin_building(&mut self, name: &str, seed: u64) {
-        self.buildings.iter_mut().for_each(|buildings| buildings.begin(name, seed));
+        let at = self.end();
+        self.buildings.iter_mut().for_each(|buildings| buildings.begin(name, seed, at));
     }
 
     fn end_building(&mut self, building: &dyn Fn() -> Building) {
-        let end = (self.triangles.indices.len(), self.triangles.vertices.len());
+        let end = self.end();
         self.buildings.iter_mut().for_each(|buildings| buildings.end(building(), end));
     }
 

@@ -136,8 +136,8 @@ impl Model {
     /// assert_eq!(draw_calls(&Model::new()), 0);
     /// ```
     pub fn meshes(&self, granularity: Granularity) -> Meshes {
-        let ends = self.buildings().map(|(_, leaves)| leaves.end).collect();
-        let mut sink = MeshSink { granularity, origin: near_origin(self.bounds()), ends, ..MeshSink::default() };
+        let buildings = self.buildings().map(|(_, leaves)| leaves).collect();
+        let mut sink = MeshSink { granularity, origin: near_origin(self.bounds()), buildings, ..MeshSink::default() };
         // It never stops the run.
         let _ = self.replay(&mut sink);
         sink.finish()
@@ -174,8 +174,8 @@ struct MeshSink {
     flattener: Flattener,
     /// The number of leaves so far.
     leaf: usize,
-    /// The ends of the ranges of leaves of buildings.
-    ends: Arc<[usize]>,
+    /// The ranges of leaves of buildings.
+    buildings: Arc<[Range<usize>]>,
 }
 
 impl MeshSink {
@@ -189,7 +189,7 @@ impl MeshSink {
     fn build(&mut self, rule: u32, material: u32, sets: SetMask, leaf: usize) -> &mut MeshBuild {
         let rule = matches!(self.granularity, Granularity::Rule | Granularity::Leaf).then_some(rule);
         let by_building = matches!(self.granularity, Granularity::Building | Granularity::Leaf);
-        let building = by_building.then(|| building_of(&self.ends, leaf)).flatten();
+        let building = by_building.then(|| building_of(&self.buildings, leaf)).flatten();
         let key = (material, sets, building, rule, (self.granularity == Granularity::Leaf).then_some(leaf));
         let list = &mut self.list;
         let index = *self.by_key.entry(key).or_insert_with(|| {
@@ -233,17 +233,20 @@ impl MeshSink {
                 continue;
             }
             let by_building = self.granularity == Granularity::Building;
-            let ends = self.ends.clone();
-            let is_together = |a: usize, b: usize| !by_building || building_of(&ends, a) == building_of(&ends, b);
+            let buildings = self.buildings.clone();
+            let is_together =
+                |a: usize, b: usize| !by_building || building_of(&buildings, a) == building_of(&buildings, b);
             for own in own.chunk_by(|a, b| is_together(a.1, b.1)) {
                 // Built in the mesh's own coordinates, apart from the others.
-                let (table, ends) = (std::mem::take(&mut self.table), ends.clone());
-                let mut local = MeshSink { granularity: self.granularity, table, ends, ..MeshSink::default() };
+                let (table, granularity) = (std::mem::take(&mut self.table), self.granularity);
+                let mut local = MeshSink { granularity, table, buildings: buildings.clone(), ..MeshSink::default() };
                 local.add(rule, material, &asset.mesh, &DAffine3::IDENTITY, own[0].1);
                 self.table = local.table;
                 for mut build in local.list {
                     let whole = 0..build.triangles.indices.len();
                     let leaf = |leaf: usize| MeshLeaf { leaf, indices: whole.clone() };
+                    let is_of_one = own.iter().all(|(_, leaf)| building_of(&buildings, *leaf) == build.building);
+                    build.building = build.building.filter(|_| is_of_one);
                     build.leaves = own.iter().map(|(_, number)| leaf(*number)).collect();
                     let moved = |place: &DAffine3| DAffine3 { translation: place.translation - self.origin, ..*place };
                     build.places = own.iter().map(|(place, _)| moved(place)).collect();
@@ -342,9 +345,10 @@ impl Sink for MeshSink {
     }
 }
 
-/// The building of a leaf, if it has one, by the ends of the buildings' ranges of leaves.
-fn building_of(ends: &[usize], leaf: usize) -> Option<usize> {
-    Some(ends.partition_point(|end| *end <= leaf)).filter(|building| *building < ends.len())
+/// The building of a leaf, if it has one, by the ranges of the buildings' leaves.
+fn building_of(buildings: &[Range<usize>], leaf: usize) -> Option<usize> {
+    let building = buildings.partition_point(|leaves| leaves.end <= leaf);
+    buildings.get(building)?.contains(&leaf).then_some(building)
 }
 
 /// The sets of a rectangle or a box.

@@ -41,6 +41,8 @@ pub struct Model {
     numbers: Numbers,
     /// The buildings, each with the range of its leaves.
     buildings: Vec<(Building, Range<usize>)>,
+    /// The number of leaves before the building whose leaves come now.
+    begun: usize,
     report: Report,
     assets: Option<Arc<Assets>>,
 }
@@ -278,9 +280,12 @@ impl Model {
     pub fn replay<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         let mut leaves = self.leaves();
         for (building, own) in &self.buildings {
+            let before = leaves.len() + own.start - self.records.len();
+            leaves.by_ref().take(before).try_for_each(|leaf| leaf.replay(sink))?;
             sink.begin_building(&building.name, building.seed);
-            leaves.by_ref().take(own.len()).try_for_each(|leaf| leaf.replay(sink))?;
+            let flow = leaves.by_ref().take(own.len()).try_for_each(|leaf| leaf.replay(sink));
             sink.end_building(&|| building.clone());
+            flow?;
         }
         leaves.try_for_each(|leaf| leaf.replay(sink))
     }
@@ -363,8 +368,12 @@ impl Sink for Model {
         self.push(leaf, Stored::Placement)
     }
 
+    fn begin_building(&mut self, _: &str, _: u64) {
+        self.begun = self.records.len();
+    }
+
     fn end_building(&mut self, building: &dyn Fn() -> Building) {
-        let start = self.buildings.last().map_or(0, |(_, leaves)| leaves.end);
-        self.buildings.push((building(), start..self.records.len()));
+        self.buildings.push((building(), self.begun..self.records.len()));
+        self.begun = self.records.len();
     }
 }

@@ -29,6 +29,7 @@ use crate::geometry::mesh::map::normal_map;
 use crate::material::Material;
 use crate::output::batches::Batches;
 use crate::output::model::Model;
+use crate::run::building::Building;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
 use crate::value::text::Text;
 
@@ -48,6 +49,8 @@ pub struct Obj<W> {
     run: Option<(u32, u32)>,
     /// The number of buildings so far.
     buildings: usize,
+    /// True after a building: leaves that follow are no part of it.
+    has_ended: bool,
     points: u64,
     uvs: u64,
     normals: u64,
@@ -69,6 +72,7 @@ impl<W: Write> Obj<W> {
             names: GroupNames::default(),
             run: None,
             buildings: 0,
+            has_ended: false,
             points: 0,
             uvs: 0,
             normals: 0,
@@ -103,6 +107,9 @@ impl<W: Write> Obj<W> {
             return;
         }
         self.run = Some((rule, material));
+        if std::mem::take(&mut self.has_ended) {
+            self.text.extend_from_slice(b"o rest\n");
+        }
         let group = self.numbers.table.rules()[rule as usize];
         let name = self.names.of(material, &self.numbers.table.materials()[material as usize]);
         for text in ["g ", group, "\nusemtl ", name, "\n"] {
@@ -155,10 +162,15 @@ impl<W: Write> Sink for Obj<W> {
             name => line_name(name),
         };
         self.buildings += 1;
+        self.has_ended = false;
         for text in ["o ", &name, "\n"] {
             self.text.extend_from_slice(text.as_bytes());
         }
         self.run = None;
+    }
+
+    fn end_building(&mut self, _: &dyn Fn() -> Building) {
+        (self.has_ended, self.run) = (true, None);
     }
 
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {

@@ -55,6 +55,13 @@ pub struct RunOutcome {
 }
 
 impl RunOutcome {
+    /// The result of a run that never begins because the watch is stopped.
+    pub(crate) fn stopped(settings: &Settings) -> Option<Self> {
+        let is_stopped = settings.watch.as_ref().is_some_and(|watch| watch.is_stopped());
+        let report = Report { stopped: true, ..Report::default() };
+        is_stopped.then_some(RunOutcome { report, error: None })
+    }
+
     /// A run that never began.
     pub(crate) fn failed(error: Error) -> Self {
         RunOutcome { error: Some(error), ..RunOutcome::default() }
@@ -116,10 +123,13 @@ pub(crate) fn run<R: Rules>(
     sink.end_building(&|| {
         let mut building = Building::of(shape, names.grammar);
         let mut index = 0..;
-        R::used(&values, style, &mut |value| {
-            let name = index.next().map_or("", names.attribute);
-            building.attributes.extend(value.map(|value| (name, value)));
-        });
+        // After an error values may stand for others that were not found.
+        if outcome.error.is_none() {
+            R::used(&values, style, &mut |value| {
+                let name = index.next().map_or("", names.attribute);
+                building.attributes.extend(value.map(|value| (name, value)));
+            });
+        }
         building.reports = outcome.report.reports.clone();
         building
     });

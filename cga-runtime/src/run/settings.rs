@@ -76,7 +76,7 @@ impl Default for Limits {
     }
 }
 
-/// The settings of a run. With the feature `serde`, start rule, limits and echo are data; assets and the watch belong to
+/// The settings of a run. With the feature `serde`, start rule, limits, echo and the choice for wrong lots are data; assets and the watch belong to
 /// the program.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -113,7 +113,8 @@ pub enum WrongLots {
     /// [`Error::Lot`](crate::fault::Error::Lot), before any rule runs.
     #[default]
     Fail,
-    /// A fault for each problem. The run uses the value of the grammar, the start rule of the settings, the first grammar.
+    /// A fault for each problem. A wrong value is left out, and so is a list of choices that the value of another attribute is not in. The
+    /// run uses the value of the grammar, the start rule of the settings, the first grammar.
     Fault,
 }
 

@@ -17,6 +17,16 @@ pub(crate) struct Lot {
     pub(crate) start: Option<Text>,
 }
 
+impl Lot {
+    /// Returns true if no run can tell the two apart. Numbers are compared by their bits: −0 and 0 differ, and NaN equals itself.
+    pub(crate) fn is_same(&self, other: &Lot) -> bool {
+        let are_same = |(own, other): (&(Text, Value), &(Text, Value))| own.0 == other.0 && own.1.is_same(&other.1);
+        self.attributes.len() == other.attributes.len()
+            && self.start == other.start
+            && self.attributes.iter().zip(&other.attributes).all(are_same)
+    }
+}
+
 impl Shape {
     /// Gives the lot a value for an attribute of its grammar. In a run from this shape it wins over the value of the grammar's field, as
     /// an object attribute wins over the value of the rule file in CityEngine (*attribute*). A field cannot tell its default from
@@ -82,11 +92,20 @@ impl Shape {
         self.state.get()?.lot.as_deref()
     }
 
-    /// The shape without a start rule of its own.
-    pub(crate) fn without_start(&self) -> Shape {
+    /// The shape with another start rule, or without one of its own.
+    pub(crate) fn with_start(&self, rule: Option<&str>) -> Shape {
         let mut own = self.clone();
-        if self.start_name().is_some() {
-            own.change_lot().start = None;
+        if self.start_name() != rule {
+            own.change_lot().start = rule.map(Text::from);
+        }
+        own
+    }
+
+    /// The shape without the data of a lot.
+    pub(crate) fn without_lot(&self) -> Shape {
+        let mut own = self.clone();
+        if self.lot().is_some() {
+            own.state.change().lot = None;
         }
         own
     }

@@ -80,6 +80,19 @@ impl Value {
         }
     }
 
+    /// Returns true for values with the same type, shape and bits.
+    pub(crate) fn is_same(&self, other: &Value) -> bool {
+        match (self, other) {
+            (Value::Float(own), Value::Float(other)) => own.to_bits() == other.to_bits(),
+            (Value::Floats(own), Value::Floats(other)) => {
+                let bits =
+                    |array: &Array<f64>| array.as_slice().iter().map(|number| number.to_bits()).collect::<Vec<_>>();
+                own.rows() == other.rows() && bits(own) == bits(other)
+            }
+            _ => self == other,
+        }
+    }
+
     /// Parses a value as a user types it. Unlike the language's own conversions it accepts no partial match: a number
     /// is the whole text except surrounding space (`nan` and `inf` are numbers, and `1e999`, which no number holds, is none), and a truth
     /// value is `true` or `false`. Text is taken as it is, without quotes. Arrays are written as in rules, with or without their brackets:

@@ -9,25 +9,35 @@ use crate::run::building::Building;
 /// The buildings of buffers that record them, in order.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Buildings {
-    /// Each with the numbers of indices and of vertices up to its last ones.
-    complete: Vec<(Building, (usize, usize))>,
-    /// The one whose leaves come now; it has its name and its seed alone.
-    open: Option<Building>,
+    complete: Vec<(Building, BuildingRange)>,
+    /// The one whose leaves come now, with its name and its seed alone, and the place of its first leaf.
+    open: Option<(Building, Place)>,
 }
 
+/// The numbers of indices and of vertices before a place.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Place {
+    pub(super) indices: usize,
+    pub(super) vertices: usize,
+}
+
+/// The triangles of a building.
+type BuildingRange = Range<Place>;
+
 impl Buildings {
-    pub(super) fn begin(&mut self, name: &str, seed: u64) {
-        self.open = Some(Building::new(name, seed));
+    pub(super) fn begin(&mut self, name: &str, seed: u64, at: Place) {
+        self.open = Some((Building::new(name, seed), at));
     }
 
-    pub(super) fn end(&mut self, building: Building, end: (usize, usize)) {
-        self.open = None;
-        self.complete.push((building, end));
+    pub(super) fn end(&mut self, building: Building, at: Place) {
+        let start = self.open.take().map_or(at, |(_, start)| start);
+        self.complete.push((building, start..at));
     }
 
     /// Removes all but the one whose leaves come now.
     pub(super) fn clear(&mut self) {
         self.complete.clear();
+        self.open.iter_mut().for_each(|(_, start)| *start = Place::default());
     }
 }
 
@@ -41,40 +51,45 @@ impl Buffers {
     /// The initial shapes whose triangles the buffers have, each with the range of its [indices](Buffers::indices); none without
     /// [`Buffers::with_buildings`]. A building that is not complete, as in a chunk that ends inside of it, has its name and its seed alone.
     pub fn buildings(&self) -> impl Iterator<Item = (&Building, Range<usize>)> {
-        let ends = self.building_ends().map(|(building, (indices, _))| (building, indices));
-        ends.scan(0, |start, (building, end)| Some((building, std::mem::replace(start, end)..end)))
+        self.building_ranges().map(|(building, range)| (building, range.start.indices..range.end.indices))
     }
 
-    /// The buildings, each with the numbers of indices and of vertices up to its last ones.
-    fn building_ends(&self) -> impl Iterator<Item = (&Building, (usize, usize))> {
+    /// The place after the last triangle.
+    pub(super) fn end(&self) -> Place {
+        Place { indices: self.indices().len(), vertices: self.vertices().len() }
+    }
+
+    fn building_ranges(&self) -> impl Iterator<Item = (&Building, BuildingRange)> {
         self.buildings.iter().flat_map(|own| {
-            let open = own.open.iter().map(|open| (open, (self.indices().len(), self.vertices().len())));
-            own.complete.iter().map(|(building, end)| (building, *end)).chain(open)
+            let open = own.open.iter().map(|(open, start)| (open, *start..self.end()));
+            own.complete.iter().map(|(building, range)| (building, range.clone())).chain(open)
         })
     }
 
-    /// The submeshes of each building, divided where buildings end. The last list has the submeshes of no building.
+    /// The submeshes of each building, divided where buildings end, and of the triangles between them.
     pub(crate) fn submeshes_of_buildings(&self) -> Vec<(Option<&Building>, Vec<Submesh>)> {
         let mut rest: VecDeque<Submesh> = self.submeshes().collect();
         let mut lists = Vec::new();
-        for (building, (indices, vertices)) in self.building_ends() {
-            let mut own = Vec::new();
-            while let Some(next) = rest.front_mut().filter(|next| next.indices.start < indices) {
-                let is_whole = next.indices.end <= indices;
-                let end = if is_whole { (next.indices.end, next.vertices.end) } else { (indices, vertices) };
-                own.push(Submesh {
-                    indices: next.indices.start..end.0,
-                    vertices: next.vertices.start..end.1,
-                    ..next.clone()
-                });
-                (next.indices.start, next.vertices.start) = end;
-                if is_whole {
-                    rest.pop_front();
-                }
-            }
-            lists.push((Some(building), own));
+        for (building, range) in self.building_ranges() {
+            lists.push((None, take_until(range.start, &mut rest)));
+            lists.push((Some(building), take_until(range.end, &mut rest)));
         }
         lists.push((None, rest.into()));
         lists
     }
+}
+
+/// Removes the submeshes before a place; one that the place divides stays with its second part.
+fn take_until(end: Place, list: &mut VecDeque<Submesh>) -> Vec<Submesh> {
+    let mut taken = Vec::new();
+    while let Some(next) = list.front_mut().filter(|next| next.indices.start < end.indices) {
+        if next.indices.end <= end.indices {
+            taken.extend(list.pop_front());
+            continue;
+        }
+        let (indices, vertices) = (next.indices.start..end.indices, next.vertices.start..end.vertices);
+        taken.push(Submesh { indices, vertices, ..next.clone() });
+        (next.indices.start, next.vertices.start) = (end.indices, end.vertices);
+    }
+    taken
 }

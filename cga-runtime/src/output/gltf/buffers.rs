@@ -33,6 +33,9 @@ impl Glb {
         let sets = SetMask::of(|set| !buffers.uv_set(set).is_empty());
         let moved = buffers.origin() - self.origin;
         for (building, submeshes) in buffers.submeshes_of_buildings() {
+            if let Some(building) = building {
+                self.buildings.begin(&building.name, building.seed);
+            }
             for submesh in submeshes {
                 let table = &mut self.numbers.table;
                 let rule = table.rule(buffers.rules()[submesh.rule as usize]);
@@ -42,7 +45,7 @@ impl Glb {
                 let primitive = self.primitives.of(&mut self.looks, &self.numbers.table, material, sets);
                 primitive.submesh(buffers, &submesh, owner, moved);
             }
-            self.buildings.extend(building.cloned());
+            building.cloned().into_iter().for_each(|building| self.buildings.end(building));
         }
         ControlFlow::Continue(())
     }

@@ -18,6 +18,7 @@
 
 mod binary;
 mod buffers;
+mod buildings;
 mod combine;
 mod container;
 mod images;
@@ -42,6 +43,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
+use self::buildings::BuildingList;
 use self::look::Looks;
 use self::parts::RepeatedParts;
 use self::primitive::{BUILDING_BYTES, INDEX_BYTES, Owner, Primitive, Primitives, UV_BYTES, VERTEX_BYTES};
@@ -74,8 +76,9 @@ pub struct Glb {
     primitives: Primitives,
     /// The inserted assets; each place has the number of its building.
     assets: AssetList<u32>,
-    /// The buildings that are complete. Leaves that follow belong to the next.
-    buildings: Vec<Building>,
+    buildings: BuildingList,
+    /// The rows of the table of buildings, once all leaves are there.
+    rows: Vec<Building>,
     /// The repeated parts, if they become instances.
     parts: Option<RepeatedParts>,
     flattener: Flattener,
@@ -165,8 +168,8 @@ impl Glb {
         self
     }
 
-    /// Shows closed leaves from outside alone, where rules do not set `material.doubleSided`: a card then draws half of their
-    /// triangles. As in CGA, all materials show both sides by default.
+    /// Shows closed leaves with a positive volume from outside alone, where rules and assets do not set `material.doubleSided`: a card
+    /// then draws half of their triangles. As in CGA, all materials show both sides by default.
     pub fn with_single_sided_solids(mut self) -> Self {
         self.single_sided = Some(SingleSided::default());
         self
@@ -249,7 +252,7 @@ impl Glb {
         let main = std::mem::take(&mut self.primitives).into_list();
         let mut meshes = vec![SceneMesh { primitives: main, places: MeshPlacement::Root, building: None }];
         meshes.extend(shared);
-        self.end_buildings(&meshes);
+        self.end_buildings(&mut meshes);
         meshes = meshes.into_iter().flat_map(|mesh| mesh.divided(self.division)).collect();
         meshes.retain(|mesh| !mesh.primitives.is_empty());
         Ok(meshes)
@@ -277,27 +280,22 @@ impl Glb {
         shared
     }
 
-    /// The number of the building that the next leaf belongs to.
-    #[inline]
-    fn next_building(&self) -> u32 {
-        self.buildings.len() as u32
-    }
-
     #[inline]
     fn owner(&self, rule: u32) -> Owner {
-        Owner { rule, building: self.next_building() }
+        Owner { rule, building: self.buildings.next() }
     }
 
-    /// Adds a building without data for leaves after the last one. A file without any has no features of buildings.
-    fn end_buildings(&mut self, meshes: &[SceneMesh]) {
-        let last = self.next_building();
-        let owners = meshes.iter().flat_map(|mesh| &mesh.primitives).flat_map(|primitive| &primitive.owners);
-        let places = meshes.iter().flat_map(SceneMesh::buildings);
+    /// Makes the rows of the table of buildings, and gives all leaves the numbers of their rows. Without buildings there is no division
+    /// by them.
+    fn end_buildings(&mut self, meshes: &mut [SceneMesh]) {
         let placements = self.placements.iter().flatten().map(|(owner, _)| owner.building);
-        let has_more = owners.map(|(owner, _)| owner.building).chain(places).chain(placements).any(|own| own == last);
-        if has_more && last != 0 {
-            self.buildings.push(Building::default());
-        }
+        let used: Vec<u32> = meshes.iter().flat_map(SceneMesh::buildings).chain(placements).collect();
+        let (rows, row_of) = std::mem::take(&mut self.buildings).into_rows(used.into_iter());
+        let row = |building: &mut u32| *building = row_of[*building as usize];
+        meshes.iter_mut().for_each(|mesh| mesh.each_building(row));
+        self.placements.iter_mut().flatten().for_each(|(owner, _)| row(&mut owner.building));
+        self.division.by_building &= !rows.is_empty();
+        self.rows = rows;
     }
 
     /// Counts the bytes of vertices with a number of sets of texture coordinates, and of indices.
@@ -415,7 +413,7 @@ impl Sink for Glb {
 
     fn instance(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
-        let building = self.next_building();
+        let building = self.buildings.next();
         self.assets.add(mesh, rule, material, (*placement, building));
         ControlFlow::Continue(())
     }
@@ -427,15 +425,19 @@ impl Sink for Glb {
     }
 
     fn placement(&mut self, leaf: &Leaf<'_>) -> Flow {
-        let building = self.next_building();
+        let building = self.buildings.next();
         let Some(placements) = &mut self.placements else { return ControlFlow::Continue(()) };
         let rule = self.numbers.table.rule(leaf.rule);
         placements.push((Owner { rule, building }, leaf.scope()));
         self.add_bytes(NODE_BYTES)
     }
 
+    fn begin_building(&mut self, name: &str, seed: u64) {
+        self.buildings.begin(name, seed);
+    }
+
     fn end_building(&mut self, building: &dyn Fn() -> Building) {
-        self.buildings.push(building());
+        self.buildings.end(building());
     }
 }
 

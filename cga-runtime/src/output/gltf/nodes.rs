@@ -56,7 +56,7 @@ pub(super) fn name(glb: &Glb, mesh: &SceneMesh) -> String {
 }
 
 fn building_name(glb: &Glb, building: u32) -> String {
-    let name = glb.buildings.get(building as usize).map_or("", |building| building.name.as_str());
+    let name = glb.rows.get(building as usize).map_or("", |building| building.name.as_str());
     if name.is_empty() { format!("building {building}") } else { name.to_owned() }
 }
 
@@ -66,7 +66,7 @@ pub(super) fn nodes(glb: &Glb, meshes: &[SceneMesh], places: &[NodePlaces], tabl
     let (mut main, mut children) = (String::new(), Vec::new());
     let mut buildings: Vec<Node> = Vec::new();
     if glb.division.by_building {
-        buildings.extend((0..).zip(&glb.buildings).map(|(number, building)| {
+        buildings.extend((0..).zip(&glb.rows).map(|(number, building)| {
             Node::new(&building_name(glb, number), format!(",\"extras\":{}", building_extras(building)))
         }));
     }
@@ -158,10 +158,12 @@ fn placement(glb: &Glb, owner: Owner, scope: &Scope, tables: &Tables) -> Node {
 fn building_extras(building: &Building) -> String {
     let member = |(name, value): (&str, &Value)| format!("{}:{}", quoted(name), json::value(value));
     let attributes = joined(building.attributes.iter().map(|(name, value)| member((name, value))));
+    // Many readers hold numbers as `f64`, which has the whole numbers up to 2⁵³.
+    let seed = building.seed.to_string();
+    let seed = if building.seed <= 1 << 53 { seed } else { quoted(&seed) };
     let reports = joined(building.report_values().iter().map(|(key, value)| member((key, value))));
     format!(
-        "{{\"grammar\":{},\"seed\":{},\"attributes\":{{{attributes}}},\"reports\":{{{reports}}}}}",
+        "{{\"grammar\":{},\"seed\":{seed},\"attributes\":{{{attributes}}},\"reports\":{{{reports}}}}}",
         quoted(building.grammar),
-        building.seed
     )
 }

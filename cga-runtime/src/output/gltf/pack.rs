@@ -56,7 +56,7 @@ pub(super) fn pack<'a>(glb: &'a Glb, meshes: &'a [SceneMesh]) -> Result<Containe
     let mut binary = BinaryChunk::default();
     let images = Images::of(glb.looks.textures(), glb.files.as_deref(), glb.references_images);
     let rules = Some(glb.numbers.table.rules()).filter(|_| !glb.division.by_rule);
-    let buildings = Some(&glb.buildings[..]).filter(|list| !list.is_empty() && !glb.division.by_building);
+    let buildings = Some(&glb.rows[..]).filter(|list| !list.is_empty() && !glb.division.by_building);
     let mut accessors = binary.primitives(&flat, rules.is_some())?;
     // Meshes at several places follow the others.
     let owned: usize = meshes.iter().filter(|mesh| mesh.is_in_place()).map(|mesh| mesh.primitives.len()).sum();
@@ -77,21 +77,12 @@ pub(super) fn pack<'a>(glb: &'a Glb, meshes: &'a [SceneMesh]) -> Result<Containe
     }
     let places = binary.places(meshes, &glb.division, buildings.is_some());
 
-    let mut json = String::from("{\"asset\":{\"generator\":\"cga\",\"version\":\"2.0\"},");
+    let rules = rules.filter(|_| !flat.is_empty());
     let tables = Tables { rules: rules.map(<[_]>::len), buildings: buildings.map(<[_]>::len) };
-    if flat.is_empty() {
-        let has_nodes = glb.placements.as_ref().is_some_and(|placements| !placements.is_empty());
-        let scene = if has_nodes { "{\"nodes\":[0]}" } else { "{}" };
-        let _ = write!(json, "\"scene\":0,\"scenes\":[{scene}]");
-        if has_nodes {
-            let _ = write!(json, ",{}", nodes(glb, &[], &[], &Tables::default()));
-        }
-        json.push('}');
-        check_size(json.len() as u64)?;
-        return Container::new(json, BinaryChunk::default());
-    }
+    let mut json = String::from("{\"asset\":{\"generator\":\"cga\",\"version\":\"2.0\"},");
     let has_transforms = glb.looks.textures().any(LookTexture::is_transformed);
-    write_extensions(&mut json, &tables, has_transforms, &places);
+    let has_features = accessors.iter().any(|own| own.rule.is_some() || own.building.is_some());
+    write_extensions(&mut json, &tables, has_features, has_transforms, &places);
     let list = rules.map(PropertyTable::of_rules).into_iter().chain(buildings.map(PropertyTable::of_buildings));
     let list: Vec<PropertyTable> = list.collect();
     if !list.is_empty() {
@@ -99,31 +90,53 @@ pub(super) fn pack<'a>(glb: &'a Glb, meshes: &'a [SceneMesh]) -> Result<Containe
             property_table::extension(list, |bytes| binary.view(bytes.len(), "", move |to| to.bytes(&bytes, 0)));
         let _ = write!(json, "\"extensions\":{{{extension}}},");
     }
-    json.push_str("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],");
-    let _ = write!(json, "{},", nodes(glb, meshes, &places, &tables));
-    let mut next = accessors.into_iter();
-    let mesh = |mesh: &SceneMesh| {
-        let list = mesh.primitives.iter().zip(&mut next).map(|(p, a)| primitive(p, &a, &tables));
-        format!("{{\"name\":{},\"primitives\":[{}]}}", quoted(&name(glb, mesh)), joined(list))
-    };
-    let _ = write!(json, "\"meshes\":[{}],", joined(meshes.iter().map(mesh)));
-    glb.looks.write(&mut json, &images);
-    images.write(&mut json, &mut binary);
+    let has_placements = glb.placements.as_ref().is_some_and(|placements| !placements.is_empty());
+    if flat.is_empty() && !has_placements && !glb.division.by_building {
+        json.push_str("\"scene\":0,\"scenes\":[{}]");
+    } else {
+        json.push_str("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],");
+        json.push_str(&nodes(glb, meshes, &places, &tables));
+    }
+    if !flat.is_empty() {
+        write_meshes(&mut json, glb, meshes, accessors, &tables);
+        json.push(',');
+        glb.looks.write(&mut json, &images);
+        images.write(&mut json, &mut binary);
+        let _ = write!(json, "\"accessors\":[{}]", binary.accessors.join(","));
+    }
+    check_size(json.len() as u64)?;
     check_size(binary.length as u64)?;
-    let _ = write!(json, "\"accessors\":[{}],", binary.accessors.join(","));
-    let _ = write!(json, "\"bufferViews\":[{}],", binary.views.join(","));
-    // The chunk is padded, and readers complain if the buffer is shorter than the chunk.
-    binary.align();
-    let _ = write!(json, "\"buffers\":[{{\"byteLength\":{}}}]}}", binary.length);
+    if !binary.views.is_empty() {
+        let _ = write!(json, ",\"bufferViews\":[{}],", binary.views.join(","));
+        // The chunk is padded, and readers complain if the buffer is shorter than the chunk.
+        binary.align();
+        let _ = write!(json, "\"buffers\":[{{\"byteLength\":{}}}]", binary.length);
+    }
+    json.push('}');
     Container::new(json, binary)
 }
 
+/// Writes the meshes, with a comma before them.
+fn write_meshes(json: &mut String, glb: &Glb, meshes: &[SceneMesh], accessors: Vec<Accessors>, tables: &Tables) {
+    let mut next = accessors.into_iter();
+    let mesh = |mesh: &SceneMesh| {
+        let list = mesh.primitives.iter().zip(&mut next).map(|(p, a)| primitive(p, &a, tables));
+        format!("{{\"name\":{},\"primitives\":[{}]}}", quoted(&name(glb, mesh)), joined(list))
+    };
+    let _ = write!(json, ",\"meshes\":[{}]", joined(meshes.iter().map(mesh)));
+}
+
 /// Writes the names of the used extensions.
-fn write_extensions(json: &mut String, tables: &Tables, has_transforms: bool, places: &[NodePlaces]) {
-    let has_features = tables.rules.is_some() || tables.buildings.is_some();
+fn write_extensions(
+    json: &mut String,
+    tables: &Tables,
+    has_features: bool,
+    has_transforms: bool,
+    places: &[NodePlaces],
+) {
     let used = [
         (has_features, "EXT_mesh_features"),
-        (has_features, "EXT_structural_metadata"),
+        (tables.rules.is_some() || tables.buildings.is_some(), "EXT_structural_metadata"),
         (has_transforms, "KHR_texture_transform"),
         (!places.is_empty(), INSTANCING),
         (places.iter().any(|place| place.buildings.is_some()), "EXT_instance_features"),

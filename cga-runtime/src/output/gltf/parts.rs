@@ -54,7 +54,7 @@ impl Glb {
                 number
             }
         };
-        parts.places[number].1.push(MeshInstance::new(&placement, self.next_building(), self.origin));
+        parts.places[number].1.push(MeshInstance::new(&placement, self.buildings.next(), self.origin));
         self.add_bytes(PLACE_BYTES)
     }
 

@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 use std::fmt::Write as _;
 
-use super::json::{joined, quoted};
+use super::json::{self, joined, quoted};
 use crate::output::number::Short;
 use crate::run::building::Building;
 use crate::value::Value;
@@ -71,15 +71,23 @@ impl PropertyTable {
             Column::texts("grammar", &grammars, None),
             Column { values: seeds, ..Column::new("seed", UINT64) },
         ];
-        columns.extend(attributes(buildings).into_iter().map(|(name, values)| Column::of_values(name, &values)));
-        columns.extend(reports(buildings).into_iter().map(|(key, values)| Column::of_values(key, &values)));
+        let [(attributes, more_attributes), (reports, more_reports)] = [attributes(buildings), reports(buildings)];
+        for (name, values) in attributes.iter().chain(&reports) {
+            columns.push(Column::of_values(name, values));
+        }
+        for (name, rows) in [("more attributes", more_attributes), ("more reports", more_reports)] {
+            if rows.iter().any(|row| !row.is_empty()) {
+                let rows: Vec<&str> = rows.iter().map(String::as_str).collect();
+                columns.push(Column::texts(name, &rows, Some(quoted(""))));
+            }
+        }
         let mut taken = HashSet::new();
         for column in &mut columns {
             let plain = identifier(&column.id);
             let more = (2..).map(|number: u32| format!("{plain}_{number}"));
             let free = std::iter::once(plain.clone()).chain(more).find(|id| !taken.contains(id)).unwrap_or_default();
             let name = std::mem::replace(&mut column.id, free);
-            column.name = Some(name).filter(|name| *name != column.id);
+            column.name = Some(name).filter(|name| *name != column.id && !name.is_empty());
             taken.insert(column.id.clone());
         }
         PropertyTable { class: "building", rows: buildings.len(), columns }
@@ -114,22 +122,37 @@ pub(super) fn extension(tables: Vec<PropertyTable>, mut view: impl FnMut(Vec<u8>
 /// The values of a name in each row.
 type Row = Vec<Option<Value>>;
 
-/// The names in the order of their first row, each with its values.
-fn by_name<'a>(rows: usize, cells: impl Iterator<Item = (usize, &'a str, Value)>) -> Vec<(&'a str, Row)> {
+/// The largest number of names with a column of their own, so that a file with other names in each row stays in proportion to its values.
+const MOST_COLUMNS: usize = 256;
+
+/// The first names, in the order of their first row, each with its values, and for each row a JSON object with the values of all other
+/// names; empty without any.
+type Columns<'a> = (Vec<(&'a str, Row)>, Vec<String>);
+
+fn by_name<'a>(rows: usize, cells: impl Iterator<Item = (usize, &'a str, Value)>) -> Columns<'a> {
     let mut columns: Vec<(&str, Row)> = Vec::new();
+    let mut more: Vec<Vec<String>> = vec![Vec::new(); rows];
     // Only for look-ups, never iterated.
     let mut known: HashMap<&str, usize> = HashMap::new();
     for (row, name, value) in cells {
-        let column = *known.entry(name).or_insert_with(|| {
-            columns.push((name, vec![None; rows]));
-            columns.len() - 1
-        });
-        columns[column].1[row] = Some(value);
+        match known.get(name) {
+            Some(&column) => columns[column].1[row] = Some(value),
+            None if columns.len() < MOST_COLUMNS => {
+                known.insert(name, columns.len());
+                columns.push((name, vec![None; rows]));
+                columns[known.len() - 1].1[row] = Some(value);
+            }
+            None => more[row].push(format!("{}:{}", quoted(name), json::value(&value))),
+        }
     }
-    columns
+    let object = |members: Vec<String>| match members.len() {
+        0 => String::new(),
+        _ => format!("{{{}}}", members.join(",")),
+    };
+    (columns, more.into_iter().map(object).collect())
 }
 
-fn attributes(buildings: &[Building]) -> Vec<(&str, Row)> {
+fn attributes(buildings: &[Building]) -> Columns<'_> {
     let cells = buildings
         .iter()
         .enumerate()
@@ -137,14 +160,14 @@ fn attributes(buildings: &[Building]) -> Vec<(&str, Row)> {
     by_name(buildings.len(), cells)
 }
 
-fn reports(buildings: &[Building]) -> Vec<(&str, Row)> {
+fn reports(buildings: &[Building]) -> Columns<'_> {
     let cells = buildings
         .iter()
         .enumerate()
         .flat_map(|(row, building)| building.report_values().into_iter().map(move |(key, value)| (row, key, value)));
-    let mut columns = by_name(buildings.len(), cells);
+    let (mut columns, more) = by_name(buildings.len(), cells);
     columns.sort_by_key(|(key, _)| *key);
-    columns
+    (columns, more)
 }
 
 impl Column {
@@ -166,7 +189,9 @@ impl Column {
         Column::of_type(id, values).unwrap_or_else(|| {
             let texts: Vec<Option<String>> = values.iter().map(|value| Some(value.as_ref()?.to_string())).collect();
             let is_free = |text: &&str| !texts.iter().flatten().any(|known| known == text);
-            let none = ["", "none", "no value", "\u{0}"].into_iter().find(is_free).unwrap_or_default();
+            let numbered = (1..).map(|number: u32| format!("none {number}"));
+            let mut marks = ["", "none"].map(str::to_owned).into_iter().chain(numbered);
+            let none = &marks.find(|mark| is_free(&mark.as_str())).unwrap_or_default();
             let no_data = texts.contains(&None).then(|| quoted(none));
             let texts: Vec<&str> = texts.iter().map(|text| text.as_deref().unwrap_or(none)).collect();
             Column::texts(id, &texts, no_data)

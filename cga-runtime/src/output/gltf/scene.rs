@@ -74,14 +74,28 @@ impl SceneMesh {
         matches!(self.places, MeshPlacement::Root | MeshPlacement::Child)
     }
 
-    /// The buildings of its places, if it has places of its own.
-    pub(super) fn buildings(&self) -> impl Iterator<Item = u32> + '_ {
-        let (nodes, instances): (&[(DAffine3, u32)], &[MeshInstance]) = match &self.places {
-            MeshPlacement::Root | MeshPlacement::Child => (&[], &[]),
-            MeshPlacement::Nodes(nodes) => (nodes, &[]),
-            MeshPlacement::Instances(instances) => (&[], instances),
-        };
-        nodes.iter().map(|(_, building)| *building).chain(instances.iter().map(|place| place.building))
+    /// The numbers of the buildings that it has a part of: of its vertices or of its places.
+    pub(super) fn buildings(&self) -> Box<dyn Iterator<Item = u32> + '_> {
+        match &self.places {
+            MeshPlacement::Root | MeshPlacement::Child => {
+                let owners = self.primitives.iter().flat_map(|primitive| &primitive.owners);
+                Box::new(owners.map(|(owner, _)| owner.building))
+            }
+            MeshPlacement::Nodes(nodes) => Box::new(nodes.iter().map(|(_, building)| *building)),
+            MeshPlacement::Instances(places) => Box::new(places.iter().map(|place| place.building)),
+        }
+    }
+
+    /// Passes these numbers to `each`, which may change them.
+    pub(super) fn each_building(&mut self, mut each: impl FnMut(&mut u32)) {
+        match &mut self.places {
+            MeshPlacement::Root | MeshPlacement::Child => {
+                let owners = self.primitives.iter_mut().flat_map(|primitive| &mut primitive.owners);
+                owners.for_each(|(owner, _)| each(&mut owner.building));
+            }
+            MeshPlacement::Nodes(nodes) => nodes.iter_mut().for_each(|(_, building)| each(building)),
+            MeshPlacement::Instances(places) => places.iter_mut().for_each(|place| each(&mut place.building)),
+        }
     }
 
     /// The number of the rule of all triangles, if there is only one.

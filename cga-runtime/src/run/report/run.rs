@@ -1,7 +1,7 @@
 //! The report of a run.
 
 use super::quota::Quota;
-use super::{Collection, Print, Reports};
+use super::{Collection, FAULTS_KEPT, Print, Reports};
 use crate::fault::Fault;
 
 /// The counts, faults, reports and lines of a run.
@@ -26,6 +26,13 @@ impl Report {
     /// The faults of single shapes, each with the rules that led there: the first thousand.
     pub fn faults(&self) -> &[Fault] {
         &self.faults
+    }
+
+    /// Puts faults before all others. The first thousand are kept.
+    pub(crate) fn begin_with(&mut self, faults: Vec<Fault>) {
+        self.faults.splice(0..0, faults);
+        let more = self.faults.split_off(self.faults.len().min(FAULTS_KEPT));
+        self.faults_left_out += more.len() as u64;
     }
 
     /// The number of further faults.
