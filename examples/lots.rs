@@ -65,5 +65,5 @@ fn main() -> Result<(), Box<dyn Error>> {
     let models = city.generate_all(&lots, &Settings::default())?;
     models.write_glb("lots.glb")?;
     models.write_png("lots.png")?;
-    Ok(println!("wrote lots.glb and lots.png"))
+    Ok(())
 }
