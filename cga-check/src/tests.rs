@@ -2,7 +2,6 @@
 
 use cga_lang::syntax::lex::MOST_BYTES;
 use serde_json::Value;
-use std::time::Duration;
 
 use super::*;
 use crate::format::Format;
