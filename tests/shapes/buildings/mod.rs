@@ -434,3 +434,18 @@ fn names_that_few_buildings_have_cost_no_column_each() {
     let more = file.column("more_reports");
     assert_eq!((&more[0], &more[999]), (&Json::Null, &Json::from("{\"0999\":1}")));
 }
+
+#[test]
+fn pixels_know_their_leaves_and_buildings() {
+    use cga::sink::picture::Picture;
+    let lots: Vec<Shape> = (0..12).map(lot).collect();
+    let all = grammars().generate_all(&lots, &Settings::default()).unwrap().to_model();
+    let picture = Picture::new(120, 90).looking_from(0.0, 90.0);
+    let leaves = picture.leaves(&all);
+    assert_eq!(leaves.len(), 120 * 90);
+    // Seen from above, each lot is there, and its leaves are below its own pixels: from the left to the right.
+    let building = |leaf: usize| all.buildings().position(|(_, own)| own.contains(&leaf)).unwrap();
+    let row: Vec<usize> = leaves[45 * 120..46 * 120].iter().flatten().map(|leaf| building(*leaf)).collect();
+    assert!(row.is_sorted() && (0..12).all(|building| row.contains(&building)), "{row:?}");
+    assert!(leaves[0].is_none() && leaves.iter().flatten().all(|leaf| *leaf < all.len()));
+}

@@ -91,7 +91,7 @@ pub(super) fn pack<'a>(glb: &'a Glb, meshes: &'a [SceneMesh]) -> Result<Containe
         let _ = write!(json, "\"extensions\":{{{extension}}},");
     }
     let has_placements = glb.placements.as_ref().is_some_and(|placements| !placements.is_empty());
-    if flat.is_empty() && !has_placements && !glb.division.by_building {
+    if flat.is_empty() && !has_placements && !glb.division.by_building && glb.extras.is_empty() {
         json.push_str("\"scene\":0,\"scenes\":[{}]");
     } else {
         json.push_str("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],");

@@ -137,6 +137,14 @@ impl Default for Style {
     }
 }
 
+/// A model before a camera.
+struct Stage {
+    bounds: Bounds,
+    camera: Camera,
+    scene: Scene,
+    view: Viewport,
+}
+
 impl Picture {
     /// A picture of that size, with default settings.
     pub fn new(width: usize, height: usize) -> Self {
@@ -165,20 +173,9 @@ impl Picture {
 
     /// Draws a model.
     pub fn render(&self, model: &Model) -> Image {
-        let bounds = placeholder::bounds(model);
-        let mut scene = Scene::new(&bounds, model.assets().cloned());
-        let _ = model.replay(&mut scene);
-        let camera = self.view.camera(bounds);
         let samples = self.samples.clamp(1, 4);
         let (width, height) = (self.width * samples, self.height * samples);
-        // The scene is drawn relative to its centre, and so is the camera.
-        let moved = |point: DVec3| point - scene.centre;
-        let local = Bounds { low: moved(camera.bounds.low), high: moved(camera.bounds.high) };
-        let camera = Camera { bounds: local, ..camera };
-        let view = match self.view {
-            Viewpoint::Camera(_) => Viewport::new(&camera, width, height),
-            _ => Viewport::around(&camera, &mut scene.triangles.iter().flat_map(|t| t.corners()), width, height),
-        };
+        let Stage { bounds, camera, scene, view } = self.stage(model, width, height);
         let sun = direction(camera.azimuth + self.sun_azimuth, self.sun_elevation);
 
         let (mut layer, clear) = visible::layers(&scene, &view, width, height);
@@ -204,6 +201,48 @@ impl Picture {
             display(color)
         };
         self.filtered(width, samples, color)
+    }
+
+    /// The leaf that each pixel shows in its middle, by its index in [`Model::leaves`]; `None` for sky and ground. Pixels are in rows from the
+    /// upper left. This is for picking: [`Model::buildings`] tells the building of a leaf.
+    ///
+    /// ```
+    /// # use cga_runtime as cga;
+    /// use cga::output::model::Model;
+    /// use cga::output::picture::Picture;
+    ///
+    /// fn picked(model: &Model, [x, y]: [usize; 2]) -> Option<&'static str> {
+    ///     let leaf = Picture::new(800, 600).leaves(model)[y * 800 + x]?;
+    ///     model.leaves().nth(leaf).map(|leaf| leaf.rule())
+    /// }
+    /// assert_eq!(picked(&Model::new(), [400, 300]), None);
+    /// ```
+    pub fn leaves(&self, model: &Model) -> Vec<Option<usize>> {
+        let Stage { scene, view, .. } = self.stage(model, self.width, self.height);
+        let (opaque, clear) = visible::layers(&scene, &view, self.width, self.height);
+        let leaf = |seen: u32| Some(scene.triangles.get(seen as usize)?.leaf as usize - 1);
+        let behind = opaque.seen.iter().map(|seen| leaf(*seen));
+        match clear {
+            None => behind.collect(),
+            Some(clear) => clear.seen.iter().zip(behind).map(|(seen, behind)| leaf(*seen).or(behind)).collect(),
+        }
+    }
+
+    /// The model before a camera whose picture has a number of samples.
+    fn stage(&self, model: &Model, width: usize, height: usize) -> Stage {
+        let bounds = placeholder::bounds(model);
+        let mut scene = Scene::new(&bounds, model.assets().cloned());
+        let _ = model.replay(&mut scene);
+        let camera = self.view.camera(bounds);
+        // The scene is drawn relative to its centre, and so is the camera.
+        let moved = |point: DVec3| point - scene.centre;
+        let local = Bounds { low: moved(camera.bounds.low), high: moved(camera.bounds.high) };
+        let camera = Camera { bounds: local, ..camera };
+        let view = match self.view {
+            Viewpoint::Camera(_) => Viewport::new(&camera, width, height),
+            _ => Viewport::around(&camera, &mut scene.triangles.iter().flat_map(|t| t.corners()), width, height),
+        };
+        Stage { bounds, camera, scene, view }
     }
 
     /// Averages samples to pixels, in linear light.

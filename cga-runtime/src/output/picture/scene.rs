@@ -28,6 +28,7 @@ pub(super) struct Triangle {
     pub(super) paint: u32,
     /// The plane, equal for all triangles in one plane.
     pub(super) plane: u32,
+    /// The number of its leaf, from 1.
     pub(super) leaf: u32,
     /// The index in the scene's smooth normals; [`FLAT`] for flat triangles.
     smooth: u32,
@@ -174,6 +175,12 @@ fn paint(material: &Material, maps: Maps) -> Paint {
 }
 
 impl Sink for Scene {
+    fn placement(&mut self, _: &Leaf<'_>) -> Flow {
+        // It has a number and no triangles.
+        self.leaves += 1;
+        ControlFlow::Continue(())
+    }
+
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         let paint = self.leaf(leaf);
         self.rectangle(quad, paint, leaf.uvs());
