@@ -96,6 +96,7 @@ pub use cga_runtime::run::rules::Rules;
 #[doc(hidden)]
 pub use cga_runtime::run::settings::Repeats;
 pub use cga_runtime::run::settings::{Limits, Settings, WrongLots};
+pub use cga_runtime::run::shape_tree::{ShapeNode, ShapeTree};
 pub use cga_runtime::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 pub use cga_runtime::run::start_rule::StartRule;
 pub use cga_runtime::run::watch::{Progress, Watch};

@@ -36,6 +36,7 @@ mod queries;
 mod recompose;
 mod reconnected;
 mod run;
+mod shape_tree;
 mod shared;
 mod sources;
 mod stopping;

@@ -132,7 +132,7 @@ impl Generator<'_> {
         }
         let numbers: Vec<u32> = self.plan.trails.of(id).collect();
         let number = site::of_site(&numbers);
-        code!(cx.enter(#number)?;)
+        code!(cx.enter(#number, shape)?;)
     }
 
     /// The values of locals: they are the last parameters.

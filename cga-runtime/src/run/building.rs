@@ -1,6 +1,9 @@
 //! Buildings: initial shapes with what their runs found out about them.
 
+use std::sync::Arc;
+
 use crate::run::report::Reports;
+use crate::run::shape_tree::ShapeTree;
 use crate::shape::Shape;
 use crate::value::Value;
 use crate::value::text::Text;
@@ -20,6 +23,8 @@ pub struct Building {
     pub attributes: Vec<(&'static str, Value)>,
     /// The values that its rules reported.
     pub reports: Reports,
+    /// The tree of its shapes, if [`Settings::tree`](crate::run::settings::Settings::tree) asks for it. `None` after a run that ended early.
+    pub tree: Option<Arc<ShapeTree>>,
 }
 
 impl Building {

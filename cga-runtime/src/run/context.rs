@@ -62,9 +62,10 @@ pub(crate) struct WaitingCall<C> {
 impl<C> Cx<'_, C> {
     /// Enters a rule. Every rule that was entered is left again unless the run ends inside it.
     #[inline]
-    pub fn enter(&mut self, rule: u32) -> Flow {
+    pub fn enter(&mut self, rule: u32, shape: &ShapeRef<'_>) -> Flow {
         self.env.trail.push(rule);
-        self.env.count_shapes(1)
+        self.env.shapes += 1;
+        if self.env.has_room(0) { Flow::Continue(()) } else { self.env.enter(shape) }
     }
 
     /// Leaves a rule.
@@ -112,8 +113,8 @@ impl<C> Cx<'_, C> {
     /// without geometry, of which nothing is left, makes no leaf.
     #[inline]
     pub fn leaf(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
-        if self.env.ended() {
-            return Flow::Break(());
+        if !self.env.has_room(0) {
+            return own_leaf(self.env, self.sink, shape, rule);
         }
         // It was counted when its rule was entered.
         self.env.shapes -= 1;
@@ -148,6 +149,7 @@ impl<C> Cx<'_, C> {
     pub fn symbol(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
         if !self.env.has_room(1) {
             self.env.make_room(1)?;
+            return new_leaf(self.env, self.sink, shape, rule);
         }
         filled(self.env, self.sink, shape, rule)
     }
@@ -166,6 +168,36 @@ pub(crate) fn filled(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, r
     }
     env.filled += 1;
     sink.filled(&Filled { shape, tables: &env.leaf_tables, rule })
+}
+
+/// The shape of a rule as a leaf, at the checkpoint.
+#[cold]
+#[inline(never)]
+fn own_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+    if env.ended() {
+        return Flow::Break(());
+    }
+    env.shapes -= 1;
+    let recorded = env.recorded_shape();
+    recorded_leaf(env, sink, shape, rule, recorded)
+}
+
+/// Passes a leaf symbol, for which there is room, to the sink. The tree of shapes may be recorded.
+#[inline(never)]
+pub(crate) fn new_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+    let recorded = env.record_symbol(shape, rule);
+    recorded_leaf(env, sink, shape, rule, recorded)
+}
+
+/// Passes a leaf with its recorded shape, if any, to the sink.
+fn recorded_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32, recorded: Option<u32>) -> Flow {
+    let leaves = env.leaf_count();
+    let flow = filled(env, sink, shape, rule);
+    // A shape of which nothing is left is not a leaf.
+    if leaves < env.leaf_count() {
+        env.record_leaf(recorded, shape, rule);
+    }
+    flow
 }
 
 /// A leaf that does not fill its scope, or a box whose sides have different texture coordinates.

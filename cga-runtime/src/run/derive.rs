@@ -2,15 +2,20 @@
 
 use std::collections::VecDeque;
 use std::io::Write as _;
+use std::sync::Arc;
+
+use glam::DAffine3;
 
 use crate::fault::Error;
+use crate::geometry::mesh::Mesh;
 use crate::run::building::Building;
 use crate::run::context::Cx;
 use crate::run::env::Env;
 use crate::run::report::{Print, Report};
 use crate::run::rules::Rules;
-use crate::run::settings::Settings;
-use crate::run::sink::{Flow, Sink};
+use crate::run::settings::{Repeats, Settings};
+use crate::run::shape_tree::ShapeTree;
+use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
 use crate::run::start_rule::StartRule;
 use crate::run::template::Templates;
 use crate::shape::Shape;
@@ -78,16 +83,15 @@ pub(crate) struct GrammarNames<'a> {
 /// Runs a grammar on a shape that was checked.
 pub(crate) fn run<R: Rules>(
     rules: &R,
-    Start { rule, style, name }: Start,
+    start: Start,
     shape: &Shape,
     settings: &Settings,
     kept: &mut Kept<R::Call>,
     names: &GrammarNames<'_>,
     sink: &mut dyn Sink,
 ) -> RunOutcome {
-    let mut env = Env::new(settings, R::NAMES, shape, name);
-    env.tags_edges = R::TAGS;
-    env.leaf_tables.names = R::LEAVES;
+    let Start { rule, style, .. } = start;
+    let mut env = env::<R>(settings, shape, start);
     sink.begin();
     sink.begin_building(shape.name(), shape.seed_value());
     kept.begin(R::SETTLED);
@@ -104,19 +108,7 @@ pub(crate) fn run<R: Rules>(
         tape: None,
     };
     let values = rules.values(cx.env, shape, style);
-    // A break without an error comes from the sink or the watch.
-    let mut flow = if cx.env.ended() { Flow::Break(()) } else { Flow::Continue(()) };
-    if flow.is_continue() {
-        let base = cx.env.base(shape.without_trim_planes());
-        flow = R::start(&values, &mut cx, rule, &base.shape());
-    }
-    while flow.is_continue() {
-        let Some(next) = cx.waiting.pop_front() else { break };
-        (cx.depth, cx.stack) = (next.depth, 0);
-        cx.env.resume_trail(next.trail);
-        let base = cx.env.base(next.shape);
-        flow = R::resume(&values, &mut cx, &base.shape(), next.call);
-    }
+    let flow = derive::<R>(&mut cx, &values, rule, shape);
     std::mem::swap(&mut env.leaf_tables.looks, &mut kept.materials);
     kept.templates = templates;
     let outcome = outcome(&mut env, flow);
@@ -131,9 +123,86 @@ pub(crate) fn run<R: Rules>(
             });
         }
         building.reports = outcome.report.reports.clone();
+        let is_complete = outcome.error.is_none() && !outcome.report.stopped;
+        if settings.tree && is_complete {
+            building.tree = shape_tree(rules, start, shape, settings, &outcome.report).map(Arc::new);
+        }
         building
     });
     outcome
+}
+
+/// The state of a run before its first rule.
+fn env<R: Rules>(settings: &Settings, shape: &Shape, start: Start) -> Env {
+    let mut env = Env::new(settings, R::NAMES, shape, start.name);
+    env.tags_edges = R::TAGS;
+    env.leaf_tables.names = R::LEAVES;
+    env
+}
+
+/// Calls the start rule, and then the calls that wait. A break without an error comes from the sink or the watch.
+fn derive<R: Rules>(cx: &mut Cx<'_, R::Call>, values: &R::Values, rule: u32, shape: &Shape) -> Flow {
+    if cx.env.ended() {
+        return Flow::Break(());
+    }
+    let base = cx.env.base(shape.without_trim_planes());
+    R::start(values, cx, rule, &base.shape())?;
+    while let Some(next) = cx.waiting.pop_front() {
+        (cx.depth, cx.stack) = (next.depth, 0);
+        cx.env.resume_trail(next.trail);
+        let base = cx.env.base(next.shape);
+        R::resume(values, cx, &base.shape(), next.call)?;
+    }
+    Flow::Continue(())
+}
+
+/// A sink for runs without output.
+struct NoOutput;
+
+impl Sink for NoOutput {
+    fn filled(&mut self, _: &Filled<'_>) -> Flow {
+        Flow::Continue(())
+    }
+
+    fn quad(&mut self, _: &Leaf<'_>, _: &Quad) -> Flow {
+        Flow::Continue(())
+    }
+
+    fn cuboid(&mut self, _: &Leaf<'_>, _: &Cuboid) -> Flow {
+        Flow::Continue(())
+    }
+
+    fn mesh(&mut self, _: &Leaf<'_>, _: &Arc<Mesh>, _: &DAffine3) -> Flow {
+        Flow::Continue(())
+    }
+}
+
+/// The tree of the shapes of a run with that report. The rules run again, without templates, which have leaves alone. `None` if this run
+/// ends early or differs.
+fn shape_tree<R: Rules>(
+    rules: &R,
+    start: Start,
+    shape: &Shape,
+    settings: &Settings,
+    report: &Report,
+) -> Option<ShapeTree> {
+    let settings = Settings { repeats: Repeats::Direct, ..settings.clone() };
+    let mut env = env::<R>(&settings, shape, start);
+    env.record_tree();
+    let mut cx = Cx {
+        env: &mut env,
+        sink: &mut NoOutput,
+        waiting: VecDeque::new(),
+        stack: 0,
+        depth: 0,
+        templates: &mut Templates::default(),
+        tape: None,
+    };
+    let values = rules.values(cx.env, shape, start.style);
+    let flow = derive::<R>(&mut cx, &values, start.rule, shape);
+    let is_complete = flow.is_continue() && env.spend(0).is_continue();
+    let is_same = (env.shape_count(), env.leaf_count()) == (report.shapes, report.leaves);
+    (is_complete && is_same).then(|| env.take_tree())
 }
 
 /// The result of a run that has ended: `Break` if the sink, the watch or an error ended it.

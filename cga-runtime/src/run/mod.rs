@@ -8,6 +8,7 @@ pub(crate) mod operand;
 pub mod report;
 pub mod rules;
 pub mod settings;
+pub mod shape_tree;
 pub mod sink;
 pub mod start_rule;
 pub(crate) mod template;

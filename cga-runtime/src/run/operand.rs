@@ -60,7 +60,7 @@ impl Sink for OperandLeaves {
 }
 
 /// Derives an operand from the current shape, with `start` as its first step, and returns its leaves that have geometry,
-/// in order. They are no leaves of the run.
+/// in order. They are no leaves of the run, and no shapes of its tree.
 pub fn operand<G, C>(
     cx: &mut Cx<'_, C>,
     g: &G,
@@ -70,6 +70,7 @@ pub fn operand<G, C>(
     let most = cx.env.settings.limits.waiting;
     let mut leaves = OperandLeaves { list: Vec::new(), most, is_full: false };
     let (filled, others) = (cx.env.filled, cx.env.leaves);
+    let tree = cx.env.tree.take();
     let mut inner = Cx {
         env: cx.env,
         sink: &mut leaves,
@@ -81,6 +82,7 @@ pub fn operand<G, C>(
     };
     let flow = start(&mut inner);
     let flow = if flow.is_continue() { inner.run_waiting(g, resume) } else { flow };
+    cx.env.tree = tree;
     // A full list must not look like a sink that has enough.
     if leaves.is_full && !cx.env.ended() {
         return cx.env.limit(LimitKind::Waiting, most);

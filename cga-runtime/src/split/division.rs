@@ -9,7 +9,7 @@ use super::row::Row;
 use super::{Adjust, Piece};
 use crate::geometry::Axis;
 use crate::geometry::tol::PLANAR_EPSILON;
-use crate::run::context::{Cx, filled};
+use crate::run::context::{Cx, filled, new_leaf};
 use crate::run::env::Env;
 use crate::run::sink::Flow;
 use crate::shape::base::{Base, Form};
@@ -31,8 +31,7 @@ const PIECE: usize = 64;
 #[derive(Debug)]
 pub struct Division<'s> {
     shape: &'s ShapeRef<'s>,
-    /// The pieces, if they do not simply fill their scopes.
-    made: Option<Box<[ShapeRef<'s>]>>,
+    pieces: Pieces<'s>,
     whole: Undivided,
     /// The seed of the step.
     seed: u64,
@@ -42,6 +41,17 @@ pub struct Division<'s> {
     total: usize,
     /// True if the parts have other unit meshes than the shape.
     has_bands: bool,
+}
+
+/// The source of the pieces of a division.
+#[derive(Debug)]
+enum Pieces<'s> {
+    /// The shape itself, which is moved from piece to piece.
+    Moved,
+    /// As `Moved`, in a run that records its tree.
+    Recorded,
+    /// Shapes that were made at once.
+    Made(Box<[ShapeRef<'s>]>),
 }
 
 /// The properties of a shape that differ in its parts.
@@ -58,19 +68,26 @@ struct Undivided {
     look: LookId,
 }
 
-/// The pieces of a shape that does not simply fill its scope, made at once. Empty for other shapes.
-#[derive(Debug, Default)]
-pub struct Made(Option<Vec<Base>>);
+/// The pieces of a shape that does not simply fill its scope, made at once.
+#[derive(Debug)]
+pub enum Made {
+    /// The shape simply fills its scope, so that it is moved from piece to piece.
+    Moved,
+    /// As `Moved`, in a run that records its tree.
+    Recorded,
+    /// The pieces.
+    Pieces(Vec<Base>),
+}
 
 impl Made {
     /// No pieces.
     pub(super) fn nothing() -> Self {
-        Made(Some(Vec::new()))
+        Made::Pieces(Vec::new())
     }
 
     /// Pieces made elsewhere.
     pub(super) fn of(pieces: Vec<Base>) -> Self {
-        Made(Some(pieces))
+        Made::Pieces(pieces)
     }
 
     /// Counts the pieces and cuts the geometry. `at_most` is at least the number of pieces. `Break` when a limit is
@@ -84,11 +101,15 @@ impl Made {
         at_most: u64,
         row: impl Row,
     ) -> ControlFlow<(), Self> {
+        let mut moved = Made::Moved;
         if !env.has_room(at_most) {
             within_limit(env, row)?;
+            if env.tree.is_some() {
+                moved = Made::Recorded;
+            }
         }
         if whole.is_simple_along(axis) {
-            ControlFlow::Continue(Made(None))
+            ControlFlow::Continue(moved)
         } else {
             Made::cut(env, whole, axis, adjust, row)
         }
@@ -107,7 +128,7 @@ impl Made {
             pieces.push(env.base(part));
             env.spend(PIECE)
         })?;
-        ControlFlow::Continue(Made(Some(pieces)))
+        ControlFlow::Continue(Made::Pieces(pieces))
     }
 }
 
@@ -130,10 +151,14 @@ impl<'s> Division<'s> {
     #[inline(always)]
     pub fn new(shape: &'s ShapeRef<'s>, made: &'s Made, axis: Axis, adjust: Adjust, number: u32, total: u64) -> Self {
         let whole = Undivided::of(shape, axis, adjust);
-        let made = made.0.as_ref().map(|pieces| shapes(pieces));
+        let pieces = match made {
+            Made::Moved => Pieces::Moved,
+            Made::Recorded => Pieces::Recorded,
+            Made::Pieces(pieces) => Pieces::Made(shapes(pieces)),
+        };
         let seed = seed::step(whole.seed.value(), seed::key(Tag::Split, number));
         let (total, has_bands) = (total as usize, whole.unit.has_bands(axis));
-        Division { shape, made, whole, seed, turns: 0, index: 0, total, has_bands }
+        Division { shape, pieces, whole, seed, turns: 0, index: 0, total, has_bands }
     }
 
     /// Restores the whole shape. It is not needed if the run ends within the division.
@@ -180,20 +205,30 @@ impl<'s> Division<'s> {
     /// Passes a piece on as a leaf.
     #[inline(always)]
     pub fn leaf<C>(&mut self, cx: &mut Cx<'_, C>, piece: Option<Piece>, axis: Axis, rule: u32) -> Flow {
-        match piece {
-            Some(piece) => filled(cx.env, cx.sink, self.place(axis, piece), rule),
-            None => Flow::Continue(()),
+        let Some(piece) = piece else { return Flow::Continue(()) };
+        match self.pieces {
+            Pieces::Moved => {
+                self.index += 1;
+                filled(cx.env, cx.sink, self.moved(axis, piece), rule)
+            }
+            Pieces::Recorded | Pieces::Made(_) => new_leaf(cx.env, cx.sink, self.place(axis, piece), rule),
         }
     }
 
-    /// Moves the shape to the place of the next piece.
+    /// The shape of the next piece.
     #[inline(always)]
     fn place(&mut self, axis: Axis, piece: Piece) -> &ShapeRef<'s> {
         let index = self.index;
         self.index += 1;
-        if let Some(made) = &self.made {
-            return &made[index];
+        match &self.pieces {
+            Pieces::Made(made) => &made[index],
+            Pieces::Moved | Pieces::Recorded => self.moved(axis, piece),
         }
+    }
+
+    /// Moves the shape to the place of a piece.
+    #[inline(always)]
+    fn moved(&self, axis: Axis, piece: Piece) -> &ShapeRef<'s> {
         let (shape, whole) = (self.shape, &self.whole);
         // An operation may have changed the material of the previous part.
         shape.look.set(whole.look);

@@ -10,6 +10,7 @@ use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::uv_map::SetMap;
 use crate::material::Material;
 use crate::output::measure::{cuboid_area, cuboid_volume, mesh_area, mesh_volume, quad_area};
+use crate::run::shape_tree::ShapeNode;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
 use crate::shape::place;
 use crate::shape::scope::Scope;
@@ -66,6 +67,14 @@ impl<'a> LeafView<'a> {
     /// The place and the size, in the world.
     pub fn scope(&self) -> &'a Scope {
         &self.record.scope
+    }
+
+    /// The shape in the tree of its building, if the run has kept it; see [`Settings::tree`](crate::run::settings::Settings::tree).
+    pub fn node(&self) -> Option<ShapeNode<'a>> {
+        let buildings = &self.model.buildings;
+        let at = buildings.partition_point(|(_, leaves)| leaves.end <= self.number);
+        let (building, leaves) = buildings.get(at)?;
+        building.tree.as_deref()?.of_leaf(self.number - leaves.start)
     }
 
     /// The size of the scope, in metres; a negative size mirrors.

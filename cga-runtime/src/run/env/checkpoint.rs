@@ -48,6 +48,10 @@ impl Env {
             *most = wanted.max(*most);
             return ControlFlow::Continue(());
         }
+        // In a run that records its tree, the checkpoint stays.
+        if self.stops_at_each_shape() {
+            return self.ask();
+        }
         self.checkpoint.shapes = limit.min(wanted.saturating_add(STRIDE));
         self.ask_watch()
     }
@@ -66,6 +70,12 @@ impl Env {
     /// Returns true while room is measured.
     pub(crate) fn measures_room(&self) -> bool {
         self.checkpoint.recorded.is_some()
+    }
+
+    /// Returns true while the checkpoint is 0, so that each shape passes it: while room is measured, and in a run that records the tree of
+    /// shapes. Such shapes are not progress.
+    fn stops_at_each_shape(&self) -> bool {
+        self.checkpoint.shapes == 0
     }
 
     /// Ends the measurement. Returns the highest count of shapes requested.
@@ -101,7 +111,7 @@ impl Env {
     /// Reports the progress to the watch, and ends the run if the watch is stopped.
     #[cold]
     fn ask_watch(&mut self) -> Flow {
-        if !self.ended() && !self.measures_room() {
+        if !self.ended() && !self.stops_at_each_shape() {
             self.tell_watch(false);
         }
         if work::ask() {
@@ -156,13 +166,18 @@ mod tests {
         Env::new(&settings, &["Lot"], &Shape::cuboid(1.0, 1.0, 1.0), "Lot")
     }
 
+    fn count(env: &mut Env, shapes: u64) -> Flow {
+        env.shapes += shapes;
+        if env.has_room(0) { ControlFlow::Continue(()) } else { env.make_room(0) }
+    }
+
     #[test]
     fn what_ended_goes_on_counting_nothing() {
         let limits = Limits { shapes: u64::MAX, calls: u64::MAX, ..Limits::default() };
         for watch in [None, Some(Watch::new())] {
             let mut env = env(limits, watch);
             assert!(env.limit::<()>(LimitKind::Vertices, 1).is_break());
-            assert!(env.count_shapes(1).is_break() && env.error.is_some() && !env.call(1));
+            assert!(count(&mut env, 1).is_break() && env.error.is_some() && !env.call(1));
         }
     }
 
@@ -170,9 +185,9 @@ mod tests {
     fn a_stopped_run_keeps_its_count_and_gets_no_error() {
         let watch = Watch::new();
         let mut env = env(Limits::default(), Some(watch.clone()));
-        assert!(env.count_shapes(STRIDE).is_continue());
+        assert!(count(&mut env, STRIDE).is_continue());
         watch.stop();
-        assert!(env.count_shapes(1).is_break() && env.count_shapes(1).is_break());
+        assert!(count(&mut env, 1).is_break() && count(&mut env, 1).is_break());
         assert!(env.limit::<()>(LimitKind::Shapes, 1).is_break() && env.error.is_none() && !env.call(1));
         env.tell_watch(false);
         assert_eq!((env.shapes_made(), watch.progress().shapes), (STRIDE + 1, STRIDE + 1));
@@ -187,7 +202,7 @@ mod tests {
         });
         let mut env = env(Limits::default(), Some(watch.clone()));
         for _ in 0..400_000 {
-            assert!(env.count_shapes(1).is_continue());
+            assert!(count(&mut env, 1).is_continue());
         }
         env.tell_watch(true);
         let steps: Vec<u64> = seen.try_iter().collect();

@@ -7,6 +7,7 @@ mod edge_attributes;
 mod memory;
 mod recompose;
 mod trail;
+mod tree;
 mod uv_set;
 
 use std::cell::Cell;
@@ -24,6 +25,7 @@ use crate::geometry::mesh::primitive::PrimitiveKind;
 use crate::geometry::work::{self, Supervisor};
 use crate::run::report::{FAULTS_KEPT, Prints, Reports};
 use crate::run::settings::{Limits, Settings};
+use crate::run::shape_tree::builder::TreeBuilder;
 use crate::run::sink::{Flow, LeafTables};
 use crate::shape::Shape;
 use crate::shape::edge_attributes::SampledAttributes;
@@ -111,6 +113,8 @@ pub struct Env {
     primitives: Vec<(PrimitiveKind, Arc<Mesh>)>,
     pub(crate) reports: Reports,
     pub(crate) prints: Prints,
+    /// The tree of shapes, while it is recorded. Operands are not recorded.
+    pub(crate) tree: Option<Box<TreeBuilder>>,
     /// The operands whose shapes remember their connectivity.
     pub(crate) recompositions: Recompositions,
     /// The results of file searches; see [`Env::files`].
@@ -181,13 +185,6 @@ impl Env {
     #[cfg(test)]
     pub(crate) fn for_tests() -> Self {
         Env::new(&Settings::default(), &["Lot"], &Shape::cuboid(1.0, 1.0, 1.0), "Lot")
-    }
-
-    /// Counts shapes before they are made.
-    #[inline]
-    pub(crate) fn count_shapes(&mut self, count: u64) -> Flow {
-        self.shapes += count;
-        if self.has_room(0) { Flow::Continue(()) } else { self.make_room(0) }
     }
 
     /// Returns true if `more` shapes do not pass the checkpoint.

@@ -28,7 +28,10 @@ impl Drop for Trail {
 
 impl Env {
     /// The trail so far, shared by deferred calls. It names at least one rule.
-    pub(crate) fn keep_trail(&self) -> Rc<Trail> {
+    pub(crate) fn keep_trail(&mut self) -> Rc<Trail> {
+        if let Some(tree) = &mut self.tree {
+            tree.wait(self.trail.len());
+        }
         // A deferred block enters no rule.
         if let (Some(before), []) = (&self.before, self.trail.as_slice()) {
             return before.clone();
@@ -40,6 +43,9 @@ impl Env {
     pub(crate) fn resume_trail(&mut self, trail: Rc<Trail>) {
         self.before = Some(trail);
         self.trail.clear();
+        if let Some(tree) = &mut self.tree {
+            tree.resume();
+        }
     }
 
     /// The depth of the current shape in the tree of shapes: the number of rules from the start rule on.

@@ -1,0 +1,55 @@
+//! The recording of the tree of shapes. The checkpoint of such a run is 0, so every shape leaves the fast path.
+
+use super::Env;
+use crate::run::shape_tree::ShapeTree;
+use crate::run::sink::Flow;
+use crate::shape::ShapeRef;
+
+impl Env {
+    /// Begins to record the tree of shapes.
+    pub(crate) fn record_tree(&mut self) {
+        self.tree = Some(Box::default());
+        self.checkpoint.shapes = 0;
+    }
+
+    /// The recorded tree; empty without a recording.
+    pub(crate) fn take_tree(&mut self) -> ShapeTree {
+        self.tree.take().unwrap_or_default().finish()
+    }
+
+    /// Handles the shape of a rule that was entered and counted, at the checkpoint.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn enter(&mut self, shape: &ShapeRef<'_>) -> Flow {
+        self.make_room(0)?;
+        let rule = self.trail.last().map_or("", |&rule| self.rule_name(rule));
+        if let Some(tree) = &mut self.tree {
+            tree.enter(self.trail.len(), rule, shape.scope());
+        }
+        Flow::Continue(())
+    }
+
+    /// The recorded shape of the current rule.
+    pub(crate) fn recorded_shape(&self) -> Option<u32> {
+        self.tree.as_ref()?.current(self.trail.len())
+    }
+
+    /// Records the shape of a leaf symbol.
+    pub(crate) fn record_symbol(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Option<u32> {
+        let name = self.leaf_name(rule);
+        Some(self.tree.as_mut()?.symbol(self.trail.len(), name, shape.scope()))
+    }
+
+    /// Records that a shape was a leaf.
+    pub(crate) fn record_leaf(&mut self, recorded: Option<u32>, shape: &ShapeRef<'_>, rule: u32) {
+        let name = self.leaf_name(rule);
+        if let (Some(tree), Some(recorded)) = (&mut self.tree, recorded) {
+            tree.set_leaf(recorded, name, shape.scope());
+        }
+    }
+
+    /// The name of a leaf by its number.
+    fn leaf_name(&self, rule: u32) -> &'static str {
+        self.leaf_tables.names.get(rule as usize).copied().unwrap_or_default()
+    }
+}

@@ -1,0 +1,137 @@
+//! The tree of shapes of a run, as data: rules, parents, keys and scopes, for inspectors, picking and debugging.
+
+pub(crate) mod builder;
+
+use std::ops::Range;
+
+use crate::shape::scope::Scope;
+
+/// The tree of shapes of one initial shape (CityEngine's model hierarchy): each call of a rule is a node, and each leaf. Parents come
+/// before their children. [`Settings::tree`](crate::run::settings::Settings::tree) asks for it,
+/// [`Building::tree`](crate::run::building::Building::tree) has it.
+///
+/// Blocks, as the parts of a split with several operations, belong to the rule that contains them. `NIL` makes no node. Shapes that an
+/// operand derives, as of `union` or `inline`, are not in the tree: the operation takes their leaves.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ShapeTree {
+    /// The shapes in the order of derivation.
+    shapes: Vec<TreeShape>,
+    /// The children of each shape, in order.
+    children: Vec<u32>,
+    /// The shape of each leaf.
+    leaves: Vec<u32>,
+}
+
+/// A shape of a tree.
+#[derive(Clone, Debug, PartialEq)]
+struct TreeShape {
+    rule: &'static str,
+    scope: Scope,
+    parent: Option<u32>,
+    /// The number among the children of the parent.
+    number: u32,
+    leaf: Option<u32>,
+    /// The range of its children in the list of the tree.
+    children: Range<u32>,
+}
+
+impl ShapeTree {
+    /// The number of shapes.
+    pub fn len(&self) -> usize {
+        self.shapes.len()
+    }
+
+    /// Returns true if there are no shapes.
+    pub fn is_empty(&self) -> bool {
+        self.shapes.is_empty()
+    }
+
+    /// The initial shape; `None` for an empty tree.
+    pub fn root(&self) -> Option<ShapeNode<'_>> {
+        self.node(0)
+    }
+
+    /// The shape with an index, in the order of derivation.
+    pub fn node(&self, index: usize) -> Option<ShapeNode<'_>> {
+        self.shapes.get(index).map(|shape| ShapeNode { tree: self, shape, index })
+    }
+
+    /// All shapes in the order of derivation: parents before their children, leaves in the order of the model.
+    pub fn nodes(&self) -> impl ExactSizeIterator<Item = ShapeNode<'_>> + Clone {
+        self.shapes.iter().enumerate().map(|(index, shape)| ShapeNode { tree: self, shape, index })
+    }
+
+    /// The shape of a leaf, by the index of the leaf among the leaves of the building.
+    pub fn of_leaf(&self, leaf: usize) -> Option<ShapeNode<'_>> {
+        self.node(*self.leaves.get(leaf)? as usize)
+    }
+
+    /// The shape with a key; see [`ShapeNode::key`].
+    pub fn find(&self, key: &str) -> Option<ShapeNode<'_>> {
+        let mut numbers = key.strip_suffix(';')?.split(';');
+        let root = self.root().filter(|_| numbers.next() == Some("0"))?;
+        numbers.try_fold(root, |shape, number| shape.children().nth(number.parse().ok()?))
+    }
+}
+
+/// A shape in a [`ShapeTree`].
+#[derive(Clone, Copy, Debug)]
+pub struct ShapeNode<'a> {
+    tree: &'a ShapeTree,
+    shape: &'a TreeShape,
+    index: usize,
+}
+
+impl<'a> ShapeNode<'a> {
+    /// The index in the order of derivation.
+    pub fn index(&self) -> usize {
+        self.index
+    }
+
+    /// The name of the rule or leaf symbol, without the dot.
+    pub fn rule(&self) -> &'static str {
+        self.shape.rule
+    }
+
+    /// The scope, in the world: the scope of the leaf, or the scope with which the rule begins.
+    pub fn scope(&self) -> &'a Scope {
+        &self.shape.scope
+    }
+
+    /// The parent; `None` for the initial shape.
+    pub fn parent(&self) -> Option<ShapeNode<'a>> {
+        self.tree.node(self.shape.parent? as usize)
+    }
+
+    /// The number among the children of the parent, from 0, in the order in which the rule makes them.
+    pub fn number(&self) -> usize {
+        self.shape.number as usize
+    }
+
+    /// The children, in the order in which the rule makes them.
+    pub fn children(&self) -> impl ExactSizeIterator<Item = ShapeNode<'a>> + Clone + use<'a> {
+        let tree = self.tree;
+        let range = self.shape.children.start as usize..self.shape.children.end as usize;
+        tree.children[range].iter().map(move |&index| {
+            let index = index as usize;
+            ShapeNode { tree, shape: &tree.shapes[index], index }
+        })
+    }
+
+    /// The index of its leaf among the leaves of the building; `None` if it is not a leaf.
+    pub fn leaf(&self) -> Option<usize> {
+        self.shape.leaf.map(|leaf| leaf as usize)
+    }
+
+    /// The key (*getTreeKey function*): the numbers of children from the initial shape on, each followed by `;`. The key of the initial
+    /// shape is `0;`, the key of the third child of its first child `0;0;2;`.
+    pub fn key(&self) -> String {
+        let mut numbers = vec![self.number()];
+        let mut shape = *self;
+        while let Some(parent) = shape.parent() {
+            numbers.push(parent.number());
+            shape = parent;
+        }
+        numbers.iter().rev().map(|number| format!("{number};")).collect()
+    }
+}
