@@ -96,7 +96,25 @@ pub use cga_runtime::run::rules::Rules;
 #[doc(hidden)]
 pub use cga_runtime::run::settings::Repeats;
 pub use cga_runtime::run::settings::{Limits, Settings, WrongLots};
-pub use cga_runtime::run::shape_tree::{ShapeNode, ShapeTree};
+pub use cga_runtime::run::shape_tree::ShapeNode;
+/// ```
+/// use cga::{Error, Settings, Shape, cga};
+///
+/// cga! { grammar House; Lot --> extrude(6) split(y) { ~3 : Floor }*  Floor --> split(x) { ~4 : Room. }* }
+///
+/// let settings = Settings { tree: true, ..Settings::default() };
+/// let model = House::default().generate_with(&Shape::rectangle(8.0, 10.0), &settings)?;
+/// let picked = model.leaves().nth(3).and_then(|leaf| leaf.node()).unwrap();
+/// assert_eq!((picked.rule(), picked.key().as_str()), ("Room", "0;1;1;"));
+/// let floor = picked.parent().unwrap();
+/// assert_eq!((floor.rule(), floor.scope().origin.y, floor.children().len()), ("Floor", 3.0, 2));
+///
+/// let (building, _) = model.buildings().next().unwrap();
+/// let tree = building.tree.as_ref().unwrap();
+/// assert_eq!((tree.len(), tree.find("0;1;").unwrap().index()), (7, floor.index()));
+/// # Ok::<(), Error>(())
+/// ```
+pub use cga_runtime::run::shape_tree::ShapeTree;
 pub use cga_runtime::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 pub use cga_runtime::run::start_rule::StartRule;
 pub use cga_runtime::run::watch::{Progress, Watch};

@@ -23,7 +23,7 @@ use cga::{
     Building, Channel, ChoiceValues, Choices, Collection, Color, ColorOf, Cuboid, EdgeAttribute, Error, Fault,
     FaultKind, Flow, Frame, Geometry, Grammars, Layer, LayerPart, Leaf, LeafView, Leaves, LimitKind, Limits, Material,
     MaterialNumber, MaterialText, Mesh, MeshBuilder, MeshError, Model, Print, Progress, Quad, Range, Report, Reports,
-    RunError, Scope, Session, Settings, Shape, ShapeRef, StartRule, Stretch, Summary, Text, Value, ValueType, Watch,
+    RunError, Scope, Session, Settings, Shape, ShapeNode, ShapeRef, ShapeTree, StartRule, Stretch, Summary, Text, Value, ValueType, Watch,
     WriteError, WrongLots, cga,
 };
 use cga_tests::tree::root;
@@ -52,7 +52,7 @@ macro_rules! each {
 fn public_types_have_the_common_traits() {
     each!(data: Array<f64>, Attribute, AttributeDefault, Batch<Model>, Batches<Model>, Bounds, Buffers, Building, ChoiceValues, Choices);
     each!(data: Collection, Color, EdgeAttribute, EmbeddedImage, FaceTag, Flaw, Flow, Frame, GltfFile, Material, Measures, Mesh);
-    each!(data: MeshLeaf, Meshes, Model, ObjFile, Print, Progress, Range, Report, Reports, Scope, StartRule, Stats, Stretch);
+    each!(data: MeshLeaf, Meshes, Model, ObjFile, Print, Progress, Range, Report, Reports, Scope, ShapeTree, StartRule, Stats, Stretch);
     each!(data: Submesh, Summary, TagSet, Text, TriangleMesh, UvExtent, Value, Vertex);
     each!(data: Axes, ColorOf, Cuboid, Geometry<'static>, LeafView<'static>, Quad, SetMap, UvMap);
     each!(data: Camera, Image, Limits, Picture, Projection, Style, Svg, Viewpoint);
@@ -62,8 +62,8 @@ fn public_types_have_the_common_traits() {
     each!(error: AssetError, AttributeError, Error, Fault, GltfError, MeshError, ObjError, RunError, StreetError);
     // The error of a writer can be neither copied nor compared.
     each!(state: WriteError);
-    // They share assets or a watch, or refer to a mesh or a model.
-    each!(state: Assets, Grammars, Settings, Shape, Watch, FaceRef<'static>, Leaves<'static>);
+    // They share assets or a watch, or refer to a mesh, a model or a tree.
+    each!(state: Assets, Grammars, Settings, Shape, Watch, FaceRef<'static>, Leaves<'static>, ShapeNode<'static>);
     // They are filled and then used up.
     each!(state: Chunks<fn(&Buffers) -> Flow>, Glb, MeshBuilder, Obj<Vec<u8>>, SinkTable, Solution);
     // They belong to the thread of a run.

@@ -2,7 +2,7 @@
 
 use cga::glam::DVec2;
 use cga::mesh::FaceTag;
-use cga::{Collection, Fault, LeafView, Mesh, Model, Report};
+use cga::{Collection, Fault, LeafView, Mesh, Model, Report, Scope};
 
 /// The result of a run.
 pub(crate) struct Outcome {
@@ -160,15 +160,18 @@ fn leaves(a: &Model, b: &Model, tolerance: Tolerance) -> Difference {
     same("the number of leaves", &a.len(), &b.len())
 }
 
+/// The difference of scopes.
+pub(crate) fn scope(a: &Scope, b: &Scope, tolerance: Tolerance) -> Difference {
+    let axes = (0..3).all(|axis| tolerance.vectors(a.axes.col(axis), b.axes.col(axis), 1e-9));
+    let is_same = tolerance.vectors(a.origin, b.origin, 0.0) && axes && tolerance.vectors(a.size, b.size, 0.0);
+    (!is_same).then(|| format!("the scope:\n    {a:?}\n    {b:?}"))
+}
+
 fn leaf(a: &LeafView<'_>, b: &LeafView<'_>, tolerance: Tolerance) -> Difference {
-    let (left, right) = (a.scope(), b.scope());
     let ((mesh, placement), (other, place)) = (a.mesh(), b.mesh());
-    let axes = (0..3).all(|axis| tolerance.vectors(left.axes.col(axis), right.axes.col(axis), 1e-9));
-    let scope =
-        tolerance.vectors(left.origin, right.origin, 0.0) && axes && tolerance.vectors(left.size, right.size, 0.0);
     same("the rule", a.rule(), b.rule())
         .or_else(|| tolerance.materials(&format!("{:?}", a.material()), &format!("{:?}", b.material())))
-        .or_else(|| (!scope).then(|| format!("the scope:\n    {left:?}\n    {right:?}")))
+        .or_else(|| scope(a.scope(), b.scope(), tolerance))
         .or_else(|| faces(&mesh, &other, tolerance))
         .or_else(|| {
             let world = |(a, b): (&cga::glam::DVec3, &cga::glam::DVec3)| {

@@ -4,7 +4,7 @@ use cga::parallel::run_all;
 use cga::sink::buffers::{Buffers, Chunks};
 use cga::{Error, Flow, Grammar, Limits, Model, Repeats, Report, Settings, Shape, Sink};
 
-use crate::compare::{Outcome, Tolerance, difference, ended_alike};
+use crate::compare::{Outcome, Tolerance, difference, ended_alike, scope};
 use crate::exact;
 use crate::few::{Few, Replayed};
 
@@ -31,6 +31,7 @@ pub(crate) const LAWS: &[Law] = &[
     Law { name: "boxes and meshes", shapes: 1, holds: boxes },
     Law { name: "templates kept and made again", shapes: 1, holds: again },
     Law { name: "templates and direct derivation", shapes: 1, holds: direct },
+    Law { name: "leaves and the tree of shapes", shapes: 1, holds: tree },
     Law { name: "a session and single runs", shapes: 4, holds: session },
     Law { name: "parallel and serial", shapes: 5, holds: parallel },
     Law { name: "chunks and buffers", shapes: 2, holds: chunks },
@@ -112,6 +113,24 @@ fn direct(case: &Case<'_>) -> (Option<String>, Option<Outcome>) {
         (Err(_), Err(_)) => ended_alike(&left, &right, case.tolerance()),
         _ => difference(&left, &right, case.tolerance()),
     };
+    (found, Some(left))
+}
+
+/// A model with the tree of its shapes has the same bytes, and the tree has its leaves.
+fn tree(case: &Case<'_>) -> (Option<String>, Option<Outcome>) {
+    let settings = Settings { tree: true, ..case.settings.clone() };
+    let [left, right] = [&case.settings, &settings].map(|settings| case.model(settings, &case.shapes[0]));
+    let found = exact::outcomes(&left, &right).or_else(|| {
+        right.report.as_ref().ok().filter(|report| !report.stopped)?;
+        right.model.leaves().enumerate().find_map(|(at, leaf)| {
+            let Some(node) = leaf.node() else { return Some(format!("leaf {at} has no node")) };
+            let is_same = (node.rule(), node.leaf()) == (leaf.rule(), Some(at));
+            let name = (!is_same).then(|| format!("the node of leaf {at} is {} {:?}", node.rule(), node.leaf()));
+            name.or_else(|| {
+                scope(node.scope(), leaf.scope(), case.tolerance()).map(|text| format!("leaf {at}: {text}"))
+            })
+        })
+    });
     (found, Some(left))
 }
 

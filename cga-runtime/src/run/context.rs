@@ -59,6 +59,13 @@ pub(crate) struct WaitingCall<C> {
     pub(super) trail: Rc<Trail>,
 }
 
+impl<'r, C> Cx<'r, C> {
+    /// The state before the first rule.
+    pub(crate) fn new(env: &'r mut Env, sink: &'r mut dyn Sink, templates: &'r mut Templates<C>) -> Self {
+        Cx { env, sink, waiting: VecDeque::new(), stack: 0, depth: 0, templates, tape: None }
+    }
+}
+
 impl<C> Cx<'_, C> {
     /// Enters a rule. Every rule that was entered is left again unless the run ends inside it.
     #[inline]
@@ -114,7 +121,7 @@ impl<C> Cx<'_, C> {
     #[inline]
     pub fn leaf(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
         if !self.env.has_room(0) {
-            return own_leaf(self.env, self.sink, shape, rule);
+            return leaf_at_checkpoint(self.env, self.sink, shape, rule);
         }
         // It was counted when its rule was entered.
         self.env.shapes -= 1;
@@ -148,8 +155,7 @@ impl<C> Cx<'_, C> {
     #[inline(always)]
     pub fn symbol(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
         if !self.env.has_room(1) {
-            self.env.make_room(1)?;
-            return new_leaf(self.env, self.sink, shape, rule);
+            return symbol_at_checkpoint(self.env, self.sink, shape, rule);
         }
         filled(self.env, self.sink, shape, rule)
     }
@@ -170,16 +176,24 @@ pub(crate) fn filled(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, r
     sink.filled(&Filled { shape, tables: &env.leaf_tables, rule })
 }
 
-/// The shape of a rule as a leaf, at the checkpoint.
+/// Passes the shape of a rule to the sink, at the checkpoint.
 #[cold]
 #[inline(never)]
-fn own_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+fn leaf_at_checkpoint(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
     if env.ended() {
         return Flow::Break(());
     }
     env.shapes -= 1;
     let recorded = env.recorded_shape();
     recorded_leaf(env, sink, shape, rule, recorded)
+}
+
+/// Passes a leaf symbol to the sink, at the checkpoint.
+#[cold]
+#[inline(never)]
+fn symbol_at_checkpoint(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+    env.make_room(1)?;
+    new_leaf(env, sink, shape, rule)
 }
 
 /// Passes a leaf symbol, for which there is room, to the sink. The tree of shapes may be recorded.

@@ -1,6 +1,5 @@
 //! Runs: rules call each other directly, and leaves go to the sink as they appear.
 
-use std::collections::VecDeque;
 use std::io::Write as _;
 use std::sync::Arc;
 
@@ -98,15 +97,7 @@ pub(crate) fn run<R: Rules>(
     // Both are taken: templates contain numbers of these looks. If a sink panics, neither stays in the session.
     std::mem::swap(&mut env.leaf_tables.looks, &mut kept.materials);
     let mut templates = std::mem::take(&mut kept.templates);
-    let mut cx = Cx {
-        env: &mut env,
-        sink: &mut *sink,
-        waiting: VecDeque::new(),
-        stack: 0,
-        depth: 0,
-        templates: &mut templates,
-        tape: None,
-    };
+    let mut cx = Cx::new(&mut env, &mut *sink, &mut templates);
     let values = rules.values(cx.env, shape, style);
     let flow = derive::<R>(&mut cx, &values, rule, shape);
     std::mem::swap(&mut env.leaf_tables.looks, &mut kept.materials);
@@ -189,15 +180,8 @@ fn shape_tree<R: Rules>(
     let settings = Settings { repeats: Repeats::Direct, ..settings.clone() };
     let mut env = env::<R>(&settings, shape, start);
     env.record_tree();
-    let mut cx = Cx {
-        env: &mut env,
-        sink: &mut NoOutput,
-        waiting: VecDeque::new(),
-        stack: 0,
-        depth: 0,
-        templates: &mut Templates::default(),
-        tape: None,
-    };
+    let (mut sink, mut templates) = (NoOutput, Templates::default());
+    let mut cx = Cx::new(&mut env, &mut sink, &mut templates);
     let values = rules.values(cx.env, shape, start.style);
     let flow = derive::<R>(&mut cx, &values, start.rule, shape);
     let is_complete = flow.is_continue() && env.spend(0).is_continue();

@@ -60,7 +60,7 @@ impl Sink for OperandLeaves {
 }
 
 /// Derives an operand from the current shape, with `start` as its first step, and returns its leaves that have geometry,
-/// in order. They are no leaves of the run, and no shapes of its tree.
+/// in order. They are neither leaves of the run nor shapes of its tree.
 pub fn operand<G, C>(
     cx: &mut Cx<'_, C>,
     g: &G,

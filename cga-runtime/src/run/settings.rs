@@ -76,8 +76,7 @@ impl Default for Limits {
     }
 }
 
-/// The settings of a run. With the feature `serde`, start rule, limits, echo and the choice for wrong lots are data; assets and the watch belong to
-/// the program.
+/// The settings of a run. With the feature `serde` they are data, except assets and the watch, which belong to the program.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]

@@ -7,7 +7,7 @@ impl CgaRules {
         cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
-        cx.enter(0u32)?;
+        cx.enter(0u32, shape)?;
         {
             let a0 = g.attr_0;
             let a1 = 3f64;
@@ -50,7 +50,7 @@ impl CgaRules {
         shape: &cga_rt::ShapeRef<'_>,
         height: ::core::primitive::f64,
     ) -> cga_rt::Flow {
-        cx.enter(1u32)?;
+        cx.enter(1u32, shape)?;
         let changed = {
             let mut whole = cx.env.whole(shape);
             {

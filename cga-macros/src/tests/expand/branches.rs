@@ -7,7 +7,7 @@ impl CgaRules {
         cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
-        cx.enter(0u32)?;
+        cx.enter(0u32, shape)?;
         let mut childless = true;
         if ((cga_rt::get::float_attribute((&mut { shape }), 0u32, g.attr_0) > 2f64)
             & cga_rt::func::chance(cx.env, (&mut { shape }), 0.5f64))

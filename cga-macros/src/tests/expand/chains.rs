@@ -7,7 +7,7 @@ impl CgaRules {
         cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
-        cx.enter(0u32)?;
+        cx.enter(0u32, shape)?;
         let bases = cga_rt::Bases::new();
         let mut own = ::core::option::Option::None;
         let shape = {

@@ -7,7 +7,7 @@ impl CgaRules {
         cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
-        cx.enter(0u32)?;
+        cx.enter(0u32, shape)?;
         {
             let arms = [
                 cga_rt::Arm {
@@ -64,7 +64,7 @@ impl CgaRules {
         shape: &cga_rt::ShapeRef<'_>,
         n: ::core::primitive::f64,
     ) -> cga_rt::Flow {
-        cx.enter(1u32)?;
+        cx.enter(1u32, shape)?;
         {
             let arms = [
                 cga_rt::Arm {

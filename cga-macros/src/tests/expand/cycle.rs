@@ -8,7 +8,7 @@ impl CgaRules {
         shape: &cga_rt::ShapeRef<'_>,
         n: ::core::primitive::f64,
     ) -> cga_rt::Flow {
-        cx.enter(0u32)?;
+        cx.enter(0u32, shape)?;
         if (n > 1f64) {
             {
                 let a0 = n;
@@ -45,7 +45,7 @@ impl CgaRules {
         shape: &cga_rt::ShapeRef<'_>,
         n: ::core::primitive::f64,
     ) -> cga_rt::Flow {
-        cx.enter(1u32)?;
+        cx.enter(1u32, shape)?;
         {
             let a0 = n;
             let part = shape;

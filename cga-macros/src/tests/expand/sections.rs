@@ -7,7 +7,7 @@ impl CgaRules {
         cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
-        cx.enter(0u32)?;
+        cx.enter(0u32, shape)?;
         {
             let a0 = cga_rt::Length::Absolute(6f64);
             let sizes = &mut [
@@ -57,7 +57,7 @@ impl CgaRules {
         shape: &cga_rt::ShapeRef<'_>,
         height: ::core::primitive::f64,
     ) -> cga_rt::Flow {
-        cx.enter(1u32)?;
+        cx.enter(1u32, shape)?;
         {
             let a0 = {
                 let slim = (&mut { shape });

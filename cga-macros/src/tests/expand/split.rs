@@ -7,7 +7,7 @@ impl CgaRules {
         cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
-        cx.enter(0u32)?;
+        cx.enter(0u32, shape)?;
         let mut childless = true;
         let has_parts = {
             const SPLIT: &cga_rt::Split<'_> = &cga_rt::Split {
@@ -71,7 +71,7 @@ impl CgaRules {
         shape: &cga_rt::ShapeRef<'_>,
         i: ::core::primitive::f64,
     ) -> cga_rt::Flow {
-        cx.enter(1u32)?;
+        cx.enter(1u32, shape)?;
         cx.symbol(shape, 1u32)?;
         cx.leave()
     }
