@@ -154,6 +154,13 @@ mod tests {
     }
 
     #[test]
+    fn a_shape_takes_about_200_bytes() {
+        // A shape is also a child and may be a leaf.
+        let bytes = size_of::<TreeShape>() + size_of::<TreePlace>() + 2 * size_of::<u32>();
+        assert!((150..=210).contains(&bytes), "{bytes}");
+    }
+
+    #[test]
     fn calls_that_wait_keep_their_place() {
         let (mut tree, scope) = (TreeBuilder::default(), Scope::new(DVec3::ONE));
         tree.enter(1, "Lot", scope);
