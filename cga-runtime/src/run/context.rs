@@ -193,12 +193,13 @@ fn leaf_at_checkpoint(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, 
 #[inline(never)]
 fn symbol_at_checkpoint(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
     env.make_room(1)?;
-    new_leaf(env, sink, shape, rule)
+    recorded_symbol(env, sink, shape, rule)
 }
 
-/// Passes a leaf symbol, for which there is room, to the sink. The tree of shapes may be recorded.
+/// Passes a leaf symbol, for which there is room, to the sink, and records its shape if the run records its tree.
+#[cold]
 #[inline(never)]
-pub(crate) fn new_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+pub(crate) fn recorded_symbol(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
     let recorded = env.record_symbol(shape, rule);
     recorded_leaf(env, sink, shape, rule, recorded)
 }

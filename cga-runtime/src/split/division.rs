@@ -9,7 +9,7 @@ use super::row::Row;
 use super::{Adjust, Piece};
 use crate::geometry::Axis;
 use crate::geometry::tol::PLANAR_EPSILON;
-use crate::run::context::{Cx, filled, new_leaf};
+use crate::run::context::{Cx, filled, recorded_symbol};
 use crate::run::env::Env;
 use crate::run::sink::Flow;
 use crate::shape::base::{Base, Form};
@@ -31,7 +31,8 @@ const PIECE: usize = 64;
 #[derive(Debug)]
 pub struct Division<'s> {
     shape: &'s ShapeRef<'s>,
-    pieces: Pieces<'s>,
+    /// The pieces, if they do not simply fill their scopes.
+    made: Option<Box<[ShapeRef<'s>]>>,
     whole: Undivided,
     /// The seed of the step.
     seed: u64,
@@ -41,17 +42,6 @@ pub struct Division<'s> {
     total: usize,
     /// True if the parts have other unit meshes than the shape.
     has_bands: bool,
-}
-
-/// The source of the pieces of a division.
-#[derive(Debug)]
-enum Pieces<'s> {
-    /// The shape itself, which is moved from piece to piece.
-    Moved,
-    /// As `Moved`, in a run that records its tree.
-    Recorded,
-    /// Shapes that were made at once.
-    Made(Box<[ShapeRef<'s>]>),
 }
 
 /// The properties of a shape that differ in its parts.
@@ -68,26 +58,19 @@ struct Undivided {
     look: LookId,
 }
 
-/// The pieces of a shape that does not simply fill its scope, made at once.
-#[derive(Debug)]
-pub enum Made {
-    /// The shape simply fills its scope, so that it is moved from piece to piece.
-    Moved,
-    /// As `Moved`, in a run that records its tree.
-    Recorded,
-    /// The pieces.
-    Pieces(Vec<Base>),
-}
+/// The pieces of a shape that does not simply fill its scope, made at once. Empty for other shapes.
+#[derive(Debug, Default)]
+pub struct Made(Option<Vec<Base>>);
 
 impl Made {
     /// No pieces.
     pub(super) fn nothing() -> Self {
-        Made::Pieces(Vec::new())
+        Made(Some(Vec::new()))
     }
 
     /// Pieces made elsewhere.
     pub(super) fn of(pieces: Vec<Base>) -> Self {
-        Made::Pieces(pieces)
+        Made(Some(pieces))
     }
 
     /// Counts the pieces and cuts the geometry. `at_most` is at least the number of pieces. `Break` when a limit is
@@ -101,15 +84,11 @@ impl Made {
         at_most: u64,
         row: impl Row,
     ) -> ControlFlow<(), Self> {
-        let mut moved = Made::Moved;
         if !env.has_room(at_most) {
             within_limit(env, row)?;
-            if env.tree.is_some() {
-                moved = Made::Recorded;
-            }
         }
         if whole.is_simple_along(axis) {
-            ControlFlow::Continue(moved)
+            ControlFlow::Continue(Made(None))
         } else {
             Made::cut(env, whole, axis, adjust, row)
         }
@@ -128,7 +107,7 @@ impl Made {
             pieces.push(env.base(part));
             env.spend(PIECE)
         })?;
-        ControlFlow::Continue(Made::Pieces(pieces))
+        ControlFlow::Continue(Made(Some(pieces)))
     }
 }
 
@@ -151,14 +130,10 @@ impl<'s> Division<'s> {
     #[inline(always)]
     pub fn new(shape: &'s ShapeRef<'s>, made: &'s Made, axis: Axis, adjust: Adjust, number: u32, total: u64) -> Self {
         let whole = Undivided::of(shape, axis, adjust);
-        let pieces = match made {
-            Made::Moved => Pieces::Moved,
-            Made::Recorded => Pieces::Recorded,
-            Made::Pieces(pieces) => Pieces::Made(shapes(pieces)),
-        };
+        let made = made.0.as_ref().map(|pieces| shapes(pieces));
         let seed = seed::step(whole.seed.value(), seed::key(Tag::Split, number));
         let (total, has_bands) = (total as usize, whole.unit.has_bands(axis));
-        Division { shape, pieces, whole, seed, turns: 0, index: 0, total, has_bands }
+        Division { shape, made, whole, seed, turns: 0, index: 0, total, has_bands }
     }
 
     /// Restores the whole shape. It is not needed if the run ends within the division.
@@ -206,29 +181,22 @@ impl<'s> Division<'s> {
     #[inline(always)]
     pub fn leaf<C>(&mut self, cx: &mut Cx<'_, C>, piece: Option<Piece>, axis: Axis, rule: u32) -> Flow {
         let Some(piece) = piece else { return Flow::Continue(()) };
-        match self.pieces {
-            Pieces::Moved => {
-                self.index += 1;
-                filled(cx.env, cx.sink, self.moved(axis, piece), rule)
-            }
-            Pieces::Recorded | Pieces::Made(_) => new_leaf(cx.env, cx.sink, self.place(axis, piece), rule),
+        let part = self.place(axis, piece);
+        if cx.env.tree.is_none() {
+            filled(cx.env, cx.sink, part, rule)
+        } else {
+            recorded_symbol(cx.env, cx.sink, part, rule)
         }
     }
 
-    /// The shape of the next piece.
+    /// Moves the shape to the place of the next piece.
     #[inline(always)]
     fn place(&mut self, axis: Axis, piece: Piece) -> &ShapeRef<'s> {
         let index = self.index;
         self.index += 1;
-        match &self.pieces {
-            Pieces::Made(made) => &made[index],
-            Pieces::Moved | Pieces::Recorded => self.moved(axis, piece),
+        if let Some(made) = &self.made {
+            return &made[index];
         }
-    }
-
-    /// Moves the shape to the place of a piece.
-    #[inline(always)]
-    fn moved(&self, axis: Axis, piece: Piece) -> &ShapeRef<'s> {
         let (shape, whole) = (self.shape, &self.whole);
         // An operation may have changed the material of the previous part.
         shape.look.set(whole.look);
