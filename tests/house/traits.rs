@@ -23,8 +23,8 @@ use cga::{
     Building, Channel, ChoiceValues, Choices, Collection, Color, ColorOf, Cuboid, EdgeAttribute, Error, Fault,
     FaultKind, Flow, Frame, Geometry, Grammars, Layer, LayerPart, Leaf, LeafView, Leaves, LimitKind, Limits, Material,
     MaterialNumber, MaterialText, Mesh, MeshBuilder, MeshError, Model, Print, Progress, Quad, Range, Report, Reports,
-    RunError, Scope, Session, Settings, Shape, ShapeNode, ShapeRef, ShapeTree, StartRule, Stretch, Summary, Text, Value, ValueType, Watch,
-    WriteError, WrongLots, cga,
+    RunError, Scope, Session, Settings, Shape, ShapeNode, ShapeRef, ShapeTree, StartRule, Stretch, Summary, Text,
+    Value, ValueType, Watch, WriteError, WrongLots, cga,
 };
 use cga_tests::tree::root;
 
