@@ -232,7 +232,7 @@ fn each_building_of_a_list_has_its_tree() {
     cga! { grammar Park; Lot --> Lawn. scatter(surface, 3, uniform) { Lamp. } }
     let lot = |number: u32| {
         let lot = Shape::rectangle(9.0, 7.0).at([10.0 * f64::from(number), 0.0, 0.0]).seed(u64::from(number));
-        lot.grammar(if number % 3 == 0 { "Park" } else { "Mixed" })
+        lot.grammar(if number.is_multiple_of(3) { "Park" } else { "Mixed" })
     };
     let lots: Vec<_> = (0..30).map(lot).collect();
     let city = Grammars::new().with(Mixed::default()).with(Park::default());
