@@ -40,6 +40,7 @@ impl Building {
 
     /// Each reported key with one value, sorted by key: of numbers and truth values the sum, of texts the different ones. Under a key
     /// with several types the first counts, as in [`Reports::get`].
+    #[cfg(feature = "gltf")]
     pub(crate) fn report_values(&self) -> Vec<(&str, Value)> {
         let mut values: Vec<(&str, Value)> = self
             .reports

@@ -1,9 +1,12 @@
 //! The buildings whose triangles buffers have.
 
+#[cfg(feature = "gltf")]
 use std::collections::VecDeque;
 use std::ops::Range;
 
-use super::{Buffers, Submesh};
+use super::Buffers;
+#[cfg(feature = "gltf")]
+use super::Submesh;
 use crate::run::building::Building;
 
 /// The buildings of buffers that record them, in order.
@@ -18,6 +21,7 @@ pub(super) struct Buildings {
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Place {
     pub(super) indices: usize,
+    #[cfg_attr(not(feature = "gltf"), expect(dead_code, reason = "only GLB files divide vertices"))]
     pub(super) vertices: usize,
 }
 
@@ -67,6 +71,7 @@ impl Buffers {
     }
 
     /// The submeshes of each building, divided where buildings end, and of the triangles between them.
+    #[cfg(feature = "gltf")]
     pub(crate) fn submeshes_of_buildings(&self) -> Vec<(Option<&Building>, Vec<Submesh>)> {
         let mut rest: VecDeque<Submesh> = self.submeshes().collect();
         let mut lists = Vec::new();
@@ -80,6 +85,7 @@ impl Buffers {
 }
 
 /// Removes the submeshes before a place; one that the place divides stays with its second part.
+#[cfg(feature = "gltf")]
 fn take_until(end: Place, list: &mut VecDeque<Submesh>) -> Vec<Submesh> {
     let mut taken = Vec::new();
     while let Some(next) = list.front_mut().filter(|next| next.indices.start < end.indices) {

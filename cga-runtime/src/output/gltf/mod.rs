@@ -131,7 +131,7 @@ impl Glb {
     /// Stores each repeated part once, with the list of its places (`EXT_mesh_gpu_instancing`). The file is smaller
     /// and shows the same triangles; a reader must support the extension.
     ///
-    /// Parts are known only during a run, so the sink must take the leaves of the run itself. A [`Model`] keeps
+    /// Parts are known only during a run, so the sink must take the leaves of the run itself. A [`Model`](crate::output::model::Model) keeps
     /// single leaves.
     ///
     /// ```
