@@ -10,6 +10,8 @@ use cga::sink::{Filled, PartId, Replay};
 use cga::{Color, Flow, Leaf, Mesh, Scope, Settings, Shape, Sink, cga};
 use serde_json::Value;
 
+use crate::glb_file::{GlbFile, number};
+
 cga! {
     /// Façades in colours by chance, with frames that grow, and panes that are lit by chance between them.
     grammar Street;
@@ -42,34 +44,9 @@ struct Triangle {
     normals: [DVec3; 3],
 }
 
-/// A file, taken apart.
-struct File {
-    json: Value,
-    binary: Vec<u8>,
-}
-
-impl File {
-    fn new(bytes: &[u8]) -> Self {
-        let word = |at: usize| u32::from_le_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]) as usize;
-        let json = serde_json::from_slice(&bytes[20..20 + word(12)]).expect("JSON");
-        File { json, binary: bytes[20 + word(12) + 8..].to_vec() }
-    }
-
-    /// The numbers of an accessor, so many in each row.
-    fn rows(&self, accessor: &Value, width: usize) -> Vec<Vec<f64>> {
-        let accessor = &self.json["accessors"][number(accessor)];
-        let view = &self.json["bufferViews"][number(&accessor["bufferView"])];
-        let start = number(&view["byteOffset"]) + number(&accessor["byteOffset"]);
-        let is_float = accessor["componentType"] == 5126;
-        let value = |at: usize| {
-            let bytes = self.binary[start + 4 * at..][..4].try_into().expect("four bytes");
-            if is_float { f64::from(f32::from_le_bytes(bytes)) } else { f64::from(u32::from_le_bytes(bytes)) }
-        };
-        (0..number(&accessor["count"])).map(|row| (0..width).map(|at| value(row * width + at)).collect()).collect()
-    }
-
+impl GlbFile {
     fn points(&self, accessor: &Value) -> Vec<DVec3> {
-        self.rows(accessor, 3).iter().map(|row| DVec3::from_slice(row)).collect()
+        self.rows(accessor).into_iter().map(DVec3::from_array).collect()
     }
 
     /// All triangles; instances are shown at all of their places.
@@ -92,9 +69,9 @@ impl File {
     fn add(&self, primitive: &Value, placement: DMat4, to: &mut Vec<Triangle>) {
         let attributes = &primitive["attributes"];
         let (positions, normals) = (self.points(&attributes["POSITION"]), self.points(&attributes["NORMAL"]));
-        let rules = self.rows(&attributes["_FEATURE_ID_0"], 1);
+        let rules = self.rows::<1>(&attributes["_FEATURE_ID_0"]);
         let color = &self.json["materials"][number(&primitive["material"])]["name"];
-        for triangle in self.rows(&primitive["indices"], 1).chunks_exact(3) {
+        for triangle in self.rows::<1>(&primitive["indices"]).chunks_exact(3) {
             let corners = [0, 1, 2].map(|i| triangle[i][0] as usize);
             to.push(Triangle {
                 look: format!("{color} {}", rules[corners[0]][0]),
@@ -105,11 +82,7 @@ impl File {
     }
 }
 
-fn number(value: &Value) -> usize {
-    value.as_u64().unwrap_or(0) as usize
-}
-
-fn places(file: &File, node: &Value) -> Vec<DMat4> {
+fn places(file: &GlbFile, node: &Value) -> Vec<DMat4> {
     let list = |value: &Value| value.as_array().map(|list| list.iter().filter_map(Value::as_f64).collect::<Vec<_>>());
     let instances = &node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
     if instances.is_null() {
@@ -117,9 +90,9 @@ fn places(file: &File, node: &Value) -> Vec<DMat4> {
         let matrix = list(&node["matrix"]).map(|list| DMat4::from_cols_slice(&list));
         return vec![moved.or(matrix).unwrap_or(DMat4::IDENTITY)];
     }
-    let (at, turned) = (file.points(&instances["TRANSLATION"]), file.rows(&instances["ROTATION"], 4));
+    let (at, turned) = (file.points(&instances["TRANSLATION"]), file.rows::<4>(&instances["ROTATION"]));
     let each = at.iter().zip(&turned);
-    each.map(|(&at, turned)| DMat4::from_rotation_translation(DQuat::from_slice(turned), at)).collect()
+    each.map(|(&at, turned)| DMat4::from_rotation_translation(DQuat::from_array(*turned), at)).collect()
 }
 
 /// Each triangle has an equal one among the others, except for rounding.
@@ -163,12 +136,12 @@ fn instances_show_the_same_triangles() {
     let shapes = lots(2);
     for glb in [Glb::new, || Glb::new().with_origin(DVec3::new(100.0, 0.0, -5.0))] {
         let (merged, instanced) = (fresh(&shapes, glb()), fresh(&shapes, glb().with_instances()));
-        let (merged, instanced) = (File::new(&merged), File::new(&instanced));
+        let (merged, instanced) = (GlbFile::new(&merged), GlbFile::new(&instanced));
         let extension = Value::from("EXT_mesh_gpu_instancing");
         assert!(instanced.json["extensionsRequired"].as_array().is_some_and(|list| list.contains(&extension)));
         assert!(merged.json["extensionsRequired"].is_null());
         assert_same(merged.triangles(), instanced.triangles());
-        let sizes = [&merged, &instanced].map(|file| file.binary.len());
+        let sizes = [&merged, &instanced].map(|file| file.bytes.len());
         assert!(2 * sizes[1] < sizes[0], "{sizes:?}");
     }
 }
@@ -201,7 +174,7 @@ fn a_part_whose_template_was_forgotten_is_the_same_part() {
                 session.run(&shape, &mut glb).expect("no limit");
             }
         }
-        File::new(&glb.into_bytes().expect("a file")).json["meshes"].as_array().map_or(0, Vec::len)
+        GlbFile::new(&glb.into_bytes().expect("a file")).json["meshes"].as_array().map_or(0, Vec::len)
     };
     assert_eq!((meshes(1), meshes(3)), (40, 40));
 }
@@ -216,7 +189,7 @@ fn parts_in_the_material_of_their_shape_are_told_apart() {
         Bays::default().run(&lot, &settings(), &mut glb).expect("no limit");
         Bays::default().run(&lot, &settings(), &mut merged).expect("no limit");
     }
-    let [merged, instanced] = [merged, glb].map(|glb| File::new(&glb.into_bytes().expect("a file")));
+    let [merged, instanced] = [merged, glb].map(|glb| GlbFile::new(&glb.into_bytes().expect("a file")));
     assert_same(merged.triangles(), instanced.triangles());
     assert_eq!(instanced.json["meshes"].as_array().map_or(0, Vec::len), 3);
 }
@@ -226,7 +199,7 @@ fn a_part_at_one_place_is_no_instance() {
     for (width, has_instances) in [(2.0, false), (12.0, true)] {
         let mut glb = Glb::new().with_instances();
         Bays::default().run(&Shape::cuboid(width, 3.0, 1.0), &settings(), &mut glb).expect("no limit");
-        let file = File::new(&glb.into_bytes().expect("a file"));
+        let file = GlbFile::new(&glb.into_bytes().expect("a file"));
         assert_eq!(!file.json["extensionsRequired"].is_null(), has_instances);
         assert_eq!(file.triangles().len(), 4 * (width / 2.0) as usize);
     }
@@ -249,7 +222,7 @@ fn axes_that_are_no_rotation_make_no_instances() {
         lot.set_scope(Scope { axes: DMat3::from_diagonal(DVec3::new(1.0, 1.0, depth)), ..*lot.scope() });
         let [merged, instanced] = [Glb::new(), Glb::new().with_instances()].map(|mut glb| {
             Rows::default().run(&lot, &settings(), &mut glb).expect("no limit");
-            File::new(&glb.into_bytes().expect("a file"))
+            GlbFile::new(&glb.into_bytes().expect("a file"))
         });
         assert_same(merged.triangles(), instanced.triangles());
         assert_eq!(!instanced.json["extensionsRequired"].is_null(), has_instances);

@@ -8,6 +8,8 @@ use cga::sink::gltf::Glb;
 use cga::sink::stats::Stats;
 use cga::{Flow, Leaf, Mesh, Repeats, Settings, Shape, Sink, cga};
 
+use crate::glb_file::GlbFile;
+
 cga! {
     grammar Places;
 
@@ -107,10 +109,7 @@ fn sinks_get_placements_and_may_stop_there() {
 
 #[test]
 fn a_file_has_nodes_for_placements_on_request() {
-    let json = |glb: &[u8]| -> serde_json::Value {
-        let length = u32::from_le_bytes(glb[12..16].try_into().expect("four bytes")) as usize;
-        serde_json::from_slice(&glb[20..20 + length]).expect("JSON")
-    };
+    let json = |glb: &[u8]| GlbFile::new(glb).json;
     for (start, count, meshes) in [("Lot", 29, 1), ("Point", 1, 0)] {
         let model = model(start, &Shape::rectangle(4.0, 2.0));
         let write = |glb: Glb| {

@@ -6,7 +6,7 @@ use cga::sink::gltf::Glb;
 use cga::{Building, Grammars, Settings, Shape, Sink, Value, cga};
 use serde_json::Value as Json;
 
-use reader::Read;
+use crate::glb_file::GlbFile;
 
 cga! {
     @Allow(unused_attribute)
@@ -69,8 +69,8 @@ fn lie_in_their_lots(points: &[(usize, [f64; 3])], count: u32) {
 fn a_reader_finds_each_building_with_its_name_and_its_values() {
     let lots: Vec<Shape> = (0..144).map(lot).collect();
     let all = grammars().generate_all(&lots, &Settings::default()).unwrap();
-    let file = Read::new(&all.to_glb().unwrap());
-    lie_in_their_lots(&file.points(), 144);
+    let file = GlbFile::new(&all.to_glb().unwrap());
+    lie_in_their_lots(&file.points_of_buildings(), 144);
     let [names, grammars, seeds] = ["name", "grammar", "seed"].map(|id| file.column(id));
     let [heights, floors, forms, gardens, storeys] =
         ["height", "floors", "form", "garden", "storeys"].map(|id| file.column(id));
@@ -104,7 +104,7 @@ fn a_reader_finds_each_building_with_its_name_and_its_values() {
 fn values_have_columns_of_their_type_where_all_buildings_have_them() {
     let lots: Vec<Shape> = (0..6).map(|number| lot(3 * number)).collect();
     let all = House::default().generate_all(&lots, &Settings::default()).unwrap();
-    let file = Read::new(&all.to_glb().unwrap());
+    let file = GlbFile::new(&all.to_glb().unwrap());
     for (at, model) in all.sinks().enumerate() {
         let (own, leaves) = model.buildings().next().unwrap();
         assert_eq!(leaves, 0..model.len());
@@ -118,8 +118,8 @@ fn values_have_columns_of_their_type_where_all_buildings_have_them() {
 #[test]
 fn one_building_costs_no_bytes_a_vertex() {
     let model = grammars().generate(&lot(0)).unwrap();
-    let file = Read::new(&model.to_glb().unwrap());
-    lie_in_their_lots(&file.points(), 1);
+    let file = GlbFile::new(&model.to_glb().unwrap());
+    lie_in_their_lots(&file.points_of_buildings(), 1);
     assert_eq!(file.column("name"), ["\"lot\" 0 ä"]);
     let empty = file.json["accessors"].as_array().unwrap().iter().filter(|accessor| accessor["bufferView"].is_null());
     assert!(0 < empty.count());
@@ -128,7 +128,7 @@ fn one_building_costs_no_bytes_a_vertex() {
     for leaf in &model {
         let _ = leaf.replay(&mut glb);
     }
-    let file = Read::new(&glb.into_bytes().unwrap());
+    let file = GlbFile::new(&glb.into_bytes().unwrap());
     assert_eq!((file.table("rule"), file.table("building")), (Some(0), None));
 }
 
@@ -141,15 +141,15 @@ fn leaves_after_the_last_building_have_a_row_too() {
     for leaf in &other {
         let _ = leaf.replay(&mut glb);
     }
-    let file = Read::new(&glb.into_bytes().unwrap());
+    let file = GlbFile::new(&glb.into_bytes().unwrap());
     assert_eq!(file.column("name"), ["\"lot\" 1 ä", ""]);
-    assert!(file.points().iter().any(|(building, _)| *building == 1));
+    assert!(file.points_of_buildings().iter().any(|(building, _)| *building == 1));
     // Buildings without leaves have rows as well.
     let mut glb = Glb::new();
     glb.end_building(&|| Building::new("empty", 1));
     let _ = model.replay(&mut glb);
-    let file = Read::new(&glb.into_bytes().unwrap());
-    assert_eq!((file.column("name").len(), file.points()[0].0), (2, 1));
+    let file = GlbFile::new(&glb.into_bytes().unwrap());
+    assert_eq!((file.column("name").len(), file.points_of_buildings()[0].0), (2, 1));
 }
 
 /// The nodes of a file below a node, with all that is below them.
@@ -169,7 +169,7 @@ fn on_request_buildings_are_nodes() {
             glb = glb.by_rule();
         }
         let _ = all.replay(&mut glb);
-        let file = Read::new(&glb.into_bytes().unwrap());
+        let file = GlbFile::new(&glb.into_bytes().unwrap());
         let nodes = file.json["nodes"].as_array().unwrap();
         let children: Vec<usize> =
             nodes[0]["children"].as_array().unwrap().iter().map(|child| child.as_u64().unwrap() as usize).collect();
@@ -194,10 +194,9 @@ fn on_request_buildings_are_nodes() {
                 .flat_map(|mesh| file.json["meshes"][mesh.as_u64().unwrap() as usize]["primitives"].as_array().unwrap())
             {
                 assert_eq!(primitive["attributes"]["_FEATURE_ID_0"].is_null(), by_rule);
-                points.extend(file.floats::<3>(&primitive["attributes"]["POSITION"]));
+                points.extend(file.rows::<3>(&primitive["attributes"]["POSITION"]));
             }
-            let moved =
-                |place: &[f32; 3]| [4_000_000.0 + f64::from(place[0]), f64::from(place[1]), f64::from(place[2])];
+            let moved = |place: &[f64; 3]| [4_000_000.0 + place[0], place[1], place[2]];
             let points: Vec<(usize, [f64; 3])> = points.iter().map(|place| (number as usize, moved(place))).collect();
             let all = (0..12)
                 .map(|other| (other as usize, [place(other)[0], 100.0, place(other)[1]]))
@@ -225,14 +224,14 @@ fn instances_know_their_buildings() {
         for lot in &lots {
             Tiles::default().run(&lot.clone().start("Lot"), &Settings::default(), &mut glb).unwrap();
         }
-        let file = Read::new(&glb.into_bytes().unwrap());
+        let file = GlbFile::new(&glb.into_bytes().unwrap());
         let nodes = file.json["nodes"].as_array().unwrap();
         let mut seen = [0; 9];
         let shared =
             nodes.iter().enumerate().filter(|(_, node)| !node["extensions"]["EXT_mesh_gpu_instancing"].is_null());
         for (number, node) in shared {
             let attributes = &node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
-            let places = file.floats::<3>(&attributes["TRANSLATION"]);
+            let places = file.rows::<3>(&attributes["TRANSLATION"]);
             let buildings: Vec<usize> = if by_building {
                 let parent = (0..nodes.len())
                     .find(|parent| below(&file.json, *parent).contains(&number) && *parent != 0)
@@ -243,11 +242,11 @@ fn instances_know_their_buildings() {
             } else {
                 let feature = &node["extensions"]["EXT_instance_features"]["featureIds"][0];
                 assert_eq!(feature["propertyTable"].as_u64().unwrap() as usize, file.table("building").unwrap());
-                file.floats::<1>(&attributes["_FEATURE_ID_0"]).iter().map(|id| id[0] as usize).collect()
+                file.rows::<1>(&attributes["_FEATURE_ID_0"]).iter().map(|id| id[0] as usize).collect()
             };
             for (place, building) in places.iter().zip(buildings) {
                 let lot = self::place(3 * building as u32 + 2);
-                let (x, z) = (4_000_000.0 + f64::from(place[0]), f64::from(place[2]));
+                let (x, z) = (4_000_000.0 + place[0], place[2]);
                 assert!(
                     (lot[0]..=lot[0] + 12.0).contains(&x) && (lot[1]..=lot[1] + 12.0).contains(&z),
                     "{building}: {place:?}"
@@ -268,7 +267,7 @@ fn solids_are_single_sided_on_request() {
     let sides = |glb: Glb| {
         let mut glb = glb;
         let _ = Sides::default().generate(&Shape::rectangle(2.0, 2.0)).unwrap().replay(&mut glb);
-        let file = Read::new(&glb.into_bytes().unwrap());
+        let file = GlbFile::new(&glb.into_bytes().unwrap());
         let materials = file.json["materials"].as_array().unwrap();
         materials
             .iter()
@@ -341,17 +340,17 @@ fn buffers_and_chunks_record_buildings_on_request() {
     assert_eq!((plain.vertices(), plain.indices()), (buffers.vertices(), buffers.indices()));
     let ends: Vec<usize> = buffers.buildings().map(|(_, indices)| indices.end).collect();
     assert!(ends.windows(2).all(|pair| pair[0] < pair[1]) && ends.last() == Some(&buffers.indices().len()));
-    let file = Read::new(&buffers.to_glb().unwrap());
-    lie_in_their_lots(&file.points(), 12);
+    let file = GlbFile::new(&buffers.to_glb().unwrap());
+    lie_in_their_lots(&file.points_of_buildings(), 12);
     assert_eq!(file.column("name"), lots.iter().map(|lot| Json::from(lot.name())).collect::<Vec<_>>());
     // A building that two chunks share has its name in both, and its values in the last.
     let mut names: Vec<Vec<String>> = Vec::new();
     let mut complete = 0;
     let mut chunks = Chunks::new(100, |chunk: &Buffers| {
-        let file = Read::new(&chunk.to_glb().unwrap());
+        let file = GlbFile::new(&chunk.to_glb().unwrap());
         names.push(file.column("name").iter().map(|name| name.as_str().unwrap().to_owned()).collect());
         complete += chunk.buildings().filter(|(building, _)| !building.grammar.is_empty()).count();
-        for (building, [x, ..]) in file.points() {
+        for (building, [x, ..]) in file.points_of_buildings() {
             let own = lots.iter().position(|lot| lot.name() == names[names.len() - 1][building]).unwrap();
             let from = place(own as u32)[0];
             assert!((from - 0.3..=from + 12.3).contains(&x), "{own} {x}");
@@ -383,9 +382,13 @@ fn leaves_outside_of_buildings_belong_to_none() {
     let _ = model.replay(&mut again);
     assert_eq!(ranges(&again), ranges(&model));
     assert_eq!(again.len(), model.len());
-    let file = Read::new(&model.to_glb().unwrap());
+    let file = GlbFile::new(&model.to_glb().unwrap());
     assert_eq!(file.column("name"), ["", "\"lot\" 1 ä", ""]);
-    assert!(file.points().iter().all(|(building, place)| (*building == 1) == (place[0] < self::place(2)[0] - 1.0)));
+    assert!(
+        file.points_of_buildings()
+            .iter()
+            .all(|(building, place)| (*building == 1) == (place[0] < self::place(2)[0] - 1.0))
+    );
     let objects = model.to_obj("a.mtl").0;
     let objects: Vec<&str> = objects.lines().filter(|line| line.starts_with("o ")).collect();
     assert_eq!(objects, ["o \"lot\" 1 ä", "o rest"]);
@@ -397,7 +400,7 @@ fn leaves_outside_of_buildings_belong_to_none() {
     // Without any building, a division by buildings leaves all in one mesh.
     let mut glb = Glb::new().by_building();
     hand(&mut glb);
-    let file = Read::new(&glb.into_bytes().unwrap());
+    let file = GlbFile::new(&glb.into_bytes().unwrap());
     assert_eq!((&file.json["nodes"][0]["mesh"], file.table("building")), (&Json::from(0), None));
 }
 
@@ -408,14 +411,14 @@ fn buildings_without_faces_keep_their_data() {
         Points::default().generate_all(&[lot(2).start("Lot"), lot(5).start("Lot")], &Settings::default()).unwrap();
     let mut glb = Glb::new().with_placements();
     let _ = all.replay(&mut glb);
-    let file = Read::new(&glb.into_bytes().unwrap());
+    let file = GlbFile::new(&glb.into_bytes().unwrap());
     assert_eq!(file.column("name"), ["\"lot\" 2 ä", "\"lot\" 5 ä"]);
     let lamps: Vec<&Json> =
         file.json["nodes"].as_array().unwrap().iter().filter(|node| node["name"] == "Lamp").collect();
     assert_eq!(lamps.iter().map(|lamp| lamp["extras"]["building"].as_u64().unwrap()).collect::<Vec<_>>(), [0, 0, 1, 1]);
     let mut glb = Glb::new().by_building();
     let _ = all.replay(&mut glb);
-    let file = Read::new(&glb.into_bytes().unwrap());
+    let file = GlbFile::new(&glb.into_bytes().unwrap());
     assert_eq!(file.json["nodes"].as_array().unwrap().len(), 3);
 }
 
@@ -429,7 +432,7 @@ fn names_that_few_buildings_have_cost_no_column_each() {
     };
     let file = size(1000);
     assert!(file.len() < 4 * size(500).len());
-    let file = Read::new(&file);
+    let file = GlbFile::new(&file);
     assert_eq!(file.column("all"), vec![Json::from(2.0); 1000]);
     let more = file.column("more_reports");
     assert_eq!((&more[0], &more[999]), (&Json::Null, &Json::from("{\"0999\":1}")));

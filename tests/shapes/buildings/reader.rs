@@ -1,45 +1,10 @@
-//! A reader of GLB files: vertices, property tables and the numbers of features.
+//! Property tables and the numbers of features in GLB files.
 
 use serde_json::Value as Json;
 
-/// A GLB file: its description and its bytes.
-pub(super) struct Read {
-    pub(super) json: Json,
-    bytes: Vec<u8>,
-}
+use crate::glb_file::GlbFile;
 
-impl Read {
-    pub(super) fn new(file: &[u8]) -> Self {
-        let word = |at: usize| u32::from_le_bytes(file[at..at + 4].try_into().unwrap()) as usize;
-        assert_eq!((&file[..4], word(4), word(8)), (&b"glTF"[..], 2, file.len()));
-        let length = word(12);
-        let json = serde_json::from_slice(&file[20..20 + length]).unwrap();
-        let bytes = if 20 + length < file.len() { file[28 + length..].to_vec() } else { Vec::new() };
-        Read { json, bytes }
-    }
-
-    fn view(&self, number: &Json) -> &[u8] {
-        let view = &self.json["bufferViews"][number.as_u64().unwrap() as usize];
-        let (start, length) =
-            (view["byteOffset"].as_u64().unwrap_or(0) as usize, view["byteLength"].as_u64().unwrap() as usize);
-        assert_eq!(start % 8, 0, "metadata begins at a multiple of eight bytes");
-        &self.bytes[start..start + length]
-    }
-
-    /// The numbers of an accessor with `N` numbers an item.
-    pub(super) fn floats<const N: usize>(&self, number: &Json) -> Vec<[f32; N]> {
-        let accessor = &self.json["accessors"][number.as_u64().unwrap() as usize];
-        assert_eq!(accessor["componentType"], 5126);
-        let count = accessor["count"].as_u64().unwrap() as usize;
-        if accessor["bufferView"].is_null() {
-            return vec![[0.0; N]; count];
-        }
-        let from = accessor["byteOffset"].as_u64().unwrap_or(0) as usize;
-        let bytes = &self.view(&accessor["bufferView"])[from..from + 4 * N * count];
-        let numbers: Vec<f32> = bytes.chunks(4).map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap())).collect();
-        numbers.as_chunks().0.to_vec()
-    }
-
+impl GlbFile {
     /// The number of the table of a class.
     pub(super) fn table(&self, class: &str) -> Option<usize> {
         let tables = self.json["extensions"]["EXT_structural_metadata"]["propertyTables"].as_array()?;
@@ -90,7 +55,7 @@ impl Read {
     }
 
     /// The points of all vertices in place, each with the number of its building.
-    pub(super) fn points(&self) -> Vec<(usize, [f64; 3])> {
+    pub(super) fn points_of_buildings(&self) -> Vec<(usize, [f64; 3])> {
         let table = self.table("building").unwrap();
         let moved = &self.json["nodes"][0]["translation"];
         let moved: [f64; 3] = std::array::from_fn(|i| moved[i].as_f64().unwrap_or(0.0));
@@ -100,13 +65,13 @@ impl Read {
         {
             let features = primitive["extensions"]["EXT_mesh_features"]["featureIds"].as_array().unwrap();
             let Some(own) = features.iter().find(|feature| feature["propertyTable"] == table) else { continue };
-            let ids = self.floats::<1>(&primitive["attributes"][format!("_FEATURE_ID_{}", own["attribute"])]);
-            let places = self.floats::<3>(&primitive["attributes"]["POSITION"]);
+            let ids = self.rows::<1>(&primitive["attributes"][format!("_FEATURE_ID_{}", own["attribute"])]);
+            let places = self.rows::<3>(&primitive["attributes"]["POSITION"]);
             assert_eq!(ids.len(), places.len());
             points.extend(
                 ids.iter()
                     .zip(places)
-                    .map(|(id, place)| (id[0] as usize, std::array::from_fn(|i| f64::from(place[i]) + moved[i]))),
+                    .map(|(id, place)| (id[0] as usize, std::array::from_fn(|i| place[i] + moved[i]))),
             );
         }
         points
