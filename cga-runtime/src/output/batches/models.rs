@@ -33,10 +33,9 @@ impl Batches<Model> {
     /// All leaves as one model, with the report of all runs.
     pub fn to_model(&self) -> Model {
         let mut model = Model::new();
-        // `Model` never ends a run.
-        let _ = self.replay(&mut model);
-        let assets = self.sinks().find_map(Model::assets).cloned().unwrap_or_default();
-        model.with_report(self.report().clone()).with_assets(assets)
+        self.sinks().for_each(|other| model.append(other));
+        // Of many models, `append` would keep less.
+        model.with_report(self.report().clone())
     }
 
     /// Writes a picture of all models, as [`Model::write_png`] does.

@@ -45,16 +45,16 @@ impl BuildingList {
         }
     }
 
-    /// The rows of the table: the buildings in order, and a row without data for the leaves between two of them, as far as
-    /// there are such leaves. Also the row of each number. `used` are the numbers of all leaves. Without any building there are no rows.
-    pub(super) fn into_rows(mut self, used: impl Iterator<Item = u32>) -> (Vec<Building>, Vec<u32>) {
+    /// The rows of the table, and the row of each number. The rows are the buildings in order, and a row without data for the leaves
+    /// between two buildings, if the file has such leaves. `used` are the numbers of all leaves. A file without buildings has no rows.
+    pub(super) fn into_rows(mut self, used: &[u32]) -> (Vec<Building>, Vec<u32>) {
         self.close();
         let mut row_of = vec![0; self.next as usize + 1];
         if self.list.is_empty() {
             return (Vec::new(), row_of);
         }
         let mut data: Vec<Option<Building>> = vec![None; row_of.len()];
-        used.for_each(|number| data[number as usize] = Some(Building::default()));
+        used.iter().for_each(|number| data[*number as usize] = Some(Building::default()));
         self.list.into_iter().for_each(|(number, building)| data[number as usize] = Some(building));
         let mut rows = Vec::new();
         for (row, building) in row_of.iter_mut().zip(data) {

@@ -285,15 +285,18 @@ impl Glb {
         Owner { rule, building: self.buildings.next() }
     }
 
-    /// Makes the rows of the table of buildings, and gives all leaves the numbers of their rows. Without buildings there is no division
-    /// by them.
+    /// Makes the rows of the table of buildings, and gives all leaves the numbers of their rows. A file without buildings is not divided by
+    /// them.
     fn end_buildings(&mut self, meshes: &mut [SceneMesh]) {
-        let placements = self.placements.iter().flatten().map(|(owner, _)| owner.building);
-        let used: Vec<u32> = meshes.iter().flat_map(SceneMesh::buildings).chain(placements).collect();
-        let (rows, row_of) = std::mem::take(&mut self.buildings).into_rows(used.into_iter());
-        let row = |building: &mut u32| *building = row_of[*building as usize];
-        meshes.iter_mut().for_each(|mesh| mesh.each_building(row));
-        self.placements.iter_mut().flatten().for_each(|(owner, _)| row(&mut owner.building));
+        let placements = &mut self.placements;
+        let mut each = |each: &mut dyn FnMut(&mut u32)| {
+            meshes.iter_mut().for_each(|mesh| mesh.each_building(&mut *each));
+            placements.iter_mut().flatten().for_each(|(owner, _)| each(&mut owner.building));
+        };
+        let mut used = Vec::new();
+        each(&mut |building| used.push(*building));
+        let (rows, row_of) = std::mem::take(&mut self.buildings).into_rows(&used);
+        each(&mut |building| *building = row_of[*building as usize]);
         self.division.by_building &= !rows.is_empty();
         self.rows = rows;
     }

@@ -7,6 +7,8 @@ use super::json::{self, joined, quoted};
 use crate::output::number::Short;
 use crate::run::building::Building;
 use crate::value::Value;
+use crate::value::array::{Array, Element};
+use crate::value::text::Text;
 
 /// A table.
 pub(super) struct PropertyTable {
@@ -218,35 +220,19 @@ impl Column {
                 Some(Column { values: bits(&truths), ..Column::new(id, BOOLEAN) })
             }
             Value::Floats(_) => {
-                let arrays =
-                    arrays(
-                        values,
-                        |value| if let Value::Floats(array) = value { Some(array.as_slice()) } else { None },
-                    )?;
-                let numbers = arrays.concat();
+                let (numbers, array_offsets) = arrays(values, as_floats)?;
                 numbers.iter().all(|number| number.is_finite()).then(|| {
                     let values = numbers.into_iter().flat_map(f64::to_le_bytes).collect();
-                    let array_offsets = Some(offsets(arrays.iter().map(|array| array.len())));
                     Column { values, array_offsets, ..Column::new(id, FLOATS64) }
                 })
             }
             Value::Bools(_) => {
-                let arrays =
-                    arrays(
-                        values,
-                        |value| if let Value::Bools(array) = value { Some(array.as_slice()) } else { None },
-                    )?;
-                let array_offsets = Some(offsets(arrays.iter().map(|array| array.len())));
-                Some(Column { values: bits(&arrays.concat()), array_offsets, ..Column::new(id, BOOLEANS) })
+                let (truths, array_offsets) = arrays(values, as_bools)?;
+                Some(Column { values: bits(&truths), array_offsets, ..Column::new(id, BOOLEANS) })
             }
             Value::Texts(_) => {
-                let arrays =
-                    arrays(
-                        values,
-                        |value| if let Value::Texts(array) = value { Some(array.as_slice()) } else { None },
-                    )?;
-                let texts: Vec<&str> = arrays.iter().copied().flatten().map(|text| text.as_str()).collect();
-                let array_offsets = Some(offsets(arrays.iter().map(|array| array.len())));
+                let (texts, array_offsets) = arrays(values, as_texts)?;
+                let texts: Vec<&str> = texts.iter().map(Text::as_str).collect();
                 Some(Column { ty: STRINGS, array_offsets, ..Column::texts(id, &texts, None) })
             }
             Value::Text(_) => None,
@@ -274,9 +260,29 @@ impl Column {
     }
 }
 
-/// The elements of arrays, if all have the type. A row without an array has no elements.
-fn arrays<'a, T>(values: &'a [Option<Value>], of_type: impl Fn(&'a Value) -> Option<&'a [T]>) -> Option<Vec<&'a [T]>> {
-    values.iter().map(|value| value.as_ref().map_or(Some(&[][..]), &of_type)).collect()
+fn as_floats(value: &Value) -> Option<&Array<f64>> {
+    if let Value::Floats(array) = value { Some(array) } else { None }
+}
+
+fn as_bools(value: &Value) -> Option<&Array<bool>> {
+    if let Value::Bools(array) = value { Some(array) } else { None }
+}
+
+fn as_texts(value: &Value) -> Option<&Array<Text>> {
+    if let Value::Texts(array) = value { Some(array) } else { None }
+}
+
+/// The elements of all arrays, if these have the type, and the offsets of the rows. A row without an array has no elements.
+type Elements<T> = (Vec<T>, Option<Vec<u32>>);
+
+fn arrays<'a, T: Element>(
+    values: &'a [Option<Value>],
+    of_type: impl Fn(&'a Value) -> Option<&'a Array<T>>,
+) -> Option<Elements<T>> {
+    let rows =
+        values.iter().map(|value| value.as_ref().map_or(Some(&[][..]), |value| Some(of_type(value)?.as_slice())));
+    let rows = rows.collect::<Option<Vec<&[T]>>>()?;
+    Some((rows.concat(), Some(offsets(rows.iter().map(|row| row.len())))))
 }
 
 /// The values, if all are there and have the type.
@@ -311,8 +317,6 @@ fn identifier(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::value::array::Array;
-    use crate::value::text::Text;
 
     fn column(values: &[Option<Value>]) -> (String, Vec<u8>) {
         let column = Column::of_values("x", values);

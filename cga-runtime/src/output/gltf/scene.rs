@@ -74,19 +74,7 @@ impl SceneMesh {
         matches!(self.places, MeshPlacement::Root | MeshPlacement::Child)
     }
 
-    /// The numbers of the buildings that it has a part of: of its vertices or of its places.
-    pub(super) fn buildings(&self) -> Box<dyn Iterator<Item = u32> + '_> {
-        match &self.places {
-            MeshPlacement::Root | MeshPlacement::Child => {
-                let owners = self.primitives.iter().flat_map(|primitive| &primitive.owners);
-                Box::new(owners.map(|(owner, _)| owner.building))
-            }
-            MeshPlacement::Nodes(nodes) => Box::new(nodes.iter().map(|(_, building)| *building)),
-            MeshPlacement::Instances(places) => Box::new(places.iter().map(|place| place.building)),
-        }
-    }
-
-    /// Passes these numbers to `each`, which may change them.
+    /// Passes the numbers of the buildings of its vertices or of its places to `each`, which may change them.
     pub(super) fn each_building(&mut self, mut each: impl FnMut(&mut u32)) {
         match &mut self.places {
             MeshPlacement::Root | MeshPlacement::Child => {
