@@ -4,8 +4,8 @@
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
-use super::Grammar;
 use super::attribute::{self, Attribute, AttributeError};
+use super::{Grammar, put};
 use crate::value::Value;
 
 /// The value of an attribute by its index.
@@ -65,10 +65,10 @@ pub(super) fn set_values<G: Grammar + ?Sized>(grammar: &mut G, json: &str) -> Re
     let changes = read(attributes, json)?;
     // Choices may be values of other attributes, so all are set before they are checked.
     let before: Vec<Change> = changes.iter().map(|&(index, _)| (index, grammar.attribute_get(index))).collect();
-    put(grammar, &changes);
+    put_all(grammar, &changes);
     let checked = allowed(attributes, &changes, &|name| grammar.get(name).ok());
     if checked.is_err() {
-        put(grammar, &before);
+        put_all(grammar, &before);
     }
     checked
 }
@@ -104,11 +104,6 @@ fn allowed(
 }
 
 /// Makes changes. An attribute without a value gets its default.
-fn put<G: Grammar + ?Sized>(grammar: &mut G, changes: &[Change]) {
-    for (index, value) in changes {
-        match value {
-            Some(value) => grammar.attribute_set(*index, value.clone()),
-            None => grammar.attribute_reset(*index),
-        }
-    }
+fn put_all<G: Grammar + ?Sized>(grammar: &mut G, changes: &[Change]) {
+    changes.iter().for_each(|(index, value)| put(grammar, *index, value.clone()));
 }

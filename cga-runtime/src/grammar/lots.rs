@@ -3,15 +3,15 @@
 use std::collections::BTreeMap;
 
 use crate::fault::{Error, Fault, FaultKind};
-use crate::grammar::Grammar;
 use crate::grammar::attribute::{self, AttributeError, ChoiceValues};
+use crate::grammar::{Grammar, put};
 use crate::run::settings::WrongLots;
 use crate::shape::Shape;
 use crate::shape::lot::Lot;
 use crate::value::Value;
 use crate::value::text::Text;
 
-/// Sets the attributes that a lot has. Returns what is wrong; such attributes keep the value of the grammar. The order of the lot's
+/// Sets the attributes that a lot has. Returns the problems; attributes with one keep the value of the grammar. The order of the lot's
 /// attributes makes no difference to the values.
 pub(crate) fn set_values(grammar: &mut dyn Grammar, lot: &Lot) -> Vec<String> {
     let mut problems = Vec::new();
@@ -36,11 +36,7 @@ pub(crate) fn set_values(grammar: &mut dyn Grammar, lot: &Lot) -> Vec<String> {
         }
         for (index, problem) in refused {
             problems.push(problem);
-            match before.remove(&index) {
-                Some(Some(value)) => grammar.attribute_set(index, value),
-                Some(None) => grammar.attribute_reset(index),
-                None => {}
-            }
+            before.remove(&index).into_iter().for_each(|value| put(grammar, index, value));
         }
     }
 }
@@ -70,20 +66,21 @@ fn place_of(grammar: &dyn Grammar, name: &Text, value: &Value) -> Result<usize, 
     Ok(index)
 }
 
-/// The faults that a run gets for what is wrong with its lot.
+/// The faults that a run gets for the problems of its lot.
 ///
 /// # Errors
 /// [`Error::Lot`] if problems are errors.
 pub(crate) fn faults(shape: &Shape, problems: &[String], wrong: WrongLots) -> Result<Vec<Fault>, Error> {
-    if problems.is_empty() {
-        return Ok(Vec::new());
-    }
     let error = |problems: &[String]| Error::Lot { lot: shape.name().to_owned(), problems: problems.to_vec() };
-    match wrong {
-        WrongLots::Fail => Err(error(problems)),
-        WrongLots::Fault => Ok(problems
-            .chunks(1)
-            .map(|one| Fault { kind: FaultKind::Value, message: error(one).to_string(), count: 1, trail: Vec::new() })
-            .collect()),
+    if wrong == WrongLots::Fail && !problems.is_empty() {
+        return Err(error(problems));
     }
+    // Each fault names the lot.
+    let fault = |problem: &[String]| Fault {
+        kind: FaultKind::Value,
+        message: error(problem).to_string(),
+        count: 1,
+        trail: Vec::new(),
+    };
+    Ok(problems.chunks(1).map(fault).collect())
 }

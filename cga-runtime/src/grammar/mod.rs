@@ -186,6 +186,14 @@ pub trait Grammar {
     }
 }
 
+/// Sets an attribute by its index to a value, or to its default.
+fn put<G: Grammar + ?Sized>(grammar: &mut G, index: usize, value: Option<Value>) {
+    match value {
+        Some(value) => grammar.attribute_set(index, value),
+        None => grammar.attribute_reset(index),
+    }
+}
+
 macro_rules! clones {
     ($($grammar:ty),*) => {$(
         impl Clone for Box<$grammar> {
