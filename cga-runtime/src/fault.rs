@@ -135,7 +135,7 @@ pub enum Error {
     Lot {
         /// The name of the lot; empty if it has none.
         lot: String,
-        /// What is wrong, as in "there is no attribute `hight`; did you mean `height`?".
+        /// The problems, as in "attribute `height` is a number, and the value is text".
         problems: Vec<String>,
     },
     /// The initial shape cannot be used.

@@ -2,7 +2,7 @@
 
 use cga::{Batches, Error, FaultKind, Grammar, Grammars, Limits, Model, Settings, Shape, Value, WrongLots, cga};
 
-use crate::{leaves, model, model_of};
+use crate::{leaves, lines, model, model_of};
 
 cga! {
     grammar House;
@@ -24,10 +24,6 @@ cga! { grammar Park;  attr height = 8  attr trees = rint(rand(1, 1000))  @StartR
 
 fn lot() -> Shape {
     Shape::rectangle(10.0, 10.0)
-}
-
-fn lines(model: &Model) -> Vec<String> {
-    model.report().prints().iter().map(|print| print.to_string()).collect()
 }
 
 #[test]
@@ -205,14 +201,14 @@ fn lots_of_several_grammars() {
     let unknown = lot().named("9").grammar("Shop");
     assert_eq!(
         city.generate(&unknown).unwrap_err().to_string(),
-        "lot `9`: there is no grammar `Shop`; the grammars are House, green"
+        "lot `9`: `Shop` is not a grammar of the set; the grammars are House, green"
     );
     let settings = Settings { wrong_lots: WrongLots::Fault, ..Settings::default() };
     let made = city.generate_with(&unknown, &settings).unwrap();
     assert_eq!((leaves(&made), made.faults().len()), (vec!["House"], 1));
     assert_eq!(
         Grammars::new().generate(&lot()).unwrap_err().to_string(),
-        "a lot without a name: there are no grammars"
+        "a lot without a name: the set has no grammars"
     );
     assert!(matches!(Grammars::new().generate_with(&unknown, &settings), Err(Error::Lot { .. })));
     // A grammar that is refused, is refused where its first lot is.

@@ -27,7 +27,7 @@ use crate::value::text::Text;
 ///
 /// let lot = Shape::rectangle(20.0, 15.0).named("Mill Street 4").grammar("House");
 /// let error = Grammars::new().generate(&lot).unwrap_err();
-/// assert_eq!(error.to_string(), "lot `Mill Street 4`: there are no grammars");
+/// assert_eq!(error.to_string(), "lot `Mill Street 4`: the set has no grammars");
 /// ```
 #[derive(Clone, Default)]
 pub struct Grammars {
@@ -146,7 +146,7 @@ impl GrammarsSession<'_> {
         let number = self.grammars.names().position(|known| known == name);
         let problem = || {
             let known: Vec<&str> = self.grammars.names().collect();
-            format!("there is no grammar `{}`; the grammars are {}", shown(name), known.join(", "))
+            format!("`{}` is not a grammar of the set; the grammars are {}", shown(name), known.join(", "))
         };
         (number.unwrap_or_default(), number.is_none().then(problem))
     }
@@ -167,7 +167,7 @@ impl DynSession for GrammarsSession<'_> {
         }
         let (number, problem) = self.number_of(shape);
         let Some((_, grammar)) = self.grammars.list.get(number) else {
-            let problems = vec!["there are no grammars".to_owned()];
+            let problems = vec!["the set has no grammars".to_owned()];
             return RunOutcome::failed(Error::Lot { lot: shape.name().to_owned(), problems });
         };
         let faults = match lots::faults(shape, problem.as_slice(), self.settings.wrong_lots) {

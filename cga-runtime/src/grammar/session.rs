@@ -1,9 +1,8 @@
 //! Several runs of one grammar with the same settings.
 //!
-//! A [`Session`] checks the attributes and finds the start rule once, for lots with data of their own once for equal data, and keeps data
-//! that runs can share. The results
-//! of its runs equal the results of single runs. A session belongs to one thread; parallel runs have one session each, see
-//! [`parallel`](crate::grammar::parallel).
+//! A [`Session`] checks the attributes and finds the start rule once, and for lots with data of their own once for equal data. It keeps
+//! data that runs can share. The results of its runs equal the results of single runs. A session belongs to one thread; parallel runs have
+//! one session each, see [`parallel`](crate::grammar::parallel).
 
 use std::borrow::Cow;
 use std::fmt;

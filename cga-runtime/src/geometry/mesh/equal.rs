@@ -64,7 +64,7 @@ mod tests {
     #[test]
     fn meshes_are_equal_if_all_that_they_store_is() {
         let (mesh, tag) = (square(FaceTag::PLAIN, 0), FaceTag { group: 1, ..FaceTag::PLAIN });
-        // What is computed on demand is not compared.
+        // Values that are computed on demand are not compared.
         assert!(!mesh.is_closed());
         assert_eq!(mesh, square(FaceTag::PLAIN, 0));
         assert_ne!(mesh, square(tag, 0));
