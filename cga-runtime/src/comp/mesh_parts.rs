@@ -16,9 +16,9 @@ use crate::geometry::Frame;
 use crate::geometry::face_frame::{FaceFrame, along, beside, face_frame, upright};
 use crate::geometry::mesh::extract;
 use crate::geometry::mesh::{Adjacency, FaceTag, Mesh, flip, unit};
+use crate::geometry::origin::PointOrigin;
 use crate::geometry::provenance::Provenance;
 use crate::geometry::tol::{COPLANAR_EPSILON, UP_EPSILON};
-use crate::geometry::trace::PartPoint;
 use crate::geometry::wire::Wire;
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
@@ -369,7 +369,7 @@ impl MeshParts {
             filled.end_loop();
             filled.end_face(FaceTag::PLAIN);
         }
-        filled.carry_tags(&self.mesh, |point| PartPoint::old(taken[point as usize]));
+        filled.carry_tags(&self.mesh, |point| PointOrigin::Old(taken[point as usize]));
         filled.trace = self.mesh.trace.pick(&mut taken.iter().map(|point| Some(*point)));
         filled
     }

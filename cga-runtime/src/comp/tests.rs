@@ -5,7 +5,8 @@ use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use super::select::Word;
 use super::{Align, Arm, AssignedComponents, Components, Mode, Select, comp_values, never};
-use crate::geometry::mesh::{Extrude, Mesh, MeshBuilder, extrude, primitive};
+use crate::geometry::extrude::{Extrude, extrude};
+use crate::geometry::mesh::{Mesh, MeshBuilder, primitive};
 use crate::run::env::Env;
 use crate::run::sink::Flow;
 use crate::shape::unit::UnitMesh;

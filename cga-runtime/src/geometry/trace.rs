@@ -44,25 +44,6 @@ struct TraceLayers {
     is_gone: bool,
 }
 
-/// A point of a part: a point of the whole, or a point between two.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct PartPoint {
-    /// The numbers of the points of the whole, equal for a point of the whole itself.
-    pub(crate) ends: [u32; 2],
-    /// The place between them, from 0 at the first to 1 at the second.
-    pub(crate) share: f64,
-}
-
-impl PartPoint {
-    /// A point that does not come from the whole.
-    pub(crate) const NEW: PartPoint = PartPoint { ends: [UNTRACED; 2], share: 0.0 };
-
-    /// A point of the whole.
-    pub(crate) fn old(point: u32) -> Self {
-        PartPoint { ends: [point; 2], share: 0.0 }
-    }
-}
-
 impl Trace {
     /// A trace with these layers.
     pub(crate) fn of(list: Vec<TraceLayer>) -> Self {

@@ -6,7 +6,8 @@ use glam::DVec3;
 
 use crate::geometry::Frame;
 use crate::geometry::mesh::{SubcomponentTags, unit};
-use crate::geometry::trace::{PartPoint, Trace};
+use crate::geometry::origin::PointOrigin;
+use crate::geometry::trace::Trace;
 use crate::value::each::Each;
 
 /// Edges between points, or points without edges.
@@ -55,7 +56,8 @@ impl Wire {
         };
         let edges: Vec<[u32; 2]> = edges.map(|edge| edge.each(&mut number)).collect();
         let trace = trace.pick(&mut used.iter().map(|point| Some(*point)));
-        let tags = tags.carried(&mut edges.iter().copied(), used.len(), &|point| PartPoint::old(used[point as usize]));
+        let tags =
+            tags.carried(&mut edges.iter().copied(), used.len(), &|point| PointOrigin::Old(used[point as usize]));
         Wire { points: used.iter().map(|point| points[*point as usize]).collect(), edges, normals, tags, trace }
     }
 
@@ -68,7 +70,7 @@ impl Wire {
         normals: Vec<DVec3>,
     ) -> Self {
         let tags =
-            tags.carried(&mut std::iter::empty(), numbers.len(), &|point| PartPoint::old(numbers[point as usize]));
+            tags.carried(&mut std::iter::empty(), numbers.len(), &|point| PointOrigin::Old(numbers[point as usize]));
         let trace = trace.pick(&mut numbers.iter().map(|point| Some(*point)));
         Wire { points, edges: Vec::new(), normals, tags, trace }
     }
@@ -99,7 +101,7 @@ impl Wire {
     /// The part between two offsets along a direction, with edges cut off there. Edges and points exactly at an offset
     /// are below it. Points that edges share are shared in the part too (*CGA changelog, SDK 3.3.11351*).
     /// Parts of edges keep their tags. The part has no trace, but comes with the origins of its points.
-    pub(crate) fn between(&self, along: DVec3, low: f64, high: f64) -> (Wire, Vec<PartPoint>) {
+    pub(crate) fn between(&self, along: DVec3, low: f64, high: f64) -> (Wire, Vec<PointOrigin>) {
         let (mut part, mut origins) = (Wire::default(), Vec::new());
         let mut numbers = HashMap::new();
         for (edge, &normal) in (0..self.edges.len()).zip(&self.normals) {
@@ -123,8 +125,8 @@ impl Wire {
                 };
                 *numbers.entry(key).or_insert_with(|| {
                     let found = share.map_or(self.points[point as usize], |share| start + (end - start) * share);
-                    let old = PartPoint::old(point);
-                    origins.push(share.map_or(old, |share| PartPoint { ends: [min, max], share }));
+                    let old = PointOrigin::Old(point);
+                    origins.push(share.map_or(old, |share| PointOrigin::Between { ends: [min, max], share }));
                     part.points.push(found);
                     part.points.len() as u32 - 1
                 })
@@ -138,7 +140,7 @@ impl Wire {
                 if low < point.dot(along) && point.dot(along) <= high {
                     part.points.push(point);
                     part.normals.push(normal);
-                    origins.push(PartPoint::old(number));
+                    origins.push(PointOrigin::Old(number));
                 }
             }
         }

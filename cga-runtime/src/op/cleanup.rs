@@ -77,7 +77,8 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::geometry::mesh::{Extrude, FaceTag, Mesh, MeshBuilder, extrude};
+    use crate::geometry::extrude::{Extrude, extrude};
+    use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
     use crate::op;
 
     /// A block over a square, whose outline has a point in the middle of each side, and a thin strip beside it.

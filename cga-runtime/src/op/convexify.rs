@@ -50,7 +50,8 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::geometry::mesh::{Extrude, FaceTag, Mesh, MeshBuilder, extrude};
+    use crate::geometry::extrude::{Extrude, extrude};
+    use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
     use crate::op::{self, Length};
 
     fn l(length: f64) -> Mesh {

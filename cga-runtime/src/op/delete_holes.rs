@@ -23,7 +23,8 @@ mod tests {
     use glam::{DVec2, DVec3};
 
     use super::*;
-    use crate::geometry::mesh::{Extrude, FaceTag, Mesh, MeshBuilder, extrude};
+    use crate::geometry::extrude::{Extrude, extrude};
+    use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 
     fn square(low: f64, high: f64) -> Vec<DVec3> {
         [(low, high), (high, high), (high, low), (low, low)].map(|(x, z)| DVec3::new(x, 0.0, z)).to_vec()

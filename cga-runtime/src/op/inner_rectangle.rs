@@ -5,9 +5,9 @@ use std::ops::ControlFlow;
 use crate::comp::select::Word;
 use crate::comp::{Arms, Faces};
 use crate::fault::FaultKind;
+use crate::geometry::derive::{CornerValues, Derivation};
 use crate::geometry::inner_rectangle::RectangleSides;
-use crate::geometry::mesh::SubcomponentTagger;
-use crate::geometry::mesh::inner_rectangle::{RectangleRefusal, cut_rectangle, finish};
+use crate::geometry::inner_rectangle::face::{RectangleRefusal, cut_rectangle};
 use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::value::each::Each;
@@ -48,24 +48,23 @@ pub fn inner_rectangle(env: &mut Env, arms: &mut Arms<'_>, alignment: RectangleA
     }
     let mesh = arms.shape().to_mesh();
     let labels = [Word::Shape, Word::Remainder].each(|word| arms.of(word));
-    let (mut made, mut tagger) = (Faces { mesh: mesh.alike(0), arms: Vec::new() }, SubcomponentTagger::default());
+    let (mut made, mut arms_of) = (Derivation::new(&mesh, CornerValues::All, 0).without_trace(), Vec::new());
     for face in mesh.faces() {
-        let count = match cut_rectangle(&face, alignment.sides(), labels[1].is_some(), &mut made.mesh, &mut tagger) {
+        let count = match cut_rectangle(&face, alignment.sides(), labels[1].is_some(), &mut made) {
             Ok(count) => {
-                made.arms.push(labels[0]);
+                arms_of.push(labels[0]);
                 count
             }
             Err(why) => {
                 let (number, why) = (face.index(), reason(why));
                 env.fault(FaultKind::Geometry, format!("`innerRectangle`: face {number} {why}; it stays whole"));
-                made.mesh.add_tagged_copy(&face, face.tag(), &mut tagger);
+                made.copy(&face);
                 1
             }
         };
-        made.arms.extend(std::iter::repeat_n(labels[1], count));
+        arms_of.extend(std::iter::repeat_n(labels[1], count));
     }
-    finish(&mut made.mesh, tagger);
-    ControlFlow::Continue(made)
+    ControlFlow::Continue(Faces { mesh: made.finish_by_use(), arms: arms_of })
 }
 
 /// `innerRect()`, the form before 2016.0: replaces each face by the largest rectangle along the scope's axes (*innerRect
@@ -76,17 +75,17 @@ pub fn inner_rect(env: &mut Env, shape: &mut Shape) {
         return;
     }
     let mesh = shape.to_mesh();
-    let (mut made, mut tagger) = (mesh.alike(0), SubcomponentTagger::default());
+    let mut made = Derivation::new(&mesh, CornerValues::All, 0).without_trace();
     let mut refused = 0;
     for face in mesh.faces() {
-        if let Err(why) = cut_rectangle(&face, RectangleSides::Axes, false, &mut made, &mut tagger) {
+        if let Err(why) = cut_rectangle(&face, RectangleSides::Axes, false, &mut made) {
             let (number, why) = (face.index(), reason(why));
             env.fault(FaultKind::Geometry, format!("`innerRect`: face {number} {why}; it stays as it is"));
-            made.add_tagged_copy(&face, face.tag(), &mut tagger);
+            made.copy(&face);
             refused += 1;
         }
     }
-    finish(&mut made, tagger);
+    let made = made.finish_by_use();
     if refused < mesh.face_count() && env.count_corners(made.corners().len() as u64).is_continue() {
         shape.set_mesh(made);
     }

@@ -168,8 +168,8 @@ fn arrange(env: &mut Env, shape: &mut Shape, low: DVec3, size: DVec3, mode: Inse
 mod tests {
     use super::*;
     use crate::asset::Assets;
+    use crate::geometry::extrude::{Extrude, extrude};
     use crate::geometry::mesh::primitive::cone;
-    use crate::geometry::mesh::{Extrude, extrude};
     use crate::run::settings::Settings;
     use crate::shape::Inserted;
     use crate::shape::Shape;

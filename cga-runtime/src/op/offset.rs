@@ -1,8 +1,8 @@
 //! `offset`: moves the outlines of faces inwards or outwards.
 
 use crate::fault::FaultKind;
-use crate::geometry::mesh::OffsetFaces;
-use crate::geometry::mesh::offset::{OffsetError, offset as offset_mesh};
+use crate::geometry::offset::OffsetFaces;
+use crate::geometry::offset::{OffsetError, offset as offset_mesh};
 use crate::run::env::Env;
 use crate::shape::scope::Scope;
 use crate::shape::unit::UnitMesh;

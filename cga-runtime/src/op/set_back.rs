@@ -5,12 +5,12 @@ use std::ops::ControlFlow;
 use crate::comp::select::Word;
 use crate::comp::{Arms, Faces, face_edges};
 use crate::fault::FaultKind;
-use crate::geometry::mesh::offset::OffsetError;
-use crate::geometry::mesh::offset::region::EdgeCut;
-use crate::geometry::mesh::offset::set_back::{renumber, set_back as set_face_back};
-use crate::geometry::mesh::offset::side_tags::SideTags;
-use crate::geometry::mesh::offset::to_area::CORNER;
+use crate::geometry::derive::{CornerValues, Derivation};
 use crate::geometry::mesh::{FaceRef, Mesh};
+use crate::geometry::offset::OffsetError;
+use crate::geometry::offset::region::EdgeCut;
+use crate::geometry::offset::set_back::{set_back as set_face_back, stay};
+use crate::geometry::offset::to_area::CORNER;
 use crate::geometry::work;
 use crate::run::env::Env;
 
@@ -90,31 +90,27 @@ pub(super) fn divided_at(
     what: &str,
     turns: &dyn Fn(&FaceRef<'_>) -> FaceTurns,
 ) -> Faces {
-    let mut made = Faces { mesh: mesh.alike(0), arms: Vec::new() };
-    let mut tags = SideTags::new(mesh, env.tags_edges);
+    let (mut made, mut arms) = (Derivation::new(mesh, CornerValues::All, 0).without_trace(), Vec::new());
     for face in mesh.faces() {
         if !work::spend(CORNER * face.corner_count()) {
             break;
         }
         let (cuts, turns) = turns(&face);
         let distances: Vec<&[f64]> = turns.iter().map(|turn| &turn.distances[..]).collect();
-        match set_face_back(&face, &cuts, &distances, &mut made.mesh, &mut tags) {
+        match set_face_back(&face, &cuts, &distances, env.tags_edges, &mut made) {
             Ok(counts) => {
-                let arms = turns.iter().map(|turn| turn.arm).chain([remainder]);
-                made.arms.extend(arms.zip(counts).flat_map(|(arm, count)| std::iter::repeat_n(arm, count)));
+                let turns = turns.iter().map(|turn| turn.arm).chain([remainder]);
+                arms.extend(turns.zip(counts).flat_map(|(arm, count)| std::iter::repeat_n(arm, count)));
             }
             Err(why) => {
                 let (number, why) = (face.index(), reason(why));
                 env.fault(FaultKind::Geometry, format!("{what}: face {number} {why}; it stays whole"));
-                made.mesh.add_copy(&face, face.tag());
-                tags.whole(&face, &made.mesh);
-                made.arms.push(remainder);
+                stay(&face, env.tags_edges, &mut made);
+                arms.push(remainder);
             }
         }
     }
-    tags.finish(&mut made.mesh);
-    renumber(&mut made.mesh);
-    made
+    Faces { mesh: made.finish_by_use(), arms }
 }
 
 fn reason(why: OffsetError) -> &'static str {

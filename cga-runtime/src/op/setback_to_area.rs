@@ -8,7 +8,7 @@ use crate::comp::select::Word;
 use crate::comp::{Arms, Faces};
 use crate::fault::FaultKind;
 use crate::geometry::mesh::FaceRef;
-use crate::geometry::mesh::offset::to_area::{Rest, offset_for};
+use crate::geometry::offset::to_area::{Rest, offset_for};
 use crate::run::env::Env;
 use crate::value::array::Array;
 use crate::value::each::Each;

@@ -1,9 +1,10 @@
 //! `taper`: a pyramid over a face.
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 use super::extrude::stand;
-use crate::geometry::mesh::{Bounds, FaceRef, Mesh, PartTags, Spread, SubcomponentTagger, flip, unit};
+use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
+use crate::geometry::mesh::{Bounds, FaceRef, Mesh, flip};
 use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::value::each::Each;
@@ -24,52 +25,25 @@ pub fn taper(env: &mut Env, shape: &mut Shape, height: f64) {
     stand(env, shape, pyramid(&mesh, &face, height), face.normal(), height, "`taper`");
 }
 
-/// The face turned over, then a triangle for each of its edges, outline before holes. A triangle has the tags of its edge, an
-/// edge to the apex the tags of its vertex (*Geometry tagging*, tag propagation).
+/// The face turned over, then a triangle for each of its edges, outline before holes.
 fn pyramid(source: &Mesh, face: &FaceRef<'_>, height: f64) -> Mesh {
-    let (normal, range) = (face.normal(), face.corner_range());
-    let centre = centre_of_gravity(face);
-    let mut mesh = source.alike(4 * face.corner_count());
-    mesh.points = range.clone().map(|corner| face.position(corner)).collect();
-    let apex = mesh.points.len() as u32;
-    mesh.points.push(centre + normal * height);
-    let (own, mut tags, mut tagger) = (face.tag(), PartTags::new(source, "taper"), SubcomponentTagger::default());
-    // At the apex texture coordinates continue the coordinates of the face.
-    let x = unit(face.position(range.start + 1) - face.position(range.start));
-    let flat = |at: DVec3| DVec2::new((at - centre).dot(x), (at - centre).dot(normal.cross(x)));
-    let weights = Spread::of(range.clone().map(|corner| flat(face.position(corner))).collect()).weights(DVec2::ZERO);
+    let mut made = Derivation::new(source, CornerValues::Coordinates, 4 * face.corner_count());
+    let range = face.corner_range();
+    // Each corner has a point of its own.
+    range.clone().for_each(|corner| _ = made.old_point(source.corners()[corner]));
+    let apex = made.point(centre_of_gravity(face) + face.normal() * height, PointOrigin::New);
     let number = |corner: usize| (corner - range.start) as u32;
-    for ring in face.loop_ranges() {
-        let mut order: Vec<usize> = ring.collect();
-        flip(&mut order);
-        for corner in order {
-            mesh.corners.push(number(corner));
-            mesh.uvs.push_from(&source.uvs, |list| list[corner]);
-        }
-        mesh.loop_ends.push(mesh.corners.len() as u32);
+    let turned = face.loop_ranges().map(|ring| {
+        let mut ring: Vec<u32> = ring.map(number).collect();
+        flip(&mut ring);
+        ring
+    });
+    made.face(turned, FaceOrigin::over(face, "taper.bottom").turned());
+    for edge in face.edges() {
+        let [a, b] = edge.each(number);
+        made.face([[a, b, apex]], FaceOrigin::over_edge(face, "taper.side", edge));
     }
-    mesh.end_face(tags.over(own, "taper.bottom"));
-    for ring in face.loop_ranges() {
-        for corner in ring.clone() {
-            let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
-            mesh.corners.extend([number(corner), number(next), apex]);
-            for at in [corner, next] {
-                mesh.uvs.push_from(&source.uvs, |list| list[at]);
-            }
-            let mixed =
-                |list: &[DVec2]| list[range.clone()].iter().zip(&weights).map(|(&uv, &weight)| uv * weight).sum();
-            mesh.uvs.push_from(&source.uvs, mixed);
-            mesh.loop_ends.push(mesh.corners.len() as u32);
-            let ends = [corner, next].each(|corner| source.corners[corner]);
-            mesh.end_face(tags.over_edge(own, "taper.side", ends));
-            let triangle = [number(corner), number(next), apex];
-            let old = |point: u32| (point != apex).then(|| source.corners[range.start + point as usize]);
-            tagger.grow_ring(source, &triangle, |point| point, old);
-        }
-    }
-    mesh.tag_sets = tags.finish();
-    mesh.put_tags(tagger);
-    mesh
+    made.finish()
 }
 
 /// The centre of gravity of a face, without its holes.
@@ -98,6 +72,8 @@ fn centre_of_gravity(face: &FaceRef<'_>) -> DVec3 {
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec2;
+
     use super::*;
     use crate::geometry::mesh::Mesh;
 

@@ -60,7 +60,8 @@ mod tests {
     use crate::comp::select::Word;
     use crate::comp::{Align, Arm, Components, Mode, Select, comp_values, never};
     use crate::geometry::Frame;
-    use crate::geometry::mesh::{Extrude, Mesh, MeshBuilder, extrude};
+    use crate::geometry::extrude::{Extrude, extrude};
+    use crate::geometry::mesh::{Mesh, MeshBuilder};
     use crate::op;
     use crate::query::{geometry_area, geometry_is_closed_surface};
     use crate::shape::Shape;

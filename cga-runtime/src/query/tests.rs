@@ -113,7 +113,7 @@ fn courtyard() -> Mesh {
     let outer = on(&[(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (4.0, 10.0), (4.0, 6.0), (0.0, 6.0)]);
     let hole = on(&[(6.0, 2.0), (8.0, 2.0), (8.0, 4.0), (6.0, 4.0)]);
     let flat = Mesh::from_polygon(&outer, &[hole]).expect("a polygon");
-    crate::geometry::mesh::extrude(&flat, crate::geometry::mesh::Extrude::FaceNormal, 10.0)
+    crate::geometry::extrude::extrude(&flat, crate::geometry::extrude::Extrude::FaceNormal, 10.0)
 }
 
 #[test]

@@ -13,7 +13,8 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use crate::geometry::Axis;
 use crate::geometry::cut;
-use crate::geometry::mesh::{Extrude, Mesh, TaggedComponents, extrude, primitive, solid};
+use crate::geometry::extrude::{Extrude, extrude};
+use crate::geometry::mesh::{Mesh, TaggedComponents, primitive, solid};
 use crate::geometry::provenance::Provenance;
 use crate::value::each::Each;
 

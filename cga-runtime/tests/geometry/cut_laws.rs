@@ -5,7 +5,8 @@ use std::sync::Arc;
 use crate::cut_support::*;
 use cga_runtime::geometry::Axis;
 use cga_runtime::geometry::cut::slabs;
-use cga_runtime::geometry::mesh::{Extrude, FaceTag, Mesh, MeshBuilder, extrude, primitive};
+use cga_runtime::geometry::extrude::{Extrude, extrude};
+use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder, primitive};
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 /// One mesh of each kind.

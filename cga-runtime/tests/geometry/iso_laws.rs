@@ -6,7 +6,8 @@ use std::sync::Arc;
 use crate::cut_support::*;
 use crate::iso_support::*;
 use cga_runtime::geometry::cut::iso_bands;
-use cga_runtime::geometry::mesh::{Extrude, Flaw, Mesh, UvAxis, extrude, primitive};
+use cga_runtime::geometry::extrude::{Extrude, extrude};
+use cga_runtime::geometry::mesh::{Flaw, Mesh, UvAxis, primitive};
 use glam::{DVec2, DVec3};
 
 const MOST: usize = 1 << 24;

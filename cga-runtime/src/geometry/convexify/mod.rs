@@ -24,7 +24,7 @@ use std::borrow::Cow;
 use glam::DVec3;
 
 use crate::geometry::mesh::{FaceRef, Mesh};
-use crate::geometry::trace::PartPoint;
+use crate::geometry::origin::PointOrigin;
 use cutter::Cutter;
 use net::Net;
 use plane::Plane;
@@ -34,7 +34,7 @@ use touching::Relinked;
 /// The result of cutting all faces.
 pub(crate) struct Convexified {
     /// The mesh and the origins of its points; `None` if no face was cut.
-    pub(crate) made: Option<(Mesh, Vec<PartPoint>)>,
+    pub(crate) made: Option<(Mesh, Vec<PointOrigin>)>,
     /// The faces that stay concave because they cross or touch themselves.
     pub(crate) refused: Vec<usize>,
 }
@@ -45,7 +45,7 @@ pub(crate) struct Convexified {
 pub(crate) fn convexify(mesh: &Mesh, longest: f64) -> Convexified {
     if let Cow::Owned(flat) = mesh.without_bent_faces() {
         let cut = convexify(&flat, longest);
-        let origins = || (0..flat.points.len() as u32).map(PartPoint::old).collect();
+        let origins = || (0..flat.points.len() as u32).map(PointOrigin::Old).collect();
         return Convexified { made: cut.made.or_else(|| Some((flat.clone(), origins()))), ..cut };
     }
     let concave: Vec<usize> = (0..mesh.face_count()).filter(|&face| is_concave(&mesh.face(face))).collect();
@@ -74,7 +74,7 @@ pub(crate) fn convexify(mesh: &Mesh, longest: f64) -> Convexified {
 }
 
 /// The mesh with the parts of its concave faces, and the origins of its points.
-fn assembled(mesh: &Mesh, net: &Net, concave: &[usize], parts: &[Vec<Part>]) -> (Mesh, Vec<PartPoint>) {
+fn assembled(mesh: &Mesh, net: &Net, concave: &[usize], parts: &[Vec<Part>]) -> (Mesh, Vec<PointOrigin>) {
     let mut made = mesh.alike(net.corner_count());
     let mut add = |heads: &[u32], tag| {
         for &head in heads {

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::geometry::mesh::{Mesh, unit};
-use crate::geometry::trace::PartPoint;
+use crate::geometry::origin::PointOrigin;
 use crate::value::each::Each;
 
 /// The corners of a mesh, linked to loops. The half-edge that starts at a corner has the number of the corner.
@@ -18,7 +18,7 @@ pub(super) struct Net {
     cuts: Vec<bool>,
     /// The number of points of the mesh, and the origins of the others.
     old_points: usize,
-    origins: Vec<PartPoint>,
+    origins: Vec<PointOrigin>,
     /// The divisions of edges of the mesh since the last mark: for each half-edge the corner behind it.
     divisions: Vec<Vec<[u32; 2]>>,
 }
@@ -85,29 +85,29 @@ impl Net {
     }
 
     /// The origin of a point in the mesh.
-    pub(super) fn origin(&self, point: u32) -> PartPoint {
+    pub(super) fn origin(&self, point: u32) -> PointOrigin {
         match (point as usize).checked_sub(self.old_points) {
-            None => PartPoint::old(point),
+            None => PointOrigin::Old(point),
             Some(new) => self.origins[new],
         }
     }
 
     /// The origin of a new point on a half-edge.
-    fn origin_along(&self, half: u32, share: f64) -> PartPoint {
+    fn origin_along(&self, half: u32, share: f64) -> PointOrigin {
         if self.is_cut(half) {
-            return PartPoint::NEW;
+            return PointOrigin::New;
         }
         let [from, to] = [half, self.next(half)].each(|corner| self.origin(self.point(corner)));
         // The whole edge on which this part is.
-        let all = [from.ends, to.ends].concat();
-        let (Some(&low), Some(&high)) = (all.iter().min(), all.iter().max()) else { return PartPoint::NEW };
-        let place = |point: PartPoint| match point.ends {
-            [a, b] if a == b => f64::from(u8::from(a == high)),
-            [a, _] if a == low => point.share,
-            _ => 1.0 - point.share,
+        let all = [from.ends(), to.ends()].concat();
+        let (Some(&low), Some(&high)) = (all.iter().min(), all.iter().max()) else { return PointOrigin::New };
+        let place = |point: PointOrigin| match point {
+            PointOrigin::Between { ends: [a, _], share } if a == low => share,
+            PointOrigin::Between { share, .. } => 1.0 - share,
+            other => f64::from(u8::from(other.ends()[0] == high)),
         };
         let (from, to) = (place(from), place(to));
-        PartPoint { ends: [low, high], share: from + (to - from) * share }
+        PointOrigin::Between { ends: [low, high], share: from + (to - from) * share }
     }
 
     /// Divides an edge in all loops that have it. Returns the new corner in the loop of `half`.

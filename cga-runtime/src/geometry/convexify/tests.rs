@@ -1,7 +1,8 @@
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 
 use super::*;
-use crate::geometry::mesh::{Extrude, FaceTag, MeshBuilder, SubcomponentTagger, TagSet, extrude};
+use crate::geometry::extrude::{Extrude, extrude};
+use crate::geometry::mesh::{FaceTag, MeshBuilder, SubcomponentTagger, TagSet};
 use crate::geometry::random::Rng;
 use crate::value::text::Text;
 

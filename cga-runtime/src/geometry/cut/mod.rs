@@ -31,7 +31,7 @@ use glam::DVec3;
 
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
-use crate::geometry::trace::PartPoint;
+use crate::geometry::origin::PointOrigin;
 use crate::geometry::work;
 
 pub use iso::iso_bands;
@@ -56,7 +56,7 @@ pub struct Slabs {
     /// The chains that could not be closed, because the mesh is open there.
     pub open: Vec<OpenChain>,
     /// The origins of the points of each part, if the mesh has a trace.
-    pub(crate) points: Vec<Vec<PartPoint>>,
+    pub(crate) points: Vec<Vec<PointOrigin>>,
 }
 
 /// A run of edges in a cut plane that does not close.

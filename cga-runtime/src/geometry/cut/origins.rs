@@ -5,21 +5,21 @@ use super::points::{Location, NONE};
 use super::segment::comes_first;
 use super::state::CutState;
 use crate::geometry::mesh::Mesh;
-use crate::geometry::trace::PartPoint;
+use crate::geometry::origin::PointOrigin;
 use crate::value::each::Each;
 
 impl CutState {
     /// The origin of each point of each slab, if the mesh needs them.
     #[inline]
-    pub(super) fn needed_origins(&self, mesh: &Mesh) -> impl Iterator<Item = Vec<PartPoint>> + use<> {
+    pub(super) fn needed_origins(&self, mesh: &Mesh) -> impl Iterator<Item = Vec<PointOrigin>> + use<> {
         if mesh.needs_origins() { self.origins(mesh).into_iter() } else { Vec::new().into_iter() }
     }
 
     /// The origin of each point of each slab, in the order of the finished meshes.
-    fn origins(&self, mesh: &Mesh) -> Vec<Vec<PartPoint>> {
-        let of_part = |part: &super::slab::Slab| vec![PartPoint::NEW; part.mesh.points.len()];
-        let mut lists: Vec<Vec<PartPoint>> = self.parts.iter().map(of_part).collect();
-        let mut put = |place: Location, origin: PartPoint| {
+    fn origins(&self, mesh: &Mesh) -> Vec<Vec<PointOrigin>> {
+        let of_part = |part: &super::slab::Slab| vec![PointOrigin::New; part.mesh.points.len()];
+        let mut lists: Vec<Vec<PointOrigin>> = self.parts.iter().map(of_part).collect();
+        let mut put = |place: Location, origin: PointOrigin| {
             if !place.class.is_on_plane() {
                 set(&mut lists, place.class.slab(), place.number, origin);
                 return;
@@ -30,7 +30,7 @@ impl CutState {
             set(&mut lists, plane + 1, numbers[1], origin);
         };
         for (place, point) in self.points.places.iter().zip(0..) {
-            put(*place, PartPoint::old(point));
+            put(*place, PointOrigin::Old(point));
         }
         let axis = self.points.axis;
         for (ends, first) in self.points.edges.all() {
@@ -45,7 +45,7 @@ impl CutState {
                 let at = self.points.planes[plane as usize];
                 let share = (at - from[axis]) / (to[axis] - from[axis]);
                 if let Some(number) = number {
-                    put(Location::on(plane, *number), PartPoint { ends, share });
+                    put(Location::on(plane, *number), PointOrigin::Between { ends, share });
                 }
             }
         }
@@ -59,7 +59,7 @@ impl CutState {
     }
 }
 
-fn set(lists: &mut [Vec<PartPoint>], slab: u32, number: u32, origin: PartPoint) {
+fn set(lists: &mut [Vec<PointOrigin>], slab: u32, number: u32, origin: PointOrigin) {
     if number != NONE
         && let Some(slot) = lists.get_mut(slab as usize).and_then(|list| list.get_mut(number as usize))
     {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::points::{CutPoints, Location, NONE, PieceCorner};
 use crate::geometry::mesh::{FaceTag, Mesh, keep_used};
-use crate::geometry::trace::PartPoint;
+use crate::geometry::origin::PointOrigin;
 
 /// The mesh of a slab, and the number of its faces that were not cut.
 pub(crate) struct Slab {
@@ -98,7 +98,7 @@ impl Slab {
 
     /// The finished mesh. The source itself if the part contains all of it, `None` if the part is empty. `origins` are the
     /// origins of its points, if edges or vertices of the source have tags.
-    pub(crate) fn finish(mut self, source: &Arc<Mesh>, closed: bool, origins: &[PartPoint]) -> Option<Arc<Mesh>> {
+    pub(crate) fn finish(mut self, source: &Arc<Mesh>, closed: bool, origins: &[PointOrigin]) -> Option<Arc<Mesh>> {
         let faces = self.mesh.face_ends.len();
         if faces == 0 {
             return None;

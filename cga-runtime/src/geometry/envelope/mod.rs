@@ -20,7 +20,8 @@ use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
-use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh, PartTags, SubcomponentTagger, Tags, unit};
+use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
+use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh, Tags, unit};
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::skeleton::MOST_CORNERS;
 use crate::geometry::tol::{PLANAR_EPSILON, TOUCH_EPSILON};
@@ -171,37 +172,18 @@ pub(crate) fn envelopes(
     height: f64,
     up: Option<DVec3>,
 ) -> (Mesh, Vec<(usize, EnvelopeRefusal)>) {
-    let mut made = Mesh {
-        groups: source.groups().to_vec().into(),
-        materials: source.materials().to_vec().into(),
-        bent: source.bent,
-        ..Mesh::default()
-    };
-    let (mut tags, mut tagger) = (PartTags::new(source, "envelope"), SubcomponentTagger::default());
+    let mut made = Derivation::new(source, CornerValues::Dropped, 0).without_trace();
     let mut refused = Vec::new();
     for face in source.faces() {
-        let ends: Vec<[u32; 2]> = face.edges().map(|edge| edge.each(|corner| source.corners()[corner])).collect();
         match envelope(&face, &sides[face.corner_range()], height, up) {
-            Ok(volume) => add(&mut made, &face, &volume, &mut tagger, |mark| {
-                let part = EnvelopePart::of_mark(mark.tags);
-                match part {
-                    EnvelopePart::Bottom | EnvelopePart::Top => tags.over(face.tag(), part.tag()),
-                    EnvelopePart::Inner(corner) | EnvelopePart::Base(corner) | EnvelopePart::Slope(corner) => {
-                        tags.over_edge(face.tag(), part.tag(), ends[corner as usize])
-                    }
-                }
-            }),
+            Ok(volume) => add(&mut made, &face, &volume),
             Err(why) => {
+                made.copy(&face);
                 refused.push((face.index(), why));
-                let rings: Vec<Vec<usize>> = face.loop_ranges().map(Iterator::collect).collect();
-                let kept = plain(&face, rings.iter().map(Vec::as_slice));
-                add(&mut made, &face, &kept, &mut tagger, |own| tags.same(own));
             }
         }
     }
-    made.tag_sets = tags.finish();
-    made.put_tags(tagger);
-    (made, refused)
+    (made.finish(), refused)
 }
 
 fn envelope(
@@ -284,32 +266,24 @@ fn plain<'c>(face: &FaceRef<'_>, rings: impl IntoIterator<Item = &'c [usize]>) -
     mesh
 }
 
-/// Adds the faces of a mesh over a face, with other tags. Old edges and vertices keep their tags, and edges that rise at a
-/// corner have the tags of the corner.
-fn add(
-    made: &mut Mesh,
-    face: &FaceRef<'_>,
-    from: &Mesh,
-    tagger: &mut SubcomponentTagger,
-    mut tag: impl FnMut(FaceTag) -> FaceTag,
-) {
-    let base = made.points.len() as u32;
-    made.points.extend_from_slice(from.points());
-    // The bottom has the points of the face bit for bit.
+/// Adds the faces of a volume over a face. The bottom has the points of the face bit for bit.
+fn add(made: &mut Derivation<'_>, face: &FaceRef<'_>, volume: &Mesh) {
     let key = |point: DVec3| point.to_array().each(|x| (x + 0.0).to_bits());
-    let mut olds = BTreeMap::new();
-    if !face.mesh.subcomponent_tags.is_empty() {
-        let points = face.corner_range().map(|corner| (key(face.position(corner)), face.mesh.corners()[corner]));
-        olds.extend(points);
-    }
-    for part in from.faces() {
-        for ring in part.loops() {
-            let old = |point: u32| olds.get(&key(from.points()[point as usize])).copied();
-            tagger.grow_ring(face.mesh, ring, |point| base + point, old);
-            made.corners.extend(ring.iter().map(|point| base + point));
-            made.end_loop();
-        }
-        made.end_face(tag(part.tag()));
+    let points = face.corner_range().map(|corner| (key(face.position(corner)), face.mesh.corners()[corner]));
+    let olds: BTreeMap<[u64; 3], u32> = points.collect();
+    let origin = |point: DVec3| olds.get(&key(point)).map_or(PointOrigin::New, |old| PointOrigin::Old(*old));
+    let numbers: Vec<u32> = volume.points().iter().map(|&point| made.point(point, origin(point))).collect();
+    let edges: Vec<[usize; 2]> = face.edges().collect();
+    for own in volume.faces() {
+        let part = EnvelopePart::of_mark(own.tag().tags);
+        let origin = match part {
+            EnvelopePart::Bottom | EnvelopePart::Top => FaceOrigin::over(face, part.tag()),
+            EnvelopePart::Inner(corner) | EnvelopePart::Base(corner) | EnvelopePart::Slope(corner) => {
+                FaceOrigin::over_edge(face, part.tag(), edges[corner as usize])
+            }
+        };
+        let rings = own.loops().map(|ring| ring.iter().map(|&point| numbers[point as usize]).collect::<Vec<_>>());
+        made.face(rings, origin);
     }
 }
 

@@ -7,6 +7,7 @@
 //! that a set of pairs allows ([`search`]). So the result is exact, except for rounding.
 
 mod corner;
+pub(crate) mod face;
 mod search;
 mod slabs;
 

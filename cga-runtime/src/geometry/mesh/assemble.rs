@@ -1,11 +1,10 @@
 //! The construction of a mesh corner by corner, for code that keeps the invariants itself.
 
-use crate::value::each::Each;
 use std::ops::Range;
 
 use glam::DVec3;
 
-use super::{FaceRef, FaceTag, Mesh, SubcomponentTagger};
+use super::{FaceTag, Mesh};
 
 impl Mesh {
     /// Adds a point and returns its number.
@@ -57,37 +56,5 @@ impl Mesh {
         self.loop_ends.extend(source.loop_ends[loops].iter().map(|end| to + end - from));
         self.end_face(tag);
         self.copy_values(source, corners);
-    }
-
-    /// Adds a copy of a face of another mesh, with another tag and with the tags of its edges and vertices, as in
-    /// [`Mesh::add_copy`].
-    pub(crate) fn add_tagged_copy(&mut self, face: &FaceRef<'_>, tag: FaceTag, tagger: &mut SubcomponentTagger) {
-        let first = self.corners.len();
-        self.add_copy(face, tag);
-        if face.mesh.subcomponent_tags.is_empty() {
-            return;
-        }
-        let number = |corner: usize| self.corners[first + corner - face.corner_range().start];
-        for edge in face.edges() {
-            let ends = edge.each(|corner| face.mesh.corners[corner]);
-            if let Some(set) = face.mesh.edge_tags(ends) {
-                tagger.edge(edge.each(number), set);
-            }
-            if let Some(set) = face.mesh.vertex_tags(ends[0]) {
-                tagger.vertex(number(edge[0]), set);
-            }
-        }
-    }
-
-    /// Adds a copy of a face of another mesh, with another tag and without the tags of edges and vertices. The copy has points
-    /// of its own.
-    pub(crate) fn add_copy(&mut self, face: &FaceRef<'_>, tag: FaceTag) {
-        let mut numbers = std::collections::BTreeMap::new();
-        for corner in face.corner_range() {
-            let point = face.mesh.corners[corner];
-            let number = *numbers.entry(point).or_insert_with(|| self.add_point(face.mesh.points[point as usize]));
-            self.corners.push(number);
-        }
-        self.end_copy(face.mesh, face.mesh.face_loops(face.index), tag);
     }
 }

@@ -7,16 +7,16 @@ use crate::geometry::tol::COPLANAR_EPSILON;
 
 /// The average of normals. Equal normals count once, so that it does not depend on how a plane is divided.
 #[derive(Default)]
-pub(super) struct AverageNormal {
+pub(crate) struct AverageNormal {
     directions: Vec<DVec3>,
 }
 
 impl AverageNormal {
-    pub(super) fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.directions.clear();
     }
 
-    pub(super) fn add(&mut self, normal: DVec3) {
+    pub(crate) fn add(&mut self, normal: DVec3) {
         /// The number of directions up to which equal directions are recognised.
         const MOST_DIRECTIONS: usize = 64;
         let known = |other: &DVec3| (*other - normal).length() <= COPLANAR_EPSILON;
@@ -26,7 +26,7 @@ impl AverageNormal {
     }
 
     /// The unit vector in the direction of the average; zero if the normals cancel.
-    pub(super) fn unit(&self) -> DVec3 {
+    pub(crate) fn unit(&self) -> DVec3 {
         let sum: DVec3 = self.directions.iter().sum();
         // The sum of normals that cancel is a rounding error.
         if sum.length() <= COPLANAR_EPSILON { DVec3::ZERO } else { unit(sum) }

@@ -10,8 +10,8 @@ use std::borrow::Cow;
 use glam::{DMat3, DVec3};
 
 use super::{FaceRef, Mesh, unit};
+use crate::geometry::origin::PointOrigin;
 use crate::geometry::tol::{PLANAR_EPSILON, UP_EPSILON};
-use crate::geometry::trace::PartPoint;
 use crate::geometry::triangulate::{Triangulator, highest};
 use crate::value::each::Each;
 
@@ -108,7 +108,7 @@ impl Mesh {
                 made.end_face(face.tag());
             }
         }
-        made.carry_tags(self, PartPoint::old);
+        made.carry_tags(self, PointOrigin::Old);
         Cow::Owned(made)
     }
 

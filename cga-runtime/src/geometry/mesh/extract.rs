@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::Mesh;
 use crate::geometry::Frame;
-use crate::geometry::trace::PartPoint;
+use crate::geometry::origin::PointOrigin;
 
 /// Up to this number of corners, the points so far are searched one by one.
 const FEW: usize = 24;
@@ -92,7 +92,7 @@ pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
         part.end_face(face.tag());
     }
     part.trace = mesh.trace.pick(&mut taken.iter().map(|point| Some(*point)));
-    part.carry_tags(mesh, |point| PartPoint::old(taken[point as usize]));
+    part.carry_tags(mesh, |point| PointOrigin::Old(taken[point as usize]));
     part
 }
 

@@ -21,27 +21,21 @@ mod convex;
 mod equal;
 mod error;
 mod extract;
-pub mod extrude;
-mod extrude_wire;
 pub(crate) mod face;
 mod flat_face;
 mod footprint;
 mod holes;
-pub(crate) mod inner_rectangle;
 pub(crate) mod join;
 mod layout;
 pub(crate) mod map;
 mod measure;
 mod numbering;
-pub(crate) mod offset;
 pub(crate) mod pair_table;
-mod part_tags;
 mod polygon;
 pub mod primitive;
 mod simple_loops;
 mod soften;
 pub(crate) mod solid;
-mod spread;
 mod subcomponent_tags;
 mod tag;
 mod tagging;
@@ -54,18 +48,18 @@ use std::sync::{Arc, OnceLock};
 
 use glam::{DVec2, DVec3};
 
-use crate::geometry::trace::{PartPoint, Trace};
+use crate::geometry::origin::PointOrigin;
+use crate::geometry::trace::Trace;
 use crate::material::Material;
 use crate::value::each::Each;
 
 pub(crate) use adjacency::Adjacency;
 pub use along_uv::{AlongUv, HeightAlignment, HeightDirection, insert_along_uv};
+pub(crate) use average_normal::AverageNormal;
 pub use build::MeshBuilder;
 pub use check::Flaw;
 pub use error::{MeshError, TooManyCorners};
 pub use extract::extract;
-pub use extrude::{Extrude, extrude};
-pub(crate) use extrude_wire::{extrude_wire, point_normals};
 pub use face::FaceRef;
 pub(crate) use face::{area_vector, unit};
 pub(crate) use flat_face::FlatFace;
@@ -73,10 +67,7 @@ pub(crate) use footprint::footprint;
 pub(crate) use layout::{FaceEnds, Tags};
 pub(crate) use map::flip;
 pub(crate) use numbering::keep_used;
-pub use offset::OffsetFaces;
-pub(crate) use part_tags::PartTags;
-pub(crate) use spread::Spread;
-pub(crate) use subcomponent_tags::{SubcomponentTagger, SubcomponentTags};
+pub(crate) use subcomponent_tags::{SubcomponentTagger, SubcomponentTags, whole_edge};
 pub(crate) use tag::TagSetTable;
 pub use tag::{TagSet, TaggedComponents};
 pub use uv::{TextureSpace, UvAxis, UvExtent};
@@ -312,7 +303,7 @@ impl Mesh {
     }
 
     /// Takes over the tags of edges and vertices of a mesh in which the points have their origins.
-    pub(crate) fn carry_tags(&mut self, source: &Mesh, origin: impl Fn(u32) -> PartPoint) {
+    pub(crate) fn carry_tags(&mut self, source: &Mesh, origin: impl Fn(u32) -> PointOrigin) {
         if !source.subcomponent_tags.is_empty() {
             let tags = source.subcomponent_tags.carried(&mut self.face_edges(), self.points.len(), &origin);
             self.subcomponent_tags = tags;
@@ -322,7 +313,7 @@ impl Mesh {
     /// Sets the tags of edges and vertices. Those that no face has are dropped.
     pub(crate) fn put_tags(&mut self, tagger: SubcomponentTagger) {
         if !tagger.is_empty() {
-            let tags = tagger.finish().carried(&mut self.face_edges(), self.points.len(), &PartPoint::old);
+            let tags = tagger.finish().carried(&mut self.face_edges(), self.points.len(), &PointOrigin::Old);
             self.subcomponent_tags = tags;
         }
     }

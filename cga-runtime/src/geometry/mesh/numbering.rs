@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::Mesh;
-use crate::geometry::trace::PartPoint;
+use crate::geometry::origin::PointOrigin;
 
 /// The points that corners use, in their old order. Renumbers the corners; -0 becomes 0.
 pub(crate) fn keep_used(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
@@ -24,21 +24,6 @@ pub(crate) fn keep_used(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
     kept
 }
 
-/// The points that corners use, in the order of their first use. Renumbers the corners; -0 becomes 0.
-pub(crate) fn in_order_of_use(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
-    let mut new = vec![u32::MAX; points.len()];
-    let mut kept = Vec::with_capacity(points.len());
-    for corner in corners {
-        let number = &mut new[*corner as usize];
-        if *number == u32::MAX {
-            *number = kept.len() as u32;
-            kept.push(points[*corner as usize] + 0.0);
-        }
-        *corner = *number;
-    }
-    kept
-}
-
 impl Mesh {
     /// Takes the points that the corners use from another mesh, whose points the corners have, with their origins and tags.
     pub(crate) fn take_points(&mut self, source: &Mesh) {
@@ -50,22 +35,29 @@ impl Mesh {
         }
         self.points = keep_used(&source.points, &mut self.corners);
         self.trace = source.trace.pick(&mut used.iter().map(|point| Some(*point)));
-        self.carry_tags(source, |point| PartPoint::old(used[point as usize]));
+        self.carry_tags(source, |point| PointOrigin::Old(used[point as usize]));
     }
 
-    /// Drops unused points and numbers the others in the order of their first use.
-    pub(crate) fn number_by_use(&mut self) {
-        self.renumber(in_order_of_use);
+    /// Drops unused points, and numbers the others in the order of their first use; -0 becomes 0. Returns their numbers before.
+    /// For meshes without traces and tags of edges and vertices.
+    pub(crate) fn number_by_use(&mut self) -> Vec<u32> {
+        let (mut new, mut before) = (vec![u32::MAX; self.points.len()], Vec::with_capacity(self.points.len()));
+        for corner in &mut self.corners {
+            let number = &mut new[*corner as usize];
+            if *number == u32::MAX {
+                *number = before.len() as u32;
+                before.push(*corner);
+            }
+            *corner = *number;
+        }
+        self.points = before.iter().map(|point| self.points[*point as usize] + 0.0).collect();
+        before
     }
 
     /// Drops unused points.
     pub(crate) fn drop_unused(&mut self) {
-        self.renumber(keep_used);
-    }
-
-    fn renumber(&mut self, points: fn(&[DVec3], &mut [u32]) -> Vec<DVec3>) {
         let before = if self.subcomponent_tags.is_empty() { Vec::new() } else { self.corners.clone() };
-        self.points = points(&self.points, &mut self.corners);
+        self.points = keep_used(&self.points, &mut self.corners);
         self.renumber_tags(&before);
     }
 
@@ -77,7 +69,7 @@ impl Mesh {
         }
         let mut old = vec![0; self.points.len()];
         self.corners.iter().zip(before).for_each(|(new, before)| old[*new as usize] = *before);
-        let origin = |point: u32| PartPoint::old(old[point as usize]);
+        let origin = |point: u32| PointOrigin::Old(old[point as usize]);
         let tags = self.subcomponent_tags.carried(&mut self.face_edges(), self.points.len(), &origin);
         self.subcomponent_tags = tags;
     }

@@ -5,9 +5,9 @@
 
 use std::sync::Arc;
 
-use super::Mesh;
 use super::tag::{TagSet, TagSetTable, TaggedComponents};
-use crate::geometry::trace::{PartPoint, UNTRACED};
+use crate::geometry::origin::PointOrigin;
+use crate::geometry::trace::UNTRACED;
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
 use crate::value::text::Text;
@@ -97,17 +97,14 @@ impl SubcomponentTags {
         &self,
         edges: &mut dyn Iterator<Item = [u32; 2]>,
         points: usize,
-        origin: &dyn Fn(u32) -> PartPoint,
+        origin: &dyn Fn(u32) -> PointOrigin,
     ) -> Self {
         let Some(lists) = &self.0 else { return SubcomponentTags::default() };
         let of_edge = |ends: [u32; 2]| Some((in_order(ends), self.edge_set(whole_edge(ends.each(origin))?)?));
         let mut found: Vec<_> = if lists.edges.is_empty() { Vec::new() } else { edges.filter_map(of_edge).collect() };
         found.small_sort();
         found.dedup();
-        let of_vertex = |point: u32| {
-            let PartPoint { ends: [a, b], .. } = origin(point);
-            (a == b).then(|| self.vertex_set(a)).flatten().map(|set| (point, set))
-        };
+        let of_vertex = |point: u32| Some((point, self.vertex_set(origin(point).old()?)?));
         let points = if lists.vertices.is_empty() { 0 } else { points as u32 };
         SubcomponentTags::of(lists.sets.clone(), found, (0..points).filter_map(of_vertex).collect())
     }
@@ -173,9 +170,9 @@ impl SubcomponentTags {
 }
 
 /// The edge of the whole on which an edge of a part is.
-fn whole_edge(ends: [PartPoint; 2]) -> Option<[u32; 2]> {
+pub(crate) fn whole_edge(ends: [PointOrigin; 2]) -> Option<[u32; 2]> {
     let (mut found, mut count) = ([UNTRACED; 2], 0);
-    for end in ends.into_iter().flat_map(|point| point.ends) {
+    for end in ends.into_iter().flat_map(PointOrigin::ends) {
         if found[..count].contains(&end) {
             continue;
         }
@@ -213,35 +210,6 @@ impl SubcomponentTagger {
     pub(crate) fn vertex(&mut self, point: u32, tags: &TagSet) {
         if !tags.names().is_empty() {
             self.vertices.push((point, self.sets.number(tags)));
-        }
-    }
-
-    /// Adds the tags of a loop of a face that grows out of a mesh. `number` gives the number of a point, and `old` the vertex of
-    /// the mesh that the point is. Old edges and vertices keep their tags, and an edge from an old vertex to a new one has the
-    /// tags of the vertex (*Geometry tagging*, edge and vertex tag propagation).
-    pub(crate) fn grow_ring(
-        &mut self,
-        source: &Mesh,
-        ring: &[u32],
-        number: impl Fn(u32) -> u32,
-        old: impl Fn(u32) -> Option<u32>,
-    ) {
-        if source.subcomponent_tags.is_empty() {
-            return;
-        }
-        for (&point, &next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-            let ends = [point, next].each(&old);
-            let set = match ends {
-                [Some(a), Some(b)] => source.edge_tags([a, b]),
-                [Some(vertex), None] | [None, Some(vertex)] => source.vertex_tags(vertex),
-                [None, None] => None,
-            };
-            if let Some(set) = set {
-                self.edge([point, next].each(&number), set);
-            }
-            if let Some(set) = ends[0].and_then(|vertex| source.vertex_tags(vertex)) {
-                self.vertex(number(point), set);
-            }
         }
     }
 
@@ -345,11 +313,11 @@ mod tests {
         let tags = tagger.finish();
         // The end 0 of the edge, two points on it, a point on another edge, and a new point.
         let points = [
-            PartPoint::old(0),
-            PartPoint { ends: [0, 1], share: 0.25 },
-            PartPoint { ends: [1, 0], share: 0.25 },
-            PartPoint { ends: [1, 2], share: 0.5 },
-            PartPoint::NEW,
+            PointOrigin::Old(0),
+            PointOrigin::Between { ends: [0, 1], share: 0.25 },
+            PointOrigin::Between { ends: [1, 0], share: 0.25 },
+            PointOrigin::Between { ends: [1, 2], share: 0.5 },
+            PointOrigin::New,
         ];
         let edges = [[0, 1], [1, 0], [1, 2], [2, 3], [3, 4], [4, 0]];
         let part = tags.carried(&mut edges.into_iter(), points.len(), &|point| points[point as usize]);

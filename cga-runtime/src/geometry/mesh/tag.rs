@@ -81,9 +81,10 @@ impl TagSet {
         self.0.iter().filter(move |name| query.is_none_or(|query| matches(query, name)))
     }
 
-    /// The tags without those below `below`, with `name` added: the result of an operation that tags its faces.
-    pub(crate) fn renewed(&self, below: &str, name: &str) -> Self {
-        self.without(Some(below)).with(&Text::from(name))
+    /// The tags with a tag of an operation, such as `extrude.top`, in place of the other tags below its first word.
+    pub(crate) fn renewed(&self, name: &str) -> Self {
+        let operation = name.split('.').next();
+        self.without(operation).with(&Text::from(name))
     }
 }
 
@@ -132,7 +133,7 @@ mod tests {
     fn a_set_is_renewed() {
         let set = TagSet::new(["roof.top", "extrude.top", "roof.top"].map(Text::from));
         assert_eq!(set.names().len(), 2);
-        let set = set.renewed("extrude", "extrude.side.outer");
+        let set = set.renewed("extrude.side.outer");
         assert!(set.matches("extrude.side") && set.matches("roof") && !set.matches("extrude.top"));
     }
 }

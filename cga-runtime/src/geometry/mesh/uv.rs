@@ -203,7 +203,8 @@ mod tests {
 
     use crate::geometry::Axis;
     use crate::geometry::cut;
-    use crate::geometry::mesh::{Extrude, FaceTag, Mesh, MeshBuilder, MeshError, extrude};
+    use crate::geometry::extrude::{Extrude, extrude};
+    use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder, MeshError};
 
     fn square(sets: &[usize]) -> Result<Mesh, MeshError> {
         let mut builder = MeshBuilder::new();

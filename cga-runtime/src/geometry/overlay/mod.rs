@@ -11,9 +11,8 @@
 
 mod grid;
 mod noding;
+mod places;
 mod winding;
-
-use std::collections::HashMap;
 
 use glam::DVec2;
 
@@ -22,6 +21,7 @@ use crate::geometry::nesting::rings::NestedRings;
 use crate::geometry::tol::TOUCH_EPSILON;
 pub(crate) use grid::Grid;
 use grid::{GridPoint, double_area};
+use places::Places;
 
 /// The reason why an overlay fails.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,15 +50,15 @@ pub(crate) fn wound<'r>(
     kept: usize,
 ) -> Result<Region, OverlayError> {
     let Some(grid) = Grid::of(points) else { return Ok(Region { points: points.to_vec(), polygons: Vec::new() }) };
-    let mut places: Vec<GridPoint> = points.iter().map(|point| grid.place(*point)).collect();
-    let mut at = HashMap::with_capacity(places.len());
-    let first: Vec<u32> = (0..).zip(&places).map(|(number, place)| *at.entry(*place).or_insert(number)).collect();
+    let mut places = Places::of(points.iter().map(|point| grid.place(*point)).collect());
+    let first: Vec<u32> = (0..points.len()).map(|point| places.number(places.list[point])).collect();
     let mut edges = Vec::new();
     for ring in rings {
         let next = ring.iter().cycle().skip(1);
         edges.extend(ring.iter().zip(next).map(|(a, b)| [first[*a as usize], first[*b as usize]]));
     }
-    let noded = noding::divide(&mut places, &mut at, edges)?;
+    let noded = noding::divide(&mut places, edges)?;
+    let places = places.list;
     let sides = winding::outline(&places, &noded);
     let mut all = points.to_vec();
     all.extend(places[points.len()..].iter().map(|place| grid.point(*place)));

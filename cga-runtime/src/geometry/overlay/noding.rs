@@ -8,10 +8,10 @@ use crate::geometry::work;
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
 use std::cmp::Ordering;
-use std::collections::HashMap;
 
 use super::OverlayError;
 use super::grid::{GridPoint, is_near, side};
+use super::places::Places;
 
 /// An edge between two points, the first before the second in lexicographic order of places, and the number of times that
 /// it runs in that direction, less those back.
@@ -40,19 +40,15 @@ const CUT: usize = 64;
 /// The limit on rounds. One or two suffice for most polygons.
 const MOST_ROUNDS: usize = 24;
 
-/// Divides edges. New points are added to `places`, and to `at` by place.
-pub(super) fn divide(
-    places: &mut Vec<GridPoint>,
-    at: &mut HashMap<GridPoint, u32>,
-    edges: Vec<[u32; 2]>,
-) -> Result<Vec<NodedEdge>, OverlayError> {
+/// Divides edges. New points are added to `places`.
+pub(super) fn divide(places: &mut Places, edges: Vec<[u32; 2]>) -> Result<Vec<NodedEdge>, OverlayError> {
     let mut all: Vec<NodedEdge> = edges.into_iter().filter_map(|[a, b]| directed(places, a, b, 1)).collect();
     merge(&mut all)?;
     let mut pairs = MOST_PAIRS;
     for round in 0..MOST_ROUNDS {
         let near = if round == 0 { NEAR_AT_FIRST } else { NEAR };
         let mut cuts = vec![Vec::new(); all.len()];
-        compare(places, at, &all, near, &mut cuts, &mut pairs)?;
+        compare(places, &all, near, &mut cuts, &mut pairs)?;
         if cuts.iter().all(Vec::is_empty) {
             return Ok(all);
         }
@@ -68,7 +64,7 @@ fn goes_on(units: usize) -> Result<(), OverlayError> {
 }
 
 /// The edges, divided at their cuts.
-fn parts(places: &[GridPoint], all: &[NodedEdge], cuts: Vec<Vec<u32>>) -> Result<Vec<NodedEdge>, OverlayError> {
+fn parts(places: &Places, all: &[NodedEdge], cuts: Vec<Vec<u32>>) -> Result<Vec<NodedEdge>, OverlayError> {
     let mut made = Vec::with_capacity(all.len());
     for (edge, mut cuts) in all.iter().zip(cuts) {
         goes_on(1 + CUT * cuts.len())?;
@@ -76,9 +72,9 @@ fn parts(places: &[GridPoint], all: &[NodedEdge], cuts: Vec<Vec<u32>>) -> Result
             made.push(NodedEdge { is_new: false, ..*edge });
             continue;
         }
-        let [a, b] = edge.ends.each(|end| places[end as usize]);
+        let [a, b] = edge.ends.each(|end| places.at(end));
         let along = |point: u32| {
-            let p = places[point as usize];
+            let p = places.at(point);
             i128::from(b.x - a.x) * i128::from(p.x - a.x) + i128::from(b.y - a.y) * i128::from(p.y - a.y)
         };
         cuts.small_sort_by_key(|point| (along(*point), *point));
@@ -93,8 +89,8 @@ fn parts(places: &[GridPoint], all: &[NodedEdge], cuts: Vec<Vec<u32>>) -> Result
 }
 
 /// A new edge in lexicographic order; `None` if it has no length.
-fn directed(places: &[GridPoint], a: u32, b: u32, count: i32) -> Option<NodedEdge> {
-    match places[a as usize].cmp(&places[b as usize]) {
+fn directed(places: &Places, a: u32, b: u32, count: i32) -> Option<NodedEdge> {
+    match places.at(a).cmp(&places.at(b)) {
         Ordering::Less => Some(NodedEdge { ends: [a, b], count, is_new: true }),
         Ordering::Greater => Some(NodedEdge { ends: [b, a], count: -count, is_new: true }),
         Ordering::Equal => None,
@@ -120,8 +116,7 @@ fn merge(edges: &mut Vec<NodedEdge>) -> Result<(), OverlayError> {
 
 /// Finds the points in which edges must be divided, by a sweep over their boxes. Pairs of old edges are known.
 fn compare(
-    places: &mut Vec<GridPoint>,
-    at: &mut HashMap<GridPoint, u32>,
+    places: &mut Places,
     edges: &[NodedEdge],
     near: f64,
     cuts: &mut [Vec<u32>],
@@ -130,7 +125,7 @@ fn compare(
     let mut boxes: Vec<[i64; 4]> = Vec::with_capacity(edges.len());
     for edge in edges {
         goes_on(EDGE)?;
-        let [a, b] = edge.ends.each(|end| places[end as usize]);
+        let [a, b] = edge.ends.each(|end| places.at(end));
         boxes.push([a.x, b.x, a.y.min(b.y), a.y.max(b.y)]);
     }
     let mut order: Vec<(i64, u32)> = boxes.iter().map(|own| own[0]).zip(0..).collect();
@@ -154,7 +149,7 @@ fn compare(
             kept += 1;
             let apart = its[3] + 2 < own[2] || own[3] + 2 < its[2];
             if !apart && (edges[edge as usize].is_new || edges[other as usize].is_new) {
-                meet(places, at, edges, [edge as usize, other as usize], near, cuts);
+                meet(places, edges, [edge as usize, other as usize], near, cuts);
             }
         }
         active.truncate(kept);
@@ -164,16 +159,9 @@ fn compare(
 }
 
 /// Records where two edges divide each other.
-fn meet(
-    places: &mut Vec<GridPoint>,
-    at: &mut HashMap<GridPoint, u32>,
-    edges: &[NodedEdge],
-    pair: [usize; 2],
-    near: f64,
-    cuts: &mut [Vec<u32>],
-) {
+fn meet(places: &mut Places, edges: &[NodedEdge], pair: [usize; 2], near: f64, cuts: &mut [Vec<u32>]) {
     let ends = pair.each(|edge| edges[edge].ends);
-    let spots = ends.each(|ends| ends.each(|end| places[end as usize]));
+    let spots = ends.each(|ends| ends.each(|end| places.at(end)));
     let mut touches = false;
     for (own, other) in [(0, 1), (1, 0)] {
         for k in 0..2 {
@@ -197,11 +185,7 @@ fn meet(
     let whole = sides[0] - sides[1];
     let share = |from: i64, to: i64| from + rounded(i128::from(to - from) * sides[0], whole) as i64;
     let place = GridPoint { x: share(c.x, d.x), y: share(c.y, d.y) };
-    let next = places.len() as u32;
-    let number = *at.entry(place).or_insert(next);
-    if number == next {
-        places.push(place);
-    }
+    let number = places.number(place);
     for edge in pair {
         if !edges[edge].ends.contains(&number) {
             cuts[edge].push(number);

@@ -5,7 +5,8 @@ use glam::{DAffine3, DVec3};
 use super::origins::Origins;
 use crate::geometry::mesh::join::join;
 use crate::geometry::mesh::{Derived, Mesh, SubcomponentTagger, TagSet};
-use crate::geometry::trace::{PartPoint, Trace, UNTRACED};
+use crate::geometry::origin::PointOrigin;
+use crate::geometry::trace::{Trace, UNTRACED};
 use crate::geometry::wire::Wire;
 use crate::value::each::Each;
 
@@ -125,7 +126,7 @@ impl Weld {
         let mut sum = join(self.meshes.iter());
         let (points, numbers) = renumbered(&self.points, places, map, &mut sum.corners);
         sum.points = points;
-        let origin = |point: u32| PartPoint::old(numbers[point as usize]);
+        let origin = |point: u32| PointOrigin::Old(numbers[point as usize]);
         let tags = self.tagger.finish().carried(&mut sum.face_edges(), sum.points.len(), &origin);
         sum.subcomponent_tags = tags;
         sum.derived = Derived::default();
@@ -171,7 +172,7 @@ pub(crate) fn welded_wire(parts: &[(Wire, Vec<u32>)], places: &[DVec3], map: &DA
         if has_edges { ends.chunks_exact(2).map(|ends| [ends[0], ends[1]]).collect() } else { Vec::new() };
     let mut tagger = SubcomponentTagger::default();
     parts.iter().for_each(|(wire, own)| tagger.append(&wire.tags, &|point| own[point as usize]));
-    let origin = |point: u32| PartPoint::old(numbers[point as usize]);
+    let origin = |point: u32| PointOrigin::Old(numbers[point as usize]);
     let tags = tagger.finish().carried(&mut edges.iter().copied(), points.len(), &origin);
     (Wire { points, edges, normals, tags, trace: Trace::default() }, numbers)
 }

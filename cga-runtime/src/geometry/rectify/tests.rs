@@ -1,7 +1,8 @@
 use glam::DVec2;
 
 use super::*;
-use crate::geometry::mesh::{Extrude, FaceTag, MeshBuilder, extrude};
+use crate::geometry::extrude::{Extrude, extrude};
+use crate::geometry::mesh::{FaceTag, MeshBuilder};
 
 /// The outline of the picture of *rectify operation*, as read from it: the shape before, in pixels with y up.
 const PICTURE: [[f64; 2]; 10] = [

@@ -3,7 +3,8 @@
 use glam::{DVec2, DVec3};
 
 use super::{Outline, Rise, Roof, RoofFace, RoofForm, RoofPart, roof_with_or_without_overhangs};
-use crate::geometry::mesh::{FaceRef, FlatFace, Mesh, PartTags, SubcomponentTagger, flip, unit};
+use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
+use crate::geometry::mesh::{FaceRef, FlatFace, Mesh, flip, unit};
 use crate::geometry::skeleton::{Failure, any_cross};
 use crate::geometry::tol::{TOUCH_EPSILON, UP_EPSILON};
 use crate::geometry::triangulate::highest;
@@ -28,35 +29,20 @@ pub(crate) struct Roofs {
 
 /// Builds a roof over each face: the faces of the roof in the order of edges, then the face itself as the bottom.
 pub(crate) fn roof_over(source: &Mesh, form: RoofForm, rise: Rise) -> Roofs {
-    let mut made = Mesh {
-        groups: source.groups.clone(),
-        materials: source.materials.clone(),
-        bent: source.bent,
-        ..Mesh::default()
-    };
-    let mut tags = RoofTags { parts: PartTags::new(source, "roof"), tagger: SubcomponentTagger::default() };
+    let mut made = Derivation::new(source, CornerValues::Dropped, 0);
+    let mut bent = source.bent;
     let (mut refused, mut without_overhangs) = (Vec::new(), Vec::new());
     for face in source.faces() {
-        match add_roof(&face, form, rise, &mut made, &mut tags) {
+        match add_roof(&face, form, rise, &mut made, &mut bent) {
             Ok(true) => {}
             Ok(false) => without_overhangs.push(face.index()),
             Err(why) => {
                 refused.push((face.index(), why));
-                add_plain(&face, &mut made, &mut tags);
+                made.copy(&face);
             }
         }
     }
-    made.tag_sets = tags.parts.finish();
-    made.put_tags(tags.tagger);
-    made.number_by_use();
-    Roofs { mesh: made, refused, without_overhangs }
-}
-
-/// The tags of all roofs. A face over an edge has the tags of the edge, an edge at a corner of the face the tags of the corner
-/// (*Geometry tagging*, tag propagation).
-struct RoofTags<'s> {
-    parts: PartTags<'s>,
-    tagger: SubcomponentTagger,
+    Roofs { mesh: Mesh { bent, ..made.finish_by_use() }, refused, without_overhangs }
 }
 
 /// Adds the roof over a face. Returns true if it has the overhangs of its form.
@@ -64,8 +50,8 @@ fn add_roof(
     face: &FaceRef<'_>,
     form: RoofForm,
     rise: Rise,
-    made: &mut Mesh,
-    tags: &mut RoofTags<'_>,
+    made: &mut Derivation<'_>,
+    bent: &mut DVec3,
 ) -> Result<bool, RoofRefusal> {
     let flat = FlatFace::of(face).ok_or(RoofRefusal::NoNormal)?;
     let (_, rings) = flat.edges(false);
@@ -87,35 +73,32 @@ fn add_roof(
     }
     // A mesh has one direction along which bent faces have no folds. Other roofs have triangles.
     let is_bent = moved.contains(&true);
-    let is_flat = is_bent && UP_EPSILON < unit(made.bent).cross(flat.normal).length();
-    if is_bent && made.bent == DVec3::ZERO {
-        made.bent = flat.normal;
+    let is_flat = is_bent && UP_EPSILON < unit(*bent).cross(flat.normal).length();
+    if is_bent && *bent == DVec3::ZERO {
+        *bent = flat.normal;
     }
     let faces = faces.into_iter().flat_map(|face| if is_flat { triangles(face, &points) } else { vec![face] });
-    let base = made.points.len() as u32;
-    let given = flat.points.len();
-    made.points.extend(flat.points.iter().map(|&point| face.mesh.points()[point as usize]));
+    let base = made.point_count() as u32;
+    flat.points.iter().for_each(|&point| _ = made.old_point(point));
     let place = |p: &DVec3| flat.origin + flat.axes[0] * p.x + flat.axes[1] * p.y + flat.normal * p.z;
-    made.points.extend(points[given..].iter().map(place));
-    let edges = outline.edges();
-    let source = |point: u32| flat.points.get(point as usize).copied();
+    points[flat.points.len()..].iter().for_each(|point| _ = made.point(place(point), PointOrigin::New));
+    let edges: Vec<[usize; 2]> = face.edges().collect();
     let mut bottom = RoofFace { part: RoofPart::Bottom, edge: None, rings: rings.clone() };
     bottom.rings.iter_mut().for_each(|ring| flip(ring));
-    for RoofFace { part, edge, rings } in faces.chain([bottom]) {
-        for mut ring in rings {
+    for RoofFace { part, edge, mut rings } in faces.chain([bottom]) {
+        for ring in &mut rings {
             if below {
-                flip(&mut ring);
+                flip(ring);
             }
-            tags.tagger.grow_ring(face.mesh, &ring, |point| base + point, source);
-            made.corners.extend(ring.iter().map(|&point| base + point));
-            made.end_loop();
+            ring.iter_mut().for_each(|point| *point += base);
         }
-        let ends =
-            edge.and_then(|edge| edges.get(edge as usize)).map(|ends| ends.each(|end| flat.points[end as usize]));
-        made.end_face(match ends {
-            Some(ends) => tags.parts.over_edge(face.tag(), part.tag(), ends),
-            None => tags.parts.over(face.tag(), part.tag()),
-        });
+        made.face(
+            &rings,
+            match edge.and_then(|edge| edges.get(edge as usize)) {
+                Some(edge) => FaceOrigin::over_edge(face, part.tag(), *edge),
+                None => FaceOrigin::over(face, part.tag()),
+            },
+        );
     }
     Ok(is_complete)
 }
@@ -128,19 +111,4 @@ fn triangles(face: RoofFace, points: &[DVec3]) -> Vec<RoofFace> {
     let Some(made) = made else { return vec![face] };
     let rings = made.into_iter().map(|numbers| vec![numbers.each(|number| ring[number]).to_vec()]);
     rings.map(|rings| RoofFace { part: face.part, edge: face.edge, rings }).collect()
-}
-
-/// Adds a face without its texture coordinates and normals.
-fn add_plain(face: &FaceRef<'_>, made: &mut Mesh, tags: &mut RoofTags<'_>) {
-    for ring in face.loops() {
-        let first = made.points.len() as u32;
-        let corners: Vec<u32> = (0..ring.len() as u32).collect();
-        tags.tagger.grow_ring(face.mesh, &corners, |corner| first + corner, |corner| Some(ring[corner as usize]));
-        for &point in ring {
-            let number = made.add_point(face.mesh.points()[point as usize]);
-            made.corners.push(number);
-        }
-        made.end_loop();
-    }
-    made.end_face(tags.parts.same(face.tag()).uncapped());
 }

@@ -177,7 +177,7 @@ fn points_are_even_in_solids_of_many_forms() {
 
     use crate::geometry::Axis;
     use crate::geometry::cut::slabs;
-    use crate::geometry::mesh::{Extrude, extrude};
+    use crate::geometry::extrude::{Extrude, extrude};
 
     const SLABS: usize = 10;
     let cube = PrimitiveKind::Cylinder { sides: 4 }.mesh();

@@ -8,8 +8,8 @@
 
 use glam::DVec3;
 
-use crate::geometry::mesh::offset::region::EdgeCut;
 use crate::geometry::mesh::{FaceRef, unit};
+use crate::geometry::offset::region::EdgeCut;
 use crate::geometry::skeleton::BLUNT;
 use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
 

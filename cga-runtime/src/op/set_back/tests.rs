@@ -129,8 +129,8 @@ fn the_remainder_shrinks() {
 /// Equal widths on all sides are an offset.
 #[test]
 fn all_sides_alike_are_an_offset() {
-    use crate::geometry::mesh::OffsetFaces;
-    use crate::geometry::mesh::offset::offset;
+    use crate::geometry::offset::OffsetFaces;
+    use crate::geometry::offset::offset;
     for shape in lots() {
         for by in [0.3, 1.0, 2.0, 4.0] {
             let (inside, refused) = offset(&shape.to_mesh(), -by, OffsetFaces::Inside);

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use super::Env;
 use crate::geometry::mesh::Mesh;
+use crate::geometry::origin::PointOrigin;
 use crate::geometry::recompose::Origins;
-use crate::geometry::trace::{PartPoint, Trace, TraceLayer, TracedPoint, UNTRACED};
+use crate::geometry::trace::{Trace, TraceLayer, TracedPoint, UNTRACED};
 use crate::shape::base::Base;
 use crate::shape::{Shape, ShapeRef};
 use crate::value::each::Each;
@@ -137,17 +138,17 @@ impl Env {
     }
 
     /// The trace of a part that was cut from a whole.
-    pub(crate) fn cut_trace(&mut self, whole: &Trace, points: &[PartPoint]) -> Trace {
+    pub(crate) fn cut_trace(&mut self, whole: &Trace, points: &[PointOrigin]) -> Trace {
         let mut list = Vec::with_capacity(whole.layers().len());
         for (layer, origins) in whole.layers().iter().zip(&mut self.recompositions.list) {
-            let point = |point: &PartPoint| {
-                let [a, b] =
-                    point.ends.each(|end| layer.points.get(end as usize).copied().unwrap_or(TracedPoint::NONE));
-                if point.ends[0] == point.ends[1] {
-                    return a;
-                }
-                let id = origins.on_edge([a.id, b.id], point.share, layer.division);
-                TracedPoint { id, begin: a.begin + (b.begin - a.begin) * point.share }
+            let point = |point: &PointOrigin| {
+                let of = |end: u32| layer.points.get(end as usize).copied().unwrap_or(TracedPoint::NONE);
+                let PointOrigin::Between { ends, share } = *point else {
+                    return point.old().map_or(TracedPoint::NONE, of);
+                };
+                let [a, b] = ends.each(of);
+                let id = origins.on_edge([a.id, b.id], share, layer.division);
+                TracedPoint { id, begin: a.begin + (b.begin - a.begin) * share }
             };
             let points = points.iter().map(point).collect();
             list.push(TraceLayer { division: layer.division, points });
@@ -156,7 +157,7 @@ impl Env {
     }
 
     /// The part of a mesh that was cut, with its trace.
-    pub(crate) fn with_cut_trace(&mut self, whole: &Mesh, part: &mut Arc<Mesh>, points: &[PartPoint]) {
+    pub(crate) fn with_cut_trace(&mut self, whole: &Mesh, part: &mut Arc<Mesh>, points: &[PointOrigin]) {
         if part.trace.is_empty() && points.len() == part.points.len() {
             let trace = self.cut_trace(&whole.trace, points);
             Arc::make_mut(part).trace = trace;

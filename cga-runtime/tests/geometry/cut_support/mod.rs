@@ -11,7 +11,8 @@ use std::sync::Arc;
 
 use cga_runtime::geometry::Axis;
 use cga_runtime::geometry::cut::{Slabs, slabs};
-use cga_runtime::geometry::mesh::{Extrude, FaceTag, Mesh, MeshBuilder, TagSet, extrude};
+use cga_runtime::geometry::extrude::{Extrude, extrude};
+use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder, TagSet};
 use cga_runtime::geometry::triangulate::Triangulator;
 use glam::{DAffine3, DMat3, DVec3};
 

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use super::crossings::Crossings;
 use crate::geometry::cut::points::{NONE, PieceCorner};
 use crate::geometry::mesh::{FaceTag, Mesh};
-use crate::geometry::trace::PartPoint;
+use crate::geometry::origin::PointOrigin;
 use crate::value::small_sort::SmallSort;
 
 /// A band. Until it is finished, its corners are numbers of points of the source, followed by numbers of crossings.
@@ -68,7 +68,7 @@ impl LineBand {
         mut self,
         source: &Arc<Mesh>,
         numbers: &mut BandNumbers<'_>,
-        points: &mut Vec<PartPoint>,
+        points: &mut Vec<PointOrigin>,
     ) -> Option<Arc<Mesh>> {
         let faces = self.mesh.face_count();
         if faces == 0 {

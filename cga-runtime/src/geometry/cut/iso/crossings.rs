@@ -10,7 +10,7 @@ use crate::geometry::cut::edges::Edges;
 use crate::geometry::cut::points::{Location, PieceCorner};
 use crate::geometry::cut::segment::{Segment, comes_first};
 use crate::geometry::mesh::Mesh;
-use crate::geometry::trace::PartPoint;
+use crate::geometry::origin::PointOrigin;
 use crate::value::each::Each;
 
 /// All crossings of a cut. They are numbered after the points of the mesh.
@@ -92,10 +92,10 @@ impl Crossings {
     }
 
     /// The origin of a point of the mesh or of a crossing.
-    pub(super) fn origin(&self, point: u32) -> PartPoint {
-        let Some(crossing) = point.checked_sub(self.base) else { return PartPoint::old(point) };
+    pub(super) fn origin(&self, point: u32) -> PointOrigin {
+        let Some(crossing) = point.checked_sub(self.base) else { return PointOrigin::Old(point) };
         let found = self.ends.get(crossing as usize).zip(self.shares.get(crossing as usize));
-        found.map_or(PartPoint::NEW, |(ends, share)| PartPoint { ends: *ends, share: *share })
+        found.map_or(PointOrigin::New, |(ends, share)| PointOrigin::Between { ends: *ends, share: *share })
     }
 
     /// The relative position of a crossing on its edge.

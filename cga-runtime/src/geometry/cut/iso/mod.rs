@@ -24,7 +24,7 @@ use super::class::ClassRange;
 use super::faces::chain::{Chain, rises_once, runs};
 use super::rising;
 use crate::geometry::mesh::{FaceRef, FaceTag, Mesh, TooManyCorners, UvAxis};
-use crate::geometry::trace::PartPoint;
+use crate::geometry::origin::PointOrigin;
 use crate::geometry::work;
 use crate::value::each::Each;
 use affine::is_affine;
@@ -80,7 +80,7 @@ pub fn iso_bands(
 }
 
 /// Bands, and for each band the origins of its points, if the mesh has a trace.
-pub(crate) type TracedBands = (Vec<Option<Arc<Mesh>>>, Vec<Vec<PartPoint>>);
+pub(crate) type TracedBands = (Vec<Option<Arc<Mesh>>>, Vec<Vec<PointOrigin>>);
 
 /// The same as [`iso_bands`], with the origins of points.
 pub(crate) fn traced_iso_bands(

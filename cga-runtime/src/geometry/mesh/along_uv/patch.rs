@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::{AlongUv, HeightDirection};
 use crate::geometry::exact::{comes_first, orient};
-use crate::geometry::mesh::extrude::vertex_normals;
+use crate::geometry::extrude::vertex_normals;
 use crate::geometry::mesh::{Mesh, TooManyCorners};
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::segment::nearest_share;

@@ -5,8 +5,7 @@
 //! Newton's method finds the offset, and bisection replaces the steps that leave the interval or do not help.
 
 use super::region::FaceRegion;
-use crate::geometry::mesh::FaceRef;
-use crate::geometry::mesh::flat_face::FlatFace;
+use crate::geometry::mesh::{FaceRef, FlatFace};
 use crate::geometry::work;
 
 /// The largest difference of the areas, relative to the area that is wanted.

@@ -5,23 +5,21 @@
 //! faces that move alike: coplanar neighbours along their normals, all neighbours in other modes. Points that do not
 //! move give no wall either. A negative distance mirrors: the faces look inwards.
 //!
-//! A side has the tags of its face and of its edge, an upright edge the tags of its vertex. The new edges and vertices of the
-//! top have none.
+//! A point of the top was moved from a point of the face: an upright edge has the tags of its vertex, and the edges and vertices of
+//! the top have none.
 
 use glam::DVec3;
 
-use super::average_normal::AverageNormal;
-use super::map::flip;
-use super::pair_table::PairTable;
-use super::{Bounds, FaceTag, Mesh, PartTags, SubcomponentTagger};
+use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
 use crate::geometry::disjoint::DisjointSets;
+use crate::geometry::mesh::pair_table::PairTable;
+use crate::geometry::mesh::{AverageNormal, Bounds, FaceRef, Mesh, flip};
 use crate::geometry::provenance::Extruded;
 use crate::geometry::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
-use crate::value::each::Each;
 
 /// The direction of an extrusion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Extrude {
+pub(crate) enum Extrude {
     /// Each face along its own normal.
     FaceNormal,
     /// Each point along the average of the normals around it, by the distance.
@@ -35,7 +33,7 @@ pub enum Extrude {
 
 /// The volumes on the faces of a mesh. Faces without area have no normal and are not extruded along it. A distance that
 /// is not finite leaves the mesh unchanged, and so does zero, except for a flat top.
-pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
+pub(crate) fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
     let up = match along {
         Extrude::FaceNormal | Extrude::VertexNormal => DVec3::Y,
         Extrude::Vector(vector) | Extrude::FlatTop(vector) => vector,
@@ -49,57 +47,23 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
     let ways: Vec<DVec3> = match along {
         Extrude::FaceNormal => normals.iter().map(|normal| *normal * distance).collect(),
         Extrude::VertexNormal => vertex_normals(mesh).into_iter().map(|normal| normal * distance).collect(),
-        Extrude::Vector(vector) => vec![vector * distance; mesh.points.len()],
-        Extrude::FlatTop(vector) => flat_top(&mesh.points, vector, distance),
+        Extrude::Vector(vector) => vec![vector * distance; mesh.points().len()],
+        Extrude::FlatTop(vector) => flat_top(mesh.points(), vector, distance),
     };
     let way = |body: u32, point: u32| ways[if along == Extrude::FaceNormal { body } else { point } as usize];
-    let mut tags = PartTags::new(mesh, "extrude");
     let mut grown = Grown {
         source: mesh,
-        mesh: mesh.alike(6 * mesh.corners.len()),
-        low: vec![u32::MAX; mesh.points.len()],
-        high: PairTable::with_capacity(mesh.points.len()),
+        made: Derivation::new(mesh, CornerValues::Coordinates, 6 * mesh.corners().len()),
+        low: vec![u32::MAX; mesh.points().len()],
+        high: PairTable::with_capacity(mesh.points().len()),
     };
     for (index, face) in mesh.faces().enumerate() {
         let body = joints.body[index];
-        if face.corner_range().all(|corner| way(body, mesh.corners[corner]) == DVec3::ZERO) {
-            continue;
-        }
-        let own = face.tag();
-        // Vertices of the bottom come first, then vertices of the top. The order of faces is the same, with the sides
-        // last.
-        face.corner_range().for_each(|corner| _ = grown.low(corner));
-        face.corner_range().for_each(|corner| _ = grown.high(corner, body, way));
-        for top in [false, true] {
-            for ring in face.loop_ranges() {
-                let mut order: Vec<usize> = ring.collect();
-                if !top {
-                    flip(&mut order);
-                }
-                for &corner in &order {
-                    let point = if top { grown.high(corner, body, way) } else { grown.low(corner) };
-                    grown.mesh.corners.push(point);
-                }
-                grown.copy_uvs(&order);
-                grown.mesh.end_loop();
-            }
-            let part = if top { Extruded::Top } else { Extruded::Bottom };
-            grown.mesh.end_face(tags.over(own, part.tag()));
-        }
-        for (number, ring) in face.loop_ranges().enumerate() {
-            let part = if number == 0 { Extruded::Outer } else { Extruded::Inner };
-            for corner in ring.clone() {
-                let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
-                if !joints.inner[corner] {
-                    let tag = tags.over_edge(own, part.tag(), [corner, next].each(|corner| mesh.corners[corner]));
-                    let [a, b] = [corner, next].each(|c| (grown.low(c), grown.high(c, body, way)));
-                    grown.wall([(a.0, corner), (b.0, next), (b.1, next), (a.1, corner)], tag);
-                }
-            }
+        if face.corner_range().any(|corner| way(body, mesh.corners()[corner]) != DVec3::ZERO) {
+            grown.body(&face, body, &joints.inner, &way);
         }
     }
-    grown.mesh.tag_sets = tags.finish();
-    grown.tagged()
+    grown.made.finish()
 }
 
 /// For each point the average of the normals of the faces around it. Faces with the same normal count once, so that the
@@ -113,11 +77,11 @@ pub(crate) fn vertex_normals(mesh: &Mesh) -> Vec<DVec3> {
         adjacency.faces_around(point).for_each(|face| average.add(face_normals[face as usize]));
         average.unit()
     };
-    (0..mesh.points.len()).map(at_point).collect()
+    (0..mesh.points().len()).map(at_point).collect()
 }
 
 /// The displacement of each point up to a flat top.
-pub(super) fn flat_top(points: &[DVec3], up: DVec3, distance: f64) -> Vec<DVec3> {
+pub(crate) fn flat_top(points: &[DVec3], up: DVec3, distance: f64) -> Vec<DVec3> {
     let heights: Vec<f64> = points.iter().map(|p| p.dot(up)).collect();
     let low = heights.iter().copied().fold(f64::INFINITY, f64::min);
     let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -141,13 +105,13 @@ struct Joints {
 impl Joints {
     fn of(mesh: &Mesh, normals: &[DVec3], at_all_angles: bool) -> Self {
         // Each directed edge belongs to the first corner that has it, so that walls are omitted in pairs.
-        let mut edges = PairTable::with_capacity(mesh.corners.len());
-        let mut face_of = vec![0u32; mesh.corners.len()];
+        let mut edges = PairTable::with_capacity(mesh.corners().len());
+        let mut face_of = vec![0u32; mesh.corners().len()];
         each_edge(mesh, |face, corner, a, b| {
             face_of[corner] = face as u32;
             edges.entry(a, b, corner as u32);
         });
-        let mut inner = vec![false; mesh.corners.len()];
+        let mut inner = vec![false; mesh.corners().len()];
         let mut bodies = DisjointSets::new(mesh.face_count());
         each_edge(mesh, |face, corner, a, b| {
             if edges.get(a, b) != Some(corner as u32) {
@@ -175,7 +139,7 @@ fn each_edge(mesh: &Mesh, mut visit: impl FnMut(usize, usize, u32, u32)) {
         for ring in face.loop_ranges() {
             for corner in ring.clone() {
                 let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
-                visit(index, corner, mesh.corners[corner], mesh.corners[next]);
+                visit(index, corner, mesh.corners()[corner], mesh.corners()[next]);
             }
         }
     }
@@ -184,7 +148,7 @@ fn each_edge(mesh: &Mesh, mut visit: impl FnMut(usize, usize, u32, u32)) {
 /// The mesh under construction.
 struct Grown<'a> {
     source: &'a Mesh,
-    mesh: Mesh,
+    made: Derivation<'a>,
     /// The new index of each point of the source.
     low: Vec<u32>,
     /// The index of each point's displaced copy, one per body.
@@ -192,73 +156,68 @@ struct Grown<'a> {
 }
 
 impl Grown<'_> {
-    fn low(&mut self, corner: usize) -> u32 {
-        let point = self.source.corners[corner] as usize;
-        if self.low[point] == u32::MAX {
-            self.low[point] = self.mesh.add_point(self.source.points[point]);
+    /// Adds the faces over a face: the bottom, the top, and a wall at each edge that is not inner.
+    fn body(&mut self, face: &FaceRef<'_>, body: u32, inner: &[bool], way: &dyn Fn(u32, u32) -> DVec3) {
+        // Vertices of the bottom come first, then vertices of the top. The order of faces is the same, with the sides
+        // last.
+        let mut bottom: Vec<Vec<u32>> =
+            face.loops().map(|ring| ring.iter().map(|&point| self.low(point)).collect()).collect();
+        let top: Vec<Vec<u32>> =
+            face.loops().map(|ring| ring.iter().map(|&point| self.high(point, body, way)).collect()).collect();
+        let walls: Vec<Vec<[u32; 4]>> = bottom.iter().zip(&top).map(|(low, high)| walls(low, high)).collect();
+        bottom.iter_mut().for_each(|ring| flip(ring));
+        self.made.face(&bottom, FaceOrigin::over(face, Extruded::Bottom.tag()).turned());
+        self.made.face(&top, FaceOrigin::over(face, Extruded::Top.tag()));
+        let mut edges = face.edges();
+        for (number, walls) in walls.into_iter().enumerate() {
+            let part = if number == 0 { Extruded::Outer } else { Extruded::Inner };
+            for ([a, b, c, d], edge) in walls.into_iter().zip(edges.by_ref()) {
+                let wall: &[u32] = match (a == d, b == c) {
+                    (true, true) => continue,
+                    // An end that did not move gives one corner.
+                    (true, false) => &[a, b, c],
+                    (false, true) => &[a, b, d],
+                    (false, false) => &[a, b, c, d],
+                };
+                if !inner[edge[0]] {
+                    self.made.face([wall], FaceOrigin::over_edge(face, part.tag(), edge));
+                }
+            }
         }
-        self.low[point]
+    }
+
+    fn low(&mut self, point: u32) -> u32 {
+        let number = &mut self.low[point as usize];
+        if *number == u32::MAX {
+            *number = self.made.old_point(point);
+        }
+        *number
     }
 
     /// The displaced copy of a point; the point itself if it does not move.
-    fn high(&mut self, corner: usize, body: u32, way: impl Fn(u32, u32) -> DVec3) -> u32 {
-        let point = self.source.corners[corner];
+    fn high(&mut self, point: u32, body: u32, way: &dyn Fn(u32, u32) -> DVec3) -> u32 {
         let by = way(body, point);
         if by == DVec3::ZERO {
-            return self.low(corner);
+            return self.low(point);
         }
-        let (index, new) = self.high.entry(body, point, self.mesh.points.len() as u32);
-        if new {
-            self.mesh.points.push(self.source.points[point as usize] + by);
+        let (number, is_new) = self.high.entry(body, point, self.made.point_count() as u32);
+        if is_new {
+            self.made.point(self.source.points()[point as usize] + by, PointOrigin::Moved(point));
         }
-        *index
+        *number
     }
+}
 
-    /// Adds a wall: points, with the corners whose texture coordinates they get. An end that did not move gives one
-    /// corner.
-    fn wall(&mut self, corners: [(u32, usize); 4], tag: FaceTag) {
-        let [a, b, c, d] = corners;
-        let left: &[(u32, usize)] = match (a.0 == d.0, b.0 == c.0) {
-            (true, true) => return,
-            (true, false) => &[a, b, c],
-            (false, true) => &[a, b, d],
-            (false, false) => &corners,
-        };
-        for &(point, corner) in left {
-            self.mesh.corners.push(point);
-            self.copy_uvs(&[corner]);
-        }
-        self.mesh.end_loop();
-        self.mesh.end_face(tag);
-    }
-
-    /// The mesh. Edges and vertices of the base keep their tags, and upright edges have the tags of their vertices
-    /// (*Geometry tagging*, tag propagation).
-    fn tagged(self) -> Mesh {
-        let Grown { source, mut mesh, low, high } = self;
-        let (tags, mut tagger) = (&source.subcomponent_tags, SubcomponentTagger::default());
-        // Dropped where faces do not grow.
-        let low = |point: u32| low[point as usize];
-        tags.edges().for_each(|(ends, set)| tagger.edge(ends.each(low), set));
-        tags.vertices().for_each(|(point, set)| tagger.vertex(low(point), set));
-        for ([_, point], high) in high.pairs().filter(|_| tags.vertices().len() != 0) {
-            if let Some(set) = tags.vertex(point) {
-                tagger.edge([low(point), high], set);
-            }
-        }
-        mesh.put_tags(tagger);
-        mesh
-    }
-
-    fn copy_uvs(&mut self, corners: &[usize]) {
-        corners.iter().for_each(|&corner| self.mesh.uvs.push_from(&self.source.uvs, |list| list[corner]));
-    }
+/// The corners of the wall at each edge of a loop.
+fn walls(low: &[u32], high: &[u32]) -> Vec<[u32; 4]> {
+    let next = |k: usize| if k + 1 == low.len() { 0 } else { k + 1 };
+    (0..low.len()).map(|k| [low[k], low[next(k)], high[next(k)], high[k]]).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::mesh::MeshBuilder;
+    use crate::geometry::mesh::{FaceTag, MeshBuilder};
 
     fn square(x: f64) -> Vec<DVec3> {
         [(x, 0.0), (x + 2.0, 0.0), (x + 2.0, -2.0), (x, -2.0)].map(|(x, z)| DVec3::new(x, 0.0, z)).to_vec()

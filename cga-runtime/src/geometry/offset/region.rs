@@ -8,9 +8,9 @@ use std::collections::BTreeMap;
 
 use glam::DVec2;
 
-use super::side_tags::{SideKind, SideOrigin};
+use super::sides::{SideKind, SideOrigin, SideOrigins};
 use super::{OffsetError, relief};
-use crate::geometry::mesh::flat_face::FlatFace;
+use crate::geometry::mesh::FlatFace;
 use crate::geometry::nesting::contour::Contour;
 use crate::geometry::skeleton::{self, Failure, Swept};
 use crate::value::each::Each;
@@ -35,9 +35,6 @@ struct RegionSide {
 
 /// Loops of a part of a face. A corner has the rank of its next side, and the point.
 pub(super) type Loops = Vec<Vec<(usize, u32)>>;
-
-/// The origins of sides, by their points.
-pub(super) type SideOrigins = BTreeMap<[u32; 2], SideOrigin>;
 
 /// A region in the plane of a face.
 pub(crate) struct FaceRegion {

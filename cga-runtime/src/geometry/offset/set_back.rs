@@ -5,15 +5,15 @@
 //! up to the area of the face, and the parts that neighbouring edges sweep are one face. Edges that move in several
 //! turns have several setbacks ([`super::region`]).
 
-use super::region::{EdgeCut, FaceRegion, Loops, SideOrigins};
-use super::side_tags::SideTags;
+use super::region::{EdgeCut, FaceRegion, Loops};
+use super::sides::{SideOrigins, Sides};
 use super::{FaceParts, OffsetError};
-use crate::geometry::mesh::flat_face::FlatFace;
-use crate::geometry::mesh::{FaceRef, Mesh};
-use crate::value::each::Each;
+use crate::geometry::derive::Derivation;
+use crate::geometry::mesh::{FaceRef, FlatFace};
 
 /// Sets the edges of a face back in turns and adds the parts to a mesh. The pieces of the outline are its edges, which the
-/// cuts divide. A turn has one number for each piece; numbers that are not positive leave the piece where it is.
+/// cuts divide. A turn has one number for each piece; numbers that are not positive leave the piece where it is. With
+/// `tags_kinds`, sides have tags such as `setback.front`.
 ///
 /// Parts of a setback begin with the first piece that was set back, parts of the remainder with the first piece that has
 /// a side. If the face cannot be set back, nothing is added. Returns the number of faces of each turn, then of the
@@ -22,31 +22,28 @@ pub(crate) fn set_back(
     face: &FaceRef<'_>,
     cuts: &[EdgeCut],
     turns: &[&[f64]],
-    made: &mut Mesh,
-    tags: &mut SideTags<'_>,
+    tags_kinds: bool,
+    made: &mut Derivation<'_>,
 ) -> Result<Vec<usize>, OffsetError> {
     if !turns.iter().copied().flatten().any(|distance| 0.0 < *distance) {
-        made.add_copy(face, face.tag());
-        tags.whole(face, made);
+        stay(face, tags_kinds, made);
         return Ok(turns.iter().map(|_| 0).chain([1]).collect());
     }
     let plane = FlatFace::of(face).ok_or(OffsetError::NoNormal)?;
     let mut region = FaceRegion::of(&plane, cuts);
     let mut parts = turns.iter().map(|turn| region.set_back(turn)).collect::<Result<Vec<_>, _>>()?;
     parts.push(region.loops());
-    let mut part = FaceParts::new(&plane, &region.points, &region.heights, false, made);
-    let own = |point: u32| plane.corners.iter().position(|&corner| corner == point);
-    // The points of the edge that begins at each corner.
-    let ends: Vec<[u32; 2]> = face.edges().map(|edge| edge.each(|corner| face.mesh.corners[corner])).collect();
+    let mut part = FaceParts::new(&plane, &region.points, &region.heights, made);
+    let sides = Sides::of(face, tags_kinds);
     let count = |(loops, origins): (Loops, SideOrigins)| {
         // Each part has points of its own, because sides that two parts share may have different tags.
         part.begin();
-        part.nested(loops, face.tag(), own, |ring, numbers| tags.ring(&plane.points, &ends, &origins, ring, numbers))
+        part.nested(loops, |made, ring, numbers| sides.of_loop(made, &plane.points, &origins, ring, numbers))
     };
     Ok(parts.into_iter().map(count).collect())
 }
 
-/// Gives points numbers in the order of faces, after all faces were added.
-pub(crate) fn renumber(mesh: &mut Mesh) {
-    mesh.number_by_use();
+/// Adds a copy of a face that is a remainder as a whole.
+pub(crate) fn stay(face: &FaceRef<'_>, tags_kinds: bool, made: &mut Derivation<'_>) {
+    Sides::of(face, tags_kinds).copy(made);
 }

@@ -7,9 +7,7 @@
 use glam::DVec3;
 
 use super::extrude::{Extrude, flat_top};
-use super::face::unit;
-use super::tag::TagSetTable;
-use super::{FaceTag, Mesh, MeshBuilder, MeshError, TagSet};
+use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder, MeshError, TagSet, TagSetTable, unit};
 use crate::geometry::provenance::Extruded;
 use crate::geometry::wire::Wire;
 use crate::value::each::Each;

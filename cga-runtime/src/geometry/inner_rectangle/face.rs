@@ -2,8 +2,9 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{FaceRef, Mesh, Spread, SubcomponentTagger, unit};
-use crate::geometry::inner_rectangle::{RectangleSides, largest};
+use super::{RectangleSides, largest};
+use crate::geometry::derive::{Derivation, EdgeOrigin, EdgeSource, FaceOrigin, PointOrigin};
+use crate::geometry::mesh::FaceRef;
 use crate::geometry::overlay::{OverlayError, wound};
 use crate::geometry::segment::nearest_share;
 use crate::geometry::skeleton::{MOST_CORNERS, any_cross};
@@ -32,8 +33,6 @@ struct Seen<'a> {
     flat: Vec<DVec2>,
     points: Vec<u32>,
     rings: Vec<Vec<u32>>,
-    /// For each corner its place.
-    spread: Spread,
 }
 
 /// Adds the largest rectangle in a face to a mesh, and, with `rest`, the connected parts of the rest of the face. Returns the
@@ -47,8 +46,7 @@ pub(crate) fn cut_rectangle(
     face: &FaceRef<'_>,
     sides: RectangleSides,
     rest: bool,
-    made: &mut Mesh,
-    tagger: &mut SubcomponentTagger,
+    made: &mut Derivation<'_>,
 ) -> Result<usize, RectangleRefusal> {
     if MOST_CORNERS < face.corner_count() {
         return Err(RectangleRefusal::TooMany);
@@ -77,18 +75,16 @@ pub(crate) fn cut_rectangle(
     } else {
         Vec::new()
     };
-    let base = made.points.len() as u32;
-    made.points.extend(seen.points.iter().map(|&point| face.mesh.points[point as usize]));
-    made.points.extend(all[seen.flat.len()..].iter().map(|p| seen.place(*p)));
+    let base = made.point_count() as u32;
+    seen.points.iter().for_each(|&point| _ = made.old_point(point));
+    all[seen.flat.len()..].iter().for_each(|p| _ = made.point(seen.place(*p), PointOrigin::New));
     // A corner of the rectangle in a corner of the face is that corner.
     let same = |corner: u32| {
         let at = all[corner as usize];
         (0..own).find(|&point| seen.flat[point as usize].distance(at) <= TIE_EPSILON * extent).unwrap_or(corner)
     };
     let corners: Vec<u32> = (own..own + 4).map(same).collect();
-    seen.add_ring(&corners, &all, base, made);
-    seen.tag_ring(&corners, &all, base, extent, tagger);
-    made.end_face(face.tag());
+    seen.add(&[corners], &all, base, extent, made);
     let count = polygons.len();
     for mut polygon in polygons {
         let outline = &mut polygon[0];
@@ -98,19 +94,9 @@ pub(crate) fn cut_rectangle(
         };
         let first = (0..outline.len()).find(|&k| is_own(k)).unwrap_or(0);
         outline.rotate_left(first);
-        for ring in &polygon {
-            seen.add_ring(ring, &all, base, made);
-            seen.tag_ring(ring, &all, base, extent, tagger);
-        }
-        made.end_face(face.tag());
+        seen.add(&polygon, &all, base, extent, made);
     }
     Ok(count)
-}
-
-/// Gives points numbers in the order of faces and tags to edges and vertices, after all faces were added.
-pub(crate) fn finish(mesh: &mut Mesh, tagger: SubcomponentTagger) {
-    mesh.put_tags(tagger);
-    mesh.number_by_use();
 }
 
 impl<'a> Seen<'a> {
@@ -134,7 +120,7 @@ impl<'a> Seen<'a> {
         for ring in face.loops() {
             let number = |&point: &u32| {
                 *numbers.entry(point).or_insert_with(|| {
-                    let p = face.mesh.points[point as usize];
+                    let p = face.mesh.points()[point as usize];
                     flat.push(DVec2::new(p.dot(axes[0]), p.dot(axes[1])));
                     points.push(point);
                     points.len() as u32 - 1
@@ -144,8 +130,7 @@ impl<'a> Seen<'a> {
         }
         let count = face.corner_count() as f64;
         let at = face.corner_range().map(|corner| face.position(corner).dot(normal)).sum::<f64>() / count;
-        let spread = Spread::of(rings.iter().flatten().map(|&point| flat[point as usize]).collect());
-        Some(Seen { face: *face, axes, view, normal, at, flat, points, rings, spread })
+        Some(Seen { face: *face, axes, view, normal, at, flat, points, rings })
     }
 
     fn extent(&self) -> f64 {
@@ -168,49 +153,23 @@ impl<'a> Seen<'a> {
         self.edges().zip(ends).find(|(edge, _)| is_there(*edge)).map(|(_, ends)| ends)
     }
 
-    /// Tags the sides of a loop on edges of the face, and its vertices.
-    fn tag_ring(&self, ring: &[u32], all: &[DVec2], base: u32, extent: f64, tagger: &mut SubcomponentTagger) {
-        let source = self.face.mesh;
-        if source.subcomponent_tags.is_empty() {
-            return;
-        }
-        for (&point, &next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-            let edge = self.edge_at([point, next].each(|point| all[point as usize]), extent);
-            let ends = edge.map(|ends| ends.each(|end| self.points[end as usize]));
-            if let Some(set) = ends.and_then(|ends| source.edge_tags(ends)) {
-                tagger.edge([base + point, base + next], set);
-            }
-            if let Some(set) = self.points.get(point as usize).and_then(|vertex| source.vertex_tags(*vertex)) {
-                tagger.vertex(base + point, set);
-            }
-        }
-    }
-
     /// The place of a point in the plane of the face.
     fn place(&self, p: DVec2) -> DVec3 {
         let beside = self.axes[0] * p.x + self.axes[1] * p.y;
         beside + self.view * ((self.at - self.normal.dot(beside)) / self.normal.dot(self.view))
     }
 
-    /// Adds a loop of points. Points of the face have the values of its corners.
-    fn add_ring(&self, ring: &[u32], all: &[DVec2], base: u32, made: &mut Mesh) {
-        let (source, range) = (self.face.mesh, self.face.corner_range());
-        for &point in ring {
-            made.corners.push(base + point);
-            if source.uvs.is_empty() && source.normals.is_empty() {
-                continue;
-            }
-            let own = self.rings.iter().flatten().position(|&other| other == point);
-            let weights = if own.is_some() { Vec::new() } else { self.spread.weights(all[point as usize]) };
-            let mixed =
-                |list: &[DVec2]| list[range.clone()].iter().zip(&weights).map(|(&uv, &weight)| uv * weight).sum();
-            made.uvs.push_from(&source.uvs, |list| own.map_or_else(|| mixed(list), |k| list[range.start + k]));
-            if !source.normals.is_empty() {
-                let list = &source.normals[range.clone()];
-                let mixed = || unit(list.iter().zip(&weights).map(|(&normal, &weight)| normal * weight).sum());
-                made.normals.push(own.map_or_else(mixed, |k| list[k]));
-            }
+    /// Adds a piece of the face. Its sides on edges of the face have their tags, and the others have none.
+    fn add(&self, rings: &[Vec<u32>], all: &[DVec2], base: u32, extent: f64, made: &mut Derivation<'_>) {
+        let has_tags = made.has_component_tags();
+        let sides = rings.iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
+        for side in sides.map(|(&from, &to)| [from, to]).take_while(|_| has_tags) {
+            let edge = self.edge_at(side.each(|point| all[point as usize]), extent);
+            let ends = |edge: [u32; 2]| EdgeSource::Edge(edge.each(|end| self.points[end as usize]));
+            let source = edge.map_or(EdgeSource::New, ends);
+            made.edge(side.each(|point| base + point), EdgeOrigin { source, tag: None });
         }
-        made.end_loop();
+        let rings = rings.iter().map(|ring| ring.iter().map(|point| base + point).collect::<Vec<u32>>());
+        made.face(rings, FaceOrigin::piece(&self.face));
     }
 }

@@ -1,0 +1,157 @@
+//! Meshes made of other meshes: what follows from the origins of points and faces.
+//!
+//! An operation that makes or divides faces gives each new point and each new face with its origin ([`PointOrigin`],
+//! [`FaceOrigin`]). From these follow
+//!
+//! - texture coordinates and normals: at an old point, and at a point that was moved from there, they are the values of the old face
+//!   at this point; between two points they are between their values; at other points they continue the values of the old face
+//!   over its plane;
+//! - groups and materials, and the tags of faces: of the old face, of the edge out of which a face grows, and of the operation;
+//! - the tags of edges and vertices, as in [`edges`];
+//! - the trace of points for recomposition.
+//!
+//! Cuts by planes are the one exception: they carry values along their planes while they classify corners
+//! ([`cut`](super::cut)), which is several times faster.
+
+mod edges;
+mod faces;
+mod origin;
+mod values;
+
+use glam::DVec3;
+
+use crate::geometry::mesh::{FaceRef, Mesh};
+pub(crate) use crate::geometry::origin::PointOrigin;
+use edges::EdgeOrigins;
+use faces::FaceTags;
+pub(crate) use origin::{EdgeOrigin, EdgeSource, FaceOrigin};
+use values::OldFace;
+
+/// The values of corners that an operation keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum CornerValues {
+    /// None.
+    Dropped,
+    /// Texture coordinates.
+    Coordinates,
+    /// Texture coordinates and normals.
+    All,
+}
+
+/// A mesh that is made of the points and faces of another one.
+pub(crate) struct Derivation<'s> {
+    source: &'s Mesh,
+    made: Mesh,
+    has_normals: bool,
+    has_trace: bool,
+    /// The origin of each point.
+    origins: Vec<PointOrigin>,
+    face_tags: FaceTags<'s>,
+    edge_origins: EdgeOrigins,
+    /// The face of the source that the last face came from.
+    old: OldFace<'s>,
+}
+
+impl<'s> Derivation<'s> {
+    /// A mesh without faces, with room for some corners.
+    pub(crate) fn new(source: &'s Mesh, values: CornerValues, corners: usize) -> Self {
+        let mut made = source.alike(if values == CornerValues::Dropped { 0 } else { corners });
+        if values == CornerValues::Dropped {
+            made.uvs = Default::default();
+        }
+        Derivation {
+            source,
+            made,
+            has_normals: values == CornerValues::All && !source.normals().is_empty(),
+            has_trace: true,
+            origins: Vec::new(),
+            face_tags: FaceTags::new(source),
+            edge_origins: EdgeOrigins::default(),
+            old: OldFace::new(source),
+        }
+    }
+
+    /// The same without the trace of points: recomposition does not connect the parts again (*Shape recomposition*).
+    pub(crate) fn without_trace(self) -> Self {
+        Derivation { has_trace: false, ..self }
+    }
+
+    /// Returns true if edges or vertices of the source have tags.
+    pub(crate) fn has_component_tags(&self) -> bool {
+        !self.source.subcomponent_tags.is_empty()
+    }
+
+    /// The number of points.
+    pub(crate) fn point_count(&self) -> usize {
+        self.origins.len()
+    }
+
+    /// Adds a point and returns its number.
+    pub(crate) fn point(&mut self, at: DVec3, origin: PointOrigin) -> u32 {
+        self.origins.push(origin);
+        self.made.add_point(at)
+    }
+
+    /// Adds a point of the source and returns its number.
+    pub(crate) fn old_point(&mut self, point: u32) -> u32 {
+        self.point(self.source.points()[point as usize], PointOrigin::Old(point))
+    }
+
+    /// Adds a face: its outline, and then its holes.
+    pub(crate) fn face<R: AsRef<[u32]>>(&mut self, loops: impl IntoIterator<Item = R>, origin: FaceOrigin) {
+        let has_values = self.has_normals || !self.made.uvs.is_empty();
+        for ring in loops {
+            let ring = ring.as_ref();
+            self.made.corners.extend_from_slice(ring);
+            if has_values {
+                self.add_values(ring, &origin);
+            }
+            self.made.end_loop();
+        }
+        let tag = self.face_tags.of(&origin);
+        self.made.end_face(tag);
+    }
+
+    /// Adds the values of the corners of a loop.
+    fn add_values(&mut self, ring: &[u32], origin: &FaceOrigin) {
+        self.old.enter(origin.face);
+        for place in 0..ring.len() {
+            let mix = self.old.mix_at(ring, place, &self.origins, &self.made.points, origin.edge());
+            self.made.add_mixed(self.source, &mix, self.has_normals, origin.is_turned());
+        }
+    }
+
+    /// Adds a copy of a face with points of its own. Returns its loops.
+    pub(crate) fn copy(&mut self, face: &FaceRef<'_>) -> Vec<Vec<u32>> {
+        let mut numbers = std::collections::BTreeMap::new();
+        let mut number = |point: u32| *numbers.entry(point).or_insert_with(|| self.old_point(point));
+        let rings: Vec<Vec<u32>> = face.loops().map(|ring| ring.iter().map(|&point| number(point)).collect()).collect();
+        self.face(&rings, FaceOrigin::piece(face));
+        rings
+    }
+
+    /// Gives the origin of an edge, in place of the origin that follows from its points.
+    pub(crate) fn edge(&mut self, ends: [u32; 2], origin: EdgeOrigin) {
+        if origin.tag.is_some() || self.has_component_tags() {
+            self.edge_origins.add(ends, origin);
+        }
+    }
+
+    /// The mesh.
+    pub(crate) fn finish(mut self) -> Mesh {
+        self.made.tag_sets = self.face_tags.finish();
+        if self.has_trace {
+            self.made.trace = self.source.trace.pick(&mut self.origins.iter().map(|origin| origin.old()));
+        }
+        self.made.subcomponent_tags = self.edge_origins.tags(self.source, &self.made, &self.origins);
+        self.made
+    }
+
+    /// The mesh with its points in the order of their first use; unused ones are dropped.
+    pub(crate) fn finish_by_use(mut self) -> Mesh {
+        let before = self.made.number_by_use();
+        self.origins = before.iter().map(|point| self.origins[*point as usize]).collect();
+        self.edge_origins.renumber(&before);
+        self.finish()
+    }
+}
