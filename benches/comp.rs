@@ -1,6 +1,6 @@
 //! The component split: a large mesh by direction, and boxes, whose faces need no mesh.
 //!
-//! `cargo bench --bench comp`. It compares the grammar with a hand-written loop that computes each face's normal and
+//! `cargo bench --bench comp`, with `-- --instructions` instructions instead of times. It compares the grammar with a hand-written loop that computes each face's normal and
 //! adds the face to the list of its direction.
 
 mod common;
@@ -14,6 +14,7 @@ use cga::glam::{DAffine3, DVec3};
 use cga::{Cuboid, Flow, Leaf, Mesh, Quad, Repeats, Settings, Shape, Sink, cga};
 use cga_runtime::geometry::mesh::MeshBuilder;
 use common::clock::{fastest, nanoseconds_each};
+use common::instructions::{Work, counted};
 use common::table::{Table, number};
 
 cga! {
@@ -120,7 +121,34 @@ fn by_hand(mesh: &Mesh) -> [Vec<u32>; 3] {
 /// The seconds for which each row is repeated.
 const SECONDS: f64 = 0.7;
 
+/// The work of which instructions are counted.
+fn works() -> Vec<Work> {
+    let ball_work = |name: &str, is_each: bool| {
+        Work::new(name, move || {
+            let (mesh, settings) = (ball(50), Settings::default());
+            let (faces, shape) = (mesh.face_count(), Shape::mesh_axis_aligned(mesh));
+            (faces, move || {
+                let mut sink = Count::default();
+                let report = match is_each {
+                    true => Each::default().run(&shape, &settings, &mut sink),
+                    false => Together::default().run(&shape, &settings, &mut sink),
+                };
+                drop(report.expect("no error"));
+            })
+        })
+    };
+    let boxes = Work::new("faces of boxes", || {
+        let settings = Settings { repeats: Repeats::Direct, ..Settings::default() };
+        let row = Shape::cuboid(1000.0, 1.0, 1.0);
+        (6000, move || drop(Boxes::default().run(&row, &settings, &mut Count::default()).expect("no error")))
+    });
+    vec![ball_work("together", false), ball_work("each", true), boxes]
+}
+
 fn main() {
+    if counted("Components", "face", &works()) {
+        return;
+    }
     balls();
     boxes();
 }

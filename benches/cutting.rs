@@ -1,6 +1,6 @@
 //! Workload C: closed meshes cut into closed pieces, with caps.
 //!
-//! `cargo bench --bench cutting`. It compares the grammar, the cutter alone, and a copy of their output. Volumes and
+//! `cargo bench --bench cutting`, with `-- --instructions` instructions instead of times. It compares the grammar, the cutter alone, and a copy of their output. Volumes and
 //! areas are checked against formulas, areas of caps against the sum over the edges in which faces meet the planes.
 
 mod common;
@@ -17,6 +17,7 @@ use cga::{Cuboid, Flow, Leaf, Mesh, Quad, Settings, Shape, Sink, cga};
 use cga_runtime::geometry::Axis;
 use cga_runtime::geometry::cut;
 use cga_runtime::geometry::mesh::{FaceTag, MeshBuilder};
+use common::instructions::{Work, counted};
 use common::table::{Table, number};
 use section::section;
 
@@ -184,9 +185,7 @@ struct Documented {
 /// Cuts a mesh into equal pieces.
 fn compare(table: &mut Table, workload: &str, mesh: Mesh, axis: Axis, pieces: usize, documented: Documented) {
     let name = format!("{workload}({pieces})");
-    let index = axis.index();
-    let extent = mesh.bounds().size()[index];
-    let offsets: Vec<f64> = (1..pieces).map(|i| i as f64 * extent / pieces as f64).collect();
+    let offsets = offsets(&mesh, axis, pieces);
     let area = mesh.area() + 2.0 * offsets.iter().map(|&at| section(&mesh, axis, at)).sum::<f64>();
     assert!((area - documented.area).abs() < 1e-4, "{name}: area {area}, not {}", documented.area);
     let volume = mesh.volume();
@@ -234,7 +233,39 @@ fn compare(table: &mut Table, workload: &str, mesh: Mesh, axis: Axis, pieces: us
     table.row(&name, &cells);
 }
 
+/// The places of the planes that divide a mesh into equal pieces.
+fn offsets(mesh: &Mesh, axis: Axis, pieces: usize) -> Vec<f64> {
+    let extent = mesh.bounds().size()[axis.index()];
+    (1..pieces).map(|i| i as f64 * extent / pieces as f64).collect()
+}
+
+/// The work of which instructions are counted.
+fn works() -> Vec<Work> {
+    let of = |name: &str, mesh: fn() -> Mesh, axis: Axis, pieces: usize| {
+        Work::new(&format!("{name}({pieces})"), move || {
+            let mesh = Arc::new(mesh());
+            let offsets = offsets(&mesh, axis, pieces);
+            let parts = cut::slabs(&mesh, axis, &offsets).parts;
+            let made = triangles(&mesh) + parts.iter().flatten().map(|part| triangles(part)).sum::<usize>();
+            (made, move || drop(black_box(cut::slabs(&mesh, axis, black_box(&offsets)).parts)))
+        })
+    };
+    let (cylinder, torus) = (|| cylinder(64), || torus(64, 32));
+    vec![
+        of("C1", cylinder, Axis::X, 16),
+        of("C1", cylinder, Axis::X, 256),
+        of("C2", torus, Axis::X, 4),
+        of("C2", torus, Axis::X, 64),
+        of("C3", torus, Axis::Z, 4),
+        of("C3", torus, Axis::Z, 64),
+        of("tubes", || overlapping_tubes(2_000), Axis::Z, 2),
+    ]
+}
+
 fn main() {
+    if counted("Cutting closed meshes", "triangle", &works()) {
+        return;
+    }
     let columns = [
         "scene(pieces)",
         "grammar / copy",

@@ -24,7 +24,7 @@ fn main() {
     // Cargo adds `--bench`.
     let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
     if let [first, scene, way] = &arguments[..]
-        && first == instructions::CHILD
+        && first == common::instructions::CHILD
     {
         return instructions::run(scene, way);
     }

@@ -1,6 +1,6 @@
 //! Triangles of faces: small faces, and caps with up to a million corners.
 //!
-//! `cargo bench --bench triangles`. The time is proportional to n log n for n corners, for every shape. A face with a
+//! `cargo bench --bench triangles`, with `-- --instructions` instructions instead of times. The time is proportional to n log n for n corners, for every shape. A face with a
 //! million corners is also written to vertex buffers, GLB and OBJ.
 
 mod common;
@@ -16,6 +16,7 @@ use cga::sink::obj::Obj;
 use cga::{Mesh, Settings, Shape, Sink, cga};
 use cga_runtime::geometry::triangulate::Triangulator;
 use common::clock::{fastest, nanoseconds_each};
+use common::instructions::{Work, counted};
 use common::table::{Table, number};
 
 cga! {
@@ -68,14 +69,18 @@ fn area(ring: &[DVec2]) -> f64 {
     0.5 * ring.windows(2).map(|w| (w[0] - ring[0]).perp_dot(w[1] - ring[0])).sum::<f64>()
 }
 
-fn row(table: &mut Table, name: &str, polygon: &Polygon) {
-    let points: Vec<DVec2> = polygon.concat();
+/// The points of all loops, and the ends of the loops.
+fn flat(polygon: &Polygon) -> (Vec<DVec2>, Vec<u32>) {
     let mut end = 0;
     let ends = polygon.iter().map(|ring| {
         end += ring.len() as u32;
         end
     });
-    let ends: Vec<u32> = ends.collect();
+    (polygon.concat(), ends.collect())
+}
+
+fn row(table: &mut Table, name: &str, polygon: &Polygon) {
+    let (points, ends) = flat(polygon);
     let mut triangulator = Triangulator::new();
     let mut triangles = Vec::new();
     // The clock is too coarse for a single small face.
@@ -103,7 +108,32 @@ fn sink<S: Sink>(table: &mut Table, name: &str, shape: &Shape, mut sink: S) -> S
     sink
 }
 
+/// The work of which instructions are counted.
+fn works() -> Vec<Work> {
+    let polygons: [(&str, Polygon); 5] = [
+        ("quad", vec![ring(4, |_| 1.0)]),
+        ("concave 8-gon", vec![ring(8, |i| 1.0 + (i % 2) as f64)]),
+        ("comb", comb(10_000, |_| 0.0)),
+        ("star", vec![ring(10_000, |i| 1.0 + mixed(i))]),
+        ("windows", windows(50)),
+    ];
+    let of = |(name, polygon): (&str, Polygon)| {
+        Work::new(name, move || {
+            let (points, ends) = flat(&polygon);
+            let (mut triangulator, mut triangles) = (Triangulator::new(), Vec::new());
+            (points.len(), move || {
+                triangles.clear();
+                triangulator.polygon(black_box(&points), &ends, &mut triangles);
+            })
+        })
+    };
+    polygons.into_iter().map(of).collect()
+}
+
 fn main() {
+    if counted("Triangles of faces", "corner", &works()) {
+        return;
+    }
     let mut table = Table::new("Triangles of faces", &["face", "ns a corner", "corners", "us"]);
     let square = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)].map(DVec2::from).to_vec();
     let hole = [(1.0, 1.0), (1.0, 2.0), (2.0, 2.0), (2.0, 1.0)].map(DVec2::from).to_vec();

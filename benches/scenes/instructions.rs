@@ -1,10 +1,6 @@
-//! Instructions instead of times: equal numbers in every run, even on a busy machine.
-//!
-//! Each scene runs in a child process under callgrind: once to warm up, then once inside [`counted_by_callgrind`],
-//! the only function that callgrind counts.
+//! Instructions of the scenes.
 
 use std::hint::black_box;
-use std::process::Command;
 
 use cga::Model;
 use cga::sink::buffers::Buffers;
@@ -12,12 +8,10 @@ use cga::sink::gltf::Glb;
 use cga::sink::obj::Obj;
 use cga::sink::stats::Stats;
 
+use crate::common::instructions::{can_count, count, twice};
 use crate::common::table::{Table, number};
 use crate::workloads::{self, Fold, Raw, Scene};
 use crate::{ratio_cells, ratios};
-
-/// The first argument of the child process.
-pub(crate) const CHILD: &str = "--counted";
 
 const WAYS: [&str; 3] = ["by hand", "buffers", "terminals"];
 
@@ -27,13 +21,13 @@ const SINKS: [&str; 5] = ["new buffers", "model", "GLB bytes", "OBJ text", "stat
 /// Prints a row for each scene.
 pub(crate) fn print(scenes: &[Box<dyn Scene>]) {
     let mut table = ratios("Scenes: instructions", "instructions a terminal");
-    if Command::new("valgrind").arg("--version").output().is_err() {
+    if !can_count() {
         table.note("Not counted: `valgrind` is not installed.");
         return table.print();
     }
     for scene in scenes {
         let terminals = scene.expected().terminals;
-        let each = WAYS.map(|way| count(&scene.name(), way) as f64 / terminals as f64);
+        let each = WAYS.map(|way| count(&[&scene.name(), way]) as f64 / terminals as f64);
         table.row(&scene.name(), &ratio_cells(terminals, each, 0));
     }
     table.print();
@@ -44,24 +38,10 @@ fn sinks(scenes: &[Box<dyn Scene>]) {
     let mut table = Table::new("Scenes: other sinks, instructions a terminal", &[&["scene"], &SINKS[..]].concat());
     for scene in scenes {
         let terminals = scene.expected().terminals;
-        let cells = SINKS.map(|way| number(count(&scene.name(), way) as f64 / terminals as f64, 0));
+        let cells = SINKS.map(|way| number(count(&[&scene.name(), way]) as f64 / terminals as f64, 0));
         table.row(&scene.name(), &cells);
     }
     table.print();
-}
-
-/// The number of instructions of one run.
-fn count(scene: &str, way: &str) -> u64 {
-    let program = std::env::current_exe().expect("the path of this program");
-    let output = Command::new("valgrind")
-        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null", "--toggle-collect=*counted_by_callgrind*"])
-        .arg(program)
-        .args([CHILD, scene, way])
-        .output()
-        .expect("valgrind runs");
-    let text = String::from_utf8_lossy(&output.stderr);
-    let collected = text.lines().find_map(|line| line.split_once("Collected :")?.1.trim().parse().ok());
-    collected.unwrap_or_else(|| panic!("callgrind counted nothing for {scene} {way}:\n{text}"))
 }
 
 /// The child process: one scene in one implementation.
@@ -115,17 +95,4 @@ pub(crate) fn run(scene: &str, way: &str) {
             black_box(fold.sum);
         }),
     }
-}
-
-fn twice(work: &mut dyn FnMut()) {
-    work();
-    counted_by_callgrind(work);
-}
-
-/// Callgrind finds this function by its name.
-#[inline(never)]
-fn counted_by_callgrind(work: &mut dyn FnMut()) {
-    work();
-    // Not a tail call: that would leave the function before the work is done.
-    black_box(());
 }

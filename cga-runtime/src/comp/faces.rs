@@ -3,7 +3,8 @@
 use super::Mode;
 use crate::geometry::Frame;
 use crate::geometry::buckets::Buckets;
-use crate::geometry::mesh::{Mesh, extract};
+use crate::geometry::extract::extract;
+use crate::geometry::mesh::Mesh;
 use crate::shape::Shape;
 use crate::shape::seed::Seed;
 

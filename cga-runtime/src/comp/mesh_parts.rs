@@ -13,10 +13,10 @@ use super::select::{RoofEdge, Sense, Subcomponent, Word};
 use super::uv_edges::UvEdges;
 use crate::comp::orientation::Orientation;
 use crate::geometry::Frame;
+use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin};
+use crate::geometry::extract::extract;
 use crate::geometry::face_frame::{FaceFrame, along, beside, face_frame, upright};
-use crate::geometry::mesh::extract;
 use crate::geometry::mesh::{Adjacency, FaceTag, Mesh, flip, unit};
-use crate::geometry::origin::PointOrigin;
 use crate::geometry::provenance::Provenance;
 use crate::geometry::tol::{COPLANAR_EPSILON, UP_EPSILON};
 use crate::geometry::wire::Wire;
@@ -354,24 +354,18 @@ impl MeshParts {
     /// Faces that fill holes, with the direction of the faces around them. They begin with the first edges of the
     /// holes, and have the tags of edges and vertices.
     fn filled(&self, indices: &[u32]) -> Mesh {
-        let (mut filled, mut numbers, mut taken) = (Mesh::default(), BTreeMap::new(), Vec::new());
+        let mut filled = Derivation::new(&self.mesh, CornerValues::Dropped, 0);
+        let mut numbers = BTreeMap::new();
         for &index in indices {
             let [face, ring] = self.holes[index as usize];
-            let mut ring = self.mesh.face(face as usize).loops().nth(ring as usize).unwrap_or_default().to_vec();
+            let face = self.mesh.face(face as usize);
+            let mut ring = face.loops().nth(ring as usize).unwrap_or_default().to_vec();
             flip(&mut ring);
-            for point in ring {
-                let number = *numbers.entry(point).or_insert_with(|| {
-                    taken.push(point);
-                    filled.add_point(self.mesh.points()[point as usize])
-                });
-                filled.corners.push(number);
-            }
-            filled.end_loop();
-            filled.end_face(FaceTag::PLAIN);
+            ring.iter_mut()
+                .for_each(|point| *point = *numbers.entry(*point).or_insert_with(|| filled.old_point(*point)));
+            filled.face([ring], FaceOrigin::filling(&face));
         }
-        filled.carry_tags(&self.mesh, |point| PointOrigin::Old(taken[point as usize]));
-        filled.trace = self.mesh.trace.pick(&mut taken.iter().map(|point| Some(*point)));
-        filled
+        filled.finish()
     }
 
     /// The edges or points of some components.

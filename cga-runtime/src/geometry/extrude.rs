@@ -19,7 +19,7 @@ use crate::geometry::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
 
 /// The direction of an extrusion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Extrude {
+pub enum Extrude {
     /// Each face along its own normal.
     FaceNormal,
     /// Each point along the average of the normals around it, by the distance.
@@ -33,7 +33,7 @@ pub(crate) enum Extrude {
 
 /// The volumes on the faces of a mesh. Faces without area have no normal and are not extruded along it. A distance that
 /// is not finite leaves the mesh unchanged, and so does zero, except for a flat top.
-pub(crate) fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
+pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
     let up = match along {
         Extrude::FaceNormal | Extrude::VertexNormal => DVec3::Y,
         Extrude::Vector(vector) | Extrude::FlatTop(vector) => vector,

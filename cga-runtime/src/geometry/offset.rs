@@ -138,7 +138,7 @@ impl<'p, 'a, 's> FaceParts<'p, 'a, 's> {
                 None => {
                     let p = points[at];
                     let place = plane.origin + plane.axes[0] * p.x + plane.axes[1] * p.y + plane.normal * heights[at];
-                    made.point(place, PointOrigin::New)
+                    made.point(place, PointOrigin::Grown)
                 }
             };
         }

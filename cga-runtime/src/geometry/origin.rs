@@ -11,6 +11,9 @@ pub(crate) enum PointOrigin {
     Between { ends: [u32; 2], share: f64 },
     /// A point that was moved away from a point of the old mesh. Its values are the values there.
     Moved(u32),
+    /// A point that grew out of a face, such as the ridge of a roof: an edge to it from a vertex of the face has the tags of the
+    /// vertex. Its values continue the values of the face over its plane.
+    Grown,
     /// Any other point. Its values continue the values of the face that it is used in.
     New,
 }
@@ -21,7 +24,7 @@ impl PointOrigin {
         match self {
             PointOrigin::Old(point) => [point; 2],
             PointOrigin::Between { ends, .. } => ends,
-            PointOrigin::Moved(_) | PointOrigin::New => [UNTRACED; 2],
+            PointOrigin::Moved(_) | PointOrigin::Grown | PointOrigin::New => [UNTRACED; 2],
         }
     }
 

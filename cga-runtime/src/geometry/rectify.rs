@@ -4,6 +4,7 @@ use crate::value::each::Each;
 use glam::DVec3;
 
 use super::cleanup::{Parts, cleanup};
+use super::derive::{CornerValues, Derivation, FaceOrigin};
 use super::disjoint::DisjointSets;
 use super::mesh::{Mesh, unit};
 use super::tol::{COPLANAR_EPSILON, EDGE_EPSILON, UP_EPSILON};
@@ -128,10 +129,12 @@ fn without_lost_holes(before: &Mesh, moved: Mesh, normals: &[DVec3], up: usize) 
             .map(|[a, b]| a[axis] * b[other] - a[other] * b[axis])
             .sum()
     };
-    let mut made = Mesh { points: moved.points.clone(), ..moved.alike(moved.corners.len()) };
+    let moved = Mesh { trace: before.trace.clone(), ..moved };
+    let mut made = Derivation::new(&moved, CornerValues::All, moved.corners.len()).with_old_points();
     for face in before.faces() {
         // Upright faces have no area as seen from above.
         let is_upright = normals[face.index()][up].abs() <= UP_EPSILON;
+        let mut kept = Vec::with_capacity(1);
         for (number, ring) in face.loop_ranges().enumerate() {
             let sign = area(before, ring.clone()).signum();
             // The rounding error of an area in a mesh with an extent of about 1.
@@ -140,18 +143,12 @@ fn without_lost_holes(before: &Mesh, moved: Mesh, normals: &[DVec3], up: usize) 
                 return Err(Collapsed { face: face.index() });
             }
             if !is_lost {
-                for corner in ring {
-                    made.corners.push(moved.corners[corner]);
-                    made.copy_values(&moved, corner..corner + 1);
-                }
-                made.end_loop();
+                kept.push(ring);
             }
         }
-        made.end_face(face.tag());
+        made.keep(kept, FaceOrigin::piece(&face));
     }
-    let points = Mesh { trace: before.trace.clone(), ..moved };
-    made.take_points(&points);
-    Ok(made)
+    Ok(made.finish_used())
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use crate::fault::FaultKind;
 use crate::geometry::boolean::{BooleanError, BooleanOp, combine};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::join::join;
+use crate::geometry::unbent::bent_along;
 use crate::run::env::Env;
 use crate::shape::look::Look;
 use crate::shape::{Geometry, Shape};
@@ -155,6 +156,6 @@ fn combined(env: &mut Env, op: BooleanOp, word: &str, meshes: [&[Mesh]; 2], leav
     };
     env.fault(FaultKind::Geometry, format!("`{word}`: {why}; {instead}"));
     let mut direction = DVec3::ZERO;
-    let kept: Vec<Mesh> = kept.into_iter().map(|mesh| mesh.bent_along(&mut direction)).collect();
+    let kept: Vec<Mesh> = kept.into_iter().map(|mesh| bent_along(mesh, &mut direction)).collect();
     (!env.ended()).then(|| join(kept.iter()))
 }

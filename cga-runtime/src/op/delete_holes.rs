@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::geometry::holes::without_holes;
 use crate::run::env::Env;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
 
@@ -10,7 +11,7 @@ use crate::shape::{Geometry, Inserted, Placed, Shape};
 /// afterwards, because these faces stay.
 pub fn delete_holes(env: &mut Env, shape: &mut Shape) {
     let Geometry::Mesh(placed) = &shape.geometry else { return };
-    let Some(filled) = placed.mesh.without_holes() else { return };
+    let Some(filled) = without_holes(&placed.mesh) else { return };
     if env.count_vertices(&filled).is_break() {
         return;
     }

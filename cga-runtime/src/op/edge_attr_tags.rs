@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::tag::tag_name;
-use crate::geometry::mesh::{Mesh, SubcomponentTagger, TagSet, TaggedComponents};
+use crate::geometry::mesh::{Mesh, SubcomponentTagsBuilder, TagSet, TaggedComponents};
 use crate::geometry::wire::Wire;
 use crate::run::env::Env;
 use crate::shape::edge_attributes::SampledAttributes;
@@ -41,8 +41,8 @@ pub fn set_tags_from_edge_attrs(env: &mut Env, shape: &mut Shape) {
     shape.hold_as_points();
     match &shape.geometry {
         Geometry::Mesh(placed) => {
-            let mut mesh = Mesh::clone(&placed.mesh);
-            mesh.put_tags(cleared(&placed.mesh.subcomponent_tags, &attributes, tagger));
+            let tags = cleared(&placed.mesh.subcomponent_tags, &attributes, tagger);
+            let mesh = Mesh::clone(&placed.mesh).with_subcomponent_tags(tags);
             let placed = Placed { mesh: Arc::new(mesh), inserted: Inserted::No, ..Placed::clone(placed) };
             shape.geometry = Geometry::Mesh(Arc::new(placed));
         }
@@ -59,8 +59,8 @@ pub fn set_tags_from_edge_attrs(env: &mut Env, shape: &mut Shape) {
 fn cleared(
     old: &crate::geometry::mesh::SubcomponentTags,
     attributes: &[(Text, Arc<[Text]>)],
-    mut tagger: SubcomponentTagger,
-) -> SubcomponentTagger {
+    mut tagger: SubcomponentTagsBuilder,
+) -> SubcomponentTagsBuilder {
     let mut old = old.clone();
     for (name, _) in attributes {
         old = old.without(Some(&format!("edgeattr.{}", tag_name(name))), TaggedComponents::Edges);
@@ -89,8 +89,8 @@ impl Sampled<'_> {
         TagSet::new(self.attributes.iter().filter_map(tag))
     }
 
-    fn mesh(&self, mesh: &Mesh) -> SubcomponentTagger {
-        let mut tagger = SubcomponentTagger::default();
+    fn mesh(&self, mesh: &Mesh) -> SubcomponentTagsBuilder {
+        let mut tagger = SubcomponentTagsBuilder::default();
         for face in mesh.faces() {
             let normal = face.normal();
             for edge in face.edges() {
@@ -103,8 +103,8 @@ impl Sampled<'_> {
         tagger
     }
 
-    fn wire(&self, wire: &Wire) -> SubcomponentTagger {
-        let mut tagger = SubcomponentTagger::default();
+    fn wire(&self, wire: &Wire) -> SubcomponentTagsBuilder {
+        let mut tagger = SubcomponentTagsBuilder::default();
         for (edge, normal) in wire.normals.iter().enumerate().take(wire.edges.len()) {
             tagger.edge(wire.edges[edge], &self.tags(wire.ends(edge), *normal));
         }

@@ -6,7 +6,8 @@ use super::boolean::unify;
 use super::joined::{joined_state, part_meshes, replace_by, retain_parts};
 use super::recompose::recompose;
 use crate::geometry::mesh::join::join;
-use crate::geometry::mesh::{Mesh, SubcomponentTagger};
+use crate::geometry::mesh::{Mesh, SubcomponentTagsBuilder};
+use crate::geometry::unbent::bent_along;
 use crate::geometry::wire::Wire;
 use crate::run::env::Env;
 use crate::shape::{Geometry, Shape};
@@ -61,7 +62,7 @@ pub fn inline(env: &mut Env, shape: &mut Shape, [mut leaves]: [Vec<Shape>; 1], s
 
 fn join_faces(env: &mut Env, shape: &mut Shape, leaves: &[Shape]) {
     let mut direction = DVec3::ZERO;
-    let meshes: Vec<Mesh> = part_meshes(shape, leaves).map(|mesh| mesh.bent_along(&mut direction)).collect();
+    let meshes: Vec<Mesh> = part_meshes(shape, leaves).map(|mesh| bent_along(mesh, &mut direction)).collect();
     let count: u64 = meshes.iter().map(|mesh| mesh.corners().len() as u64).sum();
     if env.count_corners(count).is_continue() {
         shape.set_mesh(join(meshes.iter()));
@@ -69,7 +70,7 @@ fn join_faces(env: &mut Env, shape: &mut Shape, leaves: &[Shape]) {
 }
 
 fn join_wires(shape: &mut Shape, leaves: &[Shape]) {
-    let (mut sum, mut tagger) = (Wire::default(), SubcomponentTagger::default());
+    let (mut sum, mut tagger) = (Wire::default(), SubcomponentTagsBuilder::default());
     let wires = || leaves.iter().filter_map(|leaf| Some((leaf, leaf.to_wire()?)));
     let has_edges = wires().any(|(_, wire)| !wire.edges.is_empty());
     for (leaf, wire) in wires().filter(|(_, wire)| !has_edges || !wire.edges.is_empty()) {

@@ -31,7 +31,7 @@ fn pyramid(source: &Mesh, face: &FaceRef<'_>, height: f64) -> Mesh {
     let range = face.corner_range();
     // Each corner has a point of its own.
     range.clone().for_each(|corner| _ = made.old_point(source.corners()[corner]));
-    let apex = made.point(centre_of_gravity(face) + face.normal() * height, PointOrigin::New);
+    let apex = made.point(centre_of_gravity(face) + face.normal() * height, PointOrigin::Grown);
     let number = |corner: usize| (corner - range.start) as u32;
     let turned = face.loop_ranges().map(|ring| {
         let mut ring: Vec<u32> = ring.map(number).collect();

@@ -13,6 +13,7 @@ use crate::fault::FaultKind;
 use crate::geometry::cut;
 use crate::geometry::mesh::uv::spread;
 use crate::geometry::mesh::{Mesh, TextureSpace, UvAxis};
+use crate::geometry::unbent::without_bent_faces;
 use crate::run::env::Env;
 use crate::shape::{Geometry, Placed, Shape, ShapeRef};
 
@@ -61,7 +62,7 @@ pub(super) fn texture(
     };
     let borders = PieceBorders::of(&pieces[..], length, extent.high[axis.index()], line);
     let most = env.corners_left(1);
-    let flat = match placed.mesh.without_bent_faces() {
+    let flat = match without_bent_faces(&placed.mesh) {
         Cow::Borrowed(_) => placed.mesh.clone(),
         Cow::Owned(flat) => Arc::new(flat),
     };

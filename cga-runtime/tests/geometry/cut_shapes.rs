@@ -205,7 +205,7 @@ fn an_open_mesh_stays_open() {
     // A box without a lid, and a sheet.
     let cube = primitive::cube();
     let all: Vec<u32> = (0..6).filter(|&face| face != 1).collect();
-    let open = Arc::new(cga_runtime::geometry::mesh::extract(&cube, &all, &cga_runtime::geometry::Frame::WORLD));
+    let open = Arc::new(cga_runtime::geometry::extract::extract(&cube, &all, &cga_runtime::geometry::Frame::WORLD));
     let cut = slabs(&open, Axis::X, &[0.5]);
     assert_eq!(cut.open.len(), 1);
     assert_eq!(cut.open[0].points.len(), 4);

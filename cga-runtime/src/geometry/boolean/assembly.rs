@@ -9,7 +9,8 @@ use super::face_values::{FaceValues, Shares, only};
 use super::facet::Facet;
 use super::operation::{BooleanError, BooleanOp};
 use super::polygon::{PolygonCorner, ResultPolygon};
-use crate::geometry::mesh::{FaceTag, Mesh, SubcomponentTagger, SubcomponentTags, TagSet, TagSetTable, flip, unit};
+use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin, Mix, PointOrigin};
+use crate::geometry::mesh::{Mesh, TagSet, flip};
 use crate::geometry::triangulate::Triangulator;
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
@@ -35,11 +36,10 @@ impl Assembly<'_> {
         // Points keep their order; new points come last.
         let corners = || polygons.iter().flat_map(|polygon| polygon.rings.iter().flatten());
         let mut used: Vec<u32> = corners().map(|corner| corner.point).collect();
-        let mut made = self.mesh.alike(used.len());
+        let mut made = Derivation::new(self.mesh, CornerValues::All, used.len()).without_trace();
         used.sort_unstable();
         used.dedup();
-        made.points.extend(used.iter().map(|point| self.places[*point as usize] + 0.0));
-        let mut sets = TagSetTable::default();
+        used.iter().for_each(|point| _ = made.point(self.places[*point as usize] + 0.0, PointOrigin::New));
         let mut triangulator = Triangulator::new();
         let mut values: Option<FaceValues> = None;
         // The facet of the last polygon, and its corners of the mesh by their points.
@@ -58,7 +58,7 @@ impl Assembly<'_> {
                 };
                 let mut corners: Vec<(u32, Shares)> =
                     (0..ring.len()).map(|place| (ring[place].point, shares(place))).collect();
-                if !made.uvs.is_empty() || !self.mesh.normals().is_empty() {
+                if made.has_values() {
                     for (point, shares) in corners.iter_mut().filter(|(_, shares)| shares[0].0 == NO_CORNER) {
                         let known = values.take().filter(|known| known.face == facet.face);
                         let known = values
@@ -70,24 +70,26 @@ impl Assembly<'_> {
                     flip(&mut corners);
                 }
                 for (point, shares) in corners {
-                    made.corners.push(used.binary_search(&point).unwrap_or_default() as u32);
-                    self.add_values(&mut made, &shares, polygon.is_turned);
+                    let number = used.binary_search(&point).unwrap_or_default() as u32;
+                    let mix = if shares[0].1 == 1.0 { Mix::One(shares[0].0) } else { Mix::Three(shares) };
+                    made.corner(number, &mix, polygon.is_turned);
                 }
                 made.end_loop();
             }
-            let tag = self.mesh.face(facet.face as usize).tag();
-            let tags = self.tags(polygon);
-            let tags = if tags.names().is_empty() { FaceTag::NONE } else { sets.number(&tags) };
-            made.end_face(FaceTag { tags, ..tag });
+            let origin = FaceOrigin::piece(&self.mesh.face(facet.face as usize));
+            made.end_tagged_face(origin, &self.tags(polygon));
         }
-        made.tag_sets = sets.into_sets();
-        made.subcomponent_tags = self.subcomponent_tags(polygons, &used)?;
-        Ok(made)
+        self.tag_components(&mut made, polygons, &used)?;
+        Ok(made.finish())
     }
 
-    /// The tags of edges and vertices. `used` are the points of the result.
-    fn subcomponent_tags(&self, polygons: &[ResultPolygon], used: &[u32]) -> Result<SubcomponentTags, BooleanError> {
-        let mut tagger = SubcomponentTagger::default();
+    /// Gives edges and vertices their tags. `used` are the points of the result.
+    fn tag_components(
+        &self,
+        made: &mut Derivation<'_>,
+        polygons: &[ResultPolygon],
+        used: &[u32],
+    ) -> Result<(), BooleanError> {
         let number = |point: u32| used.binary_search(&point).ok().map(|number| number as u32);
         for ring in polygons.iter().flat_map(|polygon| &polygon.rings) {
             goes_on(ring.len())?;
@@ -95,32 +97,14 @@ impl Assembly<'_> {
                 if let Some(tags) = self.edge_tags.set(corner.tags)
                     && let (Some(a), Some(b)) = (number(corner.point), number(next.point))
                 {
-                    tagger.edge([a, b], tags);
+                    made.tag_edge([a, b], tags);
                 }
             }
         }
         for (point, tags) in self.vertex_tags {
-            number(*point).into_iter().for_each(|point| tagger.vertex(point, tags));
+            number(*point).into_iter().for_each(|point| made.tag_vertex(point, tags));
         }
-        Ok(tagger.finish())
-    }
-
-    fn add_values(&self, made: &mut Mesh, shares: &Shares, is_turned: bool) {
-        made.uvs.push_from(&self.mesh.uvs, |list| {
-            if shares[0].1 == 1.0 {
-                return list[shares[0].0 as usize];
-            }
-            shares.iter().map(|(corner, share)| list[*corner as usize] * *share).sum()
-        });
-        if !self.mesh.normals().is_empty() {
-            let normal = |corner: u32| self.mesh.normals()[corner as usize];
-            let sum = if shares[0].1 == 1.0 {
-                normal(shares[0].0)
-            } else {
-                unit(shares.iter().map(|(corner, share)| normal(*corner) * *share).sum())
-            };
-            made.normals.push(if is_turned { -sum } else { sum });
-        }
+        Ok(())
     }
 
     /// The shares of a corner on the outline of its face: a corner or two of the face. `None` for a corner inside.

@@ -38,6 +38,7 @@ use glam::{DAffine3, DVec3};
 use super::mesh::join::join;
 use super::mesh::{Bounds, Mesh};
 use super::tol::{BOOLEAN_EPSILONS, THINNEST_SOLID};
+use crate::geometry::unbent::bent_along;
 use crate::value::small_sort::SmallSort;
 use assembly::Assembly;
 use bounds_tree::{BoundsTree, overlap};
@@ -64,7 +65,7 @@ use winding::Windings;
 pub(crate) fn combine(op: BooleanOp, operands: [&[Mesh]; 2], rounding: f64) -> Result<Mesh, BooleanError> {
     if 1 < operands.into_iter().flatten().filter(|mesh| mesh.bent != DVec3::ZERO).count() {
         let mut direction = DVec3::ZERO;
-        let mut along = |mesh: &Mesh| mesh.clone().bent_along(&mut direction);
+        let mut along = |mesh: &Mesh| bent_along(mesh.clone(), &mut direction);
         let [first, second]: [Vec<Mesh>; 2] = operands.map(|meshes| meshes.iter().map(&mut along).collect());
         return combine_within(Budget::DEFAULT, op, [&first, &second], rounding);
     }

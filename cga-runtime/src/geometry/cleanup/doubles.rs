@@ -49,7 +49,7 @@ pub(super) fn without_doubles(mesh: &Mesh, flat: FlatParts) -> Option<Mesh> {
     }
     let mut made = without_faces(mesh);
     (0..mesh.face_count()).filter(|&face| !is_gone[face]).for_each(|face| add_face(&mut made, mesh, face));
-    Some(made)
+    Some(made.finish())
 }
 
 /// The faces to remove from a part with these faces and sets of doubles.

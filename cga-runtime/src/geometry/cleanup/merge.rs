@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::crossing::will_break;
 use super::{add_loops, without_faces};
-use crate::geometry::mesh::{Mesh, SubcomponentTagger};
+use crate::geometry::mesh::Mesh;
 use crate::value::each::Each;
 
 /// The limit on attempts to merge without turning faces over and without crossings. After that only points at one place are merged.
@@ -107,11 +107,10 @@ fn with_targets(mesh: &Mesh, targets: &[u32]) -> Mesh {
                 (ring.start as u32..ring.end as u32).filter(|corner| is_new(corner)).collect()
             })
             .collect();
-        add_loops(&mut made, mesh, face.index(), &loops, keeps_holes);
+        add_loops(&mut made, mesh, face.index(), &loops, keeps_holes, target);
     }
-    made.corners.iter_mut().for_each(|point| *point = target(*point));
-    let mut tagger = SubcomponentTagger::default();
-    tagger.append(&mesh.subcomponent_tags, &target);
-    made.subcomponent_tags = tagger.finish();
-    made
+    // Merged edges and vertices have the tags of all.
+    mesh.subcomponent_tags.edges().for_each(|(ends, tags)| made.tag_edge(ends.each(target), tags));
+    mesh.subcomponent_tags.vertices().for_each(|(point, tags)| made.tag_vertex(target(point), tags));
+    made.finish()
 }

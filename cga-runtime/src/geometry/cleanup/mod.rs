@@ -26,6 +26,7 @@ use doubles::FlatParts;
 use glam::DVec3;
 pub(crate) use short_edges::without_short_edges;
 
+use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::tol::{AT_LIMIT_EPSILON, FLAT_ANGLE_EPSILON, FLAT_EPSILON, MERGE_EPSILON, ROUNDING_EPSILON};
 
@@ -109,10 +110,11 @@ pub(crate) fn cleanup(mesh: &Mesh, parts: Parts, tolerance: f64) -> Option<Mesh>
 }
 
 /// A mesh whose corners have points of the original mesh, with those points alone.
-fn without_unused_points(mut made: Mesh, original: &Mesh) -> Mesh {
-    let source = Mesh { subcomponent_tags: std::mem::take(&mut made.subcomponent_tags), ..Mesh::clone(original) };
-    made.take_points(&source);
-    made
+fn without_unused_points(made: Mesh, original: &Mesh) -> Mesh {
+    let full = Mesh { points: original.points.clone(), trace: original.trace.clone(), ..made };
+    let mut made = Derivation::new(&full, CornerValues::All, full.corners.len()).with_old_points();
+    full.faces().for_each(|face| made.keep(face.loop_ranges(), FaceOrigin::piece(&face)));
+    made.finish_used()
 }
 
 /// A mesh between two steps.
@@ -164,38 +166,31 @@ impl Draft {
     }
 }
 
-/// A mesh without faces that has the points of a mesh, and the tags of its edges and vertices.
-fn without_faces(mesh: &Mesh) -> Mesh {
-    Mesh {
-        points: mesh.points.clone(),
-        subcomponent_tags: mesh.subcomponent_tags.clone(),
-        ..mesh.alike(mesh.corners.len())
-    }
-}
-
-/// Adds a corner of a mesh with its values.
-fn add_corner(made: &mut Mesh, mesh: &Mesh, corner: u32) {
-    made.corners.push(mesh.corners[corner as usize]);
-    made.copy_values(mesh, corner as usize..corner as usize + 1);
+/// A mesh without faces that has the points of a mesh.
+fn without_faces(mesh: &Mesh) -> Derivation<'_> {
+    Derivation::new(mesh, CornerValues::All, mesh.corners().len()).with_old_points()
 }
 
 /// Adds a face of a mesh as it is.
-fn add_face(made: &mut Mesh, mesh: &Mesh, face: usize) {
-    made.corners.extend_from_slice(&mesh.corners[mesh.face_corners(face)]);
-    made.end_copy(mesh, mesh.face_loops(face), mesh.tags[face]);
+fn add_face(made: &mut Derivation<'_>, mesh: &Mesh, face: usize) {
+    let face = mesh.face(face);
+    made.keep(face.loop_ranges(), FaceOrigin::piece(&face));
 }
 
-/// Adds a face with some corners of a mesh as its loops. Loops with fewer than three corners are left out: they go along an edge
-/// and back. If that leaves out the outline, the holes are kept only on request.
-fn add_loops(made: &mut Mesh, mesh: &Mesh, face: usize, loops: &[Vec<u32>], keeps_holes: bool) {
+/// Adds a face with some corners of a mesh as its loops, at the points that `target` gives for theirs. Loops with fewer than three
+/// corners are left out: they go along an edge and back. If that leaves out the outline, the holes are kept only on request.
+fn add_loops(
+    made: &mut Derivation<'_>,
+    mesh: &Mesh,
+    face: usize,
+    loops: &[Vec<u32>],
+    keeps_holes: bool,
+    target: impl Fn(u32) -> u32,
+) {
     let is_kept = loops.first().is_some_and(|outline| 3 <= outline.len()) || keeps_holes;
-    let mut is_face = false;
-    for ring in loops.iter().filter(|ring| is_kept && 3 <= ring.len()) {
-        ring.iter().for_each(|&corner| add_corner(made, mesh, corner));
-        made.end_loop();
-        is_face = true;
-    }
-    if is_face {
-        made.end_face(mesh.tags[face]);
+    let mut kept = loops.iter().filter(|ring| is_kept && 3 <= ring.len()).peekable();
+    if kept.peek().is_some() {
+        let at = |corner: u32| (target(mesh.corners()[corner as usize]), corner as usize);
+        made.keep_at(kept.map(|ring| ring.iter().map(|&corner| at(corner))), FaceOrigin::piece(&mesh.face(face)));
     }
 }

@@ -3,7 +3,8 @@
 use glam::DVec3;
 
 use super::crossing::is_simple;
-use super::{add_corner, add_face, without_faces};
+use super::{add_face, without_faces};
+use crate::geometry::derive::FaceOrigin;
 use crate::geometry::mesh::{Mesh, unit};
 
 /// The half-edge of a corner without a counterpart that is removed with it.
@@ -62,17 +63,14 @@ pub(super) fn joined(mesh: &Mesh, removal: &Removal) -> Option<Mesh> {
             Some(loops) => {
                 let is_apart = 1 < loops.len()
                     && loops.iter().all(|ring| 0.0 < area_vector(mesh, ring).dot(loops_area(mesh, loops)));
-                for (number, ring) in (1..).zip(loops) {
-                    ring.iter().for_each(|&corner| add_corner(&mut made, mesh, corner));
-                    made.end_loop();
-                    if is_apart || number == loops.len() {
-                        made.end_face(mesh.tags[face]);
-                    }
+                let origin = FaceOrigin::piece(&mesh.face(face));
+                for loops in loops.chunks(if is_apart { 1 } else { loops.len().max(1) }) {
+                    made.keep(loops.iter().map(|ring| ring.iter().map(|&corner| corner as usize)), origin);
                 }
             }
         }
     }
-    Some(made)
+    Some(made.finish())
 }
 
 /// The loops of a region, its outline first. `None` if it does not have one outline.

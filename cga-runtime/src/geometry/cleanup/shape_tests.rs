@@ -5,7 +5,7 @@ use glam::{DAffine3, DVec3};
 use super::*;
 use crate::geometry::boolean::{BooleanOp, combine};
 use crate::geometry::convexify::convexify;
-use crate::geometry::mesh::{FaceTag, MeshBuilder, SubcomponentTagger, TagSet, primitive};
+use crate::geometry::mesh::{FaceTag, MeshBuilder, SubcomponentTagsBuilder, TagSet, primitive};
 use crate::value::text::Text;
 
 const ALL: Parts = Parts { vertices: true, edges: true, faces: true };
@@ -71,7 +71,7 @@ fn spikes_of_merged_points_vanish_with_their_tags() {
     // A notch whose sides are 0.01 apart, with tags on all edges.
     let notched = polygon(&[[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [2.01, 3.0], [2.005, 1.0], [2.0, 3.0], [0.0, 3.0]]);
     let mut tagged = notched.clone();
-    let mut tagger = SubcomponentTagger::default();
+    let mut tagger = SubcomponentTagsBuilder::default();
     let tags = TagSet::default().with(&Text::from("bool.cut"));
     (0..7).for_each(|point| tagger.edge([point, (point + 1) % 7], &tags));
     tagged.subcomponent_tags = tagger.finish();

@@ -23,5 +23,5 @@ pub(super) fn without_small_faces(mesh: &Mesh, limits: &Limits) -> Option<Mesh> 
         return None;
     }
     (0..mesh.face_count()).filter(|&face| is_kept[face]).for_each(|face| add_face(&mut made, mesh, face));
-    Some(made)
+    Some(made.finish())
 }

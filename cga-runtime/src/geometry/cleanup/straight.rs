@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::crossing::will_break;
 use super::values::are_between;
 use super::{Limits, add_loops, without_faces};
-use crate::geometry::mesh::{Mesh, SubcomponentTagger, unit};
+use crate::geometry::mesh::{Mesh, unit};
 use crate::value::each::Each;
 
 /// The mesh without points between two edges that form a straight line in all faces at the point. An edge that replaces others
@@ -162,8 +162,6 @@ fn without(mesh: &Mesh, targets: &[u32]) -> Mesh {
         targets[point as usize] == point
     };
     let keeps_holes = mesh.is_closed();
-    let mut tagger = SubcomponentTagger::default();
-    tagger.append(&mesh.subcomponent_tags, &|point| point);
     for face in mesh.faces() {
         let mut loops = Vec::with_capacity(face.loops().len());
         for ring in face.loop_ranges() {
@@ -180,15 +178,14 @@ fn without(mesh: &Mesh, targets: &[u32]) -> Mesh {
                     if after != next {
                         let [from, over, to] = [corner, after, next].each(|corner| mesh.corners[corner as usize]);
                         if let Some(tags) = mesh.edge_tags([from, over]) {
-                            tagger.edge([from, to], tags);
+                            made.tag_edge([from, to], tags);
                         }
                     }
                 }
             }
             loops.push(kept);
         }
-        add_loops(&mut made, mesh, face.index(), &loops, keeps_holes);
+        add_loops(&mut made, mesh, face.index(), &loops, keeps_holes, |point| point);
     }
-    made.subcomponent_tags = tagger.finish();
-    made
+    made.finish()
 }

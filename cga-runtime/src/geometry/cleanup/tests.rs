@@ -2,7 +2,7 @@ use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 
 use super::*;
 use crate::geometry::extrude::{Extrude, extrude};
-use crate::geometry::mesh::{FaceTag, MeshBuilder, SubcomponentTagger, TagSet, primitive};
+use crate::geometry::mesh::{FaceTag, MeshBuilder, SubcomponentTagsBuilder, TagSet, primitive};
 use crate::geometry::random::Rng;
 use crate::geometry::triangulate::Triangulator;
 use crate::value::text::Text;
@@ -25,8 +25,7 @@ fn build(points: &[[f64; 3]], faces: &[&[u32]]) -> Mesh {
 
 /// Each face in triangles, whose points are not shared with other faces on request.
 fn triangles(mesh: &Mesh, is_soup: bool) -> Mesh {
-    let mut made = mesh.alike(0);
-    made.points.clone_from(&mesh.points);
+    let mut made = without_faces(mesh);
     let (mut triangulator, mut found) = (Triangulator::new(), Vec::new());
     for face in mesh.faces() {
         found.clear();
@@ -37,20 +36,14 @@ fn triangles(mesh: &Mesh, is_soup: bool) -> Mesh {
         for triangle in &mut found {
             let least = triangle.iter().position(|corner| corner == triangle.iter().min().unwrap()).unwrap();
             triangle.rotate_left(least);
-            for corner in *triangle {
-                let mut point = mesh.corners[corner as usize];
-                if is_soup {
-                    point = made.add_point(mesh.points[point as usize]);
-                }
-                made.corners.push(point);
-                made.copy_values(mesh, corner as usize..corner as usize + 1);
-            }
-            made.end_loop();
-            made.end_face(face.tag());
+            let corners = triangle.map(|corner| {
+                let point = mesh.corners[corner as usize];
+                (if is_soup { made.old_point(point) } else { point }, corner as usize)
+            });
+            made.keep_at([corners], FaceOrigin::piece(&face));
         }
     }
-    made.drop_unused();
-    made
+    made.finish_used()
 }
 
 /// The mesh after a cleanup, which keeps the laws.
@@ -410,7 +403,7 @@ fn tags_stay() {
         &[[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [1.01, 0., 0.], [2., 0., 0.], [1.5, 1., 0.]],
         &[&[0, 1, 2], &[3, 4, 5]],
     );
-    let mut tagger = SubcomponentTagger::default();
+    let mut tagger = SubcomponentTagsBuilder::default();
     [(1, "a"), (3, "b")].iter().for_each(|&(point, name)| tagger.vertex(point, &tag(name)));
     tagger.edge([3, 5], &tag("e"));
     near.subcomponent_tags = tagger.finish();

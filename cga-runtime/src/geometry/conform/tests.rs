@@ -63,7 +63,7 @@ fn open_faces_look_up_and_upright_ones_stay_as_most_of_them_are() {
         let cube = primitive::cube();
         let floor = cube.faces().position(|face| face.normal().y < -0.5).unwrap();
         let kept: Vec<u32> = (0..6).filter(|&face| face != floor as u32).collect();
-        crate::geometry::mesh::extract(&cube, &kept, &crate::geometry::Frame::WORLD)
+        crate::geometry::extract::extract(&cube, &kept, &crate::geometry::Frame::WORLD)
     };
     for turned in [[false; 5], [true; 5], [true, false, true, true, false]] {
         let made = conformed(&joined(std::slice::from_ref(&house), |face| turned[face]));

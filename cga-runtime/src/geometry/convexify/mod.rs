@@ -23,8 +23,10 @@ use std::borrow::Cow;
 
 use glam::DVec3;
 
+use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin, Mix};
 use crate::geometry::mesh::{FaceRef, Mesh};
 use crate::geometry::origin::PointOrigin;
+use crate::geometry::unbent::without_bent_faces;
 use cutter::Cutter;
 use net::Net;
 use plane::Plane;
@@ -43,7 +45,7 @@ pub(crate) struct Convexified {
 /// they are, and bent faces become triangles. Parts of a face come in its place, in the order of its corners, and begin with
 /// its edges. They keep its attributes; values at new corners are interpolated along edges.
 pub(crate) fn convexify(mesh: &Mesh, longest: f64) -> Convexified {
-    if let Cow::Owned(flat) = mesh.without_bent_faces() {
+    if let Cow::Owned(flat) = without_bent_faces(mesh) {
         let cut = convexify(&flat, longest);
         let origins = || (0..flat.points.len() as u32).map(PointOrigin::Old).collect();
         return Convexified { made: cut.made.or_else(|| Some((flat.clone(), origins()))), ..cut };
@@ -65,41 +67,29 @@ pub(crate) fn convexify(mesh: &Mesh, longest: f64) -> Convexified {
         }));
     }
     let is_cut = parts.iter().any(|parts| 1 < parts.len());
-    let made = is_cut.then(|| {
-        let (mut made, origins) = assembled(mesh, &net, &concave, &parts);
-        made.carry_tags(mesh, |point| origins[point as usize]);
-        (made, origins)
-    });
-    Convexified { made, refused }
+    Convexified { made: is_cut.then(|| assembled(&net, &concave, &parts)), refused }
 }
 
 /// The mesh with the parts of its concave faces, and the origins of its points.
-fn assembled(mesh: &Mesh, net: &Net, concave: &[usize], parts: &[Vec<Part>]) -> (Mesh, Vec<PointOrigin>) {
-    let mut made = mesh.alike(net.corner_count());
-    let mut add = |heads: &[u32], tag| {
-        for &head in heads {
-            for corner in net.ring(head) {
-                made.corners.push(net.point(corner));
-                made.copy_values(&net.pool, corner as usize..corner as usize + 1);
-            }
-            made.end_loop();
-        }
-        made.end_face(tag);
-    };
+fn assembled(net: &Net, concave: &[usize], parts: &[Vec<Part>]) -> (Mesh, Vec<PointOrigin>) {
+    let mesh = &net.pool;
+    let mut made = Derivation::new(mesh, CornerValues::All, net.corner_count()).without_trace();
+    for (point, &at) in (0..).zip(mesh.points()) {
+        made.point(at, net.origin(point));
+    }
     let mut cut = concave.iter().zip(parts).peekable();
     for face in mesh.faces() {
-        match cut.next_if(|(number, _)| **number == face.index()) {
-            Some((_, parts)) => parts.iter().for_each(|part| add(part, face.tag())),
-            None => add(&face.loop_ranges().map(|ring| ring.start as u32).collect::<Vec<_>>(), face.tag()),
+        let whole = || vec![face.loop_ranges().map(|ring| ring.start as u32).collect()];
+        let parts = cut.next_if(|(number, _)| **number == face.index());
+        for part in parts.map_or_else(whole, |(_, parts)| parts.clone()) {
+            for head in part {
+                net.ring(head).for_each(|corner| made.corner(net.point(corner), &Mix::One(corner), false));
+                made.end_loop();
+            }
+            made.end_face(FaceOrigin::piece(&face));
         }
     }
-    made.points = net.pool.points.clone();
-    let mut used = made.corners.clone();
-    made.drop_unused();
-    used.sort_unstable();
-    used.dedup();
-    let origins = used.iter().map(|&point| net.origin(point)).collect();
-    (made, origins)
+    made.finish_with_origins()
 }
 
 /// Returns true for a face with an area that has holes or is not convex, where corners that are straight except for rounding

@@ -2,13 +2,14 @@
 
 use glam::DVec3;
 
-use crate::geometry::mesh::{Mesh, unit};
+use crate::geometry::derive::Mix;
+use crate::geometry::mesh::Mesh;
 use crate::geometry::origin::PointOrigin;
 use crate::value::each::Each;
 
 /// The corners of a mesh, linked to loops. The half-edge that starts at a corner has the number of the corner.
 pub(super) struct Net {
-    /// The points, and the point and the values of each corner. The loops and faces of this mesh are unused.
+    /// The mesh, with further points, and with corners that are in none of its faces.
     pub(super) pool: Mesh,
     next: Vec<u32>,
     before: Vec<u32>,
@@ -32,7 +33,7 @@ impl Net {
             link(&mut mates, adjacency.uses(edge));
         }
         Net {
-            pool: mesh.corner_pool(),
+            pool: mesh.clone(),
             next: (0..corners).map(|corner| adjacency.next(corner)).collect(),
             before: (0..corners).map(|corner| adjacency.before(corner)).collect(),
             mates,
@@ -155,14 +156,9 @@ impl Net {
     /// Adds a corner after another one, with values between the values of its neighbours.
     fn insert(&mut self, from: u32, point: u32, share: f64) -> u32 {
         let to = self.next(from);
-        let [a, b] = [from, to].each(|corner| corner as usize);
         self.pool.corners.push(point);
-        self.pool.uvs.push_own(|list| list[a].lerp(list[b], share));
-        if let (Some(&one), Some(&other)) = (self.pool.normals.get(a), self.pool.normals.get(b)) {
-            let between = unit(one.lerp(other, share));
-            self.pool.normals.push(if between == DVec3::ZERO { one } else { between });
-        }
-        let corner = self.add(self.cuts[a]);
+        self.pool.add_own_mixed(&Mix::Two([from, to], share));
+        let corner = self.add(self.cuts[from as usize]);
         self.chain(from, corner);
         self.chain(corner, to);
         corner
@@ -170,12 +166,8 @@ impl Net {
 
     /// Adds a corner with the point and the values of another one. A cut begins there.
     fn copy(&mut self, corner: u32) -> u32 {
-        let from = corner as usize;
-        self.pool.corners.push(self.pool.corners[from]);
-        self.pool.uvs.push_own(|list| list[from]);
-        if let Some(&normal) = self.pool.normals.get(from) {
-            self.pool.normals.push(normal);
-        }
+        self.pool.corners.push(self.pool.corners[corner as usize]);
+        self.pool.add_own_mixed(&Mix::One(corner));
         self.add(true)
     }
 

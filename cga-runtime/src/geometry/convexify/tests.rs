@@ -2,7 +2,7 @@ use glam::{DAffine3, DQuat, DVec2, DVec3};
 
 use super::*;
 use crate::geometry::extrude::{Extrude, extrude};
-use crate::geometry::mesh::{FaceTag, MeshBuilder, SubcomponentTagger, TagSet};
+use crate::geometry::mesh::{FaceTag, MeshBuilder, SubcomponentTagsBuilder, TagSet};
 use crate::geometry::random::Rng;
 use crate::value::text::Text;
 
@@ -142,7 +142,7 @@ fn values_at_new_corners_are_between_those_of_their_edges() {
 fn parts_of_edges_keep_the_tags_of_the_edge() {
     let tag = |name: &str| TagSet::new([Text::from(name)]);
     let mut block = extrude(&polygon(&L, &[]), Extrude::FaceNormal, 3.0);
-    let mut tagger = SubcomponentTagger::default();
+    let mut tagger = SubcomponentTagsBuilder::default();
     block.face_edges().for_each(|[a, b]| tagger.edge([a, b], &tag(&format!("edge.{}.{}", a.min(b), a.max(b)))));
     (0..block.points().len() as u32).for_each(|point| tagger.vertex(point, &tag("vertex")));
     block.subcomponent_tags = tagger.finish();
@@ -320,7 +320,7 @@ fn diagonals_divide_what_cuts_do_not() {
         let heads: Vec<u32> = face.face(0).loop_ranges().map(|ring| ring.start as u32).collect();
         let plane = Plane::of(DVec3::Z, face.points().iter().copied());
         let parts = triangles::divide(&mut net, &heads, &plane).unwrap();
-        let (made, _) = assembled(&face, &net, &[0], &[parts]);
+        let (made, _) = assembled(&net, &[0], &[parts]);
         assert_eq!((made.check(), made.points()), (Vec::new(), face.points()));
         assert!((made.area() - face.area()).abs() < 1e-12 && made.faces().all(|face| !is_concave(&face)));
         // Every diagonal is needed: an end of it would be concave.

@@ -35,7 +35,7 @@ impl Slab {
     pub(crate) fn keep_triangle(&mut self, source: &Mesh, tag: FaceTag, corners: Range<usize>, numbers: [u32; 3]) {
         self.whole += 1;
         self.piece(tag, numbers);
-        self.mesh.copy_values(source, corners);
+        self.mesh.add_values(source, corners);
     }
 
     /// The number of a point in this slab. A point on a plane gets its number at the first request.
@@ -71,7 +71,7 @@ impl Slab {
         if !source.uvs.is_empty() {
             for node in nodes {
                 let share = if node.is_corner() { 0.0 } else { points.share(node.place) };
-                self.mesh.uvs.push_from(&source.uvs, |list| {
+                self.mesh.uvs.push(&source.uvs, |list| {
                     let uv = list[node.from as usize];
                     if node.is_corner() { uv } else { uv.lerp(list[node.to as usize], share) }
                 });
@@ -112,8 +112,9 @@ impl Slab {
         if let Some(lead) = self.lead {
             self.mesh.bring_to_front(lead);
         }
-        self.mesh.carry_tags(source, |point| origins[point as usize]);
+        self.mesh.divide_tags(source, |point| origins[point as usize]);
         self.mesh.give_back_room();
-        Some(Arc::new(if closed { self.mesh.known_closed(true) } else { self.mesh }))
+        let mesh = self.mesh.checked();
+        Some(Arc::new(if closed { mesh.known_closed(true) } else { mesh }))
     }
 }

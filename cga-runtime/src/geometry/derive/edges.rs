@@ -1,19 +1,23 @@
 //! The tags of edges and vertices (*Geometry tagging*, edge and vertex tag propagation).
 //!
 //! Vertices at old points have their tags. An edge has the tags of the old edge that it is, or is a part of. An edge from an old
-//! vertex to the point that was moved from there, or to a new point, has the tags of the vertex. Operations may say otherwise.
+//! vertex to the point that was moved from there, or to a point that grew out of the face, has the tags of the vertex. Operations
+//! may say otherwise.
 
 use std::collections::BTreeMap;
 
 use super::{EdgeOrigin, EdgeSource, PointOrigin};
-use crate::geometry::mesh::{Mesh, SubcomponentTagger, SubcomponentTags, TagSet, whole_edge};
+use crate::geometry::mesh::{Mesh, SubcomponentTags, SubcomponentTagsBuilder, TagSet, TagSetTable, whole_edge};
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
 
-/// The origins of edges that operations have given.
+/// The origins of edges that operations have given, and the tags that they have added.
 #[derive(Default)]
 pub(super) struct EdgeOrigins {
-    list: Vec<([u32; 2], EdgeOrigin)>,
+    edges: Vec<([u32; 2], EdgeOrigin)>,
+    vertices: Vec<(u32, u32)>,
+    /// The sets of [`EdgeSource::Own`] and of vertices.
+    own: TagSetTable,
 }
 
 fn in_order([a, b]: [u32; 2]) -> [u32; 2] {
@@ -21,73 +25,82 @@ fn in_order([a, b]: [u32; 2]) -> [u32; 2] {
 }
 
 impl EdgeOrigins {
+    /// Gives the origin of an edge. Several ones give it the tags of all.
     pub(super) fn add(&mut self, ends: [u32; 2], origin: EdgeOrigin) {
-        self.list.push((in_order(ends), origin));
+        self.edges.push((in_order(ends), origin));
     }
 
-    /// Renumbers points: `before` are their old numbers. Edges that are no longer there are dropped.
+    pub(super) fn tag_edge(&mut self, ends: [u32; 2], tags: &TagSet) {
+        let source = EdgeSource::Own(self.own.number(tags));
+        self.add(ends, EdgeOrigin { source, tag: None });
+    }
+
+    pub(super) fn tag_vertex(&mut self, point: u32, tags: &TagSet) {
+        self.vertices.push((point, self.own.number(tags)));
+    }
+
+    /// Renumbers points: `before` are their old numbers. Edges and vertices that are no longer there are dropped.
     pub(super) fn renumber(&mut self, before: &[u32]) {
+        if self.edges.is_empty() && self.vertices.is_empty() {
+            return;
+        }
         let numbers: BTreeMap<u32, u32> = before.iter().copied().zip(0..).collect();
-        self.list.retain_mut(|(ends, _)| match ends.each(|end| numbers.get(&end)) {
+        self.edges.retain_mut(|(ends, _)| match ends.each(|end| numbers.get(&end)) {
             [Some(a), Some(b)] => {
                 *ends = in_order([*a, *b]);
                 true
             }
             _ => false,
         });
+        self.vertices.retain_mut(|(point, _)| numbers.get(point).map(|number| *point = *number).is_some());
     }
 
     /// The tags of the edges and vertices of a mesh whose points have origins in a source.
     pub(super) fn tags(mut self, source: &Mesh, made: &Mesh, origins: &[PointOrigin]) -> SubcomponentTags {
         let old = &source.subcomponent_tags;
-        let mut tagger = SubcomponentTagger::default();
-        if old.is_empty() && self.list.is_empty() {
-            return tagger.finish();
+        if old.is_empty() && self.edges.is_empty() && self.vertices.is_empty() {
+            return SubcomponentTags::default();
         }
-        self.list.small_sort_by_key(|entry| entry.0);
-        // The sets of edges with a tag of the operation, by the number of the source's set.
-        let mut renewed: BTreeMap<(Option<u32>, &'static str), TagSet> = BTreeMap::new();
+        let mut tags = SubcomponentTagsBuilder::default();
+        self.edges.small_sort_by_key(|entry| entry.0);
+        let (own, plain) = (std::mem::take(&mut self.own).into_sets(), TagSet::default());
+        let set_of = |source: EdgeSource| match source {
+            EdgeSource::Edge(ends) => old.edge(ends),
+            EdgeSource::Vertex(point) => old.vertex(point),
+            EdgeSource::Own(number) => own.get(number as usize),
+            EdgeSource::New => None,
+        };
+        // The sets of edges with a tag of the operation.
+        let mut renewed: BTreeMap<(&TagSet, &'static str), TagSet> = BTreeMap::new();
         for ends in made.face_edges() {
-            let from = self.list.partition_point(|entry| entry.0 < in_order(ends));
-            let mut given = self.list[from..].iter().take_while(|entry| entry.0 == in_order(ends)).peekable();
-            if given.peek().is_none()
-                && let Some(set) = set_of(old, implied(ends.each(|end| origins[end as usize])))
-            {
-                tagger.edge(ends, &old.sets()[set as usize]);
+            let from = self.edges.partition_point(|entry| entry.0 < in_order(ends));
+            let given = self.edges[from..].iter().take_while(|entry| entry.0 == in_order(ends));
+            let is_given = given.clone().any(|(_, origin)| !matches!(origin.source, EdgeSource::Own(_)));
+            if !is_given && let Some(set) = set_of(implied(ends.each(|end| origins[end as usize]))) {
+                tags.edge(ends, set);
             }
             for (_, EdgeOrigin { source, tag }) in given {
-                let set = set_of(old, *source);
-                if let Some(tag) = tag {
-                    let plain = TagSet::default();
-                    let own = || set.map_or(&plain, |set| &old.sets()[set as usize]);
-                    tagger.edge(ends, renewed.entry((set, tag)).or_insert_with(|| own().renewed(tag)));
-                } else if let Some(set) = set {
-                    tagger.edge(ends, &old.sets()[set as usize]);
+                let set = set_of(*source).unwrap_or(&plain);
+                match tag {
+                    Some(tag) => tags.edge(ends, renewed.entry((set, tag)).or_insert_with(|| set.renewed(tag))),
+                    None => tags.edge(ends, set),
                 }
             }
         }
         for (point, origin) in (0..).zip(origins) {
-            if let Some(tags) = origin.old().and_then(|vertex| old.vertex(vertex)) {
-                tagger.vertex(point, tags);
+            if let Some(set) = origin.old().and_then(|vertex| old.vertex(vertex)) {
+                tags.vertex(point, set);
             }
         }
-        tagger.finish()
-    }
-}
-
-/// The number of the set of a component.
-fn set_of(tags: &SubcomponentTags, source: EdgeSource) -> Option<u32> {
-    match source {
-        EdgeSource::Edge(ends) => tags.edge_set(ends),
-        EdgeSource::Vertex(point) => tags.vertex_set(point),
-        EdgeSource::New => None,
+        self.vertices.iter().for_each(|(point, set)| tags.vertex(*point, &own[*set as usize]));
+        tags.finish()
     }
 }
 
 /// The source of the edge between two points.
 fn implied(ends: [PointOrigin; 2]) -> EdgeSource {
     match ends {
-        [PointOrigin::Old(vertex), PointOrigin::New] | [PointOrigin::New, PointOrigin::Old(vertex)] => {
+        [PointOrigin::Old(vertex), PointOrigin::Grown] | [PointOrigin::Grown, PointOrigin::Old(vertex)] => {
             EdgeSource::Vertex(vertex)
         }
         [PointOrigin::Old(vertex), PointOrigin::Moved(from)] | [PointOrigin::Moved(from), PointOrigin::Old(vertex)] => {

@@ -15,7 +15,7 @@ pub(super) struct FaceTags<'s> {
     source: &'s Mesh,
     table: TagSetTable,
     /// The numbers of sets by the number of the source's set, and the tag of the operation.
-    known: BTreeMap<(u32, &'static str), u32>,
+    known: BTreeMap<(u32, Option<&'static str>), u32>,
 }
 
 impl<'s> FaceTags<'s> {
@@ -25,6 +25,9 @@ impl<'s> FaceTags<'s> {
 
     /// The attributes of a face.
     pub(super) fn of(&mut self, origin: &FaceOrigin) -> FaceTag {
+        if origin.is_filling() {
+            return FaceTag::PLAIN;
+        }
         let own = self.source.face(origin.face as usize).tag();
         let tag = match origin.tag() {
             Some(tag) => self.over(own, tag),
@@ -36,10 +39,16 @@ impl<'s> FaceTags<'s> {
         }
     }
 
+    /// The attributes of a face with other tags.
+    pub(super) fn with(&mut self, origin: &FaceOrigin, tags: &TagSet) -> FaceTag {
+        let tags = if tags.names().is_empty() { FaceTag::NONE } else { self.table.number(tags) };
+        FaceTag { tags, ..self.source.face(origin.face as usize).tag() }
+    }
+
     /// The attributes of a face with the tag of an operation, over a face of the source.
     fn over(&mut self, own: FaceTag, tag: &'static str) -> FaceTag {
         let FaceTags { source, table, known } = self;
-        let tags = *known.entry((own.tags, tag)).or_insert_with(|| {
+        let tags = *known.entry((own.tags, Some(tag))).or_insert_with(|| {
             let plain = TagSet::default();
             table.number(&source.tag_sets().get(own.tags as usize).unwrap_or(&plain).renewed(tag))
         });
@@ -48,8 +57,11 @@ impl<'s> FaceTags<'s> {
 
     /// The attributes of a face of the source, or of a piece of it.
     fn same(&mut self, own: FaceTag) -> FaceTag {
-        let set = self.source.tag_sets().get(own.tags as usize).filter(|set| !set.names().is_empty());
-        FaceTag { tags: set.map_or(FaceTag::NONE, |set| self.table.number(set)), ..own }
+        let Some(set) = self.source.tag_sets().get(own.tags as usize).filter(|set| !set.names().is_empty()) else {
+            return FaceTag { tags: FaceTag::NONE, ..own };
+        };
+        let tags = *self.known.entry((own.tags, None)).or_insert_with(|| self.table.number(set));
+        FaceTag { tags, ..own }
     }
 
     /// The attributes with the tags of the edge between two points.
@@ -60,8 +72,8 @@ impl<'s> FaceTags<'s> {
         FaceTag { tags, ..tag }
     }
 
-    /// The sets, which tags of faces index.
-    pub(super) fn finish(&mut self) -> Arc<[TagSet]> {
-        std::mem::take(&mut self.table).into_sets()
+    /// The sets, which tags of faces index. `None` if no face has tags.
+    pub(super) fn finish(&mut self) -> Option<Arc<[TagSet]>> {
+        (!self.table.is_empty()).then(|| std::mem::take(&mut self.table).into_sets())
     }
 }

@@ -20,11 +20,12 @@ mod values;
 
 use glam::DVec3;
 
-use crate::geometry::mesh::{FaceRef, Mesh};
+use crate::geometry::mesh::{FaceRef, Mesh, TagSet};
 pub(crate) use crate::geometry::origin::PointOrigin;
 use edges::EdgeOrigins;
 use faces::FaceTags;
 pub(crate) use origin::{EdgeOrigin, EdgeSource, FaceOrigin};
+pub(crate) use values::Mix;
 use values::OldFace;
 
 /// The values of corners that an operation keeps.
@@ -99,26 +100,84 @@ impl<'s> Derivation<'s> {
 
     /// Adds a face: its outline, and then its holes.
     pub(crate) fn face<R: AsRef<[u32]>>(&mut self, loops: impl IntoIterator<Item = R>, origin: FaceOrigin) {
-        let has_values = self.has_normals || !self.made.uvs.is_empty();
+        let has_values = self.has_values();
         for ring in loops {
             let ring = ring.as_ref();
             self.made.corners.extend_from_slice(ring);
             if has_values {
                 self.add_values(ring, &origin);
             }
-            self.made.end_loop();
+            self.end_loop();
         }
-        let tag = self.face_tags.of(&origin);
-        self.made.end_face(tag);
+        self.end_face(origin);
     }
 
     /// Adds the values of the corners of a loop.
     fn add_values(&mut self, ring: &[u32], origin: &FaceOrigin) {
         self.old.enter(origin.face);
         for place in 0..ring.len() {
-            let mix = self.old.mix_at(ring, place, &self.origins, &self.made.points, origin.edge());
+            let mix = self.old.mix_at(ring, place, &self.origins, &self.made.points, origin);
             self.made.add_mixed(self.source, &mix, self.has_normals, origin.is_turned());
         }
+    }
+
+    /// The same with all points of the source, under their numbers.
+    pub(crate) fn with_old_points(mut self) -> Self {
+        self.made.points = self.source.points().to_vec();
+        self.origins = (0..self.made.points.len() as u32).map(PointOrigin::Old).collect();
+        self
+    }
+
+    /// Adds a face with corners of the source, in a mesh with the points of the source.
+    pub(crate) fn keep<R: IntoIterator<Item = usize>>(
+        &mut self,
+        loops: impl IntoIterator<Item = R>,
+        origin: FaceOrigin,
+    ) {
+        let corners = self.source.corners();
+        self.keep_at(loops.into_iter().map(|ring| ring.into_iter().map(|corner| (corners[corner], corner))), origin);
+    }
+
+    /// Adds a face with corners at points of their own, and the values of corners of the source.
+    pub(crate) fn keep_at<R: IntoIterator<Item = (u32, usize)>>(
+        &mut self,
+        loops: impl IntoIterator<Item = R>,
+        origin: FaceOrigin,
+    ) {
+        for ring in loops {
+            ring.into_iter().for_each(|(point, corner)| self.corner(point, &Mix::One(corner as u32), false));
+            self.end_loop();
+        }
+        self.end_face(origin);
+    }
+
+    /// Adds a corner at a point, with a mix of values of corners of the source. With `is_turned` the face looks in the opposite
+    /// direction of the old one.
+    pub(crate) fn corner(&mut self, point: u32, mix: &Mix<'_>, is_turned: bool) {
+        self.made.corners.push(point);
+        self.made.add_mixed(self.source, mix, self.has_normals, is_turned);
+    }
+
+    /// Ends a loop with the last corner.
+    pub(crate) fn end_loop(&mut self) {
+        self.made.end_loop();
+    }
+
+    /// Ends a face with the last loop.
+    pub(crate) fn end_face(&mut self, origin: FaceOrigin) {
+        let tag = self.face_tags.of(&origin);
+        self.made.end_face(tag);
+    }
+
+    /// Ends a face with the last loop. Its tags do not follow from its origin.
+    pub(crate) fn end_tagged_face(&mut self, origin: FaceOrigin, tags: &TagSet) {
+        let tag = self.face_tags.with(&origin, tags);
+        self.made.end_face(tag);
+    }
+
+    /// Returns true if corners have values, so that their mixes matter.
+    pub(crate) fn has_values(&self) -> bool {
+        self.has_normals || !self.made.uvs.is_empty()
     }
 
     /// Adds a copy of a face with points of its own. Returns its loops.
@@ -137,21 +196,54 @@ impl<'s> Derivation<'s> {
         }
     }
 
+    /// Gives an edge more tags than follow from its points.
+    pub(crate) fn tag_edge(&mut self, ends: [u32; 2], tags: &TagSet) {
+        self.edge_origins.tag_edge(ends, tags);
+    }
+
+    /// Gives a vertex more tags than follow from its point.
+    pub(crate) fn tag_vertex(&mut self, point: u32, tags: &TagSet) {
+        self.edge_origins.tag_vertex(point, tags);
+    }
+
     /// The mesh.
     pub(crate) fn finish(mut self) -> Mesh {
-        self.made.tag_sets = self.face_tags.finish();
+        if let Some(sets) = self.face_tags.finish() {
+            self.made.tag_sets = sets;
+        }
         if self.has_trace {
             self.made.trace = self.source.trace.pick(&mut self.origins.iter().map(|origin| origin.old()));
         }
         self.made.subcomponent_tags = self.edge_origins.tags(self.source, &self.made, &self.origins);
-        self.made
+        self.made.checked()
+    }
+
+    /// The mesh with the points that faces use, in their order.
+    pub(crate) fn finish_used(self) -> Mesh {
+        self.finish_with_origins().0
+    }
+
+    /// The same mesh, and the origins of its points.
+    pub(crate) fn finish_with_origins(mut self) -> (Mesh, Vec<PointOrigin>) {
+        let before = self.made.number_used();
+        let made = self.renumbered(&before);
+        let origins = made.origins.clone();
+        (made.finish(), origins)
     }
 
     /// The mesh with its points in the order of their first use; unused ones are dropped.
     pub(crate) fn finish_by_use(mut self) -> Mesh {
         let before = self.made.number_by_use();
+        self.renumbered(&before).finish()
+    }
+
+    /// The same after points got other numbers. `before` are their old ones.
+    fn renumbered(mut self, before: &[u32]) -> Self {
         self.origins = before.iter().map(|point| self.origins[*point as usize]).collect();
-        self.edge_origins.renumber(&before);
-        self.finish()
+        self.edge_origins.renumber(before);
+        self
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -8,6 +8,8 @@ use crate::value::each::Each;
 enum Role {
     /// The old face, or a piece of it.
     Piece,
+    /// A face in a hole of the old face, without its attributes.
+    Filling,
     /// A face over the old face, with a tag of the operation such as `extrude.top`.
     Over(&'static str),
     /// A face at an edge, which is given by its two corners in the old mesh, with or without a tag of the operation.
@@ -26,6 +28,11 @@ impl FaceOrigin {
     /// The old face itself, or a piece of it.
     pub(crate) fn piece(face: &FaceRef<'_>) -> Self {
         FaceOrigin { face: face.index() as u32, role: Role::Piece, is_turned: false }
+    }
+
+    /// A face in a hole of the old face. It has no attributes of the old face.
+    pub(crate) fn filling(face: &FaceRef<'_>) -> Self {
+        FaceOrigin { role: Role::Filling, ..Self::piece(face) }
     }
 
     /// A piece of the old face that grows out of an edge, given by its two corners in the old mesh.
@@ -53,10 +60,15 @@ impl FaceOrigin {
         self.is_turned
     }
 
+    /// Returns true for a face in a hole.
+    pub(super) fn is_filling(&self) -> bool {
+        self.role == Role::Filling
+    }
+
     /// The tag of the operation.
     pub(super) fn tag(&self) -> Option<&'static str> {
         match self.role {
-            Role::Piece => None,
+            Role::Piece | Role::Filling => None,
             Role::Over(tag) => Some(tag),
             Role::Beside(_, tag) => tag,
         }
@@ -75,6 +87,8 @@ pub(crate) enum EdgeSource {
     Edge([u32; 2]),
     /// The vertex at a point.
     Vertex(u32),
+    /// Tags of their own, by number.
+    Own(u32),
     /// An edge without tags of the old mesh.
     New,
 }

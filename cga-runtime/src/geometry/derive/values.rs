@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use glam::{DMat2, DVec2, DVec3};
 
-use super::PointOrigin;
+use super::{FaceOrigin, PointOrigin};
 use crate::geometry::mesh::{Mesh, unit};
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
@@ -15,30 +15,60 @@ pub(crate) enum Mix<'w> {
     One(u32),
     /// Values between two corners, at a share of the way.
     Two([u32; 2], f64),
+    /// The values of three corners with weights.
+    Three([(u32, f64); 3]),
     /// The values of some corners with weights, which add up to 1.
     All(Range<usize>, &'w [f64]),
 }
 
 impl Mesh {
+    /// Adds the values of a corner, as a mix of values of corners of this mesh.
+    pub(crate) fn add_own_mixed(&mut self, mix: &Mix<'_>) {
+        for list in self.uvs.lists_mut() {
+            list.push(mixed(list, mix));
+        }
+        if !self.normals.is_empty() {
+            self.normals.push(mixed_normal(&self.normals, mix));
+        }
+    }
+
     /// Adds the values of a corner. With `is_turned` its face looks in the opposite direction of the old one.
     pub(super) fn add_mixed(&mut self, source: &Mesh, mix: &Mix<'_>, has_normals: bool, is_turned: bool) {
-        self.uvs.push_from(&source.uvs, |list| match mix {
-            Mix::One(corner) => list[*corner as usize],
-            Mix::Two([a, b], share) => list[*a as usize].lerp(list[*b as usize], *share),
-            Mix::All(corners, weights) => {
-                list[corners.clone()].iter().zip(*weights).map(|(&uv, &weight)| uv * weight).sum()
-            }
-        });
+        for (to, from) in self.uvs.lists_mut_beside(&source.uvs) {
+            to.push(mixed(from, mix));
+        }
         if has_normals {
-            let list = &source.normals;
-            let normal = match mix {
-                Mix::One(corner) => list[*corner as usize],
-                Mix::Two([a, b], share) => unit(list[*a as usize].lerp(list[*b as usize], *share)),
-                Mix::All(corners, weights) => {
-                    unit(list[corners.clone()].iter().zip(*weights).map(|(&normal, &weight)| normal * weight).sum())
-                }
-            };
+            let normal = mixed_normal(&source.normals, mix);
             self.normals.push(if is_turned { -normal } else { normal });
+        }
+    }
+}
+
+/// A mix of texture coordinates.
+#[inline]
+fn mixed(list: &[DVec2], mix: &Mix<'_>) -> DVec2 {
+    match mix {
+        Mix::One(corner) => list[*corner as usize],
+        Mix::Two([a, b], share) => list[*a as usize].lerp(list[*b as usize], *share),
+        Mix::Three(corners) => corners.iter().map(|(corner, weight)| list[*corner as usize] * *weight).sum(),
+        Mix::All(corners, weights) => {
+            list[corners.clone()].iter().zip(*weights).map(|(&uv, &weight)| uv * weight).sum()
+        }
+    }
+}
+
+/// A mix of normals, of length 1.
+#[inline]
+fn mixed_normal(list: &[DVec3], mix: &Mix<'_>) -> DVec3 {
+    match mix {
+        Mix::One(corner) => list[*corner as usize],
+        Mix::Two([a, b], share) => {
+            let [a, b] = [a, b].each(|corner| list[*corner as usize]);
+            a.lerp(b, *share).normalize_or(a)
+        }
+        Mix::Three(corners) => unit(corners.iter().map(|(corner, weight)| list[*corner as usize] * *weight).sum()),
+        Mix::All(corners, weights) => {
+            unit(list[corners.clone()].iter().zip(*weights).map(|(&normal, &weight)| normal * weight).sum())
         }
     }
 }
@@ -77,33 +107,36 @@ impl<'s> OldFace<'s> {
         }
     }
 
-    /// The values at a place of a loop of new points. `edge` are the corners of the edge out of which the new face grows.
+    /// The values at a place of a loop of new points, in a face with that origin.
     pub(super) fn mix_at(
         &mut self,
         ring: &[u32],
         place: usize,
         origins: &[PointOrigin],
         points: &[DVec3],
-        edge: Option<[u32; 2]>,
+        origin: &FaceOrigin,
     ) -> Mix<'_> {
-        let of = |place: usize| origins[ring[place % ring.len()] as usize];
-        let known = |origin: PointOrigin| match origin {
+        let known = |place: usize| match origins[ring[place % ring.len()] as usize] {
             PointOrigin::Old(point) | PointOrigin::Moved(point) => Some(point),
-            PointOrigin::Between { .. } | PointOrigin::New => None,
+            PointOrigin::Between { .. } | PointOrigin::Grown | PointOrigin::New => None,
         };
-        let beside = || [of(place + ring.len() - 1), of(place + 1)].each(known);
-        match of(place) {
+        // In the direction of the old face.
+        let beside = || {
+            let [before, next] = [place + ring.len() - 1, place + 1].each(known);
+            if origin.is_turned() { [next, before] } else { [before, next] }
+        };
+        match origins[ring[place] as usize] {
             PointOrigin::Old(point) | PointOrigin::Moved(point) => {
-                if let Some(corner) = self.corner(point, edge, &beside) {
+                if let Some(corner) = self.corner(point, origin.edge(), &beside) {
                     return Mix::One(corner);
                 }
             }
             PointOrigin::Between { ends, share } => {
-                if let [Some(a), Some(b)] = ends.each(|end| self.corner(end, edge, &beside)) {
+                if let [Some(a), Some(b)] = ends.each(|end| self.corner(end, origin.edge(), &beside)) {
                     return Mix::Two([a, b], share);
                 }
             }
-            PointOrigin::New => {}
+            PointOrigin::Grown | PointOrigin::New => {}
         }
         self.continued(points[ring[place] as usize])
     }
@@ -123,20 +156,21 @@ impl<'s> OldFace<'s> {
         self.one_of(&mut all.map(|known| known.1), beside)
     }
 
-    /// The first of several corners at one point. If there are more, the first one that has a neighbour with the new corner in common.
+    /// The first of several corners at one point. If there are more, the first one that has most neighbours in common with the new
+    /// corner.
     fn one_of(&self, all: &mut dyn Iterator<Item = u32>, beside: &dyn Fn() -> [Option<u32>; 2]) -> Option<u32> {
         let first = all.next()?;
         let Some(second) = all.next() else { return Some(first) };
-        let wanted = beside();
-        let face = self.source.face(self.face? as usize);
-        let is_beside = |corner: &u32| {
-            let ring = face.loop_ranges().find(|ring| ring.contains(&(*corner as usize)));
+        let (wanted, face) = (beside(), self.source.face(self.face? as usize));
+        let common = |corner: u32| {
+            let ring = face.loop_ranges().find(|ring| ring.contains(&(corner as usize)));
             let ring = ring.unwrap_or(self.range.clone());
-            let turn = |by: usize| ring.start + (*corner as usize - ring.start + by) % ring.len();
-            let [before, next] = [turn(ring.len() - 1), turn(1)].each(|corner| Some(self.source.corners()[corner]));
-            wanted[0] == before || wanted[1] == next || wanted[0] == next || wanted[1] == before
+            let turn = |by: usize| ring.start + (corner as usize - ring.start + by) % ring.len();
+            let own = [turn(ring.len() - 1), turn(1)].each(|corner| Some(self.source.corners()[corner]));
+            own.iter().zip(wanted).filter(|(own, wanted)| *own == wanted).count()
         };
-        Some([first, second].into_iter().chain(all).find(is_beside).unwrap_or(first))
+        let better = |best: u32, next: u32| if common(best) < common(next) { next } else { best };
+        Some(all.fold(better(first, second), better))
     }
 
     /// The values at a place in the plane of the face, or over it.

@@ -83,7 +83,7 @@ pub(super) fn stack(ground: &Ground<'_>) -> Result<Mesh, EnvelopeRefusal> {
             EnvelopePart::Bottom | EnvelopePart::Top | EnvelopePart::Inner(_) => {}
         }
     }
-    mesh.drop_unused();
+    mesh.number_used();
     if !mesh.is_closed() || mesh.points.iter().any(|point| !point.is_finite()) {
         return Err(EnvelopeRefusal::Tangled);
     }

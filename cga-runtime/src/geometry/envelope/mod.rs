@@ -271,7 +271,7 @@ fn add(made: &mut Derivation<'_>, face: &FaceRef<'_>, volume: &Mesh) {
     let key = |point: DVec3| point.to_array().each(|x| (x + 0.0).to_bits());
     let points = face.corner_range().map(|corner| (key(face.position(corner)), face.mesh.corners()[corner]));
     let olds: BTreeMap<[u64; 3], u32> = points.collect();
-    let origin = |point: DVec3| olds.get(&key(point)).map_or(PointOrigin::New, |old| PointOrigin::Old(*old));
+    let origin = |point: DVec3| olds.get(&key(point)).map_or(PointOrigin::Grown, |old| PointOrigin::Old(*old));
     let numbers: Vec<u32> = volume.points().iter().map(|&point| made.point(point, origin(point))).collect();
     let edges: Vec<[usize; 2]> = face.edges().collect();
     for own in volume.faces() {

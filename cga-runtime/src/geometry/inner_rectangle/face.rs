@@ -159,15 +159,15 @@ impl<'a> Seen<'a> {
         beside + self.view * ((self.at - self.normal.dot(beside)) / self.normal.dot(self.view))
     }
 
-    /// Adds a piece of the face. Its sides on edges of the face have their tags, and the others have none.
+    /// Adds a piece of the face. Its sides on edges of the face have their tags.
     fn add(&self, rings: &[Vec<u32>], all: &[DVec2], base: u32, extent: f64, made: &mut Derivation<'_>) {
         let has_tags = made.has_component_tags();
         let sides = rings.iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
         for side in sides.map(|(&from, &to)| [from, to]).take_while(|_| has_tags) {
-            let edge = self.edge_at(side.each(|point| all[point as usize]), extent);
-            let ends = |edge: [u32; 2]| EdgeSource::Edge(edge.each(|end| self.points[end as usize]));
-            let source = edge.map_or(EdgeSource::New, ends);
-            made.edge(side.each(|point| base + point), EdgeOrigin { source, tag: None });
+            if let Some(edge) = self.edge_at(side.each(|point| all[point as usize]), extent) {
+                let source = EdgeSource::Edge(edge.each(|end| self.points[end as usize]));
+                made.edge(side.each(|point| base + point), EdgeOrigin { source, tag: None });
+            }
         }
         let rings = rings.iter().map(|ring| ring.iter().map(|point| base + point).collect::<Vec<u32>>());
         made.face(rings, FaceOrigin::piece(&self.face));

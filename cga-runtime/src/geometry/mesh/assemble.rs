@@ -16,22 +16,10 @@ impl Mesh {
 
     /// Adds the values of corners of another mesh, which has the same texture sets.
     #[inline(always)]
-    pub(crate) fn copy_values(&mut self, source: &Mesh, corners: Range<usize>) {
+    pub(crate) fn add_values(&mut self, source: &Mesh, corners: Range<usize>) {
         self.uvs.copy_from(&source.uvs, corners.clone());
         if !source.normals.is_empty() {
             self.normals.extend_from_slice(&source.normals[corners]);
-        }
-    }
-
-    /// The points and corners of this mesh, without loops and faces.
-    pub(crate) fn corner_pool(&self) -> Mesh {
-        Mesh {
-            points: self.points.clone(),
-            corners: self.corners.clone(),
-            uvs: self.uvs.clone(),
-            normals: self.normals.clone(),
-            trace: self.trace.clone(),
-            ..Mesh::default()
         }
     }
 
@@ -55,6 +43,6 @@ impl Mesh {
         let (from, to) = (corners.end as u32, self.corners.len() as u32);
         self.loop_ends.extend(source.loop_ends[loops].iter().map(|end| to + end - from));
         self.end_face(tag);
-        self.copy_values(source, corners);
+        self.add_values(source, corners);
     }
 }

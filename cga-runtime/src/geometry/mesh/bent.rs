@@ -5,13 +5,10 @@
 //! add up, and turned, mirrored and reversed faces have the same surface. Everything else sees one face. In a mesh without the
 //! direction all faces count as planar, at no cost.
 
-use std::borrow::Cow;
-
 use glam::{DMat3, DVec3};
 
-use super::{FaceRef, Mesh, unit};
-use crate::geometry::origin::PointOrigin;
-use crate::geometry::tol::{PLANAR_EPSILON, UP_EPSILON};
+use super::{FaceRef, unit};
+use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::triangulate::{Triangulator, highest};
 use crate::value::each::Each;
 
@@ -79,57 +76,5 @@ impl FaceRef<'_> {
             return self.bent_triangles().into_iter().map(|[a, b, c]| value((b - a).cross(c - a))).sum();
         }
         value(self.area_vector())
-    }
-}
-
-impl Mesh {
-    /// The mesh with its bent faces as their triangles, which have the attributes of the face.
-    pub(crate) fn without_bent_faces(&self) -> Cow<'_, Mesh> {
-        if self.bent == DVec3::ZERO {
-            return Cow::Borrowed(self);
-        }
-        let mut made = Mesh { points: self.points.clone(), bent: DVec3::ZERO, ..self.alike(self.corners.len()) };
-        let mut triangulator = Triangulator::new();
-        for face in self.faces() {
-            let mut triangles = Vec::new();
-            if face.is_bent() {
-                triangulator.face(self, face.index(), &mut triangles);
-            }
-            for triangle in &triangles {
-                triangle.iter().for_each(|&corner| made.copy_corner(self, corner as usize));
-                made.end_loop();
-                made.end_face(face.tag());
-            }
-            if triangles.is_empty() {
-                for ring in face.loop_ranges() {
-                    ring.for_each(|corner| made.copy_corner(self, corner));
-                    made.end_loop();
-                }
-                made.end_face(face.tag());
-            }
-        }
-        made.carry_tags(self, PointOrigin::Old);
-        Cow::Owned(made)
-    }
-
-    /// The mesh beside others whose bent faces have a direction, which is zero before the first one: a mesh with another
-    /// direction has triangles.
-    pub(crate) fn bent_along(self, direction: &mut DVec3) -> Mesh {
-        if self.bent == DVec3::ZERO {
-            return self;
-        }
-        if *direction == DVec3::ZERO {
-            *direction = self.bent;
-        }
-        match unit(self.bent).distance(unit(*direction)) <= UP_EPSILON {
-            true => self,
-            false => self.without_bent_faces().into_owned(),
-        }
-    }
-
-    /// Adds a corner of a mesh with the same points.
-    fn copy_corner(&mut self, source: &Mesh, corner: usize) {
-        self.corners.push(source.corners[corner]);
-        self.copy_values(source, corner..corner + 1);
     }
 }

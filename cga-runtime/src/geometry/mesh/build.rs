@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3};
 
 use super::numbering::keep_used;
 use super::weld::weld;
-use super::{FaceTag, Mesh, MeshError, SubcomponentTagger, TagSet, UvSets};
+use super::{FaceTag, Mesh, MeshError, SubcomponentTagsBuilder, TagSet, UvSets};
 use crate::geometry::trace::UNTRACED;
 use crate::material::Material;
 
@@ -33,7 +33,7 @@ pub struct MeshBuilder {
     /// For each texture set, and for the normals, the number of faces with values.
     uv_faces: [usize; UvSets::MOST],
     normal_faces: usize,
-    tagger: SubcomponentTagger,
+    tagger: SubcomponentTagsBuilder,
     wrong: Option<MeshError>,
 }
 
@@ -169,7 +169,7 @@ impl MeshBuilder {
                     let point = same[given.corners[corner] as usize];
                     if point != std::mem::replace(&mut last, point) {
                         mesh.corners.push(point);
-                        mesh.copy_values(&given, corner..corner + 1);
+                        mesh.add_values(&given, corner..corner + 1);
                     }
                 }
                 if mesh.corners.len() - start < 3 {
@@ -187,12 +187,12 @@ impl MeshBuilder {
         let before = if tagger.is_empty() { Vec::new() } else { mesh.corners.clone() };
         mesh.points = keep_used(&given.points, &mut mesh.corners);
         if !tagger.is_empty() {
-            let mut welded = SubcomponentTagger::default();
+            let mut welded = SubcomponentTagsBuilder::default();
             welded.append(&tagger.finish(), &|point| same.get(point as usize).copied().unwrap_or(UNTRACED));
             mesh.subcomponent_tags = welded.finish();
             mesh.renumber_tags(&before);
         }
-        Ok(mesh)
+        Ok(mesh.checked())
     }
 
     fn check(&self) -> Result<(), MeshError> {

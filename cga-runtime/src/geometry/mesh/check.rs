@@ -1,4 +1,4 @@
-//! Checks of the invariants of a mesh, for tests.
+//! Checks of the invariants of a mesh. In debug builds everything that makes a mesh checks its structure.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -81,17 +81,11 @@ impl fmt::Display for Flaw {
 impl Mesh {
     /// All violated invariants; an empty list for a valid mesh. An open mesh is valid.
     pub fn check(&self) -> Vec<Flaw> {
-        if !self.layout_holds() {
-            return vec![Flaw::Layout];
-        }
-        let points = self.points.len();
-        let mut flaws: Vec<Flaw> = (0..self.corners.len())
-            .filter(|&c| self.corners[c] as usize >= points)
-            .map(|corner| Flaw::OutOfRange { corner })
-            .collect();
-        if !flaws.is_empty() {
+        let mut flaws = self.structural_flaws();
+        if flaws.iter().any(|flaw| matches!(flaw, Flaw::Layout | Flaw::OutOfRange { .. })) {
             return flaws;
         }
+        let points = self.points.len();
         flaws.extend((0..points).filter(|&p| !self.points[p].is_finite()).map(|point| Flaw::NotFinite { point }));
         let mut used = vec![false; points];
         self.corners.iter().for_each(|&c| used[c as usize] = true);
@@ -99,6 +93,36 @@ impl Mesh {
         (0..self.face_count()).for_each(|face| self.check_face(face, &mut flaws));
         if self.derived.closed.get().is_some_and(|&closed| closed != self.count_closed()) {
             flaws.push(Flaw::Pairing);
+        }
+        flaws
+    }
+
+    /// The same mesh. In debug builds it panics if the structure of the mesh is wrong, whatever its points are.
+    #[inline]
+    pub(crate) fn checked(self) -> Mesh {
+        debug_assert_eq!(self.structural_flaws(), []);
+        self
+    }
+
+    fn structural_flaws(&self) -> Vec<Flaw> {
+        if !self.layout_holds() {
+            return vec![Flaw::Layout];
+        }
+        let points = self.points.len();
+        let out_of_range = (0..self.corners.len()).filter(|&corner| self.corners[corner] as usize >= points);
+        let mut flaws: Vec<Flaw> = out_of_range.map(|corner| Flaw::OutOfRange { corner }).collect();
+        if !flaws.is_empty() {
+            return flaws;
+        }
+        for face in self.faces() {
+            for ring in face.loops() {
+                if ring.len() < 3 {
+                    flaws.push(Flaw::ShortLoop { face: face.index() });
+                }
+                if (0..ring.len()).any(|i| ring[i] == ring[(i + 1) % ring.len()]) {
+                    flaws.push(Flaw::Repeated { face: face.index() });
+                }
+            }
         }
         if !self.tags_hold() {
             flaws.push(Flaw::Tags);
@@ -130,14 +154,6 @@ impl Mesh {
 
     fn check_face(&self, index: usize, flaws: &mut Vec<Flaw>) {
         let face = self.face(index);
-        for ring in face.loops() {
-            if ring.len() < 3 {
-                flaws.push(Flaw::ShortLoop { face: index });
-            }
-            if (0..ring.len()).any(|i| ring[i] == ring[(i + 1) % ring.len()]) {
-                flaws.push(Flaw::Repeated { face: index });
-            }
-        }
         let normal = face.normal();
         if normal == DVec3::ZERO {
             return;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::{FaceTag, Mesh, SubcomponentTagger, UvSets};
+use super::{FaceTag, Mesh, SubcomponentTagsBuilder, UvSets};
 use crate::material::Material;
 
 /// The number of last elements of a list that are searched for an equal one.
@@ -35,7 +35,7 @@ fn renumbered(index: u32, numbers: &[u32]) -> u32 {
 }
 
 /// The faces of all meshes, in order; no points are merged. A mesh without a texture set that another one has gets
-/// coordinates 0 there, and a mesh without normals gets the normals of its faces. Bent faces have one direction ([`Mesh::bent_along`]).
+/// coordinates 0 there, and a mesh without normals gets the normals of its faces. Bent faces have one direction ([`bent_along`](crate::geometry::unbent::bent_along)).
 pub(crate) fn join<'m>(meshes: impl Iterator<Item = &'m Mesh>) -> Mesh {
     join_all(&meshes.collect::<Vec<_>>())
 }
@@ -45,7 +45,7 @@ fn join_all(meshes: &[&Mesh]) -> Mesh {
     let has_set = |set: usize| meshes.iter().any(|mesh| !mesh.uvs.get(set).is_empty());
     let has_sets: Vec<usize> = (0..UvSets::MOST).filter(|set| has_set(*set)).collect();
     let has_normals = meshes.iter().any(|mesh| !mesh.normals.is_empty());
-    let (mut sum, mut tagger) = (Mesh::default(), SubcomponentTagger::default());
+    let (mut sum, mut tagger) = (Mesh::default(), SubcomponentTagsBuilder::default());
     for mesh in meshes {
         let numbers =
             [groups.numbers(&mesh.groups), materials.numbers(&mesh.materials), tag_sets.numbers(&mesh.tag_sets)];

@@ -20,11 +20,9 @@ pub mod check;
 mod convex;
 mod equal;
 mod error;
-mod extract;
 pub(crate) mod face;
 mod flat_face;
 mod footprint;
-mod holes;
 pub(crate) mod join;
 mod layout;
 pub(crate) mod map;
@@ -59,7 +57,6 @@ pub(crate) use average_normal::AverageNormal;
 pub use build::MeshBuilder;
 pub use check::Flaw;
 pub use error::{MeshError, TooManyCorners};
-pub use extract::extract;
 pub use face::FaceRef;
 pub(crate) use face::{area_vector, unit};
 pub(crate) use flat_face::FlatFace;
@@ -67,7 +64,7 @@ pub(crate) use footprint::footprint;
 pub(crate) use layout::{FaceEnds, Tags};
 pub(crate) use map::flip;
 pub(crate) use numbering::keep_used;
-pub(crate) use subcomponent_tags::{SubcomponentTagger, SubcomponentTags, whole_edge};
+pub(crate) use subcomponent_tags::{SubcomponentTags, SubcomponentTagsBuilder, whole_edge};
 pub(crate) use tag::TagSetTable;
 pub use tag::{TagSet, TaggedComponents};
 pub use uv::{TextureSpace, UvAxis, UvExtent};
@@ -302,20 +299,18 @@ impl Mesh {
         self.faces().flat_map(|face| face.edges()).map(|edge| edge.each(|corner| self.corners[corner]))
     }
 
-    /// Takes over the tags of edges and vertices of a mesh in which the points have their origins.
-    pub(crate) fn carry_tags(&mut self, source: &Mesh, origin: impl Fn(u32) -> PointOrigin) {
+    /// Takes over the tags of edges and vertices of a mesh of which this is a part: parts of an edge have its tags. `origin` gives
+    /// the origin of each point.
+    pub(crate) fn divide_tags(&mut self, source: &Mesh, origin: impl Fn(u32) -> PointOrigin) {
         if !source.subcomponent_tags.is_empty() {
             let tags = source.subcomponent_tags.carried(&mut self.face_edges(), self.points.len(), &origin);
             self.subcomponent_tags = tags;
         }
     }
 
-    /// Sets the tags of edges and vertices. Those that no face has are dropped.
-    pub(crate) fn put_tags(&mut self, tagger: SubcomponentTagger) {
-        if !tagger.is_empty() {
-            let tags = tagger.finish().carried(&mut self.face_edges(), self.points.len(), &PointOrigin::Old);
-            self.subcomponent_tags = tags;
-        }
+    /// The mesh with other tags of edges and vertices.
+    pub(crate) fn with_subcomponent_tags(self, tags: SubcomponentTagsBuilder) -> Mesh {
+        Mesh { subcomponent_tags: tags.finish(), ..self }
     }
 
     /// A mesh without faces that has the same groups, materials, tag sets and texture sets, with capacity for the

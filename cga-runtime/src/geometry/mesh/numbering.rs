@@ -25,19 +25,6 @@ pub(crate) fn keep_used(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
 }
 
 impl Mesh {
-    /// Takes the points that the corners use from another mesh, whose points the corners have, with their origins and tags.
-    pub(crate) fn take_points(&mut self, source: &Mesh) {
-        let mut used = Vec::new();
-        if source.needs_origins() {
-            used.clone_from(&self.corners);
-            used.sort_unstable();
-            used.dedup();
-        }
-        self.points = keep_used(&source.points, &mut self.corners);
-        self.trace = source.trace.pick(&mut used.iter().map(|point| Some(*point)));
-        self.carry_tags(source, |point| PointOrigin::Old(used[point as usize]));
-    }
-
     /// Drops unused points, and numbers the others in the order of their first use; -0 becomes 0. Returns their numbers before.
     /// For meshes without traces and tags of edges and vertices.
     pub(crate) fn number_by_use(&mut self) -> Vec<u32> {
@@ -54,11 +41,13 @@ impl Mesh {
         before
     }
 
-    /// Drops unused points.
-    pub(crate) fn drop_unused(&mut self) {
-        let before = if self.subcomponent_tags.is_empty() { Vec::new() } else { self.corners.clone() };
+    /// Drops unused points; -0 becomes 0. Returns the numbers of the others before. For meshes without traces and tags of edges and
+    /// vertices.
+    pub(crate) fn number_used(&mut self) -> Vec<u32> {
+        let mut is_used = vec![false; self.points.len()];
+        self.corners.iter().for_each(|corner| is_used[*corner as usize] = true);
         self.points = keep_used(&self.points, &mut self.corners);
-        self.renumber_tags(&before);
+        (0..).zip(is_used).filter(|(_, is_used)| *is_used).map(|(point, _)| point).collect()
     }
 
     /// Renumbers the tags of edges and vertices. `before` are the corners with the old numbers of points. Tags without an

@@ -111,7 +111,7 @@ impl SubcomponentTags {
 
     /// These tags, and one more on each of the edges.
     pub(crate) fn with_edges(&self, edges: impl Iterator<Item = [u32; 2]>, name: &Text) -> Self {
-        let mut tagger = SubcomponentTagger::default();
+        let mut tagger = SubcomponentTagsBuilder::default();
         tagger.append(self, &|point| point);
         let mut edges: Vec<[u32; 2]> = edges.map(in_order).collect();
         edges.small_sort();
@@ -123,7 +123,7 @@ impl SubcomponentTags {
 
     /// These tags, and one more on each of the first `points` vertices.
     pub(crate) fn with_vertices(&self, points: usize, name: &Text) -> Self {
-        let mut tagger = SubcomponentTagger::default();
+        let mut tagger = SubcomponentTagsBuilder::default();
         tagger.append(self, &|point| point);
         let own = TagSet::new([name.clone()]);
         (0..points as u32).for_each(|point| tagger.vertex(point, &own));
@@ -133,7 +133,7 @@ impl SubcomponentTags {
     /// These tags without the tags of some components that a query matches; without a query, all of these go.
     pub(crate) fn without(&self, query: Option<&str>, components: TaggedComponents) -> Self {
         let kept: Vec<TagSet> = self.sets().iter().map(|set| set.without(query)).collect();
-        let mut tagger = SubcomponentTagger::default();
+        let mut tagger = SubcomponentTagsBuilder::default();
         let Some(lists) = &self.0 else { return SubcomponentTags::default() };
         let list = |is_meant: bool| if is_meant { &kept[..] } else { &lists.sets };
         let (of_edges, of_vertices) = (list(components.edges()), list(components.vertices()));
@@ -187,13 +187,13 @@ pub(crate) fn whole_edge(ends: [PointOrigin; 2]) -> Option<[u32; 2]> {
 
 /// Collects tags of edges and vertices, in any order. Those that get tags several times have all of them.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct SubcomponentTagger {
+pub(crate) struct SubcomponentTagsBuilder {
     sets: TagSetTable,
     edges: Vec<([u32; 2], u32)>,
     vertices: Vec<(u32, u32)>,
 }
 
-impl SubcomponentTagger {
+impl SubcomponentTagsBuilder {
     /// Returns true if nothing has a tag.
     pub(crate) fn is_empty(&self) -> bool {
         self.edges.is_empty() && self.vertices.is_empty()
@@ -229,7 +229,7 @@ impl SubcomponentTagger {
 
     /// The tags.
     pub(crate) fn finish(self) -> SubcomponentTags {
-        let SubcomponentTagger { mut sets, edges, vertices } = self;
+        let SubcomponentTagsBuilder { mut sets, edges, vertices } = self;
         let (edges, vertices) = (united(edges, &mut sets), united(vertices, &mut sets));
         SubcomponentTags::of(sets.into_sets(), edges, vertices)
     }
@@ -259,7 +259,7 @@ mod tests {
 
     #[test]
     fn an_edge_is_found_from_both_sides() {
-        let mut tagger = SubcomponentTagger::default();
+        let mut tagger = SubcomponentTagsBuilder::default();
         tagger.edge([7, 2], &set(&["a"]));
         tagger.edge([2, 3], &TagSet::default());
         tagger.vertex(3, &set(&["v"]));
@@ -267,12 +267,12 @@ mod tests {
         assert!(tags.hold(8) && !tags.hold(7));
         assert_eq!([tags.edge([2, 7]), tags.edge([7, 2])], [Some(&set(&["a"])); 2]);
         assert_eq!((tags.edge([2, 3]), tags.vertex(2), tags.vertex(3)), (None, None, Some(&set(&["v"]))));
-        assert!(SubcomponentTagger::default().finish().is_empty());
+        assert!(SubcomponentTagsBuilder::default().finish().is_empty());
     }
 
     #[test]
     fn tags_that_are_given_twice_are_united() {
-        let mut tagger = SubcomponentTagger::default();
+        let mut tagger = SubcomponentTagsBuilder::default();
         for (ends, names) in [([1, 2], &["b"][..]), ([2, 1], &["a", "c"]), ([1, 2], &["c"]), ([0, 1], &["c"])] {
             tagger.edge(ends, &set(names));
         }
@@ -280,7 +280,7 @@ mod tests {
         assert_eq!(tags.edge([1, 2]), Some(&set(&["a", "b", "c"])));
         assert_eq!(tags.edges().len(), 2);
         // All of it twice, once with other numbers.
-        let mut tagger = SubcomponentTagger::default();
+        let mut tagger = SubcomponentTagsBuilder::default();
         tagger.append(&tags, &|point| point);
         tagger.append(&tags, &|point| 3 - point);
         let tags = tagger.finish();
@@ -306,7 +306,7 @@ mod tests {
 
     #[test]
     fn parts_of_an_edge_keep_its_tags() {
-        let mut tagger = SubcomponentTagger::default();
+        let mut tagger = SubcomponentTagsBuilder::default();
         tagger.edge([0, 1], &set(&["e"]));
         tagger.vertex(0, &set(&["v"]));
         tagger.vertex(1, &set(&["w"]));

@@ -98,6 +98,11 @@ pub(crate) struct TagSetTable {
 }
 
 impl TagSetTable {
+    /// Returns true if it has no sets.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.sets.is_empty()
+    }
+
     /// The number of a set.
     pub(crate) fn number(&mut self, set: &TagSet) -> u32 {
         if let Some(number) = self.numbers.get(set) {

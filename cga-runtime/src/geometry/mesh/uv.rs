@@ -100,7 +100,7 @@ impl UvSets {
 
     /// Adds to each set the result of `value` for the source's list.
     #[inline]
-    pub(crate) fn push_from(&mut self, source: &UvSets, mut value: impl FnMut(&[DVec2]) -> DVec2) {
+    pub(crate) fn push(&mut self, source: &UvSets, mut value: impl FnMut(&[DVec2]) -> DVec2) {
         for (to, from) in self.lists.iter_mut().zip(&source.lists) {
             if !from.is_empty() {
                 to.push(value(from));
@@ -108,11 +108,18 @@ impl UvSets {
         }
     }
 
-    /// Adds to each set the result of `value` for its own list.
-    pub(crate) fn push_own(&mut self, value: impl Fn(&[DVec2]) -> DVec2) {
-        for list in self.lists.iter_mut().filter(|list| !list.is_empty()) {
-            list.push(value(list));
-        }
+    /// The lists of the sets with coordinates.
+    pub(crate) fn lists_mut(&mut self) -> impl Iterator<Item = &mut Vec<DVec2>> {
+        self.lists.iter_mut().filter(|list| !list.is_empty())
+    }
+
+    /// The lists beside the lists of a source, for the sets that have coordinates there.
+    #[inline]
+    pub(crate) fn lists_mut_beside<'s>(
+        &mut self,
+        source: &'s UvSets,
+    ) -> impl Iterator<Item = (&mut Vec<DVec2>, &'s Vec<DVec2>)> {
+        self.lists.iter_mut().zip(&source.lists).filter(|(_, from)| !from.is_empty())
     }
 
     /// Copies some corners of the source to each set.

@@ -3,10 +3,11 @@
 use glam::{DAffine3, DVec3};
 
 use super::origins::Origins;
+use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin, Mix, PointOrigin};
 use crate::geometry::mesh::join::join;
-use crate::geometry::mesh::{Derived, Mesh, SubcomponentTagger, TagSet};
-use crate::geometry::origin::PointOrigin;
+use crate::geometry::mesh::{Derived, Mesh, SubcomponentTagsBuilder, TagSet};
 use crate::geometry::trace::{Trace, UNTRACED};
+use crate::geometry::unbent::bent_along;
 use crate::geometry::wire::Wire;
 use crate::value::each::Each;
 
@@ -17,7 +18,7 @@ pub(crate) struct Weld {
     /// The numbers of the points of all meshes.
     points: Vec<u32>,
     /// The tags of edges and vertices, by these numbers.
-    tagger: SubcomponentTagger,
+    tagger: SubcomponentTagsBuilder,
     /// The direction of bent faces.
     bent: DVec3,
 }
@@ -35,10 +36,10 @@ impl Weld {
     /// Adds a part. `points` are the numbers of its points. Used points on its edges become corners. A loop that has fewer than
     /// three different neighbours is dropped.
     pub(crate) fn add(&mut self, origins: &Origins, mesh: Mesh, points: &[u32]) {
-        let mut mesh = mesh.bent_along(&mut self.bent);
+        let mut mesh = bent_along(mesh, &mut self.bent);
         mesh.trace = Trace::default();
         mesh.derived = Derived::default();
-        let mut refined = mesh.alike(mesh.corners.len());
+        let mut refined = Derivation::new(&mesh, CornerValues::All, mesh.corners().len());
         // The points of the refined mesh are its corners; `finish` finds the points that they are.
         let mut numbers = Vec::with_capacity(mesh.corners.len());
         let mut ring = Vec::new();
@@ -70,26 +71,23 @@ impl Weld {
                 }
                 has_loop = true;
                 for corner in &ring {
-                    numbers.push(corner.point);
-                    refined.corners.push(numbers.len() as u32 - 1);
-                    let WeldCorner { from, to, share, .. } = *corner;
-                    refined.uvs.push_from(&mesh.uvs, |list| {
-                        if from == to { list[from] } else { list[from].lerp(list[to], share) }
-                    });
-                    if let (Some(a), Some(b)) = (mesh.normals.get(from), mesh.normals.get(to)) {
-                        refined.normals.push(if from == to { *a } else { a.lerp(*b, share).normalize_or(*a) });
-                    }
+                    let WeldCorner { from, to, share, point } = *corner;
+                    let [a, b] = [from, to].each(|corner| corner as u32);
+                    let mix = if a == b { Mix::One(a) } else { Mix::Two([a, b], share) };
+                    numbers.push(point);
+                    // Tags come from all parts, so no origin tells them.
+                    let number = refined.point(DVec3::ZERO, PointOrigin::New);
+                    refined.corner(number, &mix, false);
                 }
                 refined.end_loop();
             }
             if has_loop {
-                refined.end_face(face.tag());
+                refined.end_face(FaceOrigin::piece(&face));
             }
         }
         mesh.subcomponent_tags.vertices().for_each(|(point, set)| self.tagger.vertex(points[point as usize], set));
-        refined.points = vec![DVec3::ZERO; numbers.len()];
         self.points.extend(numbers);
-        self.meshes.push(refined);
+        self.meshes.push(refined.finish());
     }
 
     /// Adds the tags of the edge between two corners, all along the edge.
@@ -130,7 +128,7 @@ impl Weld {
         let tags = self.tagger.finish().carried(&mut sum.face_edges(), sum.points.len(), &origin);
         sum.subcomponent_tags = tags;
         sum.derived = Derived::default();
-        (sum, numbers)
+        (sum.checked(), numbers)
     }
 }
 
@@ -170,7 +168,7 @@ pub(crate) fn welded_wire(parts: &[(Wire, Vec<u32>)], places: &[DVec3], map: &DA
     }
     let edges: Vec<[u32; 2]> =
         if has_edges { ends.chunks_exact(2).map(|ends| [ends[0], ends[1]]).collect() } else { Vec::new() };
-    let mut tagger = SubcomponentTagger::default();
+    let mut tagger = SubcomponentTagsBuilder::default();
     parts.iter().for_each(|(wire, own)| tagger.append(&wire.tags, &|point| own[point as usize]));
     let origin = |point: u32| PointOrigin::Old(numbers[point as usize]);
     let tags = tagger.finish().carried(&mut edges.iter().copied(), points.len(), &origin);

@@ -13,8 +13,10 @@ mod tests;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use crate::geometry::mesh::{FaceTag, Mesh};
+use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin};
+use crate::geometry::mesh::Mesh;
 use crate::geometry::work;
+use crate::value::each::Each;
 use surface::Surface;
 
 /// The units of work of a search for the best neighbour.
@@ -111,27 +113,20 @@ pub(crate) fn reduce(mesh: &Mesh, share: f64) -> Option<Mesh> {
 
 /// The faces that are left; `None` if the work is to end.
 fn assembled(mesh: &Mesh, surface: &Surface<'_>) -> Option<Mesh> {
-    let mut made = Mesh { tag_sets: Default::default(), ..mesh.alike(mesh.corners.len()) };
-    let without_tags = |face: usize| FaceTag { tags: FaceTag::NONE, ..mesh.tags[face] };
-    for face in 0..mesh.face_count() {
-        if !work::spend(PASS * mesh.face_corners(face).len()) {
+    let untagged = Mesh { tag_sets: Default::default(), subcomponent_tags: Default::default(), ..Mesh::clone(mesh) };
+    let mut made = Derivation::new(&untagged, CornerValues::All, mesh.corners().len()).with_old_points();
+    for face in untagged.faces() {
+        if !work::spend(PASS * face.corner_count()) {
             return None;
         }
-        if !surface.is_changed(face) {
-            made.corners.extend_from_slice(&mesh.corners[mesh.face_corners(face)]);
-            made.end_copy(mesh, mesh.face_loops(face), without_tags(face));
+        let origin = FaceOrigin::piece(&face);
+        if !surface.is_changed(face.index()) {
+            made.keep(face.loop_ranges(), origin);
             continue;
         }
-        for (points, values) in surface.triangles_of(face) {
-            for (point, corner) in points.into_iter().zip(values) {
-                made.corners.push(point);
-                made.copy_values(mesh, corner as usize..corner as usize + 1);
-            }
-            made.end_loop();
-            made.end_face(without_tags(face));
+        for (points, corners) in surface.triangles_of(face.index()) {
+            made.keep_at([points.into_iter().zip(corners.each(|corner| corner as usize))], origin);
         }
     }
-    // Without the tags of edges and vertices.
-    made.take_points(&Mesh { points: mesh.points.clone(), trace: mesh.trace.clone(), ..Mesh::default() });
-    Some(made)
+    Some(made.finish_used())
 }

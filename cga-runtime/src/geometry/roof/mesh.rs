@@ -81,7 +81,7 @@ fn add_roof(
     let base = made.point_count() as u32;
     flat.points.iter().for_each(|&point| _ = made.old_point(point));
     let place = |p: &DVec3| flat.origin + flat.axes[0] * p.x + flat.axes[1] * p.y + flat.normal * p.z;
-    points[flat.points.len()..].iter().for_each(|point| _ = made.point(place(point), PointOrigin::New));
+    points[flat.points.len()..].iter().for_each(|point| _ = made.point(place(point), PointOrigin::Grown));
     let edges: Vec<[usize; 2]> = face.edges().collect();
     let mut bottom = RoofFace { part: RoofPart::Bottom, edge: None, rings: rings.clone() };
     bottom.rings.iter_mut().for_each(|ring| flip(ring));

@@ -21,7 +21,7 @@ fn plane(low: f64, high: f64, height: f64) -> Mesh {
 /// The faces of a mesh without some.
 fn without(mesh: &Mesh, faces: &[usize]) -> Mesh {
     let kept: Vec<u32> = (0..mesh.face_count()).filter(|face| !faces.contains(face)).map(|face| face as u32).collect();
-    crate::geometry::mesh::extract(mesh, &kept, &crate::geometry::Frame::WORLD)
+    crate::geometry::extract::extract(mesh, &kept, &crate::geometry::Frame::WORLD)
 }
 
 fn measured(op: BooleanOp, a: &Mesh, b: &Mesh) -> (f64, bool) {

@@ -110,7 +110,7 @@ impl Caps {
                     let corner = ring[if up { i } else { (ring.len() + 1 - i) % ring.len() }];
                     let number = part.number(points, Location::on(plane, corner), slab);
                     part.mesh.corners.push(number);
-                    part.mesh.uvs.push_from(&mesh.uvs, |_| DVec2::ZERO);
+                    part.mesh.uvs.push(&mesh.uvs, |_| DVec2::ZERO);
                     if !mesh.normals.is_empty() {
                         part.mesh.normals.push(normal);
                     }

@@ -42,12 +42,12 @@ impl LineBand {
             self.mesh.corners.push(node.place.number);
             let [from, to] = [node.from as usize, node.to as usize];
             if node.is_corner() {
-                self.mesh.copy_values(source, from..from + 1);
+                self.mesh.add_values(source, from..from + 1);
                 continue;
             }
             let share = crossings.share(node.place);
             let cut = source.uv_set(coordinate.set);
-            self.mesh.uvs.push_from(&source.uvs, |list| {
+            self.mesh.uvs.push(&source.uvs, |list| {
                 let mut uv = between(list[from], list[to], share);
                 // Also in copies of the set that is cut.
                 if [from, to].iter().all(|&end| list[end][coordinate.axis] == cut[end][coordinate.axis]) {
@@ -81,9 +81,9 @@ impl LineBand {
         if !source.trace.is_empty() {
             *points = numbers.used.iter().map(|point| numbers.crossings.origin(*point)).collect();
         }
-        self.mesh.carry_tags(source, |point| numbers.crossings.origin(numbers.used[point as usize]));
+        self.mesh.divide_tags(source, |point| numbers.crossings.origin(numbers.used[point as usize]));
         self.mesh.give_back_room();
-        Some(Arc::new(self.mesh))
+        Some(Arc::new(self.mesh.checked()))
     }
 }
 

@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::Mesh;
 use crate::geometry::Frame;
-use crate::geometry::origin::PointOrigin;
+use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin, Mix, PointOrigin};
+use crate::geometry::mesh::Mesh;
 
 /// Up to this number of corners, the points so far are searched one by one.
 const FEW: usize = 24;
@@ -60,39 +60,28 @@ impl PointNumbers {
 /// A mesh of the given faces, in their order, in the coordinates of a frame. Shared points stay shared, and unused
 /// points are dropped. Tags (of faces, edges and vertices), texture coordinates and normals are kept. Faces that do not exist are ignored.
 pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
-    let into = to.axes.transpose();
-    let mut part = Mesh { bent: into * mesh.bent, ..mesh.alike(0) };
     let faces = faces.iter().map(|&index| index as usize).filter(|&index| index < mesh.face_count());
     let corners = faces.clone().map(|index| mesh.face_corners(index).len()).sum();
-    let mut numbers = PointNumbers::new(corners, mesh.points.len());
-    // The points of a mesh that needs origins.
-    let mut taken: Vec<u32> = Vec::new();
-    let takes = mesh.needs_origins();
-    for index in faces {
-        let face = mesh.face(index);
+    let mut numbers = PointNumbers::new(corners, mesh.points().len());
+    let mut part = Derivation::new(mesh, CornerValues::All, corners);
+    for face in faces.map(|index| mesh.face(index)) {
         for ring in face.loop_ranges() {
             for corner in ring {
-                let point = mesh.corners[corner];
-                let next = part.points.len() as u32;
+                let point = mesh.corners()[corner];
+                let next = part.point_count() as u32;
                 let number = numbers.number(point, next);
                 if number == next {
-                    part.add_point(to.to_local(mesh.points[point as usize]));
-                    if takes {
-                        taken.push(point);
-                    }
+                    part.point(to.to_local(mesh.points()[point as usize]), PointOrigin::Old(point));
                 }
-                part.corners.push(number);
-                part.uvs.push_from(&mesh.uvs, |list| list[corner]);
-                if let Some(&normal) = mesh.normals.get(corner) {
-                    part.normals.push(into * normal);
-                }
+                part.corner(number, &Mix::One(corner as u32), false);
             }
             part.end_loop();
         }
-        part.end_face(face.tag());
+        part.end_face(FaceOrigin::piece(&face));
     }
-    part.trace = mesh.trace.pick(&mut taken.iter().map(|point| Some(*point)));
-    part.carry_tags(mesh, |point| PointOrigin::Old(taken[point as usize]));
+    let (mut part, into) = (part.finish(), to.axes.transpose());
+    part.bent = into * mesh.bent;
+    part.normals.iter_mut().for_each(|normal| *normal = into * *normal);
     part
 }
 
