@@ -311,4 +311,135 @@ mod counted {
         assert_eq!((made.len(), CALLS.get()), (1, 2.0));
         assert!(tree_is_none(&made));
     }
+
+    cga! {
+        grammar SameCounts;
+        Lot --> case self::count() % 2 == 1 : split(x) { 0.5 : X. | ~1 : X. } else : split(x) { ~1 : X. | 0.5 : X. }
+        Rules --> case self::count() % 2 == 1 : X. else : Y.
+        Once --> report("calls", self::count()) X.
+    }
+
+    #[test]
+    fn leaves_that_differ_make_no_tree() {
+        for start in ["Lot", "Rules"] {
+            CALLS.set(0.0);
+            let settings = Settings { start: Some(start.to_owned()), ..with_tree() };
+            let made = SameCounts::default().generate_with(&lot(), &settings).expect("a model");
+            assert_eq!(CALLS.get(), 2.0, "{start}");
+            assert!(tree_is_none(&made) && made.leaves().all(|leaf| leaf.node().is_none()), "{start}");
+        }
+    }
+
+    /// Passes all that it gets on to two sinks.
+    struct Both<A, B>(A, B);
+
+    impl<A: Sink, B: Sink> Sink for Both<A, B> {
+        fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &std::sync::Arc<Mesh>, at: &cga::glam::DAffine3) -> Flow {
+            self.0.mesh(leaf, mesh, at)?;
+            self.1.mesh(leaf, mesh, at)
+        }
+
+        fn begin_building(&mut self, name: &str, seed: u64) {
+            self.0.begin_building(name, seed);
+            self.1.begin_building(name, seed);
+        }
+
+        fn end_building(&mut self, building: &dyn Fn() -> Building) {
+            self.0.end_building(building);
+            self.1.end_building(building);
+        }
+    }
+
+    #[test]
+    fn the_rules_run_again_once_at_most() {
+        let settings = Settings { start: Some("Once".to_owned()), ..with_tree() };
+        CALLS.set(0.0);
+        let mut both = Both(Model::new(), Model::new());
+        SameCounts::default().run(&lot(), &settings, &mut both).expect("a report");
+        assert_eq!((CALLS.get(), tree_is_none(&both.0)), (2.0, false));
+        assert_eq!(tree_of(&both.0), tree_of(&both.1));
+        // Files do not have trees.
+        CALLS.set(0.0);
+        SameCounts::default().run(&lot(), &settings, &mut cga::sink::gltf::Glb::new()).expect("a report");
+        assert_eq!(CALLS.get(), 1.0);
+    }
+}
+
+#[test]
+fn a_sink_that_leaves_out_leaves_has_no_tree() {
+    cga! { grammar TwoKinds; Lot --> split(x) { 1 : A. | 1 : B. }* }
+    struct OnlyB(Model);
+
+    impl Sink for OnlyB {
+        fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &std::sync::Arc<Mesh>, at: &cga::glam::DAffine3) -> Flow {
+            if leaf.rule == "B" { self.0.mesh(leaf, mesh, at) } else { ControlFlow::Continue(()) }
+        }
+
+        fn begin_building(&mut self, name: &str, seed: u64) {
+            self.0.begin_building(name, seed);
+        }
+
+        fn end_building(&mut self, building: &dyn Fn() -> Building) {
+            self.0.end_building(building);
+        }
+    }
+
+    let mut filter = OnlyB(Model::new());
+    TwoKinds::default().run(&Shape::rectangle(8.0, 3.0), &with_tree(), &mut filter).expect("a report");
+    assert_eq!((filter.0.len(), tree_is_none(&filter.0)), (4, true));
+    let all = TwoKinds::default().generate_with(&Shape::rectangle(8.0, 3.0), &with_tree()).expect("a model");
+    let mut filter = OnlyB(Model::new());
+    assert!(all.replay(&mut filter).is_continue() && tree_is_none(&filter.0));
+    assert!(all.leaves().all(|leaf| leaf.node().is_some()));
+}
+
+#[test]
+fn leaves_outside_of_buildings_have_no_node() {
+    cga! { grammar Plain; Lot --> X. }
+    let settings = with_tree();
+    let (material, scope) = (std::sync::Arc::default(), *Shape::cuboid(1.0, 1.0, 1.0).scope());
+    let by_hand = Leaf::new("ByHand", &material, &scope);
+    let mut model = Model::new();
+    let _ = model.placement(&by_hand);
+    Plain::default().run(&lot(), &settings, &mut model).expect("a report");
+    let _ = model.placement(&by_hand);
+    Plain::default().run(&lot(), &settings, &mut model).expect("a report");
+    let found: Vec<bool> = model.leaves().map(|leaf| leaf.node().is_some()).collect();
+    assert_eq!(found, [false, true, false, true]);
+}
+
+#[test]
+fn shapes_of_styles_have_the_names_of_their_leaves() {
+    cga! {
+        grammar Styled;
+        Lot --> split(x) { ~1 : Cell }*
+        Cell --> X.
+        style Tall
+        Cell --> Own
+        Own --> case p(0.5) : split(x) { ^0.5 : Own }* else : extrude(2)
+    }
+    let model = kept(&Styled::default(), &Shape::rectangle(4.0, 1.0), Some("Tall$Lot"));
+    assert!(tree_of(&model).nodes().all(|node| !node.rule().contains('$')), "{}", tree_of(&model));
+}
+
+#[test]
+fn a_tree_is_printed_depth_first() {
+    cga! { grammar Printed; Lot --> split(x) { 1 : A | 2 : B. }  A --> split(z) { ~1 : C. }* }
+    let model = kept(&Printed::default(), &Shape::rectangle(3.0, 2.0), None);
+    let tree = tree_of(&model);
+    let text = "Lot 3 x 0 x 2\n  A 1 x 0 x 2\n    C. 1 x 0 x 1\n    C. 1 x 0 x 1\n  B. 2 x 0 x 2\n";
+    assert_eq!(tree.to_string(), text);
+    assert_eq!(format!("{tree:?}"), "ShapeTree { shapes: 5, leaves: 3 }");
+    let below = tree.find("0;0;").expect("A").subtree().filter_map(|shape| shape.leaf()).collect::<Vec<_>>();
+    assert_eq!(below, [0, 1]);
+    assert!(["0;+1;", "0;01;", "0;;", "0;1", "1;", ""].iter().all(|key| tree.find(key).is_none()));
+    let chain = kept(&Deep::default(), &lot(), None);
+    assert!(tree_of(&chain).to_string().len() < 200 * tree_of(&chain).len());
+    assert!(format!("{:?}", tree_of(&chain).root().expect("a root")).len() < 400);
+}
+
+cga! {
+    grammar Deep;
+    Lot --> Next(10000)
+    Next(n) --> case 0 < n : Next(n - 1) else : X.
 }

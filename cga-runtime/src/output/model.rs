@@ -23,6 +23,7 @@ use crate::run::building::Building;
 use crate::run::report::Report;
 use crate::run::report::{Collection, Print, Reports};
 use crate::run::settings::Limits;
+use crate::run::shape_tree::ShapeTree;
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
 use crate::shape::place;
@@ -373,7 +374,30 @@ impl Sink for Model {
     }
 
     fn end_building(&mut self, building: &dyn Fn() -> Building) {
-        self.buildings.push((building(), self.begun..self.records.len()));
+        let (mut building, own) = (building(), self.begun..self.records.len());
+        building.tree = building.tree.take().filter(|tree| self.is_tree_of(tree, own.clone()));
+        self.buildings.push((building, own));
         self.begun = self.records.len();
+    }
+}
+
+impl Model {
+    /// Returns true if the leaves of a tree are some leaves of this model: not if a sink in between has left out some, or if Rust code in
+    /// rules was different in the run that made the tree.
+    fn is_tree_of(&self, tree: &ShapeTree, leaves: Range<usize>) -> bool {
+        /// Templates compute scopes in another way.
+        const ROUNDING: f64 = 1e-6;
+        let is_near = |a: &Scope, b: &Scope| {
+            let size = 1.0 + a.size.abs().max_element() + a.origin.abs().max_element();
+            a.origin.abs_diff_eq(b.origin, ROUNDING * size)
+                && a.size.abs_diff_eq(b.size, ROUNDING * size)
+                && a.axes.abs_diff_eq(b.axes, ROUNDING)
+        };
+        let rules = self.numbers.table.rules();
+        let is_leaf = |(number, own): (usize, &ModelLeaf)| {
+            let node = tree.of_leaf(number);
+            node.is_some_and(|node| node.rule() == rules[own.rule as usize] && is_near(node.scope(), &own.scope))
+        };
+        tree.leaf_count() == leaves.len() && self.records[leaves].iter().enumerate().all(is_leaf)
     }
 }

@@ -23,7 +23,8 @@ pub struct Building {
     pub attributes: Vec<(&'static str, Value)>,
     /// The values that its rules reported.
     pub reports: Reports,
-    /// The tree of its shapes, if [`Settings::tree`](crate::run::settings::Settings::tree) asks for it. `None` after a run that ended early.
+    /// The tree of its shapes, if [`Settings::tree`](crate::run::settings::Settings::tree) asks for it. `None` after a run that ended early, or if the
+    /// leaves of the model are not the leaves of the run, because a sink in between has left out some.
     pub tree: Option<Arc<ShapeTree>>,
 }
 

@@ -1,5 +1,6 @@
 //! Runs: rules call each other directly, and leaves go to the sink as they appear.
 
+use std::cell::OnceCell;
 use std::io::Write as _;
 use std::sync::Arc;
 
@@ -103,7 +104,8 @@ pub(crate) fn run<R: Rules>(
     std::mem::swap(&mut env.leaf_tables.looks, &mut kept.materials);
     kept.templates = templates;
     let outcome = outcome(&mut env, flow);
-    sink.end_building(&|| {
+    let keeps_tree = settings.tree && sink.keeps_tree();
+    let make = || {
         let mut building = Building::of(shape, names.grammar);
         let mut index = 0..;
         // After an error values may stand for others that were not found.
@@ -115,11 +117,14 @@ pub(crate) fn run<R: Rules>(
         }
         building.reports = outcome.report.reports.clone();
         let is_complete = outcome.error.is_none() && !outcome.report.stopped;
-        if settings.tree && is_complete {
+        if keeps_tree && is_complete {
             building.tree = shape_tree(rules, start, shape, settings, &outcome.report).map(Arc::new);
         }
         building
-    });
+    };
+    // Sinks that pass leaves on to several others may ask more than once.
+    let building = OnceCell::new();
+    sink.end_building(&|| building.get_or_init(make).clone());
     outcome
 }
 

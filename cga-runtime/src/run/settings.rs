@@ -93,9 +93,11 @@ pub struct Settings {
     pub echo: bool,
     /// What a lot leads to whose attribute, start rule or grammar is wrong.
     pub wrong_lots: WrongLots,
-    /// True to keep the tree of shapes: each [`Building`](crate::run::building::Building) has it. The rules run a second time for it, without
-    /// output, when a sink asks for the building, as models do. So Rust functions in rules are called twice; there is no tree if the
-    /// two runs differ. The tree takes about 200 bytes for each derived shape, beyond [`Limits::bytes`].
+    /// True to keep the tree of shapes: each [`Building`](crate::run::building::Building) of a model has it. For it the rules run a second
+    /// time, without output and without templates, which takes two to three times as long as the first run. So Rust functions in rules are
+    /// called twice; a model has no tree if its leaves differ from the leaves of the second run. The second run is no progress of a watch.
+    /// A watch that is stopped, or a deadline that passes, ends it: then the model is complete, without a tree. The tree takes about
+    /// 200 bytes for each derived shape, beyond [`Limits::bytes`].
     pub tree: bool,
     /// Follows the progress of runs and can end them early.
     #[cfg_attr(feature = "serde", serde(skip))]

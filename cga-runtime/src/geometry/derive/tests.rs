@@ -61,7 +61,7 @@ fn an_operation_that_gives_origins_has_everything_that_follows() {
     // Below the operation's first word its own tag replaces others, and the face at the tagged edge has its tags.
     let names = |face: usize| made.tag_sets()[made.face(face).tag().tags as usize].clone();
     assert_eq!([names(0), names(1)], [tags(&["lot", "frame.side", "street"]), tags(&["lot", "frame.side"])]);
-    // The edge keeps its tags, and the edge that grows from the tagged vertex has those of the vertex.
+    // The edge keeps its tags, and the edge that grows from the tagged vertex has the tags of the vertex.
     let [a, b, middle] = [0, 1, 2].map(|corner| made.corners()[corner]);
     assert_eq!(made.edge_tags([a, b]), Some(&tags(&["street"])));
     assert_eq!([made.edge_tags([a, middle]), made.edge_tags([b, middle])], [Some(&tags(&["corner"])), None]);

@@ -442,6 +442,10 @@ impl Sink for Glb {
     fn end_building(&mut self, building: &dyn Fn() -> Building) {
         self.buildings.end(building());
     }
+
+    fn keeps_tree(&self) -> bool {
+        false
+    }
 }
 
 /// An error for more bytes than the format allows.

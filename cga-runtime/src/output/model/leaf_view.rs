@@ -74,7 +74,7 @@ impl<'a> LeafView<'a> {
         let buildings = &self.model.buildings;
         let at = buildings.partition_point(|(_, leaves)| leaves.end <= self.number);
         let (building, leaves) = buildings.get(at)?;
-        building.tree.as_deref()?.of_leaf(self.number - leaves.start)
+        building.tree.as_deref()?.of_leaf(self.number.checked_sub(leaves.start)?)
     }
 
     /// The size of the scope, in metres; a negative size mirrors.

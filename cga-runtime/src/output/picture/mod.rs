@@ -204,7 +204,8 @@ impl Picture {
     }
 
     /// The leaf that each pixel shows in its middle, by its index in [`Model::leaves`]; `None` for sky and ground. Pixels are in rows from the
-    /// upper left. This is for picking: [`Model::buildings`] tells the building of a leaf.
+    /// upper left. This is for picking: [`Model::buildings`] tells the building of a leaf, and
+    /// [`LeafView::node`](crate::output::model::LeafView::node) its rules.
     ///
     /// ```
     /// # use cga_runtime as cga;

@@ -19,6 +19,8 @@ pub(crate) struct Checkpoint {
     /// The highest count of shapes requested during the recording of a template. The checkpoint is then 0, so that
     /// every request comes here.
     recorded: Option<u64>,
+    /// The number of shapes at the last question to the watch, in a run that records the tree of shapes.
+    asked: u64,
     told: Progress,
 }
 
@@ -50,6 +52,10 @@ impl Env {
         }
         // In a run that records its tree, the checkpoint stays.
         if self.stops_at_each_shape() {
+            if wanted < self.checkpoint.asked.saturating_add(STRIDE) {
+                return if self.ended() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+            }
+            self.checkpoint.asked = wanted;
             return self.ask();
         }
         self.checkpoint.shapes = limit.min(wanted.saturating_add(STRIDE));

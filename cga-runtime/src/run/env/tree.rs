@@ -22,11 +22,19 @@ impl Env {
     #[inline(never)]
     pub(crate) fn enter(&mut self, shape: &ShapeRef<'_>) -> Flow {
         self.make_room(0)?;
-        let rule = self.trail.last().map_or("", |&rule| self.rule_name(rule));
+        let rule = self.trail.last().map_or("", |&rule| self.label(self.rule_name(rule)));
         if let Some(tree) = &mut self.tree {
             tree.enter(self.trail.len(), rule, shape.scope());
         }
         Flow::Continue(())
+    }
+
+    /// The name of a rule as leaves have it: without the style that has added it, as in `imp.Tall$Cell`.
+    fn label(&self, rule: &'static str) -> &'static str {
+        let Some((style, own)) = rule.rsplit_once('$') else { return rule };
+        let Some((import, _)) = style.rsplit_once('.') else { return own };
+        let is_it = |leaf: &&str| leaf.strip_prefix(import).and_then(|rest| rest.strip_prefix('.')) == Some(own);
+        self.leaf_tables.names.iter().copied().find(is_it).unwrap_or(rule)
     }
 
     /// The recorded shape of the current rule.

@@ -2,6 +2,7 @@
 
 pub(crate) mod builder;
 
+use std::fmt;
 use std::ops::Range;
 
 use crate::shape::scope::Scope;
@@ -12,7 +13,22 @@ use crate::shape::scope::Scope;
 ///
 /// Blocks, as the parts of a split with several operations, belong to the rule that contains them. `NIL` makes no node. Shapes that an
 /// operand derives, as of `union` or `inline`, are not in the tree: the operation takes their leaves.
-#[derive(Clone, Debug, Default, PartialEq)]
+///
+/// It is displayed with a line for each shape, indented below its parent:
+///
+/// ```
+/// # use cga_runtime as cga;
+/// # use cga::output::model::Model;
+/// # let model = Model::new();
+/// for (building, leaves) in model.buildings() {
+///     let Some(tree) = &building.tree else { continue };
+///     println!("{}\n{tree}", building.name);
+///     // The leaves of the model below a shape, here below the first child of the initial shape.
+///     let below = tree.find("0;0;").into_iter().flat_map(|shape| shape.subtree()).filter_map(|shape| shape.leaf());
+///     let below: Vec<_> = below.filter_map(|leaf| model.leaves().nth(leaves.start + leaf)).collect();
+/// }
+/// ```
+#[derive(Clone, Default, PartialEq)]
 pub struct ShapeTree {
     /// The shapes in the order of derivation.
     shapes: Vec<TreeShape>,
@@ -66,20 +82,59 @@ impl ShapeTree {
         self.node(*self.leaves.get(leaf)? as usize)
     }
 
+    /// The number of leaves.
+    pub fn leaf_count(&self) -> usize {
+        self.leaves.len()
+    }
+
     /// The shape with a key; see [`ShapeNode::key`].
     pub fn find(&self, key: &str) -> Option<ShapeNode<'_>> {
         let mut numbers = key.strip_suffix(';')?.split(';');
         let root = self.root().filter(|_| numbers.next() == Some("0"))?;
-        numbers.try_fold(root, |shape, number| shape.children().nth(number.parse().ok()?))
+        numbers.try_fold(root, |shape, number| {
+            let is_written =
+                number == "0" || number.bytes().all(|byte| byte.is_ascii_digit()) && !number.starts_with('0');
+            shape.children().nth(number.parse().ok().filter(|_| is_written)?)
+        })
+    }
+}
+
+impl fmt::Debug for ShapeTree {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("ShapeTree").field("shapes", &self.len()).field("leaves", &self.leaf_count()).finish()
+    }
+}
+
+impl fmt::Display for ShapeTree {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        /// The depth from which lines are not indented further.
+        const DEEPEST: usize = 60;
+        let mut depths = vec![0; self.len()];
+        for node in self.root().into_iter().flat_map(|root| root.subtree()) {
+            let depth = node.shape.parent.map_or(0, |parent| depths[parent as usize] + 1);
+            depths[node.index] = depth;
+            let (size, end) = (node.scope().size, if node.leaf().is_some() { "." } else { "" });
+            let indent = 2 * depth.min(DEEPEST);
+            writeln!(f, "{:indent$}{}{end} {} x {} x {}", "", node.rule(), size.x, size.y, size.z)?;
+        }
+        Ok(())
     }
 }
 
 /// A shape in a [`ShapeTree`].
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct ShapeNode<'a> {
     tree: &'a ShapeTree,
     shape: &'a TreeShape,
     index: usize,
+}
+
+impl fmt::Debug for ShapeNode<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut fields = f.debug_struct("ShapeNode");
+        fields.field("index", &self.index).field("rule", &self.rule()).field("scope", self.scope());
+        fields.field("children", &self.children().len()).field("leaf", &self.leaf()).finish()
+    }
 }
 
 impl<'a> ShapeNode<'a> {
@@ -118,13 +173,28 @@ impl<'a> ShapeNode<'a> {
         })
     }
 
-    /// The index of its leaf among the leaves of the building; `None` if it is not a leaf.
+    /// The shape and all shapes below it, depth first: each one before its children, and children in order.
+    pub fn subtree(&self) -> impl Iterator<Item = ShapeNode<'a>> + use<'a> {
+        let (tree, mut open) = (self.tree, vec![self.index as u32]);
+        std::iter::from_fn(move || {
+            let node = tree.node(open.pop()? as usize)?;
+            let range = node.shape.children.start as usize..node.shape.children.end as usize;
+            open.extend(tree.children[range].iter().rev());
+            Some(node)
+        })
+    }
+
+    /// The index of its leaf among the leaves of the building; `None` if it is not a leaf. In a model with several buildings,
+    /// [`Model::buildings`](crate::output::model::Model::buildings) tells where the leaves of each begin.
     pub fn leaf(&self) -> Option<usize> {
         self.shape.leaf.map(|leaf| leaf as usize)
     }
 
     /// The key (*getTreeKey function*): the numbers of children from the initial shape on, each followed by `;`. The key of the initial
-    /// shape is `0;`, the key of the third child of its first child `0;0;2;`.
+    /// shape is `0;`, the key of the third child of its first child `0;0;2;`. It takes time in proportion to the depth.
+    ///
+    /// A key is unique in the tree of one building. It is no lasting name: where chance or attributes decide how many children a rule
+    /// makes, another seed gives a shape another key. Rules cannot read it yet.
     pub fn key(&self) -> String {
         let mut numbers = vec![self.number()];
         let mut shape = *self;

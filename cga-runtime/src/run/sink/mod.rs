@@ -258,6 +258,11 @@ pub trait Sink {
     /// ```
     fn end_building(&mut self, _building: &dyn Fn() -> Building) {}
 
+    /// Returns false if the sink makes nothing of [`Building::tree`], so that the run need not derive it. True by default.
+    fn keeps_tree(&self) -> bool {
+        true
+    }
+
     /// Takes a leaf as a whole shape, with or without faces; `None` if the sink takes its geometry. Operations that go on
     /// with leaves take shapes.
     #[doc(hidden)]
@@ -338,6 +343,10 @@ impl<S: Sink + ?Sized> Sink for &mut S {
 
     fn end_building(&mut self, building: &dyn Fn() -> Building) {
         (**self).end_building(building);
+    }
+
+    fn keeps_tree(&self) -> bool {
+        (**self).keeps_tree()
     }
 
     fn keep(&mut self, shape: &Shape) -> Option<Flow> {
