@@ -24,6 +24,6 @@ pub(super) fn with_names_from_root(mut mesh: Mesh, store: &Store, file: &StoredF
         }
         named
     };
-    mesh.materials = mesh.materials.iter().map(named).collect();
+    mesh.set_materials(mesh.materials().iter().map(named).collect());
     mesh
 }

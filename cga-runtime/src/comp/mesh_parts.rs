@@ -212,7 +212,7 @@ impl MeshParts {
     /// their vertices. If subcomponents are named, their tags are tested instead of the component's own (*comp operation*,
     /// isTagged).
     pub(super) fn tagged(&self, index: usize, of: Option<Subcomponent>, query: &str) -> bool {
-        let (mesh, tags) = (&self.mesh, &self.mesh.subcomponent_tags);
+        let (mesh, tags) = (&self.mesh, self.mesh.subcomponent_tags());
         if mesh.tag_sets().is_empty() && tags.is_empty() {
             return false;
         }
@@ -277,10 +277,10 @@ impl MeshParts {
     /// The frame of a rectangular face that has no attributes but its provenance.
     pub(super) fn rectangle(&self, index: usize) -> Option<(FaceFrame, Provenance)> {
         let mesh = &self.mesh;
-        if self.as_meshes || self.kind != Components::Faces || !mesh.uvs.is_empty() || !mesh.normals.is_empty() {
+        if self.as_meshes || self.kind != Components::Faces || mesh.has_corner_values() {
             return None;
         }
-        if !mesh.subcomponent_tags.is_empty() && self.has_tagged_subcomponents(index) {
+        if !mesh.subcomponent_tags().is_empty() && self.has_tagged_subcomponents(index) {
             return None;
         }
         let provenance = Provenance::of(mesh, mesh.face(index).tag())?;
@@ -289,7 +289,7 @@ impl MeshParts {
 
     /// Returns true if an edge or a vertex of a face has tags.
     fn has_tagged_subcomponents(&self, face: usize) -> bool {
-        let (mesh, tags) = (&self.mesh, &self.mesh.subcomponent_tags);
+        let (mesh, tags) = (&self.mesh, self.mesh.subcomponent_tags());
         mesh.face(face).edges().any(|edge| {
             let ends = edge.each(|corner| mesh.corners()[corner]);
             tags.edge(ends).is_some() || tags.vertex(ends[0]).is_some()
@@ -379,11 +379,11 @@ impl MeshParts {
             };
             let numbers: Vec<u32> = indices.clone().map(point).collect();
             let points = indices.map(|index| self.place(self.kind, index)).collect();
-            return Wire::of_points(points, &self.mesh.subcomponent_tags, &self.mesh.trace, &numbers, normals);
+            return Wire::of_points(points, self.mesh.subcomponent_tags(), self.mesh.trace(), &numbers, normals);
         }
         let point = |corner: u32| self.mesh.corners()[corner as usize];
         let mut edges = indices.map(|index| self.directed(index, as_roof).each(point));
-        Wire::of_edges(self.mesh.points(), &self.mesh.subcomponent_tags, &self.mesh.trace, &mut edges, normals)
+        Wire::of_edges(self.mesh.points(), self.mesh.subcomponent_tags(), self.mesh.trace(), &mut edges, normals)
     }
 
     /// Calls `bond` with the number of each edge of a component with faces, or of each point of another component.

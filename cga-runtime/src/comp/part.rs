@@ -85,9 +85,9 @@ impl ComponentSource {
 /// Moves a mesh that is in the xy plane except for rounding, as a triangle always is, into it: a face has a z size of
 /// zero.
 fn levelled(mut mesh: Mesh) -> Mesh {
-    let size = Bounds::of(mesh.points.iter().copied()).size();
-    if mesh.corners.len() == 3 || size.z <= PLANAR_EPSILON * size.max_element() {
-        mesh.points.iter_mut().for_each(|point| point.z = 0.0);
+    let size = Bounds::of(mesh.points().iter().copied()).size();
+    if mesh.corners().len() == 3 || size.z <= PLANAR_EPSILON * size.max_element() {
+        mesh.change_points(|point| point.z = 0.0);
     }
     mesh
 }

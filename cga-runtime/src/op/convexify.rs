@@ -38,8 +38,8 @@ fn cut(env: &mut Env, shape: &mut Shape, longest: f64) {
     if let Some((mut made, origins)) = made.made
         && env.count_vertices(&made).is_continue()
     {
-        if !mesh.trace.is_empty() {
-            made.trace = env.cut_trace(&mesh.trace, &origins);
+        if !mesh.trace().is_empty() {
+            made.set_trace(env.cut_trace(mesh.trace(), &origins));
         }
         shape.put_mesh(made);
     }

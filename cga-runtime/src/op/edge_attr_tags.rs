@@ -41,7 +41,7 @@ pub fn set_tags_from_edge_attrs(env: &mut Env, shape: &mut Shape) {
     shape.hold_as_points();
     match &shape.geometry {
         Geometry::Mesh(placed) => {
-            let tags = cleared(&placed.mesh.subcomponent_tags, &attributes, tagger);
+            let tags = cleared(placed.mesh.subcomponent_tags(), &attributes, tagger);
             let mesh = Mesh::clone(&placed.mesh).with_subcomponent_tags(tags);
             let placed = Placed { mesh: Arc::new(mesh), inserted: Inserted::No, ..Placed::clone(placed) };
             shape.geometry = Geometry::Mesh(Arc::new(placed));

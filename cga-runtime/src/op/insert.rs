@@ -10,7 +10,7 @@ use super::settle;
 use crate::asset::{AssetError, CUBES, File, MISSING};
 use crate::geometry::Axis;
 use crate::geometry::cleanup::without_short_edges;
-use crate::geometry::mesh::{FaceTag, Mesh, Variant};
+use crate::geometry::mesh::{Mesh, Variant};
 use crate::material::Layer;
 use crate::material::layer;
 use crate::run::env::Env;
@@ -132,8 +132,7 @@ fn mark(env: &mut Env, shape: &mut Shape, mode: InsertMode) {
     let share = DVec3::select(size.cmpgt(DVec3::ZERO), edges / size, DVec3::ONE);
     let origin = (DVec3::ONE - share) * DVec3::new(0.5, 0.0, 0.5);
     let mesh = Cuboid::new(origin, DMat3::from_diagonal(share)).to_mesh();
-    let tags = mesh.tags.mapped(|tag| FaceTag { group: 0, ..tag });
-    let mesh = Mesh { groups: Arc::new([MISSING.to_owned()]), tags, ..mesh };
+    let mesh = mesh.in_group(MISSING);
     if env.count_vertices(&mesh).is_continue() {
         let placed = Placed { low: DVec3::ZERO, size: DVec3::ONE, ..Placed::fitted(mesh) };
         shape.geometry = Geometry::Mesh(Arc::new(placed));

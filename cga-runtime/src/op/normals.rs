@@ -3,7 +3,6 @@
 use glam::DVec3;
 
 use crate::geometry::conform::conform;
-use crate::geometry::mesh::Mesh;
 use crate::op::refused::report_refused;
 use crate::run::env::Env;
 use crate::shape::Shape;
@@ -51,7 +50,7 @@ pub fn soften_normals(env: &mut Env, shape: &mut Shape, angle: f64) {
 fn soften(env: &mut Env, shape: &mut Shape, angle: f64) {
     if angle <= 0.0 {
         if shape.geometry.placed().is_some_and(|placed| !placed.mesh.normals().is_empty()) {
-            shape.change_mesh(|mesh| Mesh { normals: Vec::new(), ..mesh.clone() });
+            shape.change_mesh(|mesh| mesh.without_normals());
         }
         return;
     }

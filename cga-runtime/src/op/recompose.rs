@@ -55,7 +55,7 @@ pub(super) fn recompose(env: &mut Env, shape: &mut Shape, mut leaves: Vec<Shape>
         }
     }
     let (mut mesh, numbers) = weld.finish(&places, &to_scope);
-    mesh.trace = outer.pick(&numbers);
+    mesh.set_trace(outer.pick(&numbers));
     if mesh.is_empty() {
         shape.geometry = Geometry::Empty;
     } else {

@@ -427,7 +427,7 @@ impl Sink for Buffers {
 
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         // A face with holes may have more triangles than vertices, but less than twice the number.
-        let corners = mesh.corners.len();
+        let corners = mesh.corners().len();
         self.full |= u32::MAX as usize - self.triangle_count() < 2 * corners;
         self.room(corners)?;
         if self.full {

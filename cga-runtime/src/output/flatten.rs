@@ -70,7 +70,7 @@ impl PlacedFace<'_> {
     /// The unit normal at a corner, in the world: the normal of the mesh if it has normals.
     #[inline]
     pub(crate) fn normal_at(&self, corner: usize) -> DVec3 {
-        self.mesh.normals.get(corner).map_or(self.normal, |&normal| unit(self.turn * normal))
+        self.mesh.normals().get(corner).map_or(self.normal, |&normal| unit(self.turn * normal))
     }
 
     /// The texture coordinates of all corners in a set.
@@ -81,14 +81,14 @@ impl PlacedFace<'_> {
     /// The number of the visible material on a shape with the material `shape`.
     #[inline]
     pub(crate) fn material(&self, table: &mut SinkTable, shape: u32) -> u32 {
-        table.face_material(shape, &self.mesh.materials, self.mesh.tags[self.index].material)
+        table.face_material(shape, self.mesh.shared_materials(), self.mesh.face(self.index).tag().material)
     }
 }
 
 /// The point of a corner.
 #[inline]
 pub(crate) fn corner_point(mesh: &Mesh, corner: usize) -> DVec3 {
-    mesh.points[mesh.corners[corner] as usize]
+    mesh.points()[mesh.corners()[corner] as usize]
 }
 
 /// A vector of length one; upwards if the vector is zero.

@@ -204,24 +204,24 @@ impl<W: Write> Sink for Obj<W> {
         let (rule, material) = self.numbers.leaf(leaf);
         let turn = normal_map(&placement.matrix3);
         let (points, uvs, normals) = (self.points + 1, self.uvs + 1, self.normals + 1);
-        mesh.points.iter().for_each(|&point| self.point(placement.transform_point3(point)));
+        mesh.points().iter().for_each(|&point| self.point(placement.transform_point3(point)));
         let coordinates = mesh.uv_numbers().next().map_or(&[][..], |set| mesh.uv_set(set));
         for uv in coordinates {
             self.line("vt", &uv.to_array());
         }
-        for &normal in &mesh.normals {
+        for &normal in mesh.normals() {
             self.line("vn", &unit(turn * normal).to_array());
         }
         self.uvs += coordinates.len() as u64;
-        self.normals += mesh.normals.len() as u64;
+        self.normals += mesh.normals().len() as u64;
         let corner = |text: &mut Vec<u8>, corner: usize| {
             text.push(b' ');
-            push_whole(text, points + u64::from(mesh.corners[corner]));
+            push_whole(text, points + u64::from(mesh.corners()[corner]));
             if !coordinates.is_empty() {
                 text.push(b'/');
                 push_whole(text, uvs + corner as u64);
             }
-            if !mesh.normals.is_empty() {
+            if !mesh.normals().is_empty() {
                 text.extend_from_slice(if coordinates.is_empty() { b"//" } else { b"/" });
                 push_whole(text, normals + corner as u64);
             }

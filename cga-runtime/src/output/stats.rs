@@ -209,8 +209,14 @@ impl Sink for Stats {
         });
         self.checksum += sum / 6.0;
         let rule = self.numbers.table.rule(leaf.rule);
-        self.add(rule, triangles, mesh.corners.len() as u64, mesh_area(mesh, placement), mesh_volume(mesh, placement));
-        self.reach(mesh.points.iter().map(|&point| placement.transform_point3(point)));
+        self.add(
+            rule,
+            triangles,
+            mesh.corners().len() as u64,
+            mesh_area(mesh, placement),
+            mesh_volume(mesh, placement),
+        );
+        self.reach(mesh.points().iter().map(|&point| placement.transform_point3(point)));
         ControlFlow::Continue(())
     }
 

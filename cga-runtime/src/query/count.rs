@@ -58,7 +58,7 @@ fn names(
     nameless: Text,
 ) -> Array<Text> {
     let Some(Placed { mesh, .. }) = shape.geometry.placed() else { return Array::default() };
-    let mut used: Vec<u32> = mesh.tags.runs().iter().map(|(_, tag)| id(tag)).collect();
+    let mut used: Vec<u32> = mesh.face_attributes().map(|tag| id(&tag)).collect();
     used.sort_unstable();
     used.dedup();
     used.into_iter().map(|id| name(&mesh, id as usize).unwrap_or_else(|| nameless.clone())).collect()

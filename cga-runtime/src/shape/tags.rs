@@ -16,7 +16,7 @@ impl Shape {
         let (mesh, tags): (Option<&Mesh>, Option<&SubcomponentTags>) = match &self.geometry {
             Geometry::Empty | Geometry::Vertex | Geometry::Edge => (None, None),
             Geometry::Rect(_, unit) | Geometry::Box(unit) => (Some(unit.mesh()), None),
-            Geometry::Mesh(placed) => (Some(&placed.mesh), Some(&placed.mesh.subcomponent_tags)),
+            Geometry::Mesh(placed) => (Some(&placed.mesh), Some(placed.mesh.subcomponent_tags())),
             Geometry::Wire(placed) => (None, Some(&placed.wire.tags)),
         };
         let faces = mesh.filter(|_| components.faces()).into_iter().flat_map(move |mesh| mesh.found_face_tags(query));

@@ -23,7 +23,7 @@ impl Shape {
     /// The points of a mesh or a wire, in its own coordinates.
     pub(crate) fn points(&self) -> Option<&[DVec3]> {
         match &self.geometry {
-            Geometry::Mesh(placed) => Some(&placed.mesh.points),
+            Geometry::Mesh(placed) => Some(placed.mesh.points()),
             Geometry::Wire(placed) => Some(&placed.wire.points),
             _ => None,
         }
@@ -35,7 +35,7 @@ impl Shape {
         match &self.geometry {
             Geometry::Mesh(placed) => {
                 let map = scope.placement() * placed.to_scope(scope.size);
-                placed.mesh.points.iter().map(|point| map.transform_point3(*point)).collect()
+                placed.mesh.points().iter().map(|point| map.transform_point3(*point)).collect()
             }
             Geometry::Wire(placed) => {
                 let frame = scope.frame();
@@ -48,7 +48,7 @@ impl Shape {
     /// The trace of a mesh or a wire.
     pub(crate) fn trace(&self) -> Option<&Trace> {
         match &self.geometry {
-            Geometry::Mesh(placed) => Some(&placed.mesh.trace),
+            Geometry::Mesh(placed) => Some(placed.mesh.trace()),
             Geometry::Wire(placed) => Some(&placed.wire.trace),
             _ => None,
         }
@@ -57,17 +57,18 @@ impl Shape {
     /// Gives the origins of points to a mesh in scope coordinates that an operation has made of the geometry: to the points that
     /// it has kept.
     pub(crate) fn hand_trace_to(&self, made: &mut Mesh) {
-        let Some(trace) = self.trace().filter(|trace| !trace.is_empty() && made.trace.is_empty()) else { return };
-        made.trace = match self.to_wire() {
-            Some(wire) => trace.at_places(&wire.points, &made.points),
-            None => trace.at_places(&self.to_mesh().points, &made.points),
+        let Some(trace) = self.trace().filter(|trace| !trace.is_empty() && made.trace().is_empty()) else { return };
+        let found = match self.to_wire() {
+            Some(wire) => trace.at_places(&wire.points, made.points()),
+            None => trace.at_places(self.to_mesh().points(), made.points()),
         };
+        made.set_trace(found);
     }
 
     /// Changes the trace of a mesh or a wire.
     pub(crate) fn change_trace(&mut self, change: impl FnOnce(&mut Trace)) {
         match &mut self.geometry {
-            Geometry::Mesh(placed) => change(&mut Arc::make_mut(&mut Arc::make_mut(placed).mesh).trace),
+            Geometry::Mesh(placed) => Arc::make_mut(&mut Arc::make_mut(placed).mesh).change_trace(change),
             Geometry::Wire(placed) => change(&mut Arc::make_mut(placed).wire.trace),
             _ => {}
         }

@@ -278,7 +278,7 @@ impl UnitMesh {
         for (here, there) in from.corners().iter().zip(to.corners()) {
             points[*here as usize] = to.points()[*there as usize];
         }
-        let turned = UnitMesh::shared(Mesh { corners: from.corners.clone(), ..to.with_points(points) });
+        let turned = UnitMesh::shared(to.with_corners_at(points, from.corners().to_vec()));
         if self.is_inserted() { turned.as_inserted() } else { turned }
     }
 }

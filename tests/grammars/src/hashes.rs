@@ -4,6 +4,7 @@ use crate::hash::{Hash, buffers};
 use crate::host::Make;
 use crate::random::Random;
 use crate::{start, write};
+use cga::mesh::FaceTag;
 use cga::parallel::run_all;
 use cga::sink::buffers::Buffers;
 use cga::{Error, Grammar, Limits, Model, Report, Settings, Shape};
@@ -92,7 +93,8 @@ fn are_alike(grammar: &(dyn Grammar + Sync), runs: &[(Shape, Run)]) -> bool {
     })
 }
 
-/// The hash of all that leaves have: rules, materials, scopes, and meshes with all digits of their numbers.
+/// The hash of all that leaves have: rules, materials, scopes, and meshes with all digits of their numbers. Sets of tags count by their
+/// names, as their numbers cannot be seen.
 fn leaves(model: &Model) -> u64 {
     let mut hash = Hash::new();
     for leaf in model.leaves() {
@@ -102,9 +104,12 @@ fn leaves(model: &Model) -> u64 {
         text.expect("a hash takes all text");
         for face in mesh.faces() {
             let loops: Vec<&[u32]> = face.loops().collect();
-            write!(hash, "{loops:?} {:?}", face.tag()).expect("a hash takes all text");
+            let tag = face.tag();
+            let tags = mesh.tag_sets().get(tag.tags as usize).map_or(&[][..], |set| set.names());
+            let attributes = FaceTag { tags: FaceTag::NONE, ..tag };
+            write!(hash, "{loops:?} {attributes:?} {tags:?}").expect("a hash takes all text");
         }
-        let names = (mesh.groups(), mesh.materials(), mesh.tag_sets());
+        let names = (mesh.groups(), mesh.materials());
         let sets: Vec<_> = (0..10).map(|set| mesh.uv_set(set)).collect();
         write!(hash, "{names:?} {sets:?}").expect("a hash takes all text");
     }

@@ -10,6 +10,7 @@
 //! [`MeshBuilder`] makes positions unique, and they are never compared again. Faces may be degenerate (without area),
 //! because a closed mesh may need them to be closed.
 
+mod access;
 mod adjacency;
 mod along_uv;
 mod assemble;
@@ -75,30 +76,30 @@ use variants::Variants;
 /// Faces with holes over shared points. Made by [`MeshBuilder`] and immutable afterwards.
 #[derive(Clone, Debug, Default)]
 pub struct Mesh {
-    pub(crate) points: Vec<DVec3>,
+    pub(in crate::geometry) points: Vec<DVec3>,
     /// The point of each corner, loop by loop.
-    pub(crate) corners: Vec<u32>,
+    pub(in crate::geometry) corners: Vec<u32>,
     /// The end of each loop in `corners`.
-    pub(crate) loop_ends: Vec<u32>,
+    pub(in crate::geometry) loop_ends: Vec<u32>,
     /// The end of each face in `loop_ends`.
-    pub(crate) face_ends: FaceEnds,
+    pub(in crate::geometry) face_ends: FaceEnds,
     /// One tag per face.
-    pub(crate) tags: Tags,
-    pub(crate) uvs: UvSets,
+    pub(in crate::geometry) tags: Tags,
+    pub(in crate::geometry) uvs: UvSets,
     /// One normal per corner, or empty.
-    pub(crate) normals: Vec<DVec3>,
+    pub(in crate::geometry) normals: Vec<DVec3>,
     /// The names of groups, indexed by [`FaceTag::group`].
-    pub(crate) groups: Arc<[String]>,
+    pub(in crate::geometry) groups: Arc<[String]>,
     /// The materials, indexed by [`FaceTag::material`].
-    pub(crate) materials: Arc<[Material]>,
+    pub(in crate::geometry) materials: Arc<[Material]>,
     /// The sets of component tags, indexed by [`FaceTag::tags`].
-    pub(crate) tag_sets: Arc<[TagSet]>,
-    pub(crate) subcomponent_tags: SubcomponentTags,
+    pub(in crate::geometry) tag_sets: Arc<[TagSet]>,
+    pub(in crate::geometry) subcomponent_tags: SubcomponentTags,
     /// A direction along which bent faces have no folds ([`bent`]). Zero if all faces count as planar.
-    pub(crate) bent: DVec3,
+    pub(in crate::geometry) bent: DVec3,
     /// The origins of points, in operands.
-    pub(crate) trace: Trace,
-    pub(crate) derived: Derived,
+    pub(in crate::geometry) trace: Trace,
+    pub(in crate::geometry) derived: Derived,
 }
 
 /// The attributes of a face besides its corners.

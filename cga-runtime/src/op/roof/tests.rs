@@ -166,10 +166,10 @@ fn texture_coordinates_go() {
     use crate::geometry::Axis;
     use crate::geometry::mesh::primitive::PrimitiveKind;
     let quad = PrimitiveKind::Square { across: Axis::Y }.mesh();
-    assert!(!quad.uvs.is_empty());
+    assert!(!quad.uvs().is_empty());
     for op in ALL {
         let (roof, _) = run(&Shape::mesh_axis_aligned(quad.clone()), op);
-        assert!(roof.to_mesh().uvs.is_empty() && roof.to_mesh().normals.is_empty());
+        assert!(roof.to_mesh().uvs().is_empty() && roof.to_mesh().normals().is_empty());
     }
 }
 

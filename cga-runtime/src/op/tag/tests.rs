@@ -127,7 +127,7 @@ fn tags_that_a_query_matches_are_deleted() {
         }
         let mut shape = shape;
         delete_tags(&mut Env::for_tests(), &mut shape);
-        assert!(!geometry_has_tags(&shape) && shape.to_mesh().subcomponent_tags.is_empty());
+        assert!(!geometry_has_tags(&shape) && shape.to_mesh().subcomponent_tags().is_empty());
     }
 }
 

@@ -213,7 +213,7 @@ impl<R: ChunkResult, F: FnMut(&Buffers) -> R> Sink for Chunks<F, R> {
     }
 
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
-        match mesh.corners.len() {
+        match mesh.corners().len() {
             // Its material would stay in the table, and a chunk of such meshes would never end.
             0 => Flow::Continue(()),
             count if count <= self.capacity => {

@@ -424,7 +424,7 @@ impl Sink for Glb {
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
         self.add_mesh(self.owner(rule), material, mesh, placement);
-        self.add(mesh.corners.len(), 3 * mesh.corners.len(), mesh.uv_numbers().count())
+        self.add(mesh.corners().len(), 3 * mesh.corners().len(), mesh.uv_numbers().count())
     }
 
     fn placement(&mut self, leaf: &Leaf<'_>) -> Flow {

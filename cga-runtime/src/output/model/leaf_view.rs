@@ -145,7 +145,7 @@ impl<'a> LeafView<'a> {
             Geometry::Quad(quad) => Bounds::of(quad.corners()),
             Geometry::Cuboid(cuboid) => Bounds::of(cuboid.corners()),
             Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => {
-                Bounds::of(mesh.points.iter().map(|&point| placement.transform_point3(point)))
+                Bounds::of(mesh.points().iter().map(|&point| placement.transform_point3(point)))
             }
         }
     }

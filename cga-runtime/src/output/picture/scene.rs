@@ -211,7 +211,7 @@ impl Sink for Scene {
             corners.extend(face.corners.clone().map(|corner| face.point(corner) - self.centre));
             let uv = |set, corner: usize| face.uvs(set)[corner];
             let is_whole = self.face(&corners, face.triangles, face.normal, paint, sets, uv);
-            if is_whole && !mesh.normals.is_empty() {
+            if is_whole && !mesh.normals().is_empty() {
                 let first = self.triangles.len() - face.triangles.len();
                 for (triangle, corners) in self.triangles[first..].iter_mut().zip(face.triangles) {
                     triangle.smooth = self.smooth.len() as u32;

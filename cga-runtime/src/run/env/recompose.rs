@@ -158,9 +158,9 @@ impl Env {
 
     /// The part of a mesh that was cut, with its trace.
     pub(crate) fn with_cut_trace(&mut self, whole: &Mesh, part: &mut Arc<Mesh>, points: &[PointOrigin]) {
-        if part.trace.is_empty() && points.len() == part.points.len() {
-            let trace = self.cut_trace(&whole.trace, points);
-            Arc::make_mut(part).trace = trace;
+        if part.trace().is_empty() && points.len() == part.points().len() {
+            let trace = self.cut_trace(whole.trace(), points);
+            Arc::make_mut(part).set_trace(trace);
         }
     }
 }

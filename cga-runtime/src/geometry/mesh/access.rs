@@ -1,0 +1,77 @@
+//! The parts of a mesh, for code outside of geometry.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{FaceTag, Mesh, SubcomponentTags};
+use crate::geometry::trace::Trace;
+use crate::material::Material;
+
+impl Mesh {
+    /// The tags of edges and vertices.
+    #[inline]
+    pub(crate) fn subcomponent_tags(&self) -> &SubcomponentTags {
+        &self.subcomponent_tags
+    }
+
+    /// The origins of points, in operands.
+    #[inline]
+    pub(crate) fn trace(&self) -> &Trace {
+        &self.trace
+    }
+
+    /// Sets the origins of points.
+    pub(crate) fn set_trace(&mut self, trace: Trace) {
+        self.trace = trace;
+    }
+
+    /// Changes the origins of points.
+    pub(crate) fn change_trace(&mut self, change: impl FnOnce(&mut Trace)) {
+        change(&mut self.trace);
+    }
+
+    /// Returns true if corners have texture coordinates or normals.
+    #[inline]
+    pub(crate) fn has_corner_values(&self) -> bool {
+        !self.uvs.is_empty() || !self.normals.is_empty()
+    }
+
+    /// The mesh without normals at its corners.
+    pub(crate) fn without_normals(&self) -> Mesh {
+        Mesh { normals: Vec::new(), ..self.clone() }
+    }
+
+    /// The attributes of faces, once for each run of faces with the same ones.
+    pub(crate) fn face_attributes(&self) -> impl Iterator<Item = FaceTag> + '_ {
+        self.tags.runs().iter().map(|(_, tag)| *tag)
+    }
+
+    /// The mesh with all faces in one group.
+    pub(crate) fn in_group(self, name: &str) -> Mesh {
+        let tags = self.tags.mapped(|tag| FaceTag { group: 0, ..tag });
+        Mesh { groups: Arc::new([name.to_owned()]), tags, ..self }
+    }
+
+    /// The materials as a list that others may keep.
+    #[inline]
+    pub(crate) fn shared_materials(&self) -> &Arc<[Material]> {
+        &self.materials
+    }
+
+    /// Sets the materials, which faces have by number.
+    pub(crate) fn set_materials(&mut self, materials: Arc<[Material]>) {
+        self.materials = materials;
+    }
+
+    /// Changes the points.
+    pub(crate) fn change_points(&mut self, change: impl FnMut(&mut DVec3)) {
+        self.derived = self.derived.of_moved();
+        self.points.iter_mut().for_each(change);
+    }
+
+    /// The mesh with other points, and with corners at other ones of them.
+    pub(crate) fn with_corners_at(&self, points: Vec<DVec3>, corners: Vec<u32>) -> Mesh {
+        Mesh { corners, ..self.with_points(points) }.checked()
+    }
+}
