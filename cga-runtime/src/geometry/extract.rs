@@ -63,7 +63,7 @@ pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
     let faces = faces.iter().map(|&index| index as usize).filter(|&index| index < mesh.face_count());
     let corners = faces.clone().map(|index| mesh.face_corners(index).len()).sum();
     let mut numbers = PointNumbers::new(corners, mesh.points().len());
-    let mut part = Derivation::new(mesh, CornerValues::All, corners);
+    let mut part = Derivation::new(mesh, CornerValues::All, corners).by_corners();
     for face in faces.map(|index| mesh.face(index)) {
         for ring in face.loop_ranges() {
             for corner in ring {

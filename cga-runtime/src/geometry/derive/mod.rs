@@ -20,7 +20,7 @@ mod values;
 
 use glam::DVec3;
 
-use crate::geometry::mesh::{FaceRef, Mesh, TagSet};
+use crate::geometry::mesh::{FaceRef, FaceTag, Mesh, TagSet};
 pub(crate) use crate::geometry::origin::PointOrigin;
 use edges::EdgeOrigins;
 use faces::FaceTags;
@@ -45,12 +45,19 @@ pub(crate) struct Derivation<'s> {
     made: Mesh,
     has_normals: bool,
     has_trace: bool,
+    /// True if the origins of points are kept.
+    has_origins: bool,
     /// The origin of each point.
     origins: Vec<PointOrigin>,
-    face_tags: FaceTags<'s>,
-    edge_origins: EdgeOrigins,
-    /// The face of the source that the last face came from.
-    old: OldFace<'s>,
+    /// Made when the first face or edge needs them: most extracts of single faces never do.
+    tags: Option<Box<DerivedTags<'s>>>,
+    old: Option<Box<OldFace<'s>>>,
+}
+
+/// The tags of a mesh under construction.
+struct DerivedTags<'s> {
+    faces: FaceTags<'s>,
+    edges: EdgeOrigins,
 }
 
 impl<'s> Derivation<'s> {
@@ -65,11 +72,23 @@ impl<'s> Derivation<'s> {
             made,
             has_normals: values == CornerValues::All && !source.normals().is_empty(),
             has_trace: true,
+            has_origins: true,
             origins: Vec::new(),
-            face_tags: FaceTags::new(source),
-            edge_origins: EdgeOrigins::default(),
-            old: OldFace::new(source),
+            tags: None,
+            old: None,
         }
+    }
+
+    /// The same for an operation that gives all faces by their corners ([`Derivation::corner`], [`Derivation::keep`]): origins of points
+    /// are kept only for tags and traces.
+    pub(crate) fn by_corners(self) -> Self {
+        Derivation { has_origins: self.source.needs_origins(), ..self }
+    }
+
+    fn tags(&mut self) -> &mut DerivedTags<'s> {
+        let source = self.source;
+        let new = || Box::new(DerivedTags { faces: FaceTags::new(source), edges: EdgeOrigins::default() });
+        self.tags.get_or_insert_with(new)
     }
 
     /// The same without the trace of points: recomposition does not connect the parts again (*Shape recomposition*).
@@ -84,12 +103,15 @@ impl<'s> Derivation<'s> {
 
     /// The number of points.
     pub(crate) fn point_count(&self) -> usize {
-        self.origins.len()
+        self.made.points.len()
     }
 
     /// Adds a point and returns its number.
+    #[inline]
     pub(crate) fn point(&mut self, at: DVec3, origin: PointOrigin) -> u32 {
-        self.origins.push(origin);
+        if self.has_origins {
+            self.origins.push(origin);
+        }
         self.made.add_point(at)
     }
 
@@ -114,9 +136,11 @@ impl<'s> Derivation<'s> {
 
     /// Adds the values of the corners of a loop.
     fn add_values(&mut self, ring: &[u32], origin: &FaceOrigin) {
-        self.old.enter(origin.face);
+        let source = self.source;
+        let old = self.old.get_or_insert_with(|| Box::new(OldFace::new(source)));
+        old.enter(origin.face);
         for place in 0..ring.len() {
-            let mix = self.old.mix_at(ring, place, &self.origins, &self.made.points, origin);
+            let mix = old.mix_at(ring, place, &self.origins, &self.made.points, origin);
             self.made.add_mixed(self.source, &mix, self.has_normals, origin.is_turned());
         }
     }
@@ -153,9 +177,12 @@ impl<'s> Derivation<'s> {
 
     /// Adds a corner at a point, with a mix of values of corners of the source. With `is_turned` the face looks in the opposite
     /// direction of the old one.
+    #[inline]
     pub(crate) fn corner(&mut self, point: u32, mix: &Mix<'_>, is_turned: bool) {
         self.made.corners.push(point);
-        self.made.add_mixed(self.source, mix, self.has_normals, is_turned);
+        if self.has_values() {
+            self.made.add_mixed(self.source, mix, self.has_normals, is_turned);
+        }
     }
 
     /// Ends a loop with the last corner.
@@ -164,18 +191,21 @@ impl<'s> Derivation<'s> {
     }
 
     /// Ends a face with the last loop.
+    #[inline]
     pub(crate) fn end_face(&mut self, origin: FaceOrigin) {
-        let tag = self.face_tags.of(&origin);
+        let own = self.source.tags[origin.face as usize];
+        let tag = if origin.is_piece() && own.tags == FaceTag::NONE { own } else { self.tags().faces.of(&origin) };
         self.made.end_face(tag);
     }
 
     /// Ends a face with the last loop. Its tags do not follow from its origin.
     pub(crate) fn end_tagged_face(&mut self, origin: FaceOrigin, tags: &TagSet) {
-        let tag = self.face_tags.with(&origin, tags);
+        let tag = self.tags().faces.with(&origin, tags);
         self.made.end_face(tag);
     }
 
     /// Returns true if corners have values, so that their mixes matter.
+    #[inline]
     pub(crate) fn has_values(&self) -> bool {
         self.has_normals || !self.made.uvs.is_empty()
     }
@@ -192,30 +222,39 @@ impl<'s> Derivation<'s> {
     /// Gives the origin of an edge, in place of the origin that follows from its points.
     pub(crate) fn edge(&mut self, ends: [u32; 2], origin: EdgeOrigin) {
         if origin.tag.is_some() || self.has_component_tags() {
-            self.edge_origins.add(ends, origin);
+            self.tags().edges.add(ends, origin);
         }
     }
 
     /// Gives an edge more tags than follow from its points.
     pub(crate) fn tag_edge(&mut self, ends: [u32; 2], tags: &TagSet) {
-        self.edge_origins.tag_edge(ends, tags);
+        self.tags().edges.tag_edge(ends, tags);
     }
 
     /// Gives a vertex more tags than follow from its point.
     pub(crate) fn tag_vertex(&mut self, point: u32, tags: &TagSet) {
-        self.edge_origins.tag_vertex(point, tags);
+        self.tags().edges.tag_vertex(point, tags);
     }
 
     /// The mesh.
     pub(crate) fn finish(mut self) -> Mesh {
-        if let Some(sets) = self.face_tags.finish() {
-            self.made.tag_sets = sets;
-        }
-        if self.has_trace {
+        if self.has_trace && !self.source.trace.is_empty() {
             self.made.trace = self.source.trace.pick(&mut self.origins.iter().map(|origin| origin.old()));
         }
-        self.made.subcomponent_tags = self.edge_origins.tags(self.source, &self.made, &self.origins);
-        self.made.checked()
+        if self.tags.is_some() || self.has_component_tags() {
+            self.finish_tags();
+        }
+        self.made.check_structure();
+        self.made
+    }
+
+    fn finish_tags(&mut self) {
+        self.tags();
+        let Some(DerivedTags { mut faces, edges }) = self.tags.take().map(|tags| *tags) else { return };
+        if let Some(sets) = faces.finish() {
+            self.made.tag_sets = sets;
+        }
+        self.made.subcomponent_tags = edges.tags(self.source, &self.made, &self.origins);
     }
 
     /// The mesh with the points that faces use, in their order.
@@ -239,8 +278,12 @@ impl<'s> Derivation<'s> {
 
     /// The same after points got other numbers. `before` are their old ones.
     fn renumbered(mut self, before: &[u32]) -> Self {
-        self.origins = before.iter().map(|point| self.origins[*point as usize]).collect();
-        self.edge_origins.renumber(before);
+        if self.has_origins {
+            self.origins = before.iter().map(|point| self.origins[*point as usize]).collect();
+        }
+        if let Some(tags) = &mut self.tags {
+            tags.edges.renumber(before);
+        }
         self
     }
 }

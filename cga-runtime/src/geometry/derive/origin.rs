@@ -26,6 +26,7 @@ pub(crate) struct FaceOrigin {
 
 impl FaceOrigin {
     /// The old face itself, or a piece of it.
+    #[inline]
     pub(crate) fn piece(face: &FaceRef<'_>) -> Self {
         FaceOrigin { face: face.index() as u32, role: Role::Piece, is_turned: false }
     }
@@ -58,6 +59,12 @@ impl FaceOrigin {
     /// Returns true for a face that looks in the opposite direction of the old one.
     pub(super) fn is_turned(&self) -> bool {
         self.is_turned
+    }
+
+    /// Returns true for the old face itself, or a piece of it.
+    #[inline]
+    pub(super) fn is_piece(&self) -> bool {
+        self.role == Role::Piece
     }
 
     /// Returns true for a face in a hole.

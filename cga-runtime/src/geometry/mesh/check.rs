@@ -97,10 +97,16 @@ impl Mesh {
         flaws
     }
 
-    /// The same mesh. In debug builds it panics if the structure of the mesh is wrong, whatever its points are.
+    /// In debug builds, panics if the structure of the mesh is wrong, whatever its points are.
+    #[inline]
+    pub(crate) fn check_structure(&self) {
+        debug_assert_eq!(self.structural_flaws(), []);
+    }
+
+    /// The same mesh, whose structure is checked in debug builds.
     #[inline]
     pub(crate) fn checked(self) -> Mesh {
-        debug_assert_eq!(self.structural_flaws(), []);
+        self.check_structure();
         self
     }
 
