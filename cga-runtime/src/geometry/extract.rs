@@ -89,7 +89,7 @@ pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
 mod tests {
     use super::*;
     use crate::geometry::face_frame::face_frame;
-    use crate::geometry::mesh::primitive::{cube, cylinder};
+    use crate::geometry::primitive::{cube, cylinder};
 
     #[test]
     fn one_face_in_its_own_frame_lies_flat() {

@@ -10,10 +10,11 @@
 
 use glam::DVec3;
 
+use crate::geometry::average_normal::AverageNormal;
 use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::mesh::pair_table::PairTable;
-use crate::geometry::mesh::{AverageNormal, Bounds, FaceRef, Mesh, flip};
+use crate::geometry::mesh::{Bounds, FaceRef, Mesh, flip};
 use crate::geometry::provenance::Extruded;
 use crate::geometry::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
 
@@ -268,7 +269,7 @@ mod tests {
 
     #[test]
     fn neighbours_at_an_angle_are_bodies_of_their_own() {
-        let cube = crate::geometry::mesh::primitive::cube();
+        let cube = crate::geometry::primitive::cube();
         let body = extrude(&cube, Extrude::FaceNormal, 0.5);
         assert_eq!(body.face_count(), 36);
         assert!(body.is_closed());
@@ -306,7 +307,7 @@ mod tests {
 
     #[test]
     fn vertex_normals_do_not_depend_on_how_planes_are_divided() {
-        let cube = crate::geometry::mesh::primitive::cube();
+        let cube = crate::geometry::primitive::cube();
         let mut b = MeshBuilder::new();
         let p: Vec<u32> = cube.points().iter().map(|p| b.point(*p)).collect();
         for face in cube.faces() {

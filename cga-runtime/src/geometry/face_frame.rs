@@ -110,7 +110,7 @@ fn is_rectangle(face: &FaceRef<'_>, frame: &Frame, size: DVec2) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::mesh::primitive::cube;
+    use crate::geometry::primitive::cube;
 
     #[test]
     fn a_wall_has_x_along_its_first_edge_and_z_outwards() {

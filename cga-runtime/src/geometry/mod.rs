@@ -1,5 +1,7 @@
 //! Geometry: meshes and operations on them. This module does not know shapes, rules or sinks.
 
+pub mod along_uv;
+mod average_normal;
 pub(crate) mod boolean;
 pub(crate) mod buckets;
 pub(crate) mod cleanup;
@@ -14,6 +16,7 @@ pub mod extract;
 pub mod extrude;
 pub(crate) mod extrude_wire;
 pub(crate) mod face_frame;
+pub(crate) mod footprint;
 pub(crate) mod frame;
 pub(crate) mod holes;
 pub(crate) mod hull;
@@ -24,6 +27,7 @@ mod nesting;
 pub mod offset;
 pub(crate) mod origin;
 pub(crate) mod overlay;
+pub mod primitive;
 pub(crate) mod provenance;
 #[cfg(test)]
 pub(crate) mod random;
@@ -36,6 +40,7 @@ pub(crate) mod sampled_outline;
 pub(crate) mod scatter;
 pub(crate) mod segment;
 pub(crate) mod skeleton;
+pub(crate) mod soften;
 mod status;
 pub mod tol;
 pub(crate) mod trace;

@@ -270,7 +270,7 @@ mod tests {
 
     #[test]
     fn a_closed_shape_is_seen_from_above() {
-        let cube = crate::geometry::mesh::primitive::cube();
+        let cube = crate::geometry::primitive::cube();
         let cube = SampledOutline::of(&cube, |p| p).unwrap();
         assert!(cube.edge([DVec3::splat(0.5)].into_iter(), DVec3::X).is_some());
         assert!(SampledOutline::of(&Mesh::default(), |p| p).is_none());

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use super::insert::asset;
 use crate::asset::{CUBES, File};
 use crate::fault::FaultKind;
-use crate::geometry::mesh::{AlongUv, HeightAlignment, HeightDirection, insert_along_uv as bend, primitive};
+use crate::geometry::along_uv::{AlongUv, HeightAlignment, HeightDirection, insert_along_uv as bend};
+use crate::geometry::primitive;
 use crate::run::env::Env;
 use crate::shape::Shape;
 

@@ -193,7 +193,7 @@ mod tests {
         let env = &mut Env::for_tests();
         let parts = [[0.0, 0.0, 2.0, 4.0], [2.0, 0.0, 2.0, 2.0], [2.0, 2.0, 2.0, 2.0]].map(|[x, y, width, height]| {
             let at = |p: DVec3| DVec3::new(x + width * p.x, y + height * p.y, 4.0 * p.z);
-            let cube = crate::geometry::mesh::primitive::cube();
+            let cube = crate::geometry::primitive::cube();
             cube.with_points(cube.points().iter().copied().map(at).collect())
         });
         let whole = Shape::mesh_axis_aligned(crate::geometry::mesh::join::join(parts.iter()));

@@ -1,7 +1,7 @@
 //! `footprint`: the outline of the geometry as seen from above.
 
 use crate::fault::FaultKind;
-use crate::geometry::mesh::footprint as footprint_of;
+use crate::geometry::footprint::footprint as footprint_of;
 use crate::geometry::overlay::OverlayError;
 use crate::run::env::Env;
 use crate::shape::Shape;

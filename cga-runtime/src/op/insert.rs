@@ -168,7 +168,7 @@ mod tests {
     use super::*;
     use crate::asset::Assets;
     use crate::geometry::extrude::{Extrude, extrude};
-    use crate::geometry::mesh::primitive::cone;
+    use crate::geometry::primitive::cone;
     use crate::run::settings::Settings;
     use crate::shape::Inserted;
     use crate::shape::Shape;

@@ -56,7 +56,8 @@ mod transform;
 mod trim;
 
 pub use crate::comp::{Align, Components};
-pub use crate::geometry::mesh::{HeightAlignment, HeightDirection, TaggedComponents};
+pub use crate::geometry::along_uv::{HeightAlignment, HeightDirection};
+pub use crate::geometry::mesh::TaggedComponents;
 pub use crate::geometry::offset::OffsetFaces;
 pub use align::{AlignAxes, align_to_axes, rotate_scope};
 pub use align_box::{BoxAxes, align_to_box};

@@ -82,7 +82,8 @@ fn turn(env: &mut Env, shape: &mut Shape) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::mesh::{Mesh, primitive};
+    use crate::geometry::mesh::Mesh;
+    use crate::geometry::primitive;
     use crate::op::{self, Length};
     use crate::shape::Geometry;
 

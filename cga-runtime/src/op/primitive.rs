@@ -11,7 +11,7 @@ use super::fit::{centre, face_outwards, fit, put};
 use super::settle;
 use crate::fault::FaultKind;
 use crate::geometry::Axis;
-use crate::geometry::mesh::primitive::PrimitiveKind;
+use crate::geometry::primitive::PrimitiveKind;
 use crate::run::env::Env;
 use crate::shape::texture::UvSource;
 use crate::shape::unit::UnitMesh;

@@ -30,7 +30,7 @@ pub fn reduce_geometry(env: &mut Env, shape: &mut Shape, tolerance: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::mesh::primitive;
+    use crate::geometry::primitive;
     use crate::op;
 
     #[test]

@@ -228,8 +228,7 @@ mod tests {
     #[test]
     fn planes_bisect_whatever_the_turn() {
         let turn = DMat3::from_quat(glam::DQuat::from_axis_angle(DVec3::new(1.0, 1.0, 0.2).normalize(), 0.9));
-        let cube =
-            crate::geometry::mesh::primitive::cylinder(9).map(&DAffine3 { matrix3: turn, translation: DVec3::ONE });
+        let cube = crate::geometry::primitive::cylinder(9).map(&DAffine3 { matrix3: turn, translation: DVec3::ONE });
         on_faces(&Shape::mesh_axis_aligned(cube.clone()), |_, part| {
             let planes = part.trims.planes(&part.pivot);
             assert!(!planes.is_empty());

@@ -14,7 +14,8 @@ use glam::{DAffine3, DMat3, DVec3};
 use crate::geometry::Axis;
 use crate::geometry::cut;
 use crate::geometry::extrude::{Extrude, extrude};
-use crate::geometry::mesh::{Mesh, TaggedComponents, primitive, solid};
+use crate::geometry::mesh::{Mesh, TaggedComponents, solid};
+use crate::geometry::primitive;
 use crate::geometry::provenance::Provenance;
 use crate::value::each::Each;
 

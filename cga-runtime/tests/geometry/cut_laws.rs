@@ -6,7 +6,8 @@ use crate::cut_support::*;
 use cga_runtime::geometry::Axis;
 use cga_runtime::geometry::cut::slabs;
 use cga_runtime::geometry::extrude::{Extrude, extrude};
-use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder, primitive};
+use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
+use cga_runtime::geometry::primitive;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 /// One mesh of each kind.

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use crate::cut_support::{Rng, cells, check_triangles, closed_by_position, moved, prism, ring, square, torus, turned};
 use cga_runtime::geometry::Axis;
 use cga_runtime::geometry::cut::{Plane, Slabs, halves, slabs};
-use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder, primitive};
+use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
+use cga_runtime::geometry::primitive;
 use glam::DVec3;
 
 fn solids() -> Vec<(&'static str, Arc<Mesh>)> {

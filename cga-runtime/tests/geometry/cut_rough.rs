@@ -5,7 +5,8 @@ use std::sync::Arc;
 use crate::cut_support::{AXES, Rng, closed_by_position, even, own, prism, ring, square, turned};
 use cga_runtime::geometry::Axis;
 use cga_runtime::geometry::cut::{Plane, Slabs, halves, slabs};
-use cga_runtime::geometry::mesh::{FaceTag, Flaw, Mesh, MeshBuilder, primitive};
+use cga_runtime::geometry::mesh::{FaceTag, Flaw, Mesh, MeshBuilder};
+use cga_runtime::geometry::primitive;
 use cga_runtime::glam::{DAffine3, DQuat, DVec2, DVec3, EulerRot};
 
 /// The mesh with other points. Each corner has its point as texture coordinates and normal, each face has a group.

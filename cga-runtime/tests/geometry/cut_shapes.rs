@@ -7,7 +7,8 @@ use crate::cut_support::section::section;
 use crate::cut_support::*;
 use cga_runtime::geometry::Axis;
 use cga_runtime::geometry::cut::slabs;
-use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder, primitive};
+use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
+use cga_runtime::geometry::primitive;
 use glam::{DAffine3, DMat3, DVec3};
 
 fn equal(low: f64, high: f64, pieces: usize) -> Vec<f64> {

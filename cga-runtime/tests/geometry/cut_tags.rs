@@ -6,7 +6,8 @@ use std::sync::Arc;
 use crate::cut_support::*;
 use cga_runtime::geometry::Axis;
 use cga_runtime::geometry::cut::{Plane, halves, iso_bands, slabs};
-use cga_runtime::geometry::mesh::{Mesh, TagSet, UvAxis, primitive};
+use cga_runtime::geometry::mesh::{Mesh, TagSet, UvAxis};
+use cga_runtime::geometry::primitive;
 use glam::{DVec2, DVec3};
 
 fn zoo() -> Vec<(&'static str, Mesh)> {

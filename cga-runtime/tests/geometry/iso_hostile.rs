@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use crate::cut_support::Rng;
 use crate::iso_support::number;
+use cga_runtime::geometry::along_uv::{AlongUv, HeightAlignment, HeightDirection, insert_along_uv};
 use cga_runtime::geometry::cut::iso_bands;
-use cga_runtime::geometry::mesh::{
-    AlongUv, FaceTag, HeightAlignment, HeightDirection, MeshBuilder, UvAxis, insert_along_uv, primitive,
-};
+use cga_runtime::geometry::mesh::{FaceTag, MeshBuilder, UvAxis};
+use cga_runtime::geometry::primitive;
 use glam::{DVec2, DVec3};
 
 #[test]

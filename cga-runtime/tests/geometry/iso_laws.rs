@@ -7,7 +7,8 @@ use crate::cut_support::*;
 use crate::iso_support::*;
 use cga_runtime::geometry::cut::iso_bands;
 use cga_runtime::geometry::extrude::{Extrude, extrude};
-use cga_runtime::geometry::mesh::{Flaw, Mesh, UvAxis, primitive};
+use cga_runtime::geometry::mesh::{Flaw, Mesh, UvAxis};
+use cga_runtime::geometry::primitive;
 use glam::{DVec2, DVec3};
 
 const MOST: usize = 1 << 24;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use cga::{Assets, Model, Settings, Shape, cga};
-use cga_runtime::geometry::mesh::primitive;
+use cga_runtime::geometry::primitive;
 
 use crate::collect::Leaves;
 

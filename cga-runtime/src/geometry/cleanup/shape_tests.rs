@@ -5,7 +5,8 @@ use glam::{DAffine3, DVec3};
 use super::*;
 use crate::geometry::boolean::{BooleanOp, combine};
 use crate::geometry::convexify::convexify;
-use crate::geometry::mesh::{FaceTag, MeshBuilder, SubcomponentTagsBuilder, TagSet, primitive};
+use crate::geometry::mesh::{FaceTag, MeshBuilder, SubcomponentTagsBuilder, TagSet};
+use crate::geometry::primitive;
 use crate::value::text::Text;
 
 const ALL: Parts = Parts { vertices: true, edges: true, faces: true };

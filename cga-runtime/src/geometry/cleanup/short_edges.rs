@@ -56,8 +56,8 @@ mod tests {
     use glam::{DAffine3, DVec3};
 
     use super::*;
-    use crate::geometry::mesh::primitive::{cylinder, sphere};
     use crate::geometry::mesh::{FaceTag, Flaw, MeshBuilder};
+    use crate::geometry::primitive::{cylinder, sphere};
 
     #[test]
     fn a_row_of_short_edges_leaves_corners_that_far_apart() {

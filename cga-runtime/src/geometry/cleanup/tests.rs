@@ -2,7 +2,8 @@ use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 
 use super::*;
 use crate::geometry::extrude::{Extrude, extrude};
-use crate::geometry::mesh::{FaceTag, MeshBuilder, SubcomponentTagsBuilder, TagSet, primitive};
+use crate::geometry::mesh::{FaceTag, MeshBuilder, SubcomponentTagsBuilder, TagSet};
+use crate::geometry::primitive;
 use crate::geometry::random::Rng;
 use crate::geometry::triangulate::Triangulator;
 use crate::value::text::Text;

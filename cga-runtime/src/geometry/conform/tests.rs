@@ -1,5 +1,6 @@
 use super::*;
-use crate::geometry::mesh::{FaceTag, MeshBuilder, primitive};
+use crate::geometry::mesh::{FaceTag, MeshBuilder};
+use crate::geometry::primitive;
 use crate::geometry::random::Rng;
 
 /// The meshes one after the other, with some faces turned.

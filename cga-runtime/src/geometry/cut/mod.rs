@@ -84,7 +84,7 @@ pub struct OpenChain {
 ///
 /// ```
 /// use std::sync::Arc;
-/// use cga_runtime::geometry::{Axis, cut, mesh::primitive};
+/// use cga_runtime::geometry::{Axis, cut, primitive};
 ///
 /// let cube = Arc::new(primitive::cube());
 /// let slabs = cut::slabs(&cube, Axis::X, &[0.25, 2.0]);

@@ -36,7 +36,7 @@ pub struct Plane {
 ///
 /// ```
 /// use std::sync::Arc;
-/// use cga_runtime::geometry::{cut, mesh::primitive};
+/// use cga_runtime::geometry::{cut, primitive};
 /// use cga_runtime::glam::DVec3;
 ///
 /// // A cube of 1, cut across a corner.

@@ -131,7 +131,8 @@ fn number_edges(mesh: &Mesh, next: &[u32]) -> Vec<u32> {
 
 #[cfg(test)]
 mod tests {
-    use crate::geometry::mesh::{Mesh, MeshBuilder, primitive};
+    use crate::geometry::mesh::{Mesh, MeshBuilder};
+    use crate::geometry::primitive;
 
     #[test]
     fn edges_are_numbered_by_their_first_corner() {

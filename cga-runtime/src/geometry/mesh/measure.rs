@@ -19,7 +19,7 @@ impl Mesh {
         *self.derived.closed.get_or_init(|| self.count_closed())
     }
 
-    pub(super) fn count_closed(&self) -> bool {
+    pub(crate) fn count_closed(&self) -> bool {
         if self.is_empty() {
             return false;
         }

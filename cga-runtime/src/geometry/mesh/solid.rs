@@ -15,7 +15,7 @@ pub(crate) fn cuboid() -> Mesh {
 }
 
 /// A closed box with the given faces.
-pub(super) fn unit_box(points: [DVec3; 8], faces: [[u32; 4]; 6]) -> Mesh {
+pub(crate) fn unit_box(points: [DVec3; 8], faces: [[u32; 4]; 6]) -> Mesh {
     let mut mesh = Mesh { points: points.to_vec(), ..Mesh::default() };
     for face in faces {
         mesh.corners.extend(face);

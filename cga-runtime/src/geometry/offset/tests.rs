@@ -1,8 +1,8 @@
 use glam::{DMat3, DVec3};
 
 use super::{offset as offset_or_refuse, *};
-use crate::geometry::mesh::primitive::cube;
 use crate::geometry::mesh::{FaceTag, MeshBuilder, TagSet};
+use crate::geometry::primitive::cube;
 use crate::value::text::Text;
 
 /// Roughly the outline of the reference's pictures: wide, with a notch from above.

@@ -4,7 +4,8 @@ use std::rc::Rc;
 use glam::{DAffine3, DVec2, DVec3};
 
 use super::*;
-use crate::geometry::mesh::{FaceTag, MeshBuilder, primitive};
+use crate::geometry::mesh::{FaceTag, MeshBuilder};
+use crate::geometry::primitive;
 use crate::geometry::random::Rng;
 use crate::geometry::work::{Supervisor, UNITS_A_QUESTION};
 

@@ -1,8 +1,8 @@
 use glam::DVec3;
 
 use super::{Bell, Domain, ScatteredPoint};
-use crate::geometry::mesh::primitive::{PrimitiveKind, cube};
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
+use crate::geometry::primitive::{PrimitiveKind, cube};
 use crate::shape::seed::Seed;
 
 fn draw(domain: Domain) -> Vec<ScatteredPoint> {

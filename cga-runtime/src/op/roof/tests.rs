@@ -164,7 +164,7 @@ fn a_roof_whose_overhang_leads_too_far_has_none() {
 #[test]
 fn texture_coordinates_go() {
     use crate::geometry::Axis;
-    use crate::geometry::mesh::primitive::PrimitiveKind;
+    use crate::geometry::primitive::PrimitiveKind;
     let quad = PrimitiveKind::Square { across: Axis::Y }.mesh();
     assert!(!quad.uvs().is_empty());
     for op in ALL {
@@ -242,7 +242,7 @@ fn even_roofs_add_up() {
 
     use crate::geometry::boolean::{BooleanOp, combine};
     use crate::geometry::cut::slabs;
-    use crate::geometry::mesh::primitive::cube;
+    use crate::geometry::primitive::cube;
     use crate::geometry::{Axis, mesh::Bounds};
     use crate::op::set_back::tests::{lots, polygon, random};
     use crate::op::setback::tests::random_lot;

@@ -2,8 +2,8 @@ use glam::{DMat3, DVec3};
 
 use super::*;
 use crate::comp::{Arm, Mode, Select, never};
-use crate::geometry::mesh::primitive::cube;
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
+use crate::geometry::primitive::cube;
 use crate::shape::Shape;
 
 pub(in crate::op) const ARMS: [Arm; 2] = [

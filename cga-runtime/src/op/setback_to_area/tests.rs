@@ -1,6 +1,6 @@
 use super::*;
 use crate::comp::Arm;
-use crate::geometry::mesh::primitive::cube;
+use crate::geometry::primitive::cube;
 use crate::op::set_back::tests::{lots, polygon, random};
 use crate::op::setback::tests::{ALL, REST, areas, made_by, random_lot, word};
 use crate::shape::Shape;

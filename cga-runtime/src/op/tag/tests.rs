@@ -5,7 +5,8 @@ use TaggedComponents::{All, Edges, Faces, Vertices};
 use super::*;
 use crate::geometry::Axis;
 use crate::geometry::extrude::{Extrude, extrude};
-use crate::geometry::mesh::{Mesh, TaggedComponents, primitive};
+use crate::geometry::mesh::{Mesh, TaggedComponents};
+use crate::geometry::primitive;
 use crate::op::{delete_tags, delete_tags_of};
 use crate::query::{geometry_has_tags, geometry_has_tags_of, geometry_tags, geometry_tags_of};
 

@@ -21,7 +21,7 @@ use crate::asset::{File, Query};
 use crate::fault::{Error, Fault, FaultKind, LimitKind};
 use crate::geometry::Frame;
 use crate::geometry::mesh::Mesh;
-use crate::geometry::mesh::primitive::PrimitiveKind;
+use crate::geometry::primitive::PrimitiveKind;
 use crate::geometry::work::{self, Supervisor};
 use crate::run::report::{FAULTS_KEPT, Prints, Reports};
 use crate::run::settings::{Limits, Settings};

@@ -7,8 +7,8 @@ use glam::{DAffine3, DVec3};
 use super::{BooleanError, BooleanOp, block, combine, combined};
 use crate::geometry::boolean::budget::Budget;
 use crate::geometry::boolean::combine_within;
-use crate::geometry::mesh::primitive::sphere;
 use crate::geometry::mesh::{FaceTag, Flaw, Mesh, MeshBuilder};
+use crate::geometry::primitive::sphere;
 use crate::geometry::random::Rng;
 
 const OPS: [BooleanOp; 4] = [BooleanOp::Unify, BooleanOp::Union, BooleanOp::Subtract, BooleanOp::Intersect];

@@ -13,7 +13,7 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use super::{BooleanError, BooleanOp, combine};
 use crate::geometry::mesh::Mesh;
-use crate::geometry::mesh::primitive::cube;
+use crate::geometry::primitive::cube;
 
 /// The operation on two meshes whose coordinates have rounding errors of their size.
 pub(super) fn combined(op: BooleanOp, a: &Mesh, b: &Mesh) -> Result<Mesh, BooleanError> {

@@ -4,7 +4,7 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use super::{BooleanOp, block, combined};
 use crate::geometry::mesh::Mesh;
-use crate::geometry::mesh::primitive::{cone, cylinder, sphere};
+use crate::geometry::primitive::{cone, cylinder, sphere};
 use crate::geometry::random::Rng;
 use crate::geometry::rotation::turn;
 use BooleanOp::{Intersect, Subtract, Union};

@@ -5,8 +5,8 @@ use std::slice::from_ref;
 use glam::{DAffine3, DVec3};
 
 use super::{BooleanOp, block, combine, combined};
-use crate::geometry::mesh::primitive::{quad, sphere};
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
+use crate::geometry::primitive::{quad, sphere};
 use crate::geometry::random::Rng;
 use crate::geometry::rotation::turn;
 use BooleanOp::{Intersect, Subtract, Unify, Union};

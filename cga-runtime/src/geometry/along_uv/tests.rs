@@ -3,7 +3,7 @@
 use glam::{DAffine3, DVec2};
 
 use super::*;
-use crate::geometry::mesh::primitive;
+use crate::geometry::primitive;
 
 const UP: AlongUv =
     AlongUv { set: 0, height: 3.0, direction: HeightDirection::ScopeY, alignment: HeightAlignment::AlignPosition };

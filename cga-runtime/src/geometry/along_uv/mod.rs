@@ -16,8 +16,7 @@ mod unit;
 
 use glam::DVec3;
 
-use super::face::area_vector;
-use super::{FaceTag, Mesh, MeshBuilder, TooManyCorners};
+use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder, TooManyCorners, area_vector, flip, unit as unit_vector};
 use crate::geometry::tol::PLANAR_EPSILON;
 use clip::{Clip, ClipVertex};
 use patch::{Patches, UvPatch};
@@ -123,7 +122,7 @@ impl MappedMesh<'_> {
             return;
         }
         if turns_over {
-            super::flip(&mut nodes);
+            flip(&mut nodes);
         }
         let tag = FaceTag { tags: FaceTag::NONE, ..self.asset.tags[face].uncapped() };
         if is_planar(&nodes) {
@@ -150,7 +149,7 @@ fn is_planar(nodes: &[(DVec3, &ClipVertex)]) -> bool {
         return true;
     }
     let from = nodes[0].0;
-    let normal = super::unit(area_vector([nodes.iter().map(|node| node.0)].into_iter()));
+    let normal = unit_vector(area_vector([nodes.iter().map(|node| node.0)].into_iter()));
     let (off, size) = nodes.iter().fold((0.0, 0.0), |(off, size): (f64, f64), (point, _)| {
         (off.max((*point - from).dot(normal).abs()), size.max((*point - from).length()))
     });

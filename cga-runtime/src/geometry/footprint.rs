@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{FaceTag, Mesh};
+use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::overlay::{OverlayError, wound};
 use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::triangulate::Triangulator;

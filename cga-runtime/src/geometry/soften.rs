@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::Mesh;
-use super::average_normal::AverageNormal;
+use crate::geometry::average_normal::AverageNormal;
 use crate::geometry::disjoint::DisjointSets;
+use crate::geometry::mesh::Mesh;
 use crate::geometry::tol::ANGLE_EPSILON;
 
 /// Edges with more faces are hard. Every pair of faces at an edge is compared.
@@ -67,7 +67,8 @@ fn is_below(a: DVec3, b: DVec3, limit: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::mesh::{FaceTag, MeshBuilder, primitive};
+    use crate::geometry::mesh::{FaceTag, MeshBuilder};
+    use crate::geometry::primitive;
 
     fn near(a: DVec3, b: DVec3) -> bool {
         (a - b).length() < 1e-12

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::unit;
+use crate::geometry::mesh::unit;
 use crate::geometry::tol::COPLANAR_EPSILON;
 
 /// The average of normals. Equal normals count once, so that it does not depend on how a plane is divided.

@@ -38,7 +38,7 @@ fn lying(uv: DVec2, across: Axis) -> DVec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::mesh::primitive::circle::area;
+    use crate::geometry::primitive::circle::area;
 
     #[test]
     fn a_disk_looks_along_its_axis() {

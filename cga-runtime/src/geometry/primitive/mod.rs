@@ -13,9 +13,9 @@ mod sphere;
 
 use glam::{DVec2, DVec3};
 
-use super::solid::{corner, square, unit_box};
-use super::{FaceTag, Mesh};
 use crate::geometry::Axis;
+use crate::geometry::mesh::solid::{corner, square, unit_box};
+use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::provenance::Provenance;
 
 pub use cone::cone;
