@@ -52,6 +52,33 @@ const CRATES: &[Layers] = &[
     },
 ];
 
+/// The layers of geometry, from the ground up: numbers and the plane, meshes, what follows from origins, and the operations.
+const GEOMETRY: &[&[&str]] = &[
+    &["tol", "work", "exact", "frame", "rotation", "bounds", "vector", "segment", "random"],
+    &["buckets", "disjoint", "long_sort", "status", "hull", "nesting", "uv_map", "trace", "origin"],
+    &["triangulate", "overlay", "skeleton"],
+    &["mesh"],
+    &["provenance", "wire", "derive", "average_normal", "face_frame"],
+    &["solid", "primitive", "extract", "unbent", "extrude", "conform", "cut", "sampled_outline"],
+    &["boolean", "cleanup"],
+    &[
+        "along_uv",
+        "convexify",
+        "envelope",
+        "extrude_wire",
+        "footprint",
+        "holes",
+        "inner_rectangle",
+        "offset",
+        "recompose",
+        "rectify",
+        "reduce",
+        "roof",
+        "scatter",
+        "soften",
+    ],
+];
+
 /// A module path from the root of a crate.
 type Module = Vec<String>;
 
@@ -188,6 +215,19 @@ fn imports_point_down() {
         let up: Vec<String> = up.map(|arrow| arrow.place).collect();
         assert!(up.is_empty(), "imports from a higher layer: {up:#?}");
     }
+}
+
+#[test]
+fn imports_of_geometry_point_down() {
+    let layer = |module: &Module| {
+        let at = GEOMETRY.iter().position(|layer| layer.contains(&&*module[1]));
+        at.unwrap_or_else(|| panic!("geometry: `{}` has no place in the table of layers", module[1]))
+    };
+    let is_inside = |module: &Module| module[0] == "geometry" && 1 < module.len();
+    let inside = arrows(&src("cga-runtime")).into_iter().filter(|arrow| is_inside(&arrow.from) && is_inside(&arrow.to));
+    let up: Vec<String> =
+        inside.filter(|arrow| layer(&arrow.from) < layer(&arrow.to)).map(|arrow| arrow.place).collect();
+    assert!(up.is_empty(), "imports from a higher layer: {up:#?}");
 }
 
 /// A module and those inside it are one thing to their reader, so imports between them do not count.

@@ -159,6 +159,25 @@ fn split(x: f64) -> (f64, f64) {
     (high, x - high)
 }
 
+/// The winding number of a loop around a point, counter-clockwise. `None` for a point on the loop.
+pub(crate) fn winding(ring: &[DVec2], p: DVec2) -> Option<i32> {
+    let mut turns = 0;
+    let mut a = *ring.last()?;
+    for &b in ring {
+        let side = orient(a, b, p);
+        if side == 0 && p.cmpge(a.min(b)).all() && p.cmple(a.max(b)).all() {
+            return None;
+        }
+        if a.y <= p.y && p.y < b.y && side > 0 {
+            turns += 1;
+        } else if b.y <= p.y && p.y < a.y && side < 0 {
+            turns -= 1;
+        }
+        a = b;
+    }
+    Some(turns)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::geometry::Frame;
-use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin, Mix, PointOrigin};
+use crate::geometry::derive::{Derivation, FaceOrigin, Mix, PointOrigin};
 use crate::geometry::mesh::Mesh;
 
 /// Up to this number of corners, the points so far are searched one by one.
@@ -63,7 +63,7 @@ pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
     let faces = faces.iter().map(|&index| index as usize).filter(|&index| index < mesh.face_count());
     let corners = faces.clone().map(|index| mesh.face_corners(index).len()).sum();
     let mut numbers = PointNumbers::new(corners, mesh.points().len());
-    let mut part = Derivation::new(mesh, CornerValues::All, corners).by_corners();
+    let mut part = Derivation::by_corners(mesh, corners);
     for face in faces.map(|index| mesh.face(index)) {
         for ring in face.loop_ranges() {
             for corner in ring {
@@ -79,10 +79,11 @@ pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
         }
         part.end_face(FaceOrigin::piece(&face));
     }
-    let (mut part, into) = (part.finish(), to.axes.transpose());
-    part.bent = into * mesh.bent;
-    part.normals.iter_mut().for_each(|normal| *normal = into * *normal);
-    part
+    let mut made = part.finish();
+    let into = to.axes.transpose();
+    made.bent = into * mesh.bent;
+    made.normals.iter_mut().for_each(|normal| *normal = into * *normal);
+    made
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 pub mod along_uv;
 mod average_normal;
 pub(crate) mod boolean;
+pub(crate) mod bounds;
 pub(crate) mod buckets;
 pub(crate) mod cleanup;
 pub(crate) mod conform;
@@ -41,12 +42,14 @@ pub(crate) mod scatter;
 pub(crate) mod segment;
 pub(crate) mod skeleton;
 pub(crate) mod soften;
+pub(crate) mod solid;
 mod status;
 pub mod tol;
 pub(crate) mod trace;
 pub mod triangulate;
 pub(crate) mod unbent;
 pub mod uv_map;
+pub(crate) mod vector;
 pub(crate) mod wire;
 pub(crate) mod work;
 

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::fault::FaultKind;
-use crate::geometry::mesh::{Bounds, solid};
+use crate::geometry::mesh::Bounds;
+use crate::geometry::solid;
 use crate::geometry::tol::ANGLE_EPSILON;
 use crate::geometry::wire::Wire;
 use crate::geometry::{Axis, Frame};

@@ -14,9 +14,10 @@ use glam::{DAffine3, DMat3, DVec3};
 use crate::geometry::Axis;
 use crate::geometry::cut;
 use crate::geometry::extrude::{Extrude, extrude};
-use crate::geometry::mesh::{Mesh, TaggedComponents, solid};
+use crate::geometry::mesh::{Mesh, TaggedComponents};
 use crate::geometry::primitive;
 use crate::geometry::provenance::Provenance;
+use crate::geometry::solid;
 use crate::value::each::Each;
 
 /// The mesh of a box or a rectangle with a length of 1 along each of its axes. A rectangle is at 0 on the axis across

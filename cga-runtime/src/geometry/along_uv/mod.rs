@@ -16,8 +16,9 @@ mod unit;
 
 use glam::DVec3;
 
-use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder, TooManyCorners, area_vector, flip, unit as unit_vector};
+use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder, TooManyCorners, flip, unit as unit_vector};
 use crate::geometry::tol::PLANAR_EPSILON;
+use crate::geometry::vector::area_vector;
 use clip::{Clip, ClipVertex};
 use patch::{Patches, UvPatch};
 use unit::UnitAsset;

@@ -4,9 +4,9 @@ use glam::{DVec2, DVec3};
 
 use super::net::Net;
 use super::turn::is_convex;
-use crate::geometry::mesh::{area_vector, unit};
 use crate::geometry::tol::FLAT_EPSILON;
 use crate::geometry::triangulate::PlaneProjection;
+use crate::geometry::vector::{area_vector, unit};
 
 /// A projection that drops a coordinate, with a scale. Both are exact.
 #[derive(Clone, Copy)]

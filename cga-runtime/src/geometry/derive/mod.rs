@@ -67,10 +67,11 @@ impl<'s> Derivation<'s> {
         if values == CornerValues::Dropped {
             made.uvs = Default::default();
         }
+        let has_normals = values == CornerValues::All && !source.normals().is_empty();
         Derivation {
             source,
             made,
-            has_normals: values == CornerValues::All && !source.normals().is_empty(),
+            has_normals,
             has_trace: true,
             has_origins: true,
             origins: Vec::new(),
@@ -79,10 +80,20 @@ impl<'s> Derivation<'s> {
         }
     }
 
-    /// The same for an operation that gives all faces by their corners ([`Derivation::corner`], [`Derivation::keep`]): origins of points
-    /// are kept only for tags and traces.
-    pub(crate) fn by_corners(self) -> Self {
-        Derivation { has_origins: self.source.needs_origins(), ..self }
+    /// The same for an operation that gives all faces by their corners ([`Derivation::corner`], [`Derivation::keep`]), with all values:
+    /// origins of points are kept only for tags and traces.
+    #[inline]
+    pub(crate) fn by_corners(source: &'s Mesh, corners: usize) -> Self {
+        Derivation {
+            source,
+            made: source.alike(corners),
+            has_normals: !source.normals().is_empty(),
+            has_trace: true,
+            has_origins: source.needs_origins(),
+            origins: Vec::new(),
+            tags: None,
+            old: None,
+        }
     }
 
     fn tags(&mut self) -> &mut DerivedTags<'s> {
@@ -237,11 +248,9 @@ impl<'s> Derivation<'s> {
     }
 
     /// The mesh.
+    #[inline]
     pub(crate) fn finish(mut self) -> Mesh {
-        if self.has_trace && !self.source.trace.is_empty() {
-            self.made.trace = self.source.trace.pick(&mut self.origins.iter().map(|origin| origin.old()));
-        }
-        if self.tags.is_some() || self.has_component_tags() {
+        if self.tags.is_some() || self.source.needs_origins() {
             self.finish_tags();
         }
         self.made.check_structure();
@@ -249,6 +258,9 @@ impl<'s> Derivation<'s> {
     }
 
     fn finish_tags(&mut self) {
+        if self.has_trace {
+            self.made.trace = self.source.trace.pick(&mut self.origins.iter().map(|origin| origin.old()));
+        }
         self.tags();
         let Some(DerivedTags { mut faces, edges }) = self.tags.take().map(|tags| *tags) else { return };
         if let Some(sets) = faces.finish() {

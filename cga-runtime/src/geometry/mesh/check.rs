@@ -6,7 +6,7 @@ use std::fmt;
 use glam::DVec3;
 
 use super::Mesh;
-use crate::geometry::exact::orient;
+use crate::geometry::exact::winding;
 use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::triangulate::PlaneProjection;
 
@@ -185,23 +185,4 @@ impl Mesh {
             }
         }
     }
-}
-
-/// The winding number of a loop around a point, counter-clockwise. `None` for a point on the loop.
-pub(crate) fn winding(ring: &[glam::DVec2], p: glam::DVec2) -> Option<i32> {
-    let mut turns = 0;
-    let mut a = *ring.last()?;
-    for &b in ring {
-        let side = orient(a, b, p);
-        if side == 0 && p.cmpge(a.min(b)).all() && p.cmple(a.max(b)).all() {
-            return None;
-        }
-        if a.y <= p.y && p.y < b.y && side > 0 {
-            turns += 1;
-        } else if b.y <= p.y && p.y < a.y && side < 0 {
-            turns -= 1;
-        }
-        a = b;
-    }
-    Some(turns)
 }

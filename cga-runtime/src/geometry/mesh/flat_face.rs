@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use glam::{DVec2, DVec3};
 
 use super::FaceRef;
-use super::face::unit;
 use crate::geometry::tol::PLANAR_EPSILON;
+use crate::geometry::vector::unit;
 use crate::value::each::Each;
 
 /// A face projected to its plane.

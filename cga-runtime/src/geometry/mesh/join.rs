@@ -35,7 +35,7 @@ fn renumbered(index: u32, numbers: &[u32]) -> u32 {
 }
 
 /// The faces of all meshes, in order; no points are merged. A mesh without a texture set that another one has gets
-/// coordinates 0 there, and a mesh without normals gets the normals of its faces. Bent faces have one direction ([`bent_along`](crate::geometry::unbent::bent_along)).
+/// coordinates 0 there, and a mesh without normals gets the normals of its faces. Bent faces have one direction.
 pub(crate) fn join<'m>(meshes: impl Iterator<Item = &'m Mesh>) -> Mesh {
     join_all(&meshes.collect::<Vec<_>>())
 }

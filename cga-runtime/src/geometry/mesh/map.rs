@@ -4,8 +4,8 @@ use std::sync::{Arc, OnceLock};
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::face::unit;
 use super::{Derived, FaceTag, Mesh};
+use crate::geometry::vector::unit;
 
 /// The map of normals that matches the winding: it maps `a × b` to `(m·a) × (m·b)`, also if `m` mirrors. Unlike the
 /// inverse it exists for flat maps too.

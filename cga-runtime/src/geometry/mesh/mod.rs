@@ -20,6 +20,7 @@ mod convex;
 mod equal;
 mod error;
 pub(crate) mod face;
+mod face_triangles;
 mod flat_face;
 pub(crate) mod join;
 mod layout;
@@ -29,7 +30,6 @@ mod numbering;
 pub(crate) mod pair_table;
 mod polygon;
 mod simple_loops;
-pub(crate) mod solid;
 mod subcomponent_tags;
 mod tag;
 mod tagging;
@@ -47,12 +47,13 @@ use crate::geometry::trace::Trace;
 use crate::material::Material;
 use crate::value::each::Each;
 
+pub use crate::geometry::bounds::Bounds;
+pub(crate) use crate::geometry::vector::unit;
 pub(crate) use adjacency::Adjacency;
 pub use build::MeshBuilder;
 pub use check::Flaw;
 pub use error::{MeshError, TooManyCorners};
 pub use face::FaceRef;
-pub(crate) use face::{area_vector, unit};
 pub(crate) use flat_face::FlatFace;
 pub(crate) use layout::{FaceEnds, Tags};
 pub(crate) use map::flip;
@@ -148,44 +149,6 @@ impl Derived {
     /// The properties of the same faces with other points.
     fn of_moved(&self) -> Self {
         Derived { bounds: OnceLock::new(), ..self.clone() }
-    }
-}
-
-/// An axis-aligned box. For the empty box `low` is +∞ and `high` is −∞.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
-    /// The smallest coordinates.
-    pub low: DVec3,
-    /// The largest coordinates.
-    pub high: DVec3,
-}
-
-impl Bounds {
-    /// The empty box.
-    pub const EMPTY: Bounds = Bounds { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
-
-    /// The extent along each axis; zero for the empty box.
-    pub fn size(&self) -> DVec3 {
-        (self.high - self.low).max(DVec3::ZERO)
-    }
-
-    /// A power of two that scales the longest extent to about 1, so that areas and volumes neither overflow nor vanish.
-    pub(crate) fn scale_to_one(&self) -> f64 {
-        const EXPONENT: u64 = 0x7ff << 52;
-        // The difference of the largest numbers overflows; the difference of their halves does not.
-        let half = (self.high * 0.5 - self.low * 0.5).max_element();
-        1.0 / f64::from_bits(half.max(f64::MIN_POSITIVE).to_bits() & EXPONENT)
-    }
-
-    /// The bounding box of some points.
-    pub fn of(points: impl IntoIterator<Item = DVec3>) -> Bounds {
-        points.into_iter().fold(Bounds::EMPTY, |sum, point| sum.union(Bounds { low: point, high: point }))
-    }
-
-    /// The bounding box of two boxes.
-    #[must_use]
-    pub fn union(self, other: Bounds) -> Bounds {
-        Bounds { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 }
 
@@ -310,7 +273,7 @@ impl Mesh {
     /// coordinates of some corners.
     pub(crate) fn alike(&self, corners: usize) -> Mesh {
         Mesh {
-            uvs: self.uvs.alike(corners),
+            uvs: if self.uvs.is_empty() { UvSets::default() } else { self.uvs.alike(corners) },
             groups: self.groups.clone(),
             materials: self.materials.clone(),
             tag_sets: self.tag_sets.clone(),

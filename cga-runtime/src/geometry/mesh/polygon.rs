@@ -4,10 +4,10 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::face::{area_vector, unit};
 use super::map::flip;
 use super::{FaceTag, Mesh, MeshBuilder, MeshError, simple_loops};
 use crate::geometry::triangulate::PlaneProjection;
+use crate::geometry::vector::{area_vector, unit};
 
 impl Mesh {
     /// A mesh with one face from an outline, counter-clockwise as seen from the front, and holes with any winding.

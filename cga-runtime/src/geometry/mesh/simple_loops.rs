@@ -192,7 +192,7 @@ impl CrossingSweep {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::mesh::check::winding;
+    use crate::geometry::exact::winding;
     use crate::geometry::random::Rng;
 
     /// The result of comparing every edge with every other one.

@@ -14,9 +14,9 @@ mod sphere;
 use glam::{DVec2, DVec3};
 
 use crate::geometry::Axis;
-use crate::geometry::mesh::solid::{corner, square, unit_box};
 use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::provenance::Provenance;
+use crate::geometry::solid::{corner, square, unit_box};
 
 pub use cone::cone;
 pub use cylinder::cylinder;

@@ -10,7 +10,7 @@ use glam::DVec2;
 use super::wavefront::{Wavefront, twice_area};
 use super::{Left, Strip, Swept};
 use crate::geometry::exact::orient;
-use crate::geometry::mesh::check::winding;
+use crate::geometry::exact::winding;
 use crate::geometry::tol::{MEETING_EPSILONS, TOUCH_EPSILON};
 use crate::geometry::work;
 use crate::value::each::Each;

@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_4, TAU};
 
 use super::wavefront::twice_area;
 use super::*;
-use crate::geometry::mesh::check::winding;
+use crate::geometry::exact::winding;
 use crate::geometry::random::Rng;
 use polygons::{Cells, Polygon};
 

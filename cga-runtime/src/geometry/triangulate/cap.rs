@@ -3,10 +3,12 @@
 //! The cap on one side of a plane is the reversed cap of the other side: the same points, with each loop reversed and
 //! its first edge first. One of the two orders is triangulated on both sides, so that both have the same triangles.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
-use crate::geometry::mesh::face::{area_vector, well_scaled};
-use crate::geometry::mesh::{Bounds, FaceRef};
+use crate::geometry::bounds::Bounds;
+use crate::geometry::vector::{area_vector, well_scaled};
 use crate::value::each::Each;
 
 /// The corners of a cap, reversed on one of the two sides.
@@ -18,10 +20,10 @@ pub(super) struct Cap {
 }
 
 impl Cap {
-    pub(super) fn read(&mut self, face: &FaceRef<'_>) {
-        self.is_turned = is_turned(face);
+    pub(super) fn read(&mut self, loops: impl Iterator<Item = Range<usize>> + Clone, place: impl Fn(usize) -> DVec3) {
+        self.is_turned = is_turned(loops.clone().next().unwrap_or(0..0), &place);
         self.corners.clear();
-        for corners in face.loop_ranges() {
+        for corners in loops {
             if self.is_turned {
                 // 1 0 n-1 … 2.
                 let second = corners.len().min(2);
@@ -32,7 +34,7 @@ impl Cap {
             }
         }
         self.points.clear();
-        self.points.extend(self.corners.iter().map(|&corner| face.position(corner as usize)));
+        self.points.extend(self.corners.iter().map(|&corner| place(corner as usize)));
     }
 
     /// The normal in the order of the corners, not of unit length. It is the same on both sides, bit for bit.
@@ -55,10 +57,9 @@ impl Cap {
 
 /// Returns true if this cap is the reversed one of the two. The order of the first two points that reversal swaps
 /// decides.
-fn is_turned(face: &FaceRef<'_>) -> bool {
-    let outline = face.loop_ranges().next().unwrap_or(0..0);
+fn is_turned(outline: Range<usize>, place: &impl Fn(usize) -> DVec3) -> bool {
     let count = outline.len();
-    let at = |i: usize| face.position(outline.start + i % count).to_array();
+    let at = |i: usize| place(outline.start + i % count).to_array();
     let mut pairs = (1..count).map(|i| (at(i), at(count + 1 - i)));
     pairs.find(|(a, b)| a != b).is_some_and(|(a, b)| a < b)
 }

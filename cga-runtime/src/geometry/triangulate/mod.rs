@@ -16,9 +16,10 @@ mod highest;
 mod sweep;
 mod unfold;
 
+use std::ops::Range;
+
 use glam::{DVec2, DVec3};
 
-use crate::geometry::mesh::Mesh;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::TOUCH_EPSILON;
 use crate::value::each::Each;
@@ -97,54 +98,35 @@ impl Triangulator {
         Self::default()
     }
 
-    /// Appends the triangles of a face as indices into [`Mesh::corners`], and so into its texture coordinates and
-    /// normals.
-    ///
-    /// The caps on both sides of a cut have the same triangles, reversed.
-    pub fn face(&mut self, mesh: &Mesh, face: usize, out: &mut Vec<[u32; 3]>) {
-        let face = mesh.face(face);
-        let range = face.corner_range();
-        let start = range.start as u32;
-        if range.len() == 3 {
-            out.push([start, start + 1, start + 2]);
-            return;
-        }
-        if let Some(unbent) = face.unbent() {
-            out.extend(unbent);
-            return;
-        }
+    /// Appends the triangles of a planar polygon in space, whose corners have consecutive numbers, as these numbers. With a normal it is
+    /// seen along it; without one it is a cap, and the caps on both sides of a cut have the same triangles, reversed.
+    pub(crate) fn polygon_in_space(
+        &mut self,
+        loops: impl Iterator<Item = Range<usize>> + Clone,
+        place: impl Fn(usize) -> DVec3,
+        normal: Option<DVec3>,
+        out: &mut Vec<[u32; 3]>,
+    ) {
         let mut flat = std::mem::take(&mut self.flat);
         let mut ends = std::mem::take(&mut self.ends);
+        let start = loops.clone().next().map_or(0, |ring| ring.start);
         flat.clear();
         ends.clear();
-        ends.extend(face.loop_ranges().map(|l| (l.end - range.start) as u32));
+        ends.extend(loops.clone().map(|ring| (ring.end - start) as u32));
         let from = out.len();
-        if face.tag().cap {
+        if let Some(normal) = normal {
+            let projection = PlaneProjection::along(normal);
+            flat.extend(loops.flatten().map(|corner| projection.apply(place(corner))));
+            self.polygon(&flat, &ends, out);
+            out[from..].iter_mut().flatten().for_each(|corner| *corner += start as u32);
+        } else {
             let mut cap = std::mem::take(&mut self.cap);
-            cap.read(&face);
+            cap.read(loops, place);
             let projection = PlaneProjection::along(cap.normal(&ends));
             flat.extend(cap.points.iter().map(|&point| projection.apply(point)));
             self.polygon(&flat, &ends, out);
             out[from..].iter_mut().for_each(|t| *t = cap.triangle(*t));
             self.cap = cap;
-        } else {
-            let projection = PlaneProjection::along(face.normal());
-            flat.extend(range.clone().map(|c| projection.apply(face.position(c))));
-            self.polygon(&flat, &ends, out);
-            out[from..].iter_mut().flatten().for_each(|c| *c += start);
-        }
-        if range.len() > 4 {
-            // If loops touch, triangles without area join corners that are the same point.
-            let point = |c: u32| mesh.corners[c as usize];
-            let mut kept = from;
-            for i in from..out.len() {
-                let [a, b, c] = out[i].each(point);
-                if a != b && b != c && c != a {
-                    out[kept] = out[i];
-                    kept += 1;
-                }
-            }
-            out.truncate(kept);
         }
         (self.flat, self.ends) = (flat, ends);
     }

@@ -12,8 +12,8 @@ use glam::{DVec2, DVec3};
 use crate::geometry::cut::class::ClassRange;
 use crate::geometry::cut::points::PieceCorner;
 use crate::geometry::cut::state::CutState;
+use crate::geometry::exact::winding;
 use crate::geometry::mesh::Mesh;
-use crate::geometry::mesh::check::winding;
 use crate::geometry::triangulate::PlaneProjection;
 use crate::value::small_sort::SmallSort;
 

@@ -6,8 +6,8 @@ use glam::{DVec2, DVec3};
 
 use super::super::contact::to_segment;
 use super::super::wavefront::twice_area;
+use crate::geometry::exact::winding;
 use crate::geometry::mesh::Mesh;
-use crate::geometry::mesh::check::winding;
 use crate::geometry::random::Rng;
 
 /// Loops of points.

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::{FaceTag, Mesh};
 use crate::geometry::Axis;
+use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::provenance::{Provenance, tag_sets};
 use crate::value::each::Each;
 
