@@ -210,7 +210,7 @@ fn envelope(
         return Err(EnvelopeRefusal::Tangled);
     }
     let rings: Vec<Vec<usize>> = face.loop_ranges().map(Iterator::collect).collect();
-    let filled = plain(face, [&rings[0][..]]);
+    let filled = plain(face, &rings[0]);
     let flat = FlatFace::of(&filled.face(0)).ok_or(EnvelopeRefusal::NoNormal)?;
     let ground = Ground { flat, sides: sides[..rings[0].len()].to_vec(), up, top };
     let volume = match ground.slopes().all(|corner| ground.is_outermost(corner)) {
@@ -250,20 +250,21 @@ fn capped(mesh: &Mesh, part: EnvelopePart) -> Mesh {
     marked(mesh, |tag| if tag.cap { FaceTag { tags: part.to_mark(), ..FaceTag::PLAIN } } else { tag })
 }
 
-/// A mesh of one face with loops of corners of a face, without texture coordinates and normals.
-fn plain<'c>(face: &FaceRef<'_>, rings: impl IntoIterator<Item = &'c [usize]>) -> Mesh {
+/// A mesh of one face with a loop of corners of a face, without texture coordinates and normals. Corners at one place have one
+/// point, except for neighbours.
+fn plain(face: &FaceRef<'_>, ring: &[usize]) -> Mesh {
     let mut mesh = Mesh::default();
     let mut numbers = BTreeMap::new();
-    for ring in rings {
-        for &corner in ring {
-            let at = face.position(corner);
-            let number = *numbers.entry(at.to_array().each(f64::to_bits)).or_insert_with(|| mesh.add_point(at));
-            mesh.corners.push(number);
-        }
-        mesh.end_loop();
+    for (place, &corner) in ring.iter().enumerate() {
+        let at = face.position(corner);
+        let known = *numbers.entry(at.to_array().each(f64::to_bits)).or_insert_with(|| mesh.add_point(at));
+        let is_repeated = mesh.corners.last() == Some(&known) || place + 1 == ring.len() && mesh.corners[0] == known;
+        let number = if is_repeated { mesh.add_point(at) } else { known };
+        mesh.corners.push(number);
     }
+    mesh.end_loop();
     mesh.end_face(face.tag());
-    mesh
+    mesh.checked()
 }
 
 /// Adds the faces of a volume over a face. The bottom has the points of the face bit for bit.

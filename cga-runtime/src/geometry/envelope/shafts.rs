@@ -52,12 +52,12 @@ fn in_order(mesh: &Mesh) -> Mesh {
 fn shaft(face: &FaceRef<'_>, ring: Range<usize>, up: DVec3, top: f64) -> Option<Mesh> {
     let start = face.corner_range().start;
     let mut corners: Vec<usize> = ring.collect();
-    let mut mesh = super::plain(face, [&corners[..]]);
+    let mut mesh = super::plain(face, &corners);
     // Holes run the other way around than the outline.
     let is_turned = mesh.face(0).normal().dot(up) < 0.0;
     if is_turned {
         corners.reverse();
-        mesh = super::plain(face, [&corners[..]]);
+        mesh = super::plain(face, &corners);
     }
     let prism = prism(&FlatFace::of(&mesh.face(0))?, up, top);
     // The edge of the hole that begins at each of these corners, or ends there.

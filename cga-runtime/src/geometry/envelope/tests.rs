@@ -154,3 +154,20 @@ fn slopes_go_on_behind_holes() {
         assert!(0.0 < lost && lost <= 5.0 * (bottom - kept) * (1.0 + 1e-7));
     }
 }
+
+#[test]
+fn corners_at_one_place_stay_apart() {
+    // An edge without a length: as numbers of points its ends differ.
+    let places = [[0.0, 0.0], [6.0, 0.0], [6.0, 0.0], [6.0, 4.0], [0.0, 4.0], [0.0, 0.0]];
+    let mut mesh = Mesh { points: places.map(|[x, z]| DVec3::new(x, 0.0, -z)).to_vec(), ..Mesh::default() };
+    mesh.corners.extend(0..6);
+    mesh.end_loop();
+    mesh.end_face(crate::geometry::mesh::FaceTag::PLAIN);
+    let sides = [EnvelopeSide { base: 2.0, angle: 60.0 }; 6];
+    let (made, refused) = super::envelopes(&mesh, &sides, 5.0, None);
+    assert!(refused.is_empty() && made.is_closed(), "{refused:?}");
+    assert!(
+        made.faces()
+            .all(|face| (0..face.outer().len()).all(|k| face.outer()[k] != face.outer()[(k + 1) % face.outer().len()]))
+    );
+}
