@@ -82,7 +82,7 @@ impl<'s> Derivation<'s> {
 
     /// The same for an operation that gives all faces by their corners ([`Derivation::corner`], [`Derivation::keep`]), with all values:
     /// origins of points are kept only for tags and traces.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn by_corners(source: &'s Mesh, corners: usize) -> Self {
         Derivation {
             source,
@@ -197,12 +197,13 @@ impl<'s> Derivation<'s> {
     }
 
     /// Ends a loop with the last corner.
+    #[inline]
     pub(crate) fn end_loop(&mut self) {
         self.made.end_loop();
     }
 
     /// Ends a face with the last loop.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn end_face(&mut self, origin: FaceOrigin) {
         let own = self.source.tags[origin.face as usize];
         let tag = if origin.is_piece() && own.tags == FaceTag::NONE { own } else { self.tags().faces.of(&origin) };
@@ -248,7 +249,7 @@ impl<'s> Derivation<'s> {
     }
 
     /// The mesh.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn finish(mut self) -> Mesh {
         if self.tags.is_some() || self.source.needs_origins() {
             self.finish_tags();
@@ -257,6 +258,7 @@ impl<'s> Derivation<'s> {
         self.made
     }
 
+    #[cold]
     fn finish_tags(&mut self) {
         if self.has_trace {
             self.made.trace = self.source.trace.pick(&mut self.origins.iter().map(|origin| origin.old()));

@@ -60,6 +60,7 @@ impl Mesh {
     }
 
     /// Sets the materials, which faces have by number.
+    #[cfg(any(feature = "obj", feature = "gltf"))]
     pub(crate) fn set_materials(&mut self, materials: Arc<[Material]>) {
         self.materials = materials;
     }
