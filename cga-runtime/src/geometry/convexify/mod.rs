@@ -35,7 +35,7 @@ use touching::Relinked;
 
 /// The result of cutting all faces.
 pub(crate) struct Convexified {
-    /// The mesh and the origins of its points; `None` if no face was cut.
+    /// The mesh, and the origins of its points if the old mesh has values, tags or a trace; `None` if no face was cut.
     pub(crate) made: Option<(Mesh, Vec<PointOrigin>)>,
     /// The faces that stay concave because they cross or touch themselves.
     pub(crate) refused: Vec<usize>,

@@ -76,7 +76,10 @@ impl EdgeOrigins {
             let from = self.edges.partition_point(|entry| entry.0 < in_order(ends));
             let given = self.edges[from..].iter().take_while(|entry| entry.0 == in_order(ends));
             let is_given = given.clone().any(|(_, origin)| !matches!(origin.source, EdgeSource::Own(_)));
-            if !is_given && let Some(set) = set_of(implied(ends.each(|end| origins[end as usize]))) {
+            if !is_given
+                && !old.is_empty()
+                && let Some(set) = set_of(implied(ends.each(|end| origins[end as usize])))
+            {
                 tags.edge(ends, set);
             }
             for (_, EdgeOrigin { source, tag }) in given {

@@ -45,7 +45,7 @@ pub(crate) struct Derivation<'s> {
     made: Mesh,
     has_normals: bool,
     has_trace: bool,
-    /// True if the origins of points are kept.
+    /// True if the origins of points are kept: for values, tags or traces.
     has_origins: bool,
     /// The origin of each point.
     origins: Vec<PointOrigin>,
@@ -68,12 +68,13 @@ impl<'s> Derivation<'s> {
             made.uvs = Default::default();
         }
         let has_normals = values == CornerValues::All && !source.normals().is_empty();
+        let has_origins = has_normals || !made.uvs.is_empty() || source.needs_origins();
         Derivation {
             source,
             made,
             has_normals,
             has_trace: true,
-            has_origins: true,
+            has_origins,
             origins: Vec::new(),
             tags: None,
             old: None,
@@ -159,7 +160,9 @@ impl<'s> Derivation<'s> {
     /// The same with all points of the source, under their numbers.
     pub(crate) fn with_old_points(mut self) -> Self {
         self.made.points = self.source.points().to_vec();
-        self.origins = (0..self.made.points.len() as u32).map(PointOrigin::Old).collect();
+        if self.has_origins {
+            self.origins = (0..self.made.points.len() as u32).map(PointOrigin::Old).collect();
+        }
         self
     }
 
@@ -276,7 +279,7 @@ impl<'s> Derivation<'s> {
         self.finish_with_origins().0
     }
 
-    /// The same mesh, and the origins of its points.
+    /// The same mesh, and the origins of its points, if the source has values, tags or a trace.
     pub(crate) fn finish_with_origins(mut self) -> (Mesh, Vec<PointOrigin>) {
         let before = self.made.number_used();
         let made = self.renumbered(&before);

@@ -1,6 +1,6 @@
 //! The parts of a mesh, for code outside of geometry.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use glam::DVec3;
 
@@ -66,8 +66,9 @@ impl Mesh {
     }
 
     /// Changes the points.
+    #[inline]
     pub(crate) fn change_points(&mut self, change: impl FnMut(&mut DVec3)) {
-        self.derived = self.derived.of_moved();
+        self.derived.bounds = OnceLock::new();
         self.points.iter_mut().for_each(change);
     }
 
