@@ -2,6 +2,8 @@
 
 use glam::{DVec2, DVec3};
 
+use super::budget::goes_on;
+use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::rim::{MOST_WITHOUT_TREE, RimTree};
 use crate::geometry::exact::orient;
@@ -220,11 +222,15 @@ impl PointSet {
     }
 }
 
+/// The steps of work of a corner of a new facet.
+const FACET: usize = 4;
+
 /// The facets of all faces with an area, in their order. `numbers` gives the point of the arrangement for each point of the
 /// mesh.
-pub(super) fn facets_of(mesh: &Mesh, points: &PointSet, numbers: &[u32]) -> Vec<Facet> {
+pub(super) fn facets_of(mesh: &Mesh, points: &PointSet, numbers: &[u32]) -> Result<Vec<Facet>, BooleanError> {
     let (mut facets, mut triangulator, mut triangles) = (Vec::new(), Triangulator::new(), Vec::new());
     for face in mesh.faces() {
+        goes_on(FACET * face.corner_count())?;
         let corner = |corner: usize| [numbers[mesh.corners()[corner] as usize], corner as u32];
         let normal = face.normal();
         if is_planar(&face, points, numbers, normal) {
@@ -241,7 +247,7 @@ pub(super) fn facets_of(mesh: &Mesh, points: &PointSet, numbers: &[u32]) -> Vec<
             facets.extend(Facet::of(points, face.index() as u32, true, normal, &[ring.to_vec()]));
         }
     }
-    facets
+    Ok(facets)
 }
 
 fn is_planar(face: &FaceRef<'_>, points: &PointSet, numbers: &[u32], normal: DVec3) -> bool {

@@ -149,11 +149,15 @@ impl Input<'_> {
         let bounds = self.mesh.bounds();
         let middle = bounds.low * 0.5 + bounds.high * 0.5;
         let mut points = PointSet::new(self.epsilon);
-        let numbers: Vec<u32> = self.mesh.points().iter().map(|p| points.number((*p - middle) * self.scale)).collect();
-        let mut facets = facets_of(self.mesh, &points, &numbers);
+        let mut numbers = Vec::with_capacity(self.mesh.points().len());
+        for point in self.mesh.points() {
+            goes_on(1)?;
+            numbers.push(points.number((*point - middle) * self.scale));
+        }
+        let mut facets = facets_of(self.mesh, &points, &numbers)?;
         let mesh_of: Vec<u32> = facets.iter().map(|facet| self.mesh_of_face[facet.face as usize]).collect();
         let operands: Vec<u8> = mesh_of.iter().map(|mesh| u8::from(self.firsts <= *mesh)).collect();
-        let mut edges = outlines(&points, &mut facets);
+        let mut edges = outlines(&points, &mut facets)?;
         let mut shells = shells(&points, &edges, &facets, &mesh_of);
         let boxes: Vec<Bounds> = facets.iter().map(|facet| facet.bounds).collect();
         let tree = BoundsTree::of(&boxes);
@@ -245,10 +249,11 @@ impl Input<'_> {
 }
 
 /// The outlines of facets.
-fn outlines(points: &PointSet, facets: &mut [Facet]) -> EdgeTable {
+fn outlines(points: &PointSet, facets: &mut [Facet]) -> Result<EdgeTable, BooleanError> {
     let mut edges = EdgeTable::default();
     for number in 0..facets.len() {
         let facet = &facets[number];
+        goes_on(2 * facet.corners.len())?;
         let rim: Vec<([u32; 2], u32)> =
             facet.rim().map(|[a, b]| ([facet.corners[a], facet.corners[b]], a as u32)).collect();
         for (ends, corner) in rim {
@@ -256,7 +261,7 @@ fn outlines(points: &PointSet, facets: &mut [Facet]) -> EdgeTable {
             edges.add(facets, ends, direction, EdgeOwner { facet: number as u32, count: 1, corner });
         }
     }
-    edges
+    Ok(edges)
 }
 
 /// Adds the lines in which facets meet. Returns the pairs that overlap in one plane.
