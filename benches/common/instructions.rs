@@ -45,16 +45,19 @@ fn counted_by_callgrind(work: &mut dyn FnMut()) {
     black_box(());
 }
 
+/// A number of units, and the work for them.
+type Prepared = (usize, Box<dyn FnMut()>);
+
 /// Work that is counted, for a number of units.
 pub(crate) struct Work {
     name: String,
-    make: Box<dyn Fn() -> (usize, Box<dyn FnMut()>)>,
+    make: Box<dyn Fn() -> Prepared>,
 }
 
 impl Work {
     /// `make` prepares the work and returns its number of units.
     pub(crate) fn new<F: FnMut() + 'static>(name: &str, make: impl Fn() -> (usize, F) + 'static) -> Self {
-        let make = move || -> (usize, Box<dyn FnMut()>) {
+        let make = move || -> Prepared {
             let (units, work) = make();
             (units, Box::new(work))
         };
