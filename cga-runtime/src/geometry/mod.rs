@@ -25,7 +25,7 @@ pub(crate) mod inner_rectangle;
 pub(crate) mod long_sort;
 pub mod mesh;
 mod nesting;
-pub mod offset;
+pub(crate) mod offset;
 pub(crate) mod origin;
 pub(crate) mod overlay;
 pub mod primitive;
