@@ -2,13 +2,13 @@
 
 use glam::DVec3;
 
-use super::budget::goes_on;
 use super::component_tags::EdgeTags;
 use super::edge_table::NO_CORNER;
 use super::face_values::{FaceValues, Shares, only};
 use super::facet::Facet;
 use super::operation::{BooleanError, BooleanOp};
 use super::polygon::{PolygonCorner, ResultPolygon};
+use super::progress::goes_on;
 use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin, Mix, PointOrigin};
 use crate::geometry::mesh::{Mesh, TagSet, flip};
 use crate::geometry::triangulate::Triangulator;

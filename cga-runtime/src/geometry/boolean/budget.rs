@@ -5,9 +5,6 @@ use super::operation::BooleanError;
 use super::point_set::PointSet;
 use crate::geometry::work;
 
-/// The units of work of dividing an edge or reading a corner.
-const STEP: usize = 8;
-
 /// The work that an operation may still do, with all attempts together, and the size of its arrangements.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Budget {
@@ -48,9 +45,4 @@ impl Budget {
         self.edges = self.edges.saturating_sub(edges.list.len());
         self.owners = self.owners.saturating_sub(edges.owner_count);
     }
-}
-
-/// Counts divided edges and corners that are read, which no budget limits. An error if the work is to end.
-pub(super) fn goes_on(steps: usize) -> Result<(), BooleanError> {
-    if work::spend(STEP * steps) { Ok(()) } else { Err(BooleanError::TooMany) }
 }

@@ -7,11 +7,12 @@
 use glam::DVec2;
 
 use super::bounds_tree::{BoundsTree, overlap};
-use super::budget::{Budget, goes_on};
+use super::budget::Budget;
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
 use super::operation::BooleanError;
 use super::point_set::PointSet;
+use super::progress::goes_on;
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::Bounds;

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use super::budget::goes_on;
 use super::edge_table::{EdgeTable, NO_CORNER};
 use super::facet::Facet;
 use super::operation::{BooleanError, BooleanOp};
+use super::progress::goes_on;
 use super::sheet::Sheets;
 use crate::geometry::mesh::{Mesh, TagSet, TagSetTable};
 use crate::value::each::Each;

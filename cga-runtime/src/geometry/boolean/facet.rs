@@ -2,9 +2,9 @@
 
 use glam::{DVec2, DVec3};
 
-use super::budget::goes_on;
 use super::operation::BooleanError;
 use super::point_set::PointSet;
+use super::progress::goes_on;
 use super::rim::{MOST_WITHOUT_TREE, RimTree};
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::{Bounds, FaceRef, Mesh, unit};

@@ -4,12 +4,13 @@
 //! moves by up to epsilon, and may then pass other points: the facets of divided edges are compared again.
 
 use super::bounds_tree::{BoundsTree, overlap};
-use super::budget::{Budget, goes_on};
+use super::budget::Budget;
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
 use super::operation::BooleanError;
 use super::plane_group::PlaneGroups;
 use super::point_set::PointSet;
+use super::progress::goes_on;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::Bounds;
 use crate::value::each::Each;

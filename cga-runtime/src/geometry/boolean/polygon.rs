@@ -2,13 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use super::budget::{Budget, goes_on};
+use super::budget::Budget;
 use super::cell::{self, GraphLine};
 use super::component_tags::EdgeTags;
 use super::edge_table::{EdgeTable, NO_CORNER};
 use super::facet::Facet;
 use super::operation::BooleanError;
 use super::point_set::PointSet;
+use super::progress::goes_on;
 use super::selection::ChosenSheet;
 use super::sheet::Sheets;
 use crate::geometry::disjoint::DisjointSets;

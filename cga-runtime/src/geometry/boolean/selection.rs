@@ -1,7 +1,8 @@
 //! The sheets that are the result of an operation.
 
-use super::budget::{Budget, goes_on};
+use super::budget::Budget;
 use super::operation::{BooleanError, BooleanOp};
+use super::progress::goes_on;
 use super::ray::RayCaster;
 use super::sheet::{Sheet, SheetSide, SheetSource, Sheets};
 use super::surface::{inside_surface, surface_winding};

@@ -9,11 +9,11 @@ use std::collections::HashMap;
 
 use glam::DVec2;
 
-use super::budget::goes_on;
 use super::cell::{Cell, Winding};
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
 use super::operation::BooleanError;
+use super::progress::goes_on;
 
 /// The sine of the smallest angle between sheets at an edge that can be told from none.
 const LEAST_ANGLE: f64 = 1e-13;

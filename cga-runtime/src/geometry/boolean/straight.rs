@@ -3,11 +3,11 @@
 use crate::value::each::Each;
 use std::collections::HashMap;
 
-use super::budget::goes_on;
 use super::edge_table::NO_CORNER;
 use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::polygon::{PolygonCorner, ResultPolygon};
+use super::progress::goes_on;
 
 /// Drops the corners at which edges were divided but nothing meets any more. Corners of faces stay, and so do corners between
 /// edges with different tags.

@@ -4,8 +4,9 @@
 //! numbers change by the windings of its facets. So one ray decides for all sheets that are connected, and the numbers of
 //! all wedges must agree.
 
-use super::budget::{Budget, goes_on};
+use super::budget::Budget;
 use super::operation::BooleanError;
+use super::progress::goes_on;
 use super::ray::{Around, RayCaster};
 use super::sheet::{SheetSide, Sheets};
 use super::shell::ShellKind;
