@@ -30,7 +30,7 @@ pub fn offset(env: &mut Env, shape: &mut Shape, distance: f64, keep: OffsetFaces
         super::settle(env, shape, &before, "`offset`");
         return;
     }
-    let (mut mesh, refused) = offset_mesh(&shape.to_mesh(), distance, keep);
+    let (mesh, refused) = offset_mesh(&shape.to_mesh(), distance, keep);
     report(env, &refused);
     if mesh.face_count() == refused.len() {
         return;
@@ -38,7 +38,6 @@ pub fn offset(env: &mut Env, shape: &mut Shape, distance: f64, keep: OffsetFaces
     if env.count_corners(mesh.corners().len() as u64).is_break() {
         return;
     }
-    shape.hand_trace_to(&mut mesh);
     shape.set_mesh(mesh);
 }
 

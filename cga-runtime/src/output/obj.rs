@@ -49,7 +49,7 @@ pub struct Obj<W> {
     run: Option<(u32, u32)>,
     /// The number of buildings so far.
     buildings: usize,
-    /// True after a building: leaves that follow are no part of it.
+    /// True after a building: the next leaves are outside of it.
     has_ended: bool,
     points: u64,
     uvs: u64,

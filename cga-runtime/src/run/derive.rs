@@ -108,7 +108,7 @@ pub(crate) fn run<R: Rules>(
     let make = || {
         let mut building = Building::of(shape, names.grammar);
         let mut index = 0..;
-        // After an error values may stand for others that were not found.
+        // After an error some values may be placeholders.
         if outcome.error.is_none() {
             R::used(&values, style, &mut |value| {
                 let name = index.next().map_or("", names.attribute);

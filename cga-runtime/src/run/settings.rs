@@ -95,7 +95,7 @@ pub struct Settings {
     pub wrong_lots: WrongLots,
     /// True to keep the tree of shapes: each [`Building`](crate::run::building::Building) of a model has it. For it the rules run a second
     /// time, without output and without templates, which takes two to three times as long as the first run. So Rust functions in rules are
-    /// called twice; a model has no tree if its leaves differ from the leaves of the second run. The second run is no progress of a watch.
+    /// called twice; a model has no tree if its leaves differ from the leaves of the second run. A watch does not count the second run as progress.
     /// A watch that is stopped, or a deadline that passes, ends it: then the model is complete, without a tree. The tree takes about
     /// 200 bytes for each derived shape, beyond [`Limits::bytes`].
     pub tree: bool,

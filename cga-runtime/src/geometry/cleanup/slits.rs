@@ -1,7 +1,7 @@
 //! Removes edges that one face has in both directions: bridges to holes, borders between holes, and spikes.
 
 use super::regions::{Removal, joined};
-use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::{Mesh, in_order};
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
 
@@ -16,7 +16,7 @@ pub(super) fn tagged_slits(mesh: &Mesh) -> Vec<[u32; 2]> {
         uses.windows(2).any(|pair| adjacency.face(pair[0]) == adjacency.face(pair[1]))
     };
     let slits = (0..adjacency.edge_count()).filter(is_slit).map(|edge| ends(mesh, adjacency.uses(edge)[0]));
-    let mut found: Vec<[u32; 2]> = slits.filter(|&ends| mesh.edge_tags(ends).is_some()).map(sorted).collect();
+    let mut found: Vec<[u32; 2]> = slits.filter(|&ends| mesh.edge_tags(ends).is_some()).map(in_order).collect();
     found.small_sort();
     found
 }
@@ -30,7 +30,7 @@ pub(super) fn without_slits(mesh: &Mesh, kept: &[[u32; 2]]) -> Option<Mesh> {
         let uses = adjacency.uses(edge);
         // The uses are in the order of faces.
         for here in uses.chunk_by(|&a, &b| adjacency.face(a) == adjacency.face(b)) {
-            if here.len() < 2 || kept.binary_search(&sorted(ends(mesh, here[0]))).is_ok() {
+            if here.len() < 2 || kept.binary_search(&in_order(ends(mesh, here[0]))).is_ok() {
                 continue;
             }
             let start = mesh.corners[here[0] as usize];
@@ -43,10 +43,6 @@ pub(super) fn without_slits(mesh: &Mesh, kept: &[[u32; 2]]) -> Option<Mesh> {
         }
     }
     is_any.then(|| joined(mesh, &removal)).flatten()
-}
-
-fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
 }
 
 fn ends(mesh: &Mesh, corner: u32) -> [u32; 2] {

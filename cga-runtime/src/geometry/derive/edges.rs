@@ -7,7 +7,9 @@
 use std::collections::BTreeMap;
 
 use super::{EdgeOrigin, EdgeSource, PointOrigin};
-use crate::geometry::mesh::{Mesh, SubcomponentTags, SubcomponentTagsBuilder, TagSet, TagSetTable, whole_edge};
+use crate::geometry::mesh::{
+    Mesh, SubcomponentTags, SubcomponentTagsBuilder, TagSet, TagSetTable, in_order, whole_edge,
+};
 use crate::value::each::Each;
 use crate::value::small_sort::SmallSort;
 
@@ -18,10 +20,6 @@ pub(super) struct EdgeOrigins {
     vertices: Vec<(u32, u32)>,
     /// The sets of [`EdgeSource::Own`] and of vertices.
     own: TagSetTable,
-}
-
-fn in_order([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
 }
 
 impl EdgeOrigins {
@@ -39,7 +37,7 @@ impl EdgeOrigins {
         self.vertices.push((point, self.own.number(tags)));
     }
 
-    /// Renumbers points: `before` are their old numbers. Edges and vertices that are no longer there are dropped.
+    /// Renumbers points: `before` are their old numbers. Edges and vertices without a new number are dropped.
     pub(super) fn renumber(&mut self, before: &[u32]) {
         if self.edges.is_empty() && self.vertices.is_empty() {
             return;

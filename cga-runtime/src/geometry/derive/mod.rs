@@ -69,32 +69,20 @@ impl<'s> Derivation<'s> {
         }
         let has_normals = values == CornerValues::All && !source.normals().is_empty();
         let has_origins = has_normals || !made.uvs.is_empty() || source.needs_origins();
-        Derivation {
-            source,
-            made,
-            has_normals,
-            has_trace: true,
-            has_origins,
-            origins: Vec::new(),
-            tags: None,
-            old: None,
-        }
+        Self::with(source, made, has_normals, has_origins)
     }
 
     /// The same for an operation that gives all faces by their corners ([`Derivation::corner`], [`Derivation::keep`]), with all values:
     /// origins of points are kept only for tags and traces.
     #[inline(always)]
     pub(crate) fn by_corners(source: &'s Mesh, corners: usize) -> Self {
-        Derivation {
-            source,
-            made: source.alike(corners),
-            has_normals: !source.normals().is_empty(),
-            has_trace: true,
-            has_origins: source.needs_origins(),
-            origins: Vec::new(),
-            tags: None,
-            old: None,
-        }
+        Self::with(source, source.alike(corners), !source.normals().is_empty(), source.needs_origins())
+    }
+
+    #[inline(always)]
+    fn with(source: &'s Mesh, made: Mesh, has_normals: bool, has_origins: bool) -> Self {
+        let (origins, tags, old) = (Vec::new(), None, None);
+        Derivation { source, made, has_normals, has_trace: true, has_origins, origins, tags, old }
     }
 
     fn tags(&mut self) -> &mut DerivedTags<'s> {
@@ -275,8 +263,9 @@ impl<'s> Derivation<'s> {
     }
 
     /// The mesh with the points that faces use, in their order.
-    pub(crate) fn finish_used(self) -> Mesh {
-        self.finish_with_origins().0
+    pub(crate) fn finish_used(mut self) -> Mesh {
+        let before = self.made.number_used();
+        self.renumbered(&before).finish()
     }
 
     /// The same mesh, and the origins of its points, if the source has values, tags or a trace.

@@ -196,11 +196,8 @@ struct Continued {
 impl Continued {
     fn of(mesh: &Mesh, face: usize) -> Self {
         let face = mesh.face(face);
-        let (normal, origin) = (face.normal(), face.position(face.corner_range().start));
-        let mut edges = face.edges().map(|[a, b]| unit(face.position(b) - face.position(a)));
-        let first = edges.find(|edge| *edge != DVec3::ZERO).unwrap_or(DVec3::X);
-        let x = unit(first - normal * first.dot(normal));
-        let axes = [x, normal.cross(x)];
+        let origin = face.position(face.corner_range().start);
+        let axes = face.plane_axes(face.normal()).unwrap_or([DVec3::ZERO; 2]);
         let flat = |corner: usize| axes.each(|axis| (face.position(corner) - origin).dot(axis)).into();
         let corners: Vec<DVec2> = face.corner_range().map(flat).collect();
         let middle = corners.iter().sum::<DVec2>() / corners.len() as f64;

@@ -23,6 +23,16 @@ pub(crate) struct FlatFace<'a> {
     pub(crate) corners: Vec<u32>,
 }
 
+impl FaceRef<'_> {
+    /// Two axes in the plane of the face with this normal, the first one along its first edge with a length. `None` if no edge has one.
+    pub(crate) fn plane_axes(&self, normal: DVec3) -> Option<[DVec3; 2]> {
+        let mut edges = self.edges().map(|[a, b]| unit(self.position(b) - self.position(a)));
+        let first = edges.find(|edge| *edge != DVec3::ZERO)?;
+        let x = unit(first - normal * first.dot(normal));
+        Some([x, normal.cross(x)])
+    }
+}
+
 impl<'a> FlatFace<'a> {
     /// The face; `None` if it has no area.
     pub(crate) fn of(face: &FaceRef<'a>) -> Option<Self> {
@@ -31,11 +41,7 @@ impl<'a> FlatFace<'a> {
             return None;
         }
         let origin = face.position(range.start);
-        let ring = face.outer().len();
-        let edge = |i: usize| face.position(range.start + (i + 1) % ring) - face.position(range.start + i);
-        let first = (0..ring).map(|i| unit(edge(i))).find(|edge| *edge != DVec3::ZERO)?;
-        let x = unit(first - normal * first.dot(normal));
-        let axes = [x, normal.cross(x)];
+        let axes = face.plane_axes(normal)?;
         let (flat, heights) = (Vec::new(), Vec::new());
         let mut plane =
             FlatFace { face: *face, origin, axes, normal, flat, heights, points: Vec::new(), corners: Vec::new() };

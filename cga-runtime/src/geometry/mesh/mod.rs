@@ -58,7 +58,7 @@ pub(crate) use flat_face::FlatFace;
 pub(crate) use layout::{FaceEnds, Tags};
 pub(crate) use map::flip;
 pub(crate) use numbering::keep_used;
-pub(crate) use subcomponent_tags::{SubcomponentTags, SubcomponentTagsBuilder, whole_edge};
+pub(crate) use subcomponent_tags::{SubcomponentTags, SubcomponentTagsBuilder, in_order, whole_edge};
 pub(crate) use tag::TagSetTable;
 pub use tag::{TagSet, TaggedComponents};
 pub use uv::{TextureSpace, UvAxis, UvExtent};

@@ -25,7 +25,8 @@ struct TagLists {
     vertices: Vec<(u32, u32)>,
 }
 
-fn in_order([a, b]: [u32; 2]) -> [u32; 2] {
+/// The ends of an edge, the smaller number first.
+pub(crate) fn in_order([a, b]: [u32; 2]) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
 

@@ -34,7 +34,7 @@ impl Batches<Model> {
     pub fn to_model(&self) -> Model {
         let mut model = Model::new();
         self.sinks().for_each(|other| model.append(other));
-        // Of many models, `append` would keep less.
+        // For several models, `append` drops what this keeps.
         model.with_report(self.report().clone())
     }
 

@@ -57,7 +57,7 @@ impl ShapeTree {
         self.shapes.len()
     }
 
-    /// Returns true if there are no shapes.
+    /// Returns true if the tree is empty.
     pub fn is_empty(&self) -> bool {
         self.shapes.is_empty()
     }
@@ -166,11 +166,14 @@ impl<'a> ShapeNode<'a> {
     /// The children, in the order in which the rule makes them.
     pub fn children(&self) -> impl ExactSizeIterator<Item = ShapeNode<'a>> + Clone + use<'a> {
         let tree = self.tree;
-        let range = self.shape.children.start as usize..self.shape.children.end as usize;
-        tree.children[range].iter().map(move |&index| {
+        self.child_indices().iter().map(move |&index| {
             let index = index as usize;
             ShapeNode { tree, shape: &tree.shapes[index], index }
         })
+    }
+
+    fn child_indices(&self) -> &'a [u32] {
+        &self.tree.children[self.shape.children.start as usize..self.shape.children.end as usize]
     }
 
     /// The shape and all shapes below it, depth first: each one before its children, and children in order.
@@ -178,8 +181,7 @@ impl<'a> ShapeNode<'a> {
         let (tree, mut open) = (self.tree, vec![self.index as u32]);
         std::iter::from_fn(move || {
             let node = tree.node(open.pop()? as usize)?;
-            let range = node.shape.children.start as usize..node.shape.children.end as usize;
-            open.extend(tree.children[range].iter().rev());
+            open.extend(node.child_indices().iter().rev());
             Some(node)
         })
     }
@@ -193,8 +195,8 @@ impl<'a> ShapeNode<'a> {
     /// The key (*getTreeKey function*): the numbers of children from the initial shape on, each followed by `;`. The key of the initial
     /// shape is `0;`, the key of the third child of its first child `0;0;2;`. It takes time in proportion to the depth.
     ///
-    /// A key is unique in the tree of one building. It is no lasting name: where chance or attributes decide how many children a rule
-    /// makes, another seed gives a shape another key. Rules cannot read it yet.
+    /// A key is unique in the tree of one building. It may change with the seed: where chance or attributes decide how many children a rule
+    /// makes, a shape gets another key. Rules cannot read it yet.
     pub fn key(&self) -> String {
         let mut numbers = vec![self.number()];
         let mut shape = *self;
