@@ -73,7 +73,7 @@ fn appended_faces_share_no_vertices() {
     assert_eq!(written(&model), ["\"start: 8\"", "\"inline: 24\""]);
     let [leaf] = &model.leaves().collect::<Vec<_>>()[..] else { panic!("{:?}", leaves(&model)) };
     // Each face has the material of its leaf.
-    let colors = leaf.mesh().0.materials().len();
+    let colors = leaf.mesh().0.material_list().len();
     assert_eq!((leaf.mesh().0.face_count(), colors), (6, 6));
 }
 
@@ -105,7 +105,7 @@ fn different_materials_are_written_to_the_faces() {
     assert_eq!(lines(&model), ["1"]);
     let leaf = model.leaves().next().expect("a leaf");
     let (mesh, _) = leaf.mesh();
-    let color = |face: usize| mesh.materials()[mesh.face(face).tag().material as usize].color();
+    let color = |face: usize| mesh.materials::<cga::Material>()[mesh.face(face).tag().material as usize].color();
     assert_eq!([color(0), color(1)], [Color::new(1.0, 0.0, 0.0), Color::new(0.0, 1.0, 0.0)]);
     assert_eq!((leaf.area(), leaf.scope().size), (200.0, DVec3::new(20.0, 0.0, 10.0)));
 }

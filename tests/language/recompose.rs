@@ -209,7 +209,7 @@ fn vertices_are_merged() {
     let model = on(2.0, 2.0, "Topology");
     assert_eq!(written(&model), ["\"start: 8\"", "\"inline(recompose): 8\""]);
     let mesh = model.leaves().next().expect("a leaf").mesh().0.clone();
-    assert!(mesh.is_closed() && mesh.materials().len() == 6);
+    assert!(mesh.is_closed() && mesh.material_list().len() == 6);
 }
 
 #[test]

@@ -201,8 +201,9 @@ fn faces(a: &Mesh, b: &Mesh, tolerance: Tolerance) -> Difference {
     let list = |mesh: &Mesh, what: fn(&Mesh, FaceTag) -> String| {
         mesh.faces().map(|face| what(mesh, face.tag())).collect::<Vec<_>>()
     };
-    let materials =
-        |mesh: &Mesh| list(mesh, |mesh, tag| format!("{:?}", mesh.materials().get(tag.material as usize))).join(" ");
+    let materials = |mesh: &Mesh| {
+        list(mesh, |mesh, tag| format!("{:?}", mesh.materials::<cga::Material>().get(tag.material as usize))).join(" ")
+    };
     let by_name = |what: &str, tell: fn(&Mesh, FaceTag) -> String| same(what, &list(a, tell), &list(b, tell));
     same("the number of faces", &a.face_count(), &b.face_count())
         .or_else(|| same("the number of vertices", &a.points().len(), &b.points().len()))

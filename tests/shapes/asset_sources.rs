@@ -102,7 +102,10 @@ fn no_name_leads_out_of_a_source() {
     let oak = "mtllib ../../secret.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl bark\nf 1 2 3\n";
     let assets = Assets::from_source([("oak.obj", oak), ("secret.mtl", "newmtl bark\nKd 1 0 0\n")]);
     let mesh = assets.mesh("oak.obj").expect("the mesh without its material");
-    assert_ne!(mesh.materials().first().map(|material| material.color()), Some(cga::Color::new(1.0, 0.0, 0.0)));
+    assert_ne!(
+        mesh.materials::<cga::Material>().first().map(|material| material.color()),
+        Some(cga::Color::new(1.0, 0.0, 0.0))
+    );
     assert!(assets.mesh("../oak.obj").is_err() && assets.mesh("/oak.obj").is_ok());
     // A mesh of the program comes first.
     let given = assets.with("oak.obj", (*mesh).clone());

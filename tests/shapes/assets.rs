@@ -123,7 +123,10 @@ fn images_of_an_inserted_file_are_found_beside_it() {
     let files = [("assets/q.obj", &object[..]), ("assets/q.mtl", library), ("assets/wood.png", "")];
     let model = Temporary::new("beside-image", &files).run(&City::default(), "Own");
     let (mesh, _) = model.leaves().next().expect("a leaf").mesh();
-    assert_eq!(mesh.materials()[0].texture.as_ref().map(|name| name.as_str()), Some("/assets/wood.png"));
+    assert_eq!(
+        mesh.materials::<cga::Material>()[0].texture.as_ref().map(|name| name.as_str()),
+        Some("/assets/wood.png")
+    );
     let faults: Vec<String> = model.faults().iter().map(|fault| fault.message.clone()).collect();
     assert_eq!(faults.len(), 2, "{faults:?}");
     assert!(
@@ -184,7 +187,7 @@ fn a_glb_file_that_was_written_is_an_asset() {
     let (mesh, _) = leaf.mesh();
     assert_eq!((leaf.size().to_array(), mesh.is_closed(), mesh.face_count()), ([3.0, 2.0, 1.0], true, 12));
     assert!((mesh.area() - 22.0).abs() < 1e-12);
-    let material = &mesh.materials()[0];
+    let material = &mesh.materials::<cga::Material>()[0];
     assert_eq!(material.name.as_ref().map(|name| name.as_str()), Some("Glass"));
     assert_eq!(material.texture.as_ref().map(|name| name.as_str()), Some("/window.glb#0.png"));
     let color = material.color();

@@ -9,7 +9,7 @@ use crate::value::text::Text;
 /// The mesh of a file with image names relative to the asset folder. The file's materials name images relative to the
 /// file; an image inside the file, whose name begins with `#`, gets the name of the file in front. Names without an
 /// image stay as they are.
-pub(super) fn with_names_from_root(mut mesh: Mesh, store: &Store, file: &StoredFile) -> Mesh {
+pub(super) fn with_names_from_root(mesh: Mesh, store: &Store, file: &StoredFile) -> Mesh {
     let from_root = |name: &Text| {
         let found = store.beside(file, &name.replace('\\', "/")).and_then(|image| store.place(&image));
         let inside = || name.starts_with('#').then(|| Some(format!("{}{name}", store.place(file)?)))?;
@@ -24,6 +24,5 @@ pub(super) fn with_names_from_root(mut mesh: Mesh, store: &Store, file: &StoredF
         }
         named
     };
-    mesh.set_materials(mesh.materials().iter().map(named).collect());
-    mesh
+    mesh.with_materials(mesh.materials().iter().map(named).collect::<Vec<_>>(), |number| number)
 }

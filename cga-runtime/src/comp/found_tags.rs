@@ -2,8 +2,10 @@
 
 use std::cell::OnceCell;
 
+use cga_split::tags::matches;
+
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{SubcomponentTags, TagSet};
-use crate::value::each::Each;
 
 /// The number of queries whose matches are kept: each arm of a comp has one for all components.
 const KEPT: usize = 16;
@@ -36,7 +38,10 @@ impl TagQueries {
             if self.list.len() == KEPT {
                 self.list.remove(0);
             }
-            let matches = |sets: &[TagSet]| sets.iter().map(|set| set.matches(query)).collect::<Vec<bool>>();
+            let matches = |sets: &[TagSet]| {
+                let has = |set: &TagSet| set.names().iter().any(|name| matches(query, name));
+                sets.iter().map(has).collect::<Vec<bool>>()
+            };
             let (faces, subcomponents) = (matches(faces), matches(tags.sets()));
             let has = [&faces, &subcomponents].each(|list| list.contains(&true));
             self.list.push(FoundTags { query: query.to_owned(), faces, subcomponents, has, points: OnceCell::new() });

@@ -14,14 +14,14 @@ use super::uv_edges::UvEdges;
 use crate::comp::orientation::Orientation;
 use crate::geometry::Frame;
 use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin};
+use crate::geometry::each::Each;
 use crate::geometry::extract::extract;
 use crate::geometry::face_frame::{FaceFrame, along, beside, face_frame, upright};
 use crate::geometry::mesh::{Adjacency, FaceTag, Mesh, flip, unit};
 use crate::geometry::provenance::Provenance;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::tol::{COPLANAR_EPSILON, UP_EPSILON};
 use crate::geometry::wire::Wire;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// A mesh in scope coordinates, with its components of one kind.
 #[derive(Debug)]
@@ -50,7 +50,7 @@ impl MeshParts {
         let normals = mesh.faces().map(|face| face.normal()).collect();
         let sets = match kind {
             Components::Groups => sets(&mesh, mesh.groups().len(), |tag| tag.group),
-            Components::Materials => sets(&mesh, mesh.materials().len(), |tag| tag.material),
+            Components::Materials => sets(&mesh, mesh.material_list().len(), |tag| tag.material),
             _ => Vec::new(),
         };
         let mut holes = Vec::new();

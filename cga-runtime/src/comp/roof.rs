@@ -12,9 +12,9 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::select::RoofEdge;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::tol::UP_EPSILON;
-use crate::value::each::Each;
 
 /// A mesh as a roof.
 #[derive(Debug)]

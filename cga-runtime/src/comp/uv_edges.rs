@@ -3,9 +3,9 @@
 use glam::DVec2;
 
 use super::select::UvSide;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::tol::{NEXT_EPSILON, TIE_EPSILON};
-use crate::value::each::Each;
 
 /// The texture coordinates of a mesh, for the selectors of edges (*setback operation*).
 #[derive(Debug)]

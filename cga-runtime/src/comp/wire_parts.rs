@@ -9,11 +9,11 @@ use super::found_tags::TagQueries;
 use super::select::{Sense, Subcomponent, Word};
 use crate::comp::orientation::Orientation;
 use crate::geometry::Frame;
+use crate::geometry::each::Each;
 use crate::geometry::extrude_wire::point_normals;
 use crate::geometry::face_frame::{along, beside, upright};
 use crate::geometry::mesh::unit;
 use crate::geometry::wire::Wire;
-use crate::value::each::Each;
 
 /// A wire in scope coordinates, with its components of one kind.
 #[derive(Debug)]

@@ -1,8 +1,8 @@
 //! Colours as text, such as "#ff8000", and as numbers. Channels are in 0..=1, hues in degrees.
 
 use crate::fault::FaultKind;
+use crate::geometry::each::Each;
 use crate::run::env::Env;
-use crate::value::each::Each;
 use crate::value::shown::shown;
 use crate::value::text::Text;
 

@@ -5,8 +5,8 @@
 
 use super::colour::print;
 use crate::fault::FaultKind;
+use crate::geometry::each::Each;
 use crate::run::env::Env;
-use crate::value::each::Each;
 use crate::value::shown::shown;
 use crate::value::text::Text;
 

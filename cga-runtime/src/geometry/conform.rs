@@ -9,9 +9,9 @@
 use glam::{DVec2, DVec3};
 
 use super::mesh::{Bounds, FaceRef, Mesh};
+use crate::geometry::each::Each;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::pair_table::PairTable;
-use crate::value::each::Each;
 
 /// Open faces are turned up if the vertical part of their area vector is at least this share of their area.
 const UPRIGHT: f64 = 0.05;

@@ -1,6 +1,6 @@
 //! Disjoint sets of numbers (union-find).
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 
 /// Disjoint sets of the numbers below a count, each named by its smallest member.
 #[derive(Debug, Default)]

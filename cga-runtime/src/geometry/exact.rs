@@ -2,7 +2,7 @@
 //!
 //! A floating-point filter decides nearly all cases; the others are summed without rounding.
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use glam::{DVec2, DVec3};
 
 /// 1 if `c` is left of the line from `a` to `b`, -1 if right, 0 if the three points are collinear. Exact unless a

@@ -7,11 +7,10 @@
 use glam::DVec3;
 
 use super::extrude::{Extrude, flat_top};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder, MeshError, TagSet, TagSetTable, unit};
 use crate::geometry::provenance::Extruded;
 use crate::geometry::wire::Wire;
-use crate::value::each::Each;
-use crate::value::text::Text;
 
 /// The faces on the edges of a wire. Edges without a normal are not extruded along it.
 ///
@@ -25,7 +24,7 @@ pub(crate) fn extrude_wire(wire: &Wire, along: Extrude, distance: f64) -> Result
         Extrude::FlatTop(vector) => flat_top(&wire.points, vector, distance),
     };
     let (mut builder, mut sets) = (MeshBuilder::new(), TagSetTable::default());
-    let side = TagSet::new([Text::from(Extruded::Outer.tag())]);
+    let side = TagSet::new([Extruded::Outer.tag()]);
     let low: Vec<u32> = wire.points.iter().map(|&point| builder.point(point)).collect();
     for (edge, normal) in wire.edges.iter().zip(&wire.normals) {
         let way = |point: u32| at_points.get(point as usize).copied().unwrap_or(*normal * distance);

@@ -2,11 +2,11 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::overlay::{OverlayError, wound};
 use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::triangulate::Triangulator;
-use crate::value::each::Each;
 
 /// The union of the projections of all faces to the plane y = 0: faces that look up, with holes where no face covers the
 /// plane. Without faces if no face covers an area.

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::geometry::exact::orient;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 /// Reduces a list of items with positions in a plane to the corners of their convex hull, counter-clockwise. Two or
 /// fewer positions are their own hull.

@@ -2,8 +2,8 @@
 
 use std::cmp::Ordering;
 
+use crate::geometry::small_sort::merge_runs;
 use crate::geometry::work;
-use crate::value::small_sort::merge_runs;
 
 /// Parts of this length are sorted by the standard library.
 const PART: usize = 1 << 14;

@@ -16,7 +16,7 @@ use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin}
 use crate::geometry::mesh::{FlatFace, Mesh, flip};
 use crate::geometry::nesting::rings::NestedRings;
 use crate::geometry::skeleton::{self, Failure, Left, Strip};
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 pub(crate) mod region;
 mod relief;

@@ -3,7 +3,6 @@
 use cga_split::tags::matches;
 
 use crate::geometry::mesh::{FaceTag, Mesh, TagSet};
-use crate::value::text::Text;
 
 /// The part of an extrusion that a face is: the original face, a side at its outline, a side at a hole, or the face
 /// that moved.
@@ -94,5 +93,5 @@ impl Provenance {
 
 /// The tag set of each of [`Extruded::ALL`].
 pub(crate) fn tag_sets() -> Vec<TagSet> {
-    Extruded::ALL.iter().map(|extruded| TagSet::new([Text::from(extruded.tag())])).collect()
+    Extruded::ALL.iter().map(|extruded| TagSet::new([extruded.tag()])).collect()
 }

@@ -1,6 +1,6 @@
 //! Edges that follow two axes (*rectify operation*).
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use glam::DVec3;
 
 use super::cleanup::{Parts, cleanup};

@@ -9,11 +9,11 @@ use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3};
 
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::segment::nearest_share;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// The limit on edges of an outline, because each sample compares all of them.
 const MOST_EDGES: usize = 5_000;

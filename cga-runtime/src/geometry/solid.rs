@@ -3,9 +3,9 @@
 use glam::DVec3;
 
 use crate::geometry::Axis;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::provenance::{Provenance, tag_sets};
-use crate::value::each::Each;
 
 /// The initial box of a run: front, right, back, left (counter-clockwise as seen from above), top, bottom. Vertices are
 /// numbered x + 2y + 4z.

@@ -4,7 +4,7 @@
 //! without a search. All steps are loops, and each takes at most as many steps as the tree is high, for any results of
 //! the comparisons.
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use glam::DVec2;
 
 /// No node.

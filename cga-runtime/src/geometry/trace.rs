@@ -3,7 +3,7 @@
 //! While an operation that recomposes derives its operand, the points of all shapes have numbers. Points with the same number
 //! are one point of the result, wherever rules have moved them. A point without a number has no origin.
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use std::collections::HashMap;
 
 use glam::DVec3;

@@ -5,10 +5,10 @@ use std::borrow::Cow;
 use glam::DVec3;
 
 use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::tol::UP_EPSILON;
 use crate::geometry::triangulate::Triangulator;
-use crate::value::each::Each;
 
 /// The mesh with its bent faces as their triangles, which have the attributes of the face.
 pub(crate) fn without_bent_faces(mesh: &Mesh) -> Cow<'_, Mesh> {

@@ -5,10 +5,10 @@ use std::collections::HashMap;
 use glam::DVec3;
 
 use crate::geometry::Frame;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{SubcomponentTags, unit};
 use crate::geometry::origin::PointOrigin;
 use crate::geometry::trace::Trace;
-use crate::value::each::Each;
 
 /// Edges between points, or points without edges.
 #[derive(Clone, Debug, Default)]

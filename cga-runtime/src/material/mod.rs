@@ -4,7 +4,7 @@ pub(crate) mod attribute;
 pub(crate) mod layer;
 pub(crate) mod list;
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use std::sync::Arc;
 
 pub use attribute::{Channel, ColorOf, Layer, LayerPart, MaterialNumber, MaterialText};

@@ -2,15 +2,16 @@
 
 use std::sync::Arc;
 
+use cga_split::tags::matches;
 use glam::DVec3;
 
 use super::tag::tag_name;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Mesh, SubcomponentTagsBuilder, TagSet, TaggedComponents};
 use crate::geometry::wire::Wire;
 use crate::run::env::Env;
 use crate::shape::edge_attributes::SampledAttributes;
 use crate::shape::{EdgeAttribute, Geometry, Inserted, Placed, PlacedWire, Shape};
-use crate::value::each::Each;
 use crate::value::text::Text;
 
 /// `setTagsFromEdgeAttrs()`: each edge of each face gets the tag `edgeattr.NAME.VALUE` for each text attribute of the initial
@@ -63,7 +64,8 @@ fn cleared(
 ) -> SubcomponentTagsBuilder {
     let mut old = old.clone();
     for (name, _) in attributes {
-        old = old.without(Some(&format!("edgeattr.{}", tag_name(name))), TaggedComponents::Edges);
+        let attribute = format!("edgeattr.{}", tag_name(name));
+        old = old.without(&|tag| matches(&attribute, tag), TaggedComponents::Edges);
     }
     tagger.append(&old, &|point| point);
     tagger
@@ -84,7 +86,7 @@ impl Sampled<'_> {
         let Some(edge) = self.known.edge(ends.into_iter(), frame.axes * facing) else { return TagSet::default() };
         let tag = |(name, values): &(Text, Arc<[Text]>)| {
             let value = values.get(edge).map(tag_name).filter(|value| !value.is_empty())?;
-            Some(Text::from(format!("edgeattr.{}.{value}", tag_name(name))))
+            Some(format!("edgeattr.{}.{value}", tag_name(name)))
         };
         TagSet::new(self.attributes.iter().filter_map(tag))
     }

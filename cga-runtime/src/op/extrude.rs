@@ -373,7 +373,7 @@ mod tests {
                 assert!((mesh.area() - area).abs() < 1e-9 && mesh.check().is_empty());
             }
             assert!((own.scope.axes.y_axis - DVec3::Y).length() < 1e-9);
-            assert!(mesh.tag_sets()[0].matches("extrude.side"));
+            assert!(mesh.tag_sets()[0].has("extrude.side"));
         }
         let (env, mut line) = (&mut Env::for_tests(), Shape::line([0.0; 3], [2.0, 0.0, 0.0]).unwrap());
         extrude(env, &mut line, Length::Absolute(3.0));

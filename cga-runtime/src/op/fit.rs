@@ -5,10 +5,10 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::geometry::Axis;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Mesh, Variant};
 use crate::run::env::Env;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
-use crate::value::each::Each;
 
 /// Sets the scope for geometry with that low corner and size (*i operation*, zero sizes). With three sizes the
 /// geometry is fitted to them; sizes that are zero follow from the others.

@@ -5,13 +5,13 @@ use glam::DVec3;
 use super::boolean::unify;
 use super::joined::{joined_state, part_meshes, replace_by, retain_parts};
 use super::recompose::recompose;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::join::join;
 use crate::geometry::mesh::{Mesh, SubcomponentTagsBuilder};
 use crate::geometry::unbent::bent_along;
 use crate::geometry::wire::Wire;
 use crate::run::env::Env;
 use crate::shape::{Geometry, Shape};
-use crate::value::each::Each;
 
 /// The way in which the geometry of leaves is combined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

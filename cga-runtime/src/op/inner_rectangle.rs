@@ -6,11 +6,11 @@ use crate::comp::select::Word;
 use crate::comp::{Arms, Faces};
 use crate::fault::FaultKind;
 use crate::geometry::derive::{CornerValues, Derivation};
+use crate::geometry::each::Each;
 use crate::geometry::inner_rectangle::RectangleSides;
 use crate::geometry::inner_rectangle::face::{RectangleRefusal, cut_rectangle};
 use crate::run::env::Env;
 use crate::shape::Shape;
-use crate::value::each::Each;
 
 /// The directions of a rectangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

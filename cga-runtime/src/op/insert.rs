@@ -11,8 +11,8 @@ use crate::asset::{AssetError, CUBES, File, MISSING};
 use crate::geometry::Axis;
 use crate::geometry::cleanup::without_short_edges;
 use crate::geometry::mesh::{Mesh, Variant};
-use crate::material::Layer;
 use crate::material::layer;
+use crate::material::{Layer, Material};
 use crate::run::env::Env;
 use crate::shape::place::Cuboid;
 use crate::shape::{Geometry, Placed, Shape};
@@ -104,7 +104,7 @@ pub(super) fn asset(env: &Env, file: &File) -> Result<Arc<Mesh>, AssetError> {
 
 /// Leaves a fault for each image of a mesh that is missing or broken.
 fn check_images(env: &mut Env, mesh: &Mesh) {
-    for material in mesh.materials() {
+    for material in mesh.materials::<Material>() {
         for name in Layer::ALL.into_iter().filter_map(|layer| layer::image(material, layer)) {
             super::image(env, name.clone());
         }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::geometry::mesh::Mesh;
 use crate::geometry::trace::Trace;
+use crate::material::Material;
 use crate::shape::Shape;
 use crate::shape::look::Look;
 use crate::shape::state::{State, StateRef};
@@ -29,8 +30,16 @@ pub(super) fn part_meshes<'l>(shape: &Shape, leaves: &'l [Shape]) -> impl Iterat
     let to_scope = shape.scope.placement().inverse();
     leaves.iter().map(move |leaf| {
         let mesh = leaf.to_mesh().map(&(to_scope * leaf.scope.placement()));
-        if is_common { mesh } else { mesh.with_material(leaf.material()) }
+        if is_common { mesh } else { with_material(&mesh, leaf.material()) }
     })
+}
+
+/// The mesh whose faces have a material over their own.
+fn with_material(mesh: &Mesh, material: &Material) -> Mesh {
+    let mut materials: Vec<Material> = mesh.materials().iter().map(|own| material.over(own)).collect();
+    let plain = materials.len() as u32;
+    materials.push(material.clone());
+    mesh.with_materials(materials, |number| number.min(plain))
 }
 
 /// The state of the sum: what all leaves have in common, otherwise what the current shape has. Faces have their material

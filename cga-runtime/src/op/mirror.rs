@@ -5,10 +5,10 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::pivot::rearranged;
+use crate::geometry::each::Each;
 use crate::run::env::Env;
 use crate::shape::PlacedWire;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
-use crate::value::each::Each;
 
 /// `mirror(x, y, z)`: mirrors the geometry about the middle of its scope, which stays (*mirror operation*). Faces
 /// still look outwards, and texture coordinates stay with their corners.

@@ -122,10 +122,10 @@ use std::fmt::Display;
 use glam::DVec3;
 
 use crate::fault::FaultKind;
+use crate::geometry::each::Each;
 use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::shape::scope::Scope;
-use crate::value::each::Each;
 
 /// Restores the scope before an operation if finite arguments have led to an overflow.
 pub(crate) fn settle(env: &mut Env, shape: &mut Shape, before: &Scope, what: &str) {

@@ -10,10 +10,10 @@ use super::set_back::{Turn, divided_at};
 use crate::comp::{Faces, Section, Sections};
 use crate::geometry::mesh::{FaceRef, Mesh};
 use crate::geometry::offset::region::EdgeCut;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::tol::TIE_EPSILON;
 use crate::run::env::Env;
 use crate::value::array::Array;
-use crate::value::small_sort::SmallSort;
 
 /// The name in messages.
 const NAME: &str = "splitAndSetbackPerimeter";

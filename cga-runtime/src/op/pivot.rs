@@ -8,12 +8,12 @@ use super::refit::rectangle;
 use super::settle;
 use crate::fault::FaultKind;
 use crate::geometry::Frame;
+use crate::geometry::each::Each;
 use crate::geometry::wire::Wire;
 use crate::run::env::Env;
 use crate::shape::PlacedWire;
 use crate::shape::scope::Scope;
 use crate::shape::{Geometry, Placed, Shape};
-use crate::value::each::Each;
 
 /// The old axes that become the new ones, at corner 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

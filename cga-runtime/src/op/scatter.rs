@@ -7,12 +7,12 @@ use glam::{DMat3, DVec3};
 use crate::comp::Points;
 use crate::fault::FaultKind;
 use crate::geometry::Frame;
+use crate::geometry::each::Each;
 use crate::geometry::scatter::{Bell, Domain, ScatteredPoint};
 use crate::op::Length;
 use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::shape::seed::Tag;
-use crate::value::each::Each;
 
 /// Where points are strewn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,11 +7,11 @@ use super::setback::{finite, selected};
 use crate::comp::select::Word;
 use crate::comp::{Arms, Faces};
 use crate::fault::FaultKind;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::FaceRef;
 use crate::geometry::offset::to_area::{Rest, offset_for};
 use crate::run::env::Env;
 use crate::value::array::Array;
-use crate::value::each::Each;
 
 /// The name in messages.
 const NAME: &str = "setbackToArea";

@@ -4,10 +4,10 @@ use glam::DVec3;
 
 use super::extrude::stand;
 use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Bounds, FaceRef, Mesh, flip};
 use crate::run::env::Env;
 use crate::shape::Shape;
-use crate::value::each::Each;
 
 /// `taper(height)`: a closed pyramid over the first face that has an area, with its apex that far above the face's centre of
 /// gravity (*taper operation*). The new scope's y axis is the normal of the face, its x axis stays as near to the old one as it
@@ -94,7 +94,7 @@ mod tests {
         assert!(mesh.is_closed() && mesh.check().is_empty());
         assert!((mesh.volume() - 10.0 * 8.0 * 10.0 / 3.0).abs() < 1e-9);
         assert_eq!(shape.scope.size, DVec3::new(10.0, 10.0, 8.0));
-        let tags = |face: usize, tag| mesh.tag_sets()[mesh.face(face).tag().tags as usize].matches(tag);
+        let tags = |face: usize, tag| mesh.tag_sets()[mesh.face(face).tag().tags as usize].has(tag);
         assert!(tags(0, "taper.bottom") && (1..5).all(|face| tags(face, "taper.side")));
     }
 

@@ -9,6 +9,7 @@ use glam::{DAffine2, DVec2, DVec3, DVec4};
 use super::Length;
 use crate::fault::FaultKind;
 use crate::geometry::Frame;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::uv::{range, spread};
 use crate::geometry::rotation::sin_cos;
 use crate::geometry::tol::PLANAR_EPSILON;
@@ -16,7 +17,6 @@ use crate::geometry::uv_map::UvMap;
 use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::shape::texture::UvSource;
-use crate::value::each::Each;
 
 /// The coordinate system of a projection, and its axes for u and v.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

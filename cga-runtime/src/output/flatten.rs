@@ -81,7 +81,7 @@ impl PlacedFace<'_> {
     /// The number of the visible material on a shape with the material `shape`.
     #[inline]
     pub(crate) fn material(&self, table: &mut SinkTable, shape: u32) -> u32 {
-        table.face_material(shape, self.mesh.shared_materials(), self.mesh.face(self.index).tag().material)
+        table.face_material(shape, self.mesh.material_list(), self.mesh.face(self.index).tag().material)
     }
 }
 

@@ -14,13 +14,13 @@ use super::placed_assets::AssetList;
 use super::sink_table::SinkTable;
 use super::tangents::tangents;
 use super::triangles::Triangles;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::uv_map;
 use crate::material::layer::{self, Placement, SetMask};
 use crate::material::{Layer, Material};
 use crate::run::sink::corners::{PlacedBox, four};
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
-use crate::value::each::Each;
 
 /// The division of a model into meshes. A mesh always has one material.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -3,7 +3,7 @@
 //! If two faces overlap in the picture, their depth at a common point decides. Faces that do not overlap need no
 //! order, and the farther one comes first. Cycles, which only cutting could resolve, are broken at the farthest face.
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use glam::{DVec2, DVec3};
 
 /// A face in the picture. Depth grows towards the viewer.

@@ -9,8 +9,9 @@ use std::fmt;
 use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
+use crate::geometry::each::Each;
+use crate::geometry::mesh::{FaceTag, Materials};
 use crate::material::{Material, MaterialNumber};
-use crate::value::each::Each;
 
 /// Interned rule names and materials. Equal leaves in equal order give equal numbers.
 #[derive(Clone, Default)]
@@ -32,7 +33,7 @@ pub struct SinkTable {
 #[derive(Clone, Debug, Default)]
 struct FaceMaterials {
     shape: u32,
-    of: Option<Arc<[Material]>>,
+    of: Materials,
     ids: Vec<Option<u32>>,
 }
 
@@ -100,16 +101,20 @@ impl SinkTable {
 
     /// The number of a face's visible material: the shape's material over the mesh's material of the face. `index`
     /// refers to `materials`; an index out of range means the shape's own material.
-    pub fn face_material(&mut self, shape: u32, materials: &Arc<[Material]>, index: u32) -> u32 {
-        let Some(base) = materials.get(index as usize) else { return shape };
-        let same = self.faces.shape == shape && self.faces.of.as_ref().is_some_and(|of| Arc::ptr_eq(of, materials));
-        if !same {
-            let ids = vec![None; materials.len()];
-            self.faces = FaceMaterials { shape, of: Some(materials.clone()), ids };
+    pub fn face_material(&mut self, shape: u32, materials: &Materials, index: u32) -> u32 {
+        if index == FaceTag::NONE {
+            return shape;
         }
-        if let Some(id) = self.faces.ids[index as usize] {
-            return id;
+        if self.faces.shape != shape || !self.faces.of.is_same_list(materials) {
+            let ids = vec![None; materials.list::<Material>().len()];
+            self.faces = FaceMaterials { shape, of: materials.clone(), ids };
         }
+        match self.faces.ids.get(index as usize) {
+            Some(None) => {}
+            Some(Some(id)) => return *id,
+            None => return shape,
+        }
+        let base = &materials.list::<Material>()[index as usize];
         let id = self.intern(Arc::new(self.materials[shape as usize].over(base)));
         self.faces.ids[index as usize] = Some(id);
         id
@@ -235,7 +240,7 @@ mod tests {
     fn a_face_shows_the_shapes_material_over_its_own() {
         let mut table = SinkTable::new();
         let shape = table.material(&Arc::new(Material { opacity: Some(0.5), ..Material::UNSET }));
-        let own: Arc<[Material]> = Arc::new([Material { roughness: Some(0.1), ..Material::UNSET }]);
+        let own = Materials::from([Material { roughness: Some(0.1), ..Material::UNSET }]);
         let id = table.face_material(shape, &own, 0);
         assert_eq!(id, table.face_material(shape, &own, 0));
         assert_eq!(

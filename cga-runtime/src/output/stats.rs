@@ -10,11 +10,11 @@ use super::buffers::Vertex;
 use super::flatten::{Flattener, corner_point};
 use super::measure::{cuboid_area, cuboid_volume, mesh_area, mesh_volume};
 use super::numbers::Numbers;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
 use crate::shape::place;
-use crate::value::each::Each;
 
 /// Sums over leaves. Triangles and vertices are counted as [`super::buffers::Buffers`] makes them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -207,7 +207,7 @@ impl Sink for VisibleFaces {
         for face in mesh.faces() {
             let place = |corner| placement.transform_point3(corner_point(mesh, corner));
             let rings = face.loop_ranges().map(|range| range.map(place).collect()).collect();
-            let shown = self.table.face_material(material, mesh.shared_materials(), face.tag().material);
+            let shown = self.table.face_material(material, mesh.material_list(), face.tag().material);
             self.add(rings, unit(turn * face.area_vector()), shown, solid);
         }
         ControlFlow::Continue(())

@@ -1,6 +1,6 @@
 //! Tangents of vertices, for materials with a normal map: without them every reader computes its own.
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use glam::{Vec2, Vec3};
 
 use super::triangles::Vertex;

@@ -4,9 +4,9 @@ use glam::{DVec3, DVec4, Vec4};
 
 use super::flatten::PlacedFace;
 use super::room::Room;
+use crate::geometry::each::Each;
 use crate::run::sink::corners::PlacedBox;
 use crate::shape::unit::UnitMesh;
-use crate::value::each::Each;
 
 /// Position x, y, z and normal x, y, z.
 pub type Vertex = [f32; 6];

@@ -3,12 +3,12 @@
 use glam::DVec3;
 
 use crate::fault::FaultKind;
+use crate::geometry::each::Each;
 use crate::geometry::rotation::{angles, turn};
 use crate::geometry::{Axis, Frame};
 use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::value::array::Array;
-use crate::value::each::Each;
 
 /// A coordinate system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

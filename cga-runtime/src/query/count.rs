@@ -2,6 +2,7 @@
 
 use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::wire::Wire;
+use crate::material::Material;
 use crate::run::env::Env;
 use crate::shape::{Placed, Shape};
 use crate::value::array::Array;
@@ -47,7 +48,7 @@ pub fn geometry_groups(env: &Env, shape: &Shape) -> Array<Text> {
 /// `geometry.materials()`: the names of the materials that faces have, in their order; faces without a material come
 /// last, with an empty name (*geometry.materials function*).
 pub fn geometry_materials(shape: &Shape) -> Array<Text> {
-    let name = |mesh: &Mesh, id: usize| mesh.materials().get(id).and_then(|look| look.name.clone());
+    let name = |mesh: &Mesh, id: usize| mesh.materials::<Material>().get(id).and_then(|look| look.name.clone());
     names(shape, |tag| tag.material, name, Text::default())
 }
 

@@ -3,6 +3,7 @@
 use crate::asset::image::header;
 use crate::asset::{AssetError, BUILTINS, File};
 use crate::geometry::Axis;
+use crate::material::Material;
 use crate::run::env::Env;
 use crate::shape::view::View;
 use crate::value::array::Array;
@@ -99,7 +100,9 @@ pub fn asset_naming_infos(env: &mut Env, file: File, what: AssetNaming) -> Array
     };
     let names: Vec<Text> = match what {
         AssetNaming::Groups => mesh.groups().iter().map(|name| Text::from(name.as_str())).collect(),
-        AssetNaming::Materials => mesh.materials().iter().map(|look| look.name.clone().unwrap_or_default()).collect(),
+        AssetNaming::Materials => {
+            mesh.materials::<Material>().iter().map(|look| look.name.clone().unwrap_or_default()).collect()
+        }
     };
     if env.may_hold(names.len()) { Array::from(names) } else { Array::default() }
 }

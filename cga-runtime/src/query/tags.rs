@@ -1,6 +1,7 @@
 //! Tags of components (*geometry.tags*, *geometry.hasTags function*).
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use crate::geometry::mesh::TaggedComponents;
 use crate::shape::Shape;
@@ -28,7 +29,7 @@ pub fn geometry_has_tags_of(shape: &Shape, query: Text, components: TaggedCompon
     shape.found_tags(Some(&query), components).next().is_some()
 }
 
-fn sorted<'t>(tags: impl Iterator<Item = &'t Text>) -> Array<Text> {
-    let tags: BTreeSet<&Text> = tags.collect();
-    tags.into_iter().cloned().collect()
+fn sorted<'t>(tags: impl Iterator<Item = &'t Arc<str>>) -> Array<Text> {
+    let tags: BTreeSet<&Arc<str>> = tags.collect();
+    tags.into_iter().map(|tag| Text::from(tag.clone())).collect()
 }

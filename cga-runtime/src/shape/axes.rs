@@ -3,8 +3,8 @@
 use glam::{DMat3, DVec3, DVec4, Vec4};
 
 use crate::geometry::Axis;
+use crate::geometry::each::Each;
 use crate::shape::unit::BoxSide;
-use crate::value::each::Each;
 
 /// The orthonormal axes of scopes, with the rounded normals of everything aligned to them.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -191,7 +191,7 @@ impl Shape {
     pub(crate) fn own_material(&self) -> Option<&Material> {
         let Geometry::Mesh(placed) = &self.geometry else { return None };
         let mesh = &placed.mesh;
-        mesh.face_attributes().find_map(|tag| mesh.materials().get(tag.material as usize))
+        mesh.face_attributes().find_map(|tag| mesh.materials::<Material>().get(tag.material as usize))
     }
 
     /// Changes the material of this shape and of all shapes derived from it.

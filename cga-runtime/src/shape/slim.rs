@@ -13,11 +13,11 @@ use super::axes::Axes;
 use super::base::{Base, Form};
 use super::{Counter, Geometry, Shape};
 use crate::geometry::Axis;
+use crate::geometry::each::Each;
 use crate::shape::look_id::LookId;
 use crate::shape::scope::Scope;
 use crate::shape::seed::{self, Seed, Tag};
 use crate::shape::unit::UnitMesh;
-use crate::value::each::Each;
 
 /// A shape while rules run: the fields that splits change, and a reference to the rest.
 ///

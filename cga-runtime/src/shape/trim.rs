@@ -18,11 +18,11 @@ use std::sync::{Arc, OnceLock};
 use glam::{DVec2, DVec3};
 
 use crate::geometry::Frame;
+use crate::geometry::each::Each;
 use crate::geometry::hull::hull;
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::tol::{ANGLE_EPSILON, PLANAR_EPSILON};
 use crate::geometry::triangulate::PlaneProjection;
-use crate::value::each::Each;
 
 /// A trim plane in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -11,14 +11,15 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use glam::{DAffine3, DMat3, DVec3};
 
+use super::tags::tag_query;
 use crate::geometry::Axis;
 use crate::geometry::cut;
+use crate::geometry::each::Each;
 use crate::geometry::extrude::{Extrude, extrude};
 use crate::geometry::mesh::{Mesh, TaggedComponents};
 use crate::geometry::primitive;
 use crate::geometry::provenance::Provenance;
 use crate::geometry::solid;
-use crate::value::each::Each;
 
 /// The mesh of a box or a rectangle with a length of 1 along each of its axes. A rectangle is at 0 on the axis across
 /// it.
@@ -249,7 +250,7 @@ impl UnitMesh {
 
     /// The mesh without the tags that a query matches, or without all tags if there is no query.
     pub(crate) fn without_tags(self, query: Option<&str>) -> Self {
-        UnitMesh::shared(self.0.mesh.without_tags(query, TaggedComponents::Faces))
+        UnitMesh::shared(self.0.mesh.without_tags(&tag_query(query), TaggedComponents::Faces))
     }
 
     /// Returns true if it has a cap that no operation on texture coordinates has reached.

@@ -3,11 +3,11 @@
 use glam::DVec3;
 
 use crate::geometry::Axis;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::FaceRef;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::tol::{ACROSS_EPSILON, AREA_EPSILON, EDGE_EPSILON};
 use crate::shape::{Geometry, Placed, Shape};
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// The area up to a distance from the scope's low end, as a function of the distance.
 #[derive(Debug)]

@@ -1,7 +1,7 @@
 //! The graph of centre lines: lines are divided at meeting points, and ends near other lines are moved onto them.
 
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::each::Each;
+use crate::geometry::small_sort::SmallSort;
 use std::collections::{BTreeMap, BTreeSet};
 
 use glam::{DVec2, DVec3};

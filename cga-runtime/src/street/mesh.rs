@@ -3,9 +3,9 @@
 use glam::{DVec2, DVec3};
 
 use super::grid::{GridMap, Point};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use crate::geometry::triangulate::Triangulator;
-use crate::value::each::Each;
 
 /// A face: its outline and holes, and three sets of coordinates at each of their points.
 pub(super) struct StreetFace {

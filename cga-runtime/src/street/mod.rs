@@ -55,10 +55,10 @@ pub use input::{Centerline, NetworkOptions};
 
 use std::collections::BTreeMap;
 
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
+use crate::geometry::small_sort::SmallSort;
 use crate::shape::Shape;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// The limit on crossings of street borders, which bounds memory and time.
 const MOST_CROSSINGS: usize = 2_000_000;

@@ -3,8 +3,8 @@
 use super::grid::{Point, cross, sides, twice_area, winding};
 use super::rounding::divide;
 use crate::geometry::disjoint::DisjointSets;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::each::Each;
+use crate::geometry::small_sort::SmallSort;
 
 /// The number for "no owner".
 pub(super) const NONE: u32 = u32::MAX;

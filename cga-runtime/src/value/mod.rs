@@ -2,13 +2,11 @@
 
 pub mod array;
 pub(crate) mod compare;
-pub(crate) mod each;
 pub(crate) mod number;
 pub(crate) mod pattern;
 #[cfg(feature = "serde")]
 mod serde;
 pub(crate) mod shown;
-pub(crate) mod small_sort;
 pub mod text;
 
 use std::fmt;

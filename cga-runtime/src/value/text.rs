@@ -65,6 +65,12 @@ impl From<&str> for Text {
     }
 }
 
+impl From<Arc<str>> for Text {
+    fn from(text: Arc<str>) -> Self {
+        Text(Repr::Shared(text))
+    }
+}
+
 impl From<String> for Text {
     fn from(text: String) -> Self {
         Text(Repr::Shared(text.into()))

@@ -29,7 +29,7 @@ fn zoo() -> Vec<(&'static str, Mesh)> {
 fn name(tags: Option<&TagSet>) -> Option<&str> {
     tags.map(|set| {
         assert_eq!(set.names().len(), 1);
-        set.names()[0].as_str()
+        &*set.names()[0]
     })
 }
 

@@ -103,7 +103,7 @@ fn what_an_old_material_file_can_say_is_said() {
         &mut |_| Some(library.clone().into_bytes()),
     );
     let mesh = back.expect("it was written by us").mesh;
-    let look = &mesh.materials()[0];
+    let look = &mesh.materials::<Material>()[0];
     assert_eq!(look.number(MaterialNumber::Specular(Channel::G)), Some(0.5));
     assert_eq!(look.number(MaterialNumber::Emissive(Channel::R)), Some(0.25));
     assert_eq!(look.number(MaterialNumber::Shininess), Some(30.0));

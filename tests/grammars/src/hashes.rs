@@ -109,7 +109,7 @@ fn leaves(model: &Model) -> u64 {
             let attributes = FaceTag { tags: FaceTag::NONE, ..tag };
             write!(hash, "{loops:?} {attributes:?} {tags:?}").expect("a hash takes all text");
         }
-        let names = (mesh.groups(), mesh.materials());
+        let names = (mesh.groups(), mesh.materials::<cga::Material>());
         let sets: Vec<_> = (0..10).map(|set| mesh.uv_set(set)).collect();
         write!(hash, "{names:?} {sets:?}").expect("a hash takes all text");
     }

@@ -33,9 +33,9 @@ use self::scene::{INSTANCING, NodeMesh};
 use super::EmbeddedImage;
 use super::names::Names;
 use super::warnings::{Warnings, short};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use crate::material::{Layer, Material};
-use crate::value::each::Each;
 
 pub use self::error::GltfError;
 

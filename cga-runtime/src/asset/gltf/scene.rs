@@ -1,6 +1,6 @@
 //! The nodes of the scene: the places of meshes.
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use glam::{DAffine3, DMat4, DQuat, DVec3};
 
 use super::GltfError;

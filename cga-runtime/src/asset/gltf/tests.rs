@@ -270,7 +270,7 @@ fn a_material_has_its_colours_images_and_coordinates() {
     let GltfFile { mesh, images, warnings } = file.read().expect("it is valid");
     assert_eq!(images, [EmbeddedImage { name: "#0.png".into(), bytes: png(true) }]);
     assert_eq!(warnings, ["images[2] is not a complete PNG or JPEG file"]);
-    let material = &mesh.materials()[0];
+    let material = &mesh.materials::<Material>()[0];
     let text = |which| material.text(which).map(|text| text.as_str());
     assert_eq!(text(MaterialText::Name), Some("Brick"));
     assert_eq!(text(MaterialText::Map(Layer::Color)), Some("#0.png"));

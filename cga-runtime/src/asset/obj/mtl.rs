@@ -6,8 +6,8 @@ use std::borrow::Cow;
 use std::fmt;
 
 use super::lines::lines;
+use crate::geometry::each::Each;
 use crate::material::{Channel, Color, ColorOf, Layer, Material, MaterialNumber, MaterialText};
-use crate::value::each::Each;
 use crate::value::text::Text;
 
 /// A material library.

@@ -37,11 +37,11 @@ fn groups_and_materials_are_tags_of_one_mesh() {
     assert_eq!(mesh.groups(), ["wall", "roof"]);
     assert_eq!(mesh.faces().map(|f| f.tag().group).collect::<Vec<_>>(), [0, 1, 0]);
     assert_eq!(mesh.faces().map(|f| f.tag().material).collect::<Vec<_>>(), [0, 1, 1]);
-    let brick = &mesh.materials()[0];
+    let brick = &mesh.materials::<Material>()[0];
     assert_eq!(brick.color, Some(Color { r: 0.8, g: 0.2, b: 0.1 }));
     assert_eq!((brick.opacity, brick.roughness), (Some(0.5), Some(0.7)));
     assert_eq!(brick.texture.as_deref(), Some("brick.png"));
-    assert_eq!(mesh.materials()[1].name.as_deref(), Some("tile"));
+    assert_eq!(mesh.materials::<Material>()[1].name.as_deref(), Some("tile"));
     assert_eq!(file.warnings.len(), 2, "{:?}", file.warnings);
 }
 
@@ -76,7 +76,7 @@ fn statements_of_a_library_that_make_no_sense_are_left_out() {
     let library = b"newmtl brick\nKd 0.5\nKs 1 2\nKa\nKe x y z\nNs\nd nan?\nillum 999\nmap_Kd\nmap_d  \nbump\nPr 0.7\n";
     let text = format!("mtllib a.mtl\n{SQUARE}usemtl brick\nf 1 2 3 4\n");
     let file = read_obj(text.as_bytes(), &mut |_| Some(library.to_vec())).unwrap();
-    let look = &file.mesh.materials()[0];
+    let look = &file.mesh.materials::<Material>()[0];
     assert_eq!((look.color, look.roughness), (Some(Color::new(0.5, 0.5, 0.5)), Some(0.7)));
     assert_eq!(file.warnings, ["line 3 of the material library `a.mtl` can't be read, and 8 more"]);
 }
@@ -91,8 +91,8 @@ fn comments_end_where_their_line_does() {
     let file = read(&text).unwrap();
     assert_eq!(file.mesh.groups(), ["foo", "n#1"]);
     assert_eq!(file.mesh.face(1).tag().group, FaceTag::NONE);
-    assert_eq!(file.mesh.materials()[0].name.as_deref(), Some("brick"));
-    assert!(file.mesh.materials()[0].color.is_some() && file.warnings.is_empty(), "{:?}", file.warnings);
+    assert_eq!(file.mesh.materials::<Material>()[0].name.as_deref(), Some("brick"));
+    assert!(file.mesh.materials::<Material>()[0].color.is_some() && file.warnings.is_empty(), "{:?}", file.warnings);
 }
 
 #[test]
@@ -105,12 +105,12 @@ fn lone_carriage_returns_marks_and_capitals_are_understood() {
     for text in odd {
         let file = read(&text).unwrap();
         assert_eq!((file.mesh.points(), file.mesh.corners()), (plain.mesh.points(), plain.mesh.corners()), "{text:?}");
-        assert_eq!(file.mesh.materials(), plain.mesh.materials());
+        assert_eq!(file.mesh.materials::<Material>(), plain.mesh.materials::<Material>());
         assert!(file.warnings.is_empty(), "{:?}", file.warnings);
     }
     let library = b"NEWMTL brick\rKD 0.5 0.25 0 # dark\rMAP_KD a.png # old\r";
     let file = read_obj(text.as_bytes(), &mut |_| Some(library.to_vec())).unwrap();
-    let look = &file.mesh.materials()[0];
+    let look = &file.mesh.materials::<Material>()[0];
     assert_eq!((look.color, look.texture.as_deref()), (Some(Color::new(0.5, 0.25, 0.0)), Some("a.png")));
 }
 
@@ -173,7 +173,7 @@ fn look_ups_and_warnings_have_a_limit() {
     // not made.
     let all = 15 + 30_000 + 30_000 + 1;
     assert_eq!(warnings[99], format!("there are {} more warnings", all - 99));
-    assert_eq!(file.mesh.materials().last().and_then(|brick| brick.color), Some(Color::new(1.0, 0.0, 0.0)));
+    assert_eq!(file.mesh.materials::<Material>().last().and_then(|brick| brick.color), Some(Color::new(1.0, 0.0, 0.0)));
 }
 
 #[test]

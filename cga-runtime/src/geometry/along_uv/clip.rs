@@ -4,12 +4,12 @@ use glam::{DVec2, DVec3};
 
 use super::patch::{On, UvPatch};
 use super::unit::{AssetPolygon, UnitAsset};
+use crate::geometry::each::Each;
 use crate::geometry::exact::{comes_first, orient};
 use crate::geometry::mesh::{Mesh, UvSets};
 use crate::geometry::segment::nearest_share;
 use crate::geometry::tol::NEXT_EPSILON;
 use crate::geometry::vector::area_vector;
-use crate::value::each::Each;
 
 /// A corner of a piece, above a point of texture space.
 #[derive(Clone, Copy)]

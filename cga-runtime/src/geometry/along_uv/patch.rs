@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use glam::{DVec2, DVec3};
 
 use super::{AlongUv, HeightDirection};
+use crate::geometry::each::Each;
 use crate::geometry::exact::{comes_first, orient};
 use crate::geometry::extrude::vertex_normals;
 use crate::geometry::mesh::{Mesh, TooManyCorners};
@@ -12,7 +13,6 @@ use crate::geometry::nesting::extent::Extent;
 use crate::geometry::segment::nearest_share;
 use crate::geometry::tol::{AFFINE_EPSILON, WHOLE_EPSILON};
 use crate::geometry::triangulate::Triangulator;
-use crate::value::each::Each;
 
 /// A triangle, or a quad whose coordinates are a parallelogram. Corners are counter-clockwise in texture space.
 pub(super) struct UvPatch {

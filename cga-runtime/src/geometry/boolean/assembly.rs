@@ -10,11 +10,10 @@ use super::operation::{BooleanError, BooleanOp};
 use super::polygon::{PolygonCorner, ResultPolygon};
 use super::progress::goes_on;
 use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin, Mix, PointOrigin};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Mesh, TagSet, flip};
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::triangulate::Triangulator;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
-use crate::value::text::Text;
 
 /// Makes the mesh of polygons.
 pub(super) struct Assembly<'a> {
@@ -133,7 +132,7 @@ impl Assembly<'_> {
         corner_at.get(at).filter(|known| known.0 == corner.point).map(|known| only(known.1))
     }
 
-    /// The tags of a face: the tags of all its sources, with new ones for the operands (*Boolean operations*, component tags).
+    /// The tags of a face: the tags of all its sources, with new ones for the operands.
     fn tags(&self, polygon: &ResultPolygon) -> TagSet {
         let of = |facet: &u32| {
             let tag = self.mesh.face(self.facets[*facet as usize].face as usize).tag();
@@ -144,7 +143,7 @@ impl Assembly<'_> {
             return TagSet::new(names);
         }
         let operand = |facet: &u32| ["bool.A", "bool.B"][usize::from(self.operands[*facet as usize])];
-        let own = polygon.sources.iter().map(|facet| Text::from(operand(facet)));
-        TagSet::new(names).without(Some("bool")).union(&TagSet::new(own))
+        let own = polygon.sources.iter().map(operand);
+        TagSet::new(names).without_below("bool").union(&TagSet::new(own))
     }
 }

@@ -14,10 +14,10 @@ use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::progress::goes_on;
 use crate::geometry::disjoint::DisjointSets;
+use crate::geometry::each::Each;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::Bounds;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 /// The number of times that outlines wind around a place.
 pub(super) trait Winding: Clone + Default + PartialEq {

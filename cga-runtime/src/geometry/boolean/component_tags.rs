@@ -7,9 +7,8 @@ use super::facet::Facet;
 use super::operation::{BooleanError, BooleanOp};
 use super::progress::goes_on;
 use super::sheet::Sheets;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Mesh, TagSet, TagSetTable};
-use crate::value::each::Each;
-use crate::value::text::Text;
 
 /// The number for "no tags".
 pub(super) const NO_TAGS: u32 = u32::MAX;
@@ -58,9 +57,9 @@ impl EdgeTags {
             if op != BooleanOp::Unify {
                 let sources = || uses.iter().flat_map(|used| &sheets.list[used.sheet as usize].sources);
                 let has = |operand: u8| sources().any(|source| operands[source.facet as usize] == operand);
-                tags = tags.without(Some("bool"));
+                tags = tags.without_below("bool");
                 if has(0) && has(1) {
-                    tags = tags.with(&Text::from("bool.cut"));
+                    tags = tags.with("bool.cut");
                 }
             }
             if !tags.names().is_empty() {

@@ -1,6 +1,6 @@
 //! The edges of an arrangement: outlines of facets, and lines where facets meet.
 
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 use std::collections::HashMap;
 
 use glam::DVec3;

@@ -4,10 +4,10 @@ use glam::{DVec2, DVec3};
 
 use super::bounds_tree::{BoundsTree, overlap};
 use super::facet::Facet;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Bounds, Mesh};
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::triangulate::{PlaneProjection, Triangulator};
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// The values of a corner, as shares of corners of the mesh.
 pub(super) type Shares = [(u32, f64); 3];

@@ -6,10 +6,10 @@ use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::progress::goes_on;
 use super::rim::{MOST_WITHOUT_TREE, RimTree};
+use crate::geometry::each::Each;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::{Bounds, FaceRef, Mesh, unit};
 use crate::geometry::triangulate::{PlaneProjection, Triangulator};
-use crate::value::each::Each;
 
 /// A planar polygon with holes: a face of the mesh, or a triangle of a bent face.
 pub(super) struct Facet {

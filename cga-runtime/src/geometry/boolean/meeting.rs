@@ -3,8 +3,8 @@
 //! A point within epsilon of a facet's plane is on the plane. So facets that touch, except for rounding, have common points
 //! and edges. Where the outline of a facet crosses the plane of another, the crossing becomes a point.
 
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::each::Each;
+use crate::geometry::small_sort::SmallSort;
 use glam::DVec3;
 
 use super::budget::Budget;

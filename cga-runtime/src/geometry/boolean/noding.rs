@@ -11,10 +11,10 @@ use super::operation::BooleanError;
 use super::plane_group::PlaneGroups;
 use super::point_set::PointSet;
 use super::progress::goes_on;
+use crate::geometry::each::Each;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::Bounds;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 /// The limit on rounds. Two suffice for most arrangements.
 const MOST_ROUNDS: usize = 32;

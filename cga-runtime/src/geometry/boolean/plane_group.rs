@@ -12,7 +12,7 @@ use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::sheet::SheetSource;
 use crate::geometry::disjoint::DisjointSets;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 /// The groups of overlapping facets. While lines are divided, each group is a facet behind the facets proper, which has the lines
 /// of all its members; members have the lines of their outlines alone.

@@ -1,6 +1,6 @@
 //! The points of an arrangement. No two of them are closer than its epsilon.
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use std::collections::HashMap;
 
 use glam::DVec3;

@@ -13,7 +13,7 @@ use super::progress::goes_on;
 use super::selection::ChosenSheet;
 use super::sheet::Sheets;
 use crate::geometry::disjoint::DisjointSets;
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 
 /// A corner of a polygon, and the edge that starts there.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -9,8 +9,8 @@ use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::sheet::Sheet;
 use super::shell::ShellKind;
+use crate::geometry::each::Each;
 use crate::geometry::triangulate::Triangulator;
-use crate::value::each::Each;
 
 /// A ray that passes the rim of a facet at less than this many epsilons is not used.
 const CLEARANCE: f64 = 16.0;

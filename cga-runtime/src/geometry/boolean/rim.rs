@@ -3,8 +3,8 @@
 use glam::DVec2;
 
 use super::bounds_tree::{BoundsTree, overlap};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Bounds;
-use crate::value::each::Each;
 
 /// Facets with at most this many corners have no tree: a look at all their edges is as fast.
 pub(super) const MOST_WITHOUT_TREE: usize = 64;

@@ -7,8 +7,8 @@ use super::ray::RayCaster;
 use super::sheet::{Sheet, SheetSide, SheetSource, Sheets};
 use super::surface::{inside_surface, surface_winding};
 use super::winding::Windings;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::each::Each;
+use crate::geometry::small_sort::SmallSort;
 
 /// A sheet of the result.
 pub(super) struct ChosenSheet {

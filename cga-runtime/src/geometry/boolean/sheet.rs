@@ -3,8 +3,8 @@
 //! Around an edge, the sheets that have it are in the order of their angles. So the space at the edge is divided into wedges,
 //! each between a side of a sheet and a side of the next one.
 
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::each::Each;
+use crate::geometry::small_sort::SmallSort;
 use std::collections::HashMap;
 
 use glam::DVec2;

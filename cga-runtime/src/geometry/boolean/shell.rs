@@ -4,7 +4,7 @@ use super::edge_table::EdgeTable;
 use super::facet::Facet;
 use super::point_set::PointSet;
 use crate::geometry::disjoint::DisjointSets;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 /// The part that a facet has in its mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! Drops points that a result does not need.
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use std::collections::HashMap;
 
 use super::edge_table::NO_CORNER;

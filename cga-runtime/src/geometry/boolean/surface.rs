@@ -16,8 +16,8 @@ use super::ray::{RayCaster, place_in};
 use super::sheet::{EdgeUse, SheetSide, Sheets};
 use super::shell::ShellKind;
 use crate::geometry::disjoint::DisjointSets;
+use crate::geometry::each::Each;
 use crate::geometry::triangulate::Triangulator;
-use crate::value::each::Each;
 
 /// The cost of the solid angle of a triangle, in comparisons.
 const ANGLE_COST: usize = 4;

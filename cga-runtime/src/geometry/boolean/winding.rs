@@ -11,7 +11,7 @@ use super::ray::{Around, RayCaster};
 use super::sheet::{SheetSide, Sheets};
 use super::shell::ShellKind;
 use crate::geometry::disjoint::DisjointSets;
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 
 /// The closed shells of each operand around both sides of each sheet.
 pub(super) struct Windings(Vec<[Around; 2]>);

@@ -2,13 +2,13 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::geometry::each::Each;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::nesting::extent::Extent;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::tol::TOUCH_EPSILON;
 use crate::geometry::triangulate::{PlaneProjection, filling, is_filled};
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// The limit on pairs of edges of a face that are compared. Further edges of larger faces count as apart.
 const MOST_PAIRS: usize = 1 << 22;

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use super::components::{components, is_closed};
 use super::values::have_same_attributes;
 use super::{add_face, without_faces};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::tol::VOLUME_EPSILON;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// A face that has the same corners as others.
 #[derive(Clone, Copy)]

@@ -6,8 +6,8 @@ use super::Limits;
 use super::regions::{KEPT, Removal, joined};
 use super::slivers::neighbour;
 use super::values::{continue_over, have_same_attributes};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
-use crate::value::each::Each;
 
 /// The face of a region that is not found yet.
 const UNKNOWN: u32 = u32::MAX;

@@ -6,8 +6,8 @@ use glam::DVec3;
 
 use super::crossing::will_break;
 use super::{add_loops, without_faces};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
-use crate::value::each::Each;
 
 /// The limit on attempts to merge without turning faces over and without crossings. After that only points at one place are merged.
 const MOST_ROUNDS: usize = 16;

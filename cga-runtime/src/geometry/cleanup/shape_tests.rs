@@ -7,7 +7,6 @@ use crate::geometry::boolean::{BooleanOp, combine};
 use crate::geometry::convexify::convexify;
 use crate::geometry::mesh::{FaceTag, MeshBuilder, SubcomponentTagsBuilder, TagSet};
 use crate::geometry::primitive;
-use crate::value::text::Text;
 
 const ALL: Parts = Parts { vertices: true, edges: true, faces: true };
 const FACES: Parts = Parts { vertices: false, edges: false, faces: true };
@@ -73,7 +72,7 @@ fn spikes_of_merged_points_vanish_with_their_tags() {
     let notched = polygon(&[[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [2.01, 3.0], [2.005, 1.0], [2.0, 3.0], [0.0, 3.0]]);
     let mut tagged = notched.clone();
     let mut tagger = SubcomponentTagsBuilder::default();
-    let tags = TagSet::default().with(&Text::from("bool.cut"));
+    let tags = TagSet::default().with("bool.cut");
     (0..7).for_each(|point| tagger.edge([point, (point + 1) % 7], &tags));
     tagged.subcomponent_tags = tagger.finish();
     for mesh in [notched, tagged] {

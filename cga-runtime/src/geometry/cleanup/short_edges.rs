@@ -2,8 +2,8 @@
 
 use super::merge::merged_into;
 use super::{slits, without_unused_points};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
-use crate::value::each::Each;
 
 /// The mesh without edges shorter than a length in metres: their ends become one. `None` if it has no such edge, or if no
 /// face would be left.

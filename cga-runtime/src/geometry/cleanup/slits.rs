@@ -1,9 +1,9 @@
 //! Removes edges that one face has in both directions: bridges to holes, borders between holes, and spikes.
 
 use super::regions::{Removal, joined};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Mesh, in_order};
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 /// The edges with tags that one face has in both directions, as pairs of points in order.
 pub(super) fn tagged_slits(mesh: &Mesh) -> Vec<[u32; 2]> {

@@ -3,9 +3,9 @@
 use super::regions::{KEPT, Removal, joined};
 use super::values::have_same_attributes;
 use super::{Limits, values};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::tol::FLAT_EPSILON;
-use crate::value::each::Each;
 
 /// The mesh without faces that have no area because their corners are on a line, where a neighbour has their longest edge: the
 /// neighbour gets their other corners. So a closed mesh stays closed. `None` if no face is removed.

@@ -5,8 +5,8 @@ use glam::DVec3;
 use super::crossing::will_break;
 use super::values::are_between;
 use super::{Limits, add_loops, without_faces};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Mesh, unit};
-use crate::value::each::Each;
 
 /// The mesh without points between two edges that form a straight line in all faces at the point. An edge that replaces others
 /// deviates from them by less than the limits, so that an arc of many edges keeps its form. Points with tags stay, and so do those

@@ -6,7 +6,6 @@ use crate::geometry::mesh::{FaceTag, MeshBuilder, SubcomponentTagsBuilder, TagSe
 use crate::geometry::primitive;
 use crate::geometry::random::Rng;
 use crate::geometry::triangulate::Triangulator;
-use crate::value::text::Text;
 
 const ALL: Parts = Parts { vertices: true, edges: true, faces: true };
 const VERTICES: Parts = Parts { vertices: true, edges: false, faces: false };
@@ -378,7 +377,7 @@ fn edges_with_another_texture_material_or_tag_stay() {
 /// edges with different tags are kept."
 #[test]
 fn tags_stay() {
-    let tag = |name: &str| TagSet::new([Text::from(name)]);
+    let tag = |name: &str| TagSet::new([name]);
     // Three squares in a row, with a point in the middle of each outer edge.
     let mut builder = MeshBuilder::new();
     let low: Vec<u32> = (0..7).map(|k| builder.point([f64::from(k) * 0.5, 0.0, 0.0])).collect();

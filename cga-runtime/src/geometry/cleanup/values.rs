@@ -3,9 +3,9 @@
 use glam::DVec3;
 
 use super::Limits;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{FaceTag, Mesh, are_uvs_near};
 use crate::geometry::tol::{FLAT_ANGLE_EPSILON, TEXTURE_EPSILON};
-use crate::value::each::Each;
 
 /// The limit on corners of a face that are searched for the one that tells how the texture continues.
 const MOST_CORNERS: usize = 8;
@@ -14,12 +14,11 @@ const MOST_CORNERS: usize = 8;
 pub(super) fn have_same_attributes(mesh: &Mesh, one: u32, other: u32) -> bool {
     let [a, b] = [one, other].each(|face| mesh.tags[face as usize]);
     let group = |tag: FaceTag| mesh.groups.get(tag.group as usize);
-    let material = |tag: FaceTag| mesh.materials.get(tag.material as usize);
     let names = |tag: FaceTag| mesh.tag_sets.get(tag.tags as usize).map_or(&[][..], |set| set.names());
     a.cap == b.cap
         && (a.tags == b.tags || names(a) == names(b))
         && (a.group == b.group || group(a) == group(b))
-        && (a.material == b.material || material(a) == material(b))
+        && mesh.materials.are_equal(a.material, b.material)
 }
 
 fn position(mesh: &Mesh, corner: u32) -> DVec3 {

@@ -14,11 +14,11 @@ use super::net::Net;
 use super::obstacles::Obstacles;
 use super::plane::Plane;
 use super::turn::is_reflex;
+use crate::geometry::each::Each;
 use crate::geometry::exact::orient;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::{ROUNDING_EPSILON, TIE_EPSILON};
 use crate::geometry::work;
-use crate::value::each::Each;
 
 /// The number of reflex corners near a corner that are tried as the other end of a cut, and the number of nodes of the tree
 /// that are visited for them.

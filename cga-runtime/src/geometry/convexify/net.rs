@@ -3,9 +3,9 @@
 use glam::DVec3;
 
 use crate::geometry::derive::Mix;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::origin::PointOrigin;
-use crate::value::each::Each;
 
 /// The corners of a mesh, linked to loops. The half-edge that starts at a corner has the number of the corner.
 pub(super) struct Net {

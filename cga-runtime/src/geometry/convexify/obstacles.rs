@@ -6,7 +6,7 @@ use std::collections::BinaryHeap;
 use glam::DVec2;
 
 use crate::geometry::nesting::extent::Extent;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 /// The largest number of half-edges in a leaf of a tree, and of half-edges outside of the trees.
 const LEAF: usize = 8;

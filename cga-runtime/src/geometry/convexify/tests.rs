@@ -4,7 +4,6 @@ use super::*;
 use crate::geometry::extrude::{Extrude, extrude};
 use crate::geometry::mesh::{FaceTag, MeshBuilder, SubcomponentTagsBuilder, TagSet};
 use crate::geometry::random::Rng;
-use crate::value::text::Text;
 
 const ALL: f64 = f64::INFINITY;
 
@@ -140,7 +139,7 @@ fn values_at_new_corners_are_between_those_of_their_edges() {
 
 #[test]
 fn parts_of_edges_keep_the_tags_of_the_edge() {
-    let tag = |name: &str| TagSet::new([Text::from(name)]);
+    let tag = |name: &str| TagSet::new([name]);
     let mut block = extrude(&polygon(&L, &[]), Extrude::FaceNormal, 3.0);
     let mut tagger = SubcomponentTagsBuilder::default();
     block.face_edges().for_each(|[a, b]| tagger.edge([a, b], &tag(&format!("edge.{}.{}", a.min(b), a.max(b)))));
@@ -353,9 +352,8 @@ fn parts_keep_tags_groups_materials_and_values() {
     let mut builder = MeshBuilder::new();
     let points: Vec<u32> = L.iter().map(|&(x, y)| builder.point([x, y, height(x, y)])).collect();
     let beside = [(-5.0, 10.0), (-5.0, 0.0)].map(|(x, y)| builder.point([x, y, 0.0]));
-    let material = |name: &str| crate::material::Material { name: Some(name.into()), ..Default::default() };
-    builder.groups(["g".to_owned(), "h".to_owned()]).materials([material("m"), material("n")]);
-    let set = |name: &str| crate::geometry::mesh::TagSet::new([name.into()]);
+    builder.groups(["g".to_owned(), "h".to_owned()]).materials(["m", "n"]);
+    let set = |name: &str| crate::geometry::mesh::TagSet::new([name]);
     builder.tag_sets([set("l"), set("square")]);
     let value = |x: f64, y: f64| DVec2::new(x / 10.0, y / 10.0);
     let tilt = |x: f64| DVec3::new(x / 40.0, 0.0, 1.0).normalize();

@@ -10,7 +10,7 @@ use glam::DVec2;
 
 use super::net::Net;
 use crate::geometry::exact::orient;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 /// Corners at touching points, each with the corner whose incoming half-edge it has now.
 pub(super) struct Relinked(Vec<[u32; 2]>);

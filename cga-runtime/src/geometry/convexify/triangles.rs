@@ -6,10 +6,10 @@ use super::net::Net;
 use super::plane::Plane;
 use super::rings::{Part, Rings};
 use super::turn::is_reflex;
+use crate::geometry::each::Each;
 use crate::geometry::exact::orient;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::triangulate::{Triangulator, is_filled};
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// Divides a face along diagonals between its corners. `None`, with an unchanged face, if the parts are not convex.
 pub(super) fn divide(net: &mut Net, heads: &[u32], plane: &Plane) -> Option<Vec<Part>> {

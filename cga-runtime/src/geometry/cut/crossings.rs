@@ -7,9 +7,9 @@ use super::class::ClassRange;
 use super::points::{CutPoints, Location, PieceCorner};
 use super::segment::{Segment, comes_first};
 use super::slab::Slab;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::work;
-use crate::value::each::Each;
 
 impl CutPoints {
     /// The crossing of the edge between two corners with the only plane between them.

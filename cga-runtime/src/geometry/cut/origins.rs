@@ -4,9 +4,9 @@ use super::class::ClassRange;
 use super::points::{Location, NONE};
 use super::segment::comes_first;
 use super::state::CutState;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::origin::PointOrigin;
-use crate::value::each::Each;
 
 impl CutState {
     /// The origin of each point of each slab, if the mesh needs them.

@@ -12,8 +12,8 @@ use glam::{DMat3, DVec3};
 use super::points::NONE;
 use super::{Cutter, OpenChain, Slabs};
 use crate::geometry::Frame;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Mesh, unit};
-use crate::value::each::Each;
 
 /// An oriented plane.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -9,8 +9,8 @@ use glam::{DVec2, DVec3};
 use super::class::Class;
 use super::edges::Edges;
 use super::segment::Segment;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
-use crate::value::each::Each;
 
 /// The number of a point without a number yet.
 pub(super) const NONE: u32 = u32::MAX;

@@ -5,9 +5,9 @@ use super::points::{CutPoints, Location, NONE};
 use crate::geometry::cut::caps::rim::{PlaneSide, Rim};
 use crate::geometry::cut::caps::sheets::Sheets;
 use crate::geometry::cut::slab::Slab;
+use crate::geometry::each::Each;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::{FaceTag, Mesh};
-use crate::value::each::Each;
 
 /// A cut in progress.
 #[derive(Default)]

@@ -7,11 +7,11 @@
 use std::collections::BTreeMap;
 
 use super::{EdgeOrigin, EdgeSource, PointOrigin};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{
     Mesh, SubcomponentTags, SubcomponentTagsBuilder, TagSet, TagSetTable, in_order, whole_edge,
 };
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 /// The origins of edges that operations have given, and the tags that they have added.
 #[derive(Default)]

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::FaceOrigin;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{FaceTag, Mesh, TagSet, TagSetTable};
-use crate::value::each::Each;
 
 /// The sets of tags of new faces.
 ///

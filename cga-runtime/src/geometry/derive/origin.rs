@@ -1,7 +1,7 @@
 //! Where the faces and edges of a new mesh come from.
 
+use crate::geometry::each::Each;
 use crate::geometry::mesh::FaceRef;
-use crate::value::each::Each;
 
 /// The part that a new face has in an operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

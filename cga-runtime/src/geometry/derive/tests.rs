@@ -3,10 +3,9 @@ use glam::{DVec2, DVec3};
 use super::*;
 use crate::geometry::mesh::{FaceTag, MeshBuilder};
 use crate::geometry::trace::{Trace, TraceLayer, TracedPoint};
-use crate::value::text::Text;
 
 fn tags(names: &[&str]) -> TagSet {
-    TagSet::new(names.iter().map(|name| Text::from(*name)))
+    TagSet::new(names.iter().copied())
 }
 
 /// Texture coordinates are an affine map of the place.

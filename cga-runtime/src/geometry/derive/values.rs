@@ -5,9 +5,9 @@ use std::ops::Range;
 use glam::{DMat2, DVec2, DVec3};
 
 use super::{FaceOrigin, PointOrigin};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Mesh, unit};
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 /// The values of a corner, as values of corners of the old mesh.
 pub(crate) enum Mix<'w> {

@@ -10,14 +10,14 @@ use glam::{DVec2, DVec3};
 
 use super::{EnvelopePart, EnvelopeRefusal, Ground, capped};
 use crate::geometry::cut::{Plane, halves};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{FaceTag, Mesh, flip};
 use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::Contour;
 use crate::geometry::skeleton::{self, Failure, Speeds, Strip};
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::work;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 impl From<Failure> for EnvelopeRefusal {
     fn from(failure: Failure) -> Self {

@@ -21,11 +21,11 @@ use std::ops::Range;
 use glam::{DVec2, DVec3};
 
 use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh, Tags, unit};
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::skeleton::MOST_CORNERS;
 use crate::geometry::tol::{PLANAR_EPSILON, TOUCH_EPSILON};
-use crate::value::each::Each;
 
 /// The side of an envelope at an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -9,7 +9,7 @@ use super::{EnvelopePart, EnvelopeRefusal, Ground, marked};
 use crate::geometry::boolean::{BooleanOp, combine};
 use crate::geometry::mesh::{FaceRef, FaceTag, FlatFace, Mesh};
 use crate::geometry::nesting::extent::Extent;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 /// The volume over the outline of a face without the shafts over its holes. Faces are in the order of their parts.
 pub(super) fn drilled(volume: Mesh, ground: &Ground<'_>, face: &FaceRef<'_>) -> Result<Mesh, EnvelopeRefusal> {

@@ -5,7 +5,7 @@
 //! within the limits it has no maximum of its own, so one maximum is on a line where three limits hold: one of the top, one of
 //! the bottom and a third one. On each such line the area is a parabola.
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use glam::DVec2;
 
 use super::Found;

@@ -4,12 +4,12 @@ use glam::{DVec2, DVec3};
 
 use super::{RectangleSides, largest};
 use crate::geometry::derive::{Derivation, EdgeOrigin, EdgeSource, FaceOrigin, PointOrigin};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::FaceRef;
 use crate::geometry::overlay::{OverlayError, wound};
 use crate::geometry::segment::nearest_share;
 use crate::geometry::skeleton::{MOST_CORNERS, any_cross};
 use crate::geometry::tol::{TIE_EPSILON, TOUCH_EPSILON};
-use crate::value::each::Each;
 
 /// The reason why a face is not divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

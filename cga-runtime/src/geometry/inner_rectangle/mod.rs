@@ -13,10 +13,10 @@ mod slabs;
 
 use glam::{DMat2, DVec2};
 
+use crate::geometry::each::Each;
 use crate::geometry::nesting::extent::Extent;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::tol::{STRAIGHT_EPSILON, TIE_EPSILON};
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 use slabs::PolygonSlabs;
 
 /// A rectangle along two directions.

@@ -8,9 +8,9 @@ use glam::DVec2;
 use super::Found;
 use super::corner::{CornerLimits, Limit};
 use super::slabs::{PolygonSlabs, SlabEdge};
+use crate::geometry::each::Each;
 use crate::geometry::tol::TIE_EPSILON;
 use crate::geometry::work;
-use crate::value::each::Each;
 
 /// Pairs of slabs: all left ones with all right ones. No rectangle with sides in them is larger than `most`.
 #[derive(Clone, Copy, Debug, PartialEq)]

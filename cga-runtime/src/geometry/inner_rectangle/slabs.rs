@@ -1,8 +1,8 @@
 //! A polygon between lines through its corners.
 
+use crate::geometry::each::Each;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::work;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 use glam::DVec2;
 
 /// Coordinates that differ by less, for a polygon with an extent of 1, are the same, as for corners on one line that was turned.

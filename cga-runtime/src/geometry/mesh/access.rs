@@ -4,9 +4,8 @@ use std::sync::{Arc, OnceLock};
 
 use glam::DVec3;
 
-use super::{FaceTag, Mesh, SubcomponentTags};
+use super::{FaceTag, Materials, Mesh, SubcomponentTags};
 use crate::geometry::trace::Trace;
-use crate::material::Material;
 
 impl Mesh {
     /// The tags of edges and vertices.
@@ -55,14 +54,14 @@ impl Mesh {
 
     /// The materials as a list that others may keep.
     #[inline]
-    pub(crate) fn shared_materials(&self) -> &Arc<[Material]> {
+    pub(crate) fn material_list(&self) -> &Materials {
         &self.materials
     }
 
-    /// Sets the materials, which faces have by number.
-    #[cfg(any(feature = "obj", feature = "gltf"))]
-    pub(crate) fn set_materials(&mut self, materials: Arc<[Material]>) {
-        self.materials = materials;
+    /// The mesh with other materials; `number` gives the new number of each old one, [`FaceTag::NONE`] included.
+    pub(crate) fn with_materials(&self, materials: impl Into<Materials>, number: impl Fn(u32) -> u32) -> Mesh {
+        let tags = self.tags.mapped(|tag| FaceTag { material: number(tag.material), ..tag });
+        Mesh { tags, materials: materials.into(), ..self.clone() }
     }
 
     /// Changes the points.

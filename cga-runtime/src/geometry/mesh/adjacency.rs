@@ -2,8 +2,8 @@
 
 use super::Mesh;
 use crate::geometry::buckets::Buckets;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::each::Each;
+use crate::geometry::small_sort::SmallSort;
 
 /// Adjacency in a mesh. Edges are numbered in the order of the first corner that starts them; a shared edge has one
 /// number (*comp operation*, e).

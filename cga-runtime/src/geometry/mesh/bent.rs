@@ -8,9 +8,9 @@
 use glam::{DMat3, DVec3};
 
 use super::{FaceRef, unit};
+use crate::geometry::each::Each;
 use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::triangulate::{Triangulator, highest};
-use crate::value::each::Each;
 
 impl FaceRef<'_> {
     /// Returns true if the mesh has bent faces, and this face is bent by more than rounding errors.

@@ -10,9 +10,8 @@ use glam::{DVec2, DVec3};
 
 use super::numbering::keep_used;
 use super::weld::weld;
-use super::{FaceTag, Mesh, MeshError, SubcomponentTagsBuilder, TagSet, UvSets};
+use super::{FaceTag, Materials, Mesh, MeshError, SubcomponentTagsBuilder, TagSet, UvSets};
 use crate::geometry::trace::UNTRACED;
-use crate::material::Material;
 
 /// Takes points and faces and makes a checked [`Mesh`].
 ///
@@ -117,7 +116,7 @@ impl MeshBuilder {
     }
 
     /// Sets the materials, which tags index.
-    pub fn materials(&mut self, materials: impl Into<Arc<[Material]>>) -> &mut Self {
+    pub fn materials(&mut self, materials: impl Into<Materials>) -> &mut Self {
         self.given.materials = materials.into();
         self
     }
@@ -273,7 +272,7 @@ mod tests {
         let mut b = MeshBuilder::new();
         let at = [[9.0, 9.0, 9.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, -0.0, 0.0], [0.0, 1.0, 0.0]];
         let p = at.map(|p| b.point(p));
-        let [edge, vertex, other] = ["e", "v", "w"].map(|name| TagSet::new([name.into()]));
+        let [edge, vertex, other] = ["e", "v", "w"].map(|name| TagSet::new([name]));
         b.face(&[p[1], p[2], p[4]], &[], FaceTag::PLAIN);
         b.edge_tags([p[3], p[1]], &edge).edge_tags([p[2], p[1]], &other).edge_tags([p[0], p[1]], &other);
         b.vertex_tags(p[3], &vertex).vertex_tags(p[0], &other).vertex_tags(77, &other);

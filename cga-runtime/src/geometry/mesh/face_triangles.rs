@@ -1,8 +1,8 @@
 //! The triangles of faces.
 
 use super::Mesh;
+use crate::geometry::each::Each;
 use crate::geometry::triangulate::Triangulator;
-use crate::value::each::Each;
 
 impl Triangulator {
     /// Appends the triangles of a face as indices into [`Mesh::corners`], and so into its texture coordinates and

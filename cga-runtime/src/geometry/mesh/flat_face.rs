@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use glam::{DVec2, DVec3};
 
 use super::FaceRef;
+use crate::geometry::each::Each;
 use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::vector::unit;
-use crate::value::each::Each;
 
 /// A face projected to its plane.
 pub(crate) struct FlatFace<'a> {

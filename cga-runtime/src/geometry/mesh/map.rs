@@ -1,10 +1,10 @@
 //! Transformations and reversal of whole meshes.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::OnceLock;
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::{Derived, FaceTag, Mesh};
+use super::{Derived, FaceTag, Materials, Mesh};
 use crate::geometry::vector::unit;
 
 /// The map of normals that matches the winding: it maps `a × b` to `(m·a) × (m·b)`, also if `m` mirrors. Unlike the
@@ -61,8 +61,7 @@ impl Mesh {
 
     /// The mesh without materials.
     pub(crate) fn without_materials(&self) -> Mesh {
-        let tags = self.tags.mapped(|tag| FaceTag { material: FaceTag::NONE, ..tag });
-        Mesh { tags, materials: Arc::default(), ..self.clone() }
+        self.with_materials(Materials::default(), |_| FaceTag::NONE)
     }
 
     /// A copy without points, normals and derived properties.

@@ -4,8 +4,8 @@ use glam::DVec3;
 
 use super::pair_table::PairTable;
 use super::{Bounds, Mesh};
+use crate::geometry::each::Each;
 use crate::geometry::tol::VOLUME_EPSILON;
-use crate::value::each::Each;
 
 impl Mesh {
     /// The bounding box of all points.

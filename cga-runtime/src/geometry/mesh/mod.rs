@@ -17,6 +17,7 @@ mod bent;
 mod build;
 pub mod check;
 mod convex;
+mod distinct;
 mod equal;
 mod error;
 pub(crate) mod face;
@@ -25,6 +26,7 @@ mod flat_face;
 pub(crate) mod join;
 mod layout;
 pub(crate) mod map;
+mod materials;
 mod measure;
 mod numbering;
 pub(crate) mod pair_table;
@@ -42,10 +44,9 @@ use std::sync::{Arc, OnceLock};
 
 use glam::{DVec2, DVec3};
 
+use crate::geometry::each::Each;
 use crate::geometry::origin::PointOrigin;
 use crate::geometry::trace::Trace;
-use crate::material::Material;
-use crate::value::each::Each;
 
 pub use crate::geometry::bounds::Bounds;
 pub(crate) use crate::geometry::vector::unit;
@@ -57,6 +58,7 @@ pub use face::FaceRef;
 pub(crate) use flat_face::FlatFace;
 pub(crate) use layout::{FaceEnds, Tags};
 pub(crate) use map::flip;
+pub use materials::Materials;
 pub(crate) use numbering::keep_used;
 pub(crate) use subcomponent_tags::{SubcomponentTags, SubcomponentTagsBuilder, in_order, whole_edge};
 pub(crate) use tag::TagSetTable;
@@ -84,7 +86,7 @@ pub struct Mesh {
     /// The names of groups, indexed by [`FaceTag::group`].
     pub(in crate::geometry) groups: Arc<[String]>,
     /// The materials, indexed by [`FaceTag::material`].
-    pub(in crate::geometry) materials: Arc<[Material]>,
+    pub(in crate::geometry) materials: Materials,
     /// The sets of component tags, indexed by [`FaceTag::tags`].
     pub(in crate::geometry) tag_sets: Arc<[TagSet]>,
     pub(in crate::geometry) subcomponent_tags: SubcomponentTags,
@@ -214,8 +216,9 @@ impl Mesh {
     }
 
     /// The materials, indexed by [`FaceTag::material`].
-    pub fn materials(&self) -> &[Material] {
-        &self.materials
+    /// Empty if they are of another type.
+    pub fn materials<M: 'static>(&self) -> &[M] {
+        self.materials.list()
     }
 
     /// The adjacency of faces, edges and points.

@@ -7,9 +7,9 @@
 use glam::DVec2;
 
 use super::MeshError;
+use crate::geometry::each::Each;
 use crate::geometry::exact::orient;
 use crate::geometry::status::{LEFT, RIGHT, Status, is_below};
-use crate::value::each::Each;
 
 /// An edge of a loop, in the plane.
 #[derive(Clone, Copy)]

@@ -6,11 +6,10 @@
 use std::sync::Arc;
 
 use super::tag::{TagSet, TagSetTable, TaggedComponents};
+use crate::geometry::each::Each;
 use crate::geometry::origin::PointOrigin;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::trace::UNTRACED;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
-use crate::value::text::Text;
 
 /// The tags of the edges and vertices of a mesh or a wire, by the numbers of its points.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -111,29 +110,29 @@ impl SubcomponentTags {
     }
 
     /// These tags, and one more on each of the edges.
-    pub(crate) fn with_edges(&self, edges: impl Iterator<Item = [u32; 2]>, name: &Text) -> Self {
+    pub(crate) fn with_edges(&self, edges: impl Iterator<Item = [u32; 2]>, name: &str) -> Self {
         let mut tagger = SubcomponentTagsBuilder::default();
         tagger.append(self, &|point| point);
         let mut edges: Vec<[u32; 2]> = edges.map(in_order).collect();
         edges.small_sort();
         edges.dedup();
-        let own = TagSet::new([name.clone()]);
+        let own = TagSet::new([name]);
         edges.into_iter().for_each(|edge| tagger.edge(edge, &own));
         tagger.finish()
     }
 
     /// These tags, and one more on each of the first `points` vertices.
-    pub(crate) fn with_vertices(&self, points: usize, name: &Text) -> Self {
+    pub(crate) fn with_vertices(&self, points: usize, name: &str) -> Self {
         let mut tagger = SubcomponentTagsBuilder::default();
         tagger.append(self, &|point| point);
-        let own = TagSet::new([name.clone()]);
+        let own = TagSet::new([name]);
         (0..points as u32).for_each(|point| tagger.vertex(point, &own));
         tagger.finish()
     }
 
-    /// These tags without the tags of some components that a query matches; without a query, all of these go.
-    pub(crate) fn without(&self, query: Option<&str>, components: TaggedComponents) -> Self {
-        let kept: Vec<TagSet> = self.sets().iter().map(|set| set.without(query)).collect();
+    /// These tags without some tags of some components.
+    pub(crate) fn without(&self, goes: &dyn Fn(&str) -> bool, components: TaggedComponents) -> Self {
+        let kept: Vec<TagSet> = self.sets().iter().map(|set| set.without(goes)).collect();
         let mut tagger = SubcomponentTagsBuilder::default();
         let Some(lists) = &self.0 else { return SubcomponentTags::default() };
         let list = |is_meant: bool| if is_meant { &kept[..] } else { &lists.sets };
@@ -143,19 +142,15 @@ impl SubcomponentTags {
         tagger.finish()
     }
 
-    /// The tags of some components that a query matches, or all without a query, in any order.
-    pub(crate) fn found<'s>(
-        &'s self,
-        query: Option<&'s str>,
-        components: TaggedComponents,
-    ) -> impl Iterator<Item = &'s Text> {
+    /// The tags of some components, in any order; some more than once.
+    pub(crate) fn names(&self, components: TaggedComponents) -> impl Iterator<Item = &Arc<str>> {
         let mut used = vec![false; self.sets().len()];
         if let Some(lists) = &self.0 {
             let edges = lists.edges.iter().filter(|_| components.edges()).map(|edge| edge.1);
             let vertices = lists.vertices.iter().filter(|_| components.vertices()).map(|vertex| vertex.1);
             edges.chain(vertices).for_each(|set| used[set as usize] = true);
         }
-        self.sets().iter().zip(used).filter(|(_, used)| *used).flat_map(move |(set, _)| set.found(query))
+        self.sets().iter().zip(used).filter(|(_, used)| *used).flat_map(|(set, _)| set.names())
     }
 
     /// Returns true if the lists are sorted, if all numbers exist, and if no listed set is empty.
@@ -255,7 +250,7 @@ mod tests {
     use super::*;
 
     fn set(names: &[&str]) -> TagSet {
-        TagSet::new(names.iter().map(|name| Text::from(*name)))
+        TagSet::new(names.iter().copied())
     }
 
     #[test]
@@ -293,16 +288,16 @@ mod tests {
     fn many_changes_leave_few_sets() {
         let mut tags = SubcomponentTags::default();
         for round in 0..40 {
-            tags = tags.with_edges([[0, 1], [1, 2], [1, 0]].into_iter(), &Text::from(format!("t.{round}")));
-            tags = tags.with_vertices(3, &"v".into()).without(Some("v"), TaggedComponents::All);
+            tags = tags.with_edges([[0, 1], [1, 2], [1, 0]].into_iter(), &format!("t.{round}"));
+            tags = tags.with_vertices(3, "v").without(&|name| name == "v", TaggedComponents::All);
             assert!(tags.sets().len() <= 4 && tags.hold(3));
         }
         assert_eq!((tags.edges().len(), tags.vertices().len()), (2, 0));
         assert_eq!(tags.edge([0, 1]).unwrap().names().len(), 40);
-        assert_eq!(tags.found(Some("t.7"), TaggedComponents::All).count(), 1);
-        assert_eq!(tags.found(Some("t"), TaggedComponents::Vertices).count(), 0);
-        assert!(tags.without(None, TaggedComponents::Faces) == tags);
-        assert!(tags.without(None, TaggedComponents::Edges).is_empty());
+        assert_eq!(tags.names(TaggedComponents::All).filter(|name| ***name == *"t.7").count(), 1);
+        assert_eq!(tags.names(TaggedComponents::Vertices).count(), 0);
+        assert!(tags.without(&|_| true, TaggedComponents::Faces) == tags);
+        assert!(tags.without(&|_| true, TaggedComponents::Edges).is_empty());
     }
 
     #[test]

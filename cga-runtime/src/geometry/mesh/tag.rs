@@ -1,13 +1,9 @@
-//! Tags of components, and tag queries (*Geometry tagging*).
+//! Tags of components: names that operations give, keep and renew.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use cga_split::tags::matches;
-
-use crate::value::text::Text;
-
-/// The components whose tags are meant (*deleteTags operation*).
+/// The components whose tags are meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TaggedComponents {
     /// All components.
@@ -39,25 +35,25 @@ impl TaggedComponents {
 
 /// The tags of a component, sorted and without duplicates. Names have parts, as in `extrude.side.outer`.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct TagSet(Arc<[Text]>);
+pub struct TagSet(Arc<[Arc<str>]>);
 
 impl TagSet {
     /// A set of tags with the given names.
-    pub fn new(names: impl IntoIterator<Item = Text>) -> Self {
-        let mut names: Vec<Text> = names.into_iter().collect();
+    pub fn new<N: Into<Arc<str>>>(names: impl IntoIterator<Item = N>) -> Self {
+        let mut names: Vec<Arc<str>> = names.into_iter().map(N::into).collect();
         names.sort_unstable();
         names.dedup();
         TagSet(names.into())
     }
 
     /// The names.
-    pub fn names(&self) -> &[Text] {
+    pub fn names(&self) -> &[Arc<str>] {
         &self.0
     }
 
-    /// Returns true if a query matches one of the tags.
-    pub fn matches(&self, query: &str) -> bool {
-        self.0.iter().any(|name| matches(query, name))
+    /// Returns true if it has the tag with a name, or one below it: `roof` has `roof.side` below it.
+    pub fn has(&self, name: &str) -> bool {
+        self.0.iter().any(|own| is_below(own, name))
     }
 
     /// The tags of both sets.
@@ -66,26 +62,30 @@ impl TagSet {
     }
 
     /// The tags and one more.
-    pub(crate) fn with(&self, name: &Text) -> Self {
-        TagSet::new(self.0.iter().chain([name]).cloned())
+    pub(crate) fn with(&self, name: &str) -> Self {
+        TagSet::new(self.0.iter().cloned().chain([name.into()]))
     }
 
-    /// The tags without those that a query matches, or no tags without a query.
-    pub(crate) fn without(&self, query: Option<&str>) -> Self {
-        let Some(query) = query else { return TagSet::default() };
-        TagSet::new(self.0.iter().filter(|name| !matches(query, name)).cloned())
+    /// The tags except some.
+    pub(crate) fn without(&self, goes: impl Fn(&str) -> bool) -> Self {
+        TagSet::new(self.0.iter().filter(|name| !goes(name)).cloned())
     }
 
-    /// The tags that a query matches, or all tags without a query.
-    pub(crate) fn found<'s>(&'s self, query: Option<&'s str>) -> impl Iterator<Item = &'s Text> {
-        self.0.iter().filter(move |name| query.is_none_or(|query| matches(query, name)))
+    /// The tags except one and all below it.
+    pub(crate) fn without_below(&self, above: &str) -> Self {
+        self.without(|name| is_below(name, above))
     }
 
     /// The tags with a tag of an operation, such as `extrude.top`, in place of the other tags below its first word.
     pub(crate) fn renewed(&self, name: &str) -> Self {
-        let operation = name.split('.').next();
-        self.without(operation).with(&Text::from(name))
+        let operation = name.split('.').next().unwrap_or_default();
+        self.without_below(operation).with(name)
     }
+}
+
+/// Returns true if a name is a tag or below it.
+fn is_below(name: &str, above: &str) -> bool {
+    name.strip_prefix(above).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }
 
 /// Distinct sets of tags, numbered in the order of their first use.
@@ -136,9 +136,9 @@ mod tests {
 
     #[test]
     fn a_set_is_renewed() {
-        let set = TagSet::new(["roof.top", "extrude.top", "roof.top"].map(Text::from));
-        assert_eq!(set.names().len(), 2);
+        let set = TagSet::new(["roof.top", "extrude.top", "extrudes", "roof.top"]);
+        assert_eq!(set.names().len(), 3);
         let set = set.renewed("extrude.side.outer");
-        assert!(set.matches("extrude.side") && set.matches("roof") && !set.matches("extrude.top"));
+        assert!(set.has("extrude.side") && set.has("roof") && set.has("extrudes") && !set.has("extrude.top"));
     }
 }

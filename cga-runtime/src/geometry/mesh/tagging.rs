@@ -1,41 +1,42 @@
-//! Changes of the tags of a mesh (*tag*, *deleteTags operation*), and of the marks of caps.
+//! Changes of the tags of a mesh, and of the marks of caps.
+
+use std::sync::Arc;
 
 use super::tag::{TagSet, TagSetTable, TaggedComponents};
 use super::{FaceTag, Mesh};
-use crate::value::text::Text;
 
 impl Mesh {
     /// The mesh with a tag on every face.
-    pub(crate) fn with_tagged_faces(&self, name: &Text) -> Mesh {
+    pub(crate) fn with_tagged_faces(&self, name: &str) -> Mesh {
         self.with_face_tags(|set| set.with(name))
     }
 
     /// The mesh with a tag on every edge.
-    pub(crate) fn with_tagged_edges(&self, name: &Text) -> Mesh {
+    pub(crate) fn with_tagged_edges(&self, name: &str) -> Mesh {
         Mesh { subcomponent_tags: self.subcomponent_tags.with_edges(self.face_edges(), name), ..self.clone() }
     }
 
     /// The mesh with a tag on every vertex.
-    pub(crate) fn with_tagged_vertices(&self, name: &Text) -> Mesh {
+    pub(crate) fn with_tagged_vertices(&self, name: &str) -> Mesh {
         Mesh { subcomponent_tags: self.subcomponent_tags.with_vertices(self.points.len(), name), ..self.clone() }
     }
 
-    /// The mesh without the tags of some components that a query matches; without a query, all of these go.
-    pub(crate) fn without_tags(&self, query: Option<&str>, components: TaggedComponents) -> Mesh {
-        let subcomponent_tags = self.subcomponent_tags.without(query, components);
-        let mesh = if components.faces() { self.with_face_tags(|set| set.without(query)) } else { self.clone() };
+    /// The mesh without some tags of some components.
+    pub(crate) fn without_tags(&self, goes: &dyn Fn(&str) -> bool, components: TaggedComponents) -> Mesh {
+        let subcomponent_tags = self.subcomponent_tags.without(goes, components);
+        let mesh = if components.faces() { self.with_face_tags(|set| set.without(goes)) } else { self.clone() };
         Mesh { subcomponent_tags, ..mesh }
     }
 
-    /// The tags of faces that a query matches, or all without a query, in any order.
-    pub(crate) fn found_face_tags<'m>(&'m self, query: Option<&'m str>) -> impl Iterator<Item = &'m Text> {
+    /// The tags of faces, in any order; some more than once.
+    pub(crate) fn face_tag_names(&self) -> impl Iterator<Item = &Arc<str>> {
         let mut used = vec![false; self.tag_sets.len()];
         for (_, tag) in self.tags.runs() {
             if let Some(used) = used.get_mut(tag.tags as usize) {
                 *used = true;
             }
         }
-        self.tag_sets.iter().zip(used).filter(|(_, used)| *used).flat_map(move |(set, _)| set.found(query))
+        self.tag_sets.iter().zip(used).filter(|(_, used)| *used).flat_map(|(set, _)| set.names())
     }
 
     /// Returns true if it has a cap that no operation on texture coordinates has reached.

@@ -3,8 +3,8 @@
 //! Uses a hash table with a fixed hash function. An attacker could choose points with equal hashes, so if look-ups take
 //! much longer than expected, sorting is used instead, with the same result.
 
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::each::Each;
+use crate::geometry::small_sort::SmallSort;
 use glam::DVec3;
 
 /// For each point the first point at the same position.

@@ -4,7 +4,7 @@
 //! from small ones and distant boxes from each other. A query visits the loops whose box contains the point by
 //! increasing area, and ends at the first one that is accepted.
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 

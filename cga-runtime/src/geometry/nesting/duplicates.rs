@@ -1,6 +1,6 @@
 //! Loops that occur several times, as in a mesh with duplicate faces.
 
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::ops::Range;

@@ -12,7 +12,7 @@ use glam::DVec2;
 use super::extent::about_one;
 use crate::geometry::buckets::Buckets;
 use crate::geometry::exact::orient;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 const NONE: u32 = u32::MAX;
 

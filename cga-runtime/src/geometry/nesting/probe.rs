@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::geometry::exact::orient;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 /// A point so close to a place that no edge goes through it, even if an edge goes through the place.
 pub(crate) struct Probe {

@@ -9,10 +9,10 @@ use std::cmp::Ordering;
 use glam::DVec2;
 
 use super::contour::FlatLoops;
+use crate::geometry::each::Each;
 use crate::geometry::exact::orient;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::status::{LEFT, RIGHT, Status, is_below};
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// No outline.
 const NONE: u32 = u32::MAX;

@@ -10,11 +10,11 @@ use glam::DVec2;
 
 use super::sides::{SideKind, SideOrigin, SideOrigins};
 use super::{OffsetError, relief};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::FlatFace;
 use crate::geometry::nesting::contour::Contour;
 use crate::geometry::skeleton::{self, Failure, Swept};
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 /// The piece of a side that is on no edge of the face.
 const NONE: usize = usize::MAX;

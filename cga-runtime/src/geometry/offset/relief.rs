@@ -5,9 +5,9 @@
 //! range of the face. For small distances a moved corner is close to its own height. If the face is level along an
 //! edge, its strip is level near the edge.
 
+use crate::geometry::each::Each;
 use crate::geometry::segment::nearest_share;
 use crate::geometry::skeleton::Swept;
-use crate::value::each::Each;
 
 /// The heights of all points of a swept face, from the heights of its own points, which come first. `rings` are in
 /// swept order.

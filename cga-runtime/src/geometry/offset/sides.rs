@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use crate::geometry::derive::{Derivation, EdgeOrigin, EdgeSource};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::FaceRef;
-use crate::value::each::Each;
 
 /// The kind of a side of a setback or of its remainder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

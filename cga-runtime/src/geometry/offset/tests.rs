@@ -3,7 +3,6 @@ use glam::{DMat3, DVec3};
 use super::{offset as offset_or_refuse, *};
 use crate::geometry::mesh::{FaceTag, MeshBuilder, TagSet};
 use crate::geometry::primitive::cube;
-use crate::value::text::Text;
 
 /// Roughly the outline of the reference's pictures: wide, with a notch from above.
 const NOTCHED: [(f64, f64); 9] =
@@ -134,7 +133,7 @@ fn what_faces_and_corners_carry_goes_with_them() {
     let map = |p: DVec3, set: usize| DVec2::new(2.0 * p.x + p.z + 1.0, 0.25 * p.z - 3.0) * (set + 1) as f64;
     let mut builder = MeshBuilder::new();
     builder.groups(["a".to_owned(), "b".to_owned()]);
-    builder.tag_sets([TagSet::new([Text::from("roof")])]);
+    builder.tag_sets([TagSet::new(["roof"])]);
     let points: Vec<u32> = ring(&corners).into_iter().map(|p| builder.point(p)).collect();
     builder.face(&points, &[], tag);
     for set in [0, 3] {

@@ -2,8 +2,8 @@
 
 use glam::DVec2;
 
+use crate::geometry::each::Each;
 use crate::geometry::nesting::extent::Extent;
-use crate::value::each::Each;
 
 /// A place, in steps of the grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

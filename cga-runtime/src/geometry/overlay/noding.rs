@@ -3,10 +3,10 @@
 //! A crossing is rounded to a place of the grid, and both edges lead through it. So an edge moves by less than a step, and
 //! may then cross or pass others: the new edges are compared again.
 
+use crate::geometry::each::Each;
 use crate::geometry::long_sort::long_sort_by;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::work;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 use std::cmp::Ordering;
 
 use super::OverlayError;

@@ -5,10 +5,10 @@ use std::cmp::Ordering;
 use super::grid::{GridPoint, side};
 use super::noding::NodedEdge;
 use crate::geometry::buckets::Buckets;
+use crate::geometry::each::Each;
 use crate::geometry::long_sort::long_sort_by;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::work;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// The units of work of a point, besides the moves of edges in the list.
 const POINT: usize = 32;

@@ -3,8 +3,8 @@
 use glam::{DVec2, DVec3};
 
 use super::{FaceBuilder, circle};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
-use crate::value::each::Each;
 
 /// A closed cylinder about the vertical through the centre: `sides` side faces counter-clockwise as seen from above,
 /// then the top and the bottom. The minimum is three sides (*primitiveCylinder operation*). Around the sides u goes

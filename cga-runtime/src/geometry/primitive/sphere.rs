@@ -3,8 +3,8 @@
 use glam::{DVec2, DVec3};
 
 use super::{FaceBuilder, circle};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
-use crate::value::each::Each;
 
 /// A closed sphere with its poles on the vertical through the centre: `divisions` rows of `sides` faces from the bottom
 /// up, each row counter-clockwise as seen from above, with triangles at the poles. The minimum is three sides and two

@@ -5,8 +5,8 @@ use std::ops::Bound;
 
 use glam::DVec3;
 
+use crate::geometry::each::Each;
 use crate::geometry::trace::UNTRACED;
-use crate::value::each::Each;
 
 /// The distance below which two points of an edge are one, as a share of the edge.
 const SAME: f64 = 1e-9;

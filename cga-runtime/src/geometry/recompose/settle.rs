@@ -1,7 +1,7 @@
 //! The places of points after all movements.
 
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::each::Each;
+use crate::geometry::small_sort::SmallSort;
 use glam::DVec3;
 
 use super::origins::{Movement, NO_EDGE, Origins};

@@ -4,12 +4,12 @@ use glam::{DAffine3, DVec3};
 
 use super::origins::Origins;
 use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin, Mix, PointOrigin};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::join::join;
 use crate::geometry::mesh::{Derived, Mesh, SubcomponentTagsBuilder, TagSet};
 use crate::geometry::trace::{Trace, UNTRACED};
 use crate::geometry::unbent::bent_along;
 use crate::geometry::wire::Wire;
-use crate::value::each::Each;
 
 /// Parts that become one mesh.
 #[derive(Debug, Default)]

@@ -14,9 +14,9 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::work;
-use crate::value::each::Each;
 use surface::Surface;
 
 /// The units of work of a search for the best neighbour.

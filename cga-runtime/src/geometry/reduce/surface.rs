@@ -4,12 +4,12 @@ use glam::DVec3;
 
 use super::PASS;
 use super::quadric::Quadric;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::pair_table::PairTable;
 use crate::geometry::mesh::{FaceTag, Mesh, unit};
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::triangulate::Triangulator;
 use crate::geometry::work;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// Vertices with more triangles are not removed.
 const MOST_AROUND: u32 = 64;

@@ -9,8 +9,8 @@ use super::arcs::{FaceArcs, arcs, joined};
 use super::hip::overhang_in_plan;
 use super::plan::{Outside, OutsideStrip, Plan};
 use super::{Outline, Rise, Roof};
+use crate::geometry::each::Each;
 use crate::geometry::skeleton::Failure;
-use crate::value::each::Each;
 
 /// The distance of a corner of a pediment from the outer edge of its overhang, as a share of the overhang, at which there is
 /// an overhang. It is 1 in straight pediments.

@@ -10,9 +10,9 @@ use glam::DVec2;
 
 use super::Outline;
 use super::plan::Plan;
+use crate::geometry::each::Each;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::tol::TIE_EPSILON;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// Edges belong to one side up to this angle, in radians (3 degrees).
 const ONE_SIDE: f64 = 0.052;

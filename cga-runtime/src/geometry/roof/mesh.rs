@@ -4,11 +4,11 @@ use glam::{DVec2, DVec3};
 
 use super::{Outline, Rise, Roof, RoofFace, RoofForm, RoofPart, roof_with_or_without_overhangs};
 use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{FaceRef, FlatFace, Mesh, flip, unit};
 use crate::geometry::skeleton::{Failure, any_cross};
 use crate::geometry::tol::{TOUCH_EPSILON, UP_EPSILON};
 use crate::geometry::triangulate::highest;
-use crate::value::each::Each;
 
 /// The reason why a face has no roof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

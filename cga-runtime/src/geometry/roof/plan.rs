@@ -9,8 +9,8 @@ use super::{Outline, Roof, RoofFace, RoofPart};
 use crate::geometry::disjoint::DisjointSets;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::skeleton::{self, Failure, Speeds, Swept};
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::tol::{NUDGE_EPSILONS, TIE_EPSILON};
-use crate::value::small_sort::SmallSort;
 
 /// A ridge is between edges whose directions differ from opposite ones by less than 45 degrees: the cosine of 135 degrees.
 const RIDGE: f64 = -std::f64::consts::FRAC_1_SQRT_2;

@@ -6,11 +6,11 @@ use glam::{DVec2, DVec3};
 
 use super::arcs::rings_of;
 use super::{Outline, Rise, Roof, RoofFace, RoofPart};
+use crate::geometry::each::Each;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::nesting::rings::NestedRings;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// A triangle for each edge, to an apex over the mean of all corners. An angle is measured at the first triangle. If the apex is
 /// over the line of the first edge, no height gives this triangle an angle, so the next edge decides.

@@ -16,10 +16,10 @@ use glam::DVec3;
 pub(crate) use bell::Bell;
 use solid::Solid;
 
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::triangulate::Triangulator;
 use crate::geometry::work;
-use crate::value::each::Each;
 
 /// The most cells that halving makes for each point that is asked for. Few points are not worth many cells.
 const CELLS_PER_POINT: u64 = 8;

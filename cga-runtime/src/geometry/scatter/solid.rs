@@ -2,10 +2,10 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::geometry::each::Each;
 use crate::geometry::exact::{orient, orient_in_space};
 use crate::geometry::mesh::Bounds;
 use crate::geometry::work;
-use crate::value::each::Each;
 
 /// The most columns along an axis.
 const MOST_COLUMNS: usize = 256;

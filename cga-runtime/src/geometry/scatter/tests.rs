@@ -3,11 +3,11 @@ use glam::DVec3;
 use super::{Bell, Domain, ScatteredPoint};
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use crate::geometry::primitive::{PrimitiveKind, cube};
-use crate::shape::seed::Seed;
+use crate::geometry::random::Rng;
 
 fn draw(domain: Domain) -> Vec<ScatteredPoint> {
-    let mut seed = Seed::new(7);
-    domain.draw(move || seed.draw()).collect()
+    let mut seed = Rng(7);
+    domain.draw(move || seed.unit()).collect()
 }
 
 /// The sum of the squared deviations of counts from what is expected, each relative to that.
@@ -63,8 +63,8 @@ fn points_on_a_surface_are_even_by_area() {
 fn rounding_moves_no_point_far() {
     let bell = Bell { mean: DVec3::splat(0.5), deviation: DVec3::splat(0.2) };
     for mesh in [cube(), PrimitiveKind::Cone { sides: 8 }.mesh(), PrimitiveKind::Cylinder { sides: 8 }.mesh()] {
-        let mut random = Seed::new(3);
-        let mut noise = || 1.0 + (random.draw() - 0.5) * 1e-15;
+        let mut random = Rng(3);
+        let mut noise = || 1.0 + (random.unit() - 0.5) * 1e-15;
         let moved = mesh.points().iter().map(|at| *at * DVec3::new(noise(), noise(), noise())).collect();
         let moved = mesh.with_points(moved);
         for (name, domain) in
@@ -91,8 +91,8 @@ fn points_in_a_volume_are_even() {
     let many = draw(Domain::volume(&cone, Bell::EVEN, 20_000));
     // Few points have fewer cells.
     let few = (0..400).flat_map(|number| {
-        let mut seed = Seed::new(number);
-        Domain::volume(&cone, Bell::EVEN, 20).draw(move || seed.draw()).collect::<Vec<_>>()
+        let mut seed = Rng(number);
+        Domain::volume(&cone, Bell::EVEN, 20).draw(move || seed.unit()).collect::<Vec<_>>()
     });
     for points in [many, few.collect()] {
         is_even_in_the_cone(&points);

@@ -1,6 +1,6 @@
 //! The arrangement of a wavefront at an event: clusters of vertices, and the segments into which they divide edges.
 
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 use std::collections::BTreeMap;
 
 use super::NONE;

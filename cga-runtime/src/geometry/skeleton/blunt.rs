@@ -5,7 +5,7 @@
 //! ends as if its neighbour were as fast.
 
 use super::wavefront::{MovingLine, Wavefront, WavefrontVertex};
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 
 /// A corner is blunt if the cosine of the angle between the normals of its edges is larger: less than 45 degrees.
 pub(crate) const BLUNT: f64 = std::f64::consts::FRAC_1_SQRT_2;

@@ -9,11 +9,11 @@ use glam::DVec2;
 
 use super::wavefront::{Wavefront, twice_area};
 use super::{Left, Strip, Swept};
+use crate::geometry::each::Each;
 use crate::geometry::exact::orient;
 use crate::geometry::exact::winding;
 use crate::geometry::tol::{MEETING_EPSILONS, TOUCH_EPSILON};
 use crate::geometry::work;
-use crate::value::each::Each;
 
 /// The multiple of the contact distance that counts as rounding.
 const SLACK: f64 = 16.0;

@@ -16,11 +16,11 @@ use glam::DVec2;
 use super::Failure;
 use super::wavefront::Wavefront;
 use crate::geometry::disjoint::DisjointSets;
+use crate::geometry::each::Each;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::segment::nearest_share;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::work;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// The contacts at one time. The lists keep their memory from event to event.
 #[derive(Debug, Default)]

@@ -2,8 +2,8 @@
 
 use super::wavefront::{CollapseEvent, MovingLine, NextEvent, SplitEvent, Wavefront, WavefrontVertex};
 use super::{Failure, NONE};
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::work;
-use crate::value::small_sort::SmallSort;
 
 /// An event at the current time, up to rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,9 +7,9 @@ use super::event::Event;
 use super::meeting::Meeting;
 use super::overlap::short_end;
 use super::wavefront::{Wavefront, turn_back};
+use crate::geometry::each::Each;
 use crate::geometry::nesting::extent::Extent;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 /// The least sine of an angle between edges at a lone event.
 const CLEAR: f64 = 1e-6;

@@ -1,6 +1,6 @@
 //! Coincident segments with opposite directions: they touch up to the end of the shorter one.
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use glam::DVec2;
 
 use super::Failure;

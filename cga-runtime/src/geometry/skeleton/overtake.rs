@@ -5,7 +5,7 @@
 //! flatter one is the lower one from there on.
 
 use super::wavefront::{Wavefront, WavefrontVertex, turn_back};
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 
 impl Wavefront {
     /// Lets faster edges take the place of slower ones at the given vertices, which start now. The list then has those that

@@ -1,7 +1,7 @@
 //! The end of an event: new vertices join the segments that end at a cluster with the segments that begin there.
 
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::each::Each;
+use crate::geometry::small_sort::SmallSort;
 use glam::DVec2;
 
 use super::NONE;

@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::{NONE, Strip};
 use crate::geometry::buckets::Buckets;
 use crate::geometry::disjoint::DisjointSets;
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 
 /// A directed side of one strip, with the strip on its left.
 #[derive(Clone, Copy, Debug)]

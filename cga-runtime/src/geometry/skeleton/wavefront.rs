@@ -8,9 +8,9 @@ use super::limits::WorkLimits;
 use super::speeds::Speeds;
 use super::trace::Arcs;
 use super::{Failure, Left, NONE, Swept};
+use crate::geometry::each::Each;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::STRAIGHT_EPSILON;
-use crate::value::each::Each;
 
 /// The range of lengths whose squares are safe.
 const SIZES: RangeInclusive<f64> = 1e-100..=1e100;

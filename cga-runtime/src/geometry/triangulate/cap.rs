@@ -8,8 +8,8 @@ use std::ops::Range;
 use glam::DVec3;
 
 use crate::geometry::bounds::Bounds;
+use crate::geometry::each::Each;
 use crate::geometry::vector::{area_vector, well_scaled};
-use crate::value::each::Each;
 
 /// The corners of a cap, reversed on one of the two sides.
 #[derive(Default)]

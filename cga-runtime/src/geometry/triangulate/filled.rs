@@ -3,8 +3,8 @@
 use glam::DVec2;
 
 use super::Triangulator;
+use crate::geometry::each::Each;
 use crate::geometry::tol::TOUCH_EPSILON;
-use crate::value::each::Each;
 
 /// Returns true if holes look the other way than the outline and triangles fill the polygon: none of them is turned over, and their
 /// areas add up to the area of the polygon, except for a share of it. A polygon whose hole is outside of its outline is not filled.

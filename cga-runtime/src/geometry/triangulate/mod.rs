@@ -20,9 +20,9 @@ use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
+use crate::geometry::each::Each;
 use crate::geometry::nesting::extent::Extent;
 use crate::geometry::tol::TOUCH_EPSILON;
-use crate::value::each::Each;
 use cap::Cap;
 pub(crate) use convex::apex;
 pub(crate) use filled::{doubled_area, filling, is_filled};

@@ -18,9 +18,9 @@ use std::cmp::Ordering;
 
 use glam::DVec2;
 
+use crate::geometry::each::Each;
 use crate::geometry::exact::orient;
 use crate::geometry::status::{LEFT, RIGHT, Status, is_below};
-use crate::value::each::Each;
 
 const NONE: u32 = u32::MAX;
 

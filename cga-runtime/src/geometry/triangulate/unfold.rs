@@ -13,9 +13,9 @@ use std::cmp::Ordering;
 
 use glam::DVec2;
 
+use crate::geometry::each::Each;
 use crate::geometry::exact::orient;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 const NONE: u32 = u32::MAX;
 

@@ -33,7 +33,7 @@ fn checked(shape: &Shape, build: impl FnOnce(&mut Env, &mut Shape)) -> Shape {
 /// The faces with a tag.
 fn tagged(shape: &Shape, tag: &str) -> Vec<usize> {
     let mesh = shape.to_mesh();
-    let has = |face: usize| mesh.tag_sets()[mesh.face(face).tag().tags as usize].matches(tag);
+    let has = |face: usize| mesh.tag_sets()[mesh.face(face).tag().tags as usize].has(tag);
     (0..mesh.face_count()).filter(|&face| has(face)).collect()
 }
 

@@ -9,11 +9,11 @@ use glam::{DAffine3, DVec3};
 use super::chunk_result::ChunkResult;
 use super::submesh::SubmeshStart;
 use super::{Buffers, Vertex};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
 use crate::output::flatten::PlacedFace;
 use crate::run::building::Building;
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
-use crate::value::each::Each;
 
 /// The number of vertices of a box, which is never divided.
 const LEAST: usize = 24;

@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec4};
 
+use crate::geometry::each::Each;
 use crate::geometry::uv_map::{SetMap, UvMap};
 use crate::output::flatten::PlacedFace;
 use crate::run::sink::Replay;
@@ -9,7 +10,6 @@ use crate::run::sink::corners::PlacedBox;
 use crate::shape::base::Form;
 use crate::shape::texture::SETS;
 use crate::shape::unit::UnitMesh;
-use crate::value::each::Each;
 
 /// Lists of coordinates by set: one pair for each vertex in the sets that some geometry has, and empty lists
 /// otherwise.

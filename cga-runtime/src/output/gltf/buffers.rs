@@ -8,12 +8,12 @@ use glam::DVec3;
 
 use super::Glb;
 use super::primitive::{Owner, Primitive};
+use crate::geometry::each::Each;
 use crate::material::layer::SetMask;
 use crate::output::batches::Batches;
 use crate::output::buffers::{Buffers, Submesh, Vertex};
 use crate::output::error::WriteError;
 use crate::run::sink::Flow;
-use crate::value::each::Each;
 
 impl Glb {
     /// Adds all triangles of buffers, and their [buildings](Buffers::buildings) if they record them. Several buffers make one file, without

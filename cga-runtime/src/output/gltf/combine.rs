@@ -5,8 +5,8 @@ use super::textures::ImageKey;
 use crate::asset::Assets;
 use crate::asset::image::Image;
 use crate::asset::image::header::MOST_PIXELS;
+use crate::geometry::each::Each;
 use crate::output::texture::source::{self, Pixels};
-use crate::value::each::Each;
 use crate::value::text::Text;
 
 /// The PNG file for a key with several sources. `None` if it is not needed or cannot be made; the unchanged file of the

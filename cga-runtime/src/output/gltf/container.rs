@@ -5,9 +5,9 @@ use std::path::Path;
 
 use super::binary::BinaryChunk;
 use super::words::Words;
+use crate::geometry::each::Each;
 use crate::output::error::WriteError;
 use crate::output::whole_file;
-use crate::value::each::Each;
 
 /// A file of known length, whose parts are not in one place yet.
 pub(super) struct Container<'a> {

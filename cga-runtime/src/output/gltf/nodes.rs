@@ -9,11 +9,11 @@ use super::json::{self, joined, quoted};
 use super::primitive::Owner;
 use super::property_table::Tables;
 use super::scene::{INSTANCING, MeshPlacement, NodePlaces, SceneMesh};
+use crate::geometry::each::Each;
 use crate::output::number::list;
 use crate::run::building::Building;
 use crate::shape::scope::Scope;
 use crate::value::Value;
-use crate::value::each::Each;
 
 /// A node with its children.
 struct Node {

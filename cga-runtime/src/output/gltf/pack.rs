@@ -16,10 +16,10 @@ use super::scene::{Division, INSTANCING, MeshInstance, MeshPlacement, NodePlaces
 use super::textures::LookTexture;
 use super::words::Words;
 use super::{Glb, check_size};
+use crate::geometry::each::Each;
 use crate::output::buffers::Vertex;
 use crate::output::error::WriteError;
 use crate::output::number::list;
-use crate::value::each::Each;
 
 /// The component types of the format.
 const U32: u32 = 5125;

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use glam::{DAffine3, DQuat, DVec3};
 
 use super::primitive::{Primitive, Primitives};
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 
 /// A mesh of the file.
 pub(super) struct SceneMesh {

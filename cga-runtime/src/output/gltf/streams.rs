@@ -7,8 +7,8 @@ use glam::Vec2;
 use super::primitive::{Owner, Primitive};
 use super::textures::NormalSpace;
 use super::words::Words;
+use crate::geometry::each::Each;
 use crate::output::tangents::tangents;
-use crate::value::each::Each;
 
 impl Primitive {
     pub(super) fn write_indices(&self, to: &mut Words<'_>) -> io::Result<()> {

@@ -4,7 +4,7 @@
 //! correction for the perspective. The points of neighbouring samples on the same plane give the part of the image
 //! that a sample shows.
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use glam::{DVec2, DVec3};
 
 use super::camera::Viewport;

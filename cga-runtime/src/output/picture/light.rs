@@ -4,7 +4,7 @@
 //! tests the sun and some of the lamps, and its neighbours test the other lamps. The average over a block of 4×4
 //! samples on one surface then covers all lamps, without noise.
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use glam::{DVec3, Vec3};
 
 use super::camera::{Viewport, direction};

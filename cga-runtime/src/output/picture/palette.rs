@@ -3,7 +3,7 @@
 //! The colours of an image are a cloud of points. The box around the cloud is divided at the median of its longest side,
 //! and so are the boxes of the parts, until they are as many as the palette has colours.
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use std::collections::BTreeMap;
 
 /// An RGB colour.

@@ -1,6 +1,6 @@
 //! Rasterisation of triangles.
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 
 /// Corners are rounded to multiples of `1 / GRID` pixels. Edge functions are then exact in `f64`, so triangles that
 /// share an edge neither share nor omit a pixel.

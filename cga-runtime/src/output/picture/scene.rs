@@ -9,6 +9,7 @@ use glam::{DAffine3, DVec2, DVec3, Vec3};
 use super::placeholder;
 use super::texel::{Maps, PLAIN, Textures};
 use crate::asset::Assets;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::uv_map::{self, SetMap};
 use crate::material::Material;
@@ -17,7 +18,6 @@ use crate::output::flatten::{Flattener, unit};
 use crate::output::number::{linear, share};
 use crate::output::sink_table::SinkTable;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
-use crate::value::each::Each;
 
 /// A triangle, its coordinates relative to [`Scene::centre`].
 #[derive(Clone, Copy, Debug)]

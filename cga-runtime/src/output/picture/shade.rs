@@ -1,6 +1,6 @@
 //! Colours from light and surface.
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use glam::{DVec3, Vec3};
 
 use super::Style;

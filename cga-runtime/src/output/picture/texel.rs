@@ -7,11 +7,11 @@ use glam::DVec2;
 
 use super::texture::Texture;
 use crate::asset::Assets;
+use crate::geometry::each::Each;
 use crate::material::layer::{self, Placement, PlacementMap, SetMask};
 use crate::material::{Layer, Material, MaterialNumber, MaterialText};
 use crate::output::number::share;
 use crate::output::texture::source;
-use crate::value::each::Each;
 use crate::value::text::Text;
 
 /// The images of a picture.

@@ -4,8 +4,8 @@ use glam::{DVec2, Vec4};
 
 use super::Image;
 use super::gamma::Gamma;
+use crate::geometry::each::Each;
 use crate::output::number::linear;
-use crate::value::each::Each;
 
 /// An image and its smaller copies, each half as wide and high as the last, down to one pixel.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! The visible surface in each sample of a picture.
 
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 use glam::DVec3;
 
 use super::camera::Viewport;

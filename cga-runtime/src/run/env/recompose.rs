@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use super::Env;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::origin::PointOrigin;
 use crate::geometry::recompose::Origins;
 use crate::geometry::trace::{Trace, TraceLayer, TracedPoint, UNTRACED};
 use crate::shape::base::Base;
 use crate::shape::{Shape, ShapeRef};
-use crate::value::each::Each;
 
 /// The operands that are being derived for recomposition, the outermost first.
 #[derive(Debug, Default)]

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use super::{Collection, Reports, Summary};
+use crate::geometry::small_sort::SmallSort;
 use crate::value::number::Number;
-use crate::value::small_sort::SmallSort;
 
 /// The number of nested groups that are shown. Keys may have any number of dots.
 const LEVELS: usize = 8;

@@ -4,8 +4,8 @@ use glam::{DVec3, DVec4, Vec4};
 
 use super::{Cuboid, Quad};
 use crate::geometry::Axis;
+use crate::geometry::each::Each;
 use crate::shape::ShapeRef;
-use crate::value::each::Each;
 
 /// The position of a rectangle or a box: its first corner and the sides from there. A rectangle has the first two
 /// sides.

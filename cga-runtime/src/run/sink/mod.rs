@@ -13,6 +13,7 @@ use glam::{DAffine3, DMat3, DVec3, DVec4};
 
 use self::corners::PlacedBox;
 
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::uv_map::{self, SetMap, UvMap};
 use crate::material::Material;
@@ -22,7 +23,6 @@ use crate::shape::look_id::LookId;
 use crate::shape::place;
 use crate::shape::scope::Scope;
 use crate::shape::{Shape, ShapeRef};
-use crate::value::each::Each;
 
 pub use crate::run::template::{PartId, Replay};
 pub use crate::shape::axes::Axes;

@@ -21,13 +21,13 @@ use std::rc::Rc;
 use glam::{DMat3, DVec3};
 
 use crate::geometry::Axis;
+use crate::geometry::each::Each;
 use crate::run::sink::corners::{PlacedBox, four};
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
 use crate::shape::look_id::LookId;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Counter, ShapeRef};
-use crate::value::each::Each;
 
 pub use part_id::PartId;
 pub(crate) use record::Tape;

@@ -4,10 +4,10 @@ use glam::{DAffine2, DAffine3, DMat3, DVec2, DVec3};
 
 use super::Projections;
 use crate::geometry::Axis;
+use crate::geometry::each::Each;
 use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::uv_map::UvMap;
 use crate::shape::scope::Scope;
-use crate::value::each::Each;
 
 /// The sets that rules have changed on a shape, sorted by number. Other sets come from its mesh.
 #[derive(Clone, Debug, Default, PartialEq)]

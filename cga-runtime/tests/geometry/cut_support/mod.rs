@@ -245,7 +245,7 @@ pub fn tagged(mesh: &Mesh) -> Mesh {
     let mut builder = MeshBuilder::new();
     for (number, point) in mesh.points().iter().enumerate() {
         builder.point(*point);
-        builder.vertex_tags(number as u32, &TagSet::new([format!("v.{number}").into()]));
+        builder.vertex_tags(number as u32, &TagSet::new([format!("v.{number}")]));
     }
     for face in mesh.faces() {
         let loops: Vec<&[u32]> = face.loops().collect();
@@ -253,7 +253,7 @@ pub fn tagged(mesh: &Mesh) -> Mesh {
         for ring in loops {
             for k in 0..ring.len() {
                 let [a, b] = [ring[k], ring[(k + 1) % ring.len()]];
-                builder.edge_tags([a, b], &TagSet::new([edge_tag([a, b]).into()]));
+                builder.edge_tags([a, b], &TagSet::new([edge_tag([a, b])]));
             }
         }
     }

@@ -215,7 +215,7 @@ fn images_that_share_bytes_are_copied_once() {
     file.json["meshes"] = json!([{"primitives": list(&primitive)}]);
     file.json["nodes"] = json!([{"mesh": 0}]);
     let read = file.read().expect("it is valid");
-    assert_eq!((read.images.len(), read.mesh.materials().len()), (1, count));
+    assert_eq!((read.images.len(), read.mesh.material_list().len()), (1, count));
     assert!(start < read.images[0].bytes.len());
     // Views that overlap have more bytes than the file.
     let own = file.json["bufferViews"][view].clone();

@@ -6,11 +6,10 @@ use glam::{DVec2, DVec3};
 
 use super::{BooleanOp, block, combine, combined};
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder, TagSet};
-use crate::value::text::Text;
 use BooleanOp::{Intersect, Subtract, Unify, Union};
 
 fn set(name: &str) -> TagSet {
-    TagSet::new([Text::from(name)])
+    TagSet::new([name])
 }
 
 /// A square on the ground whose faces, edges and vertices have tags that begin with a name. Texture coordinates are positions
@@ -49,7 +48,7 @@ fn edges(mesh: &Mesh) -> Vec<(String, f64)> {
 }
 
 fn count(mesh: &Mesh, name: &str) -> usize {
-    mesh.subcomponent_tags.vertices().filter(|(_, set)| set.matches(name)).count()
+    mesh.subcomponent_tags.vertices().filter(|(_, set)| set.has(name)).count()
 }
 
 /// The picture of *Geometry tagging*, edge and vertex tag propagation: one square without another.

@@ -14,8 +14,8 @@ use crate::geometry::cut::points::PieceCorner;
 use crate::geometry::cut::state::CutState;
 use crate::geometry::exact::winding;
 use crate::geometry::mesh::Mesh;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::triangulate::PlaneProjection;
-use crate::value::small_sort::SmallSort;
 
 /// The slabs of the mesh's first face, and the edges of the wall at its first edge.
 #[derive(Default)]

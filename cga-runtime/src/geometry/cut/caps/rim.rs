@@ -5,7 +5,7 @@
 //! cap ends there.
 
 use crate::geometry::buckets::Buckets;
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 
 /// The side of a plane that a face is on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

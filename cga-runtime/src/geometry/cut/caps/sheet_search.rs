@@ -17,11 +17,11 @@ use super::sheets::Flat;
 use crate::geometry::cut::points::Location;
 use crate::geometry::cut::state::CutState;
 use crate::geometry::disjoint::DisjointSets;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::Contour;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 use glam::DVec2;
 
 /// Finds the faces that go to the other side, after all faces were cut by the rule. Returns whether there are any.

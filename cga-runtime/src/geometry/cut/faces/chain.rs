@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::first_edge::first_node;
 use crate::geometry::cut::class::{Class, ClassRange};
 use crate::geometry::cut::points::PieceCorner;
-use crate::value::each::Each;
+use crate::geometry::each::Each;
 
 /// The two ways of a loop: from the lowest corner up, and from the highest corner down.
 #[derive(Default)]

@@ -18,11 +18,11 @@ use crate::geometry::cut::caps::rim::PlaneSide;
 use crate::geometry::cut::class::Class;
 use crate::geometry::cut::points::PieceCorner;
 use crate::geometry::cut::state::CutState;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{FaceRef, FaceTag, Mesh};
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::triangulate::PlaneProjection;
 use crate::geometry::work;
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// The units of work of a fragment: it is made, sorted, joined and followed.
 const FRAGMENT: usize = 16;

@@ -16,11 +16,11 @@ use crate::geometry::cut::caps::rim::PlaneSide;
 use crate::geometry::cut::class::ClassRange;
 use crate::geometry::cut::points::PieceCorner;
 use crate::geometry::cut::state::CutState;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Bounds, FaceRef, FaceTag, Mesh};
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::tol::{ACROSS_EPSILON, LINE_EPSILON};
 use crate::geometry::triangulate::{PlaneProjection, Triangulator};
-use crate::value::each::Each;
-use crate::value::small_sort::SmallSort;
 
 /// Buffers.
 #[derive(Default)]

@@ -8,7 +8,7 @@ use super::crossings::Crossings;
 use crate::geometry::cut::points::{NONE, PieceCorner};
 use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::origin::PointOrigin;
-use crate::value::small_sort::SmallSort;
+use crate::geometry::small_sort::SmallSort;
 
 /// A band. Until it is finished, its corners are numbers of points of the source, followed by numbers of crossings.
 pub(super) struct LineBand {

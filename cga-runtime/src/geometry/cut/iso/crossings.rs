@@ -9,9 +9,9 @@ use crate::geometry::cut::class::ClassRange;
 use crate::geometry::cut::edges::Edges;
 use crate::geometry::cut::points::{Location, PieceCorner};
 use crate::geometry::cut::segment::{Segment, comes_first};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::origin::PointOrigin;
-use crate::value::each::Each;
 
 /// All crossings of a cut. They are numbered after the points of the mesh.
 pub(super) struct Crossings {

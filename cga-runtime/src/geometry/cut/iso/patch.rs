@@ -16,12 +16,12 @@ use crate::geometry::cut::faces::chain::Chain;
 use crate::geometry::cut::faces::first_edge::first_node;
 use crate::geometry::cut::faces::pieces::close_ring;
 use crate::geometry::cut::points::{NONE, PieceCorner};
+use crate::geometry::each::Each;
 use crate::geometry::mesh::pair_table::PairTable;
 use crate::geometry::mesh::{FaceTag, TooManyCorners};
 use crate::geometry::nesting::Nest;
 use crate::geometry::tol::AFFINE_EPSILON;
 use crate::geometry::triangulate::{PlaneProjection, Triangulator};
-use crate::value::each::Each;
 
 /// An edge of a piece of a triangle, with the node where it begins.
 #[derive(Clone, Copy)]

@@ -11,11 +11,11 @@
 use glam::{DVec2, DVec3};
 
 use super::UvAxis;
+use crate::geometry::each::Each;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::tol::{CHART_EPSILON, NEXT_EPSILON};
 use crate::geometry::triangulate::Triangulator;
 use crate::geometry::work;
-use crate::value::each::Each;
 
 /// The units of work of a corner whose stretch is measured.
 const CORNER: usize = 16;

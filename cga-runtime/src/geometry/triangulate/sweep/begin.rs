@@ -7,9 +7,9 @@ use std::cmp::Ordering;
 use glam::DVec2;
 
 use super::{ChainPoint, MonotoneSweep, NONE, SweepInterval};
+use crate::geometry::each::Each;
 use crate::geometry::exact::orient;
 use crate::geometry::status::{LEFT, RIGHT};
-use crate::value::each::Each;
 
 impl MonotoneSweep {
     /// A corner with both edges above it: the start of a region, or of a hole in one.
