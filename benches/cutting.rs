@@ -4,7 +4,7 @@
 //! areas are checked against formulas, areas of caps against the sum over the edges in which faces meet the planes.
 
 mod common;
-#[path = "../cga-runtime/tests/geometry/cut_support/section.rs"]
+#[path = "../cga-geometry/tests/cutting/cut_support/section.rs"]
 mod section;
 
 use std::f64::consts::{PI, TAU};

@@ -19,13 +19,13 @@
 //! with holes, counter-clockwise seen from outside. Most users want the facade crate `cga`.
 #![forbid(unsafe_code)]
 
+pub use cga_geometry as geometry;
 pub use glam;
 
 pub mod asset;
 pub(crate) mod comp;
 pub mod fault;
 pub(crate) mod func;
-pub mod geometry;
 pub mod grammar;
 pub mod material;
 pub(crate) mod op;

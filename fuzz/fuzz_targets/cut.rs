@@ -2,7 +2,7 @@
 
 #![no_main]
 
-#[path = "../../cga-runtime/tests/geometry/cut_support/mod.rs"]
+#[path = "../../cga-geometry/tests/cutting/cut_support/mod.rs"]
 mod cut_support;
 
 use std::cell::RefCell;

@@ -17,7 +17,8 @@ fn the_public_interface_is_the_list() {
     let facade = fs::read_to_string(root().join("src/lib.rs")).expect("the library");
     let mut items = Items::new();
     let mut modules = BTreeMap::new();
-    for file in sources(&root().join("cga-runtime/src")) {
+    let crates = ["cga-runtime/src", "cga-geometry/src"].map(|folder| root().join(folder));
+    for file in crates.iter().flat_map(|folder| sources(folder)) {
         let text = fs::read_to_string(&file).expect("a source file");
         let found = names_of(&text);
         modules.insert(file, found);
@@ -33,16 +34,15 @@ fn the_public_interface_is_the_list() {
         }
         lines.insert(format!("{place}::{name}"));
         // A module of the runtime: all names of its file.
-        for folder in ["output", "geometry"] {
-            let base = root().join("cga-runtime/src").join(folder);
-            for file in [base.join(format!("{name}.rs")), base.join(&name).join("mod.rs")] {
-                for inner in modules.get(&file).into_iter().flatten() {
-                    lines.insert(format!("{place}::{name}::{inner}"));
-                    let members = items.get(inner).into_iter().flatten();
-                    lines.extend(members.map(|member| format!("{place}::{name}::{inner}{member}")));
-                }
-            }
+        for folder in [crates[0].join("output"), crates[1].clone()] {
+            lines.extend(members_of(&folder, &name, &modules, &items).map(|member| format!("{place}::{name}{member}")));
         }
+    }
+    let geometry = fs::read_to_string(crates[1].join("lib.rs")).expect("the library");
+    for name in geometry.lines().filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(';')) {
+        lines.insert(format!("cga_geometry::{name}"));
+        let members = members_of(&crates[1], name, &modules, &items);
+        lines.extend(members.map(|member| format!("cga_geometry::{name}{member}")));
     }
     let now: String = lines.iter().map(|line| format!("{line}\n")).collect();
     let path = root().join(LIST);
@@ -54,6 +54,21 @@ fn the_public_interface_is_the_list() {
     let (gone, added): (Vec<_>, Vec<_>) = (old.difference(&new).collect(), new.difference(&old).collect());
     assert!(gone.is_empty() && added.is_empty(), "{LIST}: gone {gone:#?}, new {added:#?}; CGA_BLESS=1 accepts this");
     assert!(500 < lines.len(), "only {} names are found", lines.len());
+}
+
+/// All names of the file of a module, and their members.
+fn members_of<'l>(
+    folder: &Path,
+    name: &str,
+    modules: &'l BTreeMap<PathBuf, Vec<String>>,
+    items: &'l Items,
+) -> impl Iterator<Item = String> + use<'l> {
+    let files = [folder.join(format!("{name}.rs")), folder.join(name).join("mod.rs")];
+    let names = files.into_iter().filter_map(|file| modules.get(&file)).flatten();
+    names.flat_map(|inner| {
+        let members = items.get(inner).into_iter().flatten();
+        members.map(move |member| format!("::{inner}{member}")).chain([format!("::{inner}")])
+    })
 }
 
 /// The source files below a folder, tests left out.

@@ -56,7 +56,7 @@ pub fn quarter_cut_out() -> Shape {
     let corners = [[0.0, 0.0], [5.0, 0.0], [5.0, 5.0], [10.0, 5.0], [10.0, 10.0], [0.0, 10.0]];
     let points = corners.map(|[x, z]| builder.point([x, 0.0, -z]));
     builder.polygon(&points);
-    let tags = |name: &str| TagSet::new([name.into()]);
+    let tags = |name: &str| TagSet::new([name]);
     for (k, of) in ["A", "B", "B", "A", "A", "A"].into_iter().enumerate() {
         builder.edge_tags([points[k], points[(k + 1) % 6]], &tags(&format!("e.{of}")));
     }

@@ -144,11 +144,11 @@ impl Quads {
     /// Returns true if a tag of a side matches, or a tag of a neighbour.
     pub(super) fn tagged(&self, number: usize, of: Option<Subcomponent>, query: &str) -> bool {
         if of.is_none() {
-            return self.face(number).provenance.is_tagged(query);
+            return self.face(number).is_tagged(query);
         }
         // Opposite sides of a box share no edge and no vertex.
         let behind = -self.face(number).side.normal();
-        self.unit.faces().iter().any(|face| face.side.normal() != behind && face.provenance.is_tagged(query))
+        self.unit.faces().iter().any(|face| face.side.normal() != behind && face.is_tagged(query))
     }
 
     /// A side alone.

@@ -76,7 +76,7 @@ struct OuterTrace(Vec<TraceLayer>);
 
 impl OuterTrace {
     fn of(depth: usize, origins: &Origins, leaves: &[Shape], points: &[Vec<u32>]) -> Self {
-        let mut list = vec![TraceLayer { division: 0, points: vec![TracedPoint::NONE; origins.len()] }; depth];
+        let mut list = vec![TraceLayer { division: 0, points: vec![TracedPoint::NONE; origins.point_count()] }; depth];
         for (leaf, points) in leaves.iter().zip(points) {
             let layers = leaf.trace().map_or(&[][..], Trace::layers);
             for (found, layer) in list.iter_mut().zip(layers) {

@@ -1,7 +1,7 @@
 //! Attributes of the edges of the initial shape (*edgeAttr functions*).
 //!
 //! A shape has the value at the edge of the initial shape that it covers most, as projected in the direction in which it faces
-//! (`geometry/sampled_outline.rs`). Without an attribute of that name and type, or without a value at the edge, the value is 0,
+//! (`cga-geometry/src/sampled_outline.rs`). Without an attribute of that name and type, or without a value at the edge, the value is 0,
 //! an empty text or false.
 
 use crate::run::env::Env;

@@ -9,6 +9,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+use cga_split::tags::matches;
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::tags::tag_query;
@@ -308,6 +309,11 @@ impl UnitShape {
 }
 
 impl UnitFace {
+    /// Returns true if a query matches the tag of the face.
+    pub(crate) fn is_tagged(&self, query: &str) -> bool {
+        self.provenance.tag().is_some_and(|tag| matches(query, tag))
+    }
+
     fn of(mesh: &Mesh, number: usize) -> Self {
         let face = mesh.face(number);
         let mut corners = [0; 4];

@@ -36,7 +36,7 @@ cga! {
 }
 
 fn tags(names: &[&str]) -> TagSet {
-    TagSet::new(names.iter().map(|name| (*name).into()))
+    TagSet::new(names.iter().copied())
 }
 
 /// A face with a tag `e.N` for each edge and `v.N` for each vertex, holes after the outline.

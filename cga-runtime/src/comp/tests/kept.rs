@@ -80,9 +80,7 @@ fn faces_keep_what_they_carry() {
         let walls = parts(&body, Components::Faces, Align::ZUp, &[arm(Word::Side, Mode::Each)]);
         assert_eq!(walls.len(), sides);
         for (.., wall) in walls {
-            assert!(
-                matches!(wall.geometry, Geometry::Rect(Axis::Z, unit) if unit.faces()[0].provenance.is_tagged("extrude"))
-            );
+            assert!(matches!(wall.geometry, Geometry::Rect(Axis::Z, unit) if unit.faces()[0].is_tagged("extrude")));
             assert!(wall.to_mesh().tag_sets()[wall.to_mesh().face(0).tag().tags as usize].has("extrude.side.outer"));
         }
     }

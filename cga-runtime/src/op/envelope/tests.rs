@@ -311,13 +311,13 @@ fn planes_and_layers_agree() {
 
 #[test]
 fn random_lots_turn_with_their_envelopes() {
-    let rng = &mut crate::geometry::random::Rng(11);
+    let rng = &mut crate::shape::seed::Seed::new(11);
     let mut refused = 0;
     for round in 0..300 {
-        let count = 3 + (rng.unit() * 9.0) as usize;
+        let count = 3 + (rng.draw() * 9.0) as usize;
         let convex = round % 2 == 0;
-        let radius = |rng: &mut crate::geometry::random::Rng| if convex { 10.0 } else { 4.0 + 8.0 * rng.unit() };
-        let mut angles: Vec<f64> = (0..count).map(|_| rng.unit() * std::f64::consts::TAU).collect();
+        let radius = |rng: &mut crate::shape::seed::Seed| if convex { 10.0 } else { 4.0 + 8.0 * rng.draw() };
+        let mut angles: Vec<f64> = (0..count).map(|_| rng.draw() * std::f64::consts::TAU).collect();
         angles.sort_unstable_by(f64::total_cmp);
         angles.dedup_by(|a, b| *a - *b < 0.1);
         if angles.len() < 3
@@ -337,7 +337,7 @@ fn random_lots_turn_with_their_envelopes() {
             .collect();
         let sides: Vec<[f64; 2]> = outline
             .iter()
-            .map(|_| [(rng.unit() * 4.0).floor(), [30.0, 45.0, 60.0, 90.0, 75.0][(rng.unit() * 5.0) as usize]])
+            .map(|_| [(rng.draw() * 4.0).floor(), [30.0, 45.0, 60.0, 90.0, 75.0][(rng.draw() * 5.0) as usize]])
             .collect();
         let lot = polygon(&outline, &[]);
         let (bases, slopes): (Vec<f64>, Vec<f64>) = sides.iter().map(|side| (side[0], side[1])).unzip();
@@ -354,7 +354,7 @@ fn random_lots_turn_with_their_envelopes() {
         assert!(mesh.is_closed() && mesh.check().is_empty(), "{:?} {outline:?} {sides:?}", mesh.check());
         assert!(mesh.volume() <= lot.to_mesh().area() * 5.0 * (1.0 + 1e-9));
         // Below every slope of a convex lot.
-        let angle = 0.1 + rng.unit() * 6.0;
+        let angle = 0.1 + rng.draw() * 6.0;
         let turn = DMat3::from_rotation_y(angle);
         let mut turned = Shape::mesh_axis_aligned(lot.to_mesh().map(&DAffine3::from_mat3(turn)));
         envelope_edges(env, &mut turned, NORMAL, 5.0, array(&bases), array(&slopes));

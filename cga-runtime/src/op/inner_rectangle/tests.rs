@@ -5,9 +5,9 @@ use crate::comp::select::Word;
 use crate::comp::{Arm, Arms, Faces, Mode, Select, never};
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use crate::geometry::primitive;
-use crate::geometry::random::Rng;
 use crate::run::env::Env;
 use crate::shape::Shape;
+use crate::shape::seed::Seed;
 
 use RectangleAlignment::{Edge, Scope};
 
@@ -107,13 +107,13 @@ fn the_lot_of_the_page() {
 
 #[test]
 fn parts_begin_on_the_outline_in_the_order_of_its_corners() {
-    let rng = &mut Rng(4);
+    let rng = &mut Seed::new(4);
     for _ in 0..60 {
-        let count = 4 + (rng.unit() * 8.0) as usize;
+        let count = 4 + (rng.draw() * 8.0) as usize;
         let outline: Vec<(f64, f64)> = (0..count)
             .map(|k| {
-                let angle = (k as f64 + 0.5 * rng.unit()) / count as f64 * std::f64::consts::TAU;
-                let radius = 4.0 + 6.0 * rng.unit();
+                let angle = (k as f64 + 0.5 * rng.draw()) / count as f64 * std::f64::consts::TAU;
+                let radius = 4.0 + 6.0 * rng.draw();
                 (radius * libm::cos(angle), radius * libm::sin(angle))
             })
             .collect();
@@ -129,9 +129,9 @@ fn parts_begin_on_the_outline_in_the_order_of_its_corners() {
                 let at = |k: usize| made.mesh.points()[face.outer()[k % face.outer().len()] as usize];
                 let edges = source.face(0).edges().map(|edge| edge.map(|corner| source.face(0).position(corner)));
                 let off = |p: DVec3, [a, b]: [DVec3; 2]| {
-                    let flat = |p: DVec3| DVec2::new(p.x, p.z);
-                    let share = crate::geometry::segment::nearest_share(flat(p), [flat(a), flat(b)]);
-                    a.lerp(b, share).distance(p)
+                    let along = b - a;
+                    let share = (p - a).dot(along) / along.length_squared();
+                    a.lerp(b, share.clamp(0.0, 1.0)).distance(p)
                 };
                 let mut on = edges.map(|edge| off(at(0), edge).max(off(at(1), edge)));
                 assert!(on.any(|off| off < 1e-7), "{outline:?}");

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::{File, glb, png};
 use crate::asset::gltf::{GltfError, GltfFile, read_gltf};
-use crate::geometry::random::Rng;
+use crate::shape::seed::Seed;
 
 /// A file with all parts that the reader looks at: nodes, instances, sparse data, strips, materials, images.
 fn rich() -> File {
@@ -57,12 +57,12 @@ fn is_of_input(flaw: &crate::geometry::mesh::Flaw) -> bool {
 }
 
 /// A number below `count`.
-fn below(rng: &mut Rng, count: usize) -> usize {
-    (rng.unit() * count as f64) as usize
+fn below(rng: &mut Seed, count: usize) -> usize {
+    (rng.draw() * count as f64) as usize
 }
 
 /// A value that does not belong where it is put.
-fn wrong_value(rng: &mut Rng) -> Value {
+fn wrong_value(rng: &mut Seed) -> Value {
     let values = [
         json!(-1),
         json!(0),
@@ -92,18 +92,18 @@ fn wrong_value(rng: &mut Rng) -> Value {
 }
 
 /// Changes a random part of a value.
-fn change(value: &mut Value, rng: &mut Rng) {
+fn change(value: &mut Value, rng: &mut Seed) {
     let count = match &*value {
         Value::Array(list) => list.len(),
         Value::Object(map) => map.len(),
         _ => 0,
     };
-    if count == 0 || rng.unit() < 0.1 {
+    if count == 0 || rng.draw() < 0.1 {
         *value = wrong_value(rng);
         return;
     }
     let at = below(rng, count);
-    let fate = rng.unit();
+    let fate = rng.draw();
     match value {
         Value::Array(list) if fate < 0.05 => _ = list.remove(at),
         Value::Array(list) if fate < 0.1 => list.push(list[at].clone()),
@@ -127,7 +127,7 @@ fn ten_thousand_changed_files_give_a_mesh_or_an_error() {
     let whole = valid.glb();
     let (mut read_count, mut refused) = (0, 0);
     for seed in 0..10_000 {
-        let rng = &mut Rng(seed);
+        let rng = &mut Seed::new(seed);
         let bytes = if seed % 2 == 0 {
             let mut json = valid.json.clone();
             json["buffers"] = json!([{"byteLength": valid.data.len()}]);

@@ -1,0 +1,149 @@
+//! The mesh of a result.
+
+use glam::DVec3;
+
+use super::component_tags::EdgeTags;
+use super::edge_table::NO_CORNER;
+use super::face_values::{FaceValues, Shares, only};
+use super::facet::Facet;
+use super::operation::{BooleanError, BooleanOp};
+use super::polygon::{PolygonCorner, ResultPolygon};
+use super::progress::goes_on;
+use crate::derive::{CornerValues, Derivation, FaceOrigin, Mix, PointOrigin};
+use crate::each::Each;
+use crate::mesh::{Mesh, TagSet, flip};
+use crate::small_sort::SmallSort;
+use crate::triangulate::Triangulator;
+
+/// Makes the mesh of polygons.
+pub(super) struct Assembly<'a> {
+    pub(super) mesh: &'a Mesh,
+    pub(super) facets: &'a [Facet],
+    /// The operand of each facet.
+    pub(super) operands: &'a [u8],
+    /// The places of points.
+    pub(super) places: &'a [DVec3],
+    pub(super) edge_tags: &'a EdgeTags,
+    /// The tags of points, sorted.
+    pub(super) vertex_tags: &'a [(u32, TagSet)],
+    pub(super) op: BooleanOp,
+}
+
+impl Assembly<'_> {
+    /// The mesh of the result.
+    pub(super) fn mesh_of(&self, polygons: &[ResultPolygon]) -> Result<Mesh, BooleanError> {
+        // Points keep their order; new points come last.
+        let corners = || polygons.iter().flat_map(|polygon| polygon.rings.iter().flatten());
+        let mut used: Vec<u32> = corners().map(|corner| corner.point).collect();
+        let mut made = Derivation::new(self.mesh, CornerValues::All, used.len()).without_trace();
+        used.sort_unstable();
+        used.dedup();
+        used.iter().for_each(|point| _ = made.point(self.places[*point as usize] + 0.0, PointOrigin::New));
+        let mut triangulator = Triangulator::new();
+        let mut values: Option<FaceValues> = None;
+        // The facet of the last polygon, and its corners of the mesh by their points.
+        let (mut last_facet, mut corner_at) = (None, Vec::new());
+        for polygon in polygons {
+            goes_on(polygon.rings.iter().map(Vec::len).sum())?;
+            let facet = &self.facets[polygon.sources[0] as usize];
+            if last_facet.replace(polygon.sources[0]) != Some(polygon.sources[0]) {
+                corner_at = facet.corners.iter().copied().zip(facet.sources.iter().copied()).collect();
+                corner_at.small_sort();
+            }
+            for ring in &polygon.rings {
+                let shares = |place: usize| -> Shares {
+                    let last = &ring[if place == 0 { ring.len() - 1 } else { place - 1 }];
+                    self.on_outline(facet, &corner_at, last, &ring[place]).unwrap_or(only(NO_CORNER))
+                };
+                let mut corners: Vec<(u32, Shares)> =
+                    (0..ring.len()).map(|place| (ring[place].point, shares(place))).collect();
+                if made.has_values() {
+                    for (point, shares) in corners.iter_mut().filter(|(_, shares)| shares[0].0 == NO_CORNER) {
+                        let known = values.take().filter(|known| known.face == facet.face);
+                        let known = values
+                            .insert(known.unwrap_or_else(|| FaceValues::of(self.mesh, facet.face, &mut triangulator)));
+                        *shares = known.shares(facet, self.places[*point as usize]);
+                    }
+                }
+                if polygon.is_turned {
+                    flip(&mut corners);
+                }
+                for (point, shares) in corners {
+                    let number = used.binary_search(&point).unwrap_or_default() as u32;
+                    let mix = if shares[0].1 == 1.0 { Mix::One(shares[0].0) } else { Mix::Three(shares) };
+                    made.corner(number, &mix, polygon.is_turned);
+                }
+                made.end_loop();
+            }
+            let origin = FaceOrigin::piece(&self.mesh.face(facet.face as usize));
+            made.end_tagged_face(origin, &self.tags(polygon));
+        }
+        self.tag_components(&mut made, polygons, &used)?;
+        Ok(made.finish())
+    }
+
+    /// Gives edges and vertices their tags. `used` are the points of the result.
+    fn tag_components(
+        &self,
+        made: &mut Derivation<'_>,
+        polygons: &[ResultPolygon],
+        used: &[u32],
+    ) -> Result<(), BooleanError> {
+        let number = |point: u32| used.binary_search(&point).ok().map(|number| number as u32);
+        for ring in polygons.iter().flat_map(|polygon| &polygon.rings) {
+            goes_on(ring.len())?;
+            for (corner, next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+                if let Some(tags) = self.edge_tags.set(corner.tags)
+                    && let (Some(a), Some(b)) = (number(corner.point), number(next.point))
+                {
+                    made.tag_edge([a, b], tags);
+                }
+            }
+        }
+        for (point, tags) in self.vertex_tags {
+            number(*point).into_iter().for_each(|point| made.tag_vertex(point, tags));
+        }
+        Ok(())
+    }
+
+    /// The shares of a corner on the outline of its face: a corner or two of the face. `None` for a corner inside.
+    /// `corner_at` has the facet's corners of the mesh by their points.
+    fn on_outline(
+        &self,
+        facet: &Facet,
+        corner_at: &[(u32, u32)],
+        last: &PolygonCorner,
+        corner: &PolygonCorner,
+    ) -> Option<Shares> {
+        let is_here = |source: &u32| facet.point_at(*source) == Some(corner.point);
+        for along in [corner.along, last.along] {
+            if along[0] == NO_CORNER {
+                continue;
+            }
+            if let Some(source) = along.iter().find(|source| is_here(source)) {
+                return Some(only(*source));
+            }
+            let [a, b] = along.each(|source| self.mesh.points()[self.mesh.corners()[source as usize] as usize]);
+            let place = self.places[corner.point as usize];
+            let share = ((place - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
+            return Some([(along[0], 1.0 - share), (along[1], share), (along[1], 0.0)]);
+        }
+        let at = corner_at.partition_point(|known| known.0 < corner.point);
+        corner_at.get(at).filter(|known| known.0 == corner.point).map(|known| only(known.1))
+    }
+
+    /// The tags of a face: the tags of all its sources, with new ones for the operands.
+    fn tags(&self, polygon: &ResultPolygon) -> TagSet {
+        let of = |facet: &u32| {
+            let tag = self.mesh.face(self.facets[*facet as usize].face as usize).tag();
+            self.mesh.tag_sets().get(tag.tags as usize).map_or(&[][..], TagSet::names).iter().cloned()
+        };
+        let names = polygon.sources.iter().flat_map(of);
+        if self.op == BooleanOp::Unify {
+            return TagSet::new(names);
+        }
+        let operand = |facet: &u32| ["bool.A", "bool.B"][usize::from(self.operands[*facet as usize])];
+        let own = polygon.sources.iter().map(operand);
+        TagSet::new(names).without_below("bool").union(&TagSet::new(own))
+    }
+}

@@ -1,0 +1,123 @@
+//! The edges of an arrangement: outlines of facets, and lines where facets meet.
+
+use crate::small_sort::SmallSort;
+use std::collections::HashMap;
+
+use glam::DVec3;
+
+use super::facet::Facet;
+use super::point_set::PointSet;
+
+/// The number for "not a corner".
+pub(super) const NO_CORNER: u32 = u32::MAX;
+
+/// A facet in whose plane an edge lies.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct EdgeOwner {
+    pub(super) facet: u32,
+    /// The number of times that the outline of the facet follows the edge, less the number of times that it follows it
+    /// backwards.
+    pub(super) count: i32,
+    /// The corner of the facet at which the outline's edge starts that contains this edge, or [`NO_CORNER`].
+    pub(super) corner: u32,
+}
+
+/// An edge between two points, the smaller number first.
+#[derive(Clone, Debug)]
+pub(super) struct ArrangedEdge {
+    pub(super) ends: [u32; 2],
+    /// The direction of the line that the edge is part of, from the first point to the second, and the line's length.
+    /// An edge may be so short that its ends do not give a direction.
+    pub(super) direction: DVec3,
+    length: f64,
+    /// The facets, in increasing order. Empty if the edge was divided.
+    pub(super) owners: Vec<EdgeOwner>,
+}
+
+/// All edges, and their numbers by the numbers of their points.
+#[derive(Default)]
+pub(super) struct EdgeTable {
+    pub(super) list: Vec<ArrangedEdge>,
+    /// The number of owners of all edges.
+    pub(super) owner_count: usize,
+    at: HashMap<[u32; 2], u32>,
+}
+
+impl EdgeTable {
+    pub(super) fn find(&self, ends: [u32; 2]) -> Option<u32> {
+        self.at.get(&[ends[0].min(ends[1]), ends[0].max(ends[1])]).copied()
+    }
+
+    /// The owner of an edge that is a facet.
+    pub(super) fn owner(&self, edge: u32, facet: u32) -> Option<&EdgeOwner> {
+        let owners = &self.list[edge as usize].owners;
+        owners.binary_search_by_key(&facet, |owner| owner.facet).ok().map(|at| &owners[at])
+    }
+
+    /// Adds an edge to a facet. `count` and `corner` belong to the edge from `a` to `b`. `direction` is the whole line
+    /// from `a` to `b`.
+    pub(super) fn add(&mut self, facets: &mut [Facet], [a, b]: [u32; 2], direction: DVec3, owner: EdgeOwner) {
+        let (ends, turned) = ([a.min(b), a.max(b)], b < a);
+        let (direction, count) = if turned { (-direction, -owner.count) } else { (direction, owner.count) };
+        let number = *self.at.entry(ends).or_insert_with(|| {
+            self.list.push(ArrangedEdge { ends, direction: DVec3::ZERO, length: -1.0, owners: Vec::new() });
+            self.list.len() as u32 - 1
+        });
+        let edge = &mut self.list[number as usize];
+        let length = direction.length();
+        if edge.length < length {
+            (edge.direction, edge.length) = (direction / length, length);
+        }
+        match edge.owners.binary_search_by_key(&owner.facet, |known| known.facet) {
+            Ok(at) => {
+                edge.owners[at].count += count;
+                if edge.owners[at].corner == NO_CORNER {
+                    edge.owners[at].corner = owner.corner;
+                }
+            }
+            Err(at) => {
+                edge.owners.insert(at, EdgeOwner { count, ..owner });
+                self.owner_count += 1;
+                facets[owner.facet as usize].lines.push(number);
+            }
+        }
+    }
+
+    /// Removes an owner of an edge.
+    pub(super) fn disown(&mut self, edge: u32, facet: u32) {
+        let owners = &mut self.list[edge as usize].owners;
+        if let Ok(at) = owners.binary_search_by_key(&facet, |owner| owner.facet) {
+            owners.remove(at);
+            self.owner_count -= 1;
+        }
+    }
+
+    /// Divides an edge at points on it. The facets that own it are added to `changed`; they still list the edge, which has no
+    /// owners any more.
+    pub(super) fn divide(
+        &mut self,
+        facets: &mut [Facet],
+        points: &PointSet,
+        edge: u32,
+        cuts: &mut [u32],
+        changed: &mut Vec<u32>,
+    ) {
+        let ArrangedEdge { ends, direction, length, ref mut owners } = self.list[edge as usize];
+        let owners = std::mem::take(owners);
+        self.owner_count -= owners.len();
+        self.at.remove(&ends);
+        let place = |point: u32| points.at[point as usize];
+        let along = |point: u32| (place(point) - place(ends[0])).dot(place(ends[1]) - place(ends[0]));
+        cuts.small_sort_by(|&a, &b| along(a).total_cmp(&along(b)).then(a.cmp(&b)));
+        for owner in owners {
+            changed.push(owner.facet);
+            let mut from = ends[0];
+            for &to in cuts.iter().chain([&ends[1]]) {
+                if from != to {
+                    self.add(facets, [from, to], direction * length, owner);
+                }
+                from = to;
+            }
+        }
+    }
+}

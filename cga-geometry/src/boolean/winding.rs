@@ -1,0 +1,117 @@
+//! The number of closed shells around each side of each sheet.
+//!
+//! Sides of sheets that look into the same wedge of an edge are in the same space. From one side of a sheet to the other, the
+//! numbers change by the windings of its facets. So one ray decides for all sheets that are connected, and the numbers of
+//! all wedges must agree.
+
+use super::budget::Budget;
+use super::operation::BooleanError;
+use super::progress::goes_on;
+use super::ray::{Around, RayCaster};
+use super::sheet::{SheetSide, Sheets};
+use super::shell::ShellKind;
+use crate::disjoint::DisjointSets;
+use crate::each::Each;
+
+/// The closed shells of each operand around both sides of each sheet.
+pub(super) struct Windings(Vec<[Around; 2]>);
+
+impl Windings {
+    pub(super) fn at(&self, sheet: u32, side: SheetSide) -> Around {
+        self.0[sheet as usize][side as usize]
+    }
+
+    pub(super) fn of(sheets: &Sheets, rays: &RayCaster<'_>, budget: &mut Budget) -> Result<Self, BooleanError> {
+        let count = sheets.list.len();
+        let node = |sheet: u32, side: SheetSide| 2 * sheet + side as u32;
+        let mut spaces = DisjointSets::new(2 * count);
+        for (_, uses) in sheets.fans() {
+            goes_on(uses.len())?;
+            for (here, next) in uses.iter().zip(uses.iter().cycle().skip(1)) {
+                spaces.unite(node(here.sheet, here.ahead()), node(next.sheet, next.behind()));
+            }
+        }
+        spaces.flatten();
+        let space = |sheet: u32, side: SheetSide| spaces.find(node(sheet, side));
+        let mut at_space: Vec<Vec<u32>> = vec![Vec::new(); 2 * count];
+        for sheet in 0..count as u32 {
+            SheetSide::BOTH.iter().for_each(|side| at_space[space(sheet, *side) as usize].push(sheet));
+        }
+        let mut known: Vec<Option<Around>> = vec![None; 2 * count];
+        for first in 0..count as u32 {
+            if known[space(first, SheetSide::Front) as usize].is_some() {
+                continue;
+            }
+            let connected = connected_sheets(first, &at_space, &space);
+            goes_on(connected.iter().map(|&sheet| sheets.list[sheet as usize].rings[0].len()).sum())?;
+            let extents = connected.iter().map(|&sheet| (extent(sheets, rays, sheet), sheet));
+            let widest = extents.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
+            let Some((_, widest)) = widest else { continue };
+            let around = rays.around_front(&sheets.list[widest as usize], |_| true, budget)?;
+            let start = space(widest, SheetSide::Front);
+            known[start as usize] = Some(around);
+            let mut open = vec![start];
+            while let Some(here) = open.pop() {
+                for &sheet in &at_space[here as usize] {
+                    goes_on(1)?;
+                    let step = step_back(sheets, rays, sheet);
+                    for side in SheetSide::BOTH.into_iter().filter(|side| space(sheet, *side) == here) {
+                        let sign = if side == SheetSide::Front { 1 } else { -1 };
+                        let [a, b] = known[here as usize].unwrap_or_default();
+                        let value = [a + sign * step[0], b + sign * step[1]];
+                        let beyond = space(sheet, side.other());
+                        match &mut known[beyond as usize] {
+                            Some(other) if *other != value => return Err(BooleanError::Tangled),
+                            Some(_) => {}
+                            unknown => {
+                                *unknown = Some(value);
+                                open.push(beyond);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        let value = |sheet, side| known[space(sheet, side) as usize].unwrap_or_default();
+        Ok(Windings((0..count as u32).map(|sheet| SheetSide::BOTH.each(|side| value(sheet, side))).collect()))
+    }
+}
+
+/// The sheets that are connected with one, by common spaces.
+fn connected_sheets(first: u32, at_space: &[Vec<u32>], space: &impl Fn(u32, SheetSide) -> u32) -> Vec<u32> {
+    let mut found = vec![first];
+    let mut seen: std::collections::BTreeSet<u32> = [first].into();
+    let mut done: std::collections::BTreeSet<u32> = std::collections::BTreeSet::new();
+    let mut next = 0;
+    while let Some(&sheet) = found.get(next) {
+        next += 1;
+        for side in SheetSide::BOTH {
+            let here = space(sheet, side);
+            if done.insert(here) {
+                found.extend(at_space[here as usize].iter().copied().filter(|sheet| seen.insert(*sheet)));
+            }
+        }
+    }
+    found
+}
+
+/// The change of the numbers from the front to the back of a sheet.
+fn step_back(sheets: &Sheets, rays: &RayCaster<'_>, sheet: u32) -> Around {
+    let mut step = [0; 2];
+    for source in &sheets.list[sheet as usize].sources {
+        let sign = match rays.kinds[source.facet as usize] {
+            ShellKind::Closed => 1,
+            ShellKind::Inverted => -1,
+            ShellKind::Open => 0,
+        };
+        step[usize::from(rays.operands[source.facet as usize])] += sign * source.winding;
+    }
+    step
+}
+
+/// A measure of the size of a sheet: the length of its outline's box.
+fn extent(sheets: &Sheets, rays: &RayCaster<'_>, sheet: u32) -> f64 {
+    let places = sheets.list[sheet as usize].rings[0].iter().map(|point| rays.points.at[*point as usize]);
+    let bounds = crate::mesh::Bounds::of(places);
+    bounds.size().length_squared()
+}

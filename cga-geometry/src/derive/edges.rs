@@ -1,0 +1,114 @@
+//! The tags of edges and vertices (*Geometry tagging*, edge and vertex tag propagation).
+//!
+//! Vertices at old points have their tags. An edge has the tags of the old edge that it is, or is a part of. An edge from an old
+//! vertex to the point that was moved from there, or to a point that grew out of the face, has the tags of the vertex. Operations
+//! may say otherwise.
+
+use std::collections::BTreeMap;
+
+use super::{EdgeOrigin, EdgeSource, PointOrigin};
+use crate::each::Each;
+use crate::mesh::{Mesh, SubcomponentTags, SubcomponentTagsBuilder, TagSet, TagSetTable, in_order, whole_edge};
+use crate::small_sort::SmallSort;
+
+/// The origins of edges that operations have given, and the tags that they have added.
+#[derive(Default)]
+pub(super) struct EdgeOrigins {
+    edges: Vec<([u32; 2], EdgeOrigin)>,
+    vertices: Vec<(u32, u32)>,
+    /// The sets of [`EdgeSource::Own`] and of vertices.
+    own: TagSetTable,
+}
+
+impl EdgeOrigins {
+    /// Gives the origin of an edge. Several ones give it the tags of all.
+    pub(super) fn add(&mut self, ends: [u32; 2], origin: EdgeOrigin) {
+        self.edges.push((in_order(ends), origin));
+    }
+
+    pub(super) fn tag_edge(&mut self, ends: [u32; 2], tags: &TagSet) {
+        let source = EdgeSource::Own(self.own.number(tags));
+        self.add(ends, EdgeOrigin { source, tag: None });
+    }
+
+    pub(super) fn tag_vertex(&mut self, point: u32, tags: &TagSet) {
+        self.vertices.push((point, self.own.number(tags)));
+    }
+
+    /// Renumbers points: `before` are their old numbers. Edges and vertices without a new number are dropped.
+    pub(super) fn renumber(&mut self, before: &[u32]) {
+        if self.edges.is_empty() && self.vertices.is_empty() {
+            return;
+        }
+        let numbers: BTreeMap<u32, u32> = before.iter().copied().zip(0..).collect();
+        self.edges.retain_mut(|(ends, _)| match ends.each(|end| numbers.get(&end)) {
+            [Some(a), Some(b)] => {
+                *ends = in_order([*a, *b]);
+                true
+            }
+            _ => false,
+        });
+        self.vertices.retain_mut(|(point, _)| numbers.get(point).map(|number| *point = *number).is_some());
+    }
+
+    /// The tags of the edges and vertices of a mesh whose points have origins in a source.
+    pub(super) fn tags(mut self, source: &Mesh, made: &Mesh, origins: &[PointOrigin]) -> SubcomponentTags {
+        let old = &source.subcomponent_tags;
+        if old.is_empty() && self.edges.is_empty() && self.vertices.is_empty() {
+            return SubcomponentTags::default();
+        }
+        let mut tags = SubcomponentTagsBuilder::default();
+        self.edges.small_sort_by_key(|entry| entry.0);
+        let (own, plain) = (std::mem::take(&mut self.own).into_sets(), TagSet::default());
+        let set_of = |source: EdgeSource| match source {
+            EdgeSource::Edge(ends) => old.edge(ends),
+            EdgeSource::Vertex(point) => old.vertex(point),
+            EdgeSource::Own(number) => own.get(number as usize),
+            EdgeSource::New => None,
+        };
+        // The sets of edges with a tag of the operation.
+        let mut renewed: BTreeMap<(&TagSet, &'static str), TagSet> = BTreeMap::new();
+        for ends in made.face_edges() {
+            let from = self.edges.partition_point(|entry| entry.0 < in_order(ends));
+            let given = self.edges[from..].iter().take_while(|entry| entry.0 == in_order(ends));
+            let is_given = given.clone().any(|(_, origin)| !matches!(origin.source, EdgeSource::Own(_)));
+            if !is_given
+                && !old.is_empty()
+                && let Some(set) = set_of(implied(ends.each(|end| origins[end as usize])))
+            {
+                tags.edge(ends, set);
+            }
+            for (_, EdgeOrigin { source, tag }) in given {
+                let set = set_of(*source).unwrap_or(&plain);
+                match tag {
+                    Some(tag) => tags.edge(ends, renewed.entry((set, tag)).or_insert_with(|| set.renewed(tag))),
+                    None => tags.edge(ends, set),
+                }
+            }
+        }
+        for (point, origin) in (0..).zip(origins) {
+            if let Some(set) = origin.old().and_then(|vertex| old.vertex(vertex)) {
+                tags.vertex(point, set);
+            }
+        }
+        self.vertices.iter().for_each(|(point, set)| tags.vertex(*point, &own[*set as usize]));
+        tags.finish()
+    }
+}
+
+/// The source of the edge between two points.
+fn implied(ends: [PointOrigin; 2]) -> EdgeSource {
+    match ends {
+        [PointOrigin::Old(vertex), PointOrigin::Grown] | [PointOrigin::Grown, PointOrigin::Old(vertex)] => {
+            EdgeSource::Vertex(vertex)
+        }
+        [PointOrigin::Old(vertex), PointOrigin::Moved(from)] | [PointOrigin::Moved(from), PointOrigin::Old(vertex)] => {
+            if vertex == from {
+                EdgeSource::Vertex(vertex)
+            } else {
+                EdgeSource::New
+            }
+        }
+        _ => whole_edge(ends).map_or(EdgeSource::New, EdgeSource::Edge),
+    }
+}

@@ -1,0 +1,35 @@
+//! The convex hull of points in a plane.
+
+use glam::DVec2;
+
+use crate::exact::orient;
+use crate::small_sort::SmallSort;
+
+/// Reduces a list of items with positions in a plane to the corners of their convex hull, counter-clockwise. Two or
+/// fewer positions are their own hull.
+pub fn hull<T: Copy>(points: &mut Vec<T>, at: impl Fn(&T) -> DVec2) {
+    points.small_sort_by(|a, b| at(a).x.total_cmp(&at(b).x).then(at(a).y.total_cmp(&at(b).y)));
+    points.dedup_by(|a, b| at(a) == at(b));
+    if points.len() < 3 {
+        return;
+    }
+    let mut corners: Vec<T> = Vec::new();
+    for pass in 0..2 {
+        let start = corners.len();
+        let mut add = |p: &T| {
+            while start + 2 <= corners.len()
+                && orient(at(&corners[corners.len() - 2]), at(&corners[corners.len() - 1]), at(p)) <= 0
+            {
+                corners.pop();
+            }
+            corners.push(*p);
+        };
+        match pass {
+            0 => points.iter().for_each(&mut add),
+            _ => points.iter().rev().for_each(&mut add),
+        }
+        // The last corner is the first one of the other half.
+        corners.pop();
+    }
+    *points = corners;
+}

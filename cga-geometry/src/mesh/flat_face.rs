@@ -1,0 +1,86 @@
+//! A face laid flat, for algorithms in the plane.
+
+use std::collections::BTreeMap;
+
+use glam::{DVec2, DVec3};
+
+use super::FaceRef;
+use crate::each::Each;
+use crate::tol::PLANAR_EPSILON;
+use crate::vector::unit;
+
+/// A face projected to its plane.
+pub(crate) struct FlatFace<'a> {
+    pub(crate) face: FaceRef<'a>,
+    pub(crate) origin: DVec3,
+    pub(crate) axes: [DVec3; 2],
+    pub(crate) normal: DVec3,
+    /// The distinct points of the face, their heights above the plane, and their numbers in the mesh.
+    pub(crate) flat: Vec<DVec2>,
+    pub(crate) heights: Vec<f64>,
+    pub(crate) points: Vec<u32>,
+    /// For each corner the number of its point.
+    pub(crate) corners: Vec<u32>,
+}
+
+impl FaceRef<'_> {
+    /// Two axes in the plane of the face with this normal, the first one along its first edge with a length. `None` if no edge has one.
+    pub(crate) fn plane_axes(&self, normal: DVec3) -> Option<[DVec3; 2]> {
+        let mut edges = self.edges().map(|[a, b]| unit(self.position(b) - self.position(a)));
+        let first = edges.find(|edge| *edge != DVec3::ZERO)?;
+        let x = unit(first - normal * first.dot(normal));
+        Some([x, normal.cross(x)])
+    }
+}
+
+impl<'a> FlatFace<'a> {
+    /// The face; `None` if it has no area.
+    pub(crate) fn of(face: &FaceRef<'a>) -> Option<Self> {
+        let (normal, range) = (face.normal(), face.corner_range());
+        if normal == DVec3::ZERO {
+            return None;
+        }
+        let origin = face.position(range.start);
+        let axes = face.plane_axes(normal)?;
+        let (flat, heights) = (Vec::new(), Vec::new());
+        let mut plane =
+            FlatFace { face: *face, origin, axes, normal, flat, heights, points: Vec::new(), corners: Vec::new() };
+        let mut extent = 0.0f64;
+        let mut numbers = BTreeMap::new();
+        for corner in range {
+            let point = face.mesh.corners[corner];
+            let to = face.position(corner) - origin;
+            extent = extent.max(to.abs().max_element());
+            let next = plane.flat.len() as u32;
+            let number = *numbers.entry(point).or_insert(next);
+            if number == next {
+                plane.flat.push(DVec2::new(to.dot(axes[0]), to.dot(axes[1])));
+                plane.heights.push(to.dot(normal));
+                plane.points.push(point);
+            }
+            plane.corners.push(number);
+        }
+        // Deviations by rounding errors count as in the plane.
+        if plane.heights.iter().all(|height| height.abs() <= PLANAR_EPSILON * extent) {
+            plane.heights.fill(0.0);
+        }
+        Some(plane)
+    }
+
+    /// The edges of the face in the order in which they are swept, with their corners counted from the first one of the
+    /// face, and the points of its loops. To move them `outwards`, the loops are reversed.
+    pub(crate) fn edges(&self, outwards: bool) -> (Vec<[usize; 2]>, Vec<Vec<u32>>) {
+        let start = self.face.corner_range().start;
+        let (mut edges, mut rings) = (Vec::new(), Vec::new());
+        let mut all = self.face.edges().map(|edge| edge.each(|corner| corner - start));
+        for ring in self.face.loops() {
+            let first = edges.len();
+            edges.extend(all.by_ref().take(ring.len()));
+            if outwards {
+                edges[first..].reverse();
+            }
+            rings.push(edges[first..].iter().map(|edge| self.corners[edge[usize::from(outwards)]]).collect());
+        }
+        (edges, rings)
+    }
+}
