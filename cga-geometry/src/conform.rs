@@ -1,4 +1,4 @@
-//! Faces that look to the same side as their neighbours (*setNormals operation*, conform).
+//! Faces that look to the same side as their neighbours.
 //!
 //! Faces are connected by edges that exactly two faces have. Such an edge should be used once in each direction. Connected
 //! faces are turned until all agree, and then all or none of them, by these rules: closed faces enclose a positive volume, or a

@@ -1,4 +1,4 @@
-//! Extrudes faces to closed volumes (*extrude operation*).
+//! Extrudes faces to closed volumes.
 //!
 //! Each face gives sides in the order of its edges (outline, then holes), a top, and a bottom, which is the reversed
 //! face itself. The first edge of a side is its bottom edge, in the direction of the face. No wall is made between
@@ -247,7 +247,7 @@ mod tests {
         let hole = [(0.5, -0.5), (1.0, -0.5), (1.0, -1.0)].map(|(x, z)| DVec3::new(x, 0.0, z)).to_vec();
         let base = Mesh::from_polygon(&square(0.0), &[hole]).unwrap();
         let body = extrude(&base, Extrude::FaceNormal, 2.0);
-        // *extrude operation*: n + 2 faces and 2n vertices, holes in top and bottom.
+        // n + 2 faces and 2n vertices, holes in top and bottom.
         assert_eq!((body.face_count(), body.points().len()), (9, 14));
         assert!(body.is_closed() && body.check().is_empty());
         assert_eq!(body.volume(), 2.0 * (4.0 - 0.125));
@@ -288,7 +288,7 @@ mod tests {
 
     #[test]
     fn upwards_and_along_vertex_normals_neighbours_stay_together() {
-        // *extrude operation*: no faces inside.
+        // No faces inside.
         for along in [Extrude::Vector(DVec3::Y), Extrude::VertexNormal] {
             let body = extrude(&folded(), along, 3.0);
             assert_eq!((body.face_count(), body.points().len()), (10, 12));

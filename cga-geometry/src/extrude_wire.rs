@@ -1,4 +1,4 @@
-//! Extrudes edges to faces (*extrude operation*, extrusion of edges).
+//! Extrudes edges to faces.
 //!
 //! Each edge gives one face, which begins with the edge. Edges that are extruded along their own normals separate where
 //! they meet at an angle. Edges that are extruded along the normals of their points, or along one vector, stay

@@ -1,4 +1,4 @@
-//! The coordinate system of a face (*comp*, coordinate systems of the children): the origin at the first vertex of the
+//! The coordinate system of a face: the origin at the first vertex of the
 //! first edge, x along that edge, z along the face normal, and y across both.
 
 use glam::{DMat3, DVec2, DVec3};
@@ -54,7 +54,7 @@ pub fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
 }
 
 /// Object coordinates: the frame of the first face with an area, with x along its first edge with a length and y along
-/// its normal (*CGA essentials*, object coordinate system). `None` for a mesh without such a face.
+/// its normal. `None` for a mesh without such a face.
 pub fn object_of(mesh: &Mesh) -> Option<Frame> {
     (0..mesh.face_count()).find_map(|face| face_frame(mesh, face)).map(|found| object(&found))
 }

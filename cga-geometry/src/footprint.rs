@@ -1,4 +1,4 @@
-//! The outline of a mesh as seen along an axis (*footprint operation*).
+//! The outline of a mesh as seen along an axis.
 
 use glam::{DVec2, DVec3};
 

@@ -1,4 +1,4 @@
-//! Faces without their holes (*deleteHoles operation*).
+//! Faces without their holes.
 
 use crate::derive::{CornerValues, Derivation, FaceOrigin};
 use crate::mesh::Mesh;

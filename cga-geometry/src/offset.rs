@@ -1,4 +1,4 @@
-//! Moves the outlines of faces in or out and fills the difference with strips (*offset operation*).
+//! Moves the outlines of faces in or out and fills the difference with strips.
 //!
 //! A face is moved in the plane across its normal. The parts of a face that is not planar are not planar either
 //! ([`relief`]): old points stay, and new points get heights between the heights of the face.

@@ -1,4 +1,4 @@
-//! The origin of a face, and the tags that `extrude` gives (*Geometry tagging*, auto-tags).
+//! The origin of a face, and the tags that `extrude` gives.
 
 use crate::mesh::{FaceTag, Mesh, TagSet};
 

@@ -1,4 +1,4 @@
-//! Edges that follow two axes (*rectify operation*).
+//! Edges that follow two axes.
 
 use crate::each::Each;
 use glam::DVec3;

@@ -4,7 +4,7 @@ use glam::{DMat3, DVec3};
 
 use crate::tol::ANGLE_EPSILON;
 
-/// The rotation by degrees about x, then y, then z (*CGA Euler angles*).
+/// The rotation by degrees about x, then y, then z.
 pub fn turn(x: f64, y: f64, z: f64) -> DMat3 {
     let ((sx, cx), (sy, cy), (sz, cz)) = (sin_cos(x), sin_cos(y), sin_cos(z));
     let about_x = DMat3::from_cols(DVec3::X, DVec3::new(0.0, cx, sx), DVec3::new(0.0, -sx, cx));

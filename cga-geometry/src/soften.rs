@@ -1,4 +1,4 @@
-//! Smooth normals (*softenNormals operation*).
+//! Smooth normals.
 
 use glam::DVec3;
 

@@ -1,4 +1,4 @@
-//! Traces: the origin of points, for recomposition (*Shape recomposition*).
+//! Traces: the origin of points, for recomposition.
 //!
 //! While an operation that recomposes derives its operand, the points of all shapes have numbers. Points with the same number
 //! are one point of the result, wherever rules have moved them. A point without a number has no origin.
@@ -41,7 +41,7 @@ pub struct Trace(Option<Box<TraceLayers>>);
 #[derive(Clone, Debug, Default)]
 struct TraceLayers {
     list: Vec<TraceLayer>,
-    /// True if the shape was removed by `NIL`.
+    /// True if the part was removed.
     is_gone: bool,
 }
 
@@ -129,14 +129,14 @@ impl Trace {
         }
     }
 
-    /// Marks the shape as removed.
+    /// Marks the part as removed.
     pub fn remove(&mut self) {
         if let Some(layers) = &mut self.0 {
             layers.is_gone = true;
         }
     }
 
-    /// Returns true if `NIL` has removed the shape.
+    /// Returns true if the part was removed.
     pub fn is_gone(&self) -> bool {
         self.0.as_ref().is_some_and(|layers| layers.is_gone)
     }

@@ -101,7 +101,7 @@ impl Wire {
     }
 
     /// The part between two offsets along a direction, with edges cut off there. Edges and points exactly at an offset
-    /// are below it. Points that edges share are shared in the part too (*CGA changelog, SDK 3.3.11351*).
+    /// are below it. Points that edges share are shared in the part too.
     /// Parts of edges keep their tags. The part has no trace, but comes with the origins of its points.
     pub fn between(&self, along: DVec3, low: f64, high: f64) -> (Wire, Vec<PointOrigin>) {
         let (mut part, mut origins) = (Wire::default(), Vec::new());

@@ -1,4 +1,4 @@
-//! Bends an asset along the texture coordinates of a surface (*insertAlongUV operation*).
+//! Bends an asset along the texture coordinates of a surface.
 //!
 //! The asset is stretched to a cell of texture space: its x is along u in [0, 1], its z is against v, and its y is the
 //! height. It is repeated in each cell that a face of the carrier covers, cut at the edges of the face, and mapped to

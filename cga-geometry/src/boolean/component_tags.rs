@@ -1,4 +1,4 @@
-//! The tags of edges and vertices (*Boolean operations*, component tags; *Geometry tagging*).
+//! The tags of edges and vertices.
 
 use std::sync::Arc;
 

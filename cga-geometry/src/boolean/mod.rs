@@ -1,4 +1,4 @@
-//! Boolean operations on meshes (*Boolean operations*, *Rule inlining*: `unify`).
+//! Boolean operations on meshes.
 //!
 //! All faces of both operands are divided where they meet, until they only meet in common edges and points ([`meeting`],
 //! [`noding`], [`cell`]). Faces that coincide become one ([`sheet`]). Each side of each face is then inside or outside of each

@@ -1,8 +1,7 @@
 //! The parts of an operand inside the open surface of the other one.
 //!
-//! An open surface counts as the outline of a solid below its front, as long as its border does not meet the other operand
-//! (*Boolean operations*, open and closed operands). The surface divides the other operand into regions. A region is inside
-//! if all edges at which it meets the surface agree, and outside otherwise. A region that does not meet the surface is inside
+//! An open surface counts as the outline of a solid below its front, as long as its border does not meet the other operand.
+//! The surface divides the other operand into regions. A region is inside if all edges at which it meets the surface agree, and outside otherwise. A region that does not meet the surface is inside
 //! if the surface hides more than half of the view from there.
 
 use std::collections::BTreeMap;

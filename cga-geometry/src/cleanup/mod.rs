@@ -1,4 +1,4 @@
-//! Cleaned meshes (*cleanupGeometry operation*).
+//! Cleaned meshes.
 //!
 //! Each step takes a mesh and returns one whose corners have points of the original mesh; unused points are dropped at the end.
 //! All steps but the removal of small faces keep the sum of all directed edges: an edge vanishes together with its counterpart.
@@ -57,7 +57,7 @@ struct Limits {
 }
 
 impl Limits {
-    /// The limits of a tolerance from 0 to 1: metres, 10 degrees, and square metres (*cleanupGeometry operation*).
+    /// The limits of a tolerance from 0 to 1: metres, 10 degrees, and square metres.
     fn of(tolerance: f64, scale: f64) -> Self {
         const MOST_DEGREES: f64 = 10.0;
         /// Larger than the distance of any two points.

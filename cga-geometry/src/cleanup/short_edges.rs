@@ -1,4 +1,4 @@
-//! Removes very short edges (*i operation*, numericalCleanup).
+//! Removes very short edges.
 
 use super::merge::merged_into;
 use super::{slits, without_unused_points};

@@ -1,7 +1,7 @@
 //! The cuts of one face.
 //!
 //! Cuts begin at reflex corners. A cut runs on in the direction of one of the two edges at its corner, to the other side of the
-//! face, or joins two reflex corners if it leaves none of them reflex (*convexify operation*, picture). The shortest possible
+//! face, or joins two reflex corners if it leaves none of them reflex. The shortest possible
 //! cut of all corners is made first. A cut that ends inside an edge divides it in all faces that have it.
 
 use std::cell::Cell;

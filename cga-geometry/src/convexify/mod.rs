@@ -1,4 +1,4 @@
-//! Concave faces cut into convex ones (*convexify operation*).
+//! Concave faces cut into convex ones.
 //!
 //! All faces are loops of linked corners ([`net`]). A concave face, or one with holes, is cut in its plane projection
 //! ([`cutter`]), where the sides of lines are exact. New points are on edges, which they divide in all faces, so faces stay

@@ -344,7 +344,7 @@ fn has_border_of(mesh: &Mesh, other: &Mesh) -> bool {
     builder.build().unwrap().is_closed()
 }
 
-/// "Tags stay", "not flattened", groups and materials of faces (*convexify operation*, *CGA changelog 2014.1, 2021.0, 2024.0*).
+/// "Tags stay", "not flattened", groups and materials of faces.
 #[test]
 fn parts_keep_tags_groups_materials_and_values() {
     // A bent L with a square beside it, whose common edge is divided.

@@ -77,7 +77,7 @@ pub struct OpenChain {
 /// that are NaN or do not increase cut nothing: the slab below them stays empty.
 ///
 /// The faces of a part have the order of the mesh. Caps come after them, low plane first. A part without a piece of the
-/// mesh's first face begins with the cap towards that face instead (*CGA changelog 2025.1*). The values of corners are
+/// mesh's first face begins with the cap towards that face instead. The values of corners are
 /// interpolated; tags stay. Caps ([`FaceTag::cap`](crate::mesh::FaceTag::cap)) have no group and no material
 /// of the mesh, so the shape's own material applies to them. Their texture coordinates are (0, 0) in all
 /// sets of the mesh.

@@ -1,4 +1,4 @@
-//! The tags of edges and vertices (*Geometry tagging*, edge and vertex tag propagation).
+//! The tags of edges and vertices.
 //!
 //! Vertices at old points have their tags. An edge has the tags of the old edge that it is, or is a part of. An edge from an old
 //! vertex to the point that was moved from there, or to a point that grew out of the face, has the tags of the vertex. Operations

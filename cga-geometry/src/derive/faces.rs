@@ -1,4 +1,4 @@
-//! The tags of faces (*Geometry tagging*, auto-tags and tag propagation).
+//! The tags of faces.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -91,7 +91,7 @@ impl<'s> Derivation<'s> {
         self.tags.get_or_insert_with(new)
     }
 
-    /// The same without the trace of points: recomposition does not connect the parts again (*Shape recomposition*).
+    /// The same without the trace of points: recomposition does not connect the parts again.
     pub fn without_trace(self) -> Self {
         Derivation { has_trace: false, ..self }
     }

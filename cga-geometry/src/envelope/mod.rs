@@ -1,4 +1,4 @@
-//! Volumes over faces that may be built on (*envelope operation*).
+//! Volumes over faces that may be built on.
 //!
 //! At each edge of a face an upright side rises to a *base height*, and from there a *slope* leans inwards. Edges of holes
 //! have upright sides. The volume is cut off level at its maximum height.
@@ -73,7 +73,7 @@ enum EnvelopePart {
 }
 
 impl EnvelopePart {
-    /// The tag of the part (*component tags*).
+    /// The tag of the part.
     fn tag(self) -> &'static str {
         match self {
             EnvelopePart::Bottom => "envelope.bottom",

@@ -1,4 +1,4 @@
-//! Divides a face into its largest rectangle and the rest (*innerRectangle operation*).
+//! Divides a face into its largest rectangle and the rest.
 
 use glam::{DVec2, DVec3};
 

@@ -1,4 +1,4 @@
-//! The largest rectangle with given directions in a polygon with holes (*innerRectangle operation*).
+//! The largest rectangle with given directions in a polygon with holes.
 //!
 //! A rectangle from `l` to `r` is as high as the largest *gap* of the strip between them: the edges of the polygon in the strip
 //! cover parts of the y axis, and gaps are what is left inside. Lines through all corners divide the plane into *slabs*. For a

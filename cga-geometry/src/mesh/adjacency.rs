@@ -6,7 +6,7 @@ use crate::each::Each;
 use crate::small_sort::SmallSort;
 
 /// Adjacency in a mesh. Edges are numbered in the order of the first corner that starts them; a shared edge has one
-/// number (*comp operation*, e).
+/// number.
 #[derive(Debug)]
 pub struct Adjacency {
     /// The face of each corner.
@@ -91,7 +91,7 @@ impl Adjacency {
         corners.iter().map(|&corner| self.face(corner)).filter(move |&face| last.replace(face) != Some(face))
     }
 
-    /// Returns true if exactly one face has an edge (*comp operation*, border).
+    /// Returns true if exactly one face has an edge.
     pub fn is_border(&self, edge: usize) -> bool {
         self.faces_at(edge).nth(1).is_none()
     }

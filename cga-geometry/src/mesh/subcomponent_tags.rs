@@ -1,4 +1,4 @@
-//! The tags of edges and vertices (*Geometry tagging*).
+//! The tags of edges and vertices.
 //!
 //! An edge is a pair of points, so all faces at an edge agree about its tags. Edges and vertices without tags are not
 //! listed, and a mesh without tagged edges and vertices has no lists at all.

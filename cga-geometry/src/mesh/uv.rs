@@ -45,7 +45,7 @@ pub struct UvSets {
 }
 
 impl UvSets {
-    /// The largest number of sets (*Texturing*: 0 to 9).
+    /// The largest number of sets.
     pub const MOST: usize = 10;
 
     /// A set; empty if it has no coordinates.

@@ -1,4 +1,4 @@
-//! Forms of an inserted mesh that are made once, as rules insert the same mesh again and again.
+//! Forms of a mesh that are made once, as a program may use the same mesh again and again.
 
 use std::sync::{Arc, OnceLock};
 

@@ -1,4 +1,4 @@
-//! Sets edges of a face back, each by a distance of its own (*setback operation*).
+//! Sets edges of a face back, each by a distance of its own.
 //!
 //! The remainder is the interior of the moved outline. The *setback* is the rest of the face: its sides are the sides of the
 //! face and the sides of the remainder, turned over, without the parts where both run on one line. So the areas of both add

@@ -1,4 +1,4 @@
-//! The origins of the sides of parts of faces (*setback operation*, *Geometry tagging*).
+//! The origins of the sides of parts of faces.
 
 use std::collections::BTreeMap;
 

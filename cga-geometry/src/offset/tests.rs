@@ -87,7 +87,7 @@ fn inside_and_border_add_up_to_the_face() {
     }
 }
 
-/// *offset operation*: `inside` is the moved polygon and `border` its rim, by the edges that faces share.
+/// `inside` is the moved polygon and `border` its rim, by the edges that faces share.
 #[test]
 fn faces_at_the_border_are_told_by_their_edges() {
     for mesh in [lot(&NOTCHED, &[]), courtyard()] {

@@ -1,4 +1,4 @@
-//! Setbacks that leave a given area (*setbackToArea operation*).
+//! Setbacks that leave a given area.
 //!
 //! The area that is left is a continuous function of the offset that all distances have in common. It never grows, and
 //! between two events of the wavefront it is quadratic. Its derivative is the length of the edges that still move. So

@@ -7,7 +7,7 @@ use super::{FaceBuilder, circle};
 use crate::mesh::Mesh;
 
 /// A closed cone about the vertical through the centre, with its tip up: `sides` triangles counter-clockwise as seen
-/// from above, then the bottom. The minimum is three sides (*primitiveCone operation*). Along the bottom edges u goes
+/// from above, then the bottom. The minimum is three sides. Along the bottom edges u goes
 /// once from 0 to 1; the tip is at (0.5, 1), so that the sides together show the texture as one triangle.
 pub fn cone(sides: usize) -> Mesh {
     let sides = circle::sides(sides);

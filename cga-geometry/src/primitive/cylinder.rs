@@ -7,7 +7,7 @@ use crate::each::Each;
 use crate::mesh::Mesh;
 
 /// A closed cylinder about the vertical through the centre: `sides` side faces counter-clockwise as seen from above,
-/// then the top and the bottom. The minimum is three sides (*primitiveCylinder operation*). Around the sides u goes
+/// then the top and the bottom. The minimum is three sides. Around the sides u goes
 /// once from 0 to 1, and v goes from bottom to top. The top and the bottom show the texture as seen from outside, with
 /// x to the right.
 pub fn cylinder(sides: usize) -> Mesh {

@@ -6,14 +6,14 @@ use super::{FaceBuilder, circle};
 use crate::Axis;
 use crate::mesh::Mesh;
 
-/// A disk with its normal along an axis, in the plane where that coordinate is 0. The minimum is three corners
-/// (*primitiveDisk operation*). Its texture fills the square around it.
+/// A disk with its normal along an axis, in the plane where that coordinate is 0. The minimum is three corners.
+/// Its texture fills the square around it.
 pub fn disk(sides: usize, across: Axis) -> Mesh {
     flat(&circle::corners(circle::sides(sides)).map(circle::from_above).collect::<Vec<_>>(), across)
 }
 
 /// A square with its normal along an axis, in the plane where that coordinate is 0, with the same texture as a disk
-/// there (*primitiveQuad operation*).
+/// there.
 pub(super) fn square(across: Axis) -> Mesh {
     flat(&[DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y], across)
 }

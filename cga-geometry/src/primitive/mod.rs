@@ -23,7 +23,7 @@ pub use cylinder::cylinder;
 pub use disk::disk;
 pub use sphere::sphere;
 
-/// A closed box: bottom, top, front, right, back, left (*primitiveCube operation*). Vertices go around the bottom, then
+/// A closed box: bottom, top, front, right, back, left. Vertices go around the bottom, then
 /// around the top.
 pub fn cube() -> Mesh {
     let points = [0, 1, 5, 4, 2, 3, 7, 6].map(corner);

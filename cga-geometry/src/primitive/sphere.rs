@@ -8,7 +8,7 @@ use crate::mesh::Mesh;
 
 /// A closed sphere with its poles on the vertical through the centre: `divisions` rows of `sides` faces from the bottom
 /// up, each row counter-clockwise as seen from above, with triangles at the poles. The minimum is three sides and two
-/// divisions (*primitiveSphere operation*). Around the sphere u goes once from 0 to 1, and v goes from pole to pole in
+/// divisions. Around the sphere u goes once from 0 to 1, and v goes from pole to pole in
 /// equal steps. Each triangle has its pole in the middle of its range of u.
 pub fn sphere(sides: usize, divisions: usize) -> Mesh {
     let sides = circle::sides(sides);

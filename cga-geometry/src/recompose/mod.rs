@@ -1,4 +1,4 @@
-//! The connectivity of parts, from which they are made one mesh again (*Shape recomposition*).
+//! The connectivity of parts, from which they are made one mesh again.
 //!
 //! [`Origins`] records points, the edges that new points divide, and the movements of parts. [`Origins::settle`] finds the places of
 //! the points: the original place and the movements of all parts at the point. [`Weld`] makes the mesh.

@@ -4,7 +4,7 @@ use super::*;
 use crate::extrude::{Extrude, extrude};
 use crate::mesh::{FaceTag, MeshBuilder};
 
-/// The outline of the picture of *rectify operation*, as read from it: the shape before, in pixels with y up.
+/// An outline read from a picture, in pixels with y up.
 const PICTURE: [[f64; 2]; 10] = [
     [70.0, -41.0],
     [70.0, -81.0],

@@ -1,4 +1,4 @@
-//! Meshes with fewer vertices (*reduceGeometry operation*).
+//! Meshes with fewer vertices.
 //!
 //! Faces are divided into triangles, and edges collapse one after the other, the one with the least quadric error first (Garland and
 //! Heckbert). A vertex becomes one of its neighbours, so no point is new, and the values of corners come from the mesh. A

@@ -103,7 +103,7 @@ pub(crate) enum RoofPart {
 }
 
 impl RoofPart {
-    /// The tag of the part (*component tags*).
+    /// The tag of the part.
     fn tag(self) -> &'static str {
         match self {
             RoofPart::Bottom => "roof.bottom",

@@ -1,4 +1,4 @@
-//! The first face and the first edge of parts (*CGA changelog 2025.1*, split operation).
+//! The first face and the first edge of parts.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! Tags of edges and vertices in cuts (*Geometry tagging*, tag propagation).
+//! Tags of edges and vertices in cuts.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -27,7 +27,7 @@ fn facade(width: f64, height: f64) -> Mesh {
 
 #[test]
 fn a_facade_of_any_size_is_halved() {
-    // *split operation*, UV Split Basics: u = 0.5, independent of the size.
+    // u = 0.5, independent of the size.
     for width in [3.0, 10.0, 77.5] {
         assert_eq!(areas(&bands(&facade(width, 4.0), UvAxis::U, &[0.5])), [width * 2.0; 2]);
     }
@@ -35,7 +35,7 @@ fn a_facade_of_any_size_is_halved() {
 
 #[test]
 fn pieces_in_unit_space_have_their_metres() {
-    // *split operation*, UV Split Basics: pieces of 5, and the rest.
+    // Pieces of 5, and the rest.
     let mesh = facade(23.0, 4.0);
     let extent = mesh.uv_extent(0, DVec3::ONE).unwrap();
     let lines = [5.0, 10.0, 15.0, 20.0].map(|metres| extent.at_metres(UvAxis::U, metres));
@@ -46,7 +46,7 @@ fn pieces_in_unit_space_have_their_metres() {
 
 #[test]
 fn a_street_has_a_band_across_in_every_period() {
-    // *split operation*, UV Split on Streets: about 3 m in every 23 m.
+    // About 3 m in every 23 m.
     let street = street(&[(0.0, 0.0), (30.0, 4.0), (50.0, 20.0), (92.0, 18.0)], 6.0);
     let extent = street.uv_extent(0, DVec3::ONE).unwrap();
     let length: f64 = [(30.0, 4.0), (20.0, 16.0), (42.0, -2.0)].iter().map(|(x, y): &(f64, f64)| x.hypot(*y)).sum();

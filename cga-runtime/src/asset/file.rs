@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::value::shown::escaped;
+use crate::geometry::obj::escaped;
 use crate::value::text::Text;
 
 /// The name of a file, with the folder of the rule file that names it. Relative names are looked up from that folder

@@ -8,13 +8,9 @@ pub(crate) mod image;
 #[cfg(any(feature = "obj", feature = "gltf"))]
 mod image_paths;
 mod mesh_file;
-#[cfg(any(feature = "obj", feature = "gltf"))]
-mod names;
 mod search;
 mod source;
 mod store;
-#[cfg(any(feature = "obj", feature = "gltf"))]
-mod warnings;
 
 #[cfg(feature = "gltf")]
 pub mod gltf;

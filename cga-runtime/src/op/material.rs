@@ -6,11 +6,12 @@ use super::set;
 use crate::asset::{AssetError, UNKNOWN_TEXTURE};
 use crate::fault::FaultKind;
 use crate::func;
+use crate::geometry::obj::escaped;
 use crate::material::{Color, Layer, Material, MaterialNumber, MaterialText};
 use crate::run::env::Env;
 use crate::shape::{Geometry, Placed, Shape};
 use crate::value::array::Array;
-use crate::value::shown::{escaped, shown};
+use crate::value::shown::shown;
 use crate::value::text::Text;
 
 /// `color("#rrggbb")` or `color("#rrggbboo")` (*color operation*). The short form keeps the opacity.

@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 use std::path::PathBuf;
 
-use crate::value::shown::escaped;
+use crate::geometry::obj::escaped;
 
 /// The reason why a file or a buffer could not be written.
 #[derive(Debug)]

@@ -26,6 +26,7 @@ use super::numbers::Numbers;
 use super::whole_file::{self, WholeFile};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
+use crate::geometry::obj::line_name;
 use crate::material::Material;
 use crate::output::batches::Batches;
 use crate::output::model::Model;
@@ -284,13 +285,6 @@ fn plain_name(material: &Material) -> String {
         return name;
     }
     format!("color_{}", hex(&material.color()))
-}
-
-/// A name without characters that would end it in a line such as `mtllib`. Spaces between words stay.
-fn line_name(name: &str) -> String {
-    let words = name.trim_start_matches(' ');
-    let kept = words.chars().map(|c| if c == '#' || mtl::ends_line(c) { '_' } else { c });
-    std::iter::repeat_n('_', name.len() - words.len()).chain(kept).collect()
 }
 
 /// The most characters of a changed name that are kept: a file system takes at least 255 bytes.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::Shape;
-use crate::geometry::sampled_outline::SampledOutline;
+use super::sampled_outline::SampledOutline;
 use crate::value::text::Text;
 
 /// The values of an attribute at the edges of an initial shape, one for each edge of each face.

@@ -16,6 +16,7 @@ pub(crate) mod look_id;
 pub(crate) mod lot;
 pub(crate) mod place;
 mod placed;
+mod sampled_outline;
 pub mod scope;
 pub(crate) mod seed;
 pub(crate) mod slim;

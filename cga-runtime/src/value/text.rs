@@ -117,15 +117,7 @@ impl fmt::Display for Text {
 
 /// The text, shortened for a message.
 pub(crate) fn shortened(text: &str) -> String {
-    shortened_to(text, 80)
-}
-
-/// The text, shortened to a number of characters.
-pub(crate) fn shortened_to(text: &str, most: usize) -> String {
-    match text.char_indices().nth(most) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.to_owned(),
-    }
+    crate::geometry::obj::shortened_to(text, 80)
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Open surfaces and areas in one plane (*Boolean operations*, open and closed operands).
+//! Open surfaces and areas in one plane.
 
 use std::slice::from_ref;
 

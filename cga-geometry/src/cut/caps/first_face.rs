@@ -1,8 +1,6 @@
 //! The first face of a part.
 //!
-//! "When the first face is split away the face used to close hollow geometries becomes the new first face" (*CGA
-//! changelog 2025.1*, split operation), so that the first edge survives. If a part has no piece of the mesh's first
-//! face, the cap towards that face comes first. It begins with the edge where it meets the wall, the face on the other
+//! If a part has no piece of the mesh's first face, the cap towards that face comes first, so that the first edge survives. It begins with the edge where it meets the wall, the face on the other
 //! side of the first edge.
 
 use std::ops::Range;

@@ -1,8 +1,7 @@
-//! The first edge of a piece. Component splits align their x axis to it, so it must survive a cut.
+//! The first edge of a piece. The x axis of a face is along it, so it must survive a cut.
 //!
 //! A piece begins with the remaining part of the face's first edge. If no part remains, it begins with the cut edge
-//! that replaces it: the edge between the last node before the first edge and the first node after it (*CGA changelog
-//! 2025.1*: cuts preserve the first edge). So the walls of every storey of a building have their x axis along the
+//! that replaces it: the edge between the last node before the first edge and the first node after it. So the walls of every storey of a building have their x axis along the
 //! ground edge.
 
 use std::ops::Range;

@@ -32,7 +32,7 @@ pub struct UvExtent {
 }
 
 impl UvExtent {
-    /// The largest minus the smallest coordinates (*geometry.du, dv, uvSpace*).
+    /// The largest minus the smallest coordinates.
     pub fn size(&self) -> DVec2 {
         self.high - self.low
     }

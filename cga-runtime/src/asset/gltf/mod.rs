@@ -31,10 +31,9 @@ use self::material::{GltfMaterial, MaterialReader};
 use self::primitive::{PrimitiveReader, PrimitiveTriangles};
 use self::scene::{INSTANCING, NodeMesh};
 use super::EmbeddedImage;
-use super::names::Names;
-use super::warnings::{Warnings, short};
 use crate::geometry::each::Each;
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
+use crate::geometry::obj::{Names, Warnings, short};
 use crate::material::{Layer, Material};
 
 pub use self::error::GltfError;

@@ -1,29 +1,18 @@
-//! A reader for Wavefront OBJ files.
+//! A reader for Wavefront OBJ files with their material libraries.
 //!
-//! Faces stay polygons. Groups (`g`, and `o` where no `g` follows) and materials (`usemtl`) become tags. Positions with
-//! equal bits become one point. Texture coordinates and normals are kept when every face has them (*insert operation*:
-//! a mesh with inconsistent ones drops them all). Lines, points, smoothing groups and curves are skipped. Any line
-//! ending is accepted, a comment ends with its line, and keywords may be in capitals. Unknown statements give a
-//! warning.
-//!
-//! Statements are read here and not by `tobj`. It keeps positions as f32, and its feature `use_f64` would change its
-//! types for every other crate in the build. It also starts a new mesh at each group, and cannot distinguish lines from
-//! triangles. The material libraries are read by `tobj`.
+//! The geometry and the names of materials are read by [`geometry::obj`](crate::geometry::obj), the libraries by `tobj` (*insert
+//! operation*: a mesh with inconsistent texture coordinates or normals drops them all).
 
-mod lines;
 mod mtl;
 
 use std::collections::HashMap;
-use std::fmt;
 
-use glam::{DVec2, DVec3};
-
-use crate::asset::names::Names;
-use crate::asset::warnings::{Warnings, short};
-use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder, MeshError};
+use crate::geometry::mesh::Mesh;
+use crate::geometry::obj::{self, UTF_16, Warnings, is_utf16, short};
 use crate::material::Material;
 use crate::value::text::Text;
-use lines::{is_utf16, lines};
+
+pub use crate::geometry::obj::ObjError;
 
 /// A mesh and the warnings from reading it.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,32 +23,6 @@ pub struct ObjFile {
     pub warnings: Vec<String>,
 }
 
-/// The reason why a file cannot be read.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum ObjError {
-    /// An invalid statement.
-    Line {
-        /// The number of its line, from 1.
-        line: usize,
-        /// A description of the problem.
-        what: &'static str,
-    },
-    /// The faces do not form a mesh.
-    Mesh(MeshError),
-}
-
-impl fmt::Display for ObjError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            ObjError::Line { line, what } => write!(f, "line {line}: {what}"),
-            ObjError::Mesh(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for ObjError {}
-
 /// Reads a file. `material_file` returns the bytes of a material library by its name, or `None` if it does not exist.
 /// It is called for the first 16 libraries of a file, and for the first 16 names with spaces, which may be one library
 /// or several.
@@ -68,182 +31,39 @@ impl std::error::Error for ObjError {}
 /// An error with its line if a number is invalid or not finite, or if a face uses a vertex that does not exist. Also an
 /// error if the file is UTF-16 instead of UTF-8.
 pub fn read_obj(bytes: &[u8], material_file: &mut dyn FnMut(&str) -> Option<Vec<u8>>) -> Result<ObjFile, ObjError> {
-    if is_utf16(bytes) {
-        return Err(ObjError::Line { line: 1, what: UTF_16 });
-    }
-    let text = String::from_utf8_lossy(bytes);
-    let mut reader = Reader::new(material_file);
-    let mut joined = String::new();
-    let mut joined_from = 0;
-    for (number, line) in lines(&text) {
-        if joined.is_empty() {
-            joined_from = number;
-        }
-        if let Some(start) = line.strip_suffix('\\') {
-            joined.push_str(start);
-            joined.push(' ');
-        } else if joined.is_empty() {
-            reader.statement(line, number)?;
-        } else {
-            joined.push_str(line);
-            let whole = std::mem::take(&mut joined);
-            reader.statement(&whole, joined_from)?;
-        }
-    }
-    reader.statement(&joined, joined_from)?;
-    reader.finish()
+    let text = obj::read(bytes)?;
+    let mut libraries = Libraries {
+        material_file,
+        looks: HashMap::new(),
+        known: HashMap::new(),
+        looked_up: [0; 2],
+        left_out: 0,
+        warnings: text.warnings,
+    };
+    text.libraries.iter().for_each(|names| libraries.names(names));
+    let materials = text.mesh.materials::<String>().iter().map(|name| libraries.material(name)).collect::<Vec<_>>();
+    let mesh = text.mesh.with_materials(materials, |number| number);
+    Ok(ObjFile { mesh, warnings: libraries.finish() })
 }
 
 /// The limit on libraries that are looked up for a file, and on names with spaces.
 const LIBRARIES: usize = 16;
 
-/// The message for UTF-16.
-const UTF_16: &str = "this is UTF-16; it must be UTF-8";
-
-/// The statements that are read.
-const READ: [&str; 8] = ["v", "vt", "vn", "f", "g", "o", "usemtl", "mtllib"];
-
-/// The statements that are skipped without a warning: they describe other things than polygons, or rendering.
-const LEFT_OUT: &str = "l p s vp mg cstype deg bmat step curv curv2 surf parm trim hole scrv sp end con bevel c_interp \
-    d_interp lod shadow_obj trace_obj ctech stech maplib usemap call csh bsp bzp cdc cdp res fo s_interp";
-
-/// A corner of a face: indices into the three lists, from 0.
-#[derive(Clone, Copy)]
-struct FaceCorner {
-    point: u32,
-    uv: Option<u32>,
-    normal: Option<u32>,
-}
-
-struct Reader<'a> {
+/// The material libraries of a file.
+struct Libraries<'a> {
     material_file: &'a mut dyn FnMut(&str) -> Option<Vec<u8>>,
-    builder: MeshBuilder,
-    point_count: usize,
-    uvs: Vec<DVec2>,
-    normals: Vec<DVec3>,
-    tag: FaceTag,
-    groups: Names,
-    materials: Names,
     looks: HashMap<String, Material>,
-    /// Names of material libraries that were looked up, and whether each exists.
-    libraries: HashMap<String, bool>,
+    /// Names of libraries that were looked up, and whether each exists.
+    known: HashMap<String, bool>,
     /// The numbers of look-ups of names without spaces and with spaces.
     looked_up: [usize; 2],
     /// The number of names of libraries that were not looked up.
-    libraries_left_out: usize,
-    corners: Vec<FaceCorner>,
-    uvs_on: Coverage,
-    normals_on: Coverage,
-    faces: usize,
-    /// The first unknown statement, and the number of unknown statements.
-    unknown: Option<(usize, String)>,
-    unknowns: usize,
+    left_out: usize,
     warnings: Warnings,
 }
 
-/// The numbers of faces with a value at some corner, and with one at every corner.
-#[derive(Default)]
-struct Coverage {
-    some: usize,
-    all: usize,
-}
-
-impl Coverage {
-    /// Counts a face. Returns the values of its corners if all corners have one.
-    fn add<T>(&mut self, of_corners: impl Iterator<Item = Option<T>> + Clone) -> Option<Vec<T>> {
-        self.some += usize::from(of_corners.clone().any(|value| value.is_some()));
-        let all: Option<Vec<T>> = of_corners.collect();
-        self.all += usize::from(all.is_some());
-        all
-    }
-}
-
-impl<'a> Reader<'a> {
-    fn new(material_file: &'a mut dyn FnMut(&str) -> Option<Vec<u8>>) -> Self {
-        Reader {
-            material_file,
-            builder: MeshBuilder::new(),
-            point_count: 0,
-            uvs: Vec::new(),
-            normals: Vec::new(),
-            tag: FaceTag::PLAIN,
-            groups: Names::default(),
-            materials: Names::default(),
-            looks: HashMap::new(),
-            libraries: HashMap::new(),
-            looked_up: [0; 2],
-            libraries_left_out: 0,
-            corners: Vec::new(),
-            uvs_on: Coverage::default(),
-            normals_on: Coverage::default(),
-            faces: 0,
-            unknown: None,
-            unknowns: 0,
-            warnings: Warnings::default(),
-        }
-    }
-
-    fn statement(&mut self, line: &str, number: usize) -> Result<(), ObjError> {
-        let line = line.trim_start();
-        let (keyword, rest) = line.split_once(|c: char| c.is_ascii_whitespace()).unwrap_or((line, ""));
-        let rest = rest.trim();
-        let is_keyword = |known: &&str| known.eq_ignore_ascii_case(keyword);
-        match READ.into_iter().find(is_keyword).unwrap_or_default() {
-            "v" => {
-                let [x, y, z] = numbers::<3>(rest, 3, number)?;
-                self.builder.point([x, y, z]);
-                self.point_count += 1;
-            }
-            "vt" => {
-                let [u, v] = numbers::<2>(rest, 1, number)?;
-                self.uvs.push(DVec2::new(u, v));
-            }
-            "vn" => self.normals.push(DVec3::from(numbers::<3>(rest, 3, number)?)),
-            "f" => self.face(rest, number)?,
-            "g" | "o" => {
-                self.tag.group = if rest.is_empty() { FaceTag::NONE } else { self.groups.number(rest) };
-            }
-            "usemtl" => {
-                self.tag.material = if rest.is_empty() { FaceTag::NONE } else { self.materials.number(rest) };
-            }
-            "mtllib" => self.libraries(rest),
-            _ if keyword.is_empty() || LEFT_OUT.split(' ').any(|known| is_keyword(&known)) => {}
-            _ => {
-                self.unknowns += 1;
-                self.unknown.get_or_insert_with(|| (number, short(keyword)));
-            }
-        }
-        Ok(())
-    }
-
-    fn face(&mut self, rest: &str, line: usize) -> Result<(), ObjError> {
-        self.corners.clear();
-        for token in rest.split_ascii_whitespace() {
-            let mut parts = token.split('/');
-            let point = index(parts.next(), self.point_count, line, "a face uses a vertex that does not exist")?
-                .ok_or(ObjError::Line { line, what: "a corner of a face has no vertex" })?;
-            let uv = index(parts.next(), self.uvs.len(), line, "a face uses a texture vertex that does not exist")?;
-            let normal = index(parts.next(), self.normals.len(), line, "a face uses a normal that does not exist")?;
-            self.corners.push(FaceCorner { point, uv, normal });
-        }
-        if self.corners.len() < 3 {
-            self.warnings.add(|| format!("line {line}: a face with fewer than three corners was left out"));
-            return Ok(());
-        }
-        let outline: Vec<u32> = self.corners.iter().map(|c| c.point).collect();
-        self.builder.face(&outline, &[], self.tag);
-        self.faces += 1;
-        if let Some(uvs) = self.uvs_on.add(self.corners.iter().map(|c| c.uv.map(|i| self.uvs[i as usize]))) {
-            self.builder.uvs(&uvs);
-        }
-        let normals = self.corners.iter().map(|c| c.normal.map(|i| self.normals[i as usize]));
-        if let Some(normals) = self.normals_on.add(normals) {
-            self.builder.normals(&normals);
-        }
-        Ok(())
-    }
-
-    fn libraries(&mut self, rest: &str) {
+impl Libraries<'_> {
+    fn names(&mut self, rest: &str) {
         for names in rest.split('\t').map(str::trim).filter(|names| !names.is_empty()) {
             // Either one name with spaces or several names, depending on which exists.
             if !self.library(names) && names.contains(' ') {
@@ -256,18 +76,18 @@ impl<'a> Reader<'a> {
 
     /// Reads a library when it is named for the first time. Returns whether it exists.
     fn library(&mut self, name: &str) -> bool {
-        if let Some(&there) = self.libraries.get(name) {
+        if let Some(&there) = self.known.get(name) {
             return there;
         }
         let may_be_several = name.contains(' ');
         let looked_up = &mut self.looked_up[usize::from(may_be_several)];
         if *looked_up == LIBRARIES {
-            self.libraries_left_out += usize::from(!may_be_several);
+            self.left_out += usize::from(!may_be_several);
             return false;
         }
         *looked_up += 1;
         let bytes = (self.material_file)(name);
-        self.libraries.insert(name.to_owned(), bytes.is_some());
+        self.known.insert(name.to_owned(), bytes.is_some());
         let Some(bytes) = bytes else {
             if !may_be_several {
                 self.warnings.add(|| format!("the material library `{}` was not found", short(name)));
@@ -297,81 +117,28 @@ impl<'a> Reader<'a> {
         true
     }
 
-    fn finish(mut self) -> Result<ObjFile, ObjError> {
-        for (what, on) in [("texture coordinates", &self.uvs_on), ("normals", &self.normals_on)] {
-            if on.some != 0 && on.all != self.faces {
-                let (all, faces) = (on.all, self.faces);
-                self.warnings
-                    .add(|| format!("only {all} of {faces} faces have {what} at every corner: all were dropped"));
+    /// The material with a name.
+    fn material(&mut self, name: &str) -> Material {
+        let mut material = self.looks.get(name).cloned().unwrap_or_else(|| {
+            if !self.known.is_empty() {
+                self.warnings.add(|| format!("the material `{}` is in no library", short(name)));
             }
-        }
-        if let Some((line, word)) = &self.unknown {
-            let more = self.unknowns - 1;
-            self.warnings.add(|| {
-                let what = format!("line {line}: `{word}` is not a statement of an OBJ file");
-                if more == 0 { what } else { format!("{what}, and {more} more") }
-            });
-        }
-        if self.libraries_left_out != 0 {
-            let more = self.libraries_left_out;
+            Material::UNSET
+        });
+        material.name = Some(Text::from(name));
+        material
+    }
+
+    /// The warnings.
+    fn finish(mut self) -> Vec<String> {
+        if self.left_out != 0 {
+            let more = self.left_out;
             self.warnings.add(|| {
                 format!("the file names more than {LIBRARIES} material libraries: {more} more names were not looked up")
             });
         }
-        if self.faces == 0 {
-            self.warnings.add(|| "the file has no faces".to_owned());
-        }
-        let mut materials = Vec::new();
-        for name in &self.materials.into_list() {
-            let mut material = self.looks.get(name).cloned().unwrap_or_else(|| {
-                if !self.libraries.is_empty() {
-                    self.warnings.add(|| format!("the material `{}` is in no library", short(name)));
-                }
-                Material::UNSET
-            });
-            material.name = Some(Text::from(name.as_str()));
-            materials.push(material);
-        }
-        self.builder.groups(self.groups.into_list()).materials(materials);
-        let mesh = self.builder.build().map_err(ObjError::Mesh)?;
-        let lost = self.faces - mesh.face_count();
-        if lost != 0 {
-            self.warnings.add(|| format!("{lost} faces without three different corners were left out"));
-        }
-        Ok(ObjFile { mesh, warnings: self.warnings.finish() })
+        self.warnings.finish()
     }
-}
-
-/// Parses up to `N` numbers, of which `least` are required.
-fn numbers<const N: usize>(rest: &str, least: usize, line: usize) -> Result<[f64; N], ObjError> {
-    let mut values = [0.0f64; N];
-    let mut tokens = rest.split_ascii_whitespace();
-    for (i, value) in values.iter_mut().enumerate() {
-        let Some(token) = tokens.next() else {
-            if i < least {
-                return Err(ObjError::Line { line, what: "too few numbers" });
-            }
-            break;
-        };
-        *value = token.parse().map_err(|_| ObjError::Line { line, what: "this is not a number" })?;
-        if !value.is_finite() {
-            return Err(ObjError::Line { line, what: "a number is not finite" });
-        }
-    }
-    Ok(values)
-}
-
-/// An index counted from 1, or from the end if negative.
-fn index(token: Option<&str>, count: usize, line: usize, what: &'static str) -> Result<Option<u32>, ObjError> {
-    let Some(token) = token.filter(|token| !token.is_empty()) else {
-        return Ok(None);
-    };
-    let value: i64 = token.parse().map_err(|_| ObjError::Line { line, what: "this is not an index" })?;
-    let index = if value > 0 { value - 1 } else { value.saturating_add(count as i64) };
-    if value == 0 || index < 0 || index >= count as i64 {
-        return Err(ObjError::Line { line, what });
-    }
-    Ok(Some(index as u32))
 }
 
 #[cfg(test)]

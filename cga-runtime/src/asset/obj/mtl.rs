@@ -5,8 +5,8 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use super::lines::lines;
 use crate::geometry::each::Each;
+use crate::geometry::obj::lines;
 use crate::material::{Channel, Color, ColorOf, Layer, Material, MaterialNumber, MaterialText};
 use crate::value::text::Text;
 

@@ -1,6 +1,9 @@
 //! Each test covers one pitfall of the format.
 
+use glam::DVec2;
+
 use super::*;
+use crate::geometry::mesh::FaceTag;
 use crate::material::Color;
 
 fn read(text: &str) -> Result<ObjFile, ObjError> {

@@ -1,4 +1,4 @@
-//! The outline of the initial shape, and the edge at which a part of a shape samples it (*edgeAttr functions*).
+//! The outline of the initial shape, and the edge at which a part of a shape samples it.
 //!
 //! A part is projected on the outline, in the plane of the outline and in the direction in which the part faces. The edge that
 //! is covered most wins, and of equal ones the first. An edge behind another one is not covered. Edges that face the other way
@@ -9,18 +9,18 @@ use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3};
 
-use crate::each::Each;
-use crate::mesh::{Mesh, unit};
-use crate::segment::nearest_share;
-use crate::small_sort::SmallSort;
-use crate::tol::{ANGLE_EPSILON, TIE_EPSILON};
+use crate::geometry::each::Each;
+use crate::geometry::mesh::{Mesh, unit};
+use crate::geometry::segment::nearest_share;
+use crate::geometry::small_sort::SmallSort;
+use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
 
 /// The limit on edges of an outline, because each sample compares all of them.
 const MOST_EDGES: usize = 5_000;
 
 /// The outline of a mesh.
 #[derive(Debug)]
-pub struct SampledOutline {
+pub(crate) struct SampledOutline {
     /// The axes of the plane of the outline.
     axes: [DVec3; 2],
     edges: Vec<OutlineEdge>,
@@ -41,7 +41,7 @@ struct OutlineEdge {
 impl SampledOutline {
     /// The outline of the faces of a mesh: their edges without a neighbour. `None` if it has more than [`MOST_EDGES`] edges, or
     /// none.
-    pub fn of(mesh: &Mesh, to_world: impl Fn(DVec3) -> DVec3) -> Option<Self> {
+    pub(crate) fn of(mesh: &Mesh, to_world: impl Fn(DVec3) -> DVec3) -> Option<Self> {
         let at = |corner: usize| to_world(mesh.points()[mesh.corners()[corner] as usize]);
         let normal_of = |corners: std::ops::Range<usize>| {
             let from = at(corners.start);
@@ -76,7 +76,7 @@ impl SampledOutline {
     }
 
     /// The number of the edge that a part samples: its points and the direction in which it faces, in the world.
-    pub fn edge(&self, points: impl Iterator<Item = DVec3>, facing: DVec3) -> Option<usize> {
+    pub(crate) fn edge(&self, points: impl Iterator<Item = DVec3>, facing: DVec3) -> Option<usize> {
         let flat = |p: DVec3| DVec2::new(p.dot(self.axes[0]), p.dot(self.axes[1]));
         let points: Vec<DVec2> = points.map(flat).filter(|p| p.is_finite()).collect();
         if points.is_empty() {
@@ -270,7 +270,7 @@ mod tests {
 
     #[test]
     fn a_closed_shape_is_seen_from_above() {
-        let cube = crate::primitive::cube();
+        let cube = crate::geometry::primitive::cube();
         let cube = SampledOutline::of(&cube, |p| p).unwrap();
         assert!(cube.edge([DVec3::splat(0.5)].into_iter(), DVec3::X).is_some());
         assert!(SampledOutline::of(&Mesh::default(), |p| p).is_none());

@@ -3,15 +3,15 @@
 use std::collections::HashMap;
 
 /// Names in the order of their first use.
-#[derive(Default)]
-pub(super) struct Names {
+#[derive(Debug, Default)]
+pub struct Names {
     list: Vec<String>,
     index: HashMap<String, u32>,
 }
 
 impl Names {
     /// The number of a name.
-    pub(super) fn number(&mut self, name: &str) -> u32 {
+    pub fn number(&mut self, name: &str) -> u32 {
         *self.index.entry(name.to_owned()).or_insert_with(|| {
             self.list.push(name.to_owned());
             (self.list.len() - 1) as u32
@@ -19,7 +19,7 @@ impl Names {
     }
 
     /// The names, by number.
-    pub(super) fn into_list(self) -> Vec<String> {
+    pub fn into_list(self) -> Vec<String> {
         self.list
     }
 }

@@ -1,17 +1,14 @@
 //! The warnings about a file, limited in number.
 
-use crate::value::shown::escaped;
-use crate::value::text::shortened_to;
-
 /// The largest number of warnings of a file.
-pub(super) const MOST: usize = 100;
+const MOST: usize = 100;
 
 /// The largest number of characters of a name in a warning.
 const NAME: usize = 40;
 
 /// The first warnings of a file.
-#[derive(Default)]
-pub(super) struct Warnings {
+#[derive(Clone, Debug, Default)]
+pub struct Warnings {
     list: Vec<String>,
     /// Warnings beyond [`MOST`].
     more: usize,
@@ -19,7 +16,7 @@ pub(super) struct Warnings {
 
 impl Warnings {
     /// Adds a sentence, or only counts it beyond the limit.
-    pub(super) fn add(&mut self, sentence: impl FnOnce() -> String) {
+    pub fn add(&mut self, sentence: impl FnOnce() -> String) {
         if self.list.len() < MOST {
             self.list.push(sentence());
         } else {
@@ -28,7 +25,7 @@ impl Warnings {
     }
 
     /// The sentences. Beyond the limit, the last sentence gives the number of the others.
-    pub(super) fn finish(mut self) -> Vec<String> {
+    pub fn finish(mut self) -> Vec<String> {
         if self.more != 0 {
             self.list.truncate(MOST - 1);
             self.list.push(format!("there are {} more warnings", self.more + 1));
@@ -37,8 +34,23 @@ impl Warnings {
     }
 }
 
+/// The text, shortened to a number of characters.
+pub fn shortened_to(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+/// The text as a message quotes it, between backticks on one line. Line ends, the escapes of terminals and other characters that are
+/// not printable are written as in Rust (`\n`, `\u{1b}`), with backslashes doubled, and a backtick does not end the quotation.
+pub fn escaped(text: &str) -> String {
+    // Between backticks the other quotes stay.
+    text.escape_debug().to_string().replace("\\'", "'").replace("\\\"", "\"").replace('`', "\\`")
+}
+
 /// The start of a name, escaped for a message.
-pub(super) fn short(name: &str) -> String {
+pub fn short(name: &str) -> String {
     escaped(&shortened_to(name, NAME))
 }
 
@@ -57,6 +69,17 @@ mod tests {
         (0..1_000).for_each(|i| warnings.add(|| i.to_string()));
         let list = warnings.finish();
         assert_eq!((list.len(), list[98].as_str(), list[99].as_str()), (MOST, "98", "there are 901 more warnings"));
+    }
+
+    #[test]
+    fn text_of_a_message_stays_on_its_line() {
+        assert_eq!(escaped("maps/brick wall #2 (ä, 窓).png"), "maps/brick wall #2 (ä, 窓).png");
+        assert_eq!(escaped("it's \"x\""), "it's \"x\"");
+        assert_eq!(escaped("a\r\nb\t\u{1b}[31mc\0"), r"a\r\nb\t\u{1b}[31mc\0");
+        assert_eq!(escaped(r"a\'b"), r"a\\'b");
+        assert_eq!(escaped("a` is fine; `b"), r"a\` is fine; \`b");
+        // A line end of Unicode, and a mark that turns the direction of writing.
+        assert_eq!(escaped("a\u{2028}b\u{202e}c"), r"a\u{2028}b\u{202e}c");
     }
 
     #[test]

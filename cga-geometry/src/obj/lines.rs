@@ -1,8 +1,11 @@
 //! Lines of OBJ and MTL files, with any line endings.
 
+/// The message for UTF-16.
+pub const UTF_16: &str = "this is UTF-16; it must be UTF-8";
+
 /// The lines of a file, each with its number from 1. Lines may end in LF, CR LF or CR. Comments and byte order marks
 /// are removed; concatenated files have such marks inside.
-pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+pub fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let ends = |line| str::strip_suffix(line, '\r').unwrap_or(line).split('\r');
     let plain = |line| without_comment(str::trim_start_matches(line, '\u{feff}')).trim();
     text.split('\n').flat_map(ends).enumerate().map(move |(index, line)| (index + 1, plain(line)))
@@ -16,7 +19,7 @@ fn without_comment(line: &str) -> &str {
 }
 
 /// Returns true if bytes are UTF-16, by a byte order mark or by the first letters.
-pub(super) fn is_utf16(bytes: &[u8]) -> bool {
+pub fn is_utf16(bytes: &[u8]) -> bool {
     match *bytes {
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => true,
         [a, b, c, d, ..] => [a == 0, b == 0] == [c == 0, d == 0] && (a == 0) != (b == 0),
