@@ -34,9 +34,10 @@ fn the_public_interface_is_the_list() {
         }
         lines.insert(format!("{place}::{name}"));
         // A module of the runtime: all names of its file.
-        for folder in [crates[0].join("output"), crates[1].clone()] {
-            lines.extend(members_of(&folder, &name, &modules, &items).map(|member| format!("{place}::{name}{member}")));
-        }
+        let members = [crates[0].join("output"), crates[1].clone()].into_iter().map(|folder| {
+            members_of(&folder, &name, &modules, &items).map(|member| format!("{place}::{name}{member}")).collect()
+        });
+        lines.extend(members.into_iter().find(|members: &Vec<String>| !members.is_empty()).unwrap_or_default());
     }
     let geometry = fs::read_to_string(crates[1].join("lib.rs")).expect("the library");
     for name in geometry.lines().filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(';')) {

@@ -60,7 +60,7 @@ const GEOMETRY: &[&[&str]] = &[
     &["triangulate", "overlay", "skeleton"],
     &["mesh"],
     &["provenance", "wire", "derive", "average_normal", "face_frame"],
-    &["solid", "primitive", "extract", "unbent", "extrude", "conform", "cut", "sampled_outline"],
+    &["solid", "primitive", "extract", "unbent", "extrude", "conform", "cut"],
     &["boolean", "cleanup"],
     &[
         "along_uv",
@@ -70,6 +70,7 @@ const GEOMETRY: &[&[&str]] = &[
         "footprint",
         "holes",
         "inner_rectangle",
+        "obj",
         "offset",
         "recompose",
         "rectify",
