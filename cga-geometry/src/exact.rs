@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 /// 1 if `c` is left of the line from `a` to `b`, -1 if right, 0 if the three points are collinear. Exact unless a
 /// product of coordinates underflows.
 #[inline]
-pub(crate) fn orient(a: DVec2, b: DVec2, c: DVec2) -> i32 {
+pub fn orient(a: DVec2, b: DVec2, c: DVec2) -> i32 {
     let left = (a.x - c.x) * (b.y - c.y);
     let right = (a.y - c.y) * (b.x - c.x);
     let det = left - right;
@@ -27,7 +27,7 @@ pub(crate) fn orient(a: DVec2, b: DVec2, c: DVec2) -> i32 {
 /// 1 if `d` is on the side of the plane through `a`, `b` and `c` to which its normal `(b - a) × (c - a)` points, -1 if it is on
 /// the other side, 0 if the four points are coplanar. Exact unless a product of coordinates underflows.
 #[inline]
-pub(crate) fn orient_in_space(a: DVec3, b: DVec3, c: DVec3, d: DVec3) -> i32 {
+pub fn orient_in_space(a: DVec3, b: DVec3, c: DVec3, d: DVec3) -> i32 {
     let [p, q, r] = [a, b, c].each(|point| point - d);
     let minors = [(q.x * r.y, r.x * q.y, p.z), (r.x * p.y, p.x * r.y, q.z), (p.x * q.y, q.x * p.y, r.z)];
     let (mut det, mut size) = (0.0, 0.0);
@@ -49,7 +49,7 @@ pub(crate) fn orient_in_space(a: DVec3, b: DVec3, c: DVec3, d: DVec3) -> i32 {
 
 /// The lexicographic order of coordinates: to the right, then upwards.
 #[inline]
-pub(crate) fn comes_first(a: DVec2, b: DVec2) -> bool {
+pub fn comes_first(a: DVec2, b: DVec2) -> bool {
     a.x < b.x || (a.x == b.x && a.y < b.y)
 }
 
@@ -160,7 +160,7 @@ fn split(x: f64) -> (f64, f64) {
 }
 
 /// The winding number of a loop around a point, counter-clockwise. `None` for a point on the loop.
-pub(crate) fn winding(ring: &[DVec2], p: DVec2) -> Option<i32> {
+pub fn winding(ring: &[DVec2], p: DVec2) -> Option<i32> {
     let mut turns = 0;
     let mut a = *ring.last()?;
     for &b in ring {

@@ -1,4 +1,48 @@
-//! Geometry: meshes and operations on them.
+//! Polygon meshes with holes, and operations on them: cuts with caps, boolean operations, offsets, straight skeletons, roofs.
+//!
+//! ```
+//! use std::sync::Arc;
+//! use cga_geometry::{Axis, cut, obj, primitive};
+//!
+//! let sphere = Arc::new(primitive::sphere(24, 12));
+//! let slabs = cut::slabs(&sphere, Axis::Y, &[0.25, 0.5, 0.75]);
+//! let parts: Vec<_> = slabs.parts.iter().flatten().collect();
+//! assert!(parts.len() == 4 && parts.iter().all(|part| part.is_closed()));
+//! let volume: f64 = parts.iter().map(|part| part.volume()).sum();
+//! assert!((volume - sphere.volume()).abs() < 1e-12);
+//! let mut text = Vec::new();
+//! obj::write_objects(parts.iter().map(|part| ("slab", &***part)), &mut text)?;
+//! # Ok::<(), std::io::Error>(())
+//! ```
+//!
+//! A [`Mesh`](mesh::Mesh) has points and faces over them. A face is a planar polygon with holes, counter-clockwise as seen from
+//! outside. It may have a group, a material, tags, texture coordinates in ten sets and normals; all operations keep or derive them.
+//! Meshes are made by a [`MeshBuilder`](mesh::MeshBuilder), which checks them, by [`primitive`] or from [`obj`] text, and do not change.
+//!
+//! | | modules |
+//! |---|---|
+//! | meshes | [`mesh`], [`primitive`], [`obj`], [`solid`], [`wire`] |
+//! | solids | [`cut`], [`boolean`], [`extrude`](mod@extrude), [`extrude_wire`](mod@extrude_wire), [`roof`], [`envelope`] |
+//! | faces | [`offset`](mod@offset), [`inner_rectangle`], [`convexify`](mod@convexify), [`holes`], [`footprint`](mod@footprint), [`triangulate`], [`unbent`] |
+//! | surfaces | [`cleanup`](mod@cleanup), [`reduce`](mod@reduce), [`rectify`](mod@rectify), [`conform`](mod@conform), [`scatter`], [`along_uv`], [`extract`](mod@extract) |
+//! | the plane | [`skeleton`], [`overlay`], [`nesting`], [`hull`](mod@hull), [`segment`] |
+//! | predicates | [`exact`], [`tol`] |
+//! | operations of your own | [`derive`](mod@derive), [`origin`], [`trace`], [`recompose`], [`work`] |
+//! | values | [`Axis`], [`Frame`], [`face_frame`], [`rotation`], [`uv_map`], [`provenance`] |
+//! | lists | [`buckets`], [`disjoint`], [`each`], [`small_sort`] |
+//!
+//! Conventions: right-handed coordinates with y up, metres, f64. Angles are in degrees where a name says so, and ratios elsewhere.
+//!
+//! # Promises
+//!
+//! - **Closed stays closed.** Volumes and areas of parts add up, for concave, nested, bent and touching input.
+//! - **Bad input hurts nobody.** No operation panics or hangs on degenerate, tangled or huge meshes: it returns an error, or leaves out
+//!   or copies the faces that it cannot handle and names them. Where a wrong number is a mistake of the program, a section *Panics* says
+//!   so. Time and memory have limits.
+//! - **The same bits everywhere.** Results do not depend on the platform, on threads or on hashing.
+//! - **No value is lost.** Texture coordinates, normals, groups, materials and tags follow from the origins of points and faces
+//!   ([`derive`](mod@derive)). An operation that forgets an origin does not compile.
+//! - **No unsafe code.** The crates it needs are `glam` and `libm`.
 #![forbid(unsafe_code)]
 
 pub use glam;
@@ -16,7 +60,7 @@ pub mod derive;
 pub mod disjoint;
 pub mod each;
 pub mod envelope;
-mod exact;
+pub mod exact;
 pub mod extract;
 pub mod extrude;
 pub mod extrude_wire;
@@ -28,7 +72,7 @@ pub mod hull;
 pub mod inner_rectangle;
 pub(crate) mod long_sort;
 pub mod mesh;
-mod nesting;
+pub mod nesting;
 pub mod obj;
 pub mod offset;
 pub mod origin;

@@ -1,7 +1,7 @@
 //! Moves the outlines of faces in or out and fills the difference with strips.
 //!
 //! A face is moved in the plane across its normal. The parts of a face that is not planar are not planar either
-//! ([`relief`]): old points stay, and new points get heights between the heights of the face.
+//! (`relief`): old points stay, and new points get heights between the heights of the face.
 //!
 //! Each face gives the interior of its moved outline, in the order of the first edges of the parts, and then a strip
 //! for each of its edges, outline before holes. The parts of a face share their points with each other, but not with
@@ -15,7 +15,7 @@ use glam::DVec2;
 use crate::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
 use crate::mesh::{FlatFace, Mesh, flip};
 use crate::nesting::rings::NestedRings;
-use crate::skeleton::{self, Failure, Left, Strip};
+use crate::skeleton::{self, FrontCorner, SkeletonError, Strip};
 use crate::small_sort::SmallSort;
 
 pub mod region;
@@ -46,11 +46,11 @@ pub enum OffsetError {
     Tangled,
 }
 
-impl From<Failure> for OffsetError {
-    fn from(failure: Failure) -> Self {
+impl From<SkeletonError> for OffsetError {
+    fn from(failure: SkeletonError) -> Self {
         match failure {
-            Failure::TooMany => OffsetError::TooMany,
-            Failure::Tangled => OffsetError::Tangled,
+            SkeletonError::TooMany => OffsetError::TooMany,
+            SkeletonError::Tangled => OffsetError::Tangled,
         }
     }
 }
@@ -98,7 +98,7 @@ fn offset_face(
 
 /// A loop of the remaining interior in the direction of the face, beginning with the first edge. For each corner it
 /// has the face's edge that the next side belongs to, and the point.
-fn ahead(ring: &[Left], edges: &[[usize; 2]], outwards: bool) -> Vec<(usize, u32)> {
+fn ahead(ring: &[FrontCorner], edges: &[[usize; 2]], outwards: bool) -> Vec<(usize, u32)> {
     let count = ring.len();
     let side = |k: usize| {
         let (edge, from) = if outwards { (count - 1 - k, (count - k) % count) } else { (k, k) };

@@ -1,9 +1,9 @@
 //! Boolean operations on meshes.
 //!
-//! All faces of both operands are divided where they meet, until they only meet in common edges and points ([`meeting`],
-//! [`noding`], [`cell`]). Faces that coincide become one ([`sheet`]). Each side of each face is then inside or outside of each
-//! operand ([`winding`], [`surface`]), and the faces between the inside and the outside of the result are the result
-//! ([`selection`]). Parts of one face that are connected become one polygon again ([`polygon`]).
+//! All faces of both operands are divided where they meet, until they only meet in common edges and points (`meeting`,
+//! `noding`, `cell`). Faces that coincide become one (`sheet`). Each side of each face is then inside or outside of each
+//! operand (`winding`, `surface`), and the faces between the inside and the outside of the result are the result
+//! (`selection`). Parts of one face that are connected become one polygon again (`polygon`).
 //!
 //! Distances up to an epsilon, which is relative to the extent, count as rounding errors: points are merged, and edges are led
 //! through points near them. Afterwards everything goes by the identity of points. Every step checks what it has found: areas

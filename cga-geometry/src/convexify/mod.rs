@@ -1,9 +1,9 @@
 //! Concave faces cut into convex ones.
 //!
-//! All faces are loops of linked corners ([`net`]). A concave face, or one with holes, is cut in its plane projection
-//! ([`cutter`]), where the sides of lines are exact. New points are on edges, which they divide in all faces, so faces stay
+//! All faces are loops of linked corners (`net`). A concave face, or one with holes, is cut in its plane projection
+//! (`cutter`), where the sides of lines are exact. New points are on edges, which they divide in all faces, so faces stay
 //! connected and a closed mesh stays closed. Bent faces keep their bend. Faces with touching loops, which cuts may fail to divide,
-//! are divided along diagonals ([`triangles`]).
+//! are divided along diagonals (`triangles`).
 
 mod cutter;
 mod net;

@@ -7,8 +7,69 @@
 //!   at this point; between two points they are between their values; at other points they continue the values of the old face
 //!   over its plane;
 //! - groups and materials, and the tags of faces: of the old face, of the edge out of which a face grows, and of the operation;
-//! - the tags of edges and vertices, as in [`edges`];
+//! - the tags of edges and vertices, as in `edges`;
 //! - the trace of points for recomposition.
+//!
+//! So an operation is a list of points and faces. This one makes triangles over the edges of each face, around a point in its
+//! middle, with a tag of its own:
+//!
+//! ```
+//! use cga_geometry::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
+//! use cga_geometry::glam::DVec3;
+//! use cga_geometry::mesh::Mesh;
+//! use cga_geometry::primitive;
+//!
+//! fn fan(mesh: &Mesh) -> Mesh {
+//!     let mut made = Derivation::new(mesh, CornerValues::All, 0);
+//!     for face in mesh.faces() {
+//!         let middle = face.outline().sum::<DVec3>() / face.outer().len() as f64;
+//!         let middle = made.point(middle, PointOrigin::Grown);
+//!         let points: Vec<u32> = face.outer().iter().map(|&point| made.old_point(point)).collect();
+//!         for (k, edge) in face.edges().enumerate() {
+//!             let triangle = [points[k], points[(k + 1) % points.len()], middle];
+//!             made.face([triangle], FaceOrigin::over_edge(&face, "fan.side", edge));
+//!         }
+//!     }
+//!     made.finish()
+//! }
+//!
+//! let fans = fan(&primitive::quad());
+//! assert_eq!((fans.face_count(), fans.area()), (4, 1.0));
+//! assert!(fans.faces().all(|face| fans.tag_sets()[face.tag().tags as usize].has("fan.side")));
+//! ```
+//!
+//! A point or a face whose origin is forgotten does not compile:
+//!
+//! ```compile_fail,E0061
+//! # use cga_geometry::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
+//! # use cga_geometry::glam::DVec3;
+//! # use cga_geometry::primitive;
+//! # let mesh = primitive::quad();
+//! let mut made = Derivation::new(&mesh, CornerValues::All, 0);
+//! let middle = made.point(DVec3::new(0.5, 0.0, 0.5));
+//! ```
+//!
+//! ```compile_fail,E0061
+//! # use cga_geometry::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
+//! # use cga_geometry::primitive;
+//! # let mesh = primitive::quad();
+//! let mut made = Derivation::new(&mesh, CornerValues::All, 0);
+//! let points: Vec<u32> = (0..4).map(|point| made.old_point(point)).collect();
+//! made.face([points]);
+//! ```
+//!
+//! With their origins both compile:
+//!
+//! ```
+//! # use cga_geometry::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
+//! # use cga_geometry::glam::DVec3;
+//! # use cga_geometry::primitive;
+//! # let mesh = primitive::quad();
+//! let mut made = Derivation::new(&mesh, CornerValues::All, 0);
+//! let middle = made.point(DVec3::new(0.5, 0.0, 0.5), PointOrigin::New);
+//! let points: Vec<u32> = (0..4).map(|point| made.old_point(point)).collect();
+//! made.face([points], FaceOrigin::piece(&mesh.face(0)));
+//! ```
 //!
 //! Cuts by planes are the one exception: they carry values along their planes while they classify corners
 //! ([`cut`](super::cut)), which is several times faster.
@@ -146,7 +207,7 @@ impl<'s> Derivation<'s> {
     }
 
     /// The same with all points of the source, under their numbers.
-    pub(crate) fn with_old_points(mut self) -> Self {
+    pub fn with_old_points(mut self) -> Self {
         self.made.points = self.source.points().to_vec();
         if self.has_origins {
             self.origins = (0..self.made.points.len() as u32).map(PointOrigin::Old).collect();
@@ -155,11 +216,7 @@ impl<'s> Derivation<'s> {
     }
 
     /// Adds a face with corners of the source, in a mesh with the points of the source.
-    pub(crate) fn keep<R: IntoIterator<Item = usize>>(
-        &mut self,
-        loops: impl IntoIterator<Item = R>,
-        origin: FaceOrigin,
-    ) {
+    pub fn keep<R: IntoIterator<Item = usize>>(&mut self, loops: impl IntoIterator<Item = R>, origin: FaceOrigin) {
         let corners = self.source.corners();
         self.keep_at(loops.into_iter().map(|ring| ring.into_iter().map(|corner| (corners[corner], corner))), origin);
     }
@@ -230,12 +287,12 @@ impl<'s> Derivation<'s> {
     }
 
     /// Gives an edge more tags than follow from its points.
-    pub(crate) fn tag_edge(&mut self, ends: [u32; 2], tags: &TagSet) {
+    pub fn tag_edge(&mut self, ends: [u32; 2], tags: &TagSet) {
         self.tags().edges.tag_edge(ends, tags);
     }
 
     /// Gives a vertex more tags than follow from its point.
-    pub(crate) fn tag_vertex(&mut self, point: u32, tags: &TagSet) {
+    pub fn tag_vertex(&mut self, point: u32, tags: &TagSet) {
         self.tags().edges.tag_vertex(point, tags);
     }
 
@@ -263,13 +320,13 @@ impl<'s> Derivation<'s> {
     }
 
     /// The mesh with the points that faces use, in their order.
-    pub(crate) fn finish_used(mut self) -> Mesh {
+    pub fn finish_used(mut self) -> Mesh {
         let before = self.made.number_used();
         self.renumbered(&before).finish()
     }
 
     /// The same mesh, and the origins of its points, if the source has values, tags or a trace.
-    pub(crate) fn finish_with_origins(mut self) -> (Mesh, Vec<PointOrigin>) {
+    pub fn finish_with_origins(mut self) -> (Mesh, Vec<PointOrigin>) {
         let before = self.made.number_used();
         let made = self.renumbered(&before);
         let origins = made.origins.clone();

@@ -27,7 +27,7 @@ pub struct FaceOrigin {
 impl FaceOrigin {
     /// The old face itself, or a piece of it.
     #[inline]
-    pub(crate) fn piece(face: &FaceRef<'_>) -> Self {
+    pub fn piece(face: &FaceRef<'_>) -> Self {
         FaceOrigin { face: face.index() as u32, role: Role::Piece, is_turned: false }
     }
 
@@ -37,7 +37,7 @@ impl FaceOrigin {
     }
 
     /// A piece of the old face that grows out of an edge, given by its two corners in the old mesh.
-    pub(crate) fn strip(face: &FaceRef<'_>, edge: [usize; 2]) -> Self {
+    pub fn strip(face: &FaceRef<'_>, edge: [usize; 2]) -> Self {
         FaceOrigin { role: Role::Beside(edge.each(|corner| corner as u32), None), ..Self::piece(face) }
     }
 

@@ -14,16 +14,16 @@ use crate::each::Each;
 use crate::mesh::{FaceTag, Mesh, flip};
 use crate::nesting::Nest;
 use crate::nesting::contour::Contour;
-use crate::skeleton::{self, Failure, Speeds, Strip};
+use crate::skeleton::{self, SkeletonError, Speeds, Strip};
 use crate::small_sort::SmallSort;
 use crate::tol::PLANAR_EPSILON;
 use crate::work;
 
-impl From<Failure> for EnvelopeRefusal {
-    fn from(failure: Failure) -> Self {
+impl From<SkeletonError> for EnvelopeRefusal {
+    fn from(failure: SkeletonError) -> Self {
         match failure {
-            Failure::TooMany => EnvelopeRefusal::TooMany,
-            Failure::Tangled => EnvelopeRefusal::Tangled,
+            SkeletonError::TooMany => EnvelopeRefusal::TooMany,
+            SkeletonError::Tangled => EnvelopeRefusal::Tangled,
         }
     }
 }

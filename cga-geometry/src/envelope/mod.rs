@@ -4,9 +4,9 @@
 //! have upright sides. The volume is cut off level at its maximum height.
 //!
 //! If the whole outline is in front of each edge that has a slope, as in every convex outline, the volume is the prism over
-//! the outline, cut by the planes of all slopes ([`planes`]). Otherwise slopes end at each other as the planes of a roof do: a
-//! wavefront from the outline has one speed for each edge, and starts again at each base height ([`layers`]). Holes are then
-//! taken away as upright shafts ([`shafts`]), so slopes go on behind them.
+//! the outline, cut by the planes of all slopes (`planes`). Otherwise slopes end at each other as the planes of a roof do: a
+//! wavefront from the outline has one speed for each edge, and starts again at each base height (`layers`). Holes are then
+//! taken away as upright shafts (`shafts`), so slopes go on behind them.
 //!
 //! Both ways work along the direction in which the volume is erected. The slope of an edge rises at its angle to the level
 //! plane across that direction, from a line that is parallel to the edge.

@@ -3,8 +3,8 @@
 //! A rectangle from `l` to `r` is as high as the largest *gap* of the strip between them: the edges of the polygon in the strip
 //! cover parts of the y axis, and gaps are what is left inside. Lines through all corners divide the plane into *slabs*. For a
 //! left side in one slab and a right side in another, the sides of the largest rectangle solve a small problem with linear
-//! limits, in closed form ([`corner`]). The pairs of slabs are searched best first, by the widest rectangle and the largest gap
-//! that a set of pairs allows ([`search`]). So the result is exact, except for rounding.
+//! limits, in closed form (`corner`). The pairs of slabs are searched best first, by the widest rectangle and the largest gap
+//! that a set of pairs allows (`search`). So the result is exact, except for rounding.
 
 mod corner;
 pub mod face;

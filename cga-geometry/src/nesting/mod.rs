@@ -3,8 +3,8 @@
 //! Outlines are counter-clockwise, holes clockwise (the opposite if the section is inside out as a whole). A hole
 //! belongs to the smallest outline that winds around it; a hole without such an outline stays separate. Each hole is
 //! tested at one point just beside it, on the side of the solid, against the outlines whose bounding box contains the
-//! point ([`crate::nesting::box_tree`]). If this takes too long, because many boxes contain points that their
-//! outlines do not, a sweep decides ([`crate::nesting::sweep`]), unless loops cross. Rounding may flatten or
+//! point (`crate::nesting::box_tree`). If this takes too long, because many boxes contain points that their
+//! outlines do not, a sweep decides (`crate::nesting::sweep`), unless loops cross. Rounding may flatten or
 //! invert the area between a hole and its outline. So a hole without a possible outline is tested again at a point well
 //! inside it.
 //!
@@ -34,6 +34,7 @@ use duplicates::Twins;
 use extent::{Extent, about_one};
 use probe::Probe;
 use ring::Loop;
+pub use rings::NestedRings;
 use sweep::LoopSweep;
 use winding::{QueryBudget, Runs};
 

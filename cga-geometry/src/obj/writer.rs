@@ -19,7 +19,7 @@ pub fn write(mesh: &Mesh, out: impl Write) -> io::Result<()> {
     writer.out.flush()
 }
 
-/// Writes several meshes as objects (`o`) with names, each as [`write`] does.
+/// Writes several meshes as objects (`o`) with names, each as [`write()`] does.
 ///
 /// # Errors
 /// The errors of `out`.

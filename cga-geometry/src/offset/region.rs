@@ -13,7 +13,7 @@ use super::{OffsetError, relief};
 use crate::each::Each;
 use crate::mesh::FlatFace;
 use crate::nesting::contour::Contour;
-use crate::skeleton::{self, Failure, Swept};
+use crate::skeleton::{self, SkeletonError, Swept};
 use crate::small_sort::SmallSort;
 
 /// The piece of a side that is on no edge of the face.
@@ -113,7 +113,7 @@ impl FaceRegion {
         };
         let taken = taken(&rings, &swept, &distances, rank, origin)?;
         self.heights = relief::heights(&self.heights, &rings, &swept);
-        let side = |left: &skeleton::Left| {
+        let side = |left: &skeleton::FrontCorner| {
             let edge = left.edge as usize;
             let Some(old) = old.get(edge) else {
                 return RegionSide { point: left.point, piece: NONE, has_moved: true };
@@ -153,7 +153,7 @@ fn taken(
     distances: &[f64],
     rank: impl Fn(usize) -> usize,
     mut origin: impl FnMut([u32; 2], usize, SideKind),
-) -> Result<Loops, Failure> {
+) -> Result<Loops, SkeletonError> {
     let sides = rings.iter().flat_map(|ring| (0..ring.len()).map(|k| [ring[k], ring[(k + 1) % ring.len()]]));
     // The sides along the line of each edge.
     let mut lines: Vec<Vec<[u32; 2]>> = sides.map(|side| vec![side]).collect();
@@ -191,7 +191,7 @@ fn taken(
     let (mut contour, mut closes) = (Contour::default(), true);
     contour.follow(&all, &swept.points, |_| closes = false);
     if !closes {
-        return Err(Failure::Tangled);
+        return Err(SkeletonError::Tangled);
     }
     let mut loops = Vec::new();
     let mut from = 0;

@@ -4,9 +4,9 @@
 //! that run clockwise count negative. The result is the region where it is positive. So polygons that run anticlockwise
 //! unite, and those that run clockwise are taken away.
 //!
-//! Points are rounded to a grid of whole numbers ([`grid`]), where the side of a line is exact. Edges are divided where
-//! they cross or pass a point closely, until none does ([`noding`]). Then a sweep finds the winding number on both sides
-//! of each edge ([`winding`]). Edges with the region on one side only are its outline. They are joined by point identity,
+//! Points are rounded to a grid of whole numbers (`grid`), where the side of a line is exact. Edges are divided where
+//! they cross or pass a point closely, until none does (`noding`). Then a sweep finds the winding number on both sides
+//! of each edge (`winding`). Edges with the region on one side only are its outline. They are joined by point identity,
 //! so outlines close. Loops narrower than the grid can tell from a rounding error are dropped.
 
 mod grid;
@@ -34,17 +34,37 @@ pub enum OverlayError {
 
 /// A region of the plane.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Region {
+pub struct Region {
     /// The given points, followed by new ones.
-    pub(crate) points: Vec<DVec2>,
+    pub points: Vec<DVec2>,
     /// The polygons, each an outline anticlockwise and its holes clockwise, as numbers of points.
-    pub(crate) polygons: Vec<Vec<Vec<u32>>>,
+    pub polygons: Vec<Vec<Vec<u32>>>,
 }
 
-/// The region with a positive winding number. Rings are numbers of points. Corners where the outline runs straight on are
+/// The region with a positive winding number, in time n log n for n edges and crossings. Rings are numbers of points. Corners where the outline runs straight on are
 /// dropped, except for points with a number below `kept`. The outline has the lowest number of all given points at one
 /// place.
-pub(crate) fn wound<'r>(
+///
+/// ```
+/// use cga_geometry::glam::DVec2;
+/// use cga_geometry::overlay::wound;
+///
+/// // Two squares that overlap, and a clockwise one that is taken away.
+/// let square = |x: f64, y: f64, side: f64| [[x, y], [x + side, y], [x + side, y + side], [x, y + side]];
+/// let corners = [square(0.0, 0.0, 4.0), square(2.0, 2.0, 4.0), square(1.0, 1.0, 0.5)];
+/// let points: Vec<DVec2> = corners.iter().flatten().map(|corner| DVec2::from(*corner)).collect();
+/// let region = wound(&points, [&[0, 1, 2, 3][..], &[4, 5, 6, 7], &[11, 10, 9, 8]], 0)?;
+/// assert_eq!(region.polygons.len(), 1);
+/// assert_eq!([region.polygons[0][0].len(), region.polygons[0][1].len()], [8, 4], "an outline and its hole");
+/// # Ok::<(), cga_geometry::overlay::OverlayError>(())
+/// ```
+///
+/// # Errors
+/// An error if too many edges cross, or if edges that are nearly at one place cannot be told apart.
+///
+/// # Panics
+/// Panics if a ring has the number of a point that does not exist.
+pub fn wound<'r>(
     points: &[DVec2],
     rings: impl IntoIterator<Item = &'r [u32]>,
     kept: usize,

@@ -10,7 +10,7 @@ use super::hip::overhang_in_plan;
 use super::plan::{Outside, OutsideStrip, Plan};
 use super::{Outline, Rise, Roof};
 use crate::each::Each;
-use crate::skeleton::Failure;
+use crate::skeleton::SkeletonError;
 
 /// The distance of a corner of a pediment from the outer edge of its overhang, as a share of the overhang, at which there is
 /// an overhang. It is 1 in straight pediments.
@@ -27,12 +27,12 @@ pub(super) fn gable(
     rise: Rise,
     [across, along]: [f64; 2],
     even: bool,
-) -> Result<Roof, Failure> {
+) -> Result<Roof, SkeletonError> {
     let speeds: Vec<f64> = ends.iter().map(|&end| if end { 0.0 } else { 1.0 }).collect();
     let (mut plan, ends) = match Plan::of(outline, &speeds) {
         Ok(plan) => (plan, ends.to_vec()),
-        Err(Failure::TooMany) => return Err(Failure::TooMany),
-        Err(Failure::Tangled) => (Plan::of(outline, &vec![1.0; ends.len()])?, vec![false; ends.len()]),
+        Err(SkeletonError::TooMany) => return Err(SkeletonError::TooMany),
+        Err(SkeletonError::Tangled) => (Plan::of(outline, &vec![1.0; ends.len()])?, vec![false; ends.len()]),
     };
     if even {
         plan.level_ridges(outline);
@@ -54,7 +54,7 @@ pub(super) fn gable(
             Err(NoOverhang::Tangled) => {
                 let distances = vec![eave; ends.len()];
                 let found = overhang(&mut plan, outline, &ends, &gables, &beyond, &distances, eave);
-                found.map_err(|_| Failure::Tangled)?;
+                found.map_err(|_| SkeletonError::Tangled)?;
                 break;
             }
         }

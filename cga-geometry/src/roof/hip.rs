@@ -2,11 +2,11 @@
 
 use super::plan::Plan;
 use super::{Outline, Rise, Roof};
-use crate::skeleton::Failure;
+use crate::skeleton::SkeletonError;
 
 /// A hip roof with one face for each edge. An overhang continues the faces below the outline, and a
 /// negative one takes them back.
-pub(super) fn hip(outline: &Outline<'_>, rise: Rise, overhang: f64, even: bool) -> Result<Roof, Failure> {
+pub(super) fn hip(outline: &Outline<'_>, rise: Rise, overhang: f64, even: bool) -> Result<Roof, SkeletonError> {
     let count = outline.edges().len();
     let mut plan = Plan::of(outline, &vec![1.0; count])?;
     if even {

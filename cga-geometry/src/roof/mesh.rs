@@ -6,7 +6,7 @@ use super::{Outline, Rise, Roof, RoofFace, RoofForm, RoofPart, roof_with_or_with
 use crate::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
 use crate::each::Each;
 use crate::mesh::{FaceRef, FlatFace, Mesh, flip, unit};
-use crate::skeleton::{Failure, any_cross};
+use crate::skeleton::{SkeletonError, any_cross};
 use crate::tol::{TOUCH_EPSILON, UP_EPSILON};
 use crate::triangulate::highest;
 
@@ -70,8 +70,8 @@ fn add_roof(
     }
     let built = roof_with_or_without_overhangs(&outline, form, rise);
     let (Roof { points, faces, moved, below }, is_complete) = built.map_err(|failure| match failure {
-        Failure::TooMany => RoofRefusal::TooMany,
-        Failure::Tangled => RoofRefusal::Tangled,
+        SkeletonError::TooMany => RoofRefusal::TooMany,
+        SkeletonError::Tangled => RoofRefusal::Tangled,
     })?;
     if faces.is_empty() || !points.iter().all(|point| point.is_finite()) {
         return Err(RoofRefusal::Tangled);

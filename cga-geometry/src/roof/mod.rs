@@ -1,9 +1,9 @@
 //! Roofs over a polygon with holes: pure geometry in the coordinates of a face that is laid flat.
 //!
 //! Hip and gable roofs are the straight skeleton of the outline with heights: the wavefront reaches a point at a time, and
-//! the roof is as high there as its planes rise in that distance ([`plan`]). An edge with a gable does not move, so its
-//! strip is the upright pediment ([`gable`]). An overhang is the wavefront of the region outside. Pyramid, shed and ridge
-//! roofs are planes over the outline ([`planes`]).
+//! the roof is as high there as its planes rise in that distance (`plan`). An edge with a gable does not move, so its
+//! strip is the upright pediment (`gable`). An overhang is the wavefront of the region outside. Pyramid, shed and ridge
+//! roofs are planes over the outline (`planes`).
 //!
 //! A roof without overhang and its bottom are a closed volume, because the arcs of the wavefront are shared.
 
@@ -20,7 +20,7 @@ mod take_back;
 use glam::{DVec2, DVec3};
 
 use crate::mesh::unit;
-use crate::skeleton::Failure;
+use crate::skeleton::SkeletonError;
 use crate::tol::TOUCH_EPSILON;
 
 pub use mesh::{RoofRefusal, Roofs, roof_over};
@@ -212,18 +212,22 @@ impl Roof {
 
 /// Makes a roof over a polygon, and returns true if it has the overhangs of its form. Overhangs are left out if they lead too
 /// far, as at edges that are nearly opposite, or if they would turn faces over or bend them.
-fn roof_with_or_without_overhangs(outline: &Outline<'_>, form: RoofForm, rise: Rise) -> Result<(Roof, bool), Failure> {
+fn roof_with_or_without_overhangs(
+    outline: &Outline<'_>,
+    form: RoofForm,
+    rise: Rise,
+) -> Result<(Roof, bool), SkeletonError> {
     let without = form.without_overhangs();
     match (roof(outline, form, rise), without) {
         (Ok(made), None) => Ok((made, true)),
         (Ok(made), Some(_)) if made.is_sound(outline) => Ok((made, true)),
-        (Ok(_) | Err(Failure::Tangled), Some(without)) => Ok((roof(outline, without, rise)?, false)),
+        (Ok(_) | Err(SkeletonError::Tangled), Some(without)) => Ok((roof(outline, without, rise)?, false)),
         (Err(failure), _) => Err(failure),
     }
 }
 
 /// Makes a roof over a polygon.
-fn roof(outline: &Outline<'_>, form: RoofForm, rise: Rise) -> Result<Roof, Failure> {
+fn roof(outline: &Outline<'_>, form: RoofForm, rise: Rise) -> Result<Roof, SkeletonError> {
     match form {
         RoofForm::Hip { overhang, even } => hip::hip(outline, rise, overhang, even),
         RoofForm::Gable { across, along, even, edge } => {

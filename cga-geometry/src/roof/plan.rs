@@ -8,7 +8,7 @@ use super::settle::settle;
 use super::{Outline, Roof, RoofFace, RoofPart};
 use crate::disjoint::DisjointSets;
 use crate::nesting::extent::Extent;
-use crate::skeleton::{self, Failure, Speeds, Swept};
+use crate::skeleton::{self, SkeletonError, Speeds, Swept};
 use crate::small_sort::SmallSort;
 use crate::tol::{NUDGE_EPSILONS, TIE_EPSILON};
 
@@ -49,11 +49,11 @@ impl Plan {
     ///
     /// An outline whose events are too entangled is tried again with its corners moved by far less than a hair: the
     /// structure of that skeleton is right for the outline up to this distance.
-    pub(super) fn of(outline: &Outline<'_>, speeds: &[f64]) -> Result<Plan, Failure> {
+    pub(super) fn of(outline: &Outline<'_>, speeds: &[f64]) -> Result<Plan, SkeletonError> {
         let speeds = Speeds::Heights(speeds);
         let mut found = skeleton::sweep_at(outline.points, outline.rings, speeds, f64::INFINITY);
         for by in NUDGE_EPSILONS {
-            if found != Err(Failure::Tangled) {
+            if found != Err(SkeletonError::Tangled) {
                 break;
             }
             found = skeleton::sweep_at(&nudged(outline.points, by), outline.rings, speeds, f64::INFINITY);
@@ -210,7 +210,12 @@ pub(super) struct OutsideStrip {
 
 impl Plan {
     /// Sweeps the outside, and adds its points to the plan, as far below the eaves as an edge with speed `eave` has moved.
-    pub(super) fn outside(&mut self, outline: &Outline<'_>, distances: &[f64], eave: f64) -> Result<Outside, Failure> {
+    pub(super) fn outside(
+        &mut self,
+        outline: &Outline<'_>,
+        distances: &[f64],
+        eave: f64,
+    ) -> Result<Outside, SkeletonError> {
         let most = distances.iter().copied().fold(0.0, f64::max);
         let (mut rings, mut edges) = (Vec::new(), Vec::new());
         for ring in outline.rings {

@@ -7,7 +7,7 @@ use glam::DVec2;
 use super::Outline;
 use super::arcs::arcs;
 use super::plan::{Plan, PlanFace};
-use crate::skeleton::Failure;
+use crate::skeleton::SkeletonError;
 use crate::tol::TIE_EPSILON;
 
 /// A line across faces: what is on its right goes.
@@ -41,7 +41,7 @@ impl Plan {
         outline: &Outline<'_>,
         ends: &[bool],
         [eave, end]: [f64; 2],
-    ) -> Result<(), Failure> {
+    ) -> Result<(), SkeletonError> {
         if eave == 0.0 && end == 0.0 {
             return Ok(());
         }
@@ -75,7 +75,7 @@ impl Plan {
                 self.faces.push(PlanFace { edge, ring });
             }
         }
-        if is_left { Ok(()) } else { Err(Failure::Tangled) }
+        if is_left { Ok(()) } else { Err(SkeletonError::Tangled) }
     }
 
     /// Rotates a ring to begin with the first arc along its lowest points over an edge.

@@ -8,7 +8,7 @@
 use glam::DVec2;
 
 use super::wavefront::{Wavefront, twice_area};
-use super::{Left, Strip, Swept};
+use super::{FrontCorner, Strip, Swept};
 use crate::each::Each;
 use crate::exact::orient;
 use crate::exact::winding;
@@ -105,7 +105,7 @@ impl Wavefront {
     }
 }
 
-fn positions(ring: &[Left], points: &[DVec2]) -> Vec<DVec2> {
+fn positions(ring: &[FrontCorner], points: &[DVec2]) -> Vec<DVec2> {
     ring.iter().map(|left| points[left.point as usize]).collect()
 }
 
@@ -114,7 +114,7 @@ fn area(ring: &[DVec2]) -> f64 {
 }
 
 /// Returns true if loops of the remaining interior cross by more than `slack`.
-fn crosses(left: &[Vec<Left>], points: &[DVec2], slack: f64) -> bool {
+fn crosses(left: &[Vec<FrontCorner>], points: &[DVec2], slack: f64) -> bool {
     let mut edges: Vec<[DVec2; 2]> = Vec::new();
     for ring in left {
         let at = |i: usize| points[ring[i % ring.len()].point as usize];

@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 
 use glam::DVec2;
 
-use super::Failure;
+use super::SkeletonError;
 use super::wavefront::Wavefront;
 use crate::disjoint::DisjointSets;
 use crate::each::Each;
@@ -114,7 +114,7 @@ impl Contacts {
 
 impl Wavefront {
     /// Finds the contacts of the reached vertices. An error if the work is to end.
-    pub(super) fn compare(&self, contacts: &mut Contacts) -> Result<(), Failure> {
+    pub(super) fn compare(&self, contacts: &mut Contacts) -> Result<(), SkeletonError> {
         let squared = self.epsilon * self.epsilon;
         let (mut near, mut candidates) = (std::mem::take(&mut contacts.near), std::mem::take(&mut contacts.candidates));
         let mut around = Extent::EMPTY;
@@ -127,7 +127,7 @@ impl Wavefront {
                 self.put_edges_near(&around, &mut near);
             }
             if !work::spend(near.len()) {
-                return Err(Failure::Tangled);
+                return Err(SkeletonError::Tangled);
             }
             for &(edge, _) in near.iter().filter(|(_, around)| around.holds(here)) {
                 let next = self.vertices[edge as usize].next;

@@ -1,7 +1,7 @@
 //! The times of events: an edge shrinks to a point, or a reflex vertex reaches an edge.
 
 use super::wavefront::{CollapseEvent, MovingLine, NextEvent, SplitEvent, Wavefront, WavefrontVertex};
-use super::{Failure, NONE};
+use super::{NONE, SkeletonError};
 use crate::small_sort::SmallSort;
 use crate::work;
 
@@ -60,9 +60,9 @@ impl Wavefront {
     }
 
     /// Computes the next events after the given vertices were made. An error if one of them cannot move.
-    pub(super) fn foresee(&mut self, made: &[u32]) -> Result<(), Failure> {
+    pub(super) fn foresee(&mut self, made: &[u32]) -> Result<(), SkeletonError> {
         if made.iter().any(|&vertex| self.vertices[vertex as usize].stuck) {
-            return Err(Failure::Tangled);
+            return Err(SkeletonError::Tangled);
         }
         let mut changed: Vec<u32> = made.iter().flat_map(|&v| [v, self.vertices[v as usize].last]).collect();
         changed.small_sort();
@@ -79,7 +79,7 @@ impl Wavefront {
             let WavefrontVertex { born, mut split, .. } = self.vertices[number as usize];
             let compared = if born == self.now { self.alive.len() } else { changed.len() };
             if !work::spend(compared) {
-                return Err(Failure::Tangled);
+                return Err(SkeletonError::Tangled);
             }
             let split = if born == self.now {
                 self.first_split(number, SplitEvent::NEVER, &self.alive)

@@ -1,7 +1,7 @@
 //! Limits on the work of a wavefront. With false contacts a wavefront could divide endlessly, so it is given up when it
 //! exceeds the work of any regular wavefront.
 
-use super::Failure;
+use super::SkeletonError;
 
 /// The remaining work. In brackets: the largest value of many kinds of wavefronts with a correct result.
 #[derive(Debug)]
@@ -21,14 +21,14 @@ impl WorkLimits {
     }
 
     /// Counts a round with `alive` vertices, of which `touching` touch edges (usually at most as many as are alive).
-    pub(super) fn round(&mut self, alive: usize, touching: usize) -> Result<(), Failure> {
-        self.rounds = self.rounds.checked_sub(1).ok_or(Failure::Tangled)?;
-        if self.alive < alive || 4 * alive + 64 < touching { Err(Failure::Tangled) } else { Ok(()) }
+    pub(super) fn round(&mut self, alive: usize, touching: usize) -> Result<(), SkeletonError> {
+        self.rounds = self.rounds.checked_sub(1).ok_or(SkeletonError::Tangled)?;
+        if self.alive < alive || 4 * alive + 64 < touching { Err(SkeletonError::Tangled) } else { Ok(()) }
     }
 
     /// Counts new vertices.
-    pub(super) fn make(&mut self, vertices: usize) -> Result<(), Failure> {
-        self.vertices = self.vertices.checked_sub(vertices).ok_or(Failure::Tangled)?;
+    pub(super) fn make(&mut self, vertices: usize) -> Result<(), SkeletonError> {
+        self.vertices = self.vertices.checked_sub(vertices).ok_or(SkeletonError::Tangled)?;
         Ok(())
     }
 }

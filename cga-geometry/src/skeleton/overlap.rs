@@ -3,7 +3,7 @@
 use crate::each::Each;
 use glam::DVec2;
 
-use super::Failure;
+use super::SkeletonError;
 use super::arrangement::{Arrangement, Segment, SegmentEnd};
 use super::contact::{Contacts, to_segment};
 use super::wavefront::{Wavefront, turn_back};
@@ -17,7 +17,7 @@ impl Arrangement {
         front: &Wavefront,
         contacts: &mut Contacts,
         before: &[Segment],
-    ) -> Result<bool, Failure> {
+    ) -> Result<bool, SkeletonError> {
         let was_there = |segment: &Segment| {
             let first = before.partition_point(|old| old.edge < segment.edge);
             before[first..].iter().take_while(|old| old.edge == segment.edge).any(|old| old == segment)
@@ -44,7 +44,7 @@ impl Arrangement {
             let [a, b] = pair.each(|segment| front.lines[self.segments[segment].line as usize]);
             if turn_back(&a, &b) {
                 if !self.overlap(front, contacts, pair, f64::INFINITY) {
-                    return Err(Failure::Tangled);
+                    return Err(SkeletonError::Tangled);
                 }
                 found = true;
             }

@@ -2,7 +2,7 @@
 
 /// The speeds of the edges of a polygon, from 0 to 1, and the meaning of points at one place.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Speeds<'a> {
+pub enum Speeds<'a> {
     /// All edges have speed 1.
     Equal,
     /// One for each edge. The times of points are heights, as of a roof: points at one place at different times are

@@ -5,7 +5,7 @@ use super::contact::Contacts;
 use super::event::Event;
 use super::rejoin::rejoin;
 use super::wavefront::Wavefront;
-use super::{Failure, Swept};
+use super::{SkeletonError, Swept};
 use crate::work;
 
 /// The lists of a step. They keep their memory, because a usual step has a single event.
@@ -19,7 +19,7 @@ pub(super) struct Workspace {
 
 impl Wavefront {
     /// Moves the wavefront until its final time.
-    pub(super) fn run(self) -> Result<Swept, Failure> {
+    pub(super) fn run(self) -> Result<Swept, SkeletonError> {
         self.run_by(Wavefront::handle_lone)
     }
 
@@ -27,7 +27,7 @@ impl Wavefront {
     pub(super) fn run_by(
         mut self,
         usual: impl Fn(&mut Wavefront, &[Event]) -> Option<Vec<u32>>,
-    ) -> Result<Swept, Failure> {
+    ) -> Result<Swept, SkeletonError> {
         let mut workspace = Workspace::default();
         // Contacts at the start: pinches, bridges to holes.
         let everything: Vec<u32> = self.alive.clone();
@@ -39,14 +39,14 @@ impl Wavefront {
         loop {
             // An event scans the wavefront a few times.
             if !work::spend(4 * self.alive.len()) {
-                return Err(Failure::Tangled);
+                return Err(SkeletonError::Tangled);
             }
             let next = self.next_event();
             self.now = next.clamp(self.now, self.until);
             self.place();
             let due = self.due();
             if due.is_empty() {
-                return if self.now == self.until { self.finish() } else { Err(Failure::Tangled) };
+                return if self.now == self.until { self.finish() } else { Err(SkeletonError::Tangled) };
             }
             let mut made = match usual(&mut self, &due) {
                 Some(made) => made,
@@ -61,7 +61,12 @@ impl Wavefront {
 
     /// Processes simultaneous events, with everything in contact with their participants or with the vertices `around`.
     /// Returns the new vertices.
-    fn handle(&mut self, events: &[Event], around: &[u32], workspace: &mut Workspace) -> Result<Vec<u32>, Failure> {
+    fn handle(
+        &mut self,
+        events: &[Event],
+        around: &[u32],
+        workspace: &mut Workspace,
+    ) -> Result<Vec<u32>, SkeletonError> {
         let Workspace { contacts, arrangement, before } = workspace;
         contacts.clear(self.vertices.len());
         around.iter().for_each(|&vertex| contacts.reach(vertex));

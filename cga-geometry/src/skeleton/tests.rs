@@ -11,7 +11,7 @@ use crate::random::Rng;
 use polygons::{Cells, Polygon};
 
 fn left_area(swept: &Swept) -> f64 {
-    let points = |ring: &[Left]| ring.iter().map(|left| left.point).collect::<Vec<_>>();
+    let points = |ring: &[FrontCorner]| ring.iter().map(|left| left.point).collect::<Vec<_>>();
     swept.left.iter().map(|ring| twice_area(&swept.points, &points(ring)) * 0.5).sum()
 }
 
@@ -336,10 +336,10 @@ fn any_loops_end() {
 fn what_no_number_holds_is_refused() {
     let square = |size: f64| Polygon::of(&[&[(0.0, 0.0), (size, 0.0), (size, size), (0.0, size)]]);
     let result = |polygon: &Polygon, distance| sweep(&polygon.points, &polygon.rings, distance).map(|_| ());
-    assert_eq!(result(&square(1e200), 1.0), Err(Failure::Tangled));
-    assert_eq!(result(&square(1.0).inverted(), f64::MAX), Err(Failure::Tangled));
-    assert_eq!(result(&square(1e-200), 1.0), Err(Failure::Tangled));
+    assert_eq!(result(&square(1e200), 1.0), Err(SkeletonError::Tangled));
+    assert_eq!(result(&square(1.0).inverted(), f64::MAX), Err(SkeletonError::Tangled));
+    assert_eq!(result(&square(1e-200), 1.0), Err(SkeletonError::Tangled));
     assert_eq!(result(&square(1e-90), 1e-91), Ok(()));
     let many = Polygon::star(&mut Rng(1), MOST_CORNERS + 1, false);
-    assert_eq!(result(&many, 0.1), Err(Failure::TooMany));
+    assert_eq!(result(&many, 0.1), Err(SkeletonError::TooMany));
 }

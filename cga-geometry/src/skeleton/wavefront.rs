@@ -7,7 +7,7 @@ use glam::DVec2;
 use super::limits::WorkLimits;
 use super::speeds::Speeds;
 use super::trace::Arcs;
-use super::{Failure, Left, NONE, Swept};
+use super::{FrontCorner, NONE, SkeletonError, Swept};
 use crate::each::Each;
 use crate::nesting::extent::Extent;
 use crate::tol::STRAIGHT_EPSILON;
@@ -185,7 +185,7 @@ impl Wavefront {
         speeds: Speeds<'_>,
         epsilon: f64,
         until: f64,
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, SkeletonError> {
         let Extent { low, high } = Extent::of(points.iter().copied());
         let extent = (high - low).max_element();
         // The region outside is infinite, so the distance of the sweep sets the scale too.
@@ -193,7 +193,7 @@ impl Wavefront {
         let unbounded = area < 0.0;
         let extent = if unbounded { extent + until } else { extent };
         if !(SIZES.contains(&extent) && area.is_finite()) {
-            return Err(Failure::Tangled);
+            return Err(SkeletonError::Tangled);
         }
         let corners = rings.iter().map(Vec::len).sum();
         let mut front = Wavefront {
@@ -312,7 +312,7 @@ impl Wavefront {
     }
 
     /// Records the final positions.
-    pub(super) fn finish(mut self) -> Result<Swept, Failure> {
+    pub(super) fn finish(mut self) -> Result<Swept, SkeletonError> {
         let mut end = vec![NONE; self.vertices.len()];
         for &number in &self.alive {
             let vertex = self.vertices[number as usize];
@@ -338,7 +338,7 @@ impl Wavefront {
         let (points, times) = (std::mem::take(&mut self.nodes), std::mem::take(&mut self.times));
         let mut swept = Swept { strips: self.arcs.strips(&same), left, points, times, deviation: 0.0 };
         if !self.allows(&swept) {
-            return Err(Failure::Tangled);
+            return Err(SkeletonError::Tangled);
         }
         swept.deviation = self.deviation(&swept);
         Ok(swept)
@@ -358,7 +358,7 @@ impl Wavefront {
         most / (high - low).max_element()
     }
 
-    fn loops(&self, end: &[u32]) -> Vec<Vec<Left>> {
+    fn loops(&self, end: &[u32]) -> Vec<Vec<FrontCorner>> {
         let mut seen = vec![false; self.vertices.len()];
         let mut loops = Vec::new();
         for &start in &self.alive {
@@ -367,7 +367,7 @@ impl Wavefront {
             while !std::mem::replace(&mut seen[at as usize], true) {
                 let vertex = &self.vertices[at as usize];
                 if end[at as usize] != end[vertex.next as usize] {
-                    ring.push(Left { point: end[at as usize], edge: vertex.after });
+                    ring.push(FrontCorner { point: end[at as usize], edge: vertex.after });
                 }
                 at = vertex.next;
             }
