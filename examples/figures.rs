@@ -1,4 +1,5 @@
-//! The pictures of the notes on the two algorithms: `docs/cutting.png` and `docs/offset.png`, drawn from results of the library.
+//! The pictures of the notes on the two algorithms, `docs/cutting.png` and `docs/offset.png`, and of `cga-geometry`, drawn from results
+//! of the library.
 //!
 //! `cargo run --release --example figures`
 
@@ -6,6 +7,8 @@
 mod cutting;
 #[path = "figures/offset.rs"]
 mod offset;
+#[path = "figures/parts.rs"]
+mod parts;
 #[path = "figures/pen.rs"]
 mod pen;
 #[path = "figures/sheet.rs"]
@@ -16,5 +19,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         sheet::draw(&cells, 2).write_png(path)?;
         println!("wrote {path}");
     }
+    parts::draw("cga-geometry/puzzle.png")?;
+    println!("wrote cga-geometry/puzzle.png");
     Ok(())
 }

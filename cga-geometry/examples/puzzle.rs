@@ -6,7 +6,7 @@
 //!
 //! Without files it divides a body with bumps and writes `puzzle.obj`.
 
-mod common;
+pub(crate) mod common;
 
 use std::error::Error;
 use std::fs::File;
@@ -23,22 +23,24 @@ fn main() -> Result<(), Box<dyn Error>> {
     let volume: f64 = parts.iter().map(|(_, part)| part.volume()).sum();
     let closed = parts.iter().filter(|(_, part)| part.is_closed()).count();
     println!("{} parts, {closed} of them closed; volume {volume:.6} of {:.6}", parts.len(), mesh.volume());
-    // A quarter of a cell between the parts.
-    let gap = mesh.bounds().size() / 12.0;
-    let moved: Vec<(String, Mesh)> = parts
-        .iter()
-        .map(|([x, y, z], part)| {
-            let away = gap * DVec3::new(*x as f64, *y as f64, *z as f64);
-            (format!("part {x}{y}{z}"), part.map(&DAffine3::from_translation(away)))
-        })
-        .collect();
+    let moved = moved_apart(&mesh, &parts);
     obj::write_objects(moved.iter().map(|(name, part)| (name, part)), File::create(&path)?)?;
     println!("wrote {path}");
     Ok(())
 }
 
+/// The parts with names, a quarter of a cell between them.
+pub(crate) fn moved_apart(mesh: &Mesh, parts: &[([usize; 3], Arc<Mesh>)]) -> Vec<(String, Mesh)> {
+    let gap = mesh.bounds().size() / 12.0;
+    let moved = |([x, y, z], part): &([usize; 3], Arc<Mesh>)| {
+        let away = gap * DVec3::new(*x as f64, *y as f64, *z as f64);
+        (format!("part {x}{y}{z}"), part.map(&DAffine3::from_translation(away)))
+    };
+    parts.iter().map(moved).collect()
+}
+
 /// The parts of a mesh in the 27 cells of its bounding box, with their numbers along x, y and z. Empty cells have none.
-fn puzzle(mesh: &Arc<Mesh>) -> Vec<([usize; 3], Arc<Mesh>)> {
+pub(crate) fn puzzle(mesh: &Arc<Mesh>) -> Vec<([usize; 3], Arc<Mesh>)> {
     let bounds = mesh.bounds();
     let mut parts = vec![([0; 3], mesh.clone())];
     for axis in [Axis::X, Axis::Y, Axis::Z] {

@@ -25,7 +25,7 @@ pub(crate) fn mesh_and_path(output: &str) -> Result<(Mesh, String), Box<dyn Erro
 }
 
 /// A body about the origin whose radius waves around the y axis and from pole to pole, in triangles.
-fn bumps(around: u32, across: u32) -> Result<Mesh, MeshError> {
+pub(crate) fn bumps(around: u32, across: u32) -> Result<Mesh, MeshError> {
     let mut builder = MeshBuilder::new();
     let mut ring = |j: u32| -> Vec<u32> {
         let (up, cos) = sin_cos(180.0 * f64::from(j) / f64::from(across) - 90.0);
