@@ -284,7 +284,7 @@ pub mod parallel {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub mod street {
-    pub use cga_runtime::street::{Centerline, Kind, Network, NetworkOptions, NetworkPart, Side, StreetError};
+    pub use cga_street::{Centerline, Kind, Network, NetworkOptions, NetworkPart, Side, StreetError};
 }
 
 /// The split solver: pieces from sizes and an extent.

@@ -103,3 +103,8 @@ pub mod wire;
 pub mod work;
 
 pub use frame::{Axis, Frame};
+
+/// The code of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -10,7 +10,6 @@
 //! | `func`, `split`, `comp`, `op`, `query` | functions and operations of the language |
 //! | [`run`] | a run: settings, environment, derivation, templates, reports, the sink that takes its leaves |
 //! | [`asset`] | meshes and images from files |
-//! | [`street`] | initial shapes from centre lines |
 //! | [`shape`] | the current shape: scope, geometry, seed, look, trim planes |
 //! | [`geometry`] | meshes, cuts, triangulation, offsets, exact predicates |
 //! | [`material`], [`fault`], [`value`] | plain data |
@@ -36,5 +35,4 @@ pub mod rt;
 pub mod run;
 pub mod shape;
 pub mod split;
-pub mod street;
 pub mod value;

@@ -17,7 +17,7 @@ fn the_public_interface_is_the_list() {
     let facade = fs::read_to_string(root().join("src/lib.rs")).expect("the library");
     let mut items = Items::new();
     let mut modules = BTreeMap::new();
-    let crates = ["cga-runtime/src", "cga-geometry/src"].map(|folder| root().join(folder));
+    let crates = ["cga-runtime/src", "cga-geometry/src", "cga-street/src"].map(|folder| root().join(folder));
     for file in crates.iter().flat_map(|folder| sources(folder)) {
         let text = fs::read_to_string(&file).expect("a source file");
         let found = names_of(&text);

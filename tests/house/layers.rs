@@ -46,8 +46,8 @@ const CRATES: &[Layers] = &[
     Layers {
         package: "cga-runtime",
         layers: &[
-            "value", "fault", "material", "shape", "street", "asset", "run", "func", "comp", "split", "query", "op",
-            "output", "grammar", "rt",
+            "value", "fault", "material", "shape", "asset", "run", "func", "comp", "split", "query", "op", "output",
+            "grammar", "rt",
         ],
     },
 ];

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use cga_tests::tree::root;
 
-const PACKAGES: [&str; 7] = ["", "cga-check", "cga-geometry", "cga-lang", "cga-macros", "cga-runtime", "cga-split"];
+const PACKAGES: [&str; 8] =
+    ["", "cga-check", "cga-geometry", "cga-lang", "cga-macros", "cga-runtime", "cga-split", "cga-street"];
 
 /// The elements of `key = ["…", …]`, which may have several lines.
 fn list<'t>(manifest: &'t str, key: &str) -> Vec<&'t str> {

@@ -1,7 +1,7 @@
 //! The graph of centre lines: lines are divided at meeting points, and ends near other lines are moved onto them.
 
-use crate::geometry::each::Each;
-use crate::geometry::small_sort::SmallSort;
+use cga_geometry::each::Each;
+use cga_geometry::small_sort::SmallSort;
 use std::collections::{BTreeMap, BTreeSet};
 
 use glam::{DVec2, DVec3};

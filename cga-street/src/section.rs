@@ -1,6 +1,6 @@
 //! Cross-sections of a chain: the positions of its four borders.
 
-use crate::geometry::each::Each;
+use cga_geometry::each::Each;
 use glam::DVec2;
 
 use super::chain::Polyline;

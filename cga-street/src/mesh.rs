@@ -3,9 +3,9 @@
 use glam::{DVec2, DVec3};
 
 use super::grid::{GridMap, Point};
-use crate::geometry::each::Each;
-use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
-use crate::geometry::triangulate::Triangulator;
+use cga_geometry::each::Each;
+use cga_geometry::mesh::{FaceTag, Mesh, MeshBuilder};
+use cga_geometry::triangulate::Triangulator;
 
 /// A face: its outline and holes, and three sets of coordinates at each of their points.
 pub(super) struct StreetFace {
@@ -88,8 +88,8 @@ fn is_flat(outer: usize, count: usize, place: impl Fn(usize) -> DVec3) -> bool {
         return true;
     }
     let normal: DVec3 = (2..outer).map(|at| (place(at - 1) - from).cross(place(at) - from)).sum();
-    let normal = crate::geometry::mesh::unit(normal);
+    let normal = cga_geometry::mesh::unit(normal);
     let extent = (1..count).map(|at| (place(at) - from).abs().max_element()).fold(0.0, f64::max);
     // A margin, because the mesh computes its normal differently.
-    (1..count).all(|at| normal.dot(place(at) - from).abs() <= 0.5 * crate::geometry::tol::PLANAR_EPSILON * extent)
+    (1..count).all(|at| normal.dot(place(at) - from).abs() <= 0.5 * cga_geometry::tol::PLANAR_EPSILON * extent)
 }

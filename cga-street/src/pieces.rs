@@ -6,8 +6,8 @@ use super::grid::Point;
 use super::junction::{self, JunctionLayout};
 use super::section::{CrossSection, Station};
 use super::{Kind, Side};
-use crate::geometry::each::Each;
-use crate::geometry::small_sort::SmallSort;
+use cga_geometry::each::Each;
+use cga_geometry::small_sort::SmallSort;
 
 /// The run that a cell is a part of, by number in [`StreetPieces::runs`].
 pub(super) type RunId = u32;

@@ -7,9 +7,9 @@ use super::mesh::{StreetFace, mesh};
 use super::pieces::{Chart, JunctionDraft, Plot, StreetPieces};
 use super::subdivision::{NONE, Subdivision};
 use super::{Kind, MOST_CROSSINGS, NetworkPart, Side, StreetError};
-use crate::geometry::disjoint::DisjointSets;
-use crate::geometry::each::Each;
-use crate::geometry::small_sort::SmallSort;
+use cga_geometry::disjoint::DisjointSets;
+use cga_geometry::each::Each;
+use cga_geometry::small_sort::SmallSort;
 
 /// Three arms make a `Junction` if two of them are straight within this many degrees; otherwise a `Crossing`.
 const STRAIGHT_ON: f64 = 30.0;

@@ -6,8 +6,7 @@
 //! meeting points.
 //!
 //! ```
-//! # use cga_runtime as cga;
-//! use cga::street::{Centerline, Kind, Network, NetworkOptions};
+//! use cga_street::{Centerline, Kind, Network, NetworkOptions};
 //!
 //! // A main street of 100 m along x, and a narrower one that comes from the south.
 //! let lines = [
@@ -24,12 +23,14 @@
 //! let most = |set: usize| street.mesh.uv_set(set).iter().map(|uv| uv.x).fold(0.0, f64::max);
 //! assert_eq!((most(0), most(1)), (1.0, street.length));
 //! let _lot = street.shape();
-//! # Ok::<(), cga::street::StreetError>(())
+//! # Ok::<(), cga_street::StreetError>(())
 //! ```
 //!
 //! Conventions: x and z in metres, y up. Lines that cross are joined regardless of their heights, so bridges need a
 //! network of their own. The parts of a network do not overlap and leave no gaps. Parts with a common border share its
 //! points to the bit, because all parts are faces of one subdivision of the plane on a grid of 60 nm.
+
+#![forbid(unsafe_code)]
 
 mod cell;
 mod chain;
@@ -55,10 +56,10 @@ pub use input::{Centerline, NetworkOptions};
 
 use std::collections::BTreeMap;
 
-use crate::geometry::each::Each;
-use crate::geometry::mesh::Mesh;
-use crate::geometry::small_sort::SmallSort;
-use crate::shape::Shape;
+use cga_geometry::each::Each;
+use cga_geometry::mesh::Mesh;
+use cga_geometry::small_sort::SmallSort;
+use cga_runtime::shape::Shape;
 
 /// The limit on crossings of street borders, which bounds memory and time.
 const MOST_CROSSINGS: usize = 2_000_000;
@@ -204,3 +205,8 @@ fn outlines(mesh: &Mesh) -> Vec<Vec<[f64; 3]>> {
     }
     loops
 }
+
+/// The code of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

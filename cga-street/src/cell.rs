@@ -1,6 +1,6 @@
 //! Cells: triangles and quads of roadways and sidewalks, with values at their corners.
 
-use crate::geometry::each::Each;
+use cga_geometry::each::Each;
 use glam::{DVec2, DVec3};
 
 use super::grid::{Point, twice_area};

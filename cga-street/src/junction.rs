@@ -1,6 +1,6 @@
 //! The area of a junction: the ends of its arms, and the corners between them with rounded kerbs.
 
-use crate::geometry::each::Each;
+use cga_geometry::each::Each;
 use std::f64::consts::{PI, TAU};
 
 use glam::DVec2;

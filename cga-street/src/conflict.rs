@@ -4,7 +4,7 @@ use super::grid::{Point, is_sliver};
 use super::pieces::{JunctionDraft, Plot, StreetPieces};
 use super::subdivision::Subdivision;
 use super::{MOST_CROSSINGS, StreetError};
-use crate::geometry::small_sort::SmallSort;
+use cga_geometry::small_sort::SmallSort;
 
 /// The limit on attempts to find a plan without overlaps. Each attempt enlarges junctions; most networks need three.
 pub(super) const MOST_ATTEMPTS: usize = 16;

@@ -2,9 +2,9 @@
 
 use super::grid::{Point, cross, sides, twice_area, winding};
 use super::rounding::divide;
-use crate::geometry::disjoint::DisjointSets;
-use crate::geometry::each::Each;
-use crate::geometry::small_sort::SmallSort;
+use cga_geometry::disjoint::DisjointSets;
+use cga_geometry::each::Each;
+use cga_geometry::small_sort::SmallSort;
 
 /// The number for "no owner".
 pub(super) const NONE: u32 = u32::MAX;

@@ -4,7 +4,7 @@
 //! that point. So no two segments cross afterwards, and all segments that meet at a point share it.
 
 use super::grid::{Point, SegmentGrid, are_apart, dot, orient};
-use crate::geometry::small_sort::SmallSort;
+use cga_geometry::small_sort::SmallSort;
 
 /// Divides segments at each other. Each becomes a chain of points from its first end to its second. `None` if there are
 /// more than `most` crossings.

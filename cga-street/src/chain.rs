@@ -1,6 +1,6 @@
 //! Centre lines between junctions: chains of edges with the same widths, with bends as arcs, mitres or breaks.
 
-use crate::geometry::each::Each;
+use cga_geometry::each::Each;
 use glam::{DVec2, DVec3};
 
 use super::graph::Graph;

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use glam::DVec2;
 
 use super::*;
-use crate::geometry::mesh::FaceRef;
+use cga_geometry::mesh::FaceRef;
 
 /// The rings of a face in plan; an outline is counter-clockwise as seen from above.
 fn flat(face: &FaceRef<'_>, mesh: &Mesh) -> Vec<Vec<DVec2>> {
