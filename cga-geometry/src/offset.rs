@@ -14,7 +14,7 @@ use glam::DVec2;
 
 use crate::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
 use crate::mesh::{FlatFace, Mesh, flip};
-use crate::nesting::rings::NestedRings;
+use crate::nesting::polygons::NestedRings;
 use crate::skeleton::{self, FrontCorner, SkeletonError, Strip};
 use crate::small_sort::SmallSort;
 

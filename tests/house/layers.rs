@@ -81,6 +81,10 @@ const GEOMETRY: &[&[&str]] = &[
     ],
 ];
 
+/// The layers of the operations in `cga-runtime/src/op`.
+const OPERATIONS: &[&[&str]] =
+    &[&["set", "slim", "report", "scope", "tagging"], &["face", "look"], &["create", "mesh"]];
+
 /// A module path from the root of a crate.
 type Module = Vec<String>;
 
@@ -219,14 +223,28 @@ fn imports_point_down() {
     }
 }
 
+/// The imports between the modules inside a module, or inside the crate, that point up.
+fn imports_up(package: &str, inside: &[&str], layers: &[&[&str]]) -> Vec<String> {
+    let depth = inside.len();
+    let layer = |module: &Module| {
+        let at = layers.iter().position(|layer| layer.contains(&&*module[depth]));
+        at.unwrap_or_else(|| panic!("{package}: `{}` has no place in the table of layers", module.join("::")))
+    };
+    let is_inside = |module: &Module| depth < module.len() && module[..depth] == *inside;
+    let arrows = arrows(&src(package)).into_iter().filter(|arrow| is_inside(&arrow.from) && is_inside(&arrow.to));
+    let up = arrows.filter(|arrow| layer(&arrow.from) < layer(&arrow.to));
+    up.map(|arrow| arrow.place).collect()
+}
+
 #[test]
 fn imports_of_geometry_point_down() {
-    let layer = |module: &Module| {
-        let at = GEOMETRY.iter().position(|layer| layer.contains(&&*module[0]));
-        at.unwrap_or_else(|| panic!("geometry: `{}` has no place in the table of layers", module[0]))
-    };
-    let up = arrows(&src("cga-geometry")).into_iter().filter(|arrow| layer(&arrow.from) < layer(&arrow.to));
-    let up: Vec<String> = up.map(|arrow| arrow.place).collect();
+    let up = imports_up("cga-geometry", &[], GEOMETRY);
+    assert!(up.is_empty(), "imports from a higher layer: {up:#?}");
+}
+
+#[test]
+fn imports_of_operations_point_down() {
+    let up = imports_up("cga-runtime", &["op"], OPERATIONS);
     assert!(up.is_empty(), "imports from a higher layer: {up:#?}");
 }
 

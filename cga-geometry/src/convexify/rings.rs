@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::net::Net;
 use super::turn::is_convex;
-use crate::nesting::rings::NestedRings;
+use crate::nesting::polygons::NestedRings;
 use crate::triangulate::doubled_area;
 
 /// A part of a face: the first corners of its loops, the outline first.

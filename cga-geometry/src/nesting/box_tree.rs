@@ -9,7 +9,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::extent::Extent;
-use super::ring::Loop;
+use super::measured_loop::Loop;
 use super::winding::QueryBudget;
 
 /// A tree of some loops.

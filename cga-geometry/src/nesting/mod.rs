@@ -15,10 +15,10 @@ mod box_tree;
 pub(crate) mod contour;
 mod duplicates;
 pub(crate) mod extent;
+mod measured_loop;
 mod pairing;
+pub(crate) mod polygons;
 mod probe;
-mod ring;
-pub(crate) mod rings;
 mod sweep;
 mod winding;
 
@@ -32,9 +32,9 @@ use box_tree::BoxTree;
 use contour::FlatLoops;
 use duplicates::Twins;
 use extent::{Extent, about_one};
+use measured_loop::Loop;
+pub use polygons::NestedRings;
 use probe::Probe;
-use ring::Loop;
-pub use rings::NestedRings;
 use sweep::LoopSweep;
 use winding::{QueryBudget, Runs};
 

@@ -17,7 +17,7 @@ mod winding;
 use glam::DVec2;
 
 use crate::nesting::contour::Contour;
-use crate::nesting::rings::NestedRings;
+use crate::nesting::polygons::NestedRings;
 use crate::tol::TOUCH_EPSILON;
 pub(crate) use grid::Grid;
 use grid::{GridPoint, double_area};

@@ -8,7 +8,7 @@ use super::arcs::rings_of;
 use super::{Outline, Rise, Roof, RoofFace, RoofPart};
 use crate::each::Each;
 use crate::nesting::extent::Extent;
-use crate::nesting::rings::NestedRings;
+use crate::nesting::polygons::NestedRings;
 use crate::small_sort::SmallSort;
 use crate::tol::{ANGLE_EPSILON, TIE_EPSILON};
 

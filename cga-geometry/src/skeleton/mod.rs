@@ -11,7 +11,7 @@
 //! case. Most events have nothing else near, and take a short way to the same result (`lone`).
 //!
 //! Paths of vertices are stored as directed arcs between shared nodes, each for the edges on both its sides
-//! (`trace`). So the areas of all strips and of the remaining interior add up to the area of the polygon, whatever the
+//! (`rims`). So the areas of all strips and of the remaining interior add up to the area of the polygon, whatever the
 //! rounding errors of single points. A final check ensures that strips do not overlap (`check`). If it fails, because
 //! edges are nearly but not exactly coincident, the sweep is repeated with another distance for contacts.
 //!
@@ -34,9 +34,9 @@ mod meeting;
 mod overlap;
 mod overtake;
 mod rejoin;
+mod rims;
 mod speeds;
 mod step;
-mod trace;
 mod wavefront;
 
 use glam::DVec2;

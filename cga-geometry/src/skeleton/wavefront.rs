@@ -5,8 +5,8 @@ use std::ops::RangeInclusive;
 use glam::DVec2;
 
 use super::limits::WorkLimits;
+use super::rims::Arcs;
 use super::speeds::Speeds;
-use super::trace::Arcs;
 use super::{FrontCorner, NONE, SkeletonError, Swept};
 use crate::each::Each;
 use crate::nesting::extent::Extent;

@@ -3,119 +3,81 @@
 //! Every function takes the run's [`Env`] first and the shape second. Numbers that are not finite count as 0 and
 //! leave a fault.
 
-mod align;
-mod align_box;
-mod align_geometry;
-mod along_uv;
-mod boolean;
-mod cleanup;
-mod convexify;
-mod coordinates;
-mod delete_holes;
-mod delete_tags;
-mod edge_attr_tags;
-mod envelope;
-mod extrude;
-mod fit;
-mod footprint;
-mod inline;
-mod inner_rectangle;
-mod insert;
-mod joined;
-mod material;
-mod mirror;
-mod normals;
-mod offset;
-mod perimeter;
-mod pivot;
-mod primitive;
-mod recompose;
-mod rectify;
-mod reduce;
-mod refit;
-mod refused;
+mod create;
+mod face;
+pub(crate) mod look;
+mod mesh;
 mod report;
-mod reset_geometry;
-mod reshaped;
-mod roof;
-mod scatter;
+mod scope;
 #[cfg(test)]
 mod scope_tests;
 pub mod set;
-mod set_back;
-mod setback;
-mod setback_to_area;
-mod shape_l;
-mod shape_o;
-mod shape_u;
 pub mod slim;
-mod tag;
-mod taper;
-pub(crate) mod texture;
-mod transform;
-mod trim;
+mod tagging;
 
 pub use crate::comp::{Align, Components};
 pub use crate::geometry::along_uv::{HeightAlignment, HeightDirection};
 pub use crate::geometry::mesh::TaggedComponents;
 pub use crate::geometry::offset::OffsetFaces;
-pub use align::{AlignAxes, align_to_axes, rotate_scope};
-pub use align_box::{BoxAxes, align_to_box};
-pub use align_geometry::{
-    AlignAuto, AlignEdge, AlignFace, align_to_auto, align_to_edge, align_to_face, align_to_first_edge,
-    align_to_indices, align_to_selected,
-};
-pub use along_uv::{insert_along_uv, insert_along_uv_with};
-pub use boolean::{SwapMode, intersect, intersect_current, subtract, subtract_current, union, union_current};
-pub use cleanup::{CleanupComponents, cleanup_geometry};
-pub use convexify::{convexify, convexify_within};
-pub use coordinates::{System, TransformMode, rotate_in, translate_in};
-pub use delete_holes::delete_holes;
-pub use delete_tags::{delete_tags, delete_tags_of};
-pub use edge_attr_tags::set_tags_from_edge_attrs;
-pub use envelope::{
+pub use create::along_uv::{insert_along_uv, insert_along_uv_with};
+pub use create::envelope::{
     EnvelopeAlong, envelope_all, envelope_edges, envelope_front, envelope_front_back, envelope_old_all,
     envelope_old_front, envelope_old_front_back, envelope_old_sides, envelope_sides,
 };
-pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
-pub use footprint::footprint;
-pub use inline::{MergeStrategy, inline};
-pub use inner_rectangle::{RectangleAlignment, inner_rect, inner_rectangle};
-pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
-pub(crate) use material::image;
-pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, opacity, reset_material, set_material, texture};
-pub use mirror::{mirror, reverse_normals};
-pub use normals::{NormalsMode, set_normals, soften_normals};
-pub use offset::offset;
-pub use perimeter::{perimeter, perimeter_of};
-pub use pivot::{AxisMap, mirror_scope, set_pivot};
-pub use primitive::{
+pub use create::extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
+pub use create::footprint::footprint;
+pub use create::insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
+pub use create::primitive::{
     cone, cone_sized, cube, cube_sized, cylinder, cylinder_sides, cylinder_sized, disk, disk_sized, quad, quad_sized,
     sphere, sphere_sides, sphere_sized,
 };
-pub use recompose::modify;
-pub use rectify::rectify;
-pub use reduce::reduce_geometry;
-pub use report::{label, print, report};
-pub use reset_geometry::reset_geometry;
-pub use roof::{
+pub use create::reset_geometry::reset_geometry;
+pub use create::roof::{
     RoofValue, roof_gable, roof_gable_along, roof_gable_by, roof_hip, roof_hip_by, roof_pyramid, roof_pyramid_by,
     roof_ridge_by, roof_shed, roof_shed_by,
 };
-pub use scatter::{Distribution, ScatterDomain, ScatterMean, scatter, scatter_around};
-pub use setback::{setback, setback_each, setback_per_edge};
-pub use setback_to_area::{setback_to_area, setback_to_area_between, setback_to_area_from};
-pub use shape_l::shape_l;
-pub use shape_o::shape_o;
-pub use shape_u::shape_u;
-pub use tag::{TagTarget, tag};
-pub use taper::taper;
-pub use texture::{
+pub use create::scatter::{Distribution, ScatterDomain, ScatterMean, scatter, scatter_around};
+pub use create::taper::taper;
+pub use create::trim::trim;
+pub use face::delete_holes::delete_holes;
+pub use face::inner_rectangle::{RectangleAlignment, inner_rect, inner_rectangle};
+pub use face::offset::offset;
+pub use face::perimeter::{perimeter, perimeter_of};
+pub use face::setback::{setback, setback_each, setback_per_edge};
+pub use face::setback_to_area::{setback_to_area, setback_to_area_between, setback_to_area_from};
+pub use face::shape_l::shape_l;
+pub use face::shape_o::shape_o;
+pub use face::shape_u::shape_u;
+pub(crate) use look::material::image;
+pub use look::material::{
+    MaterialTarget, color_hex, color_rgb, color_rgba, opacity, reset_material, set_material, texture,
+};
+pub use look::texture::{
     NormalizeMode, NormalizeType, ProjectionAxes, copy_uv, delete_uv, normalize_uv, project_uv, rotate_uv, scale_uv,
     setup_projection, setup_projection_at, setup_projection_uw, setup_uv, tile_uv, translate_uv,
 };
-pub use transform::{CenterAxes, RotateAbout, center, rotate, rotate_about, size, translate};
-pub use trim::trim;
+pub use mesh::boolean::{SwapMode, intersect, intersect_current, subtract, subtract_current, union, union_current};
+pub use mesh::cleanup::{CleanupComponents, cleanup_geometry};
+pub use mesh::convexify::{convexify, convexify_within};
+pub use mesh::inline::{MergeStrategy, inline};
+pub use mesh::mirror::{mirror, reverse_normals};
+pub use mesh::normals::{NormalsMode, set_normals, soften_normals};
+pub use mesh::recompose::modify;
+pub use mesh::rectify::rectify;
+pub use mesh::reduce::reduce_geometry;
+pub use report::{label, print, report};
+pub use scope::align::{AlignAxes, align_to_axes, rotate_scope};
+pub use scope::align_box::{BoxAxes, align_to_box};
+pub use scope::align_geometry::{
+    AlignAuto, AlignEdge, AlignFace, align_to_auto, align_to_edge, align_to_face, align_to_first_edge,
+    align_to_indices, align_to_selected,
+};
+pub use scope::coordinates::{System, TransformMode, rotate_in, translate_in};
+pub use scope::pivot::{AxisMap, mirror_scope, set_pivot};
+pub use scope::transform::{CenterAxes, RotateAbout, center, rotate, rotate_about, size, translate};
+pub use tagging::delete_tags::{delete_tags, delete_tags_of};
+pub use tagging::edge_attr_tags::set_tags_from_edge_attrs;
+pub use tagging::tag::{TagTarget, tag};
 
 use std::fmt::Display;
 

@@ -10,9 +10,9 @@ use super::{Length, lengths, settle_origin};
 use crate::geometry::Axis;
 use crate::run::env::Env;
 use crate::shape::base::Form;
-use crate::shape::bases::Bases;
 use crate::shape::look_id::LookId;
 use crate::shape::scope::Scope;
+use crate::shape::step_bases::Bases;
 use crate::shape::{Shape, ShapeRef};
 
 /// `t(x, y, z)`, see [`super::translate`].

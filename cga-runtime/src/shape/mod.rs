@@ -5,7 +5,6 @@
 
 pub(crate) mod axes;
 pub(crate) mod base;
-pub(crate) mod bases;
 pub(crate) mod direction;
 pub(crate) mod edge_attributes;
 #[cfg(feature = "geo-types")]
@@ -16,15 +15,16 @@ pub(crate) mod look_id;
 pub(crate) mod lot;
 pub(crate) mod place;
 mod placed;
+mod point_origins;
 mod sampled_outline;
 pub mod scope;
 pub(crate) mod seed;
 pub(crate) mod slim;
 pub(crate) mod state;
+pub(crate) mod step_bases;
 pub(crate) mod street;
 mod tags;
 pub(crate) mod texture;
-mod trace;
 pub(crate) mod trim;
 pub(crate) mod unit;
 pub(crate) mod view;

@@ -1,0 +1,4 @@
+//! Operations on materials and texture coordinates.
+
+pub(crate) mod material;
+pub(crate) mod texture;
