@@ -26,6 +26,10 @@ impl DisjointSets {
 
     /// Unites the sets of two numbers.
     pub fn unite(&mut self, a: u32, b: u32) {
+        // Mostly both sets are flat and one already.
+        if self.parent[a as usize] == self.parent[b as usize] {
+            return;
+        }
         let [a, b] = [a, b].each(|number| self.find_and_shorten(number));
         self.parent[a.max(b) as usize] = a.min(b);
     }

@@ -79,7 +79,7 @@ impl TagSet {
     /// The tags with a tag of an operation, such as `extrude.top`, in place of the other tags below its first word.
     pub(crate) fn renewed(&self, name: &str) -> Self {
         let operation = name.split('.').next().unwrap_or_default();
-        self.without_below(operation).with(name)
+        TagSet::new(self.0.iter().filter(|own| !is_below(own, operation)).cloned().chain([name.into()]))
     }
 }
 

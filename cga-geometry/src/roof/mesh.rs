@@ -82,7 +82,7 @@ fn add_roof(
     if is_bent && *bent == DVec3::ZERO {
         *bent = flat.normal;
     }
-    let faces = faces.into_iter().flat_map(|face| if is_flat { triangles(face, &points) } else { vec![face] });
+    let faces = if is_flat { faces.into_iter().flat_map(|face| triangles(face, &points)).collect() } else { faces };
     let base = made.point_count() as u32;
     flat.points.iter().for_each(|&point| _ = made.old_point(point));
     let place = |p: &DVec3| flat.origin + flat.axes[0] * p.x + flat.axes[1] * p.y + flat.normal * p.z;
@@ -90,7 +90,7 @@ fn add_roof(
     let edges: Vec<[usize; 2]> = face.edges().collect();
     let mut bottom = RoofFace { part: RoofPart::Bottom, edge: None, rings: rings.clone() };
     bottom.rings.iter_mut().for_each(|ring| flip(ring));
-    for RoofFace { part, edge, mut rings } in faces.chain([bottom]) {
+    for RoofFace { part, edge, mut rings } in faces.into_iter().chain([bottom]) {
         for ring in &mut rings {
             if below {
                 flip(ring);

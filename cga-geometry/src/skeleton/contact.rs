@@ -133,8 +133,10 @@ impl Wavefront {
                 let next = self.vertices[edge as usize].next;
                 let [start, end] = [edge, next].each(|vertex| self.positions[vertex as usize]);
                 if start.distance_squared(here) <= squared {
+                    // The vertex is reached already.
                     if edge != vertex {
-                        contacts.coincide(vertex, edge);
+                        contacts.reach(edge);
+                        contacts.clusters.unite(vertex, edge);
                     }
                 } else if squared < end.distance_squared(here) && to_segment(here, start, end) <= squared {
                     // Only these are listed: a list of all vertices in boxes is quadratic where a disk ends in a point.
