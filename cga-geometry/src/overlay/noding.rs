@@ -23,6 +23,13 @@ pub(super) struct NodedEdge {
     is_new: bool,
 }
 
+/// A point in which an edge is divided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Cut {
+    edge: u32,
+    point: u32,
+}
+
 /// Points at most this far from an edge are on it, in steps. The limit is below the distance of the diagonal of a step from
 /// its other corners, so that every division makes edges shorter.
 const NEAR: f64 = 0.7;
@@ -47,10 +54,13 @@ pub(super) fn divide(places: &mut Places, edges: Vec<[u32; 2]>) -> Result<Vec<No
     let mut pairs = MOST_PAIRS;
     for round in 0..MOST_ROUNDS {
         let near = if round == 0 { NEAR_AT_FIRST } else { NEAR };
-        let mut cuts = vec![Vec::new(); all.len()];
+        let mut cuts = Vec::new();
         compare(places, &all, near, &mut cuts, &mut pairs)?;
-        if cuts.iter().all(Vec::is_empty) {
+        if cuts.is_empty() {
             return Ok(all);
+        }
+        if !long_sort_by(&mut cuts, Ord::cmp) {
+            return Err(OverlayError::TooMany);
         }
         all = parts(places, &all, cuts)?;
         merge(&mut all)?;
@@ -63,24 +73,29 @@ fn goes_on(units: usize) -> Result<(), OverlayError> {
     if work::spend(units) { Ok(()) } else { Err(OverlayError::TooMany) }
 }
 
-/// The edges, divided at their cuts.
-fn parts(places: &Places, all: &[NodedEdge], cuts: Vec<Vec<u32>>) -> Result<Vec<NodedEdge>, OverlayError> {
-    let mut made = Vec::with_capacity(all.len());
-    for (edge, mut cuts) in all.iter().zip(cuts) {
-        goes_on(1 + CUT * cuts.len())?;
-        if cuts.is_empty() {
+/// The edges, divided at their cuts, which are sorted.
+fn parts(places: &Places, all: &[NodedEdge], cuts: Vec<Cut>) -> Result<Vec<NodedEdge>, OverlayError> {
+    let mut made = Vec::with_capacity(all.len() + cuts.len());
+    let (mut rest, mut own) = (&cuts[..], Vec::new());
+    for (number, edge) in (0..).zip(all) {
+        let (here, later) = rest.split_at(rest.iter().take_while(|cut| cut.edge == number).count());
+        rest = later;
+        goes_on(1 + CUT * here.len())?;
+        if here.is_empty() {
             made.push(NodedEdge { is_new: false, ..*edge });
             continue;
         }
+        own.clear();
+        own.extend(here.iter().map(|cut| cut.point));
         let [a, b] = edge.ends.each(|end| places.at(end));
         let along = |point: u32| {
             let p = places.at(point);
             i128::from(b.x - a.x) * i128::from(p.x - a.x) + i128::from(b.y - a.y) * i128::from(p.y - a.y)
         };
-        cuts.small_sort_by_key(|point| (along(*point), *point));
-        cuts.dedup_by_key(|point| along(*point));
+        own.small_sort_by_key(|point| (along(*point), *point));
+        own.dedup_by_key(|point| along(*point));
         let mut from = edge.ends[0];
-        for to in cuts.into_iter().chain([edge.ends[1]]) {
+        for to in own.iter().copied().chain([edge.ends[1]]) {
             made.extend(directed(places, from, to, edge.count));
             from = to;
         }
@@ -119,7 +134,7 @@ fn compare(
     places: &mut Places,
     edges: &[NodedEdge],
     near: f64,
-    cuts: &mut [Vec<u32>],
+    cuts: &mut Vec<Cut>,
     pairs: &mut usize,
 ) -> Result<(), OverlayError> {
     let mut boxes: Vec<[i64; 4]> = Vec::with_capacity(edges.len());
@@ -159,7 +174,7 @@ fn compare(
 }
 
 /// Records where two edges divide each other.
-fn meet(places: &mut Places, edges: &[NodedEdge], pair: [usize; 2], near: f64, cuts: &mut [Vec<u32>]) {
+fn meet(places: &mut Places, edges: &[NodedEdge], pair: [usize; 2], near: f64, cuts: &mut Vec<Cut>) {
     let ends = pair.each(|edge| edges[edge].ends);
     let spots = ends.each(|ends| ends.each(|end| places.at(end)));
     let mut touches = false;
@@ -169,7 +184,7 @@ fn meet(places: &mut Places, edges: &[NodedEdge], pair: [usize; 2], near: f64, c
             if ends[own].contains(&point) {
                 touches = true;
             } else if is_near(spots[own][0], spots[own][1], spots[other][k], near) {
-                cuts[pair[own]].push(point);
+                cuts.push(Cut { edge: pair[own] as u32, point });
                 touches = true;
             }
         }
@@ -188,7 +203,7 @@ fn meet(places: &mut Places, edges: &[NodedEdge], pair: [usize; 2], near: f64, c
     let number = places.number(place);
     for edge in pair {
         if !edges[edge].ends.contains(&number) {
-            cuts[edge].push(number);
+            cuts.push(Cut { edge: edge as u32, point: number });
         }
     }
 }
