@@ -61,9 +61,9 @@ impl<T: Clone + Default> Lazy<T> {
             return T::default();
         }
         self.is_open.set(true);
-        env.open.push(name);
+        env.calls.open.push(name);
         let value = compute(env);
-        env.open.pop();
+        env.calls.open.pop();
         self.is_open.set(false);
         env.called(stack);
         self.value.get_or_init(|| value).clone()

@@ -12,7 +12,7 @@ use crate::value::text::Text;
 /// quote inside is doubled. Shorter rows are filled with empty text, and empty lines are left out. If the file is
 /// missing, an empty array with a fault.
 pub fn read_string_table(env: &mut Env, file: File) -> Array<Text> {
-    if let Some(known) = env.tables.get(&file) {
+    if let Some(known) = env.kept.tables.get(&file) {
         return known.clone();
     }
     let rows = match read_text(env, &file, "csv") {

@@ -94,10 +94,10 @@ impl Env {
     #[cold]
     pub(crate) fn at_calls(&mut self) -> Flow {
         let limit = self.settings.limits.calls;
-        if limit < self.calls_made {
+        if limit < self.calls.made {
             return self.limit(LimitKind::Calls, limit);
         }
-        self.checkpoint.calls = limit.min(self.calls_made.saturating_add(STRIDE));
+        self.checkpoint.calls = limit.min(self.calls.made.saturating_add(STRIDE));
         self.ask_watch()
     }
 

@@ -26,13 +26,13 @@ impl Env {
             shapes: self.shapes,
             filled: self.filled,
             leaves: self.leaves,
-            vertices: self.vertices,
-            mesh_bytes: self.mesh_bytes,
-            calls: self.calls_made,
-            faults: self.faults.len(),
-            faults_left_out: self.faults_left_out,
-            said_once: self.said_once.len(),
-            said_again: self.said_again,
+            vertices: self.meshes.vertices,
+            mesh_bytes: self.meshes.bytes,
+            calls: self.calls.made,
+            faults: self.faults.list.len(),
+            faults_left_out: self.faults.left_out,
+            said_once: self.faults.said_once.len(),
+            said_again: self.faults.said_again,
             trail: self.trail.len(),
             has_ended: self.error.is_some() || self.ended(),
         }
@@ -47,11 +47,11 @@ impl Env {
             self.checkpoint.stopped_at = None;
         }
         (self.shapes, self.filled, self.leaves) = (before.shapes, before.filled, before.leaves);
-        (self.vertices, self.mesh_bytes, self.calls_made) = (before.vertices, before.mesh_bytes, before.calls);
-        self.faults.truncate(before.faults);
-        self.asset_faults.retain(|_, at| *at < before.faults);
-        self.faults_left_out = before.faults_left_out;
-        self.said_once.truncate(before.said_once);
+        (self.meshes.vertices, self.meshes.bytes, self.calls.made) = (before.vertices, before.mesh_bytes, before.calls);
+        self.faults.list.truncate(before.faults);
+        self.faults.of_files.retain(|_, at| *at < before.faults);
+        self.faults.left_out = before.faults_left_out;
+        self.faults.said_once.truncate(before.said_once);
         self.trail.truncate(before.trail);
         is_quiet
     }

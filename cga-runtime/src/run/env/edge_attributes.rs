@@ -9,7 +9,7 @@ use crate::shape::edge_attributes::SampledAttributes;
 impl Env {
     /// The attributes of the edges of the initial shape, if it has some. A fault, once a run, if it has no outline.
     pub(crate) fn edge_attributes(&mut self) -> Option<Arc<SampledAttributes>> {
-        if let Some(known) = &self.edge_attributes {
+        if let Some(known) = &self.kept.edge_attributes {
             return known.clone();
         }
         let found = match self.initial.shape.as_ref().map(crate::shape::Shape::find_edge_attributes) {
@@ -22,7 +22,7 @@ impl Env {
             }
             None => None,
         };
-        self.edge_attributes = Some(found.clone());
+        self.kept.edge_attributes = Some(found.clone());
         found
     }
 }

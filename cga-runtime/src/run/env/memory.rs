@@ -8,6 +8,14 @@ use crate::geometry::mesh::Mesh;
 use crate::run::settings::Limits;
 use crate::run::sink::Flow;
 
+/// The meshes that operations made.
+#[derive(Debug, Default)]
+pub(super) struct MeshCounts {
+    pub(super) vertices: u64,
+    /// The bytes of meshes, and of leaves that are meshes, besides the vertices that are counted.
+    pub(super) bytes: u64,
+}
+
 impl Env {
     /// Counts the vertices of a mesh that an operation made. As in sinks, a vertex counts once for each of its faces.
     pub(crate) fn count_vertices(&mut self, mesh: &Mesh) -> Flow {
@@ -17,8 +25,8 @@ impl Env {
     /// Counts the vertices of a mesh before they are made.
     pub(crate) fn count_corners(&mut self, count: u64) -> Flow {
         self.spend(count as usize)?;
-        self.vertices = self.vertices.saturating_add(count);
-        if self.settings.limits.vertices < self.vertices {
+        self.meshes.vertices = self.meshes.vertices.saturating_add(count);
+        if self.settings.limits.vertices < self.meshes.vertices {
             return self.limit(LimitKind::Vertices, self.settings.limits.vertices);
         }
         self.count_mesh()
@@ -36,7 +44,7 @@ impl Env {
     }
 
     fn count_mesh_bytes(&mut self, bytes: u64) -> Flow {
-        self.mesh_bytes = self.mesh_bytes.saturating_add(bytes);
+        self.meshes.bytes = self.meshes.bytes.saturating_add(bytes);
         let most = self.most_shapes();
         // A smaller checkpoint: shapes count for bytes, too.
         self.checkpoint.shapes = self.checkpoint.shapes.min(most);
@@ -50,8 +58,8 @@ impl Env {
 
     /// The bytes that are left for shapes: all without meshes.
     fn bytes_left(&self) -> u64 {
-        let corners = self.vertices.saturating_mul(Limits::BYTES_A_VERTEX);
-        self.settings.limits.bytes.saturating_sub(corners).saturating_sub(self.mesh_bytes)
+        let corners = self.meshes.vertices.saturating_mul(Limits::BYTES_A_VERTEX);
+        self.settings.limits.bytes.saturating_sub(corners).saturating_sub(self.meshes.bytes)
     }
 
     /// The number of corners that an operation may still make, if it holds that many copies of each while it lasts.
@@ -75,7 +83,7 @@ impl Env {
     /// The corners that the limit of vertices and the limit of bytes leave.
     fn corners_in_limits(&self, copies: u64) -> [u64; 2] {
         let bytes = self.bytes_left().saturating_sub(self.shape_count().saturating_mul(Limits::BYTES_A_SHAPE));
-        let vertices = self.settings.limits.vertices.saturating_sub(self.vertices);
+        let vertices = self.settings.limits.vertices.saturating_sub(self.meshes.vertices);
         [vertices, bytes / (copies * Limits::BYTES_A_VERTEX)]
     }
 

@@ -1,0 +1,80 @@
+//! Results that a run keeps, because rules ask for the same again and again.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+use std::sync::Arc;
+
+use super::Env;
+use crate::asset::{File, Query};
+use crate::fault::FaultKind;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::primitive::PrimitiveKind;
+use crate::shape::edge_attributes::SampledAttributes;
+use crate::value::array::Array;
+use crate::value::text::Text;
+
+/// The number of file searches whose results are kept: rules repeat them for every shape.
+const SEARCHES_KEPT: usize = 32;
+
+/// The number of tables that are kept: functions read the same files again and again.
+const TABLES_KEPT: usize = 16;
+
+/// The number of primitives that are kept: rules insert the same few again and again.
+const PRIMITIVES_KEPT: usize = 32;
+
+/// The first results of each kind.
+#[derive(Debug, Default)]
+pub(crate) struct KeptResults {
+    /// The primitives made so far.
+    primitives: Vec<(PrimitiveKind, Arc<Mesh>)>,
+    /// The results of file searches; see [`Env::files`].
+    searches: BTreeMap<File, Rc<[Text]>>,
+    /// The tables read so far, by file.
+    pub(crate) tables: BTreeMap<File, Array<Text>>,
+    /// The attributes of the edges of the initial shape, once a rule has asked for them.
+    pub(super) edge_attributes: Option<Option<Arc<SampledAttributes>>>,
+}
+
+impl Env {
+    /// The files found by a search, sorted.
+    pub(crate) fn files(&mut self, query: &File) -> Rc<[Text]> {
+        if let Some(known) = self.kept.searches.get(query) {
+            return known.clone();
+        }
+        let asked = Query::new(&query.name);
+        let (found, cut_short) = self.settings.assets.search(&asked, query.folder);
+        let found: Rc<[Text]> = found.into();
+        if let Some(why) = asked.trouble() {
+            self.fault(FaultKind::Value, format!("a search for files is incomplete: {why}"));
+        }
+        if cut_short {
+            self.fault_once(FaultKind::Limit, "the asset folder is too large to be searched; some files are left out");
+        }
+        if self.kept.searches.len() < SEARCHES_KEPT {
+            self.kept.searches.insert(query.clone(), found.clone());
+        }
+        found
+    }
+
+    /// Keeps a table that was read, if there is room.
+    pub(crate) fn keep_table(&mut self, file: File, table: &Array<Text>) {
+        if self.kept.tables.len() < TABLES_KEPT {
+            self.kept.tables.insert(file, table.clone());
+        }
+    }
+
+    /// A primitive in the unit box. The first few are kept for the run. `None` when the limit of vertices is reached.
+    pub(crate) fn primitive(&mut self, what: PrimitiveKind) -> Option<Arc<Mesh>> {
+        if let Some((_, mesh)) = self.kept.primitives.iter().find(|(made, _)| *made == what) {
+            return Some(mesh.clone());
+        }
+        if self.count_corners(what.corner_count()).is_break() {
+            return None;
+        }
+        let mesh = Arc::new(what.mesh());
+        if self.kept.primitives.len() < PRIMITIVES_KEPT {
+            self.kept.primitives.push((what, mesh.clone()));
+        }
+        Some(mesh)
+    }
+}

@@ -1,0 +1,26 @@
+//! What a run records besides its leaves: reports and printed lines.
+
+use super::Env;
+use crate::fault::FaultKind;
+use crate::value::Value;
+use crate::value::text::Text;
+
+impl Env {
+    /// Adds a value to the collection with a key.
+    pub(crate) fn report(&mut self, key: Text, value: Value) {
+        let limit = self.settings.limits.reports;
+        if !self.reports.add(key, value, limit) && self.reports.left_out() == 1 {
+            self.fault(FaultKind::Limit, format!("the limit of {limit} reports is reached; further ones are left out"));
+        }
+    }
+
+    /// Keeps a printed line.
+    pub(crate) fn print(&mut self, value: Value) {
+        let before = self.before.as_deref().map_or(&[][..], |before| &before.rules);
+        let rule = self.trail.last().or(before.last()).map_or("", |&rule| self.rule_name(rule));
+        let (depth, limit) = (self.depth(), self.settings.limits.prints);
+        if !self.prints.add(depth, rule, value, limit) && self.prints.quota.left_out == 1 {
+            self.fault(FaultKind::Limit, format!("the limit of {limit} lines is reached; further ones are left out"));
+        }
+    }
+}
