@@ -9,7 +9,10 @@ pub struct Buckets {
 }
 
 impl Buckets {
-    /// Items with the given keys, which are below `count`.
+    /// Items with the given keys, which are below `count`. The time is linear in `count` and in the number of items.
+    ///
+    /// # Panics
+    /// Panics if a key is not below `count`.
     pub fn by(count: usize, keys: impl Iterator<Item = u32> + Clone) -> Self {
         let mut buckets = Buckets::default();
         buckets.fill(count, keys);
@@ -45,6 +48,9 @@ impl Buckets {
     }
 
     /// The items with a key, in increasing order.
+    ///
+    /// # Panics
+    /// Panics if the key is not below the count.
     pub fn of(&self, key: usize) -> &[u32] {
         &self.items[self.range(key)]
     }

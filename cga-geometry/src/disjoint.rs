@@ -2,7 +2,8 @@
 
 use crate::each::Each;
 
-/// Disjoint sets of the numbers below a count, each named by its smallest member.
+/// Disjoint sets of the numbers below a count, each named by its smallest member. Methods panic if a number is not below the
+/// count.
 #[derive(Debug, Default)]
 pub struct DisjointSets {
     /// A smaller member of the same set, or the number itself if it is the smallest.

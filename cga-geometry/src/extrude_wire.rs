@@ -12,11 +12,28 @@ use crate::mesh::{FaceTag, Mesh, MeshBuilder, MeshError, TagSet, TagSetTable, un
 use crate::provenance::Extruded;
 use crate::wire::Wire;
 
-/// The faces on the edges of a wire. Edges without a normal are not extruded along it.
+/// The faces on the edges of a wire, by a distance in metres. Edges without a normal are not extruded along it.
 ///
 /// # Errors
-/// An error if a coordinate overflows.
+/// An error if a coordinate overflows, or if an edge has a point that does not exist: its number takes the place of the face's.
+///
+/// ```
+/// use cga_geometry::extrude::Extrude;
+/// use cga_geometry::extrude_wire::extrude_wire;
+/// use cga_geometry::glam::DVec3;
+/// use cga_geometry::wire::Wire;
+///
+/// let wall = extrude_wire(&Wire::edge(4.0), Extrude::Vector(DVec3::Y), 3.0)?;
+/// assert_eq!(wall.area(), 12.0);
+/// # Ok::<(), cga_geometry::mesh::MeshError>(())
+/// ```
 pub fn extrude_wire(wire: &Wire, along: Extrude, distance: f64) -> Result<Mesh, MeshError> {
+    let count = wire.points.len();
+    for (face, edge) in wire.edges.iter().enumerate() {
+        if let Some(&index) = edge.iter().find(|&&end| count <= end as usize) {
+            return Err(MeshError::OutOfRange { face, index });
+        }
+    }
     let at_points: Vec<DVec3> = match along {
         Extrude::FaceNormal => Vec::new(),
         Extrude::VertexNormal => point_normals(wire).into_iter().map(|normal| normal * distance).collect(),
@@ -50,7 +67,10 @@ pub fn extrude_wire(wire: &Wire, along: Extrude, distance: f64) -> Result<Mesh, 
     builder.build()
 }
 
-/// The normals of the points of a wire: the mean of the normals of the edges at each point.
+/// The normals of the points of a wire, one for each: the mean of the normals of the edges at the point, of length 1 or zero.
+///
+/// # Panics
+/// Panics if an edge has a point that does not exist.
 pub fn point_normals(wire: &Wire) -> Vec<DVec3> {
     let mut normals = vec![DVec3::ZERO; wire.points.len()];
     for (edge, normal) in wire.edges.iter().zip(&wire.normals) {

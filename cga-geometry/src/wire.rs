@@ -11,6 +11,9 @@ use crate::origin::PointOrigin;
 use crate::trace::Trace;
 
 /// Edges between points, or points without edges.
+///
+/// The fields are public, so the caller keeps them consistent: edges have indices of points, and there is one normal for each
+/// edge, or for each point if there are no edges. Methods panic if an edge has a point that does not exist.
 #[derive(Clone, Debug, Default)]
 pub struct Wire {
     /// The points.
@@ -26,7 +29,7 @@ pub struct Wire {
 }
 
 impl Wire {
-    /// A line along x from the origin, with its normal along z.
+    /// A line along x from the origin, of a length in metres, with its normal along z.
     pub fn edge(length: f64) -> Self {
         Wire {
             points: vec![DVec3::ZERO, DVec3::X * length],
@@ -41,7 +44,11 @@ impl Wire {
         Wire { points: vec![DVec3::ZERO], normals: vec![DVec3::Z], ..Wire::default() }
     }
 
-    /// The wire of some edges between `points` with tags and a trace, with the points that they use.
+    /// The wire of some edges between `points` with tags and a trace, with the points that they use. `normals` has one normal for
+    /// each edge.
+    ///
+    /// # Panics
+    /// Panics if an edge has a point that does not exist.
     pub fn of_edges(
         points: &[DVec3],
         tags: &SubcomponentTags,
@@ -63,7 +70,11 @@ impl Wire {
         Wire { points: used.iter().map(|point| points[*point as usize]).collect(), edges, normals, tags, trace }
     }
 
-    /// The wire of some points with tags and a trace, without edges. `numbers` are the numbers of the points there.
+    /// The wire of some points with tags and a trace, without edges. `numbers` are the numbers of the points there, and `normals`
+    /// their normals.
+    ///
+    /// # Panics
+    /// Panics if `points` and `numbers` have different lengths.
     pub fn of_points(
         points: Vec<DVec3>,
         tags: &SubcomponentTags,
@@ -71,6 +82,7 @@ impl Wire {
         numbers: &[u32],
         normals: Vec<DVec3>,
     ) -> Self {
+        assert_eq!(points.len(), numbers.len(), "one number for each point");
         let tags =
             tags.carried(&mut std::iter::empty(), numbers.len(), &|point| PointOrigin::Old(numbers[point as usize]));
         let trace = trace.pick(&mut numbers.iter().map(|point| Some(*point)));
@@ -102,9 +114,13 @@ impl Wire {
 
     /// The part between two offsets along a direction, with edges cut off there. Edges and points exactly at an offset
     /// are below it. Points that edges share are shared in the part too.
-    /// Parts of edges keep their tags. The part has no trace, but comes with the origins of its points.
+    /// Parts of edges keep their tags. The part has no trace, but comes with the origins of its points. It is empty unless
+    /// `low` is at most `high`.
     pub fn between(&self, along: DVec3, low: f64, high: f64) -> (Wire, Vec<PointOrigin>) {
         let (mut part, mut origins) = (Wire::default(), Vec::new());
+        if low.partial_cmp(&high).is_none_or(std::cmp::Ordering::is_gt) {
+            return (part, origins);
+        }
         let mut numbers = HashMap::new();
         for (edge, &normal) in (0..self.edges.len()).zip(&self.normals) {
             let [a, b] = self.ends(edge);
@@ -150,7 +166,10 @@ impl Wire {
         (part, origins)
     }
 
-    /// The start and the end of an edge.
+    /// The positions of the start and the end of an edge.
+    ///
+    /// # Panics
+    /// Panics if the edge or one of its points does not exist.
     pub fn ends(&self, edge: usize) -> [DVec3; 2] {
         self.edges[edge].each(|point| self.points[point as usize])
     }

@@ -101,6 +101,10 @@ pub enum CornerValues {
 }
 
 /// A mesh that is made of the points and faces of another one.
+///
+/// The caller keeps the mesh valid: loops have at least three corners, no corner equals its predecessor, corners are numbers of
+/// points that were added, and faces and edges of origins belong to the source. Methods panic on numbers that are out of range.
+/// In debug builds [`Derivation::finish`] panics if the structure of the mesh is wrong.
 pub struct Derivation<'s> {
     source: &'s Mesh,
     made: Mesh,
@@ -122,7 +126,7 @@ struct DerivedTags<'s> {
 }
 
 impl<'s> Derivation<'s> {
-    /// A mesh without faces, with room for some corners.
+    /// A mesh without faces and points, with capacity for a number of corners.
     pub fn new(source: &'s Mesh, values: CornerValues, corners: usize) -> Self {
         let mut made = source.alike(if values == CornerValues::Dropped { 0 } else { corners });
         if values == CornerValues::Dropped {
@@ -296,7 +300,8 @@ impl<'s> Derivation<'s> {
         self.tags().edges.tag_vertex(point, tags);
     }
 
-    /// The mesh.
+    /// The mesh, with all points in the order in which they were added. Faces must use every point; see
+    /// [`Derivation::finish_by_use`].
     #[inline(always)]
     pub fn finish(mut self) -> Mesh {
         if self.tags.is_some() || self.source.needs_origins() {

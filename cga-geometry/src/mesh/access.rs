@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use glam::DVec3;
 
-use super::{FaceTag, Materials, Mesh, SubcomponentTags};
+use super::{Derived, FaceTag, Materials, Mesh, SubcomponentTags};
 use crate::trace::Trace;
 
 impl Mesh {
@@ -20,13 +20,16 @@ impl Mesh {
         &self.trace
     }
 
-    /// Sets the origins of points.
+    /// Sets the origins of points. Each layer has one origin for each point, in the order of [`Mesh::points`]. Points that a
+    /// shorter layer lacks count as points without an origin, and further origins are ignored.
     pub fn set_trace(&mut self, trace: Trace) {
+        self.derived.forget_variants();
         self.trace = trace;
     }
 
-    /// Changes the origins of points.
+    /// Changes the origins of points; see [`Mesh::set_trace`].
     pub fn change_trace(&mut self, change: impl FnOnce(&mut Trace)) {
+        self.derived.forget_variants();
         change(&mut self.trace);
     }
 
@@ -36,7 +39,7 @@ impl Mesh {
         !self.uvs.is_empty() || !self.normals.is_empty()
     }
 
-    /// The mesh without normals at its corners.
+    /// The mesh without normals at its corners, so that the normals of faces count.
     pub fn without_normals(&self) -> Mesh {
         Mesh { normals: Vec::new(), ..self.clone() }
     }
@@ -46,10 +49,10 @@ impl Mesh {
         self.tags.runs().iter().map(|(_, tag)| *tag)
     }
 
-    /// The mesh with all faces in one group.
+    /// The mesh with all faces in one group. Its other groups are dropped.
     pub fn in_group(self, name: &str) -> Mesh {
         let tags = self.tags.mapped(|tag| FaceTag { group: 0, ..tag });
-        Mesh { groups: Arc::new([name.to_owned()]), tags, ..self }
+        Mesh { groups: Arc::new([name.to_owned()]), tags, derived: self.derived.of_changed(), ..self }
     }
 
     /// The materials as a list that others may keep.
@@ -58,21 +61,38 @@ impl Mesh {
         &self.materials
     }
 
-    /// The mesh with other materials; `number` gives the new number of each old one, [`FaceTag::NONE`] included.
+    /// The mesh with other materials; `number` gives the new number of each old one, [`FaceTag::NONE`] included. A number that
+    /// the new list does not have becomes [`FaceTag::NONE`].
     pub fn with_materials(&self, materials: impl Into<Materials>, number: impl Fn(u32) -> u32) -> Mesh {
-        let tags = self.tags.mapped(|tag| FaceTag { material: number(tag.material), ..tag });
-        Mesh { tags, materials: materials.into(), ..self.clone() }
+        let materials = materials.into();
+        let known = |number: u32| if (number as usize) < materials.len() { number } else { FaceTag::NONE };
+        let tags = self.tags.mapped(|tag| FaceTag { material: known(number(tag.material)), ..tag });
+        Mesh { tags, materials, ..self.clone() }
     }
 
-    /// Changes the points.
+    /// Changes the positions of all points, in their order. Values of corners stay.
+    ///
+    /// The caller keeps faces planar and coordinates finite; [`Mesh::check`] lists what is not.
     #[inline]
     pub fn change_points(&mut self, change: impl FnMut(&mut DVec3)) {
         self.derived.bounds = OnceLock::new();
+        self.derived.forget_variants();
         self.points.iter_mut().for_each(change);
     }
 
-    /// The mesh with other points, and with corners at other ones of them.
+    /// The mesh with other points, and with its corners at other ones of them: `points` has one position for each point, and
+    /// `corners` one index of a point for each corner. Faces and the values of corners stay. The caller uses every point, and no
+    /// point twice in a row in a loop.
+    ///
+    /// # Panics
+    /// Panics if the number of points or corners differs, or if a corner has an index out of range.
     pub fn with_corners_at(&self, points: Vec<DVec3>, corners: Vec<u32>) -> Mesh {
-        Mesh { corners, ..self.with_points(points) }.checked()
+        assert_eq!(corners.len(), self.corners.len(), "one index for each corner of the mesh");
+        let count = points.len();
+        assert!(corners.iter().all(|&corner| (corner as usize) < count), "a corner has no point among {count} points");
+        let moved = self.with_points(points);
+        // Other corners have other edges.
+        let derived = if corners == self.corners { moved.derived.clone() } else { Derived::default() };
+        Mesh { corners, derived, ..moved }.checked()
     }
 }

@@ -6,7 +6,9 @@ use crate::each::Each;
 use crate::small_sort::SmallSort;
 
 /// Adjacency in a mesh. Edges are numbered in the order of the first corner that starts them; a shared edge has one
-/// number.
+/// number. Corners are numbered as in [`Mesh::corners`].
+///
+/// Its methods panic if a corner, an edge or a point with the number does not exist.
 #[derive(Debug)]
 pub struct Adjacency {
     /// The face of each corner.

@@ -42,7 +42,7 @@ impl MeshBuilder {
         Self::default()
     }
 
-    /// Adds a point and returns its index.
+    /// Adds a point with coordinates in metres, and returns its index.
     pub fn point(&mut self, position: impl Into<[f64; 3]>) -> u32 {
         self.given.add_point(DVec3::from(position.into()))
     }
@@ -61,7 +61,9 @@ impl MeshBuilder {
         self.face(corners, &[], FaceTag::PLAIN)
     }
 
-    /// Adds a face: its outline, counter-clockwise as seen from outside, and its holes, clockwise.
+    /// Adds a face: its outline, counter-clockwise as seen from outside, and its holes, clockwise. All are lists of at least three
+    /// indices of points; [`MeshBuilder::build`] returns an error if they are shorter or out of range. It does not check
+    /// whether loops cross; see [`Mesh::from_polygon`].
     pub fn face(&mut self, outer: &[u32], holes: &[&[u32]], tag: FaceTag) -> &mut Self {
         for (number, ring) in std::iter::once(&outer).chain(holes).enumerate() {
             if ring.len() < 3 {
@@ -76,7 +78,7 @@ impl MeshBuilder {
     }
 
     /// Sets the texture coordinates of the last added face in set 0: one pair per corner, outline first. The mesh keeps
-    /// them only if every face has some.
+    /// them only if every face has some. Of several calls for one face, the first one counts.
     pub fn uvs(&mut self, uvs: &[DVec2]) -> &mut Self {
         self.uv_set(0, uvs)
     }

@@ -73,12 +73,15 @@ impl<'a> FaceRef<'a> {
         self.outer().iter().map(|&point| mesh.points[point as usize])
     }
 
-    /// The position of a corner of the mesh.
+    /// The position of a corner of the mesh, by its number in [`Mesh::corners`]. The corner may belong to any face.
+    ///
+    /// # Panics
+    /// Panics if the mesh does not have the corner.
     pub fn position(&self, corner: usize) -> DVec3 {
         self.mesh.points[self.mesh.corners[corner] as usize]
     }
 
-    /// The normal with twice the area as its length.
+    /// The normal with twice the area as its length, in square metres. It overflows or vanishes for faces of extreme sizes.
     pub fn area_vector(&self) -> DVec3 {
         self.area_vector_of(|p| p)
     }
@@ -113,7 +116,7 @@ impl<'a> FaceRef<'a> {
         unit(self.area_vector() * DVec3::new(stretch.y * stretch.z, stretch.z * stretch.x, stretch.x * stretch.y))
     }
 
-    /// The area, without the holes.
+    /// The area in square metres, without the holes.
     pub fn area(&self) -> f64 {
         0.5 * self.sum_of_vectors(DVec3::length)
     }

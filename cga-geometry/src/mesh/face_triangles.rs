@@ -9,6 +9,9 @@ impl Triangulator {
     /// normals.
     ///
     /// The caps on both sides of a cut have the same triangles, reversed.
+    ///
+    /// # Panics
+    /// Panics if the face does not exist.
     pub fn face(&mut self, mesh: &Mesh, face: usize, out: &mut Vec<[u32; 3]>) {
         let face = mesh.face(face);
         let range = face.corner_range();

@@ -16,6 +16,8 @@ pub fn normal_map(m: &DMat3) -> DMat3 {
 impl Mesh {
     /// The mesh transformed by a map. The order of corners stays, so a mirroring map turns the faces and the corner
     /// normals inside out.
+    ///
+    /// A map with numbers that are not finite, or that are so large that coordinates overflow, gives points that are not finite.
     pub fn map(&self, map: &DAffine3) -> Mesh {
         let normal_map = normal_map(&map.matrix3);
         Mesh {
@@ -34,7 +36,13 @@ impl Mesh {
 
     /// The same faces with other points, one for each. The values of corners do not change, and a closed mesh stays
     /// closed.
+    ///
+    /// The caller keeps faces planar and coordinates finite; [`Mesh::check`] lists what is not.
+    ///
+    /// # Panics
+    /// Panics if the number of points differs.
     pub fn with_points(&self, points: Vec<DVec3>) -> Mesh {
+        assert_eq!(points.len(), self.points.len(), "one position for each point of the mesh");
         Mesh { points, normals: self.normals.clone(), derived: self.derived.of_moved(), ..self.clone_structure() }
     }
 
@@ -43,7 +51,7 @@ impl Mesh {
         Mesh { derived: Derived { adjacency: OnceLock::new(), ..self.derived.clone() }, ..self.turned(|_| true) }
     }
 
-    /// The mesh with some faces reversed in that way.
+    /// The mesh with some faces reversed in that way. `is_turned` is called with the number of each face.
     pub fn turned(&self, is_turned: impl Fn(usize) -> bool) -> Mesh {
         let bounds = self.derived.bounds.clone();
         let mut mesh = Mesh { derived: Derived { bounds, ..Derived::default() }, ..self.clone() };
@@ -82,7 +90,7 @@ impl Mesh {
 /// Reverses a ring and keeps its first edge: 0 1 2 3 becomes 1 0 3 2.
 pub fn flip<T>(ring: &mut [T]) {
     ring.reverse();
-    ring.rotate_right(2);
+    ring.rotate_right(2.min(ring.len()));
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use crate::each::Each;
 use crate::tol::VOLUME_EPSILON;
 
 impl Mesh {
-    /// The bounding box of all points.
+    /// The bounding box of all points; [`Bounds::EMPTY`] for a mesh without faces.
     pub fn bounds(&self) -> Bounds {
         *self.derived.bounds.get_or_init(|| Bounds::of(self.points.iter().copied()))
     }
@@ -38,13 +38,13 @@ impl Mesh {
         net.pairs().all(|(_, count)| count == 0)
     }
 
-    /// The area of all faces.
+    /// The area of all faces, in square metres.
     pub fn area(&self) -> f64 {
         // The empty sum is −0.
         self.faces().map(|face| face.area()).sum::<f64>() + 0.0
     }
 
-    /// The enclosed volume, negative if the faces look inwards. For an open mesh, the signed volume of the cone from
+    /// The enclosed volume in cubic metres, negative if the faces look inwards. For an open mesh, the signed volume of the cone from
     /// the centre of its bounds to its faces.
     pub fn volume(&self) -> f64 {
         self.volume_of(|p| p)

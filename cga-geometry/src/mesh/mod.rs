@@ -70,7 +70,11 @@ pub use uv::{TextureSpace, UvAxis, UvExtent};
 pub use variants::Variant;
 use variants::Variants;
 
-/// Faces with holes over shared points. Made by [`MeshBuilder`] and immutable afterwards.
+/// Faces with holes over shared points. Made by [`MeshBuilder`].
+///
+/// The methods that change a mesh keep its lists consistent. Transformations such as [`Mesh::map`] may overflow: then some
+/// coordinates are infinite or NaN. Such a mesh is safe to use, but its measures have no meaning, and operations may refuse it
+/// or leave it as it is. [`Mesh::check`] lists such points.
 #[derive(Clone, Debug, Default)]
 pub struct Mesh {
     pub(crate) points: Vec<DVec3>,
@@ -154,6 +158,16 @@ impl Derived {
     fn of_moved(&self) -> Self {
         Derived { bounds: OnceLock::new(), ..self.clone() }
     }
+
+    /// The properties of the same faces and points with other attributes.
+    fn of_changed(self) -> Self {
+        Derived { variants: Variants::default(), ..self }
+    }
+
+    /// Forgets the forms of a mesh that is about to change.
+    fn forget_variants(&mut self) {
+        self.variants = Variants::default();
+    }
 }
 
 impl Mesh {
@@ -172,7 +186,7 @@ impl Mesh {
         self.uvs.get(0)
     }
 
-    /// The texture coordinates of a set (0 to 9), one pair per corner, or an empty slice.
+    /// The texture coordinates of a set (0 to 9), one pair per corner, or an empty slice. A set with a larger number is empty.
     pub fn uv_set(&self, set: usize) -> &[DVec2] {
         self.uvs.get(set)
     }
@@ -223,12 +237,15 @@ impl Mesh {
         self.materials.list()
     }
 
-    /// The adjacency of faces, edges and points.
+    /// The adjacency of faces, edges and points. It is computed at the first call, in time `n log n` for `n` corners at most.
     pub fn adjacency(&self) -> &Arc<Adjacency> {
         self.derived.adjacency.get_or_init(|| Arc::new(Adjacency::of(self)))
     }
 
-    /// The start and the end of an edge of the adjacency, in the direction of the first face that has it.
+    /// The positions of the start and the end of an edge of the adjacency, in the direction of the first face that has it.
+    ///
+    /// # Panics
+    /// Panics if the edge does not exist.
     pub fn edge_ends(&self, edge: usize) -> [DVec3; 2] {
         let from = self.adjacency().uses(edge)[0];
         [from, self.adjacency().next(from)].each(|corner| self.points[self.corners[corner as usize] as usize])
@@ -239,12 +256,12 @@ impl Mesh {
         &self.tag_sets
     }
 
-    /// The tags of the edge between two points.
+    /// The tags of the edge between two points; `None` if it has none, or does not exist.
     pub fn edge_tags(&self, ends: [u32; 2]) -> Option<&TagSet> {
         self.subcomponent_tags.edge(ends)
     }
 
-    /// The tags of the vertex at a point.
+    /// The tags of the vertex at a point; `None` if it has none, or does not exist.
     pub fn vertex_tags(&self, point: u32) -> Option<&TagSet> {
         self.subcomponent_tags.vertex(point)
     }
@@ -269,9 +286,11 @@ impl Mesh {
         }
     }
 
-    /// The mesh with other tags of edges and vertices.
+    /// The mesh with other tags of edges and vertices. Tags of an edge that no face has, or of a point that does not exist, are
+    /// dropped.
     pub fn with_subcomponent_tags(self, tags: SubcomponentTagsBuilder) -> Mesh {
-        Mesh { subcomponent_tags: tags.finish(), ..self }
+        let tags = tags.finish().carried(&mut self.face_edges(), self.points.len(), &PointOrigin::Old);
+        Mesh { subcomponent_tags: tags, derived: self.derived.of_changed(), ..self }
     }
 
     /// A mesh without faces that has the same groups, materials, tag sets and texture sets, with capacity for the

@@ -154,11 +154,12 @@ impl UvSets {
 }
 
 impl Mesh {
-    /// This mesh, whose points are in the world, with coordinates computed by maps in the sets that have a map.
+    /// This mesh, whose points are in the world, with coordinates computed by maps in the sets that have a map. Maps of sets
+    /// above 9 are ignored. Coordinates that are not finite change as in [`Mesh::with_uv_set`].
     pub fn with_uvs(mut self, maps: &[SetMap]) -> Mesh {
         for SetMap { set, map } in maps.iter().filter(|known| known.set < UvSets::MOST) {
             let list = self.corners.iter().map(|&corner| map.at(self.points[corner as usize])).collect();
-            self.uvs.set(*set, list);
+            self.put_uv_set(*set, list);
         }
         self
     }
@@ -191,8 +192,14 @@ impl Mesh {
     }
 
     /// The same as [`Mesh::with_uv_set`], in place.
+    ///
+    /// # Panics
+    /// Panics if the number of coordinates is neither 0 nor the number of corners, or if the set is not in 0 to 9.
     pub fn put_uv_set(&mut self, set: usize, mut uvs: Vec<DVec2>) {
-        assert!(set < UvSets::MOST && [0, self.corners.len()].contains(&uvs.len()), "{} coordinates", uvs.len());
+        let corners = self.corners.len();
+        assert!(set < UvSets::MOST, "texture set {set} does not exist; use 0 to 9");
+        assert!([0, corners].contains(&uvs.len()), "{} texture coordinates for {corners} corners", uvs.len());
+        self.derived.forget_variants();
         uvs.iter_mut().filter(|uv| !uv.is_finite()).for_each(|uv| {
             let finite = |x: f64| if x.is_nan() { 0.0 } else { x.clamp(-f64::MAX, f64::MAX) };
             *uv = DVec2::new(finite(uv.x), finite(uv.y));

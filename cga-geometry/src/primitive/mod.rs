@@ -70,20 +70,22 @@ pub enum PrimitiveKind {
 }
 
 impl PrimitiveKind {
-    /// The total number of corners of its faces.
+    /// The total number of corners of its faces. Numbers of sides and divisions below their least ones count as these; numbers
+    /// above the limits of the mesh count in full, so the mesh may have fewer corners.
     pub fn corner_count(self) -> u64 {
+        let at_least = |least: u32, count: u32| u64::from(count.max(least));
         match self {
-            PrimitiveKind::Cylinder { sides } => 6 * u64::from(sides),
-            PrimitiveKind::Cone { sides } => 4 * u64::from(sides),
-            PrimitiveKind::Disk { sides, .. } => u64::from(sides),
+            PrimitiveKind::Cylinder { sides } => 6 * at_least(3, sides),
+            PrimitiveKind::Cone { sides } => 4 * at_least(3, sides),
+            PrimitiveKind::Disk { sides, .. } => at_least(3, sides),
             PrimitiveKind::Square { .. } => 4,
             PrimitiveKind::Sphere { sides, divisions } => {
-                u64::from(sides) * (4 * u64::from(divisions)).saturating_sub(2)
+                at_least(3, sides).saturating_mul(4 * at_least(2, divisions) - 2)
             }
         }
     }
 
-    /// Makes the mesh.
+    /// Makes the mesh. Numbers of sides are limited to 3 to 2^20, and the divisions of a sphere so that it has at most 2^22 points.
     pub fn mesh(self) -> Mesh {
         match self {
             PrimitiveKind::Cylinder { sides } => cylinder(sides as usize),

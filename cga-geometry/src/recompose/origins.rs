@@ -88,17 +88,28 @@ impl Origins {
     }
 
     /// The number of a new division of a part that division `of` has made.
+    ///
+    /// # Panics
+    /// Panics if division `of` does not exist.
     pub fn divide(&mut self, of: u32) -> u32 {
+        self.assert_division(of);
         self.divisions.push(of);
         self.divisions.len() as u32 - 1
     }
 
-    /// The point at a share of the edge between two points, which a division makes. Points at the same share are one.
+    /// The point at a share of the edge between two points, which a division makes. Points at the same share are one. The share
+    /// is from 0 at the first point to 1 at the second; others, and NaN, give one of the ends.
+    ///
+    /// # Panics
+    /// Panics if a point or the division does not exist. An end without an origin ([`UNTRACED`]) gives a point without one.
     pub fn on_edge(&mut self, ends: [u32; 2], share: f64, division: u32) -> u32 {
         let [a, b] = ends;
         if a == UNTRACED || b == UNTRACED {
             return UNTRACED;
         }
+        self.assert_point(a);
+        self.assert_point(b);
+        self.assert_division(division);
         if a == b {
             return a;
         }
@@ -172,22 +183,40 @@ impl Origins {
         }
         let inner =
             self.edges[edge as usize].inner.range((Bound::Excluded(low.to_bits()), Bound::Excluded(high.to_bits())));
-        let used = inner.filter(|(_, point)| self.used[**point as usize]);
+        let used = inner.filter(|(_, point)| self.used.get(**point as usize) == Some(&true));
         let mut pass = |(share, point): (&u64, &u32)| visit(*point, (f64::from_bits(*share) - from) / (to - from));
         if from < to { used.for_each(&mut pass) } else { used.rev().for_each(&mut pass) }
     }
 
-    /// Records that a part has moved by some vector at a point.
+    /// Records that a part that a division has made has moved by some vector at a point. A vector that is not finite counts as
+    /// no movement.
+    ///
+    /// # Panics
+    /// Panics if the point or the division does not exist.
     pub fn moved(&mut self, point: u32, division: u32, by: DVec3) {
         if by != DVec3::ZERO && by.is_finite() {
+            self.assert_point(point);
+            self.assert_division(division);
             self.movements.push(Movement { point, division, by });
         }
     }
 
     /// Marks points as points of the result.
+    ///
+    /// # Panics
+    /// Panics if a point does not exist.
     pub fn mark(&mut self, points: &[u32]) {
+        points.iter().for_each(|&point| self.assert_point(point));
         self.used.resize(self.points.len(), false);
         points.iter().for_each(|point| self.used[*point as usize] = true);
+    }
+
+    fn assert_point(&self, point: u32) {
+        assert!((point as usize) < self.points.len(), "point {point} of {}", self.points.len());
+    }
+
+    fn assert_division(&self, division: u32) {
+        assert!((division as usize) < self.divisions.len(), "division {division} of {}", self.divisions.len());
     }
 
     /// The number of points.

@@ -35,7 +35,11 @@ struct WeldCorner {
 impl Weld {
     /// Adds a part. `points` are the numbers of its points. Used points on its edges become corners. A loop that has fewer than
     /// three different neighbours is dropped.
+    ///
+    /// # Panics
+    /// Panics if a point of the part has no number, or a number that `origins` does not have.
     pub fn add(&mut self, origins: &Origins, mesh: Mesh, points: &[u32]) {
+        assert!(mesh.points.len() <= points.len(), "{} numbers for {} points", points.len(), mesh.points.len());
         let mut mesh = bent_along(mesh, &mut self.bent);
         mesh.trace = Trace::default();
         mesh.derived = Derived::default();
@@ -119,7 +123,10 @@ impl Weld {
         self.points.len() as u64
     }
 
-    /// The mesh, with points at `places`, seen through `map`, and the numbers of its points.
+    /// The mesh, with points at `places`, seen through `map`, and the numbers of its points. `places` has a place for each number.
+    ///
+    /// # Panics
+    /// Panics if a point of a part has no place.
     pub fn finish(self, places: &[DVec3], map: &DAffine3) -> (Mesh, Vec<u32>) {
         let mut sum = join(self.meshes.iter());
         let (points, numbers) = renumbered(&self.points, places, map, &mut sum.corners);
@@ -149,7 +156,11 @@ fn renumbered(ids: &[u32], places: &[DVec3], map: &DAffine3, corners: &mut [u32]
     (points, numbers)
 }
 
-/// The wire of several wires that share points, with points at `places`, seen through `map`, and the numbers of its points.
+/// The wire of several wires that share points, with points at `places`, seen through `map`, and the numbers of its points. Each
+/// wire comes with the numbers of its points.
+///
+/// # Panics
+/// Panics if a point of a wire has no number, or a number has no place.
 pub fn welded_wire(parts: &[(Wire, Vec<u32>)], places: &[DVec3], map: &DAffine3) -> (Wire, Vec<u32>) {
     let has_edges = parts.iter().any(|(wire, _)| !wire.edges.is_empty());
     let (mut ids, mut normals, mut ends) = (Vec::new(), Vec::new(), Vec::new());
