@@ -114,6 +114,25 @@ pub struct ScatteredPoint {
 }
 
 /// A domain with a density, divided for a number of points.
+///
+/// It has at most eight cells for each point, between 256 and 4096, besides the triangles of a surface. Parts without an extent,
+/// and parts whose density is not a number, get no points.
+///
+/// ```
+/// use cga_geometry::glam::DVec3;
+/// use cga_geometry::primitive;
+/// use cga_geometry::scatter::{Bell, Domain};
+///
+/// // Numbers from 0 up to below 1; any generator of random numbers will do.
+/// let mut state = 1u64;
+/// let random = move || {
+///     state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+///     (state >> 11) as f64 / (1u64 << 53) as f64
+/// };
+/// let points: Vec<_> = Domain::surface(&primitive::quad(), Bell::EVEN, 100).draw(random).collect();
+/// assert_eq!(points.len(), 100);
+/// assert!(points.iter().all(|point| point.position.y == 0.0 && point.normal == DVec3::Y));
+/// ```
 #[derive(Debug)]
 pub struct Domain {
     count: u64,
@@ -125,13 +144,13 @@ pub struct Domain {
 }
 
 impl Domain {
-    /// The faces of a mesh.
+    /// The faces of a mesh, for `count` points.
     pub fn surface(mesh: &Mesh, bell: Bell, count: u64) -> Self {
         let cells = triangles(mesh).into_iter().filter_map(|(corners, normal)| triangle(corners, normal, &bell));
         Domain::of(cells.collect(), bell, None, count)
     }
 
-    /// The inside of a closed mesh.
+    /// The inside of a closed mesh, for `count` points. An open mesh has the inside around which its faces wind.
     pub fn volume(mesh: &Mesh, bell: Bell, count: u64) -> Self {
         let solid = Solid::new(triangles(mesh).into_iter().map(|(corners, _)| corners).collect());
         let bounds = solid.bounds();
@@ -140,7 +159,7 @@ impl Domain {
         Domain::of(cells, bell, Some(solid), count)
     }
 
-    /// A box. Extents of 0 make it a rectangle, a line or a point.
+    /// A box, for `count` points. Extents of 0 make it a rectangle, a line or a point. `low` is at most `high` along each axis.
     pub fn cuboid(low: DVec3, high: DVec3, bell: Bell, count: u64) -> Self {
         Domain::of(cuboid(low, high, &[], &bell, None).into_iter().collect(), bell, None, count)
     }
@@ -159,11 +178,13 @@ impl Domain {
             if !work::spend(HALVING + 2 * crossing) {
                 break;
             }
-            if cell.is_uneven && matters && heap.len() + cells.len() + 2 <= most {
-                heap.extend(halves(&cell.form, &bell, solid.as_ref()).into_iter().flatten().map(&mut numbered));
-            } else {
-                heaviest = heaviest.max(cell.log_weight);
-                cells.push(cell);
+            let is_halved = cell.is_uneven && matters && heap.len() + cells.len() + 2 <= most;
+            match if is_halved { halves(&cell.form, &bell, solid.as_ref()) } else { None } {
+                Some(halves) => heap.extend(halves.into_iter().flatten().map(&mut numbered)),
+                None => {
+                    heaviest = heaviest.max(cell.log_weight);
+                    cells.push(cell);
+                }
             }
         }
         let top = cells.iter().map(|cell| cell.log_weight).fold(f64::NEG_INFINITY, f64::max);
@@ -176,8 +197,8 @@ impl Domain {
         Domain { count, cells, sums, bell, solid }
     }
 
-    /// Draws the points, one by one. There are fewer if the domain has no extent, or is too small a part of its
-    /// cells.
+    /// Draws the points, one by one. `random` gives numbers from 0 up to below 1, evenly distributed. There are fewer points if
+    /// the domain has no extent, or is too small a part of its cells: the number of draws is limited.
     pub fn draw(self, mut random: impl FnMut() -> f64) -> impl Iterator<Item = ScatteredPoint> {
         let [each, more] = MOST_MISSES;
         let mut misses = self.count.saturating_mul(each).saturating_add(more);
@@ -271,8 +292,9 @@ fn cuboid(low: DVec3, high: DVec3, near: &[u32], bell: &Bell, solid: Option<&Sol
     })
 }
 
-/// Both halves of a cell, across its longest extent in units of the deviation.
-fn halves(form: &CellForm, bell: &Bell, solid: Option<&Solid>) -> [Option<DensityCell>; 2] {
+/// Both halves of a cell, across its longest extent in units of the deviation. `None` if its middle is one of its ends, or
+/// overflows: then one of the halves would be the cell itself, again and again.
+fn halves(form: &CellForm, bell: &Bell, solid: Option<&Solid>) -> Option<[Option<DensityCell>; 2]> {
     // Where the density is even, lengths count as they are.
     let units = DVec3::select(bell.deviation.cmplt(DVec3::INFINITY), bell.deviation, DVec3::ONE);
     match form {
@@ -280,14 +302,18 @@ fn halves(form: &CellForm, bell: &Bell, solid: Option<&Solid>) -> [Option<Densit
             let longest = longest([0, 1, 2].each(|edge| ((corners[(edge + 1) % 3] - corners[edge]) / units).length()));
             let [from, to, apex] = [0, 1, 2].each(|step| corners[(longest + step) % 3]);
             let middle = (from + to) * 0.5;
-            [[from, middle, apex], [middle, to, apex]].each(|corners| triangle(corners, *normal, bell))
+            let is_between = middle.is_finite() && middle != from && middle != to;
+            is_between
+                .then(|| [[from, middle, apex], [middle, to, apex]].each(|corners| triangle(corners, *normal, bell)))
         }
         CellForm::Box { low, high, crossing } => {
             let longest = longest(((*high - *low) / units).to_array());
             let middle = (low[longest] + high[longest]) * 0.5;
             let (mut top, mut bottom) = (*high, *low);
             (top[longest], bottom[longest]) = (middle, middle);
-            [(*low, top), (bottom, *high)].each(|(low, high)| cuboid(low, high, crossing, bell, solid))
+            let is_between = middle.is_finite() && middle != low[longest] && middle != high[longest];
+            is_between
+                .then(|| [(*low, top), (bottom, *high)].each(|(low, high)| cuboid(low, high, crossing, bell, solid)))
         }
     }
 }
