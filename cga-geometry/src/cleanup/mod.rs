@@ -80,11 +80,30 @@ impl Limits {
     }
 }
 
-/// Cleans up a mesh with a tolerance from 0 to 1. `None` if nothing changes. The mesh may be empty.
+/// Cleans up a mesh: merges near points, and removes the parts that `parts` lists. `None` if nothing changes. The result may be
+/// empty.
+///
+/// The tolerance is from 0 to 1. It counts as a length in metres, as an angle in units of 10 degrees, and as an area in square
+/// metres. A tolerance that is NaN counts as 0.
+///
+/// ```
+/// use cga_geometry::cleanup::{Parts, cleanup};
+/// use cga_geometry::mesh::MeshBuilder;
+///
+/// // A square with sides of 2, in two triangles: their common edge goes.
+/// let mut builder = MeshBuilder::new();
+/// let [a, b, c, d] = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(|[x, y]| builder.point([x, y, 0.0]));
+/// builder.polygon(&[a, b, c]).polygon(&[a, c, d]);
+/// let mesh = builder.build()?;
+/// let cleaned = cleanup(&mesh, Parts { edges: true, ..Parts::default() }, 0.0).unwrap();
+/// assert_eq!((cleaned.face_count(), cleaned.area()), (1, 4.0));
+/// # Ok::<(), cga_geometry::mesh::MeshError>(())
+/// ```
 pub fn cleanup(mesh: &Mesh, parts: Parts, tolerance: f64) -> Option<Mesh> {
     if mesh.is_empty() {
         return None;
     }
+    let tolerance = if tolerance.is_nan() { 0.0 } else { tolerance };
     let bounds = mesh.bounds();
     let scale = bounds.scale_to_one();
     let limits = Limits::of(tolerance, scale);

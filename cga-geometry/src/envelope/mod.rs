@@ -164,17 +164,35 @@ fn is_tangled(face: &FlatFace<'_>) -> bool {
     crate::skeleton::any_cross(rings.iter().flat_map(sides).collect(), slack)
 }
 
-/// Builds the envelope of each face. `sides` has a side for each corner of the mesh, for the edge that begins there. Without
-/// `up`, an envelope is erected along the normal of its face. The maximum height is measured from the lowest point of a face.
-/// Faces without an envelope are copied, and are also listed with the reason.
+/// Builds the envelope of each face: a volume with upright sides and slopes, cut off at a maximum height in metres.
 ///
-/// The faces over a face are the bottom, the top, the upright sides in the order of edges, and then the slopes.
+/// `sides` has a side for each corner of the mesh, for the edge that begins there. Without `up`, an envelope is erected along the
+/// normal of its face; `up` has length 1. The maximum height is measured from the lowest point of a face. Faces without an
+/// envelope are copied. They are also listed, by number, with the reason.
+///
+/// The faces over a face are the bottom, the top, the upright sides in the order of edges, and then the slopes. The time is
+/// quadratic in the number of corners of a face.
+///
+/// # Panics
+/// Panics if the number of sides differs from the number of corners of the mesh.
+///
+/// ```
+/// use cga_geometry::envelope::{EnvelopeSide, envelopes};
+/// use cga_geometry::primitive;
+///
+/// // A square with sides of 1. Slopes of 45 degrees rise at once: the volume up to 0.25 is a truncated pyramid.
+/// let sides = [EnvelopeSide { base: 0.0, angle: 45.0 }; 4];
+/// let (volume, refused) = envelopes(&primitive::quad(), &sides, 0.25, None);
+/// assert!(refused.is_empty() && volume.is_closed());
+/// assert!((volume.volume() - 0.25 / 3.0 * (1.0 + 0.5 + 0.25)).abs() < 1e-12);
+/// ```
 pub fn envelopes(
     source: &Mesh,
     sides: &[EnvelopeSide],
     height: f64,
     up: Option<DVec3>,
 ) -> (Mesh, Vec<(usize, EnvelopeRefusal)>) {
+    assert_eq!(sides.len(), source.corners().len(), "one side for each corner of the mesh");
     let mut made = Derivation::new(source, CornerValues::Dropped, 0).without_trace();
     let mut refused = Vec::new();
     for face in source.faces() {

@@ -55,9 +55,23 @@ impl PartialEq for Candidate {
 
 impl Eq for Candidate {}
 
-/// The mesh without tags and without a share of its vertices, from 0 to 1: fewer if no further edge can collapse. `None` if no
-/// vertex goes, or if the work is to end.
+/// The mesh without tags and without a share of its vertices, from 0 to 1: fewer vertices go if no further edge can collapse.
+///
+/// `None` if no vertex goes, if the share is NaN, or if the work is to end ([`work`](crate::work)).
+///
+/// ```
+/// use cga_geometry::{primitive, reduce};
+///
+/// // A ball of 12 rings with 24 vertices each, and two poles.
+/// let ball = primitive::sphere(24, 13);
+/// let coarse = reduce::reduce(&ball, 0.5).unwrap();
+/// assert_eq!((ball.points().len(), coarse.points().len()), (290, 145));
+/// assert!(coarse.is_closed() && 0.9 * ball.volume() < coarse.volume());
+/// ```
 pub fn reduce(mesh: &Mesh, share: f64) -> Option<Mesh> {
+    if share.is_nan() {
+        return None;
+    }
     // Counts such as 0.1 * 10 are rounded.
     const ROUNDING: f64 = 1e-9;
     let count = mesh.points.len();
