@@ -37,7 +37,10 @@ struct Patch {
     bounds: Bounds,
 }
 
-/// Finds the faces to turn so that neighbours agree, and look to the side of `up` where a choice is left.
+/// Finds the faces to turn so that neighbours agree, and look to the side of `up`, of length 1, where a choice is left.
+/// [`Mesh::turned`] turns them.
+///
+/// The time is linear in the corners, and at most quadratic in the number of closed parts, up to a limit.
 pub fn conform(mesh: &Mesh, up: DVec3) -> Conforming {
     let mut found = Conforming { turned: vec![false; mesh.face_count()], refused: Vec::new() };
     let mut patches = Vec::new();

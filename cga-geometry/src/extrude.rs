@@ -32,8 +32,17 @@ pub enum Extrude {
     FlatTop(DVec3),
 }
 
-/// The volumes on the faces of a mesh. Faces without area have no normal and are not extruded along it. A distance that
-/// is not finite leaves the mesh unchanged, and so does zero, except for a flat top.
+/// The volumes on the faces of a mesh, by a distance in metres. Faces without area have no normal and are not extruded along it. A
+/// distance or a vector that is not finite leaves the mesh unchanged. So does a distance of zero, except for a flat top.
+/// Points that overflow are infinite, as in [`Mesh::map`].
+///
+/// ```
+/// use cga_geometry::extrude::{Extrude, extrude};
+/// use cga_geometry::primitive;
+///
+/// let tower = extrude(&primitive::quad(), Extrude::FaceNormal, 3.0);
+/// assert_eq!((tower.face_count(), tower.volume(), tower.is_closed()), (6, 3.0, true));
+/// ```
 pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
     let up = match along {
         Extrude::FaceNormal | Extrude::VertexNormal => DVec3::Y,

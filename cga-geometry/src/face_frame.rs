@@ -21,6 +21,9 @@ pub struct FaceFrame {
 }
 
 /// The frame of a face; `None` for a face without area.
+///
+/// # Panics
+/// Panics if the face does not exist.
 pub fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
     let face = mesh.face(face);
     let z = face.normal();

@@ -12,7 +12,20 @@ use crate::triangulate::Triangulator;
 /// plane. Without faces if no face covers an area.
 ///
 /// A face begins with the corner of the point of the mesh with the lowest number. Corners at which the outline runs straight
-/// on are dropped.
+/// on are dropped. The faces have no values, tags or materials.
+///
+/// # Errors
+/// An error if too many edges cross, or if edges that are nearly at one place cannot be told apart.
+///
+/// ```
+/// use cga_geometry::glam::{DAffine3, DVec3};
+/// use cga_geometry::{footprint, primitive};
+///
+/// let tower = primitive::cube().map(&DAffine3::from_scale(DVec3::new(2.0, 9.0, 3.0)));
+/// let plan = footprint::footprint(&tower)?;
+/// assert_eq!((plan.face_count(), plan.area()), (1, 6.0));
+/// # Ok::<(), cga_geometry::overlay::OverlayError>(())
+/// ```
 pub fn footprint(mesh: &Mesh) -> Result<Mesh, OverlayError> {
     let flat: Vec<DVec2> = mesh.points.iter().map(|p| DVec2::new(p.x, -p.z)).collect();
     let rings = covering(mesh, &flat);

@@ -4,6 +4,7 @@ use crate::derive::{CornerValues, Derivation, FaceOrigin};
 use crate::mesh::Mesh;
 
 /// The mesh with the outline of each face alone. Points of holes that no outline has are dropped. `None` if no face has a hole.
+/// Tags and the values of corners stay.
 pub fn without_holes(mesh: &Mesh) -> Option<Mesh> {
     if mesh.faces().all(|face| face.holes().len() == 0) {
         return None;

@@ -5,8 +5,20 @@ use glam::DVec2;
 use crate::exact::orient;
 use crate::small_sort::SmallSort;
 
-/// Reduces a list of items with positions in a plane to the corners of their convex hull, counter-clockwise. Two or
-/// fewer positions are their own hull.
+/// Reduces a list of items with positions in a plane to the corners of their convex hull, counter-clockwise. Of items at one
+/// position, one is kept. Two or fewer positions are their own hull. Positions should be finite.
+///
+/// The time is proportional to `n log n` for `n` items.
+///
+/// ```
+/// use cga_geometry::glam::DVec2;
+/// use cga_geometry::hull::hull;
+///
+/// // Of a square, its middle and a point on a side, four corners are the hull.
+/// let mut points = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [1.0, 1.0], [1.0, 0.0]].map(DVec2::from).to_vec();
+/// hull(&mut points, |point| *point);
+/// assert_eq!(points, [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(DVec2::from));
+/// ```
 pub fn hull<T: Copy>(points: &mut Vec<T>, at: impl Fn(&T) -> DVec2) {
     points.small_sort_by(|a, b| at(a).x.total_cmp(&at(b).x).then(at(a).y.total_cmp(&at(b).y)));
     points.dedup_by(|a, b| at(a) == at(b));

@@ -22,7 +22,7 @@ pub struct Collapsed {
 /// The mesh with edges parallel to the axes: those that deviate by less than `limit` degrees, as seen along the axis across most of the
 /// faces. Such an edge turns about its middle; edges in one line get the average of their middles, weighted by lengths. Points at the
 /// ends of upright edges move alike. Points move along their faces if these are in one plane, else across the axis of the view.
-/// Holes that vanish are removed. `None` if no point moves.
+/// Holes that vanish are removed. `None` if no point moves, as with a limit that is NaN or not positive.
 ///
 /// # Errors
 /// The first face that would vanish or turn over.

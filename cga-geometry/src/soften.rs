@@ -14,7 +14,7 @@ impl Mesh {
     /// The mesh with smooth normals: at an edge whose faces meet at an angle below `limit` in degrees, the corners of both faces
     /// at each end have one normal. It is the average of the normals of all faces that such edges connect at the point; faces
     /// in one plane count once. Other edges are hard. Without smooth edges the mesh has no normals at corners, so that the
-    /// normals of faces count.
+    /// normals of faces count. A limit that is NaN or not positive gives no smooth edge.
     pub fn softened(&self, limit: f64) -> Mesh {
         let adjacency = self.adjacency();
         let normals: Vec<DVec3> = self.faces().map(|face| face.normal()).collect();

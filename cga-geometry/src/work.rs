@@ -27,7 +27,9 @@ pub struct Supervisor {
 }
 
 impl Supervisor {
-    /// A supervisor that answers by `question`. After its first false it is asked no more.
+    /// A supervisor of this thread that answers by `question`, whose argument is the number of units since the last question. After
+    /// its first false it is asked no more. Supervisors of one thread are dropped in the reverse order, and `question` makes
+    /// none.
     pub fn new(question: impl Fn(u64) -> bool + 'static) -> Self {
         let before = QUESTION.with(|own| own.replace(Some(Box::new(question))));
         Supervisor { before, units: UNITS.replace(0), went_on: MAY_GO_ON.replace(true) }

@@ -60,10 +60,32 @@ use shell::{Shell, ShellKind, close_shells, shells};
 use winding::Windings;
 
 /// The result of an operation on meshes in the same coordinates. The parts of an operand are united first. `rounding` is the
-/// largest rounding error of coordinates.
+/// largest rounding error of coordinates, in metres; 0 if they are exact.
 ///
 /// The faces of the first operand come first. A face keeps its group, its material, its tags and the values of corners; where
-/// faces coincide, the first face keeps its own, with the tags of all.
+/// faces coincide, the first face keeps its own, with the tags of all. The result of closed operands is closed.
+///
+/// Pairs of faces are found by a tree of their boxes. The time and the memory grow with the faces, and with the pairs that
+/// meet, up to a limit.
+///
+/// # Errors
+/// - [`BooleanError::NotFinite`] if a coordinate or `rounding` is NaN or infinite;
+/// - [`BooleanError::TooMany`] if the limit on time or memory is reached, which takes a few seconds and up to 0.6 GB;
+/// - [`BooleanError::Tangled`] if faces that are nearly at one place cannot be told apart.
+///
+/// ```
+/// use cga_geometry::boolean::{BooleanOp, combine};
+/// use cga_geometry::glam::{DAffine3, DVec3};
+/// use cga_geometry::primitive;
+///
+/// // Two cubes with sides of 1 that share a cube with sides of 0.5.
+/// let cube = primitive::cube();
+/// let other = cube.map(&DAffine3::from_translation(DVec3::splat(0.5)));
+/// let volume = |op| combine(op, [&[cube.clone()], &[other.clone()]], 0.0).map(|made| made.volume());
+/// assert_eq!(volume(BooleanOp::Intersect), Ok(0.125));
+/// assert_eq!(volume(BooleanOp::Subtract), Ok(0.875));
+/// assert_eq!(volume(BooleanOp::Union), Ok(1.875));
+/// ```
 pub fn combine(op: BooleanOp, operands: [&[Mesh]; 2], rounding: f64) -> Result<Mesh, BooleanError> {
     if 1 < operands.into_iter().flatten().filter(|mesh| mesh.bent != DVec3::ZERO).count() {
         let mut direction = DVec3::ZERO;

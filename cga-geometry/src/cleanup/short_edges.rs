@@ -9,7 +9,7 @@ use crate::mesh::Mesh;
 /// face would be left.
 ///
 /// In a row of short edges, ends that are at least that far apart stay. A closed mesh stays closed, and no face turns over
-/// or crosses itself.
+/// or crosses itself. A length that is NaN or not positive removes nothing.
 pub fn without_short_edges(mesh: &Mesh, length: f64) -> Option<Mesh> {
     let mut short: Vec<[u32; 2]> = mesh
         .faces()

@@ -44,6 +44,22 @@ pub struct Convexified {
 /// Cuts all concave faces and faces with holes into convex ones, with cuts shorter than `longest`. Faces that are convex stay as
 /// they are, and bent faces become triangles. Parts of a face come in its place, in the order of its corners, and begin with
 /// its edges. They keep its attributes; values at new corners are interpolated along edges.
+///
+/// `longest` is in metres. With an infinite length all parts are convex; with 0 or less nothing is cut.
+///
+/// ```
+/// use cga_geometry::convexify::convexify;
+/// use cga_geometry::mesh::MeshBuilder;
+///
+/// // An L: two rectangles.
+/// let mut builder = MeshBuilder::new();
+/// let l = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]];
+/// let corners = l.map(|[x, y]| builder.point([x, y, 0.0]));
+/// builder.polygon(&corners);
+/// let (parts, _) = convexify(&builder.build()?, f64::INFINITY).made.unwrap();
+/// assert_eq!((parts.face_count(), parts.area()), (2, 3.0));
+/// # Ok::<(), cga_geometry::mesh::MeshError>(())
+/// ```
 pub fn convexify(mesh: &Mesh, longest: f64) -> Convexified {
     if let Cow::Owned(flat) = without_bent_faces(mesh) {
         let cut = convexify(&flat, longest);

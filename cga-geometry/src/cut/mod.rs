@@ -97,8 +97,8 @@ pub fn slabs(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64]) -> Slabs {
     slabs_within(mesh, axis, offsets, usize::MAX).unwrap_or_default()
 }
 
-/// As [`slabs()`]. `None`, before memory is taken for them, if the parts without caps would have more than `most` corners. Few
-/// planes are not worth the count.
+/// As [`slabs()`], with a limit on memory. `None`, before memory is taken for them, if the parts without caps would have more than
+/// `most` corners. Cuts at few planes are not counted.
 pub fn slabs_within(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64], most: usize) -> Option<Slabs> {
     Cutter::with(|cutter| {
         cutter.state.most_corners = most;

@@ -51,7 +51,8 @@ pub fn halves(mesh: &Arc<Mesh>, plane: &Plane, tolerance: f64) -> Slabs {
     Cutter::with(|cutter| cutter.halves(mesh, plane, tolerance, true))
 }
 
-/// The part above a plane, without caps. `None` if the whole mesh is below.
+/// The part above a plane, without caps. `None` if the whole mesh is below, as with an invalid plane. The tolerance is as in
+/// [`halves`].
 pub fn above(mesh: &Arc<Mesh>, plane: &Plane, tolerance: f64) -> Option<Arc<Mesh>> {
     Cutter::with(|cutter| cutter.halves(mesh, plane, tolerance, false)).parts.pop().flatten()
 }

@@ -44,7 +44,30 @@ struct Seen<'a> {
 /// The face is seen along the axis that is nearest to its normal, and so are the angles of the rectangle. Without
 /// `sides` along edges it follows the axes. Parts of the rest are in the order of the points of the face, and begin with an
 /// edge on its outline if they have one. Texture coordinates and normals of new points continue the values of the face. Sides on
-/// edges of the face have their tags.
+/// edges of the face have their tags. `made` is a mesh that is made of the mesh of the face.
+///
+/// The search ends after a fixed amount of work, half a second at most, with the largest rectangle so far.
+///
+/// ```
+/// use cga_geometry::derive::{CornerValues, Derivation};
+/// use cga_geometry::inner_rectangle::{RectangleSides, face::cut_rectangle};
+/// use cga_geometry::mesh::MeshBuilder;
+///
+/// // An L of a bar of 5 by 2 and a block of 2 by 1.
+/// let mut builder = MeshBuilder::new();
+/// let l = [[0.0, 0.0], [5.0, 0.0], [5.0, 2.0], [2.0, 2.0], [2.0, 3.0], [0.0, 3.0]];
+/// let corners = l.map(|[x, y]| builder.point([x, y, 0.0]));
+/// builder.polygon(&corners);
+/// let mesh = builder.build()?;
+/// let mut made = Derivation::new(&mesh, CornerValues::All, 0);
+/// assert_eq!(cut_rectangle(&mesh.face(0), RectangleSides::Axes, true, &mut made), Ok(1));
+/// let areas: Vec<f64> = made.finish_by_use().faces().map(|face| face.area()).collect();
+/// assert!((areas[0] - 10.0).abs() < 1e-9 && (areas[1] - 2.0).abs() < 1e-9);
+/// # Ok::<(), cga_geometry::mesh::MeshError>(())
+/// ```
+///
+/// # Errors
+/// The reason why the face is refused.
 pub fn cut_rectangle(
     face: &FaceRef<'_>,
     sides: RectangleSides,

@@ -12,8 +12,9 @@ use crate::derive::Derivation;
 use crate::mesh::{FaceRef, FlatFace};
 
 /// Sets the edges of a face back in turns and adds the parts to a mesh. The pieces of the outline are its edges, which the
-/// cuts divide. A turn has one number for each piece; numbers that are not positive leave the piece where it is. With
-/// `tags_kinds`, sides have tags such as `setback.front`.
+/// cuts divide. The cuts are in the order of edges, and of shares along an edge; a cut out of this order, and the cuts after it,
+/// are ignored. A turn has one distance in metres for each piece. Numbers that are not positive, and pieces without a
+/// number, leave the piece where it is. With `tags_kinds`, sides have tags such as `setback.front`.
 ///
 /// Parts of a setback begin with the first piece that was set back, parts of the remainder with the first piece that has
 /// a side. If the face cannot be set back, nothing is added. Returns the number of faces of each turn, then of the

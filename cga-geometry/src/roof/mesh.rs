@@ -32,7 +32,21 @@ pub struct Roofs {
     pub without_overhangs: Vec<usize>,
 }
 
-/// Builds a roof over each face: the faces of the roof in the order of edges, then the face itself as the bottom.
+/// Builds a roof over each face: the faces of the roof in the order of edges, then the face itself, turned over, as the bottom.
+/// Faces that cannot have a roof are copied unchanged, and are listed with the reason.
+///
+/// The time is quadratic in the number of corners of a face.
+///
+/// ```
+/// use cga_geometry::primitive;
+/// use cga_geometry::roof::{Rise, RoofForm, roof_over};
+///
+/// // A pyramid of height 2 over a square with sides of 1.
+/// let roofs = roof_over(&primitive::quad(), RoofForm::Pyramid, Rise::Height(2.0));
+/// assert!(roofs.refused.is_empty() && roofs.mesh.is_closed());
+/// assert_eq!(roofs.mesh.face_count(), 5);
+/// assert!((roofs.mesh.volume() - 2.0 / 3.0).abs() < 1e-12);
+/// ```
 pub fn roof_over(source: &Mesh, form: RoofForm, rise: Rise) -> Roofs {
     let mut made = Derivation::new(source, CornerValues::Dropped, 0);
     let mut bent = source.bent;

@@ -65,14 +65,14 @@ pub enum RoofForm {
         along: f64,
         /// True to make ridges level.
         even: bool,
-        /// The edge that the ridge is parallel to; negative numbers count from the end.
+        /// The edge that the ridge is parallel to. Negative numbers count from the end; numbers out of range wrap around.
         edge: Option<i64>,
     },
     /// Triangles to an apex over the mean of the corners.
     Pyramid,
     /// One plane that rises from an edge.
     Shed {
-        /// The number of the edge; negative ones count from the end.
+        /// The number of the edge. Negative numbers count from the end; numbers out of range wrap around.
         edge: i64,
     },
     /// Two planes whose ridge is parallel to the x axis, projected into the face.
