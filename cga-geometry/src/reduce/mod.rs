@@ -57,7 +57,7 @@ impl Eq for Candidate {}
 
 /// The mesh without tags and without a share of its vertices, from 0 to 1: fewer vertices go if no further edge can collapse.
 ///
-/// `None` if no vertex goes, if the share is NaN, or if the work is to end ([`work`](crate::work)).
+/// `None` if no vertex goes, if the share is NaN, or if the work is to end ([`crate::work`]).
 ///
 /// ```
 /// use cga_geometry::{primitive, reduce};
