@@ -17,7 +17,8 @@ fn the_public_interface_is_the_list() {
     let facade = fs::read_to_string(root().join("src/lib.rs")).expect("the library");
     let mut items = Items::new();
     let mut modules = BTreeMap::new();
-    let crates = ["cga-runtime/src", "cga-geometry/src", "cga-street/src"].map(|folder| root().join(folder));
+    let crates = ["cga-runtime/src", "cga-geometry/src", "cga-street/src", "cga-picture/src"];
+    let crates = crates.map(|folder| root().join(folder));
     for file in crates.iter().flat_map(|folder| sources(folder)) {
         let text = fs::read_to_string(&file).expect("a source file");
         let found = names_of(&text);
@@ -39,11 +40,18 @@ fn the_public_interface_is_the_list() {
         });
         lines.extend(members.into_iter().find(|members: &Vec<String>| !members.is_empty()).unwrap_or_default());
     }
-    let geometry = fs::read_to_string(crates[1].join("lib.rs")).expect("the library");
-    for name in geometry.lines().filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(';')) {
-        lines.insert(format!("cga_geometry::{name}"));
-        let members = members_of(&crates[1], name, &modules, &items);
-        lines.extend(members.map(|member| format!("cga_geometry::{name}{member}")));
+    for (place, folder) in [("cga_geometry", &crates[1]), ("cga_picture", &crates[3])] {
+        let library = fs::read_to_string(folder.join("lib.rs")).expect("the library");
+        for name in library.lines().filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(';')) {
+            lines.insert(format!("{place}::{name}"));
+            let members = members_of(folder, name, &modules, &items);
+            lines.extend(members.map(|member| format!("{place}::{name}{member}")));
+        }
+        for (_, name) in used(&library) {
+            let members = items.get(&name).into_iter().flatten();
+            lines.extend(members.map(|member| format!("{place}::{name}{member}")));
+            lines.insert(format!("{place}::{name}"));
+        }
     }
     let now: String = lines.iter().map(|line| format!("{line}\n")).collect();
     let path = root().join(LIST);

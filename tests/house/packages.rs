@@ -5,8 +5,17 @@ use std::path::Path;
 
 use cga_tests::tree::root;
 
-const PACKAGES: [&str; 8] =
-    ["", "cga-check", "cga-geometry", "cga-lang", "cga-macros", "cga-runtime", "cga-split", "cga-street"];
+const PACKAGES: [&str; 9] = [
+    "",
+    "cga-check",
+    "cga-geometry",
+    "cga-lang",
+    "cga-macros",
+    "cga-picture",
+    "cga-runtime",
+    "cga-split",
+    "cga-street",
+];
 
 /// The elements of `key = ["…", …]`, which may have several lines.
 fn list<'t>(manifest: &'t str, key: &str) -> Vec<&'t str> {

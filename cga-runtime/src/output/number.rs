@@ -100,14 +100,6 @@ pub(crate) fn hex(color: &Color) -> String {
     format!("{:02x}{:02x}{:02x}", byte(color.r), byte(color.g), byte(color.b))
 }
 
-/// Converts an sRGB channel to linear light, both in 0..=1.
-pub(crate) fn linear(srgb: f64) -> f64 {
-    match srgb {
-        c if c <= 0.04045 => c / 12.92,
-        c => libm::pow((c + 0.055) / 1.055, 2.4),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -117,7 +109,6 @@ mod tests {
         let text = [0.1, -0.0, 1.0, -2.5, 1e-3, f64::NAN].map(|v| Short(v).to_string());
         assert_eq!(text, ["0.1", "0", "1", "-2.5", "0.001", "0"]);
         assert_eq!(Short(0.1f32).to_string(), "0.1");
-        assert_eq!((linear(0.0), linear(1.0)), (0.0, 1.0));
     }
 
     #[test]

@@ -11,6 +11,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 
+use cga_picture::{Viewport, direction};
 use glam::{DAffine3, DVec3};
 
 use super::error::WriteError;
@@ -18,7 +19,6 @@ use super::flatten::{corner_point, unit};
 use super::number::Short;
 use super::order;
 use super::picture::Viewpoint;
-use super::picture::camera::{Viewport, direction};
 use super::sink_table::SinkTable;
 use super::whole_file;
 use crate::geometry::mesh::Mesh;
@@ -170,7 +170,7 @@ impl VisibleFaces {
         let finite = rings.iter().flatten().all(|p| p.is_finite());
         let Some(&first) = rings.first().and_then(|ring| ring.first()) else { return };
         let front = self.view.faces(first, normal);
-        let edge_on = self.view.forward.dot(normal).abs() < 1e-6;
+        let edge_on = self.view.forward().dot(normal).abs() < 1e-6;
         if !finite || edge_on || (solid && !front) {
             return;
         }

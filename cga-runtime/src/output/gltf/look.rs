@@ -3,13 +3,15 @@
 use std::collections::HashMap;
 use std::fmt::Write as _;
 
+use cga_picture::linear;
+
 use super::images::Images;
 use super::json::quoted;
 use super::textures::{LookTexture, NormalSpace, opacity, textures};
 use crate::material::layer::SetMask;
 use crate::material::{Channel, Material, MaterialNumber, MaterialText};
 use crate::output::interner::Interner;
-use crate::output::number::{Short, hex, linear, share};
+use crate::output::number::{Short, hex, share};
 
 /// The alpha modes of glTF. The cutoff is stored as bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -4,13 +4,13 @@
 //! correction for the perspective. The points of neighbouring samples on the same plane give the part of the image
 //! that a sample shows.
 
-use crate::geometry::each::Each;
+use cga_geometry::each::Each;
 use glam::{DVec2, DVec3};
 
-use super::camera::Viewport;
-use super::scene::{Paint, Scene, Triangle};
-use super::texel::{Alpha, CornerUvs, PLAIN};
-use super::texture::{Texel, Texture};
+use crate::paint::{Alpha, Paint};
+use crate::scene::{CornerUvs, PLAIN, Scene, Triangle};
+use crate::texture::{Texel, Texture};
+use crate::viewport::Viewport;
 
 /// The part of a surface that a sample shows.
 #[derive(Clone, Copy, Debug)]
@@ -50,15 +50,15 @@ impl Footprint {
 
 impl Scene {
     /// The paint of a triangle at the point of a sample, with its images.
-    pub(super) fn paint_at(&self, triangle: &Triangle, view: &Viewport, sample: [f64; 2], point: DVec3) -> Paint {
+    pub(crate) fn paint_at(&self, triangle: &Triangle, view: &Viewport, sample: [f64; 2], point: DVec3) -> Paint {
         let mut paint = self.paints[triangle.paint as usize];
-        let Some(corners) = self.textures.corners.get(triangle.uvs as usize) else { return paint };
+        let Some(corners) = self.uvs.get(triangle.uvs as usize) else { return paint };
         let footprint = Footprint::of(triangle, view, sample, point);
-        if let (Some(map), Some(corners)) = (paint.maps.color, &corners[0]) {
-            paint.color *= footprint.sample(&self.textures.list[map.texture as usize], corners).truncate();
+        if let (Some(image), Some(corners)) = (paint.color_image, &corners[0]) {
+            paint.color *= footprint.sample(self.texture(image), corners).truncate();
         }
-        if let (Some((map, alpha)), Some(corners)) = (paint.maps.opacity, &corners[1]) {
-            let opacity = paint.opacity * footprint.sample(&self.textures.list[map.texture as usize], corners).w;
+        if let (Some((image, alpha)), Some(corners)) = (paint.opacity_image, &corners[1]) {
+            let opacity = paint.opacity * footprint.sample(self.texture(image), corners).w;
             paint.opacity = match alpha {
                 Alpha::Blend => opacity,
                 Alpha::Mask(cutoff) if opacity < cutoff => 0.0,
@@ -69,12 +69,10 @@ impl Scene {
     }
 
     /// The mean opacity of a triangle.
-    pub(super) fn mean_opacity(&self, triangle: &Triangle) -> f32 {
+    pub(crate) fn mean_opacity(&self, triangle: &Triangle) -> f32 {
         let paint = &self.paints[triangle.paint as usize];
-        match paint.maps.opacity {
-            Some((map, _)) if triangle.uvs != PLAIN => {
-                paint.opacity * self.textures.list[map.texture as usize].mean().w
-            }
+        match paint.opacity_image {
+            Some((image, _)) if triangle.uvs != PLAIN => paint.opacity * self.texture(image).mean().w,
             _ => paint.opacity,
         }
     }

@@ -3,8 +3,9 @@
 //! The colours of an image are a cloud of points. The box around the cloud is divided at the median of its longest side,
 //! and so are the boxes of the parts, until they are as many as the palette has colours.
 
-use crate::geometry::each::Each;
 use std::collections::BTreeMap;
+
+use cga_geometry::each::Each;
 
 /// An RGB colour.
 type Rgb = [u8; 3];
@@ -14,16 +15,16 @@ const COLORS: usize = 256;
 
 /// A palette, and the index of a colour for each pixel.
 #[derive(Debug)]
-pub(super) struct Indexed {
-    pub(super) palette: Vec<Rgb>,
-    pub(super) pixels: Vec<u8>,
+pub(crate) struct Indexed {
+    pub(crate) palette: Vec<Rgb>,
+    pub(crate) pixels: Vec<u8>,
 }
 
 impl Indexed {
     /// The image of RGBA pixels in rows of `width`, in at most 256 colours. Images with few colours stay as they are; in
     /// others, a fine pattern mixes neighbouring colours where a gradient would otherwise have steps. The opacity is
     /// left out.
-    pub(super) fn new(rgba: &[u8], width: usize) -> Indexed {
+    pub(crate) fn new(rgba: &[u8], width: usize) -> Indexed {
         let colors = || rgba.chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2]]);
         let mut counts: BTreeMap<Rgb, usize> = BTreeMap::new();
         colors().for_each(|color| *counts.entry(color).or_default() += 1);

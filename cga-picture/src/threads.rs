@@ -6,7 +6,7 @@ use std::thread;
 
 /// Runs `task` for the numbers below `count` and returns the results in order. Each thread has a state of its own, for
 /// memory that is used again. A platform without threads does all the work here.
-pub(super) fn on_all_cores<S, T: Send>(
+pub(crate) fn on_all_cores<S, T: Send>(
     count: usize,
     state: impl Fn() -> S + Sync,
     task: impl Fn(&mut S, usize) -> T + Sync,

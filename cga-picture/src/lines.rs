@@ -5,11 +5,22 @@
 
 use glam::DVec3;
 
-use super::scene::Scene;
-use super::visible::{GROUND, SKY, VisibilityBuffer};
+use crate::scene::Scene;
+use crate::visible::{GROUND, SKY, VisibilityBuffer};
+
+/// The lines that are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Lines {
+    /// No lines.
+    None,
+    /// Silhouettes and creases.
+    Edges,
+    /// Silhouettes, creases, and the borders between leaves in one plane.
+    Leaves,
+}
 
 /// The strength of the line at each sample, 0 to 1.
-pub(super) fn lines(scene: &Scene, layer: &VisibilityBuffer, leaves: bool) -> Vec<f32> {
+pub(crate) fn lines(scene: &Scene, layer: &VisibilityBuffer, leaves: bool) -> Vec<f32> {
     let (width, height) = (layer.width, layer.height);
     let mut dark = vec![0.0f32; width * height];
     let planes = layer.planes(scene);
@@ -42,6 +53,7 @@ pub(super) fn lines(scene: &Scene, layer: &VisibilityBuffer, leaves: bool) -> Ve
     dark
 }
 
+/// The leaf in a sample.
 fn leaf(scene: &Scene, seen: u32) -> Option<u32> {
     scene.triangles.get(seen as usize).map(|triangle| triangle.leaf)
 }

@@ -4,14 +4,14 @@
 //! tests the sun and some of the lamps, and its neighbours test the other lamps. The average over a block of 4×4
 //! samples on one surface then covers all lamps, without noise.
 
-use crate::geometry::each::Each;
+use cga_geometry::each::Each;
 use glam::{DVec3, Vec3};
 
-use super::camera::{Viewport, direction};
-use super::raster;
-use super::scene::Scene;
-use super::threads::on_all_cores;
-use super::visible::{GROUND, SKY, VisibilityBuffer};
+use crate::raster;
+use crate::scene::Scene;
+use crate::threads::on_all_cores;
+use crate::viewport::{Viewport, direction};
+use crate::visible::{GROUND, SKY, VisibilityBuffer};
 
 /// The samples along a side of a block, and the number of them with tests of their own.
 const BLOCK: usize = 4;
@@ -23,9 +23,9 @@ const GOLDEN: f64 = 137.507_764_050_037_85;
 
 /// The light that reaches each sample, 0 to 1.
 #[derive(Debug)]
-pub(super) struct Light {
-    pub(super) sun: Vec<f32>,
-    pub(super) sky: Vec<f32>,
+pub(crate) struct Light {
+    pub(crate) sun: Vec<f32>,
+    pub(crate) sky: Vec<f32>,
 }
 
 /// A distant lamp and its depth map of the scene.
@@ -130,7 +130,7 @@ fn class_samples(layer: &VisibilityBuffer, class: usize) -> impl Iterator<Item =
 }
 
 /// The light on the surfaces visible in `layer`; `half` is half the size of the scene.
-pub(super) fn light(scene: &Scene, layer: &VisibilityBuffer, view: &Viewport, half: DVec3, sun: DVec3) -> Light {
+pub(crate) fn light(scene: &Scene, layer: &VisibilityBuffer, view: &Viewport, half: DVec3, sun: DVec3) -> Light {
     // Thin glass casts no visible shadow.
     let casters: Vec<[Vec3; 3]> = scene
         .triangles
@@ -214,7 +214,7 @@ impl LightSum {
 
 /// The visible point in a sample and the normal there, turned to the viewer.
 #[inline]
-pub(super) fn surface(
+pub(crate) fn surface(
     scene: &Scene,
     layer: &VisibilityBuffer,
     view: &Viewport,

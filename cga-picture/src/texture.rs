@@ -1,20 +1,19 @@
 //! Images on surfaces: smaller copies of each, and interpolation between pixels.
 
+use cga_geometry::each::Each;
 use glam::{DVec2, Vec4};
 
-use super::Image;
-use super::gamma::Gamma;
-use crate::geometry::each::Each;
-use crate::output::number::linear;
+use crate::bitmap::Bitmap;
+use crate::gamma::{Gamma, linear};
 
 /// An image and its smaller copies, each half as wide and high as the last, down to one pixel.
 #[derive(Debug)]
-pub(super) struct Texture {
-    levels: Vec<Image>,
+pub(crate) struct Texture {
+    levels: Vec<Bitmap>,
 }
 
 /// A texel: linear red, green and blue, and opacity.
-pub(super) type Texel = Vec4;
+pub(crate) type Texel = Vec4;
 
 /// The largest number of places that are averaged along the longer side of a sample's part of an image.
 const MOST_TAPS: f64 = 16.0;
@@ -33,7 +32,7 @@ fn texel(pixel: [u8; 4]) -> Texel {
 
 impl Texture {
     /// Makes the smaller copies of an image.
-    pub(super) fn new(image: Image) -> Self {
+    pub(crate) fn new(image: Bitmap) -> Self {
         let gamma = Gamma::new();
         let mut levels = vec![image];
         while let Some(last) = levels.last()
@@ -46,7 +45,7 @@ impl Texture {
     }
 
     /// The mean colour and opacity of the image.
-    pub(super) fn mean(&self) -> Texel {
+    pub(crate) fn mean(&self) -> Texel {
         self.levels.last().and_then(|last| last.pixel(0, 0)).map_or(Vec4::ONE, texel)
     }
 
@@ -55,7 +54,7 @@ impl Texture {
     ///
     /// The shorter side selects a smaller copy, and several places are averaged along the longer one. So surfaces
     /// seen at an angle are neither blurred nor grainy.
-    pub(super) fn sample(&self, at: DVec2, sides: [DVec2; 2]) -> Texel {
+    pub(crate) fn sample(&self, at: DVec2, sides: [DVec2; 2]) -> Texel {
         let own = &self.levels[0];
         let size = DVec2::new(own.width as f64, own.height as f64);
         let [a, b] = sides.each(|side| (side * size).length());
@@ -85,7 +84,7 @@ impl Texture {
 }
 
 /// The colour interpolated between four pixels.
-fn between_pixels(image: &Image, at: DVec2) -> Texel {
+fn between_pixels(image: &Bitmap, at: DVec2) -> Texel {
     let place = |coordinate: f64, size: usize| {
         let place = (coordinate - libm::floor(coordinate)) * size as f64 - 0.5;
         let low = libm::floor(place);
@@ -101,7 +100,7 @@ fn between_pixels(image: &Image, at: DVec2) -> Texel {
 }
 
 /// The image at half its size. At an odd size the last row or column is used twice.
-fn halved(image: &Image, gamma: &Gamma) -> Image {
+fn halved(image: &Bitmap, gamma: &Gamma) -> Bitmap {
     let (width, height) = (image.width.div_ceil(2), image.height.div_ceil(2));
     let mut rgba = Vec::with_capacity(4 * width * height);
     for y in 0..height {
@@ -114,7 +113,7 @@ fn halved(image: &Image, gamma: &Gamma) -> Image {
             rgba.extend([gamma.byte(sum[0]), gamma.byte(sum[1]), gamma.byte(sum[2]), (sum[3] * 255.0 + 0.5) as u8]);
         }
     }
-    Image { width, height, rgba }
+    Bitmap { width, height, rgba }
 }
 
 #[cfg(test)]
@@ -122,7 +121,7 @@ mod tests {
     use super::*;
 
     fn checker() -> Texture {
-        let mut image = Image::filled(8, 8, [255; 4]);
+        let mut image = Bitmap::filled(8, 8, [255; 4]);
         for at in (0..64).filter(|at| (at % 8 + at / 8) % 2 == 1) {
             image.rgba[4 * at..4 * at + 3].fill(0);
         }
@@ -147,7 +146,7 @@ mod tests {
 
     #[test]
     fn no_coordinates_are_too_large() {
-        let texture = Texture::new(Image::filled(1, 1, [255, 0, 0, 128]));
+        let texture = Texture::new(Bitmap::filled(1, 1, [255, 0, 0, 128]));
         for huge in [1e9, -1e9, 1e300, f64::MAX, f64::INFINITY, f64::NAN] {
             for sides in [[DVec2::ZERO; 2], [DVec2::splat(huge); 2], [DVec2::X, DVec2::Y * huge]] {
                 let [r, g, b, a] = texture.sample(DVec2::new(huge, 0.5), sides).to_array();
@@ -159,7 +158,7 @@ mod tests {
 
     #[test]
     fn long_images_have_levels_of_one_pixel_width() {
-        let texture = Texture::new(Image::filled(5, 1, [9; 4]));
+        let texture = Texture::new(Bitmap::filled(5, 1, [9; 4]));
         let sizes: Vec<_> = texture.levels.iter().map(|level| (level.width, level.height)).collect();
         assert_eq!(sizes, [(5, 1), (3, 1), (2, 1), (1, 1)]);
     }

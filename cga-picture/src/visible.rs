@@ -1,27 +1,26 @@
 //! The visible surface in each sample of a picture.
 
-use crate::geometry::each::Each;
+use cga_geometry::each::Each;
 use glam::DVec3;
 
-use super::camera::Viewport;
-use super::raster;
-use super::scene::Scene;
-use super::texel::PLAIN;
+use crate::raster;
+use crate::scene::{PLAIN, Scene};
+use crate::viewport::Viewport;
 
 /// The mark of the background.
-pub(super) const SKY: u32 = u32::MAX;
+pub(crate) const SKY: u32 = u32::MAX;
 /// The mark of the ground plane.
-pub(super) const GROUND: u32 = u32::MAX - 1;
+pub(crate) const GROUND: u32 = u32::MAX - 1;
 
 /// One layer of samples, row by row from the upper left.
 #[derive(Debug)]
-pub(super) struct VisibilityBuffer {
-    pub(super) width: usize,
-    pub(super) height: usize,
+pub(crate) struct VisibilityBuffer {
+    pub(crate) width: usize,
+    pub(crate) height: usize,
     /// The nearness of each sample; see [`Viewport::project`].
-    pub(super) near: Vec<f32>,
+    pub(crate) near: Vec<f32>,
     /// The triangle of each sample, or [`SKY`] or [`GROUND`].
-    pub(super) seen: Vec<u32>,
+    pub(crate) seen: Vec<u32>,
 }
 
 impl VisibilityBuffer {
@@ -31,19 +30,19 @@ impl VisibilityBuffer {
     }
 
     /// The middle of a sample, from the upper left corner of the picture.
-    pub(super) fn place(&self, sample: usize) -> [f64; 2] {
+    pub(crate) fn place(&self, sample: usize) -> [f64; 2] {
         [(sample % self.width) as f64 + 0.5, (sample / self.width) as f64 + 0.5]
     }
 
     /// The plane of each sample: samples in one plane have equal numbers.
-    pub(super) fn planes(&self, scene: &Scene) -> Vec<u32> {
+    pub(crate) fn planes(&self, scene: &Scene) -> Vec<u32> {
         self.seen.iter().map(|&seen| scene.triangles.get(seen as usize).map_or(seen, |t| t.plane)).collect()
     }
 }
 
 /// The layer of opaque triangles, and if there are any, the layer of the nearest transparent triangles in front of
 /// it.
-pub(super) fn layers(
+pub(crate) fn layers(
     scene: &Scene,
     view: &Viewport,
     width: usize,
@@ -51,7 +50,7 @@ pub(super) fn layers(
 ) -> (VisibilityBuffer, Option<VisibilityBuffer>) {
     let mut opaque = VisibilityBuffer::new(width, height);
     draw(scene, view, &mut opaque, |opacity| OPAQUE <= opacity);
-    if scene.paints.iter().all(|paint| paint.opacity == 1.0 && paint.maps.opacity.is_none()) {
+    if scene.paints.iter().all(|paint| paint.opacity == 1.0 && paint.opacity_image.is_none()) {
         return (opaque, None);
     }
     let mut clear = VisibilityBuffer::new(width, height);
@@ -74,7 +73,7 @@ fn draw(scene: &Scene, view: &Viewport, layer: &mut VisibilityBuffer, wanted: im
     let limit = view.near(DVec3::ZERO);
     for (id, triangle) in scene.triangles.iter().enumerate() {
         let paint = &scene.paints[triangle.paint as usize];
-        let has_map = paint.maps.opacity.is_some() && triangle.uvs != PLAIN;
+        let has_map = paint.opacity_image.is_some() && triangle.uvs != PLAIN;
         if !has_map && !wanted(paint.opacity) {
             continue;
         }
@@ -122,7 +121,7 @@ fn clipped(corners: [DVec3; 3], inside: impl Fn(DVec3) -> f64, mut put: impl FnM
 }
 
 /// Adds a horizontal ground to all samples without a surface, if the camera is above it.
-pub(super) fn ground(layer: &mut VisibilityBuffer, view: &Viewport, height: f64) {
+pub(crate) fn ground(layer: &mut VisibilityBuffer, view: &Viewport, height: f64) {
     for sample in 0..layer.seen.len() {
         if layer.seen[sample] != SKY {
             continue;

@@ -1,100 +1,12 @@
-//! The cameras of pictures.
+//! The projection of a camera to the pixels of a picture.
 
+use cga_geometry::mesh::Bounds;
 use glam::DVec3;
 
-use crate::geometry::mesh::Bounds;
+use crate::camera::{Camera, Projection};
 
-/// A camera with a direction, at the distance from which everything is in the picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Camera {
-    /// The azimuth of the camera in degrees around the model: 0 in front (on the side of +z), 90 to the right (+x).
-    pub azimuth: f64,
-    /// The elevation of the camera in degrees: 0 level with the model, 90 straight above.
-    pub elevation: f64,
-    /// The projection.
-    pub projection: Projection,
-    /// The region of the world that must be in the picture.
-    pub bounds: Bounds,
-    /// The free space around it, as a fraction of the picture's smaller side.
-    pub margin: f64,
-    /// True to give the direction with more free space equal space on both sides. Perspective makes the near side larger,
-    /// so a wide model otherwise has more space below it than above.
-    pub centred: bool,
-}
-
-/// The viewpoint of a picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Viewpoint {
-    /// The default three-quarter view of the whole model: [`Camera::auto`].
-    #[default]
-    Auto,
-    /// The whole model, from a direction in degrees; see [`Camera::azimuth`] and [`Camera::elevation`].
-    Around {
-        /// The azimuth.
-        azimuth: f64,
-        /// The elevation.
-        elevation: f64,
-    },
-    /// A camera that does not depend on the model.
-    Camera(Camera),
-}
-
-impl Viewpoint {
-    /// The camera for a model with those bounds.
-    pub fn camera(&self, bounds: Bounds) -> Camera {
-        match *self {
-            Viewpoint::Auto => Camera::auto(bounds),
-            Viewpoint::Around { azimuth, elevation } => Camera::auto(bounds).looking_from(azimuth, elevation),
-            Viewpoint::Camera(camera) => camera,
-        }
-    }
-}
-
-/// A projection from space to the picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Projection {
-    /// Distant things are smaller. The number is the vertical field of view in degrees, above 0 and below 180.
-    Perspective(f64),
-    /// Parallels stay parallel.
-    Orthographic,
-}
-
-impl Camera {
-    /// A three-quarter view from the front right and above that shows all of `bounds`.
-    ///
-    /// A flat, wide model such as a district is seen from higher up than a tower.
-    pub fn auto(bounds: Bounds) -> Self {
-        let size = bounds.size();
-        let flat = size.y < 0.25 * size.x.min(size.z);
-        let elevation = if flat { 34.0 } else { 17.0 };
-        Camera {
-            azimuth: 34.0,
-            elevation,
-            projection: Projection::Perspective(28.0),
-            bounds,
-            margin: 0.06,
-            centred: false,
-        }
-    }
-
-    /// The same camera from another direction, in degrees; see the fields.
-    pub fn looking_from(self, azimuth: f64, elevation: f64) -> Self {
-        Camera { azimuth, elevation, ..self }
-    }
-
-    /// The same camera with parallel projection.
-    pub fn orthographic(self) -> Self {
-        Camera { projection: Projection::Orthographic, ..self }
-    }
-
-    /// The same camera with another vertical field of view, in degrees.
-    pub fn field_of_view(self, degrees: f64) -> Self {
-        Camera { projection: Projection::Perspective(degrees), ..self }
-    }
-}
-
-/// The unit vector in a direction.
-pub(crate) fn direction(azimuth: f64, elevation: f64) -> DVec3 {
+/// The unit vector in a direction, in degrees; see [`Camera::azimuth`] and [`Camera::elevation`].
+pub fn direction(azimuth: f64, elevation: f64) -> DVec3 {
     let (a, e) = (azimuth.to_radians(), elevation.to_radians());
     DVec3::new(libm::sin(a) * libm::cos(e), libm::sin(e), libm::cos(a) * libm::cos(e))
 }
@@ -102,14 +14,14 @@ pub(crate) fn direction(azimuth: f64, elevation: f64) -> DVec3 {
 /// A camera for a picture of a certain size: maps between the world and pixels. The third coordinate of a projected
 /// point grows with nearness and is linear in the picture over any plane.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Viewport {
+pub struct Viewport {
     pub(crate) eye: DVec3,
-    pub(crate) right: DVec3,
-    pub(crate) up: DVec3,
-    pub(crate) forward: DVec3,
+    right: DVec3,
+    up: DVec3,
+    forward: DVec3,
     perspective: bool,
     /// Pixels per unit of tangent (perspective) or of length.
-    pub(crate) scale: f64,
+    scale: f64,
     centre: (f64, f64),
 }
 
@@ -131,8 +43,8 @@ fn middle(points: impl Iterator<Item = (f64, f64)> + Clone, start: f64, reach: f
 }
 
 impl Viewport {
-    /// A view that shows all of the camera's bounds.
-    pub(crate) fn new(camera: &Camera, width: usize, height: usize) -> Viewport {
+    /// A view that shows all of the camera's bounds. The size is in pixels.
+    pub fn new(camera: &Camera, width: usize, height: usize) -> Viewport {
         let Bounds { low, high } = camera.bounds;
         let corner = |i: usize| {
             let pick = |bit: usize, low: f64, high: f64| if i >> bit & 1 == 0 { low } else { high };
@@ -197,6 +109,12 @@ impl Viewport {
         Viewport { eye, right, up, forward, perspective, scale, centre: (0.5 * w, 0.5 * h) }
     }
 
+    /// The unit vector along the view, away from the camera.
+    #[inline]
+    pub fn forward(&self) -> DVec3 {
+        self.forward
+    }
+
     /// The distance along the view.
     pub(crate) fn depth(&self, point: DVec3) -> f64 {
         (point - self.eye).dot(self.forward)
@@ -209,7 +127,7 @@ impl Viewport {
 
     /// The pixel coordinates of a point, from the upper left corner, and its nearness.
     #[inline]
-    pub(crate) fn project(&self, point: DVec3) -> [f64; 3] {
+    pub fn project(&self, point: DVec3) -> [f64; 3] {
         let d = point - self.eye;
         let z = d.dot(self.forward);
         let (k, q) = if self.perspective { (self.scale / z, 1.0 / z) } else { (self.scale, -z) };
@@ -228,7 +146,7 @@ impl Viewport {
 
     /// Returns true if a surface with that normal shows its front.
     #[inline]
-    pub(crate) fn faces(&self, point: DVec3, normal: DVec3) -> bool {
+    pub fn faces(&self, point: DVec3, normal: DVec3) -> bool {
         let look = if self.perspective { point - self.eye } else { self.forward };
         look.dot(normal) <= 0.0
     }

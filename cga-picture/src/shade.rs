@@ -1,27 +1,28 @@
 //! Colours from light and surface.
 
-use crate::geometry::each::Each;
+use cga_geometry::each::Each;
 use glam::{DVec3, Vec3};
 
-use super::Style;
-use super::camera::Viewport;
-use super::light::{Light, surface};
-use super::scene::{Paint, Scene};
-use super::visible::{GROUND, SKY, VisibilityBuffer};
+use crate::light::{Light, surface};
+use crate::paint::Paint;
+use crate::scene::Scene;
+use crate::style::Style;
+use crate::viewport::Viewport;
+use crate::visible::{GROUND, SKY, VisibilityBuffer};
 
 /// The data that colours depend on.
-pub(super) struct Shader<'a> {
-    pub(super) scene: &'a Scene,
-    pub(super) view: &'a Viewport,
-    pub(super) style: &'a Style,
+pub(crate) struct Shader<'a> {
+    pub(crate) scene: &'a Scene,
+    pub(crate) view: &'a Viewport,
+    pub(crate) style: &'a Style,
     /// The direction to the sun.
-    pub(super) sun: DVec3,
-    /// The radius of the model, seen from above.
-    pub(super) radius: f64,
-    pub(super) ground: f64,
+    pub(crate) sun: DVec3,
+    /// The radius of the scene, seen from above.
+    pub(crate) radius: f64,
+    pub(crate) ground: f64,
 }
 
-pub(super) fn mix(a: Vec3, b: Vec3, share: f32) -> Vec3 {
+pub(crate) fn mix(a: Vec3, b: Vec3, share: f32) -> Vec3 {
     a + (b - a) * share
 }
 
@@ -37,13 +38,13 @@ fn deepened(sky: f32) -> f32 {
 
 impl Shader<'_> {
     /// The backdrop at a height in the picture, 0 at the top and 1 at the bottom.
-    pub(super) fn backdrop(&self, down: f64) -> Vec3 {
+    pub(crate) fn backdrop(&self, down: f64) -> Vec3 {
         let [top, bottom] = self.style.backdrop.each(Vec3::from);
         mix(top, bottom, smooth(0.0, 0.85, down))
     }
 
     /// The colour of a sample of the opaque layer.
-    pub(super) fn opaque(&self, layer: &VisibilityBuffer, light: &Light, sample: usize) -> Vec3 {
+    pub(crate) fn opaque(&self, layer: &VisibilityBuffer, light: &Light, sample: usize) -> Vec3 {
         let down = (sample / layer.width) as f64 / layer.height as f64;
         let backdrop = self.backdrop(down);
         let Some((point, normal)) = surface(self.scene, layer, self.view, sample) else { return backdrop };
@@ -59,13 +60,13 @@ impl Shader<'_> {
     }
 
     /// The colour of a sample of the transparent layer over the colour behind it.
-    pub(super) fn clear(&self, layer: &VisibilityBuffer, light: &Light, sample: usize, behind: Vec3) -> Vec3 {
+    pub(crate) fn clear(&self, layer: &VisibilityBuffer, light: &Light, sample: usize, behind: Vec3) -> Vec3 {
         let Some((point, normal)) = surface(self.scene, layer, self.view, sample) else { return behind };
         let Some(triangle) = self.scene.triangles.get(layer.seen[sample] as usize) else { return behind };
         let paint = self.scene.paint_at(triangle, self.view, layer.place(sample), point);
         // Glass takes the shadows of the surface behind it: a good approximation, and hardly visible.
         let lit = self.lit(&paint, point, normal, light.sun[sample], light.sky[sample]);
-        if paint.maps.opacity.is_some() {
+        if paint.opacity_image.is_some() {
             return mix(behind, lit, paint.opacity);
         }
         let glossy = Paint { gloss: paint.gloss.max(0.9), ..paint };
@@ -125,7 +126,7 @@ impl Shader<'_> {
 }
 
 /// Compresses bright linear light, so that bright surfaces keep their colour.
-pub(super) fn display(color: Vec3) -> Vec3 {
+pub(crate) fn display(color: Vec3) -> Vec3 {
     color.map(|c| {
         let knee = 0.8;
         if c <= knee { c } else { knee + (1.0 - knee) * (1.0 - libm::expf((knee - c) / (1.0 - knee))) }

@@ -1,6 +1,6 @@
 //! Rasterisation of triangles.
 
-use crate::geometry::each::Each;
+use cga_geometry::each::Each;
 
 /// Corners are rounded to multiples of `1 / GRID` pixels. Edge functions are then exact in `f64`, so triangles that
 /// share an edge neither share nor omit a pixel.
@@ -9,7 +9,7 @@ const GRID: f64 = 256.0;
 /// Calls `put` with index and nearness of each pixel whose centre is in a triangle. Corners have x and y in pixels
 /// from the upper left and a third number that is interpolated. Both windings are allowed.
 #[inline]
-pub(super) fn triangle(corners: [[f64; 3]; 3], width: usize, height: usize, mut put: impl FnMut(usize, f64)) {
+pub(crate) fn triangle(corners: [[f64; 3]; 3], width: usize, height: usize, mut put: impl FnMut(usize, f64)) {
     // Far outside the picture, products would no longer be exact; nothing there is visible.
     const FAR: f64 = 1e6;
     if corners.iter().any(|p| !(p[0].abs() < FAR && p[1].abs() < FAR)) {
@@ -91,14 +91,14 @@ pub(super) fn triangle(corners: [[f64; 3]; 3], width: usize, height: usize, mut 
 }
 
 /// Raises the texels of a map, `width` in a row, to a triangle. Faster than [`triangle`] but not exact: it is for
-/// depth maps of lights, where a missing or doubled texel does not show. Corners must be inside the map.
+/// depth maps of lights, where a missing or doubled texel does not show. The map is a square; parts outside are left out.
 #[inline]
-pub(super) fn raise([a, b, c]: [[f32; 3]; 3], width: usize, map: &mut [f32]) {
+pub(crate) fn raise([a, b, c]: [[f32; 3]; 3], width: usize, map: &mut [f32]) {
     let (y_low, y_high) = (a[1].min(b[1]).min(c[1]), a[1].max(b[1]).max(c[1]));
     let (x_low, x_high) = (a[0].min(b[0]).min(c[0]), a[0].max(b[0]).max(c[0]));
     // Texel centres are at halves.
-    let (y0, y1) = ((y_low + 0.5) as usize, (y_high + 0.5) as usize);
-    if y0 == y1 || (x_low + 0.5) as usize == (x_high + 0.5) as usize {
+    let (y0, y1) = ((y_low + 0.5) as usize, ((y_high + 0.5) as usize).min(width));
+    if y1 <= y0 || (x_low + 0.5) as usize == (x_high + 0.5) as usize {
         return;
     }
     let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -122,7 +122,7 @@ pub(super) fn raise([a, b, c]: [[f32; 3]; 3], width: usize, map: &mut [f32]) {
                 to = to.max(x);
             }
         }
-        let (first, last) = ((from.max(x_low) + 0.5) as usize, (to.min(x_high) + 0.5) as usize);
+        let (first, last) = ((from.max(x_low) + 0.5) as usize, ((to.min(x_high) + 0.5) as usize).min(width));
         if last <= first {
             continue;
         }
