@@ -1,4 +1,4 @@
-//! The outline of a mesh as seen along an axis.
+//! The outline of a mesh as seen from above.
 
 use glam::{DVec2, DVec3};
 

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-/// One of the three axes of a scope.
+/// One of the three axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Axis {
     /// The axis along the width.

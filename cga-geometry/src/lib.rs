@@ -17,7 +17,8 @@
 //!
 //! A [`Mesh`](mesh::Mesh) has points and faces over them. A face is a planar polygon with holes, counter-clockwise as seen from
 //! outside. It may have a group, a material, tags, texture coordinates in ten sets and normals; all operations keep or derive them.
-//! Meshes are made by a [`MeshBuilder`](mesh::MeshBuilder), which checks them, by [`primitive`] or from [`obj`] text, and do not change.
+//! Meshes are made by a [`MeshBuilder`](mesh::MeshBuilder), which checks them, by [`primitive`] or from [`obj`] text. Faces should be planar:
+//! [`planar_faces`](unbent::planar_faces) makes them so.
 //!
 //! | | modules |
 //! |---|---|
@@ -35,10 +36,10 @@
 //!
 //! # Promises
 //!
-//! - **Closed stays closed.** Volumes and areas of parts add up, for concave, nested, bent and touching input.
-//! - **Bad input hurts nobody.** No operation panics or hangs on degenerate, tangled or huge meshes: it returns an error, or leaves out
-//!   or copies the faces that it cannot handle and names them. Where a wrong number is a mistake of the program, a section *Panics* says
-//!   so. Time and memory have limits.
+//! - **Closed stays closed.** Volumes and areas of parts add up, for concave, nested and touching input with planar faces.
+//! - **Bad input hurts nobody.** No operation panics or hangs on degenerate, tangled or huge meshes: it returns an error, names the
+//!   faces that it left alone, or does what its page says. Where a wrong number is a mistake of the program, a section *Panics* says
+//!   so. Operations that may take much time or memory have limits; cuts have one on request ([`slabs_within`](cut::slabs_within)).
 //! - **The same bits everywhere.** Results do not depend on the platform, on threads or on hashing.
 //! - **No value is lost.** Texture coordinates, normals, groups, materials and tags follow from the origins of points and faces
 //!   ([`derive`](mod@derive)). An operation that forgets an origin does not compile.

@@ -42,7 +42,7 @@ pub enum OffsetError {
     NoNormal,
     /// The face has too many corners.
     TooMany,
-    /// The outlines of the face cross.
+    /// The outlines of the face cross, or a number leads too far.
     Tangled,
 }
 

@@ -7,7 +7,7 @@ use crate::each::Each;
 use crate::mesh::{FaceTag, Mesh};
 use crate::provenance::{Provenance, tag_sets};
 
-/// The initial box of a run: front, right, back, left (counter-clockwise as seen from above), top, bottom. Vertices are
+/// A closed box: front, right, back, left (counter-clockwise as seen from above), top, bottom. Vertices are
 /// numbered x + 2y + 4z.
 pub fn cuboid() -> Mesh {
     let points = [0, 1, 2, 3, 4, 5, 6, 7].map(corner);

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::derive::{CornerValues, Derivation, FaceOrigin};
 use crate::each::Each;
-use crate::mesh::{Mesh, unit};
+use crate::mesh::{FaceRef, Flaw, Mesh, unit};
 use crate::tol::UP_EPSILON;
 use crate::triangulate::Triangulator;
 
@@ -15,11 +15,45 @@ pub fn without_bent_faces(mesh: &Mesh) -> Cow<'_, Mesh> {
     if mesh.bent == DVec3::ZERO {
         return Cow::Borrowed(mesh);
     }
+    match in_triangles(mesh, |face| face.is_bent()) {
+        Cow::Borrowed(_) => Cow::Owned(Mesh { bent: DVec3::ZERO, ..mesh.clone() }),
+        made => made,
+    }
+}
+
+/// The mesh whose faces are planar: triangles in place of each face whose corners are out of its plane by more than rounding. Cuts
+/// and booleans need planar faces. Files often have others, which [`Mesh::check`] names.
+///
+/// ```
+/// use cga_geometry::mesh::MeshBuilder;
+/// use cga_geometry::unbent::planar_faces;
+///
+/// let mut builder = MeshBuilder::new();
+/// let corners = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 0.5, -2.0], [0.0, 0.0, -2.0]].map(|at| builder.point(at));
+/// builder.polygon(&corners);
+/// assert_eq!(planar_faces(&builder.build()?).face_count(), 2);
+/// # Ok::<(), cga_geometry::mesh::MeshError>(())
+/// ```
+pub fn planar_faces(mesh: &Mesh) -> Cow<'_, Mesh> {
+    let mut is_planar = vec![true; mesh.face_count()];
+    for flaw in mesh.check() {
+        if let Flaw::NotPlanar { face, .. } = flaw {
+            is_planar[face] = false;
+        }
+    }
+    in_triangles(mesh, |face| face.is_bent() || !is_planar[face.index()])
+}
+
+/// The mesh with some faces as their triangles, which have the attributes of the face.
+fn in_triangles(mesh: &Mesh, is_divided: impl Fn(&FaceRef<'_>) -> bool) -> Cow<'_, Mesh> {
+    if !mesh.faces().any(|face| is_divided(&face)) {
+        return Cow::Borrowed(mesh);
+    }
     let mut made = Derivation::new(mesh, CornerValues::All, mesh.corners().len()).with_old_points();
     let mut triangulator = Triangulator::new();
     for face in mesh.faces() {
         let (origin, mut triangles) = (FaceOrigin::piece(&face), Vec::new());
-        if face.is_bent() {
+        if is_divided(&face) {
             triangulator.face(mesh, face.index(), &mut triangles);
         }
         for triangle in &triangles {

@@ -1,8 +1,8 @@
 //! The work of long operations, counted so that they can end early.
 //!
 //! Algorithms whose time grows faster than their input count their work with [`spend`]. After every `UNITS_A_QUESTION` units the
-//! thread asks its [`Supervisor`] whether to go on. A thread without a supervisor always goes on: meshes are also used outside of
-//! runs. The count belongs to the thread, because the algorithms lie many calls below the run.
+//! thread asks its [`Supervisor`] whether to go on. A thread without a supervisor always goes on.
+//! The count belongs to the thread, because the algorithms lie many calls below the run.
 
 use std::cell::{Cell, RefCell};
 use std::fmt;

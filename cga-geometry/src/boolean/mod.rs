@@ -60,7 +60,7 @@ use shell::{Shell, ShellKind, close_shells, shells};
 use winding::Windings;
 
 /// The result of an operation on meshes in the same coordinates. The parts of an operand are united first. `rounding` is the
-/// largest rounding error of coordinates, in metres; 0 if they are exact.
+/// largest rounding error of coordinates, in metres; 0 if they are exact. It must be small beside the size of the meshes.
 ///
 /// The faces of the first operand come first. A face keeps its group, its material, its tags and the values of corners; where
 /// faces coincide, the first face keeps its own, with the tags of all. The result of closed operands is closed.
@@ -71,7 +71,10 @@ use winding::Windings;
 /// # Errors
 /// - [`BooleanError::NotFinite`] if a coordinate or `rounding` is NaN or infinite;
 /// - [`BooleanError::TooMany`] if the limit on time or memory is reached, which takes a few seconds and up to 0.6 GB;
-/// - [`BooleanError::Tangled`] if faces that are nearly at one place cannot be told apart.
+/// - [`BooleanError::Tangled`] if faces that are nearly at one place cannot be told apart, or if `rounding` is more than a
+///   hundredth of the size.
+///
+/// Faces must be planar: see [`planar_faces`](crate::unbent::planar_faces).
 ///
 /// ```
 /// use cga_geometry::boolean::{BooleanOp, combine};
@@ -96,6 +99,9 @@ pub fn combine(op: BooleanOp, operands: [&[Mesh]; 2], rounding: f64) -> Result<M
     combine_within(Budget::DEFAULT, op, operands, rounding)
 }
 
+/// The largest rounding error, relative to the extent.
+const LARGEST_ROUNDING: f64 = 1e-2;
+
 fn combine_within(
     mut budget: Budget,
     op: BooleanOp,
@@ -119,6 +125,10 @@ fn combine_within(
     let bounds = mesh.bounds();
     let scale = bounds.scale_to_one();
     let size = (bounds.high * scale - bounds.low * scale).max_element();
+    // All points would be one.
+    if LARGEST_ROUNDING * size < rounding * scale {
+        return Err(BooleanError::Tangled);
+    }
     let thinnest = THINNEST_SOLID * size + 16.0 * rounding * scale;
     for (epsilon, is_repeated) in BOOLEAN_EPSILONS.into_iter().zip([false, true, true, true]) {
         let epsilon = (epsilon * size).max(16.0 * rounding * scale);

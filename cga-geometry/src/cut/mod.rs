@@ -79,7 +79,7 @@ pub struct OpenChain {
 /// The faces of a part have the order of the mesh. Caps come after them, low plane first. A part without a piece of the
 /// mesh's first face begins with the cap towards that face instead. The values of corners are
 /// interpolated; tags stay. Caps ([`FaceTag::cap`](crate::mesh::FaceTag::cap)) have no group and no material
-/// of the mesh, so the shape's own material applies to them. Their texture coordinates are (0, 0) in all
+/// of the mesh. Their texture coordinates are (0, 0) in all
 /// sets of the mesh.
 ///
 /// ```
@@ -93,6 +93,9 @@ pub struct OpenChain {
 /// assert!(slabs.parts.iter().flatten().all(|part| part.is_closed()));
 /// assert!(slabs.parts[2].is_none() && slabs.open.is_empty());
 /// ```
+///
+/// Faces must be planar, or volumes of parts do not add up: see [`planar_faces`](crate::unbent::planar_faces). The parts have as many
+/// points as the planes make; [`slabs_within`] has a limit.
 pub fn slabs(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64]) -> Slabs {
     slabs_within(mesh, axis, offsets, usize::MAX).unwrap_or_default()
 }

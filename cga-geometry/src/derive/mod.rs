@@ -20,22 +20,24 @@
 //! use cga_geometry::primitive;
 //!
 //! fn fan(mesh: &Mesh) -> Mesh {
-//!     let mut made = Derivation::new(mesh, CornerValues::All, 0);
+//!     // All points of the mesh under their numbers, so that faces share them as before.
+//!     let mut made = Derivation::new(mesh, CornerValues::All, 0).with_old_points();
 //!     for face in mesh.faces() {
-//!         let middle = face.outline().sum::<DVec3>() / face.outer().len() as f64;
-//!         let middle = made.point(middle, PointOrigin::Grown);
-//!         let points: Vec<u32> = face.outer().iter().map(|&point| made.old_point(point)).collect();
-//!         for (k, edge) in face.edges().enumerate() {
-//!             let triangle = [points[k], points[(k + 1) % points.len()], middle];
+//!         let outline = face.outer();
+//!         let middle = face.outline().sum::<DVec3>() / outline.len() as f64;
+//!         let middle = made.point(middle, PointOrigin::New);
+//!         // The edges of the outline come before the edges of holes.
+//!         for (edge, k) in face.edges().zip(0..outline.len()) {
+//!             let triangle = [outline[k], outline[(k + 1) % outline.len()], middle];
 //!             made.face([triangle], FaceOrigin::over_edge(&face, "fan.side", edge));
 //!         }
 //!     }
 //!     made.finish()
 //! }
 //!
-//! let fans = fan(&primitive::quad());
-//! assert_eq!((fans.face_count(), fans.area()), (4, 1.0));
-//! assert!(fans.faces().all(|face| fans.tag_sets()[face.tag().tags as usize].has("fan.side")));
+//! let fans = fan(&primitive::cube());
+//! assert_eq!((fans.face_count(), fans.area(), fans.is_closed()), (24, 6.0, true));
+//! assert!(fans.faces().all(|face| face.tags().is_some_and(|tags| tags.has("fan.side"))));
 //! ```
 //!
 //! A point or a face whose origin is forgotten does not compile:
@@ -180,7 +182,8 @@ impl<'s> Derivation<'s> {
         self.made.add_point(at)
     }
 
-    /// Adds a point of the source and returns its number.
+    /// Adds another copy of a point of the source and returns its number. Faces that share points need
+    /// [`with_old_points`](Derivation::with_old_points), or one call for each point.
     pub fn old_point(&mut self, point: u32) -> u32 {
         self.point(self.source.points()[point as usize], PointOrigin::Old(point))
     }

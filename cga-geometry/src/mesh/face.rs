@@ -4,10 +4,11 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::{Bounds, FaceTag, Mesh};
+use super::{Bounds, FaceTag, Mesh, TagSet};
 use crate::vector::{area_vector, unit, well_scaled};
 
-/// A polygon with holes: a view into its mesh. It is planar, except in roofs whose ridges were made level.
+/// A polygon with holes: a view into its mesh. It should be planar; see [`Mesh::check`] and
+/// [`planar_faces`](crate::unbent::planar_faces). Roofs whose ridges were made level have bent faces, which operations know.
 #[derive(Clone, Copy, Debug)]
 pub struct FaceRef<'a> {
     pub(crate) mesh: &'a Mesh,
@@ -15,6 +16,11 @@ pub struct FaceRef<'a> {
 }
 
 impl<'a> FaceRef<'a> {
+    /// The component tags of the face, if it has some.
+    pub fn tags(&self) -> Option<&'a TagSet> {
+        self.mesh.tag_sets().get(self.tag().tags as usize)
+    }
+
     /// The number of the face in the mesh.
     pub fn index(&self) -> usize {
         self.index

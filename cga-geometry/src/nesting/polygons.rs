@@ -25,7 +25,11 @@ pub struct NestedRings {
 }
 
 impl NestedRings {
-    /// Groups rings, which are numbers of points. Outlines are anticlockwise, unless all rings together are inside out.
+    /// Groups rings, which are numbers of points. Outlines are anticlockwise, unless all rings together are inside out. Rings
+    /// without corners are left out.
+    ///
+    /// # Panics
+    /// Panics if a ring has the number of a point that does not exist.
     pub fn of(flat: &[DVec2], rings: impl Iterator<Item: IntoIterator<Item = u32>>) -> Self {
         Self::sorted(flat, rings, Nest::sort)
     }
@@ -43,7 +47,10 @@ impl NestedRings {
         let (mut corners, mut ends) = (Vec::new(), Vec::new());
         for ring in rings {
             corners.extend(ring);
-            ends.push(corners.len());
+            // A ring without corners is no ring.
+            if ends.last().copied().unwrap_or(0) < corners.len() {
+                ends.push(corners.len());
+            }
         }
         let mut nest = Nest::default();
         sort(&mut nest, &FlatLoops { flat, corners: &corners, ends: &ends });

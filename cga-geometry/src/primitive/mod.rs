@@ -1,8 +1,8 @@
-//! Primitives in the unit box, 0 to 1 along each axis. The caller fits a primitive to its scope.
+//! Primitives in the unit box, 0 to 1 along each axis.
 //!
 //! Round primitives have their corners on a circle of diameter 1 about the centre, so with few corners they do not
 //! reach the sides of the box. They begin in front (z = 1) with a face that looks along z, and continue
-//! counter-clockwise as seen from above; the pictures of the reference show this by the start of their texture. Texture
+//! counter-clockwise as seen from above. Texture
 //! coordinates are in set 0.
 
 mod circle;

@@ -17,7 +17,7 @@ pub enum RoofRefusal {
     NoNormal,
     /// The face has too many corners.
     TooMany,
-    /// The outlines of the face cross.
+    /// The outlines of the face cross, or a number leads too far.
     Tangled,
 }
 
@@ -72,6 +72,9 @@ fn add_roof(
     made: &mut Derivation<'_>,
     bent: &mut DVec3,
 ) -> Result<bool, RoofRefusal> {
+    if !rise.is_finite() || !form.has_numbers() {
+        return Err(RoofRefusal::Tangled);
+    }
     let flat = FlatFace::of(face).ok_or(RoofRefusal::NoNormal)?;
     let (_, rings) = flat.edges(false);
     // Across the face: along its first edge.

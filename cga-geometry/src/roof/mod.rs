@@ -38,6 +38,12 @@ pub enum Rise {
 }
 
 impl Rise {
+    /// Returns true if the number is neither NaN nor infinite.
+    fn is_finite(self) -> bool {
+        let (Rise::Slope(number) | Rise::Height(number)) = self;
+        number.is_finite()
+    }
+
     /// The tangent of the angle for a roof whose highest point is at a distance from its eaves.
     fn slope(self, distance: f64) -> f64 {
         match self {
@@ -80,6 +86,15 @@ pub enum RoofForm {
 }
 
 impl RoofForm {
+    /// Returns true if no overhang is NaN.
+    fn has_numbers(self) -> bool {
+        match self {
+            RoofForm::Hip { overhang, .. } => !overhang.is_nan(),
+            RoofForm::Gable { across, along, .. } => !across.is_nan() && !along.is_nan(),
+            _ => true,
+        }
+    }
+
     /// The same roof without overhangs; `None` if it has none.
     fn without_overhangs(self) -> Option<Self> {
         match self {

@@ -116,10 +116,10 @@ pub enum SkeletonError {
 /// ```
 ///
 /// # Errors
-/// [`SkeletonError::Tangled`] also for coordinates that are not finite.
+/// [`SkeletonError::Tangled`] also for coordinates that are not finite, and for a distance that is negative or NaN.
 ///
 /// # Panics
-/// Panics if a loop has the number of a point that does not exist.
+/// Panics if a loop has the number of a point that does not exist, or if there are fewer distances or speeds than edges.
 pub fn sweep(points: &[DVec2], rings: &[Vec<u32>], distance: f64) -> Result<Swept, SkeletonError> {
     sweep_at(points, rings, Speeds::Equal, distance)
 }
@@ -141,6 +141,9 @@ pub fn sweep_each(points: &[DVec2], rings: &[Vec<u32>], distances: &[f64]) -> Re
 pub fn sweep_at(points: &[DVec2], rings: &[Vec<u32>], speeds: Speeds<'_>, until: f64) -> Result<Swept, SkeletonError> {
     if MOST_CORNERS < rings.iter().map(Vec::len).sum() {
         return Err(SkeletonError::TooMany);
+    }
+    if until.is_nan() || until < 0.0 {
+        return Err(SkeletonError::Tangled);
     }
     let mut failure = SkeletonError::Tangled;
     let mut best: Option<((bool, f64), Swept)> = None;

@@ -57,6 +57,8 @@ impl Runtime {
     fn read() -> Runtime {
         let mut files = Vec::new();
         read(&sources(), &mut files);
+        // Some enums come from below.
+        read(&root().join("cga-geometry/src"), &mut files);
         let mut enums: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         for (_, file) in &files {
             for item in &file.items {
