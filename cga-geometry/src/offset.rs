@@ -18,9 +18,9 @@ use crate::nesting::polygons::NestedRings;
 use crate::skeleton::{self, FrontCorner, SkeletonError, Strip};
 use crate::small_sort::SmallSort;
 
+pub mod each_edge;
 pub mod region;
 mod relief;
-pub mod set_back;
 mod sides;
 pub mod to_area;
 

@@ -14,7 +14,7 @@ use cga_geometry::glam::{DAffine3, DMat3, DVec2, DVec3};
 use cga_geometry::inner_rectangle::RectangleSides;
 use cga_geometry::inner_rectangle::face::cut_rectangle;
 use cga_geometry::mesh::{Mesh, UvAxis};
-use cga_geometry::offset::set_back::set_back;
+use cga_geometry::offset::each_edge::set_back;
 use cga_geometry::offset::{OffsetFaces, offset};
 use cga_geometry::roof::{Rise, RoofForm, roof_over};
 use cga_geometry::{Axis, Frame, conform, convexify, footprint, holes, obj, primitive, rectify, reduce};

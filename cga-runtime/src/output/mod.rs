@@ -8,13 +8,13 @@ pub(crate) mod flatten;
 pub mod gltf;
 #[cfg(feature = "gltf")]
 mod interner;
+pub(crate) mod leaf_numbers;
 pub(crate) mod measure;
 pub mod meshes;
 pub mod model;
 mod near_origin;
 mod normals;
-pub(crate) mod number;
-pub(crate) mod numbers;
+pub(crate) mod number_text;
 pub mod obj;
 pub(crate) mod order;
 pub mod picture;

@@ -16,7 +16,7 @@ use crate::fault::Fault;
 use crate::geometry::Axis;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::material::Material;
-use crate::output::numbers::Numbers;
+use crate::output::leaf_numbers::Numbers;
 use crate::output::stats::Stats;
 use crate::output::texture::leaf_uvs::LeafUvs;
 use crate::run::building::Building;
@@ -26,7 +26,7 @@ use crate::run::settings::Limits;
 use crate::run::shape_tree::ShapeTree;
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
-use crate::shape::place;
+use crate::shape::filled_scope;
 use crate::shape::scope::Scope;
 use crate::shape::unit::UnitMesh;
 
@@ -342,8 +342,9 @@ impl Sink for Model {
 
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         let scope = leaf.scope();
-        let implied =
-            [Axis::Z, Axis::Y, Axis::X].into_iter().find(|&axis| *quad == place::rectangle(&scope, axis, quad.unit));
+        let implied = [Axis::Z, Axis::Y, Axis::X]
+            .into_iter()
+            .find(|&axis| *quad == filled_scope::rectangle(&scope, axis, quad.unit));
         match implied {
             Some(axis) => self.push(leaf, Stored::Rect(axis, quad.unit)),
             None => self.push_other(leaf, Other::Quad(*quad)),
@@ -351,7 +352,7 @@ impl Sink for Model {
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
-        if *cuboid == place::cuboid(&leaf.scope(), cuboid.unit) {
+        if *cuboid == filled_scope::cuboid(&leaf.scope(), cuboid.unit) {
             return self.push(leaf, Stored::Full(cuboid.unit));
         }
         self.push_other(leaf, Other::Cuboid(*cuboid))

@@ -21,8 +21,8 @@ use glam::{DAffine3, DVec3};
 
 use super::error::WriteError;
 use super::flatten::{Flattener, unit};
-use super::number::{NumberTexts, hex, push_whole};
-use super::numbers::Numbers;
+use super::leaf_numbers::Numbers;
+use super::number_text::{NumberTexts, hex, push_whole};
 use super::whole_file::{self, WholeFile};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;

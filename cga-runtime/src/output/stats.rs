@@ -8,13 +8,13 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use super::buffers::Vertex;
 use super::flatten::{Flattener, corner_point};
+use super::leaf_numbers::Numbers;
 use super::measure::{cuboid_area, cuboid_volume, mesh_area, mesh_volume};
-use super::numbers::Numbers;
 use crate::geometry::each::Each;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
-use crate::shape::place;
+use crate::shape::filled_scope;
 
 /// Sums over leaves. Triangles and vertices are counted as [`super::buffers::Buffers`] makes them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -157,8 +157,8 @@ impl Sink for Stats {
         let (scope, unit) = (leaf.scope(), leaf.shape.unit.get());
         let rule = self.numbers.rule(leaf);
         match leaf.shape.form {
-            Form::Rect(axis) => self.rectangle(rule, &place::rectangle(&scope, axis, unit)),
-            Form::Box => self.block(rule, &place::cuboid(&scope, unit)),
+            Form::Rect(axis) => self.rectangle(rule, &filled_scope::rectangle(&scope, axis, unit)),
+            Form::Box => self.block(rule, &filled_scope::cuboid(&scope, unit)),
             Form::Empty | Form::Other => {}
         }
         ControlFlow::Continue(())

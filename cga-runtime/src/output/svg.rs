@@ -16,7 +16,7 @@ use glam::{DAffine3, DVec3};
 
 use super::error::WriteError;
 use super::flatten::{corner_point, unit};
-use super::number::Short;
+use super::number_text::Short;
 use super::order;
 use super::picture::Viewpoint;
 use super::sink_table::SinkTable;

@@ -203,7 +203,7 @@ mod tests {
 
     fn block() -> Mesh {
         let scope = Scope { origin: DVec3::new(0.5, 0.55, 0.6), ..Scope::new(DVec3::new(0.2, 0.3, 0.4)) };
-        crate::shape::place::cuboid(&scope, crate::shape::unit::UnitMesh::cube()).to_mesh()
+        crate::shape::filled_scope::cuboid(&scope, crate::shape::unit::UnitMesh::cube()).to_mesh()
     }
 
     #[test]

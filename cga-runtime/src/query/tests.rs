@@ -238,7 +238,7 @@ fn selectors_follow_their_axes() {
     assert!(geometry_is_oriented(env, wall, F::Top) && !geometry_is_oriented(env, wall, F::Side));
     // *CGA changelog 2017.0*: front becomes back when the depth is negative.
     let mut builder = MeshBuilder::new();
-    for quad in &crate::shape::place::cuboid(&Scope::new(DVec3::ONE), UnitMesh::cuboid()).faces()[..2] {
+    for quad in &crate::shape::filled_scope::cuboid(&Scope::new(DVec3::ONE), UnitMesh::cuboid()).faces()[..2] {
         let ring = quad.corners().map(|p| builder.point(p));
         builder.face(&ring, &[], FaceTag::PLAIN);
     }
@@ -284,7 +284,7 @@ fn an_edge_of_four_faces_closes_nothing() {
     let mut builder = MeshBuilder::new();
     let corner = |low: DVec3| Scope { origin: low, ..Scope::new(DVec3::ONE) };
     for low in [DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0)] {
-        for quad in crate::shape::place::cuboid(&corner(low), UnitMesh::cuboid()).faces() {
+        for quad in crate::shape::filled_scope::cuboid(&corner(low), UnitMesh::cuboid()).faces() {
             let ring = quad.corners().map(|p| builder.point(p));
             builder.face(&ring, &[], FaceTag::PLAIN);
         }

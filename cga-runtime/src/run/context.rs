@@ -12,7 +12,7 @@ use crate::run::env::{Env, Trail};
 use crate::run::sink::{Filled, Flow, Leaf, Sink};
 use crate::run::template::{Tape, Templates};
 use crate::shape::base::Form;
-use crate::shape::{Geometry, Inserted, Shape, ShapeRef, place};
+use crate::shape::{Geometry, Inserted, Shape, ShapeRef, filled_scope};
 
 /// The stack that direct calls may use, in the units of generated code: about a kilobyte each in a build without
 /// optimisation, much less with it. Threads have two megabytes, of which functions (`FUNCTIONS` in `run/env`), sinks
@@ -235,8 +235,8 @@ fn other_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u3
     let rule = env.leaf_tables.names.get(rule as usize).copied().unwrap_or_default();
     let leaf = Leaf::new(rule, shape.state.material(), &shape.scope);
     match &shape.geometry {
-        Geometry::Rect(axis, unit) => sink.quad(&leaf, &place::rectangle(&shape.scope, *axis, *unit)),
-        Geometry::Box(unit) => sink.cuboid(&leaf, &place::cuboid(&shape.scope, *unit)),
+        Geometry::Rect(axis, unit) => sink.quad(&leaf, &filled_scope::rectangle(&shape.scope, *axis, *unit)),
+        Geometry::Box(unit) => sink.cuboid(&leaf, &filled_scope::cuboid(&shape.scope, *unit)),
         Geometry::Empty => Flow::Continue(()),
         Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => sink.placement(&leaf),
         Geometry::Mesh(placed) => {

@@ -7,13 +7,13 @@ pub(crate) mod axes;
 pub(crate) mod base;
 pub(crate) mod direction;
 pub(crate) mod edge_attributes;
+pub(crate) mod filled_scope;
 #[cfg(feature = "geo-types")]
 mod geo;
 mod initial;
 pub(crate) mod look;
 pub(crate) mod look_id;
 pub(crate) mod lot;
-pub(crate) mod place;
 mod placed;
 mod point_origins;
 mod sampled_outline;
@@ -235,7 +235,7 @@ impl Shape {
         match &self.geometry {
             Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Arc::default(),
             Geometry::Rect(_, unit) | Geometry::Box(unit) => {
-                textured(&place::mesh(*unit, self.scope.size), &DAffine3::IDENTITY)
+                textured(&filled_scope::mesh(*unit, self.scope.size), &DAffine3::IDENTITY)
             }
             Geometry::Mesh(placed) => {
                 let place = placed.to_scope(self.scope.size);

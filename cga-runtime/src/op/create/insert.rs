@@ -14,7 +14,7 @@ use crate::op::create::insert_fit::{centre, face_outwards, fit, put};
 use crate::op::create::primitive::fill_with_cube;
 use crate::op::settle;
 use crate::run::env::Env;
-use crate::shape::place::Cuboid;
+use crate::shape::filled_scope::Cuboid;
 use crate::shape::{Geometry, Placed, Shape};
 
 /// The up axis of an asset or of an aligned scope.

@@ -88,7 +88,8 @@ mod tests {
     }
 
     fn cuboid_mesh(size: DVec3) -> Shape {
-        let cube = crate::shape::place::cuboid(&crate::shape::scope::Scope::new(size), UnitMesh::cuboid()).to_mesh();
+        let cube =
+            crate::shape::filled_scope::cuboid(&crate::shape::scope::Scope::new(size), UnitMesh::cuboid()).to_mesh();
         Shape::mesh_axis_aligned(cube)
     }
 

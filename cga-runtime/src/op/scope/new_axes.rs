@@ -12,7 +12,7 @@ use crate::geometry::wire::Wire;
 use crate::geometry::{Axis, Frame};
 use crate::run::env::Env;
 use crate::shape::PlacedWire;
-use crate::shape::place;
+use crate::shape::filled_scope;
 use crate::shape::scope::Scope;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Placed, Shape};
@@ -102,11 +102,11 @@ fn wire(scope: &Scope, turn: &DMat3, axes: DMat3, wire: Wire) -> (Scope, Geometr
 
 /// The rectangle along other axes, if it is one there, with the same first edge and the same normal.
 pub(in crate::op) fn rectangle(scope: &Scope, axis: Axis, unit: UnitMesh, axes: DMat3) -> Option<(Scope, Geometry)> {
-    let quad = place::rectangle(scope, axis, unit);
+    let quad = filled_scope::rectangle(scope, axis, unit);
     let (across, up) = (quad.u.length(), quad.v.length());
     // The directions of the first two edges.
     let directions = |axes: DMat3, axis: Axis| {
-        let quad = place::rectangle(&Scope { axes, ..Scope::new(DVec3::ONE) }, axis, unit);
+        let quad = filled_scope::rectangle(&Scope { axes, ..Scope::new(DVec3::ONE) }, axis, unit);
         [quad.u, quad.v]
     };
     let old = directions(scope.axes, axis);

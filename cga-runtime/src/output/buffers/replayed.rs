@@ -1,7 +1,7 @@
 //! The rules and materials of parts that repeat, as numbers of the buffers' table.
 
 use super::submesh::SubmeshStart;
-use crate::output::numbers::Numbers;
+use crate::output::leaf_numbers::Numbers;
 use crate::run::sink::Replay;
 use crate::shape::look_id::LookId;
 

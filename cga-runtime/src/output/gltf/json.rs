@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::output::number::Short;
+use crate::output::number_text::Short;
 use crate::value::Value;
 
 /// A string with its quotes, escaped.

@@ -11,7 +11,7 @@ use super::textures::{LookTexture, NormalSpace, opacity, textures};
 use crate::material::layer::SetMask;
 use crate::material::{Channel, Material, MaterialNumber, MaterialText};
 use crate::output::interner::Interner;
-use crate::output::number::{Short, hex, share};
+use crate::output::number_text::{Short, hex, share};
 
 /// The alpha modes of glTF. The cutoff is stored as bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -10,7 +10,7 @@ use super::primitive::Owner;
 use super::property_table::Tables;
 use super::scene::{INSTANCING, MeshPlacement, NodePlaces, SceneMesh};
 use crate::geometry::each::Each;
-use crate::output::number::list;
+use crate::output::number_text::list;
 use crate::run::building::Building;
 use crate::shape::scope::Scope;
 use crate::value::Value;

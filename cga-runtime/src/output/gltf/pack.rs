@@ -19,7 +19,7 @@ use super::{Glb, check_size};
 use crate::geometry::each::Each;
 use crate::output::buffers::Vertex;
 use crate::output::error::WriteError;
-use crate::output::number::list;
+use crate::output::number_text::list;
 
 /// The component types of the format.
 const U32: u32 = 5125;

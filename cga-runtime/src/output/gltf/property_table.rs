@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 use std::fmt::Write as _;
 
 use super::json::{self, joined, quoted};
-use crate::output::number::Short;
+use crate::output::number_text::Short;
 use crate::run::building::Building;
 use crate::value::Value;
 use crate::value::array::{Array, Element};

@@ -11,7 +11,7 @@ use glam::Vec2;
 
 use crate::material::layer::{self, Placement, SetMask};
 use crate::material::{Layer, Material};
-use crate::output::number::Short;
+use crate::output::number_text::Short;
 use crate::value::text::Text;
 
 /// An image of the file, by its sources.

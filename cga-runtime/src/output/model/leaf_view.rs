@@ -12,7 +12,7 @@ use crate::material::Material;
 use crate::output::measure::{cuboid_area, cuboid_volume, mesh_area, mesh_volume, quad_area};
 use crate::run::shape_tree::ShapeNode;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
-use crate::shape::place;
+use crate::shape::filled_scope;
 use crate::shape::scope::Scope;
 
 /// The geometry of a leaf, in the world.
@@ -85,8 +85,8 @@ impl<'a> LeafView<'a> {
     /// The geometry.
     pub fn geometry(&self) -> Geometry<'a> {
         let index = match self.record.stored {
-            Stored::Rect(axis, unit) => return Geometry::Quad(place::rectangle(&self.record.scope, axis, unit)),
-            Stored::Full(unit) => return Geometry::Cuboid(place::cuboid(&self.record.scope, unit)),
+            Stored::Rect(axis, unit) => return Geometry::Quad(filled_scope::rectangle(&self.record.scope, axis, unit)),
+            Stored::Full(unit) => return Geometry::Cuboid(filled_scope::cuboid(&self.record.scope, unit)),
             Stored::Placement => return Geometry::Placement,
             Stored::Other(index) => index,
         };

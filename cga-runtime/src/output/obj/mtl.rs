@@ -8,7 +8,7 @@ use glam::DVec2;
 
 use crate::material::layer::{self, Placement};
 use crate::material::{ColorOf, Layer, Material, MaterialNumber};
-use crate::output::number::Short;
+use crate::output::number_text::Short;
 use crate::value::text::Text;
 
 /// The keywords of maps. The format has none for a dirt map.

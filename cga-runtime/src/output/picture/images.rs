@@ -9,7 +9,7 @@ use glam::DVec2;
 use crate::asset::Assets;
 use crate::material::layer::{self, Placement, PlacementMap, SetMask};
 use crate::material::{Layer, Material, MaterialNumber, MaterialText};
-use crate::output::number::share;
+use crate::output::number_text::share;
 use crate::output::texture::source;
 use crate::value::text::Text;
 

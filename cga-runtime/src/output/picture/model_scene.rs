@@ -15,7 +15,7 @@ use crate::material::Material;
 use crate::material::layer::SetMask;
 use crate::output::flatten::{Flattener, unit};
 use crate::output::model::Model;
-use crate::output::number::share;
+use crate::output::number_text::share;
 use crate::output::sink_table::SinkTable;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 

@@ -6,13 +6,13 @@ use crate::asset::MISSING;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::material::{Color, Material};
 use crate::output::model::{Geometry, Model};
-use crate::shape::place::{self, Cuboid};
+use crate::shape::filled_scope::{self, Cuboid};
 use crate::shape::scope::Scope;
 use crate::shape::unit::UnitMesh;
 
 /// The box of a leaf whose mesh marks the place of a missing asset.
 pub(super) fn placeholder(mesh: &Mesh, scope: &Scope) -> Option<Cuboid> {
-    mesh.groups().iter().any(|group| group == MISSING).then(|| place::cuboid(scope, UnitMesh::cuboid()))
+    mesh.groups().iter().any(|group| group == MISSING).then(|| filled_scope::cuboid(scope, UnitMesh::cuboid()))
 }
 
 /// The look of the boxes.

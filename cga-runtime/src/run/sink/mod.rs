@@ -19,14 +19,14 @@ use crate::geometry::uv_map::{self, SetMap, UvMap};
 use crate::material::Material;
 use crate::run::building::Building;
 use crate::shape::base::Form;
+use crate::shape::filled_scope;
 use crate::shape::look_id::LookId;
-use crate::shape::place;
 use crate::shape::scope::Scope;
 use crate::shape::{Shape, ShapeRef};
 
 pub use crate::run::template::{PartId, Replay};
 pub use crate::shape::axes::Axes;
-pub use crate::shape::place::{Cuboid, Quad};
+pub use crate::shape::filled_scope::{Cuboid, Quad};
 pub(crate) use leaf_tables::LeafTables;
 
 /// Continue, or stop the run.
@@ -188,7 +188,7 @@ impl<'a> Filled<'a> {
         let (placed, unit) = (PlacedBox::of(self.shape), self.shape.unit.get());
         let (origin, [x, y, z]) = (placed.origin.truncate(), placed.sides.each(DVec4::truncate));
         match self.shape.form {
-            Form::Rect(axis) => sink.quad(&leaf, &place::low_side(origin, [x, y, z], axis, unit)),
+            Form::Rect(axis) => sink.quad(&leaf, &filled_scope::low_side(origin, [x, y, z], axis, unit)),
             Form::Box => sink.cuboid(&leaf, &Cuboid { origin, sides: DMat3::from_cols(x, y, z), unit }),
             Form::Empty | Form::Other => Flow::Continue(()),
         }
