@@ -19,7 +19,7 @@ pub(super) struct ClipVertex {
     /// The edges of the patch below it, as bits.
     above: u8,
     /// The source of the edge after it.
-    edge: EdgeSource,
+    edge: PieceEdge,
     /// The start of its texture coordinates in the list.
     carried: u32,
 }
@@ -52,7 +52,7 @@ impl ClipVertex {
 }
 
 #[derive(Clone, Copy)]
-enum EdgeSource {
+enum PieceEdge {
     /// The edge after a corner of the polygon.
     Own(u32),
     /// A cut at an edge of the patch.
@@ -117,7 +117,7 @@ impl<'a> Clip<'a> {
         for (number, (corner, at)) in (0u32..).zip(asset.corners(polygon, cell)) {
             let carried = self.carried.len() as u32;
             self.carried.extend(self.sets.iter().map(|&set| self.asset.uv_set(set)[corner as usize]));
-            let edge = EdgeSource::Own(number);
+            let edge = PieceEdge::Own(number);
             let mut node = ClipVertex { uv: at.truncate(), height: at.z, above: 0, edge, carried };
             node.above = node.above_of(patch);
             self.own.push(node);
@@ -134,10 +134,10 @@ impl<'a> Clip<'a> {
             match [here, next].each(|node| node.side(edge, patch)) {
                 [1, -1] => {
                     let crossing = self.crossing(&here, &next, edge, patch);
-                    kept.extend([here, ClipVertex { edge: EdgeSource::Cut(edge), ..crossing }]);
+                    kept.extend([here, ClipVertex { edge: PieceEdge::Cut(edge), ..crossing }]);
                 }
                 [-1, 1] => kept.push(self.crossing(&here, &next, edge, patch)),
-                [0, -1] => kept.push(ClipVertex { edge: EdgeSource::Cut(edge), ..here }),
+                [0, -1] => kept.push(ClipVertex { edge: PieceEdge::Cut(edge), ..here }),
                 [-1, _] => {}
                 _ => kept.push(here),
             }
@@ -147,7 +147,7 @@ impl<'a> Clip<'a> {
 
     /// The crossing of the edge between two nodes with an edge of the patch.
     fn crossing(&mut self, here: &ClipVertex, next: &ClipVertex, edge: usize, patch: &UvPatch) -> ClipVertex {
-        if let EdgeSource::Cut(other) = here.edge
+        if let PieceEdge::Cut(other) = here.edge
             && let Some(corner) = patch.corner_between(other, edge)
         {
             let uv = patch.corner(corner);
@@ -159,11 +159,11 @@ impl<'a> Clip<'a> {
         // Computed from the ends of the polygon's edge, with the same result for both polygons at the edge and for all
         // patches around.
         let (from, to) = match here.edge {
-            EdgeSource::Own(number) => {
+            PieceEdge::Own(number) => {
                 let next = if number as usize + 1 == self.own.len() { 0 } else { number as usize + 1 };
                 (self.own[number as usize], self.own[next])
             }
-            EdgeSource::Cut(_) => (*here, *next),
+            PieceEdge::Cut(_) => (*here, *next),
         };
         let (from, to) = if is_before(&from, &to) { (from, to) } else { (to, from) };
         let [a, b] = patch.edge(edge);

@@ -135,8 +135,8 @@ impl Assembly<'_> {
     /// The tags of a face: the tags of all its sources, with new ones for the operands.
     fn tags(&self, polygon: &ResultPolygon) -> TagSet {
         let of = |facet: &u32| {
-            let tag = self.mesh.face(self.facets[*facet as usize].face as usize).tag();
-            self.mesh.tag_sets().get(tag.tags as usize).map_or(&[][..], TagSet::names).iter().cloned()
+            let tags = self.mesh.face(self.facets[*facet as usize].face as usize).tags();
+            tags.map_or(&[][..], TagSet::names).iter().cloned()
         };
         let names = polygon.sources.iter().flat_map(of);
         if self.op == BooleanOp::Unify {

@@ -7,7 +7,7 @@
 //!   at this point; between two points they are between their values; at other points they continue the values of the old face
 //!   over its plane;
 //! - groups and materials, and the tags of faces: of the old face, of the edge out of which a face grows, and of the operation;
-//! - the tags of edges and vertices, as in `edges`;
+//! - the tags of edges and vertices: an edge along an old edge has its tags, and a vertex at an old point has the tags there;
 //! - the trace of points for recomposition.
 //!
 //! So an operation is a list of points and faces. This one makes triangles over the edges of each face, around a point in its
@@ -87,7 +87,8 @@ use crate::mesh::{FaceRef, FaceTag, Mesh, TagSet};
 pub use crate::origin::PointOrigin;
 use edges::EdgeOrigins;
 use faces::FaceTags;
-pub use origin::{EdgeOrigin, EdgeSource, FaceOrigin};
+pub use origin::FaceOrigin;
+pub(crate) use origin::{EdgeOrigin, EdgeSource};
 pub(crate) use values::Mix;
 use values::OldFace;
 

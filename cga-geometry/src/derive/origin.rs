@@ -89,7 +89,7 @@ impl FaceOrigin {
 
 /// The component of the old mesh whose tags an edge has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum EdgeSource {
+pub(crate) enum EdgeSource {
     /// The edge between two points.
     Edge([u32; 2]),
     /// The vertex at a point.
@@ -102,7 +102,7 @@ pub enum EdgeSource {
 
 /// The origin of a new edge, where it does not follow from the origins of its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct EdgeOrigin {
+pub(crate) struct EdgeOrigin {
     pub(crate) source: EdgeSource,
     /// A tag of the operation, in place of other tags below its first word.
     pub(crate) tag: Option<&'static str>,

@@ -198,7 +198,7 @@ impl Surface {
 
 /// The part of a roof that a face is, from its tag: `top`, `side` or `bottom`.
 fn roof_part(mesh: &Mesh, face: usize) -> Option<&str> {
-    let tags = mesh.tag_sets().get(mesh.face(face).tag().tags as usize)?;
+    let tags = mesh.face(face).tags()?;
     tags.names().iter().find_map(|name| name.strip_prefix("roof.")?.split('.').next())
 }
 
