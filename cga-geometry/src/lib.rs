@@ -37,9 +37,10 @@
 //! # Promises
 //!
 //! - **Closed stays closed.** Volumes and areas of parts add up, for concave, nested and touching input with planar faces.
-//! - **Bad input hurts nobody.** No operation panics or hangs on degenerate, tangled or huge meshes: it returns an error, names the
-//!   faces that it left alone, or does what its page says. Where a wrong number is a mistake of the program, a section *Panics* says
-//!   so. Operations that may take much time or memory have limits; cuts have one on request ([`slabs_within`](cut::slabs_within)).
+//! - **Bad input is safe.** Degenerate, tangled and huge meshes cause no panic and do not block an operation. The operation returns an
+//!   error, lists the faces that it left unchanged, or gives the result that its page describes. A section *Panics* lists the mistakes
+//!   of a program that panic. Operations that may take much time or memory have limits; cuts have a limit on request
+//!   ([`slabs_within`](cut::slabs_within)).
 //! - **The same bits everywhere.** Results do not depend on the platform, on threads or on hashing.
 //! - **No value is lost.** Texture coordinates, normals, groups, materials and tags follow from the origins of points and faces
 //!   ([`derive`](mod@derive)). An operation that forgets an origin does not compile.

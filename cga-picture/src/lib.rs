@@ -34,7 +34,7 @@
 //!
 //! - **The same bytes everywhere.** Pictures do not depend on the platform, on threads or on hashing.
 //! - **No gaps.** Triangles with a common edge neither share nor omit a pixel.
-//! - **Bad input hurts nobody.** Coordinates that are not finite are left out, and numbers that a scene does not know are ignored.
+//! - **Bad input is safe.** Coordinates that are not finite are left out, and numbers that a scene does not know are ignored.
 //! - **No unsafe code.**
 #![forbid(unsafe_code)]
 

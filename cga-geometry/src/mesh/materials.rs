@@ -13,7 +13,7 @@ use super::distinct::Distinct;
 ///
 /// let materials = Materials::from(["brick", "tile"]);
 /// assert_eq!(materials.list::<&str>(), ["brick", "tile"]);
-/// assert!(materials.list::<u32>().is_empty(), "a list of another type is no list");
+/// assert!(materials.list::<u32>().is_empty(), "the list has another type");
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Materials(Option<Arc<dyn List>>);

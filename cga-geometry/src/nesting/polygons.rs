@@ -47,7 +47,7 @@ impl NestedRings {
         let (mut corners, mut ends) = (Vec::new(), Vec::new());
         for ring in rings {
             corners.extend(ring);
-            // A ring without corners is no ring.
+            // Rings without corners are left out.
             if ends.last().copied().unwrap_or(0) < corners.len() {
                 ends.push(corners.len());
             }

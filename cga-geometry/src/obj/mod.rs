@@ -34,7 +34,7 @@ pub use reader::read;
 pub use warnings::{Warnings, escaped, short, shortened_to};
 pub use writer::{line_name, write, write_objects};
 
-/// What a file has.
+/// The contents of a file.
 #[derive(Debug)]
 pub struct ObjText {
     /// The mesh. Its materials are their names, `String`s.
@@ -42,7 +42,7 @@ pub struct ObjText {
     /// The distinct texts behind `mtllib`, in the order of the file: each is the name of a material library, or several
     /// with spaces between them.
     pub libraries: Vec<String>,
-    /// What is odd in the file.
+    /// The warnings about the file, one sentence for each problem.
     pub warnings: Warnings,
 }
 

@@ -1,4 +1,4 @@
-//! What a first user tries.
+//! Mistakes of a first program: distances, roundings, rings, roofs and faces.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use cga_geometry::unbent::planar_faces;
 use cga_geometry::{Axis, obj, primitive};
 
 #[test]
-fn sweeps_refuse_distances_that_are_none() {
+fn sweeps_refuse_negative_and_nan_distances() {
     let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(DVec2::from);
     for distance in [-1.0, f64::NAN, f64::NEG_INFINITY] {
         let swept = skeleton::sweep(&square, &[vec![0, 1, 2, 3]], distance);
