@@ -12,7 +12,7 @@
 //! | [`asset`] | meshes and images from files |
 //! | [`shape`] | the current shape: scope, geometry, seed, look, trim planes |
 //! | [`geometry`] | meshes, cuts, triangulation, offsets, exact predicates |
-//! | [`material`], [`fault`], [`value`] | plain data |
+//! | [`material`], [`fault`], [`value`], `fixed_hash` | plain data, a hash |
 //!
 //! Conventions: right-handed, y up, metres and degrees; f64 inside, f32 in output buffers. Faces are planar polygons
 //! with holes, counter-clockwise seen from outside. Most users want the facade crate `cga`.
@@ -24,6 +24,7 @@ pub use glam;
 pub mod asset;
 pub(crate) mod comp;
 pub mod fault;
+pub(crate) mod fixed_hash;
 pub(crate) mod func;
 pub mod grammar;
 pub mod material;

@@ -70,8 +70,21 @@ const CRATES: &[Layers] = &[
     Layers {
         package: "cga-runtime",
         layers: &[
-            "value", "fault", "material", "shape", "asset", "run", "func", "comp", "split", "query", "op", "output",
-            "grammar", "rt",
+            "fixed_hash",
+            "value",
+            "fault",
+            "material",
+            "shape",
+            "asset",
+            "run",
+            "func",
+            "comp",
+            "split",
+            "query",
+            "op",
+            "output",
+            "grammar",
+            "rt",
         ],
     },
 ];

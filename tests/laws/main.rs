@@ -20,6 +20,7 @@ mod play;
 mod played;
 #[path = "../../cga-lang/tests/front/common/random.rs"]
 mod random;
+mod repeated;
 mod start;
 mod write;
 

@@ -11,6 +11,7 @@ use super::polygon::{PolygonCorner, ResultPolygon};
 use super::progress::goes_on;
 use crate::derive::{CornerValues, Derivation, FaceOrigin, Mix, PointOrigin};
 use crate::each::Each;
+use crate::long_sort::long_sort_by;
 use crate::mesh::{Mesh, TagSet, flip};
 use crate::small_sort::SmallSort;
 use crate::triangulate::Triangulator;
@@ -36,7 +37,9 @@ impl Assembly<'_> {
         let corners = || polygons.iter().flat_map(|polygon| polygon.rings.iter().flatten());
         let mut used: Vec<u32> = corners().map(|corner| corner.point).collect();
         let mut made = Derivation::new(self.mesh, CornerValues::All, used.len()).without_trace();
-        used.sort_unstable();
+        if !long_sort_by(&mut used, Ord::cmp) {
+            return Err(BooleanError::TooMany);
+        }
         used.dedup();
         used.iter().for_each(|point| _ = made.point(self.places[*point as usize] + 0.0, PointOrigin::New));
         let mut triangulator = Triangulator::new();
@@ -79,6 +82,7 @@ impl Assembly<'_> {
             made.end_tagged_face(origin, &self.tags(polygon));
         }
         self.tag_components(&mut made, polygons, &used)?;
+        goes_on(used.len())?;
         Ok(made.finish())
     }
 

@@ -238,6 +238,7 @@ impl Input<'_> {
         let maker = PolygonMaker { points: &points, edges: &edges, facets: &facets, sheets: &sheets, tags: &tags };
         let mut polygons = maker.polygons(&chosen, budget)?;
         straight::drop_straight(&points, &mut polygons)?;
+        goes_on(points.at.len())?;
         // Points of the mesh keep their coordinates to the bit.
         let mut places: Vec<DVec3> = points.at.iter().map(|place| middle + *place / self.scale).collect();
         for (point, number) in self.mesh.points().iter().zip(&numbers).rev() {
@@ -259,6 +260,7 @@ impl Input<'_> {
         if must_close && !made.is_empty() && !made.is_closed() {
             return Err(BooleanError::Tangled);
         }
+        goes_on(made.corners().len())?;
         let is_union = matches!(op, BooleanOp::Union | BooleanOp::Unify) && 1 < self.is_closed.len();
         let volume = || made.map(&DAffine3::from_scale(DVec3::splat(self.scale))).volume();
         if must_close && is_union && volume() < self.least_union(&shells, &mesh_of) {

@@ -44,6 +44,9 @@ const MOST_PAIRS: usize = 400_000_000;
 const EDGE: usize = 16;
 const CUT: usize = 64;
 
+/// The units of work of two edges whose boxes meet.
+const MEETING: usize = 16;
+
 /// The limit on rounds. One or two suffice for most polygons.
 const MOST_ROUNDS: usize = 24;
 
@@ -138,12 +141,13 @@ fn compare(
     pairs: &mut usize,
 ) -> Result<(), OverlayError> {
     let mut boxes: Vec<[i64; 4]> = Vec::with_capacity(edges.len());
-    for edge in edges {
+    let mut order: Vec<(i64, u32)> = Vec::with_capacity(edges.len());
+    for (edge, number) in edges.iter().zip(0..) {
         goes_on(EDGE)?;
         let [a, b] = edge.ends.each(|end| places.at(end));
         boxes.push([a.x, b.x, a.y.min(b.y), a.y.max(b.y)]);
+        order.push((a.x, number));
     }
-    let mut order: Vec<(i64, u32)> = boxes.iter().map(|own| own[0]).zip(0..).collect();
     if !long_sort_by(&mut order, Ord::cmp) {
         return Err(OverlayError::TooMany);
     }
@@ -151,8 +155,7 @@ fn compare(
     for (_, edge) in order {
         let own = boxes[edge as usize];
         *pairs = pairs.checked_sub(active.len()).ok_or(OverlayError::TooMany)?;
-        goes_on(EDGE + active.len())?;
-        let mut kept = 0;
+        let (mut kept, mut met) = (0, 0);
         for i in 0..active.len() {
             let other = active[i];
             let its = boxes[other as usize];
@@ -164,9 +167,11 @@ fn compare(
             kept += 1;
             let apart = its[3] + 2 < own[2] || own[3] + 2 < its[2];
             if !apart && (edges[edge as usize].is_new || edges[other as usize].is_new) {
+                met += 1;
                 meet(places, edges, [edge as usize, other as usize], near, cuts);
             }
         }
+        goes_on(EDGE + active.len() + MEETING * met)?;
         active.truncate(kept);
         active.push(edge);
     }

@@ -1,7 +1,7 @@
 //! Operations with braces, and `comp` as a value.
 
 use super::{Arg, Axis, Expr, Piece, Size, Target};
-use crate::ops::Operation;
+use crate::ops::{Braces, Operation};
 use crate::syntax::ast::ArmMode;
 
 /// `name(args) { … }`: makes parts of the current shape, each with a successor, and the shape itself goes on unchanged. With
@@ -114,6 +114,11 @@ impl Block {
     pub fn is_plain(&self) -> bool {
         let words: Vec<Option<&str>> = (0..self.args.len()).map(|index| self.word(index)).collect();
         self.row.has_default_words(&words)
+    }
+
+    /// Returns true for `comp(f)`: the components are the faces. Faces of boxes are rectangles.
+    pub fn gives_faces(&self) -> bool {
+        self.row.braces == Braces::Components && self.word(0) == Some("f")
     }
 
     /// Returns true if the shapes of its operands are reconnected (*Shape recomposition*).

@@ -16,14 +16,18 @@
 
 mod closure;
 mod functions;
+mod reads;
 mod rules;
 #[cfg(test)]
 mod tests;
 
 use crate::ir::walk;
-use crate::ir::{Expr, ExprKind, FunctionId, Grammar, RuleId, Target};
+use crate::ir::{Expr, ExprKind, FunctionId, Grammar, RuleId, Target, Value};
+use crate::ops;
 
 pub use crate::ops::Uses;
+pub(crate) use closure::closure;
+pub use reads::Reads;
 
 /// The facts of a grammar.
 #[derive(Clone, Debug, Default)]
@@ -32,6 +36,7 @@ pub struct Facts {
     functions: Vec<Uses>,
     /// Uses of reading an attribute or constant.
     globals: Vec<Uses>,
+    differing: reads::Differing,
 }
 
 /// The facts of a rule.
@@ -44,11 +49,15 @@ pub struct RuleFacts {
     /// the rule or by a rule that it hands them on to: parts of a split have new ones.
     pub below: Uses,
     /// True if the result in the coordinates of the scope depends only on the size, the geometry and the material of the shape,
-    /// on the arguments, and on the attributes and constants of the run. Then these make no difference: the place in the world,
-    /// the pivot, trim planes, the seed, the counters, and attributes that shapes hold.
+    /// on the arguments, and on attributes and constants. Then these make no difference: the place in the world, the pivot, trim planes,
+    /// the seed, the counters.
     pub rigid: bool,
     /// The facts of the steps of the rule itself, without the rules that it calls.
     pub own_rigid: bool,
+    /// True if the steps of a rigid rule itself read or make more than rectangles and boxes.
+    pub own_whole: bool,
+    /// The attributes and constants that the steps of the rule itself read.
+    pub own_reads: Reads,
 }
 
 impl Facts {
@@ -56,6 +65,7 @@ impl Facts {
     pub fn new(grammar: &Grammar) -> Self {
         let mut facts = Facts::default();
         facts.find_functions(grammar);
+        facts.find_reads(grammar);
         facts.find_rules(grammar);
         facts
     }
@@ -102,6 +112,7 @@ impl Facts {
         match &expr.kind {
             ExprKind::Global(id) => self.globals[id.0 as usize],
             ExprKind::Call(id, ..) => self.function(*id),
+            ExprKind::Builtin(row, args) if row.uses == Uses::BODY && !args.iter().all(is_rigid_word) => Uses::WHOLE,
             ExprKind::Builtin(row, _) => row.uses,
             ExprKind::Shape(row) => row.uses,
             // Rust code may give another value each time.
@@ -126,5 +137,13 @@ impl Facts {
             | ExprKind::File(..)
             | ExprKind::Case(..) => Uses::NONE,
         }
+    }
+}
+
+/// Returns false for a word that selects faces by more than the shape itself. Words are constants.
+fn is_rigid_word(arg: &Expr) -> bool {
+    match &arg.kind {
+        ExprKind::Value(Value::Text(word)) => ops::selector(word).is_none_or(|row| row.rigid),
+        _ => true,
     }
 }

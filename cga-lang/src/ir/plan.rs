@@ -47,7 +47,7 @@ pub use function_stack::FunctionStack;
 pub use leaves::LeafNames;
 pub use rule_stack::{RuleStack, StackRequest};
 pub use splits::{PartNeeds, SplitForm};
-pub use templates::TemplateHoles;
+pub use templates::{TemplateHoles, TemplateRoot};
 pub use trails::TrailNumbers;
 
 /// The decisions for a grammar.
@@ -91,19 +91,14 @@ impl<'g> RunPlan<'g> {
         frame::lazy(&self.grammar.global(id).value)
     }
 
-    /// By slot of a split of the rule `from`, the rule of which a template is made.
-    pub fn templates(&self, slots: &Slots, from: RuleId) -> Vec<Option<RuleId>> {
-        templates::roots(slots, from, &self.facts, &self.rule_stack).collect()
+    /// By slot of a split of the rule `from`, the template that is made.
+    pub fn templates(&self, slots: &Slots, from: RuleId) -> Vec<Option<TemplateRoot>> {
+        self.holes.roots(slots, from, &self.facts, &self.rule_stack).collect()
     }
 
     /// Returns true if a call of the rule may run later: it waits for stack, or a template leaves it out.
     pub fn may_run_later(&self, rule: RuleId) -> bool {
         self.rule_stack.may_wait(rule) || self.holes.may_be_left_out(rule)
-    }
-
-    /// Returns true if no attribute and no constant depends on the initial shape: runs of several shapes share their values.
-    pub fn has_settled_values(&self) -> bool {
-        self.grammar.globals.iter().all(|global| !global.lazy && self.facts.expr(&global.value).is_none())
     }
 
     /// Returns true if a rule, an attribute or a constant reads or sets tags. Otherwise operations do not tag the edges that they make.

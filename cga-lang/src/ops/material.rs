@@ -19,15 +19,19 @@ const fn map(name: &'static str, call: &'static str, layer: u32) -> ShapeAttr {
 /// A row of the material. Reading it uses the whole shape: if rules have set nothing, the geometry's own material
 /// counts. Setting it uses the material only.
 const fn look(name: &'static str, call: &'static str, ty: Type) -> ShapeAttr {
-    let row = using(Uses::WHOLE, Uses::NONE, both(name, call, ty));
+    let row = using(Uses::BODY, Uses::NONE, both(name, call, ty));
     ShapeAttr { set_changes: Changes::Material, ..row }
 }
 
+/// A channel of the colour. Setting one reads the other two.
+const fn channel(name: &'static str, call: &'static str) -> ShapeAttr {
+    using(Uses::BODY, Uses::BODY, both(name, call, F))
+}
+
 pub(super) static MATERIAL: &[ShapeAttr] = &[
-    // Setting one channel of the colour reads the other two.
-    both("material.color.r", "material_color_r", F),
-    both("material.color.g", "material_color_g", F),
-    both("material.color.b", "material_color_b", F),
+    channel("material.color.r", "material_color_r"),
+    channel("material.color.g", "material_color_g"),
+    channel("material.color.b", "material_color_b"),
     look("material.ambient.r", "material_ambient_r", F),
     look("material.ambient.g", "material_ambient_g", F),
     look("material.ambient.b", "material_ambient_b", F),

@@ -21,6 +21,11 @@ const fn both(name: Str, call: Str, params: Params, ty: Type, about: Str) -> Fun
     row(name, call, params, ty, (Needs::Both, Uses::WHOLE), about)
 }
 
+/// The row of a query with the same result in every place.
+const fn rigid(row: Function) -> Function {
+    Function { uses: Uses::BODY, ..row }
+}
+
 /// A query of the run: prints and files.
 const fn run(name: Str, call: Str, params: Params, ty: Type, about: Str) -> Function {
     row(name, call, params, ty, (Needs::Env, Uses::SAYS), about)
@@ -84,16 +89,16 @@ const TOLERANCE: Param = float("tolerance");
 
 /// The geometry of the shape.
 pub(super) static GEOMETRY: &[Function] = &[
-    both("geometry.area", "geometry_area", &[FACES], F, "the area of the faces, in square metres"),
-    shape("geometry.volume", "geometry_volume", &[], F, "the volume that the faces enclose, in cubic metres"),
+    rigid(both("geometry.area", "geometry_area", &[FACES], F, "the area of the faces, in square metres")),
+    rigid(shape("geometry.volume", "geometry_volume", &[], F, "the volume that the faces enclose, in cubic metres")),
     shape("geometry.height", "geometry_height", &[], F, "the height in the world, in metres"),
-    shape(
+    rigid(shape(
         "geometry.boundaryLength",
         "geometry_boundary_length",
         &[],
         F,
         "the length of the edges that no two faces share, in metres",
-    ),
+    )),
     shape(
         "geometry.angle",
         "geometry_angle",
@@ -101,27 +106,39 @@ pub(super) static GEOMETRY: &[Function] = &[
         F,
         "the slope of the steepest face, or the direction that it faces",
     ),
-    shape("geometry.nVertices", "geometry_n_vertices", &[], F, "how many vertices there are"),
-    shape("geometry.nEdges", "geometry_n_edges", &[], F, "how many edges there are"),
-    shape("geometry.nFaces", "geometry_n_faces", &[], F, "how many faces there are"),
-    shape("geometry.nHoles", "geometry_n_holes", &[], F, "how many holes the faces have"),
-    shape("geometry.isConcave", "geometry_is_concave", &[], B, "whether a face turns inwards somewhere"),
-    shape("geometry.isClosedSurface", "geometry_is_closed_surface", &[], B, "whether two faces share every edge"),
-    shape("geometry.isInstanced", "geometry_is_instanced", &[], B, "whether it is an asset that nothing has changed"),
-    both(
+    rigid(shape("geometry.nVertices", "geometry_n_vertices", &[], F, "how many vertices there are")),
+    rigid(shape("geometry.nEdges", "geometry_n_edges", &[], F, "how many edges there are")),
+    rigid(shape("geometry.nFaces", "geometry_n_faces", &[], F, "how many faces there are")),
+    rigid(shape("geometry.nHoles", "geometry_n_holes", &[], F, "how many holes the faces have")),
+    rigid(shape("geometry.isConcave", "geometry_is_concave", &[], B, "whether a face turns inwards somewhere")),
+    rigid(shape(
+        "geometry.isClosedSurface",
+        "geometry_is_closed_surface",
+        &[],
+        B,
+        "whether two faces share every edge",
+    )),
+    rigid(shape(
+        "geometry.isInstanced",
+        "geometry_is_instanced",
+        &[],
+        B,
+        "whether it is an asset that nothing has changed",
+    )),
+    rigid(both(
         "geometry.isRectangular",
         "geometry_is_rectangular",
         &[TOLERANCE],
         B,
         "whether all faces are rectangles, within a tolerance in degrees",
-    ),
-    both(
+    )),
+    rigid(both(
         "geometry.isPlanar",
         "geometry_is_planar",
         &[TOLERANCE],
         B,
         "whether all faces are flat, within a tolerance in degrees",
-    ),
+    )),
     both("geometry.isOriented", "geometry_is_oriented", &[DIRECTION], B, "whether a face looks there"),
     Function {
         names: Some(AssetNames::Groups),

@@ -201,12 +201,12 @@ static ROWS: &[Selector] = &[
     only("uv.uMax", SelectorPlaces::SETBACK, "edges at the largest u"),
     only("uv.vMin", SelectorPlaces::SETBACK, "edges at the smallest v"),
     only("uv.vMax", SelectorPlaces::SETBACK, "edges at the largest v"),
-    only("shape", SelectorPlaces::SHAPE, "the rectangle or the strip"),
-    rest(only(
+    rigid(only("shape", SelectorPlaces::SHAPE, "the rectangle or the strip")),
+    rigid(rest(only(
         "remainder",
         SelectorPlaces::SETBACK.and(SelectorPlaces::SHAPE).and(SelectorPlaces::PERIMETER),
         "what is left of the face",
-    )),
+    ))),
     old(facing("streetSide", "what borders a street"), SameAs::Word("street.front"), "write `street.front`"),
     old(facing("noStreetSide", "what borders no street"), SameAs::Not("street.front"), "write `!street.front`"),
 ];

@@ -29,9 +29,12 @@ impl Uses {
     /// An expression or an operation reads the position or orientation of the scope in the world: `scope.elevation`. The
     /// size counts as read, too.
     pub const PLACE: Uses = Uses(1 << 4).and(Uses::SIZE);
+    /// More than the scope and the material is read or changed, and moves with the scope: the geometry, its tags and normals, what is
+    /// made of them. Two shapes of one size in two places give the same in the coordinates of their scopes.
+    pub const BODY: Uses = Uses(1 << 9);
     /// More than the scope and the material is read or changed: the pivot, the geometry, trim planes, `comp.index`, the
     /// values of the material, tags.
-    pub const WHOLE: Uses = Uses(1 << 5);
+    pub const WHOLE: Uses = Uses(1 << 5).and(Uses::BODY);
     /// An attribute or constant is read that may have a value of its own in each shape (`is_set`).
     pub const STATE: Uses = Uses(1 << 6);
     /// The run or the host program is queried or changed: prints, reports, files, Rust code, the limit of calls, the
@@ -67,9 +70,10 @@ impl Uses {
         self == Uses::NONE
     }
 
-    /// Returns true if at most sizes of the scope are read. All shapes of one size have these in common.
+    /// Returns true if at most sizes of the scope, what moves with it, attributes and constants are read. All shapes of one size
+    /// with equal geometry and attributes have these in common.
     pub fn is_rigid(self) -> bool {
-        Uses::SIZE.has(self)
+        Uses::SIZE.and(Uses::STATE).and(Uses::BODY).and(Uses::TAGS).has(self)
     }
 
     /// The names of the used parts, in the order of the constants.
@@ -81,11 +85,13 @@ impl Uses {
             (Uses::SIZE, "scope"),
             (Uses::PLACE, "place"),
             (Uses::WHOLE, "whole"),
+            (Uses::BODY, "body"),
             (Uses::STATE, "state"),
             (Uses::SAYS, "says"),
             (Uses::TAGS, "tags"),
         ];
-        names.into_iter().filter(move |(part, _)| self.has(*part)).map(|(_, name)| name)
+        let is_shown = move |part: Uses| self.has(part) && (part != Uses::BODY || !self.has(Uses::WHOLE));
+        names.into_iter().filter(move |(part, _)| is_shown(*part)).map(|(_, name)| name)
     }
 }
 

@@ -36,5 +36,5 @@ fn a_material_change_can_depend_on_the_site() {
     );
     let (plan, wall) = (RunPlan::new(&grammar), rule(&grammar, "a.Wall"));
     let form = plan.change_form(&grammar.rules[wall.0 as usize].body[..1]);
-    assert_eq!(form, ChangeForm::Slim(vec![SlimChange::Material { sites: 2, reaches_caps: false }]));
+    assert_eq!(form, ChangeForm::Slim(vec![SlimChange::Material { sites: 2, is_of_run: false, reaches_caps: false }]));
 }

@@ -265,17 +265,30 @@ impl Generator<'_> {
 
     /// A text to borrow: parameters, attributes and constants are not copied.
     fn text(&self, expr: &Expr, at: &Access) -> TokenStream {
+        self.stored(expr).unwrap_or_else(|| self.expr(expr, at))
+    }
+
+    /// A number or a truth value, or a reference to another value: parameters, attributes and constants are not copied.
+    pub(super) fn borrowed(&self, expr: &Expr, at: &Access) -> TokenStream {
+        let value = self.text(expr, at);
+        if matches!(expr.ty, Type::Float | Type::Bool) { value } else { code!(&#value) }
+    }
+
+    /// The place of a parameter, an attribute or a constant.
+    fn stored(&self, expr: &Expr) -> Option<TokenStream> {
         let is_stored =
             |global: &Global| !global.is_set && !global.lazy && (global.attr.is_some() || global.known.is_none());
-        let name = match expr.kind {
+        match expr.kind {
             ExprKind::Param(number) => {
                 let name = self.param(number as usize);
-                return code!(#name);
+                Some(code!(#name))
             }
-            ExprKind::Global(id) if is_stored(self.grammar.global(id)) => self.global_name(id),
-            _ => return self.expr(expr, at),
-        };
-        code!(g.#name)
+            ExprKind::Global(id) if is_stored(self.grammar.global(id)) => {
+                let name = self.global_name(id);
+                Some(code!(g.#name))
+            }
+            _ => None,
+        }
     }
 
     /// The span of a call of Rust, where rustc shows a wrong signature: the last name of the path.

@@ -92,7 +92,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     let (name, label) = (header.ident(), header.label());
     let names = cx.plan.trails.names();
     let leaves = cx.plan.leaves.names();
-    let (is_settled, has_tags) = (cx.plan.has_settled_values(), cx.plan.has_tags());
+    let has_tags = cx.plan.has_tags();
     let starts = &cx.grammar.starts;
     let start_rows = starts.iter().map(attribute_table::start);
     let start_numbers = starts.iter().map(|start| Literal::u32_suffixed(start.rule.0));
@@ -137,7 +137,6 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
             type Call = CgaCall;
             const NAMES: &'static [&'static ::core::primitive::str] = &[#(#names),*];
             const LEAVES: &'static [&'static ::core::primitive::str] = &[#(#leaves),*];
-            const SETTLED: ::core::primitive::bool = #is_settled;
             const TAGS: ::core::primitive::bool = #has_tags;
             const STARTS: &'static [cga_rt::StartRule] = &[#(#start_rows),*];
             const START_RULES: &'static [::core::primitive::u32] = &[#(#start_numbers),*];

@@ -217,9 +217,9 @@ impl Generator<'_> {
                     };
                 }
             }
-            (SlimChange::Material { sites, reaches_caps }, _) => {
+            (SlimChange::Material { sites, is_of_run, reaches_caps }, _) => {
                 let function = if reaches_caps { "change_coordinates" } else { "change_material" };
-                self.change_material(sites, function, self.change(step))
+                self.change_material(sites, is_of_run, function, self.change(step))
             }
             (SlimChange::Nothing | SlimChange::Scope, _) => TokenStream::new(),
         }

@@ -43,8 +43,15 @@ pub(super) fn of_site(numbers: &[u32]) -> TokenStream {
 
 impl Generator<'_> {
     /// A step that changes the material in the same way in the whole run, or at a site: it depends on
-    /// `sites`, `change` is its code, and `function` the function of the runtime that applies it.
-    pub(super) fn change_material(&self, sites: u32, function: &str, change: TokenStream) -> TokenStream {
+    /// `sites`, `change` is its code, and `function` the function of the runtime that applies it. `is_of_run` is true if it may differ
+    /// between runs.
+    pub(super) fn change_material(
+        &self,
+        sites: u32,
+        is_of_run: bool,
+        function: &str,
+        change: TokenStream,
+    ) -> TokenStream {
         let changes = &mut *self.material_changes.borrow_mut();
         let next = changes.next;
         // Equal steps are one.
@@ -58,9 +65,11 @@ impl Generator<'_> {
             0 => (code!(#number), code!(g)),
             _ => (code!(#number + site), code!(&(g, site))),
         };
+        let kind = hygienic(if is_of_run { "of_run" } else { "lasting" });
+        let place = code!(cga_rt::ChangePlace::#kind(#number));
         code! {
             let mut own = ::core::option::Option::None;
-            let shape = cga_rt::slim::#function(cx.env, shape, &bases, &mut own, #number, #values, CgaValues::#name);
+            let shape = cga_rt::slim::#function(cx.env, shape, &bases, &mut own, #place, #values, CgaValues::#name);
         }
     }
 

@@ -1,12 +1,13 @@
 //! A split: its pattern as a constant, its sizes, and a function that calls the rule of a slot.
 
-use cga_lang::ir::plan::{PartNeeds, SplitForm};
-use cga_lang::ir::{Axis, Block, Item, Piece, Prefix, RuleId, Slots, Solved, Target};
+use cga_lang::ir::plan::{PartNeeds, SplitForm, TemplateRoot};
+use cga_lang::ir::{Axis, Block, Expr, ExprKind, Item, Piece, Prefix, RuleId, Slots, Solved, Target, Type};
 use cga_lang::ops::{Braces, Measure};
 use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
 
 use super::access::Access;
-use super::{Generator, hygienic, local, site};
+use super::{Generator, hygienic, local, site, types};
 
 impl Generator<'_> {
     /// An expression that divides the shape and is true if there was a piece. `number` counts the children that the rule makes.
@@ -96,7 +97,7 @@ impl Generator<'_> {
                 Some(root) => {
                     let name = local("last", slot);
                     last.extend(code!(let mut #name = ::core::default::Default::default();));
-                    self.repeat(root, target, axis, &name)
+                    self.repeat(&root, target, axis, &name)
                 }
                 None => self.part(target, rule),
             };
@@ -165,32 +166,52 @@ impl Generator<'_> {
     }
 
     /// Runs a rule on a part that repeats; of type `Flow`.
-    fn repeat(&self, rule: RuleId, target: &Target, axis: &TokenStream, last: &Ident) -> TokenStream {
-        let Target::Rule { sites, span, .. } = target else { return TokenStream::new() };
+    fn repeat(&self, root: &TemplateRoot, target: &Target, axis: &TokenStream, last: &Ident) -> TokenStream {
+        let Target::Rule { sites, args, span, .. } = target else { return TokenStream::new() };
         self.at(*span, || {
-            let name = self.rule(rule, self.source.token(span.first));
+            let name = self.rule(root.rule, self.source.token(span.first));
             let number = Literal::u32_unsuffixed(self.template_places(sites.len().max(1) as u32));
-            let hand_on = self.hand_on(rule);
-            if let Some(passed) = site::passed(sites) {
-                // A template for each site of the caller.
-                let number = if sites.len() == 1 { code!(#number) } else { code!(#number + site) };
-                return code! { {
-                    #hand_on
-                    cx.repeat(
-                        #number,
-                        &mut #last,
-                        &(g, #passed),
-                        (part, #axis),
-                        |(g, site), cx, part| CgaRules::#name(g, cx, part, *site),
-                        |(g, _), cx, part, call| CgaRules::cga_resume(g, cx, part, call),
-                    )
-                } };
-            }
+            let hand_on = self.hand_on(root.rule);
+            // A template for each site of the caller.
+            let number = if sites.len() <= 1 { code!(#number) } else { code!(#number + site) };
+            let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
+            let values = args.iter().map(|arg| self.borrowed(arg, &Access::part()));
+            let passed = names.iter().zip(args).map(|(name, arg)| match arg.ty {
+                Type::Float | Type::Bool => quote!(#name),
+                _ => code!(::core::clone::Clone::clone(#name)),
+            });
+            let passed: Vec<TokenStream> = site::passed(sites).into_iter().chain(passed).collect();
+            let (reads, is_whole) = (self.reads(root, args, &names), root.is_whole);
             code! { {
+                #(let #names = #values;)*
                 #hand_on
-                cx.repeat(#number, &mut #last, g, (part, #axis), CgaRules::#name, CgaRules::cga_resume)
+                cx.repeat(
+                    (#number, #is_whole, &[#(#reads),*]),
+                    &mut #last,
+                    g,
+                    (part, #axis),
+                    &mut |cx, part| CgaRules::#name(g, cx, part, #(#passed),*),
+                    CgaRules::cga_resume,
+                )
             } }
         })
+    }
+
+    /// The values that a repeated part reads. Arguments that are constants are the same each time.
+    fn reads(&self, root: &TemplateRoot, args: &[Expr], names: &[Ident]) -> Vec<TokenStream> {
+        let read = |ty: Type, value: TokenStream| {
+            let variant = types::variant(ty);
+            code!(cga_rt::Read::#variant(#value))
+        };
+        let args = args.iter().zip(names).filter(|(arg, _)| !matches!(arg.kind, ExprKind::Value(_)));
+        let args = args.map(|(arg, name)| read(arg.ty, quote!(#name)));
+        let globals = root.reads.iter().map(|id| {
+            let ty = self.grammar.global(*id).ty;
+            let value = self.global(*id, &Access::part());
+            read(ty, if matches!(ty, Type::Float | Type::Bool) { value } else { code!(&#value) })
+        });
+        let run = root.is_of_run.then(|| code!(cga_rt::Read::Run(cx.env.run)));
+        args.chain(globals).chain(run).collect()
     }
 
     /// The first number of `count` more places with a template, in the order in which they are written.

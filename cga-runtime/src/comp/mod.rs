@@ -27,6 +27,7 @@ use crate::geometry::Frame;
 use crate::run::context::Cx;
 use crate::run::env::Env;
 use crate::run::sink::Flow;
+use crate::shape::base::Base;
 use crate::shape::scope::Scope;
 use crate::shape::seed::{self, Seed, Tag};
 use crate::shape::trim::{Surface, Trims};
@@ -331,13 +332,13 @@ impl<'s> AssignedComponents<'s> {
         cx: &mut Cx<'_, C>,
         visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
     ) -> Flow {
-        let material = cx.env.leaf_tables.looks.id(self.parent.state.look());
+        let look = cx.env.look_id(self.parent.state.look());
         for number in 0..self.arms.len() {
             let mine = || self.owners.of(number as u16);
             let total = mine().count();
             for (index, component) in mine().enumerate() {
                 let side = self.side(quads, number, Counter::new(index, total), component);
-                let base = cx.env.base_with_look(side, material);
+                let base = Base::new(side, look);
                 visit(cx, number as u32, &base.shape())?;
             }
         }

@@ -20,7 +20,6 @@ impl<T: Unrunnable> Rules for T {
     type Call = ();
     const NAMES: &'static [&'static str] = &[];
     const LEAVES: &'static [&'static str] = &[];
-    const SETTLED: bool = true;
     const TAGS: bool = false;
     const STARTS: &'static [StartRule] = &[];
     const START_RULES: &'static [u32] = &[];

@@ -4,8 +4,11 @@ pub(crate) mod attribute;
 pub(crate) mod layer;
 pub(crate) mod list;
 
-use crate::geometry::each::Each;
+use std::hash::Hash;
 use std::sync::Arc;
+
+use crate::fixed_hash::FixedHasher;
+use crate::geometry::each::Each;
 
 pub use attribute::{Channel, ColorOf, Layer, LayerPart, MaterialNumber, MaterialText};
 pub(crate) use attribute::{MATERIAL_NUMBERS, MATERIAL_TEXTS};
@@ -84,6 +87,16 @@ impl Material {
         let mut material = Material::UNSET;
         change(&mut material);
         material
+    }
+
+    /// Adds the set attributes to a hash.
+    pub(crate) fn hash(&self, hasher: &mut FixedHasher) {
+        let color = self.color.map(|Color { r, g, b }| [r, g, b].map(f64::to_bits));
+        let numbers = [self.opacity, self.metallic, self.roughness].map(|number| number.map(f64::to_bits));
+        (color, numbers, self.double_sided).hash(hasher);
+        [&self.name, &self.texture].map(|text| text.as_ref().map(Text::as_str)).hash(hasher);
+        self.more_numbers().iter().for_each(|(_, number)| number.to_bits().hash(hasher));
+        self.more_texts().iter().for_each(|(_, text)| text.as_str().hash(hasher));
     }
 
     /// The diffuse colour; white if unset.

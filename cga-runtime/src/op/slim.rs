@@ -10,7 +10,7 @@ use super::{Length, lengths, settle_origin};
 use crate::geometry::Axis;
 use crate::run::env::Env;
 use crate::shape::base::Form;
-use crate::shape::look_id::LookId;
+use crate::shape::look_id::{ChangePlace, LookId};
 use crate::shape::scope::Scope;
 use crate::shape::step_bases::Bases;
 use crate::shape::{Shape, ShapeRef};
@@ -120,23 +120,24 @@ pub fn change_material<'s, 'b, G>(
     shape: &'s ShapeRef<'b>,
     bases: &'b Bases,
     own: &'s mut Option<ShapeRef<'b>>,
-    place: u32,
+    place: ChangePlace,
     g: &G,
     change: fn(&G, &mut Env, &mut Shape),
 ) -> &'s ShapeRef<'b> {
-    let (before, faults) = (shape.look.get(), env.fault_count());
-    let materials = &mut env.leaf_tables.looks;
-    if let Some(after) = materials.changed(place, before).or_else(|| materials.changed_before(place, before)) {
+    let looks = &mut env.leaf_tables.looks;
+    if shape.look.get() == LookId::OF_BASE {
+        shape.look.set(looks.number(shape.base.shape.state.look()));
+    }
+    let before = shape.look.get();
+    if let Some(after) = looks.changed(place, before) {
         shape.look.set(after);
         return shape;
     }
+    let faults = env.fault_count();
     let changed = whole(env, shape, bases, |env, shape| change(g, env, shape));
-    // If the look before has no number, the new one must not get one: templates are kept by number, and all
-    // looks without a number share `OF_BASE`.
     if before != LookId::OF_BASE && faults == env.fault_count() {
-        let materials = &mut env.leaf_tables.looks;
-        let after = materials.intern(changed.base.shape.state.look());
-        if materials.keep_change(place, before, after) {
+        let after = env.leaf_tables.looks.change(place, before, changed.base.shape.state.look());
+        if after != LookId::OF_BASE {
             shape.look.set(after);
             return shape;
         }
@@ -151,7 +152,7 @@ pub fn change_coordinates<'s, 'b, G>(
     shape: &'s ShapeRef<'b>,
     bases: &'b Bases,
     own: &'s mut Option<ShapeRef<'b>>,
-    place: u32,
+    place: ChangePlace,
     g: &G,
     change: fn(&G, &mut Env, &mut Shape),
 ) -> &'s ShapeRef<'b> {

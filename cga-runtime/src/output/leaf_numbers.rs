@@ -81,7 +81,7 @@ impl Numbers {
         let rule = self.table.rule(leaf.rule());
         let found = self.table.material(leaf.of_id(look));
         keep(&mut self.rules, leaf.rule, rule);
-        if look != LookId::OF_BASE {
+        if look.is_lasting() {
             keep(&mut self.materials, look.index(), found);
         }
         (rule, found)

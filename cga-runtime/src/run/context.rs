@@ -34,10 +34,9 @@ pub struct Cx<'r, C> {
     pub(crate) templates: &'r mut Templates<C>,
     /// The recording of the template under construction.
     pub(crate) tape: Option<Tape<'r, C>>,
+    /// True if an operation takes the leaves as whole shapes.
+    pub(crate) is_operand: bool,
 }
-
-/// A rule without parameters in generated code.
-pub(crate) type RuleFn<G, C> = fn(&G, &mut Cx<'_, C>, &ShapeRef<'_>) -> Flow;
 
 /// A call that waited, or a hole of a template.
 pub(crate) type ResumeFn<G, C> = fn(&G, &mut Cx<'_, C>, &ShapeRef<'_>, C) -> Flow;
@@ -62,7 +61,7 @@ pub(crate) struct WaitingCall<C> {
 impl<'r, C> Cx<'r, C> {
     /// The state before the first rule.
     pub(crate) fn new(env: &'r mut Env, sink: &'r mut dyn Sink, templates: &'r mut Templates<C>) -> Self {
-        Cx { env, sink, waiting: VecDeque::new(), stack: 0, depth: 0, templates, tape: None }
+        Cx { env, sink, waiting: VecDeque::new(), stack: 0, depth: 0, templates, tape: None, is_operand: false }
     }
 }
 

@@ -33,22 +33,26 @@ pub(crate) struct Start {
 /// The state of a run that the next run of the session can reuse. No result depends on it.
 pub(crate) struct Kept<C> {
     templates: Templates<C>,
-    materials: LookIds,
+    looks: LookIds,
+    /// The number of runs so far.
+    runs: u64,
 }
 
 impl<C> Default for Kept<C> {
     fn default() -> Self {
-        Kept { templates: Templates::default(), materials: LookIds::default() }
+        Kept { templates: Templates::default(), looks: LookIds::default(), runs: 0 }
     }
 }
 
 impl<C> Kept<C> {
-    /// Prepares the next run. Templates and looks from attributes that are computed for each initial shape are of no
-    /// use to it.
-    fn begin(&mut self, is_settled: bool) {
-        if !is_settled || self.materials.is_full() {
+    /// Prepares the next run.
+    fn begin(&mut self) {
+        let runs = self.runs + 1;
+        if self.looks.is_full() {
             *self = Kept::default();
         }
+        self.runs = runs;
+        self.looks.begin();
     }
 }
 
@@ -94,14 +98,15 @@ pub(crate) fn run<R: Rules>(
     let mut env = env::<R>(settings, shape, start);
     sink.begin();
     sink.begin_building(shape.name(), shape.seed_value());
-    kept.begin(R::SETTLED);
+    kept.begin();
+    env.run = kept.runs;
     // Both are taken: templates contain numbers of these looks. If a sink panics, neither stays in the session.
-    std::mem::swap(&mut env.leaf_tables.looks, &mut kept.materials);
+    std::mem::swap(&mut env.leaf_tables.looks, &mut kept.looks);
     let mut templates = std::mem::take(&mut kept.templates);
     let mut cx = Cx::new(&mut env, &mut *sink, &mut templates);
     let values = rules.values(cx.env, shape, style);
     let flow = derive::<R>(&mut cx, &values, rule, shape);
-    std::mem::swap(&mut env.leaf_tables.looks, &mut kept.materials);
+    std::mem::swap(&mut env.leaf_tables.looks, &mut kept.looks);
     kept.templates = templates;
     let outcome = outcome(&mut env, flow);
     let keeps_tree = settings.tree && sink.keeps_tree();

@@ -79,6 +79,7 @@ pub fn operand<G, C>(
         depth: cx.depth,
         templates: cx.templates,
         tape: None,
+        is_operand: true,
     };
     let flow = start(&mut inner);
     let flow = if flow.is_continue() { inner.run_waiting(g, resume) } else { flow };

@@ -36,10 +36,6 @@ pub trait Rules: Compiled {
     #[doc(hidden)]
     const START_STYLES: &'static [u32];
 
-    /// True if attributes and constants do not depend on the initial shape.
-    #[doc(hidden)]
-    const SETTLED: bool;
-
     /// True if the rules read or set tags. Otherwise operations do not tag the edges that they make.
     #[doc(hidden)]
     const TAGS: bool;

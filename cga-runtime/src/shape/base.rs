@@ -24,8 +24,6 @@ pub struct Base {
     maps: KeptMaps,
     /// True for each axis along which all implicit coordinates are constant, now and after `projectUV`.
     constant: [bool; 3],
-    /// The number of the base in its run; 0 for a base at the origin.
-    pub(crate) number: u64,
 }
 
 /// The geometry of a slim shape. The sizes of all forms except `Other` are 0 or more.
@@ -50,13 +48,13 @@ impl Base {
     /// The base of a shape whose look has the number `look`. Inlined, and it calls nothing that can unwind, so
     /// the shape need not be in memory before it is in its base.
     #[inline(always)]
-    pub(crate) fn new(shape: Shape, look: LookId, number: u64) -> Self {
+    pub(crate) fn new(shape: Shape, look: LookId) -> Self {
         let axes = Axes::new(shape.scope.axes);
         let constant = match shape.state.has_texture_space() {
             false => [true; 3],
             true => constant(&shape),
         };
-        Base { axes, raised: axes.raised(), shape, look, maps: KeptMaps::default(), constant, number }
+        Base { axes, raised: axes.raised(), shape, look, maps: KeptMaps::default(), constant }
     }
 
     /// A base at the origin with the axes of the world, for a part that is moved there.
@@ -73,7 +71,7 @@ impl Base {
             trims: Trims::None,
             state: part.base.shape.state.clone(),
         };
-        Base { constant: part.base.constant, ..Base::new(shape, part.look.get(), 0) }
+        Base { constant: part.base.constant, ..Base::new(shape, part.look.get()) }
     }
 
     #[inline]
@@ -107,6 +105,19 @@ impl Base {
             };
             coordinates.sets().filter_map(map).collect()
         })
+    }
+
+    /// Returns true if slim shapes with a numbered look are the same on both bases. Texture coordinates may differ.
+    pub(crate) fn differs_in_look(&self, other: &Base) -> bool {
+        let (own, its) = (&self.shape, &other.shape);
+        let is_alike = own.pivot == its.pivot
+            && own.comp == its.comp
+            && own.selector == its.selector
+            && matches!((&own.trims, &its.trims), (Trims::None, Trims::None));
+        is_alike
+            && !own.state.has_texture_space()
+            && !its.state.has_texture_space()
+            && own.state.differs_in_look(&its.state)
     }
 
     /// The axes of this shape.

@@ -1,7 +1,9 @@
 //! The look of a leaf: its material and its texture coordinates.
 
+use std::hash::Hasher;
 use std::sync::Arc;
 
+use crate::fixed_hash::FixedHasher;
 use crate::material::Material;
 use crate::shape::texture::Coordinates;
 
@@ -11,4 +13,14 @@ use crate::shape::texture::Coordinates;
 pub(crate) struct Look {
     pub(crate) material: Arc<Material>,
     pub(crate) coordinates: Coordinates,
+}
+
+impl Look {
+    /// A hash; equal looks have equal ones, except for the sign of zero.
+    pub(crate) fn hash(&self) -> u64 {
+        let mut hasher = FixedHasher::default();
+        self.material.hash(&mut hasher);
+        hasher.write_u64(self.coordinates.sets().count() as u64);
+        hasher.finish()
+    }
 }

@@ -1,16 +1,17 @@
 //! The numbers of a run's looks.
 //!
 //! Slim shapes and sinks have numbers in place of looks. So a constant colour costs one comparison, and a sink looks
-//! a material up only where the number changes. Random colours must not let the table grow without limit, so few
-//! looks have a number; a shape with another look takes the look of its base.
+//! a material up only where the number changes. Random colours must not let the table grow without limit, so when it is full, a shape
+//! takes the look of its base.
 //!
-//! Templates are kept by number. So the looks with a number follow from the rules alone, independently of earlier
-//! runs of the session.
+//! A number is only a short form: no result depends on which looks have one. Templates need a number for each of their looks. So a
+//! template that is made when the table is full gets *temporary* numbers, and is not kept.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use super::look::Look;
+use crate::fixed_hash::FixedState;
 use crate::shape::state::UNSET;
 
 /// The number of a look in the run.
@@ -24,6 +25,9 @@ impl LookId {
     /// The flag of looks with implicit texture coordinates.
     const COORDINATES: u32 = 1 << 31;
 
+    /// The flag of temporary numbers.
+    const TEMPORARY: u32 = 1 << 30;
+
     /// The index in the list.
     #[inline]
     pub(crate) fn index(self) -> u32 {
@@ -35,42 +39,89 @@ impl LookId {
     pub(crate) fn may_have_coordinates(self) -> bool {
         self.0 & LookId::COORDINATES != 0
     }
+
+    /// Returns true if the number belongs to the look for the whole run.
+    #[inline]
+    pub(crate) fn is_lasting(self) -> bool {
+        self.0 & LookId::TEMPORARY == 0
+    }
 }
 
-/// The largest number of looks with a number in a run: more than rules make with constant colours in any sensible
-/// use.
+/// The largest number of looks with a lasting number: more than rules make with constant colours in any sensible use.
 const MOST: usize = 1 << 16;
+
+/// The largest number of such looks that are not the result of a constant change.
+const MOST_OTHERS: usize = 1 << 12;
 
 /// The number of looks that a session keeps for its next run.
 const MANY: usize = 1024;
 
-/// The number of recent looks that a new one is compared with. A look that equals an older one gets a second number.
-const COMPARED: usize = 64;
+/// A change of the look in the rules whose result depends on the look before it alone.
+#[derive(Clone, Copy, Debug)]
+pub struct ChangePlace {
+    number: u32,
+    is_of_run: bool,
+}
 
-/// The looks of a run by number, and the results of material operations with constant arguments.
+impl ChangePlace {
+    /// A change that is the same in all runs of a session.
+    pub const fn lasting(number: u32) -> Self {
+        ChangePlace { number, is_of_run: false }
+    }
+
+    /// A change that is the same in one run.
+    pub const fn of_run(number: u32) -> Self {
+        ChangePlace { number, is_of_run: true }
+    }
+}
+
+/// The looks of a run by number, and the results of changes.
 #[derive(Clone, Debug)]
 pub(crate) struct LookIds {
     list: Vec<Arc<Look>>,
     /// The numbers by the address of the look.
-    by_address: BTreeMap<u64, u32>,
+    by_address: BTreeMap<u64, LookId>,
+    /// The numbers by the hash of the look.
+    by_hash: HashMap<u64, Vec<LookId>, FixedState>,
+    /// The looks with temporary numbers, sorted by number.
+    temporary: Vec<(LookId, Arc<Look>)>,
+    /// The number of temporary numbers so far.
+    made: u32,
+    lasting: Changes,
+    of_run: Changes,
+}
+
+/// The results of changes with constant arguments.
+#[derive(Clone, Debug, Default)]
+struct Changes {
     /// By place in the rules: the look before the operation and the look after it, as found last.
-    last_changes: Vec<Option<(LookId, LookId)>>,
-    /// All such results: the look after an operation, by its place and the look before.
-    all_changes: BTreeMap<(u32, u32), LookId>,
+    last: Vec<Option<(LookId, LookId)>>,
+    /// All results: the look after an operation, by its place and the look before.
+    all: BTreeMap<(u32, u32), LookId>,
 }
 
 impl Default for LookIds {
     fn default() -> Self {
+        let unset = UNSET.clone();
         LookIds {
-            list: vec![UNSET.clone()],
-            by_address: BTreeMap::new(),
-            last_changes: Vec::new(),
-            all_changes: BTreeMap::new(),
+            by_address: BTreeMap::from([(address(&unset), LookId(0))]),
+            by_hash: HashMap::from_iter([(unset.hash(), vec![LookId(0)])]),
+            list: vec![unset],
+            temporary: Vec::new(),
+            made: 0,
+            lasting: Changes::default(),
+            of_run: Changes::default(),
         }
     }
 }
 
 impl LookIds {
+    /// Begins another run of the session.
+    pub(crate) fn begin(&mut self) {
+        self.of_run = Changes::default();
+        self.made = 0;
+    }
+
     /// Returns true if the table is so large that another run should begin with an empty one.
     pub(crate) fn is_full(&self) -> bool {
         MANY <= self.list.len()
@@ -79,7 +130,17 @@ impl LookIds {
     /// The look with a number; `None` for the look of the base.
     #[inline]
     pub(crate) fn get(&self, id: LookId) -> Option<&Arc<Look>> {
+        if !id.is_lasting() {
+            return self.temporary_look(id);
+        }
         self.list.get(id.index() as usize)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn temporary_look(&self, id: LookId) -> Option<&Arc<Look>> {
+        let at = self.temporary.binary_search_by_key(&id.index(), |(known, _)| known.index()).ok()?;
+        Some(&self.temporary[at].1)
     }
 
     /// The number of a look, or `OF_BASE`.
@@ -88,53 +149,110 @@ impl LookIds {
         if Arc::ptr_eq(&self.list[0], look) {
             return LookId(0);
         }
-        self.by_address.get(&address(look)).map_or(LookId::OF_BASE, |number| LookId(*number))
+        self.by_address.get(&address(look)).copied().unwrap_or(LookId::OF_BASE)
     }
 
-    /// The number of a look, which gets one if there is room. A look whose coordinates belong to one place gets none.
-    pub(crate) fn intern(&mut self, look: &Arc<Look>) -> LookId {
-        let bit = if look.coordinates.is_empty() { 0 } else { LookId::COORDINATES };
-        let recent = self.list.iter().enumerate().rev().take(COMPARED);
-        if let Some((at, _)) = recent.into_iter().find(|(_, known)| *known == look) {
-            return LookId(at as u32 | bit);
+    /// The number of a look that is not the result of a constant change. It gets one if there is room.
+    pub(crate) fn number(&mut self, look: &Arc<Look>) -> LookId {
+        match self.id(look) {
+            LookId::OF_BASE => self.within(look, MOST_OTHERS),
+            known => known,
         }
-        if self.list.len() == MOST || look.coordinates.is_placed() {
+    }
+
+    /// The number of a look that is the result of a constant change. It gets one if there is room.
+    fn intern(&mut self, look: &Arc<Look>) -> LookId {
+        self.within(look, MOST)
+    }
+
+    /// The number of a look. A new one is among the first `most`.
+    fn within(&mut self, look: &Arc<Look>, most: usize) -> LookId {
+        // Boxes of such looks are meshes in a sink.
+        if look.coordinates.has_cube() {
             return LookId::OF_BASE;
         }
-        let number = self.list.len() as u32 | bit;
+        let hash = look.hash();
+        let found =
+            self.by_hash.get(&hash).and_then(|ids| ids.iter().find(|id| self.list[id.index() as usize] == *look));
+        if let Some(&id) = found {
+            return id;
+        }
+        if most <= self.list.len() {
+            return LookId::OF_BASE;
+        }
+        let id = LookId(self.list.len() as u32 | flag(look));
         self.list.push(look.clone());
-        self.by_address.insert(address(look), number);
-        LookId(number)
+        self.by_address.insert(address(look), id);
+        self.by_hash.entry(hash).or_default().push(id);
+        id
     }
 
-    /// The result of the material operation at a place in the rules, if its last use there began with the look
-    /// `before`.
+    /// The number of a look, which is temporary if there is no room; `OF_BASE` for a look that never has one.
+    pub(crate) fn number_at_least_for_now(&mut self, look: &Arc<Look>) -> LookId {
+        let id = self.number(look);
+        if id != LookId::OF_BASE || look.coordinates.has_cube() {
+            return id;
+        }
+        if let Some((id, _)) = self.temporary.iter().find(|(_, known)| known == look) {
+            return *id;
+        }
+        let id = LookId((self.made % LookId::TEMPORARY) | LookId::TEMPORARY | flag(look));
+        self.made += 1;
+        self.temporary.push((id, look.clone()));
+        id
+    }
+
+    /// The number of temporary numbers in use.
+    pub(crate) fn temporary_count(&self) -> usize {
+        self.temporary.len()
+    }
+
+    /// Ends the use of all temporary numbers but the first `count`.
+    pub(crate) fn end_temporary(&mut self, count: usize) {
+        self.temporary.truncate(count);
+    }
+
+    /// The result of a change, if an earlier one at the same place began with the look `before`.
     #[inline]
-    pub(crate) fn changed(&self, place: u32, before: LookId) -> Option<LookId> {
-        match self.last_changes.get(place as usize) {
+    pub(crate) fn changed(&mut self, place: ChangePlace, before: LookId) -> Option<LookId> {
+        let changes = if place.is_of_run { &mut self.of_run } else { &mut self.lasting };
+        match changes.last.get(place.number as usize) {
             Some(&Some((known, after))) if known == before => Some(after),
-            _ => None,
+            _ => changes.changed_before(place.number, before),
         }
     }
 
-    /// The result of the material operation at a place, if an earlier use there began with the look `before`.
-    pub(crate) fn changed_before(&mut self, place: u32, before: LookId) -> Option<LookId> {
-        let after = *self.all_changes.get(&(place, before.0))?;
-        self.last_changes[place as usize] = Some((before, after));
+    /// The number of the look after a change, which is kept if both looks have a lasting number.
+    pub(crate) fn change(&mut self, place: ChangePlace, before: LookId, look: &Arc<Look>) -> LookId {
+        let after = self.intern(look);
+        if before.is_lasting() && after != LookId::OF_BASE {
+            let changes = if place.is_of_run { &mut self.of_run } else { &mut self.lasting };
+            changes.keep(place.number, before, after);
+        }
+        after
+    }
+}
+
+impl Changes {
+    #[cold]
+    #[inline(never)]
+    fn changed_before(&mut self, place: u32, before: LookId) -> Option<LookId> {
+        let after = *self.all.get(&(place, before.0))?;
+        self.last[place as usize] = Some((before, after));
         Some(after)
     }
 
-    /// Keeps the result of a material operation, if both looks have a number. Returns true if it was kept.
-    pub(crate) fn keep_change(&mut self, place: u32, before: LookId, after: LookId) -> bool {
-        let has_numbers = before != LookId::OF_BASE && after != LookId::OF_BASE;
-        if has_numbers {
-            self.all_changes.insert((place, before.0), after);
-            let place = place as usize;
-            self.last_changes.resize(self.last_changes.len().max(place + 1), None);
-            self.last_changes[place] = Some((before, after));
-        }
-        has_numbers
+    fn keep(&mut self, place: u32, before: LookId, after: LookId) {
+        self.all.insert((place, before.0), after);
+        let place = place as usize;
+        self.last.resize(self.last.len().max(place + 1), None);
+        self.last[place] = Some((before, after));
     }
+}
+
+/// The flag of a look with texture coordinates.
+fn flag(look: &Look) -> u32 {
+    if look.coordinates.is_empty() { 0 } else { LookId::COORDINATES }
 }
 
 fn address(look: &Arc<Look>) -> u64 {
@@ -152,28 +270,61 @@ mod tests {
     }
 
     #[test]
-    fn a_number_is_found_however_many_materials_come_after() {
+    fn a_number_is_found_however_many_looks_come_after() {
         let mut ids = LookIds::default();
-        let materials: Vec<_> = (0..300).map(named).collect();
-        let numbers: Vec<_> = materials.iter().map(|material| ids.intern(material)).collect();
-        let found: Vec<_> = materials.iter().map(|material| ids.id(material)).collect();
+        let looks: Vec<_> = (0..300).map(named).collect();
+        let numbers: Vec<_> = looks.iter().map(|look| ids.number(look)).collect();
+        let found: Vec<_> = looks.iter().map(|look| ids.id(look)).collect();
         assert_eq!(found, numbers);
         assert_eq!(ids.id(&named(7)), LookId::OF_BASE);
+        assert_eq!(ids.number(&named(7)), numbers[7]);
     }
 
     #[test]
-    fn a_place_that_changes_many_materials_in_turn_adds_each_once() {
+    fn a_place_that_changes_many_looks_in_turn_adds_each_once() {
         let mut ids = LookIds::default();
-        let before: Vec<_> = (0..200).map(|number| ids.intern(&named(number))).collect();
+        let before: Vec<_> = (0..200).map(|number| ids.number(&named(number))).collect();
+        let place = ChangePlace::lasting(0);
         for _ in 0..3 {
             for &before in &before {
-                if ids.changed(0, before).or_else(|| ids.changed_before(0, before)).is_none() {
-                    let after = ids.intern(&named(1000 + before.0 as usize));
-                    assert!(ids.keep_change(0, before, after));
+                if ids.changed(place, before).is_none() {
+                    let after = ids.change(place, before, &named(1000 + before.0 as usize));
+                    assert_eq!(ids.changed(place, before), Some(after));
                 }
             }
         }
         assert_eq!(ids.list.len(), 1 + 2 * 200);
-        assert_eq!(ids.changed_before(1, before[0]), None);
+        assert_eq!(ids.changed(ChangePlace::lasting(1), before[0]), None);
+        assert_eq!(ids.changed(ChangePlace::of_run(0), before[0]), None);
+    }
+
+    #[test]
+    fn a_change_of_a_run_ends_with_it() {
+        let mut ids = LookIds::default();
+        let place = ChangePlace::of_run(3);
+        ids.change(place, LookId(0), &named(1));
+        assert!(ids.changed(place, LookId(0)).is_some());
+        ids.begin();
+        assert!(ids.changed(place, LookId(0)).is_none());
+    }
+
+    #[test]
+    fn a_full_table_gives_temporary_numbers() {
+        let mut ids = LookIds::default();
+        (0..MOST_OTHERS).for_each(|number| _ = ids.number(&named(number)));
+        let others: Vec<_> = (0..3).map(|number| named(MOST_OTHERS + number)).collect();
+        assert_eq!(ids.number(&others[0]), LookId::OF_BASE);
+        let numbers: Vec<_> = others.iter().map(|look| ids.number_at_least_for_now(look)).collect();
+        assert_eq!(ids.number_at_least_for_now(&named(MOST_OTHERS)), numbers[0]);
+        assert!(numbers.iter().zip(&others).all(|(id, look)| !id.is_lasting() && ids.get(*id) == Some(look)));
+        ids.end_temporary(1);
+        assert_eq!((ids.get(numbers[0]), ids.get(numbers[1])), (Some(&others[0]), None));
+        let later = ids.number_at_least_for_now(&others[1]);
+        assert!(later != numbers[1] && ids.get(later) == Some(&others[1]));
+        // A constant change still has room.
+        let place = ChangePlace::lasting(0);
+        assert!(ids.change(place, LookId(0), &named(9999)).is_lasting() && ids.changed(place, LookId(0)).is_some());
+        ids.change(place, numbers[0], &named(9999));
+        assert_eq!(ids.changed(place, numbers[0]), None);
     }
 }

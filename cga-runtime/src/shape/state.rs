@@ -123,4 +123,13 @@ impl StateRef {
         static NONE: Projections = Projections::NONE;
         self.get().map_or(&NONE, |state| &state.projections)
     }
+
+    /// Returns true if everything else is equal.
+    pub(crate) fn differs_in_look(&self, other: &StateRef) -> bool {
+        let (Some(own), Some(its)) = (self.get(), other.get()) else {
+            let set = self.get().or(other.get());
+            return set.is_none_or(|set| State { look: UNSET.clone(), ..set.clone() } == State::default());
+        };
+        State { look: its.look.clone(), ..own.clone() } == *its
+    }
 }

@@ -4,7 +4,7 @@ use crate::graph::components;
 use std::ops::BitOr;
 
 /// The union of each node's own value and the values of all nodes that it reaches.
-pub(super) fn closure<T: Copy + BitOr<Output = T>>(edges: &[Vec<usize>], own: &[T]) -> Vec<T> {
+pub(crate) fn closure<T: Copy + BitOr<Output = T>>(edges: &[Vec<usize>], own: &[T]) -> Vec<T> {
     let mut found = own.to_vec();
     // Each component comes after those that it reaches, and its nodes reach each other.
     for component in components(edges) {

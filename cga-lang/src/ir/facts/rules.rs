@@ -1,7 +1,7 @@
 //! Uses of rules, and which of them are rigid.
 
 use super::closure::closure;
-use super::{Facts, RuleFacts, Uses};
+use super::{Facts, Reads, RuleFacts, Uses};
 use crate::ir::{Arm, Block, BlockParts, Grammar, Renewal, Rule, Selector, Step, StepKind, Target, walk};
 use crate::ops;
 
@@ -10,13 +10,16 @@ struct OwnFacts {
     uses: Uses,
     /// True if it is rigid, apart from the counters that it gets with its shape.
     rigid: bool,
+    /// True if it reads or makes more than rectangles and boxes, if it is rigid.
+    whole: bool,
+    reads: Reads,
 }
 
 impl Facts {
     /// Finds the facts of rules from the facts of functions.
     pub(super) fn find_rules(&mut self, grammar: &Grammar) {
         let renewals: Vec<Uses> = grammar.renewals.iter().map(|renewal| self.renewal(grammar, renewal)).collect();
-        let own: Vec<OwnFacts> = grammar.rules.iter().map(|rule| self.own(rule, &renewals)).collect();
+        let own: Vec<OwnFacts> = grammar.rules.iter().map(|rule| self.own(grammar, rule, &renewals)).collect();
         let uses: Vec<Uses> = own.iter().map(|own| own.uses).collect();
         let edges = walk::calls(grammar, |_| true);
         let handed = walk::calls(grammar, hands_counters_on);
@@ -32,13 +35,24 @@ impl Facts {
                 below: all.but(Uses::COUNTERS) | counters,
                 rigid: !loose && counters.is_none(),
                 own_rigid: own.rigid && uses.counters().is_none(),
+                own_whole: own.whole,
+                own_reads: own.reads,
             })
             .collect();
     }
 
-    fn own(&self, rule: &Rule, renewals: &[Uses]) -> OwnFacts {
+    fn own(&self, grammar: &Grammar, rule: &Rule, renewals: &[Uses]) -> OwnFacts {
         let locals = self.exprs(&rule.locals);
-        let mut own = OwnFacts { uses: locals, rigid: locals.but(Uses::COUNTERS).is_rigid() };
+        let mut reads = Reads::NONE;
+        walk::in_rule(rule, &mut |part| reads = reads | self.part_reads(part));
+        walk::steps(&rule.body, &mut |step| {
+            if let StepKind::Renew(call) = &step.kind {
+                let renewed = &grammar.renewals[call.renewal.0 as usize].globals;
+                reads = reads | renewed.iter().map(|id| self.reads(&grammar.global(*id).value)).collect();
+            }
+        });
+        let rigid = locals.but(Uses::COUNTERS).is_rigid();
+        let mut own = OwnFacts { uses: locals, rigid, whole: locals.has(Uses::BODY), reads };
         walk::steps(&rule.body, &mut |step| {
             let args = walk::targets(step).into_iter().map(|target| match target {
                 Target::Rule { args, .. } => self.exprs(args),
@@ -49,10 +63,14 @@ impl Facts {
             let (exprs, itself) = (self.exprs(walk::in_step(step)) | args, itself(step, renewals));
             own.uses = own.uses | exprs | itself;
             own.rigid &= exprs.but(Uses::COUNTERS).is_rigid();
-            own.rigid &= match &step.kind {
-                StepKind::Block(block @ Block { parts: BlockParts::Arms(arms), .. }) => is_rigid(block, arms),
-                _ => itself.but(Uses::COUNTERS).is_rigid(),
+            let (rigid, whole) = match &step.kind {
+                StepKind::Block(block @ Block { parts: BlockParts::Arms(arms), .. }) => {
+                    (is_rigid(block, arms), !block.gives_faces())
+                }
+                _ => (itself.but(Uses::COUNTERS).is_rigid(), itself.has(Uses::BODY)),
             };
+            own.rigid &= rigid;
+            own.whole |= whole || exprs.has(Uses::BODY);
         });
         own
     }

@@ -87,7 +87,7 @@ fn functions_use_what_the_functions_they_call_use() {
 fn values_of_the_run_are_not_of_the_shape() {
     let rules = "attr a = rand(1)  attr b = scope.sx  const c = geometry.area()  attr d = 1
         A --> s(a, b, c) set(d, split.index) B  B --> s(d, 1, 1) X.";
-    assert_eq!(shown(rules), ["A: index | index state", "B: state | state"]);
+    assert_eq!(shown(rules), ["A: index | index state", "B: state | state | rigid"]);
 }
 
 #[test]
@@ -107,9 +107,9 @@ fn steps_use_what_their_rows_say() {
         ("extrude(3) color(\"#ff0000\")", " |  | rigid"),
         ("center(xy)", " |  | rigid"),
         ("extrude(world.up, 3)", "whole | whole"),
-        ("r(0, 90, 0)", "whole | whole"),
-        ("primitiveCube()", "whole | whole"),
-        ("i(\"a.obj\")", "whole says | whole says"),
+        ("r(0, 90, 0)", "body | body | rigid"),
+        ("primitiveCube()", "body | body | rigid"),
+        ("i(\"a.obj\")", "body | body | rigid"),
         ("report(\"a\", 1)", "says | says"),
         ("print(scope.sx)", "scope says | scope says"),
         ("t(print(1), 0, 0)", "says | says"),
@@ -119,7 +119,9 @@ fn steps_use_what_their_rows_say() {
         ("t(scope.tx, 0, 0)", "whole | whole"),
         ("t(pivot.px, 0, 0)", "whole | whole"),
         ("t(comp.index, 0, 0)", "whole | whole"),
-        ("t(geometry.area(), 0, 0)", "whole | whole"),
+        ("t(geometry.area(), 0, 0)", "body | body | rigid"),
+        ("t(geometry.area(front), 0, 0)", "body | body | rigid"),
+        ("t(geometry.area(world.up), 0, 0)", "whole | whole"),
         ("t(initialShape.origin.px, 0, 0)", "says | says"),
         ("t(seedian, 0, 0)", "draws | draws"),
         ("set(seedian, 3)", "draws | draws"),
@@ -127,9 +129,9 @@ fn steps_use_what_their_rows_say() {
         ("set(scope.tx, 3)", "whole | whole"),
         ("set(material.opacity, 0.5)", " |  | rigid"),
         ("set(material.color.rgb, \"#ff0000\")", " |  | rigid"),
-        ("set(material.color.r, 1)", "whole | whole"),
+        ("set(material.color.r, 1)", "body | body | rigid"),
         ("set(trim.vertical, false)", "whole | whole"),
-        ("set(material.opacity, material.opacity * 0.5)", "whole | whole"),
+        ("set(material.opacity, material.opacity * 0.5)", "body | body | rigid"),
         ("t(30% : 1 else : 2, 0, 0)", "draws | draws"),
         ("color(listRandom(\"#ff0000;#00ff00\"))", "draws | draws"),
         ("splitArea(x) { 1 : X. }", "whole | whole"),

@@ -4,6 +4,7 @@
 //! one form: they work on the slim shape if all of them can, else on a whole one.
 
 use super::RunPlan;
+use crate::ir::facts::Reads;
 use crate::ir::walk;
 use crate::ir::{Expr, ExprKind, FunctionId, Step, StepKind};
 use crate::ops::{Changes, Uses};
@@ -29,6 +30,8 @@ pub enum SlimChange {
     Material {
         /// The number of sites on which the change depends; 0 for none.
         sites: u32,
+        /// True if the change may differ between runs.
+        is_of_run: bool,
         /// True if it changes texture coordinates, which caps have too.
         reaches_caps: bool,
     },
@@ -43,12 +46,12 @@ impl RunPlan<'_> {
 
     /// Returns true if an expression reads more than a slim shape has: it is evaluated on a whole one.
     pub fn needs_whole(&self, expr: &Expr) -> bool {
-        self.facts.expr(expr).has(Uses::WHOLE)
+        self.facts.expr(expr).has(Uses::BODY)
     }
 
     /// Returns true if a function reads more than a slim shape has.
     pub fn function_needs_whole(&self, id: FunctionId) -> bool {
-        self.facts.function(id).has(Uses::WHOLE)
+        self.facts.function(id).has(Uses::BODY)
     }
 
     /// The change of a slim shape, if the step has such a form.
@@ -63,7 +66,9 @@ impl RunPlan<'_> {
             Changes::Nothing => Some(SlimChange::Nothing),
             Changes::Scope => Some(SlimChange::Scope),
             Changes::Material => {
-                self.is_settled(step).then(|| SlimChange::Material { sites: sites(step), reaches_caps })
+                let reads: Reads = walk::in_step(step).into_iter().map(|expr| self.facts.reads(expr)).collect();
+                let is_of_run = reads != Reads::NONE;
+                self.is_settled(step).then(|| SlimChange::Material { sites: sites(step), is_of_run, reaches_caps })
             }
         }
     }
@@ -117,7 +122,7 @@ mod tests {
     use super::*;
     use crate::compile::compile_text;
 
-    const SETTLED: SlimChange = SlimChange::Material { sites: 0, reaches_caps: false };
+    const SETTLED: SlimChange = SlimChange::Material { sites: 0, is_of_run: false, reaches_caps: false };
 
     /// The form of the first steps of the rule `A`.
     fn form(rules: &str) -> ChangeForm {
@@ -144,6 +149,9 @@ mod tests {
     fn a_material_that_is_the_same_in_the_run_is_slim() {
         let rules = "attr red = \"#ff0000\"  A --> color(red) set(material.opacity, 0.5) X.";
         assert_eq!(form(rules), ChangeForm::Slim(vec![SETTLED; 2]));
+        let of_run = SlimChange::Material { sites: 0, is_of_run: true, reaches_caps: false };
+        let rules = "attr tint = rand(1)  A --> color(tint, 0, 0) X.";
+        assert_eq!(form(rules), ChangeForm::Slim(vec![of_run]));
         for rules in ["A --> set(material.opacity, scope.sx) X.", "A --> set(material.opacity, rand(1)) X."] {
             assert_eq!(form(rules), ChangeForm::Whole);
         }

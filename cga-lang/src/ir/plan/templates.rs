@@ -1,13 +1,27 @@
 //! The repeated parts that are derived once and replayed, and the calls that they leave out.
 //!
-//! A *template* is made of a repeated part if the result of its rule depends on the size of its shape alone. A call below the part
-//! that depends on more, or that requests stack, is a *hole*: each repetition calls it.
+//! A *template* is made of a repeated part if the result of its rule depends on a few values alone: the size of its shape, the arguments
+//! of its rule, attributes and constants. A call below the part that depends on more, or that requests stack, is a *hole*: each
+//! repetition calls it.
 
 use super::rule_stack::RuleStack;
-use crate::ir::facts::Facts;
+use crate::ir::facts::{Facts, Reads, closure};
 use crate::ir::walk;
-use crate::ir::{Block, BlockParts, Grammar, Item, RuleId, Slots, StepKind, Target};
+use crate::ir::{Block, BlockParts, GlobalId, Grammar, Item, RuleId, Slots, StepKind, Target};
 use std::collections::HashSet;
+
+/// A repeated part of which a template is made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TemplateRoot {
+    /// Its rule.
+    pub rule: RuleId,
+    /// The attributes and constants whose values the template depends on, besides the arguments of the rule.
+    pub reads: Vec<GlobalId>,
+    /// True if it also depends on values that other runs may not have.
+    pub is_of_run: bool,
+    /// True if it reads or makes more than rectangles and boxes.
+    pub is_whole: bool,
+}
 
 /// The holes in templates.
 #[derive(Clone, Debug, Default)]
@@ -16,36 +30,50 @@ pub struct TemplateHoles {
     holes: HashSet<(RuleId, RuleId)>,
     /// Rules that are left out somewhere.
     left_out: HashSet<RuleId>,
+    /// By rule, the attributes and constants that a template of it reads.
+    reads: Vec<Reads>,
+    /// By rule, true if a template of it reads or makes more than rectangles and boxes.
+    whole: Vec<bool>,
 }
 
 impl TemplateHoles {
     /// Finds the holes, in time linear in the size of the grammar.
     pub(super) fn new(grammar: &Grammar, facts: &Facts, stack: &RuleStack) -> Self {
         let is_open = |from: RuleId, to: RuleId| !facts.rule(to).own_rigid || stack.request(from, to).is_some();
+        let calls = walk::calls(grammar, |_| true);
+        let kept_calls: Vec<Vec<usize>> = (0..)
+            .zip(&calls)
+            .map(|(from, called)| {
+                called.iter().copied().filter(|to| !is_open(RuleId(from), RuleId(*to as u32))).collect()
+            })
+            .collect();
+        let rules = (0..grammar.rules.len()).map(|rule| facts.rule(RuleId(rule as u32)));
+        let (reads, whole): (Vec<Reads>, Vec<bool>) = rules.map(|rule| (rule.own_reads, rule.own_whole)).unzip();
+        let (reads, whole) = (closure(&kept_calls, &reads), closure(&kept_calls, &whole));
+        let mut found = TemplateHoles { reads, whole, ..TemplateHoles::default() };
         let mut todo: Vec<RuleId> = Vec::new();
         for (at, rule) in grammar.rules.iter().enumerate() {
             walk::steps(&rule.body, &mut |step| {
                 if let StepKind::Block(Block { parts: BlockParts::Slots(slots), .. }) = &step.kind {
-                    todo.extend(roots(slots, RuleId(at as u32), facts, stack).flatten());
+                    todo.extend(found.roots(slots, RuleId(at as u32), facts, stack).flatten().map(|root| root.rule));
                 }
             });
         }
-        let (mut met, mut holes): (HashSet<RuleId>, HashSet<(RuleId, RuleId)>) = Default::default();
-        let calls = walk::calls(grammar, |_| true);
+        let mut met: HashSet<RuleId> = HashSet::new();
         while let Some(rule) = todo.pop() {
             if !met.insert(rule) {
                 continue;
             }
             for called in calls[rule.0 as usize].iter().map(|called| RuleId(*called as u32)) {
                 if is_open(rule, called) {
-                    holes.insert((rule, called));
+                    found.holes.insert((rule, called));
                 } else {
                     todo.push(called);
                 }
             }
         }
-        let left_out = holes.iter().map(|(_, rule)| *rule).collect();
-        TemplateHoles { holes, left_out }
+        found.left_out = found.holes.iter().map(|(_, rule)| *rule).collect();
+        found
     }
 
     /// Returns true if the call may be reached while a template is made, and is left out then.
@@ -57,21 +85,31 @@ impl TemplateHoles {
     pub(super) fn may_be_left_out(&self, rule: RuleId) -> bool {
         self.left_out.contains(&rule)
     }
-}
 
-/// By slot, the rule of which a template is made: a rigid one in a group, without arguments and without a request of stack.
-pub(super) fn roots(
-    slots: &Slots,
-    from: RuleId,
-    facts: &Facts,
-    stack: &RuleStack,
-) -> impl Iterator<Item = Option<RuleId>> {
-    slots.targets.iter().zip(in_groups(&slots.pattern)).map(move |(target, is_in_group)| match target {
-        Target::Rule { rule, args, .. } if is_in_group && args.is_empty() && facts.rule(*rule).own_rigid => {
-            stack.request(from, *rule).is_none().then_some(*rule)
-        }
-        _ => None,
-    })
+    /// By slot, the template: of a rigid rule in a group, without a request of stack, with arguments that equal parts have in common.
+    pub(super) fn roots(
+        &self,
+        slots: &Slots,
+        from: RuleId,
+        facts: &Facts,
+        stack: &RuleStack,
+    ) -> impl Iterator<Item = Option<TemplateRoot>> {
+        slots.targets.iter().zip(in_groups(&slots.pattern)).map(move |(target, is_in_group)| {
+            let Target::Rule { rule, args, .. } = target else { return None };
+            let reads = self.reads[rule.0 as usize];
+            let is_template = is_in_group
+                && facts.rule(*rule).own_rigid
+                && stack.request(from, *rule).is_none()
+                && !reads.has(Reads::SHAPE)
+                && args.iter().all(|arg| facts.expr(arg).is_rigid());
+            is_template.then(|| TemplateRoot {
+                rule: *rule,
+                reads: facts.listed(reads).collect(),
+                is_of_run: reads.has(Reads::RUN),
+                is_whole: self.whole[rule.0 as usize],
+            })
+        })
+    }
 }
 
 /// By slot of a pattern, true if it is in a group.
@@ -96,33 +134,55 @@ mod tests {
     use super::*;
     use crate::compile::compile_text;
 
-    /// The roots of templates by rule, as `rule: root`, and the holes, as `caller → callee`.
+    /// The roots of templates by rule, as `rule: root`, with the attributes and constants that they read, and the holes, as
+    /// `caller → callee`.
     fn templates(rules: &str) -> (Vec<String>, Vec<String>) {
         let grammar = compile_text(rules).compiled.grammar.expect("good rules");
         let (facts, stack) = (Facts::new(&grammar), RuleStack::new(&grammar));
+        let holes = TemplateHoles::new(&grammar, &facts, &stack);
         let name = |rule: RuleId| grammar.rules[rule.0 as usize].name.as_str();
         let mut list = Vec::new();
         for (at, rule) in grammar.rules.iter().enumerate() {
             walk::steps(&rule.body, &mut |step| {
                 if let StepKind::Block(Block { parts: BlockParts::Slots(slots), .. }) = &step.kind {
-                    let found = roots(slots, RuleId(at as u32), &facts, &stack).flatten();
-                    list.extend(found.map(|root| format!("{}: {}", rule.name, name(root))));
+                    let found = holes.roots(slots, RuleId(at as u32), &facts, &stack).flatten();
+                    list.extend(found.map(|root| {
+                        let reads = root.reads.iter().map(|id| format!(" {}", grammar.global(*id).name));
+                        let of_run = if root.is_of_run { " run" } else { "" };
+                        format!("{}: {}{}{of_run}", rule.name, name(root.rule), reads.collect::<String>())
+                    }));
                 }
             });
         }
-        let holes = TemplateHoles::new(&grammar, &facts, &stack).holes;
         let mut holes: Vec<String> =
-            holes.iter().map(|(from, to)| format!("{} → {}", name(*from), name(*to))).collect();
+            holes.holes.iter().map(|(from, to)| format!("{} → {}", name(*from), name(*to))).collect();
         holes.sort();
         (list, holes)
     }
 
     #[test]
     fn a_template_is_made_of_rigid_parts_in_groups() {
-        let rules = "A --> split(x) { 1 : B | { ~1 : B | 1 : C(2) | 1 : X. }* }  B --> X.  C(n) --> s(n, 1, 1) X.";
+        let rules = "A --> split(x) { 1 : B | { ~1 : B | 1 : X. }* }  B --> X.";
         assert_eq!(templates(rules), (vec!["A: B".to_owned()], vec![]));
         let rules = "A --> split(x) { { ~1 : B | { 1 : C }* }* | 1 : B }  B --> s(split.index, 1, 1) X.  C --> X.";
         assert_eq!(templates(rules), (vec!["A: C".to_owned()], vec![]));
+    }
+
+    #[test]
+    fn a_template_depends_on_arguments_that_equal_parts_have_in_common() {
+        let rules = "A --> split(x) { { ~1 : C(2) | 1 : C(scope.sy) | 1 : C(split.index) | 1 : C(rand(1)) }* }  C(n) --> s(n, 1, 1) X.";
+        assert_eq!(templates(rules), (vec!["A: C".to_owned(); 2], vec![]));
+    }
+
+    #[test]
+    fn a_template_depends_on_the_attributes_that_differ_and_are_read() {
+        let rules = "attr fixed = 1  attr drawn = rand(1)  attr other = drawn  attr held = 2  f = other
+            A --> set(held, 3) split(x) { { ~1 : B | ~1 : C | ~1 : D | ~1 : E }* }
+            B --> s(fixed, 1, 1) C  C --> s(f, held, 1) X.  D --> E  E --> s(rand(1), drawn, 1) X.";
+        let found = ["A: B other held", "A: C other held", "A: D"].map(str::to_owned).to_vec();
+        assert_eq!(templates(rules), (found, vec!["D → E".to_owned()]));
+        let rules = "attr a = case b > 1 : b else : 1  attr b = case scope.sx > 2 : 1 else : a  A --> split(x) { { ~1 : B }* }  B --> s(a, 1, 1) X.";
+        assert_eq!(templates(rules), (vec!["A: B run".to_owned()], vec![]));
     }
 
     #[test]

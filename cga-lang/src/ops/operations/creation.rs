@@ -1,10 +1,10 @@
 //! Geometry creation: extrusion, assets, primitives, envelopes.
 
 use super::super::{
-    Allowed, Default, Effect, FILE, FS, FileUse, Operation, Param, ParamBounds, Params, Str, Uses, UvEffect, bounds,
-    file, float, length, of, or, outdated, renamed, uv_set, within, word,
+    Allowed, Default, Effect, FILE, FS, FileUse, Operation, Param, ParamBounds, Params, Str, UvEffect, bounds, file,
+    float, length, of, or, outdated, renamed, uv_set, within, word,
 };
-use super::{moves, old, op, tagging, using, uvs, with};
+use super::{moves, old, op, rigid, tagging, uvs, with};
 
 const EXTRUDE_ALONG: Param = outdated(
     &[("world.y", "world.up")],
@@ -48,8 +48,6 @@ const N_DIVISIONS: Param = within(float("divisions"), &DIVISIONS);
 const SIXTEEN: Default = Default::Float(16.0);
 
 /// Assets are trimmed at the trim planes of the shape.
-const FROM_FILE: Uses = Uses::WHOLE.and(Uses::SAYS);
-
 const SPHERE: &str = "replaces the geometry by a sphere that fills the scope";
 const VOLUME: &str = "makes the volume that may be built on";
 
@@ -138,7 +136,7 @@ const fn keeps_uvs(row: Operation) -> Operation {
 
 /// A primitive. It only has the first uv set (*primitiveCube operation*).
 const fn primitive(name: Str, call: Str, params: Params, about: Str) -> Operation {
-    uvs(UvEffect::First, op(name, call, params, about))
+    rigid(uvs(UvEffect::First, op(name, call, params, about)))
 }
 
 /// A primitive that fills a scope with a size along all axes.
@@ -178,22 +176,19 @@ pub(super) static ROWS: &[Operation] = &[
     ),
     with(
         Effect::Fills,
-        using(FROM_FILE, op("i", "insert", &[INSERTED], "replaces the geometry by an asset that fills the scope")),
+        rigid(op("i", "insert", &[INSERTED], "replaces the geometry by an asset that fills the scope")),
     ),
-    using(
-        FROM_FILE,
-        op(
-            "i",
-            "insert_with",
-            &[
-                INSERTED,
-                UP_AXIS,
-                or(INSERT_MODE, Default::Word("alignSizeAndPosition")),
-                or(CLEANUP_MODE, Default::Word("numericalCleanup")),
-            ],
-            "replaces the geometry by an asset, which may lie down or keep its size and place",
-        ),
-    ),
+    rigid(op(
+        "i",
+        "insert_with",
+        &[
+            INSERTED,
+            UP_AXIS,
+            or(INSERT_MODE, Default::Word("alignSizeAndPosition")),
+            or(CLEANUP_MODE, Default::Word("numericalCleanup")),
+        ],
+        "replaces the geometry by an asset, which may lie down or keep its size and place",
+    )),
     along_uv("insert_along_uv", &[uv_set("uvSet"), FILE, float("height")]),
     along_uv("insert_along_uv_with", &[uv_set("uvSet"), FILE, float("height"), HEIGHT_DIRECTION, HEIGHT_ALIGNMENT]),
     primitive("primitiveQuad", "quad", &[], "replaces the geometry by a rectangle that fills the scope"),
@@ -255,14 +250,14 @@ pub(super) static ROWS: &[Operation] = &[
     ),
     tagging(
         &["taper.bottom", "taper.side"],
-        keeps_uvs(op("taper", "taper", &[float("height")], "makes a pyramid over the first face")),
+        rigid(keeps_uvs(op("taper", "taper", &[float("height")], "makes a pyramid over the first face"))),
     ),
-    keeps_uvs(op(
+    rigid(keeps_uvs(op(
         "offset",
         "offset",
         &[float("distance"), or(KEEP_FACES, Default::Word("all"))],
         "moves the outline of each face in or out, with faces for the difference",
-    )),
+    ))),
     with(Effect::Flattens, op("footprint", "footprint", &[], "replaces the geometry by its outline seen from above")),
     envelope("envelope_front", first(4, ENVELOPE), VOLUME),
     envelope("envelope_front_back", first(6, ENVELOPE), VOLUME),

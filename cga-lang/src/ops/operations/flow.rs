@@ -2,7 +2,7 @@
 
 use super::super::{Allowed, B, Default, F, HEX, Operation, Param, ParamBounds, ParamKind, T, TS, Uses};
 use super::super::{bounds, channel, of, or, param, text, within, word};
-use super::{keeps, old, op, says, sets_material, using};
+use super::{keeps, old, op, rigid, says, sets_material, using};
 
 const TARGET: Param = or(word("target", "MaterialTarget", &["shape", "geometry", "all"]), Default::Word("shape"));
 
@@ -30,18 +30,18 @@ pub(super) static ROWS: &[Operation] = &[
         sets_material(op("opacity", "opacity", &[channel("opacity")], "sets the opacity, from 0 to 1")),
         "write `set(material.opacity, …)`",
     ),
-    keeps(op(
+    keeps(rigid(op(
         "setMaterial",
         "set_material",
         &[of("material", TS)],
         "sets several attributes of the material, by names and values",
-    )),
-    keeps(op(
+    ))),
+    keeps(rigid(op(
         "resetMaterial",
         "reset_material",
         &[TARGET],
         "gives the attributes of the material their defaults again",
-    )),
+    ))),
     // Queries of other shapes will find the copy.
     using(
         Uses::WHOLE.and(Uses::SAYS),

@@ -4,7 +4,7 @@ use super::super::{
     Allowed, Braces, Default, Effect, Operation, Param, ParamBounds, Str, TAG_QUERY, Uses, UvEffect, boolean, bounds,
     float, or, text, within, word,
 };
-use super::{block, joins, keeps, old, op, reads_tags, recomposes, tagging, using, uvs, with};
+use super::{block, joins, keeps, old, op, reads_tags, recomposes, rigid, tagging, using, uvs, with};
 
 /// *cleanupGeometry* and *reduceGeometry operation*.
 static TOLERANCES: ParamBounds = bounds(Allowed::Between(0.0, 1.0), "it is from 0 to 1");
@@ -71,7 +71,7 @@ const TAG_NAME: Param = within(text("name"), &TAG_NAMES);
 
 /// The row of an operation that changes tags alone.
 const fn tags(row: Operation) -> Operation {
-    keeps(reads_tags(row))
+    keeps(reads_tags(rigid(row)))
 }
 
 pub(super) static ROWS: &[Operation] = &[
@@ -79,45 +79,45 @@ pub(super) static ROWS: &[Operation] = &[
         UvEffect::Keeps,
         op("cleanupGeometry", "cleanup_geometry", &[CLEANUP, TOLERANCE], "merges parts that are nearly the same"),
     )),
-    with(Effect::KeepsSize, op("convexify", "convexify", &[], "cuts concave faces into convex ones")),
+    with(Effect::KeepsSize, rigid(op("convexify", "convexify", &[], "cuts concave faces into convex ones"))),
     with(
         Effect::KeepsSize,
-        op(
+        rigid(op(
             "convexify",
             "convexify_within",
             &[within(float("maxLength"), &CUT_LENGTHS)],
             "cuts concave faces where the cut is short",
-        ),
+        )),
     ),
-    with(Effect::KeepsSize, op("deleteHoles", "delete_holes", &[], "fills the holes of faces")),
-    with(Effect::KeepsSize, op("reverseNormals", "reverse_normals", &[], "turns every face over")),
-    with(Effect::KeepsSize, op("setNormals", "set_normals", &[NORMALS], "sets the normals of vertices")),
+    with(Effect::KeepsSize, rigid(op("deleteHoles", "delete_holes", &[], "fills the holes of faces"))),
+    with(Effect::KeepsSize, rigid(op("reverseNormals", "reverse_normals", &[], "turns every face over"))),
+    with(Effect::KeepsSize, rigid(op("setNormals", "set_normals", &[NORMALS], "sets the normals of vertices"))),
     with(
         Effect::KeepsSize,
-        op(
+        rigid(op(
             "softenNormals",
             "soften_normals",
             &[within(float("angle"), &SMOOTH_ANGLES)],
             "smooths edges flatter than an angle",
-        ),
+        )),
     ),
     with(
         Effect::KeepsSize,
-        op(
+        rigid(op(
             "mirror",
             "mirror",
             &[boolean("xFlip"), boolean("yFlip"), boolean("zFlip")],
             "mirrors the geometry inside its scope",
-        ),
+        )),
     ),
     uvs(
         UvEffect::Keeps,
-        op(
+        rigid(op(
             "rectify",
             "rectify",
             &[within(float("angle"), &DEVIATIONS)],
             "turns edges that nearly follow the scope's axes to them",
-        ),
+        )),
     ),
     uvs(
         UvEffect::Keeps,

@@ -70,6 +70,11 @@ const fn using(uses: Uses, row: Operation) -> Operation {
     Operation { uses, ..row }
 }
 
+/// The row of an operation that has the same effect in every place, in the coordinates of the scope.
+const fn rigid(row: Operation) -> Operation {
+    using(Uses::BODY, row)
+}
+
 /// The row of an operation that tags the components that it makes.
 const fn tagging(tags: &'static [&'static str], row: Operation) -> Operation {
     Operation { tags, ..row }

@@ -3,7 +3,7 @@
 use super::super::{
     Allowed, Default, Operation, Param, ParamBounds, Params, Str, UvEffect, boolean, bounds, float, or, within, word,
 };
-use super::{op, tagging, uvs};
+use super::{op, rigid, tagging, uvs};
 
 const VALUE_TYPE: Param = word("valueType", "RoofValue", &["byAngle", "byHeight"]);
 
@@ -42,7 +42,7 @@ const TAGS: &[&str] = &["roof.bottom", "roof.top", "roof.side", "roof.side.outer
 
 /// A roof.
 const fn roof(name: Str, call: Str, params: Params, about: Str) -> Operation {
-    tagging(TAGS, uvs(UvEffect::Drops, op(name, call, params, about)))
+    rigid(tagging(TAGS, uvs(UvEffect::Drops, op(name, call, params, about))))
 }
 
 pub(super) static ROWS: &[Operation] = &[

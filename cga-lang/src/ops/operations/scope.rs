@@ -4,7 +4,7 @@ use super::super::{
     Allowed, Default, Effect, Operation, Param, ParamBounds, Params, Str, boolean, bounds, float, or, renamed, within,
     word,
 };
-use super::{old, op, with};
+use super::{old, op, rigid, with};
 
 const ALIGN_AXES: Param = or(
     renamed(
@@ -76,22 +76,22 @@ pub(super) static ROWS: &[Operation] = &[
         &[BOX_AXES],
         "turns the scope about an axis until its box is as small as can be",
     ),
-    scope(
+    rigid(scope(
         "rotateScope",
         "rotate_scope",
         &[float("xAngle"), float("yAngle"), float("zAngle")],
         "turns the scope about the axes of the pivot, in degrees",
-    ),
+    )),
     scope(
         "setPivot",
         "set_pivot",
         &[AXIS_MAP, within(float("cornerIndex"), &CORNERS)],
         "puts the pivot to a corner of the scope",
     ),
-    scope(
+    rigid(scope(
         "mirrorScope",
         "mirror_scope",
         &[boolean("xFlip"), boolean("yFlip"), boolean("zFlip")],
         "mirrors the scope around the geometry",
-    ),
+    )),
 ];

@@ -5,7 +5,7 @@ use super::super::{
     Allowed, BS, Braces, Default, FS, Measure, Operation, Param, ParamBounds, ParamKind, SelectorPlaces, Str, Uses,
     bounds, float, length, of, or, param, renamed, unknown, uv_set, within, word,
 };
-use super::{block, divides, joins, old, op, recomposes, tagging};
+use super::{block, divides, joins, old, op, recomposes, rigid, tagging};
 use crate::diag::code::Code;
 
 pub(super) const COMPONENT: Param = renamed(
@@ -248,7 +248,7 @@ pub(super) static ROWS: &[Operation] = &[
         ),
     ),
     old(
-        op("innerRect", "inner_rect", &[], "replaces each face by its largest rectangle along the scope"),
+        rigid(op("innerRect", "inner_rect", &[], "replaces each face by its largest rectangle along the scope")),
         "write `innerRectangle(scope) { shape : … }`",
     ),
     divides(

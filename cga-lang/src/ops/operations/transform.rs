@@ -2,7 +2,7 @@
 
 use super::super::queries::SYSTEMS;
 use super::super::{Effect, Operation, Param, float, length, word};
-use super::{alone, keeps, moves, op, slim, with};
+use super::{alone, keeps, moves, op, rigid, slim, with};
 
 const CENTER_AXES: Param = word("axes", "CenterAxes", &["x", "y", "z", "xy", "xz", "yz", "xyz"]);
 
@@ -34,13 +34,13 @@ pub(super) static ROWS: &[Operation] = &[
         "moves to a place or by an amount in a coordinate system",
     )),
     // `r` turns about the axes of the pivot, which parts of a split inherit from their parent.
-    keeps(op("r", "rotate", &[X_ANGLE, Y_ANGLE, Z_ANGLE], "rotates about the origin of the scope, in degrees")),
-    keeps(op(
+    keeps(rigid(op("r", "rotate", &[X_ANGLE, Y_ANGLE, Z_ANGLE], "rotates about the origin of the scope, in degrees"))),
+    keeps(rigid(op(
         "r",
         "rotate_about",
         &[CENTER, X_ANGLE, Y_ANGLE, Z_ANGLE],
         "rotates about the origin or the centre of the scope, in degrees",
-    )),
+    ))),
     keeps(op(
         "rotate",
         "rotate_in",

@@ -135,8 +135,7 @@ impl<'g> Printer<'g> {
             None => name(init),
         };
         if !grammar.init.is_empty() {
-            let settled = if self.plan.has_settled_values() { " [once a session]" } else { "" };
-            let text = format!("init {}{settled}", grammar.init.iter().map(init).collect::<Vec<_>>().join(", "));
+            let text = format!("init {}", grammar.init.iter().map(init).collect::<Vec<_>>().join(", "));
             self.line(&text);
         }
         for (index, host) in grammar.hosts.iter().enumerate() {

@@ -4,7 +4,6 @@ impl cga_rt::Rules for Tower {
     type Call = CgaCall;
     const NAMES: &'static [&'static ::core::primitive::str] = &["Lot", "Again"];
     const LEAVES: &'static [&'static ::core::primitive::str] = &["X"];
-    const SETTLED: ::core::primitive::bool = false;
     const TAGS: ::core::primitive::bool = false;
     const STARTS: &'static [cga_rt::StartRule] = &[cga_rt::StartRule::new("Lot")];
     const START_RULES: &'static [::core::primitive::u32] = &[0u32];

@@ -4,7 +4,6 @@ impl cga_rt::Rules for Tower {
     type Call = CgaCall;
     const NAMES: &'static [&'static ::core::primitive::str] = &["Lot", "Roof", "Lot/1"];
     const LEAVES: &'static [&'static ::core::primitive::str] = &["Y", "X"];
-    const SETTLED: ::core::primitive::bool = true;
     const TAGS: ::core::primitive::bool = false;
     const STARTS: &'static [cga_rt::StartRule] = &[
         cga_rt::StartRule::new("Lot"),

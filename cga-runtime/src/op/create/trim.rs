@@ -12,7 +12,8 @@ use crate::shape::{Geometry, Inserted, Placed, Shape};
 
 /// `trim()`: cuts the geometry at the shape's trim planes that `trim.vertical` and `trim.horizontal` switch on (*trim
 /// operation*). The shape's pivot decides which switch a plane has. The cuts stay open, and the scope stays.
-pub fn trim(_: &mut Env, shape: &mut Shape) {
+pub fn trim(env: &mut Env, shape: &mut Shape) {
+    env.reach(&shape.scope);
     if matches!(shape.trims, Trims::None) || !shape.geometry.has_surface() {
         return;
     }

@@ -3,7 +3,6 @@
 use super::submesh::SubmeshStart;
 use crate::output::leaf_numbers::Numbers;
 use crate::run::sink::Replay;
-use crate::shape::look_id::LookId;
 
 /// The number of parts whose marks are kept.
 const KNOWN: usize = 32;
@@ -45,8 +44,6 @@ impl Marks {
             SubmeshStart { rule, material, triangle: mark.before / 2, vertex: mark.before }
         }));
         self.is_distinct = self.runs.windows(2).all(|pair| !pair[0].is_like(&pair[1]));
-        // The next base may have another material.
-        let is_known = replay.mark_list().iter().all(|mark| mark.look != LookId::OF_BASE);
-        self.part = if is_known { replay.number() } else { (0, 0) };
+        self.part = replay.number();
     }
 }

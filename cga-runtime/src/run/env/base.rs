@@ -1,9 +1,16 @@
 //! The conversion between slim and whole shapes.
 
+use std::sync::Arc;
+
+use glam::DVec3;
+
 use super::Env;
+use crate::geometry::mesh::Bounds;
 use crate::run::sink::Flow;
 use crate::shape::base::Base;
+use crate::shape::look::Look;
 use crate::shape::look_id::LookId;
+use crate::shape::scope::Scope;
 use crate::shape::{Geometry, Shape, ShapeRef};
 
 /// The units of work of a vertex of a mesh that a step reads.
@@ -24,15 +31,23 @@ impl Env {
 
     /// The base of a whole shape, for slim shapes.
     #[inline(never)]
-    pub fn base(&self, shape: Shape) -> Base {
-        let look = self.leaf_tables.looks.id(shape.state.look());
-        self.base_with_look(shape, look)
+    pub fn base(&mut self, shape: Shape) -> Base {
+        let look = self.look_id(shape.state.look());
+        Base::new(shape, look)
     }
 
-    /// The base of a whole shape whose look has the number `look`; inlined.
-    #[inline(always)]
-    pub(crate) fn base_with_look(&self, shape: Shape, look: LookId) -> Base {
-        self.bases.set(self.bases.get() + 1);
-        Base::new(shape, look, self.bases.get())
+    /// The number of the look of a base. The leaves of a template have one.
+    pub(crate) fn look_id(&mut self, look: &Arc<Look>) -> LookId {
+        let looks = &mut self.leaf_tables.looks;
+        if self.checkpoint.measures_room() { looks.number_at_least_for_now(look) } else { looks.id(look) }
+    }
+
+    /// Keeps the box of a scope whose contents trim planes may cut, while a template is recorded.
+    pub(crate) fn reach(&mut self, scope: &Scope) {
+        if self.checkpoint.measures_room() {
+            let far = |at: usize, axis: usize| if at & (1 << axis) == 0 { 0.0 } else { scope.size[axis] };
+            let corner = |at| scope.origin + scope.axes * DVec3::new(far(at, 0), far(at, 1), far(at, 2));
+            self.reach = Some(self.reach.unwrap_or(Bounds::EMPTY).union(Bounds::of((0..8).map(corner))));
+        }
     }
 }

@@ -35,6 +35,11 @@ impl Checkpoint {
             ..Checkpoint::default()
         }
     }
+
+    /// Returns true while room is measured: a template is recorded.
+    pub(crate) fn measures_room(&self) -> bool {
+        self.recorded.is_some()
+    }
 }
 
 impl Env {
@@ -75,7 +80,7 @@ impl Env {
 
     /// Returns true while room is measured.
     pub(crate) fn measures_room(&self) -> bool {
-        self.checkpoint.recorded.is_some()
+        self.checkpoint.measures_room()
     }
 
     /// Returns true while the checkpoint is 0, so that each shape passes it: while room is measured, and in a run that records the tree of

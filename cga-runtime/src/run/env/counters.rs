@@ -1,15 +1,14 @@
 //! The counters of a run, and their restoration.
 
-use super::Env;
+use super::{Env, MeshCounts};
 
 /// The counters of a run at one time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Counters {
     pub(crate) shapes: u64,
     filled: u64,
-    leaves: u64,
-    vertices: u64,
-    mesh_bytes: u64,
+    pub(crate) leaves: u64,
+    pub(crate) meshes: MeshCounts,
     calls: u64,
     faults: usize,
     faults_left_out: u64,
@@ -26,8 +25,7 @@ impl Env {
             shapes: self.shapes,
             filled: self.filled,
             leaves: self.leaves,
-            vertices: self.meshes.vertices,
-            mesh_bytes: self.meshes.bytes,
+            meshes: self.meshes,
             calls: self.calls.made,
             faults: self.faults.list.len(),
             faults_left_out: self.faults.left_out,
@@ -38,16 +36,17 @@ impl Env {
         }
     }
 
-    /// Restores the counters. Returns true if the run has since made only shapes and leaves that fill their scopes.
+    /// Restores the counters. Returns true if the run has since made shapes, meshes and leaves alone.
     pub(crate) fn restore(&mut self, before: Counters) -> bool {
         let now = self.state();
-        let is_quiet = now == Counters { shapes: now.shapes, filled: now.filled, trail: now.trail, ..before };
+        let Counters { shapes, filled, leaves, meshes, trail, .. } = now;
+        let is_quiet = now == Counters { shapes, filled, leaves, meshes, trail, ..before };
         if now.has_ended && !before.has_ended {
             self.error = None;
             self.checkpoint.stopped_at = None;
         }
         (self.shapes, self.filled, self.leaves) = (before.shapes, before.filled, before.leaves);
-        (self.meshes.vertices, self.meshes.bytes, self.calls.made) = (before.vertices, before.mesh_bytes, before.calls);
+        (self.meshes, self.calls.made) = (before.meshes, before.calls);
         self.faults.list.truncate(before.faults);
         self.faults.of_files.retain(|_, at| *at < before.faults);
         self.faults.left_out = before.faults_left_out;

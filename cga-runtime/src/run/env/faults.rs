@@ -61,8 +61,11 @@ impl Env {
     #[cold]
     pub(crate) fn asset_fault(&mut self, message: String) {
         if let Some(&at) = self.faults.of_files.get(&message) {
-            self.faults.list[at].count = self.faults.list[at].count.saturating_add(1);
             self.faults.said_again += 1;
+            // A template that makes a fault is not kept, and its rule runs again.
+            if !self.measures_room() {
+                self.faults.list[at].count = self.faults.list[at].count.saturating_add(1);
+            }
             return;
         }
         if let Some(at) = self.add_fault(FaultKind::Asset, message.clone()) {

@@ -9,11 +9,21 @@ use crate::run::settings::Limits;
 use crate::run::sink::Flow;
 
 /// The meshes that operations made.
-#[derive(Debug, Default)]
-pub(super) struct MeshCounts {
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct MeshCounts {
     pub(super) vertices: u64,
     /// The bytes of meshes, and of leaves that are meshes, besides the vertices that are counted.
     pub(super) bytes: u64,
+}
+
+impl MeshCounts {
+    /// The counts since `before`.
+    pub(crate) fn since(self, before: MeshCounts) -> Self {
+        MeshCounts {
+            vertices: self.vertices.saturating_sub(before.vertices),
+            bytes: self.bytes.saturating_sub(before.bytes),
+        }
+    }
 }
 
 impl Env {
@@ -30,6 +40,25 @@ impl Env {
             return self.limit(LimitKind::Vertices, self.settings.limits.vertices);
         }
         self.count_mesh()
+    }
+
+    /// Counts meshes that are made again, if they and `room` more shapes are within the limits.
+    pub(crate) fn count_again(&mut self, meshes: MeshCounts, room: u64) -> bool {
+        if meshes == MeshCounts::default() {
+            return true;
+        }
+        let before = self.meshes;
+        self.meshes.vertices = before.vertices.saturating_add(meshes.vertices);
+        self.meshes.bytes = before.bytes.saturating_add(meshes.bytes);
+        let most = self.most_shapes();
+        let is_within =
+            self.meshes.vertices <= self.settings.limits.vertices && self.shape_count().saturating_add(room) <= most;
+        if !is_within {
+            self.meshes = before;
+            return false;
+        }
+        self.checkpoint.shapes = self.checkpoint.shapes.min(most);
+        is_within
     }
 
     /// Counts a mesh besides its vertices.

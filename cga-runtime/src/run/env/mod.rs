@@ -14,13 +14,13 @@ mod trail;
 mod tree;
 mod uv_set;
 
-use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::rc::Rc;
 use std::sync::Arc;
 
 use crate::fault::{Error, LimitKind};
 use crate::geometry::Frame;
+use crate::geometry::mesh::Bounds;
 use crate::geometry::work::Supervisor;
 use crate::run::report::{Prints, Reports};
 use crate::run::settings::{Limits, Settings};
@@ -34,7 +34,7 @@ use calls::FunctionCalls;
 use checkpoint::Checkpoint;
 use faults::FaultList;
 use kept::KeptResults;
-use memory::MeshCounts;
+pub(crate) use memory::MeshCounts;
 use recompose::Recompositions;
 pub(crate) use trail::Trail;
 
@@ -62,6 +62,8 @@ pub struct Env {
     names: &'static [&'static str],
     /// The names and looks of leaves, by number.
     pub(crate) leaf_tables: LeafTables,
+    /// The number of the run in its session.
+    pub run: u64,
     /// The rules entered and not yet left, since the last waiting call was resumed.
     pub(crate) trail: Vec<u32>,
     /// The rules that led to the waiting call that was resumed last.
@@ -73,12 +75,12 @@ pub struct Env {
     pub(crate) filled: u64,
     /// The counts at which counting leaves the fast path: a limit, or the next report to a watch.
     pub(crate) checkpoint: Checkpoint,
-    /// The number of bases made so far.
-    pub(crate) bases: Cell<u64>,
     /// The smallest extent of a split so far.
     pub(crate) least_split: f64,
     /// The meshes that operations made.
     meshes: MeshCounts,
+    /// A box around everything that trim planes could cut, while a template is recorded.
+    pub(crate) reach: Option<Bounds>,
     /// The functions that are being called.
     pub(crate) calls: FunctionCalls,
     faults: FaultList,

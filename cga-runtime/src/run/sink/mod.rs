@@ -129,7 +129,7 @@ impl<'a> Filled<'a> {
     /// materials. `None` for a look that few leaves have, such as a random colour.
     #[inline]
     pub fn material_number(&self) -> Option<u32> {
-        Some(self.shape.look.get()).filter(|id| *id != LookId::OF_BASE).map(LookId::index)
+        Some(self.shape.look.get()).filter(|id| id.is_lasting()).map(LookId::index)
     }
 
     /// The texture coordinates of a set; `None` if the leaf does not have the set. Leaves of a run with equal

@@ -1,27 +1,36 @@
 //! Templates: repeated parts are derived once and replayed.
 //!
-//! A rule in a group that repeats is *rigid* if its result depends on the size of its shape alone, not on its place,
-//! seed or counters. The compiler knows the rigid rules. Such a rule is derived once at the origin, along the
+//! A rule in a group that repeats is *rigid* if its result depends on the size of its shape, its arguments, attributes and constants, not
+//! on its place, seed or counters. The compiler knows the rigid rules. Such a rule is derived once at the origin, along the
 //! axes of the world, and its leaves are kept: a *template*. A template is turned once for each base (a façade), and
 //! a repetition is the template moved to its place. This defines the positions below a repeat, whether a template was
 //! kept or is made again.
 //!
 //! A rule called by a rigid rule may be non-rigid. The call is then a *hole*: each repetition makes the call itself,
-//! at its place and with a seed that is affine in the seed of the repetition. A derivation that makes a fault or a
-//! mesh makes no template, and is run like any other.
+//! at its place and with a seed that is affine in the seed of the repetition. A derivation that makes a fault makes no template, and is
+//! run like any other.
+//!
+//! Leaves that do not fill their scopes are kept as meshes with their places. Where a base has trim planes, and what was inserted reaches
+//! one of them, a repetition runs like any other.
 
+mod key;
+mod mesh_leaf;
 mod part_id;
 mod record;
 mod repeat;
 mod replay;
 
+use std::collections::HashMap;
 use std::ops::Range;
 use std::rc::Rc;
 
-use glam::{DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec3};
 
+use crate::fixed_hash::FixedState;
 use crate::geometry::Axis;
 use crate::geometry::each::Each;
+use crate::geometry::mesh::Bounds;
+use crate::run::env::MeshCounts;
 use crate::run::sink::corners::{PlacedBox, four};
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
@@ -29,12 +38,16 @@ use crate::shape::look_id::LookId;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Counter, ShapeRef};
 
+pub use key::Read;
+use key::{KeptRead, TemplateKey};
+use mesh_leaf::MeshLeaf;
 pub use part_id::PartId;
 pub(crate) use record::Tape;
 pub use replay::Replay;
 
-/// The number of templates kept for a place in the rules, the last ones used.
-const KEPT: usize = 16;
+/// The number of leaves and holes that a session keeps in templates, each turn of a template counted: about 30 MB. Beyond it the
+/// templates are made again.
+const KEPT: usize = 1 << 17;
 
 /// The number of axes for which a template is kept turned, the last new ones: four for buildings along the axes of
 /// the world.
@@ -44,50 +57,58 @@ const KEPT_AXES: usize = 4;
 /// while they are written again and again.
 const MOST: usize = 64;
 
-/// The templates of a session, by place in the rules.
+/// The templates of a session.
 #[derive(Debug)]
 pub(crate) struct Templates<C> {
-    places: Vec<Vec<TemplateEntry<C>>>,
+    /// By the hash of their keys.
+    entries: HashMap<u64, Vec<TemplateEntry<C>>, FixedState>,
+    /// The number of leaves and holes in them, and of entries.
+    kept: usize,
 }
 
 /// A template, or the knowledge that a shape has none.
 #[derive(Debug)]
 struct TemplateEntry<C> {
     key: TemplateKey,
+    /// The extent below which shapes were not split further; NaN if it made no difference.
+    too_small: f64,
     template: Option<Rc<Template<C>>>,
     /// The template turned to the axes of bases.
     turned: Vec<Rc<Turned>>,
 }
 
-/// The properties of a shape that determine its template.
-#[derive(Clone, Copy, Debug)]
-struct TemplateKey {
-    size: DVec3,
-    form: Form,
-    unit: UnitMesh,
-    look: LookId,
-    /// True if the shape has texture coordinates. For a look without a number, `look` does not tell.
-    has_coordinates: bool,
-    /// The axes along which coordinates are constant. A move along another axis makes a shape with another base.
-    constant: [bool; 3],
-    /// True if boxes are meshes in a sink because their sides have different coordinates.
-    has_sides: bool,
-    /// The extent below which shapes were not split further; NaN if it made no difference.
-    too_small: f64,
-}
-
 /// The result of a rigid rule on a shape at the origin.
 #[derive(Debug)]
 struct Template<C> {
-    /// The number of derived shapes, without leaves.
+    counts: TemplateCounts,
+    body: TemplateBody,
+    breaks: Vec<TemplateBreak<C>>,
+    /// A box around everything that trim planes may cut, if there is anything.
+    reach: Option<Bounds>,
+    /// The values that it depends on.
+    reads: Box<[KeptRead]>,
+    /// False if some looks have temporary numbers.
+    is_lasting: bool,
+}
+
+/// The counts of a derivation.
+#[derive(Clone, Copy, Debug)]
+struct TemplateCounts {
+    /// The number of derived shapes, without leaves that fill their scopes.
     shapes: u64,
     /// The highest count of shapes that the derivation requested room for.
     room: u64,
-    body: TemplateBody,
-    holes: Vec<Hole<C>>,
+    meshes: MeshCounts,
 }
 
-/// The leaves of a template.
+/// What comes between two ranges of leaves that fill their scopes.
+#[derive(Debug)]
+enum TemplateBreak<C> {
+    Hole(Hole<C>),
+    Leaf(MeshLeaf),
+}
+
+/// The leaves of a template that fill their scopes.
 #[derive(Debug)]
 struct TemplateBody {
     /// The number of the template in the process.
@@ -95,7 +116,7 @@ struct TemplateBody {
     leaves: Vec<TemplateLeaf>,
     /// The axes of the leaves.
     frames: Vec<Axes>,
-    /// The ranges of leaves before, between and after the holes.
+    /// The ranges of leaves before, between and after the breaks.
     segments: Vec<LeafRange>,
     marks: Vec<Mark>,
     rows: Vec<LeafRow>,
@@ -115,7 +136,7 @@ pub(crate) struct TemplateLeaf {
     look: LookId,
 }
 
-/// The leaves between two holes.
+/// The leaves between two breaks.
 #[derive(Clone, Debug)]
 struct LeafRange {
     leaves: Range<usize>,
@@ -152,8 +173,9 @@ pub(crate) struct LeafRow {
 /// A call that each repetition makes itself.
 #[derive(Clone, Debug)]
 struct Hole<C> {
-    /// The number of leaves before the call.
+    /// The number of leaves before the call: those that fill their scopes, and the others.
     at: usize,
+    others: usize,
     origin: DVec3,
     size: DVec3,
     unit: UnitMesh,
@@ -178,101 +200,78 @@ struct Turned {
     axes: Vec<Axes>,
     /// The leaves relative to the origin of the repetition, along the axes of the world.
     leaves: Vec<PlacedBox>,
-    holes: Vec<DVec3>,
+    breaks: Vec<TurnedBreak>,
+}
+
+/// The origin of a break relative to the origin of the repetition, along the axes of the world, and more for a leaf.
+#[derive(Clone, Copy, Debug)]
+struct TurnedBreak {
+    origin: DVec3,
+    /// The axes of the scope of a leaf.
+    axes: DMat3,
+    /// The map from the coordinates of its mesh.
+    placement: DAffine3,
 }
 
 /// The counters of the recorded shape. A hole with these counters gets the counters of the repetition.
 const INHERITED: Counter = Counter::of(i32::MIN, 0);
 
-impl TemplateKey {
-    fn of(part: &ShapeRef<'_>, too_small: f64) -> Self {
-        TemplateKey {
-            size: part.size.get(),
-            form: part.form,
-            unit: part.unit.get(),
-            look: part.look.get(),
-            has_coordinates: part.has_coordinates(),
-            constant: part.base.constant(),
-            has_sides: part.has_sides(),
-            too_small,
-        }
-    }
-
-    #[inline]
-    fn fits(&self, part: &ShapeRef<'_>, too_small: f64) -> bool {
-        self.size == part.size.get()
-            && self.look == part.look.get()
-            && self.has_coordinates == part.has_coordinates()
-            && self.constant == part.base.constant()
-            && self.has_sides == part.has_sides()
-            && self.form == part.form
-            && self.unit.is(part.unit.get())
-            && (self.too_small == too_small || self.too_small.is_nan())
-    }
-}
-
 impl<C> Default for Templates<C> {
     fn default() -> Self {
-        Templates { places: Vec::new() }
+        Templates { entries: HashMap::default(), kept: 0 }
     }
 }
 
 impl<C> Templates<C> {
-    /// The entry for a shape, if there is one.
-    #[inline]
-    fn find(&mut self, place: u32, part: &ShapeRef<'_>, too_small: f64) -> Option<&mut TemplateEntry<C>> {
-        let list = self.places.get_mut(place as usize)?;
-        if let Some(last) = list.last()
-            && last.key.fits(part, too_small)
-        {
-            return list.last_mut();
-        }
-        let at = list.iter().position(|entry| entry.key.fits(part, too_small))?;
-        // The last one used is the last in the list.
-        let last = list.len() - 1;
-        list.swap(at, last);
-        list.last_mut()
+    /// The entry for a shape with that hash, if there is one.
+    fn find(
+        &mut self,
+        hash: u64,
+        (place, part, reads): (u32, &ShapeRef<'_>, &[Read<'_>]),
+        too_small: f64,
+    ) -> Option<&mut TemplateEntry<C>> {
+        let is_equal = |known: f64| known == too_small || known.is_nan();
+        let list = self.entries.get_mut(&hash)?;
+        list.iter_mut().find(|entry| is_equal(entry.too_small) && entry.key.fits(place, part, reads))
     }
 
-    fn keep(&mut self, place: u32, entry: TemplateEntry<C>) -> Option<&mut TemplateEntry<C>> {
-        let place = place as usize;
-        if self.places.len() <= place {
-            self.places.resize_with(place + 1, Vec::new);
+    fn keep(&mut self, hash: u64, entry: TemplateEntry<C>) {
+        self.make_room(1 + entry.template.as_ref().map_or(0, |template| template.weight()));
+        self.entries.entry(hash).or_default().push(entry);
+    }
+
+    /// Counts more leaves and holes.
+    fn make_room(&mut self, more: usize) {
+        self.kept += more;
+        if KEPT < self.kept {
+            self.entries.clear();
+            self.kept = more;
         }
-        let list = &mut self.places[place];
-        if list.len() == KEPT {
-            list.remove(0);
-        }
-        list.push(entry);
-        list.last_mut()
     }
 }
 
 impl<C> TemplateEntry<C> {
-    /// The template turned to axes, if there is a template.
-    #[inline]
-    fn turned(&mut self, axes: &Axes) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
+    /// The template turned to axes, if there is a template, and true if it was turned just now.
+    fn turned(&mut self, axes: &Axes) -> Option<(Rc<Template<C>>, Rc<Turned>, bool)> {
         let template = self.template.clone()?;
-        let turned = match self.turned.iter().find(|turned| turned.axes[0].is(&axes.matrix)) {
-            Some(known) => known.clone(),
-            None => self.turn(&template, axes),
-        };
-        Some((template, turned))
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn turn(&mut self, template: &Template<C>, axes: &Axes) -> Rc<Turned> {
+        if let Some(known) = self.turned.iter().find(|turned| turned.axes[0].is(&axes.matrix)) {
+            return Some((template, known.clone(), false));
+        }
         let turned = Rc::new(template.turned(axes));
         if self.turned.len() == KEPT_AXES {
             self.turned.remove(0);
         }
         self.turned.push(turned.clone());
-        turned
+        Some((template, turned, true))
     }
 }
 
 impl<C> Template<C> {
+    /// The number of leaves and holes.
+    fn weight(&self) -> usize {
+        self.body.leaves.len() + self.breaks.len()
+    }
+
     /// Turns the template to axes.
     fn turned(&self, axes: &Axes) -> Turned {
         let turn = |frame: &Axes| match frame.matrix == DMat3::IDENTITY {
@@ -290,8 +289,18 @@ impl<C> Template<C> {
         });
         Turned {
             leaves: leaves.collect(),
-            holes: self.holes.iter().map(|hole| axes.matrix * hole.origin).collect(),
+            breaks: self.breaks.iter().map(|own| own.turned(&axes.matrix)).collect(),
             axes: frames,
         }
+    }
+}
+
+impl<C> TemplateBreak<C> {
+    fn turned(&self, axes: &DMat3) -> TurnedBreak {
+        let (origin, own, placement) = match self {
+            TemplateBreak::Hole(hole) => (hole.origin, DMat3::IDENTITY, DAffine3::IDENTITY),
+            TemplateBreak::Leaf(leaf) => (leaf.scope.origin, leaf.scope.axes, leaf.placement()),
+        };
+        TurnedBreak { origin: *axes * origin, axes: *axes * own, placement: DAffine3::from_mat3(*axes) * placement }
     }
 }

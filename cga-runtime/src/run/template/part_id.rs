@@ -6,6 +6,4 @@
 pub struct PartId {
     pub(super) template: u64,
     pub(super) segment: usize,
-    /// The number of the base whose look some leaves have; 0 if none has.
-    pub(super) base: u64,
 }

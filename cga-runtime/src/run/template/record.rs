@@ -7,18 +7,22 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::{DAffine3, DMat3};
 
+use super::key::TemplateKey;
+use super::mesh_leaf::{LeafGeometry, MeshLeaf};
+use super::repeat::{PartFn, RepeatedSlot};
 use super::{
-    Hole, INHERITED, LeafRange, LeafRow, MOST, Mark, Template, TemplateBody, TemplateEntry, TemplateKey, TemplateLeaf,
-    Templates, Turned,
+    Hole, INHERITED, LeafRange, LeafRow, MOST, Mark, Template, TemplateBody, TemplateBreak, TemplateCounts,
+    TemplateEntry, TemplateLeaf, Templates, Turned,
 };
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
-use crate::run::context::{Cx, RuleFn};
+use crate::run::context::Cx;
 use crate::run::settings::Repeats;
 use crate::run::sink::{Filled, Flow, Leaf, Sink};
 use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
 use crate::shape::base::{Base, Form};
+use crate::shape::look_id::LookId;
 use crate::shape::seed::Seed;
 
 /// The number of the next template. Numbers distinguish the templates of all sessions, and are in no output.
@@ -28,7 +32,8 @@ static NUMBER: AtomicU64 = AtomicU64::new(1);
 pub(crate) struct Tape<'r, C> {
     /// The base of the shape at the origin.
     base: &'r Base,
-    /// The number of leaves of the run, and of rules on its trail, before the template.
+    /// The number of leaves of the run that fill their scopes, of others, and of rules on its trail, before the template.
+    filled: u64,
     leaves: u64,
     trail: usize,
     holes: Vec<Hole<C>>,
@@ -45,14 +50,28 @@ enum Lost {
 /// A sink that keeps leaves.
 struct Recorder<'r> {
     base: &'r Base,
+    /// True if leaves may be meshes.
+    is_whole: bool,
     leaves: Vec<TemplateLeaf>,
     frames: Vec<DMat3>,
+    /// The leaves that do not fill their scopes, each with the number of leaves before it that do.
+    others: Vec<(usize, MeshLeaf)>,
+}
+
+impl Recorder<'_> {
+    fn add(&mut self, leaf: &Leaf<'_>, geometry: LeafGeometry) -> Flow {
+        if !self.is_whole || MOST <= self.others.len() {
+            return Flow::Break(());
+        }
+        self.others.push((self.leaves.len(), MeshLeaf::of(leaf, geometry)));
+        Flow::Continue(())
+    }
 }
 
 impl Sink for Recorder<'_> {
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
         let shape = leaf.shape;
-        // A look without a number is the base's, and coordinates follow from projections of the base.
+        // Coordinates follow from projections of the base.
         let is_known = !shape.look.get().may_have_coordinates() || std::ptr::eq(shape.base, self.base);
         if !is_known || MOST <= self.leaves.len() {
             return Flow::Break(());
@@ -74,12 +93,16 @@ impl Sink for Recorder<'_> {
         Flow::Continue(())
     }
 
-    fn mesh(&mut self, _: &Leaf<'_>, _: &Arc<Mesh>, _: &DAffine3) -> Flow {
-        Flow::Break(())
+    fn instance(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        self.add(leaf, LeafGeometry::Instance(mesh.clone(), *placement))
     }
 
-    fn placement(&mut self, _: &Leaf<'_>) -> Flow {
-        Flow::Break(())
+    fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        self.add(leaf, LeafGeometry::Mesh(mesh.clone(), *placement))
+    }
+
+    fn placement(&mut self, leaf: &Leaf<'_>) -> Flow {
+        self.add(leaf, LeafGeometry::Placement)
     }
 }
 
@@ -96,13 +119,17 @@ impl<C: Clone> Cx<'_, C> {
     #[inline(never)]
     pub fn hole(&mut self, shape: &ShapeRef<'_>, levels: u32, stack: u32, call: C) -> Flow {
         let Some(tape) = &mut self.tape else { return Flow::Break(()) };
-        let is_raised = std::ptr::eq(shape.axes, tape.base.raised());
-        let has_base = std::ptr::eq(shape.base, tape.base);
-        if !has_base || !(is_raised || std::ptr::eq(shape.axes, tape.base.axes())) || MOST <= tape.holes.len() {
+        let is_raised = shape.axes.is(&tape.base.raised().matrix);
+        let has_axes = is_raised || shape.axes.is(&tape.base.axes().matrix);
+        let is_filled = !matches!(shape.form, Form::Other);
+        let has_base = std::ptr::eq(shape.base, tape.base) || (is_filled && shape.base.differs_in_look(tape.base));
+        let has_number = shape.look.get() != LookId::OF_BASE;
+        if !has_base || !has_axes || !has_number || MOST <= tape.holes.len() {
             return Flow::Break(());
         }
         tape.holes.push(Hole {
-            at: (self.env.filled - tape.leaves) as usize,
+            at: (self.env.filled - tape.filled) as usize,
+            others: (self.env.leaves - tape.leaves) as usize,
             origin: shape.origin(),
             size: shape.size.get(),
             unit: shape.unit.get(),
@@ -119,55 +146,65 @@ impl<C: Clone> Cx<'_, C> {
         Flow::Continue(())
     }
 
-    /// Makes the template for a shape and keeps it, or keeps the knowledge that there is none.
+    /// Makes the template for a shape with that hash and keeps it, or keeps the knowledge that there is none.
     #[cold]
     #[inline(never)]
-    pub(super) fn prepare<G>(
+    pub(super) fn prepare(
         &mut self,
-        place: u32,
-        g: &G,
+        hash: u64,
+        slot: RepeatedSlot<'_>,
         part: &ShapeRef<'_>,
-        rule: RuleFn<G, C>,
+        rule: PartFn<'_, C>,
     ) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
-        let (least, too_small, repeats) = (self.env.least_split, self.env.too_small, self.env.settings.repeats);
-        if repeats == Repeats::Direct {
-            let key = TemplateKey::of(part, too_small);
-            self.templates.keep(place, TemplateEntry { key, template: None, turned: Vec::new() });
-            return None;
-        }
+        let (least, too_small) = (self.env.least_split, self.env.too_small);
         self.env.least_split = f64::INFINITY;
-        let template = self.record(g, part, rule, 0).and_then(|mut template| {
-            if template.holes.is_empty() {
+        let key = TemplateKey::of(slot.place, part, slot.reads);
+        let template = self.record(slot.is_whole, part, rule, 0).and_then(|mut template| {
+            template.reads.clone_from(&key.reads);
+            if !template.breaks.iter().any(|own| matches!(own, TemplateBreak::Hole(_))) {
                 return Ok(template);
             }
             // A seed is affine in the seed of the repetition: two points determine the line.
-            let other = self.record(g, part, rule, 1)?;
-            for (hole, other) in template.holes.iter_mut().zip(&other.holes) {
-                let [_, at_zero] = hole.seed;
-                hole.seed = [other.seed[1].wrapping_sub(at_zero), at_zero];
+            let other = self.record(slot.is_whole, part, rule, 1)?;
+            for pair in template.breaks.iter_mut().zip(&other.breaks) {
+                if let (TemplateBreak::Hole(hole), TemplateBreak::Hole(other)) = pair {
+                    let [_, at_zero] = hole.seed;
+                    hole.seed = [other.seed[1].wrapping_sub(at_zero), at_zero];
+                }
             }
-            if template.holes.len() == other.holes.len() { Ok(template) } else { Err(Lost::Never) }
+            if template.breaks.len() == other.breaks.len() { Ok(template) } else { Err(Lost::Never) }
         });
         // Two runs with different thresholds agree on extents above the largest possible threshold.
         let no_matter = crate::run::env::TOO_SMALL.1 < self.env.least_split;
         self.env.least_split = least.min(self.env.least_split);
-        let key = TemplateKey::of(part, if no_matter { f64::NAN } else { too_small });
+        let too_small = if no_matter { f64::NAN } else { too_small };
         // Another run of the session may have room for it.
         let is_ended = matches!(template, Err(Lost::Ended));
-        let mut entry = TemplateEntry { key, template: template.ok().map(Rc::new), turned: Vec::new() };
-        if repeats == Repeats::Kept && !is_ended {
-            return self.templates.keep(place, entry)?.turned(part.axes);
+        let mut entry = TemplateEntry { key, too_small, template: template.ok().map(Rc::new), turned: Vec::new() };
+        let found = entry.turned(part.axes).map(|(template, turned, _)| (template, turned));
+        let is_lasting = part.look.get().is_lasting() && found.as_ref().is_none_or(|(template, _)| template.is_lasting);
+        if self.env.settings.repeats == Repeats::Kept && !is_ended && is_lasting {
+            self.templates.keep(hash, entry);
         }
-        entry.turned(part.axes)
+        found
     }
 
     /// Derives a rule at the origin. An error if it makes anything but holes and leaves that fill their scopes.
-    fn record<G>(&mut self, g: &G, part: &ShapeRef<'_>, rule: RuleFn<G, C>, seed: u64) -> Result<Template<C>, Lost> {
+    fn record(
+        &mut self,
+        is_whole: bool,
+        part: &ShapeRef<'_>,
+        rule: PartFn<'_, C>,
+        seed: u64,
+    ) -> Result<Template<C>, Lost> {
         let (before, count) = (self.env.state(), self.env.shape_count());
         let checkpoint = self.env.measure_room();
         let base = Base::at_origin(part);
-        let mut recorder = Recorder { base: &base, leaves: Vec::new(), frames: vec![DMat3::IDENTITY] };
-        let tape = Tape { base: &base, leaves: self.env.filled, trail: self.env.trail.len(), holes: Vec::new() };
+        let frames = vec![DMat3::IDENTITY];
+        let mut recorder = Recorder { base: &base, is_whole, leaves: Vec::new(), frames, others: Vec::new() };
+        let (filled, leaves, trail) = (self.env.filled, self.env.leaves, self.env.trail.len());
+        let tape = Tape { base: &base, filled, leaves, trail, holes: Vec::new() };
+        self.env.reach = None;
         let mut templates = Templates::default();
         let mut cx = Cx {
             env: self.env,
@@ -177,15 +214,18 @@ impl<C: Clone> Cx<'_, C> {
             depth: self.depth,
             templates: &mut templates,
             tape: Some(tape),
+            is_operand: self.is_operand,
         };
         let shape = base.shape();
         shape.seed.set(Seed::new(seed));
         shape.split.set(INHERITED);
-        let flow = rule(g, &mut cx, &shape);
+        let flow = rule(&mut cx, &shape);
         let is_complete = flow.is_continue() && cx.waiting.is_empty();
         let holes = cx.tape.take().map(|tape| tape.holes).unwrap_or_default();
-        let Recorder { leaves, frames, .. } = recorder;
+        let Recorder { leaves, frames, others, .. } = recorder;
         let shapes = self.env.shapes.saturating_sub(before.shapes);
+        let meshes = self.env.state().meshes.since(before.meshes);
+        let reach = self.env.reach.take();
         let room = self.env.measured_room(checkpoint).saturating_sub(count);
         let is_ended = self.env.ended();
         let is_quiet = self.env.restore(before);
@@ -204,14 +244,31 @@ impl<C: Clone> Cx<'_, C> {
             marks: Vec::new(),
             rows: Vec::new(),
         };
-        Ok(Template { shapes, room, body: body.divided(holes.iter().map(|hole| hole.at)), holes })
+        let looks = body.leaves.iter().map(|leaf| leaf.look).chain(holes.iter().map(|hole| hole.look));
+        let is_lasting = looks.into_iter().all(LookId::is_lasting);
+        let (ends, breaks): (Vec<usize>, Vec<_>) = in_order(holes, others).into_iter().unzip();
+        let counts = TemplateCounts { shapes, room, meshes };
+        Ok(Template { counts, body: body.divided(ends.into_iter()), breaks, reach, reads: Box::default(), is_lasting })
     }
 }
 
+/// The breaks in order, each with the number of leaves before it that fill their scopes.
+fn in_order<C>(holes: Vec<Hole<C>>, others: Vec<(usize, MeshLeaf)>) -> Vec<(usize, TemplateBreak<C>)> {
+    let (mut breaks, mut passed) = (Vec::with_capacity(holes.len() + others.len()), 0);
+    let mut others = others.into_iter().map(|(at, leaf)| (at, TemplateBreak::Leaf(leaf)));
+    for hole in holes {
+        breaks.extend(others.by_ref().take(hole.others - passed));
+        passed = hole.others;
+        breaks.push((hole.at, TemplateBreak::Hole(hole)));
+    }
+    breaks.extend(others);
+    breaks
+}
+
 impl TemplateBody {
-    /// Divides the leaves at the holes, and finds consecutive leaves that are alike.
-    fn divided(mut self, holes: impl Iterator<Item = usize>) -> Self {
-        let ends = holes.chain([self.leaves.len()]);
+    /// Divides the leaves at the breaks, and finds consecutive leaves that are alike.
+    fn divided(mut self, breaks: impl Iterator<Item = usize>) -> Self {
+        let ends = breaks.chain([self.leaves.len()]);
         let mut start = 0;
         for end in ends {
             let (first_mark, first_row) = (self.marks.len(), self.rows.len());

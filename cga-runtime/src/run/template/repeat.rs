@@ -2,25 +2,81 @@
 
 use std::cell::Cell;
 use std::rc::Rc;
+use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::key::{self, TemplateKey};
 use super::replay::Replay;
-use super::{Hole, INHERITED, Template, Turned};
+use super::{Hole, INHERITED, Read, Template, TemplateBreak, TemplateCounts, Turned};
 use crate::geometry::Axis;
-use crate::run::context::{Cx, ResumeFn, RuleFn};
+use crate::geometry::mesh::Bounds;
+use crate::geometry::tol::PLANAR_EPSILON;
+use crate::run::context::{Cx, ResumeFn};
+use crate::run::settings::Repeats;
 use crate::run::sink::Flow;
 use crate::shape::ShapeRef;
 use crate::shape::base::Form;
+use crate::shape::look_id::LookId;
 use crate::shape::seed::Seed;
+use crate::shape::trim::TrimPlane;
 use crate::shape::unit::UnitMesh;
 
 /// The template of the last repetition of a slot: the next one is often as large, and the parts of a split do not differ in
-/// more than their place, one extent and the unit mesh.
+/// more than their place, one extent, the unit mesh and the values that they read.
 pub struct Last<C>(Option<LastTemplate<C>>);
 
-/// The extent and the unit mesh of a repetition, and its template.
-type LastTemplate<C> = (f64, UnitMesh, Rc<Template<C>>, Rc<Turned>);
+/// A template for the parts of one base.
+struct LastTemplate<C> {
+    /// The extent and the unit mesh of the last repetition.
+    extent: f64,
+    unit: UnitMesh,
+    template: Rc<Template<C>>,
+    turned: Rc<Turned>,
+    /// The trim planes of the base that may cut the template.
+    planes: Option<Arc<[TrimPlane]>>,
+}
+
+/// The call of a rule on a part that repeats.
+pub(super) type PartFn<'f, C> = &'f mut dyn FnMut(&mut Cx<'_, C>, &ShapeRef<'_>) -> Flow;
+
+/// A slot of the rules that repeats.
+#[derive(Clone, Copy)]
+pub(super) struct RepeatedSlot<'a> {
+    /// The number of the slot in the rules.
+    pub(super) place: u32,
+    /// The values that its rule reads.
+    pub(super) reads: &'a [Read<'a>],
+    /// True if the rule reads or makes more than rectangles and boxes.
+    pub(super) is_whole: bool,
+}
+
+/// Returns true if everything that operations on whole shapes read moves with the part: it has the axes of its pivot, and no texture
+/// coordinates.
+fn moves_as_a_whole(part: &ShapeRef<'_>) -> bool {
+    let base = &part.base.shape;
+    part.axes.is(&base.pivot.axes) && !base.state.has_texture_space() && !part.has_coordinates()
+}
+
+impl<C> LastTemplate<C> {
+    /// Returns true if a trim plane of the base may cut the template at a part.
+    #[inline]
+    fn is_cut(&self, part: &ShapeRef<'_>) -> bool {
+        match (&self.template.reach, &self.planes) {
+            (Some(reach), Some(planes)) => planes.iter().any(|plane| is_beyond(plane, part, reach)),
+            _ => false,
+        }
+    }
+}
+
+/// Returns true if some point of a box, relative to a part, is beyond a plane.
+fn is_beyond(plane: &TrimPlane, part: &ShapeRef<'_>, reach: &Bounds) -> bool {
+    let normal = part.axes.matrix.transpose() * plane.normal;
+    let low = (normal * reach.low).min(normal * reach.high).element_sum();
+    let near = PLANAR_EPSILON * reach.size().max_element();
+    // True also for a number that is not finite.
+    !(-near <= (part.origin() - plane.point).dot(plane.normal) + low)
+}
 
 impl<C> Drop for Last<C> {
     /// Compiled once: rules have many of these.
@@ -37,80 +93,133 @@ impl<C> Default for Last<C> {
 }
 
 impl<C: Clone> Cx<'_, C> {
-    /// Runs a rigid rule on a part that repeats along an axis, from its template, which is made on first use.
+    /// Runs a rigid rule on a part that repeats along an axis, from its template, which is made on first use. `place` is the number
+    /// of the slot, `reads` are the values that the rule reads, and `is_whole` is true if it reads or makes more than rectangles
+    /// and boxes.
     #[inline]
     pub fn repeat<G>(
         &mut self,
-        place: u32,
+        (place, is_whole, reads): (u32, bool, &[Read<'_>]),
         last: &mut Last<C>,
         g: &G,
         (part, axis): (&ShapeRef<'_>, Axis),
-        rule: RuleFn<G, C>,
+        rule: PartFn<'_, C>,
         resume: ResumeFn<G, C>,
     ) -> Flow {
         let (extent, unit) = (part.size.along(axis), part.unit.get());
         match &last.0 {
-            Some((known, of, template, turned)) if *known == extent && of.is(unit) => {
-                self.replay_within(template, turned, g, part, rule, resume)
+            Some(last) if last.extent == extent && last.unit.is(unit) && key::are(&last.template.reads, reads) => {
+                self.replay_within(last, g, part, rule, resume)
             }
-            _ => {
-                *last = Last(
-                    self.template(place, g, part, rule).map(|(template, turned)| (extent, unit, template, turned)),
-                );
-                match &last.0 {
-                    None => rule(g, self, part),
-                    Some((_, _, template, turned)) => self.replay_within(template, turned, g, part, rule, resume),
-                }
-            }
+            _ => self.repeat_anew(RepeatedSlot { place, reads, is_whole }, last, g, (part, extent), rule, resume),
         }
     }
 
-    /// The template for a part.
     #[inline(never)]
-    fn template<G>(
+    fn repeat_anew<G>(
         &mut self,
-        place: u32,
+        slot: RepeatedSlot<'_>,
+        last: &mut Last<C>,
         g: &G,
+        (part, extent): (&ShapeRef<'_>, f64),
+        rule: PartFn<'_, C>,
+        resume: ResumeFn<G, C>,
+    ) -> Flow {
+        let (look, temporary) = (part.look.get(), self.env.leaf_tables.looks.temporary_count());
+        let Some((template, turned)) = self.template(slot, part, rule) else {
+            *last = Last(None);
+            if !part.look.get().is_lasting() {
+                part.look.set(look);
+            }
+            self.env.leaf_tables.looks.end_temporary(temporary);
+            return rule(self, part);
+        };
+        let base = &part.base.shape;
+        let planes = template.reach.map(|_| base.trims.planes(&base.pivot));
+        let new = LastTemplate { extent, unit: part.unit.get(), template, turned, planes };
+        let flow = self.replay_within(&new, g, part, rule, resume);
+        let is_lasting = new.template.is_lasting;
+        *last = Last(is_lasting.then_some(new));
+        if !is_lasting {
+            part.look.set(look);
+            self.env.leaf_tables.looks.end_temporary(temporary);
+        }
+        flow
+    }
+
+    /// The template for a part, whose look gets a number.
+    fn template(
+        &mut self,
+        slot: RepeatedSlot<'_>,
         part: &ShapeRef<'_>,
-        rule: RuleFn<G, C>,
+        rule: PartFn<'_, C>,
     ) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
         let is_filled = matches!(part.form, Form::Rect(_) | Form::Box);
-        if self.tape.is_some() || !is_filled || !std::ptr::eq(part.axes, part.base.axes()) {
+        let is_direct = self.env.settings.repeats == Repeats::Direct;
+        if self.tape.is_some() || is_direct || !is_filled || !std::ptr::eq(part.axes, part.base.axes()) {
             return None;
         }
-        match self.templates.find(place, part, self.env.too_small) {
-            Some(entry) => entry.turned(part.axes),
-            None => self.prepare(place, g, part, rule),
+        if slot.is_whole && (self.is_operand || !moves_as_a_whole(part)) {
+            return None;
+        }
+        if part.look.get() == LookId::OF_BASE {
+            part.look.set(self.env.leaf_tables.looks.number_at_least_for_now(part.base.shape.state.look()));
+            if part.look.get() == LookId::OF_BASE {
+                return None;
+            }
+        }
+        let hash = TemplateKey::hash(slot.place, part, slot.reads);
+        match self.templates.find(hash, (slot.place, part, slot.reads), self.env.too_small) {
+            Some(entry) => {
+                let (template, turned, is_new) = entry.turned(part.axes)?;
+                if is_new {
+                    self.templates.make_room(template.weight());
+                }
+                Some((template, turned))
+            }
+            None => self.prepare(hash, slot, part, rule),
         }
     }
 
     #[inline(never)]
     fn replay_within<G>(
         &mut self,
-        template: &Template<C>,
-        turned: &Turned,
+        last: &LastTemplate<C>,
         g: &G,
         part: &ShapeRef<'_>,
-        rule: RuleFn<G, C>,
+        rule: PartFn<'_, C>,
         resume: ResumeFn<G, C>,
     ) -> Flow {
-        if !self.env.has_room(template.room) {
+        let LastTemplate { template, turned, .. } = last;
+        let TemplateCounts { shapes, room, meshes } = template.counts;
+        if last.is_cut(part) {
+            return rule(self, part);
+        }
+        if !self.env.has_room(room) {
             // Beyond the limit the rule runs directly, so it ends at the same shape with and without a template.
-            if !self.env.is_within_limit(template.room) {
-                return rule(g, self, part);
+            if !self.env.is_within_limit(room) {
+                return rule(self, part);
             }
-            self.env.make_room(template.room)?;
+            self.env.make_room(room)?;
+        }
+        if !self.env.count_again(meshes, room) {
+            return rule(self, part);
         }
         let body = &template.body;
-        self.env.shapes += template.shapes;
-        let mut holes = template.holes.iter().zip(&turned.holes);
+        self.env.shapes += shapes;
+        let mut breaks = template.breaks.iter().zip(&turned.breaks);
         for segment in &body.segments {
             if !segment.leaves.is_empty() {
                 self.env.filled += segment.leaves.len() as u64;
                 self.sink.replay(&Replay { part, tables: &self.env.leaf_tables, body, turned, segment })?;
             }
-            if let Some((hole, offset)) = holes.next() {
-                self.fill(hole, part.origin() + *offset, g, part, resume)?;
+            match breaks.next() {
+                Some((TemplateBreak::Hole(hole), at)) => self.fill(hole, part.origin() + at.origin, g, part, resume)?,
+                Some((TemplateBreak::Leaf(leaf), at)) => {
+                    self.env.leaves += 1;
+                    leaf.pass(self.sink, part.origin(), at)?;
+                }
+                None => {}
             }
         }
         Flow::Continue(())

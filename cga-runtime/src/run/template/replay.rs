@@ -10,7 +10,6 @@ use crate::run::sink::corners::{PlacedBox, four};
 use crate::run::sink::{Filled, Flow, LeafTables, Sink};
 use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
-use crate::shape::look_id::LookId;
 
 /// The leaves of a part that repeats, at one of its places. All of them fill their scopes.
 ///
@@ -89,9 +88,7 @@ impl<'a> Replay<'a> {
 
     /// The identity of the part, which does not depend on its place.
     pub fn part(&self) -> PartId {
-        let has_own = self.mark_list().iter().any(|mark| mark.look == LookId::OF_BASE);
-        let base = if has_own { self.part.base.number } else { 0 };
-        PartId { template: self.body.number, segment: self.segment.leaves.start, base }
+        PartId { template: self.body.number, segment: self.segment.leaves.start }
     }
 
     /// The map from the coordinates of the part to the world: a rotation and a translation.
@@ -135,8 +132,7 @@ impl<'a> Replay<'a> {
         self.segment.is_plain
     }
 
-    /// The numbers of the template and of the segment. Parts with equal numbers differ only in their place and axes,
-    /// and in looks without a number.
+    /// The numbers of the template and of the segment. Parts with equal numbers differ only in their place and axes.
     pub(crate) fn number(&self) -> (u64, usize) {
         (self.body.number, self.segment.leaves.start)
     }

@@ -83,11 +83,6 @@ impl Coordinates {
         self.sets.is_empty()
     }
 
-    /// Returns true if some sets are functions of the position in the world, which belong to one shape.
-    pub(crate) fn is_placed(&self) -> bool {
-        self.sets.iter().any(|entry| matches!(entry.source, UvSource::Fixed(_) | UvSource::Cube(_)))
-    }
-
     /// Returns true if each side of a box has its own coordinates.
     pub(crate) fn has_cube(&self) -> bool {
         self.sets.iter().any(|entry| matches!(entry.source, UvSource::Cube(_)))
