@@ -70,7 +70,7 @@ fn table(title: &str, each: Each, rows: &[(&str, Box<dyn Grammar>)]) {
         Each::Leaf => "no output / first row",
         Each::Window => "beyond the first row, ns a window",
     };
-    let columns = ["rules", "templates, %", "no output, ns a leaf", "buffers, ns a leaf", last];
+    let columns = ["rules", "templates, %", "no output, ns a leaf", "buffers, ns a leaf", "new buffers", last];
     let mut table = Table::new(title, &columns);
     let (lots, mut first) = (lots(), None);
     for (name, grammar) in rows {
@@ -82,19 +82,23 @@ fn table(title: &str, each: Each, rows: &[(&str, Box<dyn Grammar>)]) {
         run(&mut *new(), &lots, &mut out);
         let best = fastest(
             SECONDS,
-            [&mut || run(&mut *new(), &lots, &mut Counts::default()), &mut || {
-                out.clear();
-                run(&mut *new(), &lots, &mut out);
-            }],
+            [
+                &mut || run(&mut *new(), &lots, &mut Counts::default()),
+                &mut || {
+                    out.clear();
+                    run(&mut *new(), &lots, &mut out);
+                },
+                &mut || run(&mut *new(), &lots, &mut Buffers::new()),
+            ],
         );
-        let [alone, buffers] = best.map(|time| nanoseconds_each(time, leaves));
+        let [alone, buffers, new_buffers] = best.map(|time| nanoseconds_each(time, leaves));
         let (first, windows) = *first.get_or_insert_with(|| (best[0], windows(&**grammar, &lots)));
         let compared = match each {
             Each::Leaf => number(best[0].as_secs_f64() / first.as_secs_f64(), 2),
             Each::Window => number(nanoseconds_each(best[0].saturating_sub(first), windows), 0),
         };
         let share = 100.0 * counts.replayed as f64 / leaves as f64;
-        table.row(name, &[number(share, 1), number(alone, 1), number(buffers, 1), compared]);
+        table.row(name, &[number(share, 1), number(alone, 1), number(buffers, 1), number(new_buffers, 1), compared]);
     }
     table.print();
 }

@@ -354,7 +354,7 @@ impl Buffers {
         &mut self,
         face: &PlacedFace<'_>,
         (rule, material): (u32, u32),
-        corners: impl Iterator<Item = usize> + Clone,
+        corners: impl ExactSizeIterator<Item = usize> + Clone,
         triangles: &[[u32; 3]],
     ) {
         let shown = face.material(&mut self.numbers.table, material);

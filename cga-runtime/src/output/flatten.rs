@@ -2,20 +2,44 @@
 //!
 //! Faces do not share vertices, so a face's vertices are its corners: the corners of the outline, then the corners of its holes.
 
+use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::{Arc, Weak};
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 use super::sink_table::SinkTable;
+use crate::fixed_hash::FixedState;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
 use crate::geometry::triangulate::Triangulator;
 
-/// Cuts faces into triangles. It keeps its buffers from mesh to mesh.
+/// Cuts faces into triangles. It keeps its buffers from mesh to mesh, and the triangles of meshes that come again.
 #[derive(Debug, Default)]
 pub(crate) struct Flattener {
     triangulator: Triangulator,
+    own: FlatMesh,
+    /// The meshes that came last and are not flat, at an index that follows from the address.
+    seen: Vec<Weak<Mesh>>,
+    /// The flat meshes by address. Each is the mesh itself, so the address stays its own.
+    flat: HashMap<usize, (Arc<Mesh>, Arc<FlatMesh>), FixedState>,
+    /// The number of corners and triangles in them.
+    kept: usize,
+}
+
+/// The number of meshes that are remembered.
+const SEEN: usize = 64;
+
+/// The number of corners and triangles of flat meshes that are kept: about 10 MB. Beyond it they are made again.
+const KEPT: usize = 1 << 19;
+
+/// The triangles of all faces of a mesh.
+#[derive(Debug, Default)]
+struct FlatMesh {
+    /// Indices relative to the first corner of the face.
     triangles: Vec<[u32; 3]>,
+    /// The number of triangles up to the end of each face, and its area vector.
+    faces: Vec<(u32, DVec3)>,
 }
 
 /// A face, placed in the world.
@@ -43,17 +67,65 @@ impl Clone for Flattener {
 
 impl Flattener {
     /// Passes the faces of a mesh to `each` in order, until it returns false.
-    pub(crate) fn faces(&mut self, mesh: &Mesh, placement: &DAffine3, mut each: impl FnMut(PlacedFace<'_>) -> bool) {
-        let turn = normal_map(&placement.matrix3);
-        for face in mesh.faces() {
-            let (index, corners) = (face.index(), face.corner_range());
-            self.triangles.clear();
-            self.triangulator.face(mesh, index, &mut self.triangles);
-            for corner in self.triangles.as_flattened_mut() {
-                *corner -= corners.start as u32;
+    pub(crate) fn faces(&mut self, mesh: &Arc<Mesh>, placement: &DAffine3, each: impl FnMut(PlacedFace<'_>) -> bool) {
+        match self.known(mesh) {
+            Some(flat) => flat.place(mesh, placement, each),
+            None => {
+                self.own.fill(mesh, &mut self.triangulator);
+                self.own.place(mesh, placement, each);
             }
-            let normal = unit(turn * face.area_vector());
-            if !each(PlacedFace { mesh, placement, turn, index, corners, triangles: &self.triangles, normal }) {
+        }
+    }
+
+    /// The triangles of a mesh that comes again. At its second sight they are kept: most meshes come once.
+    fn known(&mut self, mesh: &Arc<Mesh>) -> Option<Arc<FlatMesh>> {
+        let address = Arc::as_ptr(mesh).addr();
+        if let Some((_, flat)) = self.flat.get(&address) {
+            return Some(flat.clone());
+        }
+        self.seen.resize_with(SEEN, Weak::new);
+        let seen = &mut self.seen[(address / size_of::<Mesh>()) % SEEN];
+        if seen.as_ptr().addr() != address {
+            *seen = Arc::downgrade(mesh);
+            return None;
+        }
+        let mut flat = FlatMesh::default();
+        flat.fill(mesh, &mut self.triangulator);
+        let size = mesh.corners().len() + flat.triangles.len();
+        if KEPT < self.kept + size {
+            self.flat.clear();
+            self.kept = 0;
+        }
+        let flat = Arc::new(flat);
+        if size <= KEPT {
+            self.kept += size;
+            self.flat.insert(address, (mesh.clone(), flat.clone()));
+        }
+        Some(flat)
+    }
+}
+
+impl FlatMesh {
+    fn fill(&mut self, mesh: &Mesh, triangulator: &mut Triangulator) {
+        self.triangles.clear();
+        self.faces.clear();
+        for face in mesh.faces() {
+            let before = self.triangles.len();
+            triangulator.face(mesh, face.index(), &mut self.triangles);
+            let start = face.corner_range().start as u32;
+            self.triangles[before..].as_flattened_mut().iter_mut().for_each(|corner| *corner -= start);
+            self.faces.push((self.triangles.len() as u32, face.area_vector()));
+        }
+    }
+
+    fn place(&self, mesh: &Mesh, placement: &DAffine3, mut each: impl FnMut(PlacedFace<'_>) -> bool) {
+        let (turn, mut first) = (normal_map(&placement.matrix3), 0);
+        for (face, (end, area)) in mesh.faces().zip(&self.faces) {
+            let (index, corners) = (face.index(), face.corner_range());
+            let triangles = &self.triangles[first as usize..*end as usize];
+            first = *end;
+            let normal = unit(turn * *area);
+            if !each(PlacedFace { mesh, placement, turn, index, corners, triangles, normal }) {
                 return;
             }
         }

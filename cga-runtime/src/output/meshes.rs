@@ -205,7 +205,7 @@ impl MeshSink {
     }
 
     /// Adds the faces of a mesh.
-    fn add(&mut self, rule: u32, material: u32, mesh: &Mesh, placement: &DAffine3, leaf: usize) {
+    fn add(&mut self, rule: u32, material: u32, mesh: &Arc<Mesh>, placement: &DAffine3, leaf: usize) {
         let sets = SetMask::of(|set| !mesh.uv_set(set).is_empty());
         let (mut flattener, origin) = (std::mem::take(&mut self.flattener), self.origin);
         flattener.faces(mesh, placement, |face| {

@@ -1,5 +1,8 @@
 //! A list whose next items are written in place.
 
+/// The number of default items that are made at once.
+const AHEAD: usize = 1 << 10;
+
 /// Used items, followed by default items: a writer gets a slice of the next items and fills it. This is faster than
 /// to build items elsewhere and copy them.
 #[derive(Clone, Debug, Default)]
@@ -70,17 +73,13 @@ impl<T: Copy + Default> Room<T> {
         self.items.capacity()
     }
 
-    /// Adds an item.
-    #[inline]
-    pub(super) fn push(&mut self, item: T) {
-        self.take(1)[0] = item;
-    }
-
-    /// Makes room for at least `count` further items: at least double the length, and all reserved memory.
+    /// Makes room for at least `count` further items. Default items are made shortly before they are written, while they stay in the nearest
+    /// cache; the rest of the reserved memory is not touched.
     #[cold]
     #[inline(never)]
     fn grow(&mut self, count: usize) {
-        let wanted = (self.used + count).max(2 * self.items.len()).max(self.items.capacity());
+        self.items.reserve((self.used + count).saturating_sub(self.items.len()));
+        let wanted = (self.used + count.max(AHEAD)).min(self.items.capacity());
         self.items.resize(wanted, T::default());
     }
 }

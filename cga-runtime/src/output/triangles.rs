@@ -52,13 +52,11 @@ impl Triangles {
         &mut self,
         face: &PlacedFace<'_>,
         origin: DVec3,
-        corners: impl Iterator<Item = usize>,
+        corners: impl ExactSizeIterator<Item = usize>,
         triangles: &[[u32; 3]],
     ) {
         let start = self.vertices.len() as u32;
-        for corner in corners {
-            self.vertices.push(vertex(face.point(corner) - origin, face.normal_at(corner)));
-        }
+        self.vertices.extend(corners.map(|corner| vertex(face.point(corner) - origin, face.normal_at(corner))));
         self.indices.extend(triangles.as_flattened().iter().map(|corner| start + corner));
     }
 }

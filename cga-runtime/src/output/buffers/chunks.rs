@@ -132,7 +132,7 @@ impl<R: ChunkResult, F: FnMut(&Buffers) -> R> Chunks<F, R> {
 
     /// Adds a mesh with more vertices than a chunk, face by face.
     #[cold]
-    fn large_mesh(&mut self, leaf: &Leaf<'_>, mesh: &Mesh, placement: &DAffine3) -> Flow {
+    fn large_mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         let mut flattener = std::mem::take(&mut self.buffers.flattener);
         let mut flow = Flow::Continue(());
         flattener.faces(mesh, placement, |face| {

@@ -327,7 +327,7 @@ impl Glb {
         self.primitives.of(&mut self.looks, &self.numbers.table, material, sets)
     }
 
-    fn add_mesh(&mut self, owner: Owner, material: u32, mesh: &Mesh, placement: &DAffine3) {
+    fn add_mesh(&mut self, owner: Owner, material: u32, mesh: &Arc<Mesh>, placement: &DAffine3) {
         let Glb { origin, numbers, looks, primitives, flattener, single_sided, .. } = self;
         let sets = SetMask::of(|set| !mesh.uv_set(set).is_empty());
         let mut single_sided = single_sided.as_mut().filter(|_| mesh.is_closed() && 0.0 < mesh_volume(mesh, placement));

@@ -1,6 +1,7 @@
 //! The counters of a run, and their restoration.
 
-use super::{Env, MeshCounts};
+use super::Env;
+use super::mesh_counts::MeshCounts;
 
 /// The counters of a run at one time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,28 +3,11 @@
 use std::ops::ControlFlow;
 
 use super::Env;
+use super::mesh_counts::MeshCounts;
 use crate::fault::LimitKind;
 use crate::geometry::mesh::Mesh;
 use crate::run::settings::Limits;
 use crate::run::sink::Flow;
-
-/// The meshes that operations made.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct MeshCounts {
-    pub(super) vertices: u64,
-    /// The bytes of meshes, and of leaves that are meshes, besides the vertices that are counted.
-    pub(super) bytes: u64,
-}
-
-impl MeshCounts {
-    /// The counts since `before`.
-    pub(crate) fn since(self, before: MeshCounts) -> Self {
-        MeshCounts {
-            vertices: self.vertices.saturating_sub(before.vertices),
-            bytes: self.bytes.saturating_sub(before.bytes),
-        }
-    }
-}
 
 impl Env {
     /// Counts the vertices of a mesh that an operation made. As in sinks, a vertex counts once for each of its faces.

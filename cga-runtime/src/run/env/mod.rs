@@ -8,6 +8,7 @@ mod edge_attributes;
 mod faults;
 mod kept;
 mod memory;
+pub(crate) mod mesh_counts;
 mod recompose;
 mod records;
 mod trail;
@@ -34,7 +35,7 @@ use calls::FunctionCalls;
 use checkpoint::Checkpoint;
 use faults::FaultList;
 use kept::KeptResults;
-pub(crate) use memory::MeshCounts;
+use mesh_counts::MeshCounts;
 use recompose::Recompositions;
 pub(crate) use trail::Trail;
 

@@ -19,6 +19,7 @@ mod part_id;
 mod record;
 mod repeat;
 mod replay;
+mod slot;
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -30,7 +31,7 @@ use crate::fixed_hash::FixedState;
 use crate::geometry::Axis;
 use crate::geometry::each::Each;
 use crate::geometry::mesh::Bounds;
-use crate::run::env::MeshCounts;
+use crate::run::env::mesh_counts::MeshCounts;
 use crate::run::sink::corners::{PlacedBox, four};
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;

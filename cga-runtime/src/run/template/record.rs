@@ -9,7 +9,7 @@ use glam::{DAffine3, DMat3};
 
 use super::key::TemplateKey;
 use super::mesh_leaf::{LeafGeometry, MeshLeaf};
-use super::repeat::{PartFn, RepeatedSlot};
+use super::slot::{PartFn, RepeatedSlot};
 use super::{
     Hole, INHERITED, LeafRange, LeafRow, MOST, Mark, Template, TemplateBody, TemplateBreak, TemplateCounts,
     TemplateEntry, TemplateLeaf, Templates, Turned,

@@ -8,6 +8,7 @@ use glam::DVec3;
 
 use super::key::{self, TemplateKey};
 use super::replay::Replay;
+use super::slot::{PartFn, RepeatedSlot};
 use super::{Hole, INHERITED, Read, Template, TemplateBreak, TemplateCounts, Turned};
 use crate::geometry::Axis;
 use crate::geometry::mesh::Bounds;
@@ -35,20 +36,6 @@ struct LastTemplate<C> {
     turned: Rc<Turned>,
     /// The trim planes of the base that may cut the template.
     planes: Option<Arc<[TrimPlane]>>,
-}
-
-/// The call of a rule on a part that repeats.
-pub(super) type PartFn<'f, C> = &'f mut dyn FnMut(&mut Cx<'_, C>, &ShapeRef<'_>) -> Flow;
-
-/// A slot of the rules that repeats.
-#[derive(Clone, Copy)]
-pub(super) struct RepeatedSlot<'a> {
-    /// The number of the slot in the rules.
-    pub(super) place: u32,
-    /// The values that its rule reads.
-    pub(super) reads: &'a [Read<'a>],
-    /// True if the rule reads or makes more than rectangles and boxes.
-    pub(super) is_whole: bool,
 }
 
 /// Returns true if everything that operations on whole shapes read moves with the part: it has the axes of its pivot, and no texture
