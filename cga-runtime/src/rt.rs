@@ -33,7 +33,7 @@ pub use crate::run::rules::{Compiled, Rules};
 pub use crate::run::settings::Settings;
 pub use crate::run::sink::{Flow, Sink};
 pub use crate::run::start_rule::StartRule;
-pub use crate::run::template::Read;
+pub use crate::run::template::{Read, RepeatedSlot};
 pub use crate::shape::look_id::ChangePlace;
 pub use crate::shape::slim::{become_successor, hand_on, push, successor};
 pub use crate::shape::step_bases::Bases;

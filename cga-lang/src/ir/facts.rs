@@ -23,7 +23,8 @@ mod tests;
 
 use crate::ir::walk;
 use crate::ir::{Expr, ExprKind, FunctionId, Grammar, RuleId, Target, Value};
-use crate::ops;
+use crate::ops::{self, Param};
+use std::ops::BitOr;
 
 pub use crate::ops::Uses;
 pub(crate) use closure::closure;
@@ -52,12 +53,28 @@ pub struct RuleFacts {
     /// on the arguments, and on attributes and constants. Then these make no difference: the place in the world, the pivot, trim planes,
     /// the seed, the counters.
     pub rigid: bool,
-    /// The facts of the steps of the rule itself, without the rules that it calls.
-    pub own_rigid: bool,
-    /// True if the steps of a rigid rule itself read or make more than rectangles and boxes.
-    pub own_whole: bool,
+    /// What a template of the steps of the rule itself, without the rules that it calls, depends on besides the size of the shape, the
+    /// arguments, attributes and constants. `None` if it depends on too much.
+    pub own_template: Option<TemplateNeeds>,
     /// The attributes and constants that the steps of the rule itself read.
     pub own_reads: Reads,
+}
+
+/// What a template depends on besides the size of its shape, arguments, attributes and constants.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct TemplateNeeds {
+    /// True if it reads or makes more than rectangles and boxes.
+    pub whole: bool,
+    /// True if it reads the orientation of the shape in the world.
+    pub axes: bool,
+}
+
+impl BitOr for TemplateNeeds {
+    type Output = TemplateNeeds;
+
+    fn bitor(self, other: TemplateNeeds) -> TemplateNeeds {
+        TemplateNeeds { whole: self.whole | other.whole, axes: self.axes | other.axes }
+    }
 }
 
 impl Facts {
@@ -112,8 +129,7 @@ impl Facts {
         match &expr.kind {
             ExprKind::Global(id) => self.globals[id.0 as usize],
             ExprKind::Call(id, ..) => self.function(*id),
-            ExprKind::Builtin(row, args) if row.uses == Uses::BODY && !args.iter().all(is_rigid_word) => Uses::WHOLE,
-            ExprKind::Builtin(row, _) => row.uses,
+            ExprKind::Builtin(row, args) => row.uses | row.params.iter().zip(args).map(selected).collect(),
             ExprKind::Shape(row) => row.uses,
             // Rust code may give another value each time.
             ExprKind::Rust(..) | ExprKind::Host(_) => Uses::SAYS,
@@ -140,10 +156,12 @@ impl Facts {
     }
 }
 
-/// Returns false for a word that selects faces by more than the shape itself. Words are constants.
-fn is_rigid_word(arg: &Expr) -> bool {
+/// Uses of an argument that selects faces. Words are constants.
+fn selected((param, arg): (&Param, &Expr)) -> Uses {
     match &arg.kind {
-        ExprKind::Value(Value::Text(word)) => ops::selector(word).is_none_or(|row| row.rigid),
-        _ => true,
+        ExprKind::Value(Value::Text(word)) if param.kind.words().is_some() => {
+            ops::selector(word).map_or(Uses::NONE, |row| row.uses)
+        }
+        _ => Uses::NONE,
     }
 }

@@ -26,6 +26,11 @@ const fn rigid(row: Function) -> Function {
     Function { uses: Uses::BODY, ..row }
 }
 
+/// The row of a query with the same result in every place with the same orientation.
+const fn upright(row: Function) -> Function {
+    Function { uses: Uses::BODY.and(Uses::AXES), ..row }
+}
+
 /// A query of the run: prints and files.
 const fn run(name: Str, call: Str, params: Params, ty: Type, about: Str) -> Function {
     row(name, call, params, ty, (Needs::Env, Uses::SAYS), about)
@@ -91,7 +96,7 @@ const TOLERANCE: Param = float("tolerance");
 pub(super) static GEOMETRY: &[Function] = &[
     rigid(both("geometry.area", "geometry_area", &[FACES], F, "the area of the faces, in square metres")),
     rigid(shape("geometry.volume", "geometry_volume", &[], F, "the volume that the faces enclose, in cubic metres")),
-    shape("geometry.height", "geometry_height", &[], F, "the height in the world, in metres"),
+    upright(shape("geometry.height", "geometry_height", &[], F, "the height in the world, in metres")),
     rigid(shape(
         "geometry.boundaryLength",
         "geometry_boundary_length",
@@ -99,13 +104,13 @@ pub(super) static GEOMETRY: &[Function] = &[
         F,
         "the length of the edges that no two faces share, in metres",
     )),
-    shape(
+    upright(shape(
         "geometry.angle",
         "geometry_angle",
         &[ANGLE],
         F,
         "the slope of the steepest face, or the direction that it faces",
-    ),
+    )),
     rigid(shape("geometry.nVertices", "geometry_n_vertices", &[], F, "how many vertices there are")),
     rigid(shape("geometry.nEdges", "geometry_n_edges", &[], F, "how many edges there are")),
     rigid(shape("geometry.nFaces", "geometry_n_faces", &[], F, "how many faces there are")),

@@ -1,6 +1,6 @@
 //! The components of shapes, and the words that select them.
 
-use super::Directions;
+use super::{Directions, Uses};
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
@@ -105,8 +105,8 @@ pub struct Selector {
     pub on: SelectorPlaces,
     /// The directions, in the axes of the scope, of the components that it takes. Words of other axes have none.
     pub directions: Directions,
-    /// True if it takes the same components of a shape in every position and orientation of the shape.
-    pub rigid: bool,
+    /// What it reads besides the geometry and the axes of the scope: nothing if it takes the same components of a shape in every place.
+    pub uses: Uses,
     /// True for the rest of a face, which no other selector takes.
     pub is_rest: bool,
     /// The help for a deprecated selector: its replacement.
@@ -132,17 +132,31 @@ const fn facing(name: &'static str, about: &'static str) -> Selector {
 }
 
 const fn only(name: &'static str, on: SelectorPlaces, about: &'static str) -> Selector {
-    Selector { name, on, directions: Directions::NONE, rigid: false, is_rest: false, old: None, same_as: None, about }
+    Selector {
+        name,
+        on,
+        directions: Directions::NONE,
+        uses: Uses::WHOLE,
+        is_rest: false,
+        old: None,
+        same_as: None,
+        about,
+    }
 }
 
 /// The row of a word for directions in the axes of the scope.
 const fn towards(directions: Directions, row: Selector) -> Selector {
-    Selector { directions, rigid: true, ..row }
+    Selector { directions, uses: Uses::NONE, ..row }
 }
 
 /// The row of a word that only depends on the shape itself.
 const fn rigid(row: Selector) -> Selector {
-    Selector { rigid: true, ..row }
+    Selector { uses: Uses::NONE, ..row }
+}
+
+/// The row of a word for directions in the axes of the world.
+const fn of_world(row: Selector) -> Selector {
+    Selector { uses: Uses::AXES, ..row }
 }
 
 /// The row of a word for the rest of a face.
@@ -175,13 +189,13 @@ static ROWS: &[Selector] = &[
     facing("object.top", "what faces the object's top"),
     facing("object.bottom", "what faces the object's bottom"),
     facing("object.side", "what faces neither the object's top nor its bottom"),
-    facing("world.south", "what faces south"),
-    facing("world.north", "what faces north"),
-    facing("world.west", "what faces west"),
-    facing("world.east", "what faces east"),
-    facing("world.up", "what faces upwards"),
-    facing("world.down", "what faces downwards"),
-    facing("world.side", "what faces neither upwards nor downwards"),
+    of_world(facing("world.south", "what faces south")),
+    of_world(facing("world.north", "what faces north")),
+    of_world(facing("world.west", "what faces west")),
+    of_world(facing("world.east", "what faces east")),
+    of_world(facing("world.up", "what faces upwards")),
+    of_world(facing("world.down", "what faces downwards")),
+    of_world(facing("world.side", "what faces neither upwards nor downwards")),
     facing("street.front", "what borders a street"),
     facing("street.back", "what is opposite a street"),
     facing("street.left", "what is left between front and back"),

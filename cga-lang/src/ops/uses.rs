@@ -26,9 +26,11 @@ impl Uses {
     /// An expression reads sizes of the scope: `scope.sx`. The scope of operations and splits does not count, because they
     /// always have it.
     pub const SIZE: Uses = Uses(1 << 3);
+    /// The orientation of the scope in the world is read: `world.up`.
+    pub const AXES: Uses = Uses(1 << 10);
     /// An expression or an operation reads the position or orientation of the scope in the world: `scope.elevation`. The
     /// size counts as read, too.
-    pub const PLACE: Uses = Uses(1 << 4).and(Uses::SIZE);
+    pub const PLACE: Uses = Uses(1 << 4).and(Uses::SIZE).and(Uses::AXES);
     /// More than the scope and the material is read or changed, and moves with the scope: the geometry, its tags and normals, what is
     /// made of them. Two shapes of one size in two places give the same in the coordinates of their scopes.
     pub const BODY: Uses = Uses(1 << 9);
@@ -84,13 +86,18 @@ impl Uses {
             (Uses::TOTAL, "total"),
             (Uses::SIZE, "scope"),
             (Uses::PLACE, "place"),
+            (Uses::AXES, "axes"),
             (Uses::WHOLE, "whole"),
             (Uses::BODY, "body"),
             (Uses::STATE, "state"),
             (Uses::SAYS, "says"),
             (Uses::TAGS, "tags"),
         ];
-        let is_shown = move |part: Uses| self.has(part) && (part != Uses::BODY || !self.has(Uses::WHOLE));
+        let is_shown = move |part: Uses| {
+            let is_more =
+                (part == Uses::BODY && self.has(Uses::WHOLE)) || (part == Uses::AXES && self.has(Uses::PLACE));
+            self.has(part) && !is_more
+        };
         names.into_iter().filter(move |(part, _)| is_shown(*part)).map(|(_, name)| name)
     }
 }

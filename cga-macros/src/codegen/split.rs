@@ -1,5 +1,6 @@
 //! A split: its pattern as a constant, its sizes, and a function that calls the rule of a slot.
 
+use cga_lang::ir::facts::TemplateNeeds;
 use cga_lang::ir::plan::{PartNeeds, SplitForm, TemplateRoot};
 use cga_lang::ir::{Axis, Block, Expr, ExprKind, Item, Piece, Prefix, RuleId, Slots, Solved, Target, Type};
 use cga_lang::ops::{Braces, Measure};
@@ -181,12 +182,12 @@ impl Generator<'_> {
                 _ => code!(::core::clone::Clone::clone(#name)),
             });
             let passed: Vec<TokenStream> = site::passed(sites).into_iter().chain(passed).collect();
-            let (reads, is_whole) = (self.reads(root, args, &names), root.is_whole);
+            let (reads, TemplateNeeds { whole, axes }) = (self.reads(root, args, &names), root.needs);
             code! { {
                 #(let #names = #values;)*
                 #hand_on
                 cx.repeat(
-                    (#number, #is_whole, &[#(#reads),*]),
+                    cga_rt::RepeatedSlot { place: #number, is_whole: #whole, reads_axes: #axes, reads: &[#(#reads),*] },
                     &mut #last,
                     g,
                     (part, #axis),

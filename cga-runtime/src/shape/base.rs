@@ -1,6 +1,6 @@
 //! The rarely changed part of shapes, and the conversion between slim and whole shapes.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::axes::Axes;
 use super::{Counter, Geometry, Shape, ShapeRef};
@@ -57,9 +57,10 @@ impl Base {
         Base { axes, raised: axes.raised(), shape, look, maps: KeptMaps::default(), constant }
     }
 
-    /// A base at the origin with the axes of the world, for a part that is moved there.
-    pub(crate) fn at_origin(part: &ShapeRef<'_>) -> Self {
-        let scope = Scope::new(part.size.get());
+    /// A base at the origin for a part that is moved there, with its axes or the axes of the world.
+    pub(crate) fn at_origin(part: &ShapeRef<'_>, keeps_axes: bool) -> Self {
+        let axes = if keeps_axes { part.axes.matrix } else { DMat3::IDENTITY };
+        let scope = Scope { axes, ..Scope::new(part.size.get()) };
         let shape = Shape {
             scope,
             pivot: scope.frame(),

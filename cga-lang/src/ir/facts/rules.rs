@@ -1,8 +1,8 @@
 //! Uses of rules, and which of them are rigid.
 
 use super::closure::closure;
-use super::{Facts, Reads, RuleFacts, Uses};
-use crate::ir::{Arm, Block, BlockParts, Grammar, Renewal, Rule, Selector, Step, StepKind, Target, walk};
+use super::{Facts, Reads, RuleFacts, TemplateNeeds, Uses};
+use crate::ir::{Arg, Arm, Block, BlockParts, Grammar, Renewal, Rule, Selector, Step, StepKind, Target, walk};
 use crate::ops;
 
 /// The facts of a rule without the rules that it reaches.
@@ -10,8 +10,8 @@ struct OwnFacts {
     uses: Uses,
     /// True if it is rigid, apart from the counters that it gets with its shape.
     rigid: bool,
-    /// True if it reads or makes more than rectangles and boxes, if it is rigid.
-    whole: bool,
+    /// The same for a template.
+    template: Option<TemplateNeeds>,
     reads: Reads,
 }
 
@@ -34,8 +34,7 @@ impl Facts {
                 own: uses,
                 below: all.but(Uses::COUNTERS) | counters,
                 rigid: !loose && counters.is_none(),
-                own_rigid: own.rigid && uses.counters().is_none(),
-                own_whole: own.whole,
+                own_template: own.template.filter(|_| uses.counters().is_none()),
                 own_reads: own.reads,
             })
             .collect();
@@ -51,8 +50,8 @@ impl Facts {
                 reads = reads | renewed.iter().map(|id| self.reads(&grammar.global(*id).value)).collect();
             }
         });
-        let rigid = locals.but(Uses::COUNTERS).is_rigid();
-        let mut own = OwnFacts { uses: locals, rigid, whole: locals.has(Uses::BODY), reads };
+        let (rigid, template) = (locals.but(Uses::COUNTERS).is_rigid(), needs(locals));
+        let mut own = OwnFacts { uses: locals, rigid, template, reads };
         walk::steps(&rule.body, &mut |step| {
             let args = walk::targets(step).into_iter().map(|target| match target {
                 Target::Rule { args, .. } => self.exprs(args),
@@ -62,15 +61,13 @@ impl Facts {
             let args = if hands_counters_on(step) { args } else { args.but(Uses::COUNTERS) };
             let (exprs, itself) = (self.exprs(walk::in_step(step)) | args, itself(step, renewals));
             own.uses = own.uses | exprs | itself;
-            own.rigid &= exprs.but(Uses::COUNTERS).is_rigid();
-            let (rigid, whole) = match &step.kind {
-                StepKind::Block(block @ Block { parts: BlockParts::Arms(arms), .. }) => {
-                    (is_rigid(block, arms), !block.gives_faces())
-                }
-                _ => (itself.but(Uses::COUNTERS).is_rigid(), itself.has(Uses::BODY)),
+            let seen = match &step.kind {
+                StepKind::Block(block @ Block { parts: BlockParts::Arms(arms), .. }) => selected(block, arms),
+                _ => itself,
             };
-            own.rigid &= rigid;
-            own.whole |= whole || exprs.has(Uses::BODY);
+            let seen = exprs | seen;
+            own.rigid &= seen.but(Uses::COUNTERS).is_rigid();
+            own.template = own.template.zip(needs(seen)).map(|(own, more)| own | more);
         });
         own
     }
@@ -90,6 +87,8 @@ impl Facts {
 /// Uses of a step itself, without its expressions and the steps in it.
 fn itself(step: &Step, renewals: &[Uses]) -> Uses {
     match &step.kind {
+        // The object is another one in each run.
+        StepKind::Do(row, args) if row.uses.has(Uses::AXES) && args.iter().any(is_of_object) => Uses::ALL,
         StepKind::Do(row, ..) => row.uses,
         StepKind::SetShape(row, ..) => row.set_uses,
         StepKind::Rust(..) => Uses::ALL,
@@ -101,18 +100,33 @@ fn itself(step: &Step, renewals: &[Uses]) -> Uses {
     }
 }
 
+/// Returns true for a word of the axes of the object.
+fn is_of_object(arg: &Arg) -> bool {
+    matches!(arg, Arg::Word(word) if word.starts_with("object"))
+}
+
 /// Returns true if the shapes that a step makes keep `split.index` and `split.total`.
 fn hands_counters_on(step: &Step) -> bool {
     !matches!(step.kind, StepKind::Block(Block { parts: BlockParts::Slots(_), .. }))
 }
 
-/// Returns true if an operation makes the same parts of a shape wherever the shape is. `noAlign` gives parts the axes of the pivot,
-/// and a condition asks about a whole shape.
-fn is_rigid(block: &Block, arms: &[Arm<Target>]) -> bool {
-    let selects = |arm: &Arm<Target>| match &arm.selector {
-        Selector::Word(word) => ops::selector(word).is_some_and(|row| row.rigid),
-        Selector::Index(_) => true,
-        Selector::When(_) => false,
-    };
-    block.is_plain() && !block.row.uses.has(Uses::PLACE) && arms.iter().all(selects)
+/// What an operation with arms reads besides the geometry and the axes of the scope. `noAlign` gives parts the axes of the pivot, and a
+/// condition asks about a whole shape.
+fn selected(block: &Block, arms: &[Arm<Target>]) -> Uses {
+    if !block.is_plain() || block.row.uses.has(Uses::PLACE) {
+        return Uses::ALL;
+    }
+    let arms = arms.iter().map(|arm| match &arm.selector {
+        Selector::Word(word) => ops::selector(word).map_or(Uses::ALL, |row| row.uses),
+        Selector::Index(_) => Uses::NONE,
+        Selector::When(_) => Uses::ALL,
+    });
+    let itself = if block.gives_faces() { Uses::NONE } else { Uses::BODY };
+    itself | arms.collect()
+}
+
+/// What a template depends on if its steps use that, if it can be made.
+fn needs(uses: Uses) -> Option<TemplateNeeds> {
+    let is_fixed = uses.but(Uses::COUNTERS.and(Uses::AXES)).is_rigid();
+    is_fixed.then(|| TemplateNeeds { whole: uses.has(Uses::BODY), axes: uses.has(Uses::AXES) })
 }

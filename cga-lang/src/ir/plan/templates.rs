@@ -5,7 +5,7 @@
 //! repetition calls it.
 
 use super::rule_stack::RuleStack;
-use crate::ir::facts::{Facts, Reads, closure};
+use crate::ir::facts::{Facts, Reads, TemplateNeeds, closure};
 use crate::ir::walk;
 use crate::ir::{Block, BlockParts, GlobalId, Grammar, Item, RuleId, Slots, StepKind, Target};
 use std::collections::HashSet;
@@ -19,8 +19,8 @@ pub struct TemplateRoot {
     pub reads: Vec<GlobalId>,
     /// True if it also depends on values that other runs may not have.
     pub is_of_run: bool,
-    /// True if it reads or makes more than rectangles and boxes.
-    pub is_whole: bool,
+    /// What else it depends on.
+    pub needs: TemplateNeeds,
 }
 
 /// The holes in templates.
@@ -32,14 +32,15 @@ pub struct TemplateHoles {
     left_out: HashSet<RuleId>,
     /// By rule, the attributes and constants that a template of it reads.
     reads: Vec<Reads>,
-    /// By rule, true if a template of it reads or makes more than rectangles and boxes.
-    whole: Vec<bool>,
+    /// By rule, what else a template of it depends on.
+    needs: Vec<TemplateNeeds>,
 }
 
 impl TemplateHoles {
     /// Finds the holes, in time linear in the size of the grammar.
     pub(super) fn new(grammar: &Grammar, facts: &Facts, stack: &RuleStack) -> Self {
-        let is_open = |from: RuleId, to: RuleId| !facts.rule(to).own_rigid || stack.request(from, to).is_some();
+        let is_open =
+            |from: RuleId, to: RuleId| facts.rule(to).own_template.is_none() || stack.request(from, to).is_some();
         let calls = walk::calls(grammar, |_| true);
         let kept_calls: Vec<Vec<usize>> = (0..)
             .zip(&calls)
@@ -48,9 +49,10 @@ impl TemplateHoles {
             })
             .collect();
         let rules = (0..grammar.rules.len()).map(|rule| facts.rule(RuleId(rule as u32)));
-        let (reads, whole): (Vec<Reads>, Vec<bool>) = rules.map(|rule| (rule.own_reads, rule.own_whole)).unzip();
-        let (reads, whole) = (closure(&kept_calls, &reads), closure(&kept_calls, &whole));
-        let mut found = TemplateHoles { reads, whole, ..TemplateHoles::default() };
+        let (reads, needs): (Vec<Reads>, Vec<TemplateNeeds>) =
+            rules.map(|rule| (rule.own_reads, rule.own_template.unwrap_or_default())).unzip();
+        let (reads, needs) = (closure(&kept_calls, &reads), closure(&kept_calls, &needs));
+        let mut found = TemplateHoles { reads, needs, ..TemplateHoles::default() };
         let mut todo: Vec<RuleId> = Vec::new();
         for (at, rule) in grammar.rules.iter().enumerate() {
             walk::steps(&rule.body, &mut |step| {
@@ -98,7 +100,7 @@ impl TemplateHoles {
             let Target::Rule { rule, args, .. } = target else { return None };
             let reads = self.reads[rule.0 as usize];
             let is_template = is_in_group
-                && facts.rule(*rule).own_rigid
+                && facts.rule(*rule).own_template.is_some()
                 && stack.request(from, *rule).is_none()
                 && !reads.has(Reads::SHAPE)
                 && args.iter().all(|arg| facts.expr(arg).is_rigid());
@@ -106,7 +108,7 @@ impl TemplateHoles {
                 rule: *rule,
                 reads: facts.listed(reads).collect(),
                 is_of_run: reads.has(Reads::RUN),
-                is_whole: self.whole[rule.0 as usize],
+                needs: self.needs[rule.0 as usize],
             })
         })
     }

@@ -4,7 +4,7 @@ use super::super::{
     Allowed, Default, Effect, FILE, FS, FileUse, Operation, Param, ParamBounds, Params, Str, UvEffect, bounds, file,
     float, length, of, or, outdated, renamed, uv_set, within, word,
 };
-use super::{moves, old, op, rigid, tagging, uvs, with};
+use super::{moves, old, op, rigid, tagging, upright, uvs, with};
 
 const EXTRUDE_ALONG: Param = outdated(
     &[("world.y", "world.up")],
@@ -164,14 +164,14 @@ pub(super) static ROWS: &[Operation] = &[
         Effect::Extrudes,
         moves(op("extrude", "extrude", &[length("distance")], "extrudes each face along its normal")),
     )),
-    extrudes(op(
+    upright(extrudes(op(
         "extrude",
         "extrude_along",
         &[EXTRUDE_ALONG, length("distance")],
         "extrudes faces along normals or upwards",
-    )),
+    ))),
     old(
-        extrudes(op("extrude", "extrude_axis", &[EXTRUDE_AXIS, length("distance")], "extrudes along an axis")),
+        upright(extrudes(op("extrude", "extrude_axis", &[EXTRUDE_AXIS, length("distance")], "extrudes along an axis"))),
         "write `extrude(world.up, …)` to extrude upwards",
     ),
     with(
@@ -258,7 +258,10 @@ pub(super) static ROWS: &[Operation] = &[
         &[float("distance"), or(KEEP_FACES, Default::Word("all"))],
         "moves the outline of each face in or out, with faces for the difference",
     ))),
-    with(Effect::Flattens, op("footprint", "footprint", &[], "replaces the geometry by its outline seen from above")),
+    upright(with(
+        Effect::Flattens,
+        op("footprint", "footprint", &[], "replaces the geometry by its outline seen from above"),
+    )),
     envelope("envelope_front", first(4, ENVELOPE), VOLUME),
     envelope("envelope_front_back", first(6, ENVELOPE), VOLUME),
     envelope("envelope_sides", ENVELOPE_SIDES, VOLUME),

@@ -75,6 +75,11 @@ const fn rigid(row: Operation) -> Operation {
     using(Uses::BODY, row)
 }
 
+/// The row of an operation that has the same effect in every place with the same orientation.
+const fn upright(row: Operation) -> Operation {
+    using(Uses::BODY.and(Uses::AXES), row)
+}
+
 /// The row of an operation that tags the components that it makes.
 const fn tagging(tags: &'static [&'static str], row: Operation) -> Operation {
     Operation { tags, ..row }

@@ -4,7 +4,7 @@ use super::super::{
     Allowed, Default, Effect, Operation, Param, ParamBounds, Params, Str, boolean, bounds, float, or, renamed, within,
     word,
 };
-use super::{old, op, rigid, with};
+use super::{old, op, rigid, upright, with};
 
 const ALIGN_AXES: Param = or(
     renamed(
@@ -56,7 +56,12 @@ const fn scope(name: Str, call: Str, params: Params, about: Str) -> Operation {
 }
 
 pub(super) static ROWS: &[Operation] = &[
-    scope("alignScopeToAxes", "align_to_axes", &[ALIGN_AXES], "turns the scope to the axes of the world or the object"),
+    upright(scope(
+        "alignScopeToAxes",
+        "align_to_axes",
+        &[ALIGN_AXES],
+        "turns the scope to the axes of the world or the object",
+    )),
     scope("alignScopeToGeometry", "align_to_indices", &[UP_AXIS, float("faceIndex"), float("edgeIndex")], TO_GEOMETRY),
     scope("alignScopeToGeometry", "align_to_face", &[UP_AXIS, FACE, float("edgeIndex")], TO_GEOMETRY),
     scope("alignScopeToGeometry", "align_to_edge", &[UP_AXIS, float("faceIndex"), EDGE], TO_GEOMETRY),

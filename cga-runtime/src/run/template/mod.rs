@@ -16,6 +16,7 @@
 mod key;
 mod mesh_leaf;
 mod part_id;
+mod read;
 mod record;
 mod repeat;
 mod replay;
@@ -39,12 +40,14 @@ use crate::shape::look_id::LookId;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Counter, ShapeRef};
 
-pub use key::Read;
-use key::{KeptRead, TemplateKey};
+use key::TemplateKey;
 use mesh_leaf::MeshLeaf;
 pub use part_id::PartId;
+use read::KeptRead;
+pub use read::Read;
 pub(crate) use record::Tape;
 pub use replay::Replay;
+pub use slot::RepeatedSlot;
 
 /// The number of leaves and holes that a session keeps in templates, each turn of a template counted: about 30 MB. Beyond it the
 /// templates are made again.
@@ -114,6 +117,8 @@ enum TemplateBreak<C> {
 struct TemplateBody {
     /// The number of the template in the process.
     number: u64,
+    /// True if it has the axes of the base, and false if it has the axes of the world.
+    is_turned: bool,
     leaves: Vec<TemplateLeaf>,
     /// The axes of the leaves.
     frames: Vec<Axes>,
@@ -228,12 +233,13 @@ impl<C> Templates<C> {
     fn find(
         &mut self,
         hash: u64,
-        (place, part, reads): (u32, &ShapeRef<'_>, &[Read<'_>]),
+        slot: &RepeatedSlot<'_>,
+        part: &ShapeRef<'_>,
         too_small: f64,
     ) -> Option<&mut TemplateEntry<C>> {
         let is_equal = |known: f64| known == too_small || known.is_nan();
         let list = self.entries.get_mut(&hash)?;
-        list.iter_mut().find(|entry| is_equal(entry.too_small) && entry.key.fits(place, part, reads))
+        list.iter_mut().find(|entry| is_equal(entry.too_small) && entry.key.fits(slot, part))
     }
 
     fn keep(&mut self, hash: u64, entry: TemplateEntry<C>) {
@@ -255,6 +261,9 @@ impl<C> TemplateEntry<C> {
     /// The template turned to axes, if there is a template, and true if it was turned just now.
     fn turned(&mut self, axes: &Axes) -> Option<(Rc<Template<C>>, Rc<Turned>, bool)> {
         let template = self.template.clone()?;
+        // It was recorded along the axes that it reads.
+        let along_world = Axes::new(DMat3::IDENTITY);
+        let axes = if self.key.axes.is_some() { &along_world } else { axes };
         if let Some(known) = self.turned.iter().find(|turned| turned.axes[0].is(&axes.matrix)) {
             return Some((template, known.clone(), false));
         }

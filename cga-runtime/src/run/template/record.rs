@@ -158,14 +158,14 @@ impl<C: Clone> Cx<'_, C> {
     ) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
         let (least, too_small) = (self.env.least_split, self.env.too_small);
         self.env.least_split = f64::INFINITY;
-        let key = TemplateKey::of(slot.place, part, slot.reads);
-        let template = self.record(slot.is_whole, part, rule, 0).and_then(|mut template| {
+        let key = TemplateKey::of(&slot, part);
+        let template = self.record(slot, part, rule, 0).and_then(|mut template| {
             template.reads.clone_from(&key.reads);
             if !template.breaks.iter().any(|own| matches!(own, TemplateBreak::Hole(_))) {
                 return Ok(template);
             }
             // A seed is affine in the seed of the repetition: two points determine the line.
-            let other = self.record(slot.is_whole, part, rule, 1)?;
+            let other = self.record(slot, part, rule, 1)?;
             for pair in template.breaks.iter_mut().zip(&other.breaks) {
                 if let (TemplateBreak::Hole(hole), TemplateBreak::Hole(other)) = pair {
                     let [_, at_zero] = hole.seed;
@@ -192,16 +192,17 @@ impl<C: Clone> Cx<'_, C> {
     /// Derives a rule at the origin. An error if it makes anything but holes and leaves that fill their scopes.
     fn record(
         &mut self,
-        is_whole: bool,
+        slot: RepeatedSlot<'_>,
         part: &ShapeRef<'_>,
         rule: PartFn<'_, C>,
         seed: u64,
     ) -> Result<Template<C>, Lost> {
         let (before, count) = (self.env.state(), self.env.shape_count());
         let checkpoint = self.env.measure_room();
-        let base = Base::at_origin(part);
-        let frames = vec![DMat3::IDENTITY];
-        let mut recorder = Recorder { base: &base, is_whole, leaves: Vec::new(), frames, others: Vec::new() };
+        let base = Base::at_origin(part, slot.reads_axes);
+        let frames = vec![base.axes().matrix];
+        let mut recorder =
+            Recorder { base: &base, is_whole: slot.is_whole, leaves: Vec::new(), frames, others: Vec::new() };
         let (filled, leaves, trail) = (self.env.filled, self.env.leaves, self.env.trail.len());
         let tape = Tape { base: &base, filled, leaves, trail, holes: Vec::new() };
         self.env.reach = None;
@@ -238,6 +239,7 @@ impl<C: Clone> Cx<'_, C> {
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
         let body = TemplateBody {
             number,
+            is_turned: !slot.reads_axes,
             leaves,
             frames: frames.into_iter().map(Axes::new).collect(),
             segments: Vec::new(),

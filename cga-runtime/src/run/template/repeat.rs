@@ -6,10 +6,11 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::key::{self, TemplateKey};
+use super::key::TemplateKey;
+use super::read;
 use super::replay::Replay;
 use super::slot::{PartFn, RepeatedSlot};
-use super::{Hole, INHERITED, Read, Template, TemplateBreak, TemplateCounts, Turned};
+use super::{Hole, INHERITED, Template, TemplateBreak, TemplateCounts, Turned};
 use crate::geometry::Axis;
 use crate::geometry::mesh::Bounds;
 use crate::geometry::tol::PLANAR_EPSILON;
@@ -80,13 +81,11 @@ impl<C> Default for Last<C> {
 }
 
 impl<C: Clone> Cx<'_, C> {
-    /// Runs a rigid rule on a part that repeats along an axis, from its template, which is made on first use. `place` is the number
-    /// of the slot, `reads` are the values that the rule reads, and `is_whole` is true if it reads or makes more than rectangles
-    /// and boxes.
+    /// Runs a rule on a part that repeats along an axis, from its template, which is made on first use.
     #[inline]
     pub fn repeat<G>(
         &mut self,
-        (place, is_whole, reads): (u32, bool, &[Read<'_>]),
+        slot: RepeatedSlot<'_>,
         last: &mut Last<C>,
         g: &G,
         (part, axis): (&ShapeRef<'_>, Axis),
@@ -95,10 +94,12 @@ impl<C: Clone> Cx<'_, C> {
     ) -> Flow {
         let (extent, unit) = (part.size.along(axis), part.unit.get());
         match &last.0 {
-            Some(last) if last.extent == extent && last.unit.is(unit) && key::are(&last.template.reads, reads) => {
+            Some(last)
+                if last.extent == extent && last.unit.is(unit) && read::are(&last.template.reads, slot.reads) =>
+            {
                 self.replay_within(last, g, part, rule, resume)
             }
-            _ => self.repeat_anew(RepeatedSlot { place, reads, is_whole }, last, g, (part, extent), rule, resume),
+            _ => self.repeat_anew(slot, last, g, (part, extent), rule, resume),
         }
     }
 
@@ -155,8 +156,8 @@ impl<C: Clone> Cx<'_, C> {
                 return None;
             }
         }
-        let hash = TemplateKey::hash(slot.place, part, slot.reads);
-        match self.templates.find(hash, (slot.place, part, slot.reads), self.env.too_small) {
+        let hash = TemplateKey::hash(&slot, part);
+        match self.templates.find(hash, &slot, part, self.env.too_small) {
             Some(entry) => {
                 let (template, turned, is_new) = entry.turned(part.axes)?;
                 if is_new {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use glam::{DAffine3, DVec4};
+use glam::{DAffine3, DMat3, DVec4};
 
 use super::part_id::PartId;
 use super::{LeafRange, LeafRow, Mark, TemplateBody, TemplateLeaf, Turned};
@@ -93,7 +93,8 @@ impl<'a> Replay<'a> {
 
     /// The map from the coordinates of the part to the world: a rotation and a translation.
     pub fn placement(&self) -> DAffine3 {
-        DAffine3 { matrix3: self.part.axes.matrix, translation: self.part.origin() }
+        let matrix3 = if self.body.is_turned { self.part.axes.matrix } else { DMat3::IDENTITY };
+        DAffine3 { matrix3, translation: self.part.origin() }
     }
 
     /// Passes the leaves one by one to [`Sink::filled`], in the coordinates of the part, which are the same at all of

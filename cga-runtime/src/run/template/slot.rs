@@ -1,6 +1,6 @@
 //! A slot of the rules that repeats.
 
-use super::key::Read;
+use super::read::Read;
 use crate::run::context::Cx;
 use crate::run::sink::Flow;
 use crate::shape::ShapeRef;
@@ -9,12 +9,14 @@ use crate::shape::ShapeRef;
 pub(super) type PartFn<'f, C> = &'f mut dyn FnMut(&mut Cx<'_, C>, &ShapeRef<'_>) -> Flow;
 
 /// A slot of the rules that repeats.
-#[derive(Clone, Copy)]
-pub(super) struct RepeatedSlot<'a> {
+#[derive(Clone, Copy, Debug)]
+pub struct RepeatedSlot<'a> {
     /// The number of the slot in the rules.
-    pub(super) place: u32,
-    /// The values that its rule reads.
-    pub(super) reads: &'a [Read<'a>],
-    /// True if the rule reads or makes more than rectangles and boxes.
-    pub(super) is_whole: bool,
+    pub place: u32,
+    /// True if its rule reads or makes more than rectangles and boxes.
+    pub is_whole: bool,
+    /// True if the rule reads the orientation of its shape in the world.
+    pub reads_axes: bool,
+    /// The values that the rule reads.
+    pub reads: &'a [Read<'a>],
 }
