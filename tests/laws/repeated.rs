@@ -88,6 +88,8 @@ rows! {
     AreaSouth   [ case geometry.area(world.south) > 1 : A. else : B. ];
     Object      [ alignScopeToAxes(object.y) X. ];
     Streets     [ extrude(0.2) comp(f) { object.front : A. | all : B. } ];
+    Reported    [ report("parts", scope.sx) s(scope.sx, scope.sy, 0.2) primitiveCylinder(5) report("solids", 1) X. ];
+    ReportedOn  [ report("parts", "before") Glass report("parts", "after") ];
     Missing     [ i("no/such.obj") X. ];
     Named       [ set(width, 0.3) Size(width, "#00ff00") ];
 }

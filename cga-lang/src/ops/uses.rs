@@ -39,9 +39,12 @@ impl Uses {
     pub const WHOLE: Uses = Uses(1 << 5).and(Uses::BODY);
     /// An attribute or constant is read that may have a value of its own in each shape (`is_set`).
     pub const STATE: Uses = Uses(1 << 6);
-    /// The run or the host program is queried or changed: prints, reports, files, Rust code, the limit of calls, the
+    /// The run or the host program is queried or changed: prints, files, Rust code, the limit of calls, the
     /// initial shape. Such a derivation must not be replayed. Faults alone do not count.
     pub const SAYS: Uses = Uses(1 << 7);
+
+    /// A value is reported. A derivation that is replayed reports it again.
+    pub const REPORTS: Uses = Uses(1 << 11);
 
     /// Tags of edges or vertices are read or set: `isTagged`, `geometry.hasTags`, `tag`. In grammars without such a use,
     /// operations do not tag the edges that they make.
@@ -75,7 +78,7 @@ impl Uses {
     /// Returns true if at most sizes of the scope, what moves with it, attributes and constants are read. All shapes of one size
     /// with equal geometry and attributes have these in common.
     pub fn is_rigid(self) -> bool {
-        Uses::SIZE.and(Uses::STATE).and(Uses::BODY).and(Uses::TAGS).has(self)
+        Uses::SIZE.and(Uses::STATE).and(Uses::BODY).and(Uses::TAGS).and(Uses::REPORTS).has(self)
     }
 
     /// The names of the used parts, in the order of the constants.
@@ -92,6 +95,7 @@ impl Uses {
             (Uses::STATE, "state"),
             (Uses::SAYS, "says"),
             (Uses::TAGS, "tags"),
+            (Uses::REPORTS, "reports"),
         ];
         let is_shown = move |part: Uses| {
             let is_more =

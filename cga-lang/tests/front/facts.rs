@@ -2,7 +2,7 @@
 
 use crate::common::parts::Parts;
 use cga_lang::ir::RuleId;
-use cga_lang::ir::facts::{Facts, RuleFacts, Uses};
+use cga_lang::ir::facts::{Facts, RuleFacts, TemplateNeeds, Uses};
 
 /// The facts of the rule `Lot`.
 fn lot(text: &str) -> RuleFacts {
@@ -24,7 +24,7 @@ fn a_value_that_is_computed_again_uses_the_shape() {
     assert_eq!(import(wall), (Uses::NONE, Uses::STATE));
     assert_eq!(import(&format!("attr a = rand(3)\n{wall}")), (Uses::DRAWS, Uses::DRAWS | Uses::STATE));
     // `height` counts as the copy has it.
-    let own = Uses::INDEX | Uses::STATE | Uses::WHOLE;
+    let own = Uses::INDEX | Uses::STATE | Uses::BODY;
     assert_eq!(import(&format!("attr a = split.index + height + geometry.area()\n{wall}")), (own, own));
     let drawn = "const a = rand(3)\nWall --> extrude(a) X.";
     assert_eq!(import(drawn), (Uses::DRAWS, Uses::DRAWS | Uses::STATE));
@@ -53,5 +53,5 @@ fn an_import_without_values_is_as_if_its_rules_were_here() {
     let facts = lot(
         "import lib : \"lib.cga\"\nLot --> lib.Wall\n// file: lib.cga\nattr height = rand(1)\nWall --> extrude(height) X.\n",
     );
-    assert_eq!(facts, RuleFacts { rigid: true, own_rigid: true, ..RuleFacts::default() });
+    assert_eq!(facts, RuleFacts { rigid: true, own_template: Some(TemplateNeeds::default()), ..RuleFacts::default() });
 }

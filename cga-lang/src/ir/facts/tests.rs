@@ -71,7 +71,10 @@ fn arguments_of_parts_read_the_counters_of_the_part() {
 fn rules_of_a_cycle_share_what_they_reach() {
     let rules = "A --> B  B --> case scope.sx > 1 : split(x) { 1 : C | ~1 : A } else : X.
         C --> report(\"n\", 1) s(split.index, 1, 1) B";
-    assert_eq!(shown(rules), ["A:  | scope says", "B: scope | scope says", "C: index says | index scope says"]);
+    assert_eq!(
+        shown(rules),
+        ["A:  | scope reports | rigid", "B: scope | scope reports | rigid", "C: index reports | index scope reports"]
+    );
 }
 
 #[test]
@@ -110,7 +113,7 @@ fn steps_use_what_their_rows_say() {
         ("r(0, 90, 0)", "body | body | rigid"),
         ("primitiveCube()", "body | body | rigid"),
         ("i(\"a.obj\")", "body | body | rigid"),
-        ("report(\"a\", 1)", "says | says"),
+        ("report(\"a\", 1)", "reports | reports | rigid"),
         ("print(scope.sx)", "scope says | scope says"),
         ("t(print(1), 0, 0)", "says | says"),
         ("t(case fileExists(\"a\") : 1 else : 2, 0, 0)", "says | says"),
@@ -167,7 +170,7 @@ fn rust_code_may_do_anything() {
     let found = shown(rules);
     assert_eq!(
         found[0],
-        "A: draws index total scope place whole state says tags | draws index total scope place whole state says tags"
+        "A: draws index total scope place whole state says tags reports | draws index total scope place whole state says tags reports"
     );
     assert_eq!(found[1..], ["B: scope says | scope says", "C:  |  | rigid"]);
 }

@@ -52,8 +52,8 @@ pub(super) static ROWS: &[Operation] = &[
             "leaves a labelled copy of the shape for queries",
         )),
     ),
-    says(op("report", "report", &[text("key"), of("value", F)], REPORT)),
-    says(op("report", "report", &[text("key"), of("value", B)], REPORT)),
-    says(op("report", "report", &[text("key"), of("value", T)], REPORT)),
+    using(Uses::REPORTS, says(op("report", "report", &[text("key"), of("value", F)], REPORT))),
+    using(Uses::REPORTS, says(op("report", "report", &[text("key"), of("value", B)], REPORT))),
+    using(Uses::REPORTS, says(op("report", "report", &[text("key"), of("value", T)], REPORT))),
     says(op("print", "print", &[param("value", ParamKind::Any)], "shows a value")),
 ];

@@ -29,6 +29,7 @@ use crate::run::shape_tree::builder::TreeBuilder;
 use crate::run::sink::LeafTables;
 use crate::shape::Shape;
 use crate::shape::street::Streets;
+use crate::value::Value;
 use crate::value::text::Text;
 
 use calls::FunctionCalls;
@@ -87,6 +88,8 @@ pub struct Env {
     faults: FaultList,
     pub(crate) error: Option<Error>,
     pub(crate) reports: Reports,
+    /// The values that were reported while a template was recorded.
+    pub(crate) taped_reports: Vec<(Text, Value)>,
     pub(crate) prints: Prints,
     /// The tree of shapes, while it is recorded. Operands are not recorded.
     pub(crate) tree: Option<Box<TreeBuilder>>,

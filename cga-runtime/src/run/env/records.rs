@@ -8,6 +8,11 @@ use crate::value::text::Text;
 impl Env {
     /// Adds a value to the collection with a key.
     pub(crate) fn report(&mut self, key: Text, value: Value) {
+        // A template reports it again and again.
+        if self.measures_room() {
+            self.taped_reports.push((key, value));
+            return;
+        }
         let limit = self.settings.limits.reports;
         if !self.reports.add(key, value, limit) && self.reports.left_out() == 1 {
             self.fault(FaultKind::Limit, format!("the limit of {limit} reports is reached; further ones are left out"));

@@ -39,6 +39,8 @@ use crate::shape::base::Form;
 use crate::shape::look_id::LookId;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Counter, ShapeRef};
+use crate::value::Value;
+use crate::value::text::Text;
 
 use key::TemplateKey;
 use mesh_leaf::MeshLeaf;
@@ -110,6 +112,8 @@ struct TemplateCounts {
 enum TemplateBreak<C> {
     Hole(Hole<C>),
     Leaf(MeshLeaf),
+    /// A value that is reported.
+    Report(Text, Value),
 }
 
 /// The leaves of a template that fill their scopes.
@@ -182,6 +186,8 @@ struct Hole<C> {
     /// The number of leaves before the call: those that fill their scopes, and the others.
     at: usize,
     others: usize,
+    /// The number of values that were reported before the call.
+    reports: usize,
     origin: DVec3,
     size: DVec3,
     unit: UnitMesh,
@@ -310,6 +316,7 @@ impl<C> TemplateBreak<C> {
         let (origin, own, placement) = match self {
             TemplateBreak::Hole(hole) => (hole.origin, DMat3::IDENTITY, DAffine3::IDENTITY),
             TemplateBreak::Leaf(leaf) => (leaf.scope.origin, leaf.scope.axes, leaf.placement()),
+            TemplateBreak::Report(..) => (DVec3::ZERO, DMat3::IDENTITY, DAffine3::IDENTITY),
         };
         TurnedBreak { origin: *axes * origin, axes: *axes * own, placement: DAffine3::from_mat3(*axes) * placement }
     }

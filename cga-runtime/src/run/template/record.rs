@@ -24,6 +24,8 @@ use crate::shape::axes::Axes;
 use crate::shape::base::{Base, Form};
 use crate::shape::look_id::LookId;
 use crate::shape::seed::Seed;
+use crate::value::Value;
+use crate::value::text::Text;
 
 /// The number of the next template. Numbers distinguish the templates of all sessions, and are in no output.
 static NUMBER: AtomicU64 = AtomicU64::new(1);
@@ -130,6 +132,7 @@ impl<C: Clone> Cx<'_, C> {
         tape.holes.push(Hole {
             at: (self.env.filled - tape.filled) as usize,
             others: (self.env.leaves - tape.leaves) as usize,
+            reports: self.env.taped_reports.len(),
             origin: shape.origin(),
             size: shape.size.get(),
             unit: shape.unit.get(),
@@ -206,6 +209,7 @@ impl<C: Clone> Cx<'_, C> {
         let (filled, leaves, trail) = (self.env.filled, self.env.leaves, self.env.trail.len());
         let tape = Tape { base: &base, filled, leaves, trail, holes: Vec::new() };
         self.env.reach = None;
+        self.env.taped_reports.clear();
         let mut templates = Templates::default();
         let mut cx = Cx {
             env: self.env,
@@ -227,13 +231,14 @@ impl<C: Clone> Cx<'_, C> {
         let shapes = self.env.shapes.saturating_sub(before.shapes);
         let meshes = self.env.state().meshes.since(before.meshes);
         let reach = self.env.reach.take();
+        let reports = std::mem::take(&mut self.env.taped_reports);
         let room = self.env.measured_room(checkpoint).saturating_sub(count);
         let is_ended = self.env.ended();
         let is_quiet = self.env.restore(before);
         if is_ended {
             return Err(Lost::Ended);
         }
-        if !is_complete || !is_quiet {
+        if !is_complete || !is_quiet || MOST < reports.len() {
             return Err(Lost::Never);
         }
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
@@ -248,22 +253,31 @@ impl<C: Clone> Cx<'_, C> {
         };
         let looks = body.leaves.iter().map(|leaf| leaf.look).chain(holes.iter().map(|hole| hole.look));
         let is_lasting = looks.into_iter().all(LookId::is_lasting);
-        let (ends, breaks): (Vec<usize>, Vec<_>) = in_order(holes, others).into_iter().unzip();
+        let (ends, breaks): (Vec<usize>, Vec<_>) = in_order(holes, others, reports).into_iter().unzip();
         let counts = TemplateCounts { shapes, room, meshes };
         Ok(Template { counts, body: body.divided(ends.into_iter()), breaks, reach, reads: Box::default(), is_lasting })
     }
 }
 
 /// The breaks in order, each with the number of leaves before it that fill their scopes.
-fn in_order<C>(holes: Vec<Hole<C>>, others: Vec<(usize, MeshLeaf)>) -> Vec<(usize, TemplateBreak<C>)> {
-    let (mut breaks, mut passed) = (Vec::with_capacity(holes.len() + others.len()), 0);
+fn in_order<C>(
+    holes: Vec<Hole<C>>,
+    others: Vec<(usize, MeshLeaf)>,
+    reports: Vec<(Text, Value)>,
+) -> Vec<(usize, TemplateBreak<C>)> {
+    let (mut breaks, mut passed, mut reported) = (Vec::new(), 0, 0);
     let mut others = others.into_iter().map(|(at, leaf)| (at, TemplateBreak::Leaf(leaf)));
+    let mut reports = reports.into_iter().map(|(key, value)| TemplateBreak::Report(key, value));
     for hole in holes {
         breaks.extend(others.by_ref().take(hole.others - passed));
-        passed = hole.others;
+        // Calls report, too. The place among leaves does not matter.
+        breaks.extend(reports.by_ref().take(hole.reports - reported).map(|report| (hole.at, report)));
+        (passed, reported) = (hole.others, hole.reports);
         breaks.push((hole.at, TemplateBreak::Hole(hole)));
     }
     breaks.extend(others);
+    let end = breaks.last().map_or(0, |(at, _)| *at);
+    breaks.extend(reports.map(|report| (end, report)));
     breaks
 }
 

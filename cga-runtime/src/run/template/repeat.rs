@@ -62,8 +62,8 @@ fn is_beyond(plane: &TrimPlane, part: &ShapeRef<'_>, reach: &Bounds) -> bool {
     let normal = part.axes.matrix.transpose() * plane.normal;
     let low = (normal * reach.low).min(normal * reach.high).element_sum();
     let near = PLANAR_EPSILON * reach.size().max_element();
-    // True also for a number that is not finite.
-    !(-near <= (part.origin() - plane.point).dot(plane.normal) + low)
+    let distance = (part.origin() - plane.point).dot(plane.normal) + low;
+    distance.is_nan() || distance < -near
 }
 
 impl<C> Drop for Last<C> {
@@ -207,6 +207,7 @@ impl<C: Clone> Cx<'_, C> {
                     self.env.leaves += 1;
                     leaf.pass(self.sink, part.origin(), at)?;
                 }
+                Some((TemplateBreak::Report(key, value), _)) => self.env.report(key.clone(), value.clone()),
                 None => {}
             }
         }
