@@ -12,6 +12,7 @@ use std::process::{Command, Stdio};
 const BENCHES: [(&str, &str, &[&str]); 10] = [
     ("cga", "scenes", &[]),
     ("cga", "scenes", &["--instructions"]),
+    ("cga", "rules", &[]),
     ("cga-tests", "memory", &[]),
     ("cga", "cutting", &[]),
     ("cga", "offset", &[]),

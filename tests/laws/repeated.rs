@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use cga::{Geometry, Model, Repeats, Settings, Shape, cga};
+use cga_lang::ops::{Uses, all_functions, all_operations};
 
 use crate::compare::{Outcome, Tolerance, difference};
 use crate::exact;
@@ -12,7 +13,7 @@ use crate::exact;
 macro_rules! rows {
     ($($name:ident [$($operations:tt)*];)*) => {
         cga! {
-            @Allow(missing_asset)
+            @Allow(missing_asset, old_spelling)
             grammar Rows;
             attr width = 0.7
             attr depth = rand(0.3, 0.4)
@@ -25,6 +26,7 @@ macro_rules! rows {
         }
 
         const NAMES: &[&str] = &[$(stringify!($name)),*];
+        const OPERATIONS: &str = stringify!($($($operations)*)*);
     };
 }
 
@@ -72,6 +74,14 @@ rows! {
     Softened    [ s(scope.sx * 0.5, scope.sy * 0.5, 0.5) primitiveCylinder(8) softenNormals(50) X. ];
     Rectified   [ r(0, 0, 3) rectify(10) X. ];
     Tagged      [ extrude(0.2) comp(f) { front : tag("glass") A. | all : NIL } ];
+    Untagged    [ extrude(0.2) comp(f) { front : tag("glass") deleteTags() A. | all : tag("wall") deleteTags("wall") B. } ];
+    Counted     [ extrude(0.2) report("n", geometry.nVertices + geometry.nEdges + geometry.nFaces + geometry.nHoles)
+        report("m", geometry.volume + geometry.boundaryLength) X. ];
+    Concave     [ case geometry.isConcave : A. else : extrude(0.1) B. ];
+    Closed      [ case geometry.isClosedSurface : A. else : extrude(0.1) B. ];
+    Planar      [ case geometry.isPlanar(1) : extrude(0.1) A. else : B. ];
+    Instanced   [ case geometry.isInstanced : A. else : extrude(0.1) B. ];
+    InnerOld    [ innerRect X. ];
     Materials   [ extrude(0.2) setMaterial(getMaterial(used, changed)) resetMaterial() X. ];
     Scope       [ Size(width, "#00ff00") ];
     Drawn       [ s(scope.sx, scope.sy, depth) primitiveCylinder(6) X. ];
@@ -140,4 +150,13 @@ fn repetitions_share_their_meshes() {
     let alone: Vec<_> = NAMES.iter().filter(|name| !shares(name)).collect();
     // The first reaches the trim planes, and what has a fault is derived each time.
     assert_eq!(alone, [&"Reaching", &"Missing"]);
+}
+
+#[test]
+fn all_operations_that_do_the_same_everywhere_are_compared() {
+    let is_template = |uses: Uses| uses.has(Uses::BODY) && !uses.has(Uses::WHOLE);
+    let operations = all_operations().filter(|row| is_template(row.uses)).map(|row| row.name);
+    let functions = all_functions().filter(|row| is_template(row.uses)).map(|row| row.name);
+    let missing: BTreeSet<&str> = operations.chain(functions).filter(|name| !OPERATIONS.contains(name)).collect();
+    assert_eq!(missing, BTreeSet::new());
 }
