@@ -1,4 +1,5 @@
-//! Rules as people write them: arguments, attributes with chance, colours that are drawn, beside the same rules with constants.
+//! Rules as people write them: arguments, attributes with chance, colours that are drawn, beside the same rules with constants, and the
+//! scenes of the gallery.
 //!
 //! `cargo bench --bench rules`. A town of 100 houses; the columns are the share of leaves that are replayed together, and the time of a
 //! leaf without output, in buffers, and relative to the first row of the table.
@@ -6,7 +7,11 @@
 mod common;
 #[path = "rules/houses.rs"]
 mod houses;
+#[path = "../examples/scenes/mod.rs"]
+#[allow(dead_code, unreachable_pub, reason = "the pictures of the scenes are made elsewhere")]
+mod scenes;
 
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -57,48 +62,85 @@ fn lots() -> Vec<Shape> {
     (0..HOUSES).map(lot).collect()
 }
 
-/// Runs all houses in one session.
-fn run(session: &mut dyn DynSession, lots: &[Shape], sink: &mut dyn Sink) {
-    for lot in lots {
-        session.run(lot, sink).expect("no limit is reached");
-    }
+/// Passes the leaves of all shapes of a row to a sink.
+type Run<'a> = dyn Fn(&mut dyn Sink) + 'a;
+
+/// What a row runs.
+struct Subject<'a> {
+    name: String,
+    run: Box<Run<'a>>,
 }
 
-/// A table of grammars. The first row is the measure of the others; `each` is what is counted for the last column.
-fn table(title: &str, each: Each, rows: &[(&str, Box<dyn Grammar>)]) {
+/// All houses of each grammar, in one session.
+fn towns<'a>(grammars: &'a [(&'a str, Box<dyn Grammar>)], lots: &'a [Shape]) -> Vec<Subject<'a>> {
+    let subject = |(name, grammar): &'a (&str, Box<dyn Grammar>)| {
+        let run = move |sink: &mut dyn Sink| {
+            let mut session = grammar.session(&Settings::default()).expect("the attributes are in their ranges");
+            lots.iter().for_each(|lot| drop(session.run(lot, sink).expect("no limit is reached")));
+        };
+        Subject { name: (*name).to_owned(), run: Box::new(run) }
+    };
+    grammars.iter().map(subject).collect()
+}
+
+/// The scenes of the gallery, with a session for each start rule.
+fn gallery<'a>(scenes: &'a [scenes::Scene]) -> Vec<Subject<'a>> {
+    let subject = |scene: &'a scenes::Scene| {
+        let scenes::Scene { name, grammar, shapes, .. } = scene;
+        let run = move |sink: &mut dyn Sink| {
+            let mut sessions: BTreeMap<&str, Box<dyn DynSession + '_>> = BTreeMap::new();
+            for placed in shapes {
+                let session = sessions.entry(placed.rule).or_insert_with(|| {
+                    let settings = Settings { start: Some(placed.rule.to_owned()), ..Settings::default() };
+                    grammar.session(&settings).expect("the attributes are in their ranges")
+                });
+                session.run(&placed.shape, sink).expect("no limit is reached");
+            }
+        };
+        Subject { name: (*name).to_owned(), run: Box::new(run) }
+    };
+    scenes.iter().map(subject).collect()
+}
+
+/// A table of subjects. The first row is the measure of the others; `each` is what the last column counts.
+fn table(title: &str, each: Each, subjects: &[Subject<'_>]) {
     let last = match each {
         Each::Leaf => "no output / first row",
         Each::Window => "beyond the first row, ns a window",
+        Each::Triangle => "buffers, ns a triangle",
     };
     let columns = ["rules", "templates, %", "no output, ns a leaf", "buffers, ns a leaf", "new buffers", last];
     let mut table = Table::new(title, &columns);
-    let (lots, mut first) = (lots(), None);
-    for (name, grammar) in rows {
-        let new = || grammar.session(&Settings::default()).expect("the attributes are in their ranges");
+    let mut first = None;
+    for Subject { name, run } in subjects {
         let mut counts = Counts::default();
-        run(&mut *new(), &lots, &mut counts);
+        run(&mut counts);
         let leaves = counts.replayed + counts.others;
         let mut out = Buffers::new();
-        run(&mut *new(), &lots, &mut out);
+        run(&mut out);
+        let triangles = out.triangle_count();
         let best = fastest(
             SECONDS,
             [
-                &mut || run(&mut *new(), &lots, &mut Counts::default()),
+                &mut || run(&mut Counts::default()),
                 &mut || {
                     out.clear();
-                    run(&mut *new(), &lots, &mut out);
+                    run(&mut out);
                 },
-                &mut || run(&mut *new(), &lots, &mut Buffers::new()),
+                &mut || run(&mut Buffers::new()),
             ],
         );
         let [alone, buffers, new_buffers] = best.map(|time| nanoseconds_each(time, leaves));
-        let (first, windows) = *first.get_or_insert_with(|| (best[0], windows(&**grammar, &lots)));
+        let (first, windows) = *first.get_or_insert_with(|| (best[0], windows(run)));
         let compared = match each {
             Each::Leaf => number(best[0].as_secs_f64() / first.as_secs_f64(), 2),
             Each::Window => number(nanoseconds_each(best[0].saturating_sub(first), windows), 0),
+            Each::Triangle => number(nanoseconds_each(best[1], triangles), 1),
         };
         let share = 100.0 * counts.replayed as f64 / leaves as f64;
-        table.row(name, &[number(share, 1), number(alone, 1), number(buffers, 1), number(new_buffers, 1), compared]);
+        let times = [alone, buffers, new_buffers].map(|time| number(time, 1));
+        let cells: Vec<String> = [number(share, 1)].into_iter().chain(times).chain([compared]).collect();
+        table.row(name, &cells);
     }
     table.print();
 }
@@ -110,18 +152,22 @@ enum Each {
     Leaf,
     /// Rows with another operation in each window.
     Window,
+    /// Rows of their own.
+    Triangle,
 }
 
 /// The number of windows.
-fn windows(grammar: &dyn Grammar, lots: &[Shape]) -> usize {
+fn windows(run: &Run<'_>) -> usize {
     let mut model = Model::new();
-    run(&mut *grammar.session(&Settings::default()).expect("the attributes are in their ranges"), lots, &mut model);
+    run(&mut model);
     model.leaves().filter(|leaf| leaf.rule() == "Window").count()
 }
 
 fn main() {
-    table("Arguments", Each::Leaf, &houses::arguments());
-    table("Colours", Each::Leaf, &houses::colours());
-    table("Attributes with chance", Each::Leaf, &houses::chances());
-    table("Operations in each window", Each::Window, &houses::operations());
+    let lots = lots();
+    table("Arguments", Each::Leaf, &towns(&houses::arguments(), &lots));
+    table("Colours", Each::Leaf, &towns(&houses::colours(), &lots));
+    table("Attributes with chance", Each::Leaf, &towns(&houses::chances(), &lots));
+    table("Operations in each window", Each::Window, &towns(&houses::operations(), &lots));
+    table("Scenes of the gallery", Each::Triangle, &gallery(&scenes::scenes()));
 }

@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Packages, benches and their arguments, in the order of the page.
-const BENCHES: [(&str, &str, &[&str]); 10] = [
+const BENCHES: [(&str, &str, &[&str]); 11] = [
     ("cga", "scenes", &[]),
     ("cga", "scenes", &["--instructions"]),
     ("cga", "rules", &[]),

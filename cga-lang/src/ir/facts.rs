@@ -1,7 +1,7 @@
 //! Facts about rules, functions and expressions: the parts of a shape that they read.
 //!
 //! A back end makes a seed, a counter or a whole shape only where something reads it. The facts follow from the tables in
-//! [`ops`](crate::ops) and from the grammar alone: least fixpoints over the calls of functions and rules.
+//! [`ops`] and from the grammar alone: least fixpoints over the calls of functions and rules.
 //!
 //! ```
 //! use cga_lang::compile::compile_text;

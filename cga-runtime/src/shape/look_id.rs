@@ -127,20 +127,19 @@ impl LookIds {
         MANY <= self.list.len()
     }
 
-    /// The look with a number; `None` for the look of the base.
+    /// The look with a lasting number.
     #[inline]
-    pub(crate) fn get(&self, id: LookId) -> Option<&Arc<Look>> {
-        if !id.is_lasting() {
-            return self.temporary_look(id);
-        }
+    pub(crate) fn lasting(&self, id: LookId) -> Option<&Arc<Look>> {
         self.list.get(id.index() as usize)
     }
 
-    #[cold]
-    #[inline(never)]
-    fn temporary_look(&self, id: LookId) -> Option<&Arc<Look>> {
-        let at = self.temporary.binary_search_by_key(&id.index(), |(known, _)| known.index()).ok()?;
-        Some(&self.temporary[at].1)
+    /// The look with a number; `None` for the look of the base.
+    pub(crate) fn get(&self, id: LookId) -> Option<&Arc<Look>> {
+        let temporary = || {
+            let at = self.temporary.binary_search_by_key(&id.index(), |(known, _)| known.index()).ok()?;
+            Some(&self.temporary[at].1)
+        };
+        self.lasting(id).or_else(temporary)
     }
 
     /// The number of a look, or `OF_BASE`.

@@ -18,7 +18,7 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::uv_map::{self, SetMap, UvMap};
 use crate::material::Material;
 use crate::run::building::Building;
-use crate::shape::base::Form;
+use crate::shape::base::{Base, Form};
 use crate::shape::filled_scope;
 use crate::shape::look_id::LookId;
 use crate::shape::scope::Scope;
@@ -121,8 +121,10 @@ impl<'a> Filled<'a> {
     /// The material of the look with a number; without a number, the material of the leaf's base.
     #[inline]
     pub(crate) fn of_id(&self, id: LookId) -> &'a Arc<Material> {
-        let own = self.shape.base.shape.state.material();
-        self.tables.looks.get(id).map_or(own, |look| &look.material)
+        match self.tables.looks.lasting(id) {
+            Some(look) => &look.material,
+            None => rare_material(self.tables, self.shape.base, id),
+        }
     }
 
     /// The number of the look: the material with its texture coordinates. Leaves of a run with equal numbers have equal
@@ -284,6 +286,13 @@ pub trait Sink {
     fn finish(&mut self) -> Flow {
         Flow::Continue(())
     }
+}
+
+/// The material of a look without a lasting number. The leaf itself is not passed, so that it need not be in memory.
+#[cold]
+#[inline(never)]
+fn rare_material<'a>(tables: &'a LeafTables, base: &'a Base, id: LookId) -> &'a Arc<Material> {
+    tables.looks.get(id).map_or(base.shape.state.material(), |look| &look.material)
 }
 
 /// A rectangle as a mesh in the world, with the texture coordinates of the leaf.
