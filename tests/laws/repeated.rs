@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use cga::{Geometry, Model, Repeats, Settings, Shape, cga};
+use cga::{DynSession, Geometry, Limits, Model, Repeats, Settings, Shape, cga};
 use cga_lang::ops::{Uses, all_functions, all_operations};
 
 use crate::compare::{Outcome, Tolerance, difference};
@@ -100,6 +100,7 @@ rows! {
     Streets     [ extrude(0.2) comp(f) { object.front : A. | all : B. } ];
     Reported    [ report("parts", scope.sx) s(scope.sx, scope.sy, 0.2) primitiveCylinder(5) report("solids", 1) X. ];
     ReportedOn  [ report("parts", "before") Glass report("parts", "after") ];
+    Framed      [ s(scope.sx * 0.3, scope.sy * 0.3, 1) center(xy) extrude(0.2) comp(f) { side : s(scope.sx * 1.5, scope.sy * 1.5, 0.1) center(xy) primitiveCube() X. | all : NIL } ];
     Missing     [ i("no/such.obj") X. ];
     Named       [ set(width, 0.3) Size(width, "#00ff00") ];
 }
@@ -139,6 +140,54 @@ fn a_template_with_meshes_is_what_is_derived_at_its_place() {
         );
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+cga! {
+    grammar Switches;
+    Lot --> extrude(4.7) comp(f) { front : set(trim.horizontal, true) Inner | back : Inner | left : set(trim.vertical, false) Inner | right : Inner }
+    Inner --> split(y) { { ~1 : split(x) { { ~1 : Tile }* } }* }
+    Tile --> s(^0.3, ^0.3, ^1) center(xy) extrude(0.2) comp(f) { side : s(^1.5, ^1.5, 0.1) center(xy) primitiveCube() X. | all : NIL }
+}
+
+#[test]
+fn templates_differ_where_the_switches_of_trim_planes_do() {
+    let [kept, direct] = [Repeats::Kept, Repeats::Direct].map(|repeats| {
+        let settings = Settings { repeats, ..Settings::default() };
+        let mut model = Model::new();
+        let report = Switches::default().run(&Shape::rectangle(9.3, 6.1), &settings, &mut model);
+        Outcome { model, report: report.map_err(|error| error.to_string()), replayed: 0 }
+    });
+    assert_eq!(difference(&kept, &direct, Tolerance { length: 1e-9 }), None);
+}
+
+cga! {
+    grammar Limited;
+    Lot   --> extrude(4.7) comp(f) { front : Split | back : Split | side : Split }
+    Split --> split(x) { { ~2 : Tile }* }
+    Tile  --> s(^1, ^1, 0.2) primitiveCylinder(6) report("tiles", 1) X.
+}
+
+#[test]
+fn what_a_session_has_made_before_does_not_count() {
+    for (vertices, bytes, reports) in
+        [(60, 1 << 30, 100), (1 << 30, 20_000, 100), (1 << 30, 5_000, 100), (1 << 30, 1 << 30, 3)]
+    {
+        let limits = Limits { vertices, bytes, reports, ..Limits::default() };
+        let run = |session: &mut dyn DynSession| {
+            let mut model = Model::new();
+            let report = session.run(&Shape::rectangle(9.3, 6.1), &mut model);
+            Outcome { model, report: report.map_err(|error| error.to_string()), replayed: 0 }
+        };
+        let (grammar, settings) = (Limited::default(), Settings { limits, ..Settings::default() });
+        let mut session = grammar.session(&settings).expect("a session");
+        let first = run(&mut session);
+        for repeats in [Repeats::Kept, Repeats::Again, Repeats::Direct] {
+            let settings = Settings { repeats, ..settings.clone() };
+            let alone = run(&mut grammar.session(&settings).expect("a session"));
+            assert_eq!(difference(&first, &alone, Tolerance { length: 1e-9 }), None, "{limits:?}, {repeats:?}");
+        }
+        assert_eq!(exact::outcomes(&first, &run(&mut session)), None, "{limits:?}");
+    }
 }
 
 #[test]

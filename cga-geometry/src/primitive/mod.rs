@@ -36,7 +36,7 @@ pub fn quad() -> Mesh {
 }
 
 /// The parameters of a primitive that is a mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum PrimitiveKind {
     /// See [`cylinder()`].
     Cylinder {

@@ -1,12 +1,13 @@
 //! Results that a run keeps, because rules ask for the same again and again.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 use std::sync::Arc;
 
 use super::Env;
 use crate::asset::{File, Query};
 use crate::fault::FaultKind;
+use crate::fixed_hash::FixedState;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::primitive::PrimitiveKind;
 use crate::shape::edge_attributes::SampledAttributes;
@@ -19,14 +20,15 @@ const SEARCHES_KEPT: usize = 32;
 /// The number of tables that are kept: functions read the same files again and again.
 const TABLES_KEPT: usize = 16;
 
-/// The number of primitives that are kept: rules insert the same few again and again.
-const PRIMITIVES_KEPT: usize = 32;
+/// The largest number of corners of a primitive that is kept. There are some thousand such primitives, and together they take
+/// less than 100 MB.
+const PRIMITIVE_KEPT: u64 = 1024;
 
 /// The first results of each kind.
 #[derive(Debug, Default)]
 pub(crate) struct KeptResults {
     /// The primitives made so far.
-    primitives: Vec<(PrimitiveKind, Arc<Mesh>)>,
+    primitives: HashMap<PrimitiveKind, Arc<Mesh>, FixedState>,
     /// The results of file searches; see [`Env::files`].
     searches: BTreeMap<File, Rc<[Text]>>,
     /// The tables read so far, by file.
@@ -63,17 +65,19 @@ impl Env {
         }
     }
 
-    /// A primitive in the unit box. The first few are kept for the run. `None` when the limit of vertices is reached.
+    /// A primitive in the unit box. Small ones are kept for the run, and count for nothing; others count at each use. So the counts of a
+    /// template do not depend on what the run has made before. `None` when the limit of vertices is reached.
     pub(crate) fn primitive(&mut self, what: PrimitiveKind) -> Option<Arc<Mesh>> {
-        if let Some((_, mesh)) = self.kept.primitives.iter().find(|(made, _)| *made == what) {
-            return Some(mesh.clone());
-        }
-        if self.count_corners(what.corner_count()).is_break() {
+        let is_kept = what.corner_count() <= PRIMITIVE_KEPT.min(self.settings.limits.vertices);
+        if !is_kept && self.count_corners(what.corner_count()).is_break() {
             return None;
         }
+        if let Some(mesh) = self.kept.primitives.get(&what) {
+            return Some(mesh.clone());
+        }
         let mesh = Arc::new(what.mesh());
-        if self.kept.primitives.len() < PRIMITIVES_KEPT {
-            self.kept.primitives.push((what, mesh.clone()));
+        if is_kept {
+            self.kept.primitives.insert(what, mesh.clone());
         }
         Some(mesh)
     }

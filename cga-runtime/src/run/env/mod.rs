@@ -10,7 +10,7 @@ mod kept;
 mod memory;
 pub(crate) mod mesh_counts;
 mod recompose;
-mod records;
+pub(crate) mod records;
 mod trail;
 mod tree;
 mod uv_set;
@@ -29,7 +29,6 @@ use crate::run::shape_tree::builder::TreeBuilder;
 use crate::run::sink::LeafTables;
 use crate::shape::Shape;
 use crate::shape::street::Streets;
-use crate::value::Value;
 use crate::value::text::Text;
 
 use calls::FunctionCalls;
@@ -38,6 +37,7 @@ use faults::FaultList;
 use kept::KeptResults;
 use mesh_counts::MeshCounts;
 use recompose::Recompositions;
+use records::TapedReport;
 pub(crate) use trail::Trail;
 
 /// A share of the initial shape's largest extent below which shapes are not split further, and an upper limit of that
@@ -89,7 +89,7 @@ pub struct Env {
     pub(crate) error: Option<Error>,
     pub(crate) reports: Reports,
     /// The values that were reported while a template was recorded.
-    pub(crate) taped_reports: Vec<(Text, Value)>,
+    pub(crate) taped_reports: Vec<TapedReport>,
     pub(crate) prints: Prints,
     /// The tree of shapes, while it is recorded. Operands are not recorded.
     pub(crate) tree: Option<Box<TreeBuilder>>,

@@ -5,12 +5,20 @@ use crate::fault::FaultKind;
 use crate::value::Value;
 use crate::value::text::Text;
 
+/// A value that was reported while a template was recorded, with the rules that led there.
+#[derive(Clone, Debug)]
+pub(crate) struct TapedReport {
+    pub(crate) key: Text,
+    pub(crate) value: Value,
+    pub(crate) trail: Vec<u32>,
+}
+
 impl Env {
     /// Adds a value to the collection with a key.
     pub(crate) fn report(&mut self, key: Text, value: Value) {
         // A template reports it again and again.
         if self.measures_room() {
-            self.taped_reports.push((key, value));
+            self.taped_reports.push(TapedReport { key, value, trail: self.trail.clone() });
             return;
         }
         let limit = self.settings.limits.reports;

@@ -10,6 +10,7 @@ use crate::fixed_hash::FixedHasher;
 use crate::shape::ShapeRef;
 use crate::shape::base::Form;
 use crate::shape::look_id::LookId;
+use crate::shape::state::Trim;
 use crate::shape::unit::UnitMesh;
 
 /// The properties of a shape that determine its template, and the values that its rule reads.
@@ -23,6 +24,8 @@ pub(super) struct TemplateKey {
     look: LookId,
     /// The axes along which coordinates are constant. A move along another axis makes a shape with another base.
     constant: [bool; 3],
+    /// The switches of trim planes, which faces below the shape have.
+    trim: Trim,
     /// The axes of the shape, if they are read.
     pub(super) axes: Option<DMat3>,
     pub(super) reads: Box<[KeptRead]>,
@@ -37,6 +40,7 @@ impl TemplateKey {
             unit: part.unit.get(),
             look: part.look.get(),
             constant: part.base.constant(),
+            trim: part.base.shape.state.trim(),
             axes: slot.reads_axes.then_some(part.axes.matrix),
             reads: slot.reads.iter().map(Read::kept).collect(),
         }
@@ -47,6 +51,7 @@ impl TemplateKey {
             && self.size == part.size.get()
             && self.look == part.look.get()
             && self.constant == part.base.constant()
+            && self.trim == part.base.shape.state.trim()
             && self.form == part.form
             && self.unit.is(part.unit.get())
             && self.axes.as_ref().is_none_or(|axes| part.axes.is(axes))

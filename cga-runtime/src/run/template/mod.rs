@@ -33,14 +33,13 @@ use crate::geometry::Axis;
 use crate::geometry::each::Each;
 use crate::geometry::mesh::Bounds;
 use crate::run::env::mesh_counts::MeshCounts;
+use crate::run::env::records::TapedReport;
 use crate::run::sink::corners::{PlacedBox, four};
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
 use crate::shape::look_id::LookId;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Counter, ShapeRef};
-use crate::value::Value;
-use crate::value::text::Text;
 
 use key::TemplateKey;
 use mesh_leaf::MeshLeaf;
@@ -112,8 +111,8 @@ struct TemplateCounts {
 enum TemplateBreak<C> {
     Hole(Hole<C>),
     Leaf(MeshLeaf),
-    /// A value that is reported.
-    Report(Text, Value),
+    /// A value that is reported. Its trail begins at the repetition.
+    Report(TapedReport),
 }
 
 /// The leaves of a template that fill their scopes.

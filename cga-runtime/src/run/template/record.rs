@@ -17,6 +17,7 @@ use super::{
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
 use crate::run::context::Cx;
+use crate::run::env::records::TapedReport;
 use crate::run::settings::Repeats;
 use crate::run::sink::{Filled, Flow, Leaf, Sink};
 use crate::shape::ShapeRef;
@@ -24,8 +25,6 @@ use crate::shape::axes::Axes;
 use crate::shape::base::{Base, Form};
 use crate::shape::look_id::LookId;
 use crate::shape::seed::Seed;
-use crate::value::Value;
-use crate::value::text::Text;
 
 /// The number of the next template. Numbers distinguish the templates of all sessions, and are in no output.
 static NUMBER: AtomicU64 = AtomicU64::new(1);
@@ -231,7 +230,8 @@ impl<C: Clone> Cx<'_, C> {
         let shapes = self.env.shapes.saturating_sub(before.shapes);
         let meshes = self.env.state().meshes.since(before.meshes);
         let reach = self.env.reach.take();
-        let reports = std::mem::take(&mut self.env.taped_reports);
+        let mut reports = std::mem::take(&mut self.env.taped_reports);
+        reports.iter_mut().for_each(|report| drop(report.trail.drain(..trail)));
         let room = self.env.measured_room(checkpoint).saturating_sub(count);
         let is_ended = self.env.ended();
         let is_quiet = self.env.restore(before);
@@ -263,11 +263,11 @@ impl<C: Clone> Cx<'_, C> {
 fn in_order<C>(
     holes: Vec<Hole<C>>,
     others: Vec<(usize, MeshLeaf)>,
-    reports: Vec<(Text, Value)>,
+    reports: Vec<TapedReport>,
 ) -> Vec<(usize, TemplateBreak<C>)> {
     let (mut breaks, mut passed, mut reported) = (Vec::new(), 0, 0);
     let mut others = others.into_iter().map(|(at, leaf)| (at, TemplateBreak::Leaf(leaf)));
-    let mut reports = reports.into_iter().map(|(key, value)| TemplateBreak::Report(key, value));
+    let mut reports = reports.into_iter().map(TemplateBreak::Report);
     for hole in holes {
         breaks.extend(others.by_ref().take(hole.others - passed));
         // Calls report, too. The place among leaves does not matter.

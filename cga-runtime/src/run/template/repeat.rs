@@ -207,7 +207,12 @@ impl<C: Clone> Cx<'_, C> {
                     self.env.leaves += 1;
                     leaf.pass(self.sink, part.origin(), at)?;
                 }
-                Some((TemplateBreak::Report(key, value), _)) => self.env.report(key.clone(), value.clone()),
+                Some((TemplateBreak::Report(report), _)) => {
+                    let trail = self.env.trail.len();
+                    self.env.trail.extend_from_slice(&report.trail);
+                    self.env.report(report.key.clone(), report.value.clone());
+                    self.env.trail.truncate(trail);
+                }
                 None => {}
             }
         }
