@@ -20,7 +20,7 @@ impl Look {
     pub(crate) fn hash(&self) -> u64 {
         let mut hasher = FixedHasher::default();
         self.material.hash(&mut hasher);
-        hasher.write_u64(self.coordinates.sets().count() as u64);
+        self.coordinates.hash(&mut hasher);
         hasher.finish()
     }
 }

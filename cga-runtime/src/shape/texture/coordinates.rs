@@ -1,8 +1,11 @@
 //! The implicit texture coordinates of a shape.
 
+use std::hash::Hasher;
+
 use glam::{DAffine2, DAffine3, DMat3, DVec2, DVec3};
 
 use super::Projections;
+use crate::fixed_hash::FixedHasher;
 use crate::geometry::Axis;
 use crate::geometry::each::Each;
 use crate::geometry::tol::PLANAR_EPSILON;
@@ -81,6 +84,21 @@ impl Coordinates {
     #[inline]
     pub(crate) fn is_empty(&self) -> bool {
         self.sets.is_empty()
+    }
+
+    /// Adds the sets to a hash.
+    pub(crate) fn hash(&self, hasher: &mut FixedHasher) {
+        for SetEntry { set, source, change } in &self.sets {
+            hasher.write_u8(*set);
+            let mut numbers = |numbers: &[f64]| numbers.iter().for_each(|number| hasher.write_u64(number.to_bits()));
+            numbers(&change.to_cols_array());
+            match source {
+                UvSource::Deleted => {}
+                UvSource::Own(set) | UvSource::Stored(set) => numbers(&[f64::from(*set)]),
+                UvSource::Fixed(map) => [map.u, map.v].iter().for_each(|row| numbers(&row.to_array())),
+                UvSource::Cube(place) => numbers(&place.to_cols_array()),
+            }
+        }
     }
 
     /// Returns true if each side of a box has its own coordinates.
