@@ -16,7 +16,7 @@ pub struct Limits {
     /// The nesting of recursive rules.
     pub depth: u32,
     /// The vertices of meshes that operations make. A vertex counts once for each of its faces. Boxes and rectangles
-    /// count when they become meshes.
+    /// count when they become meshes. Primitives of at most 1,024 vertices are made once in a run and do not count.
     pub vertices: u64,
     /// Calls of rules that wait because recursion is too deep for the stack. Each holds a shape.
     pub waiting: u64,
