@@ -65,7 +65,7 @@ fn lots() -> Vec<Shape> {
 /// Passes the leaves of all shapes of a row to a sink.
 type Run<'a> = dyn Fn(&mut dyn Sink) + 'a;
 
-/// What a row runs.
+/// The name and the shapes of a row.
 struct Subject<'a> {
     name: String,
     run: Box<Run<'a>>,
@@ -145,7 +145,7 @@ fn table(title: &str, each: Each, subjects: &[Subject<'_>]) {
     table.print();
 }
 
-/// What a table compares.
+/// The unit in which a table compares its rows.
 #[derive(Clone, Copy)]
 enum Each {
     /// Rows with the same leaves.

@@ -53,14 +53,14 @@ pub struct RuleFacts {
     /// on the arguments, and on attributes and constants. Then these make no difference: the place in the world, the pivot, trim planes,
     /// the seed, the counters.
     pub rigid: bool,
-    /// What a template of the steps of the rule itself, without the rules that it calls, depends on besides the size of the shape, the
-    /// arguments, attributes and constants. `None` if it depends on too much.
+    /// The needs of a template of the steps of the rule itself, without the rules that it calls. `None` if they use so much that there can be
+    /// no template.
     pub own_template: Option<TemplateNeeds>,
     /// The attributes and constants that the steps of the rule itself read.
     pub own_reads: Reads,
 }
 
-/// What a template depends on besides the size of its shape, arguments, attributes and constants.
+/// Needs of a template, besides the size of its shape, arguments, attributes and constants.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct TemplateNeeds {
     /// True if it reads or makes more than rectangles and boxes.

@@ -105,7 +105,7 @@ pub struct Selector {
     pub on: SelectorPlaces,
     /// The directions, in the axes of the scope, of the components that it takes. Words of other axes have none.
     pub directions: Directions,
-    /// What it reads besides the geometry and the axes of the scope: nothing if it takes the same components of a shape in every place.
+    /// Its uses besides the geometry and the axes of the scope: none if it takes the same components of a shape in every place.
     pub uses: Uses,
     /// True for the rest of a face, which no other selector takes.
     pub is_rest: bool,

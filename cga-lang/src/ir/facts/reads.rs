@@ -52,7 +52,7 @@ impl FromIterator<Reads> for Reads {
 pub(super) struct Differing {
     /// The attributes and constants with an entry, in the order of the entries.
     listed: Vec<GlobalId>,
-    /// What reading each attribute or constant reads.
+    /// The set that a read of each attribute or constant belongs to.
     globals: Vec<Reads>,
     functions: Vec<Reads>,
 }
@@ -65,7 +65,7 @@ impl Facts {
         found
     }
 
-    /// What an expression without its parts reads.
+    /// The attributes and constants that an expression reads without its parts.
     pub(super) fn part_reads(&self, expr: &Expr) -> Reads {
         match &expr.kind {
             ExprKind::Global(id) => self.differing.globals[id.0 as usize],

@@ -110,7 +110,7 @@ fn hands_counters_on(step: &Step) -> bool {
     !matches!(step.kind, StepKind::Block(Block { parts: BlockParts::Slots(_), .. }))
 }
 
-/// What an operation with arms reads besides the geometry and the axes of the scope. `noAlign` gives parts the axes of the pivot, and a
+/// Uses of an operation with arms, besides the geometry and the axes of the scope. `noAlign` gives parts the axes of the pivot, and a
 /// condition asks about a whole shape.
 fn selected(block: &Block, arms: &[Arm<Target>]) -> Uses {
     if !block.is_plain() || block.row.uses.has(Uses::PLACE) {
@@ -125,7 +125,7 @@ fn selected(block: &Block, arms: &[Arm<Target>]) -> Uses {
     itself | arms.collect()
 }
 
-/// What a template depends on if its steps use that, if it can be made.
+/// The needs of a template whose steps have those uses. `None` if there can be no template.
 fn needs(uses: Uses) -> Option<TemplateNeeds> {
     let is_fixed = uses.but(Uses::COUNTERS.and(Uses::AXES)).is_rigid();
     is_fixed.then(|| TemplateNeeds { whole: uses.has(Uses::BODY), axes: uses.has(Uses::AXES) })

@@ -19,7 +19,7 @@ pub struct TemplateRoot {
     pub reads: Vec<GlobalId>,
     /// True if it also depends on values that other runs may not have.
     pub is_of_run: bool,
-    /// What else it depends on.
+    /// Its other needs.
     pub needs: TemplateNeeds,
 }
 
@@ -32,7 +32,7 @@ pub struct TemplateHoles {
     left_out: HashSet<RuleId>,
     /// By rule, the attributes and constants that a template of it reads.
     reads: Vec<Reads>,
-    /// By rule, what else a template of it depends on.
+    /// By rule, the other needs of a template of it.
     needs: Vec<TemplateNeeds>,
 }
 
