@@ -41,7 +41,7 @@ impl Env {
             return false;
         }
         self.checkpoint.shapes = self.checkpoint.shapes.min(most);
-        is_within
+        true
     }
 
     /// Counts a mesh besides its vertices.

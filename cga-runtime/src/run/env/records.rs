@@ -5,6 +5,9 @@ use crate::fault::FaultKind;
 use crate::value::Value;
 use crate::value::text::Text;
 
+/// The largest number of reports in a template.
+pub(crate) const MOST_TAPED: usize = 64;
+
 /// A value that was reported while a template was recorded, with the rules that led there.
 #[derive(Clone, Debug)]
 pub(crate) struct TapedReport {
@@ -18,7 +21,10 @@ impl Env {
     pub(crate) fn report(&mut self, key: Text, value: Value) {
         // A template reports it again and again.
         if self.measures_room() {
-            self.taped_reports.push(TapedReport { key, value, trail: self.trail.clone() });
+            // One more than the largest number tells that there are too many.
+            if self.taped_reports.len() <= MOST_TAPED {
+                self.taped_reports.push(TapedReport { key, value, trail: self.trail.clone() });
+            }
             return;
         }
         let limit = self.settings.limits.reports;

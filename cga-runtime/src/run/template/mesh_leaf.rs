@@ -41,6 +41,14 @@ impl MeshLeaf {
         }
     }
 
+    /// The number of corners of its mesh. An asset is kept anyway.
+    pub(super) fn corner_count(&self) -> usize {
+        match &self.geometry {
+            LeafGeometry::Mesh(mesh, _) => mesh.corners().len(),
+            LeafGeometry::Instance(..) | LeafGeometry::Placement => 0,
+        }
+    }
+
     /// Passes the leaf to a sink, for a repetition at `part`.
     pub(super) fn pass(&self, sink: &mut dyn Sink, part: DVec3, at: &TurnedBreak) -> Flow {
         let scope = Scope { origin: part + at.origin, axes: at.axes, size: self.scope.size };

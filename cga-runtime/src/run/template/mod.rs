@@ -50,8 +50,8 @@ pub(crate) use record::Tape;
 pub use replay::Replay;
 pub use slot::RepeatedSlot;
 
-/// The number of leaves and holes that a session keeps in templates, each turn of a template counted: about 30 MB. Beyond it the
-/// templates are made again.
+/// The number of leaves, holes and corners of meshes that a session keeps in templates, each turn of a template counted: about 30 MB. Beyond
+/// it the templates are made again.
 const KEPT: usize = 1 << 17;
 
 /// The number of axes for which a template is kept turned, the last new ones: four for buildings along the axes of
@@ -67,7 +67,7 @@ const MOST: usize = 64;
 pub(crate) struct Templates<C> {
     /// By the hash of their keys.
     entries: HashMap<u64, Vec<TemplateEntry<C>>, FixedState>,
-    /// The number of leaves and holes in them, and of entries.
+    /// The number of leaves, holes and corners of meshes in them, and of entries.
     kept: usize,
 }
 
@@ -106,7 +106,7 @@ struct TemplateCounts {
     meshes: MeshCounts,
 }
 
-/// What comes between two ranges of leaves that fill their scopes.
+/// A call, a leaf or a report between two ranges of leaves that fill their scopes.
 #[derive(Debug)]
 enum TemplateBreak<C> {
     Hole(Hole<C>),
@@ -248,11 +248,12 @@ impl<C> Templates<C> {
     }
 
     fn keep(&mut self, hash: u64, entry: TemplateEntry<C>) {
-        self.make_room(1 + entry.template.as_ref().map_or(0, |template| template.weight()));
+        let size = entry.template.as_ref().map_or(0, |template| template.corner_count() + 2 * template.len());
+        self.make_room(1 + size);
         self.entries.entry(hash).or_default().push(entry);
     }
 
-    /// Counts more leaves and holes.
+    /// Counts more of them.
     fn make_room(&mut self, more: usize) {
         self.kept += more;
         if KEPT < self.kept {
@@ -283,8 +284,17 @@ impl<C> TemplateEntry<C> {
 
 impl<C> Template<C> {
     /// The number of leaves and holes.
-    fn weight(&self) -> usize {
+    fn len(&self) -> usize {
         self.body.leaves.len() + self.breaks.len()
+    }
+
+    /// The number of corners of the meshes that it keeps.
+    fn corner_count(&self) -> usize {
+        let corners = |own: &TemplateBreak<C>| match own {
+            TemplateBreak::Leaf(leaf) => leaf.corner_count(),
+            TemplateBreak::Hole(_) | TemplateBreak::Report(_) => 0,
+        };
+        self.breaks.iter().map(corners).sum()
     }
 
     /// Turns the template to axes.

@@ -17,7 +17,7 @@ use super::{
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
 use crate::run::context::Cx;
-use crate::run::env::records::TapedReport;
+use crate::run::env::records::{MOST_TAPED, TapedReport};
 use crate::run::settings::Repeats;
 use crate::run::sink::{Filled, Flow, Leaf, Sink};
 use crate::shape::ShapeRef;
@@ -191,7 +191,7 @@ impl<C: Clone> Cx<'_, C> {
         found
     }
 
-    /// Derives a rule at the origin. An error if it makes anything but holes and leaves that fill their scopes.
+    /// Derives a rule at the origin. An error if it makes a fault, too many leaves, or a leaf that a template of the slot cannot hold.
     fn record(
         &mut self,
         slot: RepeatedSlot<'_>,
@@ -238,7 +238,7 @@ impl<C: Clone> Cx<'_, C> {
         if is_ended {
             return Err(Lost::Ended);
         }
-        if !is_complete || !is_quiet || MOST < reports.len() {
+        if !is_complete || !is_quiet || MOST_TAPED < reports.len() {
             return Err(Lost::Never);
         }
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);

@@ -161,7 +161,7 @@ impl<C: Clone> Cx<'_, C> {
             Some(entry) => {
                 let (template, turned, is_new) = entry.turned(part.axes)?;
                 if is_new {
-                    self.templates.make_room(template.weight());
+                    self.templates.make_room(template.len());
                 }
                 Some((template, turned))
             }
