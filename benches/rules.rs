@@ -1,8 +1,10 @@
 //! Rules as people write them: arguments, attributes with chance, colours that are drawn, beside the same rules with constants, and the
 //! scenes of the gallery.
 //!
-//! `cargo bench --bench rules`. A town of 100 houses; the columns are the share of leaves that are replayed together, and the time of a
-//! leaf without output, in buffers, and relative to the first row of the table.
+//! `cargo bench --bench rules`; words after `--` choose rows by parts of their names, as in `-- bridge temple`.
+//!
+//! A town of 100 houses; the columns are the share of leaves that are replayed together, and the time of a leaf without output, in
+//! buffers, and relative to the first row of the table.
 
 mod common;
 #[path = "rules/houses.rs"]
@@ -112,7 +114,11 @@ fn table(title: &str, each: Each, subjects: &[Subject<'_>]) {
     let columns = ["rules", "templates, %", "no output, ns a leaf", "buffers, ns a leaf", "new buffers", last];
     let mut table = Table::new(title, &columns);
     let mut first = None;
+    let wanted: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
     for Subject { name, run } in subjects {
+        if !wanted.is_empty() && !wanted.iter().any(|word| name.contains(word.as_str())) {
+            continue;
+        }
         let mut counts = Counts::default();
         run(&mut counts);
         let leaves = counts.replayed + counts.others;

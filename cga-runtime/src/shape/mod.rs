@@ -227,7 +227,7 @@ impl Shape {
     /// The same mesh with its own texture coordinates. The implicit ones stay with the shape, so this is the mesh for
     /// geometry whose shape keeps them.
     pub(crate) fn own_mesh(&self) -> Arc<Mesh> {
-        self.in_scope(|mesh, _| mesh.clone())
+        self.in_scope(|mesh, _| self.without_hidden_sets(mesh))
     }
 
     /// A mesh in scope coordinates, with the texture coordinates that `textured` gives it before it is stretched.

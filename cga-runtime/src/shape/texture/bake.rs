@@ -41,6 +41,17 @@ impl Shape {
         Arc::new(with_sets(mesh, &place, coordinates, self.state.projections()))
     }
 
+    /// The mesh without the sets that a rule has deleted or replaced, so that its faces may be rectangles and nothing carries the sets on.
+    pub(crate) fn without_hidden_sets(&self, mesh: &Arc<Mesh>) -> Arc<Mesh> {
+        let coordinates = self.state.coordinates();
+        if coordinates.is_empty() || mesh.uv_numbers().all(|set| !coordinates.hides(set as u8)) {
+            return mesh.clone();
+        }
+        let mut bare = Mesh::clone(mesh);
+        mesh.uv_numbers().filter(|&set| coordinates.hides(set as u8)).for_each(|set| bare.put_uv_set(set, Vec::new()));
+        Arc::new(bare)
+    }
+
     /// Replaces the mesh by one with the same points. Geometry without a mesh stays.
     pub(crate) fn change_mesh(&mut self, change: impl FnOnce(&Mesh) -> Mesh) {
         if let Geometry::Mesh(placed) = &self.geometry {

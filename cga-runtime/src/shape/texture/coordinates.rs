@@ -124,6 +124,11 @@ impl Coordinates {
         self.sets.iter().map(|entry| entry.set)
     }
 
+    /// Returns true if no coordinates come from that set of the mesh.
+    pub(crate) fn hides(&self, set: u8) -> bool {
+        self.sets.iter().any(|entry| entry.set == set) && self.sets.iter().all(|entry| entry.source != UvSource::Own(set))
+    }
+
     /// Sets the source of a set.
     pub(crate) fn set(&mut self, set: u8, source: UvSource) {
         self.put(SetEntry { set, source, change: DAffine2::IDENTITY });
