@@ -128,7 +128,7 @@ fn unadjusted_scopes_tile_the_parent() {
         let model = run("Grid", &lot);
         assert_eq!(model.len(), 16);
         for column in model.leaves().collect::<Vec<_>>().chunks(4) {
-            let mut parent = *column[0].scope();
+            let mut parent = column[0].scope();
             parent.size.z = lot.scope().size.z;
             tiles(column.iter().copied(), &parent, Axis::Z);
         }
@@ -149,7 +149,7 @@ const BORDERS: [(f64, [f64; 4]); 5] = [
 fn twenty_five_parts_of_disconnected_outlines() {
     let settings = Settings::default();
     let whole = scope_of_shapes::EXAMPLE.model(&settings);
-    let parent = *whole.leaves_of("Pink").next().expect("the scope").scope();
+    let parent = whole.leaves_of("Pink").next().expect("the scope").scope();
     let area = whole.leaves_of("Geometry").map(|leaf| leaf.area()).sum::<f64>();
     for example in [adjusted::EXAMPLE, not_adjusted::EXAMPLE] {
         let model = example.model(&settings);
@@ -175,10 +175,10 @@ fn columns_of_parts_without_adjusting() {
     let settings = Settings::default();
     let model = not_adjusted::EXAMPLE.model(&settings);
     let whole = scope_of_shapes::EXAMPLE.model(&settings);
-    let parent = *whole.leaves_of("Pink").next().expect("the scope").scope();
+    let parent = whole.leaves_of("Pink").next().expect("the scope").scope();
     let leaves: Vec<_> = model.leaves_of("Geometry").collect();
     for column in leaves.chunks(5) {
-        let mut frame = *column[0].scope();
+        let mut frame = column[0].scope();
         frame.size.z = parent.size.z;
         tiles(column.iter().copied(), &frame, Axis::Z);
     }

@@ -131,7 +131,7 @@ fn copies_go_along_the_axes_of_the_world_or_of_the_object() {
 
 #[test]
 fn an_orientation_can_be_set() {
-    let scope = *run("Init", &Shape::rectangle(8.0, 6.0)).leaves().next().unwrap().scope();
+    let scope = run("Init", &Shape::rectangle(8.0, 6.0)).leaves().next().unwrap().scope();
     assert!(near(scope.axes.x_axis, [0.0, 0.0, -1.0]) && near(scope.axes.y_axis, [0.0, 1.0, 0.0]));
     assert!(near(scope.origin, [1.6, 0.0, 1.8]) && near(scope.size, [4.0, 10.0, 3.0]));
 }

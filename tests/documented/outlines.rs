@@ -148,7 +148,7 @@ fn run(rules: &Areas, case: &str, lot: &Shape) -> Model {
 #[track_caller]
 fn check(name: &str, lot: &Shape, rules: &Areas) {
     let whole = run(rules, "Whole", lot);
-    let parent = *whole.leaves().next().expect("the lot").scope();
+    let parent = whole.leaves().next().expect("the lot").scope();
     let extent = parent.size.length();
     for (case, axis, shares) in CASES {
         let model = run(rules, case, lot);

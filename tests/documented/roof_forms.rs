@@ -87,7 +87,7 @@ fn arguments_that_are_left_out_have_their_defaults() {
 fn the_scope_of_a_roof_stands_on_the_face() {
     let normal = DVec3::new(0.0, 0.8, 0.6);
     let model = form(Forms::default(), "Hip", &slope());
-    let scope = *model.leaves().next().expect("a roof").scope();
+    let scope = model.leaves().next().expect("a roof").scope();
     let near = |a: DVec3, b: DVec3| assert!((a - b).length() < 1e-9, "{a} {b}");
     near(scope.axes.y_axis, normal);
     near(scope.axes.x_axis, DVec3::X);
@@ -96,7 +96,7 @@ fn the_scope_of_a_roof_stands_on_the_face() {
     // The corner with the smallest coordinates: at the back, on the left, at the bottom.
     near(scope.origin, DVec3::new(0.0, 6.0, -8.0));
     let turned = form(Forms::default(), "Turned", &slope());
-    let scope = *turned.leaves().next().expect("a roof").scope();
+    let scope = turned.leaves().next().expect("a roof").scope();
     let x = DVec3::new(0.75f64.sqrt(), 0.0, -0.5);
     near(scope.axes.x_axis, (x - normal * x.dot(normal)).normalize());
     near(scope.axes.y_axis, normal);
@@ -112,7 +112,7 @@ fn a_height_is_that_of_the_highest_point() {
             let bounds = model.bounds();
             assert!((bounds.high.y - 4.0).abs() < 1e-9 && bounds.low.y < -0.1, "{rule} {bounds:?}");
             // The scope begins where the overhang ends.
-            let scope = *model.leaves().next().expect("a roof").scope();
+            let scope = model.leaves().next().expect("a roof").scope();
             assert!((scope.origin - bounds.low).length() < 1e-9 && (scope.size - bounds.size()).length() < 1e-9);
         }
     }

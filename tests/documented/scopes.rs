@@ -188,7 +188,7 @@ fn a_cube_on_a_flat_lot() {
 #[test]
 fn moving_goes_along_the_scope_that_was_turned() {
     let model = run("Moved", &Shape::cuboid(1.0, 1.0, 1.0));
-    let scope = *model.leaves().next().unwrap().scope();
+    let scope = model.leaves().next().unwrap().scope();
     let (sin, cos) = (libm::sin(30f64.to_radians()), libm::cos(30f64.to_radians()));
     assert!((scope.axes.x_axis - scope.axes.x_axis.with_x(cos).with_y(0.0).with_z(-sin)).length() < 1e-12);
     let expected = [2.0 + 2.0 * cos, 0.0, -2.0 * sin];

@@ -25,7 +25,7 @@ pub fn with_scopes(model: &Model, width: f64) -> Model {
             let [from, to, next] = [0, 1, 2].map(|step| corners[(at + step) % 4]);
             let inwards = (next - to).normalize_or_zero() * width;
             let strip = Quad::new(from + lift, to - from, inwards);
-            let scope = Scope { origin: strip.origin, ..*leaf.scope() };
+            let scope = Scope { origin: strip.origin, ..leaf.scope() };
             let _ = out.quad(&Leaf::new("Edge", &material, &scope), &strip);
         }
     }

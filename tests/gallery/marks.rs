@@ -30,9 +30,9 @@ pub fn marked(model: &Model, example: &Example) -> Model {
             Mark::InitialScope => pen.scope(start.scope()),
             Mark::AlongX => pen.along_x(start.scope()),
             Mark::InitialPivot => pen.pivot(start.pivot()),
-            Mark::Scopes(rule) => model.leaves_of(rule).for_each(|leaf| pen.scope(leaf.scope())),
-            Mark::Scope(rule, at) => model.leaves_of(rule).skip(at).take(1).for_each(|leaf| pen.scope(leaf.scope())),
-            Mark::Boxes(rule) => model.leaves_of(rule).for_each(|leaf| pen.edges(leaf.scope())),
+            Mark::Scopes(rule) => model.leaves_of(rule).for_each(|leaf| pen.scope(&leaf.scope())),
+            Mark::Scope(rule, at) => model.leaves_of(rule).skip(at).take(1).for_each(|leaf| pen.scope(&leaf.scope())),
+            Mark::Boxes(rule) => model.leaves_of(rule).for_each(|leaf| pen.edges(&leaf.scope())),
             Mark::Pivots(rule) => model.leaves_of(rule).for_each(|leaf| pen.pivot(&first_corner(&leaf))),
             Mark::FromAbove => {}
         }

@@ -95,7 +95,7 @@ fn outlined(model: &Model, width: f64) -> Model {
             for (from, to) in points.iter().zip(points.iter().cycle().skip(1)) {
                 let (along, lift) = (*to - *from, normal * width);
                 let strip = Quad::new(*from + 0.2 * lift, along, normal.cross(along.normalize_or_zero()) * width);
-                let scope = Scope { origin: strip.origin, ..*leaf.scope() };
+                let scope = Scope { origin: strip.origin, ..leaf.scope() };
                 let _ = out.quad(&Leaf::new("Edge", &material, &scope), &strip);
             }
         }

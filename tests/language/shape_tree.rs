@@ -57,7 +57,7 @@ fn check(model: &Model) {
             let node = tree.of_leaf(leaf).expect("a node");
             assert_eq!((node.rule(), node.leaf()), (view.rule(), Some(leaf)));
             assert_eq!(view.node().map(|node| node.key()), Some(node.key()));
-            assert!(is_near(node.scope(), view.scope()), "{:?} {:?}", node.scope(), view.scope());
+            assert!(is_near(node.scope(), &view.scope()), "{:?} {:?}", node.scope(), view.scope());
         }
     }
 }

@@ -171,7 +171,7 @@ fn leaf(a: &LeafView<'_>, b: &LeafView<'_>, tolerance: Tolerance) -> Difference 
     let ((mesh, placement), (other, place)) = (a.mesh(), b.mesh());
     same("the rule", a.rule(), b.rule())
         .or_else(|| tolerance.materials(&format!("{:?}", a.material()), &format!("{:?}", b.material())))
-        .or_else(|| scope(a.scope(), b.scope(), tolerance))
+        .or_else(|| scope(&a.scope(), &b.scope(), tolerance))
         .or_else(|| faces(&mesh, &other, tolerance))
         .or_else(|| {
             let world = |(a, b): (&cga::glam::DVec3, &cga::glam::DVec3)| {

@@ -127,7 +127,7 @@ fn tree(case: &Case<'_>) -> (Option<String>, Option<Outcome>) {
             let is_same = (node.rule(), node.leaf()) == (leaf.rule(), Some(at));
             let name = (!is_same).then(|| format!("the node of leaf {at} is {} {:?}", node.rule(), node.leaf()));
             name.or_else(|| {
-                scope(node.scope(), leaf.scope(), case.tolerance()).map(|text| format!("leaf {at}: {text}"))
+                scope(node.scope(), &leaf.scope(), case.tolerance()).map(|text| format!("leaf {at}: {text}"))
             })
         })
     });

@@ -92,7 +92,7 @@ fn alignment_to_the_first_edge_changes_nothing() {
     for mesh in [faces(&[&turned_outline()]), ramp(), solid] {
         let (shape, other) = (Shape::mesh(mesh.clone()), Shape::mesh_axis_aligned(mesh));
         let (plain, aligned, turned) = (run("Lot", &shape), run("Aligned", &shape), run("Aligned", &other));
-        let scope = |model: &Model| *model.leaves().next().expect("a leaf").scope();
+        let scope = |model: &Model| model.leaves().next().expect("a leaf").scope();
         for model in [&aligned, &turned] {
             let (a, b) = (scope(&plain), scope(model));
             assert!(a.axes.abs_diff_eq(b.axes, 1e-9), "{} and {}", a.axes, b.axes);

@@ -1,26 +1,31 @@
 //! Triangle meshes for engines and renderers: separate lists of positions, normals, tangents and texture coordinates.
 
 use std::collections::HashMap;
+use std::convert::Infallible;
 use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 
 use glam::{DAffine3, DVec2, DVec3, Vec2};
 
 use super::flatten::Flattener;
+use super::leaf_numbers::Numbers;
 use super::model::Model;
 use super::near_origin::near_origin;
 use super::normals;
+use super::packed::PackedFaces;
 use super::placed_assets::AssetList;
 use super::sink_table::SinkTable;
 use super::tangents::tangents;
-use super::triangles::Triangles;
+use crate::fixed_hash::FixedState;
+use crate::geometry::Axis;
 use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::uv_map;
 use crate::material::layer::{self, Placement, SetMask};
 use crate::material::{Layer, Material};
 use crate::run::sink::corners::{PlacedBox, four};
-use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
+use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
+use crate::shape::base::Form;
 
 /// The division of a model into meshes. A mesh always has one material.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -155,7 +160,7 @@ struct MeshBuild {
     building: Option<usize>,
     material: u32,
     sets: SetMask,
-    triangles: Triangles,
+    faces: PackedFaces,
     uvs: [Vec<[f32; 2]>; 10],
     leaves: Vec<MeshLeaf>,
     places: Vec<DAffine3>,
@@ -166,10 +171,10 @@ struct MeshBuild {
 struct MeshSink {
     granularity: Granularity,
     origin: DVec3,
-    table: SinkTable,
+    numbers: Numbers,
     list: Vec<MeshBuild>,
     /// Only for look-ups, never iterated.
-    by_key: HashMap<MeshKey, usize>,
+    by_key: HashMap<MeshKey, usize, FixedState>,
     assets: AssetList<usize>,
     flattener: Flattener,
     /// The number of leaves so far.
@@ -198,7 +203,7 @@ impl MeshSink {
         });
         let build = &mut self.list[index];
         if build.leaves.last().is_none_or(|last| last.leaf != leaf) {
-            let start = build.triangles.indices.len();
+            let start = build.faces.index_count();
             build.leaves.push(MeshLeaf { leaf, indices: start..start });
         }
         build
@@ -209,9 +214,9 @@ impl MeshSink {
         let sets = SetMask::of(|set| !mesh.uv_set(set).is_empty());
         let (mut flattener, origin) = (std::mem::take(&mut self.flattener), self.origin);
         flattener.faces(mesh, placement, |face| {
-            let shown = face.material(&mut self.table, material);
+            let shown = face.material(&mut self.numbers.table, material);
             let build = self.build(rule, shown, sets, leaf);
-            build.triangles.face(&face, origin, face.corners.clone(), face.triangles);
+            build.faces.face(&face, origin);
             for set in sets.sets() {
                 build.uvs[set].extend(face.uvs(set).iter().map(|uv| uv.as_vec2().to_array()));
             }
@@ -238,12 +243,12 @@ impl MeshSink {
                 |a: usize, b: usize| !by_building || building_of(&buildings, a) == building_of(&buildings, b);
             for own in own.chunk_by(|a, b| is_together(a.1, b.1)) {
                 // Built in the mesh's own coordinates, apart from the others.
-                let (table, granularity) = (std::mem::take(&mut self.table), self.granularity);
-                let mut local = MeshSink { granularity, table, buildings: buildings.clone(), ..MeshSink::default() };
+                let (numbers, granularity) = (std::mem::take(&mut self.numbers), self.granularity);
+                let mut local = MeshSink { granularity, numbers, buildings: buildings.clone(), ..MeshSink::default() };
                 local.add(rule, material, &asset.mesh, &DAffine3::IDENTITY, own[0].1);
-                self.table = local.table;
+                self.numbers = local.numbers;
                 for mut build in local.list {
-                    let whole = 0..build.triangles.indices.len();
+                    let whole = 0..build.faces.index_count();
                     let leaf = |leaf: usize| MeshLeaf { leaf, indices: whole.clone() };
                     let is_of_one = own.iter().all(|(_, leaf)| building_of(&buildings, *leaf) == build.building);
                     build.building = build.building.filter(|_| is_of_one);
@@ -254,16 +259,16 @@ impl MeshSink {
                 }
             }
         }
-        let MeshSink { list, table, origin, .. } = self;
-        let all = list.into_iter().chain(shared).filter(|build| !build.triangles.indices.items().is_empty());
-        Meshes { origin, list: all.map(|build| build.into_mesh(&table)).collect() }
+        let MeshSink { list, numbers, origin, .. } = self;
+        let all = list.into_iter().chain(shared).filter(|build| build.faces.index_count() != 0);
+        Meshes { origin, list: all.map(|build| build.into_mesh(&numbers.table)).collect() }
     }
 }
 
 impl MeshBuild {
     /// Ends the triangles of the last leaf.
     fn end(&mut self) {
-        let end = self.triangles.indices.len();
+        let end = self.faces.index_count();
         if let Some(last) = self.leaves.last_mut() {
             last.indices.end = end;
         }
@@ -279,7 +284,6 @@ impl MeshBuild {
     }
 
     fn into_mesh(self, table: &SinkTable) -> TriangleMesh {
-        let (vertices, indices) = (self.triangles.vertices.items(), self.triangles.indices.items());
         let material = table.materials()[self.material as usize].clone();
         let set = layer::set(Layer::Normal, self.sets).filter(|_| layer::image(&material, Layer::Normal).is_some());
         let tangents = set.map_or_else(Vec::new, |set| {
@@ -288,16 +292,18 @@ impl MeshBuild {
                 let [u, v] = uvs[at].each(f64::from);
                 map.at(DVec2::new(u, v)).as_vec2()
             };
-            tangents(vertices, indices, uv)
+            let triangles = self.faces.triangles();
+            tangents(triangles.vertices.items(), triangles.indices.items(), uv)
         });
+        let (vertices, indices) = (self.faces.vertex_count(), self.faces.index_count());
         TriangleMesh {
             rule: self.rule.map(|rule| table.rules()[rule as usize]),
             building: self.building,
             material,
-            positions: vertices.iter().map(|&[x, y, z, ..]| [x, y, z]).collect(),
-            normals: vertices.iter().map(|&[.., x, y, z]| [x, y, z]).collect(),
+            positions: gathered(vertices, |add| self.faces.positions(add)),
+            normals: gathered(vertices, |add| self.faces.normals(add)),
             tangents,
-            indices: indices.to_vec(),
+            indices: gathered(indices, |add| self.faces.indices(add)),
             uvs: self.uvs,
             leaves: self.leaves,
             places: self.places,
@@ -305,35 +311,73 @@ impl MeshBuild {
     }
 }
 
+/// A list of `count` items that `each` passes on, many at once.
+fn gathered<T: Copy>(
+    count: usize,
+    each: impl FnOnce(&mut dyn FnMut(&[T]) -> Result<(), Infallible>) -> Result<(), Infallible>,
+) -> Vec<T> {
+    let mut list = Vec::with_capacity(count);
+    let Ok(()) = each(&mut |items| {
+        list.extend_from_slice(items);
+        Ok(())
+    });
+    list
+}
+
 impl Sink for MeshSink {
+    fn begin(&mut self) {
+        self.numbers.begin();
+    }
+
+    fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+        let shape = leaf.shape;
+        let is_box = match shape.form {
+            Form::Rect(Axis::Z) => false,
+            Form::Box => true,
+            Form::Rect(_) | Form::Empty | Form::Other => return leaf.pass_to(self),
+        };
+        if !leaf.uvs().is_empty() {
+            return leaf.pass_to(self);
+        }
+        let ((rule, material), number) = (self.numbers.filled(leaf), self.next());
+        let placed = PlacedBox::of(shape).moved(-four(self.origin));
+        let build = self.build(rule, material, SetMask::default(), number);
+        match is_box {
+            true => build.faces.cuboid(&placed, shape.unit.get(), &shape.axes.normals),
+            false => build.faces.quad(&placed, shape.axes.normals[0]),
+        }
+        build.end();
+        ControlFlow::Continue(())
+    }
+
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
-        let (rule, material, number) = (self.table.rule(leaf.rule), self.table.material(leaf.material), self.next());
+        let ((rule, material), number) = (self.numbers.leaf(leaf), self.next());
         let placed = PlacedBox::from(quad).moved(-four(self.origin));
         let build = self.build(rule, material, sets(leaf), number);
-        build.triangles.quad(placed, normals::of_quad(leaf, quad));
+        build.faces.quad(&placed, normals::of_quad(leaf, quad));
         build.uvs(leaf, quad.corners().into_iter());
         build.end();
         ControlFlow::Continue(())
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
-        let (rule, material, number) = (self.table.rule(leaf.rule), self.table.material(leaf.material), self.next());
+        let ((rule, material), number) = (self.numbers.leaf(leaf), self.next());
         let placed = PlacedBox::from(cuboid).moved(-four(self.origin));
         let build = self.build(rule, material, sets(leaf), number);
-        build.triangles.cuboid(&placed, cuboid.unit, &normals::of_cuboid(leaf, cuboid));
+        build.faces.cuboid(&placed, cuboid.unit, &normals::of_cuboid(leaf, cuboid));
         build.uvs(leaf, cuboid.face_corners());
         build.end();
         ControlFlow::Continue(())
     }
 
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
-        let (rule, material, number) = (self.table.rule(leaf.rule), self.table.material(leaf.material), self.next());
+        let ((rule, material), number) = (self.numbers.leaf(leaf), self.next());
         self.add(rule, material, mesh, placement, number);
         ControlFlow::Continue(())
     }
 
     fn instance(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
-        let (rule, material, number) = (self.table.rule(leaf.rule), self.table.material(leaf.material), self.next());
+        let ((rule, material), number) = (self.numbers.leaf(leaf), self.next());
         self.assets.add(mesh, rule, material, (*placement, number));
         ControlFlow::Continue(())
     }

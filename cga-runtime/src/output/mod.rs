@@ -17,6 +17,7 @@ mod normals;
 pub(crate) mod number_text;
 pub mod obj;
 pub(crate) mod order;
+mod packed;
 pub mod picture;
 mod placed_assets;
 mod room;

@@ -137,7 +137,7 @@ pub(crate) fn run<R: Rules>(
 fn env<R: Rules>(settings: &Settings, shape: &Shape, start: Start) -> Env {
     let mut env = Env::new(settings, R::NAMES, shape, start.name);
     env.tags_edges = R::TAGS;
-    env.leaf_tables.names = R::LEAVES;
+    env.leaf_tables.names = R::LEAVES.into();
     env
 }
 

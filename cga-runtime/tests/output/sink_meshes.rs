@@ -25,7 +25,7 @@ fn area(mesh: &TriangleMesh, indices: &[u32], place: &DAffine3) -> f64 {
 fn with_placements(model: &Model) -> Model {
     let mut all = Model::new();
     for leaf in model {
-        assert!(all.placement(&Leaf::new("Lamp", leaf.material(), leaf.scope())).is_continue());
+        assert!(all.placement(&Leaf::new("Lamp", leaf.material(), &leaf.scope())).is_continue());
         assert!(leaf.replay(&mut all).is_continue());
     }
     all

@@ -42,7 +42,7 @@ fn geometry_that_fills_a_turned_scope_is_exact() {
     assert!(model.quad(&leaf, &quad).is_continue());
     let view = model.leaves().next().expect("one leaf");
     assert!(matches!(view.geometry(), Geometry::Quad(same) if same == quad));
-    assert_eq!((view.scope(), view.rule()), (&scope, "Q"));
+    assert_eq!((view.scope(), view.rule()), (scope, "Q"));
 }
 
 #[test]

@@ -72,7 +72,7 @@ fn a_part_has_its_slot_as_scope_and_the_pivot_of_the_whole() {
     assert_eq!(scopes(&model), [("A", [1.0; 3], [2.0, 3.0, 2.0]), ("B", [3.0, 1.0, 1.0], [3.0, 3.0, 2.0])]);
     // Turned by 90 degrees about the corner, one along the new x axis, and cut along the new z axis.
     let model = run("Turned", &Shape::cuboid(5.0, 3.0, 2.0));
-    let [a, b] = [0, 1].map(|at| *model.leaves().nth(at).unwrap().scope());
+    let [a, b] = [0, 1].map(|at| model.leaves().nth(at).unwrap().scope());
     let near = |a: DVec3, b: [f64; 3]| (a - DVec3::from_array(b)).length() < 1e-12;
     assert!(near(a.origin, [0.0, 0.0, -1.0]) && near(b.origin, [1.0, 0.0, -1.0]), "{a:?} {b:?}");
     assert!(near(b.axes.x_axis, [0.0, 0.0, -1.0]) && a.size == DVec3::new(5.0, 3.0, 1.0), "{a:?} {b:?}");

@@ -56,7 +56,7 @@ impl Primitive {
     fn submesh(&mut self, buffers: &Buffers, submesh: &Submesh, owner: Owner, moved: DVec3) {
         self.begin(owner);
         let vertices = &buffers.vertices()[submesh.vertices.clone()];
-        let (start, first) = (self.vertices().len() as u32, submesh.vertices.start as u32);
+        let first = submesh.vertices.start as u32;
         let to_file = |vertex: &Vertex| match (*vertex, moved) {
             (vertex, DVec3::ZERO) => vertex,
             ([x, y, z, u, v, w], moved) => {
@@ -64,14 +64,12 @@ impl Primitive {
                 [x, y, z, u, v, w]
             }
         };
-        self.triangles.vertices.extend(vertices.iter().map(to_file));
+        let indices = buffers.indices()[submesh.indices.clone()].iter().map(|index| index - first);
+        self.faces.extend(vertices.iter().map(to_file), indices);
         for (set, list) in self.sets.sets().zip(&mut self.uvs) {
             // The v axis of glTF points down.
             list.extend(buffers.uv_set(set)[submesh.vertices.clone()].iter().map(|&[u, v]| [u, 1.0 - v]));
         }
-        self.triangles
-            .indices
-            .extend(buffers.indices()[submesh.indices.clone()].iter().map(|index| index - first + start));
     }
 }
 

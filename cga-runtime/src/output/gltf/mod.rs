@@ -388,7 +388,7 @@ impl Sink for Glb {
             let leaves = leaf..leaf + mark.leaves;
             leaf = leaves.end;
             let owner = self.owner(rule);
-            self.plain(material).repeat(owner, replay, leaves, mark.corners / 4, origin);
+            self.plain(material).repeat(owner, replay, leaves, origin);
         }
         self.add(replay.corner_count(), replay.corner_count() / 4 * 6, 0)
     }

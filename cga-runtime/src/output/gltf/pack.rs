@@ -3,8 +3,6 @@
 use std::fmt::Write as _;
 use std::io;
 
-use glam::{Vec3, Vec4};
-
 use super::binary::BinaryChunk;
 use super::container::Container;
 use super::images::Images;
@@ -17,9 +15,9 @@ use super::textures::LookTexture;
 use super::words::Words;
 use super::{Glb, check_size};
 use crate::geometry::each::Each;
-use crate::output::buffers::Vertex;
 use crate::output::error::WriteError;
 use crate::output::number_text::list;
+use crate::output::packed::PackedFaces;
 
 /// The component types of the format.
 const U32: u32 = 5125;
@@ -69,7 +67,7 @@ pub(super) fn pack<'a>(glb: &'a Glb, meshes: &'a [SceneMesh]) -> Result<Containe
             binary.stream(
                 &TANGENT,
                 &[primitive],
-                |p: &Primitive| p.vertices().len(),
+                |p: &Primitive| p.faces.vertex_count(),
                 &[],
                 move |p, to| p.write_tangents(&space, to),
             )
@@ -178,13 +176,13 @@ impl<'a> BinaryChunk<'a> {
         if primitives.is_empty() {
             return Ok(Vec::new());
         }
-        let ranges = primitives.iter().map(|p| extremes(p.vertices())).collect::<Result<Vec<_>, _>>()?;
+        let ranges = primitives.iter().map(|p| extremes(&p.faces)).collect::<Result<Vec<_>, _>>()?;
         let lists: Vec<&Vec<[f32; 2]>> = primitives.iter().flat_map(|p| &p.uvs).collect();
         if !lists.iter().all(|list| list.as_flattened().iter().all(|number| number.is_finite())) {
             return Err(WriteError::NotFinite);
         }
-        let indices = self.stream(&INDEX, primitives, |p| p.indices().len(), &[], Primitive::write_indices);
-        let vertices = |p: &Primitive| p.vertices().len();
+        let indices = self.stream(&INDEX, primitives, |p| p.faces.index_count(), &[], Primitive::write_indices);
+        let vertices = |p: &Primitive| p.faces.vertex_count();
         let position = self.stream(&POINT, primitives, vertices, &ranges, Primitive::write_positions);
         let normal = self.stream(&POINT, primitives, vertices, &[], Primitive::write_normals);
         let rule = has_rules.then(|| self.stream(&FEATURE, primitives, vertices, &[], Primitive::write_rules));
@@ -206,10 +204,10 @@ impl<'a> BinaryChunk<'a> {
     fn buildings(&mut self, primitives: &[&'a Primitive], count: usize) -> usize {
         let first = self.accessors.len();
         if 1 < count {
-            return self.stream(&FEATURE, primitives, |p| p.vertices().len(), &[], Primitive::write_buildings);
+            return self.stream(&FEATURE, primitives, |p| p.faces.vertex_count(), &[], Primitive::write_buildings);
         }
         let accessors = primitives.iter().map(|primitive| {
-            let count = primitive.vertices().len();
+            let count = primitive.faces.vertex_count();
             format!("{{\"componentType\":{F32},\"count\":{count},\"type\":\"SCALAR\"}}")
         });
         self.accessors.extend(accessors);
@@ -285,39 +283,7 @@ impl<'a> BinaryChunk<'a> {
 }
 
 /// The members `min` and `max`. All digits of the `f32`s are written, as readers compare.
-fn extremes(vertices: &[Vertex]) -> Result<String, WriteError> {
-    let (low, high) = bounds(vertices).ok_or(WriteError::NotFinite)?;
+fn extremes(faces: &PackedFaces) -> Result<String, WriteError> {
+    let (low, high) = faces.bounds().ok_or(WriteError::NotFinite)?;
     Ok(format!(",\"min\":[{}],\"max\":[{}]", list(&low.as_dvec3().to_array()), list(&high.as_dvec3().to_array())))
-}
-
-/// The least and the largest coordinates, if all are finite.
-fn bounds(vertices: &[Vertex]) -> Option<(Vec3, Vec3)> {
-    let (mut low, mut high) = (Vec4::INFINITY, Vec4::NEG_INFINITY);
-    // Coordinates that are not finite make the sum NaN.
-    let mut zero = Vec4::ZERO;
-    for vertex in vertices {
-        // The fourth number belongs to the normal.
-        let point = Vec4::from_slice(vertex);
-        low = low.min(point);
-        high = high.max(point);
-        zero += point * 0.0;
-    }
-    (zero.truncate() == Vec3::ZERO).then(|| (low.truncate(), high.truncate()))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn bounds_are_those_of_all_positions_and_finite() {
-        let mut vertices: Vec<Vertex> = (0..11).map(|i| [i as f32, -(i as f32), 0.5, 0.0, 0.0, 1.0]).collect();
-        assert_eq!(bounds(&vertices), Some((Vec3::new(0.0, -10.0, 0.5), Vec3::new(10.0, 0.0, 0.5))));
-        for (at, odd) in [(0, f32::NAN), (10, f32::NAN), (3, f32::INFINITY), (9, f32::NEG_INFINITY)] {
-            let kept = std::mem::replace(&mut vertices[at][1], odd);
-            assert_eq!(bounds(&vertices), None);
-            vertices[at][1] = kept;
-        }
-        assert_eq!(bounds(&vertices[..2]), Some((Vec3::new(0.0, -1.0, 0.5), Vec3::new(1.0, 0.0, 0.5))));
-    }
 }

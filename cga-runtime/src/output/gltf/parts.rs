@@ -65,7 +65,10 @@ impl Glb {
         // The part is far below the size limit of a file.
         let _ = replay.each_local(self);
         (self.origin, self.bytes, self.buildings) = (origin, bytes, buildings);
-        std::mem::replace(&mut self.primitives, main).into_list()
+        let mut list = std::mem::replace(&mut self.primitives, main).into_list();
+        // They are compared with others.
+        list.iter_mut().for_each(|primitive| primitive.faces = std::mem::take(&mut primitive.faces).into_loose());
+        list
     }
 
     /// Turns parts at several places into separate meshes; the others join the rest.

@@ -10,10 +10,10 @@ use super::look::Looks;
 use crate::geometry::mesh::map::normal_map;
 use crate::geometry::uv_map::{self, SetMap};
 use crate::material::layer::SetMask;
-use crate::output::buffers::Vertex;
 use crate::output::flatten::PlacedFace;
+use crate::output::packed::PackedFaces;
 use crate::output::sink_table::SinkTable;
-use crate::output::triangles::{Triangles, marked, vertex, write_box, write_quad};
+use crate::output::triangles::vertex;
 use crate::run::sink::Replay;
 use crate::run::sink::corners::PlacedBox;
 use crate::shape::base::Form;
@@ -34,7 +34,7 @@ pub(super) struct Primitives {
 pub(super) struct Primitive {
     pub(super) look: u32,
     /// Relative to the origin of the file.
-    pub(super) triangles: Triangles,
+    pub(super) faces: PackedFaces,
     pub(super) sets: SetMask,
     /// One list for each set, one pair for each vertex.
     pub(super) uvs: Vec<Vec<[f32; 2]>>,
@@ -105,10 +105,9 @@ impl Primitives {
         let index = self.with_look(of.look, of.sets);
         let own = &mut self.list[index];
         own.begin(owner);
-        let start = own.vertices().len() as u32;
-        let first = vertices.start as u32;
-        own.triangles.indices.extend(of.indices()[indices].iter().map(|index| index - first + start));
-        own.triangles.vertices.extend(of.vertices()[vertices.clone()].iter().copied());
+        let (triangles, first) = (of.faces.triangles(), vertices.start as u32);
+        let moved = triangles.indices.items()[indices].iter().map(|index| index - first);
+        own.faces.extend(triangles.vertices.items()[vertices.clone()].iter().copied(), moved);
         for (list, from) in own.uvs.iter_mut().zip(&of.uvs) {
             list.extend_from_slice(&from[vertices.clone()]);
         }
@@ -118,7 +117,7 @@ impl Primitives {
     /// triangle.
     pub(super) fn into_list(self) -> Vec<Primitive> {
         let mut list = self.list;
-        list.retain(|primitive| !primitive.indices().is_empty());
+        list.retain(|primitive| primitive.faces.index_count() != 0);
         list
     }
 }
@@ -130,11 +129,12 @@ fn flipped(uv: DVec2) -> [f32; 2] {
 
 impl PartialEq for Primitive {
     fn eq(&self, other: &Self) -> bool {
+        let (own, others) = (self.faces.triangles(), other.faces.triangles());
         self.look == other.look
             && self.sets == other.sets
             && self.owners == other.owners
-            && self.vertices() == other.vertices()
-            && self.indices() == other.indices()
+            && own.vertices.items() == others.vertices.items()
+            && own.indices.items() == others.indices.items()
             && self.uvs == other.uvs
     }
 }
@@ -144,33 +144,26 @@ impl Hash for Primitive {
         self.look.hash(state);
         self.owners.hash(state);
         // Equal numbers must have equal hashes: adding 0 removes the sign of −0.
-        self.vertices().as_flattened().iter().for_each(|number| (number + 0.0).to_bits().hash(state));
-        self.indices().hash(state);
+        let triangles = self.faces.triangles();
+        triangles.vertices.items().as_flattened().iter().for_each(|number| (number + 0.0).to_bits().hash(state));
+        triangles.indices.items().hash(state);
     }
 }
 
 impl Primitive {
-    pub(super) fn vertices(&self) -> &[Vertex] {
-        self.triangles.vertices.items()
-    }
-
-    pub(super) fn indices(&self) -> &[u32] {
-        self.triangles.indices.items()
-    }
-
     /// The vertices of consecutive leaves with the same owner.
     pub(super) fn owned(&self) -> impl Iterator<Item = (Owner, Range<usize>)> + '_ {
-        let ends = self.owners.iter().skip(1).map(|(_, vertex)| *vertex).chain([self.vertices().len()]);
+        let ends = self.owners.iter().skip(1).map(|(_, vertex)| *vertex).chain([self.faces.vertex_count()]);
         self.owners.iter().zip(ends).map(|((owner, start), end)| (*owner, *start..end))
     }
 
     /// Passes the vertices and the indices of consecutive leaves with the same owner to `each`.
     pub(super) fn each_owner(&self, mut each: impl FnMut(Owner, Range<usize>, Range<usize>)) {
-        let mut index = 0;
+        let (mut index, triangles) = (0, self.faces.triangles());
         for (owner, vertices) in self.owned() {
             // The triangles are in the order of their vertices.
             let first = index;
-            index += self.indices()[first..].partition_point(|&vertex| (vertex as usize) < vertices.end);
+            index += triangles.indices.items()[first..].partition_point(|&vertex| (vertex as usize) < vertices.end);
             each(owner, vertices, first..index);
         }
     }
@@ -179,20 +172,20 @@ impl Primitive {
     #[inline]
     pub(super) fn begin(&mut self, owner: Owner) {
         if self.owners.last().is_none_or(|(last, _)| *last != owner) {
-            self.owners.push((owner, self.triangles.vertices.len()));
+            self.owners.push((owner, self.faces.vertex_count()));
         }
     }
 
     /// Adds a rectangle.
     pub(super) fn quad(&mut self, owner: Owner, placed: PlacedBox, normal: Vec4) {
         self.begin(owner);
-        self.triangles.quad(placed, normal);
+        self.faces.quad(&placed, normal);
     }
 
     /// Adds a box; `normals` are the normals of its sides.
     pub(super) fn cuboid(&mut self, owner: Owner, placed: &PlacedBox, unit: UnitMesh, normals: &[Vec4; 6]) {
         self.begin(owner);
-        self.triangles.cuboid(placed, unit, normals);
+        self.faces.cuboid(placed, unit, normals);
     }
 
     /// Adds the texture coordinates of the last vertices, from their points in the world.
@@ -204,49 +197,37 @@ impl Primitive {
         }
     }
 
-    /// Adds leaves of a part that repeats, with one owner and `faces` faces.
+    /// Adds leaves of a part that repeats, with one owner.
     #[inline(never)]
-    pub(super) fn repeat(
-        &mut self,
-        owner: Owner,
-        replay: &Replay<'_>,
-        leaves: Range<usize>,
-        faces: usize,
-        origin: DVec4,
-    ) {
+    pub(super) fn repeat(&mut self, owner: Owner, replay: &Replay<'_>, leaves: Range<usize>, origin: DVec4) {
         self.begin(owner);
-        let (mut faces, place) = (self.triangles.quads(faces), replay.origin());
+        let place = replay.origin();
         for (placed, record, axes) in replay.leaves(leaves) {
-            let (own, rest) = faces.split_at_mut(record.unit.face_count());
-            faces = rest;
             let placed = placed.moved(place).moved(-origin);
-            if record.form == Form::Box {
-                if let Some(to) = own.first_chunk_mut::<6>() {
-                    write_box(to, &placed, record.unit, &axes.normals);
-                }
-            } else if let [to] = own {
-                let normal = axes.normals[0];
-                write_quad(to, &PlacedBox { origin: marked(placed.origin, normal), ..placed }, normal);
+            match record.form {
+                Form::Box => self.faces.cuboid(&placed, record.unit, &axes.normals),
+                _ => self.faces.quad(&placed, axes.normals[0]),
             }
         }
     }
 
     /// Adds the triangles of another primitive, moved to a place in a building.
     pub(super) fn add_moved(&mut self, other: &Primitive, placement: &DAffine3, building: u32, origin: DVec3) {
-        let start = self.vertices().len();
+        let start = self.faces.vertex_count();
         self.owners.extend(other.owners.iter().map(|(of, vertex)| (Owner { building, ..*of }, start + vertex)));
         let turn = normal_map(&placement.matrix3);
         let wide = |x, y, z| DVec3::new(f64::from(x), f64::from(y), f64::from(z));
-        self.triangles.vertices.extend(other.vertices().iter().map(|&[x, y, z, u, v, w]| {
+        let triangles = other.faces.triangles();
+        let moved = triangles.vertices.items().iter().map(|&[x, y, z, u, v, w]| {
             vertex(placement.transform_point3(wide(x, y, z)) - origin, turn * wide(u, v, w))
-        }));
-        self.triangles.indices.extend(other.indices().iter().map(|index| start as u32 + index));
+        });
+        self.faces.extend(moved, triangles.indices.items().iter().copied());
     }
 
     /// Adds a face of a mesh.
     pub(super) fn face(&mut self, face: &PlacedFace<'_>, owner: Owner, origin: DVec3) {
         self.begin(owner);
-        self.triangles.face(face, origin, face.corners.clone(), face.triangles);
+        self.faces.face(face, origin);
         for (set, list) in self.sets.sets().zip(&mut self.uvs) {
             list.extend(face.uvs(set).iter().map(|&uv| flipped(uv)));
         }

@@ -47,14 +47,16 @@ impl SceneMesh {
         let mut divided: Vec<(Option<u32>, Primitives)> = Vec::new();
         // Only for look-ups, never iterated.
         let mut known: HashMap<Key, usize> = HashMap::new();
-        for primitive in &self.primitives {
+        for primitive in self.primitives {
+            // Parts of it are taken.
+            let primitive = Primitive { faces: primitive.faces.into_loose(), ..primitive };
             primitive.each_owner(|owner, vertices, indices| {
                 let (building, rule) = (by_building.then_some(owner.building), by.by_rule.then_some(owner.rule));
                 let at = *known.entry((building, rule)).or_insert_with(|| {
                     divided.push((building, Primitives::default()));
                     divided.len() - 1
                 });
-                divided[at].1.add_part(primitive, owner, vertices, indices);
+                divided[at].1.add_part(&primitive, owner, vertices, indices);
             });
         }
         let places = match self.places {

@@ -7,20 +7,19 @@ use glam::Vec2;
 use super::primitive::{Owner, Primitive};
 use super::textures::NormalSpace;
 use super::words::Words;
-use crate::geometry::each::Each;
 use crate::output::tangents::tangents;
 
 impl Primitive {
     pub(super) fn write_indices(&self, to: &mut Words<'_>) -> io::Result<()> {
-        to.each(self.indices(), |index| [index.to_le_bytes()])
+        self.faces.indices(|indices| to.each(indices, |index| [index.to_le_bytes()]))
     }
 
     pub(super) fn write_positions(&self, to: &mut Words<'_>) -> io::Result<()> {
-        to.each(self.vertices(), |[x, y, z, ..]| [*x, *y, *z].each(f32::to_le_bytes))
+        self.faces.positions(|positions| to.floats(positions.as_flattened()))
     }
 
     pub(super) fn write_normals(&self, to: &mut Words<'_>) -> io::Result<()> {
-        to.each(self.vertices(), |[.., x, y, z]| [*x, *y, *z].each(f32::to_le_bytes))
+        self.faces.normals(|normals| to.floats(normals.as_flattened()))
     }
 
     /// Writes the tangents of vertices for a normal map.
@@ -31,7 +30,8 @@ impl Primitive {
             let uv = Vec2::new(uvs[at][0], 1.0 - uvs[at][1]);
             Vec2::new(space.rows[0].dot(uv), space.rows[1].dot(uv))
         };
-        to.floats(tangents(self.vertices(), self.indices(), uv).as_flattened())
+        let triangles = self.faces.triangles();
+        to.floats(tangents(triangles.vertices.items(), triangles.indices.items(), uv).as_flattened())
     }
 
     /// Writes the number of the rule of each vertex.
@@ -46,8 +46,7 @@ impl Primitive {
 
     fn write_owners(&self, number: impl Fn(Owner) -> u32, to: &mut Words<'_>) -> io::Result<()> {
         for (owner, vertices) in self.owned() {
-            let word = (number(owner) as f32).to_le_bytes();
-            to.each(&self.vertices()[vertices], |_| [word])?;
+            to.repeat((number(owner) as f32).to_le_bytes(), vertices.len())?;
         }
         Ok(())
     }

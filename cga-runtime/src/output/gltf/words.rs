@@ -49,6 +49,17 @@ impl<'w> Words<'w> {
         Ok(())
     }
 
+    /// Appends a word a number of times.
+    pub(super) fn repeat(&mut self, word: FourBytes, count: usize) -> io::Result<()> {
+        for start in (0..count).step_by(BLOCK) {
+            self.block.resize(self.block.len() + (count - start).min(BLOCK), word);
+            if BLOCK <= self.block.len() {
+                self.hand_over()?;
+            }
+        }
+        Ok(())
+    }
+
     /// Appends numbers.
     pub(super) fn floats(&mut self, numbers: &[f32]) -> io::Result<()> {
         self.each(numbers, |number| [number.to_le_bytes()])

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use super::{Model, ModelLeaf, Other, Stored};
+use super::leaf_store::{LeafCursor, ModelLeaf};
+use super::{Model, Other, Stored};
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::uv_map::SetMap;
 use crate::material::Material;
@@ -44,7 +45,7 @@ pub enum Geometry<'a> {
 #[derive(Clone, Copy, Debug)]
 pub struct LeafView<'a> {
     model: &'a Model,
-    record: &'a ModelLeaf,
+    pub(super) record: ModelLeaf,
     number: usize,
 }
 
@@ -65,8 +66,13 @@ impl<'a> LeafView<'a> {
     }
 
     /// The place and the size, in the world.
-    pub fn scope(&self) -> &'a Scope {
-        &self.record.scope
+    pub fn scope(&self) -> Scope {
+        self.record.scope
+    }
+
+    /// The index of the rule in [`Model::rules`].
+    pub fn rule_index(&self) -> usize {
+        self.record.rule as usize
     }
 
     /// The shape in the tree of its building, if the run has kept it; see [`Settings::tree`](crate::run::settings::Settings::tree).
@@ -123,8 +129,8 @@ impl<'a> LeafView<'a> {
         }
     }
 
-    fn leaf(&self) -> Leaf<'a> {
-        Leaf::new(self.rule(), self.material(), self.scope()).with_uvs(self.uvs())
+    fn leaf(&self) -> Leaf<'_> {
+        Leaf::new(self.rule(), self.material(), &self.record.scope).with_uvs(self.uvs())
     }
 
     /// The geometry as a mesh with its texture coordinates, and the map from the mesh's coordinates to the world.
@@ -142,8 +148,10 @@ impl<'a> LeafView<'a> {
     pub fn bounds(&self) -> Bounds {
         match self.geometry() {
             Geometry::Placement => Bounds::EMPTY,
-            Geometry::Quad(quad) => Bounds::of(quad.corners()),
-            Geometry::Cuboid(cuboid) => Bounds::of(cuboid.corners()),
+            Geometry::Quad(Quad { origin, u, v, .. }) => spanned(origin, [u, v, DVec3::ZERO]),
+            Geometry::Cuboid(Cuboid { origin, sides, .. }) => {
+                spanned(origin, [sides.x_axis, sides.y_axis, sides.z_axis])
+            }
             Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => {
                 Bounds::of(mesh.points().iter().map(|&point| placement.transform_point3(point)))
             }
@@ -163,6 +171,14 @@ impl<'a> LeafView<'a> {
     }
 }
 
+/// The bounding box of a corner and the sides from there.
+fn spanned(origin: DVec3, sides: [DVec3; 3]) -> Bounds {
+    let (low, high) = sides
+        .iter()
+        .fold((origin, origin), |(low, high), side| (low + side.min(DVec3::ZERO), high + side.max(DVec3::ZERO)));
+    Bounds { low, high }
+}
+
 impl PartialEq for LeafView<'_> {
     /// Compares rule, material, scope, geometry and texture coordinates.
     fn eq(&self, other: &Self) -> bool {
@@ -177,13 +193,18 @@ impl PartialEq for LeafView<'_> {
 /// The leaves of a model, in the order of the run.
 #[derive(Clone, Debug)]
 pub struct Leaves<'a> {
-    pub(super) model: &'a Model,
-    pub(super) numbers: Range<usize>,
+    model: &'a Model,
+    numbers: Range<usize>,
+    cursor: LeafCursor<'a>,
 }
 
 impl<'a> Leaves<'a> {
-    fn view(&self, number: usize) -> LeafView<'a> {
-        LeafView { model: self.model, record: &self.model.records[number], number }
+    pub(super) fn of(model: &'a Model) -> Self {
+        Leaves { model, numbers: 0..model.len(), cursor: LeafCursor::new(&model.store) }
+    }
+
+    fn view(&mut self, number: usize) -> LeafView<'a> {
+        LeafView { model: self.model, record: self.cursor.at(number), number }
     }
 }
 
@@ -191,11 +212,13 @@ impl<'a> Iterator for Leaves<'a> {
     type Item = LeafView<'a>;
 
     fn next(&mut self) -> Option<LeafView<'a>> {
-        self.numbers.next().map(|number| self.view(number))
+        let number = self.numbers.next()?;
+        Some(self.view(number))
     }
 
     fn nth(&mut self, n: usize) -> Option<LeafView<'a>> {
-        self.numbers.nth(n).map(|number| self.view(number))
+        let number = self.numbers.nth(n)?;
+        Some(self.view(number))
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
@@ -205,7 +228,8 @@ impl<'a> Iterator for Leaves<'a> {
 
 impl DoubleEndedIterator for Leaves<'_> {
     fn next_back(&mut self) -> Option<Self::Item> {
-        self.numbers.next_back().map(|number| self.view(number))
+        let number = self.numbers.next_back()?;
+        Some(self.view(number))
     }
 }
 

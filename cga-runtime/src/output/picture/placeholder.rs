@@ -24,7 +24,7 @@ pub(super) fn material() -> Arc<Material> {
 /// The box around a model and its placeholders, in the world.
 pub(super) fn bounds(model: &Model) -> Bounds {
     model.leaves().fold(model.bounds(), |sum, leaf| match leaf.geometry() {
-        Geometry::Mesh { mesh, .. } | Geometry::Instance { mesh, .. } => match placeholder(mesh, leaf.scope()) {
+        Geometry::Mesh { mesh, .. } | Geometry::Instance { mesh, .. } => match placeholder(mesh, &leaf.scope()) {
             Some(cuboid) => sum.union(Bounds::of(cuboid.corners())),
             None => sum,
         },

@@ -1,5 +1,6 @@
 //! The names and looks of leaves, by number.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::shape::look_id::LookIds;
@@ -8,7 +9,7 @@ use crate::shape::{Shape, ShapeRef};
 /// The names and looks of a run's leaves, by number.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct LeafTables {
-    pub(crate) names: &'static [&'static str],
+    pub(crate) names: Cow<'static, [&'static str]>,
     pub(crate) looks: LookIds,
 }
 
