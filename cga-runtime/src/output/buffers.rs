@@ -26,7 +26,7 @@ use self::replayed::{Marks, Replayed};
 use self::submesh::SubmeshStart;
 use self::uvs::UvLists;
 use super::error::WriteError;
-use super::flatten::{Flattener, PlacedFace};
+use super::flatten::{Flattener, PlacedFace, has_one_material};
 use super::leaf_numbers::Numbers;
 use super::normals;
 use super::room::Room;
@@ -436,10 +436,17 @@ impl Sink for Buffers {
         self.last = None;
         let numbers = self.numbers.leaf(leaf);
         let mut flattener = std::mem::take(&mut self.flattener);
-        flattener.faces(mesh, placement, |face| {
-            self.face(&face, numbers, face.corners.clone(), face.triangles);
-            true
-        });
+        if corners != 0 && has_one_material(mesh) {
+            let start = self.triangles.vertices.len();
+            self.run(numbers.0, numbers.1);
+            flattener.whole(mesh, |flat| self.triangles.mesh(flat, mesh, placement, self.origin.truncate()));
+            self.uvs.mesh(mesh, start);
+        } else {
+            flattener.faces(mesh, placement, |face| {
+                self.face(&face, numbers, face.corners.clone(), face.triangles);
+                true
+            });
+        }
         self.flattener = flattener;
         self.pad_uvs();
         ControlFlow::Continue(())

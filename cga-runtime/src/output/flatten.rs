@@ -10,8 +10,8 @@ use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 use super::sink_table::SinkTable;
 use crate::fixed_hash::FixedState;
-use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
+use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::triangulate::Triangulator;
 
 /// Cuts faces into triangles. It keeps its buffers from mesh to mesh, and the triangles of meshes that come again.
@@ -35,11 +35,13 @@ const KEPT: usize = 1 << 19;
 
 /// The triangles of all faces of a mesh.
 #[derive(Debug, Default)]
-struct FlatMesh {
+pub(crate) struct FlatMesh {
     /// Indices relative to the first corner of the face.
     triangles: Vec<[u32; 3]>,
     /// The number of triangles up to the end of each face, and its area vector.
     faces: Vec<(u32, DVec3)>,
+    /// For a mesh with normals that comes again: the points with their normals, each once, and the number of each corner.
+    corners: Option<(Vec<[DVec3; 2]>, Vec<u32>)>,
 }
 
 /// A face, placed in the world.
@@ -68,11 +70,16 @@ impl Clone for Flattener {
 impl Flattener {
     /// Passes the faces of a mesh to `each` in order, until it returns false.
     pub(crate) fn faces(&mut self, mesh: &Arc<Mesh>, placement: &DAffine3, each: impl FnMut(PlacedFace<'_>) -> bool) {
+        self.whole(mesh, |flat| flat.place(mesh, placement, each));
+    }
+
+    /// Passes the triangles of a mesh to `then`.
+    pub(crate) fn whole(&mut self, mesh: &Arc<Mesh>, then: impl FnOnce(&FlatMesh)) {
         match self.known(mesh) {
-            Some(flat) => flat.place(mesh, placement, each),
+            Some(flat) => then(&flat),
             None => {
                 self.own.fill(mesh, &mut self.triangulator);
-                self.own.place(mesh, placement, each);
+                then(&self.own);
             }
         }
     }
@@ -91,6 +98,7 @@ impl Flattener {
         }
         let mut flat = FlatMesh::default();
         flat.fill(mesh, &mut self.triangulator);
+        flat.corners = distinct_corners(mesh);
         let size = mesh.corners().len() + flat.triangles.len();
         if KEPT < self.kept + size {
             self.flat.clear();
@@ -118,7 +126,51 @@ impl FlatMesh {
         }
     }
 
-    fn place(&self, mesh: &Mesh, placement: &DAffine3, mut each: impl FnMut(PlacedFace<'_>) -> bool) {
+    /// The number of triangles.
+    pub(crate) fn triangle_count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// Makes the vertices of all corners, with a function of the point and its unit normal in the world.
+    pub(crate) fn vertices<V: Copy>(
+        &self,
+        mesh: &Mesh,
+        placement: &DAffine3,
+        to: &mut [V],
+        make: impl Fn(DVec3, DVec3) -> V,
+    ) {
+        let Some((distinct, corners)) = &self.corners else {
+            return self.place(mesh, placement, |face| {
+                for (to, corner) in to[face.corners.clone()].iter_mut().zip(face.corners.clone()) {
+                    *to = make(face.point(corner), face.normal_at(corner));
+                }
+                true
+            });
+        };
+        let turn = normal_map(&placement.matrix3);
+        let placed =
+            distinct.iter().map(|[point, normal]| make(placement.transform_point3(*point), unit(turn * *normal)));
+        let placed: Vec<V> = placed.collect();
+        to.iter_mut().zip(corners).for_each(|(to, corner)| *to = placed[*corner as usize]);
+    }
+
+    /// Makes the indices of all triangles, if the first corner has the number `start`.
+    pub(crate) fn indices(&self, mesh: &Mesh, start: u32, to: &mut [u32]) {
+        let (own, _) = to.as_chunks_mut::<3>();
+        let mut first = 0;
+        for (face, (end, _)) in mesh.faces().zip(&self.faces) {
+            let (base, range) = (start + face.corner_range().start as u32, first..*end as usize);
+            first = range.end;
+            own[range.clone()]
+                .iter_mut()
+                .zip(&self.triangles[range])
+                .for_each(|(to, from)| *to = from.map(|c| base + c));
+        }
+    }
+
+    /// Passes the faces of the mesh to `each` in order, until it returns false.
+    #[inline]
+    pub(crate) fn place(&self, mesh: &Mesh, placement: &DAffine3, mut each: impl FnMut(PlacedFace<'_>) -> bool) {
         let (turn, mut first) = (normal_map(&placement.matrix3), 0);
         for (face, (end, area)) in mesh.faces().zip(&self.faces) {
             let (index, corners) = (face.index(), face.corner_range());
@@ -155,6 +207,29 @@ impl PlacedFace<'_> {
     pub(crate) fn material(&self, table: &mut SinkTable, shape: u32) -> u32 {
         table.face_material(shape, self.mesh.material_list(), self.mesh.face(self.index).tag().material)
     }
+}
+
+/// The points with their normals, each once, and the number of each corner; `None` for a mesh without normals.
+fn distinct_corners(mesh: &Mesh) -> Option<(Vec<[DVec3; 2]>, Vec<u32>)> {
+    if mesh.normals().is_empty() {
+        return None;
+    }
+    let mut distinct = Vec::new();
+    // Only for look-ups, never iterated.
+    let mut known: HashMap<(u32, [u64; 3]), u32, FixedState> = HashMap::default();
+    let number = |(point, normal): (&u32, &DVec3)| {
+        *known.entry((*point, normal.to_array().map(f64::to_bits))).or_insert_with(|| {
+            distinct.push([mesh.points()[*point as usize], *normal]);
+            distinct.len() as u32 - 1
+        })
+    };
+    let corners = mesh.corners().iter().zip(mesh.normals()).map(number).collect();
+    Some((distinct, corners))
+}
+
+/// Returns true if all faces have the material of the shape.
+pub(crate) fn has_one_material(mesh: &Mesh) -> bool {
+    mesh.face_attributes().all(|tag| tag.material == FaceTag::NONE)
 }
 
 /// The point of a corner.

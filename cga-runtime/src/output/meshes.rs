@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec2, DVec3, Vec2};
 
-use super::flatten::Flattener;
+use super::flatten::{Flattener, has_one_material};
 use super::leaf_numbers::Numbers;
 use super::model::Model;
 use super::near_origin::near_origin;
@@ -213,6 +213,16 @@ impl MeshSink {
     fn add(&mut self, rule: u32, material: u32, mesh: &Arc<Mesh>, placement: &DAffine3, leaf: usize) {
         let sets = SetMask::of(|set| !mesh.uv_set(set).is_empty());
         let (mut flattener, origin) = (std::mem::take(&mut self.flattener), self.origin);
+        if mesh.face_count() != 0 && has_one_material(mesh) {
+            let build = self.build(rule, material, sets, leaf);
+            flattener.whole(mesh, |flat| build.faces.mesh(flat, mesh, placement, origin));
+            for set in sets.sets() {
+                build.uvs[set].extend(mesh.uv_set(set).iter().map(|uv| uv.as_vec2().to_array()));
+            }
+            build.end();
+            self.flattener = flattener;
+            return;
+        }
         flattener.faces(mesh, placement, |face| {
             let shown = face.material(&mut self.numbers.table, material);
             let build = self.build(rule, shown, sets, leaf);

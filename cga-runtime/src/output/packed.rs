@@ -5,11 +5,12 @@
 
 use std::borrow::Cow;
 
-use glam::{DVec3, Vec3, Vec4};
+use glam::{DAffine3, DVec3, Vec3, Vec4};
 
 use super::buffers::Vertex;
-use super::flatten::PlacedFace;
+use super::flatten::{FlatMesh, PlacedFace};
 use super::triangles::Triangles;
+use crate::geometry::mesh::Mesh;
 use crate::run::sink::corners::PlacedBox;
 use crate::shape::axes::without_zero;
 use crate::shape::unit::UnitMesh;
@@ -147,6 +148,13 @@ impl PackedFaces {
         self.begin(FaceKind::Loose);
         self.loose.face(face, origin, face.corners.clone(), face.triangles);
         self.count_loose(face.corners.len(), 3 * face.triangles.len());
+    }
+
+    /// Adds all faces of a mesh, relative to an origin.
+    pub(super) fn mesh(&mut self, flat: &FlatMesh, mesh: &Mesh, placement: &DAffine3, origin: DVec3) {
+        self.begin(FaceKind::Loose);
+        self.loose.mesh(flat, mesh, placement, origin);
+        self.count_loose(mesh.corners().len(), 3 * flat.triangle_count());
     }
 
     /// Adds vertices and indices; index 0 is the first of these vertices.

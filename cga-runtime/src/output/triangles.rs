@@ -1,10 +1,11 @@
 //! Vertices and indices of triangles, written in place.
 
-use glam::{DVec3, DVec4, Vec4};
+use glam::{DAffine3, DVec3, DVec4, Vec4};
 
-use super::flatten::PlacedFace;
+use super::flatten::{FlatMesh, PlacedFace};
 use super::room::Room;
 use crate::geometry::each::Each;
+use crate::geometry::mesh::Mesh;
 use crate::run::sink::corners::PlacedBox;
 use crate::shape::unit::UnitMesh;
 
@@ -45,6 +46,14 @@ impl Triangles {
         let start = self.vertices.len() as u32;
         write_quad_indices(self.indices.take(6 * count), start);
         self.vertices.take(4 * count).as_chunks_mut::<4>().0
+    }
+
+    /// Adds all faces of a mesh, relative to an origin.
+    pub(super) fn mesh(&mut self, flat: &FlatMesh, mesh: &Mesh, placement: &DAffine3, origin: DVec3) {
+        let start = self.vertices.len() as u32;
+        let vertices = self.vertices.take(mesh.corners().len());
+        flat.vertices(mesh, placement, vertices, |point, normal| vertex(point - origin, normal));
+        flat.indices(mesh, start, self.indices.take(3 * flat.triangle_count()));
     }
 
     /// Adds triangles of a face, relative to an origin. `corners` become their vertices.

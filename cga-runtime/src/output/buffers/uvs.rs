@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec4};
 
 use crate::geometry::each::Each;
+use crate::geometry::mesh::Mesh;
 use crate::geometry::uv_map::{SetMap, UvMap};
 use crate::output::flatten::PlacedFace;
 use crate::run::sink::Replay;
@@ -66,6 +67,15 @@ impl UvLists {
         for set in face.mesh.uv_numbers() {
             if let Some(list) = self.list(set, vertex) {
                 list.extend(corners.clone().map(|corner| face.mesh.uv_set(set)[corner].as_vec2().to_array()));
+            }
+        }
+    }
+
+    /// Adds the coordinates of all corners of a mesh, which became vertices, beginning at `vertex`.
+    pub(super) fn mesh(&mut self, mesh: &Mesh, vertex: usize) {
+        for set in mesh.uv_numbers() {
+            if let Some(list) = self.list(set, vertex) {
+                list.extend(mesh.uv_set(set).iter().map(|uv| uv.as_vec2().to_array()));
             }
         }
     }

@@ -50,7 +50,7 @@ use self::primitive::{BUILDING_BYTES, INDEX_BYTES, Owner, Primitive, Primitives,
 use self::scene::{Division, MeshPlacement, SceneMesh};
 use self::single_sided::SingleSided;
 use super::error::WriteError;
-use super::flatten::Flattener;
+use super::flatten::{Flattener, has_one_material};
 use super::leaf_numbers::Numbers;
 use super::normals;
 use super::placed_assets::AssetList;
@@ -331,6 +331,11 @@ impl Glb {
         let Glb { origin, numbers, looks, primitives, flattener, single_sided, .. } = self;
         let sets = SetMask::of(|set| !mesh.uv_set(set).is_empty());
         let mut single_sided = single_sided.as_mut().filter(|_| mesh.is_closed() && 0.0 < mesh_volume(mesh, placement));
+        if mesh.face_count() != 0 && has_one_material(mesh) {
+            let shown = single_sided.map_or(material, |materials| materials.of(material, &mut numbers.table));
+            let primitive = primitives.of(looks, &numbers.table, shown, sets);
+            return flattener.whole(mesh, |flat| primitive.mesh(flat, mesh, placement, owner, *origin));
+        }
         flattener.faces(mesh, placement, |face| {
             let shown = face.material(&mut numbers.table, material);
             let shown = single_sided.as_mut().map_or(shown, |materials| materials.of(shown, &mut numbers.table));

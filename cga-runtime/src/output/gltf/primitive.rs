@@ -7,10 +7,11 @@ use std::ops::Range;
 use glam::{DAffine3, DVec2, DVec3, DVec4, Vec4};
 
 use super::look::Looks;
+use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
 use crate::geometry::uv_map::{self, SetMap};
 use crate::material::layer::SetMask;
-use crate::output::flatten::PlacedFace;
+use crate::output::flatten::{FlatMesh, PlacedFace};
 use crate::output::packed::PackedFaces;
 use crate::output::sink_table::SinkTable;
 use crate::output::triangles::vertex;
@@ -222,6 +223,15 @@ impl Primitive {
             vertex(placement.transform_point3(wide(x, y, z)) - origin, turn * wide(u, v, w))
         });
         self.faces.extend(moved, triangles.indices.items().iter().copied());
+    }
+
+    /// Adds all faces of a mesh.
+    pub(super) fn mesh(&mut self, flat: &FlatMesh, mesh: &Mesh, placement: &DAffine3, owner: Owner, origin: DVec3) {
+        self.begin(owner);
+        self.faces.mesh(flat, mesh, placement, origin);
+        for (set, list) in self.sets.sets().zip(&mut self.uvs) {
+            list.extend(mesh.uv_set(set).iter().map(|&uv| flipped(uv)));
+        }
     }
 
     /// Adds a face of a mesh.
