@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
+use super::rectangle::roof_by_formula;
 use super::{Outline, Rise, Roof, RoofFace, RoofForm, RoofPart, roof_with_or_without_overhangs};
 use crate::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
 use crate::each::Each;
@@ -80,16 +81,10 @@ fn add_roof(
     // Across the face: along its first edge.
     let x = DVec2::new(flat.axes[0].x, flat.axes[1].x).try_normalize().unwrap_or(DVec2::X);
     let outline = Outline { points: &flat.flat, rings: &rings, x };
-    let ends = |[a, b]: [u32; 2]| [outline.at(a), outline.at(b)];
-    let extent = flat.flat.iter().fold(0.0, |most: f64, p| most.max(p.abs().max_element()));
-    if any_cross(outline.edges().into_iter().map(ends).collect(), TOUCH_EPSILON * extent) {
-        return Err(RoofRefusal::Tangled);
-    }
-    let built = roof_with_or_without_overhangs(&outline, form, rise);
-    let (Roof { points, faces, moved, below }, is_complete) = built.map_err(|failure| match failure {
-        SkeletonError::TooMany => RoofRefusal::TooMany,
-        SkeletonError::Tangled => RoofRefusal::Tangled,
-    })?;
+    let (Roof { points, faces, moved, below }, is_complete) = match roof_by_formula(&outline, form, rise) {
+        Some(made) => (made, true),
+        None => general_roof(&outline, form, rise)?,
+    };
     if faces.is_empty() || !points.iter().all(|point| point.is_finite()) {
         return Err(RoofRefusal::Tangled);
     }
@@ -123,6 +118,19 @@ fn add_roof(
         );
     }
     Ok(is_complete)
+}
+
+/// Makes a roof over a polygon whose outlines may cross.
+fn general_roof(outline: &Outline<'_>, form: RoofForm, rise: Rise) -> Result<(Roof, bool), RoofRefusal> {
+    let ends = |[a, b]: [u32; 2]| [outline.at(a), outline.at(b)];
+    let extent = outline.points.iter().fold(0.0, |most: f64, p| most.max(p.abs().max_element()));
+    if any_cross(outline.edges().into_iter().map(ends).collect(), TOUCH_EPSILON * extent) {
+        return Err(RoofRefusal::Tangled);
+    }
+    roof_with_or_without_overhangs(outline, form, rise).map_err(|failure| match failure {
+        SkeletonError::TooMany => RoofRefusal::TooMany,
+        SkeletonError::Tangled => RoofRefusal::Tangled,
+    })
 }
 
 /// A face of a roof as triangles, or whole if it is a triangle or has several rings.

@@ -14,6 +14,7 @@ mod hip;
 mod mesh;
 mod plan;
 mod planes;
+mod rectangle;
 mod settle;
 mod take_back;
 
@@ -241,7 +242,7 @@ fn roof_with_or_without_overhangs(
     }
 }
 
-/// Makes a roof over a polygon.
+/// Makes a roof over a polygon in the general way.
 fn roof(outline: &Outline<'_>, form: RoofForm, rise: Rise) -> Result<Roof, SkeletonError> {
     match form {
         RoofForm::Hip { overhang, even } => hip::hip(outline, rise, overhang, even),

@@ -371,3 +371,77 @@ fn taken_back(polygon: &Polygon, plain: &Roof, roof: &Roof, [across, along]: [f6
     }
     Ok(())
 }
+
+/// The faces of a roof by their parts, their edges and the places of their corners.
+fn placed(roof: &Roof) -> Vec<(RoofPart, Option<u32>, Vec<DVec3>)> {
+    let at = |ring: &Vec<u32>| ring.iter().map(|&point| roof.points[point as usize]).collect();
+    roof.faces.iter().map(|face| (face.part, face.edge, at(&face.rings[0]))).collect()
+}
+
+#[test]
+fn roofs_over_rectangles_by_formula_are_those_of_the_skeleton() {
+    let mut rng = Rng(5);
+    let mut compared = 0;
+    for round in 0..400 {
+        let (w, d) = (0.5 + 10.0 * rng.unit(), 0.5 + 10.0 * rng.unit());
+        let (w, d) = if round % 5 == 0 { (w, w) } else { (w, d) };
+        let turn = DVec2::from_angle(if round % 2 == 0 { 0.0 } else { 7.0 * rng.unit() });
+        let from = 100.0 * DVec2::new(rng.unit(), rng.unit());
+        let corners = [DVec2::ZERO, DVec2::new(w, 0.0), DVec2::new(w, d), DVec2::new(0.0, d)];
+        let points = corners.map(|corner| from + turn.rotate(corner));
+        let rings = vec![[[0, 1, 2, 3], [1, 2, 3, 0], [2, 3, 0, 1], [3, 0, 1, 2]][round % 4].to_vec()];
+        let outline = Outline { points: &points, rings: &rings, x: DVec2::X };
+        let mut overhang = || if rng.unit() < 0.4 { 0.0 } else { 0.9 * rng.unit() };
+        let [across, along] = [overhang(), overhang()];
+        let even = round % 3 == 0;
+        let rise =
+            if round % 7 == 0 { Rise::Height(0.1 + 3.0 * rng.unit()) } else { Rise::Slope(0.1 + 3.0 * rng.unit()) };
+        for form in [
+            RoofForm::Hip { overhang: across, even },
+            RoofForm::Gable { across, along, even, edge: None },
+            RoofForm::Gable { across, along, even, edge: Some(round as i64 - 7) },
+        ] {
+            let by_formula = rectangle::roof_by_formula(&outline, form, rise).expect("a rectangle");
+            assert!(by_formula.is_sound(&outline));
+            let [own, other] = [&by_formula, &roof(&outline, form, rise).expect("a roof")].map(placed);
+            assert_eq!(own.len(), other.len());
+            for ((part, edge, own), (other_part, other_edge, other)) in own.into_iter().zip(other) {
+                assert_eq!((part, edge, own.len()), (other_part, other_edge, other.len()), "{form:?} {round}");
+                let near = |(a, b): (&DVec3, &DVec3)| (*a - *b).abs().max_element() < 1e-7;
+                assert!(own.iter().zip(&other).all(near), "{form:?} {w} x {d} {rise:?}: {own:?} {other:?}");
+            }
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, 1200);
+}
+
+#[test]
+fn other_outlines_and_extreme_numbers_have_no_formula() {
+    let form = RoofForm::Hip { overhang: 0.0, even: false };
+    let made = |points: &[[f64; 2]], form, rise| {
+        let points: Vec<DVec2> = points.iter().copied().map(DVec2::from_array).collect();
+        let rings = vec![(0..points.len() as u32).collect::<Vec<u32>>()];
+        rectangle::roof_by_formula(&Outline { points: &points, rings: &rings, x: DVec2::X }, form, rise).is_some()
+    };
+    let rectangle = [[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [0.0, 4.0]];
+    assert!(made(&rectangle, form, Rise::Slope(1.0)));
+    for odd in [
+        [[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [0.0, 4.001]],
+        [[0.0, 0.0], [6.0, 0.0], [7.0, 4.0], [1.0, 4.0]],
+        [[0.0, 0.0], [0.0, 4.0], [6.0, 4.0], [6.0, 0.0]],
+        [[0.0, 0.0], [6.0, 0.0], [6.0, 0.0], [0.0, 0.0]],
+        [[0.0, 0.0], [f64::NAN, 0.0], [6.0, 4.0], [0.0, 4.0]],
+        [[0.0, 0.0], [4.0 + 1e-8, 0.0], [4.0 + 1e-8, 4.0], [0.0, 4.0]],
+    ] {
+        assert!(!made(&odd, form, Rise::Slope(1.0)), "{odd:?}");
+    }
+    assert!(!made(&rectangle[..3], form, Rise::Slope(1.0)));
+    for rise in [Rise::Slope(0.0), Rise::Slope(-1.0), Rise::Slope(1e9), Rise::Height(0.0), Rise::Height(-2.0)] {
+        assert!(!made(&rectangle, form, rise), "{rise:?}");
+    }
+    for overhang in [-0.1, 1e9, f64::INFINITY] {
+        assert!(!made(&rectangle, RoofForm::Hip { overhang, even: false }, Rise::Slope(1.0)), "{overhang}");
+    }
+    assert!(!made(&rectangle, RoofForm::Ridge, Rise::Slope(1.0)));
+}
