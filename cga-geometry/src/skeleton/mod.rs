@@ -28,6 +28,7 @@ mod blunt;
 mod check;
 mod contact;
 mod event;
+mod eventless;
 mod limits;
 mod lone;
 mod meeting;
@@ -145,6 +146,18 @@ pub fn sweep_at(points: &[DVec2], rings: &[Vec<u32>], speeds: Speeds<'_>, until:
     if until.is_nan() || until < 0.0 {
         return Err(SkeletonError::Tangled);
     }
+    if let Some(swept) = eventless::sweep_without_events(points, rings, speeds, until) {
+        return Ok(swept);
+    }
+    sweep_with_events(points, rings, speeds, until)
+}
+
+fn sweep_with_events(
+    points: &[DVec2],
+    rings: &[Vec<u32>],
+    speeds: Speeds<'_>,
+    until: f64,
+) -> Result<Swept, SkeletonError> {
     let mut failure = SkeletonError::Tangled;
     let mut best: Option<((bool, f64), Swept)> = None;
     for epsilon in MEETING_EPSILONS {

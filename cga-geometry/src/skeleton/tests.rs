@@ -343,3 +343,60 @@ fn what_no_number_holds_is_refused() {
     let many = Polygon::star(&mut Rng(1), MOST_CORNERS + 1, false);
     assert_eq!(result(&many, 0.1), Err(SkeletonError::TooMany));
 }
+
+#[test]
+fn wavefronts_without_events_are_those_with_them() {
+    let mut rng = Rng(11);
+    let (mut compared, mut refused) = (0, 0);
+    for round in 0..3000 {
+        let mut unit = |low: f64, high: f64| low + (high - low) * rng.unit();
+        let (w, d) = (unit(0.5, 8.0), unit(0.5, 8.0));
+        let shift = if round % 3 == 0 { 0.0 } else { 0.4 };
+        let corners = [[0.0, 0.0], [w, 0.0], [w, d], [0.0, d]]
+            .map(|corner| DVec2::from_array(corner) + DVec2::new(unit(-shift, shift), unit(-shift, shift)) * w.min(d));
+        let count = if round % 5 == 0 { 3 } else { 4 };
+        let turn = DVec2::from_angle(unit(0.0, 7.0));
+        let from = DVec2::new(unit(-50.0, 50.0), unit(-50.0, 50.0));
+        let points: Vec<DVec2> = corners[..count].iter().map(|corner| from + turn.rotate(*corner)).collect();
+        let mut ring: Vec<u32> = (0..count as u32).collect();
+        ring.rotate_left(round % count);
+        if round % 2 == 0 {
+            ring.reverse();
+        }
+        let mut speed = || [0.0, 1.0, 1.0, unit(0.05, 1.0)][round / 7 % 4];
+        let each: Vec<f64> = (0..count).map(|i| if i == round % count { 1.0 } else { speed() }).collect();
+        let until = unit(0.001, 0.6) * w.min(d);
+        for speeds in [Speeds::Equal, Speeds::Places(&each), Speeds::Heights(&each), Speeds::Slopes(&each)] {
+            let rings = [ring.clone()];
+            let Some(own) = eventless::sweep_without_events(&points, &rings, speeds, until) else {
+                refused += 1;
+                continue;
+            };
+            let other = sweep_with_events(&points, &rings, speeds, until).expect("a wavefront");
+            assert_eq!(own.strips, other.strips, "{points:?} {rings:?} {speeds:?} {until}");
+            assert_eq!(own.left, other.left, "{points:?} {rings:?} {speeds:?} {until}");
+            assert_eq!(own.times.len(), other.times.len());
+            let is_near = |(a, b): (&DVec2, &DVec2)| (*a - *b).abs().max_element() < 1e-9;
+            assert!(own.points.iter().zip(&other.points).all(is_near), "{points:?} {rings:?} {speeds:?} {until}");
+            assert!(own.times.iter().zip(&other.times).all(|(a, b)| (a - b).abs() < 1e-9));
+            compared += 1;
+        }
+    }
+    assert!(3000 < compared && 1000 < refused, "{compared} compared, {refused} refused");
+}
+
+#[test]
+fn hostile_numbers_have_no_wavefront_without_events() {
+    let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(DVec2::from);
+    let made = |points: &[DVec2], until| {
+        eventless::sweep_without_events(points, &[vec![0, 1, 2, 3]], Speeds::Equal, until).is_some()
+    };
+    assert!(made(&square, 1.0));
+    for until in [0.0, -1.0, 2.0, 1e300, f64::NAN, f64::INFINITY] {
+        assert!(!made(&square, until), "{until}");
+    }
+    for odd in [[f64::NAN, 0.0], [f64::INFINITY, 0.0], [1e308, 0.0], [4.0, 4.0], [1.0, 3.0]] {
+        let points = [square[0], DVec2::from_array(odd), square[2], square[3]];
+        assert!(!made(&points, 0.1), "{odd:?}");
+    }
+}

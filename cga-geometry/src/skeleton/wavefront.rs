@@ -13,7 +13,7 @@ use crate::nesting::extent::Extent;
 use crate::tol::STRAIGHT_EPSILON;
 
 /// The range of lengths whose squares are safe.
-const SIZES: RangeInclusive<f64> = 1e-100..=1e100;
+pub(super) const SIZES: RangeInclusive<f64> = 1e-100..=1e100;
 
 /// Edges count as opposite if the sum of their unit normals is shorter than this.
 const TURNED_BACK: f64 = 1e-10;
@@ -130,7 +130,7 @@ pub(super) fn turn_back(a: &MovingLine, b: &MovingLine) -> bool {
 
 /// The velocity of a vertex between two lines; `None` if it is not determined: for opposite lines, and for parallel ones
 /// with different speeds.
-fn velocity(a: &MovingLine, b: &MovingLine) -> Option<DVec2> {
+pub(super) fn velocity(a: &MovingLine, b: &MovingLine) -> Option<DVec2> {
     if turn_back(a, b) {
         return None;
     }
