@@ -9,10 +9,11 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Packages, benches and their arguments, in the order of the page.
-const BENCHES: [(&str, &str, &[&str]); 11] = [
+const BENCHES: [(&str, &str, &[&str]); 12] = [
+    ("cga", "rules", &[]),
+    ("cga", "files", &[]),
     ("cga", "scenes", &[]),
     ("cga", "scenes", &["--instructions"]),
-    ("cga", "rules", &[]),
     ("cga-tests", "memory", &[]),
     ("cga", "cutting", &[]),
     ("cga", "offset", &[]),
