@@ -23,7 +23,7 @@
 //! | | modules |
 //! |---|---|
 //! | meshes | [`mesh`], [`primitive`], [`obj`], [`solid`], [`wire`] |
-//! | solids | [`cut`], [`boolean`], [`extrude`](mod@extrude), [`extrude_wire`](mod@extrude_wire), [`roof`], [`envelope`] |
+//! | solids | [`cut`], [`boolean`], [`extrude`](mod@extrude), [`extrude_wire`](mod@extrude_wire), [`roof`], [`envelope`], [`relation`] |
 //! | faces | [`offset`](mod@offset), [`inner_rectangle`], [`convexify`](mod@convexify), [`holes`], [`footprint`](mod@footprint), [`triangulate`], [`unbent`] |
 //! | surfaces | [`cleanup`](mod@cleanup), [`reduce`](mod@reduce), [`rectify`](mod@rectify), [`conform`](mod@conform), [`scatter`], [`along_uv`], [`extract`](mod@extract) |
 //! | the plane | [`skeleton`], [`overlay`], [`nesting`], [`hull`](mod@hull), [`segment`] |
@@ -87,6 +87,7 @@ pub(crate) mod random;
 pub mod recompose;
 pub mod rectify;
 pub mod reduce;
+pub mod relation;
 pub mod roof;
 pub mod rotation;
 pub mod scatter;

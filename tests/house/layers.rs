@@ -124,6 +124,7 @@ const GEOMETRY: &[&[&str]] = &[
         "recompose",
         "rectify",
         "reduce",
+        "relation",
         "roof",
         "scatter",
         "soften",
