@@ -63,8 +63,7 @@ fn tiles(places: &[DAffine3], turn: &DAffine3, is_box: bool) -> Vec<(QueryGeomet
         let own = (mixed(3 * index) * places.len() as f64) as usize;
         let place = &places[own];
         let size = DVec3::new(BUILDING[0], place.matrix3.y_axis.y, BUILDING[1]);
-        let along = if index % 2 == 0 { DVec3::X } else { DVec3::Z };
-        let across = if index % 2 == 0 { DVec3::Z } else { DVec3::X };
+        let [along, across] = if index & 1 == 0 { [DVec3::X, DVec3::Z] } else { [DVec3::Z, DVec3::X] };
         let face = if index % 4 < 2 { DVec3::ZERO } else { across * size };
         let at = along * ((size.dot(along) - 3.0) * mixed(3 * index + 1))
             + DVec3::Y * ((size.y - 3.0) * mixed(3 * index + 2));
