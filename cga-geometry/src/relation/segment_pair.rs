@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::Relation;
+use super::budget::Budget;
 use super::plane_cut::edge_planes;
 use super::surface::{Place, Surface};
 use crate::bounds::Bounds;
@@ -31,23 +32,25 @@ pub(super) fn relate_segment(ends: [DVec3; 2], occluder: &Surface, tolerance: f6
         true
     });
     cuts.sort_unstable_by(f64::total_cmp);
-    let (mut is_outside, mut overlaps) = (false, false);
+    let (budget, mut is_outside, mut overlaps) = (Budget::new(), false, false);
     for part in cuts.windows(2) {
         let at = |share: &f64| ends[0] + (ends[1] - ends[0]) * (part[0] + (part[1] - part[0]) * share);
-        let places = SHARES.iter().map(|share| occluder.place(at(share), DVec3::ZERO, tolerance));
+        let places = SHARES.iter().map(|share| occluder.place(at(share), DVec3::ZERO, tolerance, &budget));
         let place = places.into_iter().find(|place| *place != Place::On);
         is_outside |= place == Some(Place::Outside);
         overlaps |= place == Some(Place::Inside);
-        if is_outside && overlaps {
+        if is_outside && overlaps || budget.is_spent() {
             break;
         }
     }
-    Relation::of(!is_outside, overlaps, false)
+    Relation::of(!is_outside && !budget.is_spent(), overlaps, false)
 }
 
 /// The relation of a point. On the surface it is inside, without overlapping.
 pub(super) fn relate_point(point: DVec3, occluder: &Surface, tolerance: f64) -> Relation {
-    match occluder.place(point, DVec3::ZERO, tolerance) {
+    let budget = Budget::new();
+    match occluder.place(point, DVec3::ZERO, tolerance, &budget) {
+        _ if budget.is_spent() => Relation::NONE,
         Place::Inside => Relation::ALL,
         Place::On => Relation::of(true, false, false),
         Place::Outside => Relation::NONE,

@@ -18,7 +18,7 @@ pub(super) fn subdivide(
     surface: &Surface,
     pieces: Vec<u32>,
     tolerance: f64,
-    budget: &mut Budget,
+    budget: &Budget,
     mut visit: impl FnMut(&[DVec3]) -> bool,
 ) -> bool {
     // Parts, with the pieces that may divide them.

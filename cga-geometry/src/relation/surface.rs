@@ -2,6 +2,7 @@
 
 use glam::{DAffine3, DVec3};
 
+use super::budget::Budget;
 use super::convex_polygon::ConvexPolygon;
 use super::plane_cut::edge_planes;
 use crate::bounds::Bounds;
@@ -135,8 +136,8 @@ impl Surface {
         );
     }
 
-    /// Returns true if the surface winds around a point.
-    pub(super) fn winds_around(&self, point: DVec3) -> bool {
+    /// Returns true if the surface winds around a point; false if the budget is spent before it is known.
+    pub(super) fn winds_around(&self, point: DVec3, budget: &Budget) -> bool {
         let is_below = |bounds: &Bounds| {
             let (DVec3 { x, y, z }, Bounds { low, high }) = (point, bounds);
             low.x <= x && x <= high.x && low.z <= z && z <= high.z && y <= high.y
@@ -147,28 +148,34 @@ impl Surface {
                 let corners = self.corners(piece);
                 let fan = corners.windows(2).skip(1);
                 winding += fan.map(|pair| winding_part(point, [corners[0], pair[0], pair[1]])).sum::<i32>();
+                return budget.spend(corners.len());
             }
             true
         });
-        winding != 0
+        winding != 0 && !budget.is_spent()
     }
 
     /// The place of a point. Up to the tolerance from the surface it is on it; but on walls inside a solid, which have the solid on both
-    /// sides and are parallel to a plane with the given normal, it is inside.
-    pub(super) fn place(&self, point: DVec3, normal: DVec3, tolerance: f64) -> Place {
+    /// sides and are parallel to a plane with the given normal, it is inside. If the budget is spent before, it counts as on the surface.
+    pub(super) fn place(&self, point: DVec3, normal: DVec3, tolerance: f64, budget: &Budget) -> Place {
         let (mut is_near, mut is_parallel) = (false, true);
         self.near(&Bounds { low: point, high: point }, tolerance, |piece| {
             if self.distance(piece, point) <= tolerance {
                 is_near = true;
                 is_parallel &= PARALLEL <= self.normal(piece).dot(normal).abs();
             }
-            !is_near || is_parallel
+            budget.spend(self.corners(piece).len()) && (!is_near || is_parallel)
         });
         if !is_near {
-            return if self.winds_around(point) { Place::Inside } else { Place::Outside };
+            let is_inside = self.winds_around(point, budget);
+            return match (budget.is_spent(), is_inside) {
+                (true, _) => Place::On,
+                (false, true) => Place::Inside,
+                (false, false) => Place::Outside,
+            };
         }
         let step = normal * (2.0 * tolerance);
-        if is_parallel && self.winds_around(point + step) && self.winds_around(point - step) {
+        if is_parallel && self.winds_around(point + step, budget) && self.winds_around(point - step, budget) {
             return Place::Inside;
         }
         Place::On

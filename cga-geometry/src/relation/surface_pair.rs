@@ -69,15 +69,16 @@ impl Pair<'_> {
     fn compare_faces_of_geometry(&mut self) {
         let (geometry, occluder, tolerance) = (self.geometry, self.occluder, self.tolerance);
         for piece in pieces_near(geometry, &occluder.bounds, tolerance) {
-            if self.known.is_done() {
+            if self.known.is_done() || self.budget.is_spent() {
                 return;
             }
             let polygon = geometry.polygon(piece);
             let near = pieces_near(occluder, geometry.bounds_of(piece), tolerance);
+            let budget = &self.budget;
             if self.known.is_contact_open() {
                 let is_common = |piece: &u32| {
                     let face = occluder.polygon(*piece);
-                    self.budget.spend(polygon.corners.len() + face.corners.len())
+                    budget.spend(polygon.corners.len() + face.corners.len())
                         && face.common_area(&polygon, tolerance).is_some()
                 };
                 self.known.contact = near.iter().any(is_common);
@@ -87,13 +88,13 @@ impl Pair<'_> {
             }
             let known = &mut self.known;
             let visit = |part: &[DVec3]| {
-                let place = witness(part, |point| occluder.place(point, polygon.normal, tolerance));
+                let place = witness(part, |point| occluder.place(point, polygon.normal, tolerance, budget));
                 known.is_outside |= place == Place::Outside;
                 known.overlaps |= place == Place::Inside;
                 if place == Place::On && geometry.is_closed {
                     for beside in sides(middle(part), polygon.normal, tolerance) {
-                        if geometry.winds_around(beside) {
-                            let place = occluder.place(beside, DVec3::ZERO, tolerance);
+                        if geometry.winds_around(beside, budget) {
+                            let place = occluder.place(beside, DVec3::ZERO, tolerance, budget);
                             known.is_outside |= place == Place::Outside;
                             known.overlaps |= place == Place::Inside;
                         }
@@ -101,7 +102,7 @@ impl Pair<'_> {
                 }
                 !known.is_done()
             };
-            if !subdivide(&polygon, occluder, near, tolerance, &mut self.budget, visit) {
+            if !subdivide(&polygon, occluder, near, tolerance, budget, visit) {
                 return;
             }
         }
@@ -111,24 +112,24 @@ impl Pair<'_> {
     fn compare_faces_of_occluder(&mut self) {
         let (geometry, occluder, tolerance) = (self.geometry, self.occluder, self.tolerance);
         for piece in pieces_near(occluder, &geometry.bounds, tolerance) {
-            if self.known.is_done() {
+            if self.known.is_done() || self.budget.is_spent() {
                 return;
             }
             let polygon: ConvexPolygon<'_> = occluder.polygon(piece);
             let near = pieces_near(geometry, occluder.bounds_of(piece), tolerance);
-            let known = &mut self.known;
+            let (known, budget) = (&mut self.known, &self.budget);
             let visit = |part: &[DVec3]| {
-                if witness(part, |point| geometry.place(point, polygon.normal, tolerance)) == Place::Inside {
+                if witness(part, |point| geometry.place(point, polygon.normal, tolerance, budget)) == Place::Inside {
                     known.overlaps = true;
                     // A wall between two parts of the occluder has no outside.
                     known.is_outside |= sides(middle(part), polygon.normal, tolerance).into_iter().any(|beside| {
-                        geometry.winds_around(beside)
-                            && occluder.place(beside, DVec3::ZERO, tolerance) == Place::Outside
+                        geometry.winds_around(beside, budget)
+                            && occluder.place(beside, DVec3::ZERO, tolerance, budget) == Place::Outside
                     });
                 }
                 !known.is_done()
             };
-            if !subdivide(&polygon, geometry, near, tolerance, &mut self.budget, visit) {
+            if !subdivide(&polygon, geometry, near, tolerance, budget, visit) {
                 return;
             }
         }

@@ -387,3 +387,26 @@ fn queries_compare_few_of_many_boxes() {
         assert!(each <= 5 * levels, "{each} of {count}");
     }
 }
+
+#[test]
+fn balls_of_many_faces_are_compared_where_they_meet() {
+    let mut rng = Rng(43);
+    let ball = crate::primitive::sphere(48, 24);
+    let scaled = |factor: f64, shift: f64| {
+        let centre = DVec3::splat(0.5);
+        let translation = centre - centre * factor + DVec3::X * shift;
+        ball.map(&DAffine3 { translation, ..DAffine3::from_scale(DVec3::splat(factor)) })
+    };
+    let cases = [
+        ("itself", scaled(1.0, 0.0), Relation::ALL),
+        ("a smaller one", scaled(0.9, 0.0), Relation::ALL),
+        ("a larger one", scaled(1.1, 0.0), Relation::of(false, true, true)),
+        ("one beside", scaled(1.0, 0.3), Relation::of(false, true, true)),
+        ("one apart", scaled(1.0, 1.01), Relation::NONE),
+    ];
+    let world = motion(&mut rng, 1e3);
+    let occluders = Occluders::new([(Arc::new(ball.clone()), world)]);
+    for (name, geometry, expected) in cases {
+        assert_eq!(ask(&occluders, &QueryGeometry::mesh(&geometry, world)), expected, "{name}");
+    }
+}
