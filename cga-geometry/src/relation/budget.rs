@@ -26,3 +26,30 @@ impl Budget {
         self.0.get() == 0
     }
 }
+
+/// Counts the comparisons of one search, and takes them from the budget in one go or in large parts.
+pub(super) struct Count<'b> {
+    budget: &'b Budget,
+    open: usize,
+}
+
+impl<'b> Count<'b> {
+    /// The comparisons that are taken at once.
+    const PART: usize = 4096;
+
+    pub(super) fn of(budget: &'b Budget) -> Self {
+        Count { budget, open: 0 }
+    }
+
+    /// Adds some comparisons. Returns false if none are left.
+    #[inline]
+    pub(super) fn add(&mut self, count: usize) -> bool {
+        self.open += count;
+        self.open < Self::PART || self.budget.spend(std::mem::take(&mut self.open))
+    }
+
+    /// Takes the comparisons that were added last.
+    pub(super) fn finish(self) {
+        self.budget.spend(self.open);
+    }
+}

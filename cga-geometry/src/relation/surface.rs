@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DVec3};
 
-use super::budget::Budget;
+use super::budget::{Budget, Count};
 use super::convex_polygon::ConvexPolygon;
 use super::plane_cut::edge_planes;
 use crate::bounds::Bounds;
@@ -142,30 +142,32 @@ impl Surface {
             let (DVec3 { x, y, z }, Bounds { low, high }) = (point, bounds);
             low.x <= x && x <= high.x && low.z <= z && z <= high.z && y <= high.y
         };
-        let mut winding = 0;
+        let (mut winding, mut count) = (0, Count::of(budget));
         self.tree.visit(is_below, |piece| {
             if is_below(&self.boxes[piece as usize]) {
                 let corners = self.corners(piece);
                 let fan = corners.windows(2).skip(1);
                 winding += fan.map(|pair| winding_part(point, [corners[0], pair[0], pair[1]])).sum::<i32>();
-                return budget.spend(corners.len());
+                return count.add(corners.len());
             }
             true
         });
+        count.finish();
         winding != 0 && !budget.is_spent()
     }
 
     /// The place of a point. Up to the tolerance from the surface it is on it; but on walls inside a solid, which have the solid on both
     /// sides and are parallel to a plane with the given normal, it is inside. If the budget is spent before, it counts as on the surface.
     pub(super) fn place(&self, point: DVec3, normal: DVec3, tolerance: f64, budget: &Budget) -> Place {
-        let (mut is_near, mut is_parallel) = (false, true);
+        let (mut is_near, mut is_parallel, mut count) = (false, true, Count::of(budget));
         self.near(&Bounds { low: point, high: point }, tolerance, |piece| {
             if self.distance(piece, point) <= tolerance {
                 is_near = true;
                 is_parallel &= PARALLEL <= self.normal(piece).dot(normal).abs();
             }
-            budget.spend(self.corners(piece).len()) && (!is_near || is_parallel)
+            count.add(self.corners(piece).len()) && (!is_near || is_parallel)
         });
+        count.finish();
         if !is_near {
             let is_inside = self.winds_around(point, budget);
             return match (budget.is_spent(), is_inside) {
