@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Packages, benches and their arguments, in the order of the page.
-const BENCHES: [(&str, &str, &[&str]); 12] = [
+const BENCHES: [(&str, &str, &[&str]); 13] = [
     ("cga", "rules", &[]),
     ("cga", "files", &[]),
     ("cga", "scenes", &[]),
@@ -20,6 +20,7 @@ const BENCHES: [(&str, &str, &[&str]); 12] = [
     ("cga", "comp", &[]),
     ("cga", "triangles", &[]),
     ("cga", "textures", &[]),
+    ("cga", "relation", &[]),
     ("cga-split", "solve", &[]),
     ("cga-tests", "build", &[]),
 ];
