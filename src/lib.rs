@@ -90,6 +90,7 @@ pub use cga_runtime::output::batches::{Batch, Batches, RunError};
 pub use cga_runtime::output::error::WriteError;
 pub use cga_runtime::output::model::{Geometry, LeafView, Leaves, Model};
 pub use cga_runtime::run::building::Building;
+pub use cga_runtime::run::coordinate_system::CoordinateSystem;
 pub use cga_runtime::run::report::Report;
 pub use cga_runtime::run::report::{Collection, Print, Reports, Summary};
 pub use cga_runtime::run::rules::Rules;

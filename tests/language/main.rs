@@ -1,13 +1,13 @@
 //! The language beyond splits and comps. Rules are text unless a test says otherwise; `sources.rs` compares inline rules,
 //! text and files.
 //!
-//! `getTreeKey` and context queries do not run yet, so of the former only the order of lines is tested. The runtime tests the
-//! table of reports.
+//! The runtime tests the table of reports.
 #![allow(deprecated, reason = "rules at the edges of what makes sense: findings are warnings of this kind")]
 
 mod arrays;
 mod attributes;
 mod chance;
+mod context;
 mod deep;
 mod defaults;
 mod district;
@@ -25,6 +25,7 @@ mod json;
 mod lazy;
 mod locals;
 mod lots;
+mod occlusion;
 mod old_names;
 mod old_spellings;
 mod operations;
@@ -43,6 +44,7 @@ mod stopping;
 mod styles;
 mod text;
 mod tiny;
+mod tree_keys;
 mod values;
 
 use cga::{Array, Grammar, Model, Shape, Text, Value};

@@ -10,7 +10,7 @@ use std::fmt;
 use crate::fault::Error;
 use crate::grammar::{Grammar, lots};
 use crate::output::model::Model;
-use crate::run::derive::{self, GrammarNames, Kept, RunOutcome, Start};
+use crate::run::derive::{self, Derivation, GrammarNames, Kept, RunOutcome, Start};
 use crate::run::report::Report;
 use crate::run::rules::Rules;
 use crate::run::settings::Settings;
@@ -164,7 +164,7 @@ fn run_named<G: Rules + Grammar>(
     let attributes = grammar.attributes();
     let attribute = |index: usize| attributes.get(index).map_or("", |attribute| attribute.name);
     let names = GrammarNames { grammar: grammar.name(), attribute: &attribute };
-    derive::run(grammar, start, shape, settings, kept, &names, sink)
+    derive::run(&Derivation { rules: grammar, start, shape, settings }, None, kept, &names, sink)
 }
 
 /// A session of a grammar that is chosen at run time. Made by [`Grammar::session`].

@@ -8,6 +8,7 @@ use std::collections::VecDeque;
 use std::rc::Rc;
 
 use crate::fault::LimitKind;
+use crate::run::env::tree::RecordedShape;
 use crate::run::env::{Env, Trail};
 use crate::run::sink::{Filled, Flow, Leaf, Sink};
 use crate::run::template::{Tape, Templates};
@@ -204,7 +205,7 @@ pub(crate) fn recorded_symbol(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeR
 }
 
 /// Passes a leaf with its recorded shape, if any, to the sink.
-fn recorded_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32, recorded: Option<u32>) -> Flow {
+fn recorded_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32, recorded: RecordedShape) -> Flow {
     let leaves = env.leaf_count();
     let flow = filled(env, sink, shape, rule);
     // A shape of which nothing is left is not a leaf.

@@ -126,7 +126,8 @@ impl Coordinates {
 
     /// Returns true if no coordinates come from that set of the mesh.
     pub(crate) fn hides(&self, set: u8) -> bool {
-        self.sets.iter().any(|entry| entry.set == set) && self.sets.iter().all(|entry| entry.source != UvSource::Own(set))
+        self.sets.iter().any(|entry| entry.set == set)
+            && self.sets.iter().all(|entry| entry.source != UvSource::Own(set))
     }
 
     /// Sets the source of a set.

@@ -1,0 +1,88 @@
+//! Ghosts: the shapes of a derivation that queries of other shapes find.
+//!
+//! A query never asks the derivation that it is part of. Queries of the same initial shape (`intra`) ask a derivation before it, in which
+//! every such query gave its default. Queries of other initial shapes (`inter`) ask derivations of these in which every `inter` query gave
+//! its default (*CGA and its context*). The shapes of such a derivation are its ghost.
+
+mod labelled;
+mod occluders;
+pub(crate) mod relation;
+
+use std::collections::BTreeMap;
+
+use super::tree_keys::{TreeKeys, TreeNode};
+use crate::shape::body::Body;
+use crate::value::text::Text;
+
+pub use labelled::ContextComparison;
+pub(crate) use labelled::LabelledShape;
+pub(crate) use occluders::{GhostOccluders, OccluderList};
+
+/// What a derivation collects for queries.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Collect {
+    /// Labelled shapes.
+    pub(crate) labels: bool,
+    /// Closed shapes that occlude: leaves, shapes before a `comp` or an `offset` with selector, labelled shapes.
+    pub(crate) occluders: bool,
+}
+
+impl Collect {
+    /// Returns true if nothing is collected.
+    pub(crate) fn is_nothing(self) -> bool {
+        self == Collect::default()
+    }
+}
+
+/// The shapes of a derivation that queries find.
+#[derive(Debug, Default)]
+pub(crate) struct Ghost {
+    labelled: BTreeMap<Text, Vec<LabelledShape>>,
+    occluders: GhostOccluders,
+}
+
+impl Ghost {
+    /// The shapes with a label, in the order of the derivation.
+    pub(crate) fn labelled(&self, label: &str) -> &[LabelledShape] {
+        self.labelled.get(label).map_or(&[], Vec::as_slice)
+    }
+
+    /// The closed shapes.
+    pub(crate) fn occluders(&self) -> &GhostOccluders {
+        &self.occluders
+    }
+}
+
+/// A ghost under construction.
+#[derive(Debug)]
+pub(crate) struct GhostBuilder {
+    pub(crate) collect: Collect,
+    labelled: BTreeMap<Text, Vec<LabelledShape>>,
+    occluders: OccluderList,
+}
+
+impl GhostBuilder {
+    pub(crate) fn new(collect: Collect) -> Self {
+        GhostBuilder { collect, labelled: BTreeMap::new(), occluders: OccluderList::default() }
+    }
+
+    /// Adds a labelled copy of a shape. `node` is the shape whose rule makes it.
+    pub(crate) fn add_label(&mut self, label: Text, body: Body, node: TreeNode) {
+        if self.collect.labels {
+            self.labelled.entry(label.clone()).or_default().push(LabelledShape::of(&body));
+        }
+        if self.collect.occluders {
+            self.occluders.add(body, node, Some(label));
+        }
+    }
+
+    /// Adds a shape that occludes if it is closed.
+    pub(crate) fn add_occluder(&mut self, body: Body, node: TreeNode) {
+        self.occluders.add(body, node, None);
+    }
+
+    /// The ghost of a derivation that has ended, with the keys of its shapes.
+    pub(crate) fn finish(self, keys: TreeKeys) -> Ghost {
+        Ghost { labelled: self.labelled, occluders: self.occluders.finish(keys) }
+    }
+}
