@@ -37,6 +37,7 @@ mod queries;
 mod recompose;
 mod reconnected;
 mod run;
+mod scene;
 mod shape_tree;
 mod shared;
 mod sources;

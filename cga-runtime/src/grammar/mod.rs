@@ -8,6 +8,7 @@ mod json;
 pub(crate) mod lazy;
 mod lots;
 pub mod parallel;
+pub mod scene;
 pub mod session;
 pub(crate) mod support;
 mod unrunnable;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::ghost::relation::Relation;
-use super::ghost::{ContextComparison, Ghost, LabelledShape};
+use super::ghost::{ContextComparison, Ghost, LabelIndex, LabelledShape};
 use crate::geometry::mesh::Mesh;
 use crate::shape::scope::Scope;
 
@@ -27,53 +27,91 @@ pub(crate) struct Surroundings {
     pub(crate) neighbours: Option<Arc<Neighbours>>,
 }
 
-/// The ghosts of other initial shapes, in the order of the scene.
+/// The shapes of other initial shapes.
 #[derive(Debug, Default)]
-pub(crate) struct Neighbours {
-    /// The ones near enough for occlusion queries.
+pub struct Neighbours {
+    /// The ghosts of those near enough for occlusion queries, in the order of the scene.
     pub(crate) occlusion: Vec<Arc<Ghost>>,
-    /// The ones near enough for context queries.
-    pub(crate) context: Vec<Arc<Ghost>>,
+    /// The labelled shapes of those near enough for context queries.
+    pub(crate) context: LabelledNeighbours,
+}
+
+/// The labelled shapes of other initial shapes.
+#[derive(Debug)]
+pub(crate) enum LabelledNeighbours {
+    /// Those of some initial shapes.
+    Some(Vec<Arc<Ghost>>),
+    /// Those of all initial shapes of a scene but the one with this number.
+    AllBut(Arc<LabelIndex>, usize),
+}
+
+impl Default for LabelledNeighbours {
+    fn default() -> Self {
+        LabelledNeighbours::Some(Vec::new())
+    }
+}
+
+impl LabelledNeighbours {
+    fn count(&self, label: &str) -> usize {
+        match self {
+            LabelledNeighbours::Some(ghosts) => ghosts.iter().map(|ghost| ghost.labels().count(label, None)).sum(),
+            LabelledNeighbours::AllBut(index, own) => index.count(label, Some(*own)),
+        }
+    }
+
+    fn rank(&self, label: &str, shape: &LabelledShape, by: ContextComparison) -> usize {
+        match self {
+            LabelledNeighbours::Some(ghosts) => {
+                ghosts.iter().map(|ghost| ghost.labels().rank(label, None, shape, by)).sum()
+            }
+            LabelledNeighbours::AllBut(index, own) => index.rank(label, Some(*own), shape, by),
+        }
+    }
+
+    fn least_distance(&self, label: &str, scope: &Scope) -> f64 {
+        match self {
+            LabelledNeighbours::Some(ghosts) => ghosts
+                .iter()
+                .map(|ghost| ghost.labels().least_distance(label, None, scope))
+                .fold(f64::INFINITY, f64::min),
+            LabelledNeighbours::AllBut(index, own) => index.least_distance(label, Some(*own), scope),
+        }
+    }
 }
 
 impl Surroundings {
     /// The relation of a mesh in the world to the closed shapes of a target. `key` is the place of the query in the tree of its shapes.
     pub(crate) fn relation(&self, target: QueryTarget, query: &Mesh, label: Option<&str>, key: &[u32]) -> Relation {
-        let (own, others) = self.ghosts(target, |neighbours| &neighbours.occlusion);
-        let own = own.map(|ghost| ghost.occluders().relation(query, label, Some(key)));
-        let others = others.iter().map(|ghost| ghost.occluders().relation(query, label, None));
+        let own = self.own(target).map(|ghost| ghost.occluders().relation(query, label, Some(key)));
+        let others = self.neighbours(target).into_iter().flat_map(|neighbours| &neighbours.occlusion);
+        let others = others.map(|ghost| ghost.occluders().relation(query, label, None));
         own.into_iter().chain(others).fold(Relation::default(), Relation::or)
     }
 
     /// The distance from a scope to the nearest scope with a label, in metres; infinite without one.
     pub(crate) fn least_distance(&self, target: QueryTarget, label: &str, scope: &Scope) -> f64 {
-        self.labelled(target, label).map(|shape| shape.distance_to(scope)).fold(f64::INFINITY, f64::min)
+        let own = self.own(target).map(|ghost| ghost.labels().least_distance(label, None, scope));
+        let others = self.neighbours(target).map(|neighbours| neighbours.context.least_distance(label, scope));
+        own.into_iter().chain(others).fold(f64::INFINITY, f64::min)
     }
 
     /// The number of shapes with a label.
     pub(crate) fn count(&self, target: QueryTarget, label: &str) -> usize {
-        self.labelled(target, label).count()
+        let own = self.own(target).map_or(0, |ghost| ghost.labels().count(label, None));
+        own + self.neighbours(target).map_or(0, |neighbours| neighbours.context.count(label))
     }
 
     /// The number of shapes with a label that are better than a shape.
-    pub(crate) fn rank(&self, target: QueryTarget, label: &str, own: &LabelledShape, by: ContextComparison) -> usize {
-        self.labelled(target, label).filter(|shape| shape.is_better(own, by)).count()
+    pub(crate) fn rank(&self, target: QueryTarget, label: &str, shape: &LabelledShape, by: ContextComparison) -> usize {
+        let own = self.own(target).map_or(0, |ghost| ghost.labels().rank(label, None, shape, by));
+        own + self.neighbours(target).map_or(0, |neighbours| neighbours.context.rank(label, shape, by))
     }
 
-    /// The shapes with a label.
-    fn labelled<'a>(&'a self, target: QueryTarget, label: &'a str) -> impl Iterator<Item = &'a LabelledShape> {
-        let (own, others) = self.ghosts(target, |neighbours| &neighbours.context);
-        own.into_iter().chain(others).flat_map(move |ghost| ghost.labelled(label))
+    fn own(&self, target: QueryTarget) -> Option<&Ghost> {
+        self.own.as_deref().filter(|_| target != QueryTarget::Inter)
     }
 
-    /// The ghosts of a target.
-    fn ghosts<'a>(
-        &'a self,
-        target: QueryTarget,
-        others: impl Fn(&'a Neighbours) -> &'a [Arc<Ghost>],
-    ) -> (Option<&'a Arc<Ghost>>, &'a [Arc<Ghost>]) {
-        let own = self.own.as_ref().filter(|_| target != QueryTarget::Inter);
-        let neighbours = self.neighbours.as_deref().filter(|_| target != QueryTarget::Intra);
-        (own, neighbours.map_or(&[], others))
+    fn neighbours(&self, target: QueryTarget) -> Option<&Neighbours> {
+        self.neighbours.as_deref().filter(|_| target != QueryTarget::Intra)
     }
 }

@@ -35,6 +35,20 @@ pub enum ContextComparison {
     AreaSmallest,
 }
 
+impl ContextComparison {
+    /// All comparisons, in their order.
+    pub(crate) const ALL: [ContextComparison; 8] = [
+        ContextComparison::WorldNorthernmost,
+        ContextComparison::WorldSouthernmost,
+        ContextComparison::WorldEasternmost,
+        ContextComparison::WorldWesternmost,
+        ContextComparison::WorldHighest,
+        ContextComparison::WorldLowest,
+        ContextComparison::AreaLargest,
+        ContextComparison::AreaSmallest,
+    ];
+}
+
 impl LabelledShape {
     /// A copy of a shape.
     pub(crate) fn of(body: &Body) -> Self {
@@ -46,8 +60,13 @@ impl LabelledShape {
         scope_distance::distance(&self.scope, scope)
     }
 
+    /// The box around its scope, along the axes of the world.
+    pub(super) fn around(&self) -> Bounds {
+        Bounds::of(self.scope.corners())
+    }
+
     /// The value by which shapes are ranked: larger is better.
-    fn value(&self, by: ContextComparison) -> f64 {
+    pub(super) fn value(&self, by: ContextComparison) -> f64 {
         let Bounds { low, high } = self.bounds;
         match by {
             ContextComparison::WorldNorthernmost => -low.z,
@@ -61,9 +80,14 @@ impl LabelledShape {
         }
     }
 
-    /// Returns true if it is better than another shape by more than rounding: equal shapes have one rank.
+    /// Returns true if it is better than another shape.
     pub(crate) fn is_better(&self, other: &LabelledShape, by: ContextComparison) -> bool {
-        let (own, its) = (self.value(by), other.value(by));
-        TIE_EPSILON * own.abs().max(its.abs()).max(1.0) < own - its
+        is_better(self.value(by), other.value(by))
     }
+}
+
+/// Returns true if a value is better than another one by more than rounding: shapes with equal values have one rank. Of values in ascending
+/// order, the better ones are the last ones.
+pub(super) fn is_better(value: f64, other: f64) -> bool {
+    TIE_EPSILON * value.abs().max(other.abs()).max(1.0) < value - other
 }

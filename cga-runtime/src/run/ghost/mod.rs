@@ -4,23 +4,24 @@
 //! every such query gave its default. Queries of other initial shapes (`inter`) ask derivations of these in which every `inter` query gave
 //! its default (*CGA and its context*). The shapes of such a derivation are its ghost.
 
+pub(crate) mod box_tree;
+mod label_index;
 mod labelled;
 mod occluders;
 pub(crate) mod relation;
-
-use std::collections::BTreeMap;
 
 use super::tree_keys::{TreeKeys, TreeNode};
 use crate::shape::body::Body;
 use crate::value::text::Text;
 
+pub(crate) use label_index::LabelIndex;
 pub use labelled::ContextComparison;
 pub(crate) use labelled::LabelledShape;
 pub(crate) use occluders::{GhostOccluders, OccluderList};
 
 /// What a derivation collects for queries.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Collect {
+pub struct Collect {
     /// Labelled shapes.
     pub(crate) labels: bool,
     /// Closed shapes that occlude: leaves, shapes before a `comp` or an `offset` with selector, labelled shapes.
@@ -36,15 +37,15 @@ impl Collect {
 
 /// The shapes of a derivation that queries find.
 #[derive(Debug, Default)]
-pub(crate) struct Ghost {
-    labelled: BTreeMap<Text, Vec<LabelledShape>>,
+pub struct Ghost {
+    labels: LabelIndex,
     occluders: GhostOccluders,
 }
 
 impl Ghost {
-    /// The shapes with a label, in the order of the derivation.
-    pub(crate) fn labelled(&self, label: &str) -> &[LabelledShape] {
-        self.labelled.get(label).map_or(&[], Vec::as_slice)
+    /// The labelled shapes.
+    pub(crate) fn labels(&self) -> &LabelIndex {
+        &self.labels
     }
 
     /// The closed shapes.
@@ -57,19 +58,19 @@ impl Ghost {
 #[derive(Debug)]
 pub(crate) struct GhostBuilder {
     pub(crate) collect: Collect,
-    labelled: BTreeMap<Text, Vec<LabelledShape>>,
+    labels: LabelIndex,
     occluders: OccluderList,
 }
 
 impl GhostBuilder {
     pub(crate) fn new(collect: Collect) -> Self {
-        GhostBuilder { collect, labelled: BTreeMap::new(), occluders: OccluderList::default() }
+        GhostBuilder { collect, labels: LabelIndex::default(), occluders: OccluderList::default() }
     }
 
     /// Adds a labelled copy of a shape. `node` is the shape whose rule makes it.
     pub(crate) fn add_label(&mut self, label: Text, body: Body, node: TreeNode) {
         if self.collect.labels {
-            self.labelled.entry(label.clone()).or_default().push(LabelledShape::of(&body));
+            self.labels.add(label.clone(), 0, LabelledShape::of(&body));
         }
         if self.collect.occluders {
             self.occluders.add(body, node, Some(label));
@@ -83,6 +84,6 @@ impl GhostBuilder {
 
     /// The ghost of a derivation that has ended, with the keys of its shapes.
     pub(crate) fn finish(self, keys: TreeKeys) -> Ghost {
-        Ghost { labelled: self.labelled, occluders: self.occluders.finish(keys) }
+        Ghost { labels: self.labels, occluders: self.occluders.finish(keys) }
     }
 }
