@@ -120,7 +120,10 @@ fn unknown_labels_and_neighbours_give_the_defaults() {
             Lot --> label("a") print(minimumDistance(intra, "b")) print(minimumDistance(inter, "a")) print(contextCount(inter, "a"))
                 print(minimumDistance(all, "a")) print(contextCount(all, "a")) print(touches(inter)) X."#;
     }
-    assert_eq!(lines(&model(&Defaults::default())), ["inf", "inf", "0", "0", "1", "false"]);
+    let model = Defaults::default().generate(&Shape::rectangle(2.0, 2.0)).expect("a model");
+    assert_eq!(lines(&model), ["inf", "inf", "0", "0", "1", "false"]);
+    let faults: Vec<&str> = model.faults().iter().map(|fault| fault.message.as_str()).collect();
+    assert_eq!(faults, ["a query with `inter` gives its default: only a `Scene` knows other initial shapes"]);
 }
 
 #[test]

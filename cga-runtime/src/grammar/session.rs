@@ -12,6 +12,7 @@ use crate::fault::{Error, Fault};
 use crate::grammar::{Grammar, lots};
 use crate::output::model::Model;
 use crate::run::derive::{self, Derivation, GrammarNames, Kept, RunOutcome, Start};
+use crate::run::ghost::leaf_sink::LeafGhost;
 use crate::run::ghost::{Collect, Ghost};
 use crate::run::queries::Queries;
 use crate::run::report::Report;
@@ -219,10 +220,15 @@ pub trait DynSession {
         Queries::default()
     }
 
-    /// The shapes that a run on a shape leaves for the queries of its neighbours. A grammar that is written by hand leaves none.
+    /// The shapes that a run on a shape leaves for the queries of its neighbours. A grammar that is written by hand leaves its closed
+    /// leaves.
     #[doc(hidden)]
-    fn ghost(&mut self, _shape: &Shape, _collect: Collect) -> Result<Ghost, RunOutcome> {
-        Ok(Ghost::default())
+    fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, RunOutcome> {
+        let mut leaves = LeafGhost::new(collect);
+        match self.outcome(shape, None, &mut leaves) {
+            RunOutcome { report, error: None } if !report.stopped => Ok(leaves.finish()),
+            outcome => Err(outcome),
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 //! copies that its rule has made of it.
 
 use crate::run::env::Env;
+use crate::run::ghost::relation::Relation;
 use crate::run::surroundings::QueryTarget;
 use crate::shape::Shape;
 use crate::shape::body::Body;
@@ -12,15 +13,15 @@ use crate::value::text::Text;
 
 /// `inside(target, label)`: true if the shape is completely inside one closed shape, or on its surface.
 pub fn inside(env: &mut Env, shape: &Shape, target: QueryTarget, label: Text) -> bool {
-    env.relation(&Body::from(shape), target, &label).inside
+    env.relation(&Body::from(shape), target, &label, Relation::INSIDE).inside
 }
 
 /// `overlaps(target, label)`: true if the shape is partly or completely inside one closed shape, or the other way round.
 pub fn overlaps(env: &mut Env, shape: &Shape, target: QueryTarget, label: Text) -> bool {
-    env.relation(&Body::from(shape), target, &label).overlaps
+    env.relation(&Body::from(shape), target, &label, Relation::OVERLAPS).overlaps
 }
 
 /// `touches(target, label)`: true if the shape overlaps one closed shape, or has contact with its surface along an area.
 pub fn touches(env: &mut Env, shape: &Shape, target: QueryTarget, label: Text) -> bool {
-    env.relation(&Body::from(shape), target, &label).touches
+    env.relation(&Body::from(shape), target, &label, Relation::TOUCHES).touches
 }

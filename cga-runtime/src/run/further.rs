@@ -75,7 +75,7 @@ impl<R: Rules> Derivation<'_, R> {
     /// # Errors
     /// The outcome of the run, if it has an error or is stopped.
     pub(crate) fn ghost(&self, collect: Collect) -> Result<Ghost, RunOutcome> {
-        self.collected(self.surroundings(None)?, collect)
+        self.collected(self.surroundings(None)?, collect).map(Ghost::without_keys)
     }
 
     /// Derives the run and collects its shapes. Its reports, prints and faults are dropped.

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::ghost::relation::Relation;
-use super::ghost::{ContextComparison, Ghost, LabelIndex, LabelledShape};
-use crate::geometry::mesh::Mesh;
+use super::ghost::{self, ContextComparison, Ghost, LabelIndex, LabelledShape};
+use crate::shape::body::Body;
 use crate::shape::scope::Scope;
 
 /// The initial shapes that a query asks about (*occlusion queries*).
@@ -18,7 +18,7 @@ pub enum QueryTarget {
     All,
 }
 
-/// The shapes around those of a run. Queries of shapes that are not known have their defaults.
+/// The shapes around the shapes of a run. Queries of shapes that are not known have their defaults.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Surroundings {
     /// The shapes of a first derivation of the same initial shape.
@@ -39,9 +39,9 @@ pub struct Neighbours {
 /// The labelled shapes of other initial shapes.
 #[derive(Debug)]
 pub(crate) enum LabelledNeighbours {
-    /// Those of some initial shapes.
+    /// The shapes of some initial shapes.
     Some(Vec<Arc<Ghost>>),
-    /// Those of all initial shapes of a scene but the one with this number.
+    /// The shapes of all initial shapes of a scene without the one with this number.
     AllBut(Arc<LabelIndex>, usize),
 }
 
@@ -80,12 +80,22 @@ impl LabelledNeighbours {
 }
 
 impl Surroundings {
-    /// The relation of a mesh in the world to the closed shapes of a target. `key` is the place of the query in the tree of its shapes.
-    pub(crate) fn relation(&self, target: QueryTarget, query: &Mesh, label: Option<&str>, key: &[u32]) -> Relation {
-        let own = self.own(target).map(|ghost| ghost.occluders().relation(query, label, Some(key)));
-        let others = self.neighbours(target).into_iter().flat_map(|neighbours| &neighbours.occlusion);
-        let others = others.map(|ghost| ghost.occluders().relation(query, label, None));
-        own.into_iter().chain(others).fold(Relation::default(), Relation::or)
+    /// The wanted answers for a shape, among the closed shapes of a target with a label, or all without one. `key` is the place of the query
+    /// in the tree of its shapes.
+    pub(crate) fn relation(
+        &self,
+        target: QueryTarget,
+        shape: &Body,
+        wanted: Relation,
+        label: Option<&str>,
+        key: &[u32],
+    ) -> Relation {
+        let neighbours = self.neighbours(target).map_or(&[][..], |neighbours| &neighbours.occlusion);
+        ghost::body::relation(shape, &mut |query| {
+            let own = self.own(target).map(|ghost| ghost.occluders().relation(query, wanted, label, Some(key)));
+            let others = neighbours.iter().map(|ghost| ghost.occluders().relation(query, wanted, label, None));
+            own.into_iter().chain(others).fold(Relation::NONE, Relation::or)
+        })
     }
 
     /// The distance from a scope to the nearest scope with a label, in metres; infinite without one.

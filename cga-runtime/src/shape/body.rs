@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Geometry, Shape, ShapeRef};
+use super::{Geometry, Placed, Shape, ShapeRef};
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::shape::filled_scope;
 use crate::shape::scope::Scope;
@@ -29,6 +29,13 @@ impl From<&ShapeRef<'_>> for Body {
 }
 
 impl Body {
+    /// A mesh in the world.
+    pub(crate) fn in_world(mesh: Mesh) -> Self {
+        let placed = Placed::fitted(mesh);
+        let scope = Scope { origin: placed.low, ..Scope::new(placed.size) };
+        Body { scope, geometry: Geometry::Mesh(Arc::new(placed)) }
+    }
+
     /// The box around the geometry, in the world; for a shape without geometry, the box around its scope.
     pub(crate) fn bounds(&self) -> Bounds {
         let Body { scope, geometry } = self;

@@ -3,6 +3,7 @@
 //! The checkpoint of a run with tree keys is 0, so every shape leaves the fast path.
 
 use super::Env;
+use crate::fault::FaultKind;
 use crate::run::ghost::relation::Relation;
 use crate::run::ghost::{Collect, Ghost, GhostBuilder};
 use crate::run::settings::Repeats;
@@ -117,10 +118,18 @@ impl Env {
         self.scene.ghost = before.ghost;
     }
 
-    /// The relation of a shape to the closed shapes of a target.
-    pub(crate) fn relation(&self, shape: &Body, target: QueryTarget, label: &str) -> Relation {
+    /// Reports a query of other initial shapes in a run that knows none, as it is not part of a scene.
+    pub(crate) fn expect_scene(&mut self, target: QueryTarget) {
+        if target == QueryTarget::Inter && self.scene.around.neighbours.is_none() {
+            let message = "a query with `inter` gives its default: only a `Scene` knows other initial shapes";
+            self.fault_once(FaultKind::Value, message);
+        }
+    }
+
+    /// The wanted answers for a shape, among the closed shapes of a target with a label; an empty label means all shapes.
+    pub(crate) fn relation(&mut self, shape: &Body, target: QueryTarget, label: &str, wanted: Relation) -> Relation {
+        self.expect_scene(target);
         let label = Some(label).filter(|label| !label.is_empty());
-        let Some(mesh) = shape.world_mesh() else { return Relation::default() };
-        self.scene.around.relation(target, &mesh, label, &self.tree_key())
+        self.scene.around.relation(target, shape, wanted, label, &self.tree_key())
     }
 }

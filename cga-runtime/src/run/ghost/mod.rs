@@ -4,9 +4,11 @@
 //! every such query gave its default. Queries of other initial shapes (`inter`) ask derivations of these in which every `inter` query gave
 //! its default (*CGA and its context*). The shapes of such a derivation are its ghost.
 
+pub(crate) mod body;
 pub(crate) mod box_tree;
 mod label_index;
 mod labelled;
+pub(crate) mod leaf_sink;
 mod occluders;
 pub(crate) mod relation;
 
@@ -46,6 +48,12 @@ impl Ghost {
     /// The labelled shapes.
     pub(crate) fn labels(&self) -> &LabelIndex {
         &self.labels
+    }
+
+    /// The ghost without the tree of its shapes, which only queries of the same initial shape need.
+    pub(super) fn without_keys(mut self) -> Self {
+        self.occluders.forget_keys();
+        self
     }
 
     /// The closed shapes.

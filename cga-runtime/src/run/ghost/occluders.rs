@@ -2,8 +2,8 @@
 
 use std::sync::OnceLock;
 
-use super::relation::{Occluders, Relation};
-use crate::geometry::mesh::Mesh;
+use super::body;
+use super::relation::{Occluders, QueryGeometry, Relation};
 use crate::run::tree_keys::{TreeKeys, TreeNode};
 use crate::shape::body::Body;
 use crate::value::text::Text;
@@ -11,12 +11,12 @@ use crate::value::text::Text;
 /// Closed shapes in order, while a derivation collects them.
 #[derive(Debug, Default)]
 pub(crate) struct OccluderList {
-    list: Vec<Occluder>,
+    list: Vec<GhostOccluder>,
 }
 
 /// A closed shape.
 #[derive(Debug)]
-struct Occluder {
+struct GhostOccluder {
     body: Body,
     label: Option<Text>,
     /// The shape of the tree that it is, or whose rule has made it.
@@ -27,7 +27,7 @@ impl OccluderList {
     /// Adds a shape if it is closed.
     pub(super) fn add(&mut self, body: Body, node: TreeNode, label: Option<Text>) {
         if body.is_closed() {
-            self.list.push(Occluder { body, label, node });
+            self.list.push(GhostOccluder { body, label, node });
         }
     }
 
@@ -39,23 +39,34 @@ impl OccluderList {
 /// The closed shapes of a derivation, with the places that they have in its tree.
 #[derive(Debug, Default)]
 pub(crate) struct GhostOccluders {
-    list: Vec<Occluder>,
+    list: Vec<GhostOccluder>,
     keys: TreeKeys,
-    /// The shapes as meshes, made at the first query.
+    /// The shapes as solids, made at the first query.
     solids: OnceLock<Occluders>,
 }
 
 impl GhostOccluders {
-    /// The relation of a mesh in the world to the shapes with a label, or to all shapes without one. `key` is the place of the query in its
-    /// own tree, if this is a derivation of the same initial shape: its ancestors and descendants are left out.
-    pub(crate) fn relation(&self, query: &Mesh, label: Option<&str>, key: Option<&[u32]>) -> Relation {
+    /// Drops the places in the tree. No query passes a key from now on.
+    pub(super) fn forget_keys(&mut self) {
+        self.keys = TreeKeys::default();
+        self.list.iter_mut().for_each(|occluder| occluder.node = TreeNode::default());
+    }
+
+    /// The wanted answers for a geometry, among the shapes with a label, or among all shapes without one. `key` is the place of the query in
+    /// its own tree, if this is a derivation of the same initial shape: its ancestors and descendants are left out.
+    pub(crate) fn relation(
+        &self,
+        query: &QueryGeometry<'_>,
+        wanted: Relation,
+        label: Option<&str>,
+        key: Option<&[u32]>,
+    ) -> Relation {
         if self.list.is_empty() {
-            return Relation::default();
+            return Relation::NONE;
         }
-        let meshes = || self.list.iter().filter_map(|occluder| occluder.body.world_mesh());
-        let solids = self.solids.get_or_init(|| Occluders::new(meshes().collect()));
-        solids.query(query, &mut |number| {
-            let Occluder { label: own, node, .. } = &self.list[number as usize];
+        let occluders = || Occluders::new(self.list.iter().filter_map(|occluder| body::occluder(&occluder.body)));
+        self.solids.get_or_init(occluders).query(query, wanted, &mut |number| {
+            let GhostOccluder { label: own, node, .. } = &self.list[number as usize];
             label.is_none_or(|label| own.as_deref() == Some(label))
                 && !key.is_some_and(|key| self.keys.is_in_line(*node, key))
         })
