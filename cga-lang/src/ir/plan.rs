@@ -111,6 +111,12 @@ impl<'g> RunPlan<'g> {
         Queries::by_start(self.grammar)
     }
 
+    /// Returns true if runs tell when they enter and leave a block: queries of closed shapes of the same initial shape leave out the
+    /// shapes above and below a place, and the parts of a split are places of their own.
+    pub fn tells_parts(&self) -> bool {
+        self.start_queries().iter().any(|queries| queries.has(Queries::INTRA_OCCLUSION))
+    }
+
     /// Returns true for a `NIL` of the rule `from` that moves its neighbours: the shape vanishes from a recomposition.
     pub fn vanishes(&self, target: &Target, from: RuleId) -> bool {
         matches!(target, Target::Nil) && self.recomposed.contains(&from)

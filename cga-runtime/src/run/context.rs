@@ -82,6 +82,19 @@ impl<C> Cx<'_, C> {
         Flow::Continue(())
     }
 
+    /// Enters a block, in grammars whose rules ask about closed shapes of the same initial shape.
+    #[inline]
+    pub fn enter_block(&mut self) {
+        self.env.enter_block();
+    }
+
+    /// Leaves a block.
+    #[inline]
+    pub fn leave_block(&mut self) -> Flow {
+        self.env.leave_block();
+        Flow::Continue(())
+    }
+
     /// Reserves stack for a call: `levels` of recursion, 0 or 1, and `stack` units of [`STACK`]. Returns true if they
     /// are available; [`Cx::ascend`] then follows the call. Otherwise [`Cx::defer`] replaces the call.
     #[inline]

@@ -80,7 +80,7 @@ impl LabelledNeighbours {
 }
 
 impl Surroundings {
-    /// The wanted answers for a shape, among the closed shapes of a target with a label, or all without one. `key` is the place of the query
+    /// The wanted answers for a shape, among the closed shapes of a target with a label, or all without one. `place` is the place of the query
     /// in the tree of its shapes.
     pub(crate) fn relation(
         &self,
@@ -88,11 +88,11 @@ impl Surroundings {
         shape: &Body,
         wanted: Relation,
         label: Option<&str>,
-        key: &[u32],
+        place: &[u32],
     ) -> Relation {
         let neighbours = self.neighbours(target).map_or(&[][..], |neighbours| &neighbours.occlusion);
         ghost::body::relation(shape, &mut |query| {
-            let own = self.own(target).map(|ghost| ghost.occluders().relation(query, wanted, label, Some(key)));
+            let own = self.own(target).map(|ghost| ghost.occluders().relation(query, wanted, label, Some(place)));
             let others = neighbours.iter().map(|ghost| ghost.occluders().relation(query, wanted, label, None));
             own.into_iter().chain(others).fold(Relation::NONE, Relation::or)
         })

@@ -1,9 +1,12 @@
 //! Keys of shapes in the tree of shapes, during a run (*getTreeKey function*).
 //!
 //! A run tells when it enters a rule, and the number of rules on the trail, the *level*, determines the parent, as in
-//! `run/shape_tree/builder.rs`. Each call of a rule and each leaf symbol is a child with a number. A block belongs to its rule. A child that
-//! waits has its number at once. If a block waits, its first child has that number, and its other children have the next free
-//! numbers of the rule.
+//! `run/shape_tree/builder.rs`. Each call of a rule and each leaf symbol is a child with a number. A block belongs to its rule, so its
+//! children have numbers of the rule. A child that waits has its number at once. If a block waits, its first child has that number, and its
+//! other children have the next free numbers of the rule.
+//!
+//! Occlusion queries tell blocks apart: the solid in one part of a split is no ancestor of the shapes in another part. So a block that is
+//! entered is a place of its own, the *part*, with no number in keys. In a rule that does not ask, blocks need not be told.
 
 use std::collections::VecDeque;
 
@@ -20,17 +23,31 @@ pub(crate) struct TreeKeys {
     /// The waiting call that was resumed last.
     resumed: Option<WaitingChild>,
     waiting: VecDeque<WaitingChild>,
+    /// The places around the parts that were entered: each with its level.
+    around: Vec<(usize, u32)>,
 }
 
+/// A shape or a part.
 #[derive(Clone, Copy, Debug)]
 struct Node {
     parent: u32,
-    /// The number among the children of its parent.
+    /// The number among the children of its rule; for a part, [`PART`] and the number among the parts of its parent.
     number: u32,
-    /// The number of ancestors.
+    /// The number of ancestors, parts included.
     depth: u32,
-    /// The number of children so far.
+    /// The number of children so far; unused for a part.
     children: u32,
+    /// The number of parts so far.
+    parts: u32,
+}
+
+/// Marks the number of a part.
+const PART: u32 = 1 << 31;
+
+impl Node {
+    fn is_part(&self) -> bool {
+        self.number & PART != 0
+    }
 }
 
 /// A call that waits.
@@ -45,8 +62,8 @@ struct WaitingChild {
 #[derive(Debug)]
 pub(crate) struct KeysBeforeOperand {
     nodes: usize,
-    parent: u32,
-    children: u32,
+    /// The current shape and its part, whose counts an operand changes.
+    counts: [(u32, Node); 2],
     path: Vec<u32>,
     resumed: Option<WaitingChild>,
     waiting: VecDeque<WaitingChild>,
@@ -54,8 +71,8 @@ pub(crate) struct KeysBeforeOperand {
 
 impl Default for TreeKeys {
     fn default() -> Self {
-        let root = Node { parent: 0, number: 0, depth: 0, children: 0 };
-        TreeKeys { nodes: vec![root], path: Vec::new(), resumed: None, waiting: VecDeque::new() }
+        let root = Node { parent: 0, number: 0, depth: 0, children: 0, parts: 0 };
+        TreeKeys { nodes: vec![root], path: Vec::new(), resumed: None, waiting: VecDeque::new(), around: Vec::new() }
     }
 }
 
@@ -67,6 +84,24 @@ impl TreeKeys {
         let node = if above == 0 && self.resumed.is_none() { 0 } else { self.add(above) };
         self.path.truncate(above);
         self.path.push(node);
+    }
+
+    /// Enters a block of the rule at a level.
+    pub(crate) fn begin_part(&mut self, level: usize) {
+        let parent = self.parent(level);
+        let above = &mut self.nodes[parent as usize];
+        above.parts += 1;
+        let part = Node { parent, number: PART | (above.parts - 1), depth: above.depth + 1, children: 0, parts: 0 };
+        self.nodes.push(part);
+        self.around.push((level, parent));
+        self.replace_parent(level, self.nodes.len() as u32 - 1);
+    }
+
+    /// Leaves the block that was entered last.
+    pub(crate) fn end_part(&mut self) {
+        if let Some((level, parent)) = self.around.pop() {
+            self.replace_parent(level, parent);
+        }
     }
 
     /// Adds a leaf symbol of the rule at a level.
@@ -94,6 +129,11 @@ impl TreeKeys {
 
     /// The key of a shape: the numbers of children from the initial shape on.
     pub(crate) fn key(&self, node: TreeNode) -> Vec<u32> {
+        self.place(node).into_iter().filter(|number| number & PART == 0).collect()
+    }
+
+    /// The place of a shape: the numbers of its key, with its parts.
+    pub(crate) fn place(&self, node: TreeNode) -> Vec<u32> {
         let mut numbers = vec![0; self.nodes[node.0 as usize].depth as usize + 1];
         let mut at = node.0;
         for number in numbers.iter_mut().rev() {
@@ -104,14 +144,14 @@ impl TreeKeys {
         numbers
     }
 
-    /// Returns true if a shape has the key, or is an ancestor or descendant of the place with that key.
-    pub(crate) fn is_in_line(&self, node: TreeNode, key: &[u32]) -> bool {
+    /// Returns true if a shape is at a place, or is an ancestor or descendant of it.
+    pub(crate) fn is_in_line(&self, node: TreeNode, place: &[u32]) -> bool {
         let mut node = self.nodes[node.0 as usize];
-        while key.len() <= node.depth as usize {
+        while place.len() <= node.depth as usize {
             node = self.nodes[node.parent as usize];
         }
         loop {
-            if key.get(node.depth as usize) != Some(&node.number) {
+            if place.get(node.depth as usize) != Some(&node.number) {
                 return false;
             }
             if node.depth == 0 {
@@ -127,8 +167,7 @@ impl TreeKeys {
         let parent = self.parent(level);
         KeysBeforeOperand {
             nodes: self.nodes.len(),
-            parent,
-            children: self.nodes[parent as usize].children,
+            counts: [self.rule_of(parent), parent].map(|node| (node, self.nodes[node as usize])),
             path: self.path.clone(),
             resumed: self.resumed,
             waiting: std::mem::take(&mut self.waiting),
@@ -138,7 +177,7 @@ impl TreeKeys {
     /// Ends an operand.
     pub(crate) fn end_operand(&mut self, before: KeysBeforeOperand) {
         self.nodes.truncate(before.nodes);
-        self.nodes[before.parent as usize].children = before.children;
+        before.counts.into_iter().for_each(|(node, counts)| self.nodes[node as usize] = counts);
         (self.path, self.resumed, self.waiting) = (before.path, before.resumed, before.waiting);
     }
 
@@ -149,11 +188,27 @@ impl TreeKeys {
         }
     }
 
+    fn replace_parent(&mut self, level: usize, parent: u32) {
+        match level.checked_sub(1) {
+            Some(above) => self.path[above..].iter_mut().take(1).for_each(|own| *own = parent),
+            None => self.resumed.iter_mut().for_each(|resumed| resumed.parent = parent),
+        }
+    }
+
+    /// The shape whose part a place is, or the shape itself.
+    fn rule_of(&self, mut node: u32) -> u32 {
+        while self.nodes[node as usize].is_part() {
+            node = self.nodes[node as usize].parent;
+        }
+        node
+    }
+
     /// The number of the next child of the rule at a level.
     fn next_number(&mut self, level: usize, parent: u32) -> u32 {
         let reserved = if level == 0 { self.resumed.as_mut().and_then(|resumed| resumed.number.take()) } else { None };
         reserved.unwrap_or_else(|| {
-            let children = &mut self.nodes[parent as usize].children;
+            let rule = self.rule_of(parent);
+            let children = &mut self.nodes[rule as usize].children;
             *children += 1;
             *children - 1
         })
@@ -164,7 +219,7 @@ impl TreeKeys {
         let parent = self.parent(level);
         let number = self.next_number(level, parent);
         let depth = self.nodes[parent as usize].depth + 1;
-        self.nodes.push(Node { parent, number, depth, children: 0 });
+        self.nodes.push(Node { parent, number, depth, children: 0, parts: 0 });
         self.nodes.len() as u32 - 1
     }
 }
@@ -205,6 +260,25 @@ mod tests {
     }
 
     #[test]
+    fn parts_are_places_without_a_number() {
+        let mut keys = TreeKeys::default();
+        keys.enter(1);
+        keys.begin_part(1);
+        let (first, in_first) = (keys.current(1), keys.symbol(1));
+        keys.end_part();
+        keys.begin_part(1);
+        keys.begin_part(1);
+        keys.enter(2);
+        let in_second = keys.current(2);
+        keys.end_part();
+        keys.end_part();
+        assert_eq!([keys.key(first), keys.key(in_first), keys.key(in_second)], [vec![0], vec![0, 0], vec![0, 1]]);
+        assert!(keys.is_in_line(first, &keys.place(in_first)) && keys.is_in_line(in_first, &keys.place(first)));
+        assert!(!keys.is_in_line(first, &keys.place(in_second)) && !keys.is_in_line(in_second, &keys.place(first)));
+        assert!(keys.is_in_line(keys.current(1), &keys.place(in_second)));
+    }
+
+    #[test]
     fn an_operand_takes_no_number() {
         let mut keys = TreeKeys::default();
         keys.enter(1);
@@ -231,7 +305,7 @@ mod tests {
         assert!(
             keys.is_in_line(parent, &key) && keys.is_in_line(child, &key) && keys.is_in_line(keys.current(0), &key)
         );
-        let key = keys.key(child);
+        let key = keys.place(child);
         assert!(keys.is_in_line(parent, &key) && !keys.is_in_line(sibling, &key));
         assert!(!keys.is_in_line(parent, &[0, 1]) && !keys.is_in_line(child, &[0, 1, 0]));
     }

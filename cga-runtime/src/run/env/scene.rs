@@ -68,6 +68,26 @@ impl Env {
         self.scene.keys.as_ref().map_or_else(|| vec![0], |keys| keys.key(keys.current(self.trail.len())))
     }
 
+    /// Enters a block of the current rule, which is a place of its own for occlusion queries.
+    pub(crate) fn enter_block(&mut self) {
+        let level = self.trail.len();
+        if let Some(keys) = self.keys() {
+            keys.begin_part(level);
+        }
+    }
+
+    /// Leaves a block.
+    pub(crate) fn leave_block(&mut self) {
+        if let Some(keys) = self.keys() {
+            keys.end_part();
+        }
+    }
+
+    /// The place of the current shape in the tree of shapes.
+    fn place(&self) -> Vec<u32> {
+        self.scene.keys.as_ref().map_or_else(|| vec![0], |keys| keys.place(keys.current(self.trail.len())))
+    }
+
     /// Returns true if closed shapes are collected.
     #[inline]
     pub(crate) fn collects_occluders(&self) -> bool {
@@ -130,6 +150,6 @@ impl Env {
     pub(crate) fn relation(&mut self, shape: &Body, target: QueryTarget, label: &str, wanted: Relation) -> Relation {
         self.expect_scene(target);
         let label = Some(label).filter(|label| !label.is_empty());
-        self.scene.around.relation(target, shape, wanted, label, &self.tree_key())
+        self.scene.around.relation(target, shape, wanted, label, &self.place())
     }
 }

@@ -52,14 +52,14 @@ impl GhostOccluders {
         self.list.iter_mut().for_each(|occluder| occluder.node = TreeNode::default());
     }
 
-    /// The wanted answers for a geometry, among the shapes with a label, or among all shapes without one. `key` is the place of the query in
+    /// The wanted answers for a geometry, among the shapes with a label, or among all shapes without one. `place` is the place of the query in
     /// its own tree, if this is a derivation of the same initial shape: its ancestors and descendants are left out.
     pub(crate) fn relation(
         &self,
         query: &QueryGeometry<'_>,
         wanted: Relation,
         label: Option<&str>,
-        key: Option<&[u32]>,
+        place: Option<&[u32]>,
     ) -> Relation {
         if self.list.is_empty() {
             return Relation::NONE;
@@ -68,7 +68,7 @@ impl GhostOccluders {
         self.solids.get_or_init(occluders).query(query, wanted, &mut |number| {
             let GhostOccluder { label: own, node, .. } = &self.list[number as usize];
             label.is_none_or(|label| own.as_deref() == Some(label))
-                && !key.is_some_and(|key| self.keys.is_in_line(*node, key))
+                && !place.is_some_and(|place| self.keys.is_in_line(*node, place))
         })
     }
 }
