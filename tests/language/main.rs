@@ -15,6 +15,7 @@ mod dynamic;
 mod facts;
 mod failed_booleans;
 mod functions;
+mod geo_coord;
 mod grammar;
 mod host;
 mod hygiene;
