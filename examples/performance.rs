@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Packages, benches and their arguments, in the order of the page.
-const BENCHES: [(&str, &str, &[&str]); 11] = [
+const BENCHES: [(&str, &str, &[&str]); 12] = [
     ("cga", "scenes", &[]),
     ("cga", "scenes", &["--instructions"]),
     ("cga", "rules", &[]),
@@ -19,6 +19,7 @@ const BENCHES: [(&str, &str, &[&str]); 11] = [
     ("cga", "comp", &[]),
     ("cga", "triangles", &[]),
     ("cga", "textures", &[]),
+    ("cga", "relation", &[]),
     ("cga-split", "solve", &[]),
     ("cga-tests", "build", &[]),
 ];

@@ -23,7 +23,7 @@
 //! | | modules |
 //! |---|---|
 //! | meshes | [`mesh`], [`primitive`], [`obj`], [`solid`], [`wire`] |
-//! | solids | [`cut`], [`boolean`], [`extrude`](mod@extrude), [`extrude_wire`](mod@extrude_wire), [`roof`], [`envelope`] |
+//! | solids | [`cut`], [`boolean`], [`extrude`](mod@extrude), [`extrude_wire`](mod@extrude_wire), [`roof`], [`envelope`], [`relation`] |
 //! | faces | [`offset`](mod@offset), [`inner_rectangle`], [`convexify`](mod@convexify), [`holes`], [`footprint`](mod@footprint), [`triangulate`], [`unbent`] |
 //! | surfaces | [`cleanup`](mod@cleanup), [`reduce`](mod@reduce), [`rectify`](mod@rectify), [`conform`](mod@conform), [`scatter`], [`along_uv`], [`extract`](mod@extract) |
 //! | the plane | [`skeleton`], [`overlay`], [`nesting`], [`hull`](mod@hull), [`segment`] |
@@ -53,6 +53,7 @@ pub mod along_uv;
 mod average_normal;
 pub mod boolean;
 pub(crate) mod bounds;
+pub(crate) mod bounds_tree;
 pub mod buckets;
 pub mod cleanup;
 pub mod conform;
@@ -86,6 +87,7 @@ pub(crate) mod random;
 pub mod recompose;
 pub mod rectify;
 pub mod reduce;
+pub mod relation;
 pub mod roof;
 pub mod rotation;
 pub mod scatter;
@@ -99,6 +101,7 @@ pub mod tol;
 pub mod trace;
 pub mod triangulate;
 pub mod unbent;
+pub(crate) mod upward_ray;
 pub mod uv_map;
 pub(crate) mod vector;
 pub mod wire;

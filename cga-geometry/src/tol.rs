@@ -102,3 +102,10 @@ pub(crate) const AT_LIMIT_EPSILON: f64 = 1e-9;
 
 /// Texture coordinates that differ by at most this, relative to their size and to 1, are equal for `cleanupGeometry` and `reduceGeometry`.
 pub(crate) const TEXTURE_EPSILON: f64 = 1e-6;
+
+/// The distance in metres up to which surfaces are in contact, for relations of geometries that are at least a metre long. It is above
+/// the rounding errors of coordinates with 32 bits, and below the thickness of anything that is built.
+pub const CONTACT_DISTANCE: f64 = 1e-3;
+
+/// The same for smaller geometries, relative to the longest extent of the smaller one of two.
+pub const CONTACT_EPSILON: f64 = 1e-3;

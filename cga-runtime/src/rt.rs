@@ -6,7 +6,7 @@ pub use std::boxed::Box;
 pub use std::string::String;
 pub use std::vec::Vec;
 
-pub use crate::asset::File;
+pub use crate::asset::{File, Files};
 pub use crate::comp::select::Word;
 pub use crate::comp::{
     Align, Arm, Components, Mode, Select, comp, comp_and_rest, comp_values, divide, each, never, sections,

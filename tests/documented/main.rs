@@ -8,6 +8,7 @@ mod adjusting;
 mod aligning;
 mod areas;
 mod attributes;
+mod choices;
 mod cleanup;
 #[path = "../shapes/collect.rs"]
 #[allow(dead_code, unused_imports, unused_macros, reason = "the examples need the sink alone")]

@@ -93,7 +93,19 @@ const CRATES: &[Layers] = &[
 /// Files of one layer may import each other, without a cycle.
 const GEOMETRY: &[&[&str]] = &[
     &["each", "small_sort", "tol", "work", "exact", "frame", "rotation", "bounds", "vector", "segment", "random"],
-    &["buckets", "disjoint", "long_sort", "status", "hull", "nesting", "uv_map", "trace", "origin"],
+    &[
+        "bounds_tree",
+        "buckets",
+        "disjoint",
+        "long_sort",
+        "status",
+        "hull",
+        "nesting",
+        "uv_map",
+        "trace",
+        "origin",
+        "upward_ray",
+    ],
     &["triangulate", "overlay", "skeleton"],
     &["mesh"],
     &["provenance", "wire", "derive", "average_normal", "face_frame"],
@@ -112,6 +124,7 @@ const GEOMETRY: &[&[&str]] = &[
         "recompose",
         "rectify",
         "reduce",
+        "relation",
         "roof",
         "scatter",
         "soften",

@@ -6,13 +6,13 @@
 
 use glam::DVec2;
 
-use super::bounds_tree::{BoundsTree, overlap};
 use super::budget::Budget;
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
 use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::progress::goes_on;
+use crate::bounds_tree::{BoundsTree, overlap};
 use crate::disjoint::DisjointSets;
 use crate::each::Each;
 use crate::exact::orient;

@@ -2,8 +2,8 @@
 
 use glam::{DVec2, DVec3};
 
-use super::bounds_tree::{BoundsTree, overlap};
 use super::facet::Facet;
+use crate::bounds_tree::{BoundsTree, overlap};
 use crate::each::Each;
 use crate::mesh::{Bounds, Mesh};
 use crate::small_sort::SmallSort;

@@ -11,7 +11,6 @@
 //! fails, the operation is repeated with another epsilon.
 
 mod assembly;
-mod bounds_tree;
 mod budget;
 mod cell;
 mod component_tags;
@@ -39,10 +38,10 @@ use glam::{DAffine3, DVec3};
 use super::mesh::join::join;
 use super::mesh::{Bounds, Mesh};
 use super::tol::{BOOLEAN_EPSILONS, THINNEST_SOLID};
+use crate::bounds_tree::{BoundsTree, overlap};
 use crate::small_sort::SmallSort;
 use crate::unbent::bent_along;
 use assembly::Assembly;
-use bounds_tree::{BoundsTree, overlap};
 use budget::Budget;
 use cell::Cell;
 use component_tags::{EdgeTags, vertex_tags};

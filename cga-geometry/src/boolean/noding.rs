@@ -3,7 +3,6 @@
 //! An edge that passes a point within epsilon is led through it, and edges that cross are led through a new point. So an edge
 //! moves by up to epsilon, and may then pass other points: the facets of divided edges are compared again.
 
-use super::bounds_tree::{BoundsTree, overlap};
 use super::budget::Budget;
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
@@ -11,6 +10,7 @@ use super::operation::BooleanError;
 use super::plane_group::PlaneGroups;
 use super::point_set::PointSet;
 use super::progress::goes_on;
+use crate::bounds_tree::{BoundsTree, overlap};
 use crate::each::Each;
 use crate::exact::orient;
 use crate::mesh::Bounds;
@@ -134,7 +134,7 @@ fn compare_edges(
             true
         };
         match &tree {
-            Some(tree) => tree.visit(|around| overlap(around, bounds), look),
+            Some(tree) => _ = tree.visit(|around| overlap(around, bounds), look),
             None => (0..number).for_each(|other| _ = look(other)),
         }
         budget.spend(visited + near.len())?;

@@ -2,13 +2,13 @@
 
 use glam::{DVec2, DVec3};
 
-use super::bounds_tree::{BoundsTree, meets_ray};
 use super::budget::Budget;
 use super::facet::Facet;
 use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::sheet::Sheet;
 use super::shell::ShellKind;
+use crate::bounds_tree::{BoundsTree, meets_ray};
 use crate::each::Each;
 use crate::triangulate::Triangulator;
 

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::bounds_tree::{BoundsTree, overlap};
+use crate::bounds_tree::{BoundsTree, overlap};
 use crate::each::Each;
 use crate::mesh::Bounds;
 

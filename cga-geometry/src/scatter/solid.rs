@@ -3,8 +3,8 @@
 use glam::{DVec2, DVec3};
 
 use crate::each::Each;
-use crate::exact::{orient, orient_in_space};
 use crate::mesh::Bounds;
+use crate::upward_ray::{flat, winding_part};
 use crate::work;
 
 /// The most columns along an axis.
@@ -24,10 +24,6 @@ pub(super) struct Solid {
     columns: usize,
     /// The triangles of each column, by number.
     lists: Vec<Vec<u32>>,
-}
-
-fn flat(point: DVec3) -> DVec2 {
-    DVec2::new(point.x, point.z)
 }
 
 impl Solid {
@@ -87,48 +83,21 @@ impl Solid {
         (0..self.triangles.len() as u32).collect()
     }
 
-    /// Returns true if the surface winds around a point, without rounding. A point above or below an edge is on the side of it
-    /// that [`side`] returns, for both triangles at the edge, so it meets one of them.
+    /// Returns true if the surface winds around a point, without rounding.
     pub(super) fn contains(&self, point: DVec3) -> bool {
-        let ([column, row], at) = (self.column(flat(point)), flat(point));
-        let mut winding = 0;
+        let [column, row] = self.column(flat(point));
         let list = &self.lists[row * self.columns + column];
         if !work::spend(4 * list.len()) {
             return false;
         }
-        for &number in list {
-            let triangle = self.triangles[number as usize];
-            let [a, b, c] = triangle.each(flat);
-            let sides = [side(a, b, at), side(b, c, at), side(c, a, at)];
-            // A triangle that is upright is never met.
-            if sides[0] != 0 && sides[0] == sides[1] && sides[1] == sides[2] && is_below(point, triangle, sides[0]) {
-                winding += sides[0];
-            }
-        }
-        winding != 0
+        let parts = list.iter().map(|&number| winding_part(point, self.triangles[number as usize]));
+        parts.sum::<i32>() != 0
     }
 
     /// The triangles of a list that may come into a box.
     pub(super) fn crossing(&self, list: &[u32], low: DVec3, high: DVec3) -> Vec<u32> {
         list.iter().copied().filter(|&number| may_cross(&self.triangles[number as usize], low, high)).collect()
     }
-}
-
-/// The side of a line on which a point is after an infinitely small move to the right, and a far smaller one upwards: 1 on the left, -1 on
-/// the right, 0 if the line has no direction.
-fn side(a: DVec2, b: DVec2, at: DVec2) -> i32 {
-    let sign = |number: f64| i32::from(0.0 < number) - i32::from(number < 0.0);
-    match orient(a, b, at) {
-        0 if a.y != b.y => sign(a.y - b.y),
-        0 => sign(b.x - a.x),
-        known => known,
-    }
-}
-
-/// Returns true if a point is below a triangle that is counter-clockwise in x and z, with `turn` 1, or clockwise, with -1: the normal of
-/// the first one points down.
-fn is_below(point: DVec3, [a, b, c]: [DVec3; 3], turn: i32) -> bool {
-    orient_in_space(a, b, c, point) == turn
 }
 
 /// Returns false if the triangle is beyond a side of the box, or if the box is on one side of its plane. Triangles that only touch the

@@ -68,7 +68,7 @@ impl<'c> Lower<'c> {
                 Arg::Value(self.folded(&arg.value))
             }
             ParamKind::PerEdge => Arg::Value(self.per_edge(&arg.value)),
-            ParamKind::File(_) | ParamKind::Image(_) => Arg::Value(self.file(&arg.value)),
+            ParamKind::File(_) | ParamKind::Files(_) | ParamKind::Image(_) => Arg::Value(self.file(&arg.value)),
             ParamKind::Length | ParamKind::Size => Arg::Length(self.size(arg)),
             ParamKind::Word(words) => Arg::Word(word(&arg.value, words)),
         });

@@ -2,8 +2,8 @@
 
 use super::base::later;
 use super::{
-    Allowed, B, BS, Default, F, FILE, FS, Function, Needs, Param, ParamBounds, Params, Run, Str, T, TAG_QUERY, TS,
-    Uses, boolean, bounds, float, of, or, queries, renamed, set_elements, text, values, within, word, words,
+    Allowed, B, Default, F, Function, Needs, Param, ParamBounds, Params, Run, Str, T, TAG_QUERY, TS, Uses, bounds,
+    choice, or, queries, renamed, set_elements, text, values, within, word, words,
 };
 use crate::types::Type;
 
@@ -30,8 +30,9 @@ pub static FUNCTIONS: &[&[Function]] = &[
     TAGS,
     CONTEXT,
     GEOMETRY,
-    ASSETS,
-    MATERIALS,
+    choice::SORTED,
+    choice::CHOSEN,
+    choice::CONTENTS,
     REST,
 ];
 
@@ -174,64 +175,6 @@ static TAGS: &[Function] = &[
         "whether an edge or vertex of a component has a tag that matches",
     ),
 ];
-
-const ASSET_RATIO: Param = words("axesRatio", &["xy", "xz", "yz", "xyz"]);
-
-const ASSET_SIZE: Param = words("axisSize", &["x", "y", "z", "xy", "xz", "yz", "xyz"]);
-
-const IMAGE_RATIO: Param = words("axesRatio", &["xy", "xz", "yx", "yz", "zx", "zy"]);
-
-const QUERY: Param = text("searchQuery");
-const KEY: Param = text("key");
-const METADATA: &str = "a value kept in an asset's file";
-
-/// Assets and images that fit the shape, and data in their files. The functions whose axes are text are written in
-/// CGA in the reference's utility library.
-static ASSETS: &[Function] = &[
-    later("assetsSortRatio", &[text("filePathList"), ASSET_RATIO], T, "assets by how well their proportions suit"),
-    later("assetsSortRatio", &[of("filePaths", TS), ASSET_RATIO], TS, "assets by how well their proportions suit"),
-    later(
-        "assetsSortSize",
-        &[text("filePathList"), ASSET_SIZE, float("maxScaleError")],
-        T,
-        "assets by how well their size suits",
-    ),
-    later(
-        "assetsSortSize",
-        &[of("filePaths", TS), ASSET_SIZE, float("maxScaleError")],
-        TS,
-        "assets by how well their size suits",
-    ),
-    later("imagesSortRatio", &[text("filePathList"), IMAGE_RATIO], T, "images by how well their proportions suit"),
-    later("imagesSortRatio", &[of("filePaths", TS), IMAGE_RATIO], TS, "images by how well their proportions suit"),
-    later("assetBestRatio", &[QUERY, text("axesRatio")], T, "the asset whose proportions suit best"),
-    later(
-        "assetApproxRatio",
-        &[QUERY, text("axesRatio"), float("n")],
-        T,
-        "one of the assets whose proportions suit best",
-    ),
-    later("assetBestSize", &[QUERY, text("axisSize")], T, "the asset whose size suits best"),
-    later("assetApproxSize", &[QUERY, text("axisSize"), float("n")], T, "one of the assets whose size suits best"),
-    later("assetFitSize", &[QUERY, text("axisSize"), float("maxScaleError")], T, "one of the assets whose size suits"),
-    later("imageBestRatio", &[QUERY, text("axesRatio")], T, "the image whose proportions suit best"),
-    later(
-        "imageApproxRatio",
-        &[QUERY, text("axesRatio"), float("n")],
-        T,
-        "one of the images whose proportions suit best",
-    ),
-    later("assetMetadata", &[FILE, KEY, float("defaultValue")], F, METADATA),
-    later("assetMetadata", &[FILE, KEY, boolean("defaultValue")], B, METADATA),
-    later("assetMetadata", &[FILE, KEY, text("defaultValue")], T, METADATA),
-    later("assetMetadata", &[FILE, KEY, of("defaultValue", FS)], FS, METADATA),
-    later("assetMetadata", &[FILE, KEY, of("defaultValue", BS)], BS, METADATA),
-    later("assetMetadata", &[FILE, KEY, of("defaultValue", TS)], TS, METADATA),
-];
-
-/// Materials from files.
-static MATERIALS: &[Function] =
-    &[later("readMaterial", &[FILE], TS, "the attributes of a material file, as names and values")];
 
 /// Words from text.
 static REST: &[Function] = &[later("sel", &[text("selString")], T, "a word from text, where a word is required")];

@@ -7,6 +7,7 @@
 mod attributes;
 mod base;
 mod bounds;
+mod choice;
 mod directions;
 mod effects;
 mod functions;
@@ -39,8 +40,8 @@ pub use syntax::{SYNTAX, Syntax, syntax};
 pub use uses::Uses;
 
 use params::{
-    FILE, HEX, TAG_QUERY, boolean, bounds, channel, file, float, length, of, or, outdated, param, renamed, size, takes,
-    text, unknown, uv_set, within, word, words,
+    FILE, HEX, TAG_QUERY, boolean, bounds, channel, file, files, float, length, of, or, outdated, param, renamed, size,
+    takes, text, unknown, uv_set, within, word, words,
 };
 
 /// The implementation of a row.

@@ -47,6 +47,8 @@ pub enum ParamKind {
     Channel,
     /// Text: the name of a file, which is searched from the folder of the rule file that contains it.
     File(FileUse),
+    /// Names of files, which are searched as for `File`: a list in text, with a semicolon after each name, or an array.
+    Files(Type),
     /// Text: the name of the image of a texture layer. The file is not opened, because materials only keep its name.
     /// The number of the layer is the number of its uv set (*texturing*).
     Image(u32),
@@ -151,16 +153,16 @@ impl ParamKind {
     /// The type of the value; `None` for words and if any type fits.
     pub const fn ty(&self) -> Option<Type> {
         match self {
-            ParamKind::Value(ty) => Some(*ty),
+            ParamKind::Value(ty) | ParamKind::Files(ty) => Some(*ty),
             ParamKind::Length | ParamKind::Size | ParamKind::PerEdge | ParamKind::Channel => Some(Type::Float),
             ParamKind::File(_) | ParamKind::Image(_) | ParamKind::Color => Some(Type::Text),
             ParamKind::Any | ParamKind::Selector | ParamKind::Word(_) => None,
         }
     }
 
-    /// Returns true for the name of a file.
+    /// Returns true for the name of a file, and for several names.
     pub fn is_file(&self) -> bool {
-        matches!(self, ParamKind::File(_) | ParamKind::Image(_))
+        matches!(self, ParamKind::File(_) | ParamKind::Files(_) | ParamKind::Image(_))
     }
 }
 
@@ -201,6 +203,11 @@ pub(super) const FILE: Param = file("filePath", FileUse::Read);
 
 pub(super) const fn file(name: &'static str, used: FileUse) -> Param {
     param(name, ParamKind::File(used))
+}
+
+/// Names of files, in text or in an array.
+pub(super) const fn files(name: &'static str, ty: Type) -> Param {
+    param(name, ParamKind::Files(ty))
 }
 
 pub(super) const fn length(name: &'static str) -> Param {

@@ -113,7 +113,7 @@ fn params(list: &[Param]) -> Vec<Parameter> {
 /// The kind of argument, or of value of an attribute of shapes.
 pub(super) fn kind(kind: &ParamKind) -> &'static str {
     match kind {
-        ParamKind::Value(ty) => ty.word(),
+        ParamKind::Value(ty) | ParamKind::Files(ty) => ty.word(),
         ParamKind::Any => "any",
         ParamKind::Length => "length",
         ParamKind::Size => "size",

@@ -171,8 +171,12 @@ impl Generator<'_> {
                 code!({ let mut #all = #first; #(#links)* #all })
             }
             ExprKind::File(name, folder) => {
-                let name = self.expr(name, at);
-                code!(cga_rt::File::new(#name, #folder))
+                let (is_array, name) = (name.ty.is_array(), self.expr(name, at));
+                if is_array {
+                    code!(cga_rt::Files::new(#name, #folder))
+                } else {
+                    code!(cga_rt::File::new(#name, #folder))
+                }
             }
             // It came in as text.
             ExprKind::ToText(inner) if matches!(inner.kind, ExprKind::Host(_)) => self.expr(inner, at),

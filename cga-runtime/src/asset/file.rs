@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::geometry::obj::escaped;
+use crate::value::array::Array;
 use crate::value::text::Text;
 
 /// The name of a file, with the folder of the rule file that names it. Relative names are looked up from that folder
@@ -26,6 +27,21 @@ impl File {
 impl From<&str> for File {
     fn from(name: &str) -> Self {
         File::new(name.into(), "")
+    }
+}
+
+/// Names of files in an array, with the folder of the rule file that names them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Files {
+    pub(crate) names: Array<Text>,
+    pub(crate) folder: &'static str,
+}
+
+impl Files {
+    /// Names in a rule file in the folder `folder`.
+    #[inline]
+    pub fn new(names: Array<Text>, folder: &'static str) -> Self {
+        Files { names, folder }
     }
 }
 

@@ -7,6 +7,7 @@ use super::AssetError;
 use super::embedded_image::EmbeddedImage;
 use super::store::{Store, StoredFile};
 use crate::geometry::mesh::Mesh;
+use crate::value::Value;
 
 /// A mesh, and the images inside its file.
 #[derive(Clone, Debug)]
@@ -71,4 +72,15 @@ fn parsed(
         return Ok((file.mesh, Vec::new()));
     }
     readable(&path.to_string_lossy()).and(Err(AssetError::NoFolder))
+}
+
+/// The values that a file keeps, with their names.
+pub(super) fn metadata(store: &Store, found: &StoredFile) -> Result<Vec<(String, Value)>, AssetError> {
+    #[cfg(feature = "gltf")]
+    if found.path().extension().is_some_and(|end| end.eq_ignore_ascii_case("gltf") || end.eq_ignore_ascii_case("glb")) {
+        let bytes = store.read(found, u64::MAX)?;
+        return super::gltf::metadata(&bytes).map_err(|error| AssetError::Broken(error.to_string()));
+    }
+    let _ = (store, found);
+    Ok(Vec::new())
 }

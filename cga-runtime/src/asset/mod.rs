@@ -5,9 +5,10 @@ mod error;
 mod file;
 mod folder;
 pub(crate) mod image;
-#[cfg(any(feature = "obj", feature = "gltf"))]
 mod image_paths;
+mod material_file;
 mod mesh_file;
+mod metadata;
 mod search;
 mod source;
 mod store;
@@ -24,7 +25,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 pub use embedded_image::EmbeddedImage;
 pub use error::AssetError;
-pub use file::File;
+pub use file::{File, Files};
 pub(crate) use search::Query;
 pub use source::AssetSource;
 
@@ -36,6 +37,7 @@ use crate::geometry::mesh::Mesh;
 use crate::value::text::Text;
 use folder::Listing;
 use mesh_file::MeshFile;
+use metadata::Metadata;
 use store::{Store, StoredFile};
 
 /// The limit on cached names of meshes and images. Other names are looked up each time, so that memory stays bounded.
@@ -87,6 +89,7 @@ struct Read {
     headers: HashMap<String, Result<ImageHeader, AssetError>>,
     /// A file with several names is one mesh.
     files: HashMap<StoredFile, Result<MeshFile, AssetError>>,
+    metadata: HashMap<StoredFile, Result<Metadata, AssetError>>,
 }
 
 impl Read {

@@ -81,7 +81,6 @@ impl Store {
     }
 
     /// The file that another file names, relative to its own folder.
-    #[cfg(any(feature = "obj", feature = "gltf"))]
     pub(super) fn beside(&self, StoredFile(path): &StoredFile, name: &str) -> Option<StoredFile> {
         match self {
             Store::Nothing => None,
@@ -97,7 +96,6 @@ impl Store {
     }
 
     /// The path of a file from the top of the store, with forward slashes.
-    #[cfg(any(feature = "obj", feature = "gltf"))]
     pub(super) fn place(&self, StoredFile(path): &StoredFile) -> Option<String> {
         match self {
             Store::Nothing => None,
@@ -123,7 +121,6 @@ fn missing() -> AssetError {
 }
 
 /// The place of a file that the file at `place` names. `None` if it leads out of the store.
-#[cfg(any(feature = "obj", feature = "gltf"))]
 fn joined(place: &str, name: &str) -> Option<String> {
     let mut parts: Vec<&str> = place.split('/').collect();
     parts.pop();

@@ -26,7 +26,7 @@ pub fn file_search(env: &mut Env, query: File) -> Text {
 }
 
 /// The texts as a list.
-fn list(env: &mut Env, texts: &[Text]) -> Text {
+pub(super) fn list(env: &mut Env, texts: &[Text]) -> Text {
     if !env.may_write(texts.iter().map(|text| text.len() + 1).sum()) {
         return Text::default();
     }
@@ -126,20 +126,30 @@ pub enum ImageDimension {
 /// `imageInfo(file, sx | sy)`: the width or height in pixels of a PNG or JPEG file (*imageInfo function*). For other
 /// files, 0 with a fault.
 pub fn image_info(env: &mut Env, file: File, dimension: ImageDimension) -> f64 {
-    let assets = &env.settings.assets;
-    let size = if BUILTINS.contains(&file.name.as_str()) {
-        assets.image_header(&file.name).map(|header| (header.width, header.height))
-    } else {
-        let read = assets.bytes(&file, header::LOOKED_AT);
-        read.and_then(|(bytes, _)| {
-            header::size(&bytes).ok_or(AssetError::Format("only PNG and JPEG images can be read"))
-        })
-    };
+    let size = image_size(env, &file);
     match (size, dimension) {
         (Ok((width, _)), ImageDimension::Sx) => width.into(),
         (Ok((_, height)), ImageDimension::Sy) => height.into(),
         (Err(why), _) => unknown(env, &file, &why),
     }
+}
+
+/// The width and the height of an image, in pixels.
+pub(super) fn image_size(env: &mut Env, file: &File) -> Result<(u32, u32), AssetError> {
+    if let Some(known) = env.kept.image_sizes.get(file) {
+        return known.clone();
+    }
+    let assets = &env.settings.assets;
+    let size = if BUILTINS.contains(&file.name.as_str()) {
+        assets.image_header(&file.name).map(|header| (header.width, header.height))
+    } else {
+        let read = assets.bytes(file, header::LOOKED_AT);
+        read.and_then(|(bytes, _)| {
+            header::size(&bytes).ok_or(AssetError::Format("only PNG and JPEG images can be read"))
+        })
+    };
+    env.keep_image_size(file, &size);
+    size
 }
 
 fn unknown(env: &mut Env, file: &File, why: &AssetError) -> f64 {

@@ -37,7 +37,8 @@ pub fn read_float_table(env: &mut Env, file: File) -> Array<f64> {
     floats_from_texts(read_string_table(env, file))
 }
 
-fn rows(text: &str) -> Vec<Vec<Text>> {
+/// The cells of a table.
+pub(super) fn rows(text: &str) -> Vec<Vec<Text>> {
     let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
     let mut delimiter = (' ', 0);
     for sign in [',', ';', '\t'] {

@@ -4,8 +4,8 @@
 //! and labelled shapes. With a label, only shapes with that label count. Ancestors and descendants of the shape do not count, nor do
 //! copies that its rule has made of it.
 
+use crate::geometry::relation::Relation;
 use crate::run::env::Env;
-use crate::run::ghost::relation::Relation;
 use crate::run::surroundings::QueryTarget;
 use crate::shape::Shape;
 use crate::shape::body::Body;

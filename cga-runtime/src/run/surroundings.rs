@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::ghost::relation::Relation;
 use super::ghost::{self, ContextComparison, Ghost, LabelIndex, LabelledShape};
+use crate::geometry::relation::Relation;
 use crate::shape::body::Body;
 use crate::shape::scope::Scope;
 

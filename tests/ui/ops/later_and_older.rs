@@ -4,12 +4,12 @@ use cga::cga;
 
 cga! {
     pub grammar Later;
-    Lot --> extrude(12) print(assetMetadata("a.glb", "age", 0)) Tower.
+    Lot --> extrude(12) print(sel("front")) Tower.
 }
 
 cga! {
     pub grammar LaterText = r#"
-        Lot --> extrude(12) print(assetMetadata("a.glb", "age", 0)) Tower."#;
+        Lot --> extrude(12) print(sel("front")) Tower."#;
 }
 
 cga! {

@@ -17,6 +17,7 @@ mod error;
 mod images;
 mod item;
 mod material;
+mod metadata;
 mod primitive;
 mod scene;
 
@@ -37,6 +38,7 @@ use crate::geometry::obj::{Names, Warnings, short};
 use crate::material::{Layer, Material};
 
 pub use self::error::GltfError;
+pub(crate) use self::metadata::metadata;
 
 /// A mesh, the images inside the file, and the warnings from reading it.
 #[derive(Clone, Debug, PartialEq)]

@@ -46,6 +46,16 @@ pub fn read_obj(bytes: &[u8], material_file: &mut dyn FnMut(&str) -> Option<Vec<
     Ok(ObjFile { mesh, warnings: libraries.finish() })
 }
 
+/// The first material of a library, with its name. The error is a sentence.
+pub(crate) fn first_material(bytes: &[u8]) -> Result<Material, String> {
+    if is_utf16(bytes) {
+        return Err(UTF_16.to_owned());
+    }
+    let library = mtl::read_mtl(bytes).map_err(|error| error.to_string())?;
+    let (name, material) = library.materials.into_iter().next().ok_or("it has no material")?;
+    Ok(Material { name: Some(Text::from(name)), ..material })
+}
+
 /// The limit on libraries that are looked up for a file, and on names with spaces.
 const LIBRARIES: usize = 16;
 

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use super::Env;
-use crate::asset::{File, Query};
+use crate::asset::{AssetError, File, Query};
 use crate::fault::FaultKind;
 use crate::fixed_hash::FixedState;
 use crate::geometry::mesh::Mesh;
@@ -20,6 +20,9 @@ const SEARCHES_KEPT: usize = 32;
 /// The number of tables that are kept: functions read the same files again and again.
 const TABLES_KEPT: usize = 16;
 
+/// The number of images whose sizes are kept: rules sort the same images for every shape.
+const IMAGE_SIZES_KEPT: usize = 10_000;
+
 /// The largest number of corners of a primitive that is kept. There are some thousand such primitives, and together they take
 /// less than 100 MB.
 const PRIMITIVE_KEPT: u64 = 1024;
@@ -33,6 +36,8 @@ pub(crate) struct KeptResults {
     searches: BTreeMap<File, Rc<[Text]>>,
     /// The tables read so far, by file.
     pub(crate) tables: BTreeMap<File, Array<Text>>,
+    /// The widths and heights of images.
+    pub(crate) image_sizes: BTreeMap<File, Result<(u32, u32), AssetError>>,
     /// The attributes of the edges of the initial shape, once a rule has asked for them.
     pub(super) edge_attributes: Option<Option<Arc<SampledAttributes>>>,
 }
@@ -62,6 +67,13 @@ impl Env {
     pub(crate) fn keep_table(&mut self, file: File, table: &Array<Text>) {
         if self.kept.tables.len() < TABLES_KEPT {
             self.kept.tables.insert(file, table.clone());
+        }
+    }
+
+    /// Keeps the size of an image, if there is room.
+    pub(crate) fn keep_image_size(&mut self, file: &File, size: &Result<(u32, u32), AssetError>) {
+        if self.kept.image_sizes.len() < IMAGE_SIZES_KEPT {
+            self.kept.image_sizes.insert(file.clone(), size.clone());
         }
     }
 

@@ -4,7 +4,7 @@
 
 use super::Env;
 use crate::fault::FaultKind;
-use crate::run::ghost::relation::Relation;
+use crate::geometry::relation::Relation;
 use crate::run::ghost::{Collect, Ghost, GhostBuilder};
 use crate::run::settings::Repeats;
 use crate::run::surroundings::{QueryTarget, Surroundings};

@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DMat3};
 
-use super::relation::{Occluder, QueryGeometry, Relation};
+use crate::geometry::relation::{Occluder, QueryGeometry, Relation};
 use crate::shape::Geometry;
 use crate::shape::body::Body;
 use crate::shape::filled_scope;

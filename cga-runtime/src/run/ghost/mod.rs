@@ -10,7 +10,6 @@ mod label_index;
 mod labelled;
 pub(crate) mod leaf_sink;
 mod occluders;
-pub(crate) mod relation;
 
 use super::tree_keys::{TreeKeys, TreeNode};
 use crate::shape::body::Body;

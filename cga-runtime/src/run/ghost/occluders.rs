@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use super::body;
-use super::relation::{Occluders, QueryGeometry, Relation};
+use crate::geometry::relation::{Occluders, QueryGeometry, Relation};
 use crate::run::tree_keys::{TreeKeys, TreeNode};
 use crate::shape::body::Body;
 use crate::value::text::Text;

@@ -2,18 +2,23 @@
 
 use glam::DVec3;
 
-use crate::mesh::Bounds;
+use crate::bounds::Bounds;
 
 /// The number of boxes in a leaf of the tree.
 const LEAF: usize = 6;
 
+/// The most nodes that wait for a visit: one for each level of the tree. Each level halves a number of 32 bits.
+const MOST_OPEN: usize = 40;
+
 /// A binary tree of numbered boxes. A node is followed by all nodes of its first half, then by all nodes of its second half.
-pub(super) struct BoundsTree {
+#[derive(Debug, Default)]
+pub(crate) struct BoundsTree {
     nodes: Vec<BoundsNode>,
     /// The numbers of boxes, leaf by leaf.
     order: Vec<u32>,
 }
 
+#[derive(Debug)]
 struct BoundsNode {
     bounds: Bounds,
     /// The node of the second half; 0 for a leaf.
@@ -25,7 +30,7 @@ struct BoundsNode {
 
 impl BoundsTree {
     /// The tree of boxes, which are numbered in order.
-    pub(super) fn of(boxes: &[Bounds]) -> Self {
+    pub(crate) fn of(boxes: &[Bounds]) -> Self {
         let mut tree = BoundsTree { nodes: Vec::new(), order: (0..boxes.len() as u32).collect() };
         if !boxes.is_empty() {
             tree.add(boxes, 0, boxes.len());
@@ -51,29 +56,41 @@ impl BoundsTree {
         self.add(boxes, start + half, end);
     }
 
-    /// Calls `found` with the numbers of the boxes in the nodes that `enters` accepts, until `found` returns false.
-    pub(super) fn visit(&self, enters: impl Fn(&Bounds) -> bool, mut found: impl FnMut(u32) -> bool) {
-        let mut open = vec![0usize];
-        while let Some(number) = open.pop() {
-            let Some(node) = self.nodes.get(number).filter(|node| enters(&node.bounds)) else { continue };
-            if node.second == 0 {
-                if !self.order[node.start as usize..node.end as usize].iter().all(|number| found(*number)) {
-                    return;
+    /// Calls `found` with the numbers of the boxes in the nodes that `enters` accepts, until `found` returns false. Returns the number
+    /// of nodes that were compared.
+    #[inline]
+    pub(crate) fn visit(&self, enters: impl Fn(&Bounds) -> bool, mut found: impl FnMut(u32) -> bool) -> usize {
+        let (mut open, mut waiting, mut compared) = ([0u32; MOST_OPEN], 0, 0);
+        let mut next = Some(0u32);
+        while let Some(number) = next.take() {
+            compared += 1;
+            if let Some(node) = self.nodes.get(number as usize).filter(|node| enters(&node.bounds)) {
+                if node.second != 0 {
+                    open[waiting] = node.second;
+                    waiting += 1;
+                    next = Some(number + 1);
+                    continue;
                 }
-            } else {
-                open.extend([node.second as usize, number + 1]);
+                if !self.order[node.start as usize..node.end as usize].iter().all(|number| found(*number)) {
+                    break;
+                }
+            }
+            if waiting != 0 {
+                waiting -= 1;
+                next = Some(open[waiting]);
             }
         }
+        compared
     }
 }
 
 /// Returns true if two boxes have a common point.
-pub(super) fn overlap(a: &Bounds, b: &Bounds) -> bool {
+pub(crate) fn overlap(a: &Bounds, b: &Bounds) -> bool {
     a.low.cmple(b.high).all() && b.low.cmple(a.high).all()
 }
 
 /// Returns true if a ray meets a box. `inverse` are the reciprocals of the ray's direction, which has no component zero.
-pub(super) fn meets_ray(bounds: &Bounds, from: DVec3, inverse: DVec3) -> bool {
+pub(crate) fn meets_ray(bounds: &Bounds, from: DVec3, inverse: DVec3) -> bool {
     let [a, b] = [(bounds.low - from) * inverse, (bounds.high - from) * inverse];
     a.min(b).max_element().max(0.0) <= a.max(b).min_element()
 }
