@@ -83,24 +83,25 @@ impl<'s> SceneRun<'s> {
         let quiet = Settings { echo: false, ..settings.clone() };
         let (first, again) = (open(&quiet)?, || open(&quiet).ok());
         let job = |session: &mut Worker<'_>, number: usize, _: &dyn Fn() -> bool| {
-            let found = self.ghost(session, labelled[number]);
+            let at = labelled[number];
+            let found = self.ghost(session, at);
             let ends = found.is_err();
-            (found.map_err(|outcome| (labelled[number], outcome)), ends)
+            (found.map(|ghost| (at, ghost)).map_err(|outcome| (at, outcome)), ends)
         };
-        let (mut ghosts, mut failed) = (Vec::new(), None);
-        in_order(labelled.len(), first, again, job, |found: Result<Arc<Ghost>, (usize, RunOutcome)>| match found {
-            Ok(ghost) => ghosts.push(ghost),
-            Err((at, RunOutcome { error, .. })) => failed = error.map(|error| RunError { shape: Some(at), error }),
+        let (mut index, mut failed) = (LabelIndex::default(), None);
+        in_order(labelled.len(), first, again, job, |found: Result<(usize, Arc<Ghost>), (usize, RunOutcome)>| {
+            match found {
+                Ok((at, ghost)) => {
+                    index.add_all(at, ghost.labels());
+                    if !self.collect.occluders {
+                        self.forget(at);
+                    }
+                }
+                Err((at, RunOutcome { error, .. })) => failed = error.map(|error| RunError { shape: Some(at), error }),
+            }
         });
-        if let Some(error) = failed {
-            return Err(error);
-        }
-        let indices = labelled.iter().zip(&ghosts).map(|(number, ghost)| (*number, ghost.labels()));
-        let _ = self.labels.set(Arc::new(LabelIndex::of_all(indices)));
-        if !self.collect.occluders {
-            labelled.iter().for_each(|at| self.forget(*at));
-        }
-        Ok(())
+        let _ = self.labels.set(Arc::new(index));
+        failed.map_or(Ok(()), Err)
     }
 
     /// Counts the initial shapes that can ask about each one, so that ghosts can be dropped.

@@ -31,15 +31,11 @@ impl LabelIndex {
         self.labels.entry(label).or_default().shapes.push((number, shape));
     }
 
-    /// The index of the shapes of several initial shapes, which come in the order of their numbers.
-    pub(crate) fn of_all<'a>(indices: impl Iterator<Item = (usize, &'a LabelIndex)>) -> Self {
-        let mut all = LabelIndex::default();
-        for (number, index) in indices {
-            for (label, list) in &index.labels {
-                list.shapes.iter().for_each(|(_, shape)| all.add(label.clone(), number, shape.clone()));
-            }
+    /// Adds the shapes of an initial shape. Initial shapes come in the order of their numbers.
+    pub(crate) fn add_all(&mut self, number: usize, index: &LabelIndex) {
+        for (label, list) in &index.labels {
+            list.shapes.iter().for_each(|(_, shape)| self.add(label.clone(), number, shape.clone()));
         }
-        all
     }
 
     /// The number of shapes with a label.
