@@ -258,3 +258,26 @@ fn scenes_end_with_the_first_error_a_watch_or_what_takes_the_models() {
     let report = scene.generate_each(&Settings::default(), take).expect("no error");
     assert!(taken == 3 && report.stopped);
 }
+
+#[test]
+fn turned_party_walls_are_found_as_well() {
+    // A row of four houses whose walls are coplanar only up to rounding.
+    let turned = |at: usize, degrees: f64| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let corner = |x: f64, z: f64| [300.0 + x * cos + z * sin, 700.0 - x * sin + z * cos];
+        let x = 10.0 * at as f64;
+        let outline = [corner(x, 10.0), corner(x + 10.0, 10.0), corner(x + 10.0, 0.0), corner(x, 0.0)];
+        Shape::footprint(&outline, &[]).expect("a lot").attribute("height", 10.0 + 5.0 * (at % 2) as f64)
+    };
+    let counts = |degrees: f64| -> Vec<[usize; 2]> {
+        let lots: Vec<Shape> = (0..4).map(|at| turned(at, degrees)).collect();
+        let models = models(&Scene::new(&Blocks::default(), &lots));
+        models.iter().map(|model| [model.count("Window"), model.count("Wall")]).collect()
+    };
+    let expected = counts(0.0);
+    // Low houses have hidden side walls; tall ones have a free storey above their neighbours.
+    assert_eq!(expected, [[6, 0], [8, 0], [4, 0], [10, 0]]);
+    for degrees in [7.0, 30.0, 45.0, 61.3, 123.4] {
+        assert_eq!(counts(degrees), expected, "{degrees}");
+    }
+}
