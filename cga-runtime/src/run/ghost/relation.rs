@@ -136,7 +136,7 @@ impl Occluders {
 
 fn relation(query: &Bounds, solid: &Bounds) -> Relation {
     let (size, shared) = (query.high - query.low, query.high.min(solid.high) - query.low.max(solid.low));
-    let is_apart = !(-TOLERANCE <= shared.min_element());
+    let is_apart = shared.min_element() < -TOLERANCE || shared.is_nan();
     if is_apart {
         return Relation::NONE;
     }
