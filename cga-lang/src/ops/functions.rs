@@ -3,7 +3,7 @@
 use super::base::later;
 use super::{
     Allowed, B, Default, F, Function, Needs, Param, ParamBounds, Params, Run, Str, T, TAG_QUERY, TS, Uses, bounds,
-    choice, or, queries, renamed, set_elements, text, values, within, word, words,
+    choice, or, queries, renamed, set_elements, text, values, within, word,
 };
 use crate::types::Type;
 

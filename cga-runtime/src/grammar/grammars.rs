@@ -9,7 +9,7 @@ use crate::grammar::session::DynSession;
 use crate::grammar::{Grammar, lots};
 use crate::output::batches::{Batches, RunError};
 use crate::output::model::Model;
-use crate::run::derive::{self, RunOutcome};
+use crate::run::derive::{self, NoResult, RunOutcome};
 use crate::run::ghost::{Collect, Ghost};
 use crate::run::queries::Queries;
 use crate::run::report::Report;
@@ -213,8 +213,8 @@ impl DynSession for GrammarsSession<'_> {
             .map_or_else(|_| Queries::default(), |(queries, _)| queries)
     }
 
-    fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, RunOutcome> {
-        let found = self.of_lot(shape, |session, lot| session.ghost(lot, collect)).map_err(RunOutcome::failed)?;
+    fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, NoResult> {
+        let found = self.of_lot(shape, |session, lot| session.ghost(lot, collect)).map_err(NoResult::Failed)?;
         found.0
     }
 }

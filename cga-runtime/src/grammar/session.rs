@@ -15,7 +15,7 @@ use std::sync::Arc;
 use crate::fault::{Error, Fault};
 use crate::grammar::{Grammar, lots};
 use crate::output::model::Model;
-use crate::run::derive::{self, Derivation, GrammarNames, Kept, RunOutcome, Start};
+use crate::run::derive::{self, Derivation, GrammarNames, Kept, NoResult, RunOutcome, Start};
 use crate::run::ghost::leaf_sink::LeafGhost;
 use crate::run::ghost::{Collect, Ghost};
 use crate::run::queries::Queries;
@@ -138,7 +138,7 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
     fn outcome(&mut self, shape: &Shape, neighbours: Option<&Arc<Neighbours>>, sink: &mut dyn Sink) -> RunOutcome {
         let prepared = match self.prepared(shape) {
             Ok(prepared) => prepared,
-            Err(outcome) => return outcome,
+            Err(reason) => return reason.into(),
         };
         let Prepared { grammar, start, settings, kept, faults } = prepared;
         let mut outcome = run_named(&Derivation { rules: grammar, start, shape, settings }, neighbours, kept, sink);
@@ -147,7 +147,7 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
     }
 
     /// The shapes that a run on a shape leaves for the queries of its neighbours.
-    fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, RunOutcome> {
+    fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, NoResult> {
         let Prepared { grammar, start, settings, .. } = self.prepared(shape)?;
         Derivation { rules: grammar, start, shape, settings }.ghost(collect)
     }
@@ -158,12 +158,12 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
         own.unwrap_or(self.setup.start).queries
     }
 
-    /// Prepares a run on a shape, or gives the outcome of a run that does not begin.
-    fn prepared(&mut self, shape: &Shape) -> Result<Prepared<'_, G>, RunOutcome> {
-        if let Some(stopped) = RunOutcome::stopped(&self.setup.settings) {
-            return Err(stopped);
+    /// Prepares a run on a shape.
+    fn prepared(&mut self, shape: &Shape) -> Result<Prepared<'_, G>, NoResult> {
+        if RunOutcome::stopped(&self.setup.settings).is_some() {
+            return Err(NoResult::Stopped);
         }
-        shape.check_initial().map_err(RunOutcome::failed)?;
+        shape.check_initial().map_err(NoResult::Failed)?;
         if let Some(lot) = shape.lot() {
             return self.prepared_lot(lot, shape);
         }
@@ -172,7 +172,7 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
     }
 
     /// Prepares a run on a shape with data of its own.
-    fn prepared_lot(&mut self, lot: &Lot, shape: &Shape) -> Result<Prepared<'_, G>, RunOutcome> {
+    fn prepared_lot(&mut self, lot: &Lot, shape: &Shape) -> Result<Prepared<'_, G>, NoResult> {
         let Session { setup, of_lots, .. } = self;
         match of_lots.iter().position(|known| known.lot.is_same(lot)) {
             Some(at) => of_lots[..=at].rotate_right(1),
@@ -183,7 +183,7 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
             }
         }
         let LotGrammar { grammar, start, problems, kept, .. } = &mut of_lots[0];
-        let faults = lots::faults(shape, problems, setup.settings.wrong_lots).map_err(RunOutcome::failed)?;
+        let faults = lots::faults(shape, problems, setup.settings.wrong_lots).map_err(NoResult::Failed)?;
         Ok(Prepared { grammar, start: *start, settings: &setup.settings, kept, faults })
     }
 }
@@ -227,11 +227,11 @@ pub trait DynSession {
     /// The shapes that a run on a shape leaves for the queries of its neighbours. A grammar that is written by hand leaves its closed
     /// leaves.
     #[doc(hidden)]
-    fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, RunOutcome> {
+    fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, NoResult> {
         let mut leaves = LeafGhost::new(collect);
         match self.outcome(shape, None, &mut leaves) {
             RunOutcome { report, error: None } if !report.stopped => Ok(leaves.finish()),
-            outcome => Err(outcome),
+            RunOutcome { error, .. } => Err(error.map_or(NoResult::Stopped, NoResult::Failed)),
         }
     }
 }
@@ -249,7 +249,7 @@ impl<G: Rules + Grammar + Clone> DynSession for Session<'_, G> {
         Session::queries(self, shape)
     }
 
-    fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, RunOutcome> {
+    fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, NoResult> {
         Session::ghost(self, shape, collect)
     }
 }

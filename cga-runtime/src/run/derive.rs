@@ -77,6 +77,24 @@ impl RunOutcome {
     }
 }
 
+/// The reason why a derivation has no result.
+#[derive(Debug)]
+pub enum NoResult {
+    /// An error ended it.
+    Failed(Error),
+    /// The watch ended it.
+    Stopped,
+}
+
+impl From<NoResult> for RunOutcome {
+    fn from(reason: NoResult) -> Self {
+        match reason {
+            NoResult::Failed(error) => RunOutcome::failed(error),
+            NoResult::Stopped => RunOutcome { report: Report { stopped: true, ..Report::default() }, error: None },
+        }
+    }
+}
+
 /// The names that a grammar has for its buildings.
 pub(crate) struct GrammarNames<'a> {
     pub(crate) grammar: &'static str,
@@ -104,7 +122,7 @@ pub(crate) fn run<R: Rules>(
     let Derivation { rules, start: Start { rule, style, .. }, shape, settings } = *run;
     let around = match run.surroundings(neighbours.cloned()) {
         Ok(around) => around,
-        Err(outcome) => return outcome,
+        Err(reason) => return reason.into(),
     };
     let mut env = run.env(around.clone());
     sink.begin();

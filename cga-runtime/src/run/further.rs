@@ -6,7 +6,7 @@ use glam::DAffine3;
 
 use crate::geometry::mesh::Mesh;
 use crate::run::context::Cx;
-use crate::run::derive::{Derivation, RunOutcome, derive};
+use crate::run::derive::{Derivation, NoResult, derive};
 use crate::run::env::Env;
 use crate::run::ghost::{Collect, Ghost};
 use crate::run::queries::Queries;
@@ -57,8 +57,8 @@ impl<R: Rules> Derivation<'_, R> {
     /// The shapes that queries of the run ask about. The ones of its own initial shape are derived first (*CGA and its context*).
     ///
     /// # Errors
-    /// The outcome of the run, if the first derivation has an error or is stopped.
-    pub(super) fn surroundings(&self, neighbours: Option<Arc<Neighbours>>) -> Result<Surroundings, RunOutcome> {
+    /// The first derivation has an error or is stopped.
+    pub(super) fn surroundings(&self, neighbours: Option<Arc<Neighbours>>) -> Result<Surroundings, NoResult> {
         let around = Surroundings { own: None, neighbours };
         let queries = self.start.queries;
         let occluders = queries.has_any(Queries::INTRA_OCCLUSION);
@@ -73,23 +73,20 @@ impl<R: Rules> Derivation<'_, R> {
     /// The shapes of the run that queries of its neighbours find. Queries of neighbours have their defaults in it.
     ///
     /// # Errors
-    /// The outcome of the run, if it has an error or is stopped.
-    pub(crate) fn ghost(&self, collect: Collect) -> Result<Ghost, RunOutcome> {
+    /// The run has an error or is stopped.
+    pub(crate) fn ghost(&self, collect: Collect) -> Result<Ghost, NoResult> {
         self.collected(self.surroundings(None)?, collect).map(Ghost::without_keys)
     }
 
     /// Derives the run and collects its shapes. Its reports, prints and faults are dropped.
-    fn collected(&self, around: Surroundings, collect: Collect) -> Result<Ghost, RunOutcome> {
+    fn collected(&self, around: Surroundings, collect: Collect) -> Result<Ghost, NoResult> {
         let mut env = self.env(around);
         env.collect(collect);
         let flow = self.derive_silently(&mut env);
         let is_complete = flow.is_continue() && env.spend(0).is_continue();
         match env.error.take() {
             None if is_complete => Ok(env.take_ghost()),
-            error => {
-                let report = Report { stopped: error.is_none(), ..Report::default() };
-                Err(RunOutcome { report, error })
-            }
+            error => Err(error.map_or(NoResult::Stopped, NoResult::Failed)),
         }
     }
 

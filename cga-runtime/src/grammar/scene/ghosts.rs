@@ -7,7 +7,7 @@ use crate::geometry::mesh::Bounds;
 use crate::grammar::parallel::order::in_order;
 use crate::grammar::parallel::{Open, Worker};
 use crate::output::batches::RunError;
-use crate::run::derive::RunOutcome;
+use crate::run::derive::{NoResult, RunOutcome};
 use crate::run::ghost::box_tree::BoxTree;
 use crate::run::ghost::{Collect, Ghost, LabelIndex};
 use crate::run::queries::Queries;
@@ -61,7 +61,7 @@ impl<'s> SceneRun<'s> {
         }
         let neighbours = match self.neighbours(session, index) {
             Ok(neighbours) => Arc::new(neighbours),
-            Err(outcome) => return outcome,
+            Err(reason) => return reason.into(),
         };
         let outcome = session.outcome(&self.lots[index], Some(&neighbours), sink);
         self.release(index);
@@ -86,20 +86,25 @@ impl<'s> SceneRun<'s> {
             let at = labelled[number];
             let found = self.ghost(session, at);
             let ends = found.is_err();
-            (found.map(|ghost| (at, ghost)).map_err(|outcome| (at, outcome)), ends)
+            (found.map(|ghost| (at, ghost)).map_err(|reason| (at, reason)), ends)
         };
         let (mut index, mut failed) = (LabelIndex::default(), None);
-        in_order(labelled.len(), first, again, job, |found: Result<(usize, Arc<Ghost>), (usize, RunOutcome)>| {
-            match found {
+        in_order(
+            labelled.len(),
+            first,
+            again,
+            job,
+            |found: Result<(usize, Arc<Ghost>), (usize, NoResult)>| match found {
                 Ok((at, ghost)) => {
                     index.add_all(at, ghost.labels());
                     if !self.collect.occluders {
                         self.forget(at);
                     }
                 }
-                Err((at, RunOutcome { error, .. })) => failed = error.map(|error| RunError { shape: Some(at), error }),
-            }
-        });
+                Err((at, NoResult::Failed(error))) => failed = Some(RunError { shape: Some(at), error }),
+                Err((_, NoResult::Stopped)) => {}
+            },
+        );
         let _ = self.labels.set(Arc::new(index));
         failed.map_or(Ok(()), Err)
     }
@@ -156,8 +161,8 @@ impl<'s> SceneRun<'s> {
     }
 
     /// The shapes around an initial shape.
-    fn neighbours(&self, session: &mut Worker<'_>, index: usize) -> Result<Neighbours, RunOutcome> {
-        let mut ghosts = |list: Vec<usize>| -> Result<Vec<Arc<Ghost>>, RunOutcome> {
+    fn neighbours(&self, session: &mut Worker<'_>, index: usize) -> Result<Neighbours, NoResult> {
+        let mut ghosts = |list: Vec<usize>| -> Result<Vec<Arc<Ghost>>, NoResult> {
             list.into_iter().map(|at| self.ghost(session, at)).collect()
         };
         let occlusion = ghosts(self.near(index, Queries::INTER_OCCLUSION, self.distances.occlusion))?;
@@ -169,7 +174,7 @@ impl<'s> SceneRun<'s> {
     }
 
     /// The ghost of an initial shape. Threads that need the same one wait for the first of them.
-    fn ghost(&self, session: &mut Worker<'_>, index: usize) -> Result<Arc<Ghost>, RunOutcome> {
+    fn ghost(&self, session: &mut Worker<'_>, index: usize) -> Result<Arc<Ghost>, NoResult> {
         let known = &mut *self.ghosts[index].lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(ghost) = known {
             return Ok(ghost.clone());
